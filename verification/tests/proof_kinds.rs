@@ -312,7 +312,10 @@ fn a_support_within_rounding_of_acting_is_named_and_all_bounds_hold() {
         let ratio = over_bound(&close, &apart, &proof, true);
         assert!(ratio <= 1.0, "{name}: error over bound {ratio}");
         if let Err(why) = &proof.supports {
-            assert!(why.what.starts_with("the beam is too close to a support"), "{name}: {why}");
+            assert!(
+                why.what.starts_with("the beam is too close to a one-way support"),
+                "{name}: {why}"
+            );
             assert!(why.at == Some(at) && proof.shortfall().is_some(), "{name}: {why}");
             judged += 1;
         }

@@ -1,4 +1,4 @@
-//! Bounds of the error e of the deflection, from the places where e is bounded: its anchors.
+//! Bounds of the error e of the deflection on the whole beam, from places (anchors) where |e| or |e_φ| is bounded.
 
 use crate::coefficient::Coefficient;
 use crate::frame::{Node, Span};
@@ -8,10 +8,10 @@ use crate::scalar::Scalar;
 use crate::size::Size;
 use std::ops::Range;
 
-/// The parts |t| ≤ … of a piece on which the least pressure is tried.
+/// Parts |t| ≤ … of a piece for which a lower bound of the pressure is computed.
 const PARTS: [f64; 4] = [0.9, 0.5, 0.25, 0.0625];
 
-/// Those that lie within a piece: `half` need not be half of its length.
+/// The `PARTS` that fit into the piece: `half` may be less than half of its length.
 pub(crate) fn parts_of<S: Scalar>(span: &Span<S>) -> impl Iterator<Item = f64> {
     let [left, right] = [-span.t[0].high(), span.t[1].low()];
     PARTS.into_iter().filter(move |part| *part <= left && *part <= right)
@@ -20,12 +20,12 @@ pub(crate) fn parts_of<S: Scalar>(span: &Span<S>) -> impl Iterator<Item = f64> {
 /// A place with a bound of |e|, or of |e_φ|.
 #[derive(Debug, Clone, Copy)]
 struct Anchor {
-    /// An interval that holds the place.
+    /// An interval that contains the place.
     x: [f64; 2],
     bound: Size,
 }
 
-/// What bounds e on a part of the beam.
+/// The anchors on one part of the beam.
 #[derive(Debug, Clone, Default)]
 struct Anchors {
     /// Places with a bound of |e|.
@@ -90,7 +90,7 @@ impl<S: Scalar> Pointwise<'_, S> {
         let frame = self.fields.frame;
         let mut anchors: Vec<Anchors> = parts.iter().map(|part| self.anchors(part)).collect();
         let mut found = vec![Size::INFINITE; parts.len()];
-        // How many anchors each part had when its bound was computed.
+        // Number of anchors of each part when its bound was last computed.
         let mut used = vec![0; parts.len()];
         for _ in 0..2 {
             let order: Vec<usize> = (0..parts.len()).chain((0..parts.len()).rev()).collect();
@@ -133,7 +133,7 @@ impl<S: Scalar> Pointwise<'_, S> {
         found
     }
 
-    /// Makes a bounded part an anchor of its neighbours, at their hinges.
+    /// Adds an anchor to each neighbour of a bounded part, at their common hinge.
     fn hand_on(&self, j: usize, parts: &[Range<usize>], found: &[Size], anchors: &mut [Anchors]) {
         if !(found[j] < Size::INFINITE) {
             return;
@@ -189,7 +189,7 @@ impl<S: Scalar> Pointwise<'_, S> {
         anchors
     }
 
-    /// At a touching node with a force ā ≥ (1 − |λ|)a > 0: e = d + C*, and āC* ≤ E.
+    /// Bound of |e| at a touching node with a force ā ≥ (1 − |λ|)a > 0: e = d + C*, and āC* ≤ E.
     fn pressed(&self, node: usize) -> Option<Size> {
         let surface = &self.fields.surface;
         let force = self.kept(self.balanced.factors[node].size()) * surface.nodes[node].force.low();
@@ -197,8 +197,8 @@ impl<S: Scalar> Pointwise<'_, S> {
             .then(|| self.s2() * surface.flexibility_at(node) + self.energy.over(force.next_down()))
     }
 
-    /// At a support of one direction that acts. A rigid one with ρ̄ ≥ (1 − |λ|)|R|: ρ̄ς(w̄ − w*) ≤ E. A spring with
-    /// κv̄ > (2κE)^½ acts in the exact solution too, and ½κe² ≤ E.
+    /// Bound of |e| at an active one-way support. A rigid one with ρ̄ ≥ (1 − |λ|)|R|: ρ̄ς(w̄ − w*) ≤ E. A spring with
+    /// κv̄ > (2κE)^½ is also active in the exact solution, and ½κe² ≤ E.
     fn pushed(&self, node: usize) -> Option<Size> {
         let pushing = self.fields.residual.pushing[node].low();
         if let Some([spring, _]) = self.fields.frame.nodes[node].spring {
@@ -229,7 +229,7 @@ impl<S: Scalar> Pointwise<'_, S> {
     /// |e| ≤ (1 + √2)(d₁ + E/(p_m h) + (2/(5√3)) s(h/2)^{3/2} + ⅔s_γ(h/2)^½) + s(h/2)^{3/2}/√3 + s_γ(h/2)^½,
     /// ```
     ///
-    /// d₁ = s₂√g in a layer, (2E/(kh))^½ on separate springs.
+    /// d₁ = s₂√g in a layer, (2E/(kh))^½ on Winkler ground.
     fn pressing(&self, i: usize, [s, sheared]: [Size; 2]) -> Option<[Anchor; 2]> {
         let span = &self.fields.frame.spans[i];
         let kept = self.kept(self.balanced.factor(i).value());
@@ -260,7 +260,7 @@ impl<S: Scalar> Pointwise<'_, S> {
         best
     }
 
-    /// The least of sup|e| on a part over sets of anchors: all whose bound is below some level.
+    /// The smallest bound of sup|e| on a part. Each trial uses the anchors whose bounds lie below one level.
     fn best_along(&self, part: &Part, anchors: &Anchors) -> Size {
         let mut sorted = anchors.places.clone();
         sorted.sort_by(|a, b| a.bound.value().total_cmp(&b.bound.value()));
@@ -325,19 +325,20 @@ impl<S: Scalar> Pointwise<'_, S> {
     }
 }
 
-/// A bound of |e| on an interval from a bound of its mean there, s(h/2)^{3/2} and s_γ(h/2)^½: e less its tangent in the middle is at
-/// most their parts below, and a straight line is at most 1 + √2 times the mean of its size.
+/// A bound of |e| on an interval from a bound of its mean there, s(h/2)^{3/2} and s_γ(h/2)^½: the difference of e and
+/// its tangent in the middle is at most their parts below, and a straight line is at most 1 + √2 times the mean of its
+/// absolute value.
 pub(crate) fn from_mean(mean: Size, curved: Size, slid: Size) -> Size {
     let mean = mean + 0.2310 * curved + 0.6667 * slid;
     2.4143 * mean + 0.5774 * curved + slid
 }
 
-/// s(h³/48)^½ + ½s_γh^½: by how much |e| may exceed its values at both ends of a length h.
+/// s(h³/48)^½ + ½s_γh^½: the largest excess of |e| over its values at both ends of a length h.
 pub(crate) fn between(h: Size, [s, sheared]: [Size; 2]) -> Size {
     s * (h.square() * h).over(48.0).root() + 0.5 * (sheared * h.root())
 }
 
-/// |e| on an overhang o beyond two places, the nearer first, whose distance is known between two bounds.
+/// A bound of |e| on an overhang o beyond two places, the nearer first. Their distance lies between two given bounds.
 pub(crate) fn beyond(
     [near, far]: [Size; 2],
     over: Size,
@@ -351,7 +352,8 @@ pub(crate) fn beyond(
     near + turn + bent + slid
 }
 
-/// θo + so(d + o/3)^½ + s_γo^½: the change of e over a length o from |e_φ| ≤ θ at a place not farther than d from its start.
+/// θo + so(d + o/3)^½ + s_γo^½: the change of e over a length o, if |e_φ| ≤ θ at a place not farther than d from its
+/// start.
 pub(crate) fn along_slope(
     [slope, distance]: [Size; 2],
     over: Size,
@@ -361,7 +363,7 @@ pub(crate) fn along_slope(
     slope * over + bent + sheared * over.root()
 }
 
-/// A bound of the distance from a to b, zero if b lies before a.
+/// An upper bound of the distance from a to b, zero if b lies left of a.
 fn distance(a: f64, b: f64) -> Size {
     let d = (b - a).next_up();
     if d <= 0.0 { Size::ZERO } else { Size::of(d) }

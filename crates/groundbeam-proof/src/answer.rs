@@ -1,11 +1,11 @@
-//! The answer to be proven: its fields, piece by piece, its concentrated forces and reactions.
+//! The answer to be proven: its fields by piece, its concentrated contact forces and the reactions.
 
-/// The answer that is to be proven: what a program or a document says. Its numbers are exact doubles.
+/// The answer to be proven, as a program or a document states it. Its numbers are exact doubles.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Answer {
     /// Pieces from left to right. They cover the beam: each begins with the double at which the one before ends.
     pub pieces: Vec<Piece>,
-    /// Concentrated contact forces, those under the beam's ends among them.
+    /// Concentrated contact forces, including those under the ends of the beam.
     pub forces: Vec<Force>,
     /// Reactions of the supports. A support that is not listed has the reaction zero.
     pub reactions: Vec<Reaction>,
@@ -16,19 +16,19 @@ pub struct Answer {
 pub struct Piece {
     /// Left and right end \[m\].
     pub x: [f64; 2],
-    /// Half its length \[m\], as the coefficients use it: the ends themselves are rounded.
+    /// Half its length \[m\] as the coefficients use it; it can differ from (x₁ − x₀)/2 by rounding.
     pub half: f64,
-    /// Whether beam and ground touch on it.
+    /// Whether beam and ground are in contact on the piece.
     pub touches: bool,
-    /// Coefficients of w(t) \[m\], from the constant one.
+    /// Coefficients of w(t) \[m\], the constant one first.
     pub deflection: Vec<f64>,
     /// Coefficients of the rotation φ(t) of the sections \[rad\]. Empty: φ = w′, the piece does not shear.
     pub rotation: Vec<f64>,
     /// Coefficients of the contact pressure p(t) \[N/m\]. Empty: none is stored.
     pub pressure: Vec<f64>,
-    /// On open pieces the settlement u of the ground at both ends \[m\]. `None`: not stored.
+    /// On an open piece: the settlement u of the ground at both ends \[m\]. `None`: not stored.
     pub open: Option<[f64; 2]>,
-    /// On open pieces over varying ground the coefficients of u(t) \[m\]. Empty: not stored.
+    /// On an open piece over varying ground: the coefficients of u(t) \[m\]. Empty: not stored.
     pub settlement: Vec<f64>,
 }
 

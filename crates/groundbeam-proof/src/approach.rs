@@ -1,4 +1,5 @@
-//! Open ground of a layer in the exact solution: where the exact clearance is positive next to open pieces of the answer.
+//! Open ground with a shear layer: shows that the clearance of the exact solution is positive next to open pieces of
+//! the answer.
 
 use crate::clearance::OpenPiece;
 use crate::contact_set::{Contact, Zone, more};
@@ -6,28 +7,28 @@ use crate::polynomial::half_width;
 use crate::scalar::Scalar;
 use crate::size::Size;
 
-/// Halvings on one piece.
+/// Maximum number of halvings on one piece.
 const HALVINGS: usize = 2000;
 
-/// The end of an open piece that touches.
+/// The neighbourhood of a touching end of an open piece.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Approach {
-    /// The exact solution has no contact on the piece farther than this from the touching node.
+    /// θ: at larger distances from the touching node, the exact solution has no contact on the piece.
     pub theta: Size,
-    /// A bound of the error of μu′ at the node, if the exact beam is open on the piece.
+    /// A bound of the error of μu′ at the node, valid if the exact beam is open on the piece.
     pub flux: Size,
     /// μ|C′| at the node.
     pub steep: Size,
-    /// t of the place up to which the clearance itself has to be shown.
+    /// t of the place up to which the clearance itself must be shown to be positive.
     reach: f64,
 }
 
 impl<S: Scalar> Contact<'_, S> {
-    /// Shows that a stretch of open pieces is open in the exact solution; the approaches to its touching ends.
+    /// Shows that a stretch of open pieces is open in the exact solution. Returns the approaches to its touching ends.
     ///
-    /// Between the reaches C > ε_u + ε_w. From a reach to the touching node, less θ, C falls faster than its slope is off. Beside
-    /// a rigid support that stands on the ground g₀ − w grows from zero; such zones are listed.
-    /// No pressure acts where the beam rests without load.
+    /// Between the reaches C > ε_u + ε_w. From a reach to the touching node, except on the last θ, C decreases faster
+    /// than the bound of its slope's error. Beside a rigid support that stands on the ground, g₀ − w grows from zero;
+    /// such zones are listed. No pressure acts where the beam rests without load.
     pub(crate) fn stretch(
         &self,
         first: usize,
@@ -81,7 +82,7 @@ impl<S: Scalar> Contact<'_, S> {
         let [from, to] = piece.interval;
         let (end, wide) = (piece.interval[side], to - from);
         let inward = if side == 0 { 1.0 } else { -1.0 };
-        // The exact beam is open from `far` to the reach, which bounds the error of u′.
+        // The exact beam is open from `far` to the reach. This length gives the bound of the error of u′.
         let far = end + inward * wide * if both { 0.75 } else { 1.0 - 1e-9 };
         let mut part = if both { 0.25 } else { 0.5 };
         for _ in 0..40 {
@@ -100,8 +101,8 @@ impl<S: Scalar> Contact<'_, S> {
 
     /// A bound of μ|u − u*|′ at the end of a length L of open ground on which |u − u*| ≤ ε_u.
     ///
-    /// On even ground u − u* is a sum of exponentials: μb coth(bL/2) ε_u. Else (μ(u − u*)′)′ = k(u − u*) − ρ, and by the mean
-    /// value theorem |u − u*|′ ≤ 2ε_u/h somewhere on a length h ≤ L: 2με_u/h + h(kε_u + max|ρ|).
+    /// If k and μ are constant, u − u* is a sum of exponentials: μb coth(bL/2) ε_u. Otherwise (μ(u − u*)′)′ = k(u − u*)
+    /// − ρ, and by the mean value theorem |u − u*|′ ≤ 2ε_u/h somewhere on a length h ≤ L: 2με_u/h + h(kε_u + max|ρ|).
     fn settlement_flux(&self, i: usize, length: f64) -> Size {
         if !(length > 0.0) {
             return Size::INFINITE;
@@ -119,7 +120,7 @@ impl<S: Scalar> Contact<'_, S> {
         shear * Size::of(factor.high()) * error
     }
 
-    /// A lower bound of (μC′)′ less its error on |t − m| ≤ r of an open piece.
+    /// A lower bound, on |t − m| ≤ r of an open piece, of (μC′)′ minus the bound of its error.
     fn presses(&self, i: usize, piece: &OpenPiece<S::Coarse>, m: f64, r: f64) -> bool {
         let (span, error) = (&self.fields.frame.spans[i], more(self.bounds[i].pressure));
         match &self.fields.surface.pieces[i].along {
@@ -135,8 +136,8 @@ impl<S: Scalar> Contact<'_, S> {
         }
     }
 
-    /// The least θ found for which C falls faster than `limit` from the reach to the node, less θ. Where θ > 0 the node
-    /// is smooth and (μC′)′ > ε_p on the last θ, with (μC′)′ = ku − q − (μψ′)′ but for ρ.
+    /// The smallest θ found such that C decreases faster than `limit` from the reach to distance θ from the node. Where
+    /// θ > 0 the node is smooth and (μC′)′ > ε_p on the last θ, with (μC′)′ = ku − q − (μψ′)′ except for ρ.
     fn theta(
         &self,
         i: usize,
@@ -174,7 +175,7 @@ impl<S: Scalar> Contact<'_, S> {
     }
 }
 
-/// The least of 2με/h + h·load over h ≤ length.
+/// The minimum of 2με/h + h·load over h ≤ length.
 fn varying_flux(stiff: Size, load: Size, length: f64) -> Size {
     let best = (2.0 * stiff.value() / load.value()).sqrt();
     let h = if best < length { best } else { length };
@@ -183,14 +184,14 @@ fn varying_flux(stiff: Size, load: Size, length: f64) -> Size {
 
 /// C′ at t, positive where C grows towards the touching end.
 fn fall<C: Scalar>(piece: &OpenPiece<C>, side: usize, t: f64) -> C {
-    // The end of the interval stands for the exact end of the piece, which it may exceed by its rounding.
+    // The end of the interval stands for the exact end of the piece; it may lie beyond it by a rounding error.
     let t = if t == piece.interval[side] { piece.ends[side] } else { C::of(t) };
     let [_, settling] = piece.arc.at((t - piece.ends[0]) * piece.half);
     let slope = settling - piece.obstacle[1].value(t);
     if side == 0 { -slope } else { slope }
 }
 
-/// Whether C falls towards the touching end faster than the limit, between a far place and a near one.
+/// Whether C decreases towards the touching end faster than the limit, between a far place and a near one.
 fn falls<C: Scalar>(piece: &OpenPiece<C>, side: usize, [far, near]: [f64; 2], limit: Size) -> bool {
     let mut open = vec![[far, near]];
     let mut left = 60;
@@ -206,7 +207,7 @@ fn falls<C: Scalar>(piece: &OpenPiece<C>, side: usize, [far, near]: [f64; 2], li
         if fall(piece, side, near).high() < -gained.value() {
             continue;
         }
-        // At the near end itself halving does not help.
+        // Halving cannot succeed at the near end itself.
         if left == 0 || !(fall(piece, side, near).high() < -limit.value()) || !(a < m && m < b) {
             return false;
         }
@@ -253,7 +254,7 @@ mod tests {
 
     const COUNT: usize = 2000;
 
-    /// Ground that varies on a length: k, μ and a load as parabolas through their values at both ends and in the middle.
+    /// Varying ground on one length: k, μ and a load as parabolas through their values at both ends and in the middle.
     struct Ground {
         length: f64,
         k: [f64; 3],
@@ -275,14 +276,14 @@ mod tests {
             Ground { length: 3.0_f64.powf(random()), k, mu, load }
         }
 
-        /// The largest or least value along the ground.
+        /// The largest (`sign` = 1) or smallest (−1) value along the ground.
         fn most(&self, of: [f64; 3], sign: f64) -> f64 {
             let at = |i: usize| sign * parabola(of, i as f64 / COUNT as f64);
             sign * (0..=COUNT).map(at).fold(f64::NEG_INFINITY, f64::max)
         }
 
-        /// y of −(μy′)′ + ky = load at the nodes of straight elements, from given values at the ends or, if there are none, with
-        /// free ends, and −μy′ at the left end.
+        /// Solves −(μy′)′ + ky = load with linear elements. Given: y at both ends, or free ends. Returns y at the nodes
+        /// and −μy′ at the left end.
         fn solve(&self, ends: Option<[f64; 2]>) -> (Vec<f64>, f64) {
             let h = self.length / COUNT as f64;
             let mut own = vec![0.0; COUNT + 1];

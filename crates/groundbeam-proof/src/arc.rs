@@ -33,7 +33,7 @@ impl<C: Scalar> Arc<C> {
         self.decay.square()
     }
 
-    /// A lower bound of u: it has no negative minimum inside.
+    /// A lower bound of u: u has no negative minimum inside.
     pub fn least(&self) -> f64 {
         let lows = self.ends.map(|u| u.low());
         let least = if lows[0] <= lows[1] { lows[0] } else { lows[1] };
@@ -46,7 +46,7 @@ impl<C: Scalar> Arc<C> {
         }
     }
 
-    /// The larger end value by size.
+    /// The larger absolute value of the two ends.
     pub fn size(&self) -> f64 {
         self.ends[0].size().max(self.ends[1].size())
     }
@@ -73,7 +73,7 @@ impl<C: Scalar> Arc<C> {
     }
 }
 
-/// exp(x) for x ≤ 0, with a small relative error also where it is small.
+/// exp(x) for x ≤ 0, with a small relative error even where exp(x) is small.
 fn exponential<C: Scalar>(x: C) -> C {
     let mut halvings = 0;
     let mut size = x.size();

@@ -1,19 +1,19 @@
-//! Exact balance: a moment in equilibrium, and pressures and reactions changed by small factors.
+//! Exact balance: a moment in equilibrium with the loads, after pressures and reactions change by small factors.
 //!
-//! The beam is cut at its ends, at free hinges and at chosen nodes. In each cell the residual is balanced by a moment δ
-//! that vanishes at the cuts (at a free hinge M + δ does). What remains at cut j is a force E_j. It is given back:
-//! pressures and concentrated forces are multiplied by 1 + λ, λ continuous and linear between the cuts, and supports
-//! take part with weights W_i for force and W_θi for rotation. With φ_j the hat functions of the cuts
+//! The beam is cut at its ends, at free hinges and at chosen nodes. In each cell a moment δ balances the residual. δ
+//! vanishes at the cuts (at a free hinge M + δ vanishes). A force E_j remains at cut j. It is distributed over the
+//! bearing forces: pressures and concentrated forces are multiplied by 1 + λ, with λ continuous and linear between the
+//! cuts. Supports take part with weights W_i for force and W_θi for rotation. With φ_j the hat functions of the cuts
 //!
 //! ```text
 //! Σ_k M_jk λ_k = E_j,   M_jk = ∫φ_jφ_k p + Σ a_i φ_jφ_k + Σ W_i φ_jφ_k + Σ W_θi φ_j′φ_k′.
 //! ```
 //!
-//! Pressures that pull are left out; E_j and M_jk are widened by at most their load ηω.
+//! Tensile pressures are omitted; the intervals of E_j and M_jk grow by at most their resultant ηω.
 //!
-//! Under tension the axial force can carry a part: with any B > 0 it adds ∫Bφ_j′φ_k′ to M_jk and the transverse force
-//! β = Bλ′ to each cell. Then anything that presses makes the system positive definite. It is used only where pressures
-//! and supports alone cannot balance the loads, as its cost ∫β²/P is not needed elsewhere.
+//! Under tension the axial force can carry a part: with any B > 0 it adds ∫Bφ_j′φ_k′ to M_jk and the transverse force β
+//! = Bλ′ to each cell. One bearing force then makes the system positive definite. The tension is used only where
+//! pressures and supports alone cannot balance the loads, because it adds ∫β²/P to the bound.
 
 use crate::deflection::Deflection;
 use crate::frame::{Frame, Span};
@@ -24,15 +24,15 @@ use crate::residual::Residual;
 use crate::scalar::Scalar;
 use crate::size::Size;
 
-/// What is balanced, and where the beam is cut.
+/// Input of the balance: the fields of the answer and the cuts of the beam.
 pub(crate) struct Balance<'a, S> {
     pub frame: &'a Frame<S>,
     pub surface: &'a Surface<S>,
     pub pressures: &'a [Pressure<S>],
     pub residual: &'a Residual<S>,
-    /// Indices of nodes, the first and the last one among them.
+    /// Indices of the nodes, including the first and the last one.
     pub cuts: Vec<usize>,
-    /// B; 0: the tension carries nothing.
+    /// B; 0: the tension carries no load.
     pub carrier: f64,
 }
 
@@ -41,7 +41,7 @@ pub(crate) struct Balance<'a, S> {
 pub(crate) struct Balanced<S> {
     /// The nodes at which the beam is cut.
     pub cuts: Vec<usize>,
-    /// B; 0: the tension carries nothing.
+    /// B; 0: the tension carries no load.
     pub carrier: f64,
     /// λ at the nodes.
     pub factors: Vec<S>,
@@ -51,15 +51,15 @@ pub(crate) struct Balanced<S> {
 /// The exact balance on one piece.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct BalancedPiece<S> {
-    /// |λ′| in its cell.
+    /// |λ′| in the cell of the piece.
     pub steepness: Size,
-    /// δ at both ends, without what the forces given back add.
+    /// δ at both ends, without the contribution of the redistributed forces.
     pub moments: [S; 2],
-    /// −δ′ at both ends, likewise.
+    /// −δ′ at both ends, without the contribution of the redistributed forces.
     pub shears: [S; 2],
-    /// A bound of the moment, and of the shear force, that the forces given back add in its cell.
+    /// Bounds of the moment and of the shear force that the redistributed forces add in the cell.
     pub added: [Size; 2],
-    /// |β|, the transverse force that the tension carries.
+    /// |β|, the transverse force carried by the tension.
     pub drawn: Size,
 }
 
@@ -76,8 +76,8 @@ pub(crate) fn fewest_cuts<S: Scalar>(frame: &Frame<S>) -> Vec<usize> {
     (0..=last).filter(|i| *i == 0 || *i == last || frame.nodes[*i].is_free_hinge()).collect()
 }
 
-/// The same, and each node behind which the beam has touched for more than two waves since the last cut (for one where
-/// contact ends) and will touch for another one.
+/// As [`fewest_cuts`], with additional nodes: the beam has been in contact for more than two wave lengths since the
+/// last cut (for one where contact ends) and stays in contact for another one.
 pub(crate) fn more_cuts<S: Scalar>(frame: &Frame<S>) -> Vec<usize> {
     let last = frame.spans.len();
     let waves: Vec<f64> = frame
@@ -120,7 +120,7 @@ struct System<S> {
 #[derive(Clone, Copy)]
 struct Row<S> {
     diagonal: S,
-    /// The coefficient of the next cut, and of this cut in the next equation.
+    /// The matrix entry that couples this cut with the next one.
     beside: S,
     right: S,
 }
@@ -131,11 +131,11 @@ impl<S: Scalar> System<S> {
         System { rows: vec![Row { diagonal: zero, beside: zero, right: zero }; cuts] }
     }
 
-    /// Elimination; none if a pivot may be zero or negative.
+    /// Gaussian elimination; `None` if a pivot may be zero or negative.
     fn solved(mut self) -> Option<Vec<S>> {
         let rows = &mut self.rows;
         if rows.iter().all(|row| row.right == S::zero()) {
-            // Nothing remains to be given back.
+            // No force remains to be distributed.
             return Some(rows.iter().map(|row| row.right).collect());
         }
         for j in 0..rows.len() {
@@ -191,7 +191,7 @@ impl<S: Scalar> Balance<'_, S> {
         }
         let no_lever = || {
             NotProven::new(
-                "no lever: contact pressure and supports cannot balance the loads about every point",
+                "no lever arm: contact pressure and supports cannot balance the loads about every point",
             )
         };
         let factors = system.solved().ok_or_else(no_lever)?;
@@ -217,7 +217,8 @@ impl<S: Scalar> Balance<'_, S> {
         Cell { pieces, ends, length: ends[1] - ends[0] }
     }
 
-    /// The weight at a node: its concentrated force, the weights of its supports, and what one of one direction pushes.
+    /// The weight at a node: its concentrated force, the weights of its supports, and the reaction of a one-way
+    /// support.
     fn carried_at(&self, node: usize) -> S {
         let weights = &self.frame.nodes[node].weights;
         self.surface.nodes[node].force
@@ -226,8 +227,8 @@ impl<S: Scalar> Balance<'_, S> {
             + self.residual.pushing[node]
     }
 
-    /// The weight for rotation of a cell: of what holds the slope at its left end and inside, at the right end of the beam
-    /// also there.
+    /// The weight for rotation of a cell: the clamps and rotational springs at its left end and inside; in the last
+    /// cell also those at the right end of the beam.
     fn turned_in(&self, cell: &Cell<S>) -> S {
         let nodes = &self.frame.nodes;
         let last = cell.pieces.end + 1 == nodes.len();
@@ -236,7 +237,7 @@ impl<S: Scalar> Balance<'_, S> {
         weights.fold(S::zero(), |sum, weights| sum + S::of(weights.clamp) + S::of(weights.turning))
     }
 
-    /// δ at the ends of a cell, inside it.
+    /// δ just inside the two ends of a cell.
     fn end_moments(&self, cell: &Cell<S>) -> [S; 2] {
         let (first, last) = (cell.pieces.start, cell.pieces.end);
         let nodes = &self.frame.nodes;
@@ -255,7 +256,7 @@ impl<S: Scalar> Balance<'_, S> {
         [left, right]
     }
 
-    /// δ along a cell; −δ′ at its two ends.
+    /// Computes δ along a cell, and −δ′ at the two ends of each piece.
     fn shear_forces(&self, cell: &Cell<S>, balanced: &mut Balanced<S>) -> [S; 2] {
         let [left, right] = self.end_moments(cell);
         let inner = |i: usize| {
@@ -281,7 +282,7 @@ impl<S: Scalar> Balance<'_, S> {
         [first, shear]
     }
 
-    /// Adds ∫φ_jφ_k p, what stands at inner nodes and the clamps to the system, and the widths for pulls.
+    /// Adds ∫φ_jφ_k p, the forces at inner nodes and the clamps to the system, and widens it for tensile pressures.
     fn masses(&self, cell: &Cell<S>, j: usize, system: &mut System<S>) {
         let per_length = S::one().div(cell.length);
         let mut add = |mass: S, [a, b]: [S; 2]| {
@@ -323,15 +324,15 @@ impl<S: Scalar> Balance<'_, S> {
         system.rows[j].beside = system.rows[j].beside.widened(pulls.value());
     }
 
-    /// λ on a cell, and what the forces given back add to moment and shear force there: a load on a simply supported
-    /// cell bends it by at most a quarter of load times length and shears it by at most itself, a couple bends it by
-    /// at most itself and shears it by couple over length.
+    /// λ on a cell, and bounds of the moment and shear force that the redistributed forces add there. On a simply
+    /// supported cell a load causes a moment of at most load times length over 4 and a shear force of at most the load.
+    /// A couple causes a moment of at most itself and a shear force of at most couple over length.
     fn give_back(&self, cell: &Cell<S>, ends: [S; 2], balanced: &mut Balanced<S>) {
         let per_length = S::one().div(cell.length);
         let slope = (ends[1] - ends[0]) * per_length;
         for i in cell.pieces.start..=cell.pieces.end {
             let x = self.frame.nodes[i].x;
-            // Each hat is computed on its own: 1 − φ would add its radius near an end.
+            // Each hat function is computed separately: 1 − φ would add its radius near an end.
             let hats = [(cell.ends[1] - x) * per_length, (x - cell.ends[0]) * per_length];
             balanced.factors[i] = match i {
                 _ if i == cell.pieces.start => ends[0],
@@ -372,7 +373,7 @@ impl<S: Scalar> Balance<'_, S> {
         (0..self.frame.spans.len()).map(of).sum()
     }
 
-    /// Σβ²h/P.
+    /// Σβ²h/P, the complementary energy of the transverse force in the tension.
     pub fn drawn(&self, balanced: &Balanced<S>) -> Size {
         let Some(tension) = self.frame.tension else { return Size::ZERO };
         let pieces = self.frame.spans.iter().zip(&balanced.pieces);
@@ -383,7 +384,7 @@ impl<S: Scalar> Balance<'_, S> {
     }
 
     /// ‖Gδp‖²: δp = λp̄ with |λ| ≤ γ, and the kernel of G is positive. In a layer ⟨δp, Gδp⟩ ≤ Σγ²∫p̄ Gp̄ with
-    /// Gp̄ ≤ û + |c| + √g‖ū − G(p̄ + q)‖; on separate springs it is ∫(δp)²/k.
+    /// Gp̄ ≤ û + |c| + √g‖ū − G(p̄ + q)‖; on Winkler ground it is ∫(δp)²/k.
     pub fn ground(&self, balanced: &Balanced<S>, deflection: &Deflection<S>, missed: Size) -> Size {
         let mut sum = Size::ZERO;
         for (i, span) in self.frame.spans.iter().enumerate().filter(|(_, span)| span.touches) {

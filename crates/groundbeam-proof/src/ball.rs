@@ -17,10 +17,10 @@ impl Ball {
     /// The ball of all numbers.
     pub(crate) const ALL: Ball = Ball { m: 0.0, r: f64::INFINITY };
 
-    /// The ball of this midpoint and this radius; the one place where balls are made.
+    /// The ball of this midpoint and this radius. All balls are made here.
     pub(crate) fn new(m: f64, r: f64) -> Self {
         let size = magnitude(m);
-        // Written so that NaN leads to the first branch.
+        // A comparison with NaN is false, so NaN takes the first branch.
         if !(r <= HUGE && size <= HUGE) {
             Ball::ALL
         } else if size < TINY && size > 0.0 {
@@ -30,7 +30,7 @@ impl Ball {
         }
     }
 
-    /// A bound of the rounding of a result, and of its underflow.
+    /// A bound of the rounding error and of the underflow of a result.
     fn rounding(m: f64) -> f64 {
         magnitude(m) * f64::EPSILON + f64::MIN_POSITIVE
     }
@@ -86,7 +86,7 @@ impl Scalar for Ball {
         if !(least > 0.0) {
             return Ball::ALL;
         }
-        // The quotient is checked, not trusted: a/b − q = (a − qb)/b.
+        // The error of the quotient is bounded by its residual: a/b − q = (a − qb)/b.
         let q = self.m / other.m;
         let rest = self - Ball::new(q, 0.0) * other;
         Ball::new(q, (rest.size() / least) * ABOVE + f64::MIN_POSITIVE)

@@ -1,9 +1,9 @@
-//! The layer beside the beam: even stretches with their loads, outward.
+//! The shear layer outside the beam: stretches of constant k and μ with their loads, listed outward.
 
-/// A stretch of even ground beside the beam with its loads.
+/// A stretch of ground with constant k and μ outside the beam, with its loads.
 #[derive(Debug, Clone)]
 pub(crate) struct LoadedStretch<S> {
-    /// None if it has no end. Loads end somewhere, so it has none then.
+    /// `None`: the stretch is infinite and has no loads.
     pub length: Option<S>,
     /// k and μ.
     pub ground: [S; 2],
@@ -13,11 +13,11 @@ pub(crate) struct LoadedStretch<S> {
     pub force: S,
 }
 
-/// The layer on one side of the beam, outward.
+/// The shear layer outside one end of the beam, listed outward.
 #[derive(Debug, Clone)]
 pub(crate) struct Row<S> {
     pub stretches: Vec<LoadedStretch<S>>,
-    /// Whether the surface is held at the end of the last one.
+    /// Whether the surface is held at the end of the last stretch.
     pub held: bool,
 }
 

@@ -1,14 +1,14 @@
-//! Bounds of the errors of an answer, each with the scale with which it is compared.
+//! Bounds of the errors of an answer, each with the scale to which it is compared.
 
-/// An error is small if it is at most this part of its scale.
+/// An error is small if it is at most this fraction of its scale.
 const SMALL: f64 = 1e-6;
 
-/// A bound of the error of one quantity: |claimed − exact| is at most `error`. Infinite: nothing is proven.
+/// A bound of the error of one quantity: |claimed − exact| ≤ `error`. Infinite: no bound is proven.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bound {
     /// The bound, in the unit of the quantity.
     pub error: f64,
-    /// The scale of the quantity, a proven lower bound, in the same unit.
+    /// The scale of the quantity, in the same unit: a proven lower bound of its largest absolute value.
     pub scale: f64,
 }
 
@@ -39,7 +39,7 @@ pub struct Bounds {
 }
 
 impl Bounds {
-    /// All of them with the names that documents use.
+    /// All bounds with the names that documents use.
     pub fn named(&self) -> [(&'static str, Bound); 7] {
         [
             ("deflection", self.deflection),
@@ -53,7 +53,7 @@ impl Bounds {
     }
 }
 
-/// Bounds of the error of what one support does to the beam.
+/// Bounds of the errors of the reactions of one support.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ReactionBound {
     /// Of the force \[N\].
@@ -62,7 +62,7 @@ pub struct ReactionBound {
     pub moment: Bound,
 }
 
-/// Scales of the quantities that are proven by intervals.
+/// Scales of the quantities that are enclosed by intervals.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Scales {
     /// Of the edges of contact: the length of the beam \[m\].

@@ -1,14 +1,17 @@
-//! The clearance C̄ = ū + g₀ − w̄ over open ground: how far it may be negative, and what lifting the beam's obstacle costs.
+//! The clearance C̄ = ū + g₀ − w̄ over open ground: bounds of its negative part, and the cost of repairing the
+//! penetration.
 //!
-//! A stretch of open layer runs between neighbouring touching nodes, or to the end of the layer. At touching nodes C̄ = 0
-//! by construction. Within a distance d of one C̄ ≥ −τx, elsewhere C̄ ≥ −(deepest). With D = max(τd, deepest) the ground is
-//! raised by v = D min(x/d, 1), which vanishes at every touching node: the pressures do no work on it. It costs
+//! A stretch of open layer runs between neighbouring touching nodes, or to the end of the layer. At touching nodes C̄ =
+//! 0 by construction. Within a distance d of a touching node C̄ ≥ −τx, elsewhere C̄ ≥ −(deepest). With D = max(τd,
+//! deepest) the ground is raised by v = D min(x/d, 1). v vanishes at every touching node, so the pressures do no work
+//! on it. Its cost is
 //!
 //! ```text
 //! ‖v‖_b² ≤ D²(Σ kh + Σ_touching ends μ/d + K₀ or K_l where the stretch reaches an end of the beam).
 //! ```
 //!
-//! On separate springs ū = max(w̄ − g₀, 0) costs (Σ k η²ω)^½, η a bound of w̄ − g₀ on an open piece, positive on a length ω.
+//! On Winkler ground ū = max(w̄ − g₀, 0) costs (Σ k η²ω)^½, where η bounds w̄ − g₀ on an open piece and ω is the length
+//! on which w̄ − g₀ is positive.
 
 use crate::arc::Arc;
 use crate::deflection::Deflection;
@@ -18,14 +21,14 @@ use crate::polynomial::{Below, Budget, Polynomial, below, half_width};
 use crate::scalar::Scalar;
 use crate::size::Size;
 
-/// The cost of an admissible clearance.
+/// The cost of a nonnegative clearance.
 #[derive(Debug)]
 pub(crate) struct Clearance {
-    /// (Σ‖v‖_b²)^½ over the stretches of open layers. Each v vanishes at touching nodes, so they do not overlap.
+    /// (Σ‖v‖_b²)^½ over the stretches of open layers. Each v vanishes at touching nodes, so their energies add.
     pub lifted: Size,
-    /// (Σ kη²ω)^½ on open separate springs.
+    /// (Σ kη²ω)^½ on open Winkler ground.
     pub risen: Size,
-    /// By how much the ground of each piece is raised: D, or η on separate springs.
+    /// The height by which the ground of each piece is raised: D, or η on Winkler ground.
     pub raised: Vec<Size>,
 }
 
@@ -68,7 +71,7 @@ pub(crate) fn clearance<S: Scalar>(
     found
 }
 
-/// Where w̄ > g₀ + q/k on an open piece of separate springs.
+/// Bounds of the part of w̄ above g₀ + q/k on an open piece of Winkler ground.
 fn above_springs<S: Scalar>(
     span: &Span<S>,
     closed: Size,
@@ -79,7 +82,7 @@ fn above_springs<S: Scalar>(
         let clear = span.above_free_field().times(-S::one()).coarse();
         return below(&clear, closed, negligible, span.interval(), budget);
     };
-    // Where k varies q − k(w̄ − g₀) has the sign, and q/k is no polynomial.
+    // Where k varies, q/k is no polynomial; q − k(w̄ − g₀) has the same sign.
     let stiff = Size::of(span.spring.high());
     let clear = (span.spring.times(span.obstacle()).times(-S::one()) + load).coarse();
     let found = below(&clear, stiff * closed, stiff * negligible, span.interval(), budget);
@@ -107,7 +110,7 @@ struct Ramp {
 }
 
 impl<S: Scalar> Stretch<'_, S> {
-    /// D, and ‖v‖_b.
+    /// Returns D and ‖v‖_b.
     fn lift(&self, budget: &mut Budget) -> (Size, Size) {
         let mut deepest = Size::ZERO;
         // Σ kh + Σ μ/d + K.
@@ -159,10 +162,10 @@ impl<S: Scalar> Stretch<'_, S> {
     }
 }
 
-/// An open piece of a layer in few digits. Under a load on the ground, v = u − q/k and ψ − q/k stand for u and ψ.
+/// An open piece of a layer in low precision. Under a load on the ground, v = u − q/k and ψ − q/k stand for u and ψ.
 pub(crate) struct OpenPiece<C> {
     pub arc: Arc<C>,
-    /// ψ = w − g₀, ψ′ and ψ″ by x, as polynomials of t.
+    /// ψ = w − g₀, ψ′ and ψ″ with respect to x, as polynomials of t.
     pub obstacle: [Polynomial<C>; 3],
     pub half: C,
     /// t at both ends.
@@ -172,7 +175,7 @@ pub(crate) struct OpenPiece<C> {
 }
 
 impl<C: Scalar> OpenPiece<C> {
-    /// `along` is u on ground that varies: there ψ − u and 0 stand for ψ and u.
+    /// `along` is u on varying ground: there ψ − u and 0 stand for ψ and u.
     pub fn of<S: Scalar<Coarse = C>>(
         span: &Span<S>,
         ends: [S; 2],
@@ -200,7 +203,8 @@ impl<C: Scalar> OpenPiece<C> {
         self.arc.at((C::of(t) - self.ends[0]) * self.half)
     }
 
-    /// A lower bound of C̄″ on |t − m| ≤ r: b²u − ψ″ less |c″|, u above its tangent bent by its least value.
+    /// A lower bound of C̄″ on |t − m| ≤ r: b²u − ψ″ − |c″|, with u bounded below by its tangent and its smallest
+    /// curvature.
     pub fn curvature(&self, m: f64, r: f64, [u, slope]: [C; 2]) -> f64 {
         let reach = C::of(r) * self.half;
         let least = self.arc.least();
@@ -214,15 +218,16 @@ impl<C: Scalar> OpenPiece<C> {
         (bent * C::of(least) - about.coefficient(0) - lost).low()
     }
 
-    /// A distance d from a touching end within which C̄ ≥ −τx, from the slope C̄′ at the end into the piece: all of the
-    /// piece at first if its other end does not touch.
+    /// A distance d from a touching end within which C̄ ≥ −τx, from the slope C̄′ at the end into the piece. The first
+    /// trial is the whole piece if its other end does not touch.
     fn ramp<S: Scalar>(&self, side: usize, slope: S, alone: bool, budget: &mut Budget) -> Ramp {
         let slope = if side == 0 { slope } else { -slope };
         let steep = Size::below_zero(slope.low());
         let [from, to] = self.interval;
         let end = self.interval[side];
         let mut reach = if alone { self.interval[1 - side] } else { 0.5 * (from + to) };
-        // The rounding error of C̄. A ramp of this depth is not halved: it bounds a short piece better than values of C̄ do.
+        // The rounding error of C̄. A ramp of this depth is not halved: on a short piece it is a better bound than
+        // values of C̄.
         let blurred = Size::of(f64::EPSILON * self.arc.size());
         loop {
             let [a, b] = if side == 0 { [end, reach] } else { [reach, end] };
@@ -241,7 +246,7 @@ impl<C: Scalar> OpenPiece<C> {
                 return ramp(Size::ZERO);
             }
             let depth = (steep + fall) * long;
-            // The far end is as deep as half of the ramp: a shorter one would not make D much smaller.
+            // The value at the far end is as deep as half of the ramp: a shorter ramp would not make D much smaller.
             let at_reach = self.settlement(reach)[0] - self.obstacle[0].value(C::of(reach));
             let deep = depth.value() <= 2.0 * Size::below_zero(at_reach.high()).value();
             if deep || depth <= blurred || !(b - a > 1e-12) || !budget.take() {
@@ -276,8 +281,8 @@ impl<C: Scalar> OpenPiece<C> {
             }
             let here = Size::below_zero(value.low());
             let depth = here + lost;
-            // A depth found already, one that halving would not change much, one as small as the
-            // rounding of C̄, or one that does not matter.
+            // Accept a depth found already, a depth that halving would not change much, a depth below the rounding
+            // error of C̄, or a negligible one.
             let found = depth <= deepest || depth <= negligible;
             let blurred = Size::of(0.25 * (value.high() - value.low()));
             let enough = found || depth <= blurred + 1.25 * (here + self.closed[0]);

@@ -7,7 +7,7 @@ use crate::scalar::Scalar;
 /// A coefficient along a piece.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Coefficient<S> {
-    /// The same all along.
+    /// Constant along the piece.
     Even(S),
     /// A polynomial of t.
     Varying(Box<Varying<S>>),
@@ -24,8 +24,8 @@ pub(crate) struct Varying<S> {
 }
 
 impl<S: Scalar> Coefficient<S> {
-    /// A course along a segment from `s` = 0 to 1, on a piece with s = `line`(t), which runs from s = `ends[0]` to `ends[1]`.
-    /// `scaled` gives the control values the units of the proof.
+    /// A profile along a segment from `s` = 0 to 1, restricted to a piece with s = `line`(t), which runs from s =
+    /// `ends[0]` to `ends[1]`. `scaled` converts the control values to the units of the proof.
     pub fn of(course: &Course<S>, line: &Line<S>, ends: [S; 2], scaled: impl Fn(S) -> S) -> Self {
         let values: Vec<S> = match course {
             Course::Constant(value) => return Coefficient::Even(scaled(*value)),
@@ -92,7 +92,7 @@ impl<S: Scalar> Coefficient<S> {
         }
     }
 
-    /// A value in the middle of the piece: a figure for decisions, no bound.
+    /// A value in the middle of the piece, used for decisions only; it is not a bound.
     pub fn middle(&self) -> f64 {
         match self {
             Coefficient::Even(value) => value.middle(),
@@ -100,7 +100,7 @@ impl<S: Scalar> Coefficient<S> {
         }
     }
 
-    /// An upper bound of the size on the piece. No coefficient is negative.
+    /// An upper bound of the absolute value on the piece. No coefficient is negative.
     pub fn size(&self) -> f64 {
         self.high()
     }
@@ -111,7 +111,7 @@ impl<S: Scalar> Coefficient<S> {
     }
 }
 
-/// The control values of the part of a course between two values of s, by blossoming.
+/// The control values of the part of a profile between two values of s, by blossoming.
 fn controls<S: Scalar>(values: &[S], [a, b]: [S; 2]) -> Vec<S> {
     let degree = values.len() - 1;
     let control = |j: usize| {
@@ -125,7 +125,7 @@ fn controls<S: Scalar>(values: &[S], [a, b]: [S; 2]) -> Vec<S> {
     (0..=degree).map(control).collect()
 }
 
-/// The course in powers of t, by de Casteljau's algorithm with s = line(t).
+/// The profile in powers of t, by de Casteljau's algorithm with s = line(t).
 fn in_powers<S: Scalar>(values: &[S], line: &Line<S>) -> Polynomial<S> {
     let line = Polynomial::zero() + line;
     let rest = Polynomial::from_coefficients([S::one()]) - &line;
@@ -146,7 +146,7 @@ mod tests {
     use crate::scalar::Scalar;
     use crate::wide::Wide;
 
-    /// A course by Bernstein's formula.
+    /// A profile by Bernstein's formula.
     fn course(values: &[f64], s: f64) -> f64 {
         let n = values.len() - 1;
         let mut sum = 0.0;

@@ -1,7 +1,7 @@
-//! The exact contact set: intervals that hold the edges of every region, and the concentrated forces of a layer.
+//! The exact contact set: intervals that contain the edges of every region, and the concentrated forces of a layer.
 //!
-//! From the bounds of w, w′, M and u on each piece. A layer is judged stretch by stretch of open ground, then region by
-//! region; separate springs by the sign of w − g₀. Where a step fails, its name and place are returned.
+//! It follows from the bounds of w, w′, M and u on each piece. In a layer, the open stretches come first, then the
+//! regions. On Winkler ground, the sign of w − g₀ decides. If a step fails, its name and position are returned.
 
 use crate::approach::Approach;
 use crate::contact_set::{Contact, ContactForce, ContactRegion, EdgeShift, Shown, more};
@@ -14,7 +14,7 @@ use crate::size::Size;
 const SHORTEST_PART: f64 = 4e-12;
 
 impl<S: Scalar> Contact<'_, S> {
-    /// The contact set of all layers and springs.
+    /// The contact set of all layers and of the Winkler ground.
     pub fn shown(&self) -> Shown {
         let frame = self.fields.frame;
         let spans = &frame.spans;
@@ -41,7 +41,7 @@ impl<S: Scalar> Contact<'_, S> {
     /// A layer: first its open stretches, then its regions and points.
     fn layer(&self, first: usize, end: usize, shown: &mut Shown) -> Result<(), NotProven> {
         let (spans, touches) = (&self.fields.frame.spans, &self.fields.surface.touches);
-        // The contact on the left and on the right of each node of the layer, where it is shown.
+        // The contact on the left and on the right of each node of the layer, where it is proven.
         let mut beside: Vec<[Option<Approach>; 2]> = vec![[None; 2]; spans.len() + 1];
         let mut i = first;
         while i < end {
@@ -83,7 +83,7 @@ impl<S: Scalar> Contact<'_, S> {
         Ok(())
     }
 
-    /// A point: the only contact nearby if its force is above its tolerance.
+    /// Shows that a point is the only contact in its neighbourhood, if its force exceeds its tolerance.
     fn point(
         &self,
         node: usize,
@@ -93,7 +93,7 @@ impl<S: Scalar> Contact<'_, S> {
         let tolerance = self.tolerance(node, beside);
         let alone = beside[node].iter().flatten().all(|side| side.theta == Size::ZERO);
         if !(alone && self.fields.surface.nodes[node].jump.low() > tolerance.value()) {
-            return Err(self.failed("a point may be open or a short region", node));
+            return Err(self.failed("a point of contact may be open or a short region", node));
         }
         self.force(node, tolerance, true, shown);
         let x = self.interval(node, [Size::ZERO; 2]);
@@ -115,7 +115,7 @@ impl<S: Scalar> Contact<'_, S> {
             let error = more(self.bounds[i].pressure);
             let span = &frame.spans[i];
             if below(&field, error, Size::ZERO, span.interval(), &mut budget).depth != Size::ZERO {
-                return Err(self.failed("the pressure may be zero within its bound", i));
+                return Err(self.failed("the pressure is smaller than its error bound", i));
             }
         }
         let left = self.edge(a, 0, beside)?;
@@ -123,7 +123,7 @@ impl<S: Scalar> Contact<'_, S> {
         shown.edges.extend([left, right]);
         let room = (frame.nodes[b].x - frame.nodes[a].x).low();
         if !((left.inside + right.inside).value() < room) {
-            return Err(self.failed("the region is shorter than its bounds", a));
+            return Err(self.failed("the region is shorter than the error bounds of its edges", a));
         }
         for node in (a..=b).filter(|node| !frame.smooth(*node)) {
             let tolerance = self.tolerance(node, beside);
@@ -134,13 +134,16 @@ impl<S: Scalar> Contact<'_, S> {
             }
             let pushes = self.fields.surface.nodes[node].jump.low() >= tolerance.value();
             if !pushes && !self.bends_open(node) {
-                return Err(self.failed("a force inside a region may pull", node));
+                return Err(
+                    self.failed("a concentrated force inside a region may be tensile", node)
+                );
             }
-            // An inner node has contact on both sides if it is farther from both edges than they may move.
+            // An inner node has contact on both sides if its distance from both edges exceeds the bounds of their
+            // errors.
             let x = frame.nodes[node].x;
             let far = [(x - frame.nodes[a].x).low(), (frame.nodes[b].x - x).low()];
             if !(far[0] > left.inside.value() && far[1] > right.inside.value()) {
-                return Err(self.failed("an edge may lie at a force", node));
+                return Err(self.failed("an edge may lie at a point force", node));
             }
             self.force(node, tolerance, true, shown);
         }
@@ -151,7 +154,7 @@ impl<S: Scalar> Contact<'_, S> {
         Ok(())
     }
 
-    /// By how much the exact end of a region may differ: outside by θ, inside by θ′ with ∫(p − ε_p) ≥ ε_a − a over θ′.
+    /// Bounds of the shift of a region's exact end: θ outward, and θ′ inward with ∫(p − ε_p) ≥ ε_a − a over θ′.
     fn edge(
         &self,
         node: usize,
@@ -163,7 +166,7 @@ impl<S: Scalar> Contact<'_, S> {
         // The piece of the region at this end.
         let i = if side == 0 { node } else { node - 1 };
         let span = &self.fields.frame.spans[i];
-        // The slope of a beam that shears may be off by more than what is known without it.
+        // On a beam that shears, the slope's error may exceed the bound that is known without the contact set.
         let shears = self.fields.frame.shears();
         let rough = if shears { self.opened_at(i, side) } else { None };
         let mut most = rough.unwrap_or(Size::INFINITE);
@@ -181,7 +184,8 @@ impl<S: Scalar> Contact<'_, S> {
         let (field, error) = (self.fields.pressures[i].field.coarse(), self.bounds[i].pressure);
         let end = span.interval()[side];
         let at_end = (field.value(S::Coarse::of(end)).low() - error.value()).next_down();
-        // The part from the end inward on which p − ε_p is bounded: four times what is needed if p changes little, or more.
+        // The part from the end inward on which p − ε_p is bounded. Four times the needed length if p changes little,
+        // otherwise more.
         let first = (4.0 * missing.over(at_end).over(span.half.low())).value();
         let mut part = if at_end > 0.0 && first > SHORTEST_PART { first } else { SHORTEST_PART };
         loop {
@@ -204,11 +208,11 @@ impl<S: Scalar> Contact<'_, S> {
         }
         match most < Size::INFINITE {
             true => Ok(EdgeShift { node, side, outside, inside: most, beyond }),
-            false => Err(self.failed("the edge of a region is not bounded", node)),
+            false => Err(self.failed("the position of a region's edge has no bound", node)),
         }
     }
 
-    /// ε_a, the bound of the error of a concentrated force: of the flux on both sides.
+    /// ε_a, the bound of the error of a concentrated force: the sum of the bounds of the flux on both sides.
     fn tolerance(&self, node: usize, beside: &[[Option<Approach>; 2]]) -> Size {
         self.tolerance_beside(node, 0, beside) + self.tolerance_beside(node, 1, beside)
     }
@@ -233,8 +237,8 @@ impl<S: Scalar> Contact<'_, S> {
         Size::of(frame.outside[side].high()) * self.bounds[i].settlement
     }
 
-    /// Whether the slope of the exact clearance cannot fall at a node if the beam is open there: a corner of g₀ points up,
-    /// a beam that shears is bent down by a force, [C*′] = F/(S + P), and nothing else makes the flux jump.
+    /// Whether the slope of the exact clearance cannot decrease at a node if the beam is open there: a corner of g₀
+    /// points up, a force bends a shear-flexible beam down, [C*′] = F/(S + P), and no other cause makes the flux jump.
     fn bends_open(&self, node: usize) -> bool {
         let frame = self.fields.frame;
         let corner = || (frame.spans[node].gap_slope() - frame.spans[node - 1].gap_slope()).low();
@@ -244,7 +248,7 @@ impl<S: Scalar> Contact<'_, S> {
         down && frame.even(node) && corner() >= 0.0
     }
 
-    /// Adds a concentrated force. Unless contact is known at the node, it may also be zero.
+    /// Adds a concentrated force. Its interval includes zero unless contact is proven at the node.
     fn force(&self, node: usize, tolerance: Size, contact: bool, shown: &mut Shown) {
         let frame = self.fields.frame;
         let jump = self.fields.surface.nodes[node].jump;

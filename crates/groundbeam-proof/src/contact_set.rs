@@ -9,32 +9,32 @@ use crate::size::Size;
 /// The exact contact set, with an interval for each edge and each concentrated force.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ContactSet {
-    /// The regions and points of exact contact, from left to right, and no others. A region is cut where a shear layer
-    /// ends under the beam.
+    /// The regions and points of exact contact, from left to right; the list is complete. A region is cut where a shear
+    /// layer ends under the beam.
     pub regions: Vec<ContactRegion>,
-    /// Intervals that hold the exact concentrated contact forces. There is no other concentrated force.
+    /// Intervals that contain the exact concentrated contact forces; the list is complete.
     pub forces: Vec<ContactForce>,
 }
 
 /// One region or point of exact contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ContactRegion {
-    /// An interval that holds the exact left end \[m\].
+    /// An interval that contains the exact left end \[m\].
     pub from: [f64; 2],
-    /// An interval that holds the exact right end \[m\]; of a point the same.
+    /// An interval that contains the exact right end \[m\]; for a point equal to `from`.
     pub to: [f64; 2],
 }
 
 /// A concentrated contact force.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ContactForce {
-    /// Position, that of a node of the answer \[m\].
+    /// Position \[m\], a node of the answer.
     pub x: f64,
-    /// An interval that holds the exact force \[N\], positive where it pushes the beam up.
+    /// An interval that contains the exact force \[N\], positive where it pushes the beam up.
     pub force: [f64; 2],
 }
 
-/// By how much the end of a claimed region may differ from the exact one.
+/// Bounds of the distance between the end of a claimed region and the exact one.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct EdgeShift {
     pub node: usize,
@@ -44,12 +44,12 @@ pub(crate) struct EdgeShift {
     pub outside: Size,
     /// θ′, inward.
     pub inside: Size,
-    /// Φ₀ of the flux outside and inside: how far it may jump without an error of the slope.
+    /// Φ₀ of the flux outside and inside: the bound of its jump if the slope is exact.
     pub beyond: [Size; 2],
 }
 
-/// The neighbourhood of an edge on one piece of separate springs, or of a support that stands on open ground: at the left or
-/// right end of the piece, and its length.
+/// The neighbourhood of an edge on one piece of Winkler ground, or of a support that stands on open ground: its length,
+/// and the end of the piece where it lies.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Zone {
     pub piece: usize,
@@ -57,7 +57,7 @@ pub(crate) struct Zone {
     pub theta: Size,
 }
 
-/// One round for a beam that shears: the bounds on the pieces, and the edges that follow from them.
+/// One iteration for a beam that shears: the bounds on the pieces, and the edges that follow from them.
 #[derive(Debug)]
 pub(crate) struct Round {
     pub shown: bool,
@@ -72,7 +72,7 @@ impl Round {
     }
 }
 
-/// The regions, forces and edges that are shown, and the steps that fail.
+/// The regions, forces and edges that are proven, and the steps that fail.
 #[derive(Debug)]
 pub(crate) struct Shown {
     pub set: ContactSet,
@@ -80,19 +80,19 @@ pub(crate) struct Shown {
     pub edges: Vec<EdgeShift>,
     /// ε_a at the touching nodes of layers.
     pub tolerances: Vec<Size>,
-    /// Whether the exact contact force at a node is shown to be positive.
+    /// Whether the exact contact force at a node is proven to be positive.
     pub pressed: Vec<bool>,
-    /// The length next to an edge on each piece of separate springs, and beside a support that stands on open ground, on which
-    /// w* − g₀ is monotone.
+    /// Lengths on which w* − g₀ is monotone: next to an edge on each piece of Winkler ground, and beside a support that
+    /// stands on open ground.
     pub zones: Vec<Zone>,
-    /// The earlier rounds of a beam that shears, and the last one.
+    /// All rounds of a beam that shears, the last one included.
     pub rounds: Vec<Round>,
-    /// The first step that fails in a layer, and on separate springs.
+    /// The first step that fails in a layer, and the first that fails on Winkler ground.
     pub failed: [Option<NotProven>; 2],
 }
 
 impl Shown {
-    /// No contact, on so many nodes.
+    /// An empty contact set for this number of nodes.
     pub fn nothing(nodes: usize) -> Self {
         Shown {
             set: ContactSet { regions: Vec::new(), forces: Vec::new() },
@@ -115,20 +115,20 @@ impl Shown {
     }
 }
 
-/// What the contact set is shown from.
+/// Input of the proof of the contact set.
 pub(crate) struct Contact<'a, S> {
     pub fields: &'a Fields<'a, S>,
     pub bounds: &'a [PieceBounds],
 }
 
-/// How often the contact set of a beam that shears is shown with the slope that follows from it.
+/// Number of iterations between contact set and slope for a beam that shears.
 const ROUNDS: usize = 3;
 
 impl<S: Scalar> Pointwise<'_, S> {
-    /// The contact set, and with it the bounds of the shear force.
+    /// Proves the contact set, and with it the bounds of the shear force.
     ///
-    /// On a beam that shears the contact set needs the slope, and the slope the shear force. It begins with what is known
-    /// of the contact without a slope.
+    /// On a beam that shears, the contact set needs the slope, and the slope needs the shear force. The iteration
+    /// starts with the contact that is proven without a slope.
     pub fn contact(&self, pieces: &mut [PieceBounds]) -> Shown {
         let (fields, frame) = (self.fields, self.fields.frame);
         let (mut rounds, mut past) = (1, Vec::new());
@@ -157,11 +157,11 @@ impl<S: Scalar> Pointwise<'_, S> {
 
 impl<S: Scalar> Contact<'_, S> {
     pub fn failed(&self, what: &str, node: usize) -> NotProven {
-        NotProven::new(format!("the contact set is not shown: {what}"))
+        NotProven::new(format!("the contact set is not proven: {what}"))
             .at(self.fields.frame.place(node))
     }
 
-    /// An interval about a node, in the units of the model, within the beam.
+    /// An interval about a node, in the units of the model, cut to the beam.
     pub fn interval(&self, node: usize, [before, after]: [Size; 2]) -> [f64; 2] {
         let frame = self.fields.frame;
         let x = frame.nodes[node].x;
@@ -175,7 +175,7 @@ impl<S: Scalar> Contact<'_, S> {
     }
 }
 
-/// A size that is strictly larger.
+/// A strictly larger size.
 pub(crate) fn more(size: Size) -> Size {
     1.0001 * size + Size::of(1e-250)
 }

@@ -1,4 +1,4 @@
-//! A decimal number from its text: digits as a whole number, and a power of ten.
+//! A decimal number from its text: its digits as an integer, and a power of ten.
 
 /// A decimal number with the digits of the file.
 pub(crate) struct Decimal {
@@ -7,7 +7,7 @@ pub(crate) struct Decimal {
     pub digits: u128,
     /// Power of ten of the last digit.
     pub exponent: i32,
-    /// Whether digits that are not zero were left out after the last one.
+    /// Whether nonzero digits were cut off after the last one.
     pub cut: bool,
 }
 

@@ -1,9 +1,10 @@
-//! The admissible deflection w̄ = w + c and rotation φ̄ = φ + c′: continuous, φ̄ except at hinges, and held by the supports.
+//! The admissible deflection w̄ = w + c and rotation φ̄ = φ + c′. Both satisfy the supports; w̄ is continuous, φ̄ is
+//! continuous except at hinges.
 //!
-//! Where the beam does not shear φ = w′. c closes the jumps of the claimed fields. A piece shorter than a wave (4EI/k)^¼ is carried rigidly: c is the
-//! straight line that continues what its neighbour leaves. A piece of a wave or more, and the longest piece between
-//! two rigid supports, bends: c is the cubic with given values a and slopes b at both ends. With A the largest |a|
-//! and B the largest |b|
+//! Where the beam does not shear, φ = w′. c closes the jumps of the claimed fields. A piece shorter than a wave length
+//! (4EI/k)^¼ is moved rigidly: c is linear and continues the correction of its neighbour. A longer piece, and the
+//! longest piece between two rigid supports, bends: c is the cubic with given values a and slopes b at both ends. With
+//! A the largest |a| and B the largest |b|
 //!
 //! ```text
 //! bend: |c| ≤ A + 0.3Bh, |c′| ≤ 3A/h + B, |c″| ≤ 12A/h² + 6B/h;   rigid: |c| ≤ A + Bh, |c′| ≤ B, c″ = 0.
@@ -20,7 +21,7 @@ use crate::size::Size;
 pub(crate) struct Correction<S> {
     /// c′ at both ends.
     pub slope: [S; 2],
-    /// c at the right end less c at the left end.
+    /// c at the right end minus c at the left end.
     pub rise: S,
     /// Bounds of |c|, |c′| and |c″|.
     pub bounds: [Size; 3],
@@ -33,7 +34,7 @@ pub(crate) struct Claimed<S> {
     pub value: [S; 2],
     /// w′.
     pub slope: [S; 2],
-    /// φ: w′ where the piece does not shear.
+    /// φ; equal to w′ where the piece does not shear.
     pub rotation: [S; 2],
 }
 
@@ -53,13 +54,13 @@ pub(crate) struct Deflection<S> {
     pub claimed: Vec<Claimed<S>>,
     /// w̄ at the nodes.
     pub values: Vec<S>,
-    /// The piece beside each node, and its end there, whose claimed values the springs of the node feel: the one with the
-    /// smaller coefficients, whose values have less rounding error.
+    /// For each node, the piece and its end whose claimed values act on the springs of the node. It is the neighbour
+    /// with the smaller coefficients, because its values have less rounding error.
     pub felt: Vec<[usize; 2]>,
 }
 
 impl<S: Scalar> Deflection<S> {
-    /// w and φ at a node as the springs there feel them.
+    /// w and φ at a node, as they act on its springs.
     pub fn at_support(&self, node: usize) -> [S; 2] {
         let [piece, side] = self.felt[node];
         let claimed = &self.claimed[piece];
@@ -67,7 +68,7 @@ impl<S: Scalar> Deflection<S> {
     }
 }
 
-/// Decides for each piece whether it bends, then walks along the pieces.
+/// Decides which pieces bend, then computes the corrections from left to right.
 pub(crate) fn admissible<S: Scalar>(frame: &Frame<S>) -> Result<Deflection<S>, NotProven> {
     let claimed: Vec<_> = frame.spans.iter().map(Claimed::of).collect();
     let bends = bending(frame);
@@ -82,12 +83,12 @@ pub(crate) fn admissible<S: Scalar>(frame: &Frame<S>) -> Result<Deflection<S>, N
     walk.chains();
     let loose = (0..frame.nodes.len()).find(|i| frame.nodes[*i].rigid.is_some() && !walk.held[*i]);
     if let Some(node) = loose {
-        return Err(NotProven::new("the pieces do not meet the settlement of a support")
+        return Err(NotProven::new("the pieces contradict the settlement of a support")
             .at(frame.place(node)));
     }
     let values: Option<Vec<S>> = walk.values.iter().copied().collect();
     let (Some(values), Some(pieces)) = (values, walk.corrections()) else {
-        return Err(NotProven::new("the pieces do not join"));
+        return Err(NotProven::new("the corrections of the pieces cannot be joined"));
     };
     let felt = (0..frame.nodes.len()).map(|node| felt(frame, node)).collect();
     Ok(Deflection { pieces, claimed, values, felt })
@@ -103,7 +104,8 @@ fn felt<S: Scalar>(frame: &Frame<S>, node: usize) -> [usize; 2] {
     }
 }
 
-/// Pieces of a wave or more bend, and the longest one between two neighbouring rigid supports.
+/// Selects the pieces that bend: those of a wave length or more, and the longest one between two neighbouring rigid
+/// supports.
 fn bending<S: Scalar>(frame: &Frame<S>) -> Vec<bool> {
     let length = |i: usize| frame.spans[i].h.middle();
     let mut bends: Vec<bool> = frame
@@ -139,7 +141,7 @@ struct Walk<'a, S> {
 }
 
 impl<S: Scalar> Walk<'_, S> {
-    /// Fixes every chain: a run of rigid pieces, or a single node between two pieces that bend.
+    /// Sets the values of every chain: a run of rigid pieces, or a single node between two pieces that bend.
     fn chains(&mut self) {
         let last = self.frame.spans.len();
         let mut first = 0;
@@ -153,12 +155,13 @@ impl<S: Scalar> Walk<'_, S> {
         }
     }
 
-    /// The chain from one node to another, with rigid pieces between them.
+    /// Sets the values of one chain between two nodes, with rigid pieces between them.
     fn chain(&mut self, first: usize, end: usize) {
         let nodes = &self.frame.nodes;
         let support = (first..=end).find(|i| nodes[*i].rigid.is_some());
         let start = support.unwrap_or(first);
-        // The piece whose claimed values are kept: right of the start within a chain, else the shorter neighbour.
+        // The piece whose claimed values are kept: within a chain the one right of its start, otherwise the shorter
+        // neighbour.
         let length = |i: usize| self.frame.spans[i].h.middle();
         let keeps = match (start > 0, start < self.frame.spans.len()) {
             (true, true) if start < end => (start, 0),
@@ -188,7 +191,7 @@ impl<S: Scalar> Walk<'_, S> {
         }
     }
 
-    /// The slope on one side of a node: the given one, or at a hinge the one that the piece on this side claims.
+    /// The slope on one side of a node: the given slope, or at a hinge the slope that the piece on this side claims.
     fn handed_on(&self, node: usize, side: usize, slope: S) -> S {
         let piece = (node + side).checked_sub(1).and_then(|piece| self.claimed.get(piece));
         match piece {

@@ -1,12 +1,12 @@
-//! The document of a result: the answer that it claims, what it lists besides, and the keys that no proof covers.
+//! The document of a result: the claimed answer, the listed values, and the keys that no proof covers.
 
 use crate::json::{self, Json, JsonError};
 use crate::{Answer, Force, Piece, Reaction};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// The most pieces of an answer.
+/// Maximum number of pieces of an answer.
 const MOST_PIECES: usize = 100_000;
-/// The most coefficients of a polynomial.
+/// Maximum number of coefficients of a polynomial.
 const MOST_COEFFICIENTS: usize = 26;
 
 /// The answer of a document to one model.
@@ -14,35 +14,37 @@ const MOST_COEFFICIENTS: usize = 26;
 pub struct Document {
     /// `status`: `solved`, `no-equilibrium`, …
     pub status: Option<String>,
-    /// `units`: `SI`, or how the numbers are to be read.
+    /// `units`: `SI`, or the units of the numbers.
     pub units: Option<String>,
-    /// `model_digest`: that of the model file and of the tables that it names.
+    /// `model_digest`: the digest of the model file and of the tables that it names.
     pub model_digest: Option<String>,
-    /// `model`: the text of a model file, where the model does not follow from its own file in closed form.
+    /// `model`: the text of a model file, for a model that does not follow from its own file in closed form.
     pub model: Option<String>,
     /// Name of the combination of load cases.
     pub combination: Option<String>,
     /// Pieces, concentrated forces and reactions.
     pub answer: Answer,
-    /// Listed regions of contact, from and to; a point has both the same. `None`: none are listed.
+    /// Listed regions of contact as (from, to); for a point both are equal. `None`: none are listed.
     pub contact: Option<Vec<[f64; 2]>>,
-    /// Listed forces under the beam's left and right end.
+    /// Listed contact forces under the beam's left and right end.
     pub end_forces: Option<[f64; 2]>,
-    /// Fields along the beam; where a field jumps, on the right of the place, at the right end of the beam on its left.
+    /// Fields along the beam. Where a field jumps, the value on the right; at the right end of the beam, the value on
+    /// the left.
     pub stations: Stations,
-    /// Fields on the left of places where a field jumps.
+    /// Fields on the left of the places where a field jumps.
     pub left_of_jumps: Stations,
     /// Listed extremes.
     pub extremes: Vec<Extreme>,
-    /// Listed stretches that have lifted off: from, to, place and size of the largest gap.
+    /// Listed open stretches: from, to, position and size of the largest gap.
     pub lift_off: Vec<[f64; 4]>,
     /// Listed hinges: place, rotation and moment.
     pub hinges: Vec<[f64; 3]>,
-    /// Listed bounds of errors by their names, one or several each.
+    /// Listed error bounds by name, with one or several values each.
     pub bounds: Vec<(String, Vec<f64>)>,
-    /// Intervals that are said to hold all places of an extreme: field, whether it is the largest value, intervals.
+    /// Intervals that are claimed to contain all places of an extreme: field, whether it is the largest value,
+    /// intervals.
     pub places: Vec<(String, bool, Vec<[f64; 2]>)>,
-    /// Other keys that hold numbers: nothing is claimed of them.
+    /// Other keys that hold numbers; the proof does not cover them.
     pub not_covered: BTreeSet<String>,
 }
 
@@ -60,7 +62,7 @@ pub struct Stations {
 pub struct Extreme {
     /// Name of the field.
     pub field: String,
-    /// Whether it is the largest value, else the smallest.
+    /// `true`: the largest value; `false`: the smallest one.
     pub is_max: bool,
     /// Where it is \[m\].
     pub x: f64,
@@ -91,7 +93,7 @@ impl Document {
             document.model_digest = agreed(document.model_digest, &digest, "model_digest")?;
             document.units = agreed(document.units, &units, "units")?;
             if read.iter().any(|other| other.combination == document.combination) {
-                return wrong("`combinations` has two elements of one name");
+                return wrong("`combinations` has two elements with the same name");
             }
             read.push(document);
         }
@@ -138,7 +140,7 @@ impl Document {
         }
         let mut seen = BTreeSet::new();
         for (i, mut reaction) in elements(root, "reactions")?.into_iter().enumerate() {
-            // Supports that are not numbered are all of them, in their order.
+            // Supports without numbers are the complete list, in the order of the model.
             let support = match reaction.remove("support") {
                 None => i,
                 Some(support) => index(support)?,
@@ -251,13 +253,13 @@ impl Answer {
     }
 }
 
-/// One of the `pieces`. A key that is not known is refused: it may change what the others mean.
+/// One of the `pieces`. An unknown key is refused: it may change the meaning of the others.
 fn piece(mut piece: Object) -> Result<Piece, JsonError> {
     let x = pair(&mut piece, "x")?;
     let Some(x) = x else { return wrong("a piece has no `x`") };
     let touches = match piece.remove("touches") {
         Some(Json::Boolean(touches)) => touches,
-        _ => return wrong("`touches` of a piece is true or false"),
+        _ => return wrong("`touches` of a piece must be true or false"),
     };
     let read = Piece {
         x,
@@ -273,12 +275,12 @@ fn piece(mut piece: Object) -> Result<Piece, JsonError> {
         return wrong("a piece has no `deflection`");
     }
     match piece.keys().next() {
-        Some(key) => wrong(format!("`{key}` means nothing in a piece")),
+        Some(key) => wrong(format!("`{key}` is not a key of a piece")),
         None => Ok(read),
     }
 }
 
-/// A text that may stand at two places: both must be the same.
+/// A text that may be given in two places; both must agree.
 fn agreed(
     own: Option<String>,
     other: &Option<String>,
@@ -306,14 +308,14 @@ fn wrong<T>(what: impl Into<String>) -> Result<T, JsonError> {
 fn object(value: Json, name: &str) -> Result<Object, JsonError> {
     match value {
         Json::Object(object) => Ok(object),
-        _ => wrong(format!("`{name}` is no object")),
+        _ => wrong(format!("`{name}` is not an object")),
     }
 }
 
 fn list(value: Json, name: &str) -> Result<Vec<Json>, JsonError> {
     match value {
         Json::List(list) => Ok(list),
-        _ => wrong(format!("`{name}` is no list")),
+        _ => wrong(format!("`{name}` is not a list")),
     }
 }
 
@@ -328,7 +330,7 @@ fn text_of(parent: &mut Object, key: &str) -> Result<Option<String>, JsonError> 
     match parent.remove(key) {
         None | Some(Json::Null) => Ok(None),
         Some(Json::Text(text)) => Ok(Some(text)),
-        Some(_) => wrong(format!("`{key}` is no text")),
+        Some(_) => wrong(format!("`{key}` is not a text")),
     }
 }
 
@@ -337,7 +339,7 @@ fn optional(parent: &mut Object, key: &str) -> Result<Option<f64>, JsonError> {
     match parent.remove(key) {
         None | Some(Json::Null) => Ok(None),
         Some(Json::Number(number)) => Ok(Some(number)),
-        Some(_) => wrong(format!("`{key}` is no number")),
+        Some(_) => wrong(format!("`{key}` is not a number")),
     }
 }
 
@@ -349,24 +351,24 @@ fn number(parent: &mut Object, key: &str) -> Result<f64, JsonError> {
 fn index(value: Json) -> Result<usize, JsonError> {
     match value {
         Json::Number(n) if (0.0..1e9).contains(&n) && n.fract() == 0.0 => Ok(n as usize),
-        _ => wrong("`support` is no whole number"),
+        _ => wrong("`support` is not a whole number"),
     }
 }
 
 fn all_numbers(value: Json, name: &str) -> Result<Vec<f64>, JsonError> {
     let number = |value| match value {
         Json::Number(number) => Ok(number),
-        _ => wrong(format!("`{name}` holds something that is no number")),
+        _ => wrong(format!("`{name}` contains a value that is not a number")),
     };
     list(value, name)?.into_iter().map(number).collect()
 }
 
-/// A bound that a document claims; `null` claims nothing.
+/// A bound that a document claims; `null` makes no claim.
 fn claimed(bound: Json, name: &str) -> Result<f64, JsonError> {
     match bound {
         Json::Number(bound) => Ok(bound),
         Json::Null => Ok(f64::INFINITY),
-        _ => wrong(format!("`{name}` holds something that is no bound")),
+        _ => wrong(format!("`{name}` contains a value that is not a bound")),
     }
 }
 
@@ -399,7 +401,7 @@ fn pair(parent: &mut Object, key: &str) -> Result<Option<[f64; 2]>, JsonError> {
 fn two(value: Json, name: &str) -> Result<[f64; 2], JsonError> {
     match all_numbers(value, name)?[..] {
         [a, b] => Ok([a, b]),
-        _ => wrong(format!("`{name}` is a list of two numbers")),
+        _ => wrong(format!("`{name}` must be a list of two numbers")),
     }
 }
 
@@ -412,7 +414,7 @@ fn stations(root: &mut Object, key: &str) -> Result<Stations, JsonError> {
     for (name, values) in value {
         let values = all_numbers(values, &name)?;
         if values.len() != x.len() {
-            return wrong(format!("`{name}` of `{key}` has not one value for each `x`"));
+            return wrong(format!("`{name}` of `{key}` must have one value for each `x`"));
         }
         fields.push((name, values));
     }

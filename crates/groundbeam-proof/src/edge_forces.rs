@@ -1,7 +1,8 @@
-//! The shear force of a beam that shears beside an edge of contact, without the circle through the slope.
+//! Bound of the shear force of a beam that shears beside an edge of contact, in closed form instead of an iteration
+//! with the slope.
 //!
-//! Where only one of both answers touches, the force that they differ by follows from the error e_θ of the slope at the
-//! edge: with g = μ/(S + P), and without the part Φ₀ of the jump of the flux that does not depend on the slope,
+//! Where only one of the two solutions is in contact, the difference of their forces follows from the error e_θ of the
+//! slope at the edge. With g = μ/(S + P), and Φ₀ the part of the flux jump that does not depend on the slope,
 //!
 //! ```text
 //! |∫(p̄ − p*)| ≤ (1 + γ)[(Φ₀ + μe_θ)/(1 + g) + ε_pθ],   e_θ ≤ ε_φ + (e_V + |η|)/S,   e_V(1 + P/S) ≤ ε_T + rest.
@@ -14,7 +15,7 @@ use crate::pointwise::{PieceBounds, Pointwise};
 use crate::scalar::Scalar;
 use crate::size::Size;
 
-/// The edges at the left and at the right end of one piece: the length on which only one answer touches, and Φ₀.
+/// For the edges at the left and right end of one piece: the length on which only one solution is in contact, and Φ₀.
 pub(crate) type EdgesOfPiece = [Option<[Size; 2]>; 2];
 
 /// The edges at the ends of every piece.
@@ -25,7 +26,7 @@ pub(crate) fn edges_of_pieces(edges: &[EdgeShift], count: usize) -> Vec<EdgesOfP
             0 => (edge.node.checked_sub(1), Some(edge.node)),
             _ => (Some(edge.node), edge.node.checked_sub(1)),
         };
-        // The edge is at the far end of the outer piece, as seen from the region.
+        // Seen from the region, the edge lies at the far end of the outer piece.
         let places = [(outer, 1 - edge.side, edge.outside), (inner, edge.side, edge.inside)];
         for ((piece, end, theta), force) in places.into_iter().zip(edge.beyond) {
             if let Some(place) = piece.filter(|piece| *piece < count && theta > Size::ZERO) {
@@ -37,8 +38,8 @@ pub(crate) fn edges_of_pieces(edges: &[EdgeShift], count: usize) -> Vec<EdgesOfP
 }
 
 impl<S: Scalar> Pointwise<'_, S> {
-    /// ε_T on a piece with edges at its ends, from the bound `steady` of all else on half of the piece and from the `rest`
-    /// of ε_V(1 + P/S). Each edge lies within one half.
+    /// ε_T on a piece with edges at its ends. `steady` bounds all other contributions on half of the piece, `rest`
+    /// those to ε_V(1 + P/S). Each edge lies within one half.
     pub(crate) fn beside_edges(
         &self,
         i: usize,

@@ -1,6 +1,6 @@
 //! The energies of a claimed deflection with its ground: strain energy and potential energy, in doubles.
 //!
-//! These are figures to compare E with, no bounds: they carry the rounding error of the sums.
+//! E is compared with these figures. They are not bounds: they contain the rounding errors of the sums.
 
 use crate::coefficient::Coefficient;
 use crate::deflection::Deflection;
@@ -184,11 +184,11 @@ fn weighted<S: Scalar, const N: usize>(c: &Coefficient<S>, a: &Series<N>, b: &Se
     }
 }
 
-/// A field in doubles by Legendre's polynomials, Σ aₖPₖ(t), which are orthogonal on −1 ≤ t ≤ 1.
+/// A field in doubles as a Legendre series Σ aₖPₖ(t), orthogonal on −1 ≤ t ≤ 1.
 #[derive(Clone, Copy)]
 struct Series<const N: usize = ROOM> {
     len: usize,
-    /// Zero from `len` on.
+    /// Coefficients; zero from `len` on.
     a: [f64; N],
 }
 
@@ -200,7 +200,7 @@ impl<const N: usize> Series<N> {
         for (c, power) in p.coefficients().iter().zip(&POWERS) {
             let c = c.middle();
             series.len += 1;
-            // Four at a time: the parts above tʲ are zero.
+            // Four coefficients at a time; those above tʲ are zero.
             let fours = series.a.chunks_mut(4).zip(power.chunks(4));
             for (a, part) in fours.take(series.len.div_ceil(4)) {
                 a.iter_mut().zip(part).for_each(|(a, part)| *a += c * part);
@@ -209,7 +209,7 @@ impl<const N: usize> Series<N> {
         series
     }
 
-    /// The derivative by x: P′ₖ₊₁ = (2k + 1)Pₖ + P′ₖ₋₁.
+    /// The derivative with respect to x: P′ₖ₊₁ = (2k + 1)Pₖ + P′ₖ₋₁.
     fn derivative(&self, half: f64) -> Self {
         let mut derived = Series { len: self.len.saturating_sub(1), ..Self::ZERO };
         let mut above = [0.0; 2];
@@ -221,7 +221,7 @@ impl<const N: usize> Series<N> {
     }
 
     fn less<const M: usize>(mut self, other: &Series<M>) -> Self {
-        // There is room: M > N would not compile.
+        // The assertion at compile time that M ≥ N.
         let _ = const { N - M };
         self.len = self.len.max(other.len);
         for (a, less) in self.a.iter_mut().zip(&other.a[..other.len]) {
@@ -275,7 +275,7 @@ const SQUARES: [f64; ROOM] = {
     squares
 };
 
-/// tʲ by Legendre's polynomials. No part is negative, and their sum is 1.
+/// Legendre coefficients of tʲ. All are nonnegative, and their sum is 1.
 static POWERS: [[f64; ROOM]; ROOM] = {
     let mut powers = [[0.0; ROOM]; ROOM];
     powers[0][0] = 1.0;

@@ -1,4 +1,4 @@
-//! The energies of an answer in doubles: an estimate of the error for every solve, not a proof.
+//! The energies of an answer in doubles: an error estimate for every solve, without proof.
 
 use crate::answer::Answer;
 use crate::energies::Energies;

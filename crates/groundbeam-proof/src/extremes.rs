@@ -1,7 +1,7 @@
-//! Where the exact extremes of the fields are: intervals that hold every place of a largest or smallest value.
+//! Intervals that contain every place where an exact field has its largest or smallest value.
 //!
-//! With |f − f*| ≤ ε a place of the largest value has f ≥ f(x₀) − 2ε, for any x₀. Inside a piece f*′ is zero there, so parts
-//! with |f′| > ε′ drop out, |f′ − f*′| ≤ ε′. The ends of pieces count by their values alone.
+//! With |f − f*| ≤ ε, a place of the largest value has f ≥ f(x₀) − 2ε, for any x₀. Inside a piece f*′ is zero there, so
+//! parts with |f′| > ε′ are excluded, where |f′ − f*′| ≤ ε′. At the ends of pieces only the values count.
 
 use crate::bounds::Bounds;
 use crate::document::Extreme;
@@ -11,7 +11,7 @@ use crate::polynomial::{Budget, Polynomial, half_width};
 use crate::scalar::Scalar;
 use crate::size::Size;
 
-/// The shortest interval of t that is halved, where the slope is known and where it is not.
+/// The shortest interval of t that is halved, with and without a bound of the slope's error.
 const SHORTEST: [f64; 2] = [1e-13, 1e-9];
 
 /// Where a listed extreme is in the exact solution.
@@ -19,22 +19,22 @@ const SHORTEST: [f64; 2] = [1e-13, 1e-9];
 pub struct PlacedExtreme {
     /// Name of the field.
     pub field: String,
-    /// Whether it is the largest value, else the smallest.
+    /// `true`: the largest value; `false`: the smallest one.
     pub is_max: bool,
     /// The listed place \[m\].
     pub listed: f64,
-    /// Intervals that hold all places of the exact extreme \[m\], from left to right. Empty if no interval is shown.
+    /// Intervals that contain all places of the exact extreme \[m\], from left to right. Empty: no interval is proven.
     pub places: Vec<[f64; 2]>,
 }
 
 impl PlacedExtreme {
-    /// The interval that holds the listed place, or the nearest one.
+    /// The interval that contains the listed place, or the nearest one.
     pub fn nearest(&self) -> Option<[f64; 2]> {
         let off = |place: &[f64; 2]| self.distance_from(*place);
         self.places.iter().copied().min_by(|a, b| off(a).total_cmp(&off(b)))
     }
 
-    /// The distance of the listed place from the nearest interval; zero within one, and if no interval is shown.
+    /// The distance of the listed place from the nearest interval; zero inside an interval, and if none is proven.
     pub fn distance(&self) -> f64 {
         self.nearest().map_or(0.0, |place| self.distance_from(place))
     }
@@ -61,11 +61,11 @@ impl PlacedExtreme {
 struct Search<'a, S: Scalar> {
     fields: &'a Fields<'a, S>,
     field: usize,
-    /// 1 or −1: the largest value of this times the field.
+    /// 1 or −1: the search maximises this times the field.
     sign: f64,
-    /// Places with less are not extreme.
+    /// Places with a smaller value are excluded.
     level: f64,
-    /// The bound of the error of the derivative on each piece; infinite if no bound is known.
+    /// The error bound of the derivative on each piece; infinite if unknown.
     steep: Vec<Size>,
 }
 
@@ -99,7 +99,7 @@ fn search<'a, S: Scalar>(
         Size::of(frame.units.scaled(S::of(error), force, length).high())
     };
     let error = match extreme.field.as_str() {
-        // Within the interval of an edge the pressure has no bound.
+        // The pressure has no error bound within the interval of an edge.
         "pressure" => return None,
         "gap" => scaled(bounds.deflection.error, 0, 1) + scaled(bounds.settlement.error, 0, 1),
         name => scaled(error(name)?, force, length),
@@ -134,7 +134,7 @@ fn search<'a, S: Scalar>(
 }
 
 impl<S: Scalar> Search<'_, S> {
-    /// The intervals, joined where they meet.
+    /// The intervals; adjacent ones are merged.
     fn places(&self, patches: &Patches<S>) -> Vec<[f64; 2]> {
         let frame = self.fields.frame;
         let mut found: Vec<[f64; 2]> = Vec::new();

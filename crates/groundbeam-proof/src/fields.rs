@@ -1,4 +1,4 @@
-//! The admissible and balanced fields that are made from an answer, and the bound E of the difference of their energies.
+//! The admissible and balanced fields made from an answer, and the bound E of the difference of their energies.
 
 use crate::balance::{Balance, Balanced, fewest_cuts, more_cuts};
 use crate::clearance::{Clearance, clearance};
@@ -42,7 +42,8 @@ impl<'a, S: Scalar> Fields<'a, S> {
         Ok(Fields { frame, deflection, surface, pressures, residual, clearance, closing, missed })
     }
 
-    /// E and the balance that gives it. The tension helps to balance if pressures and supports alone cannot.
+    /// E and the balance that gives it. The tension takes part in the balance if pressures and supports alone do not
+    /// suffice.
     pub fn energy(&self) -> Result<(Size, Balanced<S>), NotProven> {
         match (self.least_energy(0.0), self.frame.tension) {
             (Err(_), Some(_)) => self.least_energy(self.frame.carrier),
@@ -50,8 +51,8 @@ impl<'a, S: Scalar> Fields<'a, S> {
         }
     }
 
-    /// The same as an estimate, also for a beam without tension that one point holds. A transverse force β in each cell then
-    /// takes what remains of the loads, a rounding error, and its work on the slope is added. No theorem covers it.
+    /// An estimate of E, also for a beam without tension that is held at one point. In each cell a transverse force β
+    /// carries the remaining loads, a rounding error; its work on the slope is added. No theorem covers this case.
     pub fn estimated_energy(&self) -> Result<Size, NotProven> {
         if let Ok((energy, _)) = self.energy() {
             return Ok(energy);
@@ -64,7 +65,7 @@ impl<'a, S: Scalar> Fields<'a, S> {
         Ok(energy + 2.0 * (0..self.frame.spans.len()).map(work).sum::<Size>())
     }
 
-    /// The same with few cuts or with more, whichever is less.
+    /// The smaller E of two balances: with few cuts and with more.
     fn least_energy(&self, carrier: f64) -> Result<(Size, Balanced<S>), NotProven> {
         let (few, more) = (fewest_cuts(self.frame), more_cuts(self.frame));
         let with_more = (more.len() > few.len()).then(|| self.energy_with(more, carrier));
@@ -76,8 +77,8 @@ impl<'a, S: Scalar> Fields<'a, S> {
         }
     }
 
-    /// E ≤ ½[(‖δ‖ + ‖c‖_beam)² + (‖η‖ + ‖δ′‖)² + ‖hinges‖² + (‖c‖_P + (Σβ²h/P)^½)² + Σκc² + Σκ_θc′² + Ḡ²], with
-    /// Ḡ = ‖c‖_b + Σ|r|√g + Ση(ω/k)^½ + ‖Gδp‖ + (Σ‖v‖²)^½ + (Σkη_o²ω_o)^½. Under a compression the parts of the beam without
+    /// E ≤ ½[(‖δ‖ + ‖c‖_beam)² + (‖η‖ + ‖δ′‖)² + ‖hinges‖² + (‖c‖_P + (Σβ²h/P)^½)² + Σκc² + Σκ_θc′² + Ḡ²], with Ḡ =
+    /// ‖c‖_b + Σ|r|√g + Ση(ω/k)^½ + ‖Gδp‖ + (Σ‖v‖²)^½ + (Σkη_o²ω_o)^½. Under a compression the beam terms without
     /// ‖c‖_P² become (their root + N_c)²/σ.
     fn energy_with(
         &self,
@@ -134,7 +135,7 @@ impl<'a, S: Scalar> Fields<'a, S> {
                 let [piece, side] = self.deflection.felt[i];
                 let turned = self.deflection.claimed[piece].rotation[side] - slope
                     + self.deflection.pieces[piece].slope[side];
-                // A couple belongs to the cell on its right, at the right end of the beam to the one on its left.
+                // A couple belongs to the cell on its right; at the right end of the beam, to the cell on its left.
                 let cell = if i < self.frame.spans.len() { i } else { i - 1 };
                 let added = balanced.pieces[cell].steepness * Size::of(node.weights.turning);
                 sum += missed(turning, turned, added);

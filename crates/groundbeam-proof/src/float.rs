@@ -12,13 +12,13 @@ pub(crate) fn magnitude(x: f64) -> f64 {
     x.abs()
 }
 
-/// x·2ⁿ where that is exact or below the smallest midpoint. `None` where it overflows.
+/// x·2ⁿ if it is exact or below the smallest midpoint. `None` if it overflows.
 pub(crate) fn times_power_of_two(x: f64, exponent: i32) -> Option<f64> {
     let scaled = scale(x, exponent);
     if !(magnitude(scaled) <= HUGE) {
         return None;
     }
-    // A result that is not zero, but rounded among subnormal numbers, must not pass for zero.
+    // A nonzero result that rounds to zero must stay nonzero.
     Some(if scaled == 0.0 && x != 0.0 { f64::MIN_POSITIVE } else { scaled })
 }
 
@@ -27,7 +27,7 @@ pub(crate) fn magnitude_scaled(r: f64, exponent: i32) -> f64 {
     if r == 0.0 { 0.0 } else { scale(r, exponent) * ABOVE + f64::MIN_POSITIVE }
 }
 
-/// x·2ⁿ in steps that are powers of two themselves.
+/// x·2ⁿ in steps whose factors are powers of two in range.
 pub(crate) fn scale(mut x: f64, mut exponent: i32) -> f64 {
     while exponent > 500 && x != 0.0 && magnitude(x) <= HUGE {
         (x, exponent) = (x * power_of_two(500), exponent - 500);

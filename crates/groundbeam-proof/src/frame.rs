@@ -22,7 +22,7 @@ pub(crate) struct Span<S> {
     /// x_mid, the middle of the stored ends.
     pub middle: S,
     pub half: S,
-    /// 1/half, which turns a derivative by t into one by x.
+    /// 1/half, which turns a derivative by t into one with respect to x.
     pub per_length: S,
     /// t at both ends.
     pub t: [S; 2],
@@ -33,7 +33,7 @@ pub(crate) struct Span<S> {
     pub touches: bool,
     /// w(t).
     pub deflection: Polynomial<S>,
-    /// φ(t) of a piece that shears; else φ = w′.
+    /// φ(t) of a piece that shears; otherwise φ = w′.
     pub rotation: Option<Box<Polynomial<S>>>,
     /// EI.
     pub bending: Coefficient<S>,
@@ -41,18 +41,18 @@ pub(crate) struct Span<S> {
     pub stiffness: Option<Coefficient<S>>,
     /// k.
     pub spring: Coefficient<S>,
-    /// μ; exactly 0 on separate springs.
+    /// μ; exactly 0 on Winkler ground.
     pub shear: Coefficient<S>,
     /// Whether μ > 0.
     pub layered: bool,
-    /// f, g and κ₀ of the loads and g₀, straight lines of t.
+    /// f, g and κ₀ of the loads and g₀, each linear in t.
     pub force: Line<S>,
     pub moment: Line<S>,
     pub curvature: Line<S>,
     pub gap: Line<S>,
-    /// q of the loads on the ground, a straight line of t; none if it is zero.
+    /// q of the loads on the ground, linear in t; `None` if it is zero.
     pub ground_load: Option<Line<S>>,
-    /// u as the answer stores it on open ground: at both ends, and along ground that varies.
+    /// u as the answer stores it on open ground: at both ends, and along varying ground.
     pub stored: Option<[S; 2]>,
     pub settlement: Option<Box<Polynomial<S>>>,
 }
@@ -64,24 +64,25 @@ pub(crate) struct Node<S> {
     /// Point force and point moment.
     pub force: S,
     pub moment: S,
-    /// Q, a force on the ground.
+    /// Q, a point force on the ground.
     pub ground_force: S,
     /// The settlement of a rigid support.
     pub rigid: Option<S>,
     /// Whether a clamp holds the slope.
     pub clamped: bool,
-    /// In which directions its support acts. One that acts in one direction is the only support of the node.
+    /// The directions in which its support acts. A one-way support is the only support of its node.
     pub acts: Acts,
-    /// Springs against deflection, with the sum of κδ, and against rotation.
+    /// Stiffness of the translational springs, with the sum of κδ, and of the rotational springs.
     pub spring: Option<[S; 2]>,
     pub turning: Option<S>,
     /// k_φ of a hinge; exactly 0 if it is free.
     pub hinge: Option<S>,
-    /// The stored reaction of rigid supports: force up, and moment on the left of the equation of equilibrium.
+    /// The stored reaction of rigid supports: force up, and moment with the sign of the left side of the equilibrium
+    /// equation.
     pub reaction: [S; 2],
-    /// What its supports take of the forces that are given back.
+    /// Weights of its supports in the redistribution of forces.
     pub weights: Weights,
-    /// Whether a positive concentrated force is stored.
+    /// Whether a positive concentrated contact force is stored.
     pub pressed: bool,
     /// Whether g₀ has a corner.
     pub corner: bool,
@@ -89,25 +90,25 @@ pub(crate) struct Node<S> {
     pub stepped: bool,
 }
 
-/// The weights with which supports take part when forces are given back. Any positive numbers are valid.
+/// Weights of the supports in the redistribution of forces. The balance holds for any positive weights.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Weights {
-    /// Of a rigid support.
+    /// Weight of a rigid support.
     pub rigid: f64,
-    /// Of a spring.
+    /// Weight of a translational spring.
     pub spring: f64,
-    /// Of a clamp.
+    /// Weight of a clamp.
     pub clamp: f64,
-    /// Of a rotational spring.
+    /// Weight of a rotational spring.
     pub turning: f64,
 }
 
-/// A support of the model, and what the answer claims of it.
+/// A support of the model with its claimed reaction.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Held<S> {
     pub x: S,
     pub acts: Acts,
-    /// `None` if it is idle: it acts in one direction and has no reaction. No piece need end there.
+    /// `None` if it is inactive: a one-way support without reaction. No piece must end there.
     pub node: Option<usize>,
     /// κ and κ_θ; `None` if it is rigid.
     pub springs: Option<[S; 2]>,
@@ -126,15 +127,15 @@ pub(crate) struct Frame<S> {
     pub supports: Vec<Held<S>>,
     /// The tension P; none if it is zero.
     pub tension: Option<S>,
-    /// B, with which the tension takes part when forces are given back. Any positive number is valid.
+    /// B, the weight of the tension in the redistribution of forces. The balance holds for any positive B.
     pub carrier: f64,
     /// The compression; none if P ≥ 0.
     pub compression: Option<Compression<S>>,
-    /// Stiffness K₀, K_l of the ground beside the beam: flux = K u. Exactly 0 without such ground.
+    /// Stiffness K₀, K_l of the ground outside the beam: flux = K u. Exactly 0 without such ground.
     pub outside: [S; 2],
-    /// T₀, T_l of the loads on the ground beside the beam: flux = K u − T.
+    /// T₀, T_l of the loads on the ground outside the beam: flux = K u − T.
     pub pushed: [S; 2],
-    /// The ground beside the beam from which they follow.
+    /// The ground outside the beam, from which `outside` and `pushed` follow.
     pub rows: [Row<S>; 2],
     pub length: S,
     pub units: Units,
@@ -162,12 +163,12 @@ impl<S: Scalar> Node<S> {
         }
     }
 
-    /// Whether the beam has two slopes here.
+    /// Whether the slopes on the two sides may differ.
     pub fn is_hinged(&self) -> bool {
         self.hinge.is_some()
     }
 
-    /// Whether no moment is handed on.
+    /// Whether no moment is transmitted.
     pub fn is_free_hinge(&self) -> bool {
         self.hinge == Some(S::zero())
     }
@@ -176,12 +177,12 @@ impl<S: Scalar> Node<S> {
 impl<S: Scalar> Span<S> {
     /// The geometry of a piece and its claimed deflection.
     ///
-    /// |t_L + 1| ≤ ¼ and |t_R − 1| ≤ ¼ are required: with another `half` the same function would have coefficients
-    /// whose sum bounds nothing.
+    /// Requires |t_L + 1| ≤ ¼ and |t_R − 1| ≤ ¼. With another `half` the sum of the coefficients would not bound the
+    /// function.
     pub fn of(piece: &Piece, x: [S; 2], units: Units) -> Result<Self, NotProven> {
         let wrong = |what: &str| NotProven::new(what).at(piece.x[0]);
         if piece.deflection.is_empty() {
-            return Err(wrong("a deflection has no coefficients"));
+            return Err(wrong("a piece has a deflection without coefficients"));
         }
         if piece.pressure.len() > HIGHEST + 1 {
             return Err(wrong("a field has a degree above 25"));
@@ -207,13 +208,13 @@ impl<S: Scalar> Span<S> {
         };
         let half = units.metres(S::of(piece.half));
         if !(half.low() > 0.0) {
-            return Err(wrong("`half` is not positive"));
+            return Err(wrong("`half` of a piece is not positive"));
         }
         let ends = piece.x.map(|x| units.metres(S::of(x)));
         let middle = (ends[0] + ends[1]).scaled(-1);
         let t = match S::ENCLOSES {
             true => x.map(|x| (x - middle).div(half)),
-            // In doubles differences of near positions keep the digits of a short piece far from zero.
+            // In doubles, differences of near positions keep the digits of a short piece far from zero.
             false => {
                 let stretch = (ends[1] - ends[0]).scaled(-1);
                 [(x[0] - ends[0]) - stretch, (x[1] - ends[1]) + stretch].map(|x| x.div(half))
@@ -221,7 +222,7 @@ impl<S: Scalar> Span<S> {
         };
         let off = [t[0] + S::one(), t[1] - S::one()];
         if !off.iter().all(|off| off.size() <= 0.25) {
-            return Err(wrong("`half` does not fit the ends of the piece"));
+            return Err(wrong("`half` contradicts the ends of the piece"));
         }
         let largest = Size::of(1.0).worst(Size::of(t[0].size())).worst(Size::of(t[1].size()));
         let longest = piece.deflection.len().max(piece.rotation.len()).max(piece.pressure.len());
@@ -263,7 +264,7 @@ impl<S: Scalar> Span<S> {
         Size::of(self.h.high())
     }
 
-    /// A straight line through two points (x, value), as a polynomial of t.
+    /// The linear function through two points (x, value), as a polynomial of t.
     pub fn line(&self, [from, to]: [S; 2], [start, end]: [S; 2]) -> Line<S> {
         if start == end {
             return Line::from_coefficients([start]);
@@ -272,7 +273,7 @@ impl<S: Scalar> Span<S> {
         Line::from_coefficients([start + slope * (self.middle - from), slope * self.half])
     }
 
-    /// ∫tᵏp over the piece by x, for k = 0, 1, … as many as wanted.
+    /// ∫tᵏp dx over the piece, for k = 0, …, N − 1.
     pub fn integrals<const N: usize>(&self, p: &Polynomial<S>) -> [S; N] {
         let c = p.coefficients();
         let count = c.len() + N;
@@ -284,7 +285,7 @@ impl<S: Scalar> Span<S> {
         })
     }
 
-    /// The derivative by x.
+    /// The derivative with respect to x.
     pub fn derivative(&self, p: &Polynomial<S>) -> Polynomial<S> {
         p.derivative_times(self.per_length)
     }
@@ -294,7 +295,7 @@ impl<S: Scalar> Span<S> {
         self.gap.coefficient(1) * self.per_length
     }
 
-    /// q/k on even ground, the settlement under the ground's own loads far from the beam; none without loads.
+    /// q/k on ground with constant k and μ: the free-field settlement; `None` without loads on the ground.
     pub fn free_field(&self) -> Option<Line<S>> {
         let spring = self.spring.even()?;
         self.ground_load.as_ref().map(|load| load.times(S::one().div(spring)))
@@ -321,7 +322,7 @@ impl<S: Scalar> Span<S> {
         self.deflection - &self.gap
     }
 
-    /// ku − q − (μ(w − g₀)′)′: the pressure if the beam touched ground of the settlement u.
+    /// ku − q − (μ(w − g₀)′)′: the pressure if the beam were in contact with ground of the settlement u.
     pub fn pressure_under(&self, settlement: &Polynomial<S>) -> Polynomial<S> {
         let mut pressure = self.spring.times(*settlement);
         if self.layered {
@@ -335,7 +336,7 @@ impl<S: Scalar> Span<S> {
         }
     }
 
-    /// A bound of the slope of a coefficient along the piece.
+    /// An upper bound of the absolute slope of a coefficient along the piece.
     pub fn steepness(&self, coefficient: &Coefficient<S>) -> Size {
         coefficient.along().map_or(Size::ZERO, |along| self.derivative(along).size(self.tau))
     }
@@ -350,13 +351,13 @@ impl<S: Scalar> Span<S> {
         self.derivative(moment) - &self.moment
     }
 
-    /// The interval of t that holds the piece, in doubles.
+    /// The interval of t that contains the piece, in doubles.
     pub fn interval(&self) -> [f64; 2] {
         [self.t[0].low(), self.t[1].high()]
     }
 }
 
-/// ∫tʲ from t_L to t_R for j = 0, 1, … below a number.
+/// ∫tʲ from t_L to t_R for j = 0, …, `count` − 1.
 fn powers<S: Scalar>(ends: [S; 2], count: usize) -> Vec<S> {
     let mut power = ends;
     let integral = |j: usize| {
@@ -368,14 +369,14 @@ fn powers<S: Scalar>(ends: [S; 2], count: usize) -> Vec<S> {
 }
 
 impl<S: Scalar> Frame<S> {
-    /// A depth of penetration that does not matter: 10⁻²⁴ of the deflection.
+    /// A negligible depth of penetration: 10⁻²⁴ of the deflection.
     pub fn negligible(&self) -> Size {
         let sizes = self.spans.iter().map(|span| span.deflection.coefficient(0).size());
         let largest = sizes.fold(0.0, |most, size| if size > most { size } else { most });
         Size::of(1e-24 * largest)
     }
 
-    /// Whether a node belongs to a shear layer on its left or on its right.
+    /// Whether the ground on the left and on the right of a node has a shear layer.
     pub fn layered(&self, node: usize) -> [bool; 2] {
         let left = node > 0 && self.spans[node - 1].layered;
         [left, self.spans.get(node).is_some_and(|span| span.layered)]
@@ -387,8 +388,7 @@ impl<S: Scalar> Frame<S> {
         [left, self.spans.get(node).is_some_and(|span| span.touches)]
     }
 
-    /// Whether μ and S are the same on both sides of a node inside a layer, and no hinge and no force on the ground is
-    /// there.
+    /// Whether μ and S are continuous at a node inside a layer, without hinge and without force on the ground.
     pub fn even(&self, node: usize) -> bool {
         self.layered(node) == [true; 2]
             && !self.nodes[node].stepped
@@ -396,7 +396,7 @@ impl<S: Scalar> Frame<S> {
             && !self.nodes[node].is_hinged()
     }
 
-    /// Whether a force bends the slope at a node: that of a load or support on a beam that shears.
+    /// Whether a force causes a jump of the slope at a node: a load or a reaction on a beam that shears.
     pub fn kinks(&self, node: usize) -> bool {
         let here = &self.nodes[node];
         let forced = here.force != S::zero() || here.rigid.is_some() || here.spring.is_some();
@@ -405,8 +405,8 @@ impl<S: Scalar> Frame<S> {
         forced && beside.into_iter().any(shears)
     }
 
-    /// Whether a node lies inside the layer and has no hinge, no force on the ground, no corner of g₀, no step of μ or S,
-    /// and no force that bends a beam that shears.
+    /// Whether a node lies inside the layer and has no hinge, no force on the ground, no corner of g₀, no jump of μ or
+    /// S, and, on a beam that shears, no force.
     pub fn smooth(&self, node: usize) -> bool {
         self.even(node) && !self.nodes[node].corner && !self.kinks(node)
     }

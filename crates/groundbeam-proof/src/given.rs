@@ -1,4 +1,4 @@
-//! From model and answer to the problem on the pieces: checks of range, and where everything stands.
+//! Builds the problem on the pieces from model and answer: checks ranges, and assigns loads and supports to nodes.
 
 use crate::answer::{Answer, Reaction};
 use crate::beside::Row;
@@ -18,13 +18,13 @@ use crate::stability::margin;
 use crate::units::Units;
 use crate::values::{in_range, positive};
 
-/// Where the parts of the model stand, as indices of nodes.
+/// Node indices of the parts of the model.
 struct Places {
     beam: Vec<[usize; 2]>,
     ground: Vec<[usize; 2]>,
-    /// None: at a place beside the beam.
+    /// `None`: a load outside the beam.
     loads: Vec<Option<[usize; 2]>>,
-    /// None for an idle support.
+    /// `None`: an inactive support.
     supports: Vec<Option<usize>>,
     hinges: Vec<usize>,
     gap: Vec<usize>,
@@ -32,8 +32,8 @@ struct Places {
 
 /// The problem on the pieces of the answer, in the units of the proof.
 ///
-/// Under compression a lower bound σ of the part of the energy's convexity that remains is proven unless one is given.
-/// The supports in `placed` stand at nodes although they have no reaction.
+/// Under compression, `None` for the given σ means that a lower bound of σ is proven: σ is the part of the energy's
+/// convexity that remains. The supports in `placed` get nodes although they have no reaction.
 pub(crate) fn frame<S: Scalar>(
     model: &Model<S>,
     answer: &Answer,
@@ -71,7 +71,7 @@ pub(crate) fn frame<S: Scalar>(
     };
     stiffness(model, &places, &mut frame)?;
     if model.loads.iter().any(lifts) {
-        return Err(NotProven::new("a load on the ground lifts it"));
+        return Err(NotProven::new("a load on the ground acts upward"));
     }
     loads(model, &places, &mut frame);
     gap(model, &places, &mut frame)?;
@@ -178,7 +178,7 @@ fn stiffness<S: Scalar>(
         span.spring = even(ground.spring, -2);
         span.shear = even(ground.shear, 0);
     }
-    // The courses of μ and S on each piece, where a segment says them.
+    // The profiles of μ and S on each piece that lies in a segment.
     let mut courses = vec![[None; 2]; frame.spans.len()];
     for (piece, j) in pieces_of(places.beam.iter().copied(), frame.spans.len())? {
         let segment = &beam.segments[j];
@@ -216,7 +216,7 @@ fn stiffness<S: Scalar>(
     Ok(())
 }
 
-/// Finds the nodes at which μ or S differs on the two sides. A course has no step inside its segment.
+/// Finds the nodes at which μ or S jumps. A profile has no jump inside its segment.
 fn steps<S: Scalar>(model: &Model<S>, courses: &[[Option<&Course<S>>; 2]], frame: &mut Frame<S>) {
     let (shear, stiffness) = (model.ground.shear, model.beam.shear_stiffness);
     let same = |a: Option<&Course<S>>, b: Option<&Course<S>>, base: Option<S>| match (a, b) {
@@ -250,7 +250,7 @@ fn pieces_of(
     Ok(found)
 }
 
-/// A piece as a part of a segment: s = line(t) runs from 0 to 1 along the segment, and between `ends` on the piece.
+/// A piece as a part of a segment: s = line(t) runs from 0 to 1 along the segment, and over `ends` on the piece.
 struct Part<S> {
     line: Line<S>,
     ends: [S; 2],
@@ -269,7 +269,7 @@ impl<S: Scalar> Part<S> {
         }
     }
 
-    /// A course on the piece, of the unit N m^`length`.
+    /// The coefficient on the piece of a profile with the unit N m^`length`.
     fn course(&self, course: &Course<S>, length: i32) -> Result<Coefficient<S>, NotProven> {
         if matches!(course, Course::Varying(values) if values.len() > HIGHEST_COURSE + 1) {
             return Err(NotProven::new("a coefficient varies with a degree above 5"));
@@ -279,7 +279,7 @@ impl<S: Scalar> Part<S> {
     }
 }
 
-/// Whether a load on the ground may lift it: the settlement under such a load is no upper bound of Gp.
+/// Whether a load on the ground may lift it: under such a load the settlement is not an upper bound of Gp.
 fn lifts<S: Scalar>(load: &Load<S>) -> bool {
     let sizes = match load.extent {
         Extent::Point { size, .. } => [size; 2],
@@ -352,7 +352,7 @@ fn gap<S: Scalar>(
     }
     for (pair, nodes) in corners.windows(2).zip(places.gap.windows(2)) {
         if !((pair[1][0] - pair[0][0]).low() > 0.0) {
-            return Err(NotProven::new("the corners of the clearance do not follow one another"));
+            return Err(NotProven::new("the corners of the clearance are not in increasing order"));
         }
         for span in frame.spans.iter_mut().take(nodes[1]).skip(nodes[0]) {
             span.gap = span.line([pair[0][0], pair[1][0]], [pair[0][1], pair[1][1]]);

@@ -1,4 +1,4 @@
-//! The ground's surface ū, the concentrated forces of the layer, and what the surface misses of the ground's equation.
+//! The ground's surface ū, the concentrated forces of the layer, and the residual of the ground's equation.
 //!
 //! Where beam and ground touch, ū = w̄ − g₀. Open ground of a layer is solved exactly: on a piece of length h, with
 //! b = √(k/μ), z = bh, r = √(kμ),
@@ -19,14 +19,14 @@ use crate::scalar::{Scalar, positive_part};
 use crate::size::Size;
 use std::ops::Range;
 
-/// The ground's surface and its forces.
+/// The settlement of the ground's surface, and the forces on it.
 #[derive(Debug)]
 pub(crate) struct Surface<S> {
     pub pieces: Vec<SurfacePiece<S>>,
     pub nodes: Vec<SurfaceNode<S>>,
     /// Whether beam and layer touch at a node.
     pub touches: Vec<bool>,
-    /// Σ|r|√g over the forces and (Σ∫ρ²/k)^½ over the pressures which p̄ leaves out.
+    /// Σ|r|√g over the forces and (Σ∫ρ²/k)^½ over the pressures that p̄ omits.
     pub unclaimed: Size,
 }
 
@@ -37,11 +37,11 @@ pub(crate) struct SurfacePiece<S> {
     pub open: Option<[S; 2]>,
     /// ū on an open piece of a layer whose k or μ varies.
     pub along: Option<Box<Polynomial<S>>>,
-    /// max|ρ| of the pressure that ū misses on such a piece; zero elsewhere.
+    /// max|ρ| of the residual pressure of ū on such a piece; zero elsewhere.
     pub missed: Size,
     /// μū′ at both ends of an open piece of a layer.
     pub flux: [S; 2],
-    /// A bound of √g(x, x) on a piece of a layer; infinite on separate springs.
+    /// A bound of √g(x, x) on a piece of a layer; infinite on Winkler ground.
     pub flexibility: Size,
 }
 
@@ -56,7 +56,7 @@ pub(crate) struct SurfaceNode<S> {
 }
 
 impl<S> Surface<S> {
-    /// √g at a node: the lesser bound of the pieces beside it.
+    /// √g at a node: the smaller bound of the two neighbouring pieces.
     pub fn flexibility_at(&self, node: usize) -> Size {
         let right = self.pieces.get(node).map_or(Size::INFINITE, |piece| piece.flexibility);
         let left = node.checked_sub(1).map_or(Size::INFINITE, |i| self.pieces[i].flexibility);
@@ -64,7 +64,7 @@ impl<S> Surface<S> {
     }
 }
 
-/// Solves the open ground and takes the fluxes at all nodes.
+/// Solves the open ground and computes the fluxes at all nodes.
 pub(crate) fn surface<S: Scalar>(frame: &Frame<S>, deflection: &Deflection<S>) -> Surface<S> {
     let touches: Vec<bool> = (0..frame.nodes.len()).map(|i| touches(frame, i)).collect();
     let zero = S::zero();
@@ -99,14 +99,14 @@ pub(crate) fn surface<S: Scalar>(frame: &Frame<S>, deflection: &Deflection<S>) -
     surface
 }
 
-/// Whether beam and layer touch at a node: at the end of a layered piece that touches, or under a stored force.
+/// Whether beam and layer are in contact at a node: at the end of a touching piece of a layer, or under a stored force.
 fn touches<S: Scalar>(frame: &Frame<S>, node: usize) -> bool {
     let (layered, touching) = (frame.layered(node), frame.touching(node));
     let any = layered[0] || layered[1];
     (layered[0] && touching[0]) || (layered[1] && touching[1]) || (any && frame.nodes[node].pressed)
 }
 
-/// What lies behind a node, as the node feels it: flux = S u − T.
+/// The ground beyond a node, condensed to the node: flux = S u − T.
 #[derive(Clone, Copy)]
 pub(crate) struct Behind<S> {
     stiffness: S,
@@ -114,7 +114,7 @@ pub(crate) struct Behind<S> {
 }
 
 impl<S: Scalar> Behind<S> {
-    /// The same with a force on the surface at the node.
+    /// The same with an additional force on the surface at the node.
     fn loaded(self, force: S) -> Self {
         Behind { pushed: self.pushed + force, ..self }
     }
@@ -128,7 +128,7 @@ struct FreeField<S> {
     slope: S,
 }
 
-/// An open piece with u = q/k + v. Where k or μ varies, that of the least k and μ.
+/// An open piece with u = q/k + v. If k or μ varies, the piece with the smallest k and μ.
 pub(crate) struct Link<S> {
     /// s₁ and s₂.
     across: S,
@@ -158,12 +158,12 @@ impl<S: Scalar> Link<S> {
         Link { across, own: (root * -e).div(sum), free }
     }
 
-    /// S + s₁ + s₂ with S behind the piece.
+    /// S + s₁ + s₂, with S the stiffness of the ground beyond the piece.
     fn divisor(&self, behind: Behind<S>) -> S {
         behind.stiffness + self.own + self.across
     }
 
-    /// The same piece with u measured from another height. What is held at this height loses no digits to it.
+    /// The same piece with u measured from another height. Without this shift, small differences of u would lose digits.
     fn above(&self, height: S) -> Self {
         let ends = self.free.ends.map(|free| free - height);
         Link { free: FreeField { ends, ..self.free }, ..*self }
@@ -175,18 +175,18 @@ impl<S: Scalar> Link<S> {
         if near == 0 { [rise, slope] } else { [-rise, -slope] }
     }
 
-    /// What drives u at the near end, where `behind` lies: (S + s₁ + s₂)u = s₁u_far + this.
+    /// The right side of (S + s₁ + s₂)u = s₁u_far + source, with u at the near end and `behind` the ground beyond it.
     fn source(&self, behind: Behind<S>, near: usize) -> S {
         let [rise, slope] = self.outward(near);
         behind.pushed + slope + self.own * self.free.ends[near] - self.across * rise
     }
 
-    /// u at the near end from u at the far one.
+    /// u at the near end, from u at the far end.
     fn near(&self, behind: Behind<S>, near: usize, far: S) -> S {
         (self.across * far + self.source(behind, near)).div(self.divisor(behind))
     }
 
-    /// What lies behind the far end. Its stiffness is a sum of positive terms.
+    /// The ground beyond the far end, this piece included. Its stiffness is a sum of positive terms.
     fn behind(&self, behind: Behind<S>, near: usize) -> Behind<S> {
         let part = self.across.div(self.divisor(behind));
         Behind {
@@ -195,12 +195,12 @@ impl<S: Scalar> Link<S> {
         }
     }
 
-    /// The same for a surface that is held at u = 0 at the near end.
+    /// The same if the surface is held at u = 0 at the near end.
     fn behind_held(&self, near: usize) -> Behind<S> {
         Behind { stiffness: self.across + self.own, pushed: self.own_push(near) }
     }
 
-    /// s₂b + s₁(b − a) less the outward μq′/k, with a, b = q/k at the near and the far end.
+    /// s₂b + s₁(b − a) minus the outward μq′/k, with a, b = q/k at the near and the far end.
     fn own_push(&self, near: usize) -> S {
         let [rise, slope] = self.outward(near);
         self.own * self.free.ends[1 - near] + self.across * rise - slope
@@ -214,7 +214,7 @@ impl<S: Scalar> Link<S> {
         [across - self.own * left, across + self.own * right]
     }
 
-    /// The flux at the right end less that at the left end, s₂(u_L + u_R − q_L/k − q_R/k).
+    /// The flux at the right end minus the flux at the left end, s₂(u_L + u_R − q_L/k − q_R/k).
     fn flux_gained(&self, [left, right]: [S; 2]) -> S {
         let [a, b] = self.free.ends;
         self.own * ((left - a) + (right - b))
@@ -227,7 +227,7 @@ pub(crate) struct Layer<'a, S> {
     deflection: &'a Deflection<S>,
     pub(crate) links: &'a [Link<S>],
     pub(crate) first: usize,
-    /// All of the layer on the left and on the right of each node, as if it were open, without the force at the node.
+    /// The layer on the left and on the right of each node, condensed as if it were open, without the force at the node.
     behind: [Vec<Behind<S>>; 2],
 }
 
@@ -264,9 +264,9 @@ impl<'a, S: Scalar> Layer<'a, S> {
         self.first + self.links.len()
     }
 
-    /// √g on each piece. g ≤ 1/(least S₋ + least S₊): S moves monotonically along an even piece, so its least value
-    /// is at one of the ends. Also g ≤ coth(bL)/√(kμ) with the least k and μ of the layer and its length L: g falls as k,
-    /// μ or the layer grow, and is largest at a free end.
+    /// √g on each piece. g ≤ 1/(min S₋ + min S₊): S is monotone along a piece with constant k and μ, so its minimum is at
+    /// one of the ends. Also g ≤ coth(bL)/√(kμ) with the smallest k and μ of the layer and its length L: g decreases as k,
+    /// μ or the length of the layer increase, and is largest at a free end.
     fn flexibility(&self, surface: &mut Surface<S>) {
         let least = |side: usize, i: usize| {
             let [a, b] = [i, i + 1].map(|j| self.behind[side][j].stiffness.low());
@@ -280,7 +280,7 @@ impl<'a, S: Scalar> Layer<'a, S> {
         }
     }
 
-    /// A lower bound of √(kμ) tanh(bL), the stiffness of an even layer as long as this one at its end.
+    /// A lower bound of √(kμ) tanh(bL): the stiffness at the end of a layer of this length with constant k and μ.
     fn least_stiffness(&self) -> f64 {
         let spans = &self.frame.spans[self.first..self.end()];
         let least = |of: &dyn Fn(&Span<S>) -> S| {
@@ -339,14 +339,14 @@ impl<'a, S: Scalar> Layer<'a, S> {
         }
     }
 
-    /// u at the right end of a layer that touches nowhere. Without loads it stays where it is.
+    /// u at the right end of a layer without contact. Without loads u = 0.
     fn free_end(&self) -> S {
         let [left, right] = [0, 1].map(|side| self.behind[side][self.links.len()]);
         let pushed = left.pushed + right.pushed + self.force(self.end());
         if pushed == S::zero() { pushed } else { pushed.div(left.stiffness + right.stiffness) }
     }
 
-    /// From the left end of the layer to the first touching node.
+    /// Solves from the left end of the layer to the first touching node.
     fn leading(&self, node: usize, held: S, surface: &mut Surface<S>) {
         let mut u = held;
         for i in (0..node - self.first).rev() {
@@ -362,7 +362,7 @@ impl<'a, S: Scalar> Layer<'a, S> {
         }
     }
 
-    /// From the last touching node to the right end of the layer.
+    /// Solves from the last touching node to the right end of the layer.
     fn trailing(&self, node: usize, surface: &mut Surface<S>) {
         let mut u = self.held(node);
         for i in node - self.first..self.links.len() {
@@ -378,8 +378,8 @@ impl<'a, S: Scalar> Layer<'a, S> {
         }
     }
 
-    /// Between two touching nodes: what lies on the left of each open node, then back from the right. Heights are measured
-    /// from the left node: over a short run the difference of two settlements would have few digits.
+    /// Solves between two touching nodes: condensation from the left, then back-substitution from the right. Heights are
+    /// measured from the left node, because over a short run the difference of two settlements has few digits.
     fn between(&self, from: usize, to: usize, surface: &mut Surface<S>) {
         let start = self.held(from);
         let link = |piece: usize| self.links[piece - self.first].above(start);
@@ -406,13 +406,13 @@ impl<'a, S: Scalar> Layer<'a, S> {
         }
     }
 
-    /// w̄ − g₀ at the right end of a piece less that at its left end, without their common part.
+    /// The increase of w̄ − g₀ along a piece from left to right, computed without the common part.
     fn rise(&self, piece: usize) -> S {
         let span = &self.frame.spans[piece];
         span.obstacle().rise(span.t) + self.deflection.pieces[piece].rise
     }
 
-    /// The jump of the flux at a node, less the force on the ground there.
+    /// The jump of the flux at a node, minus the force on the ground there.
     pub(crate) fn jump_at(&self, node: usize, surface: &Surface<S>) -> S {
         self.flux_at(node, 0, surface) - self.flux_at(node, 1, surface) - self.force(node)
     }

@@ -1,4 +1,4 @@
-//! Supports with their stored reactions, and hinges, at the nodes; the weights with which supports take part in the balance.
+//! Supports with their stored reactions, and hinges, at the nodes; the weights of the supports in the balance.
 
 use crate::answer::{Answer, Reaction};
 use crate::frame::{Frame, Held};
@@ -15,21 +15,21 @@ pub(crate) fn reactions<S: Scalar>(
     let mut all = vec![None; model.supports.len()];
     for reaction in &answer.reactions {
         let place = all.get_mut(reaction.support);
-        let place =
-            place.ok_or_else(|| NotProven::new("a reaction of a support that is not there"))?;
+        let place = place
+            .ok_or_else(|| NotProven::new("a reaction belongs to a support that does not exist"))?;
         if place.replace(*reaction).is_some() {
-            return Err(NotProven::new("two reactions of one support"));
+            return Err(NotProven::new("a support has two reactions"));
         }
     }
     Ok(all)
 }
 
-/// Whether a support of one direction has no reaction. It then need not be at a node.
+/// Whether a one-way support has no reaction. It then needs no node.
 pub(crate) fn is_idle<S: Scalar>(support: &Support<S>, reaction: &Option<Reaction>) -> bool {
     support.acts != Acts::Both && reaction.is_none_or(|reaction| reaction.force == 0.0)
 }
 
-/// Places the supports, and takes the stored reactions of the rigid ones. Idle ones have no node.
+/// Assigns the supports to nodes, and reads the stored reactions of the rigid ones. Inactive ones have no node.
 pub(crate) fn supports<S: Scalar>(
     model: &Model<S>,
     reactions: &[Option<Reaction>],
@@ -71,7 +71,7 @@ pub(crate) fn supports<S: Scalar>(
         }
         let pulls = !(support.acts.towards(force).low() > 0.0);
         if support.acts != Acts::Both && force != S::zero() && pulls {
-            let what = "a support of one direction acts in the other";
+            let what = "a one-way support has a reaction in the wrong direction";
             return Err(NotProven::new(what).at(frame.place(node)));
         }
         let node = &mut frame.nodes[node];
@@ -91,13 +91,13 @@ fn hold<S: Scalar>(
     let node = &mut frame.nodes[node];
     let first = node.rigid.is_none() && node.spring.is_none() && node.turning.is_none();
     if node.acts != Acts::Both || (held.acts != Acts::Both && !first) {
-        let what = "two supports at one place, one of which acts in one direction";
+        let what = "a one-way support shares its position with another support";
         return Err(NotProven::new(what).at(place));
     }
     node.acts = held.acts;
     let Some([spring, turning]) = held.springs else {
         if node.rigid.is_some_and(|other| other != held.settlement) {
-            return Err(NotProven::new("two rigid supports at one place").at(place));
+            return Err(NotProven::new("two rigid supports have the same position").at(place));
         }
         node.rigid = Some(held.settlement);
         node.clamped |= clamps;
@@ -126,24 +126,24 @@ pub(crate) fn hinges<S: Scalar>(
         let node = &mut frame.nodes[*i];
         let refused = |what: &str| Err(NotProven::new(what).at(place));
         if *i == 0 || *i == last {
-            return refused("a hinge at an end of the beam");
+            return refused("a hinge is at an end of the beam");
         }
         if node.hinge.replace(spring).is_some() {
-            return refused("two hinges at one place");
+            return refused("two hinges have the same position");
         }
-        // The slope at a hinge is not one number, so nothing can hold it or turn it: such a model is not valid.
+        // The slope has two values at a hinge, so no support can hold it there: such a model is invalid.
         if node.clamped || node.turning.is_some() {
-            return refused("a hinge at a support that holds the slope");
+            return refused("a hinge is at a support that restrains the slope");
         }
         if node.moment != S::zero() {
-            return refused("a moment at a hinge");
+            return refused("a moment acts at a hinge");
         }
     }
     Ok(())
 }
 
-/// Supports take part with W = 10 max(Σ|F|, Σ|R|, EI max|κ₀|/l, κ|δ|), clamps with Wl², a tension with Wl. A spring takes part with the force
-/// that it has at the largest deflection, at most W.
+/// Weights of the supports: W = 10 max(Σ|F|, Σ|R|, EI max|κ₀|/l, κ|δ|) for a rigid one, Wl² for a clamp, Wl for the
+/// tension. The weight of a spring is its force at the largest deflection, at most W.
 pub(crate) fn weights<S: Scalar>(frame: &mut Frame<S>) {
     let (mut forces, mut reactions, mut largest) = (0.0, 0.0, 0.0);
     let mut moved = 0.0;
@@ -161,14 +161,14 @@ pub(crate) fn weights<S: Scalar>(frame: &mut Frame<S>) {
         moved = larger(moved, span.deflection.coefficient(0).size());
     }
     let all = 10.0 * larger(larger(forces, reactions), largest);
-    // Without loads any weight will do: the unit of force.
+    // Without loads any weight is valid: the unit of force.
     let rigid = if all > 0.0 && all < 1e60 { all } else { 1.0 };
     let clamp = rigid * frame.length.square().middle();
     frame.carrier = rigid * frame.length.middle();
     let limited = |force: f64, most: f64| if force < most { force } else { most };
     for node in &mut frame.nodes {
         if node.acts != Acts::Both {
-            // It takes part with what it pushes.
+            // The weight of a one-way support is its reaction.
             continue;
         }
         let weights = &mut node.weights;

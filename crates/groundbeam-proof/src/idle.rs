@@ -1,9 +1,9 @@
-//! Supports of one direction: which act, and from which the exact beam is shown to be clear.
+//! One-way supports: shows which are active, and from which the exact beam is separated.
 //!
-//! With ς = 1 for a support that pushes up and −1 for one that pulls down, −ς(w − δ) > ε_w is required of one that has no
-//! reaction. The corrected deflection w̄ then is admissible, and the exact reaction is zero, because |w̄ − w| and |w − w*|
-//! are at most ε_w. A support that is closer takes part at a node of its own: a rigid one with w̄ = δ and R̄ = 0, a spring
-//! with R̄ = κv̄⁺. Then all bounds hold without knowing whether it acts.
+//! Let ς = 1 for a support that pushes up and −1 for one that pulls down. A support without reaction must satisfy −ς(w − δ)
+//! > ε_w. Then the corrected deflection w̄ is admissible, and the exact reaction is zero, because |w̄ − w| and |w − w*| are
+//! at most ε_w. A support that is closer gets a node of its own: a rigid one with w̄ = δ and R̄ = 0, a spring with R̄ =
+//! κv̄⁺. Then all bounds hold whether it is active or not.
 
 use crate::frame::{Frame, Held};
 use crate::model::Acts;
@@ -12,7 +12,7 @@ use crate::refusal::NotProven;
 use crate::scalar::Scalar;
 use crate::size::Size;
 
-/// The supports without a node that the exact beam may reach, as indices of the model.
+/// The supports without a node that the exact beam may touch, as indices of the model.
 pub(crate) fn close<S: Scalar>(frame: &Frame<S>, bounds: &[PieceBounds]) -> Vec<usize> {
     let within = |piece: usize| bounds[piece].deflection.value();
     let supports = frame.supports.iter().enumerate();
@@ -20,8 +20,8 @@ pub(crate) fn close<S: Scalar>(frame: &Frame<S>, bounds: &[PieceBounds]) -> Vec<
     idle.filter(|(_, support)| !is_clear(frame, &within, support)).map(|(i, _)| i).collect()
 }
 
-/// Fails at the first support of one direction of which it is not shown whether it acts: neither is its reaction larger
-/// than the bound of its error nor the beam clear of it.
+/// Fails at the first one-way support whose state is not proven: its reaction does not exceed the bound of its error, and
+/// the beam is not separated from it.
 pub(crate) fn decided<S: Scalar>(
     frame: &Frame<S>,
     bounds: &[PieceBounds],
@@ -39,10 +39,11 @@ pub(crate) fn decided<S: Scalar>(
 }
 
 pub(crate) fn too_close() -> NotProven {
-    NotProven::new("the beam is too close to a support of one direction to tell whether it acts")
+    NotProven::new("the beam is too close to a one-way support to decide whether it is active")
 }
 
-/// Fails at the first idle support that the claimed deflection enters by more than rounding error: for an estimate.
+/// Fails at the first inactive support that the claimed deflection penetrates by more than rounding error. Used for an
+/// estimate.
 pub(crate) fn nearly_clear<S: Scalar>(frame: &Frame<S>) -> Result<(), NotProven> {
     let sizes = frame.spans.iter().map(|span| Size::of(span.deflection.coefficient(0).size()));
     let rounding = ROUNDING * sizes.fold(Size::ZERO, Size::worst).value();
@@ -50,7 +51,7 @@ pub(crate) fn nearly_clear<S: Scalar>(frame: &Frame<S>) -> Result<(), NotProven>
     match idle.find(|support| !is_clear(frame, &|_| -rounding, support)) {
         None => Ok(()),
         Some(support) => {
-            Err(NotProven::new("the beam enters a support that is claimed not to act")
+            Err(NotProven::new("the beam penetrates a support that is claimed to be inactive")
                 .at(frame.units.restored(support.x.middle(), 0, 1)))
         }
     }
@@ -59,7 +60,7 @@ pub(crate) fn nearly_clear<S: Scalar>(frame: &Frame<S>) -> Result<(), NotProven>
 /// Rounding error of a deflection, relative to the largest one.
 const ROUNDING: f64 = 1e-9;
 
-/// Whether the claimed deflection is farther from a support than the distance wanted on its piece.
+/// Whether the distance between claimed deflection and support exceeds the required distance on its piece.
 fn is_clear<S: Scalar>(
     frame: &Frame<S>,
     wanted: &impl Fn(usize) -> f64,
@@ -68,7 +69,7 @@ fn is_clear<S: Scalar>(
     let x = support.x;
     let inside = x.high() >= 0.0 && (frame.length - x).high() >= 0.0;
     let after = frame.nodes.partition_point(|node| node.x.middle() < x.middle());
-    // A position within the rounding of a node counts for the pieces on both sides.
+    // A position within rounding error of a node is checked on both adjacent pieces.
     let near = after.saturating_sub(2)..(after + 1).min(frame.spans.len());
     let holds = |i: usize| {
         let [from, to] = frame.spans[i].x;

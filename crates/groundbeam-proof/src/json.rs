@@ -1,21 +1,21 @@
-//! A strict reader of JSON: one value, no key twice, no NaN or Infinity, no number beyond a double, nothing behind.
+//! A strict reader of JSON. It accepts one value, unique keys and finite doubles, and nothing after the value.
 
 use std::collections::BTreeMap;
 use std::fmt;
 
-/// The longest document, in bytes.
+/// Maximum length of a document, in bytes.
 const LONGEST: usize = 64 << 20;
-/// The most values in a document.
+/// Maximum number of values in a document.
 const MOST: usize = 10_000_000;
-/// The most lists and objects within each other.
+/// Maximum depth of nested lists and objects.
 const DEEPEST: usize = 32;
 
 /// Why a document is not read.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct JsonError {
-    /// Line in the document, from 1; 0 where the fault has no single place.
+    /// Line in the document, from 1; 0 if the fault has no single position.
     pub line: usize,
-    /// Character in the line, from 1; 0 where the fault has no single place.
+    /// Character in the line, from 1; 0 if the fault has no single position.
     pub column: usize,
     /// The fault.
     pub what: String,
@@ -86,7 +86,11 @@ impl Reader<'_> {
         }
         let value = self.value(0)?;
         self.skip_spaces();
-        if self.peek().is_some() { Err("something stands behind the document") } else { Ok(value) }
+        if self.peek().is_some() {
+            Err("there is text after the end of the document")
+        } else {
+            Ok(value)
+        }
     }
 
     fn peek(&self) -> Option<u8> {
@@ -114,7 +118,7 @@ impl Reader<'_> {
             return Err("the document has too many values");
         }
         match self.peek() {
-            Some(b'[' | b'{') if depth == DEEPEST => Err("values lie too deep within each other"),
+            Some(b'[' | b'{') if depth == DEEPEST => Err("values are nested too deeply"),
             Some(b'[') => self.list(depth + 1),
             Some(b'{') => self.object(depth + 1),
             Some(b'"') => self.string().map(Json::Text),
@@ -179,7 +183,7 @@ impl Reader<'_> {
         }
     }
 
-    /// Goes past digits; whether there was one.
+    /// Skips digits; returns whether there was one.
     fn digits(&mut self) -> bool {
         let start = self.at;
         while self.peek().is_some_and(|byte| byte.is_ascii_digit()) {
@@ -198,7 +202,7 @@ impl Reader<'_> {
             self.take("-");
         }
         if !right || (power && !self.digits()) {
-            return Err("this number is cut off");
+            return Err("this number is incomplete");
         }
         let number = self.text.get(start..self.at).and_then(|text| text.parse::<f64>().ok());
         match number {
@@ -227,13 +231,13 @@ impl Reader<'_> {
                     self.at += 1;
                     found.push(self.escape()?);
                 }
-                _ => return Err("a text ends with a quote, on the same line"),
+                _ => return Err("a string must end with a quote on the same line"),
             }
         }
     }
 
     fn escape(&mut self) -> Result<char, Fault> {
-        let letter = self.peek().ok_or("an escape is cut off")?;
+        let letter = self.peek().ok_or("an escape is incomplete")?;
         self.at += 1;
         Ok(match letter {
             b'"' => '"',

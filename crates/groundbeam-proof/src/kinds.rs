@@ -1,10 +1,10 @@
-//! Which kinds of model are covered.
+//! The kinds of model that the theorem covers.
 
 use crate::model::{Acts, Extent, Model, SupportKind};
 use crate::refusal::NotProven;
 use crate::scalar::Scalar;
 
-/// The first feature of a model for which the theorem has not been built in.
+/// The first feature of a model that the theorem does not cover.
 pub(crate) fn not_covered<S: Scalar>(model: &Model<S>) -> Option<NotProven> {
     let axial = model.beam.axial_force;
     let point_curvature = model.loads.iter().any(|load| {
@@ -21,7 +21,7 @@ pub(crate) fn not_covered<S: Scalar>(model: &Model<S>) -> Option<NotProven> {
     });
     let kinds = [
         (!(axial.low() >= 0.0 || axial.high() < 0.0), "an axial force of unknown sign"),
-        (turned_in_one_direction, "a support that holds the slope in one direction"),
+        (turned_in_one_direction, "a one-way support that restrains the slope"),
         (point_curvature, "an imposed curvature at a point"),
     ];
     let (_, kind) = kinds.into_iter().find(|(present, _)| *present)?;

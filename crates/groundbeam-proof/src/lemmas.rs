@@ -1,4 +1,4 @@
-//! The inequalities of docs/proof.md against exact energies of random functions and of forces on open ground.
+//! Compares the inequalities of docs/proof.md with exact energies of random functions and of forces on open ground.
 
 #![cfg(test)]
 
@@ -30,7 +30,7 @@ const COUNT: usize = 2000;
 /// A stretch of ground: its length, k and μ.
 type Stretch = [f64; 3];
 
-/// A beam of the bending stiffness EI on stretches of endless ground.
+/// A beam of the bending stiffness EI on infinite ground that consists of stretches.
 fn beam(bending: f64, ground: &[Stretch]) -> Model<Ball> {
     let mut to = 0.0;
     let segment = |[length, k, mu]: &Stretch| {
@@ -61,7 +61,7 @@ fn beam(bending: f64, ground: &[Stretch]) -> Model<Ball> {
     }
 }
 
-/// A load on the beam between two places, straight between its sizes there.
+/// A load on the beam between two places, linear between its values there.
 fn load([from, to]: [f64; 2], [start, end]: [f64; 2]) -> Load<Ball> {
     let [from, to, start, end] = [from, to, start, end].map(Ball::of);
     let extent = Extent::Distributed { from, to, start, end };
@@ -73,7 +73,7 @@ fn force(at: f64, size: f64) -> Load<Ball> {
     Load { action: Action::Force, extent, on_ground: false }
 }
 
-/// A claim with one piece for each stretch: whether it touches, and w as a polynomial of t.
+/// A claim with one piece for each stretch: whether it is in contact, and w as a polynomial of t.
 fn claim(ground: &[Stretch], pieces: &[(bool, Vec<f64>)], forces: &[f64]) -> Answer {
     let mut to = 0.0;
     let piece = |([length, ..], (touches, deflection)): (&Stretch, &(bool, Vec<f64>))| {
@@ -116,21 +116,20 @@ fn polynomial(c: &[f64], x: f64) -> f64 {
     c.iter().rev().fold(0.0, |sum, c| sum * x + c)
 }
 
-/// The integral by x of a function on 0 ≤ x ≤ length, by the midpoint rule.
+/// The integral of a function over 0 ≤ x ≤ length, by the midpoint rule.
 fn integral(length: f64, of: impl Fn(f64) -> f64) -> f64 {
     let h = length / COUNT as f64;
     (0..COUNT).map(|i| h * of((i as f64 + 0.5) * h)).sum()
 }
 
-/// The stiffness of ground at the far end of a stretch, from that at the near end, by straight elements. It is at least the
-/// exact one.
+/// An upper bound of the stiffness of ground at the far end of a stretch, from that at the near end, by linear elements.
 fn behind(stiffness: f64, [length, k, mu]: Stretch) -> f64 {
     let h = length / COUNT as f64;
     let [own, across] = [k * h / 3.0 + mu / h, k * h / 6.0 - mu / h];
     (0..COUNT).fold(stiffness, |sum, _| own - across * across / (sum + own))
 }
 
-/// The flexibility g(x, x) of open ground at a node, by elements: at most the exact one.
+/// A lower bound of the flexibility g(x, x) of open ground at a node, by elements.
 fn flexibility(frame: &Frame<Ball>, ground: &[Stretch], node: usize) -> f64 {
     let left = ground[..node].iter().fold(frame.outside[0].middle(), |sum, s| behind(sum, *s));
     let right = ground[node..].iter().rev();
@@ -138,8 +137,8 @@ fn flexibility(frame: &Frame<Ball>, ground: &[Stretch], node: usize) -> f64 {
     1.0 / (left + right)
 }
 
-/// A force r that nobody claims has the energy r²g on open ground. A node that is held above the ground pulls with
-/// r = w/g. (5) of the design, √g of the construction.
+/// A residual force r has the energy r²g on open ground. A node that is held above the ground pulls with r = w/g. (5) of
+/// the design, √g of the construction.
 #[test]
 fn a_force_that_is_left_unclaimed_costs_its_energy() {
     let mut random = numbers();
@@ -158,7 +157,7 @@ fn a_force_that_is_left_unclaimed_costs_its_energy() {
         let surface = surface(&frame, &admissible(&frame).expect("a deflection"));
         let exact = flexibility(&frame, &ground, node);
         let bound = surface.flexibility_at(node).value();
-        // The elements round.
+        // The tolerance allows for rounding in the elements.
         assert!(exact <= bound * bound * (1.0 + 1e-6), "{case}: {exact} {}", bound * bound);
         let force = surface.nodes[node].jump.middle();
         assert!(
@@ -172,21 +171,21 @@ fn a_force_that_is_left_unclaimed_costs_its_energy() {
     assert!(sharpest > 0.999, "{sharpest}");
 }
 
-/// ⟨q, Gq⟩ of a load on endless even ground, by the kernel e^{−b|x−y|}/(2√(kμ)).
+/// ⟨q, Gq⟩ of a load on infinite ground with constant k and μ, by the kernel e^{−b|x−y|}/(2√(kμ)).
 fn energy_of_load(length: f64, [k, mu]: [f64; 2], load: impl Fn(f64) -> f64) -> f64 {
     let h = length / COUNT as f64;
     let fall = (-(k / mu).sqrt() * h).exp();
     let at = |i: usize| load((i as f64 + 0.5) * h) * h;
     let (mut sum, mut before) = (0.0, 0.0);
     for i in 0..COUNT {
-        // Twice all pairs with a load before, and the load itself.
+        // Twice the products with all earlier loads, and the square of the load itself.
         sum += at(i) * (2.0 * before + at(i));
         before = (before + at(i)) * fall;
     }
     sum / (2.0 * (k * mu).sqrt())
 }
 
-/// The pull max(−p, 0) of random polynomials has at most the energy η²ω/k and the load ηω.
+/// The tensile part max(−p, 0) of random polynomials has at most the energy η²ω/k and the resultant ηω.
 #[test]
 fn pulls_cost_their_energy() {
     let mut random = numbers();
@@ -224,8 +223,9 @@ fn pulls_cost_their_energy() {
     assert!(sharpest > 0.9, "{sharpest}");
 }
 
-/// A stiff beam between two supports above the ground that is claimed to touch: it pulls everywhere, and at its ends with
-/// √(kμ)w. Nothing presses, so E is at least ½b(u, u) of the claimed surface, ½w²(kl + 2√(kμ)).
+/// A stiff beam between two supports above the ground, with contact claimed everywhere: the pressure is tensile, and the
+/// forces at the ends are √(kμ)w. No pressure is compressive, so E is at least ½b(u, u) of the claimed surface, ½w²(kl +
+/// 2√(kμ)).
 #[test]
 fn the_energy_of_a_surface_that_only_pulls_is_charged() {
     for [k, mu] in [[1.0, 1.0], [30.0, 0.02], [0.02, 30.0]] {
@@ -247,8 +247,9 @@ fn the_energy_of_a_surface_that_only_pulls_is_charged() {
     }
 }
 
-/// (10): random open stretches into which the beam sinks, to an end of the beam or to a second contact. A surface v that is zero
-/// at the contacts and c at a distance y from one of them has at least the energy c²(√(kμ) coth(by) + what lies behind).
+/// (10): random open stretches that the beam penetrates, up to an end of the beam or to a second contact. A surface v that
+/// is zero at the contacts and c at a distance y from one of them has at least the energy c²(√(kμ) coth(by) + the stiffness
+/// beyond).
 #[test]
 fn a_lift_costs_its_energy() {
     let mut random = numbers();
@@ -262,7 +263,7 @@ fn a_lift_costs_its_energy() {
         if both {
             ground.push([0.5, k, mu]);
         }
-        // A straight line, and on the open stretch a part that vanishes with its slope at the contacts.
+        // A linear function, plus a part on the open stretch that vanishes with its slope at the contacts.
         let (start, slope) = (2.0 + random(), 2.0 * random() * rate);
         let (a, b) = (10.0 * random(), 10.0 * random());
         let sunk = |y: f64| {
@@ -392,7 +393,7 @@ fn long_test_functions_have_their_energy() {
     }
 }
 
-/// A random error e = e_φ integrated + ∫γ on 0 ≤ x ≤ h: its values at the points of a grid, s and s_γ.
+/// A random error e = ∫e_φ + ∫γ on 0 ≤ x ≤ h: its values on a grid, s and s_γ.
 fn random_error(random: &mut impl FnMut() -> f64, h: f64, slides: bool) -> (Vec<f64>, [f64; 2]) {
     let step = h / COUNT as f64;
     let bent = [random(), random(), random(), random()].map(|c| c * 3.0);
@@ -411,7 +412,7 @@ fn random_error(random: &mut impl FnMut() -> f64, h: f64, slides: bool) -> (Vec<
     (values, [s.sqrt(), sheared.sqrt()])
 }
 
-/// (12): e on an interval from the mean of its size; between two places and beyond them from its values there.
+/// (12): e on an interval, from the mean of |e|; between and beyond two places, from its values there.
 #[test]
 fn errors_of_the_deflection_are_bounded_by_their_anchors() {
     let mut random = numbers();
@@ -428,7 +429,7 @@ fn errors_of_the_deflection_are_bounded_by_their_anchors() {
         let in_mean = from_mean(Size::of(mean), s * half * half.root(), sheared * half.root());
         let ends = [values[0], values[COUNT]].map(|e| Size::of(e.abs()));
         let inside = ends[0].worst(ends[1]) + between(Size::of(h), [s, sheared]);
-        // The last quarter hangs over two places at a distance of one half.
+        // The last quarter is the overhang beyond two places at a distance of one half.
         let [far, near] = [COUNT / 4, 3 * COUNT / 4].map(|i| Size::of(values[i].abs()));
         let over = Size::of(0.25 * h);
         let beyond = beyond([near, far], over, [0.5 * h; 2], [s, sheared]);
@@ -445,15 +446,15 @@ fn errors_of_the_deflection_are_bounded_by_their_anchors() {
     assert!(sharpest.iter().all(|ratio| *ratio > 0.6), "{sharpest:?}");
 }
 
-/// A load on a simply supported cell bends it by at most a quarter of load times length, (7): the moment of the loads that are
-/// given back, against their exact moment.
+/// (7): a load on a simply supported cell causes a moment of at most a quarter of load times length. Compares the bound for
+/// the redistributed loads with their exact moment.
 #[test]
 fn loads_given_back_bend_a_cell_by_what_is_charged() {
     let mut random = numbers();
     let mut sharpest = 0.0_f64;
     for _ in 0..100 {
         let ground = [[0.7, 2.0, 0.0], [0.8, 2.0, 0.0]];
-        // Linear pressures that the loads do not balance: all of it is given back.
+        // Linear pressures that the loads do not balance: their whole resultant is redistributed.
         let [a, b] = [1.0 + 0.3 * random(), 0.4 * random()];
         let pieces = [(true, vec![a, 0.35 * b]), (true, vec![a + 0.75 * b, 0.4 * b])];
         let mut model = beam(1.0, &ground);

@@ -1,11 +1,11 @@
-//! Proof of an answer: how far a claimed deflection, contact and set of forces can be from the exact solution.
+//! Proof of an answer: bounds of the distance of a claimed deflection, contact set and forces from the exact solution.
 //!
-//! The problem is a beam in unilateral contact with a Winkler or Pasternak foundation. The crate does not know how
-//! an answer was found. It builds an admissible deflection and an exactly balanced pressure from the answer, and
+//! The problem is a beam in unilateral contact with a Winkler or Pasternak foundation. The proof does not depend on the
+//! method that found the answer. It builds an admissible deflection and an exactly balanced pressure from the answer, and
 //! bounds the difference of the two energies. `docs/proof.md` states the theorem.
 
 #![forbid(unsafe_code)]
-// `!(a <= b)` refuses when a number is NaN; `a > b` would accept.
+// `!(a <= b)` refuses if a number is NaN; `a > b` would accept it.
 #![allow(clippy::neg_cmp_op_on_partial_ord)]
 
 mod anchors;

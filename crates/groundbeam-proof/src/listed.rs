@@ -1,4 +1,4 @@
-//! The numbers that a document lists besides its answer, compared with the fields of the answer.
+//! Compares the numbers that a document lists besides its answer with the fields of the answer.
 
 use crate::contact_set::ContactSet;
 use crate::document::{Document, Extreme, Stations};
@@ -12,38 +12,38 @@ use crate::scalar::Scalar;
 use crate::size::Size;
 use std::ops::Range;
 
-/// Places are told apart if they are farther from one another than this, as a part of the length.
+/// Places count as different if their distance exceeds this fraction of the length.
 const NEAR: f64 = 16.0 * f64::EPSILON;
 
-/// How many listed numbers were compared.
+/// Number of listed numbers that were compared, by kind.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Checked {
     /// Places at which the fields are listed.
     pub stations: usize,
     /// Values at all stations.
     pub values: usize,
-    /// Pressures within the interval of an edge, where nothing is shown.
+    /// Pressures within the interval of an edge, where no bound is proven.
     pub at_edges: usize,
     /// Extremes.
     pub extremes: usize,
     /// Regions and points of contact.
     pub regions: usize,
-    /// Concentrated forces, the forces under the ends among them.
+    /// Concentrated forces, including those under the ends.
     pub forces: usize,
-    /// Bounds of errors that the document claims.
+    /// Error bounds that the document claims.
     pub bounds: usize,
 }
 
-/// Bounds of the errors of single listed numbers. All are infinite if the contact set is not shown.
+/// Bounds of the errors of single listed numbers. All are infinite if the contact set is not proven.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct ListedErrors {
-    /// Of both ends of each listed region of contact \[m\]. Without listed regions of those that are shown.
+    /// Of both ends of each listed region of contact \[m\]. If none are listed: of the proven regions.
     pub edges: Vec<[f64; 2]>,
     /// Of each of the `forces` \[N\].
     pub forces: Vec<f64>,
     /// Of the `end_forces`, left and right \[N\], if they are listed.
     pub end_forces: Option<[f64; 2]>,
-    /// Of the forces that are not listed, as zero \[N\].
+    /// The largest exact force that is not listed, that is, listed as zero \[N\].
     pub unlisted: f64,
     /// Of rotation \[rad\] and moment \[N·m\] of each of the `hinges`.
     pub hinges: Vec<[f64; 2]>,
@@ -60,7 +60,7 @@ impl ListedErrors {
         largest(self.forces.iter().chain(self.end_forces.iter().flatten()).chain([&self.unlisted]))
     }
 
-    /// Nothing is proven of the listed numbers of a document.
+    /// Infinite errors: nothing is proven about the listed numbers of a document.
     fn nothing(document: &Document) -> Self {
         let regions = document.contact.as_ref().map_or(1, |listed| listed.len().max(1));
         ListedErrors {
@@ -73,26 +73,26 @@ impl ListedErrors {
     }
 }
 
-/// The largest of several errors, zero of none.
+/// The largest of several errors; zero if there are none.
 fn largest<'a>(errors: impl Iterator<Item = &'a f64>) -> f64 {
     errors.map(|error| Size::of(*error)).fold(Size::ZERO, Size::worst).value()
 }
 
-/// By how much listed numbers differ from what the answer's pieces give, at most.
+/// Bounds of the differences between listed numbers and the pieces of the answer.
 #[derive(Debug, Default)]
 pub(crate) struct Differences {
     /// Of each field, in the order of [`FIELDS`].
     pub fields: [f64; 8],
-    /// Of edges and concentrated forces from the exact ones.
+    /// Of edges and concentrated forces: the distance from the exact ones.
     pub contact: ListedErrors,
     /// The places of the listed extremes.
     pub extremes: Vec<PlacedExtreme>,
     /// Intervals on which the pressure has no bound \[m\].
     pub without_pressure: Vec<[f64; 2]>,
     pub checked: Checked,
-    /// Listed fields that are not known.
+    /// Listed fields with unknown names.
     pub unknown: Vec<String>,
-    /// The first listed number that does not fit the answer at all.
+    /// The first listed number that contradicts the answer.
     pub failed: Option<NotProven>,
 }
 
@@ -142,8 +142,8 @@ pub(crate) fn differences<S: Scalar>(
     found
 }
 
-/// Intervals on which the pressure has no bound \[m\]. On separate springs it is bounded everywhere. On a shear layer the
-/// exact pressure jumps somewhere in the interval of an edge of contact, and anywhere if the contact set is not shown.
+/// Intervals on which the pressure has no bound \[m\]. On Winkler ground it is bounded everywhere. On a shear layer the
+/// exact pressure jumps somewhere in the interval of an edge of contact, and anywhere if the contact set is not proven.
 fn without_pressure<S: Scalar>(fields: &Fields<S>, proof: &Proof) -> Vec<[f64; 2]> {
     let (frame, length) = (fields.frame, proof.scales.length);
     if !frame.spans.iter().any(|span| span.layered) {
@@ -172,12 +172,12 @@ impl<S: Scalar> Comparison<'_, S> {
         self.document.answer.pieces.last().map_or(0.0, |piece| piece.x[1])
     }
 
-    /// Piece and t of a place, by the stored ends of the pieces; of a node those on its right, at the right end of the beam
-    /// on its left.
+    /// Piece and t of a place, by the stored ends of the pieces. A node belongs to the piece on its right; the right end of
+    /// the beam to the last piece.
     fn place(&self, x: f64) -> Result<(usize, S), NotProven> {
         let (pieces, near) = (&self.document.answer.pieces, NEAR * self.length());
         if !(-near <= x && x <= self.length() + near) {
-            return Err(NotProven::new("a listed number stands off the beam").at(x));
+            return Err(NotProven::new("a listed position is outside the beam").at(x));
         }
         let i = pieces.partition_point(|piece| piece.x[0] <= x).saturating_sub(1);
         let span = &self.fields.frame.spans[i];
@@ -198,7 +198,7 @@ impl<S: Scalar> Comparison<'_, S> {
         units.restored(off.size(), force, length)
     }
 
-    /// The fields at listed places, on the left of each or, but for the right end of the beam, on the right.
+    /// The fields at listed places, on the left or on the right of each. At the right end of the beam, always on the left.
     fn stations(
         &self,
         listed: &Stations,
@@ -235,7 +235,8 @@ impl<S: Scalar> Comparison<'_, S> {
         Ok(())
     }
 
-    /// By how much a pressure at an edge lies outside of zero and the pressures of the pieces on both sides.
+    /// The distance of a pressure at an edge from the interval spanned by zero and the pressures of the pieces on both
+    /// sides.
     fn off_an_edge(&self, listed: f64, (piece, t): (usize, S)) -> f64 {
         let units = self.fields.frame.units;
         let listed = units.scaled(S::of(listed), 1, -1);
@@ -259,10 +260,10 @@ impl<S: Scalar> Comparison<'_, S> {
         units.restored(off.value(), 1, -1)
     }
 
-    /// |listed − the largest value of the field|, and of the field at the listed place, whichever is more.
+    /// The larger of |listed − the largest value of the field| and |listed − the field at the listed place|.
     ///
-    /// The largest value is at least the one at the place, on either side, and exceeds the listed one by at most the
-    /// depth of listed − field below zero.
+    /// The largest value is at least the one at the place, on either side, and exceeds the listed one by at most the depth
+    /// of listed − field below zero.
     fn extreme(&self, extreme: &Extreme, found: &mut Differences) -> Result<(), NotProven> {
         let Some(field) = field_named(&extreme.field) else {
             found.unknown.push(format!("extremes.{}", extreme.field));
@@ -284,7 +285,7 @@ impl<S: Scalar> Comparison<'_, S> {
         Ok(())
     }
 
-    /// The same for the largest gap of a stretch that has lifted off. It ends at listed edges or at an end of the beam.
+    /// As `extreme`, for the largest gap of an open stretch. The stretch ends at listed edges or at an end of the beam.
     fn lift_off(
         &self,
         [from, to, x, value]: &[f64; 4],
@@ -300,7 +301,7 @@ impl<S: Scalar> Comparison<'_, S> {
         let range = first..pieces.partition_point(|piece| piece.x[1] <= *to).max(first);
         let touches = pieces[range.clone()].iter().any(|piece| piece.touches);
         if touches || ends.iter().any(|edge| from < edge && edge < to) {
-            return Err(NotProven::new("a listed stretch has not lifted off").at(*from));
+            return Err(NotProven::new("a listed open stretch is in contact").at(*from));
         }
         let largest = Extreme { field: "gap".to_owned(), is_max: true, x: *x, value: *value };
         let off = self.difference(GAP, *value, self.place(*x)?);
@@ -328,7 +329,7 @@ impl<S: Scalar> Comparison<'_, S> {
         Ok(())
     }
 
-    /// By how much a field exceeds its listed extreme anywhere on some pieces.
+    /// The largest excess of a field over its listed extreme on some pieces.
     fn beyond(&self, field: usize, extreme: &Extreme, pieces: Range<usize>) -> f64 {
         let ((_, force, length), units) = (FIELDS[field], self.fields.frame.units);
         let listed = units.scaled(S::of(extreme.value), force, length);
@@ -347,7 +348,7 @@ impl<S: Scalar> Comparison<'_, S> {
         units.restored(deepest.value(), force, length)
     }
 
-    /// Stored pressures of open pieces, where the pressure is zero.
+    /// Checks stored pressures of open pieces, where the pressure is zero.
     fn idle_pressures(&self, found: &mut Differences) {
         let units = self.fields.frame.units;
         for (piece, span) in self.document.answer.pieces.iter().zip(&self.fields.frame.spans) {
@@ -359,7 +360,7 @@ impl<S: Scalar> Comparison<'_, S> {
         }
     }
 
-    /// Two listed forces at one place would be added by a reader, each is compared with the exact one.
+    /// Refuses two listed forces at one place: a reader would add them, but each is compared with the exact force.
     fn forces_at_one_place(&self) -> Option<NotProven> {
         let mut places: Vec<f64> = self.document.answer.forces.iter().map(|f| f.x).collect();
         places.sort_by(f64::total_cmp);
@@ -368,7 +369,7 @@ impl<S: Scalar> Comparison<'_, S> {
         Some(NotProven::new("two concentrated forces are listed at one place").at(pair[0]))
     }
 
-    /// Listed concentrated forces against the exact ones. A force that is not listed is zero.
+    /// Compares listed concentrated forces with the exact ones. A force that is not listed counts as zero.
     fn forces(&self, contact: &ContactSet, found: &mut ListedErrors) {
         let (near, length) = (NEAR * self.length(), self.length());
         let error = |x: f64, force: f64| {
@@ -395,7 +396,7 @@ fn enlarge(most: &mut f64, value: f64) {
     *most = Size::of(*most).worst(Size::of(value)).value();
 }
 
-/// The largest distance of a number from those of an interval, rounded up.
+/// The largest distance of a number from the numbers of an interval, rounded up.
 fn farthest(x: f64, [low, high]: [f64; 2]) -> f64 {
     let [below, above] = [x - low, high - x].map(|d| if d == 0.0 { 0.0 } else { d.next_up() });
     Size::of(if below >= above { below } else { above }).value()
@@ -406,19 +407,19 @@ fn edges(document: &Document, contact: &ContactSet) -> Result<Vec<[f64; 2]>, Not
     let mut shown: Vec<[[f64; 2]; 2]> = Vec::new();
     for region in &contact.regions {
         match shown.last_mut() {
-            // A region that goes on beyond the end of a layer is listed as one.
+            // A region that continues beyond the end of a layer is listed as one region.
             Some(last) if last[1] == region.from => last[1] = region.to,
             _ => shown.push([region.from, region.to]),
         }
     }
     let Some(listed) = &document.contact else {
-        // The edges of the pieces lie within the shown intervals.
+        // The edges of the pieces lie within the proven intervals.
         let width = |[low, high]: [f64; 2]| (high - low).next_up();
         return Ok(shown.into_iter().map(|ends| ends.map(width)).collect());
     };
     if listed.len() != shown.len() {
         let [listed, shown] = [listed.len(), shown.len()];
-        let what = format!("{listed} contact regions are listed, {shown} are shown");
+        let what = format!("{listed} contact regions are listed, {shown} are proven");
         return Err(NotProven::new(what));
     }
     let both = listed.iter().zip(&shown);

@@ -1,7 +1,7 @@
-//! The log of a proof: its inputs and its inequalities, one JSON object a line, for a program that recomputes them.
+//! The log of a proof: its inputs and its inequalities, one JSON object a line. An independent program can recompute them.
 //!
-//! Numbers are in the units of the proof. A double is written as the shortest decimal that reads back as it, a ball as the
-//! list of its middle, a correction of the middle, and its radius. `docs/verify.md` describes the lines.
+//! Numbers are in the units of the proof. A double is written as the shortest decimal that reads back as it. A ball is
+//! written as the list of its middle, a correction of the middle, and its radius. `docs/verify.md` describes the lines.
 
 use crate::beside::Row;
 use crate::coefficient::Coefficient;
@@ -52,7 +52,7 @@ impl Log {
         Line { text: &mut self.text }
     }
 
-    /// Writes the problem, the claimed fields, what was made of them, and the bounds.
+    /// Writes the problem, the claimed fields, the corrected fields, and the bounds.
     pub(crate) fn record<S: Scalar>(
         &mut self,
         pointwise: &Pointwise<S>,
@@ -118,8 +118,8 @@ impl Log {
         self.contact(shown);
     }
 
-    /// Writes the supports with the bounds of the errors of force and moment, and whether it is shown of each that acts in
-    /// one direction whether it acts.
+    /// Writes the supports with the error bounds of force and moment, and for each one-way support whether its state is
+    /// proven.
     pub(crate) fn supports<S: Scalar>(
         &mut self,
         frame: &Frame<S>,
@@ -146,7 +146,7 @@ impl Log {
         self.line("unique", "7").with("shown", is_unique.to_string()).end();
     }
 
-    /// The ground on one side of the beam, outward.
+    /// The ground outside one end of the beam, listed outward.
     fn row<S: Scalar>(&mut self, side: usize, row: &Row<S>) {
         let stretches = row.stretches.iter().map(|stretch| {
             list([
@@ -219,7 +219,7 @@ impl Log {
             .end();
     }
 
-    /// The bounds of one round, slope, V and p of each piece, and the edges that follow.
+    /// The bounds of one round: slope, V and p of each piece, and the edges that follow.
     fn round(&mut self, round: &Round) {
         let bounds = |b: &PieceBounds| list([b.slope, b.shear_force, b.pressure].map(size));
         self.line("round", "5")
@@ -256,7 +256,7 @@ impl Log {
     }
 }
 
-/// 0, or 1 of a support that only pushes up, −1 of one that only pulls down.
+/// 0 for both directions, 1 for a support that only pushes up, −1 for one that only pulls down.
 fn acts(acts: Acts) -> String {
     let sign = match acts {
         Acts::Both => 0,

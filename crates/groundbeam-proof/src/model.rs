@@ -5,16 +5,16 @@
 
 use crate::scalar::Scalar;
 
-/// A beam, the ground under it, and what acts on them.
+/// A beam, the ground under it, and the loads on them.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Model<S> {
     /// The beam.
     pub beam: Beam<S>,
     /// The ground.
     pub ground: Ground<S>,
-    /// Everything that acts on the beam or on the ground.
+    /// The loads on the beam and on the ground.
     pub loads: Vec<Load<S>>,
-    /// The supports of the beam. An answer names a support by its index in this list.
+    /// The supports of the beam. An answer refers to a support by its index in this list.
     pub supports: Vec<Support<S>>,
     /// Hinges inside the beam.
     pub hinges: Vec<Hinge<S>>,
@@ -27,11 +27,11 @@ pub struct Model<S> {
 pub struct Beam<S> {
     /// Length l \[m\], positive.
     pub length: S,
-    /// Bending stiffness EI \[N·m²\] where no segment says otherwise, positive.
+    /// Bending stiffness EI \[N·m²\] outside the segments, positive.
     pub bending_stiffness: S,
-    /// Shear stiffness S \[N\] where no segment says otherwise, positive. `None`: the beam does not shear.
+    /// Shear stiffness S \[N\] outside the segments, positive. `None`: the beam does not shear.
     pub shear_stiffness: Option<S>,
-    /// Stretches with other stiffnesses. They may touch, not overlap.
+    /// Stretches with other stiffnesses. They may adjoin, but not overlap.
     pub segments: Vec<BeamSegment<S>>,
     /// Axial force P \[N\], tension positive, constant along the beam.
     pub axial_force: S,
@@ -53,12 +53,13 @@ pub struct BeamSegment<S> {
 /// The ground: springs, joined by a shear layer where μ > 0.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Ground<S> {
-    /// Spring constant k \[N/m²\], force per length of beam and settlement, where no segment says otherwise; positive.
+    /// Spring constant k \[N/m²\] outside the segments: force per length of beam and per settlement; positive.
     pub spring: S,
-    /// Shear constant μ \[N\] where no segment says otherwise; not negative.
+    /// Shear constant μ \[N\] outside the segments; not negative.
     pub shear: S,
-    /// Stretches with other constants, under the beam and beside it. They may touch, not overlap. The ground beside
-    /// the beam is as at the beam's end, outward, until a segment begins; each segment holds outward until the next.
+    /// Stretches with other constants, under the beam and outside it. They may adjoin, but not overlap. The ground outside
+    /// the beam has the constants of the beam's end until a segment begins; each segment continues outward until the next
+    /// one.
     pub segments: Vec<GroundSegment<S>>,
     /// How the ground ends on the left and on the right.
     pub ends: [GroundEnd<S>; 2],
@@ -73,17 +74,16 @@ pub struct GroundSegment<S> {
     pub to: S,
     /// Spring constant k \[N/m²\] along the segment, positive.
     pub spring: Course<S>,
-    /// Shear constant μ \[N\] along the segment: zero all along or positive all along.
+    /// Shear constant μ \[N\] along the segment: zero everywhere or positive everywhere.
     pub shear: Course<S>,
 }
 
 /// A number that is constant along a stretch, or a polynomial of the position.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Course<S> {
-    /// The same all along.
+    /// Constant along the stretch.
     Constant(S),
-    /// Coefficients in Bernstein's basis from the left end to the right one: two of them make a straight line. At
-    /// least two.
+    /// At least two Bernstein coefficients from the left end to the right end; two coefficients make the number linear.
     Varying(Vec<S>),
 }
 
@@ -101,11 +101,12 @@ impl<S: Copy> Course<S> {
 /// How the ground ends beyond an end of the beam.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum GroundEnd<S> {
-    /// It goes on without end.
+    /// It is infinite.
     Endless,
-    /// Its surface ends at this position \[m\] and is free there: μu′ = 0. At the beam's end or beyond it.
+    /// Its surface ends at this position \[m\] and is free there: μu′ = 0. The position is the beam's end or outside the
+    /// beam.
     Free(S),
-    /// Its surface is held at this position \[m\]: u = 0. Beyond the beam's end.
+    /// Its surface is held at this position \[m\], outside the beam: u = 0.
     Held(S),
 }
 
@@ -120,7 +121,7 @@ pub enum Action {
     Curvature,
 }
 
-/// Where a load acts, and its size there.
+/// Position and size of a load.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Extent<S> {
     /// At a point.
@@ -148,7 +149,7 @@ pub enum Extent<S> {
 pub struct Load<S> {
     /// Its effect.
     pub action: Action,
-    /// Where, and its size.
+    /// Its position and size.
     pub extent: Extent<S>,
     /// Whether it acts on the ground's surface instead of the beam.
     pub on_ground: bool,
@@ -163,7 +164,7 @@ pub struct Support<S> {
     pub kind: SupportKind<S>,
     /// Settlement δ \[m\], positive down.
     pub settlement: S,
-    /// In which directions it acts.
+    /// The directions in which it acts.
     pub acts: Acts,
 }
 
@@ -174,7 +175,7 @@ pub enum SupportKind<S> {
     Pinned,
     /// w = δ and w′ = 0.
     Fixed,
-    /// The force κ(w − δ) and the moment κ_θ w′ act against the motion.
+    /// A force κ(w − δ) and a moment κ_θ w′ oppose the motion.
     Spring {
         /// κ \[N/m\], not negative.
         spring: S,
@@ -183,7 +184,7 @@ pub enum SupportKind<S> {
     },
 }
 
-/// In which directions a support acts on the beam.
+/// The directions in which a support acts on the beam.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Acts {
     /// Both.
@@ -195,7 +196,8 @@ pub enum Acts {
 }
 
 impl Acts {
-    /// The part of a deflection or of an upward force in the direction in which a support acts: it pushes if this is positive.
+    /// The component of a deflection or of an upward force in the direction in which a support acts. Positive: the support
+    /// pushes.
     pub(crate) fn towards<S: Scalar>(self, x: S) -> S {
         match self {
             Acts::Both | Acts::Up => x,
@@ -218,6 +220,6 @@ pub struct Hinge<S> {
 pub struct GapCorner<S> {
     /// Position \[m\].
     pub at: S,
-    /// Clearance g₀ \[m\], positive where beam and ground are apart.
+    /// Clearance g₀ \[m\], positive where there is a gap between beam and ground.
     pub value: S,
 }

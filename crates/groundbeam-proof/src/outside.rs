@@ -1,16 +1,17 @@
-//! Stiffness and push of the ground beside the beam, as the beam's end feels them.
+//! Stiffness and load of the ground outside the beam, condensed to the beam's end.
 //!
-//! The ground beside the beam is a row of even stretches. Over a stretch of length h with K = √(kμ) and t = tanh(h√(k/μ))
-//! the stiffness S of all that lies beyond it becomes S⁺ = K(S + Kt)/(K + St). It begins with S = K on an endless stretch,
-//! S = 0 where the layer ends free or meets separate springs, and with S⁺ = K/t where the surface is held.
+//! The ground outside the beam is a row of stretches with constant k and μ. Over a stretch of length h with K = √(kμ) and t
+//! = tanh(h√(k/μ)) the stiffness S of all ground beyond it becomes S⁺ = K(S + Kt)/(K + St). The recursion starts with S = K
+//! on an infinite stretch, with S = 0 where the layer ends free or meets Winkler ground, and with S⁺ = K/t where the
+//! surface is held.
 //!
-//! Loads on the ground push: flux = S u − T. With q at the near and the far end, q′ = (q_n − q_f)/h,
+//! With loads on the ground, flux = S u − T. With q at the near and the far end, q′ = (q_n − q_f)/h,
 //!
 //! ```text
 //! T⁺ = (T + μq′/k − S q_f/k) K/(K cosh z + S sinh z) + S⁺q_n/k − μq′/k,   T⁺ = S⁺q_n/k − μq′/k − (q_f/k)K/sinh z if held,
 //! ```
 //!
-//! and a force Q at a place adds to T there.
+//! and a point force Q adds to T at its position.
 
 use crate::beside::{LoadedStretch, Row};
 use crate::frame::Frame;
@@ -20,8 +21,8 @@ use crate::scalar::Scalar;
 use crate::units::Units;
 use crate::values::{constant, not_negative, positive};
 
-/// Sets the ground beside the beam, and K₀, K_l and T₀, T_l with flux = K u − T at the beam's ends; exactly zero where the
-/// layer ends with the beam.
+/// Sets the ground outside the beam, and K₀, K_l, T₀, T_l with flux = K u − T at the beam's ends. They are exactly zero
+/// where the layer ends with the beam.
 pub(crate) fn beside<S: Scalar>(model: &Model<S>, frame: &mut Frame<S>) -> Result<(), NotProven> {
     for side in [0, 1] {
         let span = if side == 0 { &frame.spans[0] } else { &frame.spans[frame.spans.len() - 1] };
@@ -35,7 +36,7 @@ pub(crate) fn beside<S: Scalar>(model: &Model<S>, frame: &mut Frame<S>) -> Resul
     Ok(())
 }
 
-/// A part of the ground between two distances from the beam's end; without the second it has no end.
+/// A part of the ground between two distances from the beam's end. `None` as second distance: infinite.
 #[derive(Clone, Copy)]
 struct Stretch<S> {
     from: S,
@@ -43,7 +44,7 @@ struct Stretch<S> {
     ground: [S; 2],
 }
 
-/// The ground on one side of the beam.
+/// The ground outside one end of the beam.
 struct Beside<'a, S> {
     model: &'a Model<S>,
     units: Units,
@@ -52,10 +53,10 @@ struct Beside<'a, S> {
 }
 
 fn unclear() -> NotProven {
-    NotProven::new("positions of the ground beside the beam are too close")
+    NotProven::new("two positions in the ground outside the beam are too close")
 }
 
-/// Whether a < b; refused where the balls do not tell.
+/// Whether a < b; an error if the balls overlap.
 fn is_before<S: Scalar>(a: S, b: S) -> Result<bool, NotProven> {
     if a == b || (a - b).low() > 0.0 {
         Ok(false)
@@ -67,10 +68,10 @@ fn is_before<S: Scalar>(a: S, b: S) -> Result<bool, NotProven> {
 }
 
 impl<S: Scalar> Beside<'_, S> {
-    /// The distance of a position from the beam's end, positive beside the beam.
+    /// The distance of a position from the beam's end, positive outside the beam.
     fn outward(&self, at: S) -> S {
         let at = self.units.metres(at);
-        // The end of the beam is exactly at 0: −0 would be sorted before it.
+        // The end of the beam becomes exactly 0: −0 would be sorted before it.
         match self.side {
             _ if at == [S::zero(), self.length][self.side] => S::zero(),
             0 => -at,
@@ -78,13 +79,13 @@ impl<S: Scalar> Beside<'_, S> {
         }
     }
 
-    /// The ends of a stretch of the model, the one nearer to the beam first.
+    /// The two ends of a stretch of the model, the one nearer to the beam first.
     fn ends(&self, from: S, to: S) -> [S; 2] {
         let (near, far) = if self.side == 0 { (to, from) } else { (from, to) };
         [self.outward(near), self.outward(far)]
     }
 
-    /// The stretches of even ground, outward, up to where the layer ends, and whether it is held there.
+    /// The stretches of constant ground, listed outward to the end of the layer, and whether the surface is held there.
     fn row(&self, own: [S; 2]) -> Result<(Vec<Stretch<S>>, bool), NotProven> {
         let zero = S::zero();
         let mut grounds = vec![(zero, own)];
@@ -161,7 +162,7 @@ impl<S: Scalar> Beside<'_, S> {
         self.model.loads.iter().filter(|load| load.on_ground)
     }
 
-    /// The forces at a distance beside the beam.
+    /// The sum of the point forces at a distance outside the beam.
     fn forces_at(&self, x: S) -> Result<S, NotProven> {
         let mut sum = S::zero();
         for load in self.loads() {
@@ -170,7 +171,7 @@ impl<S: Scalar> Beside<'_, S> {
                 if at == x {
                     sum = sum + self.units.scaled(size, 1, 0);
                 } else {
-                    // The order of the two is clear.
+                    // Fails unless the order of the two is certain.
                     is_before(at, x)?;
                 }
             }
@@ -178,7 +179,7 @@ impl<S: Scalar> Beside<'_, S> {
         Ok(sum)
     }
 
-    /// q at the near and at the far end of a stretch, each load over all of it or over nothing of it.
+    /// q at the near and at the far end of a stretch. Each load covers the whole stretch or none of it.
     fn spread_over(&self, [near, far]: [S; 2]) -> Result<[S; 2], NotProven> {
         let mut sum = [S::zero(); 2];
         for load in self.loads() {
@@ -281,7 +282,7 @@ mod tests {
         Load { action: Action::Force, extent, on_ground: true }
     }
 
-    /// A beam on 0 to 2 with steps of the ground and loads on both sides of it.
+    /// A beam from 0 to 2 with jumps of the ground constants and loads on both sides of it.
     fn model(ends: [GroundEnd<f64>; 2]) -> Model<f64> {
         let segments = vec![
             segment(-0.7, 0.0, 1.9, 0.6),
@@ -314,14 +315,14 @@ mod tests {
         }
     }
 
-    /// K and T by straight elements of the length h up to a distance `far`: −(μu′)′ + ku = q, and at the end K u − T is the
-    /// flux. The ground there is held, or free.
+    /// K and T by linear elements of the length h up to a distance `far`: −(μu′)′ + ku = q, and K u − T is the flux at the
+    /// beam's end. At `far` the ground is held or free.
     fn by_elements(model: &Model<f64>, side: usize, far: f64, held: bool) -> [f64; 2] {
         let h = 1.0 / 4000.0;
         let count = (far / h).round() as usize;
         let place = |distance: f64| if side == 0 { -distance } else { 2.0 + distance };
         let ground = |x: f64| {
-            // Beside the beam a segment holds outward until the next one.
+            // Outside the beam a segment continues outward until the next one.
             let outward = |at: f64| if side == 0 { -at } else { at - 2.0 };
             let mut best = (-1.0, [model.ground.spring, model.ground.shear]);
             for s in &model.ground.segments {

@@ -1,7 +1,8 @@
-//! The fields of an answer as polynomials on stretches of its pieces: what listed numbers are compared with.
+//! The fields of an answer as polynomials on stretches of its pieces, for the comparison with listed numbers.
 //!
 //! On a stretch |s| ≤ r, s = t − m, all fields are polynomials. The surface of open ground of a layer, a sum of
-//! exponentials, is its Taylor polynomial about m, whose rest is in the radius of the constant coefficient.
+//! exponentials, is replaced by its Taylor polynomial about m; the radius of the constant coefficient contains the
+//! remainder.
 
 use crate::fields::Fields;
 use crate::frame::Span;
@@ -32,13 +33,13 @@ pub(crate) fn field_named(name: &str) -> Option<usize> {
     FIELDS.iter().position(|(known, ..)| *known == name)
 }
 
-/// The most stretches of one piece of open ground, and of all pieces beyond the first stretch of each. With fewer than the
-/// decay asks for, the rest of the series is large, and nothing is shown.
+/// Maximum number of stretches of one piece of open ground, and of all pieces beyond the first stretch of each. If the
+/// decay requires more, the remainder of the series is large and nothing is proven.
 const MOST: usize = 2000;
 const MOST_OF_ALL: usize = 20_000;
-/// The most decay lengths √(μ/k) in half a stretch of open ground.
+/// Maximum number of decay lengths √(μ/k) in half a stretch of open ground.
 const LONGEST: f64 = 2.0;
-/// Coefficients of the Taylor polynomial of open ground.
+/// Number of coefficients of the Taylor polynomial of open ground.
 const TERMS: usize = 26;
 
 /// The fields on one stretch of a piece.
@@ -46,7 +47,7 @@ const TERMS: usize = 26;
 pub(crate) struct Patch<S> {
     /// The middle m of the stretch, in t.
     pub middle: f64,
-    /// An interval of s that holds the stretch.
+    /// An interval of s that contains the stretch.
     pub interval: [f64; 2],
     /// In the order of [`FIELDS`], as polynomials of s = t − m.
     pub fields: [Polynomial<S>; 8],
@@ -104,7 +105,7 @@ fn patches<S: Scalar>(fields: &Fields<S>, i: usize) -> Vec<Patch<S>> {
         let ends = [end(n), if n == last { to } else { end(n + 1) }];
         let middle = 0.5 * (ends[0] + ends[1]);
         let interval = [(ends[0] - middle).next_down(), (ends[1] - middle).next_up()];
-        // A place beside the stretch by rounding belongs to it.
+        // A place outside the stretch by a rounding error counts as inside.
         let r = interval[1] * (1.0 + 1e-9);
         let above = surface.taylor(middle, r);
         let own = span.free_field().map_or(above, |free| above + &free.shifted(middle));
@@ -113,7 +114,7 @@ fn patches<S: Scalar>(fields: &Fields<S>, i: usize) -> Vec<Patch<S>> {
     (0..=last).map(on_stretch).collect()
 }
 
-/// All fields about m; `own` is the settlement, of s on open ground of a layer, else of t with m = 0.
+/// All fields about m. `own` is the settlement: a polynomial of s on open ground of a layer, otherwise of t with m = 0.
 fn patch<S: Scalar>(
     fields: &Fields<S>,
     i: usize,
@@ -139,7 +140,8 @@ fn patch<S: Scalar>(
     Patch { middle, interval, fields }
 }
 
-/// The surface of an open piece of even ground above its free field: μv″ = kv between its values at both ends.
+/// The surface of an open piece with constant k and μ, measured from its free field: μv″ = kv between given values at both
+/// ends.
 struct Surface<'a, S> {
     span: &'a Span<S>,
     ends: [S; 2],
@@ -157,9 +159,9 @@ impl<'a, S: Scalar> Surface<'a, S> {
 
     /// The Taylor polynomial about m on |t − m| ≤ r.
     ///
-    /// With z = bh and the distances d, e of m from both ends, b u_R and b u_L are multiplied in u′ by cosh(bd)/sinh z and
-    /// −cosh(be)/sinh z, in u by sinh(bd)/sinh z and sinh(be)/sinh z. |u| is largest at an end, so the rest of the
-    /// series is at most max|u|(qr)ⁿ/n!, q = b·half.
+    /// With z = bh and the distances d, e of m from both ends, u′ = b u_R cosh(bd)/sinh z − b u_L cosh(be)/sinh z and u =
+    /// u_R sinh(bd)/sinh z + u_L sinh(be)/sinh z. |u| is largest at an end, so the remainder of the series is at most
+    /// max|u|(qr)ⁿ/n!, q = b·half.
     fn taylor(&self, m: f64, r: f64) -> Polynomial<S> {
         let span = self.span;
         let at = span.middle + span.half * S::of(m);

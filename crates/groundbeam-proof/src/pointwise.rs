@@ -1,10 +1,4 @@
-//! Bounds at every point of the beam: of settlement, bending moment, deflection and slope.
-//!
-//! All follow from the parts of E, each of which is at most E: with s₂ = √(2E), e = w̄ − w*, d = ū − u*,
-//!
-//! ```text
-//! ‖d‖_b ≤ s₂,   (∫EI e″²)^½ ≤ s₂,   (∫P e′²)^½ ≤ s₂,   √κ|e| ≤ s₂ at springs,   ⟨p̄, C*⟩ ≤ E.
-//! ```
+//! Pointwise bounds on the whole beam: of settlement, bending moment, deflection and slope.
 
 use crate::balance::Balanced;
 use crate::fields::Fields;
@@ -23,7 +17,7 @@ pub(crate) struct PieceBounds {
     pub moment: Size,
     pub shear_force: Size,
     pub settlement: Size,
-    /// Where both answers touch.
+    /// Where both solutions are in contact.
     pub pressure: Size,
 }
 
@@ -53,7 +47,7 @@ impl PieceBounds {
     };
 }
 
-/// Everything that the bounds are computed from.
+/// Input of the bounds.
 pub(crate) struct Pointwise<'a, S> {
     pub fields: &'a Fields<'a, S>,
     pub balanced: &'a Balanced<S>,
@@ -61,7 +55,7 @@ pub(crate) struct Pointwise<'a, S> {
 }
 
 impl<S: Scalar> Pointwise<'_, S> {
-    /// The bounds on all pieces, but for the shear force.
+    /// The bounds on all pieces, except that of the shear force.
     pub fn bounds(&self) -> Vec<PieceBounds> {
         let mut bounds = vec![PieceBounds::NOTHING; self.fields.frame.spans.len()];
         self.moments(&mut bounds);
@@ -88,7 +82,7 @@ impl<S: Scalar> Pointwise<'_, S> {
         }
     }
 
-    /// |u − u*| in a layer: d(x) = b(d, g(x, ·)) ≤ s₂√g, and what closing and lifting add. On separate springs
+    /// |u − u*| in a layer: d(x) = b(d, g(x, ·)) ≤ s₂√g, plus the contributions of closing and lifting. On Winkler ground
     /// u* = max(w* − g₀, 0).
     fn settlement(&self, i: usize, deflection: Size) -> Size {
         let fields = self.fields;
@@ -131,14 +125,14 @@ impl<S: Scalar> Pointwise<'_, S> {
         }
     }
 
-    /// The nodes at which no test function may move: ends of the beam and rigid supports.
+    /// The nodes at which test functions must vanish: ends of the beam and rigid supports.
     pub(crate) fn obstacles(&self) -> Vec<usize> {
         let nodes = &self.fields.frame.nodes;
         let stops = |i: &usize| *i == 0 || *i + 1 == nodes.len() || nodes[*i].rigid.is_some();
         (0..nodes.len()).filter(stops).collect()
     }
 
-    /// |p − p*| where both touch: kε_u + |μ′|ε_θ + με_w″ in a layer, kε_u on separate springs.
+    /// |p − p*| where both are in contact: kε_u + |μ′|ε_θ + με_w″ in a layer, kε_u on Winkler ground.
     ///
     /// On a beam that shears w″(1 + P/S) = φ′ + (p − f + r + η′)/S, so that in a layer
     ///
@@ -225,8 +219,8 @@ mod tests {
     use crate::scalar::Scalar;
     use crate::size::Size;
 
-    /// Errors of u, φ′ and of the balance of a beam that shears, and the error of w″ and p that they make: the bound holds
-    /// where both touch, and for μC″ where neither does, and is reached.
+    /// Errors of u, φ′ and of the balance of a beam that shears, and the resulting error of w″ and p. The bound holds and
+    /// is attained where both are in contact, and for μC″ where neither is.
     #[test]
     fn the_pressure_of_a_beam_that_shears_is_bounded_and_the_bound_is_sharp() {
         let mut random = numbers();

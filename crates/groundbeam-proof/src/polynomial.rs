@@ -1,4 +1,4 @@
-//! Polynomials of t on a piece, with balls as coefficients, and bounds of how far they fall below zero.
+//! Polynomials of t on a piece, with balls as coefficients, and bounds of their negative part.
 
 use crate::scalar::Scalar;
 use crate::size::Size;
@@ -9,7 +9,7 @@ pub(crate) const HIGHEST: usize = 25;
 /// The highest degree of a coefficient that varies.
 pub(crate) const HIGHEST_COURSE: usize = 5;
 
-/// Room for the product of a field and a coefficient that varies.
+/// Maximum number of coefficients of the product of a field and a varying coefficient.
 pub(crate) const ROOM: usize = HIGHEST + HIGHEST_COURSE + 1;
 
 /// 1, 2, 3, …
@@ -23,7 +23,7 @@ const NUMBERS: [f64; ROOM] = {
     numbers
 };
 
-/// Σ cⱼ tʲ with at most N coefficients, without memory of its own: most polynomials live for one formula.
+/// Σ cⱼ tʲ with at most N coefficients, stored without heap memory: most polynomials are used in one formula only.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Polynomial<S, const N: usize = ROOM> {
     len: usize,
@@ -39,12 +39,12 @@ impl<S: Scalar, const N: usize> Polynomial<S, N> {
         Polynomial { len: 0, c: [S::zero(); N] }
     }
 
-    /// Does not compile for more coefficients than there is room for.
+    /// Stops compilation for more coefficients than there is room for.
     const fn has_room_for<const M: usize>() {
         let _ = const { N - M };
     }
 
-    /// From the constant coefficient on, at most N of them.
+    /// A polynomial from at most N coefficients, the constant one first.
     pub fn from_coefficients(coefficients: impl IntoIterator<Item = S>) -> Self {
         let (mut len, mut c) = (0, [S::zero(); N]);
         for coefficient in coefficients {
@@ -91,7 +91,7 @@ impl<S: Scalar, const N: usize> Polynomial<S, N> {
         from_top.fold(*top, |sum, c| sum * t + *c)
     }
 
-    /// p at one position less p at another, without the constant that both have.
+    /// The difference of p at two positions, computed without the common constant.
     pub fn rise(&self, [from, to]: [S; 2]) -> S {
         let above = |t: S| {
             let terms = self.coefficients().iter().skip(1).rev();
@@ -100,7 +100,7 @@ impl<S: Scalar, const N: usize> Polynomial<S, N> {
         above(to) - above(from)
     }
 
-    /// Σ|cⱼ|τʲ, a bound of the polynomial on |t| ≤ τ.
+    /// Σ|cⱼ|τʲ, a bound of the absolute value on |t| ≤ τ.
     pub fn size(&self, tau: f64) -> Size {
         Size::of(raised(self.coefficients(), tau, S::size))
     }
@@ -176,7 +176,7 @@ impl<S: Scalar> Mul for &Polynomial<S> {
     }
 }
 
-/// How many halvings are left: on one piece, and on all of them together.
+/// The number of halvings left: on one piece, and on all pieces together.
 #[derive(Debug)]
 pub(crate) struct Budget {
     piece: usize,
@@ -184,21 +184,21 @@ pub(crate) struct Budget {
 }
 
 impl Budget {
-    /// Halvings allowed on one piece.
+    /// Maximum number of halvings on one piece.
     const PIECE: usize = 4000;
-    /// Halvings allowed on average.
+    /// Maximum average number of halvings per piece.
     const AVERAGE: usize = 200;
 
     pub fn new(pieces: usize) -> Self {
         Budget { piece: 0, all: Self::AVERAGE * pieces }
     }
 
-    /// Begins another piece.
+    /// Starts the count for another piece.
     pub fn begin(&mut self) {
         self.piece = Self::PIECE;
     }
 
-    /// Takes one halving; false if none is left.
+    /// Uses one halving; `false` if none is left.
     pub fn take(&mut self) -> bool {
         let left = self.piece > 0 && self.all > 0;
         if left {
@@ -208,7 +208,7 @@ impl Budget {
     }
 }
 
-/// Where a function may be negative: a bound of its depth, and of the measure of the set.
+/// Bounds of the negative part of a function: its depth, and the measure of the set where the function is negative.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Below {
     /// The function is at least −depth.
@@ -221,13 +221,12 @@ impl Below {
     pub const NOWHERE: Below = Below { depth: Size::ZERO, width: Size::ZERO };
 }
 
-/// How far a polynomial less a size falls below zero on an interval.
+/// Bounds the negative part of a polynomial minus a size on an interval.
 ///
-/// On an interval about m of half width r the value is at least c₀ − Σ_{j≥1}|cⱼ|rʲ, cⱼ the coefficients about m.
-/// Where the derivative has one sign, |p′| ≥ σ > 0, the least value v is at an end, and p < 0 on at most −v/σ.
-/// Otherwise the interval is halved, unless it is deep already in its middle or the
-/// depth is negligible; when the budget is spent it counts with its
-/// bound and its whole width.
+/// On an interval about m of half width r the value is at least c₀ − Σ_{j≥1}|cⱼ|rʲ, cⱼ the coefficients about m. Where the
+/// derivative has one sign, |p′| ≥ σ > 0, the smallest value v is at an end, and p < 0 on at most −v/σ. Otherwise the
+/// interval is halved, unless its middle is already as deep or the depth is negligible. When the budget is spent, the
+/// interval counts with its bound and its whole width.
 pub(crate) fn below<C: Scalar>(
     p: &Polynomial<C>,
     less: Size,
@@ -266,7 +265,7 @@ pub(crate) fn below<C: Scalar>(
             if depth.value() > 0.0 {
                 let reach = |t: f64| Size::of(if rising { t - a } else { b - t }.next_up());
                 let mut width = Size::of((b - a).next_up()).least(depth.over(least));
-                // The function is not negative beyond a place where it is not negative.
+                // Beyond a place where the function is nonnegative, it stays nonnegative.
                 let (mut t, mut step) = (m, 0.5 * (b - a));
                 for _ in 0..30 {
                     step *= 0.5;
@@ -287,7 +286,7 @@ pub(crate) fn below<C: Scalar>(
         }
         let here = Size::below_zero((about.coefficient(0) - C::of(less.value())).low());
         let depth = Size::below_zero(low) + lost;
-        // A depth that halving would not change much, one as small as the rounding, or one that does not matter.
+        // Accept a depth that halving would not change much, a depth below the rounding error, or a negligible one.
         let c0 = about.coefficient(0);
         let blurred = Size::of(0.25 * (c0.high() - c0.low()));
         let enough = depth <= blurred + 1.25 * here || depth <= negligible;
@@ -301,7 +300,7 @@ pub(crate) fn below<C: Scalar>(
     found
 }
 
-/// The larger distance of m from both ends, rounded up.
+/// The larger distance of m from the two ends, rounded up.
 pub(crate) fn half_width(a: f64, m: f64, b: f64) -> f64 {
     let (left, right) = ((m - a).next_up(), (b - m).next_up());
     if left >= right { left } else { right }

@@ -5,14 +5,14 @@ use crate::refusal::NotProven;
 use crate::scalar::Scalar;
 use crate::units::Units;
 
-/// Positions of the model are at most this far from their node, as a part of the length.
+/// Maximum distance of a position of the model from its node, as a fraction of the length.
 const NEAR: f64 = 16.0 * f64::EPSILON;
-/// Two positions of the model are farther apart than this, as a part of the length.
+/// Minimum distance of two positions of the model, as a fraction of the length.
 const APART: f64 = 32.0 * f64::EPSILON;
-/// The shortest piece, as a part of the length.
+/// The shortest piece, as a fraction of the length.
 const SHORTEST: f64 = 1e-20;
 
-/// The ends of the pieces, each with the position of the model at which it stands, if there is one.
+/// The ends of the pieces, each with the position of the model that it represents, if any.
 #[derive(Debug)]
 pub(crate) struct Positions<S> {
     /// The doubles of the answer, in the units of the proof.
@@ -51,7 +51,7 @@ impl<S: Scalar> Positions<S> {
         self.stored.len() - 1
     }
 
-    /// The node that stands nearest to a position.
+    /// The node nearest to a position.
     fn nearest(&self, at: S) -> usize {
         let after = self.stored.partition_point(|node| node.middle() < at.middle());
         let distance = |i: usize| (at - self.stored[i]).size();
@@ -67,8 +67,8 @@ impl<S: Scalar> Positions<S> {
         (at - self.stored[node]).size() <= NEAR * self.length.low()
     }
 
-    /// The node of a position of the model, which then stands exactly there. In an estimate positions that a rounding error
-    /// separates share a node: the first one.
+    /// The node of a position of the model; the node then takes this exact position. In an estimate, positions that differ
+    /// by a rounding error share a node and the position of the first one.
     pub fn find(&mut self, at: S) -> Result<usize, NotProven> {
         let node = self.nearest(at);
         let place = self.units.restored(at.middle(), 0, 1);
@@ -90,12 +90,12 @@ impl<S: Scalar> Positions<S> {
         }
     }
 
-    /// Whether a position stands beside the beam.
+    /// Whether a position is outside the beam.
     pub fn is_beside(&self, at: S) -> bool {
         at.high() < 0.0 || (at - self.length).low() > 0.0
     }
 
-    /// The same for the end of a stretch; beyond the beam it counts as the beam's end.
+    /// As `find`, for the end of a stretch: a position outside the beam counts as the beam's end.
     pub fn find_clipped(&mut self, at: S) -> Result<usize, NotProven> {
         if at.high() < 0.0 {
             Ok(0)

@@ -1,4 +1,5 @@
-//! The pressure p = k(w − g₀) − (μ(w − g₀)′)′ where beam and ground touch, from the claimed deflection, and where it pulls.
+//! The pressure p = k(w − g₀) − (μ(w − g₀)′)′ where beam and ground are in contact, from the claimed deflection, and its
+//! tensile part.
 
 use crate::deflection::Deflection;
 use crate::frame::{Frame, Span};
@@ -16,7 +17,7 @@ pub(crate) struct Pressure<S> {
     pub masses: [S; 3],
     /// p ≥ −η.
     pub depth: Size,
-    /// p < 0 on at most this length ω: the pull max(−p, 0) is a load of at most ηω.
+    /// p < 0 on at most this length ω: the tensile part max(−p, 0) has a resultant of at most ηω.
     pub width: Size,
 }
 
@@ -36,12 +37,12 @@ impl<S: Scalar> Pressure<S> {
         Pressure { field, obstacle: obstacle.size(span.tau), masses, depth: pull.depth, width }
     }
 
-    /// The pull as a load, ηω.
+    /// The bound ηω of the resultant of the tensile part.
     pub fn pull(&self) -> Size {
         self.depth * self.width
     }
 
-    /// The total of max(p, 0).
+    /// The resultant of max(p, 0).
     pub fn pressing(&self) -> Size {
         Size::of(self.masses[0].size()) + self.pull()
     }
@@ -69,7 +70,7 @@ pub(crate) fn carried<S: Scalar>(frame: &Frame<S>, deflection: &Deflection<S>) -
         .sum()
 }
 
-/// Σ η(ω/k)^½, what the pulls do to the ground's surface.
+/// Σ η(ω/k)^½: a bound of the change of the ground's surface by the tensile parts, in the energy norm.
 pub(crate) fn pulled<S: Scalar>(frame: &Frame<S>, pressures: &[Pressure<S>]) -> Size {
     let pieces = frame.spans.iter().zip(pressures);
     pieces.map(|(span, p)| p.depth * p.width.over(span.spring.low()).root()).sum()

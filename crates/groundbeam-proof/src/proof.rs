@@ -17,24 +17,24 @@ use crate::scalar::Scalar;
 use crate::scales::FieldScales;
 use crate::size::Size;
 
-/// The quantities of an answer that are proven, with their bounds.
+/// The proven quantities of an answer, with their bounds.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Proof {
-    /// E \[N·m\]: the energy of the error of the deflection and of the settlement, and that of the error of moment and
-    /// pressure, together are at most this.
+    /// E \[N·m\]: a bound of the sum of two energies, that of the error of deflection and settlement, and that of the error
+    /// of moment and pressure.
     pub energy: f64,
-    /// The strain energy of beam, ground and springs \[N·m\], an estimate to compare E with.
+    /// The strain energy of beam, ground and springs \[N·m\]: an estimate, for comparison with E.
     pub strain_energy: f64,
-    /// Bounds of the error of the fields at every point of the beam. A finite bound of w proves that a solution exists.
+    /// Error bounds of the fields that hold at every point of the beam. A finite bound of w proves that a solution exists.
     pub bounds: Bounds,
-    /// Bounds of the error of the reactions, for each support of the model.
+    /// Error bounds of the reactions, for each support of the model.
     pub reactions: Vec<ReactionBound>,
     /// The exact contact set: an interval for every edge and concentrated force, or the name of the step that fails. The
     /// other bounds hold in both cases.
     pub contact: Result<ContactSet, NotProven>,
-    /// Whether the solution is unique.
+    /// `Ok` if the solution is unique.
     pub unique: Result<(), NotProven>,
-    /// Whether each support of one direction is shown to act or to be idle. The bounds hold in both cases.
+    /// `Ok` if each one-way support is proven to be active or inactive. The bounds hold in both cases.
     pub supports: Result<(), NotProven>,
     /// The scales of edges and concentrated forces.
     pub scales: Scales,
@@ -43,11 +43,11 @@ pub struct Proof {
 impl Proof {
     /// The first reason why the answer is not proven; `None` if it is.
     ///
-    /// Proven means: a solution exists and is unique, the contact set is shown, the supports that act are known, and every
+    /// Proven means: a solution exists and is unique, the contact set is proven, the active supports are known, and every
     /// error is at most 10⁻⁶ of its scale.
     pub fn shortfall(&self) -> Option<NotProven> {
         if !(self.bounds.deflection.error < f64::INFINITY) {
-            return Some(NotProven::new("no equilibrium is shown: the deflection has no bound"));
+            return Some(NotProven::new("no equilibrium is proven: the deflection has no bound"));
         }
         let too_large = |name: &str, bound: Bound| {
             let Bound { error, scale } = bound;
@@ -84,12 +84,12 @@ impl Proof {
     }
 }
 
-/// Bounds how far the answer is from the solution of the model.
+/// Bounds the distance of the answer from the solution of the model.
 pub fn prove<S: Scalar>(model: &Model<S>, answer: &Answer) -> Result<Proof, NotProven> {
     proven(model, answer, None, |_, proof| proof)
 }
 
-/// The conclusion from the proof of an answer and the fields that were made from it. The proof writes a log if one is given.
+/// Proves an answer and passes the proof with the fields made from the answer to `conclude`. Writes a log if one is given.
 pub(crate) fn proven<S: Scalar, T>(
     model: &Model<S>,
     answer: &Answer,
@@ -123,7 +123,7 @@ fn of_fields<S: Scalar>(
     let frame = fields.frame;
     let loose = |span: &Span<S>| !span.layered && span.ground_load.is_some();
     if frame.spans.iter().any(|span| loose(span) && span.spring.even().is_none()) {
-        return Err(NotProven::new("not covered: a load on separate springs whose k varies"));
+        return Err(NotProven::new("not covered: a load on Winkler ground whose k varies"));
     }
     let (energy, balanced) = fields.energy()?;
     if !(energy.value() < f64::INFINITY) {
@@ -162,7 +162,7 @@ fn of_fields<S: Scalar>(
     })))
 }
 
-/// Adds the differences of the pressures and settlements that the answer stores from those that belong to its deflection.
+/// Adds the differences between the stored pressures and settlements and those that follow from the deflection.
 fn add_stored<S: Scalar>(answer: &Answer, fields: &Fields<S>, bounds: &mut [PieceBounds]) {
     let units = fields.frame.units;
     for (i, (piece, bounds)) in answer.pieces.iter().zip(bounds).enumerate() {
@@ -184,7 +184,8 @@ fn add_stored<S: Scalar>(answer: &Answer, fields: &Fields<S>, bounds: &mut [Piec
             bounds.settlement += match &fields.surface.pieces[i].along {
                 Some(along) => (*stored - along).size(span.tau),
                 None if span.touches => (*stored - &span.obstacle()).size(span.tau),
-                // y = stored − u has ky − (μy′)′ = ρ, so that |y| is at most max|ρ|/k or its size at an end.
+                // y = stored − u satisfies ky − (μy′)′ = ρ, so |y| is at most the larger of max|ρ|/k and its absolute
+                // values at the ends.
                 None => {
                     let missed = span.missed_by(stored).size(span.tau);
                     off_the_ends(span.t.map(|t| stored.value(t))) + missed.over(span.spring.low())
@@ -212,8 +213,8 @@ fn bound<S>(frame: &Frame<S>, error: Size, scale: f64, force: i32, length: i32) 
     Bound { error: restored(error.value()), scale: restored(scale) }
 }
 
-/// The largest bounds of all pieces, in the units of the model. The pressure of a layer has none where its contact set is
-/// not shown: the bound holds where both answers touch.
+/// The largest bounds of all pieces, in the units of the model. The pressure of a layer has no bound if its contact set is
+/// not proven, because the bound holds only where both solutions are in contact.
 fn largest<S: Scalar>(
     frame: &Frame<S>,
     pieces: &[PieceBounds],

@@ -1,6 +1,6 @@
-//! Random numbers for tests: the same ones in every run.
+//! Reproducible random numbers for tests.
 
-/// Even between −1 and 1.
+/// Uniform between −1 and 1.
 pub(crate) fn numbers() -> impl FnMut() -> f64 {
     let mut state = 1_u64;
     move || {

@@ -1,7 +1,8 @@
 //! Bounds of the error of the reactions of supports.
 //!
-//! A spring's reaction is off by κ|w − w*|, and by at most s₂√κ + κ|c|. That of a rigid support is off by s₂K + W|λ|, K of a
-//! test function z with z = 1 at the support and z = 0 at all others; the moment of a clamp by s₂K + W_θ|λ′|, with z′ = 1.
+//! The error of a spring's reaction is at most κ|w − w*|, and at most s₂√κ + κ|c|. The error of a rigid support's reaction
+//! is at most s₂K + W|λ|, with K of a test function z with z = 1 at the support and z = 0 at all others. The error of a
+//! clamp's moment is at most s₂K + W_θ|λ′|, with z′ = 1.
 
 use crate::frame::Held;
 use crate::model::Acts;
@@ -19,17 +20,17 @@ impl<S: Scalar> Pointwise<'_, S> {
             others.filter(|other| other.node == Some(node) && other.springs.is_none()).count()
         };
         let of = |held: &Held<S>| match (held.node, held.springs) {
-            // The exact reaction of an idle support is zero.
+            // The exact reaction of an inactive support is zero.
             (None, _) => held.claimed.map(|claimed| Size::of(claimed.size())),
             (Some(node), Some(springs)) => self.of_springs(held, node, springs, bounds),
-            // How two rigid supports at one place share the load is not determined.
+            // The distribution of the load between two rigid supports at one position is indeterminate.
             (Some(node), None) if rigid_at(node) > 1 => [Size::INFINITE; 2],
             (Some(node), None) => [self.of_rigid_support(node), self.of_clamp(node)],
         };
         frame.supports.iter().map(of).collect()
     }
 
-    /// min(κε_w, s₂√κ + κ|c|) and what the claimed reaction differs from κ(w − δ), likewise for rotation.
+    /// min(κε_w, s₂√κ + κ|c|) plus the difference of the claimed reaction from κ(w − δ), likewise for rotation.
     fn of_springs(
         &self,
         held: &Held<S>,
@@ -38,7 +39,7 @@ impl<S: Scalar> Pointwise<'_, S> {
         bounds: &[PieceBounds],
     ) -> [Size; 2] {
         let [w, slope] = self.fields.deflection.at_support(node);
-        // The piece whose claimed values the spring feels: at a hinge its bounds are not those of its neighbour.
+        // The piece whose claimed values act on the spring: at a hinge its bounds differ from those of its neighbour.
         let [piece, _] = self.fields.deflection.felt[node];
         let closed = self.fields.deflection.pieces[piece].bounds;
         let errors = [bounds[piece].deflection, bounds[piece].rotation];
@@ -79,7 +80,7 @@ impl<S: Scalar> Pointwise<'_, S> {
     fn of_clamp(&self, node: usize) -> Size {
         let here = &self.fields.frame.nodes[node];
         if !here.clamped {
-            // A pin claims no moment: another claim is refused.
+            // A pin claims no moment; another claim is refused.
             return Size::ZERO;
         }
         let own = here.turning.map_or(Size::ZERO, |turning| Size::of(turning.high()));
@@ -91,7 +92,7 @@ impl<S: Scalar> Pointwise<'_, S> {
         self.test_factor() * stiffness.root() + steep * Size::of(here.weights.clamp)
     }
 
-    /// The next rigid support on one side of a node, or the end of the beam, and whether a support stands there.
+    /// The next rigid support on one side of a node, or the end of the beam, and whether it is a support.
     fn next(&self, node: usize, side: usize) -> (usize, bool) {
         let nodes = &self.fields.frame.nodes;
         let mut next = node;
@@ -104,8 +105,8 @@ impl<S: Scalar> Pointwise<'_, S> {
         (next, false)
     }
 
-    /// The largest EI, P + μ and k between a node and the next obstacle, the room, and the sums of the springs between
-    /// them, without those at the node.
+    /// Between a node and the next obstacle: the largest EI, P + μ and k, the distance, and the sums of the spring
+    /// stiffnesses, without those at the node.
     fn beside(&self, node: usize, next: usize) -> ([Size; 3], S, [Size; 2]) {
         let frame = self.fields.frame;
         let (from, to) = if next < node { (next, node) } else { (node, next) };
@@ -118,7 +119,7 @@ impl<S: Scalar> Pointwise<'_, S> {
         (self.largest(from..to), frame.nodes[to].x - frame.nodes[from].x, springs)
     }
 
-    /// K² on one side: z falls from 1 to 0 on a length, or z = 1 to the end of the beam, with kL + K_e + Σκ.
+    /// K² on one side: z is linear from 1 to 0 on a length, or z = 1 up to the end of the beam, with kL + K_e + Σκ.
     fn lifted_side(&self, node: usize, side: usize) -> Size {
         let (next, held) = self.next(node, side);
         let ([bending, layer, ground], room, [springs, turning]) = self.beside(node, next);
@@ -143,7 +144,7 @@ impl<S: Scalar> Pointwise<'_, S> {
         kink(largest, springs, room.low())
     }
 
-    /// K² for the straight line that is 1 at a support and 0 at the only other one; no clamp may stand there.
+    /// K² for the linear function that is 1 at a support and 0 at the only other one; requires that neither is a clamp.
     fn tilted(&self, node: usize) -> Size {
         let nodes = &self.fields.frame.nodes;
         let rigid: Vec<usize> = (0..nodes.len()).filter(|i| nodes[*i].rigid.is_some()).collect();
@@ -167,7 +168,7 @@ impl<S: Scalar> Pointwise<'_, S> {
         self.straight(|x| x - nodes[node].x, S::one())
     }
 
-    /// K² of a straight line over the whole beam.
+    /// K² of a linear function over the whole beam.
     fn straight(&self, z: impl Fn(S) -> S, slope: S) -> Size {
         let frame = self.fields.frame;
         let count = frame.spans.len();
@@ -187,7 +188,8 @@ impl<S: Scalar> Pointwise<'_, S> {
     }
 }
 
-/// The least K² for z = 1 − 3τ² + 2τ³, τ = t/h, h at most the room: 12EI/h³ + 6(P + μ)/(5h) + 13kh/35 + Σ(κ + κ_θ(3/(2h))²).
+/// The smallest K² for z = 1 − 3τ² + 2τ³, τ = t/h, h at most the available length: 12EI/h³ + 6(P + μ)/(5h) + 13kh/35 + Σ(κ
+/// + κ_θ(3/(2h))²).
 fn lift([bending, layer, ground]: [Size; 3], [springs, turning]: [Size; 2], room: f64) -> Size {
     least_of_halves(room, |h| {
         let steep = Size::of(1.5).over(h).square();
@@ -206,7 +208,7 @@ mod tests {
     use crate::size::Size;
     use crate::test_functions::tests::integral;
 
-    /// K² by integration, springs where |z| and |z′| are largest.
+    /// K² by integration, with the springs where |z| and |z′| are largest.
     fn exact([bending, layer, ground]: [f64; 3], [springs, turning]: [f64; 2], h: f64) -> f64 {
         let z = |t: f64| 1.0 - 3.0 * (t / h).powi(2) + 2.0 * (t / h).powi(3);
         let slope = |t: f64| 6.0 * (t / h) * (t / h - 1.0) / h;

@@ -1,8 +1,8 @@
-//! Why an answer is not proven.
+//! The reason why an answer is not proven.
 
 use std::fmt;
 
-/// Why nothing is proven of an answer.
+/// The reason why an answer is not proven.
 #[derive(Debug, Clone, PartialEq)]
 pub struct NotProven {
     /// The reason.

@@ -1,5 +1,5 @@
-//! What the claimed deflection and the pressures miss of equilibrium: forces along the pieces and at the nodes, and
-//! jumps of the moment. Equilibrium is (3.12).
+//! The residual of equilibrium (3.12) of the claimed deflection and pressures: forces along the pieces and at the nodes,
+//! and jumps of the moment.
 //!
 //! With M = −EI(φ′ − κ₀), V = M′ − g and T = V + Pw′, φ = w′ where the beam does not shear,
 //!
@@ -25,7 +25,7 @@ pub(crate) struct PieceResidual<S> {
     pub force: S,
     /// ∫r(x)(X_R − x), the moment about the right end.
     pub moment: S,
-    /// The constant coefficient of r, and a bound of the rest.
+    /// The constant coefficient of r, and a bound of the other terms.
     pub constant: S,
     pub rest: Size,
     /// M at both ends.
@@ -42,7 +42,7 @@ pub(crate) struct Residual<S> {
     pub pieces: Vec<PieceResidual<S>>,
     /// r_i and q_i at the nodes.
     pub nodes: Vec<[S; 2]>,
-    /// With what the support of a node that acts in one direction pushes in this direction, not negative; else zero.
+    /// The force of the one-way support at a node in its direction, not negative; zero at other nodes.
     pub pushing: Vec<S>,
 }
 
@@ -59,7 +59,8 @@ pub(crate) fn residual<S: Scalar>(
     Residual { pieces, nodes, pushing }
 }
 
-/// With what a support of one direction pushes: a rigid one as claimed, a spring κ times the positive part of w̄ − δ.
+/// The force of a one-way support in its direction: for a rigid one the claimed force, for a spring κ times the positive
+/// part of w̄ − δ.
 fn pushes<S: Scalar>(frame: &Frame<S>, deflection: &Deflection<S>, i: usize) -> S {
     let node = &frame.nodes[i];
     match (node.acts, node.spring) {

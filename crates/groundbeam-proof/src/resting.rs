@@ -1,8 +1,8 @@
 //! Parts of the beam that rest without load: between clamps, or from a clamp to an end, on level ground.
 //!
-//! A clamp with w = δ and no slope parts the beam in two. On a side without loads and springs, over level ground with g₀ = δ,
-//! w = δ without pressure is in equilibrium, because u* ≥ 0: loads on the ground press it down. The solution is the only one
-//! there, so w* = δ and p* = 0.
+//! A clamp with w = δ separates the beam into two parts. On a side without loads and springs, over level ground with g₀ =
+//! δ, the state w = δ without pressure is in equilibrium, because u* ≥ 0: loads on the ground act downward. The solution
+//! there is unique, so w* = δ and p* = 0.
 
 use crate::contact_set::Contact;
 use crate::frame::{Frame, Node};
@@ -27,7 +27,7 @@ impl<S: Scalar> Contact<'_, S> {
     }
 }
 
-/// Whether nothing acts along a piece over ground of a constant height.
+/// Whether a piece has no loads, over ground of this constant height.
 fn is_bare<S: Scalar>(frame: &Frame<S>, piece: usize, height: S) -> bool {
     let span = &frame.spans[piece];
     let none = |line: &Line<S>| line.size(span.tau) == Size::ZERO;
@@ -35,7 +35,7 @@ fn is_bare<S: Scalar>(frame: &Frame<S>, piece: usize, height: S) -> bool {
     level && none(&span.force) && none(&span.moment) && none(&span.curvature)
 }
 
-/// Whether a part ends here at this height: at a clamp of both directions, or at a free end without load.
+/// Whether a part ends here at this height: at a two-way clamp, or at a free end without load.
 fn ends<S: Scalar>(node: &Node<S>, height: S) -> bool {
     match node.clamped {
         true => node.rigid == Some(height) && node.acts == Acts::Both,
@@ -43,7 +43,7 @@ fn ends<S: Scalar>(node: &Node<S>, height: S) -> bool {
     }
 }
 
-/// Whether nothing acts at a node and the beam has no hinge there.
+/// Whether a node has no load, support or hinge.
 fn is_free<S: Scalar>(node: &Node<S>) -> bool {
     let held = node.rigid.is_some() || node.spring.is_some() || node.turning.is_some();
     !held && !node.is_hinged() && node.force == S::zero() && node.moment == S::zero()

@@ -1,9 +1,9 @@
-//! What is known of the contact on each piece of a layer before the slope has a bound: the slope of a beam that shears
-//! needs the shear force, which needs to know where only one of both answers touches.
+//! Bounds of the contact on each piece of a layer before the slope has a bound. On a beam that shears, the slope needs the
+//! shear force, and the shear force needs the lengths where only one of the two solutions is in contact.
 //!
-//! With |C − C*| ≤ ε_C = ε_u + ε_w the exact beam touches an open piece only where C ≤ ε_C, near its touching ends. On a
-//! touching piece with p > ε_p the exact clearance is convex wherever it is positive, μC*″ ≥ m = min(p − ε_p), and at most
-//! ε_C. So the exact beam is open only within (2ε_Cμ/m)^½ of the ends of the piece.
+//! With |C − C*| ≤ ε_C = ε_u + ε_w the exact beam is in contact on an open piece only where C ≤ ε_C, near its touching
+//! ends. On a touching piece with p > ε_p the exact clearance is convex wherever it is positive, μC*″ ≥ m = min(p − ε_p),
+//! and at most ε_C. So the exact beam is open only within (2ε_Cμ/m)^½ of the ends of the piece.
 
 use crate::approach::clear;
 use crate::clearance::OpenPiece;
@@ -13,11 +13,12 @@ use crate::refusal::NotProven;
 use crate::scalar::Scalar;
 use crate::size::Size;
 
-/// The shortest length, in units of t, on which contact or clearance is judged.
+/// The shortest length, in units of t, on which contact or clearance is decided.
 const SHORTEST: f64 = 4e-12;
 
 impl<S: Scalar> Contact<'_, S> {
-    /// The edges of every piece of a layer. Concentrated forces are not bounded, but at smooth nodes, where there is none.
+    /// Bounds of the edges of every piece of a layer. Concentrated forces have bounds only at smooth nodes, where they are
+    /// zero.
     pub fn roughly(&self) -> Shown {
         let frame = self.fields.frame;
         let mut shown = Shown::nothing(frame.nodes.len());
@@ -59,20 +60,20 @@ impl<S: Scalar> Contact<'_, S> {
         more(self.bounds[i].settlement + self.bounds[i].deflection)
     }
 
-    /// How far from both ends of a touching piece the exact beam may be open.
+    /// The lengths at both ends of a touching piece on which the exact beam may be open.
     fn opened(&self, i: usize) -> Result<[Size; 2], NotProven> {
         let field = self.fields.pressures[i].field.coarse();
         let error = more(self.bounds[i].pressure);
         let interval = self.fields.frame.spans[i].interval();
         if below(&field, error, Size::ZERO, interval, &mut Budget::new(1)).depth != Size::ZERO {
-            return Err(self.failed("the pressure may be zero within its bound", i));
+            return Err(self.failed("the pressure is smaller than its error bound", i));
         }
         let length = self.fields.frame.spans[i].length();
         Ok([0, 1].map(|side| self.opened_at(i, side).unwrap_or(length)))
     }
 
-    /// (2ε_Cμ/m)^½ with the least p − ε_p on a part of the piece that is as long, if there is one. On the whole piece
-    /// p > ε_p is required.
+    /// (2ε_Cμ/m)^½ with the smallest p − ε_p on a part of the piece of this length, if there is one. Requires p > ε_p on
+    /// the whole piece.
     pub(crate) fn opened_at(&self, i: usize, side: usize) -> Option<Size> {
         let span = &self.fields.frame.spans[i];
         let (field, error) = (self.fields.pressures[i].field.coarse(), self.bounds[i].pressure);
@@ -93,7 +94,7 @@ impl<S: Scalar> Contact<'_, S> {
         None
     }
 
-    /// How far from both ends of an open piece the exact beam may touch.
+    /// The lengths at both ends of an open piece on which the exact beam may be in contact.
     fn touched(&self, i: usize) -> Result<[Size; 2], NotProven> {
         let too_small = || self.failed("the clearance of open ground is too small", i);
         let span = &self.fields.frame.spans[i];

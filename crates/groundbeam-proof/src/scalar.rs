@@ -19,10 +19,10 @@ pub trait Scalar:
     + Mul<Output = Self>
     + Neg<Output = Self>
 {
-    /// The type in which signs of clearances are decided, where few digits suffice.
+    /// A type with fewer digits, sufficient for the signs of clearances.
     type Coarse: Scalar;
 
-    /// Whether values hold their rounding error. Plain doubles do not: they give estimates.
+    /// Whether values enclose their rounding error. Plain doubles do not: they give estimates.
     const ENCLOSES: bool;
 
     /// The exact value of a double. A value that is not finite gives a ball of infinite radius.
@@ -39,10 +39,10 @@ pub trait Scalar:
         (value.size() <= HUGE).then_some(if read.negative { -value } else { value })
     }
 
-    /// The quotient; infinite radius if the other ball holds 0.
+    /// The quotient; infinite radius if the other ball contains 0.
     fn div(self, other: Self) -> Self;
 
-    /// The square root; infinite radius if the ball holds a negative number.
+    /// The square root; infinite radius if the ball contains a negative number.
     fn sqrt(self) -> Self;
 
     /// exp(x) − 1 for x ≤ 0.
@@ -60,16 +60,16 @@ pub trait Scalar:
     /// An upper bound of x.
     fn high(self) -> f64;
 
-    /// The middle of the ball, as a double: a point near which a decision is tried, never a bound.
+    /// The middle of the ball, as a double: used for trial decisions, never as a bound.
     fn middle(self) -> f64;
 
-    /// Middle, correction of the middle and radius of the ball: exactly these numbers hold it.
+    /// Middle, correction of the middle and radius of the ball; they represent it exactly.
     fn parts(self) -> [f64; 3];
 
     /// The same number in the type for clearances.
     fn coarse(self) -> Self::Coarse;
 
-    /// The same ball with a radius larger by a size. An estimate in `f64` stays as it is.
+    /// The same ball with a radius larger by a size. An `f64` is returned unchanged.
     fn widened(self, by: f64) -> Self;
 
     /// Zero.
@@ -90,8 +90,8 @@ pub trait Scalar:
 
 /// exp(x) − 1 for x ≤ 0 by the first terms of its series, at most 18.
 ///
-/// x is halved until |x| ≤ 2⁻⁴; e(e + 2) doubles the argument again. Σ xʲ/j! up to n is x/n! times a polynomial with
-/// the whole coefficients n!/j!, exact in a double for n ≤ 18. The rest is at most 2|x|ⁿ⁺¹/(n+1)!.
+/// x is halved until |x| ≤ 2⁻⁴; e(e + 2) doubles the argument again. Σ xʲ/j! up to n is x/n! times a polynomial with the
+/// integer coefficients n!/j!, exact in a double for n ≤ 18. The remainder is at most 2|x|ⁿ⁺¹/(n+1)!.
 pub(crate) fn expm1_by_series<S: Scalar>(x: S, terms: u32) -> S {
     if !(x.high() <= 1.0) {
         return S::of(f64::INFINITY);
@@ -128,7 +128,7 @@ pub(crate) fn expm1_by_series<S: Scalar>(x: S, terms: u32) -> S {
     e
 }
 
-/// A ball that holds max(x, 0) for all x of a ball.
+/// A ball that contains max(x, 0) for all x of a ball.
 pub(crate) fn positive_part<S: Scalar>(x: S) -> S {
     if x.low() >= 0.0 {
         x
@@ -140,10 +140,10 @@ pub(crate) fn positive_part<S: Scalar>(x: S) -> S {
     }
 }
 
-/// A whole number.
+/// An integer as a number of this type.
 fn whole<S: Scalar>(n: u128) -> S {
     let h = n as f64;
-    // Digits have fewer than 128 bits, and so has the nearest double.
+    // The nearest double of an integer below 2¹²⁸ is again an integer below 2¹²⁸.
     let rounded = h as u128;
     let l = n.abs_diff(rounded) as f64;
     let lost = n.abs_diff(rounded).abs_diff(l as u128) as f64;
@@ -162,7 +162,7 @@ fn power_of_five<S: Scalar>(n: u32) -> S {
     }
 }
 
-/// digits·10ⁿ, without rounding where the number type holds it.
+/// digits·10ⁿ, exact where the number type can represent it.
 fn of_digits<S: Scalar>(mut digits: u128, mut exponent: i32) -> Option<S> {
     if digits == 0 {
         return Some(S::zero());

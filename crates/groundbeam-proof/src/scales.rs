@@ -1,4 +1,4 @@
-//! Scales with which the bounds of errors are compared: proven lower bounds of the largest values of the fields.
+//! Scales for the comparison of error bounds: proven lower bounds of the largest absolute values of the fields.
 
 use crate::fields::Fields;
 use crate::patches::FIELDS;
@@ -7,7 +7,7 @@ use crate::polynomial::{Line, Polynomial};
 use crate::scalar::Scalar;
 use crate::size::Size;
 
-/// The scale of every quantity, in the units of the proof. Lower bounds.
+/// The scale of every quantity, in the units of the proof: a lower bound.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct FieldScales {
     /// U, the larger of the largest |w| and |u|.
@@ -20,14 +20,14 @@ pub(crate) struct FieldScales {
     pub shear_force: f64,
     /// The larger of the largest p and k_max U.
     pub pressure: f64,
-    /// The sum of all loads as forces, and the largest reaction.
+    /// The larger of the sum of all loads as forces and the largest reaction.
     pub force: f64,
-    /// The same times λ, for moments of supports.
+    /// `force` times λ, for moments of supports.
     pub turning: f64,
 }
 
-/// Lower bounds of the largest values of the exact fields: the largest values at nodes and middles of the pieces, less
-/// their errors.
+/// Lower bounds of the largest values of the exact fields: the largest values at nodes and middles of the pieces, minus the
+/// error bounds.
 #[derive(Default)]
 struct Largest {
     deflection: f64,
@@ -63,8 +63,8 @@ impl FieldScales {
     }
 }
 
-/// The largest values of the fields of documents at nodes and middles of pieces, as the answer claims them. The rotation has
-/// that of the slope, the gap the sum of those of deflection and settlement.
+/// The largest absolute values of the fields of documents at nodes and middles of pieces, as the answer claims them. The
+/// rotation has the scale of the slope; the gap has the sum of the scales of deflection and settlement.
 pub(crate) fn claimed<S: Scalar>(fields: &Fields<S>) -> [f64; 8] {
     let exact = vec![PieceBounds::EXACT; fields.frame.spans.len()];
     let most = Largest::of(fields, &exact);
@@ -109,7 +109,7 @@ impl Largest {
     }
 }
 
-/// A lower bound of the exact value, from the claimed one.
+/// A lower bound of the exact absolute value, from the claimed value and its error bound.
 fn shown<S: Scalar>(claimed: S, error: Size) -> f64 {
     let value = if claimed.low() > 0.0 { claimed.low() } else { (-claimed).low() };
     (value - error.value()).next_down()
@@ -133,7 +133,7 @@ fn loads<S: Scalar>(fields: &Fields<S>, wave: f64) -> (f64, f64) {
         let (force, couple) = (at_ends(&span.force), at_ends(&span.moment));
         let curled = span.bending.low() * at_ends(&span.curvature) / wave;
         most = larger(larger(most, larger(force * wave, couple)), curled);
-        // The mean size of a straight line is at least 0.41 of its largest size.
+        // The mean of |y| of a linear function y is at least 0.41 times its largest value.
         sum += 0.4 * (force + couple / wave) * span.h.low();
     }
     for (i, node) in fields.frame.nodes.iter().enumerate() {
@@ -153,7 +153,7 @@ fn larger(a: f64, b: f64) -> f64 {
     if b > a { b } else { a }
 }
 
-/// Slightly less, for the roundings of a few operations.
+/// A slightly smaller number, to allow for the rounding of a few operations.
 fn slightly_less(x: f64) -> f64 {
     x * (1.0 - 1e-12)
 }

@@ -1,6 +1,6 @@
 //! Bounds of the error of the shear force, from the change of moment over a window and the load errors inside it.
 //!
-//! T̃ = (m − M*)′ + P(e′ − c′) + β is the error of the transverse force, β what the tension carries of the balance. On a
+//! T̃ = (m − M*)′ + P(e′ − c′) + β is the error of the transverse force, β the part of the balance that the tension carries. On a
 //! window of length h without rigid support its mean is at most (2s₂K + 2P sup|e|)/h + P max|c′| + max|β|, and it differs
 //! from its mean by the errors of pressure, concentrated forces and springs inside:
 //!
@@ -40,7 +40,7 @@ fn inside(window: &Range<usize>, loads: &[LoadError], nodes: &[[Size; 2]]) -> [S
     [forces, couples]
 }
 
-/// A bound of a polynomial within a distance of the left or the right end of a piece.
+/// A bound of the absolute value of a polynomial within a distance of the left or the right end of a piece.
 fn size_beside<S: Scalar>(span: &Span<S>, p: &Polynomial<S>, side: usize, distance: Size) -> Size {
     let part = distance.over(span.half.low()).value().next_up();
     if !(part < 1.0) {
@@ -48,12 +48,12 @@ fn size_beside<S: Scalar>(span: &Span<S>, p: &Polynomial<S>, side: usize, distan
     }
     let end = span.interval()[side];
     let middle = if side == 0 { end + 0.5 * part } else { end - 0.5 * part };
-    // The end and the middle are rounded.
+    // The margin allows for rounding of the end and the middle.
     let reach = 0.5 * part + 8.0 * f64::EPSILON;
     p.shifted(middle).size(reach).least(p.size(span.tau))
 }
 
-/// How many pieces a window reaches to each side.
+/// Number of pieces by which a window extends to each side.
 const REACHES: [usize; 5] = [0, 1, 3, 7, 15];
 
 /// The error of the loads on one piece.
@@ -61,13 +61,13 @@ const REACHES: [usize; 5] = [0, 1, 3, 7, 15];
 struct LoadError {
     /// q, per length.
     spread: Size,
-    /// Of the parts where only one of both answers touches, as forces.
+    /// Force error of the lengths where only one of the two solutions is in contact.
     edges: Size,
 }
 
 impl<S: Scalar> Pointwise<'_, S> {
-    /// Lowers the bound of the shear force on all pieces, and that of the slope where the beam shears. It needs the contact
-    /// set of all layers, or what is roughly known of it.
+    /// Lowers the bounds of the shear force on all pieces, and of the slope where the beam shears. Needs the contact set of
+    /// all layers, or its rough bounds.
     pub fn shear_forces(&self, shown: &Shown, bounds: &mut [PieceBounds]) {
         if shown.failed[0].is_some() {
             return;
@@ -147,7 +147,7 @@ impl<S: Scalar> Pointwise<'_, S> {
         a.worst(b) + long * self.fields.residual.pieces[i].rest + self.balanced.pieces[i].added[1]
     }
 
-    /// ε_T in windows that hold a piece and lie within a range of pieces.
+    /// ε_T in windows that contain a piece and lie within a range of pieces.
     fn mean(
         &self,
         window: Range<usize>,
@@ -159,8 +159,8 @@ impl<S: Scalar> Pointwise<'_, S> {
         self.steady(window, 1.0, bounds, loads, couples) + forces
     }
 
-    /// The bound of V less |δ′| + |β| from the error of the curvature, under an axial force in windows without hinges on a beam
-    /// that does not shear.
+    /// The bound of V minus |δ′| + |β| from the error of the curvature, under an axial force, in windows without hinges on
+    /// a beam that does not shear.
     fn directly(
         &self,
         window: Range<usize>,
@@ -232,7 +232,7 @@ impl<S: Scalar> Pointwise<'_, S> {
             LoadError { spread, edges: Size::ZERO }
         };
         let mut errors: Vec<LoadError> = (0..spans.len()).map(on_piece).collect();
-        // The exact beam may touch on θ of an open piece, and be open on θ′ of a touching one.
+        // The exact beam may be in contact on θ of an open piece, and open on θ′ of a touching one.
         for edge in &shown.edges {
             let [outer, inner] = match edge.side {
                 0 => [edge.node.wrapping_sub(1), edge.node],
@@ -252,7 +252,7 @@ impl<S: Scalar> Pointwise<'_, S> {
         errors
     }
 
-    /// A bound of |ku − q − (μψ′)′| on an open piece of a layer: the pressure if it touched with its own settlement.
+    /// A bound of |ku − q − (μψ′)′| on an open piece of a layer: the pressure in case of contact at the present settlement.
     pub(crate) fn open_pressure(&self, i: usize) -> Size {
         let span = &self.fields.frame.spans[i];
         if let Some(along) = &self.fields.surface.pieces[i].along {
@@ -265,8 +265,8 @@ impl<S: Scalar> Pointwise<'_, S> {
         Size::of(span.spring.high()) * settled + Size::of(span.shear.high()) * bent
     }
 
-    /// The same within a distance of one end of the piece: v = u − q/k changes by at most its largest slope, which is that at an end,
-    /// times the distance.
+    /// The same within a distance of one end of the piece. v = u − q/k changes by at most the distance times its largest
+    /// slope, which occurs at an end.
     fn open_pressure_beside(&self, i: usize, side: usize, distance: Size) -> Size {
         let (span, surface) = (&self.fields.frame.spans[i], &self.fields.surface.pieces[i]);
         if let Some(along) = &surface.along {
@@ -296,7 +296,7 @@ impl<S: Scalar> Pointwise<'_, S> {
         if surface.touches[node] {
             let (jump, factor) = (&surface.nodes[node].jump, self.balanced.factors[node].size());
             let size = Size::of(jump.size());
-            // At a smooth node the exact answer has no force.
+            // At a smooth node the exact solution has no concentrated force.
             let missed = if frame.smooth(node) { size } else { shown.tolerances[node] };
             force += missed + Size::of(factor) * size;
         }

@@ -1,6 +1,6 @@
-//! A beam that shears: what its shear force misses of S(w′ − φ), in the energy norm.
+//! The error of the shear force of a beam that shears, V − S(w′ − φ), in the energy norm.
 //!
-//! With V = M′ − g, η = S(w′ − φ) − V and the balancing moment δ, the part of E is
+//! With V = M′ − g, η = S(w′ − φ) − V and the balancing moment δ, its contribution to E is
 //!
 //! ```text
 //! ½∫(S(w̄′ − φ̄) − V − δ′)²/S ≤ ½(‖η‖ + ‖δ′‖)²,   ‖x‖² = ∫x²/S.
@@ -50,7 +50,8 @@ mod tests {
     use crate::scalar::Scalar;
     use crate::size::Size;
 
-    /// δ′ for r = c₁t + c₂t² + c₃t³ on |t| ≤ 1, h = 2 half: its chord less half times the antiderivative without its chord.
+    /// δ′ for r = c₁t + c₂t² + c₃t³ on |t| ≤ 1, h = 2 half: its chord minus half times the antiderivative of r without its
+    /// chord.
     fn shear(c: &[f64; 3], half: f64, [a, b]: [f64; 2], t: f64) -> f64 {
         let once = |t: f64| {
             let terms = c.iter().enumerate();

@@ -1,8 +1,8 @@
-//! Sizes: bounds of norms, not negative, each operation rounded up.
+//! Sizes: nonnegative upper bounds of norms, each operation rounded up.
 
 use std::ops::{Add, AddAssign, Mul};
 
-/// An upper bound of a size. NaN becomes infinity, so that every comparison with it refuses.
+/// An upper bound of a norm. NaN becomes infinity, so that every comparison with it refuses.
 #[derive(Debug, Clone, Copy, PartialEq, PartialOrd)]
 pub(crate) struct Size(f64);
 
@@ -10,7 +10,7 @@ impl Size {
     pub const ZERO: Size = Size(0.0);
     pub const INFINITE: Size = Size(f64::INFINITY);
 
-    /// A size from a bound that is rounded up already.
+    /// A size from a bound that is already rounded up.
     pub fn of(x: f64) -> Self {
         if x >= 0.0 { Size(x) } else { Size::INFINITE }
     }
@@ -24,7 +24,7 @@ impl Size {
         self.0
     }
 
-    /// The quotient by a lower bound of the divisor; infinite unless that is positive.
+    /// The quotient by a lower bound of the divisor; infinite unless the bound is positive.
     pub fn over(self, low: f64) -> Self {
         if self.0 == 0.0 && low > 0.0 {
             Size::ZERO
@@ -54,7 +54,7 @@ impl Size {
     }
 }
 
-/// The next double above one that is positive or zero; infinity and NaN stay.
+/// The next larger double of a nonnegative one; infinity and NaN are unchanged.
 fn up(x: f64) -> f64 {
     f64::from_bits(x.to_bits() + u64::from(x < f64::INFINITY))
 }

@@ -1,4 +1,4 @@
-//! The exact contact set on separate springs: the closure of the set where w* > g₀.
+//! The exact contact set on Winkler ground: the closure of the set where w* > g₀.
 
 use crate::contact_set::{Contact, ContactRegion, Shown, Zone, more};
 use crate::model::Acts;
@@ -8,7 +8,7 @@ use crate::scalar::Scalar;
 use crate::size::Size;
 
 impl<S: Scalar> Contact<'_, S> {
-    /// Springs between two nodes. Every edge has a zone on both sides; elsewhere the sign of w* − g₀ is shown.
+    /// Winkler ground between two nodes. Every edge has a zone on both sides; elsewhere the sign of w* − g₀ is proven.
     pub(crate) fn springs(
         &self,
         first: usize,
@@ -18,7 +18,7 @@ impl<S: Scalar> Contact<'_, S> {
         let spans = &self.fields.frame.spans;
         let differs = |i: usize, j: usize| spans[i].touches != spans[j].touches;
         let mut zones = vec![[Size::ZERO; 2]; end - first];
-        // Where the beam rests without load it touches without pressure, whatever is claimed.
+        // Where the beam rests without load it is in contact without pressure, whatever the answer claims.
         for i in (first..end).filter(|i| !self.rests(*i)) {
             let field = self.signed(i);
             let edges = [i > first && differs(i - 1, i), i + 1 < end && differs(i, i + 1)];
@@ -26,18 +26,19 @@ impl<S: Scalar> Contact<'_, S> {
             for side in [0, 1] {
                 // Under a load on the ground w* − g₀ − q/k is not zero there.
                 let stands = self.stands(i, side) && spans[i].ground_load.is_none();
-                // At a step of a load on the ground, or of g₀, the sign changes without a zero.
+                // At a jump of a load on the ground, or of g₀, the sign changes without a zero.
                 let at_end = field.value(S::Coarse::of(interval[side])).low();
                 let steps = at_end > more(self.bounds[i].deflection).value();
                 if (!edges[side] || steps) && !stands {
                     continue;
                 }
-                let (theta, to) = self
-                    .zone(i, side, &field, more(self.bounds[i].deflection))
-                    .ok_or_else(|| self.failed("the edge of a region is not bounded", i + side))?;
+                let (theta, to) =
+                    self.zone(i, side, &field, more(self.bounds[i].deflection)).ok_or_else(
+                        || self.failed("the position of a region's edge has no bound", i + side),
+                    )?;
                 interval[side] = to;
                 shown.zones.push(Zone { piece: i, side, theta });
-                // At a support that stands on the ground the edge is the support.
+                // At a support on the surface of the ground, the edge is the support.
                 if !stands {
                     zones[i - first][side] = theta;
                 }
@@ -47,7 +48,10 @@ impl<S: Scalar> Contact<'_, S> {
                 && below(&field, error, Size::ZERO, interval, &mut Budget::new(1)).depth
                     == Size::ZERO;
             if !clear {
-                return Err(self.failed("contact and clearance are too close on springs", i));
+                return Err(self.failed(
+                    "the difference w − g₀ is too small to decide contact on Winkler ground",
+                    i,
+                ));
             }
         }
         let mut i = first;
@@ -77,22 +81,22 @@ impl<S: Scalar> Contact<'_, S> {
         if span.touches { field } else { field.times(-S::one()) }.coarse()
     }
 
-    /// Whether the end of a piece is a rigid support of both directions that stands on the ground: w* = δ = g₀.
+    /// Whether the end of a piece is a rigid two-way support at the height of the ground: w* = δ = g₀.
     pub(crate) fn stands(&self, i: usize, side: usize) -> bool {
         let (span, node) = (&self.fields.frame.spans[i], &self.fields.frame.nodes[i + side]);
         let gap = span.gap.value(span.t[side]);
         node.rigid == Some(gap) && node.acts == Acts::Both
     }
 
-    /// Whether also the slope of w* − g₀ is zero there: at a clamp of a beam that does not shear, above level ground.
+    /// Whether the slope of w* − g₀ is zero there too: at a clamp of a beam that does not shear, above level ground.
     fn lies(&self, i: usize, side: usize) -> bool {
         let (span, node) = (&self.fields.frame.spans[i], &self.fields.frame.nodes[i + side]);
         let shears = span.stiffness.is_some();
         self.stands(i, side) && node.clamped && !shears && span.gap.tail(1.0) == Size::ZERO
     }
 
-    /// Beside a rigid support that stands on open ground of a layer, the least zone in which g₀ − w* grows from zero. There the
-    /// exact beam is clear of the ground, because u* ≥ 0: loads on the ground press it down.
+    /// The shortest zone in which g₀ − w* grows from zero, beside a rigid support that stands on open ground of a layer.
+    /// There the exact beam is above the ground, because u* ≥ 0: loads on the ground act downward.
     pub(crate) fn leaves_support(&self, i: usize, side: usize) -> Option<(Size, f64)> {
         let bounds = &self.bounds[i];
         let field = self.fields.frame.spans[i].obstacle().times(-S::one()).coarse();
@@ -100,8 +104,9 @@ impl<S: Scalar> Contact<'_, S> {
         self.stands(i, side).then(|| self.zone(i, side, &field, limit)).flatten()
     }
 
-    /// The least zone found, its length and t of its end inside the piece: the field grows inward faster than its slope is
-    /// off, up to a value above a limit. Where the exact slope is zero the curvature takes the place of the slope.
+    /// The shortest zone found, as its length and the t of its inner end. In the zone the field grows inward faster than
+    /// the error bound of its slope, up to a value above a limit. Where the exact slope is zero, the curvature takes the
+    /// place of the slope.
     fn zone(
         &self,
         i: usize,
@@ -114,7 +119,7 @@ impl<S: Scalar> Contact<'_, S> {
         let end = span.interval()[side];
         let inward = if side == 0 { 1.0 } else { -1.0 };
         let lies = self.lies(i, side);
-        // Derivatives by t, `half` or its square times those by x.
+        // Derivatives with respect to t: `half` or its square times those with respect to x.
         let (growth, error) = if lies {
             let bent = bounds.moment.over(span.bending.low());
             (field.derivative().derivative(), more(bent) * half.square())

@@ -1,32 +1,32 @@
-//! How much of the convexity of the beam's energy an axial compression leaves.
+//! The part of the convexity of the beam's energy that remains under an axial compression.
 //!
-//! With N = |P| and a₀ = ∫EI z″² + Σκz² + Σκ_θz′² + Σk_φ[z′]² over the supports of both directions, a number σ > 0 with
-//! N∫z′² ≤ (1 − σ)a₀(z, z) for all z is proven in one of two ways.
+//! With N = |P| and a₀ = ∫EI z″² + Σκz² + Σκ_θz′² + Σk_φ[z′]² over the two-way supports, one of two ways proves a number σ
+//! > 0 with N∫z′² ≤ (1 − σ)a₀(z, z) for all z.
 //!
-//! Spans between rigid supports, without hinges, L, EI and S of each span: ∫z′ = 0 on a span, so
+//! 1. Spans between rigid supports, without hinges. With L, EI and S of each span, ∫z′ = 0 on a span, so
 //!
 //! ```text
 //! σ = 1 − N max(L²/(π²EI) + 1/S);   one clamp at an end and nothing else: 2L for L, without shear.
 //! ```
 //!
-//! Any supports and hinges, without shear: the beam is cut into elements. z is its cubic interpolant and a rest ζ that
-//! is clamped at the ends of the elements, ∫ζ′² ≤ (h/2π)²∫ζ″². So σ = 1 − N/N₁ if the matrix
-//! K_bend + springs − Σ N₁/(1 − N₁h²/(4π²EI)) K_geo of the elements is positive definite.
+//! 2. Any supports and hinges, without shear. The beam is cut into elements. z is the sum of its cubic interpolant and a
+//!   function ζ that is clamped at the ends of the elements, ∫ζ′² ≤ (h/2π)²∫ζ″². So σ = 1 − N/N₁ if the matrix K_bend +
+//!   springs − Σ N₁/(1 − N₁h²/(4π²EI)) K_geo of the elements is positive definite.
 
 use crate::frame::{Frame, Node};
 use crate::model::Acts;
 use crate::scalar::Scalar;
 use crate::size::Size;
 
-/// Below π² and 4π².
+/// Lower bounds of π² and 4π².
 const PI_SQUARED: f64 = 9.869_604;
 const FOUR_PI_SQUARED: f64 = 39.478_417;
-/// Elements of the length of the beam, in the order in which they are tried. Fewer keep more digits of a stiff beam.
+/// Numbers of elements per length of the beam, in the order of the trials. Fewer elements keep more digits of a stiff beam.
 const ELEMENTS: [f64; 3] = [16.0, 4.0, 1.0];
 /// The largest N₁/N that is tried.
 const MOST: f64 = 64.0;
 
-/// A lower bound of σ for a compression N; none if none is found.
+/// A lower bound of σ for a compression N; `None` if no bound is found.
 pub(crate) fn margin<S: Scalar>(frame: &Frame<S>, compression: S) -> Option<f64> {
     let by_spans = of_spans(frame, compression);
     if by_spans.is_some_and(|margin| margin > 0.5) || frame.shears() {
@@ -46,7 +46,7 @@ fn is_rigid<S: Scalar>(node: &Node<S>) -> bool {
     node.rigid.is_some() && node.acts == Acts::Both
 }
 
-/// From the spans between rigid supports, or of a beam that one clamp holds.
+/// σ from the spans between rigid supports, or of a beam that one clamp holds.
 fn of_spans<S: Scalar>(frame: &Frame<S>, compression: S) -> Option<f64> {
     let nodes = &frame.nodes;
     let last = nodes.len() - 1;
@@ -83,7 +83,7 @@ fn of_spans<S: Scalar>(frame: &Frame<S>, compression: S) -> Option<f64> {
     (left > 0.0).then_some(left)
 }
 
-/// From the largest N₁/N for which the elements are found stable.
+/// σ from the largest N₁/N for which the matrix of the elements is positive definite.
 fn of_elements<S: Scalar, C: Scalar>(
     frame: &Frame<S>,
     compression: S,
@@ -99,7 +99,7 @@ fn of_elements<S: Scalar, C: Scalar>(
     if stable(high) {
         low = high;
     }
-    // Until σ is known to a tenth.
+    // Bisect until σ has an accuracy of ten percent.
     while high - low > 0.1 * (low - 1.0) && high - 1.0 > 1e-3 {
         let (mean, least) = (f64::sqrt((high - 1.0) * (low - 1.0)), 0.125 * (high - 1.0));
         let middle = 1.0 + if mean >= least { mean } else { least };
@@ -113,7 +113,7 @@ fn of_elements<S: Scalar, C: Scalar>(
     (left > 0.0).then_some(left)
 }
 
-/// What holds a node in both directions.
+/// The two-way supports of a node.
 struct Joint<C> {
     spring: C,
     turning: C,
@@ -141,7 +141,7 @@ struct Element<C> {
     end: Option<Joint<C>>,
 }
 
-/// The elements between supports, hinges and steps of EI, so many of equal length to the length of the beam.
+/// The elements between supports, hinges and jumps of EI; `count` is the number of equal elements per length of the beam.
 fn elements<S: Scalar, C: Scalar>(
     frame: &Frame<S>,
     count: f64,
@@ -178,17 +178,18 @@ fn elements<S: Scalar, C: Scalar>(
     elements
 }
 
-/// The stiffness of all that lies on the left of a place, against its deflection and its slope.
+/// The stiffness of the whole beam on the left of a place, condensed to its deflection and slope.
 #[derive(Clone, Copy)]
 struct Left<C> {
-    /// Against z, z and z′, and z′.
+    /// Entries for (z, z), (z, z′) and (z′, z′).
     stiffness: [C; 3],
     /// Whether z = 0, and whether z′ = 0.
     held: [bool; 2],
 }
 
 impl<C: Scalar> Left<C> {
-    /// Adds what holds a node, and goes over to the right side of its hinge; none if not proven positive.
+    /// Adds the supports of a node, and passes to the right side of its hinge. `None` if the stiffness is not proven
+    /// positive.
     fn at(self, joint: &Joint<C>) -> Option<Left<C>> {
         let [mut a, mut b, mut c] = self.stiffness;
         (a, c) = (a + joint.spring, c + joint.turning);
@@ -203,7 +204,7 @@ impl<C: Scalar> Left<C> {
         Some(Left { stiffness: [a, b, c], held: joint.held })
     }
 
-    /// Whether the stiffness is positive definite for what is free.
+    /// Whether the stiffness of the free components is positive definite.
     fn is_positive(&self) -> bool {
         let [a, b, c] = self.stiffness;
         match self.held {
@@ -230,7 +231,7 @@ impl<C: Scalar> Left<C> {
         let turned = entry(6.0, 3.0) * h1;
         let steep = entry(4.0, 4.0) * h2;
         let across = entry(2.0, -1.0) * h2;
-        // Left: z and z′; what they share with the right end is −own, turned; −turned, across.
+        // Left end: z and z′; the coupling with the right end is −own, turned; −turned, across.
         let [a, b, c] = self.stiffness;
         let joined = Left { stiffness: [a + own, b + turned, c + steep], held: self.held };
         if !joined.is_positive() {
@@ -239,7 +240,7 @@ impl<C: Scalar> Left<C> {
         let [a, b, c] = joined.stiffness;
         let coupling = [[-own, turned], [-turned, across]];
         let zero = C::zero();
-        // The inverse of the stiffness for what is free.
+        // The inverse of the stiffness of the free components.
         let inverse = match self.held {
             [true, true] => [zero; 3],
             [true, false] => [zero, zero, C::one().div(c)],
@@ -319,7 +320,7 @@ mod tests {
         margin_in::<f64>(model, compression)
     }
 
-    /// σ under a compression; none if none is proven.
+    /// σ under a compression; `None` if no bound is proven.
     fn margin_in<S: Scalar>(model: &Model<f64>, compression: f64) -> Option<f64> {
         let support = |support: &Support<f64>| Support {
             at: S::of(support.at),
@@ -383,7 +384,7 @@ mod tests {
             (vec![(0.0, Fixed), (1.0, Fixed)], None, 4.0 * PI * PI),
             (vec![(0.0, Fixed)], None, 0.25 * PI * PI),
             (vec![(0.0, Pinned), (0.5, Pinned), (1.0, Pinned)], None, 4.0 * PI * PI),
-            // A spring of 16π²EI/l³ makes a support of the middle.
+            // A spring of 16π²EI/l³ at the middle acts as a support.
             (
                 vec![(0.0, Pinned), (0.5, spring(16.0 * PI * PI, 0.0)), (1.0, Pinned)],
                 None,

@@ -1,4 +1,4 @@
-//! Open ground whose k or μ varies: the stored settlement, and what it misses of the ground's equation.
+//! Open ground whose k or μ varies: the stored settlement, and its residual in the ground's equation.
 
 use crate::frame::Span;
 use crate::ground::{Layer, Surface};
@@ -8,7 +8,7 @@ use crate::size::Size;
 use std::ops::Range;
 
 impl<S: Scalar> Span<S> {
-    /// ρ = ku − (μu′)′ − q: what a settlement of open ground misses of its equation.
+    /// ρ = ku − (μu′)′ − q: the residual of a settlement of open ground in the ground's equation.
     pub fn missed_by(&self, settlement: &Polynomial<S>) -> Polynomial<S> {
         let flux = self.shear.times(self.derivative(settlement));
         let missed = self.spring.times(*settlement) - &self.derivative(&flux);
@@ -20,9 +20,8 @@ impl<S: Scalar> Span<S> {
 }
 
 impl<S: Scalar> Layer<'_, S> {
-    /// A stretch in which k or μ varies: the stored settlement, with the values of the nodes. What it misses of the ground's
-    /// equation, ρ = kû − (μû′)′ − q along the pieces and the jumps r of the flux at open nodes, is left unclaimed. It
-    /// costs at most (Σ∫ρ²/k)^½ + Σ|r|√g (K10).
+    /// A stretch in which k or μ varies: the stored settlement with the values of the nodes. Its residual, ρ = kû − (μû′)′
+    /// − q along the pieces and the jumps r of the flux at open nodes, costs at most (Σ∫ρ²/k)^½ + Σ|r|√g (K10).
     pub(crate) fn as_stored(&self, pieces: Range<usize>, surface: &mut Surface<S>) {
         let mut missed = Size::ZERO;
         for i in pieces.clone() {
@@ -50,7 +49,7 @@ impl<S: Scalar> Layer<'_, S> {
         }
     }
 
-    /// ū at a node: that of the beam where they touch, else as stored on one side.
+    /// ū at a node: that of the beam in case of contact, otherwise the value stored on one side.
     pub(crate) fn stored_at(&self, node: usize, surface: &Surface<S>) -> S {
         if surface.touches[node] {
             return self.held(node);
@@ -62,7 +61,7 @@ impl<S: Scalar> Layer<'_, S> {
     }
 }
 
-/// The stored settlement of a piece, with a straight line added that gives it these values at the ends.
+/// The stored settlement of a piece plus a linear function, so that it has these values at the ends.
 fn with_ends<S: Scalar>(span: &Span<S>, ends: [S; 2]) -> Polynomial<S> {
     let stored = span.settlement.as_deref().copied().unwrap_or_else(Polynomial::zero);
     let missed = [0, 1].map(|side| ends[side] - stored.value(span.t[side]));

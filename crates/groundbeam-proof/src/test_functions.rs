@@ -1,4 +1,4 @@
-//! K² of the functions z that test the error of the moment and of the reactions.
+//! K² of the test functions z for the errors of the moment and of the reactions.
 //!
 //! ```text
 //! K² = ∫EI z″² + ∫(P + μ)z′² + ∫kz² + K₀z(0)² + K_lz(l)² + Σκz² + Σκ_θz′².
@@ -9,10 +9,10 @@ use crate::scalar::Scalar;
 use crate::size::Size;
 use std::ops::Range;
 
-/// How often a length is halved in search of the least bound.
+/// Maximum number of halvings of a length in search of the smallest bound.
 const HALVINGS: usize = 24;
 
-/// The least of a bound over a length and its halves.
+/// The smallest bound over a length and its halves.
 pub(crate) fn least_of_halves(mut h: f64, bound: impl Fn(f64) -> Size) -> Size {
     let mut least = Size::INFINITE;
     for _ in 0..HALVINGS {
@@ -22,8 +22,8 @@ pub(crate) fn least_of_halves(mut h: f64, bound: impl Fn(f64) -> Size) -> Size {
     least
 }
 
-/// The least K² for z = t(1 − t/h)² on one side, h at most the room: 4EI/h + (2/15)(P + μ)h + kh³/105 + Σκ(4h/27)² + Σκ_θ,
-/// from EI, P + μ and k and from the sums of κ and κ_θ.
+/// The smallest K² for z = t(1 − t/h)² on one side, h at most the available length: 4EI/h + (2/15)(P + μ)h + kh³/105 +
+/// Σκ(4h/27)² + Σκ_θ, from EI, P + μ and k and from the sums of κ and κ_θ.
 pub(crate) fn kink(
     [bending, layer, ground]: [Size; 3],
     [springs, turning]: [Size; 2],
@@ -40,7 +40,7 @@ pub(crate) fn kink(
 }
 
 impl<S: Scalar> Pointwise<'_, S> {
-    /// K² for z = t(1 − t/h)² on the side of x with more room between two obstacles.
+    /// K² for z = t(1 − t/h)² on the longer side of x between two obstacles.
     pub(crate) fn short_kink(&self, nodes: Range<usize>) -> Size {
         let frame = self.fields.frame;
         let room = (frame.nodes[nodes.end].x - frame.nodes[nodes.start].x).scaled(-1);
@@ -54,7 +54,7 @@ impl<S: Scalar> Pointwise<'_, S> {
     }
 
     /// P, or under a compression the number (((1 − σ)N)^½ + N(σΣhc′²)^½/s₂)² that takes its place. With the factor of
-    /// `test_factor` K² then bounds what the misfit s − Pw*′ does: by Cauchy,
+    /// `test_factor` K² then bounds the contribution of the misfit s − Pw*′: by Cauchy,
     ///
     /// ```text
     /// (s₂ + N_c)K₁/√σ + s₂((1 − σ)NZ/σ)^½ + N(ZΣhc′²)^½ ≤ (((s₂ + N_c)² + s₂²)/σ)^½ (K₁² + PZ)^½,   Z = ∫z′².
@@ -101,8 +101,8 @@ impl<S: Scalar> Pointwise<'_, S> {
         largest
     }
 
-    /// K² for z = the distance from x to one side, up to the end of the beam, as long as no rigid support stands there:
-    /// (P + μ)L + kL³/3 + K_eL² + Σ(κ(x − x_j)² + κ_θ). It has no EI: the bound for stiff beams.
+    /// K² for z = the distance from x to one side, up to the end of the beam, if there is no rigid support there: (P + μ)L
+    /// + kL³/3 + K_eL² + Σ(κ(x − x_j)² + κ_θ). It does not contain EI: the bound for stiff beams.
     pub(crate) fn long_kinks(&self, side: usize, stiffness: &mut [Size]) {
         let frame = self.fields.frame;
         let count = frame.spans.len();
@@ -110,7 +110,7 @@ impl<S: Scalar> Pointwise<'_, S> {
         let mut held: Vec<usize> = Vec::new();
         for step in 0..count {
             let i = if side == 0 { step } else { count - 1 - step };
-            // The outer node of the piece, and the inner one: x is anywhere on the piece.
+            // The outer and the inner node of the piece: x is anywhere on the piece.
             let (outer, inner) = (i + side, i + 1 - side);
             let node = &frame.nodes[outer];
             if node.rigid.is_some() {

@@ -1,6 +1,6 @@
-//! Uniqueness: two solutions have the same u and p. They differ by a rigid motion that vanishes wherever p* > 0 and at all
-//! supports, and turns no elastic hinge, because both have the same M. The solution is unique if every part between free
-//! hinges is held in two places, or in one and against rotation.
+//! Uniqueness of the solution. Two solutions have the same u and p. They differ by a rigid motion that vanishes wherever p*
+//! > 0 and at all supports. It does not rotate an elastic hinge, because both solutions have the same M. The solution is
+//! unique if every part between free hinges is held in two places, or in one place and against rotation.
 
 use crate::anchors::parts_of;
 use crate::contact_set::Shown;
@@ -11,7 +11,7 @@ use crate::scalar::Scalar;
 use crate::size::Size;
 use std::ops::Range;
 
-/// How far a part of the beam is held.
+/// The restraints of a part of the beam.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Holds {
     places: usize,
@@ -26,7 +26,7 @@ impl Holds {
     }
 }
 
-/// The first part that may move. A part that is held holds its neighbours at their hinges, in a place that counts once.
+/// The first part that may move. A restrained part restrains its neighbours at their hinges; such a place counts once.
 fn loose(holds: &[Holds]) -> Option<usize> {
     let mut held = vec![false; holds.len()];
     let next = |held: &[bool]| {
@@ -44,12 +44,12 @@ fn loose(holds: &[Holds]) -> Option<usize> {
 }
 
 impl<S: Scalar> Pointwise<'_, S> {
-    /// Whether the solution is unique. Forces count if the contact set shows them, supports of one direction if their
-    /// reaction is larger than the bound of its error.
+    /// Whether the solution is unique. Contact forces count if the contact set proves them, one-way supports if their
+    /// reaction exceeds the bound of its error.
     pub fn unique(&self, shown: &Shown, reactions: &[[Size; 2]]) -> Result<(), NotProven> {
         let frame = self.fields.frame;
         if frame.compression.is_some() {
-            // The supports alone make the energy of the beam strictly convex.
+            // The two-way supports alone make the energy of the beam strictly convex.
             return Ok(());
         }
         let mut pressed = match shown.failed[0] {
@@ -63,14 +63,14 @@ impl<S: Scalar> Pointwise<'_, S> {
         }
         let parts = self.joined_parts();
         let holds: Vec<Holds> = parts.iter().map(|part| self.holds(part, &pressed)).collect();
-        // A string under tension that is held anywhere keeps its direction.
+        // A part under tension that is held at one point cannot rotate.
         if frame.tension.is_some() && holds.iter().any(|part| part.places > 0) {
             return Ok(());
         }
         match loose(&holds) {
             None => Ok(()),
             Some(j) => {
-                let what = "the solution is not shown to be unique: a part of the beam may move";
+                let what = "the solution is not proven to be unique: a part of the beam may move";
                 Err(NotProven::new(what).at(frame.place(parts[j].start)))
             }
         }
@@ -90,7 +90,7 @@ impl<S: Scalar> Pointwise<'_, S> {
         Holds { places: at_nodes + pieces, turning, ends: [held(part.start), held(part.end)] }
     }
 
-    /// Whether p* > 0 is shown in both halves of an interval of a piece: a bump z ≥ 0 with p_m∫z > s₂‖z‖_b.
+    /// Whether p* > 0 is proven in both halves of an interval of a piece: a function z ≥ 0 with p_m∫z > s₂‖z‖_b.
     fn presses(&self, i: usize) -> bool {
         let span = &self.fields.frame.spans[i];
         if !span.touches {
@@ -106,8 +106,8 @@ impl<S: Scalar> Pointwise<'_, S> {
     }
 }
 
-/// Of z = 1 − (2t/h)² on a length h, given from below and from above: a lower bound of ∫z = 2h/3, and a bound of ‖z‖_b,
-/// ‖z‖_b² = 8kh/15 + 16μ/(3h).
+/// For z = 1 − (2t/h)² on a length h that lies between two bounds: a lower bound of ∫z = 2h/3, and a bound of ‖z‖_b, ‖z‖_b²
+/// = 8kh/15 + 16μ/(3h).
 fn bump([low, high]: [f64; 2], [ground, layer]: [Size; 2]) -> (f64, Size) {
     let norm = (8.0 * (ground * Size::of(high))).over(15.0) + (16.0 * layer).over(3.0).over(low);
     ((0.666 * low).next_down(), norm.root())
@@ -136,16 +136,16 @@ mod tests {
     fn a_support_at_a_hinge_is_one_place() {
         let clamped = Holds { places: 2, turning: true, ends: [true, true] };
         let alone = |places: usize, ends: [bool; 2]| Holds { places, turning: false, ends };
-        // The support at the hinge holds both parts, the second one may turn about it.
+        // The support at the hinge holds both parts; the second one may rotate about it.
         assert_eq!(loose(&[clamped, alone(1, [true, false])]), Some(1));
         assert_eq!(loose(&[alone(1, [false, true]), clamped]), Some(0));
         assert_eq!(loose(&[clamped, alone(2, [true, false])]), None);
         assert_eq!(loose(&[clamped, alone(1, [false, true])]), None);
         assert_eq!(loose(&[clamped, alone(0, [false, false])]), Some(1));
-        // A part between two that are held.
+        // A part between two restrained parts.
         assert_eq!(loose(&[clamped, alone(0, [false, false]), clamped]), None);
         assert_eq!(loose(&[clamped, alone(1, [true, false]), clamped]), None);
-        // Turning is held nowhere, or without a place.
+        // Rotation is held nowhere, or without a place.
         let turning = Holds { places: 0, turning: true, ends: [false; 2] };
         assert_eq!(loose(&[turning]), Some(0));
         assert_eq!(loose(&[Holds { places: 1, ..turning }]), None);

@@ -36,7 +36,7 @@ impl Units {
         Ok(Units { length, force: force.unwrap_or(stiffness) })
     }
 
-    /// The size of a load as a force: a moment over the length, a load per length times the length.
+    /// A load as a force: a moment divided by the length, a load per length times the length.
     fn load_as_force<S: Scalar>(self, load: &Load<S>, stiffness: i32) -> S {
         let (size, spread) = match load.extent {
             Extent::Point { size, .. } => (size, 0),
@@ -80,7 +80,7 @@ impl Units {
     }
 }
 
-/// n with 2ⁿ ≤ |x| < 2ⁿ⁺¹. `None` of zero, and of what is infinite or tiny.
+/// n with 2ⁿ ≤ |x| < 2ⁿ⁺¹. `None` for zero, infinite or tiny numbers.
 fn exponent<S: Scalar>(x: S) -> Option<i32> {
     let x = x.middle().abs();
     (1e-290..=1e290).contains(&x).then(|| (x.to_bits() >> 52) as i32 - 1023)

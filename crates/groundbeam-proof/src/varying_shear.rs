@@ -7,8 +7,8 @@
 //! ```
 //!
 //! So the pressure needs the slope, the slope needs the shear force, and the shear force needs the pressure. On a length h of one
-//! piece ε_T ≤ A/h + B + ½h(p₀ + C + Dε_T), with C + Dε_T the right side above and p₀ the pressure where only one of both answers
-//! touches. For h < 2/D
+//! piece ε_T ≤ A/h + B + ½h(p₀ + C + Dε_T), with C + Dε_T the right side above and p₀ the pressure where only one of the two solutions
+//! is in contact. For h < 2/D
 //!
 //! ```text
 //! ε_T ≤ (A/h + B + ½h(p₀ + C))/(1 − ½hD).
@@ -31,7 +31,7 @@ where
 }
 
 impl<S: Scalar> Pointwise<'_, S> {
-    /// |p − p*| where both touch. On open pieces it bounds the error of (μC′)′, without the divisor 1 + a.
+    /// |p − p*| where both are in contact. On open pieces it bounds the error of (μC′)′, without the divisor 1 + a.
     pub(crate) fn varying_pressure(&self, i: usize, bounds: &PieceBounds) -> Size {
         let span = &self.fields.frame.spans[i];
         let Some(stiffness) = varying(span) else { return Size::INFINITE };
@@ -66,8 +66,8 @@ impl<S: Scalar> Pointwise<'_, S> {
         [settled + factor * forces, span.steepness(&span.shear) + factor * steep]
     }
 
-    /// A bound of the slope, and with it of the pressure, on pieces that shear where S or μ varies: from the change of moment
-    /// within the piece alone.
+    /// A bound of the slope, and with it of the pressure, on pieces that shear where S or μ varies. It uses only the change
+    /// of moment within the piece.
     pub(crate) fn first_slopes(&self, bounds: &mut [PieceBounds]) {
         for (i, piece) in bounds.iter_mut().enumerate() {
             let span = &self.fields.frame.spans[i];

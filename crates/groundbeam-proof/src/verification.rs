@@ -1,4 +1,4 @@
-//! The proof of a whole document: its answer is proven, and every number that it lists besides is compared with enclosures.
+//! The proof of a whole document: proves its answer, and compares every other listed number with enclosures.
 
 use crate::bounds::Bound;
 use crate::document::Document;
@@ -15,46 +15,46 @@ use crate::scales::claimed;
 use crate::size::Size;
 use std::collections::BTreeSet;
 
-/// The parts of a document that are proven.
+/// The proven parts of a document.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Verification {
     /// The proof of its answer. The errors of fields and reactions hold for the listed numbers too.
     pub proof: Proof,
     /// The errors of the gap u + g₀ − w.
     pub gap: Bound,
-    /// The largest error of a listed edge of contact; infinite if the contact set is not shown.
+    /// The largest error of a listed edge of contact; infinite if the contact set is not proven.
     pub edges: Bound,
-    /// The largest error of a listed concentrated force; infinite if the contact set is not shown.
+    /// The largest error of a listed concentrated force; infinite if the contact set is not proven.
     pub forces: Bound,
     /// The errors of each listed edge and of each listed concentrated force.
     pub listed: ListedErrors,
     /// The places of the listed extremes.
     pub extremes: Vec<PlacedExtreme>,
-    /// Intervals on which the pressure has no bound \[m\]: those that hold the edges of contact of a shear layer; the whole
-    /// beam if the contact set is not shown.
+    /// Intervals on which the pressure has no bound \[m\]: those that contain the edges of contact of a shear layer; the
+    /// whole beam if the contact set is not proven.
     pub without_pressure: Vec<[f64; 2]>,
-    /// How many listed numbers were compared.
+    /// Number of listed numbers that were compared.
     pub checked: Checked,
-    /// Keys with numbers of which nothing is claimed.
+    /// Keys whose numbers the proof does not cover.
     pub not_covered: BTreeSet<String>,
     /// The first reason why the document is not proven; `None` if it is.
     pub shortfall: Option<NotProven>,
 }
 
-/// Proves a document: its answer, and the numbers that it lists besides.
+/// Proves a document: its answer, and the other listed numbers.
 ///
 /// # Errors
 ///
-/// Why nothing is proven.
+/// The reason why nothing is proven.
 pub fn verify<S: Scalar>(model: &Model<S>, document: &Document) -> Result<Verification, NotProven> {
     verify_and_log(model, document, None)
 }
 
-/// The same, and writes the log of the proof.
+/// Proves a document and writes the log of the proof.
 ///
 /// # Errors
 ///
-/// Why nothing is proven.
+/// The reason why nothing is proven.
 pub fn verify_and_log<S: Scalar>(
     model: &Model<S>,
     document: &Document,
@@ -69,7 +69,7 @@ pub fn verify_and_log<S: Scalar>(
     proven(model, &document.answer, log, |fields, proof| compared(document, fields, proof))
 }
 
-/// The numbers that a document lists besides its answer, compared with the fields and the proof of the answer.
+/// Compares the numbers that a document lists besides its answer with the fields and the proof of the answer.
 fn compared<S: Scalar>(document: &Document, fields: &Fields<S>, mut proof: Proof) -> Verification {
     let found = differences(document, fields, &proof);
     let (edges, forces) = (
@@ -118,7 +118,7 @@ fn compared<S: Scalar>(document: &Document, fields: &Fields<S>, mut proof: Proof
 }
 
 impl Verification {
-    /// All bounds with the names that documents use. Of edges, forces and reactions the largest.
+    /// All bounds with the names that documents use. For edges, forces and reactions: the largest.
     pub fn named(&self) -> Vec<(&'static str, Bound)> {
         let mut named = self.proof.bounds.named().to_vec();
         named.push(("gap", self.gap));
@@ -135,26 +135,26 @@ impl Verification {
         named
     }
 
-    /// The bound of the error of a field along the beam; infinite if there is none.
+    /// The bound of the error of a field along the beam; infinite if there is no bound.
     pub fn error_of(&self, field: &str) -> f64 {
         let named = self.named().into_iter().find(|(name, _)| *name == field);
         named.map_or(f64::INFINITY, |(_, bound)| bound.error)
     }
 
-    /// The same at one place, where a pressure may have no bound.
+    /// The bound of the error of a field at one place; a pressure may have none.
     pub fn error_at(&self, field: &str, x: f64) -> f64 {
         let has_none = field == "pressure" && holds(&self.without_pressure, x);
         if has_none { f64::INFINITY } else { self.error_of(field) }
     }
 
-    /// Why some quantities have no finite bound: the first step that fails.
+    /// The first step that fails, if a quantity has no finite bound.
     pub fn without_bound(&self) -> Option<&NotProven> {
         let contact = self.proof.contact.as_ref().err();
         contact.or(self.proof.unique.as_ref().err()).or(self.shortfall.as_ref())
     }
 
-    /// The errors of edges, forces and reactions, one for each number in the order of the document, under the names that the
-    /// bounds of documents have.
+    /// The errors of edges, forces and reactions, one for each number in the order of the document. The names are those of
+    /// the bounds in documents.
     pub fn errors_of_numbers(&self) -> Vec<(&'static str, Vec<f64>)> {
         let (listed, reactions) = (&self.listed, self.proof.reactions.iter());
         let mut errors = vec![
@@ -176,7 +176,7 @@ impl Verification {
         fields.map(one).chain(self.errors_of_numbers()).collect()
     }
 
-    /// The first of the document's own bounds of which an error is larger. Unknown names are not covered.
+    /// The first bound of the document that is smaller than the proven error. Unknown names are not covered.
     fn claimed(&mut self, document: &Document) -> Option<NotProven> {
         let errors = self.errors();
         let mut first = None;
@@ -207,7 +207,7 @@ impl Verification {
         first
     }
 
-    /// The first extreme of which the document claims intervals that do not hold all proven places.
+    /// The first extreme whose claimed intervals do not contain all proven places.
     fn claimed_places(&mut self, document: &Document) -> Option<NotProven> {
         let mut first = None;
         for (field, is_max, claimed) in &document.places {
@@ -228,7 +228,8 @@ impl Verification {
         first
     }
 
-    /// The first extreme whose listed place is farther than 10⁻⁶ of the length from every place of the exact one.
+    /// The first extreme whose listed place has a distance of more than 10⁻⁶ of the length from every place of the exact
+    /// one.
     fn misplaced(&self) -> Option<NotProven> {
         let far = 1e-6 * self.proof.scales.length;
         let extreme = self.extremes.iter().find(|extreme| extreme.distance() > far)?;
@@ -253,8 +254,8 @@ impl Verification {
     }
 }
 
-/// The first field of which a listed number differs from the answer by more than 10⁻⁶ of the field's own largest value, and
-/// by more than rounding. The scale of a field may be much larger than its values.
+/// The first field with a listed number that differs from the answer by more than 10⁻⁶ of the field's own largest value,
+/// and by more than rounding. The scale of a field may be much larger than its values.
 fn far<S: Scalar>(
     fields: &Fields<S>,
     differences: &[f64; 8],

@@ -1,8 +1,8 @@
 //! A real number enclosed by a midpoint of two doubles and a radius: 106 bits.
 //!
 //! M. Joldes, J.-M. Muller, V. Popescu, *Tight and rigorous error bounds for basic building blocks of double-word
-//! arithmetic*, ACM Transactions on Mathematical Software 44 (2017): sums here are within 3·2⁻¹⁰⁶, products within
-//! 5·2⁻¹⁰⁶ of the exact one. Both are charged 16·2⁻¹⁰⁶.
+//! arithmetic*, ACM Transactions on Mathematical Software 44 (2017): the relative error of sums here is at most 3·2⁻¹⁰⁶,
+//! that of products 5·2⁻¹⁰⁶. The radius grows by 16·2⁻¹⁰⁶ for each of them.
 
 use crate::ball::Ball;
 use crate::float::{ABOVE, HUGE, TINY, magnitude, magnitude_scaled, times_power_of_two};
@@ -51,10 +51,10 @@ impl Wide {
     /// The ball of all numbers.
     pub(crate) const ALL: Wide = Wide { h: 0.0, l: 0.0, r: f64::INFINITY };
 
-    /// The ball of this midpoint and this radius; the one place where balls are made.
+    /// The ball of this midpoint and this radius. All balls are made here.
     fn new(h: f64, l: f64, r: f64) -> Self {
         let size = magnitude(h);
-        // Written so that NaN leads to the first branch.
+        // A comparison with NaN is false, so NaN takes the first branch.
         if !(r <= HUGE && size <= HUGE && magnitude(l) <= HUGE) {
             Wide::ALL
         } else if size < TINY && (size > 0.0 || l != 0.0) {
@@ -64,7 +64,7 @@ impl Wide {
         }
     }
 
-    /// A bound of the rounding of a result, and of its underflow.
+    /// A bound of the rounding error and of the underflow of a result.
     fn rounding(h: f64) -> f64 {
         magnitude(h) * CHARGE + f64::MIN_POSITIVE
     }
@@ -84,7 +84,7 @@ impl Wide {
         [self.h, self.l]
     }
 
-    /// The midpoint alone.
+    /// The midpoint as a ball of radius zero.
     fn centre(self) -> Wide {
         Wide { r: 0.0, ..self }
     }
@@ -121,7 +121,7 @@ impl Mul for Wide {
         let (ch, cl) = two_product(self.h, other.h);
         let cross = self.h * other.l + self.l * other.h;
         let (h, l) = fast_two_sum(ch, cl + cross);
-        // |h + l| ≤ |h|(1 + u) of each factor is within the last factor.
+        // The last factor covers |h + l| ≤ |h|(1 + u) of each operand.
         let propagated =
             magnitude(self.h) * other.r + magnitude(other.h) * self.r + self.r * other.r;
         Wide::new(h, l, (propagated + Wide::rounding(h)) * ABOVE)
@@ -141,7 +141,7 @@ impl Scalar for Wide {
         if !(least > 0.0) {
             return Wide::ALL;
         }
-        // The quotient is checked, not trusted: a/b − q = (a − qb)/b.
+        // The error of the quotient is bounded by its residual: a/b − q = (a − qb)/b.
         let first = self.h / other.h;
         let rest = self.centre() - Wide::of(first) * other.centre();
         let (h, l) = fast_two_sum(first, rest.h / other.h);
@@ -180,7 +180,7 @@ impl Scalar for Wide {
         let (Some(h), Some(l)) = (h, l) else { return Wide::ALL };
         let mut r = magnitude_scaled(self.r, exponent);
         if l != 0.0 && magnitude(l) < TINY {
-            // The small half may have been rounded among subnormal numbers.
+            // The smaller half may have been rounded among subnormal numbers.
             r = (r + f64::MIN_POSITIVE) * ABOVE;
         }
         Wide::new(h, l, r)

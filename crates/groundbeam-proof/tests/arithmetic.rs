@@ -1,4 +1,4 @@
-//! Every ball holds the exact result: against exact arithmetic on whole numbers times powers of two.
+//! Tests that every ball contains the exact result, by exact arithmetic on integers times powers of two.
 
 mod exact;
 
@@ -25,7 +25,7 @@ impl Enclosure for Wide {
     }
 }
 
-/// The bounds as doubles hold the ball; an infinite ball is bounded by infinity.
+/// The bounds as doubles contain the ball; an infinite ball has infinite bounds.
 fn check_bounds<S: Enclosure>(x: S) {
     let Some([low, high]) = x.ends() else {
         assert_eq!((x.low(), x.high(), x.size()), (-f64::INFINITY, f64::INFINITY, f64::INFINITY));
@@ -83,7 +83,7 @@ fn check_operands<S: Enclosure>(seed: u64, count: usize) {
     let mut numbers = Random::new(seed);
     for i in 0..count {
         let a: S = random(&mut numbers);
-        // Every third pair cancels to the last digits.
+        // Every third pair cancels up to the last digits.
         let b: S = if i % 3 == 0 {
             -a + S::of(a.size() * numbers.unit() * 1e-16) + S::of(a.size() * numbers.unit() * 1e-30)
         } else {
@@ -125,7 +125,7 @@ fn scaling_by_powers_of_two_is_exact() {
     }
 }
 
-/// Near subnormal numbers and at r ≈ |h| the bounds still hold.
+/// The bounds also hold near subnormal numbers and at r ≈ |h|.
 #[test]
 fn bounds_hold_where_a_relative_error_fails() {
     let nearly_zero = Wide::of(1.0).widened(1.0) - Wide::of(2.0_f64.powi(-55));

@@ -1,17 +1,17 @@
-//! Documents that claim wrong answers: none is proven, and every bound that is given holds.
+//! Tests documents with wrong answers: none is proven, and every given bound holds.
 
 use groundbeam_proof::{
     Answer, NotProven, Proof, ReadError, Reason, SupportKind, Wide, prove, read_model,
 };
 use serde_json::Value;
 
-/// One document with the truth, from `cases/attacks.json`.
+/// One document with the true solution, from `cases/attacks.json`.
 struct Attack {
     name: String,
     model: String,
     claimed: String,
     truth: Value,
-    /// The exit status that belongs to it; none if both 0 and 1 are right.
+    /// The expected exit status; `None` if both 0 and 1 are correct.
     exit: Option<i64>,
 }
 
@@ -33,7 +33,7 @@ fn attacks() -> Vec<Attack> {
     all.iter().map(one).collect()
 }
 
-/// What comes of a document: unreadable, not proven, or proven.
+/// The result for a document: unreadable, not proven, or proven.
 enum Verdict {
     Unreadable,
     NotProven(NotProven),
@@ -82,7 +82,7 @@ fn worst(attack: &Attack, answer: &Answer, proof: &Proof) -> f64 {
             (moment, "moment", proof.bounds.moment.error),
         ] {
             let truth = number(&station[name]);
-            // The claimed values here are rounded themselves.
+            // The claimed values contain rounding errors.
             let error = (claimed - truth).abs() - 1e-13 * truth.abs();
             assert!(error.is_finite(), "{}: {name}", attack.name);
             worst = worst.max(error / bound);
@@ -100,7 +100,7 @@ fn worst(attack: &Attack, answer: &Answer, proof: &Proof) -> f64 {
     worst.max(energy / proof.energy)
 }
 
-/// Where a contact set is shown it is the exact one, with every edge and end force in its interval.
+/// A proven contact set is the exact one, with every edge and end force in its interval.
 fn contact_is_true(attack: &Attack, proof: &Proof) {
     let Ok(contact) = &proof.contact else { return };
     let number = |value: &Value| value.as_str().and_then(|x| x.parse().ok()).unwrap_or(f64::NAN);
@@ -110,7 +110,7 @@ fn contact_is_true(attack: &Attack, proof: &Proof) {
     exact.extend(list("points").iter().map(|at| [number(at); 2]));
     exact.sort_by(|a, b| a[0].total_cmp(&b[0]));
     assert_eq!(contact.regions.len(), exact.len(), "{}: {contact:?}", attack.name);
-    // The truth has 20 digits, of which a double keeps 16.
+    // The true values have 20 digits, a double has 16.
     let holds = |[low, high]: [f64; 2], x: f64| {
         let rounding = 4.0 * f64::EPSILON * x.abs();
         low - rounding <= x && x <= high + rounding
@@ -166,7 +166,8 @@ fn a_moment_at_a_pin_is_refused() {
     assert!(why.what.contains("a pin has a moment"), "{why}");
 }
 
-/// Pieces left out, twice, in another order or with other numbers, and loads that act otherwise: refused, or E shows it.
+/// Pieces that are omitted, repeated, reordered or changed, and other loads: the proof refuses the answer, or E covers the
+/// error.
 #[test]
 fn changed_documents_are_not_proven() {
     let all = attacks();

@@ -1,9 +1,9 @@
-//! Documents with one wrong number each beside a right answer in closed form: none is called proven.
+//! Tests documents with one wrong number in an otherwise right answer in closed form: none is proven.
 
 use groundbeam_proof::{Document, Verification, Wide, read_model, verify};
 
-/// A clamp at 0, a hinge at 1 and a pin at 2 over a gap that the beam does not close: w = 6x² − 2x³, then a straight line.
-/// A weak spring at the hinge carries κw(1) = 4κ, κ = 2⁻²⁰.
+/// A clamp at 0, a hinge at 1 and a pin at 2 over a gap that the beam does not close: w = 6x² − 2x³, then linear. A weak
+/// spring at the hinge carries κw(1) = 4κ, κ = 2⁻²⁰.
 const OVER_A_GAP: &str = r#"
 [beam]
 length = 2
@@ -45,7 +45,7 @@ const HINGED: &str = r#"{
     "hinges": [{"at": 1, "rotation": -10, "moment": 0}]
 }"#;
 
-/// A stiff beam that rests on even ground: w = 1, p = 1.
+/// A stiff beam at rest on ground with constant k and μ: w = 1, p = 1.
 const AT_REST: &str = r#"
 [beam]
 length = 2
@@ -90,7 +90,7 @@ fn is_proven(model: &str, document: &str) -> bool {
     found.is_ok_and(|found| found.shortfall.is_none())
 }
 
-/// Replaces a part of a document that it has once.
+/// Replaces a part that occurs once in a document.
 fn with(document: &str, old: &str, new: &str) -> String {
     assert_eq!(document.matches(old).count(), 1, "{old}");
     document.replace(old, new)
@@ -171,7 +171,7 @@ fn a_pressure_or_settlement_of_the_wrong_kind_of_piece_is_not_proven() {
     assert!(!is_proven(AT_REST, &document));
 }
 
-/// Where both answers touch |p − p*| has a bound. Here the answer says that the beam is open on a part of its contact.
+/// |p − p*| has a bound where both are in contact. Here the answer claims that the beam is open on a part of its contact.
 #[test]
 fn the_pressure_of_a_layer_has_no_bound_without_a_contact_set() {
     let second =

@@ -1,4 +1,4 @@
-//! Model files as the second reader understands them, and files and documents with random changes.
+//! Tests the second reader on model files, and on files and documents with random changes.
 
 use groundbeam_proof::{
     Action, Ball, Course, Document, Extent, Load, Model, ReadError, Reason, Scalar, Wide,
@@ -70,7 +70,7 @@ fn ground_by_area_and_by_segments() {
     let ground = read(text).unwrap().ground;
     assert_eq!(ground.segments.len(), 2);
     let [own, rest] = &ground.segments[..] else { panic!() };
-    // What varies along the beam ends with it.
+    // A value that varies along the beam ends with the beam.
     assert_eq!([own.from.middle(), own.to.middle()], [0.0, 5.0]);
     let Course::Varying(k) = &own.spring else { panic!() };
     assert_eq!([k[0].middle(), k[1].middle()], [10e6, 20e6]);
@@ -80,7 +80,7 @@ fn ground_by_area_and_by_segments() {
     assert_eq!([k[0].middle(), k[1].middle()], [10e6, 15e6]);
 }
 
-/// EN 1990, expression (6.10): wind leads, the floor load goes with ψ₀ = 0.7.
+/// EN 1990, expression (6.10): wind leads, the floor load accompanies with ψ₀ = 0.7.
 #[test]
 fn a_set_of_a_code_makes_its_combinations() {
     let load = |case: &str| format!("[[load]]\npoint = 1\nat = 1\ncase = '{case}'\n");
@@ -162,7 +162,7 @@ impl Dice {
     }
 }
 
-/// A text with some bytes flipped, removed, doubled or replaced by what matters to the format.
+/// A text with random bytes flipped, removed, repeated or replaced by characters of the syntax.
 fn changed(text: &str, dice: &mut Dice) -> String {
     const TOKENS: [&str; 16] = [
         "\"", "'", "[", "]", "{", "}", "\n", "=", ",", ".", "\\u", "1e400", "-", "nan", "[[", "'''",
@@ -188,7 +188,7 @@ fn changed(text: &str, dice: &mut Dice) -> String {
     String::from_utf8_lossy(&bytes).into_owned()
 }
 
-/// All model files of the repository, wrong ones too.
+/// All model files of the repository, including invalid ones.
 fn texts() -> Vec<String> {
     let mut texts = vec![SMALL.to_owned()];
     let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
@@ -207,7 +207,7 @@ fn texts() -> Vec<String> {
     texts
 }
 
-/// Nothing panics, and each file is read or refused at once.
+/// The reader never panics, and each file is read or refused at once.
 #[test]
 fn changed_model_files_are_read_or_refused() {
     let (texts, mut dice) = (texts(), Dice(1));
@@ -237,7 +237,7 @@ fn changed_documents_are_read_or_refused() {
     assert!(read > 1000, "{read}");
 }
 
-/// Files that are made to take long, or to nest deep.
+/// Files that would take long to read or that nest deeply.
 #[test]
 fn long_files_end_in_time() {
     let many = |part: &str, n: usize| format!("{SMALL}{}", part.repeat(n));

@@ -1,4 +1,4 @@
-//! Right answers: proven, with the same digits in any units, and every change of a number is covered by the bounds.
+//! Tests right answers: they are proven, with the same digits in any units, and the bounds cover every changed number.
 
 use groundbeam_proof::{
     Action, Answer, Course, Extent, GroundEnd, Model, Proof, Scalar, SupportKind, Wide, prove,
@@ -6,7 +6,7 @@ use groundbeam_proof::{
 };
 use serde_json::Value;
 
-/// The right answers of `cases/attacks.json`, on a shear layer and on separate springs.
+/// The right answers of `cases/attacks.json`, on a shear layer and on Winkler ground.
 fn right_answers() -> Vec<(String, String, Answer)> {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../cases/attacks.json");
     let text = std::fs::read_to_string(path).expect("cases/attacks.json");
@@ -124,7 +124,7 @@ fn deflections(answer: &Answer) -> Vec<f64> {
         .collect()
 }
 
-/// Every stored number times 1 + 10⁻⁶: the answer is refused, or the old and the new bound cover the difference.
+/// Every stored number times 1 + 10⁻⁶: the proof refuses the answer, or the old and the new bound cover the difference.
 #[test]
 fn a_change_of_any_number_is_covered() {
     let (mut refused, mut accepted) = (0, 0);

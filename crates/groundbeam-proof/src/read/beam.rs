@@ -1,4 +1,4 @@
-//! `[beam]` and its segments: EI, shear stiffness, and what follows from its section: own weight and depth.
+//! Reads `[beam]` and its segments: EI, shear stiffness, and the quantities of the section: own weight and depth.
 
 use super::case::{Cased, case};
 use super::error::{Read, wrong};
@@ -30,30 +30,30 @@ const KEYS: &[&str] = &[
 const SEGMENT_KEYS: &[&str] = &["from", "to", "EI", "E", "material", "I", "section"];
 const NAMES: [&str; 3] = ["EI", "E", "I"];
 
-/// The keys of `[beam]`.
+/// The data that follow from the keys of `[beam]`.
 pub(crate) struct ReadBeam<S> {
     pub beam: Beam<S>,
     /// Own weight and camber.
     pub loads: Vec<Cased<S>>,
     /// The depth of the section from the left end to the right one.
     pub depths: Vec<Depth<S>>,
-    /// The expansion of the material, if that is one all along.
+    /// The thermal expansion of the material, if it is constant along the beam.
     pub expansion: Option<S>,
 }
 
-/// Something of the section on a stretch, if it is known there.
+/// A quantity of the section on a stretch, if it is known there.
 pub(crate) struct Stretch<S> {
     pub ends: [S; 2],
     pub of: Option<Along<S>>,
 }
 
-/// A stretch on which the depth is one, as it is written and as a number, or is not one.
+/// A stretch with its depth, as text and as a number; `None` if the depth is not constant there.
 pub(crate) struct Depth<S> {
     pub ends: [S; 2],
     pub of: Option<(Exact, S)>,
 }
 
-/// The keys of a table about bending.
+/// The keys of a table that concern bending.
 struct Bending<S> {
     given: Given<S>,
     shape: Option<Shape<S>>,
@@ -119,7 +119,7 @@ pub(crate) fn read<S: Scalar>(fields: &mut Fields, root: Section) -> Read<ReadBe
     Ok(ReadBeam { beam, loads, depths: merged(parts.depths), expansion })
 }
 
-/// Depths from left to right; neighbours with the same depth as one.
+/// Depths from left to right; neighbours with equal depths are merged.
 fn merged<S: Scalar>(mut stretches: Vec<Stretch<S>>) -> Vec<Depth<S>> {
     stretches.sort_by(|a, b| a.ends[0].middle().total_cmp(&b.ends[0].middle()));
     let mut depths: Vec<Depth<S>> = Vec::new();
@@ -162,7 +162,7 @@ impl<S: Scalar> Whole<S> {
         ends.map(|x| x.div(self.length))
     }
 
-    /// The beam's shear stiffness on a part of the way, if it varies.
+    /// The beam's shear stiffness on a part of its length, if it varies.
     fn shear_between(&self, way: [S; 2]) -> Option<Along<S>> {
         let varies = self.shear_stiffness.as_ref().filter(|along| !along.is_constant());
         varies.map(|along| along.between(way))
@@ -182,7 +182,7 @@ impl<S: Scalar> Whole<S> {
         let above = self.shear.between(way);
         let shear = Shear::read(fields, table, modulus, shape.as_ref(), &above)?;
         let shear = shear.settle(table, &above)?;
-        // A segment that says what it resists shear with may bend like the rest.
+        // A segment that gives only its shear stiffness takes the bending stiffness of the beam.
         let bends = if shear.is_some() && own.is_nothing() { parent.clone() } else { own };
         let bending = bends.resolve(&parent, NAMES)?.known(table, "EI")?;
         let shear = shear.or_else(|| self.shear_between(way));
@@ -195,7 +195,7 @@ impl<S: Scalar> Whole<S> {
         Ok((segment, shape))
     }
 
-    /// A stiffness that varies along the whole beam holds where no segment says otherwise.
+    /// A stiffness that varies along the whole beam is used outside the segments.
     fn add_where_it_varies(
         &self,
         bending: &Along<S>,
@@ -216,12 +216,12 @@ impl<S: Scalar> Whole<S> {
     }
 }
 
-/// Whether a table gives EI or I by themselves: then no section of a parent's is that of the beam there.
+/// Whether a table gives EI or I directly. Then the section of the beam does not apply there.
 fn gives_stiffness(section: Section) -> bool {
     section.table.get("EI").is_some() || section.table.get("I").is_some()
 }
 
-/// EI as a table gives it, and its section.
+/// EI of a table, and its section.
 fn bending<S: Scalar>(fields: &mut Fields, section: Section) -> Read<Bending<S>> {
     section.exclusive("I", "section")?;
     section.exclusive("E", "material")?;
@@ -229,7 +229,7 @@ fn bending<S: Scalar>(fields: &mut Fields, section: Section) -> Read<Bending<S>>
     let mut modulus = fields.along(section, "E", MODULUS, Values::Linear)?;
     let named = material::named(section)?;
     if let Some((material, at)) = named {
-        // Its numbers have units.
+        // The numbers of the section have units.
         fields.note(at, true)?;
         let Quantity { value, .. } = material.modulus().map_err(|fault| fault.moved(at))?;
         modulus = Some(Along::constant(value, at));
@@ -273,7 +273,7 @@ fn weight<S: Scalar>(
             return wrong(node.at, "the area of the beam's section is not known everywhere");
         };
         if super::course::values(&area.course).len() > 2 {
-            return wrong(node.at, "the area of the beam's section does not run linearly");
+            return wrong(node.at, "the area of the beam's section is not linear along it");
         }
         let [start, end] = area.ends().map(|area| area * weight.value);
         let extent = Extent::Distributed { from, to, start, end };

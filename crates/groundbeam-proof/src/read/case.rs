@@ -4,7 +4,7 @@ use super::error::{Read, wrong};
 use super::fields::Section;
 use crate::Load;
 
-/// A load, its case, and where the file gives it.
+/// A load, its case, and its position in the file.
 #[derive(Debug, Clone)]
 pub(crate) struct Cased<S> {
     pub load: Load<S>,

@@ -1,4 +1,4 @@
-//! Rules that hold between the parts of a model: what is one place, where there is ground, which numbers are in range.
+//! Checks rules between the parts of a model: distinct positions, ground under the loads on it, and ranges of numbers.
 
 use super::course::{is_constant, values};
 use super::error::{Read, out_of_range, wrong};
@@ -13,16 +13,16 @@ pub(crate) fn check<S: Scalar>(model: &Model<S>) -> Read<()> {
     ranges(model)?;
     let supports = sorted(model.supports.iter().map(|support| support.at));
     if meet(&supports) {
-        return wrong(0, "two supports stand at one place");
+        return wrong(0, "two supports have the same position");
     }
     let hinges = sorted(model.hinges.iter().map(|hinge: &Hinge<S>| hinge.at));
     if meet(&hinges) {
-        return wrong(0, "two hinges stand at one place");
+        return wrong(0, "two hinges have the same position");
     }
     let moments = model.loads.iter().filter_map(turning_load);
     let mut turning = moments.chain(model.supports.iter().filter_map(clamp));
     if turning.any(|x| beside(&hinges, x).into_iter().flatten().any(|hinge| is_same(hinge, x))) {
-        return wrong(0, "a moment, a clamp or a rotational spring stands at a hinge");
+        return wrong(0, "a moment, a clamp or a rotational spring is at a hinge");
     }
     ground_loads(model)
 }
@@ -33,23 +33,23 @@ fn sorted<S: Scalar>(places: impl Iterator<Item = S>) -> Vec<S> {
     places
 }
 
-/// Whether two places may be one.
+/// Whether two positions may be equal.
 fn is_same<S: Scalar>(a: S, b: S) -> bool {
     !is_left(a, b) && !is_left(b, a)
 }
 
-/// Whether two neighbours may be one place.
+/// Whether two neighbouring positions may be equal.
 fn meet<S: Scalar>(places: &[S]) -> bool {
     places.windows(2).any(|pair| is_same(pair[0], pair[1]))
 }
 
-/// The places next to x on both sides.
+/// The positions next to x on both sides.
 fn beside<S: Scalar>(places: &[S], x: S) -> [Option<S>; 2] {
     let i = places.partition_point(|place| place.middle() < x.middle());
     [i.checked_sub(1).and_then(|i| places.get(i)).copied(), places.get(i).copied()]
 }
 
-/// Where a moment acts at a point.
+/// The position of a point moment.
 fn turning_load<S: Scalar>(load: &Load<S>) -> Option<S> {
     match (load.action, load.extent) {
         (Action::Moment, Extent::Point { at, size }) if size.middle() != 0.0 => Some(at),
@@ -57,7 +57,7 @@ fn turning_load<S: Scalar>(load: &Load<S>) -> Option<S> {
     }
 }
 
-/// Where a support holds the slope.
+/// The position of a support that restrains the slope.
 fn clamp<S: Scalar>(support: &Support<S>) -> Option<S> {
     match support.kind {
         SupportKind::Pinned => None,
@@ -66,7 +66,7 @@ fn clamp<S: Scalar>(support: &Support<S>) -> Option<S> {
     }
 }
 
-/// Stiffnesses and loads that follow from others must be in range as well.
+/// Checks the ranges of stiffnesses and loads that are computed from others.
 fn ranges<S: Scalar>(model: &Model<S>) -> Read<()> {
     let Model { beam, ground, loads, .. } = model;
     let mut positive = vec![beam.bending_stiffness, ground.spring];
@@ -87,15 +87,18 @@ fn ranges<S: Scalar>(model: &Model<S>) -> Read<()> {
         }
     }
     if !positive.into_iter().all(|value| value.low() > 0.0 && is_within_reach(value)) {
-        return out_of_range(0, "a stiffness is not between 1e-60 and 1e60");
+        return out_of_range(0, "a stiffness lies outside 1e-60 to 1e60");
     }
     if !other.into_iter().all(|value| value.middle() == 0.0 || is_within_reach(value)) {
-        return out_of_range(0, "a load or `mu` is not 0 and not between 1e-60 and 1e60");
+        return out_of_range(
+            0,
+            "a load or `mu` must be 0 or have a magnitude between 1e-60 and 1e60",
+        );
     }
     Ok(())
 }
 
-/// Loads on the ground stand where there is ground, and forces at points where it has a shear layer.
+/// Loads on the ground need ground at their position; point forces also need a shear layer.
 fn ground_loads<S: Scalar>(model: &Model<S>) -> Read<()> {
     let ground = &model.ground;
     if !model.loads.iter().any(|load| load.on_ground) {
@@ -103,7 +106,7 @@ fn ground_loads<S: Scalar>(model: &Model<S>) -> Read<()> {
     }
     let varies = |course: &Course<S>| !is_constant(course);
     if ground.segments.iter().any(|segment| varies(&segment.spring) || varies(&segment.shear)) {
-        return wrong(0, "loads on the ground need ground that is even along each segment");
+        return wrong(0, "loads on the ground need ground that is constant along each segment");
     }
     let layers = Layers::of(ground);
     for load in model.loads.iter().filter(|load| load.on_ground) {
@@ -127,7 +130,7 @@ fn ground_loads<S: Scalar>(model: &Model<S>) -> Read<()> {
     Ok(())
 }
 
-/// Where the ground has a shear layer: ends of segments from left to right, and whether each has one.
+/// The parts of the ground with a shear layer: ends of segments from left to right, and whether each has one.
 struct Layers<S> {
     segments: Vec<([S; 2], bool)>,
     elsewhere: bool,
@@ -143,7 +146,7 @@ impl<S: Scalar> Layers<S> {
         Layers { segments, elsewhere: ground.shear.middle() > 0.0 }
     }
 
-    /// Whether there is a layer on one side of x at least.
+    /// Whether there is a layer on at least one side of x.
     fn is_at(&self, x: S) -> bool {
         let right = self.segments.partition_point(|([from, _], _)| !is_left(x, *from));
         let left = self.segments.partition_point(|([from, _], _)| is_left(*from, x));

@@ -1,4 +1,4 @@
-//! `[[combination]]`: the factors of load cases, written or by a set of a code of practice.
+//! Reads `[[combination]]`: factors of load cases, given in the file or made by a set of a code of practice.
 
 use super::case::Cased;
 use super::error::{Read, Reason, fault, out_of_range, wrong};
@@ -9,16 +9,16 @@ use super::toml::Value;
 use crate::{Extent, Load, Scalar};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// More combinations than this a file may not have.
+/// Maximum number of combinations of a file.
 const MOST: usize = 1000;
 
-/// A combination: its name, and the decimal factor of each case that it names.
+/// A combination: its name, and the decimal factor of each load case in it.
 struct Recipe {
     name: String,
     factors: BTreeMap<String, String>,
 }
 
-/// The loads of a combination, those of factor 0 left out; without a combination all loads as they are written.
+/// The loads of a combination, without those of factor 0. Without a combination: all loads with the values of the file.
 pub(crate) fn loads<S: Scalar>(
     root: Section,
     loads: Vec<Cased<S>>,
@@ -92,7 +92,7 @@ fn recipes(root: Section, names: &[&str]) -> Read<Vec<Recipe>> {
         let mut written = BTreeMap::new();
         for (case, at, node) in factors.table.entries() {
             let Value::Number(factor) = &node.value else {
-                return wrong(node.at, format!("the factor of `{case}` is a number"));
+                return wrong(node.at, format!("the factor of `{case}` must be a number"));
             };
             if !known.contains(case) {
                 return wrong(at, format!("no load belongs to a case `{case}`"));
@@ -107,7 +107,7 @@ fn recipes(root: Section, names: &[&str]) -> Read<Vec<Recipe>> {
     Ok(recipes)
 }
 
-/// The actions of each load case, for a set of combinations of a code.
+/// The action of each load case, for a set of combinations of a code.
 fn acting<'t>(root: Section<'t>, names: &[&str], at: usize) -> Read<Vec<Acting<'t>>> {
     let mut described: BTreeMap<&str, Acting> = BTreeMap::new();
     for table in root.tables("case")? {
@@ -123,7 +123,7 @@ fn acting<'t>(root: Section<'t>, names: &[&str], at: usize) -> Read<Vec<Acting<'
     }
     let of = |case: &&str| match described.get(*case) {
         Some(acting) => Ok(*acting),
-        None => wrong(at, format!("no [[case]] says what acts in the case `{case}`")),
+        None => wrong(at, format!("no [[case]] gives the action of load case `{case}`")),
     };
     names.iter().map(of).collect()
 }

@@ -2,7 +2,7 @@
 
 use crate::{Course, Scalar};
 
-/// The coefficients, one if the quantity is constant.
+/// The coefficients; a single one if the quantity is constant.
 pub(crate) fn values<S: Scalar>(course: &Course<S>) -> &[S] {
     match course {
         Course::Constant(value) => std::slice::from_ref(value),
@@ -62,12 +62,12 @@ pub(crate) fn scaled<S: Scalar>(course: &Course<S>, factor: S) -> Course<S> {
     of(values(course).iter().map(|value| *value * factor).collect())
 }
 
-/// The part between two parts of the way, 0 at the left end and 1 at the right one.
+/// The part of a quantity between two fractions of its length, 0 at the left end and 1 at the right end.
 pub(crate) fn between<S: Scalar>(course: &Course<S>, [from, to]: [S; 2]) -> Course<S> {
     let given = values(course);
     let degree = given.len() - 1;
     let part = |i: usize| {
-        // The blossom: de Casteljau's algorithm with a place of its own on each level.
+        // The blossom: de Casteljau's algorithm with a separate argument on each level.
         let mut values = given.to_vec();
         for level in 0..degree {
             let t = if level + i < degree { from } else { to };

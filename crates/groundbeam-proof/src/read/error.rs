@@ -1,40 +1,40 @@
-//! Why a model file is not read, and where in the file.
+//! Reasons why a model file cannot be read, with their position in the file.
 
 use std::fmt;
 
-/// Why a model file is not read. Reading ends at the first fault.
+/// Reason why a model file cannot be read. Reading ends at the first fault.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ReadError {
     /// Line in the file, from 1.
     pub line: usize,
     /// Character in the line, from 1.
     pub column: usize,
-    /// The fault at this place.
+    /// The fault at this position.
     pub reason: Reason,
 }
 
 /// A fault of a model file.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Reason {
-    /// The file is longer, or deeper nested, than this reader accepts.
+    /// The file is longer, or more deeply nested, than this reader accepts.
     TooLarge,
     /// The text is not TOML, or TOML that model files do not use.
     Syntax(&'static str),
-    /// A key or a table is given twice.
+    /// A key or a table occurs twice.
     Twice(String),
-    /// A key that means nothing in its table.
+    /// An unknown key for its table.
     Unknown(String),
-    /// A key that is needed and not there.
+    /// A required key that is missing.
     Missing(&'static str),
-    /// Two keys of which only one may stand.
+    /// Two keys that exclude each other.
     Together(&'static str, &'static str),
-    /// A value that the key cannot have.
+    /// A value that the key does not allow.
     Value(String),
-    /// A number of the model is too large or too small to compute with.
+    /// A number of the model that is outside the range of the computation.
     OutOfRange(String),
-    /// A key with which the model does not follow from the file alone in closed form: this reader does not know it.
+    /// A key that this reader does not support: with it, the model does not follow from the file alone in closed form.
     NotRead(&'static str),
-    /// The file has no combination of the wanted name.
+    /// The file has no combination with the requested name.
     NoCombination(String),
 }
 
@@ -42,14 +42,14 @@ impl fmt::Display for ReadError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "line {}, column {}: ", self.line, self.column)?;
         match &self.reason {
-            Reason::TooLarge => f.write_str("the file is too large, or nested too deep"),
+            Reason::TooLarge => f.write_str("the file is too large, or too deeply nested"),
             Reason::Syntax(what) => f.write_str(what),
             Reason::Twice(key) => write!(f, "`{key}` is given twice"),
-            Reason::Unknown(key) => write!(f, "`{key}` means nothing here"),
+            Reason::Unknown(key) => write!(f, "`{key}` is not a key of this table"),
             Reason::Missing(key) => write!(f, "`{key}` is missing"),
             Reason::Together(a, b) => write!(f, "`{a}` and `{b}` exclude each other"),
             Reason::Value(what) | Reason::OutOfRange(what) => f.write_str(what),
-            Reason::NotRead(key) => write!(f, "the second reader does not know `{key}`"),
+            Reason::NotRead(key) => write!(f, "the second reader does not support `{key}`"),
             Reason::NoCombination(name) => {
                 write!(f, "the file has no combination `{name}`")
             }
@@ -59,7 +59,7 @@ impl fmt::Display for ReadError {
 
 impl std::error::Error for ReadError {}
 
-/// A reason and the byte at which it stands.
+/// A reason with the byte of the file where it occurs.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Fault {
     pub at: usize,
@@ -74,12 +74,12 @@ pub(crate) fn fault<T>(at: usize, reason: Reason) -> Read<T> {
     Err(Fault { at, reason })
 }
 
-/// A value that cannot be.
+/// A fault about a value that the key does not allow.
 pub(crate) fn wrong<T>(at: usize, what: impl Into<String>) -> Read<T> {
     fault(at, Reason::Value(what.into()))
 }
 
-/// A number that is too large or too small to compute with.
+/// A fault about a number outside the range of the computation.
 pub(crate) fn out_of_range<T>(at: usize, what: impl Into<String>) -> Read<T> {
     fault(at, Reason::OutOfRange(what.into()))
 }

@@ -1,4 +1,4 @@
-//! The values of a table as quantities: numbers with units, lists that vary along a stretch, words.
+//! Reads the values of a table: numbers with units, lists that vary along a stretch, and texts.
 
 use super::error::{Fault, Read, Reason, fault, out_of_range, wrong};
 use super::number::Decimal;
@@ -6,10 +6,10 @@ use super::toml::{Node, Table, Value};
 use super::units::{Dimension, Exact, Factor, Unit};
 use crate::{Course, Scalar};
 
-/// The most tables in a list.
+/// Maximum number of tables in a list.
 const MOST_TABLES: usize = 100_000;
 
-/// A table and where it begins.
+/// A table and its position in the file.
 #[derive(Clone, Copy)]
 pub(crate) struct Section<'t> {
     pub table: &'t Table,
@@ -64,7 +64,7 @@ pub(crate) const TEMPERATURE: Kind = any(Dimension::NONE.with_temperature(1));
 pub(crate) const EXPANSION: Kind = positive(Dimension::NONE.with_temperature(-1));
 pub(crate) const NUMBER: Kind = any(Dimension::NONE);
 
-/// A quantity in m, N, rad, K, and as it is written.
+/// A quantity in m, N, rad, K, and its text in the file.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Quantity<S> {
     pub value: S,
@@ -72,16 +72,16 @@ pub(crate) struct Quantity<S> {
     pub at: usize,
 }
 
-/// How many values a list may have.
+/// Number of values that a list may have.
 #[derive(Clone, Copy)]
 pub(crate) enum Values {
-    /// One, or two for a straight line.
+    /// One value, or two for a linear function.
     Linear,
-    /// Up to so many coefficients in Bernstein's basis.
+    /// At most this number of Bernstein coefficients.
     Curve(usize),
 }
 
-/// A quantity along a stretch, exactly as it is written where it is constant.
+/// A quantity along a stretch; exactly the value of the file where it is constant.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Along<S> {
     pub course: Course<S>,
@@ -89,14 +89,14 @@ pub(crate) struct Along<S> {
     pub at: usize,
 }
 
-/// A file gives every quantity but 0 a unit, or none: the first one that was read decides.
+/// Either every quantity of a file except 0 has a unit, or none has. The first quantity read decides.
 #[derive(Default)]
 pub(crate) struct Fields {
     has_units: Option<bool>,
 }
 
 impl<'t> Section<'t> {
-    /// Refuses every key that is not among `known`; one of `foreign` is refused as one that this reader leaves out.
+    /// Refuses every key that is not in `known`. A key in `foreign` is refused as one that this reader does not support.
     pub fn only(&self, known: &[&[&str]], foreign: &[&'static str]) -> Read<()> {
         for (key, at, _) in self.table.entries() {
             if let Some(key) = foreign.iter().find(|foreign| **foreign == key) {
@@ -114,27 +114,27 @@ impl<'t> Section<'t> {
         let Some(node) = self.table.get(key) else { return Ok(None) };
         match &node.value {
             Value::Table(table) => Ok(Some(Section { table, at: node.at })),
-            _ => wrong(node.at, format!("`{key}` is a table")),
+            _ => wrong(node.at, format!("`{key}` must be a table")),
         }
     }
 
-    /// The tables of a list, none if there is none.
+    /// The tables of a list; an empty list if the key is missing.
     pub fn tables(&self, key: &str) -> Read<Vec<Section<'t>>> {
         let Some(node) = self.table.get(key) else { return Ok(Vec::new()) };
         let (Value::Tables(list) | Value::List(list)) = &node.value else {
-            return wrong(node.at, format!("`{key}` is a list of tables"));
+            return wrong(node.at, format!("`{key}` must be a list of tables"));
         };
         if list.len() > MOST_TABLES {
             return fault(node.at, Reason::TooLarge);
         }
         let section = |node: &'t Node| match &node.value {
             Value::Table(table) => Ok(Section { table, at: node.at }),
-            _ => wrong(node.at, format!("`{key}` is a list of tables")),
+            _ => wrong(node.at, format!("`{key}` must be a list of tables")),
         };
         list.iter().map(section).collect()
     }
 
-    /// The text under a key, with its place.
+    /// The text under a key, with its position.
     pub fn words(&self, key: &str) -> Read<Option<(&'t str, usize)>> {
         let Some(node) = self.table.get(key) else { return Ok(None) };
         match &node.value {
@@ -143,7 +143,7 @@ impl<'t> Section<'t> {
         }
     }
 
-    /// Refuses two keys together.
+    /// Refuses two keys that exclude each other.
     pub fn exclusive(&self, a: &'static str, b: &'static str) -> Read<()> {
         match (self.table.place(a), self.table.place(b)) {
             (Some(_), Some(at)) => fault(at, Reason::Together(a, b)),
@@ -151,7 +151,7 @@ impl<'t> Section<'t> {
         }
     }
 
-    /// Refuses a key that does not belong to what the table is.
+    /// Refuses a key that is not allowed together with another one.
     pub fn without(&self, key: &'static str, with: &'static str) -> Read<()> {
         match self.table.place(key) {
             Some(at) => fault(at, Reason::Together(with, key)),
@@ -159,7 +159,7 @@ impl<'t> Section<'t> {
         }
     }
 
-    /// A key is missing.
+    /// The fault of a missing key.
     pub fn missing<T>(&self, key: &'static str) -> Read<T> {
         fault(self.at, Reason::Missing(key))
     }
@@ -176,7 +176,7 @@ impl Fields {
         section.table.get(key).map(|node| self.one(node, key, kind)).transpose()
     }
 
-    /// The quantity under a key that must be there.
+    /// The quantity under a required key.
     pub fn required<S: Scalar>(
         &mut self,
         section: Section,
@@ -223,14 +223,14 @@ impl Fields {
         }))
     }
 
-    /// Both ends of a quantity that is linear along a stretch: one value, or a list of two.
+    /// The values of a linear quantity at both ends of a stretch: one value, or a list of two.
     pub fn pair<S: Scalar>(&mut self, node: &Node, key: &str, kind: Kind) -> Read<[S; 2]> {
         let Value::List(list) = &node.value else {
             let value = self.one(node, key, kind)?.value;
             return Ok([value; 2]);
         };
         let [start, end] = &list[..] else {
-            return wrong(node.at, format!("`{key}` has one value, or two"));
+            return wrong(node.at, format!("`{key}` must have one value, or two"));
         };
         Ok([self.one(start, key, kind)?.value, self.one(end, key, kind)?.value])
     }
@@ -242,9 +242,9 @@ impl Fields {
             Value::Text(text) => written(text, kind, key, at)?,
             Value::Number(text) => match Decimal::whole(text) {
                 Some(number) => (Exact::new(number, Factor::ONE), false),
-                None => return wrong(at, format!("`{key}` is no number")),
+                None => return wrong(at, format!("`{key}` is not a number")),
             },
-            _ => return wrong(at, format!("`{key}` is a number with its unit")),
+            _ => return wrong(at, format!("`{key}` must be a number with its unit")),
         };
         if kind.dimension != Dimension::NONE && (has_unit || !exact.is_zero()) {
             self.note(at, has_unit)?;
@@ -253,19 +253,19 @@ impl Fields {
         Ok(Quantity { value, exact, at })
     }
 
-    /// Remembers whether a quantity has a unit; a mixture is refused.
+    /// Records whether a quantity has a unit; refuses a mixture.
     pub fn note(&mut self, at: usize, has_unit: bool) -> Read<()> {
         if *self.has_units.get_or_insert(has_unit) != has_unit {
-            return wrong(at, "a file gives every quantity but 0 a unit, or none");
+            return wrong(at, "either every quantity of a file except 0 has a unit, or none has");
         }
         Ok(())
     }
 }
 
-/// A text of a number and, unless the file has none, a unit.
+/// Reads a text of a number and, if the file has units, a unit.
 fn written(text: &str, kind: Kind, key: &str, at: usize) -> Read<(Exact, bool)> {
     let Some((number, rest)) = Decimal::head(text.trim()) else {
-        return wrong(at, format!("`{key}` does not begin with a number"));
+        return wrong(at, format!("`{key}` must begin with a number"));
     };
     let unit = rest.trim();
     if unit.is_empty() {
@@ -275,16 +275,19 @@ fn written(text: &str, kind: Kind, key: &str, at: usize) -> Read<(Exact, bool)> 
         return wrong(at, format!("the unit of `{key}` is not known"));
     };
     if !kind.dimension.accepts(unit.dimension) {
-        return wrong(at, format!("the unit of `{key}` measures something else"));
+        return wrong(at, format!("the unit of `{key}` belongs to another quantity"));
     }
     Ok((Exact::new(number, unit.factor), true))
 }
 
-/// The value in a scalar, in the range of the kind and of what can be computed with.
+/// Converts a value to a scalar; checks the range of its kind and the range of the computation.
 fn value<S: Scalar>(exact: &Exact, kind: Kind, key: &str, at: usize) -> Read<S> {
     let value = exact.value::<S>().filter(|value| exact.is_zero() || is_within_reach(*value));
     let Some(value) = value else {
-        return out_of_range(at, format!("`{key}` is not 0 and not between 1e-60 and 1e60"));
+        return out_of_range(
+            at,
+            format!("`{key}` must be 0 or have a magnitude between 1e-60 and 1e60"),
+        );
     };
     let right = match kind.range {
         Range::Any => true,
@@ -297,24 +300,24 @@ fn value<S: Scalar>(exact: &Exact, kind: Kind, key: &str, at: usize) -> Read<S> 
     Ok(value)
 }
 
-/// Whether the size of a number lies between 1e-60 and 1e60, as far as its middle tells.
+/// Whether the middle of a number has a magnitude between 1e-60 and 1e60.
 pub(crate) fn is_within_reach<S: Scalar>(value: S) -> bool {
     (1e-60..=1e60).contains(&value.middle().abs())
 }
 
-/// A quantity of this crate's own lists.
+/// A quantity from the lists of this crate.
 pub(crate) fn listed<S: Scalar>(text: &str, kind: Kind) -> Read<Quantity<S>> {
     let (exact, _) = written(text, kind, text, 0)?;
     Ok(Quantity { value: value(&exact, kind, text, 0)?, exact, at: 0 })
 }
 
 impl<S: Scalar> Along<S> {
-    /// One value all along.
+    /// A quantity that is constant along a stretch.
     pub fn constant(value: S, at: usize) -> Self {
         Along { course: Course::Constant(value), exact: None, at }
     }
 
-    /// The part between two parts of the way.
+    /// The part between two fractions of the length.
     pub fn between(&self, way: [S; 2]) -> Self {
         Along { course: super::course::between(&self.course, way), ..self.clone() }
     }
@@ -337,7 +340,7 @@ impl<S: Scalar> Along<S> {
 }
 
 impl Fault {
-    /// The fault at another place.
+    /// The fault at another position.
     pub fn moved(self, at: usize) -> Fault {
         Fault { at, ..self }
     }

@@ -1,4 +1,4 @@
-//! `[foundation]`: k and μ, along the whole beam and by segments, and how the ground ends.
+//! Reads `[foundation]`: k and μ, along the whole beam and by segments, and the ends of the ground.
 
 use super::error::{Read, Reason, fault, wrong};
 use super::fields::{
@@ -12,7 +12,7 @@ use crate::{Course, Ground, GroundEnd, GroundSegment, Scalar};
 const KEYS: &[&str] =
     &["k", "subgrade_modulus", "C1", "width", "mu", "C2", "segment", "left", "right"];
 const SEGMENT_KEYS: &[&str] = &["from", "to", "k", "subgrade_modulus", "C1", "width", "mu", "C2"];
-/// From soil the ground follows by correlations or by the solution; a band asks for several grounds.
+/// Keys that this reader does not support: `soil` needs correlations or the solution, `band` describes several grounds.
 const FOREIGN: &[&str] = &["soil", "band"];
 const NAMES: [&str; 3] = ["k", "subgrade_modulus", "width"];
 const CURVE: Values = Values::Curve(3);
@@ -61,7 +61,7 @@ pub(crate) fn read<S: Scalar>(fields: &mut Fields, root: Section, length: S) -> 
     Ok(Ground { spring, shear, segments, ends: [left, right] })
 }
 
-/// A shear layer that varies must not fall to nothing.
+/// Refuses a varying shear layer whose μ falls to zero.
 fn never_thins_out<S: Scalar>(shear: &Course<S>, at: usize) -> Read<()> {
     match shear {
         Course::Varying(values) if !values.iter().all(|value| value.low() > 0.0) => {
@@ -71,7 +71,7 @@ fn never_thins_out<S: Scalar>(shear: &Course<S>, at: usize) -> Read<()> {
     }
 }
 
-/// `left = { ends = "-2 m", as = "free" }`; `beyond` is how far the end lies beyond the beam's.
+/// `left = { ends = "-2 m", as = "free" }`; `beyond` is the distance of the ground's end from the beam's end.
 fn end<S: Scalar>(
     fields: &mut Fields,
     table: Section,
@@ -85,13 +85,13 @@ fn end<S: Scalar>(
     match end.words("as")? {
         Some(("free", _)) if beyond.high() >= 0.0 => Ok(GroundEnd::Free(value)),
         Some(("held", _)) if beyond.low() > 0.0 => Ok(GroundEnd::Held(value)),
-        Some(("free" | "held", _)) => wrong(at, "the ground cannot end under the beam"),
-        Some((_, at)) => wrong(at, "the ground ends \"free\" or \"held\""),
+        Some(("free" | "held", _)) => wrong(at, "the ground must not end under the beam"),
+        Some((_, at)) => wrong(at, "`as` must be \"free\" or \"held\""),
         None => end.missing("as"),
     }
 }
 
-/// What a table says of k.
+/// k as a table gives it.
 fn given<S: Scalar>(fields: &mut Fields, table: Section) -> Read<Given<S>> {
     table.exclusive("subgrade_modulus", "C1")?;
     let whole = fields.along(table, "k", MODULUS, CURVE)?;
@@ -104,7 +104,7 @@ fn given<S: Scalar>(fields: &mut Fields, table: Section) -> Read<Given<S>> {
     Ok(Given { whole, factors: [modulus, width] })
 }
 
-/// μ as it is given, or as C2 times the width.
+/// μ as given, or as C2 times the width.
 fn shear<S: Scalar>(
     fields: &mut Fields,
     table: Section,
@@ -120,25 +120,25 @@ fn shear<S: Scalar>(
     }
 }
 
-/// What `[foundation]` says, along the whole beam.
+/// The values of `[foundation]` along the whole beam.
 struct Whole<S> {
     given: Given<S>,
     spring: Option<Along<S>>,
     shear: Along<S>,
-    /// C2, where μ is given by it.
+    /// C2, if it is given instead of μ.
     of_area: Option<Along<S>>,
     length: S,
 }
 
 impl<S: Scalar> Whole<S> {
-    /// Whether anything that is given for the whole varies.
+    /// Whether a value for the whole beam varies.
     fn varies(&self) -> bool {
         let Given { whole, factors: [modulus, width] } = &self.given;
         let given = [whole, modulus, width].into_iter().flatten();
         given.chain([&self.shear]).any(|along| !along.is_constant())
     }
 
-    /// How far along the beam a position is, 0 before it and 1 behind it.
+    /// The fraction of the beam's length at a position: 0 left of the beam, 1 right of it.
     fn way(&self, x: S) -> S {
         if x.high() <= 0.0 {
             return S::zero();
@@ -146,7 +146,7 @@ impl<S: Scalar> Whole<S> {
         if x.low() >= self.length.high() { S::one() } else { x.div(self.length) }
     }
 
-    /// A segment. What it leaves out it has from the whole.
+    /// A segment. Missing values are those of the whole beam.
     fn segment(&self, fields: &mut Fields, table: Section) -> Read<GroundSegment<S>> {
         table.only(&[SEGMENT_KEYS], &[])?;
         let from: Quantity<S> = fields.required(table, "from", POSITION)?;
@@ -170,14 +170,17 @@ impl<S: Scalar> Whole<S> {
         let is_beside = !(is_left(S::zero(), to) && is_left(from, length));
         let [mut spring, mut shear] = [spring.course, shear.course];
         if is_beside {
-            // Of what varies along the beam the value at its end holds.
+            // Outside the beam, a quantity that varies along the beam keeps its value at the beam's end.
             (spring, shear) = (even(spring, table.at)?, even(shear, table.at)?);
         } else if self.varies() {
-            // What varies along the beam ends where the beam ends.
+            // Ground that varies along the beam must end at the end of the beam.
             let before = is_left(from, S::zero());
             let behind = is_left(length, to);
             if (before || behind) && own_varies {
-                return wrong(table.at, "a segment that varies ends where the beam ends");
+                return wrong(
+                    table.at,
+                    "a segment with varying ground must not extend beyond the beam",
+                );
             }
             from = if before { S::zero() } else { from };
             to = if behind { length } else { to };
@@ -185,7 +188,7 @@ impl<S: Scalar> Whole<S> {
         Ok(GroundSegment { from, to, spring, shear })
     }
 
-    /// μ of a segment that gives it, or a C2 or a width of its own.
+    /// μ of a segment that gives μ, C2 or a width.
     fn segment_shear(
         &self,
         fields: &mut Fields,
@@ -201,7 +204,7 @@ impl<S: Scalar> Whole<S> {
         shear(fields, table, of_area.or(inherited).as_ref(), width.as_ref())
     }
 
-    /// Ground that varies along the whole beam holds where no segment says otherwise.
+    /// Ground that varies along the whole beam is used outside the segments.
     fn add_where_it_varies(
         &self,
         spring: &Along<S>,
@@ -218,7 +221,7 @@ impl<S: Scalar> Whole<S> {
     }
 }
 
-/// A course of equal values as a constant.
+/// Replaces a profile of equal values by a constant.
 fn even<S: Scalar>(course: Course<S>, at: usize) -> Read<Course<S>> {
     let Course::Varying(values) = course else { return Ok(course) };
     match values[..] {
@@ -227,6 +230,6 @@ fn even<S: Scalar>(course: Course<S>, at: usize) -> Read<Course<S>> {
         {
             Ok(Course::Constant(first))
         }
-        _ => wrong(at, "ground beside the beam cannot vary along a segment"),
+        _ => wrong(at, "ground outside the beam must not vary along a segment"),
     }
 }

@@ -11,7 +11,7 @@ use super::place::{is_left, on_beam, ordered};
 use super::toml::Node;
 use crate::{Action, Extent, Load, Scalar};
 
-/// What the beam says of how temperature and shrinkage curl it.
+/// Data of the beam for the imposed curvature from temperature and shrinkage.
 pub(crate) struct Curls<'a, S> {
     pub depths: &'a [Depth<S>],
     pub expansion: Option<S>,
@@ -72,7 +72,7 @@ pub(crate) fn read<S: Scalar>(
     Ok(loads)
 }
 
-/// The loads on the ground, which press down.
+/// The loads on the ground, which act downward.
 pub(crate) fn read_on_ground<S: Scalar>(fields: &mut Fields, root: Section) -> Read<Vec<Cased<S>>> {
     let mut loads = Vec::new();
     for table in root.tables("ground_load")? {
@@ -91,7 +91,7 @@ pub(crate) fn read_on_ground<S: Scalar>(fields: &mut Fields, root: Section) -> R
             (Extent::Distributed { from, to, start, end }, [start, end])
         };
         if sizes.iter().any(|size| size.high() < 0.0) {
-            return wrong(node.at, "a load on the ground presses down");
+            return wrong(node.at, "a load on the ground must act downward");
         }
         let load = Load { action, extent, on_ground: true };
         loads.push(Cased { load, case: case(table, "case")?, at: node.at });
@@ -99,7 +99,7 @@ pub(crate) fn read_on_ground<S: Scalar>(fields: &mut Fields, root: Section) -> R
     Ok(loads)
 }
 
-/// The one kind that a table gives.
+/// The single kind of load that a table gives.
 fn kind_of<'t>(
     table: Section<'t>,
     keys: &[&'static str],
@@ -116,15 +116,15 @@ fn kind_of<'t>(
     }
 }
 
-/// `at` of a load at a point.
+/// `at` of a point load.
 fn place<S: Scalar>(fields: &mut Fields, table: Section) -> Read<Quantity<S>> {
     table.without("from", "at")?;
     table.without("to", "at")?;
     fields.required(table, "at", POSITION)
 }
 
-/// The curvature of one of a difference between top and bottom: expansion/depth for a temperature, −1/depth for a
-/// shrinkage; none for loads that are none. A warmer top is longer: the ends go down, which is positive.
+/// The curvature per unit of a difference between top and bottom: expansion/depth for a temperature, −1/depth for a
+/// shrinkage; `None` for other loads. A warmer top is longer, so the ends go down, which is positive.
 fn curvature_per<S: Scalar>(
     fields: &mut Fields,
     table: Section,
@@ -150,7 +150,7 @@ fn curvature_per<S: Scalar>(
     Ok(Some(expansion.div(depth)))
 }
 
-/// The depth of the section, which must be one all along the stretch.
+/// The depth of the section, which must be constant along the stretch.
 fn depth<S: Scalar>(table: Section, [from, to]: [S; 2], depths: &[Depth<S>]) -> Read<S> {
     let first = depths.partition_point(|depth| !is_left(from, depth.ends[1]));
     let under = |i: usize| depths.get(i).filter(|depth| is_left(depth.ends[0], to));

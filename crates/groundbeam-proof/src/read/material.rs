@@ -8,11 +8,11 @@ use super::error::{Read, wrong};
 use super::fields::{EXPANSION, Kind, MODULUS, Quantity, Section, UNIT_WEIGHT, listed};
 use crate::Scalar;
 
-/// A family: unit weight \[kN/m³\] where it is one for all, expansion \[10⁻⁶/K\], and the materials.
+/// A family of materials: unit weight \[kN/m³\] if all have the same, expansion \[10⁻⁶/K\], and the members.
 struct Family {
     unit_weight: &'static str,
     expansion: &'static str,
-    /// Name, E \[GPa\], unit weight \[kN/m³\] of its own.
+    /// Name, E \[GPa\], and unit weight \[kN/m³\] if it differs.
     materials: &'static [(&'static str, &'static str, &'static str)],
 }
 
@@ -104,7 +104,7 @@ const FAMILIES: [Family; 4] = [
     },
 ];
 
-/// Classes of softwood whose numbers no class of concrete has: they may be written without `timber`.
+/// Classes of softwood with numbers that no class of concrete uses: the name may omit `timber`.
 const SHORT: [&str; 5] = ["C14", "C18", "C22", "C24", "C27"];
 
 /// The material that a table names.
@@ -127,7 +127,7 @@ impl Material {
         quantity(self.modulus, "GPa", MODULUS)
     }
 
-    /// Weight per volume, where the standard lists it.
+    /// Weight per volume, if the standard lists it.
     pub fn unit_weight<S: Scalar>(&self) -> Read<Option<Quantity<S>>> {
         match self.unit_weight {
             "" => Ok(None),

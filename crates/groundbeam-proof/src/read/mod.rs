@@ -1,9 +1,9 @@
 //! The second reader of model files: TOML, units and sections read into exact numbers or balls.
 //!
-//! It shares no code with the crate that reads model files for the solver. It accepts fewer files: what follows by
-//! approximation or from the solution (ground from soil, troughs), from other files (surveys), and what
-//! asks for several models at once (bands, trains) is refused with [`Reason::NotRead`]. Reading ends at the first
-//! fault. `title` and `[checks]` do not change the model and are not read.
+//! It shares no code with the crate that reads model files for the solver. It accepts fewer files. It refuses with
+//! [`Reason::NotRead`]: ground from soil and troughs, which need approximations or the solution; surveys, which are other
+//! files; bands and trains, which describe several models. Reading ends at the first fault. `title` and `[checks]` do not
+//! change the model and are not read.
 
 mod beam;
 mod case;

@@ -1,16 +1,16 @@
-//! Decimal numbers as text: those of TOML, and those at the head of a quantity.
+//! Decimal numbers as text: numbers of TOML, and numbers at the beginning of a quantity.
 
 /// A number of TOML as digits with an optional sign, point and exponent.
 pub(crate) fn of_toml(word: &str) -> Result<String, &'static str> {
     const NO_NUMBER: &str =
-        "a value is expected here; text, and a number with its unit, stand in quotes";
+        "a value is expected here; write text, and a number with its unit, in quotes";
     let (sign, size) = match word.as_bytes().first() {
         Some(b'-') => ("-", word.get(1..).unwrap_or("")),
         Some(b'+') => ("", word.get(1..).unwrap_or("")),
         _ => ("", word),
     };
     if matches!(size, "nan" | "inf") {
-        return Err("only finite numbers can be computed with");
+        return Err("a number must be finite");
     }
     for (prefix, radix) in [("0x", 16), ("0o", 8), ("0b", 2)] {
         if let Some(digits) = word.strip_prefix(prefix) {
@@ -31,7 +31,7 @@ pub(crate) fn of_toml(word: &str) -> Result<String, &'static str> {
     };
     let before = digits(before)?;
     if before.len() > 1 && before.starts_with('0') {
-        return Err("a number does not begin with a zero, unless a point follows");
+        return Err("a number may begin with a zero only if a point follows");
     }
     let mut number = format!("{sign}{before}");
     if let Some(after) = after {
@@ -45,7 +45,7 @@ pub(crate) fn of_toml(word: &str) -> Result<String, &'static str> {
     Ok(number)
 }
 
-/// Digits with single `_` between them, without these.
+/// Digits with single `_` between them; returns the digits without `_`.
 fn grouped(text: &str, is_digit: impl Fn(u8) -> bool) -> Option<String> {
     let bytes = text.as_bytes();
     let digit_at = |i: usize| bytes.get(i).is_some_and(|b| is_digit(*b));
@@ -61,13 +61,13 @@ fn grouped(text: &str, is_digit: impl Fn(u8) -> bool) -> Option<String> {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Decimal {
     negative: bool,
-    /// Without zeros at either end; empty for 0.
+    /// Digits without leading or trailing zeros; empty for 0.
     digits: String,
     power: i32,
 }
 
 impl Decimal {
-    /// The number at the head of a text, and what follows it. Digits may be grouped by `_`; U+2212 is a minus.
+    /// The number at the beginning of a text, and the text after it. Digits may be grouped by `_`; U+2212 is a minus sign.
     pub fn head(text: &str) -> Option<(Decimal, &str)> {
         let (negative, mut rest) = signed(text);
         let mut digits = take_digits(&mut rest);
@@ -85,7 +85,7 @@ impl Decimal {
             let (below, mut after) = signed(exponent);
             let written = take_digits(&mut after);
             if !written.is_empty() {
-                // A power beyond 10⁵ leaves every range.
+                // A power above 10⁵ exceeds every range.
                 let size = written.parse::<i32>().unwrap_or(100_000).min(100_000);
                 power = power.saturating_add(if below { -size } else { size });
                 rest = after;
@@ -94,7 +94,7 @@ impl Decimal {
         Some((Decimal::of(negative, &digits, power), rest))
     }
 
-    /// A number that is a text from end to end.
+    /// The number of a text that contains nothing else.
     pub fn whole(text: &str) -> Option<Decimal> {
         Decimal::head(text).filter(|(_, rest)| rest.is_empty()).map(|(number, _)| number)
     }

@@ -1,4 +1,4 @@
-//! Positions: their order, stretches of the beam, and what stretches leave out.
+//! Positions: their order, stretches of the beam, and the gaps between stretches.
 
 use super::error::{Read, wrong};
 use super::fields::{Fields, POSITION, Quantity, Section};
@@ -9,8 +9,8 @@ pub(crate) fn is_left<S: Scalar>(a: S, b: S) -> bool {
     (b - a).low() > 0.0
 }
 
-/// The stretches of 0 to `length` that others leave out, from left to right, and each as parts of the length. Where
-/// nothing stands, the whole is left out, from 0 to 1 exactly.
+/// The parts of 0 to `length` that no stretch covers, from left to right, each with its fractions of the length. Without
+/// stretches it is the whole length, exactly from 0 to 1.
 pub(crate) fn left_out<S: Scalar>(length: S, stretches: &[[S; 2]]) -> Vec<([S; 2], [S; 2])> {
     if stretches.is_empty() {
         return vec![([S::zero(), length], [S::zero(), S::one()])];
@@ -34,7 +34,7 @@ pub(crate) fn left_out<S: Scalar>(length: S, stretches: &[[S; 2]]) -> Vec<([S; 2
     rest.into_iter().map(|ends| (ends, ends.map(|x| x.div(length)))).collect()
 }
 
-/// Whether stretches leave nothing of 0 to `length`.
+/// Whether stretches cover all of 0 to `length`.
 pub(crate) fn covers<S: Scalar>(length: S, stretches: &[[S; 2]]) -> bool {
     left_out(length, stretches).is_empty()
 }
@@ -58,18 +58,18 @@ pub(crate) fn stretch<S: Scalar>(fields: &mut Fields, table: Section, length: S)
     ordered([from.value, to.value], to.at)
 }
 
-/// A position that is not off the beam.
+/// Checks that a position is on the beam.
 pub(crate) fn on_beam<S: Scalar>(x: S, length: S, at: usize) -> Read<()> {
     if is_left(x, S::zero()) || is_left(length, x) {
-        return wrong(at, "the position lies off the beam");
+        return wrong(at, "the position is outside the beam");
     }
     Ok(())
 }
 
-/// A stretch that has a length.
+/// Checks that a stretch has a positive length.
 pub(crate) fn ordered<S: Scalar>([from, to]: [S; 2], at: usize) -> Read<[S; 2]> {
     if !is_left(from, to) {
-        return wrong(at, "`to` must lie to the right of `from`");
+        return wrong(at, "`to` must be to the right of `from`");
     }
     Ok([from, to])
 }

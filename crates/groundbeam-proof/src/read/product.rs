@@ -4,7 +4,7 @@ use super::error::{Read, Reason, fault};
 use super::fields::{Along, Section};
 use crate::Scalar;
 
-/// A stiffness as a table gives it: one number, or its two factors.
+/// A stiffness in a table: one number, or its two factors.
 #[derive(Debug, Clone)]
 pub(crate) struct Given<S> {
     pub whole: Option<Along<S>>,
@@ -16,7 +16,7 @@ pub(crate) enum Found<S> {
     Known(Along<S>),
     /// The table has none of the keys.
     Nothing,
-    /// One factor is not known: its key.
+    /// One factor is missing: its key.
     Half(&'static str),
 }
 
@@ -29,7 +29,7 @@ impl<S: Scalar> Given<S> {
         self.whole.is_none() && self.factors.iter().all(Option::is_none)
     }
 
-    /// On a part of the way.
+    /// The same stiffness on a part of its length.
     pub fn between(&self, way: [S; 2]) -> Self {
         let part = |along: &Option<Along<S>>| along.as_ref().map(|along| along.between(way));
         Given {
@@ -38,8 +38,8 @@ impl<S: Scalar> Given<S> {
         }
     }
 
-    /// The stiffness. A table that gives one factor takes the other from `parent`. `names` are the keys of the
-    /// whole and of the factors.
+    /// The stiffness. A table with one factor takes the other factor from `parent`. `names` are the keys of the stiffness
+    /// and of its factors.
     pub fn resolve(&self, parent: &Given<S>, names: [&'static str; 3]) -> Read<Found<S>> {
         let own = self.factors.iter().position(Option::is_some);
         match (&self.whole, own) {
@@ -60,7 +60,7 @@ impl<S: Scalar> Given<S> {
 }
 
 impl<S> Found<S> {
-    /// The stiffness that must be known; `name` is its key.
+    /// The stiffness, which is required; `name` is its key.
     pub fn known(self, section: Section, name: &'static str) -> Read<Along<S>> {
         match self {
             Found::Known(along) => Ok(along),

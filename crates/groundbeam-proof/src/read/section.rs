@@ -1,7 +1,7 @@
-//! Cross sections: area, second moment of area and the area that shears, as polynomials of the sides.
+//! Cross sections: area, second moment of area and shear area, as polynomials of the dimensions.
 //!
-//! The area that shears is the area over the form factor of Roark's Formulas, 8th ed., 8.10: 5/6 of a rectangle,
-//! 9/10 of a circle, half of a tube; of a box, an I or a T the webs between the flanges.
+//! The shear area is the area divided by the form factor of Roark's Formulas, 8th ed., 8.10: 5/6 of the area of a
+//! rectangle, 9/10 of a circle, half of a tube; of a box, an I or a T the webs between the flanges.
 
 use super::course::{plus, scaled, times};
 use super::error::{Read, wrong};
@@ -28,7 +28,7 @@ const RAILS: [(&[&str], &str, &str); 3] = [
 ];
 
 impl<S: Scalar> Shape<S> {
-    /// On a part of the way.
+    /// The section on a part of the length.
     pub fn between(&self, way: [S; 2]) -> Self {
         Shape {
             area: self.area.between(way),
@@ -70,7 +70,7 @@ pub(crate) fn read<S: Scalar>(fields: &mut Fields, parent: Section) -> Read<Opti
         ("T", [b, h, flange, web]) if sides.iter().all(Along::is_constant) => {
             t_shape(b, h, flange, web)
         }
-        _ => Err("the sides of a T cannot vary along a segment"),
+        _ => Err("the dimensions of a T-section must not vary along a segment"),
     };
     let [area, second_moment, shear_area] = match measured {
         Ok(measures) => measures.map(|course| Along { course, exact: None, at: section.at }),
@@ -89,7 +89,7 @@ fn rail<S: Scalar>(fields: &mut Fields, section: Section) -> Read<Shape<S>> {
     else {
         return wrong(at, format!("the rail `{name}` is not known"));
     };
-    // Its numbers have units.
+    // The numbers of the section have units.
     fields.note(at, true)?;
     let of = |text, kind| {
         let quantity = super::fields::listed::<S>(text, kind)?;
@@ -115,11 +115,13 @@ fn less<S: Scalar>(a: &Course<S>, b: &Course<S>) -> Course<S> {
     plus(a, &scaled(b, S::of(-1.0)))
 }
 
-/// a − times·b, which must be positive at both ends: the sides are straight lines.
+/// a − times·b, which must be positive at both ends; the dimensions are linear along the stretch.
 fn inside<S: Scalar>(a: &Course<S>, b: &Course<S>, times: f64) -> Result<Course<S>, &'static str> {
     let rest = less(a, &scaled(b, S::of(times)));
     let has_room = super::course::values(&rest).iter().all(|value| value.low() > 0.0);
-    has_room.then_some(rest).ok_or("a wall, flange or web is thicker than the section has room for")
+    has_room
+        .then_some(rest)
+        .ok_or("a wall, flange or web is too thick for the dimensions of the section")
 }
 
 fn cube<S: Scalar>(a: &Course<S>) -> Course<S> {
@@ -178,8 +180,8 @@ fn i_shape<S: Scalar>(
     Ok([area, by(&second_moment, 1.0, 12.0), shear])
 }
 
-/// About the centroid of flange and stem, whose middles are h/2 apart:
-/// I = (b f³ + w s³)/12 + A₁A₂/(A₁ + A₂) h²/4, s = h − f.
+/// About the centroid of flange and stem, whose centres are h/2 apart: I = (b f³ + w s³)/12 + A₁A₂/(A₁ + A₂) h²/4, s = h −
+/// f.
 fn t_shape<S: Scalar>(
     b: &Course<S>,
     h: &Course<S>,

@@ -1,14 +1,14 @@
 //! Sets of combinations of codes of practice: EN 1990 with annex A1 and recommended values, ASCE/SEI 7-16.
 //!
-//! Tables A1.1 and A1.2 of EN 1990 and chapter 2 of ASCE 7 are transcribed. Lift-off makes superposition false: of the variable
-//! cases every subset is made, with every leading action and every factor of the permanent ones.
+//! Transcribed from tables A1.1 and A1.2 of EN 1990 and chapter 2 of ASCE 7. Superposition is not valid with lift-off. So
+//! every subset of the variable cases is combined with every leading action and every factor of the permanent cases.
 
-/// A load case and what acts in it.
+/// A load case and its action.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Acting<'a> {
     pub name: &'a str,
     pub action: &'a str,
-    /// Of the cases of one group at most one is there at a time.
+    /// At most one case of a group is present at a time.
     pub group: Option<&'a str>,
 }
 
@@ -19,33 +19,33 @@ pub(crate) struct Made {
     pub factors: Vec<(usize, String)>,
 }
 
-/// A factor in thousandths of thousandths: products of two decimals of three places are whole.
+/// A factor in millionths: the product of two decimals with three places is an integer.
 type Micro = u64;
 const UNIT: Micro = 1_000_000;
 
-/// Actions that may be there, each with its factor: of each such list one action at a time, or none.
+/// Actions that may be present, each with its factor. Of each list one action is present at a time, or none.
 type Term = &'static [(&'static str, Micro)];
 
-/// An expression of a code.
+/// An expression of a code: the actions and factors of its combinations.
 struct Formula {
     label: &'static str,
-    /// Actions that are always there, with the factors that each takes in turn.
+    /// Permanent actions, each with the factors to be tried.
     always: &'static [(&'static str, &'static [Micro])],
     terms: &'static [Term],
-    /// The factor of the leading action, and by which ψ it is multiplied.
+    /// The factor of the leading action, and the index of the ψ that multiplies it.
     leading: Option<(Micro, Option<usize>)>,
-    /// The same of the others.
+    /// The same for the accompanying actions.
     accompanying: Option<(Micro, Option<usize>)>,
 }
 
-/// Names of a set, its code's actions, and its expressions.
+/// A set: its names, the actions of its code, and its expressions.
 struct Set {
     names: &'static [&'static str],
     actions: &'static [(&'static str, Option<[Micro; 3]>)],
     formulas: &'static [Formula],
 }
 
-/// Thousandths as a factor.
+/// A factor given in thousandths.
 const fn m(thousandths: Micro) -> Micro {
     thousandths * 1000
 }
@@ -208,13 +208,13 @@ const SETS: &[Set] = &[
     },
 ];
 
-/// The combinations of a set, each once, in the order in which the set makes them.
+/// The combinations of a set without duplicates, in the order of the set.
 pub(crate) fn expand(set: &str, cases: &[Acting], most: usize) -> Result<Vec<Made>, &'static str> {
     let set = SETS.iter().find(|known| known.names.contains(&set));
-    let set = set.ok_or("this set of combinations is not known")?;
+    let set = set.ok_or("unknown set of combinations")?;
     let is_known = |case: &Acting| set.actions.iter().any(|(action, _)| *action == case.action);
     if !cases.iter().all(is_known) {
-        return Err("a case of this file has no action of this code");
+        return Err("the action of a load case does not belong to this code");
     }
     let mut found = Expansion { cases, most, made: Vec::new(), chosen: Vec::new() };
     for formula in set.formulas {
@@ -243,7 +243,8 @@ fn decimal(factor: Micro) -> String {
     }
 }
 
-/// Lists of variable actions, of each of which one acts or none; the first one must act where it leads.
+/// Lists of variable actions; one action of each list is present, or none. If an action leads, one of the first list must
+/// be present.
 fn variable_terms(
     formula: &Formula,
     actions: &'static [(&'static str, Option<[Micro; 3]>)],
@@ -289,7 +290,7 @@ struct Expansion<'a> {
 type Lists = [Vec<(&'static str, Micro)>];
 
 impl Expansion<'_> {
-    /// Each factor of each permanent case, from a case on.
+    /// Tries each factor of each permanent case, from a given case on.
     fn permanent(
         &mut self,
         formula: &Formula,
@@ -312,7 +313,7 @@ impl Expansion<'_> {
         Ok(())
     }
 
-    /// Each action of the first list, and none unless it must lead; then the other lists.
+    /// Tries each action of the first list, and none unless it must lead; then the other lists.
     fn variable(
         &mut self,
         label: &'static str,
@@ -328,7 +329,7 @@ impl Expansion<'_> {
         if must_lead { Ok(()) } else { self.variable(label, rest, false) }
     }
 
-    /// Each subset of the cases of an action that is not empty.
+    /// Each non-empty subset of the cases of an action.
     fn subsets(
         &mut self,
         label: &'static str,
@@ -351,7 +352,7 @@ impl Expansion<'_> {
         self.subsets(label, others, factor, rest, before)
     }
 
-    /// Keeps what is chosen, unless it was there before.
+    /// Stores the present choice unless it is a duplicate.
     fn keep(&mut self, label: &'static str) -> Result<(), &'static str> {
         let mut sorted = self.chosen.clone();
         sorted.sort_unstable();

@@ -12,27 +12,28 @@ use crate::Scalar;
 pub(crate) const KEYS: &[&str] = &["shear_stiffness", "GA", "G", "nu", "shear_area"];
 const NAMES: [&str; 3] = ["shear_stiffness", "G", "shear_area"];
 
-/// The keys of a table about shear.
+/// The keys of a table that concern shear.
 #[derive(Debug, Clone)]
 pub(crate) struct Shear<S> {
     given: Given<S>,
     poisson: Option<Quantity<S>>,
-    /// Whether `shear_area` is given, not only a section.
+    /// Whether `shear_area` is given in addition to a section.
     says_area: bool,
 }
 
 impl<S: Scalar> Shear<S> {
-    /// That of a table that says nothing.
+    /// The data of a table without keys about shear.
     pub fn nothing() -> Self {
         Shear { given: Given::nothing(), poisson: None, says_area: false }
     }
 
-    /// On a part of the way.
+    /// The data on a part of the length.
     pub fn between(&self, way: [S; 2]) -> Self {
         Shear { given: self.given.between(way), ..self.clone() }
     }
 
-    /// The shear stiffness that a table gives; `modulus` is its own E and that of the whole beam there, `shape` its own section.
+    /// The shear stiffness of a table. `modulus` holds E of the table and of the whole beam there, `shape` the section of
+    /// the table.
     pub fn read(
         fields: &mut Fields,
         section: Section,
@@ -50,13 +51,13 @@ impl<S: Scalar> Shear<S> {
         let own_modulus = fields.along(section, "G", MODULUS, Values::Linear)?;
         let poisson: Option<Quantity<S>> = fields.quantity(section, "nu", NUMBER)?;
         let [own, beams] = modulus;
-        // Another E with the same Poisson's ratio is another G.
+        // A table with its own E inherits Poisson's ratio, so it has its own G.
         let inherits = own.is_some() && own_modulus.is_none();
         let inherited = parent.poisson.as_ref().filter(|_| inherits);
         let by_poisson = match (poisson.as_ref().or(inherited), own.or(beams)) {
             (None, _) => None,
             (Some(nu), _) if !(0.0..=0.5).contains(&nu.value.middle()) => {
-                return wrong(nu.at, "Poisson's ratio lies between 0 and 0.5");
+                return wrong(nu.at, "Poisson's ratio must lie between 0 and 0.5");
             }
             (Some(nu), None) => return wrong(nu.at, "`nu` is given without `E`"),
             (Some(nu), Some(modulus)) => {
@@ -81,7 +82,7 @@ impl<S: Scalar> Shear<S> {
         let says_modulus = given.factors[0].is_some();
         match given.resolve(&parent.given, NAMES)? {
             Found::Nothing => Ok(None),
-            // A section alone does not ask for shear.
+            // A section alone does not make the beam shear.
             Found::Half(_) if !self.says_area && !says_modulus => Ok(None),
             found => found.known(section, "shear_stiffness").map(Some),
         }

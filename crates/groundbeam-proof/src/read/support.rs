@@ -1,4 +1,4 @@
-//! `[[support]]`, `[[hinge]]` and `[[gap]]`.
+//! Reads `[[support]]`, `[[hinge]]` and `[[gap]]`.
 
 use super::error::{Read, Reason, fault, wrong};
 use super::fields::{DEFLECTION, Fields, POSITION, Quantity, ROTATIONAL_SPRING, SPRING, Section};
@@ -28,7 +28,7 @@ pub(crate) fn supports<S: Scalar>(
             }
             (Some(("pinned", _)), ..) => SupportKind::Pinned,
             (Some(("fixed", _)), ..) => SupportKind::Fixed,
-            (Some((_, at)), ..) => return wrong(at, "a support is \"pinned\" or \"fixed\""),
+            (Some((_, at)), ..) => return wrong(at, "`type` must be \"pinned\" or \"fixed\""),
             (None, None, None) => return table.missing("type"),
             (None, spring, turning) => {
                 let value =
@@ -40,7 +40,9 @@ pub(crate) fn supports<S: Scalar>(
             None | Some(("both", _)) => Acts::Both,
             Some(("up", _)) => Acts::Up,
             Some(("down", _)) => Acts::Down,
-            Some((_, at)) => return wrong(at, "a support acts \"up\", \"down\" or \"both\""),
+            Some((_, at)) => {
+                return wrong(at, "`acts` of a support must be \"up\", \"down\" or \"both\"");
+            }
         };
         let holds_slope = match &kind {
             SupportKind::Pinned => false,
@@ -48,7 +50,10 @@ pub(crate) fn supports<S: Scalar>(
             SupportKind::Spring { .. } => turning.is_some_and(|turning| !turning.exact.is_zero()),
         };
         if holds_slope && acts != Acts::Both {
-            return wrong(table.at, "what holds the slope has no one direction");
+            return wrong(
+                table.at,
+                "a support that restrains the slope must act in both directions",
+            );
         }
         let settlement = settlement.map_or(S::zero(), |settlement| settlement.value);
         supports.push(Support { at, kind, settlement, acts });
@@ -67,7 +72,7 @@ pub(crate) fn hinges<S: Scalar>(
         table.only(&[&["at", "rotational_spring"]], &[])?;
         let at = position(fields, table, length)?;
         if !(is_left(S::zero(), at) && is_left(at, length)) {
-            return wrong(table.at, "a hinge stands between the beam's ends");
+            return wrong(table.at, "a hinge must lie between the beam's ends");
         }
         let spring: Option<Quantity<S>> =
             fields.quantity(table, "rotational_spring", ROTATIONAL_SPRING)?;
@@ -88,7 +93,7 @@ pub(crate) fn gap<S: Scalar>(
         table.only(&[&["at", "value"]], &[])?;
         let at = position(fields, table, length)?;
         if gap.last().is_some_and(|last| !is_left(last.at, at)) {
-            return wrong(table.at, "the gap's corners stand from left to right");
+            return wrong(table.at, "the corners of the gap must be in order from left to right");
         }
         let value = fields.required::<S>(table, "value", DEFLECTION)?.value;
         gap.push(GapCorner { at, value });

@@ -1,8 +1,8 @@
-//! The letters of a TOML file: spaces, comments, names and strings.
+//! The tokens of a TOML file: spaces, comments, names and strings.
 
 use super::error::{Read, Reason, fault};
 
-/// A text and how far it is read.
+/// A text and the position of the next byte to be read.
 pub(crate) struct Scanner<'t> {
     text: &'t str,
     /// The next byte.
@@ -10,7 +10,7 @@ pub(crate) struct Scanner<'t> {
 }
 
 impl<'t> Scanner<'t> {
-    /// At the start of a text, behind a byte order mark.
+    /// At the start of a text, after a byte order mark.
     pub fn new(text: &'t str) -> Self {
         let at = if text.starts_with('\u{feff}') { 3 } else { 0 };
         Scanner { text, at }
@@ -25,7 +25,7 @@ impl<'t> Scanner<'t> {
         self.text.as_bytes().get(self.at).copied()
     }
 
-    /// Goes past `wanted` if it stands here.
+    /// Skips `wanted` if it comes next; returns whether it did.
     pub fn take(&mut self, wanted: &str) -> bool {
         let stands = self.rest().starts_with(wanted);
         if stands {
@@ -34,19 +34,19 @@ impl<'t> Scanner<'t> {
         stands
     }
 
-    /// A fault of the TOML at this place.
+    /// A syntax fault at this position.
     pub fn syntax<T>(&self, what: &'static str) -> Read<T> {
         fault(self.at, Reason::Syntax(what))
     }
 
-    /// Goes past spaces and tabs.
+    /// Skips spaces and tabs.
     pub fn skip_spaces(&mut self) {
         while let Some(b' ' | b'\t') = self.peek() {
             self.at += 1;
         }
     }
 
-    /// Goes past spaces, comments and ends of lines.
+    /// Skips spaces, comments and ends of lines.
     pub fn skip_lines(&mut self) -> Read<()> {
         loop {
             self.skip_spaces();
@@ -65,7 +65,7 @@ impl<'t> Scanner<'t> {
                 b'\n' => break,
                 b'\r' if self.rest().starts_with("\r\n") => break,
                 byte if is_control(byte) => {
-                    return self.syntax("a character that no text has");
+                    return self.syntax("a control character is not allowed");
                 }
                 _ => self.at += 1,
             }
@@ -82,14 +82,14 @@ impl<'t> Scanner<'t> {
         if self.peek().is_none() || self.take("\n") || self.take("\r\n") {
             return Ok(());
         }
-        self.syntax("one key = value stands on each line")
+        self.syntax("each line must have one key = value")
     }
 
     /// A key, bare or in quotes.
     pub fn name(&mut self) -> Read<String> {
         if let Some(b'"' | b'\'') = self.peek() {
             if self.rest().starts_with("\"\"\"") || self.rest().starts_with("'''") {
-                return self.syntax("a key stands on one line");
+                return self.syntax("a key must be on one line");
             }
             return self.string();
         }
@@ -125,11 +125,11 @@ impl<'t> Scanner<'t> {
         let mut found = String::new();
         loop {
             let Some(character) = self.rest().chars().next() else {
-                return self.syntax("a text ends with the quote it begins with");
+                return self.syntax("a string must end with the same quote as it begins");
             };
             match character {
                 _ if long && self.rest().starts_with(three) => {
-                    // One or two quotes may stand before the three at the end.
+                    // One or two quotes may precede the closing three.
                     let quotes = self.rest().bytes().take(5).take_while(|b| *b == quote).count();
                     found.extend((3..quotes).map(|_| char::from(quote)));
                     self.at += quotes;
@@ -146,7 +146,7 @@ impl<'t> Scanner<'t> {
                 }
                 '\r' if long && self.take("\r\n") => found.push('\n'),
                 _ if u8::try_from(character).is_ok_and(is_control) => {
-                    return self.syntax("a text of one line ends on that line");
+                    return self.syntax("a string in single quotes must end on the same line");
                 }
                 _ => {
                     found.push(character);
@@ -156,15 +156,15 @@ impl<'t> Scanner<'t> {
         }
     }
 
-    /// `\n` and the like; in long strings also a line that goes on.
+    /// `\n` and the like; in long strings also an escaped end of line.
     fn escape(&mut self, found: &mut String, long: bool) -> Read<()> {
         let start = self.at;
         self.at += 1;
-        let Some(letter) = self.peek() else { return self.syntax("an escape is cut off") };
+        let Some(letter) = self.peek() else { return self.syntax("an escape is incomplete") };
         if long && matches!(letter, b' ' | b'\t' | b'\n' | b'\r') {
             self.skip_spaces();
             if !self.take("\n") && !self.take("\r\n") {
-                return self.syntax("a backslash ends its line");
+                return self.syntax("a backslash must be the last character of its line");
             }
             while self.take(" ") || self.take("\t") || self.take("\n") || self.take("\r\n") {}
             return Ok(());
@@ -180,13 +180,13 @@ impl<'t> Scanner<'t> {
             b'\\' => return push(found, '\\'),
             b'u' => 4,
             b'U' => 8,
-            _ => return fault(start, Reason::Syntax("this escape is not known")),
+            _ => return fault(start, Reason::Syntax("unknown escape")),
         };
         let written = self.text.get(self.at..self.at + digits).unwrap_or("");
         let is_hex = written.bytes().all(|b| b.is_ascii_hexdigit());
         let code = if is_hex { u32::from_str_radix(written, 16).ok() } else { None };
         let Some(character) = code.and_then(char::from_u32) else {
-            return fault(start, Reason::Syntax("this escape is no character"));
+            return fault(start, Reason::Syntax("this escape is not a character"));
         };
         self.at += digits;
         push(found, character)

@@ -1,17 +1,17 @@
-//! The TOML of model files, read into a tree of values with their places. Numbers stay decimal text.
+//! Reads the TOML of model files into a tree of values with their positions. Numbers remain decimal text.
 //!
-//! Tables, arrays of tables, inline tables, arrays, strings of all four kinds, numbers, booleans and comments are
-//! read. Dates, infinities and NaN are refused: no model has them. A key that is given twice is refused.
+//! It reads tables, arrays of tables, inline tables, arrays, strings of all four kinds, numbers, booleans and comments. It
+//! refuses dates, infinities and NaN, because no model needs them, and keys that occur twice.
 
 use super::error::{Fault, Read, Reason, fault};
 use super::text::Scanner;
 use std::collections::BTreeMap;
 
-/// The longest file, in bytes.
+/// Maximum length of a file, in bytes.
 const LONGEST: usize = 64 << 20;
-/// The most values in a file.
+/// Maximum number of values in a file.
 const MOST: usize = 4_000_000;
-/// The most names in a heading or a dotted key, and the most lists and tables within each other.
+/// Maximum number of names in a heading or a dotted key, and maximum depth of nested lists and tables.
 const DEEPEST: usize = 16;
 
 /// A value and the byte at which it begins.
@@ -34,24 +34,24 @@ pub(crate) enum Value {
     Tables(Vec<Node>),
 }
 
-/// A table: its keys, each with its place.
+/// A table: its keys with their positions and values.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct Table {
     entries: BTreeMap<String, (usize, Node)>,
     origin: Origin,
 }
 
-/// How a table came to be, which decides what may still be added to it.
+/// How a table was created; decides which keys may still be added to it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 enum Origin {
-    /// By the heading of a table within it.
+    /// Created by the heading of a subtable.
     #[default]
     Implied,
-    /// By a heading of its own.
+    /// Created by its own heading.
     Heading,
-    /// By a dotted key.
+    /// Created by a dotted key.
     Dotted,
-    /// In braces: nothing may be added.
+    /// Created in braces; no key may be added.
     Inline,
 }
 
@@ -61,12 +61,12 @@ impl Table {
         self.entries.get(key).map(|(_, node)| node)
     }
 
-    /// Every key with its place and its value.
+    /// Every key with its position and its value.
     pub fn entries(&self) -> impl Iterator<Item = (&str, usize, &Node)> {
         self.entries.iter().map(|(key, (at, node))| (key.as_str(), *at, node))
     }
 
-    /// The place of a key.
+    /// The position of a key.
     pub fn place(&self, key: &str) -> Option<usize> {
         self.entries.get(key).map(|(at, _)| *at)
     }
@@ -83,7 +83,7 @@ impl Table {
         Ok(())
     }
 
-    /// The table of a key, made with the given origin if there is none.
+    /// The table of a key; creates one with the given origin if there is none.
     fn inner(&mut self, (key, at): &(String, usize), origin: Origin) -> &mut Node {
         let new = || (*at, Node { at: *at, value: Value::Table(Table::of(origin)) });
         &mut self.entries.entry(key.clone()).or_insert_with(new).1
@@ -140,7 +140,7 @@ fn add(table: &mut Table, mut names: Vec<Name>, node: Node) -> Read<()> {
     table.add(last, node)
 }
 
-/// The table that a heading's first names lead to.
+/// The table that the first names of a heading refer to.
 fn descend<'t>(root: &'t mut Table, path: &[Name]) -> Read<&'t mut Table> {
     let mut table = root;
     for name in path {
@@ -224,7 +224,7 @@ impl Reader<'_> {
         }
     }
 
-    /// `key = value`, within so many lists and tables.
+    /// `key = value` at this depth of nested lists and tables.
     fn pair(&mut self, depth: usize) -> Read<(Vec<Name>, Node)> {
         let names = self.names()?;
         if !self.scanner.take("=") {

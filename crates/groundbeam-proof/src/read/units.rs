@@ -1,7 +1,7 @@
-//! Units: symbols, their products and powers, their exact factors to N, m, rad and K, and what they measure.
+//! Units: symbols, their products and powers, their exact factors to N, m, rad and K, and their dimensions.
 //!
-//! A factor is a product of powers of ten and of a few definitions (inch, pound, standard gravity, …). Powers are
-//! whole numbers, so that what cancels leaves no trace, and a number times a power of ten stays a decimal.
+//! A factor is a product of powers of ten and of a few definitions (inch, pound, standard gravity, …). Powers are integers,
+//! so equal powers cancel exactly, and a number times a power of ten remains a decimal.
 
 use super::number::Decimal;
 use crate::Scalar;
@@ -43,15 +43,14 @@ impl Dimension {
         })
     }
 
-    /// Whether a quantity of this dimension may be given with a unit of the other one. A radian is a plain number:
-    /// what is per angle may leave it out.
+    /// Whether a quantity of this dimension may have a unit of the other one. A radian has the value 1: a quantity per
+    /// angle may omit it.
     pub fn accepts(self, unit: Dimension) -> bool {
         unit == self || unit == self.with_angle(0)
     }
 }
 
-/// The numbers of which factors are made, besides ten. 1 in = 0.0254 m, 1 lbf = 4.4482216152605 N and
-/// 1 kgf = 9.80665 N are definitions.
+/// The bases of factors besides ten. 1 in = 0.0254 m, 1 lbf = 4.4482216152605 N and 1 kgf = 9.80665 N are definitions.
 const BASES: [&str; 6] = ["0.0254", "12", "3", "4.4482216152605", "9.80665", "1.8"];
 const INCH: [i32; 7] = [1, 0, 0, 0, 0, 0, 0];
 const FOOT: [i32; 7] = [1, 1, 0, 0, 0, 0, 0];
@@ -63,7 +62,7 @@ const FAHRENHEIT: [i32; 7] = [0, 0, 0, 0, 0, -1, 0];
 /// π/180, after the decimal bases.
 const DEGREE: [i32; 7] = [0, 0, 0, 0, 0, 0, 1];
 const ONE: [i32; 7] = [0; 7];
-/// Powers of the bases beyond this are refused.
+/// Maximum power of a base.
 const HIGHEST: i32 = 50;
 
 /// A factor: 10^ten times powers of the bases and of π/180.
@@ -86,11 +85,11 @@ impl Factor {
     }
 }
 
-/// A number with its unit, with the digits of the file. Equal values are equal numbers.
+/// A number with its unit, with the digits of the file. Equal quantities compare as equal.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Exact {
     number: Decimal,
-    /// Of the unit, without the power of ten, which the number has taken.
+    /// Powers of the unit, without the power of ten, which is part of the number.
     powers: [i32; 7],
 }
 
@@ -104,7 +103,7 @@ impl Exact {
         self.number.is_zero()
     }
 
-    /// The value; `None` if the number is beyond the range of the scalar.
+    /// The value; `None` if the number is outside the range of the scalar.
     pub fn value<S: Scalar>(&self) -> Option<S> {
         let number = S::decimal(&self.number.text())?;
         let (mut above, mut below) = (None, None);
@@ -128,7 +127,7 @@ pub(crate) fn pi<S: Scalar>() -> Option<S> {
     S::decimal("3.14159265358979323846264338327950288419716939937510582097494459")
 }
 
-/// A symbol: its dimension and factor, and whether SI prefixes may stand before it.
+/// A symbol: its dimension and factor, and whether it may have an SI prefix.
 struct Symbol {
     names: &'static [&'static str],
     dimension: Dimension,
@@ -242,7 +241,7 @@ fn symbol(word: &str) -> Option<Unit> {
     })
 }
 
-/// Parentheses within each other, at most.
+/// Maximum depth of nested parentheses.
 const DEEPEST: usize = 8;
 /// The highest power of a symbol.
 const HIGHEST_POWER: i32 = 12;
@@ -267,7 +266,7 @@ impl Reader<'_> {
         }
     }
 
-    /// Factors with spaces, signs or `/` between them. After a `/` only further divisors may follow.
+    /// Factors with spaces, signs or `/` between them. After a `/` only divisors may follow.
     fn product(&mut self, depth: usize) -> Option<Unit> {
         let mut unit = self.first(depth)?;
         let mut divided = false;
@@ -332,7 +331,7 @@ impl Reader<'_> {
         })
     }
 
-    /// The power behind a factor; 1 if none is written.
+    /// The power after a factor; 1 if none is given.
     fn power(&mut self) -> Option<i32> {
         let after = self.rest.trim_start();
         let marked = after.strip_prefix('^').or(after.strip_prefix("**"));
@@ -381,7 +380,7 @@ mod tests {
         Exact::new(number, unit.factor).value::<Wide>().unwrap().middle()
     }
 
-    /// NIST Special Publication 811 (2008), appendix B.8, to seven figures.
+    /// Compared with NIST Special Publication 811 (2008), appendix B.8, to seven figures.
     #[test]
     fn factors_are_as_published() {
         let published = [

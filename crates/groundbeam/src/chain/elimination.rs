@@ -1,14 +1,14 @@
 //! One linear solve: elimination of beam and ground from both ends to a meeting node.
 //!
-//! S (with r) is the stiffness (and force) that everything behind a node offers to the node's own
-//! x = (w, θ) and, where beam and ground have parted, u. Crossing an element, x' = T x + d, either x
-//! or d is eliminated in each of its two directions, whichever is held more stiffly. No stiffness is
-//! computed as a small difference of large numbers. Each element is crossed once on the way in
-//! and once on the way out: the cost is linear in the number of elements.
+//! A sweep condenses everything it has passed to the node's x = (w, θ) and, in open ground, u: stiffness S
+//! and force r. Across an element, x' = T x + d. In each of its two directions either x or d is eliminated,
+//! whichever has the larger stiffness. No stiffness is a small difference of large numbers. The sweep crosses
+//! each element once inward and once in back-substitution: the cost is linear in the number of elements.
 //!
-//! In a narrow gap, or near the edge of a wide one, a short two-port of stiffness μ/h ties the surface to the
-//! beam. There the third of x is not u but r = u − ψ: in differences of neighbouring r the sinking of beam
-//! and ground has no part, and μ/h never stands beside the stiffness that holds them.
+//! In a narrow gap, or near the edge of a wide one, a short two-port of stiffness μ/h couples the surface to
+//! the beam. There the third unknown of x is r = u − ψ instead of u. Differences of neighbouring r do not
+//! contain the common settlement of beam and ground, and μ/h is not added to the much smaller support
+//! stiffness.
 
 use crate::chain::hinge::HingeRotation;
 use crate::chain::links::{Surfaces, add_link, counted};
@@ -21,11 +21,11 @@ use crate::element::element::{Basis, Element};
 pub(crate) struct Chain {
     pub nodes: Vec<ChainNode>,
     pub cells: Vec<ChainCell>,
-    /// The node at which the two sweeps meet: best where the beam is held.
+    /// The node at which the two sweeps meet. A well supported node gives the best accuracy.
     pub meeting: usize,
 }
 
-/// How to come back across a cell: y_behind from y_ahead.
+/// Back-substitution across a cell: the unknowns at the end passed first, from those at the other end.
 #[derive(Debug, Clone, Copy, Default)]
 struct BackSubstitution {
     /// (v₁, v₂, u_left) = constant − gain·(w_right, θ_right, u_right).
@@ -35,14 +35,14 @@ struct BackSubstitution {
     by_left: [bool; 2],
     /// Whether the third unknown is u_right − u_left.
     rise: bool,
-    /// u of the left node where it ends there: u = constant − gain·(w, θ).
+    /// u of the left node if the surface ends there: u = constant − gain·(w, θ).
     ended: [f64; 3],
-    /// θ behind a hinge at the left node, from what is ahead of it.
+    /// The rotation behind a hinge at the left node, from the one ahead of it.
     turned: Option<HingeRotation>,
 }
 
 impl Chain {
-    /// The four numbers of every cell's element.
+    /// Solves for the four unknowns of every element.
     pub fn solve(&self) -> Result<Vec<[f64; 4]>, NotDefinite> {
         let last = self.nodes.len() - 1;
         let meet = self.meeting.min(last);
@@ -80,7 +80,7 @@ impl Chain {
         Ok(shapes)
     }
 
-    /// From an end towards the meeting node, which is not yet counted in.
+    /// Condenses all cells from one end to the meeting node, whose own terms are not included.
     fn sweep<const MIRRORED: bool>(
         &self,
         start: usize,
@@ -113,8 +113,8 @@ impl Chain {
     }
 }
 
-/// Adds what acts on and holds one node. A sweep from the right sees slopes, and so moments, with the
-/// other `sign`.
+/// Adds the loads and supports of one node. A sweep from the right has slopes and moments of the other
+/// `sign`.
 fn apply(node: &ChainNode, state: &mut CondensedStiffness, sign: f64) {
     state.s[W][W] += node.spring + node.ground_spring;
     state.s[THETA][THETA] += node.rotational_spring;
@@ -122,7 +122,7 @@ fn apply(node: &ChainNode, state: &mut CondensedStiffness, sign: f64) {
     state.r[W] += node.force + node.ground_spring * node.gap + node.spring * node.settlement;
     state.r[THETA] += sign * node.moment;
     if node.from_beam {
-        // The surface's own spring under u = w − g₀ + r.
+        // The spring of the surface itself, with u = w − g₀ + r.
         state.s[U][W] += node.surface_spring;
         state.s[W][U] += node.surface_spring;
         state.s[W][W] += node.surface_spring;
@@ -151,7 +151,7 @@ fn end_surface(state: &mut CondensedStiffness) -> Result<[f64; 3], NotDefinite> 
     Ok(gain)
 }
 
-/// The element's four from w_right, θ_right, v₁, v₂, where vᵢ is either the left value or dᵢ.
+/// The element's four unknowns from w_right, θ_right, v₁, v₂, where vᵢ is either the left value or dᵢ.
 fn transform(h: f64, basis: Basis, by_left: [bool; 2]) -> [[f64; 4]; 4] {
     if basis == Basis::Ends {
         return [
@@ -169,10 +169,10 @@ fn transform(h: f64, basis: Basis, by_left: [bool; 2]) -> [[f64; 4]; 4] {
     if w_known { [own, theta, other, d2] } else { [other, theta, own, d2] }
 }
 
-/// Where the beam's four and the two surfaces stand among (w_r, θ_r, u_r | v₁, v₂, u_l).
+/// Positions of the four beam unknowns and the two surface unknowns in (w_r, θ_r, u_r | v₁, v₂, u_l).
 const ORDER: [usize; 6] = [0, 1, 3, 4, 5, 2];
 
-/// What multiplies those six, from what multiplies the element's own v and the surfaces.
+/// Coefficients of those six unknowns, from the coefficients of the element's own v and of the surfaces.
 fn in_order(row: &[f64; 6], c: &[[f64; 4]; 4]) -> [f64; 6] {
     let mut ordered = [0.0; 6];
     for j in 0..4 {
@@ -191,9 +191,9 @@ fn cross(
     state: &CondensedStiffness,
     back: &mut BackSubstitution,
 ) -> Result<CondensedStiffness, NotDefinite> {
-    // Everything behind the right node, in (w_l, θ_l, d₁, d₂ | u_l, u_r). Where open ground couples its
-    // ends more stiffly than anything holds them, as short ground does, its rise δ = u_r − u_l takes the
-    // place of u_l: that stiffness must not swallow the rest.
+    // The stiffness condensed to the right node, in (w_l, θ_l, d₁, d₂ | u_l, u_r). In short open ground the
+    // coupling of the two ends is much stiffer than their supports. Then δ = u_r − u_l replaces u_l, so that
+    // rounding of the coupling does not hide the supports.
     let stiff = |tied: &TiedTwoPort| {
         tied.left == Tie::SurfaceLeft
             && tied.right == Tie::SurfaceRight
@@ -234,7 +234,7 @@ fn cross(
         node.clamped || state.s[THETA][THETA] > element.stiffness[3][3],
     ];
     let c = transform(element.length, element.basis, back.by_left);
-    // Congruence on the beam's four, then in the order (w_r, θ_r, u_r | v₁, v₂, u_l).
+    // Congruence for the four beam unknowns, then reordering to (w_r, θ_r, u_r | v₁, v₂, u_l).
     let mut half = [[0.0; 4]; 6];
     for i in 0..6 {
         for j in 0..4 {
@@ -261,8 +261,8 @@ fn cross(
             m[ORDER[i]][ORDER[j]] = k[i][j];
         }
     }
-    // What ties the surface to the right end sees w_r alone: added before the congruence, its rounding would hold
-    // a free beam's slope.
+    // A two-port between the surface and the right end depends on w_r alone. Added before the congruence, its
+    // rounding would restrain the slope of a free beam.
     for tied in links {
         add_link(tied, &surfaces, |row| in_order(row, &c), &mut m, &mut f);
     }
@@ -270,8 +270,8 @@ fn cross(
     condense(&m, &f, free, node.settlement, back)
 }
 
-/// Eliminates the last three of (w_r, θ_r, u_r | v₁, v₂, u_l), those of them that are `free`; the others are
-/// zero, but for the first, which is the support's settlement then.
+/// Eliminates those of the last three unknowns of (w_r, θ_r, u_r | v₁, v₂, u_l) that are `free`. The others
+/// are zero, except that the first is the settlement of a support.
 fn condense(
     m: &[[f64; 6]; 6],
     f: &[f64; 6],
@@ -361,7 +361,8 @@ fn solve_node(node: &ChainNode, both: &CondensedStiffness) -> Result<[f64; 3], N
 }
 
 impl BackSubstitution {
-    /// From (w, θ, u) of the right node to those of the left one and the cell's own v.
+    /// Back-substitution: from (w, θ, u) of the right node, computes those of the left node and the cell's
+    /// own v.
     fn cross(&self, h: f64, basis: Basis, y: [f64; 3], v: &mut [f64; 4]) -> [f64; 3] {
         let e: [f64; 3] = std::array::from_fn(|i| {
             self.constant[i] - (0..3).map(|j| self.gain[i][j] * y[j]).sum::<f64>()
@@ -372,7 +373,7 @@ impl BackSubstitution {
         [v[0], v[1], if self.rise { y[U] - e[2] } else { e[2] }]
     }
 
-    /// u at a node where the unknown surface ends, seen from the cell just crossed.
+    /// u at a node where the unknown surface ends, as needed in the cell just crossed.
     fn end(&self, node: &ChainNode, mut y: [f64; 3], forward: bool) -> [f64; 3] {
         let [behind, ahead] = if forward { [0, 1] } else { [1, 0] };
         if node.surface[behind] && !node.surface[ahead] {
@@ -391,8 +392,8 @@ mod tests {
     use crate::mesh::mesh::Mesh;
     use crate::model::{Beam, Foundation, Load, Model};
 
-    /// Nothing holds the slope of a beam that leaves the ground and ends free, to the last bit: it may rise to a
-    /// million times what the ground settles.
+    /// The slope of a beam that leaves the ground and ends free has no restraint, not even by rounding: the
+    /// free end may rise by a million times the settlement of the ground.
     #[test]
     fn a_free_beam_offers_no_stiffness() {
         for i in 1..200 {

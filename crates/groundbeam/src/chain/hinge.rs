@@ -1,12 +1,12 @@
 //! Hinges: nodes at which θ jumps.
 //!
-//! A hinge is an element of no length, x' = x + (0, δ), whose deformation δ costs ½ k_φ δ². Eliminating
-//! θ behind it, S' = S − S e (eᵀS e + k_φ)⁻¹ eᵀS with e along θ: nothing is left of the row and the column
-//! of θ at a free hinge.
+//! A hinge is an element of no length, x' = x + (0, δ), whose deformation δ costs ½ k_φ δ². Eliminating θ it
+//! gives S' = S − S e (eᵀS e + k_φ)⁻¹ eᵀS with e the unit vector of θ. At a free hinge the row and the column
+//! of θ vanish.
 
 use crate::chain::node::{ChainNode, CondensedStiffness, NotDefinite, THETA};
 
-/// How to come back across a hinge: θ_behind = constant − gain·(w, θ_ahead, u).
+/// Back-substitution across a hinge: θ_behind = constant − gain·(w, θ_ahead, u).
 #[derive(Debug, Clone, Copy)]
 pub(super) struct HingeRotation {
     gain: [f64; 3],
@@ -14,7 +14,7 @@ pub(super) struct HingeRotation {
 }
 
 impl HingeRotation {
-    /// Counts in the hinge of a node, if there is one. Nothing else may act on θ there.
+    /// Adds the hinge of a node, if there is one. No other load or support may act on θ there.
     pub fn condense(
         node: &ChainNode,
         state: &mut CondensedStiffness,
@@ -22,7 +22,7 @@ impl HingeRotation {
         let Some(spring) = node.hinge else { return Ok(None) };
         let CondensedStiffness { s, r } = *state;
         let held = s[THETA][THETA] + spring;
-        // Behind a free hinge nothing but the ground and the supports there keep the beam from turning.
+        // Behind a free hinge only the ground and the supports there resist rotation.
         if held.is_nan() || held <= 0.0 {
             return Err(NotDefinite);
         }
@@ -43,7 +43,7 @@ impl HingeRotation {
         Ok(Some(HingeRotation { gain, constant: r[THETA] / held }))
     }
 
-    /// (w, θ, u) behind the hinge, if there was one.
+    /// (w, θ, u) on the other side of the hinge, if there is one.
     pub fn beyond_hinge(turned: Option<Self>, mut y: [f64; 3]) -> [f64; 3] {
         if let Some(HingeRotation { gain, constant }) = turned {
             y[THETA] = constant - gain.iter().zip(y).map(|(gain, y)| gain * y).sum::<f64>();

@@ -1,15 +1,16 @@
-//! Two-ports of open ground within a cell, tied to the ground's own surface or to the beam.
+//! Adds the two-ports of open ground within a cell to its stiffness: between the surface and the surface, or
+//! the beam.
 
 use crate::chain::node::ChainNode;
 use crate::chain::node::{Tie, TiedTwoPort};
 
-/// u at both ends of a cell: what multiplies its six unknowns, and the gap to take off.
+/// u at both ends of a cell: the coefficients of its six unknowns, and the gap to subtract.
 pub(super) struct Surfaces {
     pub left: ([f64; 6], f64),
     pub right: ([f64; 6], f64),
 }
 
-/// u at a node from the unknown that stands for it there.
+/// u at a node, from the unknown that represents it there.
 pub(super) fn counted(mut row: [f64; 6], node: &ChainNode, beam: [f64; 4]) -> ([f64; 6], f64) {
     if !node.from_beam {
         return (row, 0.0);
@@ -18,7 +19,8 @@ pub(super) fn counted(mut row: [f64; 6], node: &ChainNode, beam: [f64; 4]) -> ([
     (row, node.gap)
 }
 
-/// Adds a two-port to the stiffness and the force of six unknowns, to which `turned` brings a cell's own.
+/// Adds a two-port to the stiffness and the force of six unknowns; `turned` transforms the unknowns of the
+/// cell to these.
 pub(super) fn add_link(
     tied: &TiedTwoPort,
     surfaces: &Surfaces,

@@ -5,7 +5,7 @@ use crate::chain::node::{Tie, TiedTwoPort};
 use crate::element::element::{Basis, Element};
 use crate::ground::link::TwoPort;
 
-/// The four numbers of an element from those of the element seen in a mirror, and back.
+/// Transforms the four unknowns of an element to those of the reflected element, and back.
 pub(super) fn mirror_shape(v: &[f64; 4], h: f64, basis: Basis) -> [f64; 4] {
     let [w, theta, d1, d2] = *v;
     match basis {

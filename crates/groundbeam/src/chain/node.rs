@@ -1,4 +1,4 @@
-//! A node and a cell of the chain: loads, springs, supports, and the ground beside the beam.
+//! A node and a cell of the chain: loads, springs, supports, and the ground outside the beam.
 
 use crate::element::element::Element;
 use crate::ground::link::TwoPort;
@@ -10,31 +10,31 @@ pub(crate) struct ChainCell {
     pub links: Vec<TiedTwoPort>,
 }
 
-/// A node: what acts there, what holds it, and on which sides the ground's surface is an unknown.
+/// A node: its loads and supports, and the sides on which the settlement of the surface is an unknown.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct ChainNode {
     pub force: f64,
     pub moment: f64,
-    /// w is the settlement.
+    /// w is prescribed: the settlement of the support.
     pub pinned: bool,
     pub settlement: f64,
     pub clamped: bool,
     pub spring: f64,
     pub rotational_spring: f64,
-    /// θ may jump, against this spring. Nothing else at the node then acts on or holds θ.
+    /// Stiffness of a hinge, at which θ may jump. No other load or support then acts on θ at the node.
     pub hinge: Option<f64>,
-    /// A spring of the ground under the beam at this node, and the initial gap there.
+    /// Stiffness of the ground under the beam at this node, and the initial gap there.
     pub ground_spring: f64,
     pub gap: f64,
-    /// A spring of the ground under its own surface at this node.
+    /// Stiffness of the ground under its own surface at this node.
     pub surface_spring: f64,
-    /// u is an unknown of the cell to the left, to the right.
+    /// Whether u is an unknown of the cell to the left, and of the cell to the right.
     pub surface: [bool; 2],
-    /// That unknown is r = u − ψ instead.
+    /// Whether this unknown is r = u − ψ instead of u.
     pub from_beam: bool,
 }
 
-/// The chain can move without work: the elimination met a pivot that is not positive.
+/// The stiffness matrix is not positive definite: the elimination met a pivot ≤ 0.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct NotDefinite;
 
@@ -45,14 +45,14 @@ pub(crate) const THETA: usize = 1;
 
 pub(crate) const U: usize = 2;
 
-/// ½ yᵀSy − rᵀy for y = (w, θ, u) of a node, by everything behind it.
+/// ½ yᵀSy − rᵀy for y = (w, θ, u) of a node: the condensed energy of everything on one side of it.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct CondensedStiffness {
     pub s: [[f64; 3]; 3],
     pub r: [f64; 3],
 }
 
-/// What a two-port of the ground is tied to.
+/// The point to which one end of a two-port is connected.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Tie {
     /// The ground's own surface at the cell's left node.
@@ -61,7 +61,7 @@ pub(crate) enum Tie {
     SurfaceRight,
     /// The beam at a point of the cell: u = row·v − gap.
     Beam {
-        /// What multiplies the element's v.
+        /// The coefficients of the element's v.
         row: [f64; 4],
         /// g₀ there.
         gap: f64,

@@ -18,7 +18,7 @@ pub(crate) const GAUSS: [(f64, f64); 4] = [
     (0.861_136_311_594_052_6, 0.347_854_845_137_453_85),
 ];
 
-/// The same for products of two cubics and a square.
+/// Gauss points and weights that integrate the product of two cubics and a square exactly.
 const FINER_GAUSS: [(f64, f64); 5] = [
     (-0.906_179_845_938_664, 0.236_926_885_056_189_08),
     (-0.538_469_310_105_683_1, 0.478_628_670_499_366_47),
@@ -38,18 +38,18 @@ pub(crate) fn shape(xi: f64, h: f64) -> [f64; 4] {
     ]
 }
 
-/// What multiplies (w_left, θ_left, d₁, d₂) in w at ξ.
+/// The coefficients of (w_left, θ_left, d₁, d₂) in w at ξ.
 pub(crate) fn deflection(xi: f64, h: f64) -> [f64; 4] {
     let [_, _, n2, m2] = shape(xi, h);
     [1.0, h * xi, n2, m2]
 }
 
-/// What multiplies (w_left, θ_left, d₁, d₂) in w' at ξ.
+/// The coefficients of (w_left, θ_left, d₁, d₂) in w' at ξ.
 pub(crate) fn slope(xi: f64, h: f64) -> [f64; 4] {
     [0.0, 1.0, 6.0 * xi * (1.0 - xi) / h, xi * (3.0 * xi - 2.0)]
 }
 
-/// What multiplies (w_left, θ_left, d₁, d₂) in w″ at ξ.
+/// The coefficients of (w_left, θ_left, d₁, d₂) in w″ at ξ.
 fn curvature(xi: f64, h: f64) -> [f64; 4] {
     [0.0, 0.0, 6.0 * (1.0 - 2.0 * xi) / (h * h), (6.0 * xi - 2.0) / h]
 }
@@ -78,7 +78,7 @@ pub(crate) fn element(cell: &Cell, axial_force: f64) -> Element {
     element
 }
 
-/// ½∫EI w″² where EI varies: of degree 5 times two linear curvatures, exact with four points.
+/// ½∫EI w″² for varying EI: degree 5 times two linear curvatures, exact with four points.
 fn add_bending(element: &mut Element, cell: &Cell) {
     let h = cell.length();
     let stiffness = cell.stiffness_along();
@@ -93,7 +93,7 @@ fn add_bending(element: &mut Element, cell: &Cell) {
     }
 }
 
-/// ∫EI κ₀ w″: of degree 5 + 1 + 1 at most, exact with four points.
+/// ∫EI κ₀ w″: degree 5 + 1 + 1 at most, exact with four points.
 fn add_curvature(element: &mut Element, cell: &Cell) {
     if !cell.has_imposed_curvature() {
         return;
@@ -114,8 +114,8 @@ fn between(ends: [f64; 2], s: f64) -> f64 {
     ends[0] + (ends[1] - ends[0]) * (0.5 * (1.0 + s))
 }
 
-/// The ground where beam and ground touch from s = `from` to `to` (in \[−1, 1\]): ½∫(k ψ² + μ ψ'²)
-/// with ψ = w − g₀.
+/// The energy of the ground where beam and ground are in contact, from s = `from` to `to` (in \[−1, 1\]):
+/// ½∫(k ψ² + μ ψ'²) with ψ = w − g₀.
 pub(crate) fn add_ground(element: &mut Element, cell: &Cell, [from, to]: [f64; 2]) {
     if cell.ground_varies() {
         let [spring, shear] = [cell.subgrade_along(), cell.shear_layer_along()];
@@ -137,7 +137,7 @@ pub(crate) fn add_ground(element: &mut Element, cell: &Cell, [from, to]: [f64; 2
     add(element, &GAUSS, cell, [from, to], &all);
 }
 
-/// κ, N, F and G by s.
+/// κ, N, F and G as functions of s.
 struct Spread<K, N, F, G> {
     spring: K,
     tension: N,
@@ -176,8 +176,8 @@ fn add<K, N, F, G>(
     }
 }
 
-/// Adds ∫ p z over a part of the element, for each of its four functions z and p(s): a cubic, or where the
-/// ground varies of degree 5.
+/// Adds ∫ p z over a part of the element, for each of its four functions z. p(s) is a cubic, or of degree 5
+/// where the ground varies.
 pub(crate) fn add_work(work: &mut [f64; 4], h: f64, [from, to]: [f64; 2], pressure: &[f64]) {
     let gauss: &[(f64, f64)] = if pressure.len() > TERMS { &FINER_GAUSS } else { &GAUSS };
     for &(point, weight) in gauss {
@@ -202,7 +202,7 @@ pub(crate) fn unfold(v: &[f64; 4], h: f64) -> [f64; TERMS] {
     ]
 }
 
-/// (w_left, θ_left, d₁, d₂) of a cubic with coefficients `c`: the way back from [`unfold`].
+/// (w_left, θ_left, d₁, d₂) of a cubic with coefficients `c`: the inverse of [`unfold`].
 pub(crate) fn fold(c: &[f64], h: f64) -> [f64; 4] {
     let [w, slope, ..] = crate::numeric::polynomial::jet(c, -1.0);
     [w, 2.0 * slope / h, 4.0 * (c[2] - c[3]), 8.0 * c[2] / h]
@@ -239,7 +239,7 @@ mod tests {
 
     #[test]
     fn an_even_load_becomes_the_printed_nodal_forces() {
-        // f h/2 and ± f h²/12 at the ends, any textbook.
+        // Textbook values: f h/2 and ± f h²/12 at the ends.
         let cell = Cell {
             beam_shear: None,
             x: [0.0, 2.0],
@@ -257,7 +257,7 @@ mod tests {
             ground_force: 0.0,
         };
         let q = element(&cell, 0.0).load;
-        // d₁, d₂ carry the right end's force and moment; the left ones are the rest.
+        // d₁, d₂ carry the force and moment of the right end; the left end carries the difference.
         assert!((q[2] - 6.0).abs() < 1e-14 && (q[3] + 2.0).abs() < 1e-14);
         assert!((q[0] - 12.0).abs() < 1e-14 && (q[1] - 12.0).abs() < 1e-14);
     }

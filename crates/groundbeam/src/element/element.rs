@@ -1,19 +1,20 @@
 //! The stiffness and load of one element, in element deformations.
 //!
-//! The four unknowns of an element are the deflection and slope of its left end, and the *deformation*
-//! d = x_right − T x_left, with x = (w, θ) and T = \[\[1, h\], \[0, 1\]\]: the displacement of the right end relative to
-//! the rigid motion of the left end. Bending acts on d alone and the ground acts mainly on the rigid motion, so their
-//! stiffnesses never add up in one number. Assembling EI/h³ beside kh loses digits as the mesh is refined; this form
-//! keeps them. θ is the rotation of the sections: w' where the beam has no shear flexibility.
+//! The four unknowns of an element are the deflection and slope of its left end, and the *deformation* d =
+//! x_right − T x_left, with x = (w, θ) and T = \[\[1, h\], \[0, 1\]\]: the displacement of the right end
+//! relative to the rigid motion of the left end. Bending depends on d alone, and the ground mainly on the
+//! rigid motion, so their stiffnesses are never added in one number. Adding EI/h³ to kh loses digits as the
+//! mesh is refined; this form keeps them. θ is the rotation of the sections: w' where the beam has no shear
+//! flexibility.
 
-/// What an element's four numbers v are.
+/// The meaning of the four unknowns v of an element.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(crate) enum Basis {
     /// (w_left, θ_left, d₁, d₂).
     #[default]
     Deformation,
-    /// (w_left, θ_left, w_right, θ_right): for elements with boundary layers, whose ends turn easily while
-    /// the whole, stretched, does not.
+    /// (w_left, θ_left, w_right, θ_right), for elements with boundary layers: rotations of the ends are
+    /// flexible there, while the extension of the whole is stiff.
     Ends,
 }
 
@@ -31,7 +32,7 @@ pub(crate) struct Element {
 }
 
 impl Element {
-    /// What multiplies v in w at the element's left or right end.
+    /// The coefficients of v in w at the element's left or right end.
     pub fn end_row(&self, right: bool) -> [f64; 4] {
         match (right, self.basis) {
             (false, _) => [1.0, 0.0, 0.0, 0.0],
@@ -40,7 +41,7 @@ impl Element {
         }
     }
 
-    /// K v − q: what the element demands of its left end and of its deformation.
+    /// K v − q: the forces on the left end, and those that work on the deformation.
     pub fn forces(&self, v: &[f64; 4]) -> [f64; 4] {
         std::array::from_fn(|i| {
             self.stiffness[i].iter().zip(v).map(|(k, v)| k * v).sum::<f64>() - self.load[i]
@@ -48,11 +49,11 @@ impl Element {
     }
 }
 
-/// Coefficients kept. With |r|·length ≤ 2 the first one left out is below 1/20! of the sum.
+/// Number of coefficients of a series. With |r|·length ≤ 2 the first omitted term is below 1/20! of the sum.
 pub(crate) const TERMS: usize = 20;
 
 /// The longest element, as a multiple of 1/|r|.
 pub(crate) const REACH: f64 = 2.0;
 
-/// Compression is not looked at beyond so many times EI/l²: its waves would be 10⁵ in a beam.
+/// Maximum compression as a multiple of EI/l². Beyond it, the beam has more than 10⁵ buckling waves.
 pub(crate) const MOST: f64 = 1e11;

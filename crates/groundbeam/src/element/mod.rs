@@ -1,8 +1,8 @@
 //! The beam between two nodes: stiffness and load of one element, (2.11), (5.1).
 //!
-//! An element is exact: its functions solve (2.11). The [closed form](uniform) serves cells on which EI, N and κ are constant,
-//! the [series](series) all others and beams that shear. A long loaded stretch has one [quiet element](quiet) in its middle.
-//! The [cubic element](cubic) is the paper's.
+//! An element is exact: its functions solve (2.11). The [closed form](uniform) is used for cells with
+//! constant EI, N and κ, the [series](series) for all others and for beams that shear. A long
+//! loaded stretch has one [quiet element](quiet) in its middle. The [cubic element](cubic) is that of the paper.
 
 pub(crate) mod cubic;
 pub(crate) mod element;
@@ -44,7 +44,7 @@ pub(crate) fn count(operator: &Operator, length: f64) -> usize {
     }
 }
 
-/// How many equal elements a stretch of `length` must be cut into.
+/// The number of equal elements into which a stretch of `length` must be cut.
 pub(crate) fn parts(operator: &Operator, length: f64) -> usize {
     let wave = match Layers::of(operator, length) {
         Some(layers) => layers.slow_squared.sqrt(),
@@ -53,7 +53,7 @@ pub(crate) fn parts(operator: &Operator, length: f64) -> usize {
     (wave * length / REACH).ceil().max(1.0) as usize
 }
 
-/// The element, and its functions, which turn its four numbers into w(s).
+/// The element and its functions, which give w(s) from the four unknowns.
 #[derive(Debug, Clone)]
 pub(crate) struct ExactElement {
     pub element: Element,
@@ -63,7 +63,7 @@ pub(crate) struct ExactElement {
 #[derive(Debug, Clone)]
 #[expect(
     clippy::large_enum_variant,
-    reason = "elements are uniform nearly always, and solved fast"
+    reason = "nearly all elements are uniform, so boxing them would cost time"
 )]
 enum Functions {
     Uniform(Uniform),
@@ -87,7 +87,7 @@ impl ExactElement {
         ExactElement { element, functions: Functions::Uniform(uniform) }
     }
 
-    /// The boundary layers that w holds beside its series.
+    /// The boundary layers that are part of w in addition to its series.
     pub fn layers(&self) -> Option<&Layers> {
         match &self.functions {
             Functions::Uniform(uniform) => uniform.layers.as_ref(),
@@ -103,8 +103,8 @@ impl ExactElement {
         }
     }
 
-    /// w for the element's four numbers: the coefficients of its series w(s), and the heights of the boundary layers at the
-    /// left and the right end, which are not part of the series.
+    /// w for the element's four unknowns: the coefficients of its series w(s), and the amplitudes of the
+    /// boundary layers at the left and the right end, which are not part of the series.
     pub fn unfold(&self, v: &[f64; 4]) -> ([f64; TERMS], [f64; 2]) {
         match &self.functions {
             Functions::Uniform(uniform) => {

@@ -1,36 +1,37 @@
-//! The coefficients of the beam equation on a cell, in contact or off it: (EI w″)″ − (N w′)′ + κ w = F − G′.
+//! The coefficients of the beam equation on a cell, with or without contact: (EI w″)″ − (N w′)′ + κ w = F −
+//! G′.
 
 use crate::element::element::MOST;
 use crate::mesh::cell::{Cell, GROUND};
 use crate::model::Profile;
 use crate::numeric::polynomial::value;
 
-/// Whether the beam rests on the ground along a whole cell.
+/// Whether the beam is in contact with the ground along a whole cell.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum ZoneKind {
-    /// u = w − g₀ all along.
+    /// Contact along the whole cell: u = w − g₀.
     Contact,
-    /// The ground is no part of the element.
+    /// No contact: the element does not contain the ground.
     Open,
 }
 
-/// The coefficients of (EI w″)″ − (N w')' + κ w = F − G' on a cell, in contact or off it.
+/// The coefficients of (EI w″)″ − (N w')' + κ w = F − G' on a cell, with or without contact.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Operator {
     /// EI.
     pub stiffness: f64,
-    /// N: P, and μ in contact.
+    /// N: P, plus μ in contact.
     pub tension: f64,
-    /// κ: k in contact, else 0.
+    /// κ: k in contact, otherwise 0.
     pub subgrade: f64,
-    /// F at both ends: f, and k g₀ in contact.
+    /// F at both ends: f, plus k g₀ in contact.
     pub load: [f64; 2],
-    /// G at both ends: g, and μ g₀' in contact.
+    /// G at both ends: g, plus μ g₀' in contact.
     pub moment_load: [f64; 2],
     /// EI κ₀ at both ends, of an imposed curvature κ₀.
     pub imposed_moments: [f64; 2],
-    /// All of them as polynomials, if EI, N or κ varies or the beam shears. The fields above are then their values at the
-    /// middle and at the ends.
+    /// All coefficients as polynomials, if EI, N or κ varies or the beam shears. The fields above are then
+    /// their values at the middle and at the ends.
     pub polynomials: Option<Polynomials>,
 }
 
@@ -57,16 +58,16 @@ impl Operator {
         }
     }
 
-    /// Whether the beam resists shear under its axial force, S + N > 0. Without it the beam buckles in waves of any length. A
-    /// beam whose waves are too short to be solved counts as one that does not.
+    /// Whether the shear stiffness is sufficient under the axial force, S + N > 0. Otherwise the beam buckles
+    /// in waves of any length. The result is also `false` if the waves are too short for the elements.
     pub fn bears_shear(&self, length: f64) -> bool {
         let shears = self.polynomials.as_ref().filter(|all| all.shear.is_some());
         let shortest = MOST.sqrt();
         shears.is_none_or(|all| all.resists_shear() && self.wave_number() * length <= shortest)
     }
 
-    /// A bound of the largest |r| with EI r⁴ − N r² + κ = 0 \[1/m\]. If EI, N or κ varies, the bound is found from their
-    /// extremes. A beam that shears has EI (1 + N/S) r⁴ − (N + EI κ/S) r² + κ = 0.
+    /// A bound of the largest |r| with EI r⁴ − N r² + κ = 0 \[1/m\]. If EI, N or κ varies, their extremes
+    /// give the bound. For a beam that shears the equation is EI (1 + N/S) r⁴ − (N + EI κ/S) r² + κ = 0.
     pub fn wave_number(&self) -> f64 {
         let [stiffness, tension, spring] = match &self.polynomials {
             None => [self.stiffness, self.tension.abs(), self.subgrade],
@@ -83,22 +84,22 @@ pub(crate) fn wave_number(stiffness: f64, tension: f64, spring: f64) -> f64 {
     (0.5 * (n + (n * n + 4.0 * k).sqrt())).sqrt()
 }
 
-/// The coefficients of the beam equation on a cell as polynomials of s ∈ \[−1, 1\], in contact or off it.
+/// The coefficients of the beam equation on a cell as polynomials of s ∈ \[−1, 1\], with or without contact.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Polynomials {
     /// EI.
     pub stiffness: [f64; Profile::MOST],
     /// S, if the beam shears.
     pub shear: Option<[f64; Profile::MOST]>,
-    /// N: P, and μ in contact.
+    /// N: P, plus μ in contact.
     pub tension: [f64; GROUND],
-    /// κ: k in contact, else 0.
+    /// κ: k in contact, otherwise 0.
     pub spring: [f64; GROUND],
-    /// F: f, and k g₀ in contact.
+    /// F: f, plus k g₀ in contact.
     pub load: [f64; GROUND + 1],
-    /// G, which does work on w′: μ g₀′ in contact.
+    /// G, which works on w′: μ g₀′ in contact.
     pub slope_load: [f64; GROUND],
-    /// g, which does work on φ.
+    /// g, which works on φ.
     pub moment_load: [f64; 2],
     /// κ₀.
     pub curvature: [f64; 2],
@@ -152,8 +153,8 @@ impl Polynomials {
         })
     }
 
-    /// EI, |N| and κ of a uniform element that only bends and whose waves are as short as the shortest of this one, from the
-    /// values at the ends and in the middle.
+    /// EI, |N| and κ of a uniform element that only bends and has the shortest waves of this element, from
+    /// the values at the ends and in the middle.
     fn extremes(&self) -> [f64; 3] {
         let at = |c: &[f64]| ENDS_AND_MIDDLE.map(|s| value(c, s));
         let largest = |c: [f64; 3]| c.into_iter().map(f64::abs).fold(0.0, f64::max);

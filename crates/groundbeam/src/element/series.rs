@@ -1,26 +1,28 @@
-//! The element with varying coefficients, for beams that bend and for beams that shear: power series of w, φ, m and τ.
+//! The element with varying coefficients, for beams that bend and for beams that shear: power series of w, φ,
+//! m and τ.
 //!
-//! About the middle of the element, x = x_middle + a s. The state is the deflection w, the rotation φ of the sections, the
-//! moment m = EI (φ′ − κ₀) and the vertical force τ = Q + N w′ − G, with the shear force Q = S γ. It solves (2.11) with
-//! (4.1) as a system of first order:
+//! About the middle of the element, x = x_middle + a s. The state is the deflection w, the rotation φ of the
+//! sections, the moment m = EI (φ′ − κ₀) and the vertical force τ = Q + N w′ − G, with the shear force Q = S
+//! γ. It solves (2.11) with (4.1) as a system of first order:
 //!
 //! > w′ = φ + γ,  φ′ = m/EI + κ₀,  m′ = −(Q + g),  τ′ = κ w − F,  (S + N) γ = τ + G − N φ.
 //!
-//! A beam that does not shear has γ = 0 and Q = τ + G − N φ. Moment loads g act on φ. The slope load G = μ g₀′ acts on w′.
-//! EI, S, N, κ and the loads are polynomials of s, so each coefficient of the state follows from those before it.
+//! A beam that does not shear has γ = 0 and Q = τ + G − N φ. Moment loads g act on φ. The slope load G = μ
+//! g₀′ acts on w′. EI, S, N, κ and the loads are polynomials of s, so each coefficient of the state follows
+//! from those before it.
 //!
-//! The series converges up to the nearest zero of EI or S + N in the complex plane. It lies ten half lengths away or farther
-//! ([`Cell::is_smooth`](crate::mesh::cell::Cell::is_smooth)). Four solutions without load and one under the load are found
-//! together. Rigid motions and deformations are kept apart, and γ has an unknown of its own, so no stiffness is a difference of
-//! large numbers.
+//! The series converges up to the nearest zero of EI or S + N in the complex plane. This zero is at least ten
+//! half lengths away ([`Cell::is_smooth`](crate::mesh::cell::Cell::is_smooth)). One recurrence gives four
+//! solutions without load and one with load. Rigid motions and deformations are separate unknowns, and so is
+//! γ. So no stiffness is a difference of large numbers.
 
 use crate::element::element::{Basis, Element, TERMS};
 use crate::element::operator::Polynomials;
 
-/// One number for each of the five solutions: four without load, and the one under the load.
+/// One number for each of the five solutions: four without load, and the one with load.
 type Five = [f64; 5];
 
-/// The number of the solution under the load.
+/// The index of the solution with load.
 const LOADED: usize = 4;
 
 /// The functions of an element.
@@ -30,9 +32,10 @@ pub(crate) struct Series {
     deflection: [Five; TERMS],
     /// Coefficients of φ, if the beam shears.
     rotation: Option<[Five; TERMS]>,
-    /// How much of each solution without load makes each of the element's four numbers 1 and the others 0.
+    /// Amplitudes of the four solutions without load that make one of the element's four unknowns 1 and the
+    /// others 0.
     unit: [[f64; 4]; 4],
-    /// How much of each solution without load has the end values of the solution under the load.
+    /// Amplitudes of the solutions without load that have the end values of the solution with load.
     held: [f64; 4],
 }
 
@@ -54,7 +57,7 @@ impl Series {
         for i in 0..4 {
             element.load[i] = restraining[i] - loaded_forces[i];
             for j in 0..4 {
-                // Symmetric but for rounding.
+                // Symmetric except for rounding.
                 element.stiffness[i][j] = 0.5 * (demanded[j][i] + demanded[i][j]);
             }
         }
@@ -62,7 +65,7 @@ impl Series {
         (element, Series { deflection: solutions.deflection, rotation, unit, held })
     }
 
-    /// The coefficients of w(s) for the element's four numbers.
+    /// The coefficients of w(s) for the element's four unknowns.
     pub fn deflection(&self, v: &[f64; 4]) -> [f64; TERMS] {
         self.unfold(v, &self.deflection)
     }
@@ -90,7 +93,7 @@ struct Solutions {
     moment: [Five; TERMS],
     /// τ.
     force: [Five; TERMS],
-    /// κ w − F, and the part N w′ − G − g of the virtual work of turning.
+    /// κ w − F, and N w′ − G − g, whose work on a rotation enters the virtual work.
     pressure: [Five; TERMS],
     turning: [Five; TERMS],
 }
@@ -151,9 +154,9 @@ impl Solutions {
         all
     }
 
-    /// The state in the middle. The free solutions have a unit deflection, a unit slope, a curvature, and a shear force with
-    /// w′ = 0. The moment and the force of the loaded one balance imposed curvature and moment loads, so that these bend the
-    /// beam only where they vary.
+    /// The state in the middle. The free solutions have a unit deflection, a unit slope, a curvature, and a
+    /// shear force with w′ = 0. The moment and the force of the loaded solution balance the constant parts of
+    /// imposed curvature and moment loads, so only their variation bends the beam.
     fn start(&mut self, of: &Polynomials, a: f64) {
         let [stiffness, tension] = [of.stiffness[0], of.tension[0]];
         let shear_force = -stiffness / (a * a * a);
@@ -188,8 +191,8 @@ impl Solutions {
         ends
     }
 
-    /// The forces on the element: the virtual work of rising and of turning about the left end, in which bending and
-    /// shearing have no part, then τ and m at the right end.
+    /// The forces on the element: the virtual work of a translation and of a rotation about the left end,
+    /// which contains neither bending nor shear; then τ and m at the right end.
     fn forces(&self, a: f64) -> [[f64; 4]; 5] {
         let mut forces = [[0.0; 4]; 5];
         for j in (0..TERMS).rev() {
@@ -210,8 +213,8 @@ impl Solutions {
     }
 }
 
-/// How much of each free solution gives wanted boundary values. The deformations belong to the third and
-/// the fourth, but for what ground and tension make of the first two.
+/// Amplitudes of the free solutions for given boundary values. The third and fourth amplitudes depend mainly
+/// on the deformations; ground and tension couple them to the first two.
 fn amplitudes(ends: &[[f64; 4]; 4], wanted: [f64; 4]) -> [f64; 4] {
     let solve = |m: [[f64; 2]; 2], r: [f64; 2]| {
         let determinant = m[0][0] * m[1][1] - m[0][1] * m[1][0];
@@ -245,13 +248,13 @@ fn combined(forces: &[[f64; 4]; 4], by: &[f64; 4]) -> [f64; 4] {
     std::array::from_fn(|i| by.iter().zip(forces).map(|(by, forces)| by * forces[i]).sum())
 }
 
-/// The polynomial without its highest coefficients that are zero.
+/// The polynomial without trailing zero coefficients.
 fn trimmed(c: &[f64]) -> &[f64] {
     let count = c.iter().rposition(|c| *c != 0.0).map_or(0, |last| last + 1);
     &c[..count]
 }
 
-/// The coefficient of s^j in f g for each solution g, without the first `skipped` powers of f.
+/// The coefficient of s^j in f g for each solution g, without the first `skipped` coefficients of f.
 fn product(f: &[f64], g: &[Five; TERMS], j: usize, skipped: usize) -> Five {
     let mut sum = [0.0; 5];
     for (i, f) in f.iter().enumerate().take(j + 1).skip(skipped) {
@@ -275,7 +278,7 @@ mod tests {
     use crate::model::Profile;
     use crate::numeric::polynomial::{derivative, jet, product as times, value};
 
-    /// A cell of which everything varies, on ground of which everything varies.
+    /// A cell with varying beam data, on varying ground.
     fn varying(shear: Option<[f64; Profile::MOST]>) -> Polynomials {
         Polynomials {
             stiffness: [1.0, 0.08, 0.005, 0.0002, 0.0, 0.0],
@@ -340,7 +343,7 @@ mod tests {
         }
     }
 
-    /// The shear force Q from w, φ and m: S (w′ − φ), or without shear −m′ − g.
+    /// The shear force Q from w, φ and m: S (w′ − φ), or −m′ − g if the beam does not shear.
     fn shear_force(of: &Polynomials, slope: &[f64], rotation: &[f64], rise: &[f64]) -> Vec<f64> {
         if let Some(shear) = &of.shear {
             let strain: Vec<f64> =
@@ -394,7 +397,8 @@ mod tests {
         }
     }
 
-    /// K follows from reciprocal theorems, not from a symmetric formula: what its two halves differ by is its error.
+    /// K follows from reciprocal theorems, not from a symmetric formula: the difference between its two
+    /// halves is its error.
     #[test]
     fn the_stiffness_is_symmetric_to_rounding() {
         for all in [varying(None), varying(Some(SHEAR))] {
@@ -442,7 +446,7 @@ mod tests {
         }
     }
 
-    /// A beam with a very large S only bends.
+    /// A beam with a very large S behaves as one that does not shear.
     #[test]
     fn with_a_large_shear_stiffness_it_only_bends() {
         let stiff = varying(Some([1e18, 0.0, 0.0, 0.0, 0.0, 0.0]));

@@ -1,25 +1,25 @@
 //! The element of uniform data: its functions solve EI w⁗ − N w″ + κ w = F − G', (2.11).
 //!
-//! About the middle of the element, with half length a and x = x_middle + a s, the equation turns into
-//! the recurrence
+//! About the middle of the element, with half length a and x = x_middle + a s, the equation becomes the
+//! recurrence
 //!
 //! (j+4)(j+3)(j+2)(j+1) c_{j+4} = α (j+2)(j+1) c_{j+2} − β c_j + ρ_j,
 //! α = N a²/EI, β = κ a⁴/EI, ρ = (F − G') a⁴/EI,
 //!
-//! for the coefficients of w = Σ cⱼ sʲ: a power series that converges like 1/j!, whatever the roots of
-//! EI r⁴ − N r² + κ are, real, double or complex. Even and odd j do not mix, so the element falls into
-//! two problems of two unknowns. No stiffness is found as a difference of large numbers.
+//! for the coefficients of w = Σ cⱼ sʲ. This power series converges like 1/j!, for real, double and complex
+//! roots of EI r⁴ − N r² + κ. Even and odd j are decoupled, so the element consists of two problems of two
+//! unknowns. No stiffness is a difference of large numbers.
 //!
-//! Where tension outweighs bending the roots lie far apart. Then EI (D² − r₁²)(D² − r₂²) w = F − G' falls
-//! into a slow shape, (D² − r₁²) w = −(F − G')/(EI r₂²), a series again, and the boundary layers
-//! cosh(r₂x) and sinh(r₂x): one element as long as the slow wave, whatever the layers' width.
+//! If tension dominates bending, the roots lie far apart. Then EI (D² − r₁²)(D² − r₂²) w = F − G' splits into
+//! a slow part, (D² − r₁²) w = −(F − G')/(EI r₂²), again a series, and the boundary layers cosh(r₂x) and
+//! sinh(r₂x). One element can then be as long as the slow wave, for boundary layers of any width.
 
 use crate::element::element::{Basis, Element};
 use crate::element::element::{REACH, TERMS};
 use crate::element::operator::Operator;
 use crate::numeric::elementary::{exp, power, tanh};
 
-/// Real roots so far apart that the larger one stands for boundary layers: r₂² ≥ `APART` r₁².
+/// Real roots so far apart that the larger one gives boundary layers: r₂² ≥ `APART` r₁².
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Layers {
     /// r₁² \[1/m²\].
@@ -31,7 +31,8 @@ pub(crate) struct Layers {
 const APART: f64 = 100.0;
 
 impl Layers {
-    /// `None` if one series serves the whole length, the roots are close or complex, or the element is a [series](crate::element::series).
+    /// `None` if one series is sufficient for the whole length, if the roots are close or complex, or if the
+    /// element is a [series](crate::element::series).
     pub fn of(operator: &Operator, length: f64) -> Option<Self> {
         let n = operator.tension / operator.stiffness;
         let k = operator.subgrade / operator.stiffness;
@@ -45,18 +46,19 @@ impl Layers {
     }
 }
 
-/// The functions of an element: even ones and odd ones.
+/// The functions of an element, even and odd ones.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Uniform {
     pub layers: Option<Layers>,
     halves: [Half; 2],
 }
 
-/// One parity: two solutions without load, the one with it, and the map from their amplitudes to the
-/// two boundary values of this parity.
+/// One parity: two solutions without load, one with load, and the map from their amplitudes to the two
+/// boundary values of this parity.
 #[derive(Debug, Clone, Copy)]
 struct Half {
-    /// Coefficients c₀, c₂, … or c₁, c₃, … of the two free solutions and the loaded one. A layer has none.
+    /// Coefficients c₀, c₂, … or c₁, c₃, … of the two free solutions and the loaded one. A boundary layer has
+    /// none.
     series: [[f64; TERMS / 2]; 3],
     /// Boundary values of the three.
     boundary: [[f64; 2]; 3],
@@ -77,7 +79,7 @@ impl Uniform {
         let unit = power(a, 4) / ei;
         let layers = Layers::of(operator, length);
 
-        // Even: rigid sinking w̄ and bending φ = (θ_right − θ_left)/2.
+        // Even: rigid translation w̄ and bending φ = (θ_right − θ_left)/2.
         let solve_even = |c0, c2, rho| series::<0>(c0, c2, alpha, beta, rho);
         let push_even = force_even - moment_odd / a;
         let even = match layers {
@@ -104,7 +106,7 @@ impl Uniform {
             }
         };
 
-        // Odd: rigid turning δ = (w_right − w_left)/2 and e = a θ̄ − δ.
+        // Odd: rigid rotation δ = (w_right − w_left)/2 and e = a θ̄ − δ.
         let solve_odd = |c1, c3, rho| series::<1>(c1, c3, alpha, beta, rho);
         let odd = match layers {
             None => [
@@ -117,7 +119,7 @@ impl Uniform {
         let odd = Half::new(odd, |c, loaded| {
             let [w, excess, bend, first] = sums(c, &ODD_SUMS);
             let (push, turn) = if loaded { (force_odd / 3.0, moment_even) } else { (0.0, 0.0) };
-            // Virtual work of a rigid turn, so that the large bending terms never enter.
+            // Virtual work of a rigid rotation, so that the large bending terms cancel exactly.
             let turning =
                 2.0 * (operator.tension * w / a + operator.subgrade * first * a - push * a - turn);
             ([w, excess], [turning, 2.0 * ei * bend / (a * a * a)])
@@ -139,8 +141,8 @@ impl Uniform {
         (element, Uniform { layers, halves: [even, odd] })
     }
 
-    /// The coefficients of w(s) for the element's four numbers, and the heights of the boundary layers at the left and the
-    /// right end, which are not part of them.
+    /// The coefficients of w(s) for the element's four unknowns, and the amplitudes of the boundary layers at
+    /// the left and the right end, which are not part of them.
     pub fn unfold(&self, basis: Basis, length: f64, v: &[f64; 4]) -> ([f64; TERMS], [f64; 2]) {
         let [even_half, odd_half] = &self.halves;
         let a = 0.5 * length;
@@ -149,10 +151,10 @@ impl Uniform {
         let (odd, sinh) = odd_half.unfold(odd);
         let series = std::array::from_fn(|j| if j % 2 == 0 { even[j / 2] } else { odd[j / 2] });
         let Some(layers) = self.layers else { return (series, [0.0; 2]) };
-        // cosh(zs)/cosh(z) = (e^(−z(1−s)) + e^(−z(1+s)))/(1 + e^(−2z)), sinh with two minus signs.
+        // cosh(zs)/cosh(z) = (e^(−z(1−s)) + e^(−z(1+s)))/(1 + e^(−2z)); sinh has minus signs.
         let decay = exp(-layers.fast * length);
         let (cosh, sinh) = (cosh / (1.0 + decay), sinh / (1.0 - decay));
-        // What rounding alone makes of them.
+        // The part of the amplitudes that is rounding error.
         let [w_left, left, w_right, right] = v.map(f64::abs);
         let turned = left + right;
         let even = layers.slow_squared * a * (w_left + w_right);
@@ -163,7 +165,7 @@ impl Uniform {
 }
 
 impl Layers {
-    /// The slow shapes of one parity: one free, none, one under the load F − G' = EI `push` (s for the
+    /// The slow functions of one parity: one free, one zero, one under the load F − G' = EI `push` (s for the
     /// odd one), (D² − r₁²) w = −push/r₂².
     fn slow<const PARITY: usize>(self, a: f64, push: f64) -> [[f64; TERMS / 2]; 3] {
         let ratio = self.slow_squared * a * a;
@@ -181,14 +183,14 @@ impl Layers {
         [series(1.0, 0.0), [0.0; TERMS / 2], series(0.0, load)]
     }
 
-    /// Where to cut an element with ends x so that each piece of a layer at its left or its right end is
-    /// a short series.
+    /// Positions at which to cut an element with ends x, so that each piece of a boundary layer is a short
+    /// series.
     pub fn cuts(&self, x: [f64; 2], heights: [f64; 2]) -> Vec<f64> {
         let length = x[1] - x[0];
         let mut from_end = Vec::new();
         let mut depth = 0.0;
         while depth < LAYER {
-            // The lower the layer, the fewer terms are needed.
+            // A smaller amplitude needs fewer terms.
             depth += REACH * exp(depth / 24.0);
             from_end.push(depth / self.fast);
         }
@@ -205,12 +207,12 @@ impl Layers {
         cuts
     }
 
-    /// Adds to the coefficients of w on a piece of an element with ends x what its layers are there.
+    /// Adds the boundary layers on a piece of an element with ends x to the coefficients of w there.
     pub fn add(&self, x: [f64; 2], heights: [f64; 2], piece: [f64; 2], c: &mut [f64]) {
         let half = 0.5 * (piece[1] - piece[0]);
         let ends = [piece[0] - x[0], x[1] - piece[1]];
         for (height, distance, sign) in [(heights[0], ends[0], -1.0), (heights[1], ends[1], 1.0)] {
-            // Beyond its depth a layer is nothing; a piece there may be long.
+            // Beyond its depth a layer is zero to rounding; pieces there may be long.
             if height == 0.0 || self.fast * distance > LAYER {
                 continue;
             }
@@ -223,7 +225,7 @@ impl Layers {
     }
 }
 
-/// The depth of a layer in units of 1/r₂: e⁻⁴⁰ is nothing beside 1.
+/// The depth of a boundary layer in units of 1/r₂: e⁻⁴⁰ is below rounding.
 const LAYER: f64 = 40.0;
 
 /// The recurrence for one parity, from its first two coefficients.
@@ -257,7 +259,7 @@ const fn falling<const PARITY: usize>() -> [[f64; TERMS / 2]; 2] {
     all
 }
 
-/// What c_j counts in w, w' and w″ at s = 1 and in ∫w over the half, for even j.
+/// Weights of c_j in w, w' and w″ at s = 1 and in ∫w over the half, for even j.
 const EVEN_SUMS: [[f64; 4]; TERMS / 2] = {
     let mut all = [[0.0; 4]; TERMS / 2];
     let mut i = 0;
@@ -269,7 +271,7 @@ const EVEN_SUMS: [[f64; 4]; TERMS / 2] = {
     all
 };
 
-/// The same for odd j, with w' − w in place of w' and ∫ws in place of ∫w.
+/// The same for odd j, with w' − w instead of w' and ∫ws instead of ∫w.
 const ODD_SUMS: [[f64; 4]; TERMS / 2] = {
     let mut all = [[0.0; 4]; TERMS / 2];
     let mut i = 0;
@@ -281,7 +283,7 @@ const ODD_SUMS: [[f64; 4]; TERMS / 2] = {
     all
 };
 
-/// Sums of coefficients, each weighted in four ways, the small ones first.
+/// Sums of coefficients with four sets of weights, the small coefficients first.
 fn sums(c: &[f64; TERMS / 2], weights: &[[f64; 4]; TERMS / 2]) -> [f64; 4] {
     let mut sums = [0.0; 4];
     for (c, weights) in c.iter().zip(weights).rev() {
@@ -301,7 +303,7 @@ impl Half {
         Half { series, boundary: ends.map(|e| e.0), force: ends.map(|e| e.1) }
     }
 
-    /// With a layer as the second free solution.
+    /// The same with a boundary layer as the second free solution.
     fn with_layer(mut self, boundary: [f64; 2], force: [f64; 2]) -> Self {
         (self.boundary[1], self.force[1]) = (boundary, force);
         self
@@ -329,7 +331,7 @@ impl Half {
         (stiffness, [0, 1].map(|i| force(loaded, i) - self.force[2][i]))
     }
 
-    /// The coefficients, and the second amplitude for itself.
+    /// The coefficients of the series, and separately the second amplitude.
     fn unfold(&self, value: [f64; 2]) -> ([f64; TERMS / 2], f64) {
         let [x, y] = self.boundary[2];
         let [p, q] = self.amplitudes([value[0] - x, value[1] - y]);
@@ -338,7 +340,7 @@ impl Half {
     }
 }
 
-/// (w̄, φ) and (δ, e) from the element's four numbers.
+/// (w̄, φ) and (δ, e) from the element's four unknowns.
 fn parities(a: f64, basis: Basis) -> [[[f64; 4]; 2]; 2] {
     match basis {
         Basis::Deformation => [
@@ -352,8 +354,8 @@ fn parities(a: f64, basis: Basis) -> [[[f64; 4]; 2]; 2] {
     }
 }
 
-/// Adds to q the work on w″ of the imposed curvature's moment EI κ₀, linear between its values `moments` at both ends. Rigid
-/// motions have no part in it.
+/// Adds to q the work on w″ of the moment EI κ₀ of the imposed curvature, linear between its values `moments`
+/// at both ends. Rigid motions do no work on it.
 pub(super) fn bend(element: &mut Element, moments: [f64; 2]) {
     if moments == [0.0; 2] {
         return;
@@ -373,7 +375,7 @@ fn dot(row: &[f64; 4], v: &[f64; 4]) -> f64 {
     row.iter().zip(v).map(|(a, b)| a * b).sum()
 }
 
-/// Stiffness and load in the element's four numbers.
+/// Stiffness and load in the element's four unknowns.
 fn assemble(
     length: f64,
     basis: Basis,
@@ -413,7 +415,7 @@ mod tests {
         }
     }
 
-    /// K in the deflections and slopes of both ends, as books print it.
+    /// K in the deflections and slopes of both ends, as in textbooks.
     fn by_ends(e: &Element) -> [[f64; 4]; 4] {
         let h = e.length;
         // v = C (w_l, θ_l, w_r, θ_r): d₁ = w_r − w_l − h θ_l, d₂ = θ_r − θ_l.
@@ -488,7 +490,7 @@ mod tests {
                 let rest = fourth - n * jet(&c, s)[2] / (a * a) + k * jet(&c, s)[0] - load;
                 assert!(rest.abs() < 1e-12 * (1.0 + load.abs()), "{n} {k} {s}: {rest}");
             }
-            // The element's forces are the shear T and the moment at its ends.
+            // The element's forces are the transverse force T and the moment at its ends.
             let f = e.element.forces(&v);
             let total = |j: [f64; 4], g: f64| -j[3] / power(a, 3) + n * j[1] / a - g;
             let t = [total(left, 0.5), total(right, 0.1)];
@@ -500,7 +502,7 @@ mod tests {
 
     #[test]
     fn an_element_with_layers_is_many_without() {
-        // N² ≫ 4κ EI: r₁ = 0.03, r₂ = 30; cut into short series, chained by their own stiffness.
+        // N² ≫ 4κ EI: r₁ = 0.03, r₂ = 30. Compared with a chain of short series elements.
         let op = Operator {
             load: [1.0, -2.0],
             moment_load: [0.5, 0.1],
@@ -535,7 +537,7 @@ mod tests {
                 }
             }
             before = Some(right);
-            // The equation itself in the middle of the piece.
+            // Checks the differential equation in the middle of the piece.
             let middle = 0.5 * (pair[0] + pair[1]);
             let load = 1.0 - 1.5 * middle - (-0.2);
             let fourth = 24.0 * c[4] / power(half, 4);
@@ -547,7 +549,7 @@ mod tests {
         let [left, right] = [jet(&ends[0], -1.0), jet(&ends[1], 1.0)];
         assert!((left[0] - 0.3).abs() < 1e-15 && (left[1] / halves[0] + 0.2).abs() < 1e-13);
         assert!((right[0] - 0.0).abs() < 1e-15 && (right[1] / halves[1] - 0.2).abs() < 1e-13);
-        // Its forces: shear T = −EI w‴ + N w' − G and moment EI w″ at the ends.
+        // Checks the forces: T = −EI w‴ + N w' − G and moment EI w″ at the ends.
         let f = whole.element.forces(&v);
         let total = |j: [f64; 4], h: f64, g: f64| -j[3] / power(h, 3) + 900.0 * j[1] / h - g;
         let t = [total(left, halves[0], 0.5), total(right, halves[1], 0.1)];
@@ -559,10 +561,10 @@ mod tests {
 
     #[test]
     fn short_elements_keep_the_digits_of_bending_and_ground() {
-        // Rigid terms are k h and k h²/2, bending 12/h³, each to the last digits, at any h.
+        // Rigid terms are k h and k h²/2, bending 12/h³, to the last digits for any h.
         for h in [1e-2, 1e-5, 1e-8] {
             let e = ExactElement::new(&operator(0.0, 1.0), h).element;
-            // The next terms of the series are of relative size h⁴.
+            // The next terms of the series have a relative size of h⁴.
             let small = power(h, 4) + 1e-15;
             assert!((e.stiffness[0][0] / h - 1.0).abs() < small);
             assert!((e.stiffness[0][1] / (h * h / 2.0) - 1.0).abs() < small);

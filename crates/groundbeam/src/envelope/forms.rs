@@ -6,7 +6,7 @@ use crate::solution::field::Field;
 use crate::solution::fields::SolutionPiece;
 use crate::solution::solution::Solution;
 
-/// One field of several solutions, ready to be cut.
+/// One field of several solutions, with the common ends of their closed forms.
 pub(super) struct Forms<'a> {
     solutions: &'a [&'a Solution],
     field: Field,
@@ -29,7 +29,7 @@ impl<'a> Forms<'a> {
         Forms { solutions, field, joints }
     }
 
-    /// Goes through the intervals from left to right: ends, and of each solution the coefficients of its
+    /// Visits the intervals from left to right: their ends, and for each solution the coefficients of its
     /// polynomial in s ∈ \[−1, 1\].
     pub fn each_interval(&self, mut visit: impl FnMut([f64; 2], &mut Vec<Coefficients>)) {
         let mut at = vec![0; self.solutions.len()];
@@ -56,13 +56,13 @@ pub(super) fn position([from, to]: [f64; 2], s: f64) -> f64 {
     if s <= 0.0 { from + half * (1.0 + s) } else { to - half * (1.0 - s) }
 }
 
-/// Whether u is a sum of exponentials here, not a polynomial.
+/// Whether u is here a sum of exponentials instead of a polynomial.
 fn is_exponential(piece: &SolutionPiece) -> bool {
     let moves = piece.open.is_some_and(|ends| ends != [0.0, 0.0]);
     moves && piece.settlement.is_empty() && piece.cell.shear_layer > 0.0
 }
 
-/// A field on a part of a piece, in the part's own coordinate.
+/// A field on a part of a piece, in the local coordinate of the part.
 fn form(piece: &SolutionPiece, field: Field, [from, to]: [f64; 2]) -> Coefficients {
     let [a, b] = [from, to].map(|x| piece.local(x));
     let part = |c: &[f64]| rescale(c, 0.5 * (a + b), 0.5 * (b - a));
@@ -89,7 +89,7 @@ fn form(piece: &SolutionPiece, field: Field, [from, to]: [f64; 2]) -> Coefficien
     }
 }
 
-/// u between two points of a piece off the ground.
+/// u between two points of an open piece.
 fn open_ground(piece: &SolutionPiece, ends: [f64; 2]) -> Coefficients {
     let pressed = pressed_ground(piece, ends);
     if !piece.cell.has_free_field() {
@@ -99,7 +99,7 @@ fn open_ground(piece: &SolutionPiece, ends: [f64; 2]) -> Coefficients {
     sum(&pressed, &rescale(&piece.cell.free_field(), 0.5 * (a + b), 0.5 * (b - a)), 1.0)
 }
 
-/// What the beam's pressure elsewhere adds to it.
+/// The contribution of the beam's pressure elsewhere.
 fn pressed_ground(piece: &SolutionPiece, [a, b]: [f64; 2]) -> Coefficients {
     if !piece.settlement.is_empty() {
         return rescale(&piece.settlement, 0.5 * (a + b), 0.5 * (b - a));
@@ -109,7 +109,7 @@ fn pressed_ground(piece: &SolutionPiece, [a, b]: [f64; 2]) -> Coefficients {
     }
     let (k, mu) = (piece.cell.subgrade, piece.cell.shear_layer);
     let half = 0.5 * (b - a) * piece.half;
-    // A piece this long lies far from both ends.
+    // On a piece of this length the middle is far from both ends.
     if 2.0 * half > 1.5 * link::PIECE * (mu / k).sqrt() {
         return Coefficients::zeros(1);
     }

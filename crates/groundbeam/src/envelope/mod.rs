@@ -8,20 +8,20 @@ use crate::solution::fields::{Extreme, Fields, Range, Side};
 use crate::solution::solution::Solution;
 use forms::Forms;
 
-/// Smaller differences, relative to the field's largest value in all solutions, are rounding: the
-/// solution that comes first then governs.
+/// Relative to the field's largest value in all solutions, smaller differences are rounding. The first
+/// solution then governs.
 const ROUNDING: f64 = 1e-12;
 
-/// Shortest part of the beam on which a solution governs; on a shorter one it leads by rounding error only.
+/// The shortest part of the beam on which a solution governs. On a shorter one its lead is rounding error.
 const SHORT: f64 = 1e-6;
-/// In the order in which they are looked at: the smallest values are the largest of what has the other sign.
+/// The order of the search: smallest values are largest values of the negative field.
 const BOUNDS: [Bound; 2] = [Bound::Max, Bound::Min];
 
-/// Several solutions of one beam, seen together.
+/// The envelope of several solutions of one beam.
 ///
-/// Lift-off makes superposition false, so each combination of loads is solved on its own; what a section has to
-/// carry is the envelope of the answers. It governs by numbers: solutions count from 0, in the order in which
-/// they were given.
+/// Superposition is not valid with lift-off, so each combination of loads is solved separately. The values
+/// for the design of a section are the envelope of the solutions. Solutions are identified by their index from
+/// 0, in the order given.
 ///
 /// ```
 /// use groundbeam::{Beam, Envelope, Field, Foundation, Load, Model, Outcome, solve};
@@ -34,7 +34,7 @@ const BOUNDS: [Bound; 2] = [Bound::Max, Bound::Min];
 ///     solutions.push(*solution);
 /// }
 /// let envelope = Envelope::of(&solutions);
-/// // The two are images of each other in a mirror: they change places in the middle.
+/// // Each solution is the mirror image of the other, so the governing one changes in the middle.
 /// assert_eq!(envelope.at(Field::Deflection, 1.0).max.by, 0);
 /// assert_eq!(envelope.at(Field::Deflection, 11.0).max.by, 1);
 /// let changes = envelope.changes(Field::Deflection);
@@ -44,18 +44,19 @@ const BOUNDS: [Bound; 2] = [Bound::Max, Bound::Min];
 #[derive(Debug, Clone)]
 pub struct Envelope<'a> {
     solutions: Vec<&'a Solution>,
-    /// Of each solution, in the order of [`Field::ALL`].
+    /// The ranges of each solution, in the order of [`Field::ALL`].
     ranges: Vec<ByField<Range>>,
-    /// What is rounding in each field.
+    /// The rounding error of each field.
     rounding: ByField<f64>,
 }
 
-/// A value and the solution that has it.
+/// A value and the solution that attains it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Governing {
-    /// The value, and where.
+    /// The value and its position.
     pub extreme: Extreme,
-    /// The solution, by its number; of several that have it, but for rounding, the first. The position is its own.
+    /// The index of the solution; the first one if several attain the value to rounding. The position is that
+    /// of this solution.
     pub by: usize,
 }
 
@@ -79,12 +80,12 @@ pub enum Bound {
     Max,
 }
 
-/// Where another solution begins to govern.
+/// A position at which another solution starts to govern.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Change {
-    /// Position \[m\]: where the two are equal, or where a field jumps.
+    /// Position \[m\]: where the two solutions are equal, or where a field jumps.
     pub x: f64,
-    /// On which line.
+    /// The line on which the governing solution changes.
     pub bound: Bound,
     /// The solution that governs to the left.
     pub from: usize,
@@ -100,10 +101,10 @@ struct GovernedPart {
 }
 
 impl<'a> Envelope<'a> {
-    /// The envelope of some solutions, which are all of one beam.
+    /// The envelope of solutions of one beam.
     ///
-    /// Where beams are of different length, what lies beyond the end of one is taken from its end. Of no
-    /// solutions at all, every value is zero.
+    /// If the beams have different lengths, values beyond the end of a shorter one are those at its end.
+    /// Without solutions every value is zero.
     pub fn of(solutions: impl IntoIterator<Item = &'a Solution>) -> Self {
         let solutions: Vec<&Solution> = solutions.into_iter().collect();
         let ranges: Vec<ByField<Range>> = solutions.iter().map(|s| s.ranges()).collect();
@@ -116,7 +117,7 @@ impl<'a> Envelope<'a> {
         Envelope { solutions, ranges, rounding }
     }
 
-    /// The fields to list, in the order of [`Field::ALL`]: without the rotation if no beam shears.
+    /// The fields to list, in the order of [`Field::ALL`]; without the rotation if no beam shears.
     pub fn fields(&self) -> impl Iterator<Item = Field> + Clone + use<> {
         Field::listed(self.solutions.iter().any(|solution| solution.model().beam.shears()))
     }
@@ -126,17 +127,17 @@ impl<'a> Envelope<'a> {
         &self.solutions
     }
 
-    /// The smallest and largest value of a field at a position; where it jumps, of both sides.
+    /// The smallest and largest value of a field at a position; where it jumps, over both sides.
     pub fn at(&self, field: Field, x: f64) -> Bounds {
         self.all_at(x)[field.index()]
     }
 
-    /// Those of all fields, in the order of [`Field::ALL`].
+    /// The smallest and largest values of all fields, in the order of [`Field::ALL`].
     pub fn all_at(&self, x: f64) -> ByField<Bounds> {
         self.bounds(x, [Side::Left, Side::Right])
     }
 
-    /// Those of all fields from one side only.
+    /// The smallest and largest values of all fields from one side only.
     pub fn all_beside(&self, x: f64, side: Side) -> ByField<Bounds> {
         self.bounds(x, [side, side])
     }
@@ -165,11 +166,11 @@ impl<'a> Envelope<'a> {
         governing(each, self.rounding(field))
     }
 
-    /// Where the governing solution changes, from left to right.
+    /// Positions at which the governing solution changes, from left to right.
     ///
-    /// Between two joints of any of the solutions every field is one closed form in each of them; the changes
-    /// are the roots of their differences, isolated by their coefficients and not sampled, and the joints at
-    /// which a field jumps.
+    /// Between two joints of any of the solutions every field has one closed form in each solution. The
+    /// changes are the roots of their differences, isolated from the coefficients without sampling, and the
+    /// joints at which a field jumps.
     pub fn changes(&self, field: Field) -> Vec<Change> {
         let forms = Forms::of(&self.solutions, field);
         let rounding = self.rounding(field);
@@ -198,8 +199,8 @@ impl<'a> Envelope<'a> {
         changes
     }
 
-    /// Adds a run to those left of it. A short one that leads by rounding alone belongs to its neighbour: where all
-    /// solutions are zero, as the moment at a free end, any of them could lead.
+    /// Appends a run to those left of it. A short run whose lead is rounding error is merged with its
+    /// neighbour: where all solutions are zero, as the moment at a free end, any of them could lead.
     fn lengthen(&self, runs: &mut Vec<GovernedPart>, next: GovernedPart, field: Field) {
         let Some(last) = runs.last_mut() else { return runs.push(next) };
         let is_nothing = |run: &GovernedPart, other: usize| {
@@ -220,8 +221,8 @@ impl<'a> Envelope<'a> {
         }
     }
 
-    /// Positions at which the envelope is worth listing: `even` equal steps, the loads, supports, joints, edges
-    /// of contact and extremes of every solution, and the changes of every field.
+    /// The positions at which to list the envelope: `even` equal steps; the loads, supports, joints, edges of
+    /// contact and extremes of every solution; and the changes of every field.
     pub fn stations(&self, even: usize) -> Vec<f64> {
         let Some(first) = self.solutions.first() else { return Vec::new() };
         let mut x = first.stations(even);
@@ -232,20 +233,20 @@ impl<'a> Envelope<'a> {
         x
     }
 
-    /// What is rounding in a field.
+    /// The rounding error of a field.
     fn rounding(&self, field: Field) -> f64 {
         self.rounding[field.index()]
     }
 }
 
-/// The least of the first and the largest of the second values.
+/// The smallest of the first and the largest of the second values.
 fn governing(each: impl Iterator<Item = [Extreme; 2]>, rounding: f64) -> Bounds {
     let nothing = Governing { extreme: Extreme { x: 0.0, value: 0.0 }, by: 0 };
     let mut found: Option<Bounds> = None;
     for (by, [low, high]) in each.enumerate() {
         let [min, max] = [low, high].map(|extreme| Governing { extreme, by });
         let found = found.get_or_insert(Bounds { min, max });
-        // The value is exact; who has it changes only for more than rounding.
+        // The value is exact; the governing solution changes only for a difference above rounding.
         if low.value < found.min.extreme.value - rounding {
             found.min = min;
         } else if low.value < found.min.extreme.value {

@@ -9,11 +9,11 @@ pub(super) struct Part {
     /// Its ends, in s ∈ \[−1, 1\].
     pub from: f64,
     pub to: f64,
-    /// The polynomial, by its number.
+    /// The index of the polynomial.
     pub by: usize,
 }
 
-/// The parts from left to right. Of polynomials that differ by no more than `rounding` the first is taken.
+/// The parts from left to right. If polynomials differ by no more than `rounding`, the first one governs.
 pub(super) fn parts(curves: &[Coefficients], rounding: f64) -> Vec<Part> {
     let mut parts = vec![Part { from: -1.0, to: 1.0, by: 0 }];
     for by in 1..curves.len() {
@@ -29,7 +29,7 @@ pub(super) fn parts(curves: &[Coefficients], rounding: f64) -> Vec<Part> {
     parts
 }
 
-/// A part with one polynomial more: whichever of the two is larger, piece by piece.
+/// A part after one more polynomial: the larger of the two on each piece.
 fn over(part: Part, by: usize, curves: &[Coefficients], rounding: f64, mut push: impl FnMut(Part)) {
     let rise = difference(&curves[by], &curves[part.by]);
     let whole = part.from == -1.0 && part.to == 1.0;
@@ -40,7 +40,7 @@ fn over(part: Part, by: usize, curves: &[Coefficients], rounding: f64, mut push:
     else {
         return push(part);
     };
-    // What the coefficients alone tell: never above by more than rounding.
+    // The coefficients show that the difference never exceeds rounding.
     if constant + spread <= rounding {
         return push(part);
     }
@@ -72,7 +72,7 @@ mod tests {
 
     #[test]
     fn lines_and_a_parabola() {
-        // |s| from two lines, and ½ + s²/2 which lies above both but at the ends.
+        // |s| from two lines, and ½ + s²/2, which is larger except at the ends.
         let curves = [vec![0.0, -1.0], vec![0.0, 1.0], vec![0.25, 0.0, 0.25]]
             .map(|c| Coefficients::from(&c[..]));
         let found = parts(&curves, 0.0);
@@ -91,7 +91,7 @@ mod tests {
 
     #[test]
     fn what_rises_between_roots_is_seen() {
-        // Three bumps of one polynomial over zero: T₄(s) lies above −½ in three places.
+        // Three maxima of one polynomial above a constant: T₄(s) exceeds −½ on three intervals.
         let curves =
             [vec![-0.5], vec![1.0, 0.0, -8.0, 0.0, 8.0]].map(|c| Coefficients::from(&c[..]));
         assert_eq!(numbers(&parts(&curves, 0.0)), [1, 0, 1, 0, 1]);

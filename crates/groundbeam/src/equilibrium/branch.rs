@@ -1,12 +1,12 @@
-//! The path of equilibria under growing compression, from the beam without compression.
+//! The path of equilibria under increasing compression, from the beam without compression.
 //!
-//! The energy Φ of a deflection, the ground lying under it as it will, has a continuous derivative, and
-//! its second variation at an equilibrium is that of the beam *bonded* to the ground where it touches: an
-//! edge of contact is where the ground leaves the beam tangentially, so that a move of the edge changes
-//! the energy in the third order only. A [bonded solve](crate::contact::bonded) is therefore a step of Newton's method
-//! on Φ, and its elimination tells whether the second variation is positive. As long as it is, the
-//! equilibria under growing compression are one curve, which ends where it no longer is: at a limit
-//! point, where the curve turns back, or at a bifurcation.
+//! Let Φ be the energy of a deflection, minimised over the ground. Φ has a continuous derivative. Its second
+//! variation at an equilibrium is that of the beam *bonded* to the ground in its contact zones: at an edge of
+//! contact the ground leaves the beam tangentially, so a move of the edge changes the energy in the third
+//! order only. A [bonded solve](crate::contact::bonded) is therefore a Newton step for Φ, and its elimination
+//! shows whether the second variation is positive. As long as it is, the equilibria under increasing
+//! compression form one path. The path of stable equilibria ends at a limit point, where it turns back, or at
+//! a bifurcation.
 
 use crate::cancel::Cancel;
 use crate::chain::node::NotDefinite;
@@ -23,34 +23,35 @@ use crate::model::compressed;
 use crate::solution::candidate::{Candidate, Workspace};
 use std::borrow::Cow;
 
-/// The first step, as a part of the compression that is wanted.
+/// The first step, as a fraction of the required compression.
 const FIRST: f64 = 0.25;
-/// The last step, as a part of the compression reached: the accuracy of the branch's end.
+/// The last step, as a fraction of the compression reached: the accuracy of the end of the path.
 const LAST: f64 = 1e-10;
-/// Newton's steps that a step in compression may take.
+/// Maximum number of Newton steps per step in compression.
 const MOST_STEPS: usize = 10;
-/// Changes of the supports that act, which it may make as well.
+/// Maximum number of changes of the active supports per step in compression.
 const MOST_CHANGES: usize = 10;
-/// A move of the edges, relative to the beam's length, that is rounding, and one that may be, if the steps make it
-/// no smaller.
+/// Moves of the edges, relative to the beam's length: one that is rounding, and one that is accepted if
+/// further steps do not reduce it.
 const STILL: f64 = 1e-13;
 const ROUNDING: f64 = 1e-9;
-/// How near the way back must come to where the way began, and which equilibria are next to each other.
+/// The tolerance for equal states: when the way back must reach its starting point, and when equilibria are
+/// neighbours.
 const SAME: f64 = 1e-7;
 const NEXT: f64 = 1e-3;
 
-/// A stable equilibrium on the branch.
+/// A stable equilibrium on the path.
 #[derive(Debug, Clone)]
 pub(crate) struct PathPoint {
     /// −P \[N\].
     pub compression: f64,
     pub contact: Vec<Interval>,
-    /// Which supports act; those that act in both directions do.
+    /// The active supports; two-way supports are always active.
     pub active: Vec<bool>,
 }
 
 impl PathPoint {
-    /// The model on the supports that act.
+    /// The model with the active supports only.
     pub fn on_active_supports<'a>(&self, model: &'a Model) -> Cow<'a, Model> {
         if !model.has_one_way_supports() {
             return Cow::Borrowed(model);
@@ -59,27 +60,27 @@ impl PathPoint {
     }
 }
 
-/// What was found on the way.
+/// The result of following the path.
 #[derive(Debug, Clone)]
 pub(crate) struct EquilibriumPath {
-    /// The equilibrium under the model's own compression, if the branch goes so far.
+    /// The equilibrium under the model's own compression, if the path reaches it.
     pub wanted: Option<PathPoint>,
-    /// The last stable one; infinite compression if there is no last.
+    /// The last stable equilibrium; infinite compression if the path does not end.
     pub last: PathPoint,
-    /// Why there is no next one.
+    /// The reason why the path ends.
     pub end: PathEnd,
 }
 
-/// What ends a step in compression, however small.
+/// The reason why no step in compression succeeds, however small.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) enum PathEnd {
-    /// The second variation is not positive there, on these supports.
+    /// The second variation is not positive there, with these active supports.
     NotStable(Vec<bool>),
-    /// Newton's steps do not come to rest: beyond a limit point, or not knowing which zones touch.
+    /// Newton's steps do not converge: beyond a limit point, or because the contact zones alternate.
     NotConverged,
 }
 
-/// From the equilibrium of the beam without compression through the wanted compression to the branch's end.
+/// Follows the path from the equilibrium without compression through the required compression to its end.
 pub(crate) fn follow(model: &Model, begin: PathPoint, cancel: &Cancel) -> EquilibriumPath {
     let wanted = -model.beam.axial_force;
     let l = model.beam.length;
@@ -124,7 +125,8 @@ pub(crate) fn follow(model: &Model, begin: PathPoint, cancel: &Cancel) -> Equili
     EquilibriumPath { wanted: found, last, end }
 }
 
-/// The start of a step to another compression: the edges on the secant of the last two equilibria.
+/// The initial guess at another compression: the edges extrapolated along the secant of the last two
+/// equilibria.
 fn predicted(before: Option<&PathPoint>, last: &PathPoint, compression: f64, l: f64) -> PathPoint {
     let edges = before.filter(|before| before.active == last.active).and_then(|before| {
         let part = (compression - last.compression) / (last.compression - before.compression);
@@ -133,8 +135,8 @@ fn predicted(before: Option<&PathPoint>, last: &PathPoint, compression: f64, l: 
     PathPoint { contact: edges.unwrap_or_else(|| last.contact.clone()), ..last.clone() }
 }
 
-/// The next equilibrium on the branch. Of two that are on one branch each is found from the other; of two next to
-/// each other that need not be seen.
+/// The next equilibrium on the path. Two equilibria are on one path if each is found from the other;
+/// neighbours need no such check.
 fn next(
     model: &Model,
     places: &[f64],
@@ -155,8 +157,8 @@ fn next(
     if same { Ok(next) } else { Err(PathEnd::NotConverged) }
 }
 
-/// The equilibrium that Newton's steps find from the contact of a neighbour, all of them where the second
-/// variation is positive.
+/// The equilibrium found by Newton's steps from the contact of a neighbour, if the second variation is
+/// positive in all of them.
 fn settled(
     model: &Model,
     places: &[f64],
@@ -195,7 +197,7 @@ fn settled(
     Err(PathEnd::NotConverged)
 }
 
-/// The same state on the supports that it asks for, where those are others.
+/// The same state with the active supports that follow from it, if these differ.
 fn other_supports(
     model: &Model,
     held: &Model,

@@ -1,5 +1,5 @@
-//! Buckling loads: of the beam alone, which bounds the compression under which its energy is convex, and of
-//! the beam that the ground holds where it touches.
+//! Buckling loads: of the beam alone, below which its energy is convex, and of the beam bonded to the ground
+//! in given contact zones.
 
 use crate::cancel::Cancel;
 use crate::chain::elimination::Chain;
@@ -14,11 +14,11 @@ use crate::mesh::mesh::Mesh;
 use crate::model::Model;
 use crate::model::compressed;
 
-/// The smallest compression \[N\] at which the beam on its supports, without ground, has a deflected state of
-/// no stiffness: a lower bound of it, right to twelve digits. Infinite if there is none.
+/// The smallest compression \[N\] at which the beam on its supports, without ground, has a deflected state
+/// without stiffness. A lower bound, accurate to twelve digits; infinite if there is none.
 ///
-/// Below it the energy of bending, springs and compression is positive definite, which is what the
-/// elimination of a chain finds out: all its pivots are positive.
+/// Below it the energy of bending, springs and compression is positive definite. The elimination of a chain
+/// shows this: all its pivots are positive.
 pub fn own_buckling_load(model: &Model) -> f64 {
     unsupported_buckling_load(model, &Cancel::default())
 }
@@ -28,8 +28,8 @@ fn unsupported_buckling_load(model: &Model, cancel: &Cancel) -> f64 {
     least_unstable(model, |compression| !cancel.is_cancelled() && is_stable(model, compression))
 }
 
-/// What compression leaves of the convexity of the energy, whatever touches: 1 + P/P_cr with the beam's own
-/// buckling load, 1 without compression. None where the energy is not convex.
+/// The part of the energy's convexity that remains under compression, for any contact: 1 + P/P_cr with the
+/// beam's own buckling load, 1 without compression. `None` if the energy is not convex.
 pub(crate) fn convexity(model: &Model, cancel: &Cancel) -> Option<f64> {
     let axial = model.beam.axial_force;
     if axial >= 0.0 {
@@ -38,21 +38,21 @@ pub(crate) fn convexity(model: &Model, cancel: &Cancel) -> Option<f64> {
     if !held_rigidly(model) {
         return None;
     }
-    // What the beam may leave does not hold it.
+    // One-way supports do not prevent buckling.
     let held = model.with_supports_that(|_, support| !support.is_one_way());
     let left = 1.0 + axial / unsupported_buckling_load(&held, cancel);
     (left > 0.0).then_some(left)
 }
 
 /// The smallest compression \[N\] at which the beam bonded to the ground on given stretches has a deflected
-/// state of no stiffness, from below and to twelve digits.
+/// state without stiffness: a lower bound, accurate to twelve digits.
 pub(crate) fn bonded_buckling_load(model: &Model, contact: &[Interval], cancel: &Cancel) -> f64 {
     least_unstable(model, |compression| {
         Bonded::new(&compressed(model, compression), cancel).solve_on(contact).is_ok()
     })
 }
 
-/// The end of the compressions from zero on that are stable, from below.
+/// The largest compression below which the beam is stable, from below.
 fn least_unstable(model: &Model, is_stable: impl Fn(f64) -> bool) -> f64 {
     let l = model.beam.length;
     let unit = model.beam.stiffest() / (l * l);
@@ -123,7 +123,7 @@ mod tests {
         close(load(&[Support::fixed(0.0), Support::fixed(2.0)]), 4.0 * PI * PI);
     }
 
-    /// A column with a spring C in a hinge at its middle: z tan z = C l/EI with z = l/2 √(P/EI).
+    /// A column with a rotational spring C in a hinge at its middle: z tan z = C l/EI with z = l/2 √(P/EI).
     #[test]
     fn a_spring_in_the_middle() {
         for z in [0.1, 0.5, PI / 4.0, 1.2, 1.5] {
@@ -137,7 +137,8 @@ mod tests {
         }
     }
 
-    /// A cantilever that holds a bar on a pin: the bar is rigid against it, and pulls its tip off with P/b.
+    /// A cantilever that supports a bar through a pin: the bar is rigid in comparison, and pulls the tip
+    /// sideways with P/b.
     #[test]
     fn a_cantilever_under_a_pinned_bar() {
         // sin-cos solution of the cantilever with a lateral P w/b at its tip: tan z = z (1 + b/a).
@@ -155,7 +156,7 @@ mod tests {
 
     #[test]
     fn a_pin_on_a_rotational_spring() {
-        // A rigid bar would buckle at k_φ/l; a bar a thousand times stiffer than its spring comes close.
+        // A rigid bar would buckle at k_φ/l; a bar a thousand times stiffer than its spring is close to that.
         let p = load(&[Support::pinned(0.0), Support::spring(2.0, 0.0, 3e-3)]);
         assert!((p / 2e-3 - 1.0).abs() < 1e-3, "{p}");
     }

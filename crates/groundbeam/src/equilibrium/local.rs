@@ -1,9 +1,8 @@
-//! Compression that the ground must help to bear: the stable equilibrium next to the unloaded state.
+//! Compression that the ground helps to carry: the stable equilibrium next to the unloaded state.
 //!
-//! A beam that lies on the ground is kept from buckling by it, but only as long as it lies there: its
-//! energy is not convex, and has no least value if the beam may rise. What is asked for then is the
-//! equilibrium that grows out of that without compression ([`branch`]), and whether the branch goes as
-//! far as the compression that is wanted.
+//! The ground prevents buckling only while the beam is in contact with it. The energy is not convex, and has
+//! no minimum if the beam may rise. The result is therefore the equilibrium on the path that starts without
+//! compression ([`branch`]), if this path reaches the given compression.
 
 use crate::cancel::Cancel;
 use crate::contact::bonded::Bonded;
@@ -23,12 +22,12 @@ use crate::numeric::tolerance::BRANCH;
 use crate::options::Method;
 use crate::outcome::Outcome;
 
-/// How near its buckling load a beam is taken that is to show its buckling mode.
+/// The relative distance from the buckling load at which the buckling mode is computed.
 const NEARLY: f64 = 1e-12;
-/// Points at which a mode is looked at, in each cell.
+/// Number of points per cell at which a mode is evaluated.
 const POINTS: usize = 16;
 
-/// What is known of a model in compression whose energy is not convex.
+/// The verdict for a model in compression whose energy is not convex.
 pub(crate) fn check(
     model: &Model,
     cancel: &Cancel,
@@ -41,7 +40,7 @@ pub(crate) fn check(
         stability: 1.0,
         local: None,
     };
-    // What may turn or rise without compression is not held against the least of it.
+    // A rigid motion that is free without compression becomes unstable under any compression.
     let buckles = |motion: RigidMotion| Verdict::Buckles(Buckling::at_once(model, motion));
     let solution = match statics.verdict {
         Verdict::NotUnique(motion) => return Ok(known(buckles(motion))),
@@ -58,7 +57,7 @@ pub(crate) fn check(
     let acts = one_way::acting(model, solution.candidate());
     let EquilibriumPath { wanted, last, end } =
         follow(model, PathPoint { compression: 0.0, contact, active: acts }, cancel);
-    // Towards its end the branch is ever less stable, or it ends where a point lets go.
+    // Towards its end the path becomes less and less stable, or it ends where a contact point lifts off.
     if end == PathEnd::NotConverged {
         let margin = 1.0
             - last.compression
@@ -79,7 +78,7 @@ pub(crate) fn check(
 }
 
 impl Buckling {
-    /// A beam that a rigid motion takes away however small the compression.
+    /// The buckling of a beam with a rigid motion that is unstable under any compression.
     fn at_once(model: &Model, motion: RigidMotion) -> Self {
         let RigidMotion { left, right, work, lifted } = motion;
         let end = if right.abs() > left.abs() { model.beam.length } else { 0.0 };
@@ -88,7 +87,7 @@ impl Buckling {
     }
 }
 
-/// How the beam buckles at the end of its branch: where a support lets go there, without it.
+/// The buckling at the end of the path; if a support lifts off there, without this support.
 fn buckling(model: &Model, last: PathPoint, end: PathEnd, cancel: &Cancel) -> Buckling {
     let critical_compression = last.compression;
     let acts = if let PathEnd::NotStable(acts) = end { acts } else { last.active };
@@ -98,10 +97,11 @@ fn buckling(model: &Model, last: PathPoint, end: PathEnd, cancel: &Cancel) -> Bu
     Buckling { critical_compression, at, left, right, work }
 }
 
-/// Where the buckling mode of the beam bonded to the ground on given intervals is largest, what it is at both
-/// ends, and the loads' work in it; up, and of size 1.
+/// The buckling mode of the beam bonded to the ground on given intervals: the position of its largest value,
+/// its values at both ends, and the work of the loads in it; upward, of size 1.
 ///
-/// A beam next to its buckling load answers a load that no symmetry holds back with its mode.
+/// Near its buckling load a beam deflects in the shape of its mode under any load that is not orthogonal to
+/// it.
 fn mode(model: &Model, contact: &[Interval], cancel: &Cancel) -> Option<(f64, [f64; 2], f64)> {
     let load = bonded_buckling_load(model, contact, cancel);
     let mut nearly = compressed(model, load * (1.0 - NEARLY));
@@ -115,7 +115,7 @@ fn mode(model: &Model, contact: &[Interval], cancel: &Cancel) -> Option<(f64, [f
         support.settlement = 0.0;
     }
     let l = model.beam.length;
-    // In no symmetry, and no polynomial along the beam: even loads leave even modes alone.
+    // A load without symmetry: a symmetric load would not excite antisymmetric modes.
     nearly.loads.push(Load::distributed_force(0.0, 0.618 * l, 1.0, -0.37));
     let found = Bonded::new(&nearly, cancel).solve_on(contact).ok()?;
     let w = found.deflection();
@@ -136,16 +136,16 @@ fn mode(model: &Model, contact: &[Interval], cancel: &Cancel) -> Option<(f64, [f
     let mesh = Mesh::build(model, &x, |_| 1);
     let same = mesh.cells.len() == found.mesh.cells.len();
     let work = same.then(|| work_of_loads(&mesh, found.motion()))?;
-    // Scaled to −1 where it is largest; adding zero turns −0 into 0.
+    // Scaled to −1 at the largest value; adding zero turns −0 into 0.
     Some((at, [left, right].map(|w| -w / size + 0.0), -work / size + 0.0))
 }
 
-/// What is known of a model before it is solved.
+/// The result of the checks before the solve.
 pub(crate) struct Assessment {
     pub existence: Existence,
-    /// How much of the energy's convexity compression leaves, where it touches if that is local: 1 + P/P_cr;
-    /// 1 without compression.
+    /// The part of the energy's convexity that remains under compression, for a local equilibrium with its
+    /// own contact: 1 + P/P_cr; 1 without compression.
     pub stability: f64,
-    /// Where a local equilibrium touches the ground, and which supports act in it.
+    /// The contact and the active supports of a local equilibrium.
     pub local: Option<PathPoint>,
 }

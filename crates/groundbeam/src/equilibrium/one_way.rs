@@ -1,20 +1,21 @@
 //! The set of active one-way supports, by solves with fixed sets.
 //!
-//! A bearing that only pushes up asks for w ≤ 0 and a reaction R ≥ 0 with R w = 0; a hold-down for the
-//! same with other signs; an elastic one for the same of the clearance between the beam and its spring. These are
-//! constraints of a convex energy, and they are met as in the active-set method for quadratic programs (Nocedal
-//! and Wright, *Numerical Optimization*, 2nd ed., section 16.5):
+//! A rigid support that only pushes up requires w ≤ 0 and a reaction R ≥ 0 with R w = 0; a hold-down the same
+//! with opposite signs; an elastic one the same for the clearance between the beam and its spring. These are
+//! constraints of a convex energy. They are satisfied by the active-set method for quadratic programs
+//! (Nocedal and Wright, *Numerical Optimization*, 2nd ed., section 16.5):
 //!
-//! 1. Solve the beam, ground and all, on the supports that act now, as if they acted in both directions.
-//! 2. On the straight way from the deflection before to that one, stop where the beam first meets a support
-//!    that does not act: from there on that one acts too. Go to 1.
-//! 3. Else, if a support that acts would have to act the other way, it no longer does. Go to 1.
-//! 4. Else this is the answer: all conditions hold, and they are sufficient.
+//! 1. Solve beam and ground with the active supports, as if these were two-way.
+//! 2. On the straight path from the previous deflection to the new one, stop where the beam first meets an
+//!   inactive support. This support becomes active. Go to 1.
+//! 3. Otherwise, if an active support has a force of the wrong sign, it becomes inactive. Go to 1.
+//! 4. Otherwise this is the solution: all conditions hold, and they are sufficient.
 //!
-//! The energy never rises, for all the way it is convex and the deflection at its end is the least on the supports
-//! that act. It falls strictly before step 3 is reached again with other supports: none comes twice, and there are
-//! finitely many. Step 2 repeats at most as often as there are supports. Where the supports that act leave no
-//! equilibrium the way is the motion that proves it; it ends at a hold-down, since all of them together leave none.
+//! The energy never increases: it is convex along the path, and the end of the path is its minimum for the
+//! active supports. It has decreased strictly before step 3 occurs again with other supports. So no set
+//! occurs twice, and there are finitely many. Step 2 repeats at most as often as there are supports. If the
+//! active supports allow no equilibrium, the path is the motion that proves it. It ends at a hold-down,
+//! unless all supports together allow no equilibrium.
 
 use crate::existence::verdict::{Existence, Verdict};
 use crate::model::{Model, Support};
@@ -23,28 +24,30 @@ use crate::solution::candidate::Candidate;
 use crate::solution::fields::Side;
 use crate::solution::solution::Solution;
 
-/// Solves that end the search, on supports that rounding makes act and not act in turn.
+/// Maximum number of solves; a guard against cycling by rounding.
 const MOST_SOLVES: usize = 1000;
-/// After so many, the first of several supports goes and not the worst, which ends rows of steps of no length.
+/// After this number of solves the first of several supports changes instead of the worst one. This ends
+/// cycles of steps of zero length.
 const PATIENCE: usize = 50;
-/// A force the wrong way, relative to all reactions, and a clearance, relative to all deflections, that are rounding.
+/// Rounding error of a force, relative to the sum of all reactions, and of a clearance, relative to the
+/// largest deflection.
 const ROUNDING: f64 = 1e-13;
 
-/// Solves a model with such supports, by a method for one without. Returns the solution on the supports that act, which
-/// supports these are, and the number of solves; no solution if the search does not end.
+/// Solves a model with one-way supports by a method for models without them. Returns the solution on the
+/// active supports, the set of these, and the number of solves; no solution if the search does not end.
 pub(crate) fn solve<E>(
     model: &Model,
     mut solve: impl FnMut(&Model) -> Result<Outcome, E>,
 ) -> Result<SupportSearch, E> {
     let supports = &model.supports;
     let mut acts = vec![true; supports.len()];
-    // How far the beam is from each, 0 where it acts.
+    // The clearance of each support, 0 where it is active.
     let mut clear = vec![0.0; supports.len()];
     for step in 1..=MOST_SOLVES {
         let now = model.with_supports_that(|i, _| acts[i]);
         let outcome = solve(&now)?;
         let free = |i: &usize| supports[*i].is_one_way() && !acts[*i];
-        // Where the way leads: the clearances at its end, or how they change on it without end.
+        // The end of the path: the clearances there, or their rates along an infinite motion.
         let (towards, solution) = match outcome {
             Outcome::Equilibrium(solution) => {
                 (clearances(model, solution.candidate()).0, Some(solution))
@@ -93,15 +96,15 @@ pub(crate) fn solve<E>(
     Ok(SupportSearch { found: None, solves: MOST_SOLVES })
 }
 
-/// How the search ended.
+/// The result of the search.
 pub(crate) struct SupportSearch {
-    /// The solution on the supports that act, and which supports these are; none if they still change.
+    /// The solution and its active supports; `None` if they still change.
     pub found: Option<(Box<Solution>, Vec<bool>)>,
-    /// Solves of a model whose supports act in both directions.
+    /// Number of solves with fixed supports.
     pub solves: usize,
 }
 
-/// How far the beam is from each support, 0 where that is rounding, and how large its deflections are.
+/// The clearance of each support, 0 where it is rounding, and the largest deflection.
 pub(crate) fn clearances(model: &Model, candidate: &Candidate) -> (Vec<f64>, f64) {
     let range = candidate.range(crate::Field::Deflection);
     let size = range.min.value.abs().max(range.max.value.abs());
@@ -113,8 +116,8 @@ pub(crate) fn clearances(model: &Model, candidate: &Candidate) -> (Vec<f64>, f64
     (model.supports.iter().map(clearance).collect(), size)
 }
 
-/// What each support that acts pushes with in the direction in which it alone may act, from the solution on those that
-/// act, and the sum of all reactions.
+/// The force of each active support in its permitted direction, from the solution with these supports, and
+/// the sum of all reactions.
 pub(crate) fn forces(model: &Model, acts: &[bool], candidate: &Candidate) -> (Vec<f64>, f64) {
     let mut reactions = candidate.reactions.iter();
     let all: f64 = candidate.reactions.iter().map(|reaction| reaction.force.abs()).sum();
@@ -125,15 +128,15 @@ pub(crate) fn forces(model: &Model, acts: &[bool], candidate: &Candidate) -> (Ve
     (each.collect(), all)
 }
 
-/// Which supports push in a solution; those that act in both directions act in any case.
+/// The supports that carry force in a solution; two-way supports always count.
 pub(crate) fn acting(model: &Model, candidate: &Candidate) -> Vec<bool> {
     let (forces, all) = forces(model, &vec![true; model.supports.len()], candidate);
     let pushes = forces.iter().map(|force| *force > ROUNDING * all);
     model.supports.iter().zip(pushes).map(|(s, pushes)| pushes || !s.is_one_way()).collect()
 }
 
-/// The supports that act by what the solution on those that are said to act shows: of these those that push, of the
-/// others those beyond which the beam would lie. One that pushes with nothing holds nothing.
+/// The active supports that follow from the solution with a given active set: of these the ones with a
+/// positive force, of the others those that the beam penetrates. A support without force is inactive.
 pub(crate) fn asked_for(model: &Model, acts: &[bool], candidate: &Candidate) -> Vec<bool> {
     let (forces, all) = forces(model, acts, candidate);
     let (clear, _) = clearances(model, candidate);

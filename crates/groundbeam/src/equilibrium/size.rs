@@ -1,9 +1,10 @@
-//! Elements and memory of a solve, estimated from the model and the options.
+//! Number of elements and memory of a solve, estimated from the model and the options.
 //!
-//! Two limits refuse a model. The memory that all elements need stays below [`Options::memory_limit`]. The elements that are
-//! power series, where stiffness or ground vary and where the beam shears, stay below a fixed number: each costs far more time than
-//! its memory says. A shear layer a billion times as stiff as the beam has boundary layers of 10⁻⁴ of the length, and
-//! every such element on it is as short as they are.
+//! Two limits refuse a model. The memory of all elements must stay below [`Options::memory_limit`]. The
+//! number of series elements must stay below a fixed limit, because their computing time is large compared
+//! with their memory. Series elements occur where stiffness or ground vary and where the beam shears. A shear
+//! layer a billion times as stiff as the beam has boundary layers of 10⁻⁴ of the length, and every series
+//! element on it is as short as they are.
 
 use crate::element;
 use crate::element::element::REACH;
@@ -14,23 +15,24 @@ use crate::model::problem::Bytes;
 use crate::model::{Model, Part, Problem};
 use crate::options::{Method, Options};
 
-/// The most elements that are power series.
+/// Maximum number of series elements.
 const MOST_SERIES: usize = 30_000;
 
-/// Bytes of memory per element, of the exact method, of the methods with a mesh and of a solution at nodes alone: the largest
-/// that `verification/tests/memory.rs` and `bench/` have measured, 10,320, 3500 and 53, and something more.
+/// Bytes of memory per element: of the exact method, of the methods with a mesh, and of a solution at nodes
+/// alone. They exceed the largest measured values in `verification/tests/memory.rs` and `bench/`: 10,320, 3500
+/// and 53.
 const EXACT: usize = 10_800;
 const MESH: usize = 4_200;
 const NODE: usize = 100;
 
-/// Elements that a model needs at most.
+/// Upper bounds of the numbers of elements of a model.
 #[derive(Debug, Clone, Copy, Default)]
 struct Count {
     /// Cells of the model: stretches between loads, supports and ends of segments.
     cells: usize,
     /// Elements of the exact method.
     elements: usize,
-    /// Those of them that are power series.
+    /// Number of series elements.
     series: usize,
 }
 
@@ -39,7 +41,7 @@ impl Count {
         let axial = model.beam.axial_force;
         let mut count = Count::default();
         count.cells = Mesh::each_graded(model, |cell, settles| {
-            // Compression may take all stiffness against shear, and then no number of elements is enough.
+            // Compression may reduce the shear stiffness to zero. Then no number of elements is sufficient.
             let tension = if cell.beam_shear.is_some() { axial.max(0.0) } else { axial };
             let needed = |touch: ZoneKind| {
                 element::count(&Operator::of(cell, tension, touch), cell.length())
@@ -67,8 +69,8 @@ impl Count {
     }
 }
 
-/// More than the elements of a beam that only bends, where nothing varies along a segment, from the shortest of all its waves: without
-/// cutting it into cells, which would take a good part of the time in which a small model is solved.
+/// An upper bound for a beam that does not shear and has no varying segments, from its shortest wave. It
+/// avoids cutting the model into cells, which would be a large part of the time of a small solve.
 fn few(model: &Model) -> Option<Count> {
     let Model { beam, foundation, loads, supports, hinges, gap } = model;
     if beam.shears() || model.varying_part().is_some() || model.has_ground_loads() {
@@ -80,12 +82,12 @@ fn few(model: &Model) -> Option<Count> {
     let waves = wave_number(softest, beam.axial_force.abs() + shear, spring) * beam.length;
     let ends = 2 * (beam.segments.len() + foundation.segments.len() + loads.len());
     let cells = 1 + ends + supports.len() + hinges.len() + gap.len();
-    // One for each cell that is begun.
+    // One element for each cell.
     let elements = cells.saturating_add((waves / REACH).ceil() as usize);
     Some(Count { cells, elements, series: 0 })
 }
 
-/// The memory that solving a valid model takes at most \[bytes\]: an estimate from the number of elements.
+/// An upper estimate of the memory of a solve of a valid model \[bytes\], from the number of elements.
 ///
 /// ```
 /// use groundbeam::{Beam, Foundation, Method, Model, Options, memory_estimate};
@@ -100,10 +102,11 @@ pub fn memory_estimate(model: &Model, options: &Options) -> u64 {
     Count::of(model).memory(options)
 }
 
-/// The part of a solve's memory that its solution keeps: 0.18 of it in 100 combinations of 10⁴ loads.
+/// The part of a solve's memory that its solution keeps, as a divisor: measured 0.18 in 100 combinations of
+/// 10⁴ loads.
 const KEPT: u64 = 5;
 
-/// Refuses models whose solutions are kept together if these and one solve need more memory than the limit.
+/// Refuses models with stored solutions if all solutions and one solve exceed the memory limit.
 ///
 /// # Errors
 ///
@@ -126,7 +129,7 @@ pub fn check_memory<'m>(
     check(|model| few(model).unwrap_or_else(|| Count::of(model))).or_else(|_| check(Count::of))
 }
 
-/// Refuses a model that is too large or too fine.
+/// Refuses a model with too many elements.
 pub(crate) fn check(model: &Model, options: &Options) -> Result<(), Error> {
     if few(model).is_some_and(|count| count.memory(options) <= options.memory_limit) {
         return Ok(());
@@ -140,7 +143,7 @@ pub(crate) fn check(model: &Model, options: &Options) -> Result<(), Error> {
     within(options.method.name(), elements, count.memory(options), options.memory_limit)
 }
 
-/// Refuses a solution at too many nodes.
+/// Refuses a solution with too many nodes.
 pub(crate) fn check_nodes(nodes: usize, limit: u64) -> Result<(), Error> {
     within("nodal", nodes, nodes.saturating_mul(NODE) as u64, limit)
 }

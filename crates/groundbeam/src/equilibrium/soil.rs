@@ -1,8 +1,9 @@
 //! The modified Vlasov model: k and μ from r = ∫u'²/∫u² of the solution itself.
 //!
-//! k and μ of [layers](crate::model::soil::layers) depend on r = ∫u'²/∫u², and u depends on k and μ. Vallabhan and Das
-//! (*Modified Vlasov model for beams on elastic foundations*, J. Geotech. Eng. 117(6), 1991) iterate
-//! between the two; here every u is exact, on the whole line, beyond the beam and where it has lifted off.
+//! k and μ of [layers](crate::model::soil::layers) depend on r = ∫u'²/∫u², and u depends on k and μ.
+//! Vallabhan and Das (*Modified Vlasov model for beams on elastic foundations*, J. Geotech. Eng. 117(6),
+//! 1991) iterate between the two. Here every u is exact on the whole line, including open ground and the
+//! ground outside the beam.
 
 use crate::error::{Error, NotConverged, Stopped};
 use crate::ground::link::{between, cut, slope_between};
@@ -33,7 +34,7 @@ pub(crate) fn solve(
     Ok(on_soil(outcome, soil.gamma(), 1))
 }
 
-/// The outcome, with the origin of its ground in the solution.
+/// The outcome with the data of its soil iteration.
 fn on_soil(outcome: Outcome, gamma: Option<f64>, rounds: usize) -> Outcome {
     match outcome {
         Outcome::Equilibrium(solution) => {
@@ -43,7 +44,7 @@ fn on_soil(outcome: Outcome, gamma: Option<f64>, rounds: usize) -> Outcome {
     }
 }
 
-/// Iterates on r, from γ = 1, until the solution gives the r that its ground was made with.
+/// Iterates on r, from γ = 1, until the solution has the r from which its ground was computed.
 fn iterate(
     soil: &SoilModel,
     model: &Model,
@@ -76,7 +77,7 @@ fn iterate(
     }))
 }
 
-/// The secant through two rounds where it stays positive and near, else the plain iteration.
+/// The secant through two rounds if it stays positive and near, otherwise the plain iteration.
 fn accelerated(before: Option<[f64; 2]>, [rate, found]: [f64; 2]) -> f64 {
     let Some([rate_0, found_0]) = before else { return found };
     let slope = (found - found_0) / (rate - rate_0);
@@ -85,7 +86,7 @@ fn accelerated(before: Option<[f64; 2]>, [rate, found]: [f64; 2]) -> f64 {
     if near { next } else { found }
 }
 
-/// r = ∫u'²/∫u² over the whole line; none where the ground does not move.
+/// r = ∫u'²/∫u² over the whole line; `None` if the ground does not move.
 fn rate_of(solution: &Solution) -> Option<f64> {
     let neighbours = solution.model().has_ground_loads();
     let mut sums = [0.0; 2];
@@ -102,8 +103,8 @@ fn rate_of(solution: &Solution) -> Option<f64> {
     (sums[0] > 0.0).then(|| sums[1] / sums[0])
 }
 
-/// ∫u² and ∫u'² beyond an end of the beam. A ground made of soil is endless; between loads u is two exponentials and
-/// q/k, beyond the last of them it falls like e^(−bx).
+/// ∫u² and ∫u'² outside one end of the beam. Ground made of soil is infinite. Between loads u is the sum of
+/// two exponentials and q/k; beyond the last load it decays as e^(−bx).
 fn beyond(solution: &Solution, right: bool) -> [f64; 2] {
     let piece = if right { solution.pieces().last() } else { solution.pieces().first() };
     let Some(piece) = piece else { return [0.0; 2] };
@@ -137,7 +138,7 @@ fn beyond(solution: &Solution, right: bool) -> [f64; 2] {
     [sums[0] + 0.5 * last * last / b, sums[1] + 0.5 * last * last * b]
 }
 
-/// The load spread on the ground at x, on the piece in which `within` lies.
+/// The distributed load on the ground at x, on the piece that contains `within`.
 fn pressure(model: &Model, x: f64, within: f64) -> f64 {
     let each = model.ground_loads().map(|load| match load.extent {
         Extent::Distributed { from, to, start, end } if from <= within && within <= to => {
@@ -148,7 +149,7 @@ fn pressure(model: &Model, x: f64, within: f64) -> f64 {
     each.sum()
 }
 
-/// ∫u² and ∫u'² of open ground under the beam that loads settle.
+/// ∫u² and ∫u'² of open ground under the beam with loads on it.
 fn on_loaded(piece: &SolutionPiece) -> [f64; 2] {
     let b = (piece.cell.subgrade / piece.cell.shear_layer).sqrt();
     quadrature(2.0 * piece.half, b, |s| {
@@ -157,7 +158,8 @@ fn on_loaded(piece: &SolutionPiece) -> [f64; 2] {
     })
 }
 
-/// ∫u² and ∫u'² over a length, of u and u' at −1 ≤ s ≤ 1 of it: Gauss's points on pieces on which e^(bx) is a short series.
+/// ∫u² and ∫u'² over a length, from u and u' at −1 ≤ s ≤ 1: Gauss quadrature on pieces on which e^(bx) is a
+/// short series.
 fn quadrature(length: f64, b: f64, u: impl Fn(f64) -> [f64; 2]) -> [f64; 2] {
     let mut cuts = vec![0.0, length];
     cut([0.0, length], 1.0 / b, &mut cuts);
@@ -199,8 +201,9 @@ mod tests {
     use crate::soil::SoilLayer;
     use crate::{Options, solve_with};
 
-    /// Vallabhan and Das (1991), feet and kips, a beam of 100 on soil 25 deep under an even load: γ = 0.395.
-    /// (Their force at the middle, 0.507, holds for ground that pulls: here the ends lift off.)
+    /// Vallabhan and Das (1991), feet and kips, a beam of length 100 on soil of depth 25 under a uniform
+    /// load: γ = 0.395. (Their force at the middle, 0.507, holds for tensile contact; here the ends lift
+    /// off.)
     #[test]
     fn vallabhan_and_das() {
         let layer = SoilLayer { modulus: 144.0, poisson: 0.2, thickness: 25.0 };
@@ -221,8 +224,8 @@ mod tests {
         assert!(gamma < 0.507 && from > 13.0, "{gamma} {from}");
     }
 
-    /// ∫u² and ∫u'² against straight lines between very many points, in contact, off it and beyond the ends; without
-    /// loads on the ground, and with some beside the beam and below it.
+    /// Compares ∫u² and ∫u'² with linear interpolation between very many points: in contact, in open ground
+    /// and outside the beam; without loads on the ground, and with some outside the beam and under it.
     #[test]
     fn the_rate_by_brute_force() {
         let model = Model::new(Beam::uniform(1.0, 1.0), Foundation::pasternak(1.0, 1.0))

@@ -1,11 +1,11 @@
 //! Existence of an equilibrium, from loads and supports alone. Section 4, sharpened.
 //!
-//! The energy is coercive, and so has a least value, exactly if every rigid motion r = a x + b ≤ 0 of the
-//! beam that presses nowhere on the ground, that the supports allow and the tension does not resist, costs
-//! work: F(r) < 0. For a free beam without tension these are all r with r(0) ≤ 0 and r(l) ≤ 0, and since
-//! F(r) = R₀ r(0) + R_l r(l) with the *static reactions* R₀ and R_l of the loads, both must be positive:
-//! that is (4.24)/(4.25), necessary as well as sufficient. Tension resists rotation, supports resist more;
-//! both shrink the set of free motions. Free hinges enlarge it: r may have a kink at each.
+//! The energy is coercive, and so has a minimum, exactly if F(r) < 0 for every free rigid motion r = a x + b
+//! ≤ 0 of the beam, where F(r) is the work of the loads. A motion is free if it presses nowhere on the
+//! ground, and neither the supports nor the tension resist it. For a free beam without tension these are all
+//! r with r(0) ≤ 0 and r(l) ≤ 0. Since F(r) = R₀ r(0) + R_l r(l) with the *static reactions* R₀ and R_l of
+//! the loads, both must be positive: (4.24)/(4.25), necessary and sufficient. Tension and supports reduce the
+//! set of free motions. Free hinges enlarge it: r may have a kink at each.
 
 use crate::existence::rigid_motions::Mechanism;
 use crate::existence::statics::static_reactions;
@@ -14,7 +14,7 @@ use crate::model::{Model, Support};
 use crate::numeric::sum::Sum;
 use std::ops::Range;
 
-/// The verdict for a valid model with P ≥ 0, or whose energy is convex in spite of compression.
+/// The verdict for a valid model with P ≥ 0, or with a convex energy in spite of compression.
 pub fn existence(model: &Model) -> Existence {
     let l = model.beam.length;
     let whole = static_reactions(&model.loads, &[0.0, l]);
@@ -25,7 +25,7 @@ pub fn existence(model: &Model) -> Existence {
     Existence { verdict, static_reactions: [whole[0].sum, whole[1].sum] }
 }
 
-/// What supports under the ends and the free hinges of a beam would carry if it were rigid between them
+/// The reactions of supports under the ends and the free hinges of a beam, if it were rigid between them
 /// and stood on them alone: position \[m\] and force, up positive \[N\].
 ///
 /// ```
@@ -42,8 +42,8 @@ pub fn static_reactions_of(model: &Model) -> Vec<(f64, f64)> {
     nodes.into_iter().zip(reactions).map(|(x, reaction)| (x, reaction.sum)).collect()
 }
 
-/// The extreme rays of the cone of free motions, each with the work −F(r) it costs: linear in the loads.
-/// Which rays there are does not depend on the loads.
+/// The extreme rays of the cone of free motions, each with its work −F(r), which is linear in the loads. The
+/// rays do not depend on the loads.
 pub(crate) fn rays(model: &Model) -> Vec<(Sum, RigidMotion)> {
     let mechanism = Mechanism::of(model);
     let nodes = &mechanism.nodes;
@@ -60,12 +60,12 @@ pub(crate) fn rays(model: &Model) -> Vec<(Sum, RigidMotion)> {
     mechanism.free_groups().into_iter().map(ray).collect()
 }
 
-/// How large the loads are \[N\], whatever they cancel.
+/// The sum of the absolute values of the loads \[N\].
 pub(crate) fn size_of_loads(model: &Model) -> f64 {
     static_reactions(&model.loads, &Mechanism::of(model).nodes).iter().map(|sum| sum.size).sum()
 }
 
-/// What the cost of the extreme rays says.
+/// The verdict from the work of the extreme rays.
 fn judge(rays: &[(Sum, RigidMotion)]) -> Verdict {
     let worst = rays.iter().filter(|(cost, _)| cost.is_negative());
     if let Some((_, motion)) = worst.max_by(|a, b| a.1.work.total_cmp(&b.1.work)) {
@@ -77,9 +77,9 @@ fn judge(rays: &[(Sum, RigidMotion)]) -> Verdict {
     }
 }
 
-/// Nothing can press on a piece that lifts at no cost but under a node at rest. What that node carries, if no
-/// other piece beside it can press, must be a concentrated force there. Only a shear layer has one, or a bearing
-/// that only pushes up; on separate springs the beam would sink and turn without end.
+/// A piece that lifts without work can press on the ground only under a node that stays at rest. If no
+/// neighbouring piece can press, the load of this node must be a concentrated contact force. It needs a shear
+/// layer, or a support that only pushes up; on Winkler ground the beam would sink and rotate without limit.
 fn balanced_without_a_layer(model: &Model, motion: RigidMotion) -> Verdict {
     let mechanism = Mechanism::of(model);
     let (nodes, groups) = (&mechanism.nodes, mechanism.free_groups());
@@ -140,7 +140,7 @@ mod tests {
 
     #[test]
     fn kikuchi_figure_2() {
-        // (a) an even load f₀ on a stretch of length a about the middle and a moment 2M₀ in all.
+        // (a) a uniform load f₀ on a stretch of length a about the middle and a total moment 2M₀.
         let (f0, a, l) = (3.0, 2.0, 4.0);
         for m0 in [2.9, 3.1] {
             let model = beam()
@@ -187,11 +187,11 @@ mod tests {
         assert!(exists(&outside.with_support(Support::spring(4.0, 1.0, 1.0))));
     }
 
-    /// A motion r ≤ 0 through random values at the ends and hinges costs work, or the verdict is right that some
-    /// lift of a group of them does not.
+    /// A motion r ≤ 0 with random values at the ends and hinges has F(r) < 0, or the verdict names a group of
+    /// nodes that lifts without work.
     #[test]
     fn random_motions_of_hinged_beams() {
-        // A small generator of its own: x' = 16807 x mod 2³¹ − 1.
+        // A linear congruential generator: x' = 16807 x mod 2³¹ − 1.
         let mut seed = 1980_u64;
         let mut dice = move || {
             seed = seed * 16807 % 2_147_483_647;
@@ -261,7 +261,7 @@ mod tests {
         };
         let pulled = |model: Model, x: f64| model.with_load(Load::point_force(x, -2.0));
         assert!(exists(&slab()));
-        // A hinge lifts alone, an end does; a spring in the hinge keeps the beam straight.
+        // A hinge or an end can lift alone; a spring in the hinge keeps the beam straight.
         for x in [0.0, 1.0, 4.0] {
             assert!(!exists(&pulled(slab(), x)), "{x}");
             assert!(!exists(&pulled(slab().with_hinge(Hinge::elastic(2.0, 1.0)), x)));
@@ -269,12 +269,13 @@ mod tests {
         let mut stiff = slab();
         stiff.hinges.iter_mut().for_each(|hinge| hinge.rotational_spring = 1.0);
         assert!(exists(&pulled(stiff, 1.0)));
-        // A support within a piece holds both of its nodes, one at a hinge that hinge alone.
+        // A support within a piece holds both of its nodes; a support at a hinge holds that hinge only.
         assert!(exists(&pulled(slab().with_support(Support::pinned(0.5)), 1.0)));
         assert!(!exists(&pulled(slab().with_support(Support::pinned(0.5)), 3.0)));
         assert!(exists(&pulled(slab().with_support(Support::pinned(1.0)), 1.0)));
         assert!(!exists(&pulled(slab().with_support(Support::pinned(1.0)), 0.0)));
-        // What may not turn lifts as one: 4 of load against 2; tension keeps all of it straight.
+        // A piece that cannot rotate lifts as a whole: 4 of load against 2. Tension keeps the whole beam
+        // straight.
         let turned = |at: f64| slab().with_support(Support::spring(at, 0.0, 1.0));
         assert!(exists(&pulled(turned(0.5), 1.0)) && !exists(&pulled(turned(3.5), 1.0)));
         let mut tied = slab();
@@ -292,7 +293,7 @@ mod tests {
         };
         let springs = existence(&half(Foundation::winkler(1.0))).verdict;
         assert!(matches!(springs, Verdict::NotUnique(m) if m.lifted == Some([4.0, 4.0])));
-        // All of the load over the hinge: only a shear layer carries it on a point.
+        // The whole load over the hinge: only a shear layer carries it at a point.
         let over = |ground| {
             let mut model = half(ground);
             model.loads = vec![Load::point_force(2.0, 1.0)];
@@ -361,14 +362,14 @@ mod tests {
         let loaded =
             hinged.with_load(Load::point_force(3.5, 1.0)).with_load(Load::point_moment(1.0, -3.0));
         assert_eq!(static_reactions_of(&loaded), [(0.0, 1.5), (2.0, -1.25), (4.0, 0.75)]);
-        // Sizes do not cancel: 0.25 + 0.75 of the force, twice 3/2 of the moment.
+        // Absolute values do not cancel: 0.25 + 0.75 of the force, twice 3/2 of the moment.
         assert_eq!(size_of_loads(&loaded), 4.0);
         assert_eq!(size_of_loads(&loaded.with_load(Load::point_force(3.5, -1.0))), 5.0);
     }
 
     #[test]
     fn the_extreme_rays_lift_each_group_of_nodes() {
-        // A spring against rotation at 2 makes the hinges at 1 and 3 lift as one.
+        // A rotational spring at 2 makes the hinges at 1 and 3 lift together.
         let model = beam()
             .with_hinge(Hinge::free(1.0))
             .with_hinge(Hinge::free(3.0))
@@ -386,7 +387,7 @@ mod tests {
         assert_eq!(found.collect::<Vec<_>>(), wanted);
     }
 
-    /// Of several motions that prove that nothing stands, the one with the largest work is named.
+    /// If several motions prove that no equilibrium exists, the verdict names the one with the largest work.
     #[test]
     fn the_worst_motion_is_the_proof() {
         let model = |left: f64, right: f64| {
@@ -399,7 +400,7 @@ mod tests {
         assert_eq!(model(-3.0, -1.0), Verdict::None(motion(-1.0, 0.0, 3.0)));
         assert_eq!(model(0.0, -1.0), Verdict::None(motion(0.0, -1.0, 1.0)));
         assert_eq!(model(1.0, 1.0), Verdict::Unique);
-        // The first of those that cost nothing, and the work is 0, not −0.
+        // The verdict names the first motion without work, and its work is 0, not −0.
         let Verdict::NotUnique(found) = model(0.0, 0.0) else { panic!() };
         assert_eq!((found, found.work.is_sign_positive()), (motion(-1.0, 0.0, 0.0), true));
     }
@@ -417,7 +418,7 @@ mod tests {
             Verdict::NotUnique(RigidMotion { left, right, work: 0.0, lifted: None })
         };
         let beam = beam();
-        // The end further from the point moves by 1.
+        // The end farther from the point moves by 1.
         assert_eq!(with_contact(&beam, &[[1.0; 2]]), turns(-1.0 / 3.0, 1.0));
         assert_eq!(with_contact(&beam, &[[3.0; 2]]), turns(-1.0, 1.0 / 3.0));
         assert_eq!(with_contact(&beam, &[[1.0; 2], [3.0; 2]]), Verdict::Unique);
@@ -428,9 +429,9 @@ mod tests {
         let mut tied = beam.clone();
         tied.beam.axial_force = 1.0;
         assert_eq!(with_contact(&tied, &[[1.0; 2]]), Verdict::Unique);
-        // Without a point there is nothing to turn about.
+        // Without a point of contact there is no rotation about it.
         assert_eq!(with_contact(&beam, &[]), Verdict::Unique);
-        // What does not stand does not stand on a point either.
+        // A beam without equilibrium has none on a point either.
         let falls = existence(&beam.clone().with_load(Load::point_force(2.0, -1.0)));
         assert_eq!(falls.with_contact(&beam, &[[1.0; 2]]), falls);
     }
@@ -445,13 +446,14 @@ mod tests {
         assert_eq!(with_contact(&hinged, &[[0.5, 1.0]]), mechanism(2.0, 4.0));
         assert_eq!(with_contact(&hinged, &[[2.0, 3.0]]), mechanism(0.0, 2.0));
         assert_eq!(with_contact(&hinged, &[]), mechanism(0.0, 2.0));
-        // Contact over the hinge holds the hinge as well, and so both pieces.
+        // Contact over the hinge holds the hinge, and so both pieces.
         assert_eq!(with_contact(&hinged, &[[1.0, 3.0]]), Verdict::Unique);
         assert_eq!(with_contact(&hinged, &[[1.0, 2.0], [3.0; 2]]), Verdict::Unique);
     }
 
-    /// A force over an end or a hinge of an unloaded beam on springs sinks without end, unless a shear layer reaches that
-    /// place: it alone carries a concentrated force. The unit of length does not matter.
+    /// Under a force over an end or a hinge, an unloaded beam on Winkler ground sinks without limit, unless a
+    /// shear layer reaches this position: only a shear layer carries a concentrated force. The result does
+    /// not depend on the unit of length.
     #[test]
     fn a_force_over_a_node_needs_a_shear_layer() {
         let over = |unit: f64, x: f64, shear: [f64; 2], [from, to]: [f64; 2]| {
@@ -478,7 +480,7 @@ mod tests {
                 (4.0, [3.0, 4.0], true, false),
                 (4.0, [0.0, 3.0], false, true),
             ] {
-                // A layer along the segment alone, and everywhere else alone.
+                // A layer along the segment only, and everywhere else only.
                 for (shear, carried) in [([1.0, 0.0], layered), ([0.0, 1.0], bare)] {
                     let verdict = existence(&over(unit, x, shear, segment)).verdict;
                     let stands = matches!(verdict, Verdict::NotUnique(_));
@@ -489,7 +491,7 @@ mod tests {
         }
     }
 
-    /// A bearing that only pushes up carries a force over it as well. Positions closer than 4 ε l are one.
+    /// A support that only pushes up also carries a force over it. Positions closer than 4 ε l count as one.
     #[test]
     fn a_force_over_a_node_needs_a_bearing_at_that_node() {
         let springs = Model::new(Beam::uniform(4.0, 1.0), Foundation::winkler(1.0))
@@ -511,7 +513,7 @@ mod tests {
         }
     }
 
-    /// A loaded piece beside the node presses on its springs, and carries what is over the node with them.
+    /// A loaded piece beside the node presses on its springs, which also carry the force over the node.
     #[test]
     fn a_loaded_piece_carries_the_node_beside_it() {
         let springs = Model::new(Beam::uniform(4.0, 1.0), Foundation::winkler(1.0))
@@ -527,11 +529,12 @@ mod tests {
             let both = verdict(&[middle, Load::point_force(x, 1.0)]);
             assert!(matches!(both, Verdict::NotUnique(m) if m.lifted == Some([0.0; 2])), "{x}");
         }
-        // A force inside the middle piece presses that piece; a force over its end presses no piece.
+        // A force inside the middle piece presses this piece on the ground; a force over its end presses no
+        // piece.
         assert!(matches!(verdict(&[Load::point_force(2.0, 1.0)]), Verdict::NotUnique(_)));
         assert!(matches!(verdict(&[Load::point_force(1.0, 1.0)]), Verdict::None(_)));
         assert!(matches!(verdict(&[Load::point_force(3.0, 1.0)]), Verdict::None(_)));
-        // A piece that may not turn carries a force over its end with all of its springs.
+        // A piece that cannot rotate carries a force over its end with all of its springs.
         let model = springs.with_support(Support::spring(2.0, 0.0, 1.0));
         let stiff = existence(&model.with_load(Load::point_force(1.0, 1.0))).verdict;
         assert!(matches!(stiff, Verdict::NotUnique(_)));

@@ -1,27 +1,27 @@
-//! Rigid motions of the beam, (4.16): straight between its ends and its free hinges.
+//! Rigid motions of the beam, (4.16): linear between its ends and its free hinges.
 //!
-//! A rigid motion is given by its values at these *nodes*; between two of them is a *piece*, straight. An
-//! elastic hinge resists a kink, and is no node. Since r is straight in between, r ≤ 0 all along exactly if
-//! r ≤ 0 at every node.
+//! The ends and free hinges are *nodes*; a *piece* lies between two of them. A rigid motion r is given by its
+//! values at the nodes. An elastic hinge resists a kink, so it is not a node. Since r is linear between
+//! nodes, r ≤ 0 everywhere exactly if r ≤ 0 at every node.
 
 use crate::model::{Acts, Model, SupportKind};
 use crate::numeric::tolerance::same_place;
 use std::ops::Range;
 
-/// The nodes of a beam, and what keeps its pieces where they are.
+/// The nodes of a beam, and the constraints of its pieces.
 #[derive(Debug, Clone)]
 pub(crate) struct Mechanism {
     /// The beam's ends and its free hinges, from left to right.
     pub nodes: Vec<f64>,
-    /// Where supports hold it.
+    /// Positions of the supports that hold the deflection.
     held: Vec<f64>,
-    /// Whether anything keeps each piece from turning: a support or tension.
+    /// Whether the rotation of each piece is prevented, by a support or by tension.
     straight: Vec<bool>,
 }
 
 impl Mechanism {
-    /// The beam with what keeps it from lifting besides the ground; tension keeps all of it from turning. A
-    /// support that only pushes up does not.
+    /// The beam with the constraints that prevent lifting. Tension prevents rotation everywhere. A support
+    /// that only pushes up is no constraint.
     pub fn of(model: &Model) -> Self {
         let mut mechanism = Self::on_supports(model, |acts| acts != Acts::Up);
         if model.beam.axial_force != 0.0 {
@@ -30,7 +30,7 @@ impl Mechanism {
         mechanism
     }
 
-    /// The same by some of its supports alone.
+    /// The constraints by some of the supports only.
     fn on_supports(model: &Model, counts: impl Fn(Acts) -> bool) -> Self {
         let l = model.beam.length;
         let free = model.hinges.iter().filter(|hinge| hinge.is_free());
@@ -57,7 +57,7 @@ impl Mechanism {
         mechanism
     }
 
-    /// The piece that holds x; of two that meet there the right one.
+    /// The piece that contains x; at a common node the right one.
     fn piece_at(&self, x: f64) -> usize {
         let after = self.nodes.partition_point(|node| *node <= x);
         after.saturating_sub(1).min(self.straight.len() - 1)
@@ -68,11 +68,11 @@ impl Mechanism {
         (x - self.nodes[node]).abs() <= same_place(l)
     }
 
-    /// The nodes that may lift, r < 0, without work against supports or tension and without pressing on the
-    /// ground anywhere: group by group, each as one. Any r ≤ 0 that is free is a sum of such lifts.
+    /// The groups of nodes that may lift together, r < 0, without work against supports or tension and
+    /// without pressure on the ground. Any free motion r ≤ 0 is a sum of such lifts.
     ///
-    /// Where r ≤ 0 vanishes within a piece it vanishes along all of it; a piece that may not turn lifts both
-    /// of its nodes alike.
+    /// If r ≤ 0 vanishes inside a piece, it vanishes on the whole piece. A piece that cannot rotate lifts
+    /// both of its nodes equally.
     pub fn free_groups(&self) -> Vec<Range<usize>> {
         let mut fixed = vec![false; self.nodes.len()];
         for &x in &self.held {
@@ -99,17 +99,17 @@ impl Mechanism {
         groups
     }
 
-    /// A place at which the beam is held.
+    /// A position at which the beam is held, if any.
     pub fn point_held(&self, more: &[f64]) -> Option<f64> {
         self.held.iter().chain(more).next().copied()
     }
 
-    /// The first piece that may still move, in either direction, when the beam is held at more places as
-    /// well; none if all of it is held.
+    /// The first piece that may still move, in either direction, if the beam is also held at the places in
+    /// `more`; `None` if all pieces are held.
     ///
-    /// A piece is held at two places, or at one where it may not turn, and then holds its nodes for its
-    /// neighbours. That finds all: n pieces that hang together have n + 1 degrees of freedom, so that if
-    /// nothing moves some piece among them has two constraints of its own.
+    /// A piece is held at two places, or at one where it cannot rotate. It then holds its nodes for its
+    /// neighbours. This procedure finds all held pieces: n connected pieces have n + 1 degrees of freedom, so
+    /// if none can move, one of them has two constraints of its own.
     pub fn first_free_piece(&self, more: &[f64]) -> Option<[f64; 2]> {
         let places: Vec<f64> = self.held.iter().chain(more).copied().collect();
         let nodes = 0..self.nodes.len();
@@ -144,8 +144,8 @@ impl Mechanism {
     }
 }
 
-/// Whether supports leave no rigid motion at all, pressing on the ground or not: what a beam in
-/// compression needs. Supports that it may leave do not count.
+/// Whether the supports prevent every rigid motion, with or without pressure on the ground, as required for a
+/// beam in compression. One-way supports do not count.
 pub(crate) fn held_rigidly(model: &Model) -> bool {
     Mechanism::on_supports(model, |acts| acts == Acts::Both).first_free_piece(&[]).is_none()
 }
@@ -167,7 +167,7 @@ mod tests {
         of.free_groups().into_iter().map(|group| [group.start, group.end]).collect()
     }
 
-    /// The smallest distance that makes two positions of the beam different.
+    /// The smallest distance at which two positions of the beam are different.
     const APART: f64 = 17.0 * f64::EPSILON * 8.0;
 
     #[test]
@@ -191,7 +191,7 @@ mod tests {
         assert_eq!(seen(Support::spring(3.0, 1.0, 0.0)), (vec![3.0], none.clone()));
         assert_eq!(seen(Support::spring(3.0, 0.0, 1.0)), (vec![], middle));
         assert_eq!(seen(Support::spring(3.0, 0.0, 0.0)), (vec![], none.clone()));
-        // A hold-down keeps the beam from lifting, a bearing does not.
+        // A hold-down prevents lifting, a one-way bearing does not.
         assert_eq!(seen(Support::pinned(3.0).acting(Acts::Down)), (vec![3.0], none.clone()));
         assert_eq!(seen(Support::pinned(3.0).acting(Acts::Up)), (vec![], none));
     }
@@ -202,14 +202,15 @@ mod tests {
         model.beam.axial_force = 1.0;
         let found = Mechanism::of(&model);
         assert_eq!(found.straight, [true; 3]);
-        // The whole beam still lifts as one, unless a place of it is held.
+        // The whole beam still lifts as one, unless one place of it is held.
         assert_eq!(groups(&found), [[0, 4]]);
         let held = Mechanism::of(&model.with_support(Support::pinned(7.0)));
         assert!(held.free_groups().is_empty());
         assert_eq!(held.first_free_piece(&[]), None);
     }
 
-    /// All mechanisms of up to three pieces on supports at any of a few places, with any pieces kept straight.
+    /// All mechanisms of up to three pieces with supports at a few places and any pieces prevented from
+    /// rotating.
     fn mechanisms() -> Vec<Mechanism> {
         let mut all = Vec::new();
         for hinges in [vec![], vec![4.0], vec![2.0, 4.0]] {
@@ -228,8 +229,8 @@ mod tests {
         all
     }
 
-    /// The constraints on the values r at the nodes, one row each: r = 0 at the held places, equal values at both
-    /// ends of a piece that may not turn.
+    /// The constraints on the nodal values r, one row each: r = 0 at the held places, equal values at both
+    /// ends of a piece that cannot rotate.
     fn constraints(of: &Mechanism) -> Vec<Vec<f64>> {
         let row = |entries: &[(usize, f64)]| {
             let mut row = vec![0.0; of.nodes.len()];
@@ -246,7 +247,7 @@ mod tests {
         of.held.iter().map(|x| at(*x)).chain(even).collect()
     }
 
-    /// Gauß–Jordan elimination. Its numbers are small fractions, so that what is zero is smaller than 10⁻⁹.
+    /// Gauß–Jordan elimination. Its numbers are small fractions, so that a value below 10⁻⁹ is zero.
     fn rank(mut rows: Vec<Vec<f64>>) -> usize {
         let mut rank = 0;
         for column in 0..rows.first().map_or(0, Vec::len) {
@@ -270,8 +271,8 @@ mod tests {
         rank
     }
 
-    /// A piece cannot move exactly if r = 0 at both of its nodes follows from the constraints: as further rows these two
-    /// conditions do not raise the rank.
+    /// A piece cannot move exactly if the constraints imply r = 0 at both of its nodes: these two conditions
+    /// as further rows do not raise the rank.
     #[test]
     fn the_first_mechanism_piece_is_the_first_whose_nodes_the_constraints_leave_free() {
         for of in mechanisms() {
@@ -285,15 +286,15 @@ mod tests {
             let piece = (0..of.straight.len()).find(|i| moves(*i) || moves(*i + 1));
             let wanted = piece.map(|i| [of.nodes[i], of.nodes[i + 1]]);
             assert_eq!(of.first_free_piece(&[]), wanted, "{of:?}");
-            // Places held by contact count like those held by supports.
+            // Places held by contact count like places held by supports.
             let bare = Mechanism { held: vec![], ..of.clone() };
             assert_eq!(bare.first_free_piece(&of.held), wanted, "{of:?}");
             assert_eq!(bare.point_held(&of.held), of.held.first().copied());
         }
     }
 
-    /// The free lifts with r = 0 or r = −1 at each node are closed under sums, since r ≤ 0: of two that overlap, the
-    /// nodes they share lift alone as well. The groups are those that contain no smaller one.
+    /// The free lifts with r = 0 or r = −1 at each node are closed under sums, since r ≤ 0. If two overlap,
+    /// their common nodes also lift alone. The groups are the minimal ones.
     #[test]
     fn the_groups_are_the_smallest_free_lifts() {
         for of in mechanisms() {
@@ -315,16 +316,16 @@ mod tests {
         }
     }
 
-    /// A support within rounding of a hinge holds the hinge, and one further away the piece.
+    /// A support within rounding of a hinge holds the hinge; one farther away holds the piece.
     #[test]
     fn a_support_at_a_hinge_holds_the_hinge_alone() {
         for x in [4.0 - 2.0 * f64::EPSILON, 4.0, 4.0 + 4.0 * f64::EPSILON] {
             let found = Mechanism::of(&beam(&[4.0]).with_support(Support::pinned(x)));
             assert_eq!(groups(&found), [[0, 1], [2, 3]], "{x}");
-            // Held at 7 as well the right piece has two places; the left one turns about the hinge.
+            // Held at 7 too, the right piece has two held places; the left one rotates about the hinge.
             assert_eq!(found.first_free_piece(&[7.0]), Some([0.0, 4.0]), "{x}");
             assert_eq!(found.first_free_piece(&[1.0, 7.0]), None, "{x}");
-            // At 1 and at the hinge the left piece is held, by two places on it; the right one then by its hinge alone.
+            // The left piece is held at 1 and at the hinge; the right one then only at its hinge.
             assert_eq!(found.first_free_piece(&[1.0]), Some([4.0, 8.0]), "{x}");
         }
         let left = Mechanism::of(&beam(&[4.0]).with_support(Support::pinned(4.0 - APART)));
@@ -347,7 +348,7 @@ mod tests {
         };
         assert!(held_rigidly(&pinned(Acts::Both)));
         assert!(!held_rigidly(&pinned(Acts::Up)) && !held_rigidly(&pinned(Acts::Down)));
-        // Compression itself stops no rotation.
+        // Compression itself prevents no rotation.
         let mut pushed = beam(&[]).with_support(Support::pinned(0.0));
         pushed.beam.axial_force = -1.0;
         assert!(!held_rigidly(&pushed));

@@ -3,9 +3,9 @@
 use crate::model::{Extent, Load, triangles};
 use crate::numeric::sum::Sum;
 
-/// The work F(φ) of the loads in each node's hat function, 1 there, 0 at all others, straight in between:
-/// what a support under each node would carry if the pieces were rigid. Without hinges these are
-/// R₀ = F(1 − x/l) and R_l = F(x/l).
+/// The work F(φ) of the loads in the hat function of each node (1 at the node, 0 at all others, linear
+/// between): the reaction of a support under each node if the pieces were rigid. Without hinges these are R₀
+/// = F(1 − x/l) and R_l = F(x/l).
 pub(crate) fn static_reactions(loads: &[Load], nodes: &[f64]) -> Vec<Sum> {
     let pieces = nodes.len() - 1;
     let mut reactions = vec![Sum::default(); nodes.len()];
@@ -18,7 +18,7 @@ pub(crate) fn static_reactions(loads: &[Load], nodes: &[f64]) -> Vec<Sum> {
     };
     let mut moments: Vec<(usize, f64)> = Vec::new();
     for load in loads {
-        // What acts on the ground does no work on the beam.
+        // Loads on the ground do no work on the beam.
         if load.on_ground {
             continue;
         }
@@ -80,8 +80,8 @@ mod tests {
     use super::*;
     use crate::model::Action;
 
-    /// The work of a load in a motion r that is straight between nodes, by Simpson's rule on each piece: the work
-    /// of a linear load there is the integral of a parabola.
+    /// The work of a load in a motion r that is linear between nodes, by Simpson's rule on each piece. It is
+    /// exact, because the integrand of a linear load is a parabola.
     fn work(load: &Load, nodes: &[f64], r: &[f64]) -> f64 {
         let piece = |x: f64| nodes.partition_point(|node| *node <= x).clamp(1, nodes.len() - 1) - 1;
         let slope = |i: usize| (r[i + 1] - r[i]) / (nodes[i + 1] - nodes[i]);
@@ -107,7 +107,7 @@ mod tests {
         }
     }
 
-    /// R at each node is F(φ) of its hat function, and the moments of all R about 0 are those of the load.
+    /// R at each node is F(φ) of its hat function, and the moments of all R about 0 equal those of the load.
     #[test]
     fn static_reactions_are_the_work_of_the_loads_in_the_hat_functions() {
         let spread = |from: f64, to: f64, start: f64, end: f64| {
@@ -137,10 +137,10 @@ mod tests {
                     assert!((found.sum - wanted).abs() < 1e-14 * 32.0, "{load:?} {i}: {found:?}");
                 }
             }
-            // A force is shared by the two nodes beside it, and so is its size.
+            // The two neighbouring nodes share a force, and its absolute value.
             let shared = static_reactions(&[Load::point_force(3.0, -3.0)], &nodes);
             assert_eq!(shared.iter().map(|found| found.size).sum::<f64>(), 3.0);
-            // Of all together the sum.
+            // All loads together give the sum.
             let all = static_reactions(&loads, &nodes);
             for (i, found) in all.iter().enumerate() {
                 let each = loads.iter().map(|load| static_reactions(&[*load], &nodes)[i].sum);
@@ -149,7 +149,7 @@ mod tests {
         }
     }
 
-    /// A load is cut at the nodes, with the values of its straight line there, and those given at its ends.
+    /// A load is cut at the nodes, with its linear values there and the given values at its ends.
     #[test]
     fn a_spread_load_is_cut_at_the_nodes() {
         let nodes = [0.0, 2.0, 4.0, 8.0];
@@ -157,7 +157,7 @@ mod tests {
         let wanted =
             [(0, [1.0, 2.0], [3.0, 4.0]), (1, [2.0, 4.0], [4.0, 6.0]), (2, [4.0, 5.0], [6.0, 7.0])];
         assert_eq!(found, wanted);
-        // From node to node: nothing of it on the pieces beside.
+        // A load from node to node has no part on the neighbouring pieces.
         assert_eq!(cut(&nodes, [2.0, 4.0], [0.1, 0.7]), [(1, [2.0, 4.0], [0.1, 0.7])]);
     }
 }

@@ -1,55 +1,54 @@
-//! The verdict on existence: what the static reactions say about equilibrium, and the motion that shows it.
+//! The verdict on existence: whether an equilibrium exists and is unique, and the motion that decides it.
 
 use crate::existence::rigid_motions::Mechanism;
 use crate::model::Model;
 
-/// What the statics say about equilibrium.
+/// The verdict on the existence of an equilibrium.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Verdict {
     /// There is exactly one equilibrium.
     Unique,
-    /// A static reaction is zero, or the beam stands on one point alone: equilibria may exist, and then not
-    /// one alone. The motion changes no energy.
+    /// A static reaction is zero, or the beam rests on one point only: equilibria may exist, but are not
+    /// unique. The motion does not change the energy.
     NotUnique(RigidMotion),
-    /// There is none: the motion never presses on the ground and the loads gain work in it.
+    /// There is no equilibrium: the motion never presses on the ground, and the loads do positive work in it.
     None(RigidMotion),
-    /// Compression that the ground helps to bear: there is a stable equilibrium next to the unloaded state, on
-    /// the branch that begins without compression. It is a local one: others, far from it, are not ruled out.
+    /// Compression that the ground helps to carry: a stable equilibrium exists on the path that starts at the
+    /// solution without compression. It is local: other equilibria far from it are possible.
     Local(Local),
-    /// The branch of stable equilibria that begins without compression ends before the compression is
-    /// reached: the beam buckles.
+    /// The path of stable equilibria that starts without compression ends below the given compression: the
+    /// beam buckles.
     Buckles(Buckling),
 }
 
-/// How firmly a local equilibrium stands.
+/// The stability of a local equilibrium.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Local {
-    /// The smallest eigenvalue of the second variation ∫(EI z″² + P z'²) + springs + ground where it touches,
-    /// measured by the same without P: between 0, where the beam buckles, and 1, without compression.
-    /// It is 1 + P/P_b with the buckling load P_b of the beam bonded to the ground where it touches.
+    /// The smallest eigenvalue of the second variation ∫(EI z″² + P z'²) + springs + ground in contact,
+    /// relative to the same form without P: between 0, where the beam buckles, and 1, without compression. It
+    /// is 1 + P/P_b with the buckling load P_b of the beam bonded to the ground in the contact zones.
     pub stability_margin: f64,
-    /// The compression at which the branch of stable equilibria ends as it grows, the loads staying as they
-    /// are \[N\].
+    /// The compression at which the path of stable equilibria ends, at constant loads \[N\].
     pub critical_compression: f64,
 }
 
-/// Where the branch of stable equilibria ends.
+/// The end of the path of stable equilibria.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Buckling {
-    /// The compression at which it ends, from below \[N\].
+    /// The compression at the end of the path: a lower bound \[N\].
     pub critical_compression: f64,
-    /// Where the buckling mode r is largest \[m\].
+    /// Position of the largest value of the buckling mode r \[m\].
     pub at: f64,
     /// r(0), for r(`at`) = −1: up.
     pub left: f64,
     /// r(l).
     pub right: f64,
-    /// F(r), the work of the loads in it \[N·m per m\].
+    /// F(r), the work of the loads in the mode \[N·m per m\].
     pub work: f64,
 }
 
 impl Verdict {
-    /// Whether there is an equilibrium to be found: the only one, one of many, or a local one.
+    /// Whether an equilibrium can be computed: a unique one, one of many, or a local one.
     pub fn stands(&self) -> bool {
         match self {
             Verdict::Unique | Verdict::NotUnique(_) | Verdict::Local(_) => true,
@@ -57,7 +56,7 @@ impl Verdict {
         }
     }
 
-    /// Of the motion that the verdict rests on: r(0) and r(l), and F(r) \[N·m per m\].
+    /// The motion that decides the verdict: r(0) and r(l), and F(r) \[N·m per m\].
     pub fn motion(&self) -> Option<[f64; 3]> {
         match self {
             Verdict::None(motion) | Verdict::NotUnique(motion) => {
@@ -69,19 +68,19 @@ impl Verdict {
     }
 }
 
-/// A rigid motion of the beam, r(x) = a x + b between its free hinges, scaled to a largest size of 1. It presses nowhere: r ≤ 0,
-/// unless the beam stands on one point inside and turns about it.
+/// A rigid motion of the beam, r(x) = a x + b between its free hinges, scaled to a largest absolute value of
+/// 1. r ≤ 0, so it presses nowhere, unless the beam stands on one point inside and rotates about it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct RigidMotion {
-    /// r(0): 0 or −1; about a point inside, between −1 and 0.
+    /// r(0): 0 or −1; for rotation about a point inside, between −1 and 0.
     pub left: f64,
-    /// r(l): 0 or −1; about a point inside, between 0 and 1.
+    /// r(l): 0 or −1; for rotation about a point inside, between 0 and 1.
     pub right: f64,
     /// F(r), the work of the loads in it \[N·m per m of lift\].
     pub work: f64,
-    /// Of a beam with free hinges the first and the last of its ends and free hinges at which r = −1 \[m\]; it
-    /// is 0 at all others, and straight in between. None for a beam without.
+    /// For a beam with free hinges: the first and the last of its ends and free hinges at which r = −1 \[m\].
+    /// r is 0 at all others, and linear between them. `None` for a beam without free hinges.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub lifted: Option<[f64; 2]>,
 }
@@ -114,12 +113,12 @@ impl RigidMotion {
     }
 }
 
-/// The verdict and the statics it rests on.
+/// The verdict and the static reactions that it follows from.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Existence {
-    /// Whether an equilibrium exists, and is the only one.
+    /// Whether an equilibrium exists and is unique.
     pub verdict: Verdict,
-    /// R₀ and R_l: what supports under the beam's two ends would carry if the beam were rigid and stood on
+    /// R₀ and R_l: the reactions of supports under the beam's two ends if the beam were rigid and stood on
     /// them alone, up positive \[N\].
     pub static_reactions: [f64; 2],
 }
@@ -130,17 +129,17 @@ impl Existence {
         self.static_reactions[0] + self.static_reactions[1]
     }
 
-    /// Where the resultant acts on a beam of length `l` \[m\]; none if it is zero.
+    /// The position of the resultant on a beam of length `l` \[m\]; `None` if the resultant is zero.
     pub fn resultant_position(&self, l: f64) -> Option<f64> {
         let total = self.resultant();
         (total != 0.0).then(|| l * (self.static_reactions[1] / total))
     }
 
-    /// The same once the contact is known: a beam that stands on a single point inside, and that neither
-    /// tension nor a support keeps from turning there, has more than one equilibrium.
+    /// The verdict after the solve: a beam that rests on a single point inside has more than one equilibrium,
+    /// unless tension or a support prevents its rotation there.
     pub(crate) fn with_contact(self, model: &Model, contact: &[[f64; 2]]) -> Existence {
         let mechanism = Mechanism::of(model);
-        // Contact that goes on over a hinge holds both pieces.
+        // Contact that continues over a hinge holds both pieces.
         let within = |&[from, to]: &[f64; 2]| {
             let nodes = mechanism.nodes.iter().copied();
             let inside: Vec<f64> = nodes.filter(|node| from < *node && *node < to).collect();

@@ -1,9 +1,11 @@
-//! Open ground as two-ports: the forces at both ends from the settlements there. The inverse of (5.8) is tridiagonal.
+//! Open ground as two-ports: the forces at both ends from the settlements there. The inverse of (5.8) is
+//! tridiagonal.
 //!
-//! Between two points where its surface is held, ground without load, −(μu')' + ku = 0, acts like three springs: one
-//! between the points (`series`) and one under each (`shunt_left`, `shunt_right`). A uniform two-port of length h, with
-//! b = √(k/μ), has series √(kμ)/sinh(bh) and shunts √(kμ)·tanh(bh/2). All three are positive. Two two-ports in a row
-//! make another one by sums, products and quotients of positive numbers, so no digits cancel.
+//! Between two points where its surface is held, ground without load, −(μu')' + ku = 0, acts like three
+//! springs: one between the points (`series`) and one under each (`shunt_left`, `shunt_right`). A uniform
+//! two-port of length h, with b = √(k/μ), has series √(kμ)/sinh(bh) and shunts √(kμ)·tanh(bh/2). All three
+//! are positive. Two two-ports in series form another one by sums, products and quotients of positive
+//! numbers, so no digits cancel.
 
 use crate::model::GroundOutside;
 use crate::numeric::elementary::{exp, expm1, power, sinh, tanh};
@@ -25,19 +27,19 @@ impl TwoPort {
     pub fn uniform(k: f64, mu: f64, h: f64) -> Self {
         let stiffness = (k * mu).sqrt();
         let bh = (k / mu).sqrt() * h;
-        // e^(−bh) rather than sinh: never overflows.
+        // e^(−bh) instead of sinh, which would overflow.
         let decay = exp(-bh);
         let series = stiffness * 2.0 * decay / -expm1(-2.0 * bh);
         let shunt = stiffness * tanh(0.5 * bh);
         TwoPort { series, shunt_left: shunt, shunt_right: shunt }
     }
 
-    /// A short stretch of length 2·`half` along which k and μ vary, by their coefficients in s ∈ \[−1, 1\].
+    /// A short stretch of length 2·`half` along which k and μ vary, from their coefficients in s ∈ \[−1, 1\].
     pub fn varying(spring: &[f64], shear: &[f64], half: f64) -> Self {
         Pair::new(spring, shear, half).link(shear, half)
     }
 
-    /// Two two-ports in a row, the point between them free.
+    /// Two two-ports in series; the point between them is free.
     pub fn then(self, next: TwoPort) -> Self {
         let outer = self.shunt_right + next.shunt_left;
         let whole = self.series + next.series + outer;
@@ -51,26 +53,26 @@ impl TwoPort {
         }
     }
 
-    /// The force the ground takes at the left point, held at `left`, the other at `right`.
+    /// The force on the ground at the left point, for given settlements of both points.
     pub fn force_left(&self, left: f64, right: f64) -> f64 {
         self.shunt_left * left + self.series * (left - right)
     }
 
-    /// The force the ground takes at the right point.
+    /// The force on the ground at the right point.
     pub fn force_right(&self, left: f64, right: f64) -> f64 {
         self.shunt_right * right + self.series * (right - left)
     }
 }
 
-/// Coefficients of u(s) where k or μ varies. With b·h ≤ 2 the first one left out is below 1/20!.
+/// Number of coefficients of u(s) where k or μ varies. With b·h ≤ 2 the first omitted term is below 1/20!.
 const TERMS: usize = 20;
 
-/// The coefficients of u(s) on such a stretch, from its end values.
+/// The coefficients of u(s) on a short varying stretch, from its end values.
 pub(crate) fn settled(spring: &[f64], shear: &[f64], half: f64, ends: [f64; 2]) -> Coefficients {
     Pair::new(spring, shear, half).between(ends)
 }
 
-/// Two solutions of −(μu')' + ku = 0 about the middle of a short stretch, 1 + … and s + …
+/// Two solutions of −(μu')' + ku = 0 about the middle of a short stretch, with the first terms 1 and s.
 struct Pair {
     one: [f64; TERMS],
     rising: [f64; TERMS],
@@ -82,7 +84,7 @@ impl Pair {
             let mut c = [0.0; TERMS];
             c[..2].copy_from_slice(&first);
             for j in 0..TERMS - 2 {
-                // (j+1) [μu']_(j+1) = a² [ku]_j, the flux known but for its newest coefficient.
+                // (j+1) [μu']_(j+1) = a² [ku]_j, solved for the newest coefficient of u.
                 let push: f64 = spring.iter().zip(c[..=j].iter().rev()).map(|(k, c)| k * c).sum();
                 let mut flux = half * half * push / (j + 1) as f64;
                 for (i, mu) in shear.iter().enumerate().skip(1).take_while(|(i, _)| *i <= j + 1) {
@@ -95,7 +97,7 @@ impl Pair {
         Pair { one: solution([1.0, 0.0]), rising: solution([0.0, 1.0]) }
     }
 
-    /// The two amplitudes for given end values, over their determinant: no digit of a difference is lost.
+    /// The two amplitudes for given end values, divided by their determinant; no cancellation.
     fn amplitudes(&self, [left, right]: [f64; 2]) -> ([f64; 2], f64) {
         let parts = |c: &[f64; TERMS]| {
             let even: f64 = c.iter().step_by(2).sum();
@@ -114,7 +116,7 @@ impl Pair {
         self.one.iter().zip(&self.rising).map(|(a, b)| level * a + rise * b).collect()
     }
 
-    /// μ (u₁u₂' − u₁'u₂) is the same everywhere: that is the series, but for the determinant.
+    /// μ (u₁u₂' − u₁'u₂) is constant; divided by the determinant it is the series stiffness.
     fn link(&self, shear: &[f64], half: f64) -> TwoPort {
         let ([level, rise], determinant) = self.amplitudes([1.0; 2]);
         let slope = |end: f64| {
@@ -130,12 +132,13 @@ impl Pair {
     }
 }
 
-/// What the ground beyond a beam's end adds under that end: one spring, √(kμ) where it is even and endless.
+/// The stiffness of the ground outside one end of the beam, condensed to this end: √(kμ) if it is uniform and
+/// infinite.
 pub(crate) fn outside(beyond: &GroundOutside) -> f64 {
     stiffnesses(beyond)[0]
 }
 
-/// The spring that the ground from each of the layers on is, and at the end what holds the last one.
+/// The stiffness of the ground from each of the layers outward, and last the stiffness at the outer end.
 fn stiffnesses(beyond: &GroundOutside) -> Vec<f64> {
     let mut springs = vec![if beyond.held { f64::INFINITY } else { 0.0 }];
     for layer in beyond.layers.iter().rev() {
@@ -151,7 +154,7 @@ fn stiffnesses(beyond: &GroundOutside) -> Vec<f64> {
     springs
 }
 
-/// u at the right end of a two-port that a spring holds there, for u = 1 at its left end.
+/// u at the right end of a two-port that ends on a spring, for u = 1 at its left end.
 fn follows(link: &TwoPort, spring: f64) -> f64 {
     if spring == f64::INFINITY {
         return 0.0;
@@ -159,7 +162,7 @@ fn follows(link: &TwoPort, spring: f64) -> f64 {
     link.series / (link.series + (link.shunt_right + spring))
 }
 
-/// ∫ku² and ∫μu'² of each layer beyond a beam's end, from there outward, where u = 1 at the beam's end.
+/// ∫ku² and ∫μu'² of each layer outside one end of the beam, listed outward, for u = 1 at the beam's end.
 pub(crate) fn energies_beside(beyond: &GroundOutside) -> Vec<[f64; 2]> {
     let springs = stiffnesses(beyond);
     let mut u = 1.0;
@@ -171,7 +174,7 @@ pub(crate) fn energies_beside(beyond: &GroundOutside) -> Vec<[f64; 2]> {
         let link = TwoPort::uniform(layer.subgrade, layer.shear_layer, layer.length);
         let ends = [u, u * follows(&link, spring)];
         u = ends[1];
-        // ∫(ku² + μu'²) is the work of both ends; μu'² − ku² is the same everywhere.
+        // ∫(ku² + μu'²) is the work of the forces at both ends; μu'² − ku² is constant.
         let forces = [link.force_left(ends[0], ends[1]), link.force_right(ends[0], ends[1])];
         let sum = ends[0] * forces[0] + ends[1] * forces[1];
         let difference = layer.length
@@ -181,7 +184,7 @@ pub(crate) fn energies_beside(beyond: &GroundOutside) -> Vec<[f64; 2]> {
     energies.collect()
 }
 
-/// u at a distance from the beam's end, where it is `u`.
+/// u at a distance from the beam's end, from its value `u` at the end.
 pub(crate) fn beside(beyond: &GroundOutside, mut u: f64, mut distance: f64) -> f64 {
     let springs = stiffnesses(beyond);
     for (layer, &spring) in beyond.layers.iter().zip(&springs[1..]) {
@@ -191,7 +194,7 @@ pub(crate) fn beside(beyond: &GroundOutside, mut u: f64, mut distance: f64) -> f
         }
         let link = TwoPort::uniform(layer.subgrade, layer.shear_layer, layer.length);
         let next = u * follows(&link, spring);
-        // A layer's far end is there but for rounding.
+        // The tolerance allows for rounding of the layer's far end.
         if distance <= layer.length * (1.0 + 8.0 * f64::EPSILON) {
             return between(u, next, b * layer.length, (distance / layer.length).min(1.0));
         }
@@ -200,12 +203,13 @@ pub(crate) fn beside(beyond: &GroundOutside, mut u: f64, mut distance: f64) -> f
     0.0
 }
 
-/// Open ground is cut into pieces of so many decay lengths: on one of them u is a polynomial to the last digit.
+/// Open ground is cut into pieces of this number of decay lengths: on one of them u is a polynomial to the
+/// last digit.
 pub(crate) const PIECE: f64 = 2.0;
-/// So many decay lengths from what moves it, open ground does not move: e⁻⁴⁰ is less than rounding.
+/// Number of decay lengths beyond which open ground is at rest: e⁻⁴⁰ is below rounding.
 const FAR: f64 = 40.0;
 
-/// Cuts open ground near both ends, where it bends.
+/// Cuts open ground near both ends, where it is curved.
 pub(crate) fn cut([from, to]: [f64; 2], decay: f64, cuts: &mut Vec<f64>) {
     let reach = (FAR * decay).min(to - from);
     let mut step = PIECE * decay;
@@ -223,7 +227,7 @@ pub(crate) fn between(left: f64, right: f64, length: f64, t: f64) -> f64 {
 
 /// du/dx·(1/b) at a fraction `t` of that stretch.
 pub(crate) fn slope_between(left: f64, right: f64, length: f64, t: f64) -> f64 {
-    // (right cosh(t·bh) − left cosh((1−t)bh))/sinh(bh), written so that equal ends lose nothing.
+    // (right cosh(t·bh) − left cosh((1−t)bh))/sinh(bh), in a form without cancellation for equal ends.
     let series = 2.0 * exp(-length) / -expm1(-2.0 * length);
     let cosh_less_one = |z: f64| 2.0 * power(sinh(0.5 * z), 2);
     if length < 1.0 {
@@ -309,7 +313,7 @@ mod tests {
         let near = |a: f64, b: f64| assert!((a / b - 1.0).abs() < 1e-15, "{a} {b}");
         near(spring(&[layer(h, k, mu)], false), stiffness * tanh(bh));
         near(spring(&[layer(h, k, mu)], true), stiffness / tanh(bh));
-        // Cut in two it is the same ground.
+        // The same ground cut in two.
         let cut = [layer(0.3, k, mu), layer(f64::INFINITY, k, mu)];
         near(spring(&cut, false), stiffness);
         let cut = [layer(0.3, k, mu), layer(0.6, k, mu)];

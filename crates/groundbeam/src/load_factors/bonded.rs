@@ -12,7 +12,7 @@ use crate::numeric::polynomial::{Coefficients, derivative, rescale, value};
 use crate::numeric::roots::sign_changes;
 use crate::numeric::tolerance::same_place;
 
-/// The deflection of a beam that touches along its whole length, whether the ground pushes or pulls.
+/// The deflection of a beam bonded to the ground along its whole length, with compressive or tensile contact.
 pub(super) fn bonded_everywhere(
     model: &Model,
     cancel: &Cancel,
@@ -20,8 +20,8 @@ pub(super) fn bonded_everywhere(
     Bonded::new(model, cancel).solve_on(&[[0.0, model.beam.length]])
 }
 
-/// What must not be negative on a stretch of the beam or at a point of it: the pressure there, or a
-/// concentrated force. It is the polynomial staying + λ·growing in s ∈ \[−1, 1\].
+/// A contact pressure on a stretch of the beam, or a concentrated contact force, which must not be negative.
+/// It is the polynomial staying + λ·growing in s ∈ \[−1, 1\].
 #[derive(Debug, Clone)]
 pub(super) struct LiftOffCandidate {
     x: [f64; 2],
@@ -29,30 +29,30 @@ pub(super) struct LiftOffCandidate {
     growing: Side,
 }
 
-/// One of the two, with the size of what was added up in it.
+/// One of the two polynomials, with the sum of the absolute values of its terms.
 #[derive(Debug, Clone, Default)]
 struct Side {
     coefficients: Coefficients,
     size: f64,
 }
 
-/// What rounding leaves of a sum of terms of size 1: a few dozen operations on each.
+/// Relative rounding error of a sum: a few dozen operations on each term.
 const ROUNDING: f64 = 256.0 * f64::EPSILON;
 
 /// Limit on Newton's steps for one candidate; far above the number needed.
 const MOST_STEPS: usize = 200;
 
 impl LiftOffCandidate {
-    /// Whether the ground would have to pull before the first load grows.
+    /// Whether the pressure is tensile at factor 0.
     pub fn pulls_at_first(&self) -> bool {
         lowest(&self.staying.coefficients).1 < -ROUNDING * self.staying.size
     }
 
-    /// The largest factor below `factor` up to which the ground need not pull here, and where it then is
-    /// about to; none if it need not at `factor` itself, which may be infinite.
+    /// The largest factor below `factor` up to which the pressure here is not negative, and the position of
+    /// its zero then; `None` if it is not negative at `factor` itself, which may be infinite.
     ///
-    /// Newton's method on the least value over s, which is concave in the factor: the steps go down, and
-    /// never below the root.
+    /// Newton's method on the minimum over s, which is a concave function of the factor. The iterates
+    /// decrease and never pass the root.
     pub fn first_pull_below(&self, factor: f64) -> Option<(f64, f64)> {
         let (mut factor, mut found) = (factor, None);
         for _ in 0..MOST_STEPS {
@@ -69,12 +69,12 @@ impl LiftOffCandidate {
         found
     }
 
-    /// Whether a factor of this place is zero but for rounding.
+    /// Whether a factor of this candidate is zero to rounding.
     pub fn is_nothing(&self, factor: f64) -> bool {
         factor * self.growing.size <= ROUNDING * self.staying.size
     }
 
-    /// Where the ground would have to pull most at a factor, if at all.
+    /// The position of the most negative pressure at a factor, if there is one.
     fn pulled_at(&self, factor: f64) -> Option<f64> {
         let (stays, grows) = (&self.staying, &self.growing);
         let (coefficients, size) = if factor.is_finite() {
@@ -95,7 +95,8 @@ impl LiftOffCandidate {
     }
 }
 
-/// Where in \[−1, 1\] a polynomial is least, and how much that is; a bound, if that is not negative.
+/// The position in \[−1, 1\] of the minimum of a polynomial, and the minimum; a lower bound, if that is not
+/// negative.
 fn lowest(c: &[f64]) -> (f64, f64) {
     let spread: f64 = c.iter().skip(1).map(|a| a.abs()).sum();
     let bound = c.first().map_or(0.0, |constant| constant - spread);
@@ -110,7 +111,7 @@ fn lowest(c: &[f64]) -> (f64, f64) {
 }
 
 /// Pressures and concentrated forces along the whole beam, from left to right, of two deflections of one
-/// model under different loads. Their cells may differ: boundary layers are cut where there are any.
+/// model under different loads. Their cells may differ, because boundary layers are cut separately.
 pub(super) fn lift_off_candidates(
     staying: &ContactState,
     growing: &ContactState,
@@ -161,9 +162,9 @@ fn pressure(found: &ContactState, i: usize, x: [f64; 2]) -> Side {
     Side { coefficients, size }
 }
 
-/// Where a support keeps the beam at the undeformed ground, separate springs press with nothing whatever the
-/// loads: what counts next to a pin is how fast the pressure rises from it, next to a clamp how it curves.
-/// The ends s = ∓1 of a part of a cell at which that is so, and the order of the root.
+/// Where a support holds the beam at the undeformed Winkler ground, the pressure is zero for all loads. Near
+/// a pin its rate of increase decides, near a clamp its curvature. Returns the ends s = ∓1 of a part of a
+/// cell where this holds, and the order of the root.
 fn known_roots(found: &ContactState, x: [f64; 2], cell: &Cell) -> Vec<(f64, usize)> {
     if cell.shear_layer > 0.0 {
         return Vec::new();
@@ -183,9 +184,9 @@ fn known_roots(found: &ContactState, x: [f64; 2], cell: &Cell) -> Vec<(f64, usiz
     roots
 }
 
-/// Divides c(s) by 1 + s if `end` is −1, by 1 − s if it is 1: both are positive within.
+/// Divides c(s) by 1 + s if `end` is −1, by 1 − s if it is 1; both are positive inside.
 fn without_root(c: &mut Coefficients, end: f64) {
-    // From the highest power down; what remains at the end is the rounding of a zero.
+    // From the highest power down; the remainder is the rounding error of a zero.
     let mut carried = 0.0;
     for a in c.iter_mut().rev() {
         let quotient = if end < 0.0 { *a - carried } else { carried - *a };
@@ -202,12 +203,12 @@ fn forces(staying: &ContactState, growing: &ContactState) -> Vec<LiftOffCandidat
         let nothing = Side { coefficients: Coefficients::zeros(1), size: 0.0 };
         all.iter().find(|(at, _)| *at == x).map_or(nothing, |(_, side)| side.clone())
     };
-    // Corners of the gap are corners only where the gap acts: with the loads that stay.
+    // Corners of the gap count where the gap acts: with the constant loads.
     let all = stays.iter().map(|(x, side)| {
         let growing = find(&grows, *x);
         LiftOffCandidate { x: [*x; 2], staying: side.clone(), growing }
     });
-    // A beam that shears has kinks under the forces that grow.
+    // On a beam that shears, increasing forces cause kinks.
     let kinks = grows.iter().filter(|(x, _)| stays.iter().all(|(at, _)| at != x));
     let kinks = kinks.map(|(x, side)| {
         let staying = find(&stays, *x);
@@ -246,7 +247,7 @@ mod tests {
         Side { coefficients: coefficients.into(), size }
     }
 
-    /// staying + λ·growing on the beam from 1 to 5, of terms of size 1.
+    /// staying + λ·growing on the beam from 1 to 5, with terms of size 1.
     fn between_1_and_5(staying: &[f64], growing: &[f64]) -> LiftOffCandidate {
         LiftOffCandidate { x: [1.0, 5.0], staying: side(staying, 1.0), growing: side(growing, 1.0) }
     }
@@ -262,11 +263,11 @@ mod tests {
         assert_eq!(lowest(&[1.0, 2.0]), (-1.0, -1.0));
         assert_eq!(lowest(&[1.0, -2.0]), (1.0, -1.0));
         assert_eq!(lowest(&[-1.0, 0.0, 1.0]), (0.0, -1.0));
-        // s⁴ − s²/2 is −1/16 at s = ±1/2; the left one counts.
+        // s⁴ − s²/2 is −1/16 at s = ±1/2; the left one is returned.
         let (s, least) = lowest(&[0.0, 0.0, -0.5, 0.0, 1.0]);
         near(s, -0.5);
         near(least, -0.0625);
-        // 3 − |1| − |−1| bounds it from below: it is not negative, and not looked for.
+        // 3 − |1| − |−1| is a positive lower bound, so the minimum is not computed.
         assert_eq!(lowest(&[3.0, 1.0, -1.0]), (-1.0, 1.0));
         assert_eq!(lowest(&[]), (-1.0, 0.0));
     }
@@ -285,20 +286,21 @@ mod tests {
                 let root = 2.0 * 2.0_f64.sqrt() - 2.0;
                 let (factor, x) = at(&parabola, from);
                 near(factor, root);
-                // Newton's method knows the place to the root of its precision.
+                // Newton's method finds the position to the square root of its precision.
                 assert!((x - (3.0 + mirror * root)).abs() < 1e-7, "{x}");
             }
         }
-        // Up to λ = 1/2 the ground need not pull, nor ever where both parts push.
+        // The pressure is not tensile up to λ = 1/2, nor ever if both parts are compressive.
         assert_eq!(falling.first_pull_below(0.5), None);
         assert_eq!(between_1_and_5(&[1.0], &[1.0]).first_pull_below(f64::INFINITY), None);
-        // −1 + 2λ pulls below λ = 1/2: there is no factor up to which it pushes.
+        // −1 + 2λ is negative below λ = 1/2: at no smaller factor is it compressive.
         assert_eq!(between_1_and_5(&[-1.0], &[2.0]).first_pull_below(0.25), None);
-        // Where both parts pull, the factor is 0.
+        // If both parts are tensile, the factor is 0.
         assert_eq!(at(&between_1_and_5(&[-1.0], &[-1.0]), 3.0), (0.0, 1.0));
     }
 
-    /// A pull is more than 256 ε of the sizes of all terms: those that stay, and λ times those that grow.
+    /// A pressure is tensile if it is below −256 ε times the sum of all terms: the constant ones, and λ times
+    /// the increasing ones.
     #[test]
     fn a_pull_is_more_than_rounding() {
         let pulls = |part: f64| {
@@ -314,10 +316,10 @@ mod tests {
         };
         assert_eq!(grows(2.9).pulled_at(f64::INFINITY), None);
         assert_eq!(grows(3.1).pulled_at(f64::INFINITY), Some(-1.0));
-        // A factor is nothing where λ times 3 is at most 256 ε of 2.
+        // A factor is zero to rounding if λ times 3 is at most 256 ε times 2.
         assert!(pulls(0.0).is_nothing(ROUNDING * 0.66));
         assert!(!pulls(0.0).is_nothing(ROUNDING * 0.67));
-        // Nothing at all is no pull.
+        // A pressure of zero is not tensile.
         let nothing = LiftOffCandidate {
             x: [0.0, 1.0],
             staying: side(&[0.0], 0.0),
@@ -327,7 +329,7 @@ mod tests {
         assert_eq!([1.0, f64::INFINITY].map(|factor| nothing.pulled_at(factor)), [None; 2]);
     }
 
-    /// The ends of a part are its own to the last bit, whatever half its length is rounded to.
+    /// The ends of a part have the exact bits of its own ends, however half its length is rounded.
     #[test]
     fn positions_keep_the_ends() {
         let x = [0.2, 0.9];
@@ -347,7 +349,7 @@ mod tests {
         }
     }
 
-    /// A beam on a mesh with nodes at more places, deflected by a polynomial in x, bonded all along.
+    /// A beam on a mesh with additional nodes, deflected by a polynomial in x, bonded along its whole length.
     fn found(model: &Model, more: &[f64], deflection: &[f64]) -> ContactState {
         let mesh = Mesh::build(model, more, |_| 1);
         let own = |cell: &Cell| {
@@ -384,7 +386,8 @@ mod tests {
         near(pressure(&of, 1, [1.0, 4.0]).size, 73.0 + 3.0 * 0.75 + 2.0);
     }
 
-    /// Nodes of the two deflections at different places: p = k w, on separate springs, on each part between any two.
+    /// The two deflections have nodes at different places: p = k w, on Winkler ground, on each part between
+    /// two nodes.
     #[test]
     fn two_meshes_are_merged_at_all_of_their_nodes() {
         let model = on(Foundation::winkler(2.0));
@@ -396,7 +399,7 @@ mod tests {
                 for (s, x) in [-1.0, 1.0].into_iter().zip(*x) {
                     let [stays, grows] =
                         [2.0 * (1.0 + 2.0 * x + 3.0 * x * x), 2.0 * (0.5 * x - 1.0)];
-                    // A place may be 16 ε of the length beside.
+                    // A position may differ by 16 ε of the length.
                     assert!((value(&staying.coefficients, s) - stays).abs() < 1e-11);
                     assert!((value(&growing.coefficients, s) - grows).abs() < 1e-12);
                 }
@@ -408,15 +411,15 @@ mod tests {
         assert_eq!(merged(&[2.0, 3.0], &[1.0, 3.0]), wanted);
         assert_eq!(merged(&[1.0, 2.0, 3.0], &[]), wanted);
         assert_eq!(merged(&[], &[1.0, 2.0, 3.0]), wanted);
-        // Places closer than 16 ε of the length are one.
+        // Positions closer than 16 ε of the length count as equal.
         let unit = 4.0 * f64::EPSILON;
         assert_eq!(merged(&[1.0], &[1.0 + 15.0 * unit]), [[0.0, 1.0], [1.0, 4.0]]);
         assert_eq!(merged(&[1.0 + 15.0 * unit], &[1.0]).len(), 2);
         assert_eq!(merged(&[1.0], &[1.0 + 17.0 * unit]).len(), 3);
     }
 
-    /// On separate springs a pin takes the pressure away at its place, and a clamp its slope with it, unless the ground is
-    /// further up or down there, or a shear layer takes part.
+    /// On Winkler ground the pressure is zero at a pin; at a clamp its slope is zero too. This does not hold
+    /// if the height of the ground differs there, or with a shear layer.
     #[test]
     fn supports_at_undeformed_ground_are_roots_of_the_pressure() {
         let roots = |model: &Model, x: [f64; 2]| {
@@ -435,16 +438,17 @@ mod tests {
         assert_eq!(roots(&springs().with_support(pin(2.0)), right), [(-1.0, 1)]);
         let both = springs().with_support(clamp(2.0)).with_support(pin(4.0));
         assert_eq!(roots(&both, right), [(-1.0, 2), (1.0, 1)]);
-        // A part of a cell has only those ends of its own.
+        // A part of a cell has only the roots at its own ends.
         assert_eq!(roots(&both, [2.5, 4.0]), [(1.0, 1)]);
         assert_eq!(roots(&both, [2.0, 3.5]), [(-1.0, 2)]);
         assert_eq!(roots(&springs().with_support(Support::spring(0.0, 1.0, 1.0)), left), []);
-        // Settled by as much as the gap, the ground there is touched without pressure; by less or more it is not.
+        // A support that settles by the size of the gap touches the ground without pressure; other
+        // settlements do not.
         let settled = |down: f64| springs().with_support(pin(0.0).settled(down));
         assert_eq!(roots(&settled(0.5), left), []);
         assert_eq!(roots(&settled(0.5).with_gap(0.0, 0.5), left), [(-1.0, 1)]);
         assert_eq!(roots(&settled(0.0).with_gap(0.0, 0.5), left), []);
-        // Where the gap slopes, a clamped beam leaves the ground at an angle.
+        // If the gap has a slope, a clamped beam leaves the ground at an angle.
         let sloping = springs().with_support(clamp(0.0)).with_gap(0.0, 0.0).with_gap(4.0, 1.0);
         assert_eq!(roots(&sloping, left), [(-1.0, 1)]);
         let pinned = springs().with_support(pin(0.0)).with_gap(0.0, 0.0).with_gap(4.0, 0.0);
@@ -453,8 +457,8 @@ mod tests {
         assert_eq!(roots(&layer, left), []);
     }
 
-    /// Under the ends of a beam on ground with √(kμ) = 6 and μ = 9 stand √(kμ) w ∓ μ w′. The terms in them are 6 |c| of
-    /// each coefficient and j μ/half more of that of sʲ.
+    /// The forces under the ends of a beam on ground with √(kμ) = 6 and μ = 9 are √(kμ) w ∓ μ w′. The size of
+    /// their terms is 6 |c| for each coefficient and j μ/half more for that of sʲ.
     #[test]
     fn forces_under_the_ends_and_their_sizes() {
         // w = 3 + x = 5 + 2 s.
@@ -469,8 +473,9 @@ mod tests {
         assert_eq!(forces_of(&found(&on(Foundation::winkler(4.0)), &[], &[1.0])).len(), 0);
     }
 
-    /// A corner of the ground carries a force where the gap acts, with the loads that stay, and none with those that grow;
-    /// the same the other way round. The corner opens by g₀′ = 1 after 0: its force is μ.
+    /// A corner of the ground carries a force from the gap, together with the constant loads, and none with
+    /// the increasing loads. The same holds with the roles exchanged. The corner opens by g₀′ = 1 after 0:
+    /// its force is μ.
     #[test]
     fn forces_of_one_deflection_alone() {
         let even = on(Foundation::pasternak(4.0, 9.0));
@@ -482,7 +487,7 @@ mod tests {
             let of = |side: &Side| side.coefficients[0];
             all.iter().map(|at| (at.x, of(&at.staying), of(&at.growing))).collect::<Vec<_>>()
         };
-        // Under the right end w − g₀ = −1, and it turns by −1.
+        // Under the right end w − g₀ = −1, with the slope −1.
         let [left, middle, right] = [6.0, 9.0, -6.0 - 9.0];
         let wanted = [([0.0; 2], left, 6.0), ([2.0; 2], middle, 0.0), ([4.0; 2], right, 6.0)];
         assert_eq!(both(&corner, &even), wanted);

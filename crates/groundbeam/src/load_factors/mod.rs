@@ -1,16 +1,16 @@
 //! Load factors: of the first lift-off and of the loss of equilibrium.
 //!
-//! Some loads stay as they are, D; the others grow, λG. Both questions have closed answers.
+//! Some loads are constant, D; the others increase, λG. Both factors follow in closed form.
 //!
-//! * *First lift-off.* As long as the beam touches along its whole length the problem is linear: pressure
-//!   and concentrated forces are p_D + λ p_G, with the initial gap in p_D ([`bonded`]). The beam touches all
-//!   along exactly while none of them is negative: they then are the multiplier of the contact problem, which
-//!   has no other solution. The least of p_D + λ p_G over the beam is a concave function of λ, so the factors
-//!   at which all of them push are an interval, and Newton's method from above goes down to its upper end
-//!   without ever passing it ([`bonded::LiftOffCandidate`]). With supports that act one way it is linear piece by piece
-//!   ([`pieces`]).
-//! * *Loss of equilibrium.* Each free rigid motion must cost work ([`existence`](crate::existence::existence)), and
-//!   the work of the loads is linear in λ: the first root of a few linear functions.
+//! * *First lift-off.* With contact along the whole length the problem is linear: pressure and concentrated
+//!   forces are p_D + λ p_G, with the initial gap in p_D ([`bonded`]). Full contact holds exactly while none
+//!   of them is negative: they are then the multiplier of the contact problem, whose solution is unique. The
+//!   minimum of p_D + λ p_G over the beam is a concave function of λ. So the factors without tensile pressure
+//!   form an interval, and Newton's method from above decreases to its upper end without passing it
+//!   ([`bonded::LiftOffCandidate`]). With one-way supports the problem is piecewise linear ([`pieces`]).
+//! * *Loss of equilibrium.* Each free rigid motion must cost work
+//!   ([`existence`](crate::existence::existence)), and the work of the loads is linear in λ: the factor is
+//!   the first root of a few linear functions.
 
 mod bonded;
 pub(crate) mod one_way;
@@ -25,23 +25,23 @@ use crate::options::{Method, Options};
 use crate::solve::refuse_invalid;
 use crate::supported::{self, Way};
 
-/// What becomes of a model whose loads grow. See [`load_factors`].
+/// The load factors of a model. See [`load_factors`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LoadFactors {
-    /// When the beam first leaves the ground.
+    /// The first lift-off of the beam.
     pub first_lift_off: FirstLiftOff,
-    /// When no equilibrium is left.
+    /// The loss of equilibrium.
     pub loss_of_equilibrium: LossOfEquilibrium,
 }
 
-/// The factors λ > 0 of the loads for which `grows` says so, by their place in [`Model::loads`], at which
-/// the beam first lifts off and at which equilibrium is lost. The other loads, the gap, the supports and the
-/// axial force stay as they are.
+/// The load factors λ > 0 at which the beam first lifts off and at which equilibrium is lost. λ multiplies the
+/// loads whose index in [`Model::loads`] `grows` selects. The other loads, the gap, the supports and the axial
+/// force are constant.
 ///
 /// ```
 /// use groundbeam::{Beam, FirstLiftOff, Foundation, Load, LossOfEquilibrium, Model, load_factors};
 ///
-/// // Kikuchi's example: a force that stays, and a moment that grows.
+/// // Kikuchi's example: a constant force, and a moment that increases.
 /// let model = Model::new(Beam::uniform(1.0, 1.0), Foundation::pasternak(1.0, 1.0))
 ///     .with_load(Load::point_force(0.5, 1.0))
 ///     .with_load(Load::point_moment(0.5, 1.0));
@@ -61,7 +61,7 @@ pub fn load_factors(model: &Model, grows: impl Fn(usize) -> bool) -> Result<Load
     load_factors_with(model, &Options::default(), grows)
 }
 
-/// The same within the memory limit of the options, and stopped by their [`Cancel`](crate::Cancel).
+/// [`load_factors`] with the memory limit of the options, and with their [`Cancel`](crate::Cancel).
 ///
 /// # Errors
 ///
@@ -84,7 +84,8 @@ fn factors(
     let model = &*model.on_given_ground();
     let convexity = convexity(model, &options.cancel);
     supported::check(model, Way::LoadFactors, convexity.is_none())?;
-    // None is left where the table does not refuse: then the certificate bounds nothing.
+    // `None` only if the table does not refuse the model. A stability of zero then makes the certificate
+    // fail.
     let stability = convexity.unwrap_or(0.0);
     let exact = Options { method: Method::Exact, ..options.clone() };
     size::check(model, &exact)?;
@@ -124,7 +125,7 @@ mod tests {
         load_factors(model, |_| true).expect("factors")
     }
 
-    /// The last load grows, the others stay.
+    /// The last load increases, the others are constant.
     fn last(model: &Model) -> LoadFactors {
         let last = model.loads.len() - 1;
         load_factors(model, |load| load == last).expect("factors")
@@ -151,7 +152,7 @@ mod tests {
 
     #[test]
     fn kikuchi() {
-        // p₀ is linear in M₀ while the beam touches all along: 60-digit values for M₀ = 0.1 and 0.3.
+        // p₀ is linear in M₀ with contact along the whole length: 60-digit values for M₀ = 0.1 and 0.3.
         let model =
             unit().with_load(Load::point_force(0.5, 1.0)).with_load(Load::point_moment(0.5, 1.0));
         let [p1, p3] = [0.195_935_998_890_952, 0.014_602_030_694_165];
@@ -165,7 +166,7 @@ mod tests {
             (factor, motion),
             (0.5, RigidMotion { left: -1.0, right: 0.0, work: 0.0, lifted: None })
         );
-        // The other way round it tips over the other end.
+        // The mirrored model tips over the other end.
         let (factor, x) = lift_off(last(&model.mirrored()));
         near(factor, 0.1 + 0.2 * p1 / (p1 - p3), 1e-14);
         assert_eq!(x, 1.0);
@@ -173,7 +174,7 @@ mod tests {
 
     #[test]
     fn rigid_footings() {
-        // The kern of a rigid footing on springs is l/6; on Kikuchi's ground M₀ = (1/2 − 4/27) F l.
+        // The kern of a rigid footing on Winkler ground is l/6; on Kikuchi's ground M₀ = (1/2 − 4/27) F l.
         let footing = |ground| {
             rigid(ground)
                 .with_load(Load::point_force(0.5, 2.0))
@@ -184,7 +185,7 @@ mod tests {
         near(loss(springs), 1.0, 1e-15);
         let layer = last(&footing(Foundation::pasternak(1.0, 1.0)));
         near(lift_off(layer).0, 2.0 * (0.5 - 4.0 / 27.0), 1e-8);
-        // A beam that bends concentrates the pressure under its force and lifts off earlier.
+        // A flexible beam concentrates the pressure under its force and lifts off earlier.
         let mut before = 0.0;
         for stiffness in [1e-2, 1e-1, 1.0, 10.0] {
             let mut model = footing(Foundation::winkler(1.0));
@@ -218,7 +219,7 @@ mod tests {
             assert_eq!(found.first_lift_off, wanted, "{l}");
             assert_eq!(found.loss_of_equilibrium, LossOfEquilibrium::Never);
         }
-        // A weightless beam under a moment alone never stands.
+        // A weightless beam under a moment alone has no equilibrium.
         let tips = all(&unit().with_load(Load::point_moment(0.2, 1.0)));
         assert_eq!(tips.first_lift_off, FirstLiftOff::AtOnce);
         let motion = RigidMotion { left: -1.0, right: 0.0, work: 1.0, lifted: None };
@@ -227,18 +228,18 @@ mod tests {
 
     #[test]
     fn a_pressure_that_is_zero_at_an_end_is_no_pull() {
-        // On springs a triangle of load presses with itself, and so with nothing at one end.
+        // On Winkler ground a triangular load has a triangular pressure, which is zero at one end.
         for (start, end) in [(0.0, 2.0), (2.0, 0.0)] {
             for (l, ei) in [(1.0, 1.0), (7.3, 1e-3), (0.1, 1e6)] {
                 let triangle = Load::distributed_force(0.0, l, start, end);
                 let model =
                     Model::new(Beam::uniform(l, ei), Foundation::winkler(3.0)).with_load(triangle);
                 assert_eq!(all(&model).first_lift_off, FirstLiftOff::Never, "{l} {ei}");
-                // More of it changes nothing, less of it lifts the whole beam when nothing is left.
+                // More of this load changes nothing; −1 times it lifts the whole beam.
                 let less = model.clone().with_load(triangle.scaled(-0.25));
                 near(lift_off(last(&less)).0, 4.0, 1e-12);
                 near(loss(last(&less)), 4.0, 1e-14);
-                // Any pull lifts off the end without pressure.
+                // Any upward load lifts off the end without pressure.
                 let pulled = model.with_load(Load::uniform_force(0.0, l, -1e-3));
                 assert_eq!(last(&pulled).first_lift_off, FirstLiftOff::AtOnce);
             }
@@ -247,7 +248,8 @@ mod tests {
 
     #[test]
     fn next_to_a_pin_the_rise_of_the_pressure_decides() {
-        // On springs p = k w, zero at a pin: first lift-off is where the beam's slope there vanishes.
+        // On Winkler ground p = k w, zero at a pin: first lift-off occurs when the beam's slope there
+        // vanishes.
         let model = Model::new(Beam::uniform(2.0, 1.0), Foundation::winkler(1.0))
             .with_support(Support::pinned(0.0))
             .with_support(Support::pinned(2.0))
@@ -262,7 +264,7 @@ mod tests {
         };
         assert!(slope(factor).abs() < 1e-14 * slope(0.0).abs(), "{:e}", slope(factor));
         assert_eq!(last(&model).loss_of_equilibrium, LossOfEquilibrium::Never);
-        // A clamp holds the slope; then the curvature decides.
+        // A clamp prevents rotation; then the curvature decides.
         let mut clamped = model.clone();
         clamped.supports[0] = Support::fixed(0.0);
         clamped.loads[1] = Load::point_force(0.5, -1.0);
@@ -282,7 +284,8 @@ mod tests {
         assert_eq!((motion.left, motion.right), (-1.0, 0.0));
         near(motion.work, 0.1, 1e-14);
         assert_eq!(found.first_lift_off, FirstLiftOff::AtOnce);
-        // Tension resists turning: it stands, and under a larger moment on part of its length.
+        // Tension resists rotation: an equilibrium exists, and under a larger moment with contact on part of
+        // the length.
         let mut tied = held;
         tied.beam.axial_force = 2.0;
         assert_eq!(last(&tied).loss_of_equilibrium, LossOfEquilibrium::Never);
@@ -305,7 +308,8 @@ mod tests {
 
     #[test]
     fn a_gap_acts_with_the_loads_that_stay() {
-        // On springs pressed even by q, a shallow valley −g₀ below a rigid beam takes k g₀ from the pressure.
+        // A rigid beam on Winkler ground under a uniform load q, over a shallow valley −g₀: the valley
+        // reduces the pressure by k g₀.
         let ground = Foundation::winkler(1.0);
         let footing = rigid(ground)
             .with_load(Load::uniform_force(0.0, 1.0, 1.0))
@@ -318,7 +322,7 @@ mod tests {
         deep.gap = vec![];
         let deep = deep.with_gap(0.0, 3.0).with_gap(0.5, 0.0).with_gap(1.0, 3.0);
         assert_eq!(last(&deep).first_lift_off, FirstLiftOff::AtOnce);
-        // All loads growing, a gap has still to be closed.
+        // If all loads increase, the gap is open at first.
         assert_eq!(all(&footing).first_lift_off, FirstLiftOff::AtOnce);
     }
 
@@ -336,7 +340,7 @@ mod tests {
         assert!(matches!(load_factors(&pushed, |_| true), Err(Error::Unsupported(_))));
     }
 
-    /// Both static reactions of an even load vanish at one factor: of the two motions the first is named.
+    /// Both static reactions of a uniform load vanish at one factor: the first of the two motions is named.
     #[test]
     fn of_two_motions_lost_together_the_first_is_named() {
         let model =
@@ -348,8 +352,8 @@ mod tests {
         assert_eq!(motion.work.to_bits(), 0);
     }
 
-    /// Nothing ever acts on the right piece, which may lift at no cost: whether the left one stands decides. It does up
-    /// to the factor that takes the load from its left end: ql/4 for q on [0, l/2].
+    /// The right piece has no load and may lift without work, so the left piece decides. It is in equilibrium
+    /// up to the factor at which the load at its left end becomes zero: ql/4 for q on [0, l/2].
     #[test]
     fn a_piece_that_is_never_loaded_does_not_decide() {
         for q in [0.125, 1.0, 8.0, 64.0] {

@@ -1,12 +1,12 @@
 //! The factor of first lift-off on one-way supports, over ranges of factors with the same active supports.
 //!
-//! A beam that touches along its whole length is a linear problem but for supports that act in one direction alone: on
-//! the supports that act, what each pushes with and how far the beam is from the others are linear in λ. Together they
-//! are a linear complementarity problem with a positive definite matrix, for the ground alone holds the beam, and so the
-//! supports that act just beyond a factor are found by Murty's principal pivoting: the first support that breaks its
-//! condition, at the factor or else by its rate, changes (K. G. Murty, *Note on a Bard-type scheme for solving the
-//! complementarity problem*, Opsearch 11 (1974) 123–130). They stay until the first of these numbers is zero, and there
-//! the next piece begins.
+//! A beam in contact along its whole length is a linear problem except for its one-way supports. For fixed
+//! active supports, the force of each active support and the clearance of each inactive one are linear in λ.
+//! Together they form a linear complementarity problem with a positive definite matrix, because the ground
+//! alone supports the beam. Murty's principal pivoting finds the supports that are active just beyond a
+//! factor: the first support that violates its condition, at the factor or else by its rate, changes (K. G.
+//! Murty, *Note on a Bard-type scheme for solving the complementarity problem*, Opsearch 11 (1974) 123–130).
+//! This set is valid until the first of these numbers becomes zero, where the next range begins.
 
 use crate::cancel::Cancel;
 use crate::contact::state::ContactState;
@@ -21,28 +21,29 @@ use crate::options::Method;
 use crate::solution::candidate::{Candidate, Workspace};
 use crate::solution::certificate::Certificate;
 
-/// Pieces, and changes of the supports at the beginning of one, that end the search.
+/// Maximum number of ranges, and of changes of supports at the beginning of one.
 const MOST_PIECES: usize = 200;
 const MOST_CHANGES: usize = 2000;
-/// A force, relative to all of them and the loads, and a clearance, relative to the deflections, that are zero: what the factor at
-/// which a piece begins is known to.
+/// Tolerance for zero of a force, relative to all forces and loads, and of a clearance, relative to the
+/// deflections: the accuracy of the factor at which a range begins.
 const ZERO: f64 = 1e-11;
 
-/// Where equilibrium is lost nothing holds the beam any more, and no certificate exists. It is computed at this part of the
-/// factor.
+/// At the loss of equilibrium no certificate exists, because nothing supports the beam. The fields are
+/// computed at this fraction of the factor.
 const NEARLY: f64 = 1.0 - 1e-6;
 
-/// Factors from one on, over which the same supports act.
+/// A range of factors from `from` on with the same active supports.
 struct FactorRange {
-    /// The model at the factor on which it begins, and the fields there and per factor, on the supports that act.
+    /// The model at the first factor of the range, the fields there and their rates, with the active
+    /// supports.
     staying: ContactState,
     growing: ContactState,
-    /// How much the factor may grow, and the support whose condition then is at its end.
+    /// The length of the range of factors, and the support whose condition fails at its end.
     growth: f64,
     ends: Option<usize>,
 }
 
-/// The factor of first lift-off, which is not beyond that at which equilibrium is lost.
+/// The factor of first lift-off, which is at most the factor of the loss of equilibrium.
 pub(crate) fn first_lift_off(
     parts: &Parts,
     loss: f64,
@@ -68,7 +69,8 @@ pub(crate) fn first_lift_off(
             (least, found) = (growth, Some(x));
         }
         if let Some(x) = found {
-            // A beam in equilibrium under a pressure has one: rounding alone can say otherwise.
+            // A beam in equilibrium under compressive pressure has a pressure; only rounding can contradict
+            // this.
             let factor = (from + least).min(loss);
             prove(parts, factor.min(NEARLY * loss), &acts, stability, cancel)?;
             return Ok(FirstLiftOff::At { factor, x });
@@ -83,8 +85,8 @@ pub(crate) fn first_lift_off(
 }
 
 impl FactorRange {
-    /// The piece that begins at a factor, from the supports that act before it to those that act on it.
-    /// The support whose condition `ended` the piece before has nothing left of it, whatever rounding says.
+    /// The range that begins at a factor, from the active supports of the range before. The support in
+    /// `ended` has reached zero, whatever rounding shows.
     fn beginning(
         parts: &Parts,
         factor: f64,
@@ -122,7 +124,7 @@ impl FactorRange {
     }
 }
 
-/// What is left of each support's condition: the force of one that acts, the clearance of one that does not.
+/// The margin of each support's condition: the force of an active one, the clearance of an inactive one.
 struct Room {
     left: Vec<f64>,
     zero: Vec<f64>,
@@ -150,7 +152,8 @@ impl Room {
     }
 }
 
-/// The fields at the factor hold their certificate: the beam touches all along up to there.
+/// Checks the certificate of the fields at the factor: the beam is in contact along its whole length up to
+/// there.
 fn prove(
     parts: &Parts,
     factor: f64,
@@ -182,10 +185,10 @@ mod tests {
 
     const LENGTH: f64 = 2.0;
     const WEIGHT: f64 = 6.0;
-    /// A beam that bends so little that the formulas for a rigid one hold to 10⁻⁶.
+    /// A beam so stiff that the formulas for a rigid one hold to 10⁻⁶.
     const RIGID: f64 = 1e8;
 
-    /// A beam of length 2 under q = 3 on springs with k = 5: w = 0.6.
+    /// A beam of length 2 under q = 3 on Winkler ground with k = 5: w = 0.6.
     fn weighted(stiffness: f64) -> Model {
         Model::new(Beam::uniform(LENGTH, stiffness), Foundation::winkler(5.0))
             .with_load(Load::uniform_force(0.0, LENGTH, 3.0))
@@ -199,13 +202,13 @@ mod tests {
         Support::pinned(at).settled(down).acting(Acts::Down)
     }
 
-    /// First lift-off under a force at the right end that grows.
+    /// First lift-off under an increasing force at the right end.
     fn lift_off(stiffness: f64, supports: &[Support]) -> FirstLiftOff {
         let mut model = weighted(stiffness).with_load(Load::point_force(LENGTH, 1.0));
         model.supports = supports.to_vec();
         let found = load_factors(&model, |load| load == 1).expect("factors");
         assert_eq!(found.loss_of_equilibrium, LossOfEquilibrium::Never);
-        // The same in a mirror.
+        // The same for the mirrored model.
         let mirrored = load_factors(&model.mirrored(), |load| load == 1).expect("factors");
         match (found.first_lift_off, mirrored.first_lift_off) {
             (FirstLiftOff::At { factor, x }, FirstLiftOff::At { factor: other, x: y }) => {
@@ -229,15 +232,15 @@ mod tests {
         assert_eq!(x, 0.0);
     }
 
-    /// A force F at the right end lowers that end by 4F/(kl) and raises the left one by 2F/(kl): the left end leaves the ground
-    /// at F = ql/2, and a bearing under it that is δ deep at F = (q − kδ) l/2, before.
+    /// A force F at the right end lowers that end by 4F/(kl) and raises the left one by 2F/(kl). The left end
+    /// lifts off at F = ql/2, with a bearing at depth δ under it at F = (q − kδ) l/2, which is earlier.
     #[test]
     fn a_bearing_that_is_left_does_not_change_what_follows() {
         for supports in [
             vec![],
             vec![bearing(0.0, 0.4)],
             vec![bearing(0.0, 0.4), strap(LENGTH, 0.3)],
-            // Never reached: the right end is 1.8 deep at F = ql/2.
+            // Never reached: the depth of the right end is 1.8 at F = ql/2.
             vec![bearing(LENGTH, 1.9)],
             vec![bearing(0.0, 0.55), bearing(LENGTH, 1.9)],
         ] {
@@ -245,8 +248,8 @@ mod tests {
         }
     }
 
-    /// The strap lets the left end rise up to δ, and holds it there. The bearing under the right end carries the force from
-    /// then on alone.
+    /// The strap allows the left end to rise up to δ. From then on it holds this end, and the bearing under
+    /// the right end carries the force alone.
     #[test]
     fn a_support_that_is_met_may_hold_the_beam_down() {
         for supports in [
@@ -260,8 +263,8 @@ mod tests {
         }
     }
 
-    /// A support that touches the beam as it lies carries nothing before anything grows. The rate decides then: the beam
-    /// presses on it, or leaves it.
+    /// A support that touches the beam initially carries no force at factor 0. The rate decides then: the
+    /// beam presses on it, or leaves it.
     #[test]
     fn a_support_that_just_touches_acts_by_its_rate() {
         let free = lift_off(1e3, &[]);
@@ -274,22 +277,22 @@ mod tests {
         }
     }
 
-    /// A bearing δ deep under the middle, where w = 0.6 + F/(kl), is met at F = kδl − ql. Then the beam turns about it, by
-    /// 6F/(kl²): the left end leaves the ground at F = kδl/3.
+    /// The beam meets a bearing at depth δ under the middle, where w = 0.6 + F/(kl), at F = kδl − ql. Then it
+    /// rotates about the bearing, by 6F/(kl²): the left end lifts off at F = kδl/3.
     #[test]
     fn a_support_that_is_met_may_lift_the_beam_off_earlier() {
         for (down, at) in [(0.7, 7.0 / 3.0), (0.8, 8.0 / 3.0), (0.85, 8.5 / 3.0)] {
             let middle = bearing(0.5 * LENGTH, down);
             leaves_the_left_end(lift_off(RIGID, &[middle]), at);
-            // The bearing under the left end is left before, at F = (0.6 − 0.58) kl/2.
+            // It leaves the bearing under the left end earlier, at F = (0.6 − 0.58) kl/2.
             leaves_the_left_end(lift_off(RIGID, &[bearing(0.0, 0.58), middle]), at);
             leaves_the_left_end(lift_off(RIGID, &[middle, bearing(0.0, 0.58)]), at);
         }
-        // It is met at F = ql/2 + 0.1 only: too late.
+        // The beam would meet it at F = ql/2 + 0.1 only, which is too late.
         leaves_the_left_end(lift_off(RIGID, &[bearing(0.5 * LENGTH, 0.91)]), 0.5 * WEIGHT);
     }
 
-    /// Supports that lift the beam off before anything grows.
+    /// Supports that cause lift-off at factor 0.
     #[test]
     fn a_bearing_above_the_ground_lifts_the_beam_off_at_once() {
         assert_eq!(lift_off(RIGID, &[bearing(0.0, -0.1)]), FirstLiftOff::AtOnce);
@@ -297,8 +300,8 @@ mod tests {
         assert_eq!(lift_off(RIGID, &[strap(0.0, 2.0)]), FirstLiftOff::AtOnce);
     }
 
-    /// The bearing under the left end is δ = 0.4 deep, and carries (q − kδ) l/4 = 1/2: moments about it. The right end is at
-    /// δ + 3(q − kδ)/(2k) = 0.7, so that a strap for 0.5 is 0.2 from it.
+    /// The bearing under the left end is at depth δ = 0.4 and carries (q − kδ) l/4 = 1/2, from moments about
+    /// it. The right end is at δ + 3(q − kδ)/(2k) = 0.7, so a strap at 0.5 has a clearance of 0.2.
     #[test]
     fn the_room_of_a_force_and_of_a_clearance() {
         let model = weighted(RIGID)
@@ -324,7 +327,7 @@ mod tests {
         assert_eq!(each(&|i| room.is_negative(i)), [true, false, false, false, false, false]);
     }
 
-    /// The certificate at a factor holds as far as the ground need not pull, and not beyond.
+    /// The certificate at a factor holds while the pressure is not tensile, and fails beyond.
     #[test]
     fn a_factor_that_is_too_large_is_refused() {
         let model = weighted(RIGID)
@@ -338,7 +341,7 @@ mod tests {
             panic!("it pulls")
         };
         assert!(found.why.reached() > found.why.tolerance());
-        // Below F = 1 the bearing carries, and beyond it holds the beam no more.
+        // Below F = 1 the bearing carries; beyond, it does not hold the beam.
         assert_eq!(proves(0.9, true), Ok(()));
         assert!(proves(0.9, false).is_err() && proves(1.1, true).is_err());
     }

@@ -1,4 +1,4 @@
-//! The loads split into those that stay and those that grow.
+//! The loads split into constant and increasing ones.
 
 use crate::existence::existence::{existence, rays};
 use crate::existence::verdict::{RigidMotion, Verdict};
@@ -9,23 +9,24 @@ use crate::model::{Load, Model};
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(tag = "when", rename_all = "kebab-case"))]
 pub enum FirstLiftOff {
-    /// However small the factor, the beam does not touch along its whole length. Without loads that stay
-    /// and without a gap the fields are proportional to the factor, so it is this or [`Self::Never`].
+    /// At every factor, however small, the beam is not in contact along its whole length. Without constant
+    /// loads and without a gap the fields are proportional to the factor, so only this and [`Self::Never`]
+    /// are possible.
     AtOnce,
-    /// The beam touches along its whole length up to this factor, and beyond it no more.
+    /// The beam is in contact along its whole length up to this factor, and not beyond.
     #[cfg_attr(feature = "serde", serde(rename = "at-factor"))]
     At {
         /// λ > 0.
         factor: f64,
-        /// Where the ground's pressure, or the concentrated force, is then zero \[m\].
+        /// The position at which the pressure or the concentrated force is then zero \[m\].
         x: f64,
     },
-    /// The beam touches along its whole length however large the factor.
+    /// The beam is in contact along its whole length at every factor.
     Never,
 }
 
-/// A model under the loads that stay, and under those that grow. Both have all positions of the whole model,
-/// and so the same cells; the gap and the supports' settlements act with the loads that stay.
+/// A model under the constant loads, and one under the increasing loads. Both have all positions of the whole
+/// model, and so the same cells. The gap and the settlements of supports belong to the constant loads.
 pub(crate) struct Parts<'a> {
     pub model: &'a Model,
     pub grows: Vec<bool>,
@@ -36,19 +37,19 @@ impl<'a> Parts<'a> {
         Parts { model, grows: (0..model.loads.len()).map(grows).collect() }
     }
 
-    /// The whole model with the loads that grow at a factor.
+    /// The whole model with the increasing loads at a factor.
     pub fn at(&self, factor: f64) -> Model {
         let mut model = self.model.clone();
         model.loads = self.loads(|grows| if grows { factor } else { 1.0 });
         model
     }
 
-    /// What stays alone.
+    /// The constant loads only.
     pub fn staying(&self) -> Model {
         self.at(0.0)
     }
 
-    /// What grows alone, at factor 1.
+    /// The increasing loads only, at factor 1.
     pub fn growing(&self) -> Model {
         let mut model = self.model.clone();
         model.loads = self.loads(|grows| if grows { 1.0 } else { 0.0 });
@@ -84,7 +85,7 @@ impl<'a> Parts<'a> {
                     LossOfEquilibrium::At { factor, motion: RigidMotion { work: 0.0, ..motion } };
             }
         }
-        // A motion that never costs anything leaves the question to what stands under an end.
+        // If no motion ever costs work, the forces under the ends decide.
         let within = if least.is_finite() { 0.5 * least } else { 1.0 };
         match existence(&self.at(within)).verdict {
             Verdict::None(motion) if undecided => LossOfEquilibrium::AtOnce(motion),
@@ -96,15 +97,16 @@ impl<'a> Parts<'a> {
 /// The factor beyond which no equilibrium exists.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum LossOfEquilibrium {
-    /// However small the factor, there is no equilibrium: the motion never presses on the ground and the
-    /// loads gain work in it. The work is that of the loads that stay or, where these do none, of those
-    /// that grow, at factor 1.
+    /// No equilibrium exists at any factor, however small: the motion never presses on the ground and the
+    /// loads do positive work in it. The work is that of the constant loads or, where these do none, of the
+    /// increasing loads at factor 1.
     AtOnce(RigidMotion),
-    /// An equilibrium exists for every smaller factor, and for none a little larger.
+    /// An equilibrium exists for every smaller factor, and for none slightly larger.
     At {
         /// λ > 0.
         factor: f64,
-        /// The motion in which the loads gain work beyond the factor. At the factor itself they do none.
+        /// The motion in which the loads do positive work beyond the factor. At the factor itself their work
+        /// is zero.
         motion: RigidMotion,
     },
     /// An equilibrium exists for every factor.

@@ -5,20 +5,20 @@ use crate::model::{CellPolynomial, Foundation, Profile};
 use crate::numeric::polynomial::{Coefficients, jet, product, rescale, value};
 use crate::numeric::roots::is_free_of_zeros;
 
-/// A stretch of beam and ground with EI, k, μ of one kind and linear f, g, κ₀, g₀.
+/// A stretch of beam and ground: EI, k and μ are constant or polynomials; f, g, κ₀, g₀ are linear.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Cell {
     /// Left and right end \[m\].
     pub x: [f64; 2],
-    /// EI \[N·m²\], where it varies at the middle.
+    /// EI \[N·m²\]; at the middle if it varies.
     pub stiffness: f64,
-    /// k \[N/m²\], where it varies at the middle.
+    /// k \[N/m²\]; at the middle if it varies.
     pub subgrade: f64,
-    /// μ \[N\], where it varies at the middle.
+    /// μ \[N\]; at the middle if it varies.
     pub shear_layer: f64,
-    /// The coefficients of the beam's own shear stiffness S(s) \[N\]; none where it does not shear.
+    /// The coefficients of the beam's own shear stiffness S(s) \[N\]; `None` if the beam does not shear.
     pub beam_shear: Option<[f64; Profile::MOST]>,
-    /// By how much they vary.
+    /// The variation of EI, k and μ.
     pub varies: Varies,
     /// f at both ends \[N/m\].
     pub load: [f64; 2],
@@ -28,37 +28,37 @@ pub(crate) struct Cell {
     pub curvature: [f64; 2],
     /// g₀ at both ends \[m\].
     pub gap: [f64; 2],
-    /// g₀', the same to the last bit in all cells between two corners.
+    /// g₀', with the same bits in all cells between two corners.
     pub gap_slope: f64,
     /// A load on the ground: q at both ends \[N/m\].
     pub ground_load: [f64; 2],
-    /// u₀ − q/k at both ends \[m\], where [u₀](crate::mesh::free_field) is how far the ground settles without the beam.
+    /// u₀ − q/k at both ends \[m\], where [u₀](crate::mesh::free_field) is the free-field settlement.
     pub homogeneous_field: [f64; 2],
     /// A force on the ground at the cell's left end \[N\].
     pub ground_force: f64,
 }
 
-/// What EI, k and μ are beyond their values at the middle of a cell: nothing where they are constant.
+/// The variable parts of EI, k and μ: their differences from the values at the middle of a cell.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct Varies {
-    /// Of the powers s, s², … in EI.
+    /// Coefficients of s, s², … in EI.
     stiffness: [f64; Profile::MOST - 1],
-    /// The same of k and of μ.
+    /// Coefficients of s, s², … in k and in μ.
     subgrade: [f64; GROUND - 1],
     shear_layer: [f64; GROUND - 1],
-    /// Where μ varies, μ at both ends: to the last bit what the neighbours within a segment say.
+    /// μ at both ends if it varies, with the same bits in neighbouring cells of a segment.
     shear_layer_ends: Option<[f64; 2]>,
 }
 
-/// Coefficients of k(s) and μ(s).
+/// Number of coefficients of k(s) and μ(s).
 pub(crate) const GROUND: usize = Foundation::MOST_CONTROL_VALUES;
 
-/// How far from a cell's middle, in half lengths, EI and μ are free of zeros: their reciprocals are
-/// series that fall as fast as the powers of this.
+/// Radius around a cell's middle, in half lengths, in which EI and μ have no complex zero. The series of
+/// their reciprocals then converge like the powers of 1/`FREE`.
 const FREE: f64 = 10.0;
 
 impl Cell {
-    /// The coefficients of w − g₀, which is u where they touch, from those of w.
+    /// The coefficients of w − g₀, which is u in contact, from those of w.
     pub fn above_gap(&self, deflection: &[f64]) -> Coefficients {
         let mut c = Coefficients::from(deflection);
         let [left, right] = self.gap;
@@ -80,12 +80,12 @@ impl Cell {
         c
     }
 
-    /// Whether loads on the ground act here, or reach it.
+    /// Whether loads on the ground act on this cell or cause a settlement of it.
     pub fn has_free_field(&self) -> bool {
         self.ground_load != [0.0; 2] || self.homogeneous_field != [0.0; 2]
     }
 
-    /// b·length of the ground.
+    /// The length of the cell in decay lengths of the ground, b·length.
     fn fading(&self) -> f64 {
         (self.subgrade / self.shear_layer).sqrt() * self.length()
     }
@@ -105,7 +105,7 @@ impl Cell {
         u
     }
 
-    /// The coefficients of u₀(s): cells with a free field are short.
+    /// The coefficients of u₀(s); cells with a free field are short.
     pub fn free_field(&self) -> Coefficients {
         let mut c = if self.shear_layer > 0.0 {
             settled(
@@ -139,7 +139,7 @@ impl Cell {
         spring.iter().chain(shear).any(|c| *c != 0.0)
     }
 
-    /// Whether another cell has the same ground and neither varies.
+    /// Whether another cell has the same ground, and both are constant.
     pub fn shares_even_ground(&self, other: &Cell) -> bool {
         self.subgrade == other.subgrade
             && self.shear_layer == other.shear_layer
@@ -152,7 +152,7 @@ impl Cell {
         self.curvature != [0.0; 2]
     }
 
-    /// The coefficients of EI κ₀, the moment that bends the beam straight again.
+    /// The coefficients of EI κ₀, the moment that cancels the imposed curvature.
     pub fn imposed_moment(&self) -> Coefficients {
         let [left, right] = self.curvature;
         let curvature = [0.5 * (left + right), 0.5 * (right - left)];
@@ -199,7 +199,7 @@ impl Cell {
         [value(&self.subgrade_along(), s), shear, rise]
     }
 
-    /// Whether what varies does so little enough for short power series.
+    /// Whether EI, k and μ vary little enough for short power series.
     pub fn is_smooth(&self) -> bool {
         let uneven_shear = self.beam_shear.filter(|_| self.beam_shear_varies());
         (!self.beam_varies() || is_free_of_zeros(&self.stiffness_along(), FREE))
@@ -210,7 +210,7 @@ impl Cell {
                         || is_free_of_zeros(&self.shear_layer_along(), FREE))))
     }
 
-    /// Whether unloaded ground along the cell, 2·`half` long, is one short power series as well.
+    /// Whether open ground along the cell, of length 2·`half`, is one short power series.
     pub fn is_short_for_open_ground(&self, half: f64) -> bool {
         if !self.ground_varies() || self.shear_layer == 0.0 {
             return true;
@@ -222,7 +222,7 @@ impl Cell {
         squared.into_iter().fold(0.0, f64::max) <= 1.0
     }
 
-    /// The cell between two of its own coordinates.
+    /// The part of the cell between two values of s.
     pub fn part(&self, s: [f64; 2]) -> Self {
         let linear = |v: [f64; 2]| s.map(|s| 0.5 * (v[0] + v[1]) + 0.5 * (v[1] - v[0]) * s);
         let mut part = Cell {
@@ -284,25 +284,25 @@ impl Cell {
         self.varies.shear_layer_ends = varies.then_some(shear_ends);
     }
 
-    /// EI and S of a segment.
+    /// Sets EI and S from a segment.
     pub fn set_beam(&mut self, bending: &CellPolynomial, shear: Option<&CellPolynomial>) {
         self.set_stiffness(&bending.coefficients);
         self.beam_shear = shear.map(|course| course.coefficients);
     }
 
-    /// k and μ of a segment.
+    /// Sets k and μ from a segment.
     pub fn set_courses(&mut self, [spring, shear]: &[CellPolynomial; 2]) {
         self.set_ground(&spring.coefficients, &shear.coefficients, shear.ends);
     }
 
-    /// EI and S times a number.
+    /// Multiplies EI and S by a number.
     pub fn stiffen(&mut self, times: f64) {
         self.stiffness *= times;
         self.varies.stiffness = self.varies.stiffness.map(|c| c * times);
         self.beam_shear = self.beam_shear.map(|shear| shear.map(|c| c * times));
     }
 
-    /// k and μ times a number.
+    /// Multiplies k and μ by a number.
     pub fn stiffen_ground(&mut self, times: f64) {
         self.subgrade *= times;
         self.shear_layer *= times;
@@ -319,7 +319,7 @@ impl Cell {
     /// The cell's own coordinate s ∈ \[−1, 1\] of a position x.
     pub fn local(&self, x: f64) -> f64 {
         let [from, to] = self.x;
-        // From the nearer end, so that both ends map to ±1 exactly.
+        // Measured from the nearer end, so that both ends map to ±1 exactly.
         let s = if x - from <= to - x {
             2.0 * ((x - from) / (to - from)) - 1.0
         } else {

@@ -1,4 +1,5 @@
-//! A deflection as a polynomial in each cell; points and zones of a mesh; ψ = w − g₀ − u₀ and the pressure at a point.
+//! A deflection as a polynomial in each cell; points and zones of a mesh; ψ = w − g₀ − u₀ and the pressure at
+//! a point.
 
 use crate::mesh::cell::Cell;
 use crate::mesh::cell::{gap_at, initial, initial_gap_at};
@@ -43,15 +44,15 @@ impl Deflection<'_> {
         value(self.cell(point.cell), point.s) - gap_at(&self.mesh.cells[point.cell], point.s)
     }
 
-    /// Whether a zone is one point that a rigid support holds on the ground. The support carries what acts there, so the sign of
-    /// the rounding error does not make it a contact.
+    /// Whether a zone is one point at which a rigid support holds the beam on the ground. The support carries
+    /// the load there, so the sign of a rounding error must not make it a contact.
     pub fn is_held(&self, zone: &MeshZone) -> bool {
         let BeamPoint { cell, s } = zone.from;
         zone.from == zone.to && s.abs() == 1.0 && self.held_zeros(cell)[usize::from(s > 0.0)] > 0
     }
 
-    /// The order of the zero of ψ at each end of a cell that a rigid support makes: 2 at a clamp on the ground's surface
-    /// (ψ = ψ' = 0 but for rounding), 1 at a pin, else 0.
+    /// The order of the zero of ψ that a rigid support makes at each end of a cell: 2 at a clamp on the
+    /// ground's surface (ψ = ψ' = 0 except for rounding), 1 at a pin, otherwise 0.
     pub fn held_zeros(&self, cell: usize) -> [usize; 2] {
         let coefficients = self.cell(cell);
         let is_rounding = |value: f64, size: f64| value.abs() <= 8.0 * f64::EPSILON * size;
@@ -75,7 +76,7 @@ impl Deflection<'_> {
         let cell = &self.mesh.cells[point.cell];
         let [f, d1, d2, _] = jet(self.cell(point.cell), point.s);
         let [settled, sinks] = cell.free_field_at(point.s);
-        // w − g₀, of which the ground's own settlement is −(μu₀′)′ + ku₀ = q less.
+        // Uses w − g₀: the free field contributes −(μu₀′)′ + ku₀ = q, which is subtracted.
         let psi = f - initial_gap_at(cell, point.s);
         let per_length = 2.0 / cell.length();
         let slope = d1 * per_length - cell.gap_slope;
@@ -98,7 +99,7 @@ impl Deflection<'_> {
         cell.ground_at(point.s)[1] * (slope - cell.free_field_at(point.s)[1])
     }
 
-    /// −\[μψ'\] at the node to the left of cell i: positive where a corner presses into the ground.
+    /// −\[μψ'\] at the node to the left of cell i: positive where a corner is pressed into the ground.
     pub fn corner(&self, i: usize) -> f64 {
         let [a, b] = [&self.mesh.cells[i - 1], &self.mesh.cells[i]];
         let ([_, before], [after, _]) = (a.shear_layer_ends(), b.shear_layer_ends());
@@ -136,8 +137,8 @@ pub(crate) fn pressure_of(cell: &Cell, half: f64, obstacle: &[f64]) -> Coefficie
     pressure
 }
 
-/// The coefficients of the pressure k(w − g₀) − (μ(w − g₀)')' − q under a beam that touches, from those of w on a
-/// stretch of half length `half`.
+/// The coefficients of the pressure k(w − g₀) − (μ(w − g₀)')' − q in contact, from those of w on a stretch of
+/// half length `half`.
 pub(crate) fn pressure_under(cell: &Cell, half: f64, deflection: &Coefficients) -> Coefficients {
     let mut obstacle = *deflection;
     obstacle[0] -= 0.5 * (cell.gap[0] + cell.gap[1]);

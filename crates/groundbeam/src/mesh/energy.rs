@@ -9,12 +9,12 @@ use crate::mesh::varying;
 use crate::numeric::polynomial::inner;
 use crate::numeric::polynomial::{derivative, jet, product, rescale, value};
 
-/// A motion of the beam: `terms` coefficients for each cell.
+/// A field of deflections of the beam: `terms` coefficients for each cell.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Motion<'a> {
     pub terms: usize,
     pub deflection: &'a [f64],
-    /// Of the sections; empty where it is w' everywhere.
+    /// The rotation of the sections; empty if it is w' everywhere.
     pub rotation: &'a [f64],
 }
 
@@ -36,8 +36,8 @@ impl Motion<'_> {
     }
 }
 
-/// ∫(EI φ'ψ' + S (w' − φ)(z' − ψ) + P w'z') and the springs at supports and in hinges, for w with φ and z with ψ;
-/// ∫(EI w″z″ + P w'z') where the beam does not shear.
+/// ∫(EI φ'ψ' + S (w' − φ)(z' − ψ) + P w'z') and the springs at supports and in hinges, for w with φ and z
+/// with ψ; ∫(EI w″z″ + P w'z') if the beam does not shear.
 pub(crate) fn beam_form(mesh: &Mesh, a: Motion, b: Motion) -> f64 {
     let mut sum = 0.0;
     for (i, cell) in mesh.cells.iter().enumerate() {
@@ -88,9 +88,9 @@ pub(crate) fn work_of_loads(mesh: &Mesh, motion: Motion) -> f64 {
     work
 }
 
-/// The work of the ground's forces under ψ (contact on `zones`) on a second field δ: the first variation
-/// of ½ min_{u ≥ ψ} b(u, u), where `zones` is the contact of ψ; the bilinear form of the bonded ground
-/// otherwise. Both fields are polynomials on the same mesh; ψ already without the gap.
+/// The work of the ground's forces under ψ (contact on `zones`) in a second field δ. If `zones` is the
+/// contact set of ψ, it is the first variation of ½ min_{u ≥ ψ} b(u, u); otherwise it is the bilinear form of
+/// the bonded ground. Both fields are polynomials on the same mesh; the gap is already subtracted from ψ.
 pub(crate) fn ground_work(
     mesh: &Mesh,
     terms: usize,
@@ -162,12 +162,12 @@ pub(crate) fn energy_form(
     form(&rescale(f, middle, quarter), &rescale(g, middle, quarter))
 }
 
-/// ∫ EI f″ g″ ds over \[−1, 1\], with derivatives by s.
+/// ∫ EI f″ g″ ds over \[−1, 1\], with derivatives with respect to s.
 fn bending(cell: &Cell, f: &[f64], g: &[f64]) -> f64 {
     if cell.beam_varies() { varying::bending(cell, f, g) } else { cell.stiffness * inner(f, g, 2) }
 }
 
-/// ∫ EI φ'ψ' ds over \[−1, 1\], with derivatives by s.
+/// ∫ EI φ'ψ' ds over \[−1, 1\], with derivatives with respect to s.
 fn turning(cell: &Cell, f: &[f64], g: &[f64]) -> f64 {
     inner(&product(&cell.stiffness_along(), &derivative(f)), &derivative(g), 0)
 }

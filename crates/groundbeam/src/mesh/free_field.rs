@@ -1,18 +1,19 @@
-//! The free-field settlement u₀, under the beam and beside it, from the loads on the ground.
+//! The free-field settlement u₀, under the beam and outside it, from the loads on the ground.
 //!
-//! u₀ solves −(μu₀′)′ + ku₀ = q on the whole line, without any beam. What the beam adds is G p, and it touches
-//! where G p = w − g₀ − u₀: to the beam u₀ is a clearance that is no straight line. On even ground
-//! u₀ = q/k + e, where q is linear and e, the ground without load, is known by its values at both ends.
+//! u₀ solves −(μu₀′)′ + ku₀ = q on the whole line, without a beam. The beam adds the settlement G p, and G p
+//! = w − g₀ − u₀ in contact: for the beam u₀ is a clearance that is not piecewise linear. On ground with
+//! constant k and μ, u₀ = q/k + e, where q is linear. The homogeneous part e is known from its values at both
+//! ends.
 //!
-//! The line is a chain of [two-ports](TwoPort), with what q does between two nodes carried by them; sums and
-//! products of positive numbers only.
+//! The line is a chain of [two-ports](TwoPort) that carry the loads between their nodes to the nodes. The
+//! chain uses sums and products of positive numbers only.
 
 use crate::ground::link::TwoPort;
 use crate::mesh::cell::Cell;
 use crate::model::{Extent, GroundOutside, Model};
 use crate::numeric::elementary::{exp, expm1};
 
-/// A stretch of even ground with a linear load.
+/// A stretch of constant ground with a linear load.
 #[derive(Debug, Clone, Copy)]
 struct Strip {
     x: [f64; 2],
@@ -21,7 +22,8 @@ struct Strip {
     load: [f64; 2],
 }
 
-/// The end forces of a strip with both ends held: ∫q φ, with unloaded ground φ = 1 at one end and 0 at the other.
+/// The end forces of a strip with both ends held: ∫q φ, where φ is the settlement of unloaded ground with φ =
+/// 1 at one end and 0 at the other.
 fn carried(strip: &Strip, link: &TwoPort) -> [f64; 2] {
     let stiffness = (strip.spring * strip.shear).sqrt();
     let z = (strip.spring / strip.shear).sqrt() * (strip.x[1] - strip.x[0]);
@@ -40,7 +42,7 @@ fn carried(strip: &Strip, link: &TwoPort) -> [f64; 2] {
     })
 }
 
-/// u₀ of a model with loads on the ground: makes every cell know it.
+/// Computes u₀ of a model with loads on the ground, and stores it in every cell.
 pub(crate) fn settle(model: &Model, cells: &mut [Cell]) {
     let l = model.beam.length;
     let (Some(first), Some(last)) = (cells.first(), cells.last()) else { return };
@@ -64,7 +66,7 @@ pub(crate) fn settle(model: &Model, cells: &mut [Cell]) {
     }
 }
 
-/// u₀ at one place of the whole line, from where the beam's end is outward.
+/// u₀ at a position outside the beam.
 pub(crate) fn at(
     model: &Model,
     beyond: &GroundOutside,
@@ -76,11 +78,11 @@ pub(crate) fn at(
     let (mut strips, held) = beside(model, beyond, right);
     let x = if right { l + distance } else { -distance };
     let Some(i) = strips.iter().position(|s| s.x[0] <= x && x <= s.x[1]) else { return 0.0 };
-    // The field beyond, held at what it is at the beam's end.
+    // The field outside, for its value at the beam's end.
     let strip = strips[i];
     if x > strip.x[0] && x < strip.x[1] {
         let value = |at: f64| {
-            // Endless ground bears nothing out there.
+            // An infinite strip has no load.
             if strip.load == [0.0; 2] {
                 return 0.0;
             }
@@ -131,7 +133,8 @@ fn value_at(model: &Model, strips: &[Strip], held: [bool; 2], x: f64, begin: usi
         .unwrap_or(0.0)
 }
 
-/// The strips beyond an end of the beam, outward, cut where loads begin and end; whether the far end is held.
+/// The strips outside one end of the beam, listed outward and cut at the ends of loads; and whether the far
+/// end is held.
 fn beside(model: &Model, beyond: &GroundOutside, right: bool) -> (Vec<Strip>, bool) {
     let l = model.beam.length;
     let outward = |x: f64| if right { x - l } else { -x };
@@ -164,7 +167,7 @@ fn beside(model: &Model, beyond: &GroundOutside, right: bool) -> (Vec<Strip>, bo
     (strips, beyond.held)
 }
 
-/// Adds to each of some strips, ordered outward from the beam, the loads spread on the ground there.
+/// Adds the distributed loads on the ground to strips that are ordered outward.
 fn load_strips(model: &Model, strips: &mut [Strip], right: bool) {
     let middle = |strip: &Strip| 0.5 * (strip.x[0] + strip.x[1]);
     for load in model.ground_loads() {
@@ -176,7 +179,7 @@ fn load_strips(model: &Model, strips: &mut [Strip], right: bool) {
             let first = strips.partition_point(|strip| middle(strip) >= to);
             first..strips.partition_point(|strip| middle(strip) > from).max(first)
         };
-        // A strip without an end bears nothing.
+        // An infinite strip has no load.
         for strip in strips[within].iter_mut().filter(|s| s.x.iter().all(|x| x.is_finite())) {
             load.extent.add_to(&mut strip.load, strip.x);
         }
@@ -204,7 +207,7 @@ fn homogeneous(model: &Model, strips: &[Strip], held: [bool; 2]) -> Vec<[f64; 2]
     homogeneous
 }
 
-/// u₀ at the nodes of strips in a row.
+/// u₀ at the nodes of consecutive strips.
 fn chain(model: &Model, strips: &[Strip], held: [bool; 2]) -> Vec<f64> {
     let n = strips.len();
     // Stiffness to the ground at each node, series to the next, force.
@@ -242,7 +245,7 @@ fn chain(model: &Model, strips: &[Strip], held: [bool; 2]) -> Vec<f64> {
             force[node] += load;
         }
     }
-    // What is to the left of each node, as one spring and one force.
+    // The ground to the left of each node, condensed to one spring and one force.
     for i in 0..n {
         let (spring, c) = (own[i], series[i]);
         if c > 0.0 {

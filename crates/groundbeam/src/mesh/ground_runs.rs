@@ -9,8 +9,8 @@ pub(crate) struct GroundRun {
     pub cells: Range<usize>,
     /// μ > 0.
     pub pasternak: bool,
-    /// The spring that the ground beyond adds at the left and the right end of the shear layer: √(kμ) at
-    /// the beam's ends, nothing where the layer stops under the beam.
+    /// The stiffness of the ground outside at the left and the right end of the shear layer: √(kμ) at the
+    /// beam's ends, zero where the layer stops under the beam.
     pub beyond: [f64; 2],
 }
 

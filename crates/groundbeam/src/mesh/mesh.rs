@@ -1,7 +1,7 @@
-//! The model cut into cells within which everything given is a polynomial, most of it constant or linear.
+//! The model cut into cells in which all data are polynomials, most of them constant or linear.
 //!
-//! Nodes stand where the physics needs them: at loads, supports, hinges, the ends of segments and of
-//! distributed loads, the corners of the initial gap. A method adds its own.
+//! Nodes are required at loads, supports, hinges, the ends of segments and of distributed loads, and the
+//! corners of the initial gap. A method adds its own nodes.
 
 use crate::ground::link;
 use crate::mesh::cell::Cell;
@@ -12,7 +12,7 @@ use crate::numeric::elementary::pow;
 use crate::numeric::polynomial::value;
 use crate::numeric::tolerance::same_place;
 
-/// What acts on and holds the beam at one point.
+/// The loads and supports of the beam at one point.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct Node {
     /// Position \[m\].
@@ -21,20 +21,20 @@ pub(crate) struct Node {
     pub force: f64,
     /// Point moment \[N·m\].
     pub moment: f64,
-    /// w is the settlement.
+    /// w is prescribed: the settlement of the support.
     pub pinned: bool,
-    /// How far what holds it has settled \[m\].
+    /// Settlement of the support \[m\].
     pub settlement: f64,
-    /// The sections' rotation is 0.
+    /// The rotation of the sections is 0.
     pub clamped: bool,
-    /// Spring against w less the settlement \[N/m\].
+    /// Stiffness of a translational spring \[N/m\], relative to the settlement.
     pub spring: f64,
-    /// Spring against the sections' rotation \[N·m/rad\].
+    /// Stiffness of a rotational spring \[N·m/rad\].
     pub rotational_spring: f64,
-    /// The sections' rotation may jump, against this spring \[N·m/rad\].
+    /// Rotational stiffness of a hinge \[N·m/rad\]; the rotation of the sections may jump.
     pub hinge: Option<f64>,
-    /// w' may jump though no hinge is there: a beam that shears has a kink where a force acts on it, and where its
-    /// own or the ground's stiffness against shear changes.
+    /// Whether w' may jump without a hinge: on a beam that shears, at a force, and where its own shear
+    /// stiffness or that of the ground jumps.
     pub kinked: bool,
 }
 
@@ -45,17 +45,18 @@ pub(crate) struct Mesh {
     pub cells: Vec<Cell>,
     /// P \[N\].
     pub axial_force: f64,
-    /// The spring that the ground beyond the left and the right end is \[N/m\]; √(kμ) where it is even and
-    /// endless.
+    /// Stiffness of the ground outside the left and the right end \[N/m\]; √(kμ) if it is uniform and
+    /// infinite.
     pub outside: [f64; 2],
 }
 
-/// EI over h²(N + kh²) of a stiffened cell: no more than its own where its waves are longer than it.
+/// EI/(h²(N + kh²)) of a stiffened cell. If the waves of the beam are longer than the cell, its own EI is
+/// larger.
 const STIFF: f64 = 0.5;
 
 impl Mesh {
-    /// The fewest nodes, and `more` of them. Every interval between two of these is then cut into
-    /// as many equal cells as `parts` says of a cell.
+    /// A mesh of the required nodes and those in `more`. Every interval between them is cut into `parts`
+    /// equal cells.
     pub fn build(model: &Model, more: &[f64], parts: impl Fn(&Cell) -> usize) -> Self {
         Self::cut(model, more, |cell, x| into_equal(cell, parts(cell), x))
     }
@@ -66,8 +67,9 @@ impl Mesh {
         Self::cut(model, more, |cell, x| graded(cell, &cut, x))
     }
 
-    /// Calls `each` with every cell of a [graded](Self::graded) mesh of one part to a cell, and with the number of
-    /// parts into which it is cut for the free-field settlement. Returns how many cells the model itself has.
+    /// Calls `each` for every cell of a [graded](Self::graded) mesh with one part per cell, together with the
+    /// number of parts that the free-field settlement needs. Returns the number of intervals of the model
+    /// itself.
     pub fn each_graded(model: &Model, mut each: impl FnMut(&Cell, usize)) -> usize {
         let coarse = cells_between(model, &positions(model, &[]));
         for cell in &coarse {
@@ -77,7 +79,7 @@ impl Mesh {
         coarse.len()
     }
 
-    /// Cuts each interval between two of the fewest nodes, and `more` of them, at positions of its own.
+    /// Cuts each interval between the required nodes and `more` at positions that `cut` adds.
     fn cut(model: &Model, more: &[f64], cut: impl Fn(&Cell, &mut Vec<f64>)) -> Self {
         let coarse = cells_between(model, &positions(model, more));
         let mut x = Vec::with_capacity(2 * coarse.len());
@@ -108,8 +110,8 @@ impl Mesh {
         mesh
     }
 
-    /// Makes the beam so stiff that its waves on the ground are as long as the cells: a mesh that is too
-    /// coarse for the beam then solves a smooth problem of its own, a start for a finer one.
+    /// Increases EI until the waves of the beam on the ground are as long as the cells. A mesh that is too
+    /// coarse for the beam then solves a smooth problem, whose solution starts the iteration on a finer mesh.
     pub fn stiffen(&mut self) {
         for cell in &mut self.cells {
             let h = cell.length();
@@ -123,7 +125,7 @@ impl Mesh {
         }
     }
 
-    /// How many times the stiffest cell of a stiffened mesh exceeds its own beam.
+    /// The largest ratio of the stiffened EI to the beam's own EI.
     pub fn stiffening(&self) -> f64 {
         let mut stiff = self.clone();
         stiff.stiffen();
@@ -131,7 +133,7 @@ impl Mesh {
         stiff.cells.iter().zip(&self.cells).map(ratio).fold(1.0, f64::max)
     }
 
-    /// The mesh with its beam `part` of the way, in the exponent, from stiffened to its own.
+    /// The mesh with EI raised by the fraction `part` of the full stiffening, in the exponent.
     pub fn stiffened(&self, part: f64) -> Self {
         let mut mesh = self.clone();
         mesh.stiffen();
@@ -143,14 +145,14 @@ impl Mesh {
         mesh
     }
 
-    /// `elements` equal elements, and a node wherever the model has one.
+    /// A mesh of `elements` equal elements, with additional nodes where the model requires one.
     pub fn uniform(model: &Model, elements: usize) -> Self {
         let l = model.beam.length;
         let more: Vec<f64> = (1..elements).map(|i| l * (i as f64 / elements as f64)).collect();
         Self::build(model, &more, |_| 1)
     }
 
-    /// The cell that holds x; of two that meet there the right one.
+    /// The cell that contains x; at a common node the right one.
     pub fn cell_at(&self, x: f64) -> usize {
         self.cells.partition_point(|cell| cell.x[1] <= x).min(self.cells.len() - 1)
     }
@@ -162,7 +164,7 @@ impl Mesh {
         if x - self.nodes[left].x < self.nodes[right].x - x { left } else { right }
     }
 
-    /// Where w' may jump: the beam's own shear force S(w' − φ) does, or S itself.
+    /// Marks the nodes at which w' may jump because the beam's own shear force S(w' − φ) or S itself jumps.
     fn find_kinks(&mut self) {
         for i in 1..self.cells.len() {
             let [left, right] = [&self.cells[i - 1], &self.cells[i]];
@@ -188,7 +190,7 @@ impl Mesh {
             match load.action {
                 Action::Force => self.nodes[i].force += size,
                 Action::Moment => self.nodes[i].moment += size,
-                // Acts along stretches alone.
+                // Curvature acts on stretches only.
                 Action::Curvature => {}
             }
         }
@@ -212,10 +214,10 @@ impl Mesh {
     }
 }
 
-/// Largest relative jump of a stiffness that counts as rounding error.
+/// Largest relative jump of a stiffness that counts as a rounding error.
 const ROUNDING: f64 = 1e-13;
 
-/// Halvings of a cell.
+/// Maximum number of halvings of a cell.
 const MOST_HALVINGS: u32 = 40;
 
 fn into_equal(cell: &Cell, parts: usize, x: &mut Vec<f64>) {
@@ -232,7 +234,7 @@ fn graded(cell: &Cell, cut: &impl Fn(&Cell, &mut Vec<f64>), x: &mut Vec<f64>) {
     });
 }
 
-/// The parts of a cell, from left to right, that are smooth after as many halvings as are needed.
+/// Calls `each` with the smooth parts of a cell, from left to right; halves the cell as often as needed.
 fn each_smooth(cell: &Cell, halvings: u32, each: &mut impl FnMut(&Cell)) {
     if halvings == 0 || cell.is_smooth() {
         return each(cell);
@@ -241,7 +243,7 @@ fn each_smooth(cell: &Cell, halvings: u32, each: &mut impl FnMut(&Cell)) {
     each_smooth(&cell.part([0.0, 1.0]), halvings - 1, each);
 }
 
-/// The number of parts into which a cell is cut where loads settle the ground: u₀ is a short power series in each.
+/// The number of parts of a cell under a free field, such that u₀ is a short power series in each.
 fn pieces_of_settled(cell: &Cell) -> usize {
     if !cell.has_free_field() || cell.shear_layer == 0.0 {
         return 1;
@@ -250,7 +252,7 @@ fn pieces_of_settled(cell: &Cell) -> usize {
     fades.ceil().max(1.0) as usize
 }
 
-/// Where the model itself needs a node, with `more`: sorted, each place once.
+/// The sorted positions of all required nodes and of `more`, without duplicates.
 fn positions(model: &Model, more: &[f64]) -> Vec<f64> {
     let l = model.beam.length;
     let most = 2 * (1 + model.beam.segments.len() + model.foundation.segments.len())
@@ -259,7 +261,7 @@ fn positions(model: &Model, more: &[f64]) -> Vec<f64> {
         + model.hinges.len()
         + model.gap.len()
         + more.len();
-    // With whether it is the model's own.
+    // Each with a flag: the position belongs to the model.
     let mut places: Vec<(f64, bool)> = Vec::with_capacity(most);
     let mut own = |x: f64| places.push((x, true));
     [0.0, l].into_iter().for_each(&mut own);
@@ -281,7 +283,7 @@ fn positions(model: &Model, more: &[f64]) -> Vec<f64> {
     let near = same_place(l);
     places.dedup_by(|next, last| {
         let same = next.0 - last.0 <= near;
-        // Of two spellings of one place the model's own stays.
+        // Of two nearly equal positions, the one of the model is kept.
         if same && next.1 && !last.1 {
             *last = *next;
         }
@@ -349,7 +351,7 @@ fn cells_between(model: &Model, x: &[f64]) -> Vec<Cell> {
     cells
 }
 
-/// What acts on the ground, and how far it settles under it without the beam.
+/// Adds the loads on the ground, and the free-field settlement under them.
 fn load_ground(model: &Model, cells: &mut [Cell]) {
     let middle = |cell: &Cell| 0.5 * (cell.x[0] + cell.x[1]);
     for load in model.ground_loads() {
@@ -362,7 +364,7 @@ fn load_ground(model: &Model, cells: &mut [Cell]) {
                 }
             }
             Extent::Point { at, size: force } => {
-                // The nearest left end inside the beam; of two as near the left one.
+                // The nearest left end inside the beam; of two equally near ones the left one.
                 let right = cells.partition_point(|cell| cell.x[0] < at).max(1);
                 let distance =
                     |i: usize| cells.get(i).map_or(f64::INFINITY, |c| (c.x[0] - at).abs());

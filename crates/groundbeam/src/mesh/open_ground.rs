@@ -7,10 +7,11 @@ use crate::mesh::ground_runs::GroundRun;
 use crate::mesh::mesh::Mesh;
 use crate::mesh::varying::link;
 
-/// u at the ends and the joints of two-ports in a row, held at both ends; and all of them as one two-port.
+/// u at the ends and the joints of two-ports in series, held at both ends; and the single two-port that is
+/// equivalent to all of them.
 ///
-/// Forward: the two-port from the start to each joint; backward: each joint between that two-port and the next
-/// part. Sums of positive numbers only.
+/// Forward: the two-port from the start to each joint. Backward: u at each joint, from that two-port and the
+/// next part. Both use sums of positive numbers only.
 pub(crate) fn heights(links: &[TwoPort], [start, end]: [f64; 2]) -> (Vec<f64>, Option<TwoPort>) {
     let mut so_far: Vec<TwoPort> = Vec::with_capacity(links.len());
     for link in links {
@@ -30,7 +31,7 @@ pub(crate) fn heights(links: &[TwoPort], [start, end]: [f64; 2]) -> (Vec<f64>, O
     (values, so_far.last().copied())
 }
 
-/// All of the open ground between two points as one two-port; none between points that meet.
+/// All of the open ground between two points as one two-port; `None` if the points coincide.
 pub(crate) fn open_link(
     mesh: &Mesh,
     run: &GroundRun,
@@ -41,7 +42,8 @@ pub(crate) fn open_link(
     links.into_iter().map(|(_, link)| link).reduce(TwoPort::then)
 }
 
-/// The two-ports of open ground between two points, cell by cell; a missing point is the ground beyond.
+/// The two-ports of open ground between two points, cell by cell; a missing point means the ground outside
+/// the beam.
 pub(crate) fn open_links(
     mesh: &Mesh,
     run: &GroundRun,

@@ -1,16 +1,16 @@
-//! Integrals over a cell along which beam or ground varies.
+//! Integrals over a cell with varying beam or ground data.
 
 use crate::ground::link::TwoPort;
 use crate::mesh::cell::Cell;
 use crate::numeric::polynomial::inner;
 use crate::numeric::polynomial::{Coefficients, derivative, product, rescale};
 
-/// Halvings of a stretch of ground.
+/// Maximum number of halvings of a stretch of ground.
 const MOST_HALVINGS: u32 = 40;
 
 /// The open ground of a part of a cell: a chain of short power series.
 pub(crate) fn link(cell: &Cell, part: [f64; 2]) -> TwoPort {
-    // Not from the part's own ends, which are rounded.
+    // The length of the part's ends would contain their rounding.
     let half = 0.25 * (part[1] - part[0]) * cell.length();
     chain(&cell.part(part), half, MOST_HALVINGS)
 }
@@ -34,7 +34,7 @@ pub(crate) fn pressure(cell: &Cell, half: f64, obstacle: &[f64]) -> Coefficients
     pressure
 }
 
-/// ∫ EI f″ g″ ds over \[−1, 1\], with derivatives by s.
+/// ∫ EI f″ g″ ds over \[−1, 1\], with derivatives with respect to s.
 pub(crate) fn bending(cell: &Cell, f: &[f64], g: &[f64]) -> f64 {
     let bend = |c: &[f64]| derivative(&derivative(c));
     inner(&product(&cell.stiffness_along(), &bend(f)), &bend(g), 0)

@@ -2,33 +2,33 @@
 
 use super::profile::{CellPolynomial, Profile};
 
-/// A straight beam that bends, and shears if it is given a stiffness against that.
+/// A straight beam with bending stiffness and, optionally, shear stiffness.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Beam {
     /// Length l \[m\], positive.
     pub length: f64,
-    /// Bending stiffness EI \[N·m²\] wherever no segment says otherwise, positive.
+    /// Bending stiffness EI \[N·m²\] outside the segments, positive.
     pub bending_stiffness: f64,
-    /// Shear stiffness S = κGA \[N\] wherever no segment says otherwise, positive; none where sections stay at right
-    /// angles to the axis (Euler and Bernoulli). With it they turn by φ and the beam shears by w' − φ = Q/S
+    /// Shear stiffness S = κGA \[N\] outside the segments, positive. `None`: sections stay normal to the axis
+    /// (Euler–Bernoulli). Otherwise they rotate by φ and the beam has the shear strain w' − φ = Q/S
     /// (Timoshenko).
     pub shear_stiffness: Option<f64>,
-    /// Stretches with other stiffnesses. They may touch, not overlap.
+    /// Stretches with other stiffnesses. They may adjoin, but not overlap.
     pub segments: Vec<BeamSegment>,
     /// Axial force P \[N\], tension positive, constant along the beam.
     pub axial_force: f64,
 }
 
-/// A stretch of the beam with stiffnesses of its own.
+/// A stretch of the beam with its own stiffnesses.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BeamSegment {
     /// Left end \[m\].
     pub from: f64,
     /// Right end \[m\].
     pub to: f64,
-    /// Bending stiffness EI \[N·m²\] from the left end to the right one, positive.
+    /// Bending stiffness EI \[N·m²\] from the left end to the right end, positive.
     pub bending_stiffness: Profile,
-    /// Shear stiffness S \[N\] from the left end to the right one, positive; none: that of the beam.
+    /// Shear stiffness S \[N\] from the left end to the right end, positive; `None`: that of the beam.
     pub shear_stiffness: Option<Profile>,
 }
 
@@ -55,7 +55,7 @@ impl Beam {
     /// ```
     /// use groundbeam::{Beam, Field, Foundation, Load, Model, Outcome, Support, solve};
     ///
-    /// // A cantilever sags by F l³/3EI in bending and F l/S in shear; hardly any ground is below it.
+    /// // A cantilever on very soft ground: the deflection is F l³/3EI from bending and F l/S from shear.
     /// let beam = Beam::uniform(2.0, 3.0).with_shear_stiffness(4.0);
     /// let model = Model::new(beam, Foundation::winkler(1e-12))
     ///     .with_support(Support::fixed(0.0))
@@ -89,8 +89,8 @@ impl Beam {
         self
     }
 
-    /// The same beam with another bending stiffness \[N·m²\] and shear stiffness \[N\] between two positions, each
-    /// a number or a [`Profile`].
+    /// The same beam with another bending stiffness \[N·m²\] and shear stiffness \[N\] between two positions,
+    /// each a number or a [`Profile`].
     pub fn with_shearing_segment(
         mut self,
         from: f64,
@@ -104,7 +104,7 @@ impl Beam {
         self
     }
 
-    /// Bending stiffness EI \[N·m²\] at `x`; at the joint of two segments that of the right one.
+    /// Bending stiffness EI \[N·m²\] at `x`; at a joint of two segments, that of the right one.
     pub fn bending_stiffness_at(&self, x: f64) -> f64 {
         let segment = self.segments.iter().find(|s| s.from <= x && x < s.to);
         segment.map_or(self.bending_stiffness, |s| s.bending_stiffness_at(x))
@@ -115,15 +115,15 @@ impl Beam {
         self.shear_stiffness.is_some() || self.segments.iter().any(|s| s.shear_stiffness.is_some())
     }
 
-    /// Shear stiffness S \[N\] at `x`, none where the beam does not shear; at the joint of two segments that of the
-    /// right one.
+    /// Shear stiffness S \[N\] at `x`, `None` where the beam does not shear; at a joint of two segments, that
+    /// of the right one.
     pub fn shear_stiffness_at(&self, x: f64) -> Option<f64> {
         let segment = self.segments.iter().find(|s| s.from <= x && x < s.to);
         let own = segment.and_then(|s| Some(s.shear_stiffness?.at_position([s.from, s.to], x)));
         own.or(self.shear_stiffness)
     }
 
-    /// The same beam, as many times as stiff in shear.
+    /// The same beam with its shear stiffness multiplied by `times`.
     pub(crate) fn stiffened_in_shear(mut self, times: f64) -> Self {
         self.shear_stiffness = self.shear_stiffness.map(|stiffness| stiffness * times);
         for segment in &mut self.segments {
@@ -132,20 +132,20 @@ impl Beam {
         self
     }
 
-    /// The same beam, which only bends.
+    /// The same beam without shear deformation.
     pub(crate) fn without_shear(mut self) -> Self {
         self.shear_stiffness = None;
         self.segments.iter_mut().for_each(|segment| segment.shear_stiffness = None);
         self
     }
 
-    /// The largest bending stiffness given: it is nowhere more.
+    /// An upper bound of the bending stiffness: the largest control value.
     pub(crate) fn stiffest(&self) -> f64 {
         let segments = self.segments.iter().map(|s| s.bending_stiffness.largest());
         segments.fold(self.bending_stiffness, f64::max)
     }
 
-    /// The same beam, as many times as stiff, in bending and in shear.
+    /// The same beam with its bending and shear stiffness multiplied by `times`.
     pub(crate) fn stiffened(mut self, times: f64) -> Self {
         self.bending_stiffness *= times;
         for segment in &mut self.segments {

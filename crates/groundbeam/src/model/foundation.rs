@@ -6,7 +6,7 @@ use super::soil::{GroundConstants, SoilModel};
 
 /// A Pasternak foundation; with `shear_layer` = 0 a Winkler foundation.
 ///
-/// Beside the beam the ground goes on as it is at the beam's ends, outward, until a segment says otherwise or it
+/// Outside the beam the ground has the constants of the beam's end, until a segment begins or the ground
 /// [ends](GroundEnd).
 #[derive(Debug, Clone, PartialEq)]
 pub struct Foundation {
@@ -14,32 +14,32 @@ pub struct Foundation {
     pub subgrade: f64,
     /// Shear constant μ \[N\], not negative.
     pub shear_layer: f64,
-    /// Stretches with other constants, under the beam and beside it. They may touch, not overlap. Beside the
-    /// beam each holds outward until another one begins.
+    /// Stretches with other constants, under the beam and outside it. They may adjoin, but not overlap.
+    /// Outside the beam each continues outward until another one begins.
     pub segments: Vec<FoundationSegment>,
     /// How the ground ends on the left and on the right.
     pub ends: [GroundEnd; 2],
-    /// The soil from which k and μ follow; `None` where they are given. A solve on soil sets `subgrade` and
-    /// `shear_layer`: for the modified Vlasov model from its own solution, otherwise from the method. Such ground is
-    /// uniform and endless.
+    /// The soil from which k and μ follow; `None` if they are given. A solve on soil sets `subgrade` and
+    /// `shear_layer`: for the modified Vlasov model from its own solution, otherwise from the method. Such
+    /// ground is uniform and infinite.
     pub soil: Option<SoilModel>,
 }
 
-/// A stretch of ground with constants of its own.
+/// A stretch of ground with its own constants.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FoundationSegment {
     /// Left end \[m\].
     pub from: f64,
     /// Right end \[m\].
     pub to: f64,
-    /// Spring constant k \[N/m²\] from the left end to the right one, positive.
+    /// Spring constant k \[N/m²\] from the left end to the right end, positive.
     pub subgrade: Profile,
-    /// Shear constant μ \[N\] from the left end to the right one: zero all along or positive all along.
+    /// Shear constant μ \[N\] from the left end to the right end: zero everywhere or positive everywhere.
     pub shear_layer: Profile,
 }
 
 impl Foundation {
-    /// The most control values of k and of μ on a segment: a modulus and a width may both run linearly.
+    /// Maximum number of control values of k and of μ on a segment: a modulus and a width may both be linear.
     pub const MOST_CONTROL_VALUES: usize = 3;
 
     /// Uniform ground with a shear layer.
@@ -48,12 +48,12 @@ impl Foundation {
         Foundation { subgrade: spring, shear_layer: shear, segments: Vec::new(), ends, soil: None }
     }
 
-    /// Uniform ground of independent springs, μ = 0.
+    /// Uniform Winkler ground, μ = 0.
     pub fn winkler(spring: f64) -> Self {
         Self::pasternak(spring, 0.0)
     }
 
-    /// Uniform ground made of soil, with the constants that it has under a beam before anything is solved.
+    /// Uniform ground made of soil, with the constants for this beam before the solve.
     pub fn on_soil(soil: SoilModel, beam: &Beam) -> Self {
         let GroundConstants { subgrade: spring, shear_layer: shear } = soil.subgrade(beam);
         Foundation { soil: Some(soil), ..Self::pasternak(spring, shear) }
@@ -95,13 +95,13 @@ impl Foundation {
         Foundation { ends: [left, right], ..self }
     }
 
-    /// (k \[N/m²\], μ \[N\]) at `x` on the beam; at a joint of two segments those of the right one.
+    /// (k \[N/m²\], μ \[N\]) at `x` on the beam; at a joint of two segments, those of the right one.
     pub fn constants_at(&self, x: f64) -> (f64, f64) {
         let segment = self.segments.iter().find(|s| s.from <= x && x < s.to);
         segment.map_or((self.subgrade, self.shear_layer), |s| s.constants_at(x))
     }
 
-    /// The largest k \[N/m²\] and the largest μ \[N\] given: they are nowhere more.
+    /// Upper bounds of k \[N/m²\] and of μ \[N\]: the largest given values.
     pub fn largest(&self) -> (f64, f64) {
         self.segments.iter().fold((self.subgrade, self.shear_layer), |(k, mu), s| {
             (k.max(s.subgrade.largest()), mu.max(s.shear_layer.largest()))
@@ -139,20 +139,20 @@ impl FoundationSegment {
     }
 }
 
-/// How the ground ends beyond an end of the beam.
+/// The end of the ground outside one end of the beam.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum GroundEnd {
-    /// It goes on without end.
+    /// It is infinite.
     #[default]
     Endless,
     /// Its surface ends at `at` \[m\] and is free there, as beside a trench: μu' = 0.
     Free {
-        /// Position \[m\], at the beam's end or beyond it.
+        /// Position \[m\], at the beam's end or outside it.
         at: f64,
     },
     /// Its surface is held at `at` \[m\], as by a wall: u = 0.
     Held {
-        /// Position \[m\], beyond the beam's end.
+        /// Position \[m\], outside the beam.
         at: f64,
     },
 }

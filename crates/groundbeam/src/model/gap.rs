@@ -7,6 +7,6 @@
 pub struct GapPoint {
     /// Position x \[m\]. Corners are listed from left to right.
     pub at: f64,
-    /// Clearance g₀ \[m\], positive where beam and ground are apart before loading.
+    /// Clearance g₀ \[m\], positive where there is a gap before loading.
     pub value: f64,
 }

@@ -2,8 +2,8 @@
 
 /// A hinge at one point inside the beam: w is continuous there, w' jumps.
 ///
-/// The moment it hands on is M = −k_φ \[w'\], where \[w'\] is the jump of the slope, right less left:
-/// none at all for a free hinge, k_φ = 0.
+/// It transmits the moment M = −k_φ \[w'\], where \[w'\] is the jump of the slope, right minus left: zero for
+/// a free hinge, k_φ = 0.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Hinge {
     /// Position \[m\], inside the beam.
@@ -13,7 +13,7 @@ pub struct Hinge {
 }
 
 impl Hinge {
-    /// A hinge at `at` \[m\] that turns freely.
+    /// A hinge at `at` \[m\] that rotates freely.
     pub fn free(at: f64) -> Self {
         Hinge { at, rotational_spring: 0.0 }
     }
@@ -23,7 +23,7 @@ impl Hinge {
         Hinge { at, rotational_spring }
     }
 
-    /// Whether it hands on no moment.
+    /// Whether it transmits no moment.
     pub fn is_free(&self) -> bool {
         self.rotational_spring == 0.0
     }

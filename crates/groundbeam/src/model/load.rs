@@ -1,6 +1,6 @@
 //! Loads: an action on an extent, the terms of (4.7).
 
-/// What a load does.
+/// The type of a load.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Action {
     /// A force \[N\], or \[N/m\] along a stretch: fᵢ and f(x) of (4.7), or the load on the ground's surface. Positive down.
@@ -8,13 +8,13 @@ pub enum Action {
     /// A moment \[N·m\], or \[N·m/m\] along a stretch: gᵢ and g(x) of (4.7). Positive where it turns the right side down: it
     /// does the work M₀·w'(x).
     Moment,
-    /// An imposed curvature κ₀ \[1/m\]: a temperature gradient, shrinkage or a camber.
-    /// M = −EI (w″ − κ₀); positive as w″ is, where it bends the beam's ends down. It does no work on rigid motions.
+    /// An imposed curvature κ₀ \[1/m\]: a temperature gradient, shrinkage or a camber. M = −EI (w″ − κ₀). It
+    /// is positive, like w″, if it bends the ends of the beam down. It does no work on rigid motions.
     Curvature,
 }
 
 impl Action {
-    /// The derivative of w on which it does work: none of w itself for a force, the first for a moment.
+    /// The order of the derivative of w on which the load does work: 0 for a force, 1 for a moment.
     pub(crate) fn derivative(self) -> usize {
         match self {
             Action::Force => 0,
@@ -24,7 +24,7 @@ impl Action {
     }
 }
 
-/// Where a load acts, and its size there.
+/// Position and size of a load.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Extent {
     /// A load at a point.
@@ -47,7 +47,7 @@ pub enum Extent {
     },
 }
 
-/// A load: what it does, where, and whether it acts on the ground's surface instead of the beam.
+/// A load: its type, its position and size, and whether it acts on the ground instead of the beam.
 ///
 /// ```
 /// use groundbeam::{Action, Load};
@@ -64,7 +64,7 @@ pub struct Load {
 }
 
 impl Extent {
-    /// Left and right end \[m\], of a point twice the same.
+    /// Left and right end \[m\]; equal for a point.
     pub fn ends(&self) -> [f64; 2] {
         match *self {
             Extent::Point { at, .. } => [at; 2],
@@ -72,7 +72,7 @@ impl Extent {
         }
     }
 
-    /// The size at both ends, of a point twice the same.
+    /// The size at both ends; equal for a point.
     pub fn sizes(&self) -> [f64; 2] {
         match *self {
             Extent::Point { size, .. } => [size; 2],
@@ -80,13 +80,13 @@ impl Extent {
         }
     }
 
-    /// The larger size of both ends, without its sign.
+    /// The larger absolute value of the size at the ends.
     pub fn largest(&self) -> f64 {
         let [start, end] = self.sizes();
         start.abs().max(end.abs())
     }
 
-    /// The size, without its sign, summed over the stretch. A sign that changes within the stretch is ignored.
+    /// The integral of the size over the stretch, without its sign. Assumes that the sign is constant.
     pub fn total(&self) -> f64 {
         match *self {
             Extent::Point { size, .. } => size.abs(),
@@ -96,40 +96,40 @@ impl Extent {
         }
     }
 
-    /// The size at x of a stretch, beyond its ends as well.
+    /// The size at x of a stretch, extrapolated beyond its ends.
     pub(crate) fn at(&self, x: f64) -> f64 {
         match *self {
             Extent::Point { size, .. } => size,
             Extent::Distributed { start, end, .. } if start == end => start,
-            // Two sums of one kind of term each: a mirrored load is mirrored to the last bit.
+            // Each sum has terms of one kind, so that a mirrored load has mirrored bits.
             Extent::Distributed { from, to, start, end } => {
                 (start * (to - x) + end * (x - from)) / (to - from)
             }
         }
     }
 
-    /// Adds its sizes at both ends of a part of the stretch.
+    /// Adds the sizes at both ends of a part of the stretch.
     pub(crate) fn add_to(&self, sum: &mut [f64; 2], x: [f64; 2]) {
         for (sum, x) in sum.iter_mut().zip(x) {
             *sum += self.at(x);
         }
     }
 
-    /// Whether it is a stretch.
+    /// Whether it acts along a stretch.
     pub fn is_distributed(&self) -> bool {
         matches!(self, Extent::Distributed { .. })
     }
 }
 
-/// The forces of a linear load along a stretch: of its two triangles, each with its position.
+/// The resultants of the two triangles of a linear load, each with its position.
 pub(crate) fn triangles([from, to]: [f64; 2], [start, end]: [f64; 2]) -> [(f64, f64); 2] {
     let length = to - from;
     [(0.5 * start * length, from + length / 3.0), (0.5 * end * length, to - length / 3.0)]
 }
 
 impl Load {
-    /// A load of any kind. `None` if there is no such kind: a curvature acts along a stretch of the beam, and a load on the ground is a
-    /// force.
+    /// A load of any type. `None` if the type does not exist: a curvature must act along a stretch of the
+    /// beam, and a load on the ground must be a force.
     pub fn new(action: Action, extent: Extent, on_ground: bool) -> Option<Self> {
         let exists = match action {
             Action::Force => true,
@@ -162,7 +162,7 @@ impl Load {
         Self::distributed(Action::Force, [from, to], [start, end])
     }
 
-    /// A force \[N/m\] that is the same all along a stretch \[m\].
+    /// A uniform force \[N/m\] along a stretch \[m\].
     pub fn uniform_force(from: f64, to: f64, force: f64) -> Self {
         Self::distributed_force(from, to, force, force)
     }
@@ -177,12 +177,13 @@ impl Load {
         Self::distributed(Action::Curvature, [from, to], [start, end])
     }
 
-    /// An imposed curvature κ₀ \[1/m\] that is the same all along a stretch \[m\].
+    /// A uniform imposed curvature κ₀ \[1/m\] along a stretch \[m\].
     pub fn uniform_curvature(from: f64, to: f64, curvature: f64) -> Self {
         Self::distributed_curvature(from, to, curvature, curvature)
     }
 
-    /// A force \[N\] on the ground's surface at a point \[m\] under the beam or beside it. It needs a shear layer.
+    /// A force \[N\] on the ground's surface at a point \[m\] under the beam or outside it. It needs a shear
+    /// layer.
     pub fn ground_force(at: f64, force: f64) -> Self {
         Load { on_ground: true, ..Self::point_force(at, force) }
     }
@@ -192,22 +193,22 @@ impl Load {
         Load { on_ground: true, ..Self::distributed_force(from, to, start, end) }
     }
 
-    /// What it does.
+    /// The type of the load.
     pub fn action(&self) -> Action {
         self.action
     }
 
-    /// Where it acts, and its size there.
+    /// Its position and size.
     pub fn extent(&self) -> Extent {
         self.extent
     }
 
-    /// Whether it acts on the ground and not on the beam.
+    /// Whether it acts on the ground instead of the beam.
     pub fn is_on_ground(&self) -> bool {
         self.on_ground
     }
 
-    /// Where it acts and its size, if it has the given action at a point of the beam.
+    /// Its position and size, if it has the given type and acts at a point of the beam.
     pub fn at_point(&self, action: Action) -> Option<(f64, f64)> {
         match self.extent {
             Extent::Point { at, size } if self.action == action && !self.on_ground => {
@@ -217,7 +218,8 @@ impl Load {
         }
     }
 
-    /// Its size as a force \[N\], without its sign: a moment over a length. Zero for what does no work on rigid motions.
+    /// Its absolute size as a force \[N\]; a moment is divided by the length. Zero for a curvature, which
+    /// does no work on rigid motions.
     pub fn as_force(&self, length: f64) -> f64 {
         match self.action.derivative() {
             0 => self.extent.total(),

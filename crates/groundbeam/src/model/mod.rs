@@ -1,7 +1,7 @@
 //! The model: beam, foundation, loads, supports, hinges, initial gap. Section 2, Remark 1 and Remark 2.
 //!
-//! Every number is in one coherent system of units (m, N, rad and their products; or any other in
-//! which force = stiffness × length holds). Nothing here knows how a unit is spelled.
+//! Every number is in one coherent system of units (m, N, rad and their products, or any other system with
+//! force = stiffness × length). This module does not know units.
 
 mod beam;
 mod foundation;
@@ -35,19 +35,19 @@ pub use profile::Profile;
 pub use support::{Acts, Support, SupportKind};
 pub use train::{Axle, Train, UniformPart};
 
-/// A beam, the ground under it, and what acts on them.
+/// A beam, the ground under it, and the loads on them.
 ///
-/// The fields are plain data; [`Model::problems`] tells everything that is wrong with them.
-/// Positions `x` are measured from the beam's left end, deflections and forces are positive down.
+/// The fields are plain data; [`Model::problems`] lists every violation of the rules. Positions `x` are
+/// measured from the beam's left end; deflections and forces are positive down.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Model {
     /// The beam: its length, bending stiffness and axial force.
     pub beam: Beam,
     /// The ground: its spring and shear constants.
     pub foundation: Foundation,
-    /// Everything that acts on the beam, (4.7). Empty: nothing acts.
+    /// The loads, (4.7). Empty: no loads.
     pub loads: Vec<Load>,
-    /// What holds the beam besides the ground. Empty: the beam is free.
+    /// The supports besides the ground. Empty: the beam is free.
     pub supports: Vec<Support>,
     /// Hinges inside the beam. Empty: none.
     pub hinges: Vec<Hinge>,
@@ -68,19 +68,19 @@ impl Model {
         }
     }
 
-    /// The same model with one load more.
+    /// The same model with one more load.
     pub fn with_load(mut self, load: Load) -> Self {
         self.loads.push(load);
         self
     }
 
-    /// The same model with one support more.
+    /// The same model with one more support.
     pub fn with_support(mut self, support: Support) -> Self {
         self.supports.push(support);
         self
     }
 
-    /// The same model with one hinge more.
+    /// The same model with one more hinge.
     pub fn with_hinge(mut self, hinge: Hinge) -> Self {
         self.hinges.push(hinge);
         self
@@ -110,7 +110,7 @@ impl Model {
         self.loads.iter().filter(|load| load.on_ground)
     }
 
-    /// Whether anything acts on the ground besides the beam.
+    /// Whether the ground has loads.
     pub(crate) fn has_ground_loads(&self) -> bool {
         self.loads.iter().any(Load::is_on_ground)
     }
@@ -134,7 +134,8 @@ impl Model {
         Model { foundation, ..self.clone() }
     }
 
-    /// The model with the constants that its soil gives before anything is solved; as it is where they are given.
+    /// The model with the constants that its soil gives before the solve; unchanged if the constants are
+    /// given.
     pub(crate) fn on_given_ground(&self) -> Cow<'_, Model> {
         match &self.foundation.soil {
             None => Cow::Borrowed(self),
@@ -142,19 +143,19 @@ impl Model {
         }
     }
 
-    /// Whether a support acts in one direction alone.
+    /// Whether the model has one-way supports.
     pub(crate) fn has_one_way_supports(&self) -> bool {
         self.supports.iter().any(Support::is_one_way)
     }
 
-    /// The same model on the supports for which `keeps` says so, each of which then acts in both directions.
+    /// The same model with the supports that `keeps` selects, each of them two-way.
     pub(crate) fn with_supports_that(&self, keeps: impl Fn(usize, &Support) -> bool) -> Self {
         let kept = self.supports.iter().enumerate().filter(|(i, support)| keeps(*i, support));
         let supports = kept.map(|(_, support)| support.acting(Acts::Both)).collect();
         Model { supports, ..self.clone() }
     }
 
-    /// Becomes another model in the memory of this one.
+    /// Copies another model into the memory of this one.
     pub(crate) fn copy_from(&mut self, other: &Model) {
         let mut segments = std::mem::take(&mut self.beam.segments);
         segments.clone_from(&other.beam.segments);
@@ -169,7 +170,7 @@ impl Model {
         self.gap.clone_from(&other.gap);
     }
 
-    /// The model seen in a mirror: what was at x is at l − x.
+    /// The mirrored model: x becomes l − x.
     pub fn mirrored(&self) -> Self {
         let l = self.beam.length;
         let mut gap: Vec<GapPoint> =
@@ -186,7 +187,7 @@ impl Model {
     }
 }
 
-/// A model under a compression \[N\] that may not be its own.
+/// The model under another compression \[N\].
 pub(crate) fn compressed(model: &Model, compression: f64) -> Model {
     let mut model = model.clone();
     model.beam.axial_force = -compression;

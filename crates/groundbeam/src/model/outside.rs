@@ -3,10 +3,10 @@
 use crate::model::foundation::Foundation;
 use crate::model::foundation::GroundEnd;
 
-/// A stretch of even ground with a shear layer beside the beam.
+/// A stretch of ground with constant k and μ > 0 outside the beam.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct OutsideLayer {
-    /// Its length \[m\]; infinite for the last one of endless ground.
+    /// Its length \[m\]; infinite for the last stretch of infinite ground.
     pub length: f64,
     /// k \[N/m²\].
     pub subgrade: f64,
@@ -14,29 +14,29 @@ pub(crate) struct OutsideLayer {
     pub shear_layer: f64,
 }
 
-/// The shear layer beyond an end of the beam, from there outward; none where it ends with the beam.
+/// The shear layer outside one end of the beam, listed outward; empty if it ends with the beam.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct GroundOutside {
     pub layers: Vec<OutsideLayer>,
-    /// Whether the last one's far end is held; it is free otherwise.
+    /// Whether the far end of the last stretch is held; otherwise it is free.
     pub held: bool,
 }
 
 impl Foundation {
-    /// The ground to the left of a beam of length `l`, or to the right of it, with k and μ of the beam's end: it
-    /// goes on as it is, outward, until a segment says otherwise. None is tied to separate springs under the beam's
-    /// end: their surface is free to jump there.
+    /// The ground to the left or to the right of a beam of length `l`, with k and μ of the beam's end. Its
+    /// constants continue outward until a segment begins. It is empty next to Winkler ground under the beam's
+    /// end, whose surface may jump there.
     pub(crate) fn beyond(&self, right: bool, l: f64, [spring, shear]: [f64; 2]) -> GroundOutside {
         if shear == 0.0 {
             return GroundOutside::default();
         }
-        // Not −x, which would be −0 at the beam's end.
+        // 0.0 − x instead of −x, which would be −0 at the beam's end.
         let outward = |x: f64| if right { x - l } else { 0.0 - x };
         let mut stretches = vec![(0.0, spring, shear)];
         for segment in &self.segments {
             let (near, far) =
                 if right { (segment.from, segment.to) } else { (segment.to, segment.from) };
-            // What reaches under the beam is known at its end.
+            // Ground that reaches under the beam continues the constants at its end.
             if outward(near) >= 0.0 && outward(far) > 0.0 {
                 stretches.push((
                     outward(near),

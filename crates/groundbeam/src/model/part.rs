@@ -5,8 +5,9 @@ use super::{Extent, FoundationSegment, GapPoint, Hinge, Load, Model, Support};
 use crate::model::beam::BeamSegment;
 
 impl Model {
-    /// The beam between `from` and `to` alone, with x measured from `from`. Segments and loads are shifted and keep what lies
-    /// beyond the part: a mesh leaves it out. The caller sees to it that no load on the beam lies beyond.
+    /// The part of the model between `from` and `to`, with x measured from `from`. Segments and loads are
+    /// shifted but not cut: a mesh ignores what lies outside the part. The caller ensures that no load on the
+    /// beam lies outside.
     pub(crate) fn part(&self, [from, to]: [f64; 2]) -> Model {
         let shift = |x: f64| x - from;
         let mut part = self.clone();

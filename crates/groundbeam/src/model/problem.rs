@@ -3,7 +3,7 @@
 use super::Profile;
 use std::fmt;
 
-/// Which part of the model a [`Problem`] is about; numbers count from 0 in the order given.
+/// The part of the model that a [`Problem`] concerns; indices count from 0 in the order given.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Part {
     /// The beam itself.
@@ -24,10 +24,10 @@ pub enum Part {
     Gap(usize),
 }
 
-/// One thing that is wrong with a model.
+/// One violation of the rules of a model.
 ///
-/// Positions that a reader should see in a unit of their own choice are in `numbers`, and stand in
-/// `message` and `hint` as `{0}`, `{1}`, …; [`Problem::fill`] writes them out.
+/// Positions are in `numbers`, so that the caller can choose their unit. They stand in `message` and `hint`
+/// as `{0}`, `{1}`, …; [`Problem::fill`] inserts them.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Problem {
     /// A fixed code, one for each rule, such as `GB101`.
@@ -38,7 +38,7 @@ pub struct Problem {
     pub field: &'static str,
     /// What is wrong.
     pub message: String,
-    /// What would be right.
+    /// The remedy.
     pub hint: String,
     /// Positions \[m\] that `message` and `hint` refer to as `{0}`, `{1}`, …
     pub numbers: Vec<f64>,
@@ -85,7 +85,7 @@ impl fmt::Display for Problem {
     }
 }
 
-/// Numbers whose squares and cubes still fit are the ones mechanics can be done with.
+/// Whether the number's squares and cubes are in the range of a double.
 pub(crate) fn in_range(value: f64) -> bool {
     value == 0.0 || (value.is_finite() && (1e-60..=1e60).contains(&value.abs()))
 }
@@ -104,7 +104,7 @@ pub(crate) fn describe(value: f64) -> String {
     }
 }
 
-/// What would be right: the rule, or the range of numbers where only that is broken.
+/// The remedy: the rule, or the range of numbers if only the range is violated.
 pub(crate) fn remedy(value: f64, rule: &str) -> String {
     if value.is_finite() && !in_range(value) {
         "numbers between 1e-60 and 1e60, their negatives and 0 can be computed with".into()
@@ -128,7 +128,7 @@ pub(crate) fn positive(
     }
 }
 
-/// The control values must be positive: so is then what lies between them.
+/// The control values must be positive; then all values between them are positive too.
 pub(crate) fn positive_along(
     found: &mut Vec<Problem>,
     code: &'static str,
@@ -151,7 +151,7 @@ pub(crate) fn finite(found: &mut Vec<Problem>, part: Part, field: &'static str, 
     }
 }
 
-/// A load on the ground presses.
+/// A load on the ground must act downward.
 pub(crate) fn down(found: &mut Vec<Problem>, part: Part, field: &'static str, value: f64) {
     finite(found, part, field, value);
     if value < 0.0 {
@@ -161,7 +161,7 @@ pub(crate) fn down(found: &mut Vec<Problem>, part: Part, field: &'static str, va
     }
 }
 
-/// A number of bytes as a person reads it, in powers of ten: 4 GB, 2.5 MB.
+/// A number of bytes in decimal units: 4 GB, 2.5 MB.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Bytes(pub u64);
 
@@ -172,7 +172,7 @@ impl fmt::Display for Bytes {
         let bytes = self.0 as f64;
         let (size, unit) =
             units.into_iter().find(|(size, _)| bytes >= *size).unwrap_or((1.0, "bytes"));
-        // Two digits, and whole numbers in full.
+        // Two digits, or the exact number if it is an integer.
         let scaled = bytes / size;
         let shown = if scaled < 10.0 { (scaled * 10.0).round() / 10.0 } else { scaled.round() };
         write!(f, "{shown} {unit}")

@@ -1,17 +1,17 @@
-//! A quantity along a segment: a polynomial by its control values.
+//! A quantity along a segment: a polynomial given by its control values.
 //!
 //! A polynomial of degree n is given by n + 1 control values (its Bernstein coefficients, those of a Bézier
-//! curve): the first and the last are its values at the segment's ends, the others pull it their way. It lies
-//! between the least and the largest of them, so positive control values make a positive quantity, proven
-//! without looking anywhere in between; seen in a mirror they only change their order; and every part of the
-//! curve has control values of its own, sums of given ones with positive weights.
+//! curve). The first and the last are its values at the segment's ends. The polynomial lies between the
+//! smallest and the largest control value, so positive control values make a positive quantity, without
+//! sampling. Mirroring reverses their order. The control values of a part of the curve are sums of given ones
+//! with positive weights.
 
 /// A quantity along a segment from its left end to its right one.
 ///
 /// ```
 /// use groundbeam::Profile;
 ///
-/// // A haunch: the depth falls evenly, EI with its cube.
+/// // A haunch: the depth is linear, and EI is proportional to its cube.
 /// let depth = Profile::linear(1.2, 0.8);
 /// let inertia = depth.times(&depth).and_then(|square| square.times(&depth)).unwrap();
 /// assert!((inertia.at(0.5) - 1.0).abs() < 1e-15);
@@ -24,10 +24,10 @@ pub struct Profile {
 }
 
 impl Profile {
-    /// The most control values: E, width and depth may all run linearly, E b d³/12.
+    /// Maximum number of control values: E, width and depth may all be linear, E b d³/12.
     pub const MOST: usize = 6;
 
-    /// The same everywhere.
+    /// A constant quantity.
     pub fn constant(value: f64) -> Self {
         let mut values = [0.0; Self::MOST];
         values[0] = value;
@@ -39,7 +39,7 @@ impl Profile {
         Self::of(&[start, end])
     }
 
-    /// By control values, from 1 to [`Self::MOST`] of them; none if there are more or none at all.
+    /// A profile of 1 to [`Self::MOST`] control values; `None` for another number of values.
     pub fn by_control_values(values: &[f64]) -> Option<Self> {
         (1..=Self::MOST).contains(&values.len()).then(|| Self::of(values))
     }
@@ -53,12 +53,12 @@ impl Profile {
         Profile { values, count: given.len() }
     }
 
-    /// The control values, one if the quantity is constant.
+    /// The control values; one if the quantity is constant.
     pub fn control_values(&self) -> &[f64] {
         &self.values[..self.count]
     }
 
-    /// Whether it is the same everywhere.
+    /// Whether the quantity is constant.
     pub fn is_constant(&self) -> bool {
         self.count == 1
     }
@@ -73,22 +73,22 @@ impl Profile {
         self.values[self.count - 1]
     }
 
-    /// The smallest control value: it is nowhere less.
+    /// The smallest control value: a lower bound.
     pub fn smallest(&self) -> f64 {
         self.control_values().iter().copied().fold(f64::INFINITY, f64::min)
     }
 
-    /// The largest control value: it is nowhere more.
+    /// The largest control value: an upper bound.
     pub fn largest(&self) -> f64 {
         self.control_values().iter().copied().fold(f64::NEG_INFINITY, f64::max)
     }
 
-    /// The value at a part `t` of the way from the left end to the right one.
+    /// The value at the fraction `t` of the length from the left end.
     pub fn at(&self, t: f64) -> f64 {
         self.blossom(&[[1.0 - t, t]; Self::MOST - 1])
     }
 
-    /// The product of two quantities; none if it has more than [`Self::MOST`] control values.
+    /// The product of two quantities; `None` if it has more than [`Self::MOST`] control values.
     pub fn times(&self, other: &Profile) -> Option<Profile> {
         let (m, n) = (self.count - 1, other.count - 1);
         let mut values = [0.0; Self::MOST];
@@ -110,13 +110,13 @@ impl Profile {
         self
     }
 
-    /// The part of it between two parts of the way.
+    /// The part between two fractions of the length.
     pub fn part(&self, from: f64, to: f64) -> Self {
         let [a, b] = [from, to].map(|t| [1.0 - t, t]);
         Self::of(&self.between(a, b)[..self.count])
     }
 
-    /// The same seen in a mirror.
+    /// The mirrored quantity.
     pub fn mirrored(mut self) -> Self {
         self.values[..self.count].reverse();
         self
@@ -127,7 +127,8 @@ impl Profile {
         self.blossom(&[weights(ends, x); Self::MOST - 1])
     }
 
-    /// On a stretch x of a segment with the given ends, by s ∈ \[−1, 1\] along the stretch.
+    /// The quantity on a stretch x of a segment with the given ends, as a polynomial of s ∈ \[−1, 1\] along
+    /// the stretch.
     pub(crate) fn on(&self, ends: [f64; 2], x: [f64; 2]) -> CellPolynomial {
         if self.is_constant() {
             return CellPolynomial::constant(self.start());
@@ -151,7 +152,7 @@ impl Profile {
         CellPolynomial { coefficients, ends: [values[0], values[degree]], bounds }
     }
 
-    /// The control values between two places, each given by its weights of both ends.
+    /// The control values between two places; each place is given by its weights of both ends.
     fn between(&self, a: [f64; 2], b: [f64; 2]) -> [f64; Self::MOST] {
         let degree = self.count - 1;
         let mut values = [0.0; Self::MOST];
@@ -162,7 +163,7 @@ impl Profile {
         values
     }
 
-    /// De Casteljau's algorithm with a place of its own at every level.
+    /// De Casteljau's algorithm with a separate place at every level.
     fn blossom(&self, places: &[[f64; 2]; Self::MOST - 1]) -> f64 {
         let mut values = self.values;
         for (level, [left, right]) in places[..self.count - 1].iter().enumerate() {
@@ -180,14 +181,14 @@ impl From<f64> for Profile {
     }
 }
 
-/// A quantity on a stretch of the beam, by s ∈ \[−1, 1\] along the stretch.
+/// A quantity on a stretch of the beam, as a polynomial of s ∈ \[−1, 1\] along the stretch.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct CellPolynomial {
-    /// Of the powers of s.
+    /// Coefficients of the powers of s.
     pub coefficients: [f64; Profile::MOST],
-    /// At both ends: of two stretches that meet within a segment the same to the last bit.
+    /// Values at both ends. Two adjacent stretches of a segment have the same bits at their common end.
     pub ends: [f64; 2],
-    /// It lies between these.
+    /// A lower and an upper bound.
     pub bounds: [f64; 2],
 }
 
@@ -199,7 +200,8 @@ impl CellPolynomial {
     }
 }
 
-/// How near x is to the right and to the left end, as parts of the length.
+/// The weights of the right and of the left end at x: its distances from the other end, as fractions of the
+/// length.
 fn weights([from, to]: [f64; 2], x: f64) -> [f64; 2] {
     let length = to - from;
     [(to - x) / length, (x - from) / length]

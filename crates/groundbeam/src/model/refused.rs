@@ -3,7 +3,7 @@
 use super::{Part, Problem};
 use crate::model::problem::Bytes;
 
-/// Why a way of solving refuses a feature.
+/// The reason why a method refuses a feature.
 #[derive(Debug)]
 pub(crate) struct Refusal {
     pub code: &'static str,
@@ -66,12 +66,12 @@ pub(crate) const SHEAR_BY_ANOTHER_METHOD: Refusal = Refusal {
 };
 
 impl Problem {
-    /// A feature that a way of solving does not support.
+    /// A refusal of a feature that a method does not support.
     pub(crate) fn refused(why: &Refusal, part: Part, field: &'static str) -> Self {
         Problem::new(why.code, part, field, why.message, why.hint)
     }
 
-    /// Series about as long as a wave are too many.
+    /// A refusal of too many series elements, each about as long as a wave.
     pub(crate) fn too_fine(part: Part, needed: usize) -> Self {
         let field = match part {
             Part::FoundationSegment(_) => "shear_layer",
@@ -91,7 +91,7 @@ impl Problem {
         )
     }
 
-    /// More elements than fit into the memory that may be used.
+    /// A refusal of more elements than fit into the memory limit.
     pub(crate) fn too_large(method: &str, elements: usize, [needed, limit]: [Bytes; 2]) -> Self {
         let message = format!(
             "the method `{method}` would need about {needed} of memory for {elements} elements, more than the limit \

@@ -5,16 +5,16 @@
 pub struct Support {
     /// Position \[m\].
     pub at: f64,
-    /// What it holds.
+    /// The motions that it restrains.
     pub kind: SupportKind,
-    /// How far it has settled \[m\], down positive: it holds the beam there, w = δ, or pushes back with
+    /// Settlement δ \[m\], positive down. A rigid support holds the beam at w = δ, a spring has the force
     /// `spring`·(w − δ).
     pub settlement: f64,
-    /// In which directions it does.
+    /// The directions in which it acts.
     pub acts: Acts,
 }
 
-/// In which directions a support acts on the beam.
+/// The directions in which a support acts on the beam.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Acts {
     /// Both.
@@ -27,7 +27,7 @@ pub enum Acts {
 }
 
 impl Acts {
-    /// 1 where it pushes up alone, −1 where it pulls down alone, 0 for both.
+    /// 1 if it only pushes up, −1 if it only pulls down, 0 for both.
     pub(crate) fn sign(self) -> f64 {
         match self {
             Acts::Both => 0.0,
@@ -37,14 +37,14 @@ impl Acts {
     }
 }
 
-/// What a support holds.
+/// The motions that a support restrains.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum SupportKind {
-    /// w = δ, the support's settlement; the beam may turn.
+    /// w = δ, the support's settlement; the beam may rotate.
     Pinned,
     /// w = δ and w' = 0.
     Fixed,
-    /// Elastic: pushes back with `spring`·(w − δ) and `rotational_spring`·w'.
+    /// Elastic: the force `spring`·(w − δ) and the moment `rotational_spring`·w' oppose the motion.
     Spring {
         /// Spring constant \[N/m\], not negative.
         spring: f64,
@@ -64,23 +64,23 @@ impl Support {
         Support { at, kind: SupportKind::Fixed, settlement: 0.0, acts: Acts::Both }
     }
 
-    /// Springs at `at` \[m\] against deflection \[N/m\] and rotation \[N·m/rad\].
+    /// Springs at `at` \[m\]: translational stiffness \[N/m\] and rotational stiffness \[N·m/rad\].
     pub fn spring(at: f64, spring: f64, rotational_spring: f64) -> Self {
         let kind = SupportKind::Spring { spring, rotational_spring };
         Support { at, kind, settlement: 0.0, acts: Acts::Both }
     }
 
-    /// The same support, settled by \[m\], down positive.
+    /// The same support with a settlement \[m\], positive down.
     pub fn settled(self, settlement: f64) -> Self {
         Support { settlement, ..self }
     }
 
-    /// The same support in one direction alone.
+    /// The same support as a one-way support.
     pub fn acting(self, acts: Acts) -> Self {
         Support { acts, ..self }
     }
 
-    /// Whether it acts in one direction alone.
+    /// Whether it is a one-way support.
     pub fn is_one_way(&self) -> bool {
         self.acts != Acts::Both
     }

@@ -5,7 +5,7 @@ use crate::numeric::tolerance;
 
 /// Axles and distributed loads at fixed distances, which move along the beam together.
 ///
-/// It is placed by its first axle, the one farthest to the right; everything is measured backward from there.
+/// Its position is that of its first axle, the one farthest to the right; distances are measured backward.
 ///
 /// ```
 /// use groundbeam::model::{Axle, Train};
@@ -14,7 +14,7 @@ use crate::numeric::tolerance;
 /// let axle = |behind| Axle { behind, force: 250e3 };
 /// let bogie = Train { axles: vec![axle(0.0), axle(1.8)], uniform: Vec::new() };
 /// let rail = Model::new(Beam::uniform(12.0, 6.4e6), Foundation::winkler(40e6));
-/// // The second axle has not come onto the beam yet.
+/// // The second axle is not on the beam yet.
 /// assert_eq!(bogie.on(&rail, 1.5).loads, [Load::point_force(1.5, 250e3)]);
 /// assert_eq!(bogie.passage(12.0), [0.0, 13.8]);
 /// ```
@@ -37,13 +37,13 @@ pub struct Axle {
     pub force: f64,
 }
 
-/// A stretch of a train that carries an even load.
+/// A stretch of a train with a uniform load.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct UniformPart {
-    /// Where it begins, behind the first axle \[m\]; negative ahead of it, −∞ without end.
+    /// Its beginning, as a distance behind the first axle \[m\]; negative ahead of it, −∞ without end.
     pub from: f64,
-    /// Where it ends, behind the first axle \[m\]; ∞ without end.
+    /// Its end, as a distance behind the first axle \[m\]; ∞ without end.
     pub to: f64,
     /// Intensity, down \[N/m\].
     #[cfg_attr(feature = "serde", serde(rename = "load"))]
@@ -51,7 +51,8 @@ pub struct UniformPart {
 }
 
 impl Train {
-    /// The distance within which two positions are one place: an axle so close to a load, a support or an end stands there.
+    /// The distance within which two positions count as equal: an axle this close to a load, a support or an
+    /// end is placed there.
     ///
     /// Positions of axles are differences of lengths up to that of the passage.
     pub fn same_place(&self, beam_length: f64) -> f64 {
@@ -59,13 +60,13 @@ impl Train {
         tolerance::same_place(to - from)
     }
 
-    /// From the first axle to the last \[m\].
+    /// Distance from the first axle to the last \[m\].
     pub fn length(&self) -> f64 {
         self.axles.iter().fold(0.0, |length, axle| length.max(axle.behind))
     }
 
-    /// From the first axle's arrival at the left end to the last's departure at the right one, and that of spread
-    /// loads that end: positions of the first axle \[m\].
+    /// From the first axle's arrival at the left end to the last axle's departure at the right end; finite
+    /// distributed loads count too. Positions of the first axle \[m\].
     pub fn passage(&self, beam_length: f64) -> [f64; 2] {
         let ends = self.uniform.iter().map(|part| part.to).filter(|to| to.is_finite());
         [0.0, beam_length + ends.fold(self.length(), f64::max)]
@@ -82,7 +83,7 @@ impl Train {
         self
     }
 
-    /// The train seen in a mirror: its last axle is the first.
+    /// The mirrored train: its last axle is the first.
     pub fn mirrored(&self) -> Self {
         let length = self.length();
         let axle = |axle: &Axle| Axle { behind: length - axle.behind, ..*axle };
@@ -97,7 +98,7 @@ impl Train {
         }
     }
 
-    /// A model with the train on it, its first axle at a position; what is off the beam carries nothing.
+    /// A model with the train on it, its first axle at a position; loads outside the beam are omitted.
     pub fn on(&self, model: &Model, position: f64) -> Model {
         let l = model.beam.length;
         let (marks, near) = (model.marks(), self.same_place(l));
@@ -118,7 +119,7 @@ impl Train {
         loaded
     }
 
-    /// Where an axle stands if the first one is at a position; none off the beam.
+    /// The position of an axle if the first one is at `position`; `None` outside the beam.
     pub fn axle_at(&self, axle: usize, position: f64, model: &Model) -> Option<f64> {
         let l = model.beam.length;
         let behind = self.axles.get(axle)?.behind;
@@ -145,7 +146,7 @@ impl Model {
     }
 }
 
-/// The mark at the same place, or the position itself.
+/// A mark that counts as equal, or the position itself.
 fn snapped(x: f64, marks: &[f64], same_place: f64) -> f64 {
     marks.iter().copied().find(|mark| (x - mark).abs() <= same_place).unwrap_or(x)
 }

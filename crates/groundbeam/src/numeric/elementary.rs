@@ -1,7 +1,7 @@
-//! Elementary functions in pure Rust, which have the same bits on every platform.
+//! Elementary functions in pure Rust, with the same bits on every platform.
 //!
-//! Those of the standard library come from the platform: their last bit differs between platforms. `clippy.toml` forbids
-//! them in this crate.
+//! The functions of the standard library call the platform's library, whose last bits differ. `clippy.toml`
+//! forbids them in this crate.
 
 #[cfg(test)]
 pub(crate) use libm::{asinh, cos, tan};

@@ -1,11 +1,11 @@
-//! Line search: the step along which a convex energy falls.
+//! Line search: a step along which a convex energy decreases.
 
-/// The part of the slope along a line that may remain.
+/// The fraction of the initial slope that may remain.
 const SETTLED: f64 = 0.1;
 
-/// A t at which most of the slope of Φ along a line is gone and Φ has fallen; 1 whenever that is true of
-/// the full step. `fall` is −Φ'(0) > 0. The slope grows along the line, so Φ falls as long as it is not
-/// positive, and Φ(1) − Φ(0) is at most the mean of the slopes at ½ and 1.
+/// Returns t such that the slope of Φ along the line has almost vanished and Φ has decreased; t = 1 whenever
+/// the full step satisfies this. `fall` is −Φ'(0) > 0. The slope increases along the line. So Φ decreases as
+/// long as the slope is not positive, and Φ(1) − Φ(0) is at most the mean of the slopes at ½ and 1.
 pub(crate) fn settle(fall: f64, slope: impl Fn(f64) -> f64) -> f64 {
     let small = SETTLED * fall;
     let (mut low, mut low_slope) = (0.0, -fall);
@@ -25,7 +25,7 @@ pub(crate) fn settle(fall: f64, slope: impl Fn(f64) -> f64) -> f64 {
         if at_t <= 0.0 && -at_t <= small {
             break;
         }
-        // Regula falsi, halving the weight of an end that stays (Illinois).
+        // Regula falsi; the weight of an end that stays is halved (Illinois).
         t = low + (high - low) * (low_slope / (low_slope - high_slope));
         at_t = slope(t);
         if at_t < 0.0 {
@@ -52,7 +52,7 @@ mod tests {
     #[test]
     fn a_full_step_is_kept_and_an_overshoot_is_not() {
         assert_eq!(settle(1.0, |t| t - 1.0), 1.0);
-        // Φ = (t − ¼)²/2 is least at ¼, Φ = (t − 6)²/2 at 6.
+        // Φ = (t − ¼)²/2 has its minimum at ¼, Φ = (t − 6)²/2 at 6.
         for least in [0.25, 6.0] {
             let t = settle(least, |t| t - least);
             assert!(t <= least && least - t <= SETTLED * least, "{t}");

@@ -1,4 +1,4 @@
-//! Numerical tools that know no beam.
+//! Numerical tools without reference to beams.
 
 pub(crate) mod elementary;
 pub(crate) mod line_search;

@@ -1,15 +1,14 @@
-//! Polynomials on one stretch of the beam, in the stretch's own coordinate s ∈ \[−1, 1\].
+//! Polynomials on one stretch of the beam, in the local coordinate s ∈ \[−1, 1\].
 //!
-//! A polynomial is a slice of coefficients, constant first. Centred coordinates keep the digits of
-//! each derivative: the curvature never has to be found as a difference of deflections.
+//! A polynomial is a slice of coefficients, constant first. Centred coordinates keep the digits of each
+//! derivative: the curvature is never a difference of deflections.
 
 use std::ops::{Deref, DerefMut};
 
-/// The most coefficients that anything here has: a rotation of 20 times a shear stiffness of degree 5.
+/// Maximum number of coefficients: a rotation of 20 times a shear stiffness of degree 5.
 pub(crate) const MOST: usize = 25;
 
-/// Coefficients held in place. Cells have a few of these each, made anew in every step: none of them is
-/// worth a trip to the heap.
+/// Coefficients stored without heap memory: each step creates a few of them for each cell.
 #[derive(Clone, Copy, PartialEq, Default)]
 pub(crate) struct Coefficients {
     count: usize,
@@ -22,14 +21,14 @@ impl Coefficients {
         Coefficients { count: count.min(MOST), held: [0.0; MOST] }
     }
 
-    /// The same polynomial with room for at least `count`.
+    /// The same polynomial with at least `count` coefficients, padded with zeros.
     pub fn at_least(mut self, count: usize) -> Self {
         debug_assert!(count <= MOST);
         self.count = self.count.max(count.min(MOST));
         self
     }
 
-    /// The highest one.
+    /// Removes and returns the highest coefficient.
     pub fn pop(&mut self) -> Option<f64> {
         self.count = self.count.checked_sub(1)?;
         Some(std::mem::take(&mut self.held[self.count]))
@@ -92,7 +91,7 @@ pub(crate) fn with_slope(c: &[f64], s: f64) -> [f64; 2] {
 /// f(s), f'(s), f''(s), f'''(s), all with respect to s.
 pub(crate) fn jet(c: &[f64], s: f64) -> [f64; 4] {
     let (mut f, mut d1, mut d2, mut d3) = (0.0, 0.0, 0.0, 0.0);
-    // A beam off the ground is a short polynomial.
+    // The deflection of open cells has few nonzero coefficients.
     for &a in c.iter().rev().skip_while(|&&a| a == 0.0) {
         d3 = d3 * s + d2;
         d2 = d2 * s + d1;

@@ -1,9 +1,9 @@
-//! Roots of polynomials: sign changes on s ∈ \[−1, 1\], and whether a circle is free of complex zeros.
+//! Roots of polynomials: sign changes on s ∈ \[−1, 1\], and a test for complex zeros inside a circle.
 
 use super::polynomial::{Coefficients, rescale, value, with_slope};
 
-/// Whether f has no zero in the complex plane closer to s = 0 than `radius`: the test of Schur and Cohn,
-/// which takes one degree after the other away without moving a zero across the circle.
+/// Whether f has no complex zero closer to s = 0 than `radius`, by the test of Schur and Cohn. It lowers the
+/// degree step by step, and no zero crosses the circle.
 pub(crate) fn is_free_of_zeros(c: &[f64], radius: f64) -> bool {
     let mut power = 1.0;
     let mut c: Coefficients = c
@@ -32,13 +32,12 @@ pub(crate) fn is_free_of_zeros(c: &[f64], radius: f64) -> bool {
     c.first().is_some_and(|a| *a != 0.0)
 }
 
-/// Where f changes its sign within (−1, 1), from left to right, appended to `roots`.
+/// Appends to `roots` the positions in (−1, 1) at which f changes its sign, from left to right.
 ///
-/// The intervals on which f may vanish are told from those on which it cannot by the coefficients
-/// alone: |f(s)| ≥ |c₀| − Σ|cⱼ|. Nothing is sampled. A double root, where f touches zero without
-/// changing sign, is not reported.
+/// The coefficients alone exclude intervals without zeros: |f(s)| ≥ |c₀| − Σ|cⱼ|. Nothing is sampled. A
+/// double root, at which f is zero without changing its sign, is not reported.
 pub(crate) fn sign_changes(c: &[f64], roots: &mut Vec<f64>) {
-    // What is added up for nothing: high powers far below the rounding of all the others.
+    // Skip high powers that are far below the rounding of all the others.
     let mut negligible = f64::EPSILON / 16.0 * c.iter().map(|a| a.abs()).sum::<f64>();
     let mut count = c.len();
     while count > 1 && c[count - 1].abs() <= negligible {
@@ -48,7 +47,7 @@ pub(crate) fn sign_changes(c: &[f64], roots: &mut Vec<f64>) {
     isolate(&c[..count], [-1.0, 1.0], None, 0, roots);
 }
 
-/// Halvings after which an interval is a point.
+/// Maximum number of halvings; the interval is then a point.
 pub(crate) const DEEPEST: u32 = 40;
 
 /// Finds the sign changes on an interval from the values at its ends, computed if they are not given. Neighbouring intervals
@@ -80,7 +79,7 @@ fn isolate(c: &[f64], x: [f64; 2], ends: Option<[f64; 2]>, depth: u32, roots: &m
         if middle > 0.0 && differ(beside) {
             roots.push(place(0.0));
         }
-        // Taylor's formula about the middle of a half, with all that it leaves out.
+        // Taylor's formula about the middle of a half interval, with a bound of its remainder.
         let [f, slope] = with_slope(c, middle);
         if f.abs() > 0.5 * slope.abs() + 0.125 * bend {
             continue;
@@ -100,14 +99,14 @@ fn differ([left, right]: [f64; 2]) -> bool {
     (left > 0.0 && right < 0.0) || (left < 0.0 && right > 0.0)
 }
 
-/// Numbers with the signs of a polynomial just left and right of s = 0: of its first term that is not zero.
+/// The signs of a polynomial just left and right of s = 0: those of its first nonzero term.
 fn beside_middle(c: &[f64]) -> [f64; 2] {
     let order = c.iter().position(|&a| a != 0.0).unwrap_or(0);
     let right = c[order];
     [if order % 2 == 1 { -right } else { right }, right]
 }
 
-/// The root of a function monotone between two points that changes sign there: Newton within a bracket.
+/// The root of a monotone function that changes its sign between two points: Newton within a bracket.
 pub(crate) fn monotone_root(c: &[f64], [mut low, mut high]: [f64; 2], left: f64) -> f64 {
     let mut s = 0.5 * (low + high);
     for _ in 0..100 {
@@ -123,7 +122,7 @@ pub(crate) fn monotone_root(c: &[f64], [mut low, mut high]: [f64; 2], left: f64)
         let newton = s - f / slope;
         let is_inside = newton > low && newton < high;
         let next = if is_inside { newton } else { 0.5 * (low + high) };
-        // Newton's next step would be the square of this one.
+        // The error after Newton's next step is of the order of the square of this step.
         let last = is_inside && (next - s).abs() < 1e-10;
         if next == s || last || high - low < 1e-16 {
             return next;
@@ -144,7 +143,7 @@ mod tests {
         // (s − 3)²(s + 4) = 36 − 15 s − 2 s² + s³.
         let c = [36.0, -15.0, -2.0, 1.0, 0.0];
         assert!(is_free_of_zeros(&c, 2.999) && !is_free_of_zeros(&c, 3.001));
-        // (s² + 4)(s − 3): a pair beside the axis.
+        // (s² + 4)(s − 3): a pair of complex roots.
         let c = [-12.0, 4.0, -3.0, 1.0];
         assert!(is_free_of_zeros(&c, 1.999) && !is_free_of_zeros(&c, 2.001));
         assert!(is_free_of_zeros(&[2.0, 0.0], 1e9) && !is_free_of_zeros(&[0.0, 1.0], 1e-9));
@@ -162,7 +161,7 @@ mod tests {
             sign_changes(&slope, &mut roots);
             assert_eq!(roots, [0.0], "{scale}");
         }
-        // A double root is no sign change.
+        // A double root is not a sign change.
         let mut roots = vec![];
         sign_changes(&[0.0, 0.0, 1.0, 0.0, 0.1, 0.2], &mut roots);
         assert!(roots.is_empty(), "{roots:?}");
@@ -181,7 +180,7 @@ mod tests {
         }
     }
 
-    /// Products of real roots, at least 0.01 apart, and of pairs beside the axis.
+    /// Products of real roots, at least 0.01 apart, and of pairs of complex roots.
     #[test]
     fn all_roots_of_random_products() {
         let mut state = 1_u64;

@@ -1,17 +1,17 @@
-//! Compensated sums with the size of their terms, which tell zero from rounding.
+//! Compensated sums with the sum of the absolute values of their terms, which separates zero from rounding.
 
-/// A sum with the size of what was added, so that zero can be told from rounding.
+/// A sum with the sum of the absolute values of its terms, so that zero can be distinguished from rounding.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Sum {
     pub sum: f64,
     compensation: f64,
-    /// The sum of the sizes of all terms.
+    /// The sum of the absolute values of all terms.
     pub size: f64,
 }
 
 impl Sum {
     pub fn add(&mut self, term: f64) {
-        // Neumaier's summation: the sum of the given numbers is right to the last bit or two.
+        // Neumaier's summation: the sum of the given numbers is accurate to the last bit or two.
         let sum = self.sum + term;
         self.compensation += if self.sum.abs() >= term.abs() {
             (self.sum - sum) + term
@@ -54,7 +54,8 @@ mod tests {
         sum.finished()
     }
 
-    /// What a plain sum loses, Neumaier's keeps. A hundredth of 2⁻⁵² is lost beside 1 in each addition.
+    /// Neumaier's sum keeps terms that a plain sum loses. A hundredth of 2⁻⁵² is lost beside 1 in each
+    /// addition.
     #[test]
     fn sums_are_right_to_the_last_bit() {
         let small = 0.01 * f64::EPSILON;
@@ -70,7 +71,7 @@ mod tests {
         assert_eq!(sum(&[3.0, -4.0]).size, 7.0);
     }
 
-    /// 8 ε of the sizes is rounding, more is not. Rounding becomes 0.
+    /// A sum below 8 ε times the absolute values is rounding and becomes 0.
     #[test]
     fn zero_is_told_from_rounding_by_the_sizes() {
         let eps = f64::EPSILON;

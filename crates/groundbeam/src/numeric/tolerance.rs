@@ -1,33 +1,33 @@
-//! The tolerances that solutions must meet. All are relative.
+//! The tolerances of solutions. All are relative.
 
-/// The distance within which two positions are one place of a beam of length `l`, which a mesh may give one node: 16 units
-/// in the last place of `l`. It is 0 if `l` is no length.
+/// The distance within which two positions count as equal on a beam of length `l`, so that they may share a
+/// node: 16 units in the last place of `l`. It is 0 if `l` is not a positive number.
 pub(crate) fn same_place(l: f64) -> f64 {
     let distance = 16.0 * f64::EPSILON * l;
     if distance.is_finite() { distance.max(0.0) } else { 0.0 }
 }
 
-/// The accuracy of the position of a turning point, as a part of the beam's length. It is not [`same_place`]: a field is
-/// flat at a turning point, and the gap is flat at an edge of contact as well, so that rounding of values moves the point by
-/// more than rounding of positions.
+/// The accuracy of the position of a turning point, as a fraction of the beam's length. It is larger than
+/// [`same_place`]: a field is flat at a turning point, and the gap is flat at an edge of contact as well, so
+/// that rounding of values moves the point by more than rounding of positions.
 pub(crate) const TURNING_POINT: f64 = 1e-9;
-/// The distance of two extremes of equal size, as a part of the beam's length, from which they are two. Both are turning
-/// points, and a closer pair is one flat crest.
+/// The smallest distance, as a fraction of the beam's length, at which two extremes of equal size are
+/// distinct. Both are turning points; a closer pair is one flat crest.
 pub(crate) const OTHER_EXTREME: f64 = 1e-6;
 
-/// Newton's decrement on a mesh relative to twice the strain energy. Below it the iteration goes on only while each step
-/// halves the decrement.
+/// Newton's decrement on a mesh relative to twice the strain energy. Below it the iteration continues only
+/// while each step halves the decrement.
 pub(crate) const ENERGY: f64 = 1e-15;
-/// The residual of the contact condition (5.10) that ends Uzawa's iteration and PSOR.
+/// The residual of the contact condition (5.10) at which Uzawa's iteration and PSOR stop.
 pub(crate) const SWEEPS: f64 = 1e-11;
-/// The move of a contact edge that is rounding error, as a part of the beam's length.
+/// The displacement of a contact edge that is rounding error, as a fraction of the beam's length.
 pub(crate) const EDGES: f64 = 1e-12;
 /// The stability margin below which a path of equilibria has ended at a limit point: such a point is known to ten
 /// digits, and the margin falls with the square root of the distance.
 pub(crate) const BRANCH: f64 = 1e-3;
-/// The change of the soil's rate r from one solution to the next.
+/// The tolerated change of the soil's rate r from one solution to the next.
 pub(crate) const SOIL: f64 = 1e-12;
-/// The violation of balance and signs at the nodes of a long beam above which its solution is refused.
+/// The largest accepted violation of equilibrium and sign conditions at the nodes of a long beam.
 pub(crate) const NODES: f64 = 1e-7;
 /// The energy gap that the exact method must certify.
 pub(crate) const GAP: f64 = 1e-9;

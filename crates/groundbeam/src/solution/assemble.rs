@@ -16,7 +16,7 @@ use crate::solution::fields::{
 };
 
 impl Candidate {
-    /// The fields of what was found, in the memory of a workspace.
+    /// The fields of a deflection with its contact, in the memory of a workspace.
     pub fn of(model: &Model, found: &ContactState, workspace: &mut Workspace) -> Self {
         let surface = match &found.surface {
             Some(given) => given,
@@ -49,13 +49,13 @@ impl Candidate {
         candidate
     }
 
-    /// The fields of the whole model from those of the model on the supports that act.
+    /// The fields of the whole model from those of the model with the active supports only.
     pub fn on_one_way_supports(self, model: &Model, acts: &[bool]) -> Self {
         let mut acting = self.reactions.into_iter();
         let reaction = |(support, acts): (&Support, &bool)| {
             let none = Reaction { at: support.at, force: 0.0, moment: 0.0 };
             let mut reaction = if *acts { acting.next().unwrap_or(none) } else { none };
-            // What rounding alone makes act the wrong way.
+            // A reaction of the wrong sign is rounding error.
             if support.acts.sign() * reaction.force < 0.0 {
                 reaction.force = 0.0;
             }
@@ -73,8 +73,8 @@ fn pieces(found: &ContactState, surface: &Surface, pieces: &mut Vec<SolutionPiec
     let recovered = if exact {
         Vec::new()
     } else {
-        // Forces at nodes are the elements' own business: only those within a cell are needed, and nodal
-        // pressures (5.5) have none.
+        // Forces at nodes are part of the elements; only forces within a cell are added. Nodal pressures
+        // (5.5) have none.
         let within = surface.point_forces.iter().filter(|a| a.point.s.abs() < 1.0);
         let forces: Vec<(usize, f64, f64)> =
             within.map(|a| (a.point.cell, a.point.s, a.force)).collect();
@@ -147,14 +147,14 @@ fn bent(cell: &Cell, half: f64, deflection: &[f64], rotation: &[f64]) -> Coeffic
     moment
 }
 
-/// Stretches and points of contact, those that meet joined.
+/// Zones and points of contact; adjacent ones are merged.
 fn regions(found: &ContactState, regions: &mut Vec<ContactZone>) {
     let mesh = &found.mesh;
     let position = |point: BeamPoint| mesh.cells[point.cell].global(point.s);
     let mut last_node = None;
     for zone in &found.zones {
         let (from, to) = (position(zone.from), position(zone.to));
-        // Nodal contact: nodes that follow one another are a piece.
+        // Nodal contact: consecutive nodes form one zone.
         let node = zone.from.cell + usize::from(zone.from.s == 1.0);
         let nodal = found.pressure == Pressure::Dirac;
         let follows = nodal && last_node.is_some_and(|last: usize| last + 1 == node);
@@ -166,7 +166,7 @@ fn regions(found: &ContactState, regions: &mut Vec<ContactZone>) {
     }
 }
 
-/// From the equilibrium of the beam about each support, and the springs' own laws.
+/// Reactions from the equilibrium of the beam about each support, and from the laws of springs.
 fn reactions(candidate: &Candidate) -> Vec<Reaction> {
     let supports = &candidate.model.supports;
     let reaction = |support: &Support| {
@@ -185,8 +185,8 @@ fn reactions(candidate: &Candidate) -> Vec<Reaction> {
     supports.iter().map(reaction).collect()
 }
 
-/// The force of a support at x, from equilibrium of the beam between the middles of the two adjacent spans. Beside a
-/// pin an element's own shear force has lost its digits; half a span away it has not.
+/// The force of a support at x, from equilibrium of the beam between the middles of the two adjacent spans.
+/// Near a pin the shear force of an element has lost its digits; half a span away it has not.
 fn lift(candidate: &Candidate, x: f64) -> f64 {
     let model = &candidate.model;
     let (axial, l) = (model.beam.axial_force, model.beam.length);
@@ -234,7 +234,7 @@ fn lift(candidate: &Candidate, x: f64) -> f64 {
     force - contact.filter(|(at, _)| inside(*at)).map(|(_, force)| force).sum::<f64>()
 }
 
-/// The moment of a fixed support at x: the jump of the beam's own less the loads'.
+/// The moment of a fixed support at x: the jump of the beam's moment minus the moment loads there.
 fn turn(candidate: &Candidate, x: f64) -> f64 {
     let l = candidate.model.beam.length;
     let before = if x <= 0.0 { 0.0 } else { candidate.at(x, Side::Left).moment };

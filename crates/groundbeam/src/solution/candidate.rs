@@ -7,7 +7,7 @@ use crate::solution::fields::{
     ConcentratedForce, ContactZone, EndForces, Fields, Reaction, Side, SolutionPiece,
 };
 
-/// Everything that a certificate judges.
+/// The quantities that a certificate checks.
 #[derive(Debug, Clone)]
 pub(crate) struct Candidate {
     pub model: Model,
@@ -41,8 +41,7 @@ impl Candidate {
         &self.pieces[i.min(self.pieces.len() - 1)]
     }
 
-    /// Existence and uniqueness, with the contact known. Supports that act in one direction hold the beam only
-    /// where they push.
+    /// Existence and uniqueness, with the contact known. One-way supports count only where they carry force.
     pub fn settled_existence(&self, existence: Existence) -> Existence {
         let contact = self.contact_positions();
         if !self.model.has_one_way_supports() {
@@ -54,7 +53,7 @@ impl Candidate {
     }
 }
 
-/// The memory of candidates that are no longer needed.
+/// Reusable memory of candidates.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Workspace {
     model: Option<Model>,
@@ -64,13 +63,13 @@ pub(crate) struct Workspace {
 }
 
 impl Workspace {
-    /// Takes over the memory of a candidate.
+    /// Takes the memory of a candidate for reuse.
     pub fn recycle(&mut self, candidate: Candidate) {
         let Candidate { model, pieces, contact, concentrated, .. } = candidate;
         *self = Workspace { model: Some(model), pieces, contact, concentrated };
     }
 
-    /// A candidate for a model, all of whose lists are empty.
+    /// A candidate for a model, with empty lists.
     pub(super) fn blank(&mut self, model: &Model) -> Candidate {
         let Workspace { model: memory, mut pieces, mut contact, mut concentrated } =
             std::mem::take(self);

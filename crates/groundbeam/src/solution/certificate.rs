@@ -1,5 +1,5 @@
-//! The certificate of a solution: energies of the problem, and an estimate of the energy of its error, from model and
-//! answer alone.
+//! The certificate of a solution: energies of the problem, and an estimate of the energy of its error, from
+//! model and solution only.
 
 use crate::model::{Action, Model};
 use crate::numeric::tolerance::GAP;
@@ -7,10 +7,11 @@ use crate::solution::candidate::Candidate;
 use crate::solution::claim::answer;
 use groundbeam_proof::{Estimate, estimate};
 
-/// The energies of a solution and the energy of its error, by the crate `groundbeam_proof` in doubles.
+/// The energies of a solution and the energy of its error, computed in doubles by the crate
+/// `groundbeam_proof`.
 ///
-/// The gap bounds the energy of the error but for rounding, so it is an estimate. [`Solution::prove`](crate::Solution::prove)
-/// bounds the error in numbers that enclose all rounding.
+/// The gap bounds the energy of the error except for rounding, so it is an estimate.
+/// [`Solution::prove`](crate::Solution::prove) bounds the error in numbers that enclose all rounding.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Certificate {
     primal_energy: f64,
@@ -37,29 +38,30 @@ impl Certificate {
         self.primal_energy
     }
 
-    /// The reciprocal energy of the balanced moments and pressures, the primal energy less the gap \[N·m\].
+    /// The reciprocal energy of the balanced moments and pressures: the primal energy minus the gap \[N·m\].
     pub fn dual_energy(&self) -> f64 {
         self.primal_energy - self.gap
     }
 
-    /// E, the primal less the dual energy \[N·m\]: the energies of the errors of (w, u) and of (M, p) together are at most this.
+    /// E, the primal minus the dual energy \[N·m\]: a bound of the sum of the energies of the errors of (w,
+    /// u) and of (M, p).
     pub fn gap(&self) -> f64 {
         self.gap
     }
 
-    /// The gap relative to the strain energy of beam, ground and springs, and of bending straight what an imposed
-    /// curvature has bent, ½∫EI κ₀².
+    /// The gap relative to the strain energy of beam, ground and springs, plus the energy ½∫EI κ₀² of the
+    /// imposed curvature.
     pub fn relative_gap(&self) -> f64 {
         self.relative_gap
     }
 
-    /// Whether the gap is within the rounding error of loads that cancel each other or that rigid supports take: of the energy
-    /// that they would put into ground and beam one by one.
+    /// Whether the gap is within the rounding error of loads that cancel each other or that rigid supports
+    /// carry: of the energy that each of them alone would cause in ground and beam.
     pub(crate) fn is_rounding_of_loads(&self, model: &Model) -> bool {
         self.gap <= GAP * f64::EPSILON * energy_of_single_loads(model)
     }
 
-    /// All figures with the names that results give them, in the order in which results list them.
+    /// All figures with their names, in the order of results.
     pub fn figures(&self) -> [(&'static str, f64); 4] {
         [
             ("primal_energy", self.primal_energy),
@@ -70,8 +72,8 @@ impl Certificate {
     }
 }
 
-/// The energy of the loads if each acted with its whole size: F²/(kl) + M²/(kl³) of a rigid beam that sinks and turns,
-/// (M + Fa)²a/EI of one that bends over a wave length a, and EI(δ/a)²/a of settling supports.
+/// The sum of the energies of the single loads: F²/(kl) + M²/(kl³) of a rigid beam that translates and
+/// rotates, (M + Fa)²a/EI of one that bends over a wave length a, and EI(δ/a)²/a of settling supports.
 fn energy_of_single_loads(model: &Model) -> f64 {
     let (l, k, ei) = (model.beam.length, model.foundation.subgrade, model.beam.bending_stiffness);
     let wave = (4.0 * ei / k).sqrt().sqrt().min(l);

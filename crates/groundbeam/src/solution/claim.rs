@@ -1,4 +1,4 @@
-//! Model and solution in the form that the proof reads: its numbers are exact doubles.
+//! Model and solution as input of the proof: its numbers are exact doubles.
 
 use crate::model::{Action, Acts, Extent, GapPoint, GroundEnd, Hinge, Load, Model, Profile};
 use crate::model::{Support, SupportKind};
@@ -6,7 +6,7 @@ use crate::solution::candidate::Candidate;
 use crate::solution::fields::{Reaction, Side};
 use groundbeam_proof::{self as proof, Answer, NotProven, Proof, Scalar};
 
-/// A beam is close to a support if it is nearer than this part of the deflection there.
+/// Distance below which a beam is close to a support, as a fraction of the deflection there.
 const NEAR: f64 = 1e-6;
 
 /// The proof of a solution, in numbers of the given type.
@@ -15,8 +15,8 @@ pub(super) fn prove<S: Scalar>(candidate: &Candidate) -> Result<Proof, NotProven
 }
 
 impl Model {
-    /// The model as the proof reads it, its doubles taken as exact numbers. On soil k and μ are those of the model's
-    /// fields: in a solution's model the ones that the solve made.
+    /// The model as input of the proof, its doubles taken as exact numbers. On soil k and μ are those of the
+    /// model's fields: in a solution's model the ones that the solve computed.
     pub fn to_prove<S: Scalar>(&self) -> proof::Model<S> {
         let hinge = |hinge: &Hinge| proof::Hinge {
             at: S::of(hinge.at),
@@ -156,15 +156,15 @@ pub(super) fn answer(candidate: &Candidate) -> Answer {
     Answer { pieces, forces, reactions: reactions.collect() }
 }
 
-/// Whether there is a double between the ends of a piece. An edge of contact beside the end of a cell can leave a piece
-/// without; its neighbours meet there.
+/// Whether there is a double between the ends of a piece. An edge of contact next to the end of a cell can
+/// leave an empty piece; its neighbours then meet there.
 fn has_inside([from, to]: [f64; 2]) -> bool {
     let middle = 0.5 * (from + to);
     from < middle && middle < to
 }
 
-/// Lets two pieces meet at an idle support of one direction that the beam nearly reaches. The proof can then leave open
-/// whether it acts.
+/// Ends a piece at an inactive one-way support that the beam nearly reaches. The proof can then leave open
+/// whether it is active.
 fn end_at_support(
     candidate: &Candidate,
     (support, reaction): (&Support, &Reaction),
@@ -177,7 +177,7 @@ fn end_at_support(
     if !(support.is_one_way() && reaction.force == 0.0 && close) {
         return;
     }
-    // Within rounding of an end of a piece the support stands there already.
+    // Within rounding of an end of a piece the support is already there.
     let apart = 64.0 * f64::EPSILON * candidate.model.beam.length;
     let inside = |piece: &proof::Piece| piece.x[0] + apart < at && at + apart < piece.x[1];
     let Some(i) = pieces.iter().position(inside) else { return };

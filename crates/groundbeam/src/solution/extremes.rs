@@ -1,7 +1,7 @@
 //! Extremes of the fields: at the ends of pieces, and where derivatives vanish.
 //!
-//! Nothing is sampled. The coefficients of a polynomial give its roots, and bounds of its values. Only pieces on which a
-//! field may exceed its end values are searched for roots.
+//! Nothing is sampled. The coefficients of a polynomial give its roots and bounds of its values. Roots are
+//! computed only on pieces on which a field may exceed its end values.
 
 use crate::numeric::polynomial::{derivative, jet, value, with_slope};
 use crate::numeric::roots::sign_changes;
@@ -22,7 +22,7 @@ impl Candidate {
         let mut found: Option<[ValueAt; 2]> = None;
         for (i, (of_piece, piece)) in bounds_of.iter().zip(&self.pieces).enumerate() {
             for (s, end) in [-1.0, 1.0].into_iter().zip(of_piece.ends) {
-                // All that may be the least or the most but for rounding are seen exactly.
+                // All values that may be extreme within rounding are computed exactly.
                 if end <= least + 2.0 * rounding || end >= most - 2.0 * rounding {
                     widen(&mut found, ValueAt { piece: i, s, value: piece.one(field, s) });
                 }
@@ -52,11 +52,11 @@ impl Candidate {
     }
 }
 
-/// Of a beam without pieces.
+/// The range of a beam without pieces.
 const NOTHING: Range =
     Range { min: Extreme { x: 0.0, value: 0.0 }, max: Extreme { x: 0.0, value: 0.0 } };
 
-/// Where a value is.
+/// A value and its position.
 #[derive(Clone, Copy)]
 struct ValueAt {
     piece: usize,
@@ -64,7 +64,7 @@ struct ValueAt {
     value: f64,
 }
 
-/// Lets the smallest and the largest value take note of another. Of equal ones the leftmost counts.
+/// Includes another value in the range. Of equal ones the leftmost counts.
 fn widen(found: &mut Option<[ValueAt; 2]>, here: ValueAt) {
     let [min, max] = found.get_or_insert([here; 2]);
     let is_left = |of: &ValueAt| here.value == of.value && (here.piece, here.s) < (of.piece, of.s);
@@ -76,17 +76,18 @@ fn widen(found: &mut Option<[ValueAt; 2]>, here: ValueAt) {
     }
 }
 
-/// A field at the ends of a piece, but for rounding, and between which values it lies on all of it.
+/// A field at the ends of a piece, to rounding, and bounds of its values on the whole piece.
 struct FieldBounds {
     ends: [f64; 2],
     bounds: [f64; 2],
-    /// So much the ends may be wrong.
+    /// The error of the values at the ends.
     rounding: f64,
 }
 
 impl FieldBounds {
-    /// Between the ends a polynomial is a straight line and Σ cⱼ (sʲ − 1) for even j, Σ cⱼ (sʲ − s) for odd ones,
-    /// from j = 2 on; these factors lie between −1 and 0, and −1 and 1.
+    /// The difference between a polynomial and the line through its end values is the sum of cⱼ (sʲ − 1) for
+    /// even j and cⱼ (sʲ − s) for odd j, from j = 2 on. These factors lie between −1 and 0, and between −1
+    /// and 1.
     fn of(c: &[f64]) -> Self {
         let [first, second] = [0, 1].map(|j| c.get(j).copied().unwrap_or(0.0));
         let ([mut even, mut odd], [mut above, mut apart]) = ([0.0; 2], [0.0; 2]);
@@ -112,7 +113,7 @@ impl FieldBounds {
 }
 
 impl SolutionPiece {
-    /// One field, the same to the last bit as in [`SolutionPiece::fields`].
+    /// One field, with the same bits as in [`SolutionPiece::fields`].
     fn one(&self, field: Field, s: f64) -> f64 {
         let per_length = 1.0 / self.half;
         match field {
@@ -146,7 +147,7 @@ impl SolutionPiece {
                 FieldBounds { ends: [ends[0] - a, ends[1] - b], bounds, rounding }
             }
             Field::Gap if self.open.is_none() => FieldBounds::of(&[]),
-            // No polynomial.
+            // Not a polynomial.
             Field::Settlement | Field::Gap => FieldBounds {
                 ends: [-1.0, 1.0].map(|s| self.one(field, s)),
                 bounds: [f64::NEG_INFINITY, f64::INFINITY],
@@ -155,7 +156,7 @@ impl SolutionPiece {
         }
     }
 
-    /// Where a field may be largest or smallest: its ends and where its derivative vanishes.
+    /// Candidates for the extremes of a field: its ends and the zeros of its derivative.
     pub(crate) fn candidates(&self, field: Field) -> Vec<f64> {
         let mut s = vec![-1.0];
         self.turning_points(field, &mut s);
@@ -163,7 +164,8 @@ impl SolutionPiece {
         s
     }
 
-    /// Where the derivative of a field changes its sign inside, from left to right, appended to `found`.
+    /// Appends to `found` the positions inside the piece at which the derivative of a field changes its sign,
+    /// from left to right.
     fn turning_points(&self, field: Field, found: &mut Vec<f64>) {
         match field {
             Field::Deflection => sign_changes(&derivative(&self.deflection), found),
@@ -181,7 +183,7 @@ impl SolutionPiece {
                 c[0] -= self.cell.gap_slope * self.half;
                 sign_changes(&c, found);
             }
-            // Open ground is convex where it is positive: one lowest point at most.
+            // Open ground is convex where it is positive, so it has at most one minimum.
             Field::Settlement => self.turns(|at| self.settlement(at, 0.0, 0.0)[1], found),
             Field::Gap if self.open.is_some() => {
                 let slope = |at: f64| {
@@ -194,11 +196,11 @@ impl SolutionPiece {
         }
     }
 
-    /// Sign changes of a derivative that has no polynomial, between points close enough for one each. A zero at such a
-    /// point is a sign change if the signs beside it differ.
+    /// Sign changes of a derivative that is not a polynomial, between points so close that each interval has
+    /// at most one. A zero at such a point is a sign change if the signs beside it differ.
     fn turns(&self, slope: impl Fn(f64) -> f64, found: &mut Vec<f64>) {
         const CUTS: usize = 16;
-        // −1, 0 or 1: the product of two small slopes would underflow.
+        // −1, 0 or 1. The product of two small slopes would underflow.
         let sign = |s: f64| {
             let slope = slope(s);
             i8::from(slope > 0.0) - i8::from(slope < 0.0)
@@ -233,7 +235,7 @@ mod tests {
     use crate::solution::candidate::Workspace;
     use crate::{Answer, Beam, Foundation, Load, Model, Solver};
 
-    /// Loads, an open part and a stiff part: all fields, on a thousand points of each piece.
+    /// All fields on a thousand points of each piece, for a beam with loads, an open part and a stiff part.
     #[test]
     fn nothing_exceeds_a_range_and_ranges_are_reached() {
         let (mut solver, mut solved) = (Solver::new(), 0);
@@ -273,7 +275,7 @@ mod tests {
         assert!(solved > 30, "{solved}");
     }
 
-    /// A piece that touches ground with k = μ = 1 and no gap, all of whose fields are zero.
+    /// A piece in contact with ground of k = μ = 1 without gap; all fields are zero.
     fn piece(x: [f64; 2]) -> SolutionPiece {
         let model = Model::new(Beam::uniform(1.0, 1.0), Foundation::pasternak(1.0, 1.0));
         let mut cell = crate::mesh::mesh::Mesh::build(&model, &[], |_| 1).cells[0];
@@ -312,15 +314,15 @@ mod tests {
         assert!(all && close, "{found:?} {wanted:?}");
     }
 
-    /// The powers s² and s⁴ with 3 and −5 take the line between the ends down by 3 at most and up by 5; s³ and s⁵ with −4
-    /// and 6 take it up or down by 10 at most.
+    /// The powers s² and s⁴ with 3 and −5 lower the line between the ends by at most 3 and raise it by at most 5; s³ and s⁵
+    /// with −4 and 6 change it by at most 10.
     #[test]
     fn a_hull_is_the_line_between_the_ends_and_what_the_powers_add() {
         let FieldBounds { ends, bounds, rounding } =
             FieldBounds::of(&[1.0, 2.0, 3.0, -4.0, -5.0, 6.0]);
         assert_eq!((ends, bounds), ([-5.0, 3.0], [-18.0, 18.0]));
         assert_eq!(rounding, 6.0 * f64::EPSILON * 21.0);
-        // In a mirror, with the other sign, and half as large.
+        // Mirrored, with the other sign, and half as large.
         let mirrored = FieldBounds::of(&[1.0, -2.0, 3.0, 4.0, -5.0, -6.0]);
         assert_eq!((mirrored.ends, mirrored.bounds), ([3.0, -5.0], [-18.0, 18.0]));
         let below = FieldBounds::of(&[-1.0, -2.0, -3.0, 4.0, 5.0, -6.0]);
@@ -336,7 +338,8 @@ mod tests {
         assert_eq!((zero.ends, zero.bounds, zero.rounding), ([0.0; 2], [0.0; 2], 0.0));
     }
 
-    /// Slope and shear force are derivatives in x: those in s over half the length. The settlement under contact is w − g₀.
+    /// Slope and shear force are derivatives with respect to x: those in s over half the length. The
+    /// settlement in contact is w − g₀.
     #[test]
     fn the_hull_of_each_field() {
         let mut of = piece([0.0, 4.0]);
@@ -382,16 +385,16 @@ mod tests {
         near(&of.candidates(Field::Pressure), &[-1.0, -0.5, 1.0]);
         of.moment = [-0.125, 0.75, -1.5, 1.0][..].into();
         near(&turning_points(&of, Field::ShearForce), &[0.5]);
-        // u = w − g₀ under contact: dw/ds = 3s² − 3/16 is half the length times the gap's slope.
+        // u = w − g₀ in contact: dw/ds = 3s² − 3/16 is half the length times the gap's slope.
         of.cell.gap_slope = (3.0 * 0.25 - 0.1875) / 2.0;
         near(&turning_points(&of, Field::Settlement), &[-0.5, 0.5]);
-        // The gap is zero all along: no place of it counts more than another.
+        // The gap is zero everywhere, so no place of it is a turning point.
         near(&turning_points(&of, Field::Gap), &[]);
         near(&of.candidates(Field::Gap), &[-1.0, 1.0]);
     }
 
-    /// Open ground with k = μ = 1 is u = cosh(x − a) for the ends cosh(a) and cosh(4 − a), lowest at a. The gap
-    /// u + g₀ − w is least where sinh(x − a) = w′ − g₀′.
+    /// Open ground with k = μ = 1 is u = cosh(x − a) for the ends cosh(a) and cosh(4 − a), with the minimum
+    /// at a. The gap u + g₀ − w has its minimum where sinh(x − a) = w′ − g₀′.
     #[test]
     fn open_ground_turns_where_it_is_lowest() {
         for a in [0.7_f64, 1.3, 3.9] {
@@ -406,14 +409,14 @@ mod tests {
             let lowest = candidate(vec![of]).range(Field::Settlement).min;
             near(&[lowest.x, lowest.value], &[a, 1.0]);
         }
-        // Ground that falls all along turns nowhere.
+        // Monotone ground has no turning point.
         let mut falling = piece([0.0, 4.0]);
         falling.open = Some([1.0, exp(-4.0)]);
         near(&turning_points(&falling, Field::Settlement), &[]);
     }
 
-    /// A beam pressed down over its ends and lifted off between them is lowest ground in its middle, where the derivative of
-    /// the ground's surface is exactly zero if both edges of contact are equally deep to the last bit.
+    /// A beam pressed down at its ends and open between them: the ground is lowest in the middle. There the
+    /// derivative of the surface is exactly zero if both edges of contact have the same bits.
     #[test]
     fn symmetric_open_ground_is_lowest_in_its_middle() {
         let mut of = piece([0.0, 4.0]);
@@ -441,11 +444,11 @@ mod tests {
         near(&turns(&|s| (s - 0.3) * (s + 0.77)), &[-0.77, 0.3]);
         near(&turns(&|s| (0.3 - s) * (s + 0.99)), &[-0.99, 0.3]);
         near(&turns(&|s| (s - 0.3) * (s - 0.99)), &[0.3, 0.99]);
-        // Zeros at multiples of 1/8, between which signs are compared.
+        // Zeros at multiples of 1/8, the points between which signs are compared.
         near(&turns(&|s| (s - 0.25) * (s + 0.5)), &[-0.5, 0.25]);
         near(&turns(&|s| s), &[0.0]);
         near(&turns(&|s| 1e-200 * (s - 0.3)), &[0.3]);
-        // Ground so far from any pressure that it underflows is lowest where that begins.
+        // Ground whose settlement underflows far from any pressure: the minimum is where the zeros begin.
         near(&turns(&|s| if s.abs() < 0.3 { 0.0 } else { s }), &[-0.3]);
         near(&turns(&|s| -s), &[0.0]);
         near(&turns(&|s| 1.0 - s * s), &[]);
@@ -456,7 +459,7 @@ mod tests {
         near(&turns(&|_| 0.0), &[]);
     }
 
-    /// Of equal values the leftmost counts, whatever the order in which they are met.
+    /// Of equal values the leftmost counts, in any order of the search.
     #[test]
     fn the_leftmost_of_equal_values_counts() {
         let places = [
@@ -477,7 +480,7 @@ mod tests {
                 assert_eq!((min, max), ((1, 0.5, 1.0), (0, 1.0, 2.0)));
             }
         }
-        // Within one piece as well.
+        // The same within one piece.
         let mut found = None;
         for s in [0.5, -0.5, 0.0] {
             widen(&mut found, ValueAt { piece: 0, s, value: 1.0 });
@@ -489,7 +492,7 @@ mod tests {
     #[test]
     fn a_range_is_the_least_and_the_largest_of_all_candidates() {
         let mut seed = 7_u64;
-        // A digit from −4 to 4, by a small generator: x′ = 16807 x mod 2³¹ − 1.
+        // An integer from −4 to 4, by a linear congruential generator: x′ = 16807 x mod 2³¹ − 1.
         let mut digit = move || {
             seed = seed * 16807 % 2_147_483_647;
             (seed % 9) as f64 - 4.0
@@ -498,7 +501,7 @@ mod tests {
             let mut all: Vec<SolutionPiece> =
                 (0..1 + round % 5).map(|i| piece([i as f64, i as f64 + 1.0])).collect();
             for of in &mut all {
-                // Every few pieces one is far below the others: no root of it is asked for.
+                // Every few pieces one is far below the others: its roots are not needed.
                 let size = if digit() > 1.0 { 1.0 } else { 0.0625 };
                 let mut some = |least: usize| -> crate::numeric::polynomial::Coefficients {
                     let count = least + (digit() + 4.0) as usize / 2;
@@ -525,10 +528,10 @@ mod tests {
         }
     }
 
-    /// Ends that differ in their last bits alone are compared by their exact values.
+    /// Ends that differ in their last bits only are compared by their exact values.
     #[test]
     fn ends_within_rounding_of_the_least_are_seen_exactly() {
-        // 0.1 + 0.2 + 0.3 is rounded otherwise than 0.3 + 0.2 + 0.1.
+        // 0.1 + 0.2 + 0.3 has another rounding than 0.3 + 0.2 + 0.1.
         let of = |from: f64, c: &[f64]| {
             let mut of = piece([from, from + 1.0]);
             of.deflection = c.into();

@@ -1,4 +1,5 @@
-//! The fields of a solution, and the table of their facts: name, words, symbol, unit, natural size and sign.
+//! The fields of a solution, and a table of their properties: name, texts, symbol, unit, natural size and
+//! sign.
 
 use crate::model::Beam;
 
@@ -26,7 +27,7 @@ pub enum Field {
 /// One value for each field, in the order of [`Field::ALL`].
 pub type ByField<T> = [T; Field::ALL.len()];
 
-/// What a field measures.
+/// The dimension of a field.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Dimension {
     /// A length \[m\].
@@ -41,7 +42,7 @@ pub enum Dimension {
     ForcePerLength,
 }
 
-/// A row of the table of facts.
+/// A row of the table of properties.
 struct Facts {
     name: &'static str,
     label: &'static str,
@@ -65,8 +66,8 @@ impl Field {
         Field::Pressure,
     ];
 
-    /// The fields that results of a beam list, in their order: without the rotation if the beam does not shear, because it
-    /// equals the slope.
+    /// The fields that results of a beam list, in their order. The rotation is omitted if the beam does not
+    /// shear, because it equals the slope.
     pub fn of(beam: &Beam) -> impl Iterator<Item = Field> + Clone + use<> {
         Field::listed(beam.shears())
     }
@@ -91,12 +92,12 @@ impl Field {
         self.facts().name
     }
 
-    /// The name in a line of text: `Moment`.
+    /// The short name in text: `Moment`.
     pub const fn label(self) -> &'static str {
         self.facts().label
     }
 
-    /// The name in full: `Bending moment`.
+    /// The full name: `Bending moment`.
     pub const fn title(self) -> &'static str {
         self.facts().title
     }
@@ -106,7 +107,7 @@ impl Field {
         self.facts().symbol
     }
 
-    /// What the field measures.
+    /// The dimension of the field.
     pub const fn dimension(self) -> Dimension {
         self.facts().dimension
     }
@@ -116,7 +117,7 @@ impl Field {
         self.dimension().unit()
     }
 
-    /// What a positive value means: `sagging`. It is empty if no words are shorter than the definition.
+    /// The meaning of a positive value: `sagging`. Empty if no text is shorter than the definition.
     pub const fn positive(self) -> &'static str {
         self.facts().positive
     }
@@ -126,8 +127,8 @@ impl Field {
         self.facts().drawn_down
     }
 
-    /// The size that values of the field have in a solution with the given length of the beam, sum of forces, largest
-    /// deflection and natural pressure. Values that are small in comparison are rounding error.
+    /// The magnitude of the field in a solution with the given length of the beam, sum of forces, largest
+    /// deflection and natural pressure. Much smaller values are rounding error.
     pub fn natural_size(self, length: f64, force: f64, deflection: f64, pressure: f64) -> f64 {
         match self.dimension() {
             Dimension::Length => deflection,

@@ -35,7 +35,7 @@ pub struct ConcentratedForce {
     pub force: f64,
 }
 
-/// What a support does to the beam.
+/// The force and the moment of a support on the beam.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Reaction {
@@ -43,11 +43,11 @@ pub struct Reaction {
     pub at: f64,
     /// Force, positive where it pushes the beam up \[N\].
     pub force: f64,
-    /// Moment, positive where it turns the right side down \[N·m\].
+    /// Moment, positive where it rotates the right side down \[N·m\].
     pub moment: f64,
 }
 
-/// From which side a value is taken where a field jumps.
+/// The side from which a value is taken where a field jumps.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Side {
     /// Just left of the position.
@@ -93,11 +93,11 @@ impl Fields {
     }
 }
 
-/// Where a field is largest or smallest.
+/// The position and value of a field's largest or smallest value.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Extreme {
-    /// Position \[m\]; of several the leftmost.
+    /// Position \[m\]; the leftmost of several.
     pub x: f64,
     /// Value of the field there.
     pub value: f64,
@@ -113,31 +113,31 @@ pub struct Range {
     pub max: Extreme,
 }
 
-/// A part of the beam on which every field is one closed form.
+/// A part of the beam on which every field has one closed form.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct SolutionPiece {
     /// Its ends \[m\].
     pub x: [f64; 2],
-    /// Half its length \[m\]: not the difference of its ends, which are rounded.
+    /// Half its length \[m\]; more accurate than the difference of its ends, which are rounded.
     pub half: f64,
-    /// The cell it lies in, cut to its ends: coefficients of ground, beam and loads.
+    /// The cell that contains it, cut to its ends: coefficients of ground, beam and loads.
     pub cell: Cell,
     /// Coefficients of w(s).
     pub deflection: Coefficients,
-    /// Coefficients of φ(s); none where the beam does not shear.
+    /// Coefficients of φ(s); empty if the beam does not shear.
     pub rotation: Coefficients,
     /// Coefficients of M(s).
     pub moment: Coefficients,
     /// Coefficients of p(s).
     pub pressure: Coefficients,
-    /// Off contact, u at both ends.
+    /// On open ground: u at both ends.
     pub open: Option<[f64; 2]>,
-    /// Off contact where the ground varies: coefficients of u(s).
+    /// On open varying ground: coefficients of u(s).
     pub settlement: Coefficients,
 }
 
 impl SolutionPiece {
-    /// b·h of the open ground.
+    /// The length of the open ground in decay lengths, b·h.
     fn decay(&self) -> f64 {
         (self.cell.subgrade / self.cell.shear_layer).sqrt() * 2.0 * self.half
     }
@@ -158,7 +158,7 @@ impl SolutionPiece {
         }
     }
 
-    /// What the beam's pressure elsewhere adds to u and u' of open ground.
+    /// The contribution of the beam's pressure elsewhere to u and u' of open ground.
     pub(crate) fn pressed(&self, s: f64, [left, right]: [f64; 2]) -> [f64; 2] {
         if [left, right] == [0.0; 2] {
             return [0.0; 2];

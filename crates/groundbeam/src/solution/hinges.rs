@@ -4,20 +4,21 @@ use crate::model::Hinge;
 use crate::solution::fields::Side;
 use crate::solution::solution::Solution;
 
-/// What a hinge of the beam does.
+/// The rotation and the moment of a hinge.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct HingeTurn {
     /// Position \[m\].
     pub at: f64,
-    /// The jump of the sections' rotation, right less left: positive where the beam opens downward \[rad\].
+    /// The jump of the rotation of the sections, right minus left: positive where the beam opens downward
+    /// \[rad\].
     pub rotation: f64,
-    /// The moment it hands on, M = −k_φ·rotation, sagging positive; none at a free hinge \[N·m\].
+    /// The transmitted moment, M = −k_φ·rotation, sagging positive; zero at a free hinge \[N·m\].
     pub moment: f64,
 }
 
 impl Solution {
-    /// What the hinges do, in the order of the model's hinges.
+    /// Rotation and moment of the hinges, in the order of the model's hinges.
     pub fn hinges(&self) -> Vec<HingeTurn> {
         let turn = |hinge: &Hinge| {
             let [left, right] =

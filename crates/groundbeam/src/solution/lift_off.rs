@@ -12,9 +12,9 @@ pub struct LiftOff {
     pub from: f64,
     /// Right end \[m\].
     pub to: f64,
-    /// Where beam and ground are farthest apart, and how far.
+    /// The largest distance between beam and ground, and its position.
     pub largest_gap: Extreme,
-    /// Whether it reaches the beam's left end, and the right one.
+    /// Whether it reaches the beam's left end, and whether it reaches the right end.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub reaches: [bool; 2],
 }
@@ -27,10 +27,10 @@ impl LiftOff {
 }
 
 impl Solution {
-    /// The pieces that do not touch, each with its largest gap.
+    /// The open parts, each with its largest gap.
     pub fn lift_off(&self) -> Vec<LiftOff> {
         let mut found: Vec<LiftOff> = Vec::new();
-        // Nodal contact leaves slivers between touching nodes: within a region they are no lift-off.
+        // Nodal contact leaves narrow gaps between touching nodes: within a region they are not a lift-off.
         let inside = |x: [f64; 2]| self.contact().iter().any(|c| c.from <= x[0] && x[1] <= c.to);
         for piece in self.pieces() {
             if piece.open.is_none() || inside(piece.x) {
@@ -63,7 +63,7 @@ impl Solution {
         found
     }
 
-    /// The part of the beam that does not touch, of its length.
+    /// The fraction of the beam's length that is not in contact.
     pub fn lifted_share(&self) -> f64 {
         let lifted: f64 = self.lift_off().iter().map(LiftOff::length).sum();
         lifted / self.model().beam.length

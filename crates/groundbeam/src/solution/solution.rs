@@ -17,9 +17,9 @@ use crate::solution::fields::{
 };
 use groundbeam_proof::{NotProven, Proof, Scalar, Wide};
 
-/// An equilibrium, with its certificate.
+/// An equilibrium with its certificate.
 ///
-/// Only [`solve`](crate::solve()) and its kin make one, from a certificate that holds.
+/// Only [`solve`](crate::solve()) and related functions make one, from a certificate that holds.
 #[derive(Debug, Clone)]
 pub struct Solution {
     candidate: Candidate,
@@ -30,18 +30,18 @@ pub struct Solution {
     soil: Option<SoilRounds>,
 }
 
-/// How a solution's ground was made from the [soil](crate::soil) of its model.
+/// The iteration that computed a solution's ground from the [soil](crate::soil) of its model.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SoilRounds {
-    /// γ, for layers.
+    /// γ, for soil layers.
     pub gamma: Option<f64>,
-    /// Solutions it took: one, unless γ is taken from the solution.
+    /// Number of solutions: one, unless γ follows from the solution.
     pub rounds: usize,
 }
 
 impl Solution {
-    /// The solution from its fields, their certificate, what is known of existence without its contact, the method
-    /// and the method's steps.
+    /// The solution from its fields, their certificate, the verdict before the solve, the method, and the
+    /// method's steps.
     pub(crate) fn new(
         candidate: Candidate,
         certificate: Certificate,
@@ -53,7 +53,7 @@ impl Solution {
         Solution { candidate, certificate, existence, method, history, soil: None }
     }
 
-    /// The same solution, on ground that was made from soil.
+    /// The same solution with the data of its soil iteration.
     pub(crate) fn on_soil(self, soil: SoilRounds) -> Self {
         Solution { soil: Some(soil), ..self }
     }
@@ -68,17 +68,17 @@ impl Solution {
         &self.candidate
     }
 
-    /// The closed forms, from left to right.
+    /// The pieces with their closed forms, from left to right.
     pub(crate) fn pieces(&self) -> &[SolutionPiece] {
         &self.candidate.pieces
     }
 
-    /// The model that was solved, on ground whose constants are given: on soil, those of this solution.
+    /// The solved model with the constants of its ground: on soil, those of this solution.
     pub fn model(&self) -> &Model {
         &self.candidate.model
     }
 
-    /// How the ground was made from soil; `None` for a model whose constants are given.
+    /// The iteration on the soil; `None` for a model with given constants.
     pub fn soil(&self) -> Option<SoilRounds> {
         self.soil
     }
@@ -88,23 +88,24 @@ impl Solution {
         self.method
     }
 
-    /// What is known of existence and uniqueness.
+    /// The verdict on existence and uniqueness.
     pub fn existence(&self) -> &Existence {
         &self.existence
     }
 
-    /// Where beam and ground touch, from left to right. A beam that touches nowhere has none.
+    /// The contact zones, from left to right; empty without contact.
     pub fn contact(&self) -> &[ContactZone] {
         &self.candidate.contact
     }
 
-    /// Intervals of which rounding error decides whether beam and ground touch \[m\], from left to right: zones without a
-    /// force, and intervals that come and go in the last steps of the exact method.
+    /// Intervals on which rounding error decides between contact and open ground \[m\], from left to right:
+    /// zones without a force, and intervals that come and go in the last steps of the exact method.
     pub fn undecided(&self) -> impl ExactSizeIterator<Item = ContactZone> + '_ {
         self.candidate.edge_error.undecided.iter().map(|&[from, to]| ContactZone { from, to })
     }
 
-    /// The last move of a contact edge in the exact method \[m\], an estimate of the error of the edges.
+    /// The last displacement of a contact edge in the exact method \[m\], an estimate of the error of the
+    /// edges.
     pub fn edge_error(&self) -> f64 {
         self.candidate.edge_error.moved
     }
@@ -114,44 +115,44 @@ impl Solution {
         self.candidate.end_forces
     }
 
-    /// Concentrated contact forces elsewhere: where μ jumps, where the ground has a corner, at a single
-    /// point of contact; with pressures as nodal forces (5.5), all of those.
+    /// Concentrated contact forces elsewhere: where μ jumps, at corners of the ground, and at single points
+    /// of contact; with nodal pressures (5.5), all of these.
     pub fn concentrated_forces(&self) -> &[ConcentratedForce] {
         &self.candidate.concentrated
     }
 
-    /// What the supports do, in the order of the model's supports.
+    /// The reactions of the supports, in the order of the model's supports.
     pub fn reactions(&self) -> &[Reaction] {
         &self.candidate.reactions
     }
 
-    /// The proof.
+    /// The certificate of this solution.
     pub fn certificate(&self) -> &Certificate {
         &self.certificate
     }
 
-    /// The proof of this solution, computed on request in numbers of 106 bits that enclose all rounding: a theorem about the model whose
-    /// numbers are exactly these doubles.
+    /// A proof of this solution, computed on request in numbers of 106 bits that enclose all rounding: a
+    /// theorem about the model whose numbers are exactly these doubles.
     pub fn prove(&self) -> Result<Proof, NotProven> {
         claim::prove::<Wide>(&self.candidate)
     }
 
-    /// Model and solution as the proof reads them, for proofs in numbers of another type.
+    /// Model and solution as input of the proof, for proofs in another number type.
     pub fn claim<S: Scalar>(&self) -> (groundbeam_proof::Model<S>, groundbeam_proof::Answer) {
         (self.candidate.model.to_prove(), claim::answer(&self.candidate))
     }
 
-    /// Every step of the iteration that led here.
+    /// Every step of the iteration.
     pub fn history(&self) -> &[Step] {
         &self.history
     }
 
-    /// Steps of the iteration.
+    /// Number of steps of the iteration.
     pub fn iterations(&self) -> usize {
         self.history.len()
     }
 
-    /// Elements of the mesh, or closed-form pieces of the exact method.
+    /// Number of elements of the mesh, or of closed-form pieces of the exact method.
     pub fn elements(&self) -> usize {
         self.candidate.elements
     }
@@ -172,7 +173,7 @@ impl Solution {
         let shears = self.candidate.model.beam.shears();
         Field::ALL.map(|field| match field {
             Field::Slope => slope,
-            // The range of an equal field is not searched twice.
+            // The rotation equals the slope here, so its range is the same.
             Field::Rotation if !shears => slope,
             _ => self.range(field),
         })
@@ -183,7 +184,7 @@ impl Solution {
         self.at(x, Side::Right).get(field)
     }
 
-    /// u at any position on the whole line, also beyond the beam \[m\]; 0 where there is no shear layer.
+    /// u at any position on the whole line, also outside the beam \[m\]; 0 where there is no shear layer.
     pub fn settlement(&self, x: f64) -> f64 {
         let l = self.candidate.model.beam.length;
         let right = x > l;
@@ -202,7 +203,7 @@ impl Solution {
         link::beside(&beyond, end.settlement - own(0.0), distance) + own(distance)
     }
 
-    /// The ground beyond an end of the beam.
+    /// The ground outside one end of the beam.
     pub(crate) fn beyond(&self, right: bool) -> GroundOutside {
         let at_end = if right {
             self.pieces()[self.pieces().len() - 1].cell.ground_at(1.0)
@@ -212,8 +213,8 @@ impl Solution {
         self.candidate.model.foundation.beyond(right, self.candidate.model.beam.length, at_end)
     }
 
-    /// Positions at which the fields are worth listing: `even` equal steps, every load, support, joint and
-    /// edge of contact, and the extremes of every field.
+    /// Positions at which to list the fields: `even` equal steps, every load, support, joint and edge of
+    /// contact, and the extremes of every field.
     pub fn stations(&self, even: usize) -> Vec<f64> {
         let l = self.candidate.model.beam.length;
         let mut x: Vec<f64> = (0..=even).map(|i| l * (i as f64 / even.max(1) as f64)).collect();

@@ -1,4 +1,4 @@
-//! The rules for the ground under the beam and beside it.
+//! The rules for the ground under the beam and outside it.
 
 use super::places::Places;
 use super::positions::{check_order, overlaps};
@@ -71,7 +71,7 @@ impl Model {
         self.foundation.segments.iter().position(varies).map(Part::FoundationSegment)
     }
 
-    /// Where segments of the ground begin.
+    /// The positions at which segments of the ground begin.
     pub(crate) fn ground_begins(&self) -> Places {
         let mut begins = Places::default();
         for (i, segment) in self.foundation.segments.iter().enumerate() {
@@ -80,7 +80,7 @@ impl Model {
         begins
     }
 
-    /// Whether the ground at and left of a place under the beam has no shear layer.
+    /// Whether the ground at and left of a position under the beam has no shear layer.
     pub(crate) fn ground_has_no_layer(&self, begins: &Places, at: f64) -> bool {
         let ground = &self.foundation;
         let shear = |x: f64| {
@@ -92,7 +92,7 @@ impl Model {
         on_beam && [at, at - f64::EPSILON * self.beam.length].into_iter().all(|x| shear(x) == 0.0)
     }
 
-    /// A load on the ground must stand where there is ground.
+    /// A load on the ground must lie on the ground.
     pub(crate) fn check_on_ground(
         &self,
         found: &mut Vec<Problem>,
@@ -110,7 +110,7 @@ impl Model {
     }
 }
 
-/// Zero all along, or positive all along: a shear layer that thins out to nothing has no end of its own.
+/// μ must be zero everywhere or positive everywhere: a shear layer whose μ falls to zero has no defined end.
 fn check_shear(found: &mut Vec<Problem>, part: Part, shear: &Profile) {
     let values = shear.control_values();
     let wrong = values.iter().find(|value| !(in_range(**value) && **value >= 0.0));

@@ -11,10 +11,10 @@ use crate::model::Model;
 use crate::model::problem::{Part, Problem, finite};
 
 impl Model {
-    /// Everything that is wrong with the model; empty when it can be solved.
+    /// Every violation of the rules; empty if the model can be solved.
     ///
-    /// A beam so soft or ground so stiff that the products of the given numbers leave the range of
-    /// a 64-bit number is refused here too, so that no later step meets an infinity.
+    /// It also refuses a beam so soft or ground so stiff that products of the given numbers leave the range
+    /// of a 64-bit number. So no later step meets an infinity.
     pub fn problems(&self) -> Vec<Problem> {
         let mut found = Vec::new();
         self.check_beam(&mut found);

@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
 
-/// A position with an order.
+/// A position with a total order.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Place(f64);
 
@@ -21,20 +21,20 @@ impl Ord for Place {
     }
 }
 
-/// The places of a list, each with the number of the first position there.
+/// The positions of a list, each with the index of its first occurrence.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Places(BTreeMap<Place, usize>);
 
 impl Places {
-    /// Adds a position, unless another of the list is the same number. A position that is not finite has no place.
+    /// Adds a position unless the same number is already there. A position that is not finite is ignored.
     pub fn add(&mut self, at: f64, number: usize) {
         if at.is_finite() {
-            // −0 and 0 are one position.
+            // −0 and 0 are the same position.
             self.0.entry(Place(at + 0.0)).or_insert(number);
         }
     }
 
-    /// The smallest number at the place of `at`.
+    /// The smallest index of a position equal to `at` within `near`.
     pub fn first_at(&self, at: f64, near: f64) -> Option<usize> {
         if !at.is_finite() {
             return None;
@@ -43,13 +43,13 @@ impl Places {
         self.0.range(here).map(|(_, number)| *number).min()
     }
 
-    /// The number of the last position that is `at` or left of it.
+    /// The index of the last position at or left of `at`.
     pub fn last_up_to(&self, at: f64) -> Option<usize> {
         self.0.range(..=Place(at + 0.0)).next_back().map(|(_, number)| *number)
     }
 }
 
-/// Of each position the number of another, earlier in the list, that is at the same place.
+/// For each position, the index of an earlier equal one, if any.
 pub(crate) fn repeated(
     positions: impl Iterator<Item = f64>,
     near: f64,
@@ -64,15 +64,15 @@ pub(crate) fn repeated(
     })
 }
 
-/// Pairs of stretches that overlap, the later number first, in the order of the numbers. Each stretch that begins
-/// within others is paired with one of them.
+/// Pairs of overlapping stretches, the larger index first, in the order of the indices. Each stretch that
+/// begins within others is paired with one of them.
 pub(crate) fn overlapping(stretches: &[(f64, f64)]) -> Vec<(usize, usize)> {
     let mut order: Vec<usize> = (0..stretches.len()).collect();
-    // A stretch without length has been reported.
+    // Stretches without length are reported elsewhere.
     order.retain(|&i| stretches[i].0 < stretches[i].1);
     order.sort_by(|&a, &b| stretches[a].0.total_cmp(&stretches[b].0));
     let mut found = Vec::new();
-    // The stretch that reaches farthest right of those so far.
+    // The stretch so far whose right end is farthest to the right.
     let mut farthest: Option<usize> = None;
     for i in order {
         let (from, to) = stretches[i];

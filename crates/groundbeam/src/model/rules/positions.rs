@@ -17,7 +17,7 @@ impl Model {
         field: &'static str,
         x: f64,
     ) {
-        // A length that is wrong itself says nothing about positions.
+        // With an invalid length, positions are not checked.
         let length_is_right = in_range(self.beam.length) && self.beam.length > 0.0;
         if length_is_right && !(x >= 0.0 && x <= self.beam.length) {
             let (message, hint) = if x.is_finite() {

@@ -78,7 +78,7 @@ impl Model {
         }
     }
 
-    /// Only a force can act in one direction alone.
+    /// Only a force can act in one direction.
     pub(crate) fn check_one_way(&self, found: &mut Vec<Problem>) {
         for (i, support) in self.supports.iter().enumerate().filter(|(_, s)| s.is_one_way()) {
             let what = match support.kind {
@@ -96,7 +96,7 @@ impl Model {
     }
 }
 
-/// What acts on or holds the slope: where, and the number of the load or support.
+/// The loads and supports that act on the slope: positions, with the indices of load or support.
 struct Turning {
     moments: Places,
     supports: Places,

@@ -1,43 +1,42 @@
 //! k alone, from a modulus of the soil or from a plate load test.
 //!
-//! All are correlations for beams on deep soil, and per length of beam: the subgrade modulus k_s that a
-//! source gives times the width b. `stiffness` is the beam's EI.
+//! All are correlations for beams on deep soil, per length of beam: the subgrade modulus k_s of the source
+//! times the width b. `stiffness` is the beam's EI.
 
 use crate::numeric::elementary::{pow, power};
 
-/// Vesić (1961), *Bending of beams resting on isotropic elastic solid*:
-/// k = 0.65 (E b⁴/EI)^(1/12) E/(1 − ν²). Made for beams of l (k/4EI)^(1/4) > 2.25; about right for moments
-/// of shorter ones.
+/// Vesić (1961), *Bending of beams resting on isotropic elastic solid*: k = 0.65 (E b⁴/EI)^(1/12) E/(1 − ν²).
+/// Derived for beams with l (k/4EI)^(1/4) > 2.25; approximate for moments of shorter ones.
 pub(crate) fn vesic(soil: &Elastic, width: f64, stiffness: f64) -> f64 {
     0.65 * pow(soil.modulus * power(width, 4) / stiffness, 1.0 / 12.0) * plane(soil)
 }
 
-/// Biot (1937), *Bending of an infinite beam on an elastic foundation*:
-/// k = 0.95 (E b⁴/(1 − ν²)EI)^0.108 E/(1 − ν²). Matches the largest moment of an endless beam under one force.
+/// Biot (1937), *Bending of an infinite beam on an elastic foundation*: k = 0.95 (E b⁴/(1 − ν²)EI)^0.108 E/(1
+/// − ν²). Gives the largest moment of an infinite beam under one force.
 pub(crate) fn biot(soil: &Elastic, width: f64, stiffness: f64) -> f64 {
     let plane = plane(soil);
     0.95 * pow(plane * power(width, 4) / stiffness, 0.108) * plane
 }
 
-/// Meyerhof and Baike (1965): k = E/(1 − ν²), whatever the beam.
+/// Meyerhof and Baike (1965): k = E/(1 − ν²), independent of the beam.
 pub(crate) fn meyerhof_baike(soil: &Elastic) -> f64 {
     plane(soil)
 }
 
-/// Selvadurai (1984): k = 0.65 E/(1 − ν²), whatever the beam.
+/// Selvadurai (1984): k = 0.65 E/(1 − ν²), independent of the beam.
 pub(crate) fn selvadurai(soil: &Elastic) -> f64 {
     0.65 * plane(soil)
 }
 
 /// Terzaghi (1955), *Evaluation of coefficients of subgrade reaction*, for stiff clay: a plate of width b₁
-/// gave k₁ \[N/m³\]. The settlement under the same pressure grows with the width, k_s = k₁ b₁/b, and a
-/// beam of length l > b is not a square: times (m + ½)/1.5m with m = l/b. k = k_s b.
+/// gave k₁ \[N/m³\]. The settlement under the same pressure grows with the width, k_s = k₁ b₁/b. A beam of
+/// length l > b is not square: factor (m + ½)/1.5m with m = l/b. k = k_s b.
 pub(crate) fn terzaghi_clay(plate: &PlateTest, width: f64, length: f64) -> f64 {
     let m = (length / width).max(1.0);
     plate.modulus * plate.width * (m + 0.5) / (1.5 * m)
 }
 
-/// The same for sand, which is stiffer where it is deeper under a wide beam: k_s = k₁ ((b + b₁)/2b)².
+/// The same for sand, whose stiffness increases with depth: k_s = k₁ ((b + b₁)/2b)².
 pub(crate) fn terzaghi_sand(plate: &PlateTest, width: f64) -> f64 {
     plate.modulus * power((width + plate.width) / (2.0 * width), 2) * width
 }
@@ -56,10 +55,10 @@ pub struct Elastic {
     pub poisson: f64,
 }
 
-/// What a square plate on the soil showed.
+/// The result of a load test with a square plate.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PlateTest {
-    /// Pressure over settlement \[N/m³\].
+    /// Pressure divided by settlement \[N/m³\].
     pub modulus: f64,
     /// The plate's width \[m\].
     pub width: f64,
@@ -84,7 +83,7 @@ mod tests {
         }
     }
 
-    /// Terzaghi's plate of one foot under a square footing of its own size is the test itself.
+    /// Terzaghi's plate of one foot under a square footing of the same size gives the result of the test.
     #[test]
     fn a_footing_like_the_plate() {
         let plate = PlateTest { modulus: 40e6, width: 0.3 };

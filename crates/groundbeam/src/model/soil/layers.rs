@@ -1,7 +1,7 @@
 //! Elastic layers on rock as a two-parameter ground, after Vlasov and Leontiev.
 //!
-//! The soil below a beam moves up and down alone, v(x, z) = u(x) φ(z), with φ(0) = 1 at the surface and
-//! φ(H) = 0 on the rock. Its strain energy per length of beam of width b is then ½(k u² + μ u'²) with
+//! The soil below a beam moves vertically only, v(x, z) = u(x) φ(z), with φ(0) = 1 at the surface and φ(H) =
+//! 0 on the rock. Its strain energy per length of beam of width b is then ½(k u² + μ u'²) with
 //!
 //! k = b ∫₀ᴴ E₀ φ'² dz,  μ = b ∫₀ᴴ G φ² dz,  E₀ = E (1 − ν)/((1 + ν)(1 − 2ν)),  G = E/2(1 + ν).
 //!
@@ -21,7 +21,7 @@ pub struct SoilLayer {
 }
 
 impl SoilLayer {
-    /// E₀, the modulus of soil that cannot move sideways \[Pa\].
+    /// E₀, the modulus of soil without lateral strain \[Pa\].
     pub fn constrained_modulus(&self) -> f64 {
         let nu = self.poisson;
         self.modulus * (1.0 - nu) / ((1.0 + nu) * (1.0 - 2.0 * nu))
@@ -32,13 +32,13 @@ impl SoilLayer {
         self.modulus / (2.0 * (1.0 + self.poisson))
     }
 
-    /// How many times φ falls by e within the layer.
+    /// The thickness of the layer in decay lengths of φ.
     fn decay(&self, rate: f64) -> f64 {
         (rate * self.shear_modulus() / self.constrained_modulus()).sqrt() * self.thickness
     }
 }
 
-/// Layers of elastic soil, the uppermost first, on rock that does not move.
+/// Layers of elastic soil, the uppermost first, on rigid rock.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LayeredSoil {
     /// From the surface down; at least one.
@@ -56,7 +56,7 @@ pub struct GroundConstants {
 
 impl LayeredSoil {
     /// k and μ under a beam of a given width \[m\], where the ground's surface varies at the rate
-    /// r = ∫u'²/∫u² \[1/m²\]. Rate 0 is soil that is pressed evenly: of one layer k = b E₀/H, μ = b G H/3.
+    /// r = ∫u'²/∫u² \[1/m²\]. Rate 0 is uniform settlement: one layer has k = b E₀/H, μ = b G H/3.
     ///
     /// ```
     /// use groundbeam::soil::{LayeredSoil, SoilLayer};
@@ -77,20 +77,20 @@ impl LayeredSoil {
         ground
     }
 
-    /// γ: how many times φ falls by e from the surface to the rock; of one layer the γ of Vallabhan and
+    /// γ: the depth from the surface to the rock in decay lengths of φ. For one layer the γ of Vallabhan and
     /// Das, γ² = r H² (1 − 2ν)/2(1 − ν).
     pub fn gamma(&self, rate: f64) -> f64 {
         self.layers.iter().map(|layer| layer.decay(rate)).sum()
     }
 
-    /// The rate that belongs to a γ.
+    /// The rate r for a given γ.
     pub fn rate(&self, gamma: f64) -> f64 {
         power(gamma / self.gamma(1.0), 2)
     }
 
     /// φ at the top of every layer, and on the rock.
     fn heights(&self, rate: f64) -> Vec<f64> {
-        // From the rock up: −E₀ φ'/φ below each layer's top, and the part of φ left at its bottom.
+        // From the rock up: −E₀ φ'/φ below each layer's top, and the ratio of φ at its bottom and its top.
         let mut below = f64::INFINITY;
         let mut left: Vec<f64> = Vec::with_capacity(self.layers.len());
         for layer in self.layers.iter().rev() {
@@ -128,7 +128,7 @@ fn tanh_over(c: f64) -> f64 {
 pub(crate) fn squares(top: f64, bottom: f64, c: f64) -> [f64; 2] {
     let (both, product) = (top * top + bottom * bottom, top * bottom);
     if c < 0.5 {
-        // sinh c cosh c − c and c cosh c − sinh c by their series: nothing of a difference is lost.
+        // sinh c cosh c − c and c cosh c − sinh c by their series, without cancellation.
         let ratio = if c == 0.0 { 1.0 } else { c / sinh(c) };
         let (own, cross) = (series(2.0 * c, |_| 4.0), series(c, |n| 2.0 * n));
         let square = 0.5 * ratio * ratio * (both * own + 2.0 * product * cross);
@@ -184,7 +184,7 @@ mod tests {
         }
     }
 
-    /// A layer cut in three is the same soil.
+    /// One layer cut in three gives the same soil.
     #[test]
     fn cut_layers_are_the_same_soil() {
         let part = |thickness: f64| SoilLayer { modulus: 5.0, poisson: 0.3, thickness };
@@ -197,7 +197,7 @@ mod tests {
         }
     }
 
-    /// Evenly pressed layers are springs in a row; both branches of the integrals meet.
+    /// Under uniform pressure the layers are springs in series; both branches of the integrals agree.
     #[test]
     fn springs_in_a_row() {
         let layers = [(2.0, 1.0), (7.0, 0.5), (1.0, 3.0)].map(|(modulus, thickness)| SoilLayer {
@@ -216,7 +216,7 @@ mod tests {
         }
     }
 
-    /// k + rμ is −E₀φ' at the surface: the energy that the load puts in.
+    /// k + rμ equals −E₀φ' at the surface: the energy from the load.
     #[test]
     fn energy_is_work() {
         let layers = [(2.0, 0.1, 1.0), (70.0, 0.4, 0.5), (1.0, 0.2, 3.0)]

@@ -1,4 +1,4 @@
-//! The ground's two constants k and μ from what is known of the soil.
+//! The ground's two constants k and μ from data of the soil.
 
 pub(crate) mod correlations;
 pub(crate) mod layers;
@@ -9,7 +9,7 @@ use crate::model::soil::correlations::{Elastic, PlateTest};
 use crate::numeric::elementary::pow;
 pub use layers::{GroundConstants, LayeredSoil, SoilLayer};
 
-/// What is known of the soil, and by whose method it becomes a ground.
+/// Data of the soil, with the method that gives the ground's constants.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Soil {
     /// Vlasov and Leontiev (1966): layers on rock, and γ.
@@ -30,21 +30,20 @@ pub enum Soil {
     TerzaghiSand(PlateTest),
 }
 
-/// Soil under a beam that bears on a width of it: k and μ follow from it.
+/// Soil under a beam that bears on a given width: k and μ follow from it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SoilModel {
     /// The soil.
     pub soil: Soil,
     /// The width on which the beam bears \[m\].
     pub width: f64,
-    /// What k and μ are multiplied by: `[1, 1]` as the method gives them, other numbers for soil that is not
-    /// well known.
+    /// Factors on k and μ: `[1, 1]` for the values of the method, other numbers for uncertain soil.
     pub factors: [f64; 2],
 }
 
-/// βl below which a beam is too short for the correlations that were made for long ones.
+/// βl below which a beam is too short for correlations that were derived for long ones.
 const LONG: f64 = 2.25;
-/// From this Poisson's ratio on, E₀ tells more of ν than of the soil.
+/// From this Poisson's ratio on, E₀ depends on ν much more than on the soil's modulus.
 const NEARLY_INCOMPRESSIBLE: f64 = 0.45;
 
 impl SoilModel {
@@ -53,7 +52,7 @@ impl SoilModel {
         SoilModel { soil, width, factors: [1.0; 2] }
     }
 
-    /// k and μ under a beam, before anything is solved: for [`Soil::ModifiedVlasov`] those of γ = 1.
+    /// k and μ under a beam before the solve: for [`Soil::ModifiedVlasov`] those of γ = 1.
     pub fn subgrade(&self, beam: &Beam) -> GroundConstants {
         let (width, length, stiffness) = (self.width, beam.length, beam.bending_stiffness);
         let springs = |spring: f64| GroundConstants { subgrade: spring, shear_layer: 0.0 };
@@ -70,7 +69,7 @@ impl SoilModel {
         ground.times(self.factors)
     }
 
-    /// γ before anything is solved: that of [`Soil::Vlasov`], 1 for [`Soil::ModifiedVlasov`]; `None` without layers.
+    /// γ before the solve: that of [`Soil::Vlasov`], 1 for [`Soil::ModifiedVlasov`]; `None` without layers.
     pub fn gamma(&self) -> Option<f64> {
         match &self.soil {
             Soil::Vlasov(_, gamma) => Some(*gamma),
@@ -84,7 +83,7 @@ impl SoilModel {
         matches!(self.soil, Soil::ModifiedVlasov(_))
     }
 
-    /// Who published the method.
+    /// The author and year of the method.
     pub fn source(&self) -> &'static str {
         match self.soil {
             Soil::Vlasov(..) => "Vlasov and Leontiev (1966)",
@@ -98,7 +97,7 @@ impl SoilModel {
         }
     }
 
-    /// Where the method is used outside the range it was made for: a sentence each, without a full stop.
+    /// Warnings about the method's range of validity: a sentence each, without a full stop.
     pub fn doubts(&self, beam: &Beam) -> Vec<String> {
         let mut doubts = Vec::new();
         let spring = self.subgrade(beam).subgrade;
@@ -131,7 +130,7 @@ impl SoilModel {
 }
 
 impl GroundConstants {
-    /// The same with k and μ multiplied.
+    /// The same soil with k and μ multiplied.
     pub fn times(self, [spring, shear]: [f64; 2]) -> Self {
         GroundConstants { subgrade: self.subgrade * spring, shear_layer: self.shear_layer * shear }
     }
