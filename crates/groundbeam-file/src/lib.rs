@@ -70,6 +70,7 @@ mod target;
 mod trains;
 mod unit;
 mod units;
+mod words;
 mod write;
 
 pub use band::Band;

@@ -41,6 +41,15 @@ impl Run {
         Run { load_cases: document.load_cases(), ..run }
     }
 
+    /// Some combinations of a file, with all positions of its trains.
+    pub fn of_some(document: &Document, combinations: Vec<Combination>) -> Self {
+        let trains = !document.trains.is_empty();
+        let asked = if trains { Asked::Trains } else { Asked::Combinations };
+        let run = Run::new(document, asked, combinations);
+        let load_cases = if trains { Vec::new() } else { document.load_cases() };
+        Run { load_cases, ..run }
+    }
+
     /// One combination of a file, with all positions of its trains.
     pub fn of_one(document: &Document, combination: Combination) -> Self {
         let asked = if document.trains.is_empty() { Asked::One } else { Asked::Trains };

@@ -2,11 +2,12 @@
 
 use super::sheet::{Sheet, Tone};
 use super::{certificate, checks, free_spans};
+use crate::checked::Row;
 use crate::context::{Context, clean};
 use crate::number::{order, significant};
 use crate::quantity::{Kind, Units, duration};
 use crate::size::Sizes;
-use groundbeam::{Field, Solution};
+use groundbeam::Field;
 use groundbeam_file::MovingTrain;
 use groundbeam_run::{Located, Passage};
 
@@ -35,16 +36,13 @@ pub(crate) fn train(sheet: &mut Sheet, passage: &Passage, context: &Context) {
 
 /// Of every check the position that comes nearest to its limit, or passes it farthest.
 pub(crate) fn limits(sheet: &mut Sheet, all: &[Passage], context: &Context) {
-    let named = all.iter().flat_map(|passage| {
-        passage.solved().map(|(first_axle, solution)| {
-            let at = format!("first axle at {}", context.units.position(first_axle));
-            let name = if all.len() > 1 { passage.label() + ", " + &at } else { at };
-            (name, solution)
-        })
-    });
-    let named: Vec<(String, &Solution)> = named.collect();
-    let solved: Vec<_> = named.iter().map(|(name, solution)| (&**name, *solution, None)).collect();
-    checks::worst_rows(sheet, &solved, context);
+    checks::all_rows(sheet, &positions_of(all, context), context);
+}
+
+/// All positions of all passages, as checks see them.
+pub(crate) fn positions_of<'a>(all: &[Passage<'a>], context: &Context<'a>) -> Vec<Row<'a>> {
+    let answers = all.iter().flat_map(|passage| passage.answers());
+    answers.map(|answer| Row::of(answer, None, context.units)).collect()
 }
 
 /// Name, axles, and where it goes.

@@ -4,7 +4,7 @@ use super::interval::passing;
 use super::position::Section;
 use crate::answer::{Answer, Found, Overall};
 use groundbeam::model::Train;
-use groundbeam::{ByField, Field, Model, Side, Solution};
+use groundbeam::{ByField, Field, LimitStates, Model, Side, Solution};
 use groundbeam_file::{Combination, MovingTrain};
 use std::ops::Range;
 use std::sync::Arc;
@@ -90,6 +90,11 @@ impl<'a> Passage<'a> {
     /// The model without the train.
     pub fn model(&self) -> &'a Model {
         &self.swept.combination.model
+    }
+
+    /// The limit states of the combination.
+    pub fn limit_states(&self) -> LimitStates {
+        self.swept.combination.limit_states
     }
 
     /// The name of the combination; `None` if the loads act as written.
