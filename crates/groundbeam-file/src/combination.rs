@@ -5,9 +5,10 @@ use crate::code;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::document::Document;
 use crate::fault::Fault;
+use crate::moving::MovingTrain;
 use crate::source::Source;
 use crate::{case_names, sets, suggest};
-use groundbeam::{LimitStates, Model};
+use groundbeam::{LimitStates, Load, Model};
 
 /// More combinations than this a file may not have.
 pub(crate) const MOST: usize = 1000;
@@ -80,6 +81,22 @@ fn on(name: &str, band: &Band, ground: [f64; 2]) -> String {
 }
 
 impl Combination {
+    /// The factor of a train; `None` of a train whose case the combination leaves out. Without combinations, and without
+    /// a case, it is 1.
+    pub fn factor_of(&self, train: &MovingTrain) -> Option<f64> {
+        let Some(case) = train.case.as_ref().filter(|_| !self.factors.is_empty()) else {
+            return Some(1.0);
+        };
+        let named = self.factors.iter().find(|(name, _)| name == case);
+        named.map(|(_, factor)| *factor).filter(|factor| *factor != 0.0)
+    }
+
+    /// The same with further loads.
+    pub fn with_loads(mut self, loads: Vec<Load>) -> Self {
+        self.model.loads.extend(loads);
+        self
+    }
+
     /// The same on ground with k and μ multiplied.
     fn on(mut self, band: &Band, ground: [f64; 2]) -> Self {
         let [spring, shear] = ground;

@@ -5,6 +5,7 @@ use crate::code;
 use crate::combination::{MOST, Recipe};
 use crate::fault::Fault;
 use crate::keys::{Table, Value, Words, key, text, words};
+use crate::moving::MovingTrain;
 use crate::number::Decimal;
 use crate::quantity::{self, REACH};
 use crate::reader::Reader;
@@ -93,9 +94,15 @@ pub(super) fn read(
     root: &Section,
     loads: &[Load],
     cases: &[Option<String>],
+    trains: &[MovingTrain],
     grounds: usize,
 ) -> Vec<Recipe> {
     let mut names = case_names::names(cases);
+    for case in trains.iter().filter_map(|train| train.case.as_deref()) {
+        if !names.contains(&case) {
+            names.push(case);
+        }
+    }
     names.retain(|name| !name.is_empty());
     let described = describe(reader, root, &names);
     let most = MOST / grounds;

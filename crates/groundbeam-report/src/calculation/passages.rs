@@ -21,6 +21,7 @@ pub(super) fn trains(passages: &Passages, context: &Context, source: &Source) ->
     let mut given = given::section(model, existence.as_ref(), None, context, source);
     given.blocks.extend(facts(|sheet| {
         all.iter().for_each(|passage| train::head(sheet, passage, context.units));
+        train::places(sheet, all);
     }));
     let method = first.map_or(Method::Exact, |(_, solution)| solution.method());
     let mut sections = vec![given, given::assumptions(model, method), ways(all, context)];

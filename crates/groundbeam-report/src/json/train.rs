@@ -175,7 +175,12 @@ struct Train<'a> {
     name: &'a str,
     #[serde(skip_serializing_if = "Option::is_none")]
     set: Option<&'a str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    case: Option<&'a str>,
     factor: f64,
+    dynamic: f64,
+    /// Where loads without end act, of those places that were tried.
+    spread: &'static str,
     axles: &'a [Axle],
     /// What has no end is `null` there.
     uniform: &'a [UniformPart],
@@ -209,12 +214,16 @@ struct Error {
 
 impl<'a> Train<'a> {
     fn of(passage: Passage<'a>) -> Self {
-        let MovingTrain { name, set, factor, range, train } = passage.moving();
+        let moving = passage.moving();
+        let MovingTrain { name, set, case, factor, dynamic, spread, range, train } = moving;
         let reach = passage.reach();
         Train {
             name,
             set: set.as_deref(),
+            case: case.as_deref(),
             factor: *factor,
+            dynamic: *dynamic,
+            spread: spread.name(),
             axles: &train.axles,
             uniform: &train.uniform,
             range: Stretch::of(*range),

@@ -124,7 +124,7 @@ fn judged_in_words(judged: &Judged, numbers: &Numbers) -> (String, Tone) {
         Checked::LiftedShare => format!("{found} lifted off, {limit} allowed"),
         Checked::Eccentricity => format!("eccentricity {found}{}, {limit} allowed", place(None)),
         Checked::Overturning => {
-            format!("tips at {found} times the loads that overturn, {limit} times required")
+            format!("tips at {found} times the loads that overturn, {limit} required")
         }
     };
     let (verdict, tone) = match judged.judgement() {

@@ -271,7 +271,7 @@ fn envelope(
     solved: &[Numbered],
     units: Units,
 ) {
-    sheet.heading(&format!("{heading:<19}{:>8}{:>33}", "smallest", "largest"));
+    sheet.heading(&format!("{heading:<18} {:>8}{:>33}", "smallest", "largest"));
     for field in envelope.fields() {
         let range = envelope.range(field);
         let known = |Governing { extreme, by }: Governing| {

@@ -1,7 +1,7 @@
 //! The report of trains that pass, each alone: of one its own, of several a table of them and the envelope of all.
 
 use super::sheet::Sheet;
-use super::train::{cleaned, failures, limits, proof, ranges, train};
+use super::train::{cleaned, failures, limits, places, proof, ranges, train};
 use super::{COLUMNS, free_spans, structure, title};
 use crate::characteristics::Characteristics;
 use crate::context::{Context, clean};
@@ -38,6 +38,7 @@ pub fn trains(passages: &Passages, context: &Context, colour: bool) -> String {
         let name = format!("{:>4}  {}", i + 1, clean(&passage.label()));
         sheet.row(if i == 0 { "Passages" } else { "" }, &name);
     }
+    places(&mut sheet, all);
     sheet.blank();
     table(&mut sheet, all, context.units);
     if passages.overall() != Overall::Solved {

@@ -8,7 +8,7 @@ use crate::number::{order, significant};
 use crate::quantity::{Kind, Units, duration};
 use crate::size::Sizes;
 use groundbeam::Field;
-use groundbeam_file::MovingTrain;
+use groundbeam_file::{MovingTrain, Spread};
 use groundbeam_run::{Located, Passage};
 
 /// More ranges of one kind than this are counted, not listed.
@@ -34,6 +34,15 @@ pub(crate) fn train(sheet: &mut Sheet, passage: &Passage, context: &Context) {
     }
 }
 
+/// The places of loads without end that were tried.
+pub(crate) fn places(sheet: &mut Sheet, all: &[Passage]) {
+    if all.iter().any(|passage| passage.moving().spread != Spread::Everywhere) {
+        let words = "loads without end were placed as listed and the worst counts; other patches \
+                     were not tried: a beam that lifts off has no influence line";
+        sheet.row("Spread loads", words);
+    }
+}
+
 /// Of every check the position that comes nearest to its limit, or passes it farthest.
 pub(crate) fn limits(sheet: &mut Sheet, all: &[Passage], context: &Context) {
     checks::all_rows(sheet, &positions_of(all, context), context);
@@ -47,7 +56,7 @@ pub(crate) fn positions_of<'a>(all: &[Passage<'a>], context: &Context<'a>) -> Ve
 
 /// Name, axles, and where it goes.
 pub(crate) fn head(sheet: &mut Sheet, passage: &Passage, units: Units) {
-    let MovingTrain { name, set, factor, train, range } = passage.moving();
+    let MovingTrain { name, set, factor, dynamic, spread, train, range, .. } = passage.moving();
     let name = clean(name);
     let mut words = match set {
         Some(set) if *set != name => format!("{name}, set {set}"),
@@ -56,9 +65,16 @@ pub(crate) fn head(sheet: &mut Sheet, passage: &Passage, units: Units) {
     if *factor != 1.0 {
         words += &format!(", factor {}", significant(*factor, 6));
     }
+    if *dynamic != 1.0 {
+        words += &format!(", axles times {} besides", significant(*dynamic, 6));
+    }
+    if *spread != Spread::Everywhere {
+        words += &format!(", spread load {}", spread.name());
+    }
     let force: f64 = train.axles.iter().map(|axle| axle.force).sum();
     let force = units.write(Kind::Force, force, 6);
     words += &match train.axles.len() {
+        0 => String::new(),
         1 => format!(": one axle of {force}"),
         count => {
             let length = units.position(train.length());
