@@ -30,7 +30,7 @@ fn beta() -> f64 {
 
 fn run(model: &Model, train: &Train, range: [f64; 2]) -> Run {
     let (name, train) = ("train".to_owned(), train.clone());
-    Run::train(model.clone().into(), MovingTrain { name, set: None, factor: 1.0, train, range })
+    Run::train(model.clone().into(), MovingTrain { name, train, range, ..MovingTrain::absent() })
 }
 
 fn answers(model: &Model, train: &Train, range: [f64; 2]) -> Answers {

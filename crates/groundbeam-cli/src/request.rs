@@ -48,6 +48,10 @@ pub struct Solve {
     pub factors: Option<Grow>,
     /// The name of one of the file's combinations.
     pub combination: Option<String>,
+    /// The name of one of the file's sets of combinations.
+    pub set: Option<String>,
+    /// Whether a check that fails or is not judged makes the exit status 1.
+    pub strict: bool,
     /// Whether a terminal shows the beam below the report.
     pub drawing: bool,
     pub options: Options,
@@ -265,6 +269,8 @@ impl Solve {
             history: typed.history,
             at: typed.at,
             combination: typed.combination,
+            set: typed.set,
+            strict: typed.strict,
             factors: typed.factors.map(|cases| cases.map_or(Grow::All, Grow::Cases)),
             drawing: !typed.no_drawing,
             options,

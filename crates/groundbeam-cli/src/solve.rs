@@ -36,7 +36,12 @@ pub fn run(request: &Solve) -> Result<Status, Failure> {
     let results = Results::new(&answers, context);
     let status = deliver(&results, &input, request, stations)?;
     let all = proofs.iter().all(Named::is_proven) && !results.has_undecided_check();
-    Ok(if status == Status::Done && !all { Status::NotProven } else { status })
+    let fails = request.strict && results.has_failed_check();
+    Ok(match (status, all, fails) {
+        (Status::Done, false, _) => Status::NotProven,
+        (Status::Done, true, true) => Status::CheckFailed,
+        _ => status,
+    })
 }
 
 /// The proof of each answer of the document. Without equilibrium there is none. Of combinations the document lists each
@@ -62,15 +67,21 @@ fn proven(
 /// What is to be solved, and what it is called.
 fn asked(input: &Input, request: &Solve) -> Result<(Run, Option<String>), Failure> {
     let document = &input.document;
-    let (run, title) = match &request.combination {
-        Some(name) => {
+    let (run, title) = match (&request.combination, &request.set) {
+        (None, Some(name)) => {
+            let combinations = document
+                .combinations_of_set(name)
+                .map_err(|found| Failure::diagnostics(&found, "--set", name))?;
+            (Run::of_some(document, combinations), document.title.clone())
+        }
+        (Some(name), _) => {
             let combination = document
                 .combination(name)
                 .map_err(|found| Failure::diagnostics(&found, "--combination", name))?;
             let title = Some(document.title_of(&combination));
             (Run::of_one(document, combination), title)
         }
-        None => (Run::of(document), document.title.clone()),
+        (None, None) => (Run::of(document), document.title.clone()),
     };
     if let Some(option) = request.about_one_answer() {
         let rule = match run.asked() {

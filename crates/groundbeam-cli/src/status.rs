@@ -10,6 +10,8 @@ pub enum Status {
     Done,
     /// Something is not proven.
     NotProven,
+    /// A check fails or is not judged.
+    CheckFailed,
     /// The input or the command line is wrong.
     Wrong,
     /// The model is right and has no equilibrium.
@@ -37,7 +39,7 @@ impl Status {
     pub fn code(self) -> u8 {
         match self {
             Status::Done => 0,
-            Status::NotProven => 1,
+            Status::NotProven | Status::CheckFailed => 1,
             Status::Wrong => 2,
             Status::NoEquilibrium | Status::ProvenForDocument => 3,
             Status::NotConverged => 4,

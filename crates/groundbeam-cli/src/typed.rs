@@ -20,7 +20,8 @@ pub struct Typed {
 const AFTER: &str = "\
 Exit status:
   0  solved; of a file with combinations, all of them; of a train, every position
-  1  an answer is not proven or a check is undecided (--proven)
+  1  an answer is not proven or a check is undecided (--proven); a check fails or is not judged (--strict).
+     Without --strict a check that fails leaves the status 0
   2  the input or the command line is wrong
   3  the model is right and no equilibrium exists, of a combination or position at least
   4  the solver could not meet its own tolerance
@@ -125,6 +126,16 @@ pub struct Solve {
     /// Left out, a file with combinations gives the results of all of them and their envelope.
     #[arg(long, value_name = "NAME")]
     pub combination: Option<String>,
+
+    /// Solve the combinations of this set alone, one of the sets that the file asks for
+    #[arg(long, value_name = "NAME", conflicts_with = "combination")]
+    pub set: Option<String>,
+
+    /// Make the exit status 1 if a check fails or is not judged
+    ///
+    /// Left out, the verdicts are printed and the exit status is that of the solution.
+    #[arg(long)]
+    pub strict: bool,
 
     /// Leave out the small drawing that a terminal shows below the report
     #[arg(long)]

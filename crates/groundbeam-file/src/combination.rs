@@ -5,9 +5,10 @@ use crate::code;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::document::Document;
 use crate::fault::Fault;
+use crate::moving::MovingTrain;
 use crate::source::Source;
-use crate::{case_names, suggest};
-use groundbeam::Model;
+use crate::{case_names, sets, suggest};
+use groundbeam::{LimitStates, Load, Model};
 
 /// More combinations than this a file may not have.
 pub(crate) const MOST: usize = 1000;
@@ -17,6 +18,10 @@ pub(crate) const MOST: usize = 1000;
 pub(crate) struct Recipe {
     pub name: String,
     pub factors: Vec<(String, f64)>,
+    /// None if nobody names them.
+    pub limit_states: LimitStates,
+    /// The set of a code of practice that made it.
+    pub set: Option<&'static str>,
 }
 
 impl Recipe {
@@ -36,6 +41,8 @@ pub struct Combination {
     pub name: String,
     /// The cases it names, each with its factor; any other case has the factor 0.
     pub factors: Vec<(String, f64)>,
+    /// The limit states of which it is; none of loads as they are given, and where the file names none.
+    pub limit_states: LimitStates,
     /// The file's model under its loads alone: those of factor 0 are left out.
     pub model: Model,
     /// Which of the document's loads these are.
@@ -49,7 +56,9 @@ impl From<Model> for Combination {
     /// All loads of a model, as a combination without a name.
     fn from(model: Model) -> Self {
         let loads = (0..model.loads.len()).collect();
-        Combination { name: String::new(), factors: Vec::new(), model, loads, ground: None }
+        let limit_states = LimitStates::NONE;
+        let (name, factors) = (String::new(), Vec::new());
+        Combination { name, factors, limit_states, model, loads, ground: None }
     }
 }
 
@@ -72,6 +81,22 @@ fn on(name: &str, band: &Band, ground: [f64; 2]) -> String {
 }
 
 impl Combination {
+    /// The factor of a train; `None` of a train whose case the combination leaves out. Without combinations, and without
+    /// a case, it is 1.
+    pub fn factor_of(&self, train: &MovingTrain) -> Option<f64> {
+        let Some(case) = train.case.as_ref().filter(|_| !self.factors.is_empty()) else {
+            return Some(1.0);
+        };
+        let named = self.factors.iter().find(|(name, _)| name == case);
+        named.map(|(_, factor)| *factor).filter(|factor| *factor != 0.0)
+    }
+
+    /// The same with further loads.
+    pub fn with_loads(mut self, loads: Vec<Load>) -> Self {
+        self.model.loads.extend(loads);
+        self
+    }
+
     /// The same on ground with k and μ multiplied.
     fn on(mut self, band: &Band, ground: [f64; 2]) -> Self {
         let [spring, shear] = ground;
@@ -80,6 +105,23 @@ impl Combination {
         self.name = on(&self.name, band, ground);
         self
     }
+}
+
+/// The hint that names the nearest of the names that there are.
+fn nearest(wanted: &str, names: &[&str]) -> String {
+    let near = suggest::nearest_three(wanted, names);
+    let near: Vec<String> = near.iter().map(|name| format!("`{name}`")).collect();
+    match (near.len(), names.len()) {
+        (near_count, all) if near_count < all => {
+            format!("the nearest of {all} names: {}", near.join(", "))
+        }
+        _ => format!("there is {}", near.join(", ")),
+    }
+}
+
+fn unknown(name: &str, message: String, hint: String) -> Diagnostics {
+    let fault = Fault::new(code::UNKNOWN_WORD, 0..name.len(), message, "", hint);
+    Diagnostic::new(&Source::new(name), fault).into()
 }
 
 impl Document {
@@ -109,7 +151,8 @@ impl Document {
         let combined = |recipe: &Recipe| {
             let (model, loads) = self.under(|case| recipe.factor(case.as_deref()));
             let (name, factors) = (recipe.name.clone(), recipe.factors.clone());
-            Combination { name, factors, model, loads, ground: None }
+            let limit_states = recipe.limit_states;
+            Combination { name, factors, limit_states, model, loads, ground: None }
         };
         let Some(band) = &self.band else { return self.recipes.iter().map(combined).collect() };
         let alone = self.recipes.is_empty().then(|| self.as_written());
@@ -165,14 +208,41 @@ impl Document {
         }
         let names = self.combination_names();
         let names: Vec<&str> = names.iter().map(String::as_str).collect();
-        let otherwise = match names[..] {
-            [] => "the file has no [[combination]]",
-            _ => "the combinations of the file: {}",
+        let hint = match names[..] {
+            [] => "the file has no [[combination]]".to_owned(),
+            _ => nearest(wanted, &names),
         };
-        let hint = suggest::advice(wanted, &names, otherwise);
-        let message = format!("no combination is called `{wanted}`");
-        let fault = Fault::new(code::UNKNOWN_WORD, 0..name.len(), message, "", hint);
-        Err(Diagnostic::new(&Source::new(name), fault).into())
+        Err(unknown(name, format!("no combination is called `{wanted}`"), hint))
+    }
+
+    /// The names of the sets of combinations that the file asks for, each once.
+    pub fn set_names(&self) -> Vec<&'static str> {
+        let mut names: Vec<&str> = self.recipes.iter().filter_map(|recipe| recipe.set).collect();
+        names.dedup();
+        names
+    }
+
+    /// The combinations that a set makes, by one of the names of the set.
+    ///
+    /// # Errors
+    ///
+    /// As [`Document::combination`], of a name that no set of the file has.
+    pub fn combinations_of_set(&self, name: &str) -> Result<Vec<Combination>, Diagnostics> {
+        let wanted = name.trim();
+        let asked = sets::find(wanted).map(|(_, set)| &*set.name);
+        let names = self.set_names();
+        if let Some(asked) = asked.filter(|asked| names.contains(asked)) {
+            let recipes = self.recipes.iter().filter(|recipe| recipe.set == Some(asked));
+            let recipes = recipes.cloned().collect();
+            return Ok(Document { recipes, ..self.clone() }.combinations());
+        }
+        let hint = match names[..] {
+            [] => {
+                "the file asks for no set: [[combination]] with `set = \"EN 1990 6.10\"`".to_owned()
+            }
+            _ => nearest(wanted, &names),
+        };
+        Err(unknown(name, format!("the file does not ask for the set `{wanted}`"), hint))
     }
 
     /// Every load case that combinations may name, by itself, in the order in which the loads name them.

@@ -6,10 +6,11 @@ use crate::combination::Recipe;
 use crate::demand::{Place, Sign};
 use crate::diagnostic::Diagnostic;
 use crate::fault::Fault;
+use crate::moving::MovingTrain;
 use crate::reader::Field;
 use crate::source::Source;
 use crate::units::UnitSystem;
-use groundbeam::model::{Part, Problem, Train};
+use groundbeam::model::{Part, Problem};
 use groundbeam::{Error, Limits, Model};
 use std::collections::HashMap;
 use std::ops::Range;
@@ -44,21 +45,6 @@ pub struct Document {
     pub(crate) recipes: Vec<Recipe>,
     pub(crate) source: Source,
     pub(crate) places: Places,
-}
-
-/// A train, and where it goes.
-#[derive(Debug, Clone, PartialEq)]
-pub struct MovingTrain {
-    /// What the file calls it.
-    pub name: String,
-    /// The set it is of; none if the file gives its loads.
-    pub set: Option<String>,
-    /// What its loads were multiplied by.
-    pub factor: f64,
-    /// Its loads, multiplied.
-    pub train: Train,
-    /// From where to where its first axle goes \[m\].
-    pub range: [f64; 2],
 }
 
 /// A number of the file, perhaps with its unit, where it stands.

@@ -49,6 +49,7 @@ fn described(value: &Value) -> String {
             let words: Vec<String> = (words.all)().iter().map(|w| format!("`\"{w}\"`")).collect();
             words.join(", ")
         }
+        Value::OneOrMore(words) => format!("{}, or a list of them", described(&Value::Word(words))),
         Value::List(one, [least, most]) if least == most => {
             format!("a list of {least}: {}", described(one))
         }

@@ -43,6 +43,8 @@ pub(crate) enum Value {
     Name(&'static str, fn() -> Vec<&'static str>),
     /// One of a few words.
     Word(&'static Words),
+    /// One of a few words, or a list of them.
+    OneOrMore(&'static Words),
     /// A list of so many values.
     List(&'static Value, [usize; 2]),
     /// A list of any names, each with a number: `{ G = 1.35, Q = 1.5 }`.
@@ -104,6 +106,10 @@ pub(crate) const fn word(name: &'static str, words: &'static Words, meaning: &'s
     key(name, Value::Word(words), meaning)
 }
 
+pub(crate) const fn words(name: &'static str, words: &'static Words, meaning: &'static str) -> Key {
+    key(name, Value::OneOrMore(words), meaning)
+}
+
 pub(crate) const fn table(name: &'static str, keys: &'static Table, meaning: &'static str) -> Key {
     key(name, Value::Table(keys), meaning)
 }
@@ -138,7 +144,7 @@ impl Key {
         let text = |text: &str| format!("{} = \"{text}\"", self.name);
         match self.value {
             Value::Text(example) | Value::Name(example, _) => text(example),
-            Value::Word(words) => text((words.all)()[0]),
+            Value::Word(words) | Value::OneOrMore(words) => text((words.all)()[0]),
             _ => self.kind().line(self.name, plain),
         }
     }
@@ -195,7 +201,7 @@ mod tests {
             match key.value {
                 Value::Table(below) | Value::Tables(below) => check(below),
                 Value::Name(example, all) => assert!(all().contains(&example), "{place}"),
-                Value::Word(words) => {
+                Value::Word(words) | Value::OneOrMore(words) => {
                     let known = (words.all)();
                     assert!(words.also.iter().all(|(word, _)| known.contains(word)), "{place}");
                     assert!(words.message.contains("{}"), "{place}");

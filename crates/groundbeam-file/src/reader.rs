@@ -249,23 +249,6 @@ impl<'s> Reader<'s> {
         }
     }
 
-    /// Which of the key's words stands under `key`, if any.
-    pub fn word(&mut self, section: &Section, key: &str) -> Option<&'static str> {
-        let Value::Word(words) = section.key(key).value else { return None };
-        let (written, span) = self.text(section, key)?;
-        let all = (words.all)();
-        let known = all.iter().copied().find(|word| *word == written.trim());
-        if known.is_none() {
-            let lower = written.to_lowercase();
-            let other = words.also.iter().find(|(_, others)| others.contains(&lower.as_str()));
-            let meant = other.map_or(written, |(word, _)| word);
-            let message = words.message.replace("{}", written);
-            let hint = suggest::advice(meant, &all, words.hint);
-            self.report(Fault::new(code::UNKNOWN_WORD, span, message, "", hint));
-        }
-        known
-    }
-
     /// The whole number under `key`, if given.
     pub fn count(&mut self, section: &Section, key: &str) -> Option<u64> {
         let Value::Count([least, most]) = section.key(key).value else { return None };
@@ -331,7 +314,11 @@ impl<'s> Reader<'s> {
     }
 
     /// The value under `key`; one that every such table has is reported where it is missing.
-    fn value<'a>(&mut self, section: &Section<'a>, key: &str) -> Option<&'a Spanned<DeValue<'a>>> {
+    pub fn value<'a>(
+        &mut self,
+        section: &Section<'a>,
+        key: &str,
+    ) -> Option<&'a Spanned<DeValue<'a>>> {
         let value = section.value(key);
         if value.is_none() && section.key(key).needed {
             let example = self.line(section.keys, key);

@@ -66,6 +66,10 @@ fn value(value: &Value) -> Json {
         Value::Text(example) => json!({ "type": "string", "examples": [example] }),
         Value::Name(_, all) => json!({ "enum": all() }),
         Value::Word(words) => json!({ "enum": (words.all)() }),
+        Value::OneOrMore(words) => {
+            let one = &Value::Word(words);
+            json!({ "anyOf": [self::value(one), list(one, [1, usize::MAX])] })
+        }
         Value::List(one, limits) => list(one, limits),
         Value::Factors => {
             json!({ "type": "object", "additionalProperties": { "type": "number" } })

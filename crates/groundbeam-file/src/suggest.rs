@@ -31,6 +31,17 @@ pub(crate) fn nearest<'c>(
     best.map(|(_, candidate)| candidate)
 }
 
+/// The three candidates nearest to what was written, the nearest first; fewer if there are fewer.
+pub(crate) fn nearest_three<'c>(written: &str, candidates: &[&'c str]) -> Vec<&'c str> {
+    let lower = written.to_lowercase();
+    let mut ranked: Vec<(usize, &str)> = candidates
+        .iter()
+        .map(|candidate| (osa_distance(&lower, &candidate.to_lowercase()), *candidate))
+        .collect();
+    ranked.sort_by_key(|(distance, _)| *distance);
+    ranked.into_iter().take(3).map(|(_, candidate)| candidate).collect()
+}
+
 /// What to write instead: the known word that is near, or the advice, in which all known words stand for `{}`. Advice that
 /// does not list them says what they mean and follows either way.
 pub(crate) fn advice(written: &str, known: &[&str], otherwise: &str) -> String {
@@ -45,6 +56,13 @@ pub(crate) fn advice(written: &str, known: &[&str], otherwise: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn three_names_answer_an_unknown_one() {
+        let names = ["6.10: 1.35 G", "6.10: G + 1.5 Q", "6.10: 1.35 G + 1.5 Q", "EQU: 0.9 G"];
+        let near = nearest_three("6.10: 1.35 G + 1.5 W", &names);
+        assert_eq!(near, [names[2], names[1], names[0]]);
+    }
 
     #[test]
     fn near_words_are_found_and_far_ones_are_not() {

@@ -118,7 +118,8 @@ fn said(results: &Results) -> (String, Vec<(String, String)>) {
             let count = passage.solved().count();
             (passage.label(), format!("{count} positions: {}", passage.overall().name()))
         };
-        return (said.to_owned(), passages.all.iter().map(row).collect());
+        let rows = results.check_rows().into_iter().chain(passages.all.iter().map(row));
+        return (said.to_owned(), rows.collect());
     }
     let said = match answers.overall() {
         Overall::Solved => "all of them are in equilibrium",
@@ -133,7 +134,8 @@ fn said(results: &Results) -> (String, Vec<(String, String)>) {
         };
         (answer.name().to_owned(), words)
     };
-    (said, answers.list.iter().map(row).collect())
+    let rows = results.check_rows().into_iter().chain(answers.list.iter().map(row));
+    (said, rows.collect())
 }
 
 fn picture(document: &Document, results: &Results, asked: &Asked) -> Option<Picture> {

@@ -4,6 +4,7 @@ use crate::failure::Failure;
 use crate::names::field;
 use crate::read::Read;
 use crate::solution::Solution;
+use groundbeam::{Envelope, LimitState};
 use groundbeam_report::{Context, Results, json};
 use groundbeam_run::{self as run, Answer, Errors, InPassage, Passage};
 use numpy::{PyArray1, PyReadonlyArray1};
@@ -74,22 +75,33 @@ impl Answers {
     }
 
     /// The smallest and the largest values of a field at positions on the beam, and the number of the solved
-    /// combination that has them.
+    /// combination that has them; with a limit state, of its combinations alone.
     fn envelope<'py>(
         &self,
         py: Python<'py>,
         name: &str,
         x: PyReadonlyArray1<'py, f64>,
+        limit_state: Option<&str>,
     ) -> Result<[Line<'py>; 2], Failure> {
         let field = field(name)?;
-        let envelope = self.answers.envelope();
+        let state = limit_state.and_then(LimitState::named);
+        let all = self.answers.solved().enumerate();
+        let of_it = all.filter(|(_, (answer, _))| state.is_none_or(|state| answer.is_of(state)));
+        let (numbers, solutions): (Vec<usize>, Vec<&groundbeam::Solution>) =
+            of_it.map(|(i, (_, solution))| (i, solution)).unzip();
+        let envelope = Envelope::of(solutions);
         let bounds: Vec<_> = x.as_array().iter().map(|&x| envelope.at(field, x)).collect();
         let values = |smallest: bool| {
             let lines = bounds.iter().map(|b| if smallest { b.min } else { b.max });
-            let (values, by) = lines.map(|g| (g.extreme.value, g.by)).unzip();
+            let (values, by) = lines.map(|g| (g.extreme.value, numbers[g.by])).unzip();
             (PyArray1::from_vec(py, values), by)
         };
         Ok([values(true), values(false)])
+    }
+
+    /// The names of the limit states of the solved combinations.
+    fn limit_states(&self) -> Vec<&'static str> {
+        self.answers.limit_states().iter().map(LimitState::name).collect()
     }
 
     /// The smallest and the largest value of a field on the best ground of a band, each with its bounds on all grounds.

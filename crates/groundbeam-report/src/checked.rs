@@ -1,8 +1,13 @@
-//! Design checks with the bounds of the values that they compare with their limits.
+//! Design checks: each in its limit states, with the bounds of the values that they compare with their limits.
 
 use crate::bound::Around;
+use crate::context::Context;
+use crate::quantity::Units;
 use crate::verified::Named;
-use groundbeam::{Check, Checked, Field, Limits, Solution};
+use groundbeam::{Check, Checked, Field, LimitState, LimitStates, Limits, Solution};
+use groundbeam_file::Spread;
+use groundbeam_run::{Answer, Found, Placed};
+use std::borrow::Cow;
 
 /// A check, and what is known of its value.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -50,7 +55,8 @@ pub(crate) fn judged(
     checks.into_iter().map(of).collect()
 }
 
-/// The bound of the error of a value. Eccentricity and overturning follow from the loads alone; no proof bounds them.
+/// The bound of the error of a value. No proof bounds those that follow from statics: eccentricity, overturning, the force
+/// on the effective area.
 fn error(check: &Check, solution: &Solution, named: &Named, limits: Option<&Limits>) -> f64 {
     match check.what {
         Checked::BearingPressure => {
@@ -62,46 +68,174 @@ fn error(check: &Check, solution: &Solution, named: &Named, limits: Option<&Limi
         }
         Checked::Settlement => named.error_of(Field::Deflection),
         Checked::LiftedShare => named.error_of_lifted_share(solution),
-        Checked::Eccentricity | Checked::Overturning => f64::INFINITY,
+        Checked::BearingResistance | Checked::Eccentricity | Checked::Overturning => f64::INFINITY,
     }
 }
 
-/// Of each check the one of several solutions that comes nearest to its limit, or passes it farthest, with its index. Its
-/// error is that of the largest value of all.
-pub(crate) fn worst(all: &[Vec<Judged>]) -> Vec<(usize, Judged)> {
-    let Some(first) = all.first() else { return Vec::new() };
-    let of_kind = |kind: Checked| {
-        let each = all.iter().enumerate();
-        each.filter_map(move |(i, judged)| {
-            Some((i, *judged.iter().find(|j| j.check.what == kind)?))
-        })
-    };
-    let worst = |judged: &Judged| {
-        let kind = judged.check.what;
-        // Of equals the first.
-        let found: Vec<(usize, Judged)> = of_kind(kind).collect();
-        let most = |a: &&(usize, Judged), b: &&(usize, Judged)| {
-            used(&a.1.check).total_cmp(&used(&b.1.check))
-        };
-        let (i, worst) = *found.iter().rev().max_by(most)?;
-        let around = |(_, judged): &(usize, Judged)| {
-            let error = judged.error.unwrap_or(f64::INFINITY);
-            Around::of(worst.check.found, judged.check.found, error)
-        };
-        let largest = Around::extreme(found.iter().map(around), true).map(Around::error);
-        Some((i, Judged { error: worst.error.and(largest), ..worst }))
-    };
-    first.iter().filter_map(worst).collect()
+/// An answer as checks see it.
+#[derive(Debug, Clone)]
+pub(crate) struct Row<'a> {
+    pub name: Cow<'a, str>,
+    /// Its limit states; none of loads as they are given.
+    pub states: LimitStates,
+    pub solution: Option<&'a Solution>,
+    /// Whether there is no equilibrium.
+    pub falls: bool,
+    /// Whether the loads act as they are given.
+    pub as_given: bool,
+    /// What is proven of it; none if nobody asked.
+    pub proof: Option<&'a Named>,
 }
 
-/// How much of the limit is used.
-fn used(check: &Check) -> f64 {
-    match check.what {
-        Checked::Overturning => check.limit / check.found,
-        // Also where the limit is zero.
-        _ if check.found == 0.0 => 0.0,
-        _ => check.found / check.limit,
+impl<'a> Row<'a> {
+    /// One answer; a train is named with its position.
+    pub fn of(answer: &'a Answer, proof: Option<&'a Named>, units: Units) -> Self {
+        let combination = &answer.label.combination;
+        let mut name = Cow::Borrowed(&*combination.name);
+        if let Some(Placed { train, first_axle }) = &answer.label.train {
+            let at = units.position(*first_axle);
+            let mut place = train.name.clone();
+            if train.spread != Spread::Everywhere {
+                place += &format!(", spread load {}", train.spread.name());
+            }
+            if !train.train.axles.is_empty() {
+                place += &format!(", first axle at {at}");
+            }
+            name = match &*name {
+                "" => place,
+                of => format!("{of}; {place}"),
+            }
+            .into();
+        }
+        Row {
+            name,
+            states: combination.limit_states,
+            solution: answer.solution(),
+            falls: matches!(answer.found, Found::NoEquilibrium(_)),
+            as_given: combination.factors.is_empty(),
+            proof,
+        }
     }
+
+    /// A solution without more answers beside it.
+    pub fn alone(solution: &'a Solution, context: &Context<'a>) -> Self {
+        Row {
+            name: Cow::Borrowed(""),
+            states: context.limit_states,
+            solution: Some(solution),
+            falls: false,
+            as_given: context.combination.is_none(),
+            proof: context.proofs.first(),
+        }
+    }
+}
+
+/// A check in one limit state, over all answers of it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Verdict {
+    pub what: Checked,
+    /// None of answers that name no limit state.
+    pub state: Option<LimitState>,
+    pub of: Governing,
+}
+
+/// The reason of a verdict.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Governing {
+    /// The answer that comes nearest to the limit, or passes it farthest, by its index. The error is that of the largest
+    /// value of all.
+    Judged(usize, Judged),
+    /// An answer has no equilibrium.
+    Falls(usize),
+    /// An answer is not solved.
+    Unsolved(usize),
+    /// No answer is of these limit states.
+    NoCombination(LimitStates),
+}
+
+impl Verdict {
+    /// Whether the limit is kept to; none if it is not judged.
+    pub fn passes(&self) -> Option<bool> {
+        match self.of {
+            Governing::Judged(_, judged) => Some(judged.check.passes()),
+            Governing::Falls(_) => Some(false),
+            Governing::Unsolved(_) | Governing::NoCombination(_) => None,
+        }
+    }
+
+    /// Whether a value that has a bound may lie on either side of its limit.
+    pub fn is_undecided(&self) -> bool {
+        matches!(self.of, Governing::Judged(_, judged) if judged.is_undecided())
+    }
+}
+
+/// Every check that is asked for, in each of its limit states of which there is an answer. Answers that name no limit state
+/// are judged by every check.
+pub(crate) fn verdicts(limits: Option<&Limits>, rows: &[Row]) -> Vec<Verdict> {
+    let Some(limits) = limits else { return Vec::new() };
+    let judged: Vec<Vec<Judged>> = rows
+        .iter()
+        .map(|row| row.solution.map_or_else(Vec::new, |s| judged(Some(limits), s, row.proof)))
+        .collect();
+    let mut verdicts = Vec::new();
+    for what in limits.asked() {
+        let before = verdicts.len();
+        let states = limits.limit_states(what);
+        let named = states.iter().map(Some).chain([None]);
+        let mut any = false;
+        for state in named {
+            let is_of = |row: &Row| match state {
+                Some(state) => row.states.contains(state),
+                None => row.states.is_empty(),
+            };
+            let of_state: Vec<usize> = (0..rows.len()).filter(|&i| is_of(&rows[i])).collect();
+            any |= !of_state.is_empty();
+            let of = governing(what, &of_state, rows, &judged);
+            verdicts.extend(of.map(|of| Verdict { what, state, of }));
+        }
+        if !any && verdicts.len() == before {
+            verdicts.push(Verdict { what, state: None, of: Governing::NoCombination(states) });
+        }
+    }
+    verdicts
+}
+
+/// What decides a check over some of the answers; none if none of them has a value.
+fn governing(
+    what: Checked,
+    of_state: &[usize],
+    rows: &[Row],
+    judged: &[Vec<Judged>],
+) -> Option<Governing> {
+    if let Some(&falls) = of_state.iter().find(|&&i| rows[i].falls) {
+        return Some(Governing::Falls(falls));
+    }
+    let of_kind = of_state
+        .iter()
+        .filter_map(|&i| Some((i, *judged[i].iter().find(|judged| judged.check.what == what)?)));
+    let worst = worst(&of_kind.collect::<Vec<_>>());
+    let fails = worst.is_some_and(|(_, judged)| !judged.check.passes());
+    if let Some(&unsolved) = of_state.iter().find(|&&i| rows[i].solution.is_none())
+        && !fails
+    {
+        return Some(Governing::Unsolved(unsolved));
+    }
+    worst.map(|(i, judged)| Governing::Judged(i, judged))
+}
+
+/// The value that uses most of its limit, with the error of the largest value of all.
+fn worst(found: &[(usize, Judged)]) -> Option<(usize, Judged)> {
+    // Of equals the first.
+    let most = |a: &&(usize, Judged), b: &&(usize, Judged)| {
+        a.1.check.utilisation().total_cmp(&b.1.check.utilisation())
+    };
+    let (i, worst) = *found.iter().rev().max_by(most)?;
+    let around = |(_, judged): &(usize, Judged)| {
+        let error = judged.error.unwrap_or(f64::INFINITY);
+        Around::of(worst.check.found, judged.check.found, error)
+    };
+    let largest = Around::extreme(found.iter().map(around), true).map(Around::error);
+    Some((i, Judged { error: worst.error.and(largest), ..worst }))
 }
 
 impl Judged {
@@ -135,10 +269,14 @@ impl Judged {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use groundbeam::Beside;
+
+    fn check(what: Checked, found: f64, limit: f64) -> Check {
+        Check { what, found, limit, at: None, beside: Beside::Nothing }
+    }
 
     fn settles(found: f64, error: Option<f64>) -> Judged {
-        let check = Check { what: Checked::Settlement, found, limit: 0.5, at: None };
-        Judged { check, error }
+        Judged { check: check(Checked::Settlement, found, 0.5), error }
     }
 
     #[test]
@@ -156,25 +294,49 @@ mod tests {
         ] {
             assert_eq!(settles(found, error).judgement(), expected, "{found} {error:?}");
         }
-        let check = Check { what: Checked::LiftedShare, found: 0.0, limit: 0.0, at: None };
+        let check = check(Checked::LiftedShare, 0.0, 0.0);
         assert_eq!(Judged { check, error: Some(0.0) }.judgement(), Judgement::Proven(true));
+    }
+
+    fn row(states: &[LimitState], falls: bool) -> Row<'static> {
+        let states = LimitStates::of(states);
+        let name = Cow::Borrowed("a");
+        Row { name, states, solution: None, falls, as_given: false, proof: None }
     }
 
     /// A combination that does not govern by its value may govern by its bound.
     #[test]
     fn the_worst_of_several_has_the_bound_of_the_largest_interval() {
         let all = [vec![settles(0.375, Some(0.0))], vec![settles(0.25, Some(0.5))]];
-        let (i, found) = worst(&all)[0];
+        let of = |all: &[Vec<Judged>]| {
+            let found = (0..all.len()).map(|i| (i, all[i][0])).collect::<Vec<_>>();
+            worst(&found)
+        };
+        let (i, found) = of(&all).unwrap();
         assert_eq!((i, found.check.found), (0, 0.375));
         assert!((found.error.unwrap() - 0.375).abs() < 1e-15, "{found:?}");
         assert!(found.is_undecided() && !all[0][0].is_undecided());
-        assert_eq!(worst(&[vec![settles(0.25, None)]]), [(0, settles(0.25, None))]);
+        assert_eq!(of(&[vec![settles(0.25, None)]]), Some((0, settles(0.25, None))));
+    }
+
+    #[test]
+    fn a_check_without_an_answer_of_its_limit_state_is_not_judged() {
+        let limits = Limits { settlement: Some(0.1), ..Limits::default() };
+        let of = |rows: &[Row]| verdicts(Some(&limits), rows)[0];
+        let strength = of(&[row(&[LimitState::StrGeo], false)]);
+        let states = Checked::Settlement.limit_states();
+        assert_eq!((strength.of, strength.passes()), (Governing::NoCombination(states), None));
+        let falls = of(&[row(&[LimitState::StrGeo], false), row(&[LimitState::Frequent], true)]);
+        assert_eq!((falls.of, falls.state), (Governing::Falls(1), Some(LimitState::Frequent)));
+        assert_eq!(falls.passes(), Some(false));
+        let unsolved = of(&[row(&[LimitState::Frequent], false)]);
+        assert_eq!((unsolved.of, unsolved.passes()), (Governing::Unsolved(0), None));
     }
 
     #[test]
     fn nothing_of_a_limit_of_nothing_is_the_least_used() {
-        let lifted = |found| Check { what: Checked::LiftedShare, found, limit: 0.0, at: None };
-        assert!(used(&lifted(0.0)) < used(&lifted(1e-9)));
+        let lifted = |found| check(Checked::LiftedShare, found, 0.0);
+        assert!(lifted(0.0).utilisation() < lifted(1e-9).utilisation());
         assert!(!lifted(1e-9).passes());
     }
 }

@@ -6,10 +6,11 @@ use crate::numbers::Numbers;
 use crate::quantity::Units;
 use crate::size::Sizes;
 use crate::verified::Named;
-use groundbeam::{Extreme, Field, Governing, Side, Solution};
+use groundbeam::{Extreme, Field, Governing, LimitState, Side, Solution};
 use groundbeam_run::{Answers, BEST, Banded};
 
 /// A solution with the number its combination has in the report, counted from 1.
+#[derive(Clone, Copy)]
 pub(crate) struct Numbered<'a> {
     pub number: usize,
     pub solution: &'a Solution,
@@ -51,6 +52,16 @@ pub(crate) fn numbered<'a>(answers: &'a Answers, context: &Context<'a>) -> Vec<N
         })
     });
     each.collect()
+}
+
+/// Those of a limit state.
+pub(crate) fn of_limit_state<'a>(
+    answers: &Answers,
+    solved: &[Numbered<'a>],
+    state: LimitState,
+) -> Vec<Numbered<'a>> {
+    let is_of = |row: &&Numbered| answers.list[row.number - 1].is_of(state);
+    solved.iter().filter(is_of).copied().collect()
 }
 
 /// The bound of the extreme of a field over all combinations, and whether one combination is shown to govern.

@@ -2,7 +2,7 @@
 
 use crate::quantity::Units;
 use crate::verified::Named;
-use groundbeam::Limits;
+use groundbeam::{LimitStates, Limits};
 use groundbeam_file::{Document, printable};
 use groundbeam_run::{Factors, Ground};
 
@@ -21,6 +21,8 @@ pub struct Context<'a> {
     pub ground: Option<&'a Ground>,
     /// What the design must keep to; left out where nobody asked.
     pub limits: Option<&'a Limits>,
+    /// The limit states of the combination that is solved alone; none of loads as they are given.
+    pub limit_states: LimitStates,
     /// How many chords of the initial gap replace settlement troughs; left out where there are no troughs.
     pub chords: Option<usize>,
     /// The digest of the model file and of the tables that it names, as [`model_digest`](crate::model_digest) makes it;
@@ -56,6 +58,7 @@ impl<'a> Context<'a> {
             factors: None,
             ground: None,
             limits: None,
+            limit_states: LimitStates::NONE,
             chords: None,
             digest: None,
             combination: None,

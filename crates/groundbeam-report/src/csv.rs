@@ -1,12 +1,12 @@
 //! Tables: all fields along the beam, the envelope of combinations, and the history of the iteration.
 
 use crate::bound::bound_alone;
-use crate::combinations::{bounds_at, numbered};
+use crate::combinations::{Numbered, bounds_at, numbered, of_limit_state};
 use crate::context::Context;
 use crate::curve::Jumps;
 use crate::quantity::Units;
 use ::csv::{Writer, WriterBuilder};
-use groundbeam::{Bounds, Field, Solution};
+use groundbeam::{Bounds, Envelope, Field, Solution};
 use groundbeam_file::printable;
 use groundbeam_run::{Answers, InPassage, Passage, Passages};
 
@@ -43,10 +43,12 @@ pub fn table(solution: &Solution, positions: &[f64], context: &Context) -> Strin
 /// deflection_governs_min, deflection_governs_max, …`. If proofs are asked for, the bounds of their errors follow the
 /// values: `deflection_min_bound_m, deflection_max_bound_m`.
 ///
-/// Where a field jumps, both sides count.
+/// Where a field jumps, both sides count. If combinations have limit states, a last column tells of which one a row is: the
+/// rows of `all` combinations come first, then those of each limit state.
 pub fn envelope(answers: &Answers, positions: &[f64], context: &Context) -> String {
     let mut rows = Rows::new();
     let (units, solved) = (context.units, numbered(answers, context));
+    let states = answers.limit_states();
     let have_bounds = !context.proofs.is_empty();
     let ends = || ["min", "max"].into_iter();
     let envelope = answers.envelope();
@@ -58,21 +60,42 @@ pub fn envelope(answers: &Answers, positions: &[f64], context: &Context) -> Stri
         let governs = ends().map(move |end| format!("{name}_governs_{end}"));
         values.chain(bounds.filter(move |_| have_bounds)).chain(governs)
     });
-    rows.push(std::iter::once(column("x", "m", units)).chain(names));
-    let combined: Vec<&str> = answers.solved().map(|(answer, _)| answer.name()).collect();
+    let last = (!states.is_empty()).then(|| "limit_state".to_owned());
+    rows.push(std::iter::once(column("x", "m", units)).chain(names).chain(last));
+    let all = (!states.is_empty()).then_some("all");
+    enveloped(&mut rows, answers, &envelope, &solved, (positions, all));
+    for state in states.iter() {
+        let of_state = of_limit_state(answers, &solved, state);
+        let envelope = Envelope::of(of_state.iter().map(|row| row.solution));
+        enveloped(&mut rows, answers, &envelope, &of_state, (positions, Some(state.name())));
+    }
+    rows.finish()
+}
+
+/// The rows of an envelope of some of the answers.
+fn enveloped(
+    rows: &mut Rows,
+    answers: &Answers,
+    envelope: &Envelope,
+    solved: &[Numbered],
+    (positions, last): (&[f64], Option<&str>),
+) {
+    let have_bounds = solved.iter().any(|row| row.proof.is_some());
     for &x in positions {
         let bounds = envelope.all_at(x);
         let cells = envelope.fields().flat_map(|field| {
             let Bounds { min, max } = bounds[field.index()];
             let values = [min, max].map(|governing| governing.extreme.value);
-            let bounds = have_bounds.then(|| bounds_at(&solved, field, x, values));
+            let bounds = have_bounds.then(|| bounds_at(solved, field, x, values));
             let bounds = bounds.into_iter().flatten().map(bound_alone);
-            let name = |by: usize| combined.get(by).copied().unwrap_or_default().to_owned();
+            let name = |by: usize| {
+                solved.get(by).map_or("", |row| answers.list[row.number - 1].name()).to_owned()
+            };
             values.map(number).into_iter().chain(bounds).chain([name(min.by), name(max.by)])
         });
-        rows.push(std::iter::once(number(x)).chain(cells));
+        let last = last.map(str::to_owned);
+        rows.push(std::iter::once(number(x)).chain(cells).chain(last));
     }
-    rows.finish()
 }
 
 /// The envelope of passages at the given sections: as [`envelope`], and what governs is the position of the first axle;
@@ -88,8 +111,15 @@ pub fn trains(passages: &Passages, sections: &[f64], units: Units) -> String {
         let which = which.into_iter().filter(move |_| several);
         [bound("min"), bound("max"), governs("min"), governs("max")].into_iter().chain(which)
     });
-    rows.push(std::iter::once(column("x", "m", units)).chain(names));
-    for &x in sections {
+    let states = passages.limit_states();
+    let last = (!states.is_empty()).then(|| "limit_state".to_owned());
+    rows.push(std::iter::once(column("x", "m", units)).chain(names).chain(last));
+    let of_all = std::iter::once((passages.clone(), "all"));
+    let of_each = states.iter().map(|state| (passages.of_limit_state(state), state.name()));
+    let each: Vec<(Passages, &str)> = of_all.chain(of_each).collect();
+    for (x, (passages, state)) in
+        each.iter().flat_map(|each| sections.iter().map(move |&x| (x, each)))
+    {
         let bounds = passages.at(x);
         let cells = passages.fields().filter_map(|field| Some(bounds?[field.index()]));
         let cells = cells.flat_map(|[min, max]| {
@@ -98,7 +128,8 @@ pub fn trains(passages: &Passages, sections: &[f64], units: Units) -> String {
             let which = [min, max].map(|InPassage { passage, .. }| labels[passage].clone());
             numbers.into_iter().chain(which.into_iter().filter(|_| several))
         });
-        rows.push(std::iter::once(number(x)).chain(cells));
+        let last = (!states.is_empty()).then(|| (*state).to_owned());
+        rows.push(std::iter::once(number(x)).chain(cells).chain(last));
     }
     rows.finish()
 }

@@ -19,6 +19,7 @@ mod train;
 mod verified;
 
 use crate::characteristics::Characteristics;
+use crate::checked::Row;
 use crate::context::Context;
 pub use combinations::{combinations, envelope_stations};
 pub use comparison::comparison;
@@ -136,7 +137,7 @@ impl<'a> Solved<'a> {
             hinges: solution.hinges(),
             stations: Along::stations(solution, stations),
             extremes: ByName::of(Field::of(&model.beam), |field| solution.range(field)),
-            checks: checks::of(context.limits, solution),
+            checks: checks::of(&[Row::alone(solution, context)], context),
             certificate: solution.certificate(),
             load_factors: context.factors.map(|factors| Grown::of(factors, Some(model))),
             iterations: solution.iterations(),

@@ -1,11 +1,18 @@
 //! The answers to a file in every form: text, document, table, picture, calculation report.
 
 use crate::calculation::{self, Report, Source};
-use crate::checked::judged;
+use crate::checked::{Row, Verdict, verdicts};
 use crate::context::Context;
 use crate::svg::{self, Picture};
 use crate::{csv, json, text};
 use groundbeam_run::{Answer, Answers, Asked, Found};
+
+/// All answers, as checks see them.
+pub(crate) fn rows_of<'a>(answers: &'a Answers, context: &Context<'a>) -> Vec<Row<'a>> {
+    let proofs = context.proofs;
+    let each = answers.list.iter().enumerate();
+    each.map(|(i, answer)| Row::of(answer, proofs.get(i), context.units)).collect()
+}
 
 /// The answers to a file, and what is said besides them.
 #[derive(Debug, Clone, Copy)]
@@ -24,9 +31,11 @@ impl<'a> Results<'a> {
         };
         let one = answers.list.first().filter(|_| answers.asked == Asked::One);
         let combination = one.map(Answer::name).filter(|name| !name.is_empty());
+        let limit_states = one.map(|one| one.label.combination.limit_states).unwrap_or_default();
         let seconds = one.map(|one| one.seconds).filter(|seconds| seconds.is_finite());
         let seconds = seconds.or(context.seconds);
-        Results { answers, context: Context { ground, factors, seconds, combination, ..context } }
+        let context = Context { ground, factors, seconds, combination, limit_states, ..context };
+        Results { answers, context }
     }
 
     /// The answers.
@@ -49,14 +58,24 @@ impl<'a> Results<'a> {
         self.answers.solved().next().is_some()
     }
 
+    /// Every check in each of its limit states.
+    fn verdicts(&self) -> Vec<Verdict> {
+        verdicts(self.context.limits, &rows_of(self.answers, &self.context))
+    }
+
+    /// Labels and words of all verdicts on checks, for a page that has a layout of its own.
+    pub fn check_rows(&self) -> Vec<(String, String)> {
+        text::check_rows(&rows_of(self.answers, &self.context), &self.context)
+    }
+
     /// Whether a check has a bound that holds its limit, so that it is not decided.
     pub fn has_undecided_check(&self) -> bool {
-        let (limits, proofs) = (self.context.limits, self.context.proofs);
-        let all =
-            self.answers.list.iter().zip(proofs).filter_map(|(answer, named)| {
-                Some(judged(limits, answer.solution()?, Some(named)))
-            });
-        all.flatten().any(|judged| judged.is_undecided())
+        self.verdicts().iter().any(Verdict::is_undecided)
+    }
+
+    /// Whether a check that is asked for fails, or is not judged.
+    pub fn has_failed_check(&self) -> bool {
+        self.verdicts().iter().any(|verdict| verdict.passes() != Some(true))
     }
 
     /// The result document.

@@ -2,7 +2,9 @@
 
 use crate::growing::Factors;
 use groundbeam::soil::{GroundConstants, SoilModel, SoilRounds};
-use groundbeam::{Error, Existence, Foundation, Method, Model, Outcome, Solution, Stopped};
+use groundbeam::{
+    Error, Existence, Foundation, LimitState, Method, Model, Outcome, Solution, Stopped,
+};
 use groundbeam_file::{Combination, MovingTrain};
 use std::borrow::Cow;
 use std::sync::Arc;
@@ -149,6 +151,11 @@ impl Answer {
     /// The name of the combination; empty for a model as written.
     pub fn name(&self) -> &str {
         &self.label.combination.name
+    }
+
+    /// Whether its combination is of a limit state.
+    pub fn is_of(&self, state: LimitState) -> bool {
+        self.label.combination.limit_states.contains(state)
     }
 
     /// The model of its combination, without a train.

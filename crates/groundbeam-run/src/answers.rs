@@ -2,7 +2,7 @@
 
 use crate::answer::{Answer, Ground, Overall};
 use crate::trains::{Located, Passage, Swept};
-use groundbeam::{ByField, Envelope, Existence, Field, Solution};
+use groundbeam::{ByField, Envelope, Existence, Field, LimitState, LimitStates, Solution};
 use groundbeam_file::LoadCase;
 
 /// The kind of request. It determines the layout of the results.
@@ -60,9 +60,21 @@ impl Answers {
         Envelope::of(self.solved().map(|(_, solution)| solution))
     }
 
+    /// The limit states of the solved answers; none if their combinations name none.
+    pub fn limit_states(&self) -> LimitStates {
+        let each = self.solved().map(|(answer, _)| answer.label.combination.limit_states);
+        each.fold(LimitStates::NONE, LimitStates::and)
+    }
+
+    /// The solved answers of a limit state.
+    pub fn of_limit_state(&self, state: LimitState) -> impl Iterator<Item = (&Answer, &Solution)> {
+        self.solved().filter(move |(answer, _)| answer.is_of(state))
+    }
+
     /// The passages of all trains.
     pub fn passages(&self) -> Passages<'_> {
-        Passages { all: self.swept.iter().map(|swept| swept.passage(&self.list)).collect() }
+        let all = self.swept.iter().map(|swept| swept.passage(&self.list)).collect();
+        Passages { all, state: None }
     }
 
     /// The joint result. Missing equilibrium counts more than missing convergence.
@@ -80,6 +92,8 @@ const EVEN_STEPS: usize = 100;
 pub struct Passages<'a> {
     /// In the order of the combinations, of each in that of the trains.
     pub all: Vec<Passage<'a>>,
+    /// The limit state of the passages that count in ranges and envelopes; `None`: all count.
+    pub state: Option<LimitState>,
 }
 
 /// A governing value, and its passage.
@@ -93,7 +107,26 @@ pub struct InPassage {
     pub passage: usize,
 }
 
-impl Passages<'_> {
+impl<'a> Passages<'a> {
+    /// The same of which those of a limit state count.
+    pub fn of_limit_state(&self, state: LimitState) -> Self {
+        Passages { state: Some(state), ..self.clone() }
+    }
+
+    /// The passages that count, with their numbers.
+    fn counted(&self) -> impl Iterator<Item = (usize, &Passage<'a>)> {
+        let counts = |passage: &Passage| {
+            self.state.is_none_or(|state| passage.limit_states().contains(state))
+        };
+        self.all.iter().enumerate().filter(move |(_, passage)| counts(passage))
+    }
+
+    /// The limit states of the passages; none if their combinations name none.
+    pub fn limit_states(&self) -> LimitStates {
+        let each = self.all.iter().map(Passage::limit_states);
+        each.fold(LimitStates::NONE, LimitStates::and)
+    }
+
     /// The listed fields, in the order of [`Field::ALL`]; without the rotation if the beam does not shear.
     pub fn fields(&self) -> impl Iterator<Item = Field> + Clone + use<> {
         self.all.first().map(Passage::fields).into_iter().flatten()
@@ -102,7 +135,7 @@ impl Passages<'_> {
     /// The smallest and the largest value of every field at a section over all passages; `None` if no position was
     /// solved.
     pub fn at(&self, x: f64) -> Option<ByField<[InPassage; 2]>> {
-        let each = self.all.iter().enumerate().filter_map(|(passage, one)| {
+        let each = self.counted().filter_map(|(passage, one)| {
             let bounds = one.at(x)?;
             Some(bounds.map(|both| both.map(|located| InPassage { located, passage })))
         });
@@ -115,7 +148,7 @@ impl Passages<'_> {
     /// The smallest and the largest value of a field on the whole beam over all passages; `None` if no position was
     /// solved.
     pub fn range(&self, field: Field) -> Option<[InPassage; 2]> {
-        let each = self.all.iter().enumerate().filter_map(|(passage, one)| {
+        let each = self.counted().filter_map(|(passage, one)| {
             let range = one.range(field)?;
             Some(range.map(|located| InPassage { located, passage }))
         });

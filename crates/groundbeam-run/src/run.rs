@@ -23,6 +23,8 @@ pub struct Run {
     options: Options,
     growing: Option<Growing>,
     error: f64,
+    /// Whether loads of trains without end are placed, and combinations solved without trains, too.
+    placed_loads: bool,
 }
 
 impl Run {
@@ -39,6 +41,15 @@ impl Run {
     pub fn of_combinations(document: &Document) -> Self {
         let run = Run::new(document, Asked::Combinations, document.combinations());
         Run { load_cases: document.load_cases(), ..run }
+    }
+
+    /// Some combinations of a file, with all positions of its trains.
+    pub fn of_some(document: &Document, combinations: Vec<Combination>) -> Self {
+        let trains = !document.trains.is_empty();
+        let asked = if trains { Asked::Trains } else { Asked::Combinations };
+        let run = Run::new(document, asked, combinations);
+        let load_cases = if trains { Vec::new() } else { document.load_cases() };
+        Run { load_cases, ..run }
     }
 
     /// One combination of a file, with all positions of its trains.
@@ -59,7 +70,8 @@ impl Run {
         train: &MovingTrain,
         first_axle: f64,
     ) -> Self {
-        let placed = Some(Placed { train: Arc::new(train.clone()), first_axle });
+        let train = train.multiplied(combination.factor_of(train).unwrap_or(0.0));
+        let placed = Some(Placed { train: Arc::new(train), first_axle });
         Run { placed, ..Run::new(document, Asked::One, vec![combination]) }
     }
 
@@ -68,11 +80,12 @@ impl Run {
         Run {
             trains: if asked == Asked::Trains { trains.collect() } else { Vec::new() },
             width: document.width,
+            placed_loads: true,
             ..Run::on(asked, combinations)
         }
     }
 
-    /// A train over one model.
+    /// A train over one model, all its loads as it gives them.
     pub fn train(model: Combination, train: MovingTrain) -> Self {
         Run { trains: vec![Arc::new(train)], ..Run::on(Asked::Trains, vec![model]) }
     }
@@ -88,6 +101,7 @@ impl Run {
             options: Options::default(),
             growing: None,
             error: ERROR,
+            placed_loads: false,
         }
     }
 
@@ -118,7 +132,10 @@ impl Run {
 
     /// How often [`Host::done`] is called: once for each combination, or for each train over each combination.
     pub fn pieces(&self) -> usize {
-        self.combinations.len() * self.trains.len().max(1)
+        match self.asked {
+            Asked::Trains => self.ways().len(),
+            _ => self.combinations.len(),
+        }
     }
 
     /// Solves all models.
@@ -130,7 +147,7 @@ impl Run {
         let mut answers = self.nothing();
         if self.asked == Asked::Trains {
             for (combination, train) in self.ways() {
-                let sweep = Sweep::new(combination.clone(), train.clone(), self.error);
+                let sweep = Sweep::new(combination, train, self.error);
                 let (list, swept) = sweep.run(&self.options, host)?;
                 let (from, to) = (answers.list.len(), answers.list.len() + list.len());
                 answers.list.extend(list);
@@ -159,8 +176,8 @@ impl Run {
         for (combination, train) in self.ways() {
             answers.swept.push(Swept {
                 none: checked(&combination.model, &train.train, train.range)?,
-                combination: combination.clone(),
-                train: train.clone(),
+                combination,
+                train,
                 answers: 0..0,
                 sections: Vec::new(),
                 reach: Reach { asked: self.error, reached: [f64::NAN; Field::ALL.len()] },
@@ -186,10 +203,31 @@ impl Run {
         Answers { asked: self.asked, list, alone, ground, swept }
     }
 
-    /// Each train over each combination.
-    fn ways(&self) -> impl Iterator<Item = (&Arc<Combination>, &Arc<MovingTrain>)> {
-        let over = |combination| self.trains.iter().map(move |train| (combination, train));
-        self.combinations.iter().flat_map(over)
+    /// Each train over each combination that has it, with the factor of its case and its loads without end at each
+    /// place; last each combination without a train.
+    fn ways(&self) -> Vec<(Arc<Combination>, Arc<MovingTrain>)> {
+        let mut ways = Vec::new();
+        for combination in &self.combinations {
+            for train in &self.trains {
+                let Some(factor) = combination.factor_of(train) else { continue };
+                if !self.placed_loads {
+                    ways.push((combination.clone(), train.clone()));
+                    continue;
+                }
+                let train = train.multiplied(factor);
+                for (train, loads) in train.placements(combination.model.beam.length) {
+                    let combination = match loads.is_empty() {
+                        true => combination.clone(),
+                        false => Arc::new(Combination::clone(combination).with_loads(loads)),
+                    };
+                    ways.push((combination, Arc::new(train)));
+                }
+            }
+            if self.placed_loads && !combination.name.is_empty() && !self.trains.is_empty() {
+                ways.push((combination.clone(), Arc::new(MovingTrain::absent())));
+            }
+        }
+        ways
     }
 
     fn one(&self, combination: &Arc<Combination>, host: &impl Host) -> Result<Answer, Error> {

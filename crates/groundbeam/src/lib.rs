@@ -60,7 +60,8 @@ pub use crate::solution::fields::{
 };
 pub use cancel::Cancel;
 pub use contact::state::Step;
-pub use design::checks::{Check, Checked, Limits, overturning};
+pub use design::checks::{Beside, Check, Checked, Limits, overturning};
+pub use design::limit_states::{LimitState, LimitStates};
 pub use envelope::{Bound, Bounds, Change, Envelope, Governing};
 pub use equilibrium::buckling::own_buckling_load;
 pub use equilibrium::size::{check_memory, memory_estimate};

@@ -3,6 +3,7 @@
 use super::expectation::{Expectation, Of, Value};
 use groundbeam::{Error, Solution};
 use groundbeam_file::Document;
+use groundbeam_report::{Context, Results};
 use groundbeam_run::{self as run, Asked, Failed, Found, OneThread, Run};
 
 /// The answers to a file.
@@ -38,6 +39,12 @@ impl Answers {
     /// If the answer has no such quantity, or the file no such combination.
     pub fn found(&self, expectation: &Expectation, document: &Document) -> Result<Value, String> {
         let Answers(answers) = self;
+        if expectation.of == Of::Envelope {
+            let results = Results::new(answers, Context::of(document));
+            if let Some(found) = expectation.found_in_verdicts(|| results.json(Some(&[]))) {
+                return found;
+            }
+        }
         let name = match (&expectation.of, answers.asked) {
             (Of::Envelope, Asked::Trains) => {
                 return expectation.found_in_passages(&answers.passages());

@@ -5,6 +5,7 @@ use super::scale::{Kind, scale};
 use groundbeam::{Envelope, Side, Verdict};
 use groundbeam_file::{Document, UnitSystem};
 use groundbeam_run::{Found, Passages};
+use serde_json::Value as Json;
 
 /// What a line expects.
 #[derive(Debug, Clone)]
@@ -119,6 +120,7 @@ impl Expectation {
         let wide = match (&self.wanted, self.tolerance) {
             (Wanted::Word(word), Tolerance::Same) => {
                 let known = matches!(self.quantity, Quantity::Governs { .. })
+                    || ["passes", "fails", "not judged"].contains(&word.as_str())
                     || ["unique", "not-unique", "none", "local"].contains(&word.as_str());
                 return if known { Ok(()) } else { Err(format!("`{word}` is no verdict")) };
             }
@@ -177,6 +179,11 @@ impl Expectation {
                 Verdict::Local(local) => vec![local.stability_margin],
                 _ => return Err("the equilibrium is no local one".into()),
             },
+            (Quantity::Used(what, None), Found::Equilibrium(solution)) => {
+                let checks = document.limits.check(solution);
+                let check = checks.iter().find(|check| check.what == what);
+                vec![check.ok_or("the file does not ask for this check")?.utilisation()]
+            }
             (quantity, Found::Equilibrium(solution)) => quantity.of(solution)?,
             _ => return Err("there is no equilibrium".into()),
         };
@@ -206,6 +213,38 @@ impl Expectation {
             }
             _ => Err("an envelope has extremes, and who governs them".to_owned()),
         }
+    }
+
+    /// The verdict on a check in a limit state, from the result document; `None` for other quantities.
+    ///
+    /// # Errors
+    ///
+    /// If the document has no such check.
+    pub fn found_in_verdicts(&self, json: impl Fn() -> String) -> Option<Result<Value, String>> {
+        let (Quantity::Used(what, state) | Quantity::Judged(what, state)) = self.quantity else {
+            return None;
+        };
+        let document: serde_json::Value = serde_json::from_str(&json()).unwrap_or_default();
+        let is_it = |check: &&serde_json::Value| {
+            let of_state = check["limit_state"] == state.map_or(Json::Null, |s| s.name().into());
+            check["name"] == what.name() && (of_state || check["passes"].is_null())
+        };
+        let found = document["checks"].as_array().and_then(|checks| checks.iter().find(is_it));
+        let Some(check) = found else { return Some(Err("there is no such verdict".to_owned())) };
+        Some(match (self.quantity, check["passes"].as_bool()) {
+            (Quantity::Judged(..), passes) => Ok(Value::Word(
+                match passes {
+                    Some(true) => "passes",
+                    Some(false) => "fails",
+                    None => "not judged",
+                }
+                .to_owned(),
+            )),
+            _ => match check["utilisation"].as_f64() {
+                Some(used) => Ok(Value::Numbers(vec![used])),
+                None => Err("the check is not judged".to_owned()),
+            },
+        })
     }
 
     /// What the envelope of passages has.

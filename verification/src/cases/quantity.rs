@@ -2,14 +2,18 @@
 
 use super::growth::Growth;
 use super::scale::Kind;
-use groundbeam::{Dimension, Field, Side, Solution};
+use groundbeam::{Checked, Dimension, Field, LimitState, Side, Solution};
 use groundbeam_file::{UnitSystem, parse_positions};
 
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Quantity {
     At(Field, f64, Side),
     Settlement(f64),
-    Extreme { field: Field, largest: bool, position: bool },
+    Extreme {
+        field: Field,
+        largest: bool,
+        position: bool,
+    },
     Contact,
     EndForce(Side),
     Force(f64),
@@ -23,7 +27,14 @@ pub(super) enum Quantity {
     CriticalCompression,
     StabilityMargin,
     Growth(Growth),
-    Governs { field: Field, largest: bool },
+    Governs {
+        field: Field,
+        largest: bool,
+    },
+    /// The used part of the limit of a check.
+    Used(Checked, Option<LimitState>),
+    /// Whether a check passes.
+    Judged(Checked, Option<LimitState>),
 }
 
 impl Quantity {
@@ -69,6 +80,17 @@ impl Quantity {
                     Field::named(inside).ok_or_else(|| format!("`{inside}` is no field"))?;
                 Ok(Quantity::Governs { field, largest: what == "governs_max" })
             }
+            "used" | "judged" => {
+                let (check, state) = inside.split_once(", ").unwrap_or((inside, ""));
+                let known = |what: &Checked| what.name().replace('-', "_") == check;
+                let check = Checked::ALL.into_iter().find(known);
+                let check = check.ok_or_else(|| format!("`{check}` is no check"))?;
+                let of = if what == "used" { Quantity::Used } else { Quantity::Judged };
+                match LimitState::named(state) {
+                    None if !state.is_empty() => Err(format!("`{state}` is no limit state")),
+                    state => Ok(of(check, state)),
+                }
+            }
             "force" => Ok(Quantity::Force(position(inside)?)),
             "reaction" => Ok(Quantity::Reaction(position(inside)?)),
             "reaction_moment" => Ok(Quantity::ReactionMoment(position(inside)?)),
@@ -106,12 +128,13 @@ impl Quantity {
             | Quantity::Reaction(_) => Kind::Force,
             Quantity::ReactionMoment(_) | Quantity::Energy => Kind::Moment,
             Quantity::Growth(Growth::PositionOfLiftOff) => Kind::Length,
-            Quantity::FailingMotion | Quantity::StabilityMargin | Quantity::Growth(_) => {
-                Kind::Number
-            }
+            Quantity::FailingMotion
+            | Quantity::StabilityMargin
+            | Quantity::Growth(_)
+            | Quantity::Used(..) => Kind::Number,
             // Work per length of lift.
             Quantity::FailingWork | Quantity::CriticalCompression => Kind::Force,
-            Quantity::Verdict | Quantity::Governs { .. } => return None,
+            Quantity::Verdict | Quantity::Governs { .. } | Quantity::Judged(..) => return None,
         })
     }
 
@@ -149,6 +172,8 @@ impl Quantity {
             | Quantity::StabilityMargin
             | Quantity::Growth(_)
             | Quantity::Governs { .. }
+            | Quantity::Used(..)
+            | Quantity::Judged(..)
             | Quantity::Verdict => Vec::new(),
         })
     }

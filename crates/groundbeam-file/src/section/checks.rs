@@ -1,12 +1,13 @@
 //! `[checks]`: the limits of a design.
 
+use super::combination::{LIMIT_STATES, limit_states};
 use crate::code;
 use crate::fault::Fault;
-use crate::keys::{ALSO_WIDTH, Table, quantity};
+use crate::keys::{ALSO_WIDTH, Key, Table, quantity, table, words};
 use crate::quantity::{RATIO, SETTLEMENT_LIMIT, STRESS_LIMIT, WIDTH};
 use crate::reader::{Field, Reader};
 use crate::table::Section;
-use groundbeam::Limits;
+use groundbeam::{Checked, Limits};
 use toml::de::DeValue;
 
 pub(super) static TABLE: Table = Table {
@@ -15,9 +16,14 @@ pub(super) static TABLE: Table = Table {
         quantity(
             "bearing_pressure",
             &STRESS_LIMIT,
-            "The largest contact pressure, EN 1997-1, 6.5.2.",
+            "The allowable peak of the elastic pressure; forces under the ends are printed beside it.",
         ),
-        quantity("width", &WIDTH, "The width for it; left out: that of `[foundation]`.")
+        quantity(
+            "bearing_resistance",
+            &STRESS_LIMIT,
+            "The design resistance r_d per effective area, V_d ≤ r_d B′ L′: EN 1997-1, 6.5.2.",
+        ),
+        quantity("width", &WIDTH, "The width for both; left out: that of `[foundation]`.")
             .also(ALSO_WIDTH),
         quantity("settlement", &SETTLEMENT_LIMIT, "The largest deflection down, EN 1997-1, 6.6."),
         quantity("lifted_share", &RATIO, "The part of the length that may lift off, 0 to 1."),
@@ -27,6 +33,27 @@ pub(super) static TABLE: Table = Table {
             "The distance of the resultant from the middle, as a part of the length or `\"l/6\"`.",
         ),
         quantity("overturning", &RATIO, "The least factor of the loads at which the beam tips."),
+        table(
+            "limit_states",
+            &JUDGED_IN,
+            "The limit states in which checks are judged, in place of the usual ones.",
+        ),
+    ],
+};
+
+const fn judged_in(name: &'static str) -> Key {
+    words(name, &LIMIT_STATES, "The limit states of this check.")
+}
+
+static JUDGED_IN: Table = Table {
+    name: "[checks.limit_states]",
+    keys: &[
+        judged_in("bearing_pressure"),
+        judged_in("bearing_resistance"),
+        judged_in("settlement"),
+        judged_in("lifted_share"),
+        judged_in("eccentricity"),
+        judged_in("overturning"),
     ],
 };
 
@@ -39,20 +66,34 @@ pub(super) fn read(reader: &mut Reader, root: &Section, width: Option<f64>) -> L
         Some(reader.positive(key, field).value)
     };
     let pressure = limit("bearing_pressure");
+    let resistance = limit("bearing_resistance");
     let own_width = limit("width");
     let settlement = limit("settlement");
     let overturning = limit("overturning");
     let lifted_share = lifted_share(reader, &table);
     let eccentricity = eccentricity(reader, &table);
-    let bearing_pressure = pressure.and_then(|pressure| {
-        let width = own_width.or(width);
-        if width.is_none() {
-            let example = "`width` here or in [foundation]: what the beam bears on";
-            reader.missing(&table, &["width"], "`width`", example);
+    let width = own_width.or(width);
+    if width.is_none() && (pressure.is_some() || resistance.is_some()) {
+        let example = "`width` here or in [foundation]: what the beam bears on";
+        reader.missing(&table, &["width"], "`width`", example);
+    }
+    let bearing_pressure = pressure.zip(width);
+    let bearing_resistance = resistance.zip(width);
+    let mut judged_in = [None; Checked::ALL.len()];
+    if let Some(states) = reader.table(&table, "limit_states") {
+        for (what, judged_in) in Checked::ALL.into_iter().zip(&mut judged_in) {
+            *judged_in = limit_states(reader, &states, &what.name().replace('-', "_"));
         }
-        Some((pressure, width?))
-    });
-    Limits { bearing_pressure, settlement, lifted_share, eccentricity, overturning }
+    }
+    Limits {
+        bearing_pressure,
+        bearing_resistance,
+        settlement,
+        lifted_share,
+        eccentricity,
+        overturning,
+        judged_in,
+    }
 }
 
 /// A part of the length; 0 for a beam that must not lift off at all.

@@ -4,16 +4,38 @@ use crate::case_names::{self, NO_LOAD};
 use crate::code;
 use crate::combination::{MOST, Recipe};
 use crate::fault::Fault;
-use crate::keys::{Table, Value, key, text};
+use crate::keys::{Table, Value, Words, key, text, words};
+use crate::moving::MovingTrain;
 use crate::number::Decimal;
 use crate::quantity::{self, REACH};
 use crate::reader::Reader;
 use crate::sets::{self, Acting, Made, Practice, Set};
 use crate::table::Section;
-use groundbeam::Load;
+use groundbeam::{LimitState, LimitStates, Load};
 use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
+
+pub(super) static LIMIT_STATES: Words = Words {
+    all: || LimitState::ALL.map(LimitState::name).to_vec(),
+    also: &[
+        ("STR/GEO", &["str", "geo", "uls", "ultimate", "strength", "lrfd"]),
+        ("EQU", &["equilibrium", "stability", "overturning"]),
+        ("SLS characteristic", &["characteristic", "sls", "serviceability", "rare"]),
+        ("SLS frequent", &["frequent"]),
+        ("SLS quasi-permanent", &["quasi-permanent", "quasi permanent", "long term"]),
+        ("allowable stress", &["asd", "allowable", "service"]),
+    ],
+    message: "`{}` is no limit state",
+    hint: "the limit states: {}",
+};
+
+/// The limit states under a key.
+pub(super) fn limit_states(reader: &mut Reader, table: &Section, key: &str) -> Option<LimitStates> {
+    let states = reader.words(table, key)?;
+    let states: Vec<LimitState> = states.into_iter().filter_map(LimitState::named).collect();
+    Some(LimitStates::of(&states))
+}
 
 pub(super) static CASE: Table = Table {
     name: "[[case]]",
@@ -27,6 +49,12 @@ pub(super) static CASE: Table = Table {
         .also(&["type", "kind", "category", "nature"]),
         text("group", "wind", "At most one case of a group acts at a time.")
             .also(&["exclusive", "alternative"]),
+        text(
+            "source",
+            "own weight",
+            "Permanent cases of one source have one partial factor; left out: each its own.",
+        )
+        .also(&["origin"]),
     ],
 };
 
@@ -42,6 +70,12 @@ pub(super) static TABLE: Table = Table {
             "A set of combinations of a code of practice.",
         )
         .also(&["code", "standard"]),
+        words(
+            "limit_state",
+            &LIMIT_STATES,
+            "The limit state; left out: that of the set, or every check is judged.",
+        )
+        .also(&["limit_states", "design_situation", "state"]),
     ],
 };
 
@@ -50,6 +84,7 @@ struct Described<'a> {
     name: &'a str,
     action: Option<(&'a str, Range<usize>)>,
     group: Option<&'a str>,
+    source: Option<&'a str>,
 }
 
 /// The combinations of a file, in its order, those of sets in the place of the set; each will be solved on so many
@@ -59,9 +94,15 @@ pub(super) fn read(
     root: &Section,
     loads: &[Load],
     cases: &[Option<String>],
+    trains: &[MovingTrain],
     grounds: usize,
 ) -> Vec<Recipe> {
     let mut names = case_names::names(cases);
+    for case in trains.iter().filter_map(|train| train.case.as_deref()) {
+        if !names.contains(&case) {
+            names.push(case);
+        }
+    }
     names.retain(|name| !name.is_empty());
     let described = describe(reader, root, &names);
     let most = MOST / grounds;
@@ -71,13 +112,14 @@ pub(super) fn read(
     let mut taken: Vec<(String, Range<usize>)> = Vec::new();
     for table in reader.tables(root, "combination") {
         let name = named(reader, &table, &mut taken);
+        let states = limit_states(reader, &table, "limit_state");
         match (table.value("set"), table.value("factors")) {
             (Some(set), None) => {
                 if let Some((_, span)) = &name {
                     let hint = "the set names its combinations itself: leave `name` out";
                     reader.exclusive(("name", span), ("set", &set.span()), hint);
                 }
-                file.make(reader, &table, &mut recipes);
+                file.make(reader, &table, states, &mut recipes);
             }
             (Some(set), Some(factors)) => {
                 let hint = "give either of them a [[combination]] of its own";
@@ -96,7 +138,8 @@ pub(super) fn read(
                     }
                 };
                 let name = name.map_or_else(String::new, |(name, _)| name.to_owned());
-                recipes.push(Recipe { name, factors });
+                let limit_states = states.unwrap_or_default();
+                recipes.push(Recipe { name, factors, limit_states, set: None });
             }
         }
     }
@@ -125,11 +168,12 @@ fn describe<'a>(reader: &mut Reader, root: &Section<'a>, names: &[&str]) -> Vec<
             reader.unknown_word(word.clone(), message, &actions, "the actions: {}");
         }
         let group = reader.text(&table, "group").map(|(group, _)| group.trim());
+        let source = reader.text(&table, "source").map(|(source, _)| source.trim());
         let Some((name, span)) = name else { continue };
         if !names.contains(&name) {
             unknown_case(reader, name, span, names);
         }
-        described.push(Described { name, action, group });
+        described.push(Described { name, action, group, source });
     }
     described
 }
@@ -210,10 +254,23 @@ impl<'a> File<'a> {
         Some((name.to_owned(), factor))
     }
 
-    /// The combinations of a set.
-    fn make(&mut self, reader: &mut Reader, table: &Section, recipes: &mut Vec<Recipe>) {
+    /// The combinations of a set, in its limit states or in those that the file names.
+    fn make(
+        &mut self,
+        reader: &mut Reader,
+        table: &Section,
+        states: Option<LimitStates>,
+        recipes: &mut Vec<Recipe>,
+    ) {
         let Some((written, span)) = reader.text(table, "set") else { return };
         let Some((practice, set)) = sets::find(written.trim()) else {
+            if let [first, others @ ..] = &sets::meant(written.trim())[..] {
+                let message = format!("`{}` may mean two sets, which differ", written.trim());
+                let others: String = others.iter().map(|name| format!(" or `{name}`")).collect();
+                let hint = format!("write `{first}`{others}");
+                reader.report(Fault::new(code::UNKNOWN_WORD, span, message, "", hint));
+                return;
+            }
             let message = "there is no set of combinations `{}`";
             reader.unknown_word((written, span), message, &sets::names(), "the sets: {}");
             return;
@@ -226,10 +283,12 @@ impl<'a> File<'a> {
                     let hint = "ask for each set once";
                     reader.report(Fault::new(code::REPEATED, span, message, "", hint));
                 }
-                for Made { name, factors } in made {
+                for Made { name, factors, limit_states } in made {
                     let factors = factors.iter().map(|&(i, f)| (acting[i].case.to_owned(), f));
+                    let factors = factors.collect();
+                    let limit_states = states.unwrap_or(limit_states);
                     self.made.push(name.clone());
-                    recipes.push(Recipe { name, factors: factors.collect() });
+                    recipes.push(Recipe { name, factors, limit_states, set: Some(&set.name) });
                 }
             }
             Err(sets::TooMany) => {
@@ -256,7 +315,17 @@ impl<'a> File<'a> {
             let known = action.as_ref().is_some_and(|(a, _)| practice.actions().any(|b| b == *a));
             if let (true, Some((action, _))) = (known, &action) {
                 let group = described.and_then(|described| described.group);
-                acting.push(Acting { case, action, group });
+                let source = described.and_then(|described| described.source);
+                if let Some(letter) = practice.lacks(set, action) {
+                    let message = format!(
+                        "`{action}` has no partial factor of set {letter} here, which `{}` needs",
+                        set.name
+                    );
+                    let hint =
+                        "no public source confirmed it: write the combinations with `factors`";
+                    reader.report(Fault::new(code::MISSING, span.clone(), message, "", hint));
+                }
+                acting.push(Acting { case, action, group, source });
             } else if !self.wanting.contains(&case) {
                 self.wanting.push(case);
                 wanting(reader, (practice, set, span), case, action);

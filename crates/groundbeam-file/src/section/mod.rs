@@ -22,8 +22,8 @@ mod trough;
 mod weight;
 
 use crate::combination::Recipe;
-use crate::document::MovingTrain;
 use crate::keys::{Table, table, tables, text};
+use crate::moving::MovingTrain;
 use crate::reader::{Field, Reader};
 use crate::table::Section;
 use curl::Curls;
@@ -114,10 +114,10 @@ pub(crate) fn read(reader: &mut Reader, root: &Section) -> Contents {
     let mut model = Model { beam, foundation, loads, supports, hinges, gap: Vec::new() };
     let limits = checks::read(reader, root, ground.width);
     let grounds = ground.band.map_or(1, |band| band.grounds().len());
-    let recipes = combination::read(reader, root, &model.loads, &cases, grounds);
+    let trains = train::read(reader, root, model.beam.length);
+    let recipes = combination::read(reader, root, &model.loads, &cases, &trains, grounds);
     let pressures = mean_loads(&model, &cases, &recipes);
     let chords = gap::read(reader, root, &mut model, ground.band, pressures.into_iter());
-    let trains = train::read(reader, root, model.beam.length);
     Contents { title, model, chords, ground, limits, cases, recipes, trains }
 }
 

@@ -8,6 +8,7 @@ use crate::code;
 use crate::fault::Fault;
 use crate::keys::{ALSO_WIDTH, Table, Value, Words, key, text, word};
 use crate::profile::Along;
+use crate::profiles::{self, RolledSection};
 use crate::quantity::{SECOND_MOMENT_OF_AREA, WIDTH};
 use crate::reader::Reader;
 use crate::table::Section;
@@ -36,7 +37,10 @@ pub(super) static TABLE: Table = Table {
         key("wall", SIDE, "The wall of a tube or box."),
         key("flange", SIDE, "The thickness of a flange of an I or T."),
         key("web", SIDE, "The thickness of the web of an I or T."),
-        text("rail", "60E1", "A rolled rail: `60E1`, `54E1`, `136RE`."),
+        key("fillet", SIDE, "The radius between web and flanges of an I; left out: 0."),
+        text("name", "IPE 300", "A rolled section: IPE, HEA, HEB, HEM, UB, UC, W, CHS, SHS, RHS.")
+            .also(&["profile", "designation"]),
+        text("rail", "60E1", "A rolled rail: `60E1`, `UIC60`, `136RE` and others."),
     ],
 };
 
@@ -122,9 +126,14 @@ const KINDS: [Kind; 5] = [
             let between = height - 2.0 * s[2];
             fits(between, "flange")?;
             fits(width - web, "web")?;
-            let area = width * height - (width - web) * between;
+            let fillet = s.get(4).copied().unwrap_or(0.0);
+            if fillet > 0.0 {
+                fits((0.5 * between).min(0.5 * (width - web)) - fillet, "fillet")?;
+            }
+            let [corners, steiner] = profiles::fillets(fillet, 0.5 * between, -1.0);
+            let area = width * height - (width - web) * between + corners;
             let inertia = (width * height.powi(3) - (width - web) * between.powi(3)) / 12.0;
-            Ok([area, inertia, web * between])
+            Ok([area, inertia + steiner, web * between])
         },
         is_polynomial: true,
     },
@@ -151,25 +160,6 @@ fn fits(room: f64, side: &'static str) -> Result<(), &'static str> {
     if room <= 0.0 { Err(side) } else { Ok(()) }
 }
 
-/// A rolled rail: area \[m²\], second moment about the horizontal axis \[m⁴\].
-struct Rail {
-    names: &'static [&'static str],
-    area: f64,
-    inertia: f64,
-}
-
-/// 54E1 and 60E1 from EN 13674-1, annex A; 136RE from AREMA's Manual, chapter 4, section 1.
-const RAILS: [Rail; 3] = [
-    Rail { names: &["60E1", "UIC60"], area: 76.70e-4, inertia: 3038.3e-8 },
-    Rail { names: &["54E1", "UIC54"], area: 69.77e-4, inertia: 2337.9e-8 },
-    Rail {
-        names: &["136RE"],
-        area: 13.35 * INCH * INCH,
-        inertia: 94.9 * INCH * INCH * INCH * INCH,
-    },
-];
-const INCH: f64 = 0.0254;
-
 /// The cross section that `table` gives, if it gives one.
 pub(super) fn read(reader: &mut Reader, table: &Section) -> Option<Shape> {
     let Some(section) = reader.open(table, "section") else {
@@ -177,8 +167,10 @@ pub(super) fn read(reader: &mut Reader, table: &Section) -> Option<Shape> {
         return table.value("section").map(|value| Shape::unreadable(value.span()));
     };
     if section.value("rail").is_some() {
-        reader.refuse_all_but(&section, &["rail"]);
-        return Some(rail(reader, &section));
+        return Some(named(reader, &section, "rail", profiles::find_rail));
+    }
+    if section.value("name").is_some() {
+        return Some(named(reader, &section, "name", profiles::find));
     }
     let Some(name) = reader.word(&section, "shape") else {
         return Some(match section.value("shape") {
@@ -211,10 +203,14 @@ fn rectangle(reader: &mut Reader, section: &Section) -> Shape {
 
 /// A shape by its sides, each of which may run from one value to another.
 fn by_sides(reader: &mut Reader, section: &Section, kind: &Kind) -> Shape {
-    let keys: Vec<&str> = ["shape"].into_iter().chain(kind.sides.iter().copied()).collect();
-    reader.refuse_all_but(section, &keys);
+    let fillet = (kind.name == "I").then_some("fillet");
+    let keys = ["shape"].into_iter().chain(kind.sides.iter().copied()).chain(fillet);
+    reader.refuse_all_but(section, &keys.collect::<Vec<&str>>());
     let side = |key: &&'static str| side(reader, section, key);
-    let sides: Vec<Along> = kind.sides.iter().map(side).collect();
+    let mut sides: Vec<Along> = kind.sides.iter().map(side).collect();
+    if let Some(given) = fillet.and_then(|key| reader.along(section, key)) {
+        sides.push(reader.positive_along("fillet", given));
+    }
     let span = section.span.clone();
     if let Some(varies) = sides.iter().find(|side| !side.profile.is_constant())
         && !kind.is_polynomial
@@ -282,30 +278,36 @@ fn square([a, _, c, _, e]: [f64; 5]) -> Profile {
     Profile::by_control_values(&values).unwrap_or(Profile::constant(f64::NAN))
 }
 
-fn rail(reader: &mut Reader, section: &Section) -> Shape {
+/// A section of a table, by the name under a key.
+fn named(
+    reader: &mut Reader,
+    section: &Section,
+    key: &str,
+    find: fn(&str) -> Result<&'static RolledSection, String>,
+) -> Shape {
     let span = section.span.clone();
-    let Some((name, at)) = reader.text(section, "rail") else {
+    reader.refuse_all_but(section, &[key]);
+    let Some((name, at)) = reader.text(section, key) else {
         return Shape::unreadable(span);
     };
     // Its numbers have units, so that the rest of the file must have them.
     reader.quantities.push(Seen {
-        key: "rail".to_owned(),
+        key: key.to_owned(),
         kind: &SECOND_MOMENT_OF_AREA,
         has_unit: true,
         is_bare_zero: false,
         span: span.clone(),
     });
-    let plain = name.to_uppercase().replace([' ', '-'], "");
-    match RAILS.iter().find(|rail| rail.names.contains(&plain.as_str())) {
-        Some(rail) => {
-            let shape = Shape::constant([rail.area, rail.inertia, f64::NAN], span);
-            Shape { shear_area: None, ..shape }
+    match find(name) {
+        Ok(found) => {
+            let along = |value| Along { profile: Profile::constant(value), span: span.clone() };
+            let (shear_area, depth) = (found.shear_area.map(along), found.height.map(along));
+            let shape = Shape::constant([found.area, found.inertia, f64::NAN], span.clone());
+            Shape { shear_area, depth, ..shape }
         }
-        None => {
-            let names: Vec<&str> = RAILS.iter().flat_map(|rail| rail.names).copied().collect();
-            // A rail with nearly the same name has another I.
-            let hint = format!("rails: {}; for others give `I`", names.join(", "));
-            let message = format!("the rail `{name}` is not known");
+        Err(hint) => {
+            let what = if key == "rail" { "rail" } else { "section" };
+            let message = format!("the {what} `{name}` is not known");
             reader.report(Fault::new(code::UNKNOWN_WORD, at, message, "", hint));
             Shape::unreadable(span)
         }
@@ -349,6 +351,9 @@ mod tests {
         // IPE 300 without its fillets: A = 5188 mm² of sharp corners, I of 7999 cm⁴.
         let [area, inertia] = measured("I", &[150.0, 300.0, 10.7, 7.1]).unwrap();
         assert!((area - 5188.0).abs() < 1.0 && (inertia / 1e4 - 7999.0).abs() < 1.0);
+        // With its fillets of 15 mm, as printed.
+        let [area, inertia] = measured("I", &[150.0, 300.0, 10.7, 7.1, 15.0]).unwrap();
+        assert!((area - 5381.0).abs() < 1.0 && (inertia / 1e4 - 8356.0).abs() < 1.0);
     }
 
     /// Against the formulas at places where nothing was looked at.

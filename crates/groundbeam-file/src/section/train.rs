@@ -1,9 +1,9 @@
 //! `[[train]]`.
 
 use crate::code;
-use crate::document::MovingTrain;
 use crate::fault::Fault;
 use crate::keys::{ALSO_FROM, ALSO_TO, Table, Value, key, quantity, tables, text};
+use crate::moving::{MovingTrain, Spread};
 use crate::quantity::{self, BEHIND, FORCE, LOAD_PER_LENGTH, OFFSET, RATIO, REACH};
 use crate::reader::Reader;
 use crate::table::Section;
@@ -47,6 +47,13 @@ pub(super) static TABLE: Table = Table {
         quantity("to", &OFFSET, "Its last position; left out: until the last axle leaves.")
             .also(ALSO_TO),
         quantity("factor", &RATIO, "A factor of all loads; left out: 1."),
+        quantity("dynamic", &RATIO, "A factor of the axles besides; left out: 1.").also(&[
+            "impact",
+            "dynamic_factor",
+            "IM",
+        ]),
+        text("case", "T", "The load case; left out: in every combination with the factor 1.")
+            .also(&["load_case"]),
     ],
 };
 
@@ -83,7 +90,10 @@ fn read_one(reader: &mut Reader, table: &Section, beam_length: f64) -> MovingTra
         }
         !is_empty
     });
-    let (set, train) = parts(reader, table);
+    let (set, mut train) = parts(reader, table);
+    let case = reader.text(table, "case").map(|(case, _)| case.trim().to_owned());
+    let dynamic = reader.quantity(table, "dynamic").map_or(1.0, |dynamic| dynamic.value);
+    train.axles.iter_mut().for_each(|axle| axle.force *= dynamic);
     let factor = match reader.quantity(table, "factor") {
         Some(factor) => {
             let scaled = train.clone().scaled(factor.value);
@@ -102,7 +112,8 @@ fn read_one(reader: &mut Reader, table: &Section, beam_length: f64) -> MovingTra
         (None, None) => "train".to_owned(),
     };
     let set = set.map(|set| set.name.clone());
-    MovingTrain { name, set, factor, train: train.scaled(factor), range }
+    let (train, spread) = (train.scaled(factor), Spread::default());
+    MovingTrain { name, set, case, factor, dynamic, spread, train, range }
 }
 
 /// The axles and distributed loads: of a set, or as they are written.
@@ -112,7 +123,7 @@ fn parts(reader: &mut Reader, table: &Section) -> (Option<&'static TrainSet>, Tr
         let lists = (table.value("axles").is_some(), table.value("uniform").is_some());
         if lists.0 {
             train.axles = axles(reader, table);
-        } else {
+        } else if !lists.1 {
             let force = reader.line(&AXLE, "force");
             let at = reader.line(&AXLE, "at");
             let example = format!("set = \"LM71\", or axles = [{{ {at}, {force} }}, …]");

@@ -3,7 +3,8 @@
 //! Lift-off makes superposition false, so no action can be left out because it seems favourable: every subset of
 //! the variable cases is made, with every leading action and every factor of the permanent ones.
 
-use super::{Formula, Practice, Set, Share};
+use super::{Action, Formula, Practice, Set, Share, states};
+use groundbeam::LimitStates;
 use std::collections::BTreeMap;
 
 /// A load case and what acts in it.
@@ -13,6 +14,8 @@ pub(crate) struct Acting<'a> {
     pub action: &'a str,
     /// Of the cases of one group at most one is there at a time.
     pub group: Option<&'a str>,
+    /// Permanent cases of one source have the same one of their factors.
+    pub source: Option<&'a str>,
 }
 
 /// More combinations than are solved.
@@ -26,6 +29,7 @@ pub(crate) struct Made {
     pub name: String,
     /// Cases by their number, in the order of the name, none with the factor 0.
     pub factors: Vec<(usize, f64)>,
+    pub limit_states: LimitStates,
 }
 
 /// The combinations of a set, each once, at most `most` of them.
@@ -39,9 +43,13 @@ pub(crate) fn expand(
     let mut seen = BTreeMap::new();
     for formula in &set.formulas {
         for (leads, terms) in formula.terms(practice, cases) {
-            let label = &formula.label;
-            let mut found = Expansion { cases, most, label, leads, made, seen };
-            found.permanent(formula, &terms, 0, &mut Vec::new())?;
+            let limit_states = states(&set.limit_states).and(states(&formula.also_limit_states));
+            let always: Vec<Vec<f64>> =
+                cases.iter().map(|case| formula.always_of(practice, case.action)).collect();
+            let (label, by_parts) = (&*formula.label, formula.by_parts);
+            let mut found =
+                Expansion { cases, always, by_parts, most, label, limit_states, leads, made, seen };
+            found.permanent(&terms, 0, &mut Vec::new(), &mut Vec::new())?;
             (made, seen) = (found.made, found.seen);
         }
     }
@@ -59,68 +67,107 @@ impl Formula {
             .iter()
             .map(|term| term.iter().map(|(action, factor)| (action.as_str(), *factor)).collect())
             .collect();
-        let variable: Vec<(&str, [f64; 3])> = practice
+        let variable: Vec<(&Action, [f64; 3])> = practice
             .actions
             .iter()
             .filter(|action| cases.iter().any(|case| case.action == action.name))
-            .filter_map(|action| Some((action.name.as_str(), action.psi?)))
+            .filter_map(|action| Some((action, action.psi?)))
             .collect();
-        let term = |share: Option<Share>, (action, psi): (&'a str, [f64; 3])| {
-            share.map(|share| vec![(action, share.of(psi))])
+        let term = |share: Option<Share>, (action, psi): (&'a Action, [f64; 3])| {
+            let gamma = self.gamma_of(action).first().copied().unwrap_or(1.0);
+            share.map(|share| vec![(&*action.name, share.of(gamma, psi))])
         };
         if self.leading.is_none() {
             let others = variable.iter().filter_map(|action| term(self.accompanying, *action));
-            return vec![(false, written.into_iter().chain(others).collect())];
+            return vec![(self.needs_first, written.into_iter().chain(others).collect())];
         }
-        let leads = |leader: &(&'a str, [f64; 3])| {
-            let others = variable.iter().filter(|other| other.0 != leader.0);
+        let leads = |leader: &(&'a Action, [f64; 3])| {
+            let others = variable.iter().filter(|other| other.0.name != leader.0.name);
             let others = others.filter_map(|action| term(self.accompanying, *action));
+            let others = written.iter().cloned().chain(others);
             (true, term(self.leading, *leader).into_iter().chain(others).collect())
         };
-        variable.iter().map(leads).chain([(false, Vec::new())]).collect()
+        variable.iter().map(leads).chain([(false, written.clone())]).collect()
+    }
+
+    /// The partial factors of an action; 1 where the formula has none.
+    fn gamma_of<'a>(&self, action: &'a Action) -> &'a [f64] {
+        let letter = self.gamma.as_ref();
+        letter.and_then(|letter| action.gamma.get(letter)).map_or(&[1.0], Vec::as_slice)
+    }
+
+    /// The factors that an action takes in turn because it is always there: γ_sup with ξ, and γ_inf.
+    fn always_of(&self, practice: &Practice, action: &str) -> Vec<f64> {
+        if let Some(factors) = self.always.get(action) {
+            return factors.clone();
+        }
+        let action = practice.actions.iter().find(|known| known.permanent && known.name == action);
+        let mut factors = action.map_or_else(Vec::new, |action| self.gamma_of(action).to_vec());
+        if let (Some(xi), Some(unfavourable)) = (self.xi, factors.first_mut()) {
+            *unfavourable = rounded(*unfavourable * xi);
+        }
+        factors
     }
 }
 
 impl Share {
-    /// A product of decimals, without what binary numbers add to it.
-    fn of(self, psi: [f64; 3]) -> f64 {
-        let product = self.factor * self.psi.and_then(|i| psi.get(i)).unwrap_or(&1.0);
-        (product * 1e9).round() / 1e9
+    fn of(self, gamma: f64, psi: [f64; 3]) -> f64 {
+        rounded(gamma * self.psi.and_then(|i| psi.get(i)).unwrap_or(&1.0))
     }
+}
+
+/// A product of decimals, without what binary numbers add to it.
+fn rounded(product: f64) -> f64 {
+    (product * 1e9).round() / 1e9
 }
 
 struct Expansion<'a> {
     cases: &'a [Acting<'a>],
+    /// Of every case the factors that it takes in turn; none if it is not always there.
+    always: Vec<Vec<f64>>,
+    /// Whether permanent cases of one source are taken apart.
+    by_parts: bool,
     most: usize,
     label: &'a str,
+    limit_states: LimitStates,
     /// Whether the first term must be there.
     leads: bool,
     made: Vec<Made>,
-    /// The factors of all cases of what was made, by their bits.
-    seen: BTreeMap<Vec<u64>, ()>,
+    /// The factors of all cases of what was made, by their bits, and its number.
+    seen: BTreeMap<Vec<u64>, usize>,
 }
 
 impl Expansion<'_> {
-    /// Every factor of every permanent case, one case after the other.
+    /// Every factor of every permanent case, one case after the other; `rows` holds which factor the cases have.
     fn permanent(
         &mut self,
-        formula: &Formula,
         terms: &Terms,
         case: usize,
         chosen: &mut Vec<(usize, f64)>,
+        rows: &mut Vec<(usize, usize)>,
     ) -> Result<(), TooMany> {
         let Some(acting) = self.cases.get(case) else {
             return self.variable(terms, self.leads, chosen);
         };
-        let Some(factors) = formula.always.get(acting.action) else {
-            return self.permanent(formula, terms, case + 1, chosen);
+        let factors = self.always[case].clone();
+        let same = |(other, _): &&(usize, usize)| {
+            acting.source.is_some() && self.cases[*other].source == acting.source
         };
-        for &factor in factors {
-            chosen.push((case, factor));
-            self.permanent(formula, terms, case + 1, chosen)?;
-            chosen.pop();
+        let bound = rows.iter().find(same).map(|(_, row)| *row).filter(|_| !self.by_parts);
+        for (row, &factor) in factors.iter().enumerate() {
+            if bound.is_some_and(|bound| row != bound.min(factors.len() - 1)) {
+                continue;
+            }
+            let before = chosen.len();
+            if factor != 0.0 {
+                chosen.push((case, factor));
+            }
+            rows.push((case, row));
+            self.permanent(terms, case + 1, chosen, rows)?;
+            rows.pop();
+            chosen.truncate(before);
         }
-        Ok(())
+        if factors.is_empty() { self.permanent(terms, case + 1, chosen, rows) } else { Ok(()) }
     }
 
     /// Of the first term each action, or none unless it must be there; then the others.
@@ -171,19 +218,28 @@ impl Expansion<'_> {
         for (case, factor) in chosen {
             key[*case] = factor.to_bits();
         }
-        if chosen.is_empty() || self.seen.insert(key, ()).is_some() {
+        if chosen.is_empty() {
+            return Ok(());
+        }
+        if let Some(&same) = self.seen.get(&key) {
+            // One combination may serve several expressions of a code.
+            self.made[same].limit_states = self.made[same].limit_states.and(self.limit_states);
             return Ok(());
         }
         if self.made.len() == self.most {
             return Err(TooMany);
         }
+        self.seen.insert(key, self.made.len());
         let term = |(case, factor): &(usize, f64)| {
             let case = self.cases[*case].case;
             if *factor == 1.0 { case.to_owned() } else { format!("{factor} {case}") }
         };
         let sum: Vec<String> = chosen.iter().map(term).collect();
-        let name = format!("{}: {}", self.label, sum.join(" + "));
-        self.made.push(Made { name, factors: chosen.to_vec() });
+        let name = format!("{}: {}", self.label, sum.join(" + "))
+            .replace("+ -1 ", "- ")
+            .replace("+ -", "- ");
+        let factors = chosen.to_vec();
+        self.made.push(Made { name, factors, limit_states: self.limit_states });
         Ok(())
     }
 }
@@ -194,7 +250,7 @@ mod tests {
     use super::*;
 
     fn case<'a>(case: &'a str, action: &'a str) -> Acting<'a> {
-        Acting { case, action, group: None }
+        Acting { case, action, group: None, source: None }
     }
 
     fn made(set: &str, cases: &[Acting]) -> Vec<String> {
@@ -287,5 +343,67 @@ mod tests {
         let (practice, set) = find("EN 1990 6.10").unwrap();
         let cases = vec![case("Q", "imposed B"); 60];
         assert_eq!(expand(practice, set, &cases, 1000), Err(TooMany));
+    }
+    /// EN 1990, table A1.2(B), note 3: one factor for all permanent actions of one source; static equilibrium takes the
+    /// parts apart.
+    #[test]
+    fn permanent_cases_of_one_source_have_one_factor() {
+        let of = |name| Acting { source: Some("own weight"), ..case(name, "permanent") };
+        let cases = [of("slab"), of("wall"), case("earth", "permanent")];
+        let found = made("EN 1990 6.10", &cases[..2]);
+        assert_eq!(found, ["6.10: 1.35 slab + 1.35 wall", "6.10: slab + wall"]);
+        assert_eq!(made("EN 1990 6.10", &cases).len(), 4);
+        assert_eq!(made("EN 1990 EQU", &cases[..2]).len(), 4);
+    }
+
+    /// ASCE/SEI 7, 2.3.6: combination 7 is 0.9 D - Ev + Eh.
+    #[test]
+    fn the_vertical_earthquake_lifts_in_combination_7() {
+        let cases = [
+            case("D", "dead"),
+            case("Eh", "earthquake horizontal"),
+            case("Ev", "earthquake vertical"),
+        ];
+        let found = made("ASCE 7-22 LRFD", &cases);
+        for name in ["LRFD 6: 1.2 D + Eh + Ev", "LRFD 7: 0.9 D + Eh - Ev"] {
+            assert!(found.iter().any(|found| found == name), "{name} in {found:?}");
+        }
+    }
+
+    /// The limit states of `docs/combinations.md`: LRFD 5 is one of strength and of equilibrium.
+    #[test]
+    fn combinations_have_the_limit_states_of_their_set_and_formula() {
+        let (practice, set) = find("ASCE 7-16 LRFD").unwrap();
+        let cases = [case("D", "dead"), case("W", "wind")];
+        let made = expand(practice, set, &cases, 1000).unwrap();
+        let states =
+            |name: &str| made.iter().find(|made| made.name == name).unwrap().limit_states.names();
+        assert_eq!(states("LRFD 5: 0.9 D + W"), "STR/GEO or EQU");
+        assert_eq!(states("LRFD 4: 1.2 D + W"), "STR/GEO");
+    }
+
+    /// EN 1990, annex A2: 1.35 of road traffic, 1.45 of rail traffic, 1.5 of wind; in set C 1.15 and 1.3.
+    #[test]
+    fn a_partial_factor_belongs_to_the_action() {
+        let cases =
+            [case("G", "permanent"), case("T", "road gr1a TS"), case("W", "wind on a bridge")];
+        let found = made("EN 1990 A2 STR/GEO B", &cases);
+        for name in ["bridge B: 1.35 G + 1.35 T + 0.9 W", "bridge B: G + 1.5 W + 1.0125 T"] {
+            assert!(found.iter().any(|found| found == name), "{name} in {found:?}");
+        }
+        let found = made("EN 1990 A2 STR/GEO C", &cases);
+        assert!(found.iter().any(|name| name == "bridge C: G + 1.15 T + 0.78 W"), "{found:?}");
+    }
+
+    /// EN 1990, expressions (6.11b) and (6.12b).
+    #[test]
+    fn accidental_and_seismic_combinations() {
+        let cases = [case("G", "permanent"), case("Q", "imposed B"), case("A", "accidental")];
+        let found = made("EN 1990 accidental psi1", &cases);
+        assert!(found.contains(&"6.11b: G + 0.5 Q + A".to_owned()), "{found:?}");
+        let found = made("EN 1990 accidental psi2", &cases);
+        assert!(found.contains(&"6.11b: G + 0.3 Q + A".to_owned()), "{found:?}");
+        let cases = [case("G", "permanent"), case("Q", "imposed B"), case("E", "seismic")];
+        assert_eq!(made("EN 1990 seismic", &cases), ["6.12b: G + E + 0.3 Q", "6.12b: G + E"]);
     }
 }

@@ -5,6 +5,7 @@ mod expand;
 pub(crate) use expand::{Acting, Made, TooMany, expand};
 
 use crate::catalogue::{self, Entry};
+use groundbeam::{LimitState, LimitStates};
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
@@ -26,8 +27,14 @@ pub(crate) struct Practice {
 #[serde(deny_unknown_fields)]
 struct Action {
     name: String,
-    /// ψ₀, ψ₁, ψ₂; none for an action that is always there, and in codes without them.
+    /// ψ₀, ψ₁, ψ₂ of a variable action; none for the others, and in codes without them.
     psi: Option<[f64; 3]>,
+    /// Partial factors by the letter of the set of combinations: unfavourable, and favourable if it has another one.
+    #[serde(default)]
+    gamma: BTreeMap<String, Vec<f64>>,
+    /// Whether the action is always there.
+    #[serde(default)]
+    permanent: bool,
 }
 
 /// A set of combinations.
@@ -39,8 +46,15 @@ pub(crate) struct Set {
     /// Other names by which it can be asked for.
     #[serde(default)]
     also: Vec<String>,
+    /// Names that other editions or sets claim, too; a file that asks for one of them is refused.
+    #[serde(default)]
+    ambiguous: Vec<String>,
     /// Clause and table.
     pub source: String,
+    /// `one source`, where no second source confirmed a number.
+    remark: Option<String>,
+    /// The limit states of its combinations.
+    limit_states: Vec<String>,
     #[serde(rename = "formula")]
     formulas: Vec<Formula>,
 }
@@ -51,29 +65,47 @@ pub(crate) struct Set {
 struct Formula {
     /// How its combinations' names begin.
     label: String,
-    /// Actions that are there in every combination, each with the factors that it takes in turn.
+    /// Limit states besides those of the set.
+    #[serde(default)]
+    also_limit_states: Vec<String>,
+    /// Actions that are there in every combination, each with the factors that it takes in turn; besides the permanent
+    /// actions of the code.
+    #[serde(default)]
     always: BTreeMap<String, Vec<f64>>,
     /// Of each of these one action at a time, or none.
     #[serde(default)]
     terms: Vec<BTreeMap<String, f64>>,
-    /// Of every action with ψ, which leads in turn.
+    /// Whether an action of the first of these is there in every combination.
+    #[serde(default)]
+    needs_first: bool,
+    /// The letter of the partial factors; left out, they are 1.
+    gamma: Option<String>,
+    /// ξ, the reduction of unfavourable permanent actions.
+    xi: Option<f64>,
+    /// The part of every action with ψ, which leads in turn.
     leading: Option<Share>,
-    /// Of the actions with ψ that do not lead.
+    /// The part of the actions with ψ that do not lead.
     accompanying: Option<Share>,
+    /// Whether parts of one permanent action may have different factors, as static equilibrium demands.
+    #[serde(default)]
+    by_parts: bool,
 }
 
-/// A factor, or its product with one of the ψ.
+/// The partial factor of an action, or its product with one of the ψ.
 #[derive(Debug, Clone, Copy, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Share {
-    factor: f64,
     psi: Option<usize>,
 }
 
 static PRACTICES: LazyLock<Vec<Practice>> = LazyLock::new(|| {
     catalogue::files(&[
         include_str!("../../sets/en-1990.toml"),
+        include_str!("../../sets/en-1990-uk.toml"),
+        include_str!("../../sets/en-1990-bridges.toml"),
+        include_str!("../../sets/en-1990-bridges-uk.toml"),
         include_str!("../../sets/asce-7-16.toml"),
+        include_str!("../../sets/asce-7-22.toml"),
     ])
 });
 
@@ -81,6 +113,13 @@ static PRACTICES: LazyLock<Vec<Practice>> = LazyLock::new(|| {
 pub(crate) fn find(name: &str) -> Option<(&'static Practice, &'static Set)> {
     let mut all = PRACTICES.iter().flat_map(|p| p.sets.iter().map(move |set| (p, set)));
     all.find(|(_, set)| set.is_called(name))
+}
+
+/// The sets that a name without an edition or a letter may mean.
+pub(crate) fn meant(name: &str) -> Vec<&'static str> {
+    let all = PRACTICES.iter().flat_map(|p| &p.sets);
+    let claims = |set: &&Set| set.ambiguous.iter().any(|ambiguous| ambiguous == name);
+    all.filter(claims).map(|set| &*set.name).collect()
 }
 
 /// All names of all sets.
@@ -111,7 +150,21 @@ pub(crate) fn actions() -> Vec<&'static str> {
     names
 }
 
+/// The limit states of these names, which a test reads.
+fn states(names: &[String]) -> LimitStates {
+    let states: Vec<LimitState> = names.iter().filter_map(|name| LimitState::named(name)).collect();
+    LimitStates::of(&states)
+}
+
 impl Practice {
+    /// The letter of partial factors that an expression of a set needs and an action lacks.
+    pub fn lacks<'s>(&self, set: &'s Set, action: &str) -> Option<&'s str> {
+        let action = self.actions.iter().find(|known| known.name == action)?;
+        let letters = set.formulas.iter().filter_map(|formula| formula.gamma.as_deref());
+        let has_factors = action.permanent || action.psi.is_some();
+        letters.filter(|_| has_factors).find(|letter| !action.gamma.contains_key(*letter))
+    }
+
     /// The names of its actions.
     pub fn actions(&self) -> impl Iterator<Item = &str> {
         self.actions.iter().map(|action| action.name.as_str())
@@ -127,6 +180,10 @@ pub struct CombinationSet {
     pub code: &'static str,
     /// Clause and table of the code.
     pub source: &'static str,
+    /// `one source`, where no second source confirmed a number.
+    pub remark: Option<&'static str>,
+    /// The limit states of its combinations.
+    pub limit_states: LimitStates,
 }
 
 /// Every set of combinations that a model file can ask for.
@@ -142,6 +199,8 @@ pub fn combination_sets() -> Vec<CombinationSet> {
             name: &set.name,
             code: &p.code,
             source: &set.source,
+            remark: set.remark.as_deref(),
+            limit_states: states(&set.limit_states),
         };
         p.sets.iter().map(each)
     };
@@ -161,10 +220,35 @@ mod tests {
                 for name in formula.always.keys().chain(terms) {
                     assert!(known.contains(&name.as_str()), "{}: {name}", formula.label);
                 }
+                assert!(!formula.needs_first || !formula.terms.is_empty());
                 let shares = [formula.leading, formula.accompanying];
                 assert!(shares.into_iter().flatten().all(|share| share.psi.unwrap_or(0) < 3));
             }
         }
+    }
+
+    #[test]
+    fn every_set_has_limit_states_and_every_permanent_action_its_factors() {
+        for practice in PRACTICES.iter() {
+            for set in &practice.sets {
+                let named =
+                    |names: &[String]| names.iter().all(|name| LimitState::named(name).is_some());
+                assert!(!set.limit_states.is_empty() && named(&set.limit_states), "{}", set.name);
+                assert!(set.formulas.iter().all(|formula| named(&formula.also_limit_states)));
+                for letter in set.formulas.iter().filter_map(|formula| formula.gamma.as_ref()) {
+                    let has = |action: &Action| action.gamma.contains_key(letter);
+                    let mut permanent = practice.actions.iter().filter(|action| action.permanent);
+                    assert!(permanent.all(has), "{}: {letter}", set.name);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_name_that_two_sets_claim_means_neither() {
+        assert_eq!(meant("ASCE 7 LRFD"), ["ASCE 7-16 LRFD", "ASCE 7-22 LRFD"]);
+        assert_eq!(meant("EN 1990 GEO"), ["EN 1990 STR/GEO B", "EN 1990 STR/GEO C"]);
+        assert!(find("ASCE 7 LRFD").is_none() && find("EN 1990 GEO").is_none());
     }
 
     #[test]

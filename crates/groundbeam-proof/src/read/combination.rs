@@ -71,10 +71,13 @@ fn recipes(root: Section, names: &[&str]) -> Read<Vec<Recipe>> {
     let known: BTreeSet<&str> = names.iter().copied().collect();
     let mut recipes = Vec::new();
     for table in root.tables("combination")? {
-        table.only(&[&["name", "factors", "set"]], &[])?;
+        table.only(&[&["name", "factors", "set", "limit_state"]], &[])?;
         table.exclusive("set", "factors")?;
         table.exclusive("set", "name")?;
         if let Some((set, at)) = table.words("set")? {
+            if !sets::is_known(set.trim()) {
+                return fault(at, Reason::NotRead("set"));
+            }
             let acting = acting(root, names, at)?;
             let made = sets::expand(set.trim(), &acting, MOST.saturating_sub(recipes.len()));
             match made {
@@ -111,7 +114,7 @@ fn recipes(root: Section, names: &[&str]) -> Read<Vec<Recipe>> {
 fn acting<'t>(root: Section<'t>, names: &[&str], at: usize) -> Read<Vec<Acting<'t>>> {
     let mut described: BTreeMap<&str, Acting> = BTreeMap::new();
     for table in root.tables("case")? {
-        table.only(&[&["name", "action", "group"]], &[])?;
+        table.only(&[&["name", "action", "group"]], &["source"])?;
         let Some((name, place)) = table.words("name")? else { return table.missing("name") };
         let name = name.trim();
         if described.contains_key(name) {

@@ -4,7 +4,7 @@
 //! rectangle, 9/10 of a circle, half of a tube; of a box, an I or a T the webs between the flanges.
 
 use super::course::{plus, scaled, times};
-use super::error::{Read, wrong};
+use super::error::{Read, Reason, fault, wrong};
 use super::fields::{Along, Fields, LENGTH, Section, Values};
 use super::units::pi;
 use crate::{Course, Scalar};
@@ -19,12 +19,20 @@ pub(crate) struct Shape<S> {
     pub depth: Option<Along<S>>,
 }
 
-/// Rolled rails: names, area and second moment about the horizontal axis. 60E1 and 54E1 are from EN 13674-1,
-/// annex A, 136RE from AREMA's Manual, chapter 4.
-const RAILS: [(&[&str], &str, &str); 3] = [
-    (&["60E1", "UIC60"], "76.70 cm^2", "3038.3 cm^4"),
-    (&["54E1", "UIC54"], "69.77 cm^2", "2337.9 cm^4"),
-    (&["136RE"], "13.35 in^2", "94.9 in^4"),
+/// Rolled rails: names, area and second moment about the horizontal axis. 60E1, 60E2 and 54E1 are from EN 13674-1,
+/// annex A, UIC60 and UIC54 from UIC 860 V, those with RE from AREMA's Manual, chapter 4, AS50 and AS60 from AS 1085.1.
+const RAILS: [(&[&str], &str, &str); 11] = [
+    (&["60E1"], "76.70 cm^2", "3038.3 cm^4"),
+    (&["60E2"], "76.48 cm^2", "3021.5 cm^4"),
+    (&["54E1"], "69.77 cm^2", "2337.9 cm^4"),
+    (&["UIC60"], "76.86 cm^2", "3055 cm^4"),
+    (&["UIC54"], "69.34 cm^2", "2346 cm^4"),
+    (&["115RE"], "11.2171 in^2", "65.5 in^4"),
+    (&["119RE"], "11.6378 in^2", "71.4 in^4"),
+    (&["132RE"], "12.9124 in^2", "87.9 in^4"),
+    (&["136RE"], "13.32 in^2", "94.9 in^4"),
+    (&["AS50"], "64.51 cm^2", "2010 cm^4"),
+    (&["AS60"], "77.25 cm^2", "2930 cm^4"),
 ];
 
 impl<S: Scalar> Shape<S> {
@@ -45,6 +53,9 @@ pub(crate) fn read<S: Scalar>(fields: &mut Fields, parent: Section) -> Read<Opti
     if section.table.get("rail").is_some() {
         return rail(fields, section).map(Some);
     }
+    if let Some(node) = section.table.get("name") {
+        return fault(node.at, Reason::NotRead("name"));
+    }
     let (shape, at) = section.words("shape")?.unwrap_or(("rectangle", section.at));
     let keys: &[&'static str] = match shape {
         "rectangle" => &["width", "height"],
@@ -54,7 +65,7 @@ pub(crate) fn read<S: Scalar>(fields: &mut Fields, parent: Section) -> Read<Opti
         "I" | "T" => &["width", "height", "flange", "web"],
         _ => return wrong(at, format!("the shape `{shape}` is not known")),
     };
-    section.only(&[&["shape"], keys], &[])?;
+    section.only(&[&["shape"], keys], &["fillet"])?;
     let mut sides = Vec::new();
     for key in keys {
         let side = fields.along(section, key, LENGTH, Values::Linear)?;

@@ -20,7 +20,7 @@ pub(crate) struct Made {
 }
 
 /// A factor in millionths: the product of two decimals with three places is an integer.
-type Micro = u64;
+type Micro = i64;
 const UNIT: Micro = 1_000_000;
 
 /// Actions that may be present, each with its factor. Of each list one action is present at a time, or none.
@@ -76,12 +76,14 @@ const AMERICAN: &[(&str, Option<[Micro; 3]>)] = &[
     ("dead", None),
     ("fluid", None),
     ("soil", None),
+    ("soil not permanent", None),
     ("live", None),
     ("roof live", None),
     ("snow", None),
     ("rain", None),
     ("wind", None),
-    ("earthquake", None),
+    ("earthquake horizontal", None),
+    ("earthquake vertical", None),
 ];
 
 const fn european(
@@ -104,19 +106,35 @@ const fn american(
 const ONE: &[(&str, &[Micro])] = &[("permanent", &[m(1000)])];
 const SOIL: &[Micro] = &[m(1600), m(900)];
 const SOIL_ASD: &[Micro] = &[m(1000), m(600)];
-const LRFD_12: &[(&str, &[Micro])] = &[("dead", &[m(1200)]), ("fluid", &[m(1200)]), ("soil", SOIL)];
-const ASD_1: &[(&str, &[Micro])] =
-    &[("dead", &[m(1000)]), ("fluid", &[m(1000)]), ("soil", SOIL_ASD)];
+/// Soil that is not permanent is absent where it resists.
+const PASSING: &[Micro] = &[m(1600), 0];
+const PASSING_ASD: &[Micro] = &[m(1000), 0];
+const LRFD_12: &[(&str, &[Micro])] =
+    &[("dead", &[m(1200)]), ("fluid", &[m(1200)]), ("soil", SOIL), ("soil not permanent", PASSING)];
+const ASD_1: &[(&str, &[Micro])] = &[
+    ("dead", &[m(1000)]),
+    ("fluid", &[m(1000)]),
+    ("soil", SOIL_ASD),
+    ("soil not permanent", PASSING_ASD),
+];
 const ROOF_HALF: Term = &[("roof live", m(500)), ("snow", m(500)), ("rain", m(500))];
 const ROOF_FULL: Term = &[("roof live", m(1600)), ("snow", m(1600)), ("rain", m(1600))];
 const ROOF_ONE: Term = &[("roof live", m(1000)), ("snow", m(1000)), ("rain", m(1000))];
 const ROOF_MOST: Term = &[("roof live", m(750)), ("snow", m(750)), ("rain", m(750))];
+const EH: Term = &[("earthquake horizontal", m(1000))];
+const EV: Term = &[("earthquake vertical", m(1000))];
+const LIFTS: Term = &[("earthquake vertical", m(-1000))];
+const EH_ASD: Term = &[("earthquake horizontal", m(700))];
+const EV_ASD: Term = &[("earthquake vertical", m(700))];
+const LIFTS_ASD: Term = &[("earthquake vertical", m(-700))];
+const EH_MOST: Term = &[("earthquake horizontal", m(525))];
+const EV_MOST: Term = &[("earthquake vertical", m(525))];
 const LIVE: Term = &[("live", m(1000))];
 const LIVE_MOST: Term = &[("live", m(750))];
 
 const SETS: &[Set] = &[
     Set {
-        names: &["EN 1990 6.10", "EN 1990 STR", "EN 1990 STR/GEO"],
+        names: &["EN 1990 STR/GEO B", "EN 1990 6.10", "EN 1990 STR", "EN 1990 STR/GEO"],
         actions: EUROPEAN,
         formulas: &[european(
             "6.10",
@@ -140,12 +158,12 @@ const SETS: &[Set] = &[
         ],
     },
     Set {
-        names: &["EN 1990 6.10 set C", "EN 1990 GEO"],
+        names: &["EN 1990 STR/GEO C", "EN 1990 6.10 set C"],
         actions: EUROPEAN,
         formulas: &[european("6.10 set C", ONE, Some((m(1300), None)), (m(1300), Some(0)))],
     },
     Set {
-        names: &["EN 1990 EQU"],
+        names: &["EN 1990 EQU", "EN 1990 EQU A"],
         actions: EUROPEAN,
         formulas: &[european(
             "EQU",
@@ -170,24 +188,42 @@ const SETS: &[Set] = &[
         formulas: &[european("quasi-permanent", ONE, None, (m(1000), Some(2)))],
     },
     Set {
-        names: &["ASCE 7-16 LRFD", "ASCE 7 LRFD"],
+        names: &["ASCE 7-16 LRFD"],
         actions: AMERICAN,
         formulas: &[
-            american("LRFD 1", &[("dead", &[m(1400)]), ("fluid", &[m(1400)]), ("soil", SOIL)], &[]),
+            american(
+                "LRFD 1",
+                &[
+                    ("dead", &[m(1400)]),
+                    ("fluid", &[m(1400)]),
+                    ("soil", SOIL),
+                    ("soil not permanent", PASSING),
+                ],
+                &[],
+            ),
             american("LRFD 2", LRFD_12, &[&[("live", m(1600))], ROOF_HALF]),
             american("LRFD 3", LRFD_12, &[ROOF_FULL, &[("live", m(1000)), ("wind", m(500))]]),
             american("LRFD 4", LRFD_12, &[&[("wind", m(1000))], LIVE, ROOF_HALF]),
-            american("LRFD 5", &[("dead", &[m(900)]), ("soil", SOIL)], &[&[("wind", m(1000))]]),
-            american("LRFD 6", LRFD_12, &[&[("earthquake", m(1000))], LIVE, &[("snow", m(200))]]),
+            american(
+                "LRFD 5",
+                &[("dead", &[m(900)]), ("soil", SOIL), ("soil not permanent", PASSING)],
+                &[&[("wind", m(1000))]],
+            ),
+            american("LRFD 6", LRFD_12, &[EH, EV, LIVE, &[("snow", m(200))]]),
             american(
                 "LRFD 7",
-                &[("dead", &[m(900)]), ("fluid", &[m(900)]), ("soil", SOIL)],
-                &[&[("earthquake", m(1000))]],
+                &[
+                    ("dead", &[m(900)]),
+                    ("fluid", &[m(900)]),
+                    ("soil", SOIL),
+                    ("soil not permanent", PASSING),
+                ],
+                &[EH, LIFTS],
             ),
         ],
     },
     Set {
-        names: &["ASCE 7-16 ASD", "ASCE 7 ASD"],
+        names: &["ASCE 7-16 ASD"],
         actions: AMERICAN,
         formulas: &[
             american("ASD 1", ASD_1, &[]),
@@ -196,17 +232,31 @@ const SETS: &[Set] = &[
             american("ASD 4", ASD_1, &[LIVE_MOST, ROOF_MOST]),
             american("ASD 5", ASD_1, &[&[("wind", m(600))]]),
             american("ASD 6", ASD_1, &[LIVE_MOST, &[("wind", m(450))], ROOF_MOST]),
-            american("ASD 7", &[("dead", &[m(600)]), ("soil", SOIL_ASD)], &[&[("wind", m(600))]]),
-            american("ASD 8", ASD_1, &[&[("earthquake", m(700))]]),
-            american("ASD 9", ASD_1, &[&[("earthquake", m(525))], LIVE_MOST, &[("snow", m(750))]]),
+            american(
+                "ASD 7",
+                &[("dead", &[m(600)]), ("soil", SOIL_ASD), ("soil not permanent", PASSING_ASD)],
+                &[&[("wind", m(600))]],
+            ),
+            american("ASD 8", ASD_1, &[EH_ASD, EV_ASD]),
+            american("ASD 9", ASD_1, &[EH_MOST, EV_MOST, LIVE_MOST, &[("snow", m(750))]]),
             american(
                 "ASD 10",
-                &[("dead", &[m(600)]), ("fluid", &[m(600)]), ("soil", SOIL_ASD)],
-                &[&[("earthquake", m(700))]],
+                &[
+                    ("dead", &[m(600)]),
+                    ("fluid", &[m(600)]),
+                    ("soil", SOIL_ASD),
+                    ("soil not permanent", PASSING_ASD),
+                ],
+                &[EH_ASD, LIFTS_ASD],
             ),
         ],
     },
 ];
+
+/// Whether this reader knows a set.
+pub(crate) fn is_known(set: &str) -> bool {
+    SETS.iter().any(|known| known.names.contains(&set))
+}
 
 /// The combinations of a set without duplicates, in the order of the set.
 pub(crate) fn expand(set: &str, cases: &[Acting], most: usize) -> Result<Vec<Made>, &'static str> {
@@ -229,17 +279,19 @@ pub(crate) fn expand(set: &str, cases: &[Acting], most: usize) -> Result<Vec<Mad
         };
         let sum: Vec<String> = factors.iter().map(term).collect();
         let factors = factors.into_iter().map(|(case, factor)| (case, decimal(factor))).collect();
-        Made { name: format!("{label}: {}", sum.join(" + ")), factors }
+        let sum = sum.join(" + ").replace("+ -1 ", "- ").replace("+ -", "- ");
+        Made { name: format!("{label}: {sum}"), factors }
     };
     Ok(found.made.into_iter().map(name).collect())
 }
 
 /// A factor as a decimal without superfluous zeros.
 fn decimal(factor: Micro) -> String {
-    let (whole, part) = (factor / UNIT, factor % UNIT);
+    let sign = if factor < 0 { "-" } else { "" };
+    let (whole, part) = (factor.abs() / UNIT, factor.abs() % UNIT);
     match format!("{part:06}").trim_end_matches('0') {
-        "" => whole.to_string(),
-        part => format!("{whole}.{part}"),
+        "" => format!("{sign}{whole}"),
+        part => format!("{sign}{whole}.{part}"),
     }
 }
 
@@ -306,9 +358,10 @@ impl Expansion<'_> {
             return self.permanent(formula, terms, must_lead, case + 1);
         };
         for factor in *factors {
-            self.chosen.push((case, *factor));
+            let before = self.chosen.len();
+            self.chosen.extend((*factor != 0).then_some((case, *factor)));
             self.permanent(formula, terms, must_lead, case + 1)?;
-            self.chosen.pop();
+            self.chosen.truncate(before);
         }
         Ok(())
     }

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Iterator, Mapping, NamedTuple, Union
+from typing import TYPE_CHECKING, Iterator, Mapping, NamedTuple, Optional, Union
 
 import numpy as np
 
@@ -79,8 +79,19 @@ class Combinations(Mapping[str, Answer]):
         """Every load case, and whether it could stand by itself."""
         return dict(self._inner.load_cases())
 
-    def envelope(self, field: str, x: Union[Position, Positions]) -> Envelope:
-        """The envelope of a field at positions; where it jumps, both sides count."""
+    @property
+    def limit_states(self) -> list[str]:
+        """The limit states of the solved combinations; empty if they name none."""
+        return list(self._inner.limit_states())
+
+    def envelope(
+        self, field: str, x: Union[Position, Positions], limit_state: Optional[str] = None
+    ) -> Envelope:
+        """The envelope of a field at positions, of all combinations or of those of a limit state; where it jumps, both
+        sides count."""
+        if limit_state is not None and limit_state not in self.limit_states:
+            known = ", ".join(self.limit_states) or "none"
+            raise ValueError(f"no solved combination is of {limit_state}; the limit states: {known}")
         at = np.atleast_1d(positions_of(None, x))
         if not self.solutions:
             raise ValueError("no combination has an equilibrium: there is no envelope")
@@ -88,7 +99,7 @@ class Combinations(Mapping[str, Answer]):
         length = self.solutions[names[0]].length
         if not ((at >= 0.0) & (at <= length)).all():
             raise ValueError(f"a position lies off the beam, which goes from 0 to {length:g}")
-        bounds = self._inner.envelope(field, at.ravel())
+        bounds = self._inner.envelope(field, at.ravel(), limit_state)
         low, high = (
             Bound(values.reshape(at.shape), [names[i] for i in by]) for values, by in bounds
         )

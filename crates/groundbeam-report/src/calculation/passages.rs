@@ -3,7 +3,7 @@
 use super::content::{Block, Key, Report, Section, Table, Verdict, facts, numbers, wording};
 use super::single::{certified, checked, place};
 use super::{Source, given, print, proof};
-use crate::checked::{Judged, judged};
+use crate::checked::verdicts;
 use crate::context::{Context, clean};
 use crate::quantity::{Kind, Units};
 use crate::svg::figures;
@@ -21,18 +21,18 @@ pub(super) fn trains(passages: &Passages, context: &Context, source: &Source) ->
     let mut given = given::section(model, existence.as_ref(), None, context, source);
     given.blocks.extend(facts(|sheet| {
         all.iter().for_each(|passage| train::head(sheet, passage, context.units));
+        train::places(sheet, all);
     }));
     let method = first.map_or(Method::Exact, |(_, solution)| solution.method());
     let mut sections = vec![given, given::assumptions(model, method), ways(all, context)];
-    let mut verdicts = vec![overall(passages)];
+    let mut said = vec![overall(passages)];
     let mut key = Vec::new();
     if first.is_some() {
         let solved = || all.iter().flat_map(Passage::solved);
-        let of = |solution| judged(context.limits, solution, None);
-        let checks: Vec<Judged> = solved().flat_map(|(_, solution)| of(solution)).collect();
-        verdicts.extend(checked(&checks));
+        let positions = train::positions_of(all, context);
+        said.extend(checked(&verdicts(context.limits, &positions)));
         let gaps = solved().map(|(_, solution)| solution.certificate().relative_gap());
-        verdicts.push(certified(gaps.fold(0.0, f64::max)));
+        said.push(certified(gaps.fold(0.0, f64::max)));
         key = keys(passages, context.units);
         sections.push(envelope(passages, context.units));
         sections.push(diagrams(passages, context.units));
@@ -45,7 +45,7 @@ pub(super) fn trains(passages: &Passages, context: &Context, source: &Source) ->
     sections.extend(proof::provenance(context, source));
     Report {
         subject: "Beam on ground under trains that pass",
-        verdicts,
+        verdicts: said,
         key,
         sections,
         ..Report::default()
@@ -81,8 +81,29 @@ fn ways(all: &[Passage], context: &Context) -> Section {
     Section::new("Positions and equilibrium", blocks.into_iter().collect())
 }
 
-/// The extremes of all, with the section, the position of the first axle, and the passage.
+/// The extremes of all, and those of each limit state.
 fn envelope(passages: &Passages, units: Units) -> Section {
+    let caption = "Envelope of all positions; where the first axle then stands";
+    let mut blocks = vec![Block::Table(extremes(caption, passages, units))];
+    for state in passages.limit_states().iter() {
+        let caption = format!("Envelope of the limit state {}", state.name());
+        let of_state = passages.of_limit_state(state);
+        blocks.push(Block::Table(extremes(&caption, &of_state, units)));
+    }
+    blocks.extend(facts(|sheet| {
+        for (i, passage) in passages.all.iter().enumerate() {
+            if passages.all.len() > 1 {
+                sheet.row("Passage", &format!("#{}", i + 1));
+            }
+            train::uplift(sheet, passage, units);
+        }
+        text::free_spans::of_trains(sheet, &passages.all, units);
+    }));
+    Section::new("Envelope", blocks)
+}
+
+/// The extremes, with the section, the position of the first axle, and the passage.
+fn extremes(caption: &str, passages: &Passages, units: Units) -> Table {
     let length = passages.all.first().map_or(1.0, |passage| passage.model().beam.length);
     let x = units.unit(Kind::Position, length);
     let several = passages.all.len() > 1;
@@ -96,8 +117,7 @@ fn envelope(passages: &Passages, units: Units) -> Section {
     let mut columns = vec![wording("quantity")];
     columns.extend(smallest.into_iter().chain(largest));
     columns.push(wording("unit"));
-    let mut table =
-        Table::new("Envelope of all positions; where the first axle then stands", columns);
+    let mut table = Table::new(caption, columns);
     for field in passages.fields() {
         let Some(range) = passages.range(field) else { continue };
         let known = range.map(|governing| cleaned(passages, field, governing));
@@ -111,17 +131,7 @@ fn envelope(passages: &Passages, units: Units) -> Section {
         let name = [field.label().to_owned()];
         table.push(name.into_iter().chain(min).chain(max).chain([unit.name.to_owned()]));
     }
-    let mut blocks = vec![Block::Table(table)];
-    blocks.extend(facts(|sheet| {
-        for (i, passage) in passages.all.iter().enumerate() {
-            if several {
-                sheet.row("Passage", &format!("#{}", i + 1));
-            }
-            train::uplift(sheet, passage, units);
-        }
-        text::free_spans::of_trains(sheet, &passages.all, units);
-    }));
-    Section::new("Envelope", blocks)
+    table
 }
 
 /// A governing value without what is rounding, and the number of its passage.

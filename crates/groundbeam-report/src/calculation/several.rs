@@ -4,16 +4,17 @@ use super::content::{Block, Key, Report, Section, Table, Verdict, facts, numbers
 use super::single::{certified, checked, place, proven};
 use super::{Source, given, print, proof};
 use crate::bound::{not_proven, rounded_with_bound};
-use crate::checked::judged;
-use crate::combinations::{Numbered, bound_of_extreme, noun, numbered};
+use crate::checked::verdicts;
+use crate::combinations::{Numbered, bound_of_extreme, noun, numbered, of_limit_state};
 use crate::context::{Context, clean};
 use crate::number::significant;
 use crate::quantity::{Kind, Unit, Units};
+use crate::results::rows_of;
 use crate::svg::figures;
 use crate::text;
 use crate::text::sheet::Tone;
 use crate::verdict;
-use groundbeam::{Existence, Extreme, Field, Governing, Method};
+use groundbeam::{Envelope, Existence, Extreme, Field, Governing, Method};
 use groundbeam_file::Combination;
 use groundbeam_run::{Answers, Found, Overall};
 
@@ -31,23 +32,22 @@ pub(super) fn combinations(all: &Answers, context: &Context, source: &Source) ->
     let method = solved.first().map_or(Method::Exact, |row| row.solution.method());
     let mut sections =
         vec![given, given::assumptions(first.model(), method), statics(all, context.units)];
-    let mut verdicts = vec![overall(all)];
+    let mut said = vec![overall(all)];
     let mut key = Vec::new();
     if !solved.is_empty() {
-        let judged = solved.iter().flat_map(|row| judged(context.limits, row.solution, row.proof));
-        verdicts.extend(checked(&judged.collect::<Vec<_>>()));
+        let rows = rows_of(all, context);
+        said.extend(checked(&verdicts(context.limits, &rows)));
         let gaps = solved.iter().map(|row| row.solution.certificate().relative_gap());
         let gap = gaps.fold(0.0, f64::max);
-        verdicts.push(certified(gap));
-        verdicts.extend(proven(context.proofs));
+        said.push(certified(gap));
+        said.extend(proven(context.proofs));
         key = keys(all, &solved, context);
         sections.extend(match have_bounds {
             true => [bounded(all, &solved, context.units), bounded_envelope(all, &solved, context)],
             false => [each(all, &solved, context.units), envelope(all, &solved, context.units)],
         });
         sections.push(diagrams(all, context.units));
-        let named = text::of_names(all, &solved);
-        if let Some(block) = facts(|sheet| text::checks::worst_rows(sheet, &named, context)) {
+        if let Some(block) = facts(|sheet| text::checks::all_rows(sheet, &rows, context)) {
             sections.push(Section::new("Checks", vec![block]));
         }
         sections.push(proof::certificates(|sheet| {
@@ -59,7 +59,7 @@ pub(super) fn combinations(all: &Answers, context: &Context, source: &Source) ->
     sections.extend(proof::provenance(context, source));
     Report {
         subject: "Beam on ground: combinations of load cases",
-        verdicts,
+        verdicts: said,
         key,
         sections,
         ..Report::default()
@@ -223,14 +223,27 @@ fn bounded(all: &Answers, solved: &[Numbered], units: Units) -> Section {
 fn bounded_envelope(all: &Answers, solved: &[Numbered], context: &Context) -> Section {
     let block = facts(|sheet| {
         text::bounded_envelope(sheet, &all.envelope(), solved, context.units);
+        text::of_limit_states(sheet, all, solved, context);
         text::bounded_band(sheet, all, solved, context.units);
     });
     Section::new("Envelope", block.into_iter().collect())
 }
 
-/// The extremes of all, each with the combination that has it.
+/// The extremes of all and of each limit state, each with the combination that has it.
 fn envelope(all: &Answers, solved: &[Numbered], units: Units) -> Section {
-    let envelope = all.envelope();
+    let caption = "Envelope: the smallest and largest values, and the combination that governs";
+    let mut blocks = vec![Block::Table(extremes(caption, all, solved, units))];
+    for state in all.limit_states().iter() {
+        let caption = format!("Envelope of the limit state {}", state.name());
+        let of_state = of_limit_state(all, solved, state);
+        blocks.push(Block::Table(extremes(&caption, all, &of_state, units)));
+    }
+    Section::new("Envelope", blocks)
+}
+
+/// The extremes of some combinations.
+fn extremes(caption: &str, all: &Answers, solved: &[Numbered], units: Units) -> Table {
+    let envelope = Envelope::of(solved.iter().map(|row| row.solution));
     let x = units.unit(Kind::Position, all.list.first().map_or(1.0, |c| c.model().beam.length));
     let columns = vec![
         wording("quantity"),
@@ -242,10 +255,7 @@ fn envelope(all: &Answers, solved: &[Numbered], units: Units) -> Section {
         numbers("#", ""),
         wording("unit"),
     ];
-    let mut table = Table::new(
-        "Envelope: the smallest and largest values, and the combination that governs",
-        columns,
-    );
+    let mut table = Table::new(caption, columns);
     for field in envelope.fields() {
         let range = envelope.range(field);
         let both = [range.min, range.max].map(|governing| known(governing, field, solved));
@@ -257,7 +267,7 @@ fn envelope(all: &Answers, solved: &[Numbered], units: Units) -> Section {
         let name = [field.label().to_owned()];
         table.push(name.into_iter().chain(min).chain(max).chain([unit.name.to_owned()]));
     }
-    Section::new("Envelope", vec![Block::Table(table)])
+    table
 }
 
 /// An extreme without what is rounding, and the number of its combination.

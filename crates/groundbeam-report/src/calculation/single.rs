@@ -2,7 +2,7 @@
 
 use super::content::{Block, Key, Report, Section, Table, Verdict, facts, numbers, wording};
 use super::{Source, given, print, proof};
-use crate::checked::{Judged, judged};
+use crate::checked::{Row, Verdict as Judged, verdicts};
 use crate::context::Context;
 use crate::numbers::Numbers;
 use crate::quantity::{Kind, Units};
@@ -16,7 +16,7 @@ use groundbeam::{Existence, Extreme, Field, Model, Solution, Stopped, Verdict as
 /// The report of an equilibrium.
 pub(super) fn solved(solution: &Solution, context: &Context, source: &Source) -> Report {
     let (model, existence) = (solution.model(), solution.existence());
-    let checks = judged(context.limits, solution, context.proofs.first());
+    let checks = verdicts(context.limits, &[Row::alone(solution, context)]);
     let mut verdicts = vec![stands(model, existence, context.units)];
     verdicts.extend(checked(&checks));
     verdicts.push(certified(solution.certificate().relative_gap()));
@@ -110,9 +110,11 @@ pub(super) fn stands(model: &Model, existence: &Existence, units: Units) -> Verd
 /// How many checks pass; nothing if none was asked for.
 pub(super) fn checked(checks: &[Judged]) -> Option<Verdict> {
     let undecided = checks.iter().filter(|judged| judged.is_undecided()).count();
-    let failed = checks.iter().filter(|judged| !judged.check.passes()).count();
+    let failed = checks.iter().filter(|judged| judged.passes() == Some(false)).count();
+    let unjudged = checks.iter().filter(|judged| judged.passes().is_none()).count();
     let mut words = match (checks.len(), failed) {
         (0, _) => return None,
+        (all, 0) if unjudged > 0 => format!("{} of {all} kept", all - unjudged),
         (1, 0) => "the check asked for is kept".to_owned(),
         (all, 0) => format!("all {all} are kept"),
         (all, failed) => format!("{failed} of {all} not kept"),
@@ -120,7 +122,10 @@ pub(super) fn checked(checks: &[Judged]) -> Option<Verdict> {
     if undecided > 0 {
         words += &format!("; {undecided} undecided within the bound");
     }
-    let tone = match (failed, undecided) {
+    if unjudged > 0 {
+        words += &format!("; {unjudged} not judged");
+    }
+    let tone = match (failed, undecided + unjudged) {
         (0, 0) => "good",
         (0, _) => "doubtful",
         _ => "bad",

@@ -1,11 +1,12 @@
 //! Bounds of the numbers that several combinations give together: envelope, extremes, band and checks.
 
 use super::ByName;
-use crate::checked::{Judged, judged, worst};
+use crate::checked::{Governing, Judged, verdicts};
 use crate::combinations::{
-    Numbered, bound_of_extreme, bounds_at, bounds_of_band, largest_end_force, numbered,
+    bound_of_extreme, bounds_at, bounds_of_band, largest_end_force, numbered,
 };
 use crate::context::Context;
+use crate::results::rows_of;
 use groundbeam::Field;
 use groundbeam_run::Answers;
 use serde::Serialize;
@@ -50,6 +51,8 @@ pub(super) struct JudgedCheck {
     /// The combination that governs, of several.
     #[serde(skip_serializing_if = "Option::is_none")]
     combination: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    limit_state: Option<&'static str>,
     value: f64,
     limit: f64,
     bound: Option<f64>,
@@ -62,6 +65,7 @@ impl JudgedCheck {
         JudgedCheck {
             name: judged.check.what.name(),
             combination: combination.map(str::to_owned),
+            limit_state: None,
             value: judged.check.found,
             limit: judged.check.limit,
             bound: judged.error,
@@ -112,15 +116,21 @@ impl Together {
                 right: largest_end_force(&solved, 1)?.2,
             },
             band,
-            checks: checks(answers, &solved, context),
+            checks: checks(answers, context),
         })
     }
 }
 
-/// The worst of each check, with the combination that governs.
-fn checks(answers: &Answers, solved: &[Numbered], context: &Context) -> Vec<JudgedCheck> {
-    let each = solved.iter().map(|row| judged(context.limits, row.solution, row.proof));
-    let worst = worst(&each.collect::<Vec<_>>());
-    let name = |by: usize| answers.list[solved[by].number - 1].name();
-    worst.iter().map(|(by, judged)| JudgedCheck::of(judged, Some(name(*by)))).collect()
+/// The worst of each check in each limit state, with the combination that governs.
+fn checks(answers: &Answers, context: &Context) -> Vec<JudgedCheck> {
+    let rows = rows_of(answers, context);
+    let all = verdicts(context.limits, &rows);
+    let each = all.iter().filter_map(|verdict| match verdict.of {
+        Governing::Judged(by, judged) => {
+            let limit_state = verdict.state.map(|state| state.name());
+            Some(JudgedCheck { limit_state, ..JudgedCheck::of(&judged, Some(&rows[by].name)) })
+        }
+        _ => None,
+    });
+    each.collect()
 }

@@ -3,11 +3,12 @@
 use super::bounds::Together;
 use super::existence::Proven;
 use super::{
-    Along, ByName, Checked, EVEN_STEPS, Extremes, Head, Lines, Solved, Unsolved, default_stations,
-    text,
+    Along, ByName, Checked, EVEN_STEPS, Extremes, Head, Lines, Solved, Unsolved, checks,
+    default_stations, text,
 };
 use crate::context::Context;
-use groundbeam::{Bound, Bounds, Change, Envelope, Extreme, Field, Governing};
+use crate::results::rows_of;
+use groundbeam::{Bound, Bounds, Change, Envelope, Extreme, Field, Governing, LimitState};
 use groundbeam_run::{Alone, Answer, Answers, Banded, Found, Overall};
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -33,6 +34,12 @@ pub fn combinations(answers: &Answers, stations: Option<&[f64]>, context: &Conte
         combinations: each(answers, stations, context),
         envelope: any.then(|| of.table(&listed)),
         extremes: any.then(|| ByName::of(envelope.fields(), |field| of.extremes(field))),
+        envelopes: answers
+            .limit_states()
+            .iter()
+            .map(|state| OfState::new(answers, state, &listed))
+            .collect(),
+        checks: checks::of(&rows_of(answers, context), context),
         band: answers
             .bands()
             .map(|bands| ByName::of(envelope.fields(), |field| Extremes::of(bands[field.index()]))),
@@ -58,6 +65,10 @@ struct All<'a> {
     envelope: Option<Along<Lines<&'a str>>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     extremes: Option<ByName<Extremes<Governed<'a>>>>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    envelopes: Vec<OfState<'a>>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    checks: Vec<checks::Checked>,
     #[serde(skip_serializing_if = "Option::is_none")]
     band: Option<ByName<Extremes<Banded>>>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -75,6 +86,8 @@ impl<'a> All<'a> {
             cases: answers.alone.iter().map(|case| Case::of(case, context)).collect(),
             envelope: None,
             extremes: None,
+            envelopes: Vec::new(),
+            checks: Vec::new(),
             band: None,
             changes: None,
             proof: None,
@@ -83,9 +96,34 @@ impl<'a> All<'a> {
     }
 }
 
+/// The envelope of the combinations of one limit state.
+#[derive(Serialize)]
+struct OfState<'a> {
+    limit_state: &'static str,
+    #[serde(flatten)]
+    envelope: Along<Lines<&'a str>>,
+    extremes: ByName<Extremes<Governed<'a>>>,
+}
+
+impl<'a> OfState<'a> {
+    fn new(answers: &'a Answers, state: LimitState, stations: &[f64]) -> Self {
+        let (of_state, solutions): (Vec<_>, Vec<_>) = answers.of_limit_state(state).unzip();
+        let names: Vec<&str> = of_state.into_iter().map(Answer::name).collect();
+        let envelope = Envelope::of(solutions);
+        let of = Named { envelope: &envelope, names: &names };
+        OfState {
+            limit_state: state.name(),
+            envelope: of.table(stations),
+            extremes: ByName::of(envelope.fields(), |field| of.extremes(field)),
+        }
+    }
+}
+
 #[derive(Serialize)]
 struct One<'a> {
     name: &'a str,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    limit_states: Vec<&'static str>,
     factors: BTreeMap<&'a str, f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     ground_factors: Option<GroundFactors>,
@@ -141,7 +179,8 @@ fn each<'a>(answers: &'a Answers, stations: Option<&[f64]>, context: &Context<'a
         let factors =
             combination.factors.iter().map(|(case, factor)| (case.as_str(), *factor)).collect();
         let ground_factors = combination.ground.map(|[k, mu]| GroundFactors { k, mu });
-        One { name: &combination.name, factors, ground_factors, result }
+        let limit_states = combination.limit_states.iter().map(LimitState::name).collect();
+        One { name: &combination.name, limit_states, factors, ground_factors, result }
     };
     answers.list.iter().enumerate().map(one).collect()
 }

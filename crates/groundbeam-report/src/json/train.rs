@@ -1,9 +1,10 @@
 //! The document of passages: each train, the positions that were solved, and the envelope.
 
-use super::{Along, ByName, Extremes, FreeSpan, Head, Lines, text};
+use super::{Along, ByName, Extremes, FreeSpan, Head, Lines, checks, text};
 use crate::context::Context;
+use crate::text::train::positions_of;
 use groundbeam::model::{Axle, UniformPart};
-use groundbeam::{ByField, Field};
+use groundbeam::{ByField, Field, LimitState};
 use groundbeam_file::MovingTrain;
 use groundbeam_run::{InPassage, Located, Opened, Overall, Passage, Passages, Uplift};
 use serde::Serialize;
@@ -14,10 +15,22 @@ pub fn trains(passages: &Passages, stations: Option<&[f64]>, context: &Context) 
     if let [passage] = passages.all[..] {
         let head = Head::new(passage.overall().name(), context);
         let one = One::of(passage, stations);
-        return text(&Document { head, one, seconds: context.seconds });
+        let checks = checks::of(&positions_of(&passages.all, context), context);
+        return text(&Document { head, one, checks, seconds: context.seconds });
     }
     let any = passages.any_solved();
     let sections = || stations.map_or_else(|| passages.default_stations(), <[f64]>::to_vec);
+    let of_state = |state| {
+        let of_state = passages.of_limit_state(state);
+        let any = of_state.at(0.0).is_some();
+        any.then(|| OfState {
+            limit_state: LimitState::name(state),
+            envelope: envelope_of_all(&of_state, sections()),
+            extremes: ByName::of(passages.fields(), |field| {
+                of_state.range(field).map(Extremes::of)
+            }),
+        })
+    };
     text(&Several {
         head: Head::new(passages.overall().name(), context),
         passages: passages.all.iter().map(|&passage| Each::of(passage, stations)).collect(),
@@ -25,6 +38,8 @@ pub fn trains(passages: &Passages, stations: Option<&[f64]>, context: &Context) 
         extremes: any.then(|| {
             ByName::of(passages.fields(), |field| passages.range(field).map(Extremes::of))
         }),
+        envelopes: passages.limit_states().iter().filter_map(of_state).collect(),
+        checks: checks::of(&positions_of(&passages.all, context), context),
         seconds: context.seconds,
     })
 }
@@ -74,7 +89,20 @@ struct Several<'a> {
     envelope: Option<Along<Lines<f64>>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     extremes: Option<ByName<Option<Extremes<InPassage>>>>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    envelopes: Vec<OfState>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    checks: Vec<checks::Checked>,
     seconds: Option<f64>,
+}
+
+/// The envelope of the passages of one limit state.
+#[derive(Serialize)]
+struct OfState {
+    limit_state: &'static str,
+    #[serde(flatten)]
+    envelope: Along<Lines<f64>>,
+    extremes: ByName<Option<Extremes<InPassage>>>,
 }
 
 #[derive(Serialize)]
@@ -83,6 +111,8 @@ struct Document<'a> {
     head: Head<'a>,
     #[serde(flatten)]
     one: One<'a>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    checks: Vec<checks::Checked>,
     seconds: Option<f64>,
 }
 
@@ -145,7 +175,12 @@ struct Train<'a> {
     name: &'a str,
     #[serde(skip_serializing_if = "Option::is_none")]
     set: Option<&'a str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    case: Option<&'a str>,
     factor: f64,
+    dynamic: f64,
+    /// Where loads without end act, of those places that were tried.
+    spread: &'static str,
     axles: &'a [Axle],
     /// What has no end is `null` there.
     uniform: &'a [UniformPart],
@@ -179,12 +214,16 @@ struct Error {
 
 impl<'a> Train<'a> {
     fn of(passage: Passage<'a>) -> Self {
-        let MovingTrain { name, set, factor, range, train } = passage.moving();
+        let moving = passage.moving();
+        let MovingTrain { name, set, case, factor, dynamic, spread, range, train } = moving;
         let reach = passage.reach();
         Train {
             name,
             set: set.as_deref(),
+            case: case.as_deref(),
             factor: *factor,
+            dynamic: *dynamic,
+            spread: spread.name(),
             axles: &train.axles,
             uniform: &train.uniform,
             range: Stretch::of(*range),

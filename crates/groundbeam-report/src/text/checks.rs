@@ -1,93 +1,166 @@
-//! Design checks, one line each.
+//! Verdicts on design checks, a sentence each.
 
 use super::sheet::{Sheet, Tone};
 use crate::bound::{not_proven, with_bound};
-use crate::checked::{Judged, Judgement, judged, worst};
+use crate::checked::{Governing, Judged, Judgement, Row, Verdict, verdicts};
 use crate::context::{Context, clean};
 use crate::numbers::{Numbers, PERCENT};
 use crate::quantity::{Kind, Unit};
-use crate::verified::Named;
-use groundbeam::{Checked, Field, Solution};
+use groundbeam::{Beside, Check, Checked, Field, Solution};
 
 /// The checks of one solution, and a blank line if there are any.
 pub(crate) fn rows(sheet: &mut Sheet, solution: &Solution, context: &Context) {
-    let proof = context.proofs.first();
-    let checks = judged(context.limits, solution, proof);
-    let numbers = Numbers::plain(solution, context.units).with_proof(proof);
-    for (i, check) in checks.iter().enumerate() {
-        row(sheet, i == 0, check, None, &numbers);
-    }
-    if !checks.is_empty() {
-        sheet.blank();
-    }
+    all_rows(sheet, &[Row::alone(solution, context)], context);
 }
 
-/// A solution with its name and what is proven of it.
-pub(crate) type OfName<'a> = (&'a str, &'a Solution, Option<&'a Named>);
-
-/// Of every check the solution that comes nearest to its limit, or passes it farthest.
-pub(crate) fn worst_rows(sheet: &mut Sheet, solved: &[OfName], context: &Context) {
-    let each = solved.iter().map(|(_, solution, proof)| judged(context.limits, solution, *proof));
-    let worst = worst(&each.collect::<Vec<_>>());
-    for (i, (by, check)) in worst.iter().enumerate() {
-        let (name, solution, proof) = solved[*by];
-        let numbers = Numbers::plain(solution, context.units).with_proof(proof);
-        row(sheet, i == 0, check, Some(name), &numbers);
+/// Every check in each of its limit states: the answer that comes nearest to the limit, or passes it farthest.
+pub(crate) fn all_rows(sheet: &mut Sheet, rows: &[Row], context: &Context) {
+    let verdicts = verdicts(context.limits, rows);
+    for (i, verdict) in verdicts.iter().enumerate() {
+        let (words, tone) = sentence(verdict, rows, context);
+        sheet.toned_row(if i == 0 { "Checks" } else { "" }, &words, tone);
     }
-    if !worst.is_empty() {
-        sheet.blank();
+    if verdicts.is_empty() {
+        return;
+    }
+    if rows.iter().all(|row| row.as_given) {
+        sheet.row("", "the file has no combination: judged on the loads as given");
+    } else if let nameless @ 1.. = rows.iter().filter(|row| row.states.is_empty()).count() {
+        let combinations = if nameless == 1 { "combination names" } else { "combinations name" };
+        let words =
+            format!("{nameless} {combinations} no `limit_state`: every check is judged there");
+        sheet.row("", &words);
+    }
+    sheet.blank();
+}
+
+/// A verdict in words, and their tone.
+pub(crate) fn sentence(verdict: &Verdict, rows: &[Row], context: &Context) -> (String, Tone) {
+    let name = noun(verdict.what);
+    let (mut words, tone, by) = match verdict.of {
+        Governing::NoCombination(states) => {
+            let words = format!("{name} not judged: no combination of {}", states.names());
+            return (words, Tone::Doubtful);
+        }
+        Governing::Unsolved(by) => {
+            (format!("{name} not judged: a combination is not solved"), Tone::Doubtful, by)
+        }
+        Governing::Falls(by) => (format!("{name} fails: no equilibrium"), Tone::Bad, by),
+        Governing::Judged(by, judged) => match rows[by].solution {
+            Some(solution) => {
+                let numbers = Numbers::plain(solution, context.units).with_proof(rows[by].proof);
+                let (words, tone) = judged_in_words(&judged, &numbers);
+                (words, tone, by)
+            }
+            None => return (String::new(), Tone::Plain),
+        },
+    };
+    let state = verdict.state.map(|state| state.name().to_owned());
+    let of = Some(clean(&rows[by].name)).filter(|name| !name.is_empty());
+    let place: Vec<String> = state.into_iter().chain(of).collect();
+    if !place.is_empty() {
+        words += &format!("; {}", place.join(", "));
+    }
+    if let Some(clause) = verdict.what.clause() {
+        words += &format!(" ({clause})");
+    }
+    (words, tone)
+}
+
+/// The check as a subject.
+fn noun(what: Checked) -> &'static str {
+    match what {
+        Checked::BearingPressure => "peak pressure",
+        Checked::BearingResistance => "bearing resistance",
+        Checked::Settlement => "deflection",
+        Checked::LiftedShare => "lifted share",
+        Checked::Eccentricity => "eccentricity",
+        Checked::Overturning => "overturning",
     }
 }
 
 /// Digits of a value and of a limit.
 const DIGITS: usize = 4;
+/// Digits that tell every double from its neighbours.
+const ALL_DIGITS: usize = 17;
 
-fn row(sheet: &mut Sheet, first: bool, judged: &Judged, of: Option<&str>, numbers: &Numbers) {
+fn judged_in_words(judged: &Judged, numbers: &Numbers) -> (String, Tone) {
     let check = &judged.check;
-    let (what, sign, field) = match check.what {
-        Checked::BearingPressure => ("bearing pressure", "<=", Some(Field::Pressure)),
-        Checked::Settlement => ("deflection", "<=", Some(Field::Deflection)),
-        Checked::LiftedShare => ("lifted off", "<=", None),
-        Checked::Eccentricity => ("eccentricity", "<=", None),
-        Checked::Overturning => ("overturning margin", ">=", None),
-    };
     let unit = |value: f64| match check.what {
         Checked::BearingPressure => numbers.units.unit(Kind::Stress, value),
+        Checked::BearingResistance => numbers.units.unit(Kind::Force, value),
         Checked::Settlement => numbers.units.unit(Kind::Deflection, value),
         Checked::LiftedShare => PERCENT,
         Checked::Eccentricity => Unit { name: "l", size: 1.0 },
         Checked::Overturning => Unit { name: "", size: 1.0 },
     };
+    let digits = digits(check, &unit);
     let write = |value: f64| match value.is_infinite() {
-        true => "without end".to_owned(),
-        false => unit(value).write(value, DIGITS),
+        true => "any number of".to_owned(),
+        false => unit(value).write(value, digits).trim_end().to_owned(),
     };
     let found = match judged.error {
         None => write(check.found),
         Some(error) if error.is_finite() => with_bound(check.found, error, unit(check.found)),
         Some(_) => not_proven(&write(check.found)),
     };
+    let place = |field: Option<Field>| match (check.at, field) {
+        (None, _) => String::new(),
+        (Some(x), Some(field)) => format!(" at x = {}", numbers.place_of(field, true, x)),
+        (Some(x), None) => format!(" at x = {}", numbers.place_without_bound(x)),
+    };
+    let limit = write(check.limit);
+    let said = match check.what {
+        Checked::BearingPressure => {
+            format!("peak pressure {found}{}, {limit} allowed", place(Some(Field::Pressure)))
+        }
+        Checked::BearingResistance => {
+            let used = PERCENT.write(check.utilisation(), 3);
+            format!("V_d = {found} on the effective area, {limit} resisted, {used} used")
+        }
+        Checked::Settlement => {
+            format!("deflection {found}{}, {limit} allowed", place(Some(Field::Deflection)))
+        }
+        Checked::LiftedShare => format!("{found} lifted off, {limit} allowed"),
+        Checked::Eccentricity => format!("eccentricity {found}{}, {limit} allowed", place(None)),
+        Checked::Overturning => {
+            format!("tips at {found} times the loads that overturn, {limit} required")
+        }
+    };
     let (verdict, tone) = match judged.judgement() {
         Judgement::Passes(true) => ("passes", Tone::Good),
-        Judgement::Passes(false) => ("FAILS", Tone::Bad),
+        Judgement::Passes(false) => ("fails", Tone::Bad),
         Judgement::Proven(true) => ("proven to pass", Tone::Good),
-        Judgement::Proven(false) => ("proven to FAIL", Tone::Bad),
+        Judgement::Proven(false) => ("proven to fail", Tone::Bad),
         Judgement::Undecided => ("undecided within the bound", Tone::Doubtful),
     };
-    let verdict = format!("{verdict}:");
-    let mut words = format!("{verdict:<7} {what} {found} {sign} {}", write(check.limit));
-    if let Some(x) = check.at {
-        let place = match field {
-            Some(field) => numbers.place_of(field, true, x),
-            None => numbers.place_without_bound(x),
-        };
-        words += &format!(" at x = {place}");
+    (format!("{said}: {verdict}{}", beside(check, numbers)), tone)
+}
+
+/// As few digits as tell the value from a limit that it does not keep to.
+fn digits(check: &Check, unit: &impl Fn(f64) -> Unit) -> usize {
+    let same = |digits: &usize| {
+        let [a, b] = [check.found, check.limit].map(|value| unit(value).write(value, *digits));
+        !check.passes() && a == b
+    };
+    (DIGITS..ALL_DIGITS).find(|digits| !same(digits)).unwrap_or(ALL_DIGITS)
+}
+
+/// The forces that a peak pressure leaves out; the area on which a force is resisted.
+fn beside(check: &Check, numbers: &Numbers) -> String {
+    let force = |force: f64| {
+        let force = numbers.sizes().force(force);
+        numbers.units.unit(Kind::Force, force).write(force, DIGITS)
+    };
+    let length = |length: f64| numbers.units.write(Kind::Position, length, DIGITS);
+    match check.beside {
+        Beside::EndForces(ends) if ends.left != 0.0 || ends.right != 0.0 => {
+            let [left, right] = [force(ends.left), force(ends.right)];
+            format!("; besides, the ends press with {left} (left) and {right} (right)")
+        }
+        Beside::EffectiveArea { width, length: of } => {
+            format!("; B' = {}, L' = {}", length(width), length(of))
+        }
+        _ => String::new(),
     }
-    if let Some(name) = of {
-        words += &format!(", {}", clean(name));
-    }
-    if let Some(clause) = check.what.clause() {
-        words += &format!(" ({clause})");
-    }
-    sheet.toned_row(if first { "Checks" } else { "" }, &words, tone);
 }

@@ -1,17 +1,17 @@
 //! The report of all combinations: a table of them, the envelope, and every load case by itself; if proofs are asked for,
 //! with bounds.
 
-use super::checks::OfName;
 use super::sheet::{Sheet, Tone};
 use super::{COLUMNS, certificate, checks, extreme_of, structure, title};
 use crate::bound::with_bound;
 use crate::characteristics::Characteristics;
 use crate::combinations::{
-    Numbered, bound_of_extreme, bounds_of_band, largest_end_force, noun, numbered,
+    Numbered, bound_of_extreme, bounds_of_band, largest_end_force, noun, numbered, of_limit_state,
 };
 use crate::context::{Context, clean};
 use crate::number::significant;
 use crate::quantity::{Kind, Unit, Units, duration};
+use crate::results::rows_of;
 use crate::verdict::{self, falls, wording};
 use groundbeam::{Envelope, Extreme, Governing, Verdict};
 use groundbeam_run::{Answer, Answers, Banded, Found, Ground};
@@ -54,24 +54,19 @@ pub fn combinations(answers: &Answers, context: &Context, colour: bool) -> Strin
         sheet.blank();
         match have_bounds {
             true => bounded_envelope(&mut sheet, &answers.envelope(), &solved, context.units),
-            false => envelope(&mut sheet, &answers.envelope(), &solved, context.units),
+            false => envelope(&mut sheet, "Envelope", &answers.envelope(), &solved, context.units),
         }
         sheet.blank();
+        of_limit_states(&mut sheet, answers, &solved, context);
         match have_bounds {
             true => bounded_band(&mut sheet, answers, &solved, context.units),
             false => band(&mut sheet, answers, context.units),
         }
-        checks::worst_rows(&mut sheet, &of_names(answers, &solved), context);
+        checks::all_rows(&mut sheet, &rows_of(answers, context), context);
         proof(&mut sheet, &solved);
         method(&mut sheet, answers, &solved, context);
     }
     sheet.finish()
-}
-
-/// The solved combinations with their names and proofs.
-pub(crate) fn of_names<'a>(answers: &'a Answers, solved: &[Numbered<'a>]) -> Vec<OfName<'a>> {
-    let named = |row: &Numbered<'a>| answers.list[row.number - 1].name();
-    solved.iter().map(|row| (named(row), row.solution, row.proof)).collect()
 }
 
 /// Numbers and names.
@@ -242,9 +237,41 @@ fn alone(sheet: &mut Sheet, answers: &Answers, units: Units) {
     }
 }
 
+/// The envelopes of the limit states, if there is more than one envelope.
+pub(crate) fn of_limit_states(
+    sheet: &mut Sheet,
+    answers: &Answers,
+    solved: &[Numbered],
+    context: &Context,
+) {
+    for state in answers.limit_states().iter() {
+        let of_state = of_limit_state(answers, solved, state);
+        if of_state.len() == solved.len() {
+            sheet.row("", &format!("all of these combinations are of {}", state.name()));
+            sheet.blank();
+            continue;
+        }
+        let all = Envelope::of(of_state.iter().map(|row| row.solution));
+        match context.proofs.is_empty() {
+            true => envelope(sheet, state.name(), &all, &of_state, context.units),
+            false => {
+                sheet.heading(&format!("Of the limit state {}:", state.name()));
+                bounded_envelope(sheet, &all, &of_state, context.units);
+            }
+        }
+        sheet.blank();
+    }
+}
+
 /// The extremes of all, each with the number of the combination that has it.
-fn envelope(sheet: &mut Sheet, envelope: &Envelope, solved: &[Numbered], units: Units) {
-    sheet.heading(&format!("{:<13}{:>14}{:>33}", "Envelope", "smallest", "largest"));
+fn envelope(
+    sheet: &mut Sheet,
+    heading: &str,
+    envelope: &Envelope,
+    solved: &[Numbered],
+    units: Units,
+) {
+    sheet.heading(&format!("{heading:<18} {:>8}{:>33}", "smallest", "largest"));
     for field in envelope.fields() {
         let range = envelope.range(field);
         let known = |Governing { extreme, by }: Governing| {

@@ -16,6 +16,7 @@ mod study;
 pub(crate) mod train;
 
 use crate::characteristics::Characteristics;
+use crate::checked::Row;
 use crate::context::Context;
 use crate::load::load_kind;
 use crate::number::significant;
@@ -23,7 +24,7 @@ use crate::numbers::Numbers;
 use crate::quantity::{Kind, Units, duration};
 use crate::verdict::{self, wording};
 pub use combinations::combinations;
-pub(crate) use combinations::{bounded_band, bounded_envelope, of_names};
+pub(crate) use combinations::{bounded_band, bounded_envelope, of_limit_states};
 pub use comparison::comparison;
 pub use drawing::drawing;
 use groundbeam::{
@@ -81,6 +82,13 @@ pub fn summary(solution: &Solution, context: &Context) -> Vec<(String, String)> 
         sheet.row(field.label(), &words);
     }
     checks::rows(&mut sheet, solution, context);
+    sheet.into_rows()
+}
+
+/// Labels and words of the verdicts on checks.
+pub(crate) fn check_rows(rows: &[Row], context: &Context) -> Vec<(String, String)> {
+    let mut sheet = Sheet::new(false);
+    checks::all_rows(&mut sheet, rows, context);
     sheet.into_rows()
 }
 

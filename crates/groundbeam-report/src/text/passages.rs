@@ -1,13 +1,16 @@
 //! The report of trains that pass, each alone: of one its own, of several a table of them and the envelope of all.
 
 use super::sheet::Sheet;
-use super::train::{cleaned, failures, limits, proof, ranges, train};
+use super::train::{cleaned, failures, limits, places, proof, ranges, train};
 use super::{COLUMNS, free_spans, structure, title};
 use crate::characteristics::Characteristics;
 use crate::context::{Context, clean};
 use crate::quantity::{Kind, Unit, Units};
 use groundbeam::Field;
 use groundbeam_run::{Ground, InPassage, Overall, Passage, Passages};
+
+/// Where the first number of an envelope may begin.
+const COLUMN: usize = 13;
 
 /// The report of passages; with `colour`, with escape codes for a terminal.
 pub fn trains(passages: &Passages, context: &Context, colour: bool) -> String {
@@ -35,6 +38,7 @@ pub fn trains(passages: &Passages, context: &Context, colour: bool) -> String {
         let name = format!("{:>4}  {}", i + 1, clean(&passage.label()));
         sheet.row(if i == 0 { "Passages" } else { "" }, &name);
     }
+    places(&mut sheet, all);
     sheet.blank();
     table(&mut sheet, all, context.units);
     if passages.overall() != Overall::Solved {
@@ -45,8 +49,9 @@ pub fn trains(passages: &Passages, context: &Context, colour: bool) -> String {
     }
     if first.is_some() {
         sheet.blank();
-        envelope(&mut sheet, passages, context.units);
+        envelope(&mut sheet, "Envelope", passages, context.units);
         sheet.blank();
+        of_limit_states(&mut sheet, passages, context.units);
         uplift(&mut sheet, all, context.units);
         free_spans::of_trains(&mut sheet, all, context.units);
         sheet.blank();
@@ -114,15 +119,32 @@ fn table(sheet: &mut Sheet, all: &[Passage], units: Units) {
     }
 }
 
+/// The envelopes of the limit states, if they are not that of all.
+fn of_limit_states(sheet: &mut Sheet, passages: &Passages, units: Units) {
+    for state in passages.limit_states().iter() {
+        if passages.all.iter().all(|passage| passage.limit_states().contains(state)) {
+            sheet.row("", &format!("all of these combinations are of {}", state.name()));
+        } else {
+            envelope(sheet, state.name(), &passages.of_limit_state(state), units);
+        }
+        sheet.blank();
+    }
+}
+
 /// Extremes of all, each with the number of the passage, the section, and the position of the first axle.
-fn envelope(sheet: &mut Sheet, passages: &Passages, units: Units) {
+fn envelope(sheet: &mut Sheet, heading: &str, passages: &Passages, units: Units) {
     let columns = |first: &str, a: [&str; 4], b: [&str; 4]| {
         let cell =
             |[value, x, train, which]: [&str; 4]| format!("{value:>13}{x:>8}{train:>8}{which:>4}");
         format!("{first:<13}{}{}", cell(a), cell(b))
     };
     let words = |largest| [largest, "at", "train", "#"];
-    sheet.heading(&columns("Envelope", words("smallest"), words("largest")));
+    if heading.len() < COLUMN {
+        sheet.heading(&columns(heading, words("smallest"), words("largest")));
+    } else {
+        sheet.heading(heading);
+        sheet.heading(&columns("", words("smallest"), words("largest")));
+    }
     for field in passages.fields() {
         let Some(range) = passages.range(field) else { continue };
         let known = range.map(|InPassage { located, passage }| {

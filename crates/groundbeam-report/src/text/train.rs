@@ -2,12 +2,13 @@
 
 use super::sheet::{Sheet, Tone};
 use super::{certificate, checks, free_spans};
+use crate::checked::Row;
 use crate::context::{Context, clean};
 use crate::number::{order, significant};
 use crate::quantity::{Kind, Units, duration};
 use crate::size::Sizes;
-use groundbeam::{Field, Solution};
-use groundbeam_file::MovingTrain;
+use groundbeam::Field;
+use groundbeam_file::{MovingTrain, Spread};
 use groundbeam_run::{Located, Passage};
 
 /// More ranges of one kind than this are counted, not listed.
@@ -33,23 +34,29 @@ pub(crate) fn train(sheet: &mut Sheet, passage: &Passage, context: &Context) {
     }
 }
 
+/// The places of loads without end that were tried.
+pub(crate) fn places(sheet: &mut Sheet, all: &[Passage]) {
+    if all.iter().any(|passage| passage.moving().spread != Spread::Everywhere) {
+        let words = "loads without end were placed as listed and the worst counts; other patches \
+                     were not tried: a beam that lifts off has no influence line";
+        sheet.row("Spread loads", words);
+    }
+}
+
 /// Of every check the position that comes nearest to its limit, or passes it farthest.
 pub(crate) fn limits(sheet: &mut Sheet, all: &[Passage], context: &Context) {
-    let named = all.iter().flat_map(|passage| {
-        passage.solved().map(|(first_axle, solution)| {
-            let at = format!("first axle at {}", context.units.position(first_axle));
-            let name = if all.len() > 1 { passage.label() + ", " + &at } else { at };
-            (name, solution)
-        })
-    });
-    let named: Vec<(String, &Solution)> = named.collect();
-    let solved: Vec<_> = named.iter().map(|(name, solution)| (&**name, *solution, None)).collect();
-    checks::worst_rows(sheet, &solved, context);
+    checks::all_rows(sheet, &positions_of(all, context), context);
+}
+
+/// All positions of all passages, as checks see them.
+pub(crate) fn positions_of<'a>(all: &[Passage<'a>], context: &Context<'a>) -> Vec<Row<'a>> {
+    let answers = all.iter().flat_map(|passage| passage.answers());
+    answers.map(|answer| Row::of(answer, None, context.units)).collect()
 }
 
 /// Name, axles, and where it goes.
 pub(crate) fn head(sheet: &mut Sheet, passage: &Passage, units: Units) {
-    let MovingTrain { name, set, factor, train, range } = passage.moving();
+    let MovingTrain { name, set, factor, dynamic, spread, train, range, .. } = passage.moving();
     let name = clean(name);
     let mut words = match set {
         Some(set) if *set != name => format!("{name}, set {set}"),
@@ -58,9 +65,16 @@ pub(crate) fn head(sheet: &mut Sheet, passage: &Passage, units: Units) {
     if *factor != 1.0 {
         words += &format!(", factor {}", significant(*factor, 6));
     }
+    if *dynamic != 1.0 {
+        words += &format!(", axles times {} besides", significant(*dynamic, 6));
+    }
+    if *spread != Spread::Everywhere {
+        words += &format!(", spread load {}", spread.name());
+    }
     let force: f64 = train.axles.iter().map(|axle| axle.force).sum();
     let force = units.write(Kind::Force, force, 6);
     words += &match train.axles.len() {
+        0 => String::new(),
         1 => format!(": one axle of {force}"),
         count => {
             let length = units.position(train.length());

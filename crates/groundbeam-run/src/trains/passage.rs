@@ -4,8 +4,8 @@ use super::interval::passing;
 use super::position::Section;
 use crate::answer::{Answer, Found, Overall};
 use groundbeam::model::Train;
-use groundbeam::{ByField, Field, Model, Side, Solution};
-use groundbeam_file::{Combination, MovingTrain};
+use groundbeam::{ByField, Field, LimitStates, Model, Side, Solution};
+use groundbeam_file::{Combination, MovingTrain, Spread};
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -92,6 +92,11 @@ impl<'a> Passage<'a> {
         &self.swept.combination.model
     }
 
+    /// The limit states of the combination.
+    pub fn limit_states(&self) -> LimitStates {
+        self.swept.combination.limit_states
+    }
+
     /// The name of the combination; `None` if the loads act as written.
     pub fn combination(&self) -> Option<&'a str> {
         Some(&*self.swept.combination.name).filter(|name| !name.is_empty())
@@ -109,10 +114,20 @@ impl<'a> Passage<'a> {
 
     /// The names of the train and of the combination.
     pub fn label(&self) -> String {
-        match self.combination() {
-            Some(combination) => format!("{combination}; {}", self.moving().name),
-            None => self.moving().name.clone(),
+        let moving = self.moving();
+        let mut train = moving.name.clone();
+        if moving.spread != Spread::Everywhere {
+            train += &format!(", spread load {}", moving.spread.name());
         }
+        match self.combination() {
+            Some(combination) => format!("{combination}; {train}"),
+            None => train,
+        }
+    }
+
+    /// Whether it is the beam without a train.
+    pub fn is_without_train(&self) -> bool {
+        self.train().axles.is_empty() && self.train().uniform.is_empty()
     }
 
     /// The answers at all positions, from left to right.
@@ -213,6 +228,9 @@ impl<'a> Passage<'a> {
     /// The largest gaps ahead of, between and behind the axles.
     pub fn uplift(&self) -> Uplift {
         let mut uplift = Uplift::default();
+        if self.is_without_train() {
+            return uplift;
+        }
         for (first_axle, solution) in self.solved() {
             for open in solution.lift_off() {
                 let x = open.largest_gap.x;

@@ -1,9 +1,11 @@
-//! Design checks: limits beside the values of a solution.
+//! Design checks: limits beside the values of a solution, and the limit states in which each is judged.
 
+use super::limit_states::{LimitState, LimitStates};
 use crate::existence::rigid_motions::Mechanism;
 use crate::existence::statics::static_reactions;
 use crate::model::Model;
 use crate::solution::field::Field;
+use crate::solution::fields::EndForces;
 use crate::solution::solution::Solution;
 
 /// Limits; none where nothing is asked for.
@@ -11,6 +13,8 @@ use crate::solution::solution::Solution;
 pub struct Limits {
     /// The allowable bearing pressure \[Pa\], and the width on which the beam bears \[m\].
     pub bearing_pressure: Option<(f64, f64)>,
+    /// The design resistance of the ground per effective area r_d \[Pa\], and the width of the effective area \[m\].
+    pub bearing_resistance: Option<(f64, f64)>,
     /// The largest deflection down \[m\].
     pub settlement: Option<f64>,
     /// The largest part of the beam that may lift off, of its length.
@@ -20,6 +24,9 @@ pub struct Limits {
     pub eccentricity: Option<f64>,
     /// The least factor on all loads that overturn at which the beam tips.
     pub overturning: Option<f64>,
+    /// The limit states of checks that are judged in others than [`Checked::limit_states`], in the order of
+    /// [`Checked::ALL`].
+    pub judged_in: [Option<LimitStates>; Checked::ALL.len()],
 }
 
 /// What is checked.
@@ -27,6 +34,10 @@ pub struct Limits {
 pub enum Checked {
     /// The largest contact pressure over the width \[Pa\]. Concentrated forces are no pressure.
     BearingPressure,
+    /// The force of the ground beside r_d B' L' on the effective length L' = l - 2 e \[N\]: Meyerhof, EN 1997-1, 6.5.2
+    /// and annex D. Force V and eccentricity e are those of the ground's whole reaction, pressure and concentrated
+    /// forces.
+    BearingResistance,
     /// The largest deflection down \[m\].
     Settlement,
     /// The part of the beam off the ground.
@@ -48,13 +59,60 @@ pub struct Check {
     pub limit: f64,
     /// Where it was found \[m\].
     pub at: Option<f64>,
+    /// What the value leaves out, or follows from.
+    pub beside: Beside,
+}
+
+/// What stands beside the value of a check.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Beside {
+    /// Nothing.
+    Nothing,
+    /// The concentrated forces under both ends, which are no pressure.
+    EndForces(EndForces),
+    /// The effective area.
+    EffectiveArea {
+        /// B' \[m\].
+        width: f64,
+        /// L' = l - 2 e \[m\].
+        length: f64,
+    },
 }
 
 impl Checked {
+    /// All checks, in the order of reports.
+    pub const ALL: [Checked; 6] = [
+        Checked::BearingPressure,
+        Checked::BearingResistance,
+        Checked::Settlement,
+        Checked::LiftedShare,
+        Checked::Eccentricity,
+        Checked::Overturning,
+    ];
+
+    /// Its place in [`Checked::ALL`].
+    pub const fn index(self) -> usize {
+        self as usize
+    }
+
+    /// The limit states in which it is judged if nobody names others: ultimate ones for resistance and eccentricity
+    /// (EN 1997-1, 2.4.7.1), equilibrium for overturning (EN 1990, 6.4.1(1)a), serviceability for deformations
+    /// (EN 1997-1, 2.4.8) and allowable values; each with its counterpart in allowable stress design.
+    pub const fn limit_states(self) -> LimitStates {
+        use LimitState::{AllowableStress, Characteristic, Equ, Frequent, QuasiPermanent, StrGeo};
+        LimitStates::of(match self {
+            Checked::BearingPressure | Checked::LiftedShare => &[Characteristic, AllowableStress],
+            Checked::BearingResistance | Checked::Eccentricity => &[StrGeo, AllowableStress],
+            Checked::Settlement => &[Characteristic, Frequent, QuasiPermanent, AllowableStress],
+            Checked::Overturning => &[Equ],
+        })
+    }
+
     /// The name that results use.
     pub fn name(self) -> &'static str {
         match self {
             Checked::BearingPressure => "bearing-pressure",
+            Checked::BearingResistance => "bearing-resistance",
             Checked::Settlement => "settlement",
             Checked::LiftedShare => "lifted-share",
             Checked::Eccentricity => "eccentricity",
@@ -65,7 +123,9 @@ impl Checked {
     /// The clause that asks for it; none where it is the engineer's own.
     pub fn clause(self) -> Option<&'static str> {
         match self {
-            Checked::BearingPressure => Some("EN 1997-1, 6.5.2"),
+            // EN 1997-1 has no clause on an allowable elastic pressure; the file gives it.
+            Checked::BearingPressure => None,
+            Checked::BearingResistance => Some("EN 1997-1, 6.5.2"),
             Checked::Settlement => Some("EN 1997-1, 6.6"),
             Checked::LiftedShare => None,
             Checked::Eccentricity => Some("EN 1997-1, 6.5.4"),
@@ -82,9 +142,37 @@ impl Check {
             _ => self.found <= self.limit,
         }
     }
+
+    /// The part of the limit that is used, 1 at the limit.
+    pub fn utilisation(&self) -> f64 {
+        match self.what {
+            Checked::Overturning => self.limit / self.found,
+            // Also where the limit is zero.
+            _ if self.found == 0.0 => 0.0,
+            _ => self.found / self.limit,
+        }
+    }
 }
 
 impl Limits {
+    /// The checks that are asked for, in the order of [`Checked::ALL`].
+    pub fn asked(&self) -> impl Iterator<Item = Checked> + use<> {
+        let asked = [
+            self.bearing_pressure.is_some(),
+            self.bearing_resistance.is_some(),
+            self.settlement.is_some(),
+            self.lifted_share.is_some(),
+            self.eccentricity.is_some(),
+            self.overturning.is_some(),
+        ];
+        Checked::ALL.into_iter().zip(asked).filter(|(_, asked)| *asked).map(|(what, _)| what)
+    }
+
+    /// The limit states in which a check is judged.
+    pub fn limit_states(&self, what: Checked) -> LimitStates {
+        self.judged_in[what.index()].unwrap_or(what.limit_states())
+    }
+
     /// The checks that are asked for, of a solution.
     ///
     /// ```
@@ -102,12 +190,23 @@ impl Limits {
         let model = solution.model();
         let l = model.beam.length;
         let mut checks = Vec::new();
-        let mut add = |what, limit, found, at| checks.push(Check { what, found, limit, at });
+        let mut with = |what, limit, found, at, beside| {
+            checks.push(Check { what, found, limit, at, beside });
+        };
         if let Some((allowable, width)) = self.bearing_pressure {
             let largest = solution.range(Field::Pressure).max;
             let found = largest.value / width;
-            add(Checked::BearingPressure, allowable, found, Some(largest.x));
+            let ends = Beside::EndForces(solution.end_forces());
+            with(Checked::BearingPressure, allowable, found, Some(largest.x), ends);
         }
+        if let Some((resistance, width)) = self.bearing_resistance {
+            let (force, at) = ground_reaction(solution);
+            let eccentricity = at.map_or(0.0, |x| (x - 0.5 * l).abs());
+            let length = (l - 2.0 * eccentricity).max(0.0);
+            let area = Beside::EffectiveArea { width, length };
+            with(Checked::BearingResistance, resistance * width * length, force, at, area);
+        }
+        let mut add = |what, limit, found, at| with(what, limit, found, at, Beside::Nothing);
         if let Some(limit) = self.settlement {
             let largest = solution.range(Field::Deflection).max;
             add(Checked::Settlement, limit, largest.value, Some(largest.x));
@@ -127,6 +226,27 @@ impl Limits {
             add(Checked::Overturning, limit, overturning(model), None);
         }
         checks
+    }
+}
+
+/// The force of the ground under the beam, and where it acts; no place without a force. Both follow from equilibrium:
+/// loads minus supports, and of an axial force N the moment N (w(l) - w(0)).
+fn ground_reaction(solution: &Solution) -> (f64, Option<f64>) {
+    let model = solution.model();
+    let l = model.beam.length;
+    let [left, right] = solution.existence().static_reactions;
+    let (mut force, mut moment) = (left + right, right * l);
+    for reaction in solution.reactions() {
+        force -= reaction.force;
+        moment -= reaction.force * reaction.at - reaction.moment;
+    }
+    let ends = [0.0, l].map(|x| solution.value(Field::Deflection, x));
+    moment -= model.beam.axial_force * (ends[1] - ends[0]);
+    // A beam that supports carry alone leaves rounding errors to the ground.
+    let total = left.abs() + right.abs();
+    match force.abs() <= ROUNDED * total {
+        true => (0.0, None),
+        false => (force, Some(moment / force)),
     }
 }
 
@@ -175,17 +295,75 @@ mod tests {
         let Outcome::Equilibrium(solution) = solve(&model).unwrap() else { panic!("it stands") };
         let limits = Limits {
             bearing_pressure: Some((10.0, 0.5)),
+            bearing_resistance: Some((100.0, 0.5)),
             settlement: Some(0.1),
             lifted_share: Some(0.811_326_256_449_156),
             eccentricity: Some(1.0 / 3.0),
             overturning: Some(1.0),
+            ..Limits::default()
         };
         let checks = limits.check(&solution);
         let passed: Vec<bool> = checks.iter().map(Check::passes).collect();
-        assert_eq!(passed, [true, false, true, false, true]);
+        assert_eq!(passed, [true, true, false, true, false, true]);
         // The resultant at 0.99 l; the largest pressure twice over half the width.
-        assert!((checks[3].found - 0.49).abs() < 1e-14);
+        assert!((checks[4].found - 0.49).abs() < 1e-14);
         let largest = solution.range(Field::Pressure).max.value;
         assert_eq!(checks[0].found, 2.0 * largest);
+    }
+    /// V and e from equilibrium against the integrals of the pressure, on a beam with a support, an axial force and a
+    /// gap.
+    #[test]
+    fn the_reaction_of_the_ground_is_that_of_its_pressure() {
+        let mut beam = Beam::uniform(10.0, 5e7);
+        beam.axial_force = 2e6;
+        let mut model = Model::new(beam, Foundation::pasternak(4e7, 9e6))
+            .with_load(Load::point_force(1.0, 600e3))
+            .with_load(Load::point_moment(6.0, 2e5))
+            .with_load(Load::uniform_force(3.0, 9.0, 3e4));
+        for support in
+            [crate::model::Support::spring(8.0, 2e7, 3e7), crate::model::Support::fixed(4.0)]
+        {
+            model.supports = vec![support];
+            let Outcome::Equilibrium(solution) = solve(&model).unwrap() else { panic!() };
+            let ends = solution.end_forces();
+            let (mut force, mut moment) = (ends.left + ends.right, 10.0 * ends.right);
+            for concentrated in solution.concentrated_forces() {
+                force += concentrated.force;
+                moment += concentrated.force * concentrated.at;
+            }
+            let steps = 200_000;
+            for i in 0..steps {
+                let x = 10.0 * (i as f64 + 0.5) / steps as f64;
+                let part = solution.value(Field::Pressure, x) * 10.0 / steps as f64;
+                force += part;
+                moment += part * x;
+            }
+            let (found, at) = ground_reaction(&solution);
+            // A jump of the pressure inside a step costs the rectangles 1e-6 of the force.
+            assert!((found / force - 1.0).abs() < 1e-5, "{found} {force}");
+            assert!((at.unwrap() * force / moment - 1.0).abs() < 1e-5, "{at:?} {moment}");
+        }
+    }
+
+    /// EN 1997-1, annex D.3: L' = l - 2 e; a resultant on the edge leaves no area.
+    #[test]
+    fn the_resistance_is_that_of_the_effective_area() {
+        let model = |x| {
+            Model::new(Beam::uniform(6.0, 1e9), Foundation::pasternak(4e7, 9e6))
+                .with_load(Load::point_force(x, 600e3))
+        };
+        let limits = Limits { bearing_resistance: Some((200e3, 1.5)), ..Limits::default() };
+        let check = |x| {
+            let Outcome::Equilibrium(solution) = solve(&model(x)).unwrap() else { panic!() };
+            limits.check(&solution)[0]
+        };
+        let middle = check(3.0);
+        assert_eq!((middle.found, middle.limit), (600e3, 1.8e6));
+        assert_eq!(middle.utilisation(), 600e3 / 1.8e6);
+        // e = 2 m: L' = 2 m, 200 kPa * 1.5 m * 2 m = 600 kN.
+        let off = check(5.0);
+        assert!((off.limit - 600e3).abs() < 1e-6 && (off.found - 600e3).abs() < 1e-6);
+        let Beside::EffectiveArea { width, length } = off.beside else { panic!() };
+        assert!(width == 1.5 && (length - 2.0).abs() < 1e-12);
     }
 }

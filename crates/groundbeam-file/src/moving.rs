@@ -1,0 +1,167 @@
+//! A train that moves, and the places of its loads that have no end: codes of practice let them act only where they are unfavourable.
+//!
+//! With lift-off there is no influence line that tells where a load is unfavourable, so the places of a list are solved and
+//! the worst of them counts.
+
+use groundbeam::Load;
+use groundbeam::model::{Train, UniformPart};
+
+/// A train, and where it goes.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MovingTrain {
+    /// What the file calls it.
+    pub name: String,
+    /// The set it is of; none if the file gives its loads.
+    pub set: Option<String>,
+    /// The load case to which it belongs; none: it passes in every combination with the factor 1.
+    pub case: Option<String>,
+    /// What its loads were multiplied by.
+    pub factor: f64,
+    /// What its axles were multiplied by besides.
+    pub dynamic: f64,
+    /// Where its loads without end act.
+    pub spread: Spread,
+    /// Its loads, multiplied.
+    pub train: Train,
+    /// From where to where its first axle goes \[m\].
+    pub range: [f64; 2],
+}
+
+/// Where the loads of a train that have no end act.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Spread {
+    /// As the train gives them; a train may have none.
+    #[default]
+    Everywhere,
+    /// Ahead of the train alone.
+    Ahead,
+    /// Behind the train alone.
+    Behind,
+    /// On the left half of the beam: a load without any end.
+    LeftHalf,
+    /// On the right half of the beam.
+    RightHalf,
+    /// Nowhere.
+    Nowhere,
+}
+
+impl Spread {
+    /// In words.
+    pub fn name(self) -> &'static str {
+        match self {
+            Spread::Everywhere => "everywhere",
+            Spread::Ahead => "ahead",
+            Spread::Behind => "behind",
+            Spread::LeftHalf => "on the left half",
+            Spread::RightHalf => "on the right half",
+            Spread::Nowhere => "nowhere",
+        }
+    }
+}
+
+/// Ends of a part: ahead of the train and behind it.
+fn ends(part: &UniformPart) -> [bool; 2] {
+    [part.from.is_finite(), part.to.is_finite()]
+}
+
+impl MovingTrain {
+    /// Whether a load of the train has no end.
+    pub fn has_endless_load(&self) -> bool {
+        self.train.uniform.iter().any(|part| ends(part) != [true, true])
+    }
+
+    /// The train with its loads without end at each place, and the loads that then stand on the beam.
+    pub fn placements(&self, beam_length: f64) -> Vec<(MovingTrain, Vec<Load>)> {
+        let has = |which: [bool; 2]| self.train.uniform.iter().any(|part| ends(part) == which);
+        let (ahead, behind, lane) = (has([false, true]), has([true, false]), has([false, false]));
+        let mut places = vec![Spread::Everywhere];
+        if ahead && behind {
+            places.extend([Spread::Ahead, Spread::Behind]);
+        }
+        if lane {
+            places.extend([Spread::LeftHalf, Spread::RightHalf]);
+        }
+        let is_empty = self.train.axles.is_empty() && !has([true, true]);
+        if self.has_endless_load() && !is_empty {
+            places.push(Spread::Nowhere);
+        }
+        places.into_iter().map(|place| self.placed(place, beam_length)).collect()
+    }
+
+    fn placed(&self, spread: Spread, beam_length: f64) -> (MovingTrain, Vec<Load>) {
+        let stays = |part: &&UniformPart| match (ends(part), spread) {
+            ([true, true], _) | (_, Spread::Everywhere) => true,
+            ([false, true], Spread::Ahead) | ([true, false], Spread::Behind) => true,
+            ([false, true] | [true, false], Spread::LeftHalf | Spread::RightHalf) => true,
+            _ => false,
+        };
+        let middle = 0.5 * beam_length;
+        let half = match spread {
+            Spread::LeftHalf => Some([0.0, middle]),
+            Spread::RightHalf => Some([middle, beam_length]),
+            _ => None,
+        };
+        let lanes = self.train.uniform.iter().filter(|part| ends(part) == [false, false]);
+        let fixed = half.map_or_else(Vec::new, |[from, to]| {
+            lanes.map(|part| Load::uniform_force(from, to, part.intensity)).collect()
+        });
+        let uniform = self.train.uniform.iter().filter(stays).copied().collect();
+        let train = Train { axles: self.train.axles.clone(), uniform };
+        (MovingTrain { train, spread, ..self.clone() }, fixed)
+    }
+
+    /// The train multiplied by a partial factor.
+    pub fn multiplied(&self, factor: f64) -> MovingTrain {
+        let train = self.train.clone().scaled(factor);
+        MovingTrain { train, factor: factor * self.factor, ..self.clone() }
+    }
+
+    /// No train at all: the beam under the other loads.
+    pub fn absent() -> MovingTrain {
+        MovingTrain {
+            name: "no train".to_owned(),
+            set: None,
+            case: None,
+            factor: 1.0,
+            dynamic: 1.0,
+            spread: Spread::Everywhere,
+            train: Train::default(),
+            range: [0.0, 0.0],
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::trains;
+
+    fn of(set: &str) -> MovingTrain {
+        MovingTrain { train: trains::find(set).unwrap().train.clone(), ..MovingTrain::absent() }
+    }
+
+    fn places(set: &str) -> Vec<Spread> {
+        of(set).placements(20.0).into_iter().map(|(train, _)| train.spread).collect()
+    }
+
+    #[test]
+    fn loads_without_end_are_placed_where_they_may_be_unfavourable() {
+        use Spread::{Ahead, Behind, Everywhere, LeftHalf, Nowhere, RightHalf};
+        assert_eq!(places("LM71"), [Everywhere, Ahead, Behind, Nowhere]);
+        assert_eq!(places("LM1"), [Everywhere, LeftHalf, RightHalf, Nowhere]);
+        assert_eq!(places("Cooper E80"), [Everywhere, Nowhere]);
+        assert_eq!(places("unloaded train"), [Everywhere, LeftHalf, RightHalf]);
+        assert_eq!(places("SW/0"), [Everywhere]);
+    }
+
+    #[test]
+    fn a_lane_load_on_half_of_the_beam_does_not_move() {
+        let halves = &of("LM1").placements(20.0)[1..3];
+        let loads: Vec<&[Load]> = halves.iter().map(|(_, loads)| &loads[..]).collect();
+        let lane = |from, to| [Load::uniform_force(from, to, 27e3)];
+        assert_eq!(loads, [lane(0.0, 10.0), lane(10.0, 20.0)]);
+        assert!(halves.iter().all(|(train, _)| train.train.uniform.is_empty()));
+        let ahead = &of("LM71").placements(20.0)[1].0.train.uniform;
+        assert_eq!((ahead.len(), ahead[0].to), (1, -0.8));
+    }
+}

@@ -1,0 +1,248 @@
+//! Rolled sections and rails by name: the data files in `sections/`, and areas and second moments from their sides.
+
+use crate::quantity::{SECOND_MOMENT_OF_AREA, SHEAR_AREA};
+use crate::suggest;
+use std::f64::consts::PI;
+use std::sync::LazyLock;
+
+/// A section that a model file can ask for, with `section = { name = "IPE 300" }` or `{ rail = "60E1" }`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RolledSection {
+    /// Its name.
+    pub name: String,
+    /// The area \[m²\].
+    pub area: f64,
+    /// The second moment about the horizontal axis \[m⁴\].
+    pub inertia: f64,
+    /// The area that shears \[m²\]: the webs between the flanges; half of a tube; `None` of a rail.
+    pub shear_area: Option<f64>,
+    /// The height \[m\]; `None` of a rail.
+    pub height: Option<f64>,
+    /// The standard or the table.
+    pub source: String,
+    /// `one source`, where no second source confirmed a number.
+    pub remark: Option<String>,
+    /// The area and the second moment that the table prints, if it prints them.
+    printed: Option<[f64; 2]>,
+}
+
+const MM: f64 = 1e-3;
+const INCH: f64 = 0.0254;
+const ROLLED: &str = include_str!("../sections/rolled.tsv");
+const AMERICAN: &str = include_str!("../sections/w.tsv");
+const HOLLOW: &str = include_str!("../sections/hollow.tsv");
+const RAILS: &str = include_str!("../sections/rails.tsv");
+
+static SECTIONS: LazyLock<Vec<RolledSection>> = LazyLock::new(|| {
+    let rolled = lines(ROLLED).filter_map(rolled);
+    rolled
+        .chain(lines(AMERICAN).filter_map(american))
+        .chain(lines(HOLLOW).filter_map(hollow))
+        .collect()
+});
+
+static RAIL_SECTIONS: LazyLock<Vec<RolledSection>> =
+    LazyLock::new(|| lines(RAILS).filter_map(rail).collect());
+
+/// Every rolled steel section that a model file can ask for.
+///
+/// ```
+/// let sections = groundbeam_file::rolled_sections();
+/// let found = sections.iter().find(|section| section.name == "IPE 300").unwrap();
+/// // With its fillets: 53.81 cm² and 8356 cm⁴.
+/// assert!((found.area - 53.81e-4).abs() < 0.01e-4 && (found.inertia - 8356e-8).abs() < 1e-8);
+/// ```
+pub fn rolled_sections() -> &'static [RolledSection] {
+    &SECTIONS
+}
+
+/// Every rail that a model file can ask for.
+pub fn rail_sections() -> &'static [RolledSection] {
+    &RAIL_SECTIONS
+}
+
+/// The section of a name, however it is spaced; else the hint that names the nearest three.
+pub(crate) fn find(name: &str) -> Result<&'static RolledSection, String> {
+    let wanted = plain(name);
+    let found = SECTIONS.iter().find(|section| plain(&section.name) == wanted);
+    found.ok_or_else(|| {
+        let names: Vec<&str> = SECTIONS.iter().map(|section| &*section.name).collect();
+        format!("the nearest names: {}", suggest::nearest_three(name, &names).join(", "))
+    })
+}
+
+/// The rail of a name; else the hint that names all rails. A rail with nearly the same name has another I.
+pub(crate) fn find_rail(name: &str) -> Result<&'static RolledSection, String> {
+    let wanted = plain(name);
+    let found = RAIL_SECTIONS.iter().find(|section| plain(&section.name) == wanted);
+    found.ok_or_else(|| {
+        let names: Vec<&str> = RAIL_SECTIONS.iter().map(|section| &*section.name).collect();
+        format!("rails: {}; for others give `I`", names.join(", "))
+    })
+}
+
+/// A name without spaces and hyphens, in capitals.
+fn plain(name: &str) -> String {
+    name.to_uppercase().replace([' ', '-'], "").replace('×', "X")
+}
+
+fn lines(table: &'static str) -> impl Iterator<Item = Vec<&'static str>> {
+    table.lines().filter(|line| !line.starts_with('#')).map(|line| line.split('\t').collect())
+}
+
+fn numbers(cells: &[&str], unit: f64) -> Vec<f64> {
+    cells.iter().map(|cell| cell.parse::<f64>().map_or(f64::NAN, |number| number * unit)).collect()
+}
+
+fn printed(area: &str, inertia: &str) -> Option<[f64; 2]> {
+    Some([area.parse::<f64>().ok()? * 1e-4, inertia.parse::<f64>().ok()? * 1e-8])
+}
+
+/// Distance of the centroid of a fillet from its corner, (10 − 3π)/(12 − 3π) r.
+const CENTROID: f64 = (10.0 - 3.0 * PI) / (12.0 - 3.0 * PI);
+/// Its second moment about its own centroid, of r⁴: π and the two integrals of the quarter circle leave this number.
+const OWN: f64 = 0.007_545_115_6;
+
+/// Area and second moment of four fillets of radius `r` in corners at the height `corner` above the middle; `towards` is −1
+/// where the fillet lies below its corner, 1 where it lies above.
+pub(crate) fn fillets(r: f64, corner: f64, towards: f64) -> [f64; 2] {
+    let area = (1.0 - 0.25 * PI) * r * r;
+    let lever = corner + towards * CENTROID * r;
+    [4.0 * area, 4.0 * (OWN * r.powi(4) + area * lever * lever)]
+}
+
+/// A rolled I by its sides, with fillets between web and flanges.
+fn rolled(cells: Vec<&'static str>) -> Option<RolledSection> {
+    let [name, h, b, web, flange, r, area, inertia] = cells[..] else { return None };
+    let [h, b, web, flange, r] = numbers(&[h, b, web, flange, r], MM)[..] else { return None };
+    let between = h - 2.0 * flange;
+    let [corners, steiner] = fillets(r, 0.5 * between, -1.0);
+    let british = name.starts_with("UB") || name.starts_with("UC");
+    let source = if british { "Blue Book, EN 10365:2017, BS 4-1:2005" } else { "EN 10365:2017" };
+    Some(RolledSection {
+        name: name.to_owned(),
+        area: b * h - (b - web) * between + corners,
+        inertia: (b * h.powi(3) - (b - web) * between.powi(3)) / 12.0 + steiner,
+        shear_area: Some(web * between),
+        height: Some(h),
+        source: source.to_owned(),
+        remark: None,
+        printed: printed(area, inertia),
+    })
+}
+
+/// A W shape: A and I as AISC prints them.
+fn american(cells: Vec<&'static str>) -> Option<RolledSection> {
+    let [name, d, _, web, flange, area, inertia] = cells[..] else { return None };
+    let [d, web, flange] = numbers(&[d, web, flange], INCH)[..] else { return None };
+    let [area, inertia] = numbers(&[area, inertia], 1.0)[..] else { return None };
+    Some(RolledSection {
+        name: name.to_owned(),
+        area: area * INCH * INCH,
+        inertia: inertia * INCH * INCH * INCH * INCH,
+        shear_area: Some(web * (d - 2.0 * flange)),
+        height: Some(d),
+        source: "AISC Shapes Database v16".to_owned(),
+        remark: None,
+        printed: None,
+    })
+}
+
+/// A hollow section: outer corners of radius 1.5 t, inner ones of radius t (EN 10210-2, annex B).
+fn hollow(cells: Vec<&'static str>) -> Option<RolledSection> {
+    let [name, h, b, t, a, i] = cells[..] else { return None };
+    let [h, b, t] = numbers(&[h, b, t], MM)[..] else { return None };
+    let (area, inertia, shear_area);
+    if b.is_nan() {
+        let inner = h - 2.0 * t;
+        area = PI * (h * h - inner * inner) / 4.0;
+        inertia = PI * (h.powi(4) - inner.powi(4)) / 64.0;
+        shear_area = 0.5 * area;
+    } else {
+        let rounded = |h: f64, b: f64, r: f64| {
+            let [corners, steiner] = fillets(r, 0.5 * h, -1.0);
+            [b * h - corners, b * h.powi(3) / 12.0 - steiner]
+        };
+        let outer = rounded(h, b, 1.5 * t);
+        let inner = rounded(h - 2.0 * t, b - 2.0 * t, t);
+        [area, inertia] = [outer[0] - inner[0], outer[1] - inner[1]];
+        shear_area = 2.0 * t * (h - 2.0 * t);
+    }
+    Some(RolledSection {
+        name: name.to_owned(),
+        area,
+        inertia,
+        shear_area: Some(shear_area),
+        height: Some(h),
+        source: "EN 10210-2:2006".to_owned(),
+        remark: None,
+        printed: printed(a, i),
+    })
+}
+
+fn rail(cells: Vec<&'static str>) -> Option<RolledSection> {
+    let [name, area, inertia, source, ref remark @ ..] = cells[..] else { return None };
+    Some(RolledSection {
+        name: name.to_owned(),
+        area: SHEAR_AREA.listed(area),
+        inertia: SECOND_MOMENT_OF_AREA.listed(inertia),
+        shear_area: None,
+        height: None,
+        source: source.to_owned(),
+        remark: remark.first().map(|remark| (*remark).to_owned()),
+        printed: None,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Largest deviations of printed from computed values, in percent: tables print three or four figures.
+    #[test]
+    fn sections_from_their_sides_have_the_printed_values() {
+        let mut count = 0;
+        for section in rolled_sections() {
+            let name = &section.name;
+            assert!(section.area > 0.0 && section.inertia > 0.0, "{name}");
+            let Some([area, inertia]) = section.printed else { continue };
+            count += 1;
+            let figures = if section.source == "EN 10365:2017" { 0.06e-2 } else { 0.5e-2 };
+            assert!((section.area / area - 1.0).abs() < figures, "{name}: {}", section.area);
+            assert!(
+                (section.inertia / inertia - 1.0).abs() < figures,
+                "{name}: {}",
+                section.inertia
+            );
+        }
+        assert!(count > 800 && rolled_sections().len() > 1300, "{count}");
+    }
+
+    #[test]
+    fn names_are_found_however_they_are_spaced() {
+        assert_eq!(find("ipe300").unwrap().name, "IPE 300");
+        assert_eq!(find("W12x26").unwrap().name, "W12X26");
+        assert!(find("IPE 310").unwrap_err().contains("IPE 300"));
+        let area = |name: &str| find_rail(name).unwrap().area;
+        assert_eq!([area("60E1"), area("UIC60")], [76.70e-4, 76.86e-4]);
+        assert!((area("136RE") / (INCH * INCH) - 13.32).abs() < 1e-12);
+        assert!(find_rail("133RE").is_err());
+    }
+
+    /// The fillet's constants by integration: the square less the quarter circle about its far corner.
+    #[test]
+    fn constants_of_a_fillet() {
+        let steps = 100_000;
+        let (mut area, mut first, mut second) = (0.0, 0.0, 0.0);
+        for i in 0..steps {
+            let y = (i as f64 + 0.5) / steps as f64;
+            let width = (1.0 - (1.0 - (1.0 - y) * (1.0 - y)).sqrt()) / steps as f64;
+            area += width;
+            first += width * y;
+            second += width * y * y;
+        }
+        assert!((area - (1.0 - 0.25 * PI)).abs() < 1e-7, "{area}");
+        assert!((first / area - CENTROID).abs() < 1e-6, "{}", first / area);
+        assert!((second - first * first / area - OWN).abs() < 1e-7);
+    }
+}
