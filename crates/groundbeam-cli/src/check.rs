@@ -11,7 +11,10 @@ use groundbeam_run::Run;
 use std::time::Instant;
 
 pub fn run(request: &Check) -> Result<Status, Failure> {
-    let input = Input::read(&request.file)?;
+    let input = Input::read(&request.file)?.printed(request.printed)?;
+    if request.json {
+        input.show_warnings();
+    }
     let started = Instant::now();
     let answers = Run::of(&input.document).check().map_err(|error| input.refused(&error))?;
     let context = input.context().with_seconds(started.elapsed().as_secs_f64());

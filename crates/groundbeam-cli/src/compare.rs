@@ -12,7 +12,10 @@ use groundbeam_report::{Results, text};
 use groundbeam_run::{self as run, Asked, Found, Overall, Run};
 
 pub fn run(request: &Compare) -> Result<Status, Failure> {
-    let input = Input::read(&request.file)?;
+    let input = Input::read(&request.file)?.printed(request.printed)?;
+    if request.json {
+        input.show_warnings();
+    }
     let run = Run::of(&input.document);
     if run.asked() != Asked::One {
         let rule = "methods are compared on one model, and this file has combinations or a train";

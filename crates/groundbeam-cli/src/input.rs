@@ -2,12 +2,13 @@
 
 use crate::colour::standard_error_has_colour;
 use crate::failure::Failure;
+use crate::request::Printed;
 use crate::status::Status;
 use groundbeam::Error;
 use groundbeam::proof::Reason;
 use groundbeam_file::{Diagnostics, Document, read_bounded, read_file};
 use groundbeam_report::calculation::Source;
-use groundbeam_report::{Context, text};
+use groundbeam_report::{Context, Units, text};
 use std::path::Path;
 
 /// Name and bytes of a file; of standard input for `-`.
@@ -28,6 +29,8 @@ pub struct Input {
     /// As it was read.
     text: String,
     digest: String,
+    /// The units and the digits of what is printed.
+    units: Units,
 }
 
 impl Input {
@@ -45,7 +48,29 @@ impl Input {
         let text = groundbeam_file::text_of(bytes).map_err(wrong)?;
         let document = groundbeam_file::parse_beside(text, folder).map_err(wrong)?;
         let digest = groundbeam_report::model_digest(&document);
-        Ok(Input { document, name, text: text.to_owned(), digest })
+        let units = document.printed;
+        Ok(Input { document, name, text: text.to_owned(), digest, units })
+    }
+
+    /// The same, printed in the units and with the digits that were asked for.
+    pub fn printed(self, printed: Printed) -> Result<Self, Failure> {
+        let units = printed.units(self.units)?;
+        Ok(Input { units, ..self })
+    }
+
+    /// Shows the warnings about the file on standard error, for results in a form that has no place for them.
+    pub fn show_warnings(&self) {
+        if !self.document.warnings.is_empty() {
+            let warnings = Diagnostics::from(self.document.warnings.clone());
+            let shown = warnings.render(&self.name, &self.text, standard_error_has_colour());
+            // Where standard error cannot be written, the result says enough.
+            let _ = std::io::Write::write_all(&mut std::io::stderr(), shown.as_bytes());
+        }
+    }
+
+    /// The units and the digits of what is printed.
+    pub fn units(&self) -> Units {
+        self.units
     }
 
     /// The model as it is written, and the file it stands in.
@@ -77,7 +102,8 @@ impl Input {
 
     /// Title, units, limits and digest, as reports want them.
     pub fn context(&self) -> Context<'_> {
-        Context { digest: Some(&self.digest), ..Context::of(&self.document) }
+        let of_file = Context::of(&self.document);
+        Context { digest: Some(&self.digest), units: self.units, ..of_file }
     }
 
     /// Why a model is not solved, at its place in the file.

@@ -5,6 +5,8 @@ use crate::failure::Failure;
 use crate::typed::{self, Command, Typed};
 use clap_complete::Shell;
 use groundbeam::Options;
+use groundbeam_file::print;
+use groundbeam_report::Units;
 use groundbeam_report::calculation::Paper;
 #[cfg(feature = "study")]
 use groundbeam_study::Shard;
@@ -54,6 +56,7 @@ pub struct Solve {
     pub strict: bool,
     /// Whether a terminal shows the beam below the report.
     pub drawing: bool,
+    pub printed: Printed,
     pub options: Options,
 }
 
@@ -106,6 +109,33 @@ pub enum Setting {
 pub struct Check {
     pub file: PathBuf,
     pub json: bool,
+    pub printed: Printed,
+}
+
+/// The units and the digits of what is printed.
+#[derive(Debug, Clone, Copy)]
+pub struct Printed {
+    pub asked: print::Asked,
+    pub digits: usize,
+}
+
+impl Printed {
+    fn of(typed: typed::Printed) -> Self {
+        let asked = match typed.units {
+            typed::UnitsAsked::File => print::Asked::File,
+            typed::UnitsAsked::Si => print::Asked::Si,
+            typed::UnitsAsked::Us => print::Asked::Us,
+        };
+        Printed { asked, digits: typed.digits.into() }
+    }
+
+    /// The units of a file, or those that were asked for.
+    pub fn units(self, own: Units) -> Result<Units, Failure> {
+        let rule =
+            "--units: the file gives no units, so that no other units follow from its numbers";
+        let units = own.in_system(self.asked).ok_or_else(|| Failure::usage(rule.to_owned()))?;
+        Ok(units.with_digits(self.digits))
+    }
 }
 
 /// Prove a result document.
@@ -126,6 +156,7 @@ pub struct Compare {
     pub elements: usize,
     pub most_sweeps: usize,
     pub memory_limit: u64,
+    pub printed: Printed,
 }
 
 /// Write a model file to begin with.
@@ -157,6 +188,7 @@ pub struct Study {
     pub restart: bool,
     pub plot: Option<Plot>,
     pub json: bool,
+    pub printed: Printed,
 }
 
 /// Put shards together.
@@ -180,8 +212,10 @@ impl Study {
             Some(written) => shard(written)?,
         };
         let typed::Study { file, out, samples, seed, threads, restart, plot, json, .. } = typed;
+        let printed = Printed::of(typed.printed);
         let plot = plot.map(Plot::of).transpose()?;
-        Ok(Study { file, out, samples, seed, shard, threads: threads.into(), restart, plot, json })
+        let threads = threads.into();
+        Ok(Study { file, out, samples, seed, shard, threads, restart, plot, json, printed })
     }
 }
 
@@ -203,7 +237,11 @@ impl Request {
     pub fn of(typed: Typed) -> Result<Self, Failure> {
         Ok(match typed.command {
             Command::Solve(solve) => Request::Solve(Solve::of(solve)?),
-            Command::Check(check) => Request::Check(Check { file: check.file, json: check.json }),
+            Command::Check(check) => Request::Check(Check {
+                file: check.file,
+                json: check.json,
+                printed: Printed::of(check.printed),
+            }),
             Command::Verify(typed::Verify { result, model, log, strict, json }) => {
                 Request::Verify(Verify { result, model, log, strict, json })
             }
@@ -213,6 +251,7 @@ impl Request {
                 elements: compare.elements as usize,
                 most_sweeps: usize::try_from(compare.most_sweeps).unwrap_or(usize::MAX),
                 memory_limit: compare.memory_limit,
+                printed: Printed::of(compare.printed),
             }),
             Command::New(new) => Request::New(New { file: new.file, kind: new.kind }),
             #[cfg(feature = "serve")]
@@ -273,6 +312,7 @@ impl Solve {
             strict: typed.strict,
             factors: typed.factors.map(|cases| cases.map_or(Grow::All, Grow::Cases)),
             drawing: !typed.no_drawing,
+            printed: Printed::of(typed.printed),
             options,
         })
     }

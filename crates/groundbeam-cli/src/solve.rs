@@ -18,7 +18,10 @@ use groundbeam_run::{Answer, Asked, Found, Growing, Run};
 use std::path::Path;
 
 pub fn run(request: &Solve) -> Result<Status, Failure> {
-    let input = Input::read(&request.file)?;
+    let input = Input::read(&request.file)?.printed(request.printed)?;
+    if request.json {
+        input.show_warnings();
+    }
     let files = input.document.files.iter().map(|file| Path::new(&file.name));
     distinct::check(request.outputs(), files.chain([request.file.as_path()]))?;
     let stations = request.at.as_deref().map(|list| positions(&input, list)).transpose()?;
@@ -165,9 +168,9 @@ fn deliver(
 
 /// The positions of `--at`, each on the beam.
 pub fn positions(input: &Input, list: &str) -> Result<Vec<f64>, Failure> {
-    let units = input.document.units;
+    let units = input.units().of_input();
     let failure = |found: &Diagnostics| Failure::diagnostics(found, "--at", list);
-    let positions = parse_positions(list, units).map_err(|found| failure(&found))?;
+    let positions = parse_positions(list, input.document.units).map_err(|found| failure(&found))?;
     let length = input.document.model.beam.length;
     let mut start = 0;
     for (entry, &x) in list.split(',').zip(&positions) {
@@ -175,10 +178,10 @@ pub fn positions(input: &Input, list: &str) -> Result<Vec<f64>, Failure> {
             let at = start + entry.len() - entry.trim_start().len();
             let span = at..at + entry.trim().len();
             let (message, hint) = (
-                format!("{} lies off the beam", units.length(x)),
+                format!("{} lies off the beam", units.position(x)),
                 format!(
                     "the beam goes from 0 to {}, measured from its left end",
-                    units.length(length)
+                    units.position(length)
                 ),
             );
             let off = Diagnostic {

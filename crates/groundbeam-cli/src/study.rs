@@ -49,7 +49,7 @@ pub fn run(request: &Study) -> Result<Status, Failure> {
     let kept = || format!("all samples are in {}; the same command sums them up", out.display());
     let summary = summary.map_err(|error| ended(&error, kept))?;
     let seconds = (solved == draws.plan().samples).then_some(seconds);
-    let units = draws.study().document.units.into();
+    let units = request.printed.units(draws.study().document.printed)?;
     let context = Context { seconds, ..Context::new(units) };
     draw(request.plot.as_ref(), || Some(svg::study(&summary, &context)))?;
     print(&match request.json {

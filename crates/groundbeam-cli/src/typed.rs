@@ -2,6 +2,7 @@
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
+use groundbeam_report::RESULT_DIGITS;
 use std::path::PathBuf;
 
 /// Beams on ground that can only push back.
@@ -164,6 +165,9 @@ pub struct Solve {
     /// The memory that the solve may need, as in "8 GB"; a model that needs more is refused before it is solved
     #[arg(long, value_name = "SIZE", default_value = "4 GB", value_parser = bytes)]
     pub memory_limit: u64,
+
+    #[command(flatten)]
+    pub printed: Printed,
 }
 
 #[derive(Debug, Args)]
@@ -174,6 +178,32 @@ pub struct Check {
     /// Print the verdict as one JSON document, and nothing else, on standard output
     #[arg(long)]
     pub json: bool,
+
+    #[command(flatten)]
+    pub printed: Printed,
+}
+
+/// How quantities are printed.
+#[derive(Debug, Clone, Copy, Args)]
+pub struct Printed {
+    /// Units of everything that is printed, drawn or written as a table; JSON is always in SI units
+    #[arg(long, value_enum, default_value = "file")]
+    pub units: UnitsAsked,
+
+    /// Significant digits of results; proven numbers have as many as their bound allows
+    #[arg(long, value_name = "N", default_value_t = RESULT_DIGITS as u8, value_parser = clap::value_parser!(u8).range(2..=15))]
+    pub digits: u8,
+}
+
+/// The units of what is printed.
+#[derive(Debug, Clone, Copy, ValueEnum)]
+pub enum UnitsAsked {
+    /// Those of the model file: ft, kip and ksf for a file that has them
+    File,
+    /// SI units: m, kN, kPa
+    Si,
+    /// US units: ft, in, kip, ksf, pci
+    Us,
 }
 
 /// Prove a result document against its model file
@@ -241,6 +271,9 @@ pub struct Compare {
     /// The memory that the solve may need, as in "8 GB"; a model that needs more is refused before it is solved
     #[arg(long, value_name = "SIZE", default_value = "4 GB", value_parser = bytes)]
     pub memory_limit: u64,
+
+    #[command(flatten)]
+    pub printed: Printed,
 }
 
 #[cfg(feature = "study")]
@@ -283,6 +316,9 @@ pub struct Study {
     /// Print the summary as one JSON document, and nothing else, on standard output
     #[arg(long)]
     pub json: bool,
+
+    #[command(flatten)]
+    pub printed: Printed,
 }
 
 #[cfg(feature = "study")]

@@ -20,7 +20,7 @@ pub fn run(request: &Verify) -> Result<Status, Failure> {
     let model = ModelFile::read(&request.model)?;
     let mut logs = Vec::new();
     let verified = Verified {
-        units: model.units.unwrap_or(Units::Plain),
+        units: model.units.unwrap_or(Units::PLAIN),
         other_model: model.differs_from(&documents),
         left_out: model.left_out(&documents),
         results: documents
@@ -88,7 +88,7 @@ impl ModelFile {
         let (digest, units, combinations) = match (of_solver, of_any) {
             (Ok(input), _) => {
                 let names = input.document.combinations().into_iter().map(|c| c.name);
-                let units = input.document.units.into();
+                let units = input.units();
                 (input.digest().to_owned(), Some(units), names.collect())
             }
             (Err(_), Ok(_) | Err(Reason::OutOfRange(_))) => {

@@ -28,6 +28,8 @@ pub(crate) const POISSON: &str = "GB206";
 pub(crate) const STRETCH: &str = "GB303";
 pub(crate) const FIRST_AXLE: &str = "GB701";
 pub(crate) const RANGE: &str = "GB801";
+pub(crate) const IMPLAUSIBLE: &str = "GB901";
+pub(crate) const NO_LOADS: &str = "GB902";
 
 /// One line of the table of codes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -124,4 +126,6 @@ pub const CODES: &[Code] = &[
     elsewhere("GB617", "a solve must not need more memory than the limit"),
     row(FIRST_AXLE, "a train is measured backward from its first axle", "first-axle.toml"),
     elsewhere(RANGE, "a number of a study is outside its range"),
+    elsewhere(IMPLAUSIBLE, "a warning: a quantity has an implausible size"),
+    elsewhere(NO_LOADS, "a warning: the model has no loads"),
 ];

@@ -129,6 +129,13 @@ impl Diagnostics {
     }
 }
 
+impl From<Vec<Diagnostic>> for Diagnostics {
+    /// In the order of the text.
+    fn from(found: Vec<Diagnostic>) -> Self {
+        Diagnostics::new(found)
+    }
+}
+
 impl From<Diagnostic> for Diagnostics {
     fn from(diagnostic: Diagnostic) -> Self {
         Diagnostics(vec![diagnostic])

@@ -7,6 +7,7 @@ use crate::demand::{Place, Sign};
 use crate::diagnostic::Diagnostic;
 use crate::fault::Fault;
 use crate::moving::MovingTrain;
+use crate::print::Units;
 use crate::reader::Field;
 use crate::source::Source;
 use crate::units::UnitSystem;
@@ -33,6 +34,10 @@ pub struct Document {
     pub limits: Limits,
     /// Whether all is in SI units or in the file's own consistent system.
     pub units: UnitSystem,
+    /// The units of the file's own quantities, in which results are printed.
+    pub printed: Units,
+    /// What the file probably says otherwise than meant: implausible sizes, no loads.
+    pub warnings: Vec<Diagnostic>,
     /// The load case to which each of the model's loads belongs, in the order of the loads; none for a
     /// load to which the file gives none.
     pub cases: Vec<Option<String>>,
@@ -102,7 +107,7 @@ impl Document {
     pub fn diagnostic_for(&self, problem: &Problem) -> Diagnostic {
         let span = self.field_span(problem.part, problem.field);
         let span = span.or_else(|| self.part_span(problem.part)).unwrap_or(0..0);
-        diagnostic(&self.source, span, problem, self.units)
+        diagnostic(&self.source, span, problem, self.printed)
     }
 }
 
@@ -111,9 +116,9 @@ pub(crate) fn diagnostic(
     source: &Source,
     span: Range<usize>,
     problem: &Problem,
-    units: UnitSystem,
+    units: Units,
 ) -> Diagnostic {
-    let fill = |text: &str| problem.fill(text, |x| units.length(x));
+    let fill = |text: &str| problem.fill(text, |x| units.of_input().position(x));
     let fault = Fault::new(problem.code, span, fill(&problem.message), "", fill(&problem.hint));
     Diagnostic::new(source, fault)
 }

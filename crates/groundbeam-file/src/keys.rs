@@ -23,6 +23,8 @@ pub(crate) struct Key {
     pub needed: bool,
     /// Other names for the same thing: the library's words, other programs' words, other letters.
     pub also: &'static [&'static str],
+    /// Names of a similar quantity, in small letters, and how it becomes this one.
+    pub unlike: Option<(&'static [&'static str], &'static str)>,
 }
 
 /// The values that may stand under a key.
@@ -78,7 +80,7 @@ pub(crate) const ALSO_NU: &[&str] = &["poisson", "poissons_ratio", "ν"];
 
 /// A key that may be left out, unless [`Key::needed`] follows.
 pub(crate) const fn key(name: &'static str, value: Value, meaning: &'static str) -> Key {
-    Key { name, value, meaning, needed: false, also: &[] }
+    Key { name, value, meaning, needed: false, also: &[], unlike: None }
 }
 
 pub(crate) const fn quantity(
@@ -130,6 +132,11 @@ impl Key {
         Key { also, ..self }
     }
 
+    /// The same, with names of a similar quantity and how it becomes this one.
+    pub const fn unlike(self, names: &'static [&'static str], how: &'static str) -> Key {
+        Key { unlike: Some((names, how)), ..self }
+    }
+
     /// The quantity that the key wants; a plain number where it wants none.
     pub fn kind(&self) -> &'static Kind {
         match self.value {
@@ -171,6 +178,16 @@ impl Table {
             _ => false,
         })
     }
+}
+
+/// The key that wants a quantity like the one with this name, and how the one becomes the other.
+pub(crate) fn becomes(written: &str, keys: &[&Key]) -> Option<(&'static str, &'static str)> {
+    let lower = written.to_lowercase();
+    let of_key = |key: &&Key| {
+        let (names, how) = key.unlike?;
+        names.contains(&lower.as_str()).then_some((key.name, how))
+    };
+    keys.iter().find_map(of_key)
 }
 
 /// The key that someone who writes `written` probably means.

@@ -46,6 +46,7 @@ mod document;
 mod documents;
 mod fault;
 mod files;
+mod implausible;
 mod keys;
 mod list;
 mod materials;
@@ -53,6 +54,7 @@ mod moving;
 mod number;
 pub mod output;
 mod positions;
+pub mod print;
 mod printable;
 mod profile;
 mod profiles;
@@ -157,28 +159,31 @@ fn read(text: &str, beside: Option<Beside>, bare_is_si: bool) -> Result<Document
     let mut reader = Reader::new(&source, &root, beside, bare_is_si);
     reader.found = syntax.found;
     let contents = section::read(&mut reader, &root);
-    let Contents { title, model, chords, ground, limits, cases, recipes, trains } = contents;
+    let model = &contents.model;
     let before = reader.found.len();
     let units = reader.unit_system().unwrap_or(UnitSystem::Plain);
+    let printed = print::Units::of(units, &reader.quantities);
     let is_mixed = reader.found.len() > before;
     // Lengths of which only some are in metres cannot be compared.
     if !is_mixed {
         let problems = model.problems();
         for problem in &problems {
             if let Some(span) = reader.places.of(problem) {
-                reader.found.push(document::diagnostic(&source, span, problem, units));
+                reader.found.push(document::diagnostic(&source, span, problem, printed));
             }
         }
         // A model with a problem is never accepted: where no cause of it has been told, it is told of its part.
         if reader.found.is_empty() {
             let told = problems.iter().map(|problem| {
                 let span = reader.places.part_of(problem).unwrap_or(0..0);
-                document::diagnostic(&source, span, problem, units)
+                document::diagnostic(&source, span, problem, printed)
             });
             let told: Vec<Diagnostic> = told.collect();
             reader.found.extend(told);
         }
     }
+    let warnings = implausible::warnings(&reader, &contents, printed);
+    let Contents { title, model, chords, ground, limits, cases, recipes, trains, .. } = contents;
     let quantities = reader.located(units);
     let Reader { found, places, others, .. } = reader;
     if found.is_empty() {
@@ -196,6 +201,8 @@ fn read(text: &str, beside: Option<Beside>, bare_is_si: bool) -> Result<Document
             quantities,
             files: others,
             units,
+            printed,
+            warnings,
             source,
             places,
         })

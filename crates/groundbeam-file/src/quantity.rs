@@ -4,7 +4,8 @@ use crate::code;
 use crate::demand::{Place, Sign};
 use crate::fault::Fault;
 use crate::number::Decimal;
-use crate::unit::{Dimension, Unit};
+use crate::print;
+use crate::unit::{Dimension, Marks, Unit, feet_and_inches};
 
 /// What a key wants.
 #[derive(Debug, PartialEq)]
@@ -20,6 +21,10 @@ pub(crate) struct Kind {
     pub sign: Sign,
     /// The body on which it is a position; none for other quantities.
     pub place: Option<Place>,
+    /// The kind of printed quantity that has its units; none for quantities that are not printed.
+    pub printed: Option<print::Kind>,
+    /// The plausible sizes in SI units, and what they say.
+    pub plausible: Option<([f64; 2], &'static str)>,
     /// What someone who gives a quantity of another kind probably wants to do.
     mistaken: &'static [(Dimension, &'static str)],
 }
@@ -31,7 +36,8 @@ const fn kind(
     unit: &'static str,
     mistaken: &'static [(Dimension, &'static str)],
 ) -> Kind {
-    Kind { what, dimension, example, unit, sign: Sign::Any, place: None, mistaken }
+    let (sign, place, printed, plausible) = (Sign::Any, None, None, None);
+    Kind { what, dimension, example, unit, sign, place, printed, plausible, mistaken }
 }
 
 impl Kind {
@@ -42,6 +48,14 @@ impl Kind {
     const fn on(self, place: Place) -> Kind {
         Kind { place: Some(place), ..self }
     }
+
+    const fn plausible(self, sizes: [f64; 2], rule: &'static str) -> Kind {
+        Kind { plausible: Some((sizes, rule)), ..self }
+    }
+
+    const fn printed_as(self, kind: print::Kind) -> Kind {
+        Kind { printed: Some(kind), ..self }
+    }
 }
 
 const LINE_LOAD: Dimension = Dimension::new(1, -1);
@@ -50,31 +64,41 @@ const MODULUS: Dimension = Dimension::new(1, -3);
 const STIFFNESS: Dimension = Dimension::new(1, 2);
 const SECOND_MOMENT: Dimension = Dimension::new(0, 4);
 
-pub(crate) const LENGTH: Kind =
-    kind("a length", Dimension::LENGTH, "12 m", "m", &[]).sign(Sign::Positive);
-pub(crate) const POSITION: Kind =
-    kind("a length", Dimension::LENGTH, "1 m", "m", &[]).on(Place::Beam);
-pub(crate) const GROUND_POSITION: Kind =
-    kind("a length", Dimension::LENGTH, "1 m", "m", &[]).on(Place::Ground);
+pub(crate) const LENGTH: Kind = kind("a length", Dimension::LENGTH, "12 m", "m", &[])
+    .sign(Sign::Positive)
+    .printed_as(print::Kind::Position);
+pub(crate) const POSITION: Kind = kind("a length", Dimension::LENGTH, "1 m", "m", &[])
+    .on(Place::Beam)
+    .printed_as(print::Kind::Position);
+pub(crate) const GROUND_POSITION: Kind = kind("a length", Dimension::LENGTH, "1 m", "m", &[])
+    .on(Place::Ground)
+    .printed_as(print::Kind::Position);
 /// A length from a place that is no end of the beam: from the first axle of a train, from the level of the sea.
-pub(crate) const OFFSET: Kind = kind("a length", Dimension::LENGTH, "1 m", "m", &[]);
+pub(crate) const OFFSET: Kind =
+    kind("a length", Dimension::LENGTH, "1 m", "m", &[]).printed_as(print::Kind::Position);
 /// A length behind the first axle of a train.
-pub(crate) const BEHIND: Kind =
-    kind("a length", Dimension::LENGTH, "1 m", "m", &[]).sign(Sign::NotNegative);
+pub(crate) const BEHIND: Kind = kind("a length", Dimension::LENGTH, "1 m", "m", &[])
+    .sign(Sign::NotNegative)
+    .printed_as(print::Kind::Position);
 pub(crate) const WIDTH: Kind =
     kind("a length", Dimension::LENGTH, "1 m", "m", &[]).sign(Sign::Positive);
-pub(crate) const CLEARANCE: Kind = kind("a length", Dimension::LENGTH, "2 mm", "mm", &[]);
-pub(crate) const SETTLEMENT_LIMIT: Kind =
-    kind("a length", Dimension::LENGTH, "2 mm", "mm", &[]).sign(Sign::Positive);
-pub(crate) const FORCE: Kind = kind("a force", Dimension::FORCE, "600 kN", "kN", &[]);
-pub(crate) const MOMENT: Kind = kind("a moment", Dimension::new(1, 1), "50 kN m", "kN m", &[]);
+pub(crate) const CLEARANCE: Kind =
+    kind("a length", Dimension::LENGTH, "2 mm", "mm", &[]).printed_as(print::Kind::Deflection);
+pub(crate) const SETTLEMENT_LIMIT: Kind = kind("a length", Dimension::LENGTH, "2 mm", "mm", &[])
+    .sign(Sign::Positive)
+    .printed_as(print::Kind::Deflection);
+pub(crate) const FORCE: Kind =
+    kind("a force", Dimension::FORCE, "600 kN", "kN", &[]).printed_as(print::Kind::Force);
+pub(crate) const MOMENT: Kind =
+    kind("a moment", Dimension::new(1, 1), "50 kN m", "kN m", &[]).printed_as(print::Kind::Moment);
 pub(crate) const LOAD_PER_LENGTH: Kind = kind(
     "a force per length",
     LINE_LOAD,
     "20 kN/m",
     "kN/m",
     &[(STRESS, "a pressure acts on an area: multiply it by the beam's width")],
-);
+)
+.printed_as(print::Kind::Pressure);
 pub(crate) const MOMENT_PER_LENGTH: Kind =
     kind("a moment per length", Dimension::FORCE, "5 kN m/m", "kN m/m", &[]);
 pub(crate) const BENDING_STIFFNESS: Kind = kind(
@@ -87,7 +111,8 @@ pub(crate) const BENDING_STIFFNESS: Kind = kind(
         (SECOND_MOMENT, "a second moment of area is `I`; give it together with `E`"),
     ],
 )
-.sign(Sign::Positive);
+.sign(Sign::Positive)
+.printed_as(print::Kind::BendingStiffness);
 pub(crate) const ELASTIC_MODULUS: Kind = kind(
     "an elastic modulus",
     STRESS,
@@ -95,7 +120,17 @@ pub(crate) const ELASTIC_MODULUS: Kind = kind(
     "GPa",
     &[(STIFFNESS, "a bending stiffness is `EI`; then leave `E` and `I` out")],
 )
-.sign(Sign::Positive);
+.sign(Sign::Positive).plausible([3e8, 1e12], "the modulus of a beam is usually between 1 and 300 GPa, and that of a soil belongs in [foundation.soil]");
+/// The modulus of a soil or a rock.
+pub(crate) const SOIL_MODULUS: Kind = kind(
+    "an elastic modulus",
+    STRESS,
+    "15 MPa",
+    "MPa",
+    &[(MODULUS, "a force per volume is a `subgrade_modulus`; then leave the soil out")],
+)
+.sign(Sign::Positive)
+.plausible([1e5, 1e11], "the modulus of a soil is usually between 1 and 500 MPa");
 pub(crate) const SECOND_MOMENT_OF_AREA: Kind =
     kind("a second moment of area", SECOND_MOMENT, "0.04 m^4", "m^4", &[]).sign(Sign::Positive);
 pub(crate) const SHEAR_STIFFNESS: Kind = kind(
@@ -117,7 +152,9 @@ pub(crate) const SPRING_PER_LENGTH: Kind = kind(
     "MN/m^2",
     &[(MODULUS, "a force per volume is a `subgrade_modulus`; give it together with `width`")],
 )
-.sign(Sign::Positive);
+.sign(Sign::Positive)
+.printed_as(print::Kind::Spring)
+.plausible([1e4, 3e9], "k per length of beam is usually between 0.1 and 1000 MN/m²");
 pub(crate) const SUBGRADE_MODULUS: Kind = kind(
     "a force per area and deflection",
     MODULUS,
@@ -125,10 +162,16 @@ pub(crate) const SUBGRADE_MODULUS: Kind = kind(
     "MN/m^3",
     &[(STRESS, "a force per length of beam and deflection is `k`; then leave `width` out")],
 )
-.sign(Sign::Positive);
+.sign(Sign::Positive)
+.printed_as(print::Kind::AreaSpring)
+.plausible(
+    [1e6, 3e8],
+    "a subgrade modulus is usually between 1 and 300 MN/m³, that is 4 and 1100 pci",
+);
 pub(crate) const SHEAR_CONSTANT: Kind =
     kind("a force (the ground's shear constant)", Dimension::FORCE, "9 MN", "MN", &[])
-        .sign(Sign::NotNegative);
+        .sign(Sign::NotNegative)
+        .printed_as(print::Kind::Constant);
 pub(crate) const AREA_SHEAR: Kind = kind(
     "a force per length (the shear constant of an area)",
     LINE_LOAD,
@@ -136,11 +179,16 @@ pub(crate) const AREA_SHEAR: Kind = kind(
     "MN/m",
     &[(Dimension::FORCE, "the shear constant per length of beam is `mu`; then leave `C2` out")],
 )
-.sign(Sign::NotNegative);
+.sign(Sign::NotNegative)
+.printed_as(print::Kind::AreaShear);
 pub(crate) const UNIT_WEIGHT: Kind =
-    kind("a force per volume", MODULUS, "25 kN/m^3", "kN/m^3", &[]).sign(Sign::Positive);
-pub(crate) const STRESS_LIMIT: Kind =
-    kind("a pressure", STRESS, "200 kPa", "kPa", &[]).sign(Sign::Positive);
+    kind("a force per volume", MODULUS, "25 kN/m^3", "kN/m^3", &[]).sign(Sign::Positive).plausible(
+        [5e3, 9e4],
+        "a unit weight is usually between 5 and 90 kN/m³, that is 32 and 570 pcf",
+    );
+pub(crate) const STRESS_LIMIT: Kind = kind("a pressure", STRESS, "200 kPa", "kPa", &[])
+    .sign(Sign::Positive)
+    .printed_as(print::Kind::Stress);
 pub(crate) const RATIO: Kind = kind("a plain number", Dimension::NONE, "0.3", "", &[]);
 pub(crate) const SPRING: Kind =
     kind("a force per deflection", LINE_LOAD, "10 MN/m", "MN/m", &[]).sign(Sign::NotNegative);
@@ -162,7 +210,8 @@ pub(crate) const CURVATURE: Kind = kind(
         Dimension::LENGTH,
         "a radius is the inverse of a curvature: write for example \"1e-4 1/m\"",
     )],
-);
+)
+.printed_as(print::Kind::PerLength);
 pub(crate) const TEMPERATURE: Kind =
     kind("a temperature difference", Dimension::TEMPERATURE, "15 K", "K", &[]);
 pub(crate) const EXPANSION: Kind = kind(
@@ -221,6 +270,11 @@ impl Kind {
     pub fn read(&self, key: &str, text: &str, plain: bool) -> Result<Written, Fault> {
         let start = text.len() - text.trim_start().len();
         let trimmed = text.trim();
+        if let Some(value) = self.feet_and_inches(trimmed) {
+            let marks =
+                if trimmed.contains(['f', '\'', '′', '’']) { Marks::FOOT } else { Marks::INCH };
+            return Ok(Written { value, has_unit: true, marks });
+        }
         let Some((number, length)) = Decimal::read(trimmed) else {
             return Err(self.unreadable(key, text, trimmed, plain).moved(start));
         };
@@ -230,20 +284,32 @@ impl Kind {
         if let Some(fault) = self.interrupted(&trimmed[..length], unit_text, trimmed.len()) {
             return Err(fault.moved(start));
         }
-        let (value, has_unit) = if unit_text.is_empty() {
-            (number.to_f64(), false)
+        let (value, has_unit, marks) = if unit_text.is_empty() {
+            (number.to_f64(), false, Marks::NONE)
         } else {
-            let unit = Unit::read(unit_text).map_err(|fault| fault.moved(start + unit_start))?;
+            let unit = Unit::read(unit_text).map_err(|fault| {
+                let hint = match self.dimension == MODULUS && fault.code == code::UNKNOWN_UNIT {
+                    true if is_density(unit_text) => DENSITY.to_owned(),
+                    _ => fault.hint.clone(),
+                };
+                Fault { hint, ..fault }.moved(start + unit_start)
+            })?;
             if !self.accepts(unit.dimension) {
                 let at = start + unit_start..start + trimmed.len();
                 return Err(self.wrong_kind(key, unit.dimension, unit_text, at));
             }
-            (number.times(&unit.scale), true)
+            (number.times(&unit.scale), true, unit.marks)
         };
         if !is_within_reach(value) || (value == 0.0 && !number.is_zero()) {
             return Err(out_of_reach(value, start..start + trimmed.len()));
         }
-        Ok(Written { value, has_unit })
+        Ok(Written { value, has_unit, marks })
+    }
+
+    /// The metres of a length in feet and inches, or with a fraction of an inch; none for other texts and quantities.
+    fn feet_and_inches(&self, text: &str) -> Option<f64> {
+        let inches = feet_and_inches(text).filter(|_| self.dimension == Dimension::LENGTH)?;
+        Some(Decimal::read(&inches)?.0.times(&Unit::read("in").ok()?.scale))
     }
 
     fn wrong_kind(
@@ -255,6 +321,9 @@ impl Kind {
     ) -> Fault {
         let hint = match self.mistaken.iter().find(|(dimension, _)| *dimension == found) {
             Some((_, advice)) => (*advice).to_owned(),
+            None if found == Dimension::TEMPERATURE && unit.starts_with('K') => {
+                "`K` is kelvin; kips are written kip".to_owned()
+            }
             None => format!("give a unit as in {}", self.line(key, false)),
         };
         let found = found.describe();
@@ -286,14 +355,13 @@ impl Kind {
         }
         let digits_after =
             |text: &str| -> String { text.chars().take_while(char::is_ascii_digit).collect() };
-        let (more, hint) = if let Some(after_comma) = rest.strip_prefix(',') {
-            let more = digits_after(after_comma);
-            let hint = format!("decimals stand after a point: {number}.{more}");
-            (more, hint)
-        } else {
-            let more = digits_after(rest);
-            let hint = format!("write the digits together: {number}{more}");
-            (more, hint)
+        let (more, hint) = match rest.strip_prefix(',') {
+            Some(after) => (digits_after(after), without_comma(number, after)),
+            None => {
+                let more = digits_after(rest);
+                let hint = format!("write the digits together: {number}{more}");
+                (more, hint)
+            }
         };
         if more.is_empty() {
             return None;
@@ -304,12 +372,60 @@ impl Kind {
     }
 }
 
+/// How to write a number with a comma behind `whole`. Three digits after a comma are thousands to some and decimals to
+/// others, so that both are offered.
+fn without_comma(whole: &str, after: &str) -> String {
+    let mut thousands = whole.to_owned();
+    let mut rest = after;
+    loop {
+        let digits = rest.bytes().take_while(u8::is_ascii_digit).count();
+        let (group, further) = rest.split_at(digits);
+        if digits != 3 {
+            return format!("decimals stand after a point: {whole}.{group}");
+        }
+        thousands += group;
+        match further.strip_prefix(',') {
+            Some(next) => rest = next,
+            None => {
+                let is_decimal = further.strip_prefix('.').map(|part| part.bytes());
+                let part = is_decimal.map(|part| part.take_while(u8::is_ascii_digit).count());
+                return match part.filter(|count| *count > 0) {
+                    Some(count) => format!(
+                        "a comma is not read in numbers: write {thousands}{}",
+                        &further[..=count]
+                    ),
+                    None if rest.len() < after.len() => {
+                        format!("a comma is not read in numbers: write {thousands}")
+                    }
+                    None => format!(
+                        "a comma is not read in numbers: write {thousands}, or {whole}.{group} if \
+                         the comma stands before decimals"
+                    ),
+                };
+            }
+        }
+    }
+}
+
 /// A value that was read, and whether a unit stood behind it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Written {
     /// In SI units if there was a unit, else as it stands.
     pub value: f64,
     pub has_unit: bool,
+    pub marks: Marks,
+}
+
+/// What to do with a density where a force per volume is wanted.
+const DENSITY: &str =
+    "a unit weight is a force per volume: 2400 kg/m3 × 9.80665 m/s2 = 23.536 kN/m3";
+
+/// Whether a unit is a mass per volume.
+fn is_density(unit: &str) -> bool {
+    ["kg", "t", "lbm"].iter().any(|mass| {
+        let per = unit.strip_prefix(mass).and_then(|rest| rest.trim_start().strip_prefix('/'));
+        per.is_some_and(|volume| volume.contains(['3', '³']))
+    })
 }
 
 /// `nan` or `inf`, which TOML and many programs write.
@@ -378,7 +494,7 @@ mod tests {
         assert_eq!(si(&LENGTH, "  12m\t"), 12.0);
         assert_eq!(si(&LENGTH, "1_000 mm"), 1.0);
         let code_of = |text| LENGTH.read("length", text, false).unwrap_err().code;
-        for text in ["3 1/2 in", "3,5 m", "1 000 m", "12,5", "twelve m", "", "  ", "m", "-", "$3"] {
+        for text in ["3 1/2 m", "3,5 m", "1 000 m", "12,5", "twelve m", "", "  ", "m", "-", "$3"] {
             assert_eq!(code_of(text), code::NUMBER, "{text:?}");
         }
         for text in ["nan", "-inf m", "1e400", "1e-400 m", "1e-330", "1e308 km"] {
@@ -387,6 +503,43 @@ mod tests {
         for text in ["5 kN", "5 m^2", "5 m/m", "5 rad"] {
             assert_eq!(code_of(text), code::WRONG_UNIT, "{text:?}");
         }
+    }
+
+    #[test]
+    fn lengths_in_feet_and_inches_are_rounded_once() {
+        let cases =
+            [("12'-6\"", 3.81), ("12ft 6in", 3.81), ("6 1/2 in", 0.1651), ("12' 6 1/2\"", 3.8227)];
+        for (text, metres) in cases {
+            assert_eq!(si(&LENGTH, text), metres, "{text}");
+        }
+        assert_eq!(FORCE.read("point", "6 1/2 kip", false).unwrap_err().code, code::NUMBER);
+    }
+
+    #[test]
+    fn a_comma_is_never_guessed_at() {
+        let cases = [
+            (
+                "1,200 kN",
+                "a comma is not read in numbers: write 1200, or 1.200 if the comma stands before decimals",
+            ),
+            ("1,200.5 kN", "a comma is not read in numbers: write 1200.5"),
+            ("1,234,567 kN", "a comma is not read in numbers: write 1234567"),
+            ("3,5 kN", "decimals stand after a point: 3.5"),
+            ("3,1416 kN", "decimals stand after a point: 3.1416"),
+        ];
+        for (text, hint) in cases {
+            assert_eq!(FORCE.read("point", text, false).unwrap_err().hint, hint, "{text}");
+        }
+    }
+
+    #[test]
+    fn masses_and_kelvins_are_explained() {
+        let hint = |kind: &Kind, text| kind.read("key", text, false).unwrap_err().hint;
+        assert_eq!(hint(&UNIT_WEIGHT, "2400 kg/m3"), DENSITY);
+        assert_eq!(hint(&UNIT_WEIGHT, "2.4 t/m³"), DENSITY);
+        assert_eq!(hint(&FORCE, "12 K"), "`K` is kelvin; kips are written kip");
+        assert_eq!(si(&FORCE, "500#"), si(&FORCE, "500 lbf"));
+        assert_eq!(si(&FORCE, "12 k"), si(&FORCE, "12 kip"));
     }
 
     #[test]
@@ -406,6 +559,7 @@ mod tests {
             MOMENT_PER_LENGTH,
             BENDING_STIFFNESS,
             ELASTIC_MODULUS,
+            SOIL_MODULUS,
             SECOND_MOMENT_OF_AREA,
             SHEAR_STIFFNESS,
             SHEAR_MODULUS,

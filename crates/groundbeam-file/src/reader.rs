@@ -13,7 +13,7 @@ use crate::quantity::{self, Kind, Written};
 use crate::source::Source;
 use crate::suggest;
 use crate::table::Section;
-use crate::unit::Dimension;
+use crate::unit::{Dimension, Marks};
 use crate::units::Seen;
 use groundbeam::model::Part;
 use std::ops::Range;
@@ -77,7 +77,12 @@ impl<'s> Reader<'s> {
         }
     }
 
+    /// Reports a fault, unless the value is a text whose quotes were reported already.
     pub fn report(&mut self, fault: Fault) {
+        let same = |known: &Diagnostic| known.code == code::SYNTAX && known.span == fault.at;
+        if self.found.iter().any(same) {
+            return;
+        }
         self.found.push(Diagnostic::new(self.source, fault));
     }
 
@@ -139,12 +144,16 @@ impl<'s> Reader<'s> {
             let written = key.get_ref();
             let message = format!("`{written}` means nothing in {}", section.name());
             let keys: Vec<&Key> = names.iter().map(|name| section.key(name)).collect();
-            let hint = match keys::meant(written, &keys) {
-                Some(meant) => {
+            let hint = match (keys::becomes(written, &keys), keys::meant(written, &keys)) {
+                (Some((meant, how)), _) => {
+                    self.meant.push((section.span.start, meant.to_owned()));
+                    how.to_owned()
+                }
+                (None, Some(meant)) => {
                     self.meant.push((section.span.start, meant.to_owned()));
                     format!("did you mean `{meant}`?")
                 }
-                None => format!("what can stand here: {}", names.join(", ")),
+                (None, None) => format!("what can stand here: {}", names.join(", ")),
             };
             self.report(Fault::new(code::UNKNOWN_KEY, key.span(), message, "", hint));
         }
@@ -357,13 +366,21 @@ impl<'s> Reader<'s> {
             )),
         };
         match written {
-            Ok(Written { value, has_unit }) => {
+            Ok(Written { value, has_unit, marks }) => {
                 // A plain number has no unit in either kind of file.
                 if kind.dimension != Dimension::NONE {
                     let key = key.to_owned();
                     let is_bare_zero = value == 0.0 && !has_unit;
                     let span = span.clone();
-                    self.quantities.push(Seen { key, kind, has_unit, is_bare_zero, span });
+                    self.quantities.push(Seen {
+                        key,
+                        kind,
+                        has_unit,
+                        is_bare_zero,
+                        value,
+                        marks,
+                        span,
+                    });
                 }
                 Field::new(value, span)
             }
@@ -400,7 +417,7 @@ fn bare_integer(integer: &DeInteger, kind: &Kind) -> Result<Written, Fault> {
         return kind.read("", integer.as_str(), true);
     }
     match i128::from_str_radix(integer.as_str(), integer.radix()) {
-        Ok(value) => Ok(Written { value: value as f64, has_unit: false }),
+        Ok(value) => Ok(Written { value: value as f64, has_unit: false, marks: Marks::NONE }),
         Err(_) => Err(quantity::out_of_reach(f64::INFINITY, 0..0)),
     }
 }

@@ -70,6 +70,10 @@ fn fault(source: &Source, span: Range<usize>, said: &str, keys: &Table) -> (Faul
         return if written.trim().is_empty() {
             let hint = "write key = value, as in length = \"12 m\"".to_owned();
             (new("a value is missing here", "", hint), false)
+        } else if let Some(inner) = between_typographic_quotes(written) {
+            let message = "typographic quotes do not hold a text together";
+            let hint = format!("write straight quotes: \"{inner}\"");
+            (new(message, "quotes of a word processor", hint), true)
         } else {
             let hint = format!("write \"{written}\"");
             let message = "text, and a number with its unit, stand in quotes";
@@ -87,7 +91,7 @@ fn fault(source: &Source, span: Range<usize>, said: &str, keys: &Table) -> (Faul
     let advice = if said.starts_with("invalid float") || said.starts_with("invalid integer") {
         "a number with its unit stands in quotes, as in \"1.5 kN\""
     } else if said.starts_with("unexpected key or value") {
-        "one key = value stands on each line; decimals stand after a point, as in 3.5"
+        "one key = value stands on each line; a comma is not read in numbers: write 1200 or 3.5"
     } else if said.starts_with("invalid mantissa") || said.starts_with("invalid fraction") {
         "a number has digits on both sides of its point, as in 0.5 or 5.0"
     } else if said.starts_with("unexpected leading zero") {
@@ -107,6 +111,12 @@ fn fault(source: &Source, span: Range<usize>, said: &str, keys: &Table) -> (Faul
         ""
     };
     (new(&format!("this is not valid TOML: {said}"), "", advice.to_owned()), false)
+}
+
+/// The text between quotes as word processors write them.
+fn between_typographic_quotes(written: &str) -> Option<&str> {
+    const QUOTES: [char; 8] = ['“', '”', '„', '‘', '’', '‚', '«', '»'];
+    written.trim().strip_prefix(QUOTES)?.strip_suffix(QUOTES).map(str::trim)
 }
 
 /// The nearest place before `offset` where a key of this name was kept.

@@ -6,7 +6,7 @@ use crate::fault::Fault;
 use crate::number::Decimal;
 use crate::quantity::Kind;
 use crate::reader::Reader;
-use crate::unit::Unit;
+use crate::unit::{Marks, Unit, feet_and_inches};
 use std::ops::Range;
 
 /// How a file writes its quantities, and so how results are to be written.
@@ -18,22 +18,6 @@ pub enum UnitSystem {
     Plain,
 }
 
-impl UnitSystem {
-    /// A length \[m, or plain\] as a person reads it: `12 m`, or `12`.
-    pub fn length(self, value: f64) -> String {
-        let size = value.abs();
-        let number = if size != 0.0 && !(1e-4..1e7).contains(&size) {
-            format!("{value:e}")
-        } else {
-            value.to_string()
-        };
-        match self {
-            UnitSystem::Si => number + " m",
-            UnitSystem::Plain => number,
-        }
-    }
-}
-
 /// A quantity that was read.
 #[derive(Debug, Clone)]
 pub(crate) struct Seen {
@@ -42,6 +26,10 @@ pub(crate) struct Seen {
     pub has_unit: bool,
     /// Whether it is 0 without a unit, which fits files of both kinds.
     pub is_bare_zero: bool,
+    /// In SI units, or as it stands; 0 for the numbers of a built-in list.
+    pub value: f64,
+    /// The marks of its unit.
+    pub marks: Marks,
     pub span: Range<usize>,
 }
 
@@ -49,7 +37,16 @@ impl Seen {
     /// Where its number stands and what it counts; none if it is written in a way that hides it.
     fn located(&self, text: &str) -> Option<Quantity> {
         let written = text.get(self.span.clone())?;
-        let inner = written.trim_matches(['"', '\'']);
+        let quote =
+            ["\"\"\"", "'''", "\"", "'"].into_iter().find(|quote| written.starts_with(quote));
+        let inner = match quote {
+            Some(quote) => written.strip_prefix(quote)?.strip_suffix(quote)?,
+            None => written,
+        };
+        // Escapes and lengths in feet and inches have more than a number and a unit.
+        if inner.contains('\\') || feet_and_inches(inner).is_some() {
+            return None;
+        }
         let start = self.span.start + written.find(inner)? + inner.len() - inner.trim_start().len();
         let (_, length) = Decimal::read(inner.trim())?;
         let unit = inner.trim()[length..].trim();
@@ -118,18 +115,5 @@ impl Reader<'_> {
         }
         let units = if with > 0 { UnitSystem::Si } else { UnitSystem::Plain };
         (!seen.is_empty()).then_some(units)
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn lengths_read_well() {
-        assert_eq!(UnitSystem::Si.length(12.0), "12 m");
-        assert_eq!(UnitSystem::Plain.length(0.25), "0.25");
-        assert_eq!(UnitSystem::Plain.length(0.0), "0");
-        assert_eq!(UnitSystem::Si.length(-1.5e300), "-1.5e300 m");
     }
 }

@@ -58,7 +58,7 @@ pub fn gradients(
     }
     let found = solution.gradients(&outputs, &by);
     let found = found.map_err(|why| Failure::Asked(why.to_string()))?;
-    let si = units == Units::Si;
+    let si = !units.is_plain();
     let words = |one_sided: &[groundbeam::derivatives::OneSided]| {
         one_sided.iter().map(|why| why.in_words(if si { " m" } else { "" })).collect()
     };

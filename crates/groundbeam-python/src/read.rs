@@ -16,7 +16,7 @@ pub struct Read {
 
 impl Read {
     pub fn units(&self) -> Units {
-        self.document.units.into()
+        self.document.printed
     }
 
     /// The system of units by the name that results use.

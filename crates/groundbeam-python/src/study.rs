@@ -142,7 +142,7 @@ impl Study {
 
     /// What follows from all samples, as a document and as a picture.
     fn summary(&self, py: Python<'_>, out: PathBuf) -> PyResult<(String, String)> {
-        let context = Context::new(self.draws.study().document.units.into());
+        let context = Context::new(self.draws.study().document.printed);
         let summary =
             watched(py, None, |watch| groundbeam_study::summary(&self.draws, &out, watch))?;
         Ok((json::study(&summary, &context), svg::study(&summary, &context).to_string()))

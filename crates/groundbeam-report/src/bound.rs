@@ -1,6 +1,6 @@
 //! Numbers with bounds of their errors: how they are printed, and the bounds of the largest and smallest of several.
 
-use crate::number::{above, without_trailing_zeros};
+use crate::number::{upper, whole, without_trailing_zeros};
 use crate::quantity::Unit;
 
 /// Words of a number that has no bound.
@@ -10,7 +10,7 @@ pub(crate) fn not_proven(words: &str) -> String {
 
 /// A bound alone, rounded up: `2.1e-13`.
 pub(crate) fn bound_alone(error: f64) -> String {
-    if error.is_finite() { above(error) } else { not_proven("") }
+    if error.is_finite() { upper(error) } else { not_proven("") }
 }
 
 /// An interval that holds an exact number, as distances from a printed one.
@@ -67,9 +67,16 @@ pub(crate) fn with_bound(value: f64, error: f64, unit: Unit) -> String {
 /// The same with at most so many digits.
 pub(crate) fn rounded_with_bound(value: f64, error: f64, unit: Unit, most: i32) -> String {
     if !(value.is_finite() && error.is_finite()) {
-        return not_proven(&unit.write(value, 6));
+        return not_proven(&unit.write(value));
     }
-    let power = unit.size.log10().round() as i32;
+    let Some(power) = unit.power_of_ten() else {
+        // The quotient of two doubles, the size of a unit among them, is wrong by three roundings at most.
+        let quotient = value / unit.size;
+        let rounding = 4.0 * f64::EPSILON * quotient.abs();
+        let error = if value == 0.0 { unit.upper(error) } else { unit.upper(error) + rounding };
+        let error = if error == 0.0 { 0.0 } else { error.next_up() };
+        return rounded_with_bound(quotient, error, Unit { size: 1.0, ..unit }, most);
+    };
     let exact = format!("{value:e}");
     let digits = exact.split('e').next().unwrap_or("").bytes().filter(u8::is_ascii_digit).count();
     let (number, rounding) = match error {
@@ -79,7 +86,7 @@ pub(crate) fn rounded_with_bound(value: f64, error: f64, unit: Unit, most: i32) 
     };
     let bound = match error + rounding {
         0.0 => "0".to_owned(),
-        sum => shifted(&above(sum.next_up()), power),
+        sum => shifted(&upper(sum.next_up()), power),
     };
     let unit = if unit.name.is_empty() { String::new() } else { format!(" {}", unit.name) };
     format!("{number} ± {bound}{unit}")
@@ -108,7 +115,8 @@ fn shifted(scientific: &str, power: i32) -> String {
     let (mantissa, exponent) = scientific.split_once('e').unwrap_or((scientific, "0"));
     let exponent = exponent.parse::<i32>().unwrap_or(0) - power;
     let mantissa = without_trailing_zeros(mantissa);
-    let (sign, mantissa) = mantissa.strip_prefix('-').map_or(("", mantissa), |size| ("-", size));
+    let (sign, mantissa) =
+        mantissa.strip_prefix('-').map_or(("", mantissa), |size| ("\u{2212}", size));
     let digits = mantissa.replace('.', "");
     if digits == "0" {
         return digits;
@@ -123,7 +131,7 @@ fn shifted(scientific: &str, power: i32) -> String {
             format!("{sign}{whole}.{part}")
         }
         -4..0 => format!("{sign}0.{}{digits}", "0".repeat((-exponent - 1) as usize)),
-        _ => format!("{sign}{mantissa}e{exponent}"),
+        _ => format!("{sign}{mantissa}e{}", whole(exponent)),
     }
 }
 
@@ -133,27 +141,34 @@ mod tests {
 
     #[test]
     fn numbers_with_their_bounds() {
-        let plain = Unit { name: "", size: 1.0 };
-        let (mm, kn) = (Unit { name: "mm", size: 1e-3 }, Unit { name: "kN", size: 1e3 });
+        let plain = Unit { name: "", size: 1.0, digits: 6 };
+        let (mm, kn) =
+            (Unit { name: "mm", size: 1e-3, digits: 6 }, Unit { name: "kN", size: 1e3, digits: 6 });
         let cases = [
-            (0.811_326_256_449_155, 2.0e-13, plain, "0.81132625644916 ± 2.1e-13"),
-            (0.014_226_133_301, 1.21e-12, mm, "14.226133301 ± 1.3e-9 mm"),
-            (-412_884.319_872_345, 1e-9, kn, "-412.884319872345 ± 1.1e-12 kN"),
-            (3.4e-13, 1e-15, plain, "3.4e-13 ± 1.1e-15"),
-            (3.4e-17, 1e-15, plain, "0 ± 1.1e-15"),
+            (0.811_326_256_449_155, 2.0e-13, plain, "0.81132625644916 ± 2.1e−13"),
+            (0.014_226_133_301, 1.21e-12, mm, "14.226133301 ± 1.3e−9 mm"),
+            (-412_884.319_872_345, 1e-9, kn, "−412.884319872345 ± 1.1e−12 kN"),
+            (3.4e-13, 1e-15, plain, "3.4e−13 ± 1.1e−15"),
+            (3.4e-17, 1e-15, plain, "0 ± 1.1e−15"),
             (0.0, 0.0, plain, "0 ± 0"),
             (0.5, 0.0, plain, "0.5 ± 0"),
-            (2.0 / 3.0, 1e-30, plain, "0.66666666666666663 ± 5.2e-18"),
+            (2.0 / 3.0, 1e-30, plain, "0.66666666666666663 ± 5.2e−18"),
             (0.123_4, 0.5, plain, "0.12 ± 0.51"),
             (12.5, f64::INFINITY, kn, "0.0125 kN (not proven)"),
         ];
+        let ft = Unit { name: "ft", size: 0.3048, digits: 6 };
+        let cases = cases.into_iter().chain([
+            (3.048, 0.0, ft, "10 ± 9.4e−15 ft"),
+            (0.0, 0.0, ft, "0 ± 0 ft"),
+            (3.048, 0.003048, ft, "10.000 ± 0.011 ft"),
+        ]);
         for (value, error, unit, text) in cases {
             assert_eq!(with_bound(value, error, unit), text);
         }
         let short = [
             (0.006_240_320_633, 2e-16, mm, "6.24 ± 0.00052 mm"),
             (1.5, 0.0, mm, "1500 ± 0 mm"),
-            (2.0 / 3.0, 0.0, plain, "0.6667 ± 5.2e-5"),
+            (2.0 / 3.0, 0.0, plain, "0.6667 ± 5.2e−5"),
             (2.0 / 3.0, 0.01, plain, "0.667 ± 0.011"),
         ];
         for (value, error, unit, text) in short {

@@ -60,6 +60,19 @@ impl Characteristics {
         Characteristics { beta, beta_length, shear_length, resultant }
     }
 
+    /// Of several valid models with one resultant: the first one, with the smallest and the largest values of all.
+    pub(crate) fn of_all(models: &[&Model], existence: &Existence) -> Option<Self> {
+        let each = models.iter().map(|model| Characteristics::of(model, existence));
+        each.reduce(|all, other| {
+            let joined = |[a, b]: [f64; 2], [low, high]: [f64; 2]| [a.min(low), b.max(high)];
+            Characteristics {
+                beta: joined(all.beta, other.beta),
+                shear_length: joined(all.shear_length, other.shear_length),
+                ..all
+            }
+        })
+    }
+
     /// Hetényi's classes.
     pub(crate) fn class(&self) -> &'static str {
         use std::f64::consts::PI;

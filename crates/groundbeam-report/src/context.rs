@@ -3,7 +3,7 @@
 use crate::quantity::Units;
 use crate::verified::Named;
 use groundbeam::{LimitStates, Limits};
-use groundbeam_file::{Document, printable};
+use groundbeam_file::{Diagnostic, Document, printable};
 use groundbeam_run::{Factors, Ground};
 
 /// What a report says besides the result itself.
@@ -34,6 +34,8 @@ pub struct Context<'a> {
     pub pieces: bool,
     /// Whether a document holds the model: the proof does not read the model file.
     pub model: bool,
+    /// Warnings about the file.
+    pub warnings: &'a [Diagnostic],
     /// The proof of each answer, in their order; empty if none is asked for.
     pub proofs: &'a [Named],
 }
@@ -45,7 +47,8 @@ impl<'a> Context<'a> {
             title: document.title.as_deref(),
             limits: Some(&document.limits),
             chords: document.chords,
-            ..Context::new(document.units.into())
+            warnings: &document.warnings,
+            ..Context::new(document.printed)
         }
     }
 
@@ -64,6 +67,7 @@ impl<'a> Context<'a> {
             combination: None,
             pieces: false,
             model: false,
+            warnings: &[],
             proofs: &[],
         }
     }
@@ -110,8 +114,8 @@ mod tests {
 
     #[test]
     fn titles_cannot_steer_a_terminal() {
-        let context = Context::new(Units::Si).with_title(" a\u{1b}[31m\tb\n ");
+        let context = Context::new(Units::SI).with_title(" a\u{1b}[31m\tb\n ");
         assert_eq!(context.clean_title().as_deref(), Some(r"a\u{1b}[31m b"));
-        assert_eq!(Context::new(Units::Si).with_title(" \n").clean_title(), None);
+        assert_eq!(Context::new(Units::SI).with_title(" \n").clean_title(), None);
     }
 }

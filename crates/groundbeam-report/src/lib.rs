@@ -16,7 +16,7 @@
 //!     .with_load(Load::point_force(1.0, 600e3))
 //!     .with_load(Load::point_force(9.0, 600e3));
 //! let Outcome::Equilibrium(solution) = groundbeam::solve(&model)? else { unreachable!() };
-//! let context = Context::new(Units::Si).with_title("Strip footing");
+//! let context = Context::new(Units::SI).with_title("Strip footing");
 //! let report = text::solved(&solution, &context, false);
 //! assert!(report.contains("exactly one: the resultant, 1200 kN at x = 5 m, acts"));
 //! # Ok::<(), groundbeam::Error>(())
@@ -31,6 +31,8 @@
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]
 
+use groundbeam_file::print::{self as quantity, number};
+
 mod bound;
 mod characteristics;
 mod checked;
@@ -40,11 +42,9 @@ mod curve;
 mod digest;
 mod font;
 mod load;
-mod number;
 mod numbers;
 #[cfg(feature = "png")]
 mod outline;
-mod quantity;
 mod results;
 mod size;
 mod study;
@@ -66,8 +66,8 @@ pub mod text;
 pub use characteristics::{Characteristics, Resultant};
 pub use context::Context;
 pub use digest::{digest_of_text, model_digest};
+pub use groundbeam_file::print::{Kind, RESULT_DIGITS, Units};
 pub use load::{load_kind, load_name};
-pub use quantity::{Kind, Units};
 pub use results::Results;
 pub use study::{Estimate, Interval, Limit, Spread, Study, Way};
 pub use verdict::{sentence, verdict_name};

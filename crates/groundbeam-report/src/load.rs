@@ -30,15 +30,15 @@ pub fn load_kind(load: &Load) -> Kind {
 
 /// Whether the unit of its size is that of another quantity: a moment per length, which has the unit of a force.
 pub(crate) fn is_moment_per_length(load: &Load, units: Units) -> bool {
-    units == Units::Si && load.action() == Action::Moment && load.extent().is_distributed()
+    !units.is_plain() && load.action() == Action::Moment && load.extent().is_distributed()
 }
 
 /// The size of a load with its unit: one number, or those at both ends with a word between them.
-pub(crate) fn load_size(load: &Load, units: Units, to: &str, digits: usize) -> String {
-    let unit = units.unit(load_kind(load), load.extent().largest());
+pub(crate) fn load_size(load: &Load, units: Units, to: &str) -> String {
+    let unit = units.of_input().unit(load_kind(load), load.extent().largest());
     let [start, end] = load.extent().sizes();
     if start == end {
-        return unit.write(start, digits);
+        return unit.write(start);
     }
-    format!("{}{to}{}", unit.number(start, digits), unit.write(end, digits))
+    format!("{}{to}{}", unit.number(start), unit.write(end))
 }

@@ -1,4 +1,4 @@
-//! The numbers of one solution in print: rounded to six digits, or with the bounds of their errors if they are proven.
+//! The numbers of one solution in print: rounded, or with the bounds of their errors if they are proven.
 
 use crate::bound::{not_proven, rounded_with_bound, with_bound};
 use crate::quantity::{Kind, Unit, Units};
@@ -7,14 +7,8 @@ use crate::verified::Named;
 use groundbeam::proof::{Bound, PlacedExtreme, ReactionBound, Verification};
 use groundbeam::{Extreme, Field, Solution};
 
-/// Digits of a number without a bound.
-const DIGITS: usize = 6;
-
 /// Wider intervals of the place of an extreme, as a part of the length, are printed as intervals.
 const NARROW: f64 = 1e-3;
-
-/// Parts of a whole.
-pub(crate) const PERCENT: Unit = Unit { name: "%", size: 0.01 };
 
 /// Writes the numbers of one solution.
 #[derive(Debug, Clone, Copy)]
@@ -54,7 +48,7 @@ impl<'a> Numbers<'a> {
         error: impl Fn(&Verification) -> f64,
     ) -> String {
         match self.proof {
-            None => unit.write(rounded, DIGITS),
+            None => unit.write(rounded),
             Some(named) => {
                 let error = named.found.as_ref().map_or(f64::INFINITY, error);
                 with_bound(value, error, unit)
@@ -65,7 +59,7 @@ impl<'a> Numbers<'a> {
     /// A number with four digits; its bound holds what rounding to them changes.
     fn key(&self, kind: Kind, value: f64, rounded: f64, error: impl Fn(&Named) -> f64) -> String {
         match self.proof {
-            None => self.units.write(kind, rounded, 4),
+            None => self.units.write(kind, rounded),
             Some(named) => rounded_with_bound(value, error(named), self.units.unit(kind, value), 4),
         }
     }
@@ -76,7 +70,7 @@ impl<'a> Numbers<'a> {
         let value =
             self.key(Kind::of(field), extreme.value, rounded, |named| named.error_of(field));
         let place = match self.proof {
-            None => self.units.write(Kind::Position, self.sizes.position(extreme.x), 4),
+            None => self.units.write(Kind::Position, self.sizes.position(extreme.x)),
             Some(_) => self.place_of(field, is_max, extreme.x),
         };
         [value, place]
@@ -130,7 +124,7 @@ impl<'a> Numbers<'a> {
         let place = match high - low <= NARROW * self.sizes.length() {
             true => with_bound(x, placed.error(), unit),
             false => {
-                format!("{} ({} to {})", self.place(x), unit.number(low, 4), unit.write(high, 4))
+                format!("{} ({} to {})", self.place(x), unit.number(low), unit.write(high))
             }
         };
         match placed.places.len() {
@@ -140,11 +134,13 @@ impl<'a> Numbers<'a> {
     }
 
     /// The part of the beam that has lifted off, in percent.
-    pub fn lifted_share(&self, solution: &Solution, digits: usize) -> String {
+    pub fn lifted_share(&self, solution: &Solution) -> String {
         let share = solution.lifted_share();
         match self.proof {
-            None => PERCENT.write(share, digits),
-            Some(named) => with_bound(share, named.error_of_lifted_share(solution), PERCENT),
+            None => self.units.percent().write(share),
+            Some(named) => {
+                with_bound(share, named.error_of_lifted_share(solution), self.units.percent())
+            }
         }
     }
 

@@ -21,7 +21,7 @@ pub(crate) use wording::wording;
 ///     .with_load(Load::point_moment(2.0, 36e3));
 /// let existence = groundbeam::exists(&model)?;
 /// assert_eq!(
-///     sentence(&model, &existence, Units::Si),
+///     sentence(&model, &existence, Units::SI),
 ///     "the resultant, 120 kN at x = 5.3 m, acts outside the beam [0, 5] m: it tips about its \
 ///      right end"
 /// );
@@ -42,7 +42,7 @@ pub fn sentence(model: &Model, existence: &Existence, units: Units) -> String {
 /// What would restore equilibrium, or at least must be added: one sentence without a full stop.
 pub(crate) fn remedy(motion: RigidMotion, units: Units) -> Option<String> {
     (motion.work > 0.0).then(|| {
-        let force = units.write(Kind::Force, motion.work, 6);
+        let force = units.write(Kind::Force, motion.work);
         let place = match (motion.left < 0.0, motion.right < 0.0) {
             (true, false) => " at its left end".to_owned(),
             (false, true) => " at its right end".to_owned(),
@@ -63,9 +63,17 @@ pub(crate) fn motion(model: &Model, motion: RigidMotion, units: Units) -> String
         (false, true) => "its right end lifts, its left end stays".to_owned(),
         _ => "it lifts as a whole".to_owned(),
     };
-    let work = units.write(Kind::Moment, motion.work, 6);
-    let per = if units == Units::Si { "per metre of lift" } else { "per unit of lift" };
-    format!("{moves}; nothing of it presses on the ground, and the loads do {work} of work {per}")
+    let lift = units.column(Kind::Position);
+    let work = units.write(Kind::Moment, motion.work * lift.size);
+    let per = match lift.name {
+        "m" => "metre",
+        "ft" => "foot",
+        "in" => "inch",
+        _ => "unit",
+    };
+    format!(
+        "{moves}; nothing of it presses on the ground, and the loads do {work} of work per {per} of lift"
+    )
 }
 
 struct Say<'a> {
@@ -80,7 +88,7 @@ impl Say<'_> {
     }
 
     fn force(&self, force: f64) -> String {
-        self.units.write(Kind::Force, force, 6)
+        self.units.write(Kind::Force, force)
     }
 
     /// `the resultant, 120 kN at x = 5.3 m,`
@@ -97,8 +105,8 @@ impl Say<'_> {
 
     /// `[0, 5] m`
     fn beam(&self) -> String {
-        let unit = self.units.unit(Kind::Position, self.model.beam.length);
-        let end = unit.number(self.model.beam.length, 6);
+        let unit = self.units.of_input().unit(Kind::Position, self.model.beam.length);
+        let end = unit.number(self.model.beam.length);
         format!("[0, {end}] {}", unit.name).trim_end().to_owned()
     }
 
@@ -219,7 +227,7 @@ mod tests {
     use groundbeam::{Beam, Foundation, Load, Support};
 
     fn said(model: &Model) -> String {
-        sentence(model, &groundbeam::exists(model).unwrap(), Units::Plain)
+        sentence(model, &groundbeam::exists(model).unwrap(), Units::PLAIN)
     }
 
     #[test]

@@ -153,8 +153,13 @@ fn the_calculation_report_shows_all_of_them() {
     for name in ["combinations", "band"] {
         let solved = solved(name);
         let Document { model, cases, .. } = &solved.document;
-        let source =
-            calculation::Source { name: "model.toml", text: solved.document.text(), model, cases };
+        let source = calculation::Source {
+            name: "model.toml",
+            text: solved.document.text(),
+            model,
+            cases,
+            files: &[],
+        };
         let report = calculation::report(&solved.answers, &context(&solved.document), &source);
         let page = html::report(&report, None).unwrap();
         for answer in &solved.answers.list {

@@ -11,8 +11,8 @@ use groundbeam_report::{Context, Units, calculation, html};
 use groundbeam_run::{Answers, Found};
 
 fn source(document: &Document) -> Source<'_> {
-    let Document { model, cases, .. } = document;
-    Source { name: "model.toml", text: document.text(), model, cases }
+    let Document { model, cases, files, .. } = document;
+    Source { name: "model.toml", text: document.text(), model, cases, files }
 }
 
 fn report(answers: &Answers, context: &Context, source: &Source) -> String {
@@ -100,7 +100,7 @@ fn what_a_file_says_is_no_markup() {
     let document = document("footing");
     let evil = "</title><script>alert('&amp;')</script> -1e3 \\\"";
     let source = Source { name: evil, text: evil, ..source(&document) };
-    let context = Context::new(Units::Si).with_title(evil);
+    let context = Context::new(Units::SI).with_title(evil);
     let page = report(&answers(&document), &context, &source);
     is_well_formed(&page);
     assert!(!page.contains("<script"), "markup of the file is in the page");

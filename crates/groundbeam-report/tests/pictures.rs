@@ -111,6 +111,6 @@ fn a_beam_on_which_nothing_acts() {
     let groundbeam::Outcome::Equilibrium(solution) = groundbeam::solve(&model).unwrap() else {
         panic!()
     };
-    let picture = svg::picture(&solution, &Context::new(Units::Plain)).to_string();
+    let picture = svg::picture(&solution, &Context::new(Units::PLAIN)).to_string();
     assert_eq!(picture.matches("zero everywhere").count(), 3);
 }

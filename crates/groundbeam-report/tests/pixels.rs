@@ -78,8 +78,8 @@ fn figures(page: &str) -> Vec<String> {
 }
 
 fn source(document: &Document) -> calculation::Source<'_> {
-    let Document { model, cases, .. } = document;
-    calculation::Source { name: "model.toml", text: document.text(), model, cases }
+    let Document { model, cases, files, .. } = document;
+    calculation::Source { name: "model.toml", text: document.text(), model, cases, files }
 }
 
 fn report(answers: &Answers, document: &Document) -> String {
@@ -213,7 +213,7 @@ fn study() -> Study {
 
 #[test]
 fn studies() {
-    let picture = svg::study(&study(), &Context::new(Units::Si)).to_string();
+    let picture = svg::study(&study(), &Context::new(Units::SI)).to_string();
     looks_as_kept("study", &picture);
     insta::assert_snapshot!("svg-study", picture);
 }

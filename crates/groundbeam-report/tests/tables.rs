@@ -11,7 +11,7 @@ use groundbeam_report::{Context, Units, csv};
 fn both_sides_of_a_jump() {
     let document = document("kikuchi-4");
     let solution = solved(&document);
-    let table = csv::table(&solution, &[0.0, 0.5, 1.0], &Context::new(Units::Plain));
+    let table = csv::table(&solution, &[0.0, 0.5, 1.0], &Context::new(Units::PLAIN));
     let rows: Vec<Vec<&str>> = table.lines().map(|row| row.split(',').collect()).collect();
     let names = "x,deflection,slope,moment,shear_force,settlement,gap,pressure";
     assert_eq!(table.lines().next(), Some(names));

@@ -8,6 +8,7 @@ use crate::quantity::ELASTIC_MODULUS;
 use crate::reader::Reader;
 use crate::suggest;
 use crate::table::Section;
+use crate::unit::Marks;
 use crate::units::Seen;
 use groundbeam::Profile;
 
@@ -26,6 +27,8 @@ pub(super) fn modulus(reader: &mut Reader, table: &Section, given: Option<Along>
         kind: &ELASTIC_MODULUS,
         has_unit: true,
         is_bare_zero: false,
+        value: 0.0,
+        marks: Marks::NONE,
         span: value.clone(),
     });
     Some(match named(reader, table) {

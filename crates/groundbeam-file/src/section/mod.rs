@@ -81,6 +81,8 @@ pub(crate) struct Contents {
     pub cases: Vec<Option<String>>,
     pub recipes: Vec<Recipe>,
     pub trains: Vec<MovingTrain>,
+    /// The greatest height of the beam's sections, if one is known.
+    pub height: Option<f64>,
 }
 
 pub(crate) use foundation::Ground;
@@ -91,6 +93,8 @@ pub(crate) fn read(reader: &mut Reader, root: &Section) -> Contents {
     let title = reader.text(root, "title").map(|(title, _)| title.to_owned());
     let beam::Read { beam, loads: own, depths, expansion } = beam::read(reader, root);
     let ground = foundation::read(reader, root, &beam);
+    let heights = depths.iter().filter_map(|depth| Some(depth.depth.as_ref()?.profile.largest()));
+    let height = heights.reduce(f64::max);
     let curls = Curls { depths, expansion };
     let (mut loads, mut cases) = load::read(reader, root, beam.length, &curls);
     for beam::OwnLoad { load, case, span } in own {
@@ -118,7 +122,7 @@ pub(crate) fn read(reader: &mut Reader, root: &Section) -> Contents {
     let recipes = combination::read(reader, root, &model.loads, &cases, &trains, grounds);
     let pressures = mean_loads(&model, &cases, &recipes);
     let chords = gap::read(reader, root, &mut model, ground.band, pressures.into_iter());
-    Contents { title, model, chords, ground, limits, cases, recipes, trains }
+    Contents { title, model, chords, ground, limits, cases, recipes, trains, height }
 }
 
 /// The load per length of every answer that the file asks for.

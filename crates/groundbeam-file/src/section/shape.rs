@@ -12,6 +12,7 @@ use crate::profiles::{self, RolledSection};
 use crate::quantity::{SECOND_MOMENT_OF_AREA, WIDTH};
 use crate::reader::Reader;
 use crate::table::Section;
+use crate::unit::Marks;
 use crate::units::Seen;
 use groundbeam::Profile;
 use std::f64::consts::PI;
@@ -296,6 +297,8 @@ fn named(
         kind: &SECOND_MOMENT_OF_AREA,
         has_unit: true,
         is_bare_zero: false,
+        value: 0.0,
+        marks: Marks::NONE,
         span: span.clone(),
     });
     match find(name) {

@@ -3,7 +3,7 @@
 use crate::code;
 use crate::fault::Fault;
 use crate::keys::{ALSO_E, ALSO_NU, Table, Words, quantity, tables, word};
-use crate::quantity::{ELASTIC_MODULUS, LENGTH, RATIO, SUBGRADE_MODULUS, WIDTH};
+use crate::quantity::{LENGTH, RATIO, SOIL_MODULUS, SUBGRADE_MODULUS, WIDTH};
 use crate::reader::Reader;
 use crate::table::Section;
 use groundbeam::soil::{Elastic, LayeredSoil, PlateTest, Soil, SoilLayer, SoilModel};
@@ -24,10 +24,18 @@ pub(crate) fn method_name(soil: &Soil) -> &'static str {
 const ELASTIC: &[&str] = &["method", "E", "nu"];
 const PLATE: &[&str] = &["method", "plate_modulus", "plate_width"];
 
+/// Names of the modulus of a soil that cannot move sideways.
+const OEDOMETRIC: &[&str] = &["e_s", "es", "e_oed", "eoed", "e_stat", "m_s"];
+const OF_OEDOMETRIC: &str = "write `E`, the modulus of a soil that is free sideways; of an oedometric modulus E_s it is \
+                             E = E_s (1 + nu) (1 − 2 nu)/(1 − nu)";
+
 static LAYER: Table = Table {
     name: "[[foundation.soil.layer]]",
     keys: &[
-        quantity("E", &ELASTIC_MODULUS, "The elastic modulus.").needed().also(ALSO_E),
+        quantity("E", &SOIL_MODULUS, "The elastic modulus.")
+            .needed()
+            .also(ALSO_E)
+            .unlike(OEDOMETRIC, OF_OEDOMETRIC),
         quantity("nu", &RATIO, "Poisson's ratio, below 0.5.").needed().also(ALSO_NU),
         quantity("thickness", &LENGTH, "The thickness of the layer.").needed(),
     ],
@@ -47,7 +55,9 @@ pub(super) static TABLE: Table = Table {
         word("method", &NAMES, "The method that gives k and mu.").needed(),
         tables("layer", &LAYER, "`…vlasov`: the layers on rock, the uppermost first."),
         quantity("gamma", &RATIO, "`vlasov`: the parameter of the decay with depth."),
-        quantity("E", &ELASTIC_MODULUS, "The elastic modulus: four methods.").also(ALSO_E),
+        quantity("E", &SOIL_MODULUS, "The elastic modulus: four methods.")
+            .also(ALSO_E)
+            .unlike(OEDOMETRIC, OF_OEDOMETRIC),
         quantity("nu", &RATIO, "Poisson's ratio: the same methods.").also(ALSO_NU),
         quantity(
             "plate_modulus",

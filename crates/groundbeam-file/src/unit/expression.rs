@@ -2,7 +2,7 @@
 //! `kN/m^2`, `kN/m²`, `kN m`, `kNm`, `kN·m`, `kN*m`, `kN.m`, `kip-ft`, `kN/m/m`, `kN/(m rad)`,
 //! `kN m-2`, `mm4`, `1/m`.
 
-use super::{Dimension, Scale, symbol};
+use super::{Dimension, Marks, Scale, symbol};
 use crate::code;
 use crate::fault::Fault;
 use crate::suggest::nearest;
@@ -18,10 +18,11 @@ const SUPERSCRIPTS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', 
 pub(crate) struct Unit {
     pub scale: Scale,
     pub dimension: Dimension,
+    pub marks: Marks,
 }
 
 impl Unit {
-    const ONE: Unit = Unit { scale: Scale::ONE, dimension: Dimension::NONE };
+    const ONE: Unit = Unit { scale: Scale::ONE, dimension: Dimension::NONE, marks: Marks::NONE };
 
     /// Reads the whole of `text`, which is not blank.
     pub fn read(text: &str) -> Result<Unit, Fault> {
@@ -37,6 +38,7 @@ impl Unit {
         Unit {
             scale: self.scale.times(other.scale, power),
             dimension: self.dimension.times(other.dimension, power),
+            marks: self.marks.with(other.marks),
         }
     }
 }
@@ -100,6 +102,16 @@ impl Reader<'_> {
             self.advance();
         }
         let word = &self.text[start..self.at];
+        if let Some(power) = Self::power_in_words(word) {
+            // "sq ft", "cu in"
+            self.skip_spaces();
+            let from = self.at;
+            while self.peek().is_some_and(is_symbol_letter) {
+                self.advance();
+            }
+            let (first, last) = self.symbols(from, &self.text[from..self.at])?;
+            return Ok(first.times(last, power));
+        }
         if word.is_empty() {
             return Err(self.unexpected("a unit is expected here"));
         }
@@ -108,13 +120,30 @@ impl Reader<'_> {
         Ok(first.times(last, self.power()?))
     }
 
+    /// The power of a length that a word before it stands for.
+    fn power_in_words(word: &str) -> Option<i32> {
+        match word {
+            "sq" => Some(2),
+            "cu" => Some(3),
+            _ => None,
+        }
+    }
+
     /// One symbol, or a force and a length written as one word: `kNm`.
     fn symbols(&self, start: usize, word: &str) -> Result<(Unit, Unit), Fault> {
-        let unit = |(scale, dimension)| Unit { scale, dimension };
+        let unit = |(scale, dimension, marks)| Unit { scale, dimension, marks };
         if let Some(known) = symbol::look_up(word) {
             return Ok((Unit::ONE, unit(known)));
         }
-        for (i, _) in word.char_indices().skip(1) {
+        // "sqft", "cuin"
+        if let Some((power, known)) = word.split_at_checked(2).and_then(|(words, length)| {
+            let known = symbol::look_up(length).filter(|known| known.1 == Dimension::LENGTH);
+            Self::power_in_words(words).zip(known)
+        }) {
+            return Ok((Unit::ONE, Unit::ONE.times(unit(known), power)));
+        }
+        // A `k` alone is no part of such a word.
+        for (i, _) in word.char_indices().skip(1).filter(|(i, _)| !word[..*i].eq("k")) {
             let halves = symbol::look_up(&word[..i]).zip(symbol::look_up(&word[i..]));
             if let Some((force, length)) = halves
                 && force.1 == Dimension::FORCE
@@ -209,13 +238,11 @@ impl Reader<'_> {
 fn unknown(start: usize, word: &str) -> Fault {
     let suggested =
         symbol::symbol_for_name(word).or_else(|| nearest(word, symbol::COMMON.iter().copied()));
-    let hint = match (word, suggested) {
-        ("kg" | "t" | "lb" | "lbs", Some(force)) => {
-            format!("`{word}` is a mass; for its weight write `{force}`, or give the force in `kN`")
-        }
-        (_, Some(symbol)) => format!("did you mean `{symbol}`?"),
-        (_, None) => "units are made of m, N, Pa, rad with prefixes (mm, kN, MPa), or of in, ft, \
-                      lbf, kip, psi, ksi, pci and the like"
+    let hint = match (symbol::advice(word), suggested) {
+        (Some(advice), _) => advice.to_owned(),
+        (None, Some(symbol)) => format!("did you mean `{symbol}`?"),
+        (None, None) => "units are made of m, N, Pa, rad with prefixes (mm, kN, MPa), or of in, \
+                         ft, lbf, kip, psi, ksi, pci and the like"
             .to_owned(),
     };
     let at = start..start + word.len();
@@ -270,17 +297,31 @@ mod tests {
             ],
             &["kN m^2", "kNm²", "kNm2", "kN*m*m", "kN m m", "(kN^2 m^4)/kN/m^2"],
             &["kN m/rad", "kNm/rad", "kN/rad m^0/m^-1"],
-            &["kip-ft", "kip ft", "kipft", "kip*ft"],
+            &["kip-ft", "kip ft", "kipft", "kip*ft", "k-ft", "ft-k", "ft-kips", "kip-feet", "k ft"],
+            &["lbf ft", "lb-ft", "ft-lb", "ft-lbs", "lb ft"],
+            &["psi", "lb/in2", "lb/sq in", "lb/sqin", "lb/in^2", "lb/in²", "#/in2"],
+            &["ksf", "k/ft2", "kips/sq ft", "kip/ft^2"],
+            &["pci", "lb/cu in", "lb/in3", "psi/in", "lb/in/in/in"],
+            &["tcf", "tsf/ft"],
+            &["klf", "kips/ft", "k/ft", "kip/ft"],
         ];
         for same in &spellings[..3] {
-            let first = Unit::read(same[0]).unwrap();
+            let of = |text| Unit { marks: Marks::NONE, ..Unit::read(text).unwrap() };
             for other in *same {
-                assert_eq!(Unit::read(other).unwrap(), first, "{other}");
+                assert_eq!(of(other), of(same[0]), "{other}");
             }
         }
-        let moment = Unit::read("kip ft").unwrap();
-        for other in spellings[4] {
-            assert_eq!(Unit::read(other).unwrap().scale.fraction(), moment.scale.fraction());
+        let size = |text| {
+            let unit = Unit::read(text).unwrap();
+            let (a, b) = unit.scale.fraction().unwrap();
+            (a as f64 / b as f64 * 10_f64.powi(unit.scale.ten()), unit.dimension)
+        };
+        for same in &spellings[4..] {
+            let (first, dimension) = size(same[0]);
+            for other in *same {
+                let (found, of) = size(other);
+                assert!((found / first - 1.0).abs() < 1e-15 && of == dimension, "{other}");
+            }
         }
     }
 
@@ -313,13 +354,27 @@ mod tests {
         let cases = [
             ("kn", "did you mean `kN`?"),
             ("MPA", "did you mean `MPa`?"),
-            ("inches", "did you mean `in`?"),
-            ("kips", "did you mean `kip`?"),
-            ("\"", "did you mean `in`?"),
-            ("t", "`t` is a mass; for its weight write `tf`, or give the force in `kN`"),
+            ("metres", "did you mean `m`?"),
+            ("thou", "did you mean `mil`?"),
         ];
         for (text, hint) in cases {
             assert_eq!(Unit::read(text).unwrap_err().hint, hint);
+        }
+        let advised = [
+            ("t", "tf"),
+            ("t/m", "tf"),
+            ("kg/cm2", "kgf"),
+            ("ton", "8.896 kN"),
+            ("T", "2240 lbf"),
+            ("ton/ft2", "9.807 kN"),
+            ("mi", "5280 ft"),
+            ("atm", "101.325 kPa"),
+            ("F", "°F"),
+            ("Mp", "tf"),
+        ];
+        for (text, words) in advised {
+            let hint = Unit::read(text).unwrap_err().hint;
+            assert!(hint.contains(words), "{text}: {hint}");
         }
     }
 }

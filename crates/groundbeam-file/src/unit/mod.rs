@@ -6,9 +6,13 @@
 
 mod dimension;
 mod expression;
+mod feet;
+mod marks;
 mod scale;
 mod symbol;
 
 pub(crate) use dimension::Dimension;
 pub(crate) use expression::Unit;
+pub(crate) use feet::feet_and_inches;
+pub(crate) use marks::Marks;
 pub(crate) use scale::Scale;

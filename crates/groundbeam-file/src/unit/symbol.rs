@@ -3,28 +3,42 @@
 //! Factors are exact by definition: the inch, the pound and the standard acceleration of free
 //! fall as in NIST Special Publication 811 (2008), appendix B; only the degree is rounded.
 
-use super::{Dimension, Scale};
+use super::{Dimension, Marks, Scale};
 
 /// What one symbol stands for.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Symbol {
-    pub name: &'static str,
+    /// The name to suggest, and others that are read.
+    pub names: &'static [&'static str],
     pub dimension: Dimension,
     /// In N, m and rad: numerator, denominator, power of ten.
     factor: (u64, u64, i32),
     takes_prefix: bool,
+    marks: Marks,
 }
 
+const FORCE: Dimension = Dimension::FORCE;
+const LENGTH: Dimension = Dimension::LENGTH;
 const STRESS: Dimension = Dimension::new(1, -2);
 const SPECIFIC_WEIGHT: Dimension = Dimension::new(1, -3);
 const LINE_LOAD: Dimension = Dimension::new(1, -1);
 
-const fn metric(name: &'static str, dimension: Dimension) -> Symbol {
-    Symbol { name, dimension, factor: (1, 1, 0), takes_prefix: true }
+const fn metric(
+    names: &'static [&'static str],
+    dimension: Dimension,
+    ten: i32,
+    marks: Marks,
+) -> Symbol {
+    Symbol { names, dimension, factor: (1, 1, ten), takes_prefix: true, marks }
 }
 
-const fn other(name: &'static str, dimension: Dimension, factor: (u64, u64, i32)) -> Symbol {
-    Symbol { name, dimension, factor, takes_prefix: false }
+const fn other(
+    names: &'static [&'static str],
+    dimension: Dimension,
+    factor: (u64, u64, i32),
+    marks: Marks,
+) -> Symbol {
+    Symbol { names, dimension, factor, takes_prefix: false, marks }
 }
 
 /// One pound-force, 0.453 592 37 kg × 9.806 65 m/s² = 4.448 221 615 260 5 N, in 10⁻¹³ N.
@@ -32,43 +46,56 @@ const POUND: u64 = 44_482_216_152_605;
 const INCH: u64 = 254;
 const FOOT: u64 = 3048;
 
+const IN: Marks = Marks::INCH;
+const FT: Marks = Marks::FOOT;
+const LBF: Marks = Marks::POUND;
+const KIP: Marks = Marks::KIP;
+const TECHNICAL: Marks = Marks::TECHNICAL;
+
 pub(super) const SYMBOLS: &[Symbol] = &[
-    metric("m", Dimension::LENGTH),
-    metric("N", Dimension::FORCE),
-    metric("Pa", STRESS),
-    metric("rad", Dimension::ANGLE),
+    metric(&["m"], LENGTH, 0, Marks::METRE),
+    metric(&["N"], FORCE, 0, Marks::NEWTON),
+    metric(&["Pa"], STRESS, 0, Marks::NEWTON),
+    metric(&["bar"], STRESS, 5, Marks::NEWTON),
+    metric(&["rad"], Dimension::ANGLE, 0, Marks::NONE),
     // Differences of temperature.
-    other("K", Dimension::TEMPERATURE, (1, 1, 0)),
-    other("°C", Dimension::TEMPERATURE, (1, 1, 0)),
-    other("degC", Dimension::TEMPERATURE, (1, 1, 0)),
-    other("°F", Dimension::TEMPERATURE, (5, 9, 0)),
-    other("degF", Dimension::TEMPERATURE, (5, 9, 0)),
+    other(&["K", "°C", "degC"], Dimension::TEMPERATURE, (1, 1, 0), Marks::NONE),
+    other(&["°F", "degF"], Dimension::TEMPERATURE, (5, 9, 0), Marks::NONE),
     // π/180 to 19 figures.
-    other("deg", Dimension::ANGLE, (1_745_329_251_994_329_577, 1, -20)),
-    other("°", Dimension::ANGLE, (1_745_329_251_994_329_577, 1, -20)),
-    // 1 in = 0.0254 m, 1 ft = 12 in, 1 yd = 3 ft.
-    other("in", Dimension::LENGTH, (INCH, 1, -4)),
-    other("ft", Dimension::LENGTH, (FOOT, 1, -4)),
-    other("yd", Dimension::LENGTH, (9144, 1, -4)),
-    // 1 kip = 1000 lbf; 1 kgf = 9.806 65 N, 1 tf = 1000 kgf.
-    other("lbf", Dimension::FORCE, (POUND, 1, -13)),
-    other("kip", Dimension::FORCE, (POUND, 1, -10)),
-    other("kgf", Dimension::FORCE, (980_665, 1, -5)),
-    other("tf", Dimension::FORCE, (980_665, 1, -2)),
-    // Pounds or kips per linear foot.
-    other("plf", LINE_LOAD, (POUND, FOOT, -9)),
-    other("klf", LINE_LOAD, (POUND, FOOT, -6)),
-    // Pounds or kips per square inch or square foot.
-    other("psi", STRESS, (POUND, INCH * INCH, -5)),
-    other("ksi", STRESS, (POUND, INCH * INCH, -2)),
-    other("psf", STRESS, (POUND, FOOT * FOOT, -5)),
-    other("ksf", STRESS, (POUND, FOOT * FOOT, -2)),
-    // Pounds or kips per cubic inch or cubic foot.
-    other("pci", SPECIFIC_WEIGHT, (POUND, INCH * INCH * INCH, -1)),
-    other("kci", SPECIFIC_WEIGHT, (POUND, INCH * INCH * INCH, 2)),
-    other("pcf", SPECIFIC_WEIGHT, (POUND, FOOT * FOOT * FOOT, -1)),
-    other("kcf", SPECIFIC_WEIGHT, (POUND, FOOT * FOOT * FOOT, 2)),
+    other(&["deg", "°"], Dimension::ANGLE, (1_745_329_251_994_329_577, 1, -20), Marks::NONE),
+    // 1 in = 0.0254 m, 1 ft = 12 in, 1 yd = 3 ft, 1 mil = 0.001 in.
+    other(INCHES, LENGTH, (INCH, 1, -4), IN),
+    other(FEET, LENGTH, (FOOT, 1, -4), FT),
+    other(&["yd"], LENGTH, (9144, 1, -4), FT),
+    other(&["mil"], LENGTH, (INCH, 1, -7), IN),
+    // 1 kip = 1000 lbf; 1 kgf = 9.806 65 N, 1 tf = 1000 kgf. No quantity of a model is a mass: `lb` is a force.
+    other(&["lbf", "lb", "lbs", "pound", "pounds", "#"], FORCE, (POUND, 1, -13), LBF),
+    other(&["kip", "kips", "Kip", "Kips", "KIP", "KIPS", "k"], FORCE, (POUND, 1, -10), KIP),
+    other(&["kgf", "kp"], FORCE, (980_665, 1, -5), TECHNICAL),
+    other(&["tf"], FORCE, (980_665, 1, -2), TECHNICAL),
+    // Pounds or kips per linear foot or inch.
+    other(&["plf"], LINE_LOAD, (POUND, FOOT, -9), LBF.with(FT)),
+    other(&["klf"], LINE_LOAD, (POUND, FOOT, -6), KIP.with(FT)),
+    other(&["pli"], LINE_LOAD, (POUND, INCH, -9), LBF.with(IN)),
+    other(&["kli"], LINE_LOAD, (POUND, INCH, -6), KIP.with(IN)),
+    // Pounds, kips or millions of pounds per square inch; pounds, kips or tons of 2000 pounds per square foot.
+    other(&["psi"], STRESS, (POUND, INCH * INCH, -5), LBF.with(IN)),
+    other(&["ksi"], STRESS, (POUND, INCH * INCH, -2), KIP.with(IN)),
+    other(&["Msi"], STRESS, (POUND, INCH * INCH, 1), KIP.with(IN)),
+    other(&["psf"], STRESS, (POUND, FOOT * FOOT, -5), LBF.with(FT)),
+    other(&["ksf"], STRESS, (POUND, FOOT * FOOT, -2), KIP.with(FT)),
+    other(&["tsf"], STRESS, (2 * POUND, FOOT * FOOT, -2), KIP.with(FT)),
+    // The same per cubic inch or cubic foot.
+    other(&["pci"], SPECIFIC_WEIGHT, (POUND, INCH * INCH * INCH, -1), LBF.with(IN)),
+    other(&["kci"], SPECIFIC_WEIGHT, (POUND, INCH * INCH * INCH, 2), KIP.with(IN)),
+    other(&["pcf"], SPECIFIC_WEIGHT, (POUND, FOOT * FOOT * FOOT, -1), LBF.with(FT)),
+    other(&["kcf"], SPECIFIC_WEIGHT, (POUND, FOOT * FOOT * FOOT, 2), KIP.with(FT)),
+    other(&["tcf"], SPECIFIC_WEIGHT, (2 * POUND, FOOT * FOOT * FOOT, 2), KIP.with(FT)),
 ];
+
+/// The inch and the foot, with the signs that word processors put in their place.
+pub(super) const INCHES: &[&str] = &["in", "inch", "inches", "\"", "″", "”"];
+pub(super) const FEET: &[&str] = &["ft", "foot", "feet", "'", "′", "’"];
 
 /// SI prefixes and their powers of ten. Micro is written µ (U+00B5), μ (U+03BC) or u.
 const PREFIXES: &[(&str, i32)] = &[
@@ -89,9 +116,9 @@ const PREFIXES: &[(&str, i32)] = &[
 
 /// Symbols worth suggesting, the commonest first.
 pub(super) const COMMON: &[&str] = &[
-    "m", "mm", "cm", "km", "kN", "N", "MN", "GN", "MPa", "kPa", "GPa", "Pa", "rad", "mrad", "deg",
-    "in", "ft", "yd", "lbf", "kip", "kgf", "tf", "daN", "psi", "ksi", "psf", "ksf", "pci", "pcf",
-    "kcf", "plf", "klf", "K", "°C", "°F",
+    "m", "mm", "cm", "km", "kN", "N", "MN", "GN", "MPa", "kPa", "GPa", "Pa", "bar", "rad", "mrad",
+    "deg", "in", "ft", "yd", "mil", "lbf", "kip", "kgf", "tf", "daN", "psi", "ksi", "psf", "ksf",
+    "tsf", "pci", "pcf", "kcf", "plf", "klf", "pli", "K", "°C", "°F",
 ];
 
 /// Names and other symbols people write, with the symbol that is understood.
@@ -100,48 +127,51 @@ const NAMES: &[(&str, &str)] = &[
     ("metres", "m"),
     ("meter", "m"),
     ("meters", "m"),
-    ("inch", "in"),
-    ("inches", "in"),
-    ("\"", "in"),
-    ("″", "in"),
-    ("foot", "ft"),
-    ("feet", "ft"),
-    ("'", "ft"),
-    ("′", "ft"),
     ("yard", "yd"),
     ("yards", "yd"),
+    ("thou", "mil"),
     ("newton", "N"),
     ("newtons", "N"),
     ("kilonewton", "kN"),
     ("pascal", "Pa"),
-    ("bar", "kPa"),
-    ("lb", "lbf"),
-    ("lbs", "lbf"),
-    ("pound", "lbf"),
-    ("pounds", "lbf"),
-    ("kips", "kip"),
-    ("k", "kip"),
-    ("kg", "kgf"),
-    ("t", "tf"),
-    ("ton", "tf"),
-    ("tons", "tf"),
-    ("tonne", "tf"),
     ("radian", "rad"),
     ("radians", "rad"),
     ("degree", "deg"),
     ("degrees", "deg"),
 ];
 
-/// The factor and dimension of a symbol with or without a prefix.
-pub(super) fn look_up(word: &str) -> Option<(Scale, Dimension)> {
-    if let Some(symbol) = SYMBOLS.iter().find(|symbol| symbol.name == word) {
+const TONS: &str = "a ton is 2000 lbf = 8.896 kN (short), 2240 lbf = 9.964 kN (long) or 1000 kgf = 9.807 kN (metric): \
+     write kip, kN or tf";
+const TONNE: &str = "it is a mass; write `tf` for the weight of a tonne (9.80665 kN), or kip or kN";
+
+/// What to write in place of symbols that are ambiguous, are masses, or are not read.
+const ADVICE: &[(&[&str], &str)] = &[
+    (&["kg"], "it is a mass; write `kgf` for its weight (9.80665 N), or give the force in kN"),
+    (&["t", "te", "Te", "tonne", "tonnes", "tm"], TONNE),
+    (&["ton", "tons", "T", "Ton", "Tons"], TONS),
+    (&["tlf"], "a ton per foot is 2 kip/ft: write klf"),
+    (&["Mp"], "a megapond is 1000 kgf: write `tf`"),
+    (&["lbm"], "no quantity of a model is a mass; for a weight write `lbf`"),
+    (&["mi", "mile", "miles"], "1 mile = 5280 ft = 1609.344 m: write ft or km"),
+    (&["chain", "chains"], "1 chain = 66 ft = 20.1168 m: write ft or m"),
+    (&["sf", "SF"], "write `sq ft` or `ft^2`"),
+    (&["at"], "a technical atmosphere is 1 kgf/cm^2 = 98.0665 kPa"),
+    (&["atm"], "an atmosphere is 101.325 kPa"),
+    (&["F"], "a difference of temperature is written `°F` or `degF`"),
+    (&["C"], "a difference of temperature is written `°C`, `degC` or `K`"),
+    (&["MM"], "a millimetre is written `mm`"),
+];
+
+/// The factor, the dimension and the marks of a symbol with or without a prefix.
+pub(super) fn look_up(word: &str) -> Option<(Scale, Dimension, Marks)> {
+    if let Some(symbol) = SYMBOLS.iter().find(|symbol| symbol.names.contains(&word)) {
         let (numerator, denominator, ten) = symbol.factor;
-        return Some((Scale::new(numerator, denominator, ten), symbol.dimension));
+        return Some((Scale::new(numerator, denominator, ten), symbol.dimension, symbol.marks));
     }
     PREFIXES.iter().find_map(|&(prefix, ten)| {
         let rest = word.strip_prefix(prefix)?;
-        let symbol = SYMBOLS.iter().find(|s| s.takes_prefix && s.name == rest)?;
-        Some((Scale::new(1, 1, ten), symbol.dimension))
+        let symbol = SYMBOLS.iter().find(|s| s.takes_prefix && s.names.contains(&rest))?;
+        Some((Scale::new(1, 1, ten + symbol.factor.2), symbol.dimension, symbol.marks))
     })
 }
 
@@ -151,6 +181,11 @@ pub(super) fn symbol_for_name(word: &str) -> Option<&'static str> {
     NAMES.iter().find(|(name, _)| *name == lower).map(|&(_, symbol)| symbol)
 }
 
+/// What to write in place of a symbol that is not read.
+pub(super) fn advice(word: &str) -> Option<&'static str> {
+    ADVICE.iter().find(|(words, _)| words.contains(&word)).map(|&(_, advice)| advice)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -158,7 +193,7 @@ mod tests {
 
     /// The value of "1 symbol" in N, m, rad.
     fn one(word: &str) -> f64 {
-        let (scale, _) = look_up(word).unwrap_or_else(|| panic!("{word} is not known"));
+        let (scale, ..) = look_up(word).unwrap_or_else(|| panic!("{word} is not known"));
         Decimal::read("1").unwrap().0.times(&scale)
     }
 
@@ -181,7 +216,11 @@ mod tests {
             ("lbf", pound),
             ("kip", 4_448.221_615_260_5), // B.8: kip, 4.448 222 E+03
             ("kgf", 9.80665),             // B.8: kilogram-force, 9.806 65 E+00, exact
+            ("kp", 9.80665),
             ("tf", 9806.65),
+            ("bar", 1e5), // B.8: bar, exact
+            ("mbar", 100.0),
+            ("mil", 2.54e-5), // B.8: mil, exact
         ];
         for (word, factor) in exact {
             assert_eq!(one(word), factor, "{word}");
@@ -193,6 +232,11 @@ mod tests {
             ("degF", 5.0 / 9.0, 5.555_556e-1),
             ("plf", pound / 0.3048, 1.459_390e1), // B.8: pound-force per foot
             ("klf", 1e3 * pound / 0.3048, 1.459_390e4),
+            ("pli", pound / 0.0254, 1.751_268e2), // B.8: pound-force per inch
+            ("kli", 1e3 * pound / 0.0254, 1.751_268e5),
+            ("Msi", 1e6 * pound / 0.0254_f64.powi(2), 6.894_757e9),
+            ("tsf", 2e3 * pound / 0.3048_f64.powi(2), 9.576_052e4),
+            ("tcf", 2e3 * pound / 0.3048_f64.powi(3), 3.141_749e5),
             ("psi", pound / 0.0254_f64.powi(2), 6.894_757e3), // B.8: psi
             ("ksi", 1e3 * pound / 0.0254_f64.powi(2), 6.894_757e6), // B.8: ksi
             ("psf", pound / 0.3048_f64.powi(2), 4.788_026e1), // B.8: lbf/ft²
@@ -210,7 +254,7 @@ mod tests {
         let tested: Vec<&str> =
             exact.iter().map(|e| e.0).chain(quotients.iter().map(|q| q.0)).collect();
         for symbol in SYMBOLS {
-            assert!(tested.contains(&symbol.name), "{} has no test", symbol.name);
+            assert!(tested.contains(&symbol.names[0]), "{} has no test", symbol.names[0]);
         }
     }
 
@@ -234,8 +278,24 @@ mod tests {
         for (word, factor) in expected {
             assert_eq!(one(word), factor, "{word}");
         }
-        for unknown in ["kin", "Mft", "kdeg", "kkN", "k", "", "mlbf"] {
+        for unknown in ["kin", "Mft", "kdeg", "kkN", "", "mlbf", "kkip"] {
             assert!(look_up(unknown).is_none(), "{unknown}");
+        }
+    }
+
+    #[test]
+    fn other_names_have_the_same_factor() {
+        let same = [
+            ("lbf", &["lb", "lbs", "pound", "pounds", "#"][..]),
+            ("kip", &["kips", "Kip", "KIP", "KIPS", "k"]),
+            ("in", &["inch", "inches", "\"", "″", "”"]),
+            ("ft", &["foot", "feet", "'", "′", "’"]),
+            ("K", &["°C", "degC"]),
+        ];
+        for (name, others) in same {
+            for other in others {
+                assert_eq!(one(other), one(name), "{other}");
+            }
         }
     }
 
@@ -244,7 +304,8 @@ mod tests {
         for word in COMMON.iter().chain(NAMES.iter().map(|(_, symbol)| symbol)) {
             assert!(look_up(word).is_some(), "{word}");
         }
-        for (name, _) in NAMES {
+        let advised = ADVICE.iter().flat_map(|(words, _)| words.iter());
+        for name in NAMES.iter().map(|(name, _)| name).chain(advised) {
             assert!(look_up(name).is_none(), "{name} is a symbol itself");
         }
     }

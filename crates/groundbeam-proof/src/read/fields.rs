@@ -1,6 +1,7 @@
 //! Reads the values of a table: numbers with units, lists that vary along a stretch, and texts.
 
 use super::error::{Fault, Read, Reason, fault, out_of_range, wrong};
+use super::feet;
 use super::number::Decimal;
 use super::toml::{Node, Table, Value};
 use super::units::{Dimension, Exact, Factor, Unit};
@@ -264,6 +265,11 @@ impl Fields {
 
 /// Reads a text of a number and, if the file has units, a unit.
 fn written(text: &str, kind: Kind, key: &str, at: usize) -> Read<(Exact, bool)> {
+    let is_length = kind.dimension == Dimension::of(0, 1);
+    let inches = feet::inches(text).filter(|_| is_length);
+    if let Some(inches) = inches.and_then(|inches| Decimal::whole(&inches)) {
+        return Ok((Exact::new(inches, Factor::INCH), true));
+    }
     let Some((number, rest)) = Decimal::head(text.trim()) else {
         return wrong(at, format!("`{key}` must begin with a number"));
     };

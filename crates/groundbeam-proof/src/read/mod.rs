@@ -11,6 +11,7 @@ mod check;
 mod combination;
 mod course;
 mod error;
+mod feet;
 mod fields;
 mod ground;
 mod load;

@@ -51,17 +51,19 @@ impl Dimension {
 }
 
 /// The bases of factors besides ten. 1 in = 0.0254 m, 1 lbf = 4.4482216152605 N and 1 kgf = 9.80665 N are definitions.
-const BASES: [&str; 6] = ["0.0254", "12", "3", "4.4482216152605", "9.80665", "1.8"];
-const INCH: [i32; 7] = [1, 0, 0, 0, 0, 0, 0];
-const FOOT: [i32; 7] = [1, 1, 0, 0, 0, 0, 0];
-const YARD: [i32; 7] = [1, 1, 1, 0, 0, 0, 0];
-const POUND: [i32; 7] = [0, 0, 0, 1, 0, 0, 0];
-const GRAVITY: [i32; 7] = [0, 0, 0, 0, 1, 0, 0];
+const BASES: [&str; 7] = ["0.0254", "12", "3", "4.4482216152605", "9.80665", "1.8", "2"];
+/// Powers of the bases, and of π/180 after them.
+type Powers = [i32; 8];
+const INCH: Powers = [1, 0, 0, 0, 0, 0, 0, 0];
+const FOOT: Powers = [1, 1, 0, 0, 0, 0, 0, 0];
+const YARD: Powers = [1, 1, 1, 0, 0, 0, 0, 0];
+const POUND: Powers = [0, 0, 0, 1, 0, 0, 0, 0];
+const GRAVITY: Powers = [0, 0, 0, 0, 1, 0, 0, 0];
 /// 5/9.
-const FAHRENHEIT: [i32; 7] = [0, 0, 0, 0, 0, -1, 0];
+const FAHRENHEIT: Powers = [0, 0, 0, 0, 0, -1, 0, 0];
 /// π/180, after the decimal bases.
-const DEGREE: [i32; 7] = [0, 0, 0, 0, 0, 0, 1];
-const ONE: [i32; 7] = [0; 7];
+const DEGREE: Powers = [0, 0, 0, 0, 0, 0, 0, 1];
+const ONE: Powers = [0; 8];
 /// Maximum power of a base.
 const HIGHEST: i32 = 50;
 
@@ -69,11 +71,12 @@ const HIGHEST: i32 = 50;
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Factor {
     ten: i32,
-    powers: [i32; 7],
+    powers: Powers,
 }
 
 impl Factor {
     pub const ONE: Factor = Factor { ten: 0, powers: ONE };
+    pub const INCH: Factor = Factor { ten: 0, powers: INCH };
 
     fn times(self, other: Factor, power: i32) -> Option<Self> {
         let mut product = self;
@@ -90,7 +93,7 @@ impl Factor {
 pub(crate) struct Exact {
     number: Decimal,
     /// Powers of the unit, without the power of ten, which is part of the number.
-    powers: [i32; 7],
+    powers: Powers,
 }
 
 impl Exact {
@@ -132,7 +135,7 @@ struct Symbol {
     names: &'static [&'static str],
     dimension: Dimension,
     ten: i32,
-    powers: [i32; 7],
+    powers: Powers,
     takes_prefix: bool,
 }
 
@@ -141,41 +144,55 @@ const FORCE: Dimension = Dimension::of(1, 0);
 const KELVIN: Dimension = Dimension::NONE.with_temperature(1);
 const RADIAN: Dimension = Dimension::NONE.with_angle(1);
 
-const fn si(names: &'static [&'static str], dimension: Dimension) -> Symbol {
-    Symbol { names, dimension, ten: 0, powers: ONE, takes_prefix: true }
+const fn si(names: &'static [&'static str], dimension: Dimension, ten: i32) -> Symbol {
+    Symbol { names, dimension, ten, powers: ONE, takes_prefix: true }
 }
 
 const fn other(
     names: &'static [&'static str],
     dimension: Dimension,
     ten: i32,
-    powers: [i32; 7],
+    powers: Powers,
 ) -> Symbol {
     Symbol { names, dimension, ten, powers, takes_prefix: false }
 }
 
 /// A pound per power of a length.
-const fn per(length: [i32; 7], power: i32) -> [i32; 7] {
-    [-power * length[0], -power * length[1], 0, 1, 0, 0, 0]
+const fn per(length: Powers, power: i32) -> Powers {
+    [-power * length[0], -power * length[1], 0, 1, 0, 0, 0, 0]
+}
+
+/// The same twice: a ton of 2000 pounds.
+const fn twice(powers: Powers) -> Powers {
+    let mut powers = powers;
+    powers[6] = 1;
+    powers
 }
 
 const SYMBOLS: &[Symbol] = &[
-    si(&["m"], LENGTH),
-    si(&["N"], FORCE),
-    si(&["Pa"], Dimension::of(1, -2)),
-    si(&["rad"], RADIAN),
+    si(&["m"], LENGTH, 0),
+    si(&["N"], FORCE, 0),
+    si(&["Pa"], Dimension::of(1, -2), 0),
+    si(&["bar"], Dimension::of(1, -2), 5),
+    si(&["rad"], RADIAN, 0),
     other(&["K", "°C", "degC"], KELVIN, 0, ONE),
     other(&["°F", "degF"], KELVIN, 0, FAHRENHEIT),
     other(&["deg", "°"], RADIAN, 0, DEGREE),
-    other(&["in"], LENGTH, 0, INCH),
-    other(&["ft"], LENGTH, 0, FOOT),
+    other(&["in", "inch", "inches", "\"", "″", "”"], LENGTH, 0, INCH),
+    other(&["ft", "foot", "feet", "'", "′", "’"], LENGTH, 0, FOOT),
     other(&["yd"], LENGTH, 0, YARD),
-    other(&["lbf"], FORCE, 0, POUND),
-    other(&["kip"], FORCE, 3, POUND),
-    other(&["kgf"], FORCE, 0, GRAVITY),
+    other(&["mil"], LENGTH, -3, INCH),
+    other(&["lbf", "lb", "lbs", "pound", "pounds", "#"], FORCE, 0, POUND),
+    other(&["kip", "kips", "Kip", "Kips", "KIP", "KIPS", "k"], FORCE, 3, POUND),
+    other(&["kgf", "kp"], FORCE, 0, GRAVITY),
     other(&["tf"], FORCE, 3, GRAVITY),
     other(&["plf"], Dimension::of(1, -1), 0, per(FOOT, 1)),
     other(&["klf"], Dimension::of(1, -1), 3, per(FOOT, 1)),
+    other(&["pli"], Dimension::of(1, -1), 0, per(INCH, 1)),
+    other(&["kli"], Dimension::of(1, -1), 3, per(INCH, 1)),
+    other(&["Msi"], Dimension::of(1, -2), 6, per(INCH, 2)),
+    other(&["tsf"], Dimension::of(1, -2), 3, twice(per(FOOT, 2))),
+    other(&["tcf"], Dimension::of(1, -3), 3, twice(per(FOOT, 3))),
     other(&["psi"], Dimension::of(1, -2), 0, per(INCH, 2)),
     other(&["ksi"], Dimension::of(1, -2), 3, per(INCH, 2)),
     other(&["psf"], Dimension::of(1, -2), 0, per(FOOT, 2)),
@@ -318,13 +335,29 @@ impl Reader<'_> {
         let end = self.rest.find(|c| !is_letter(c)).unwrap_or(self.rest.len());
         let (word, rest) = self.rest.split_at_checked(end)?;
         self.rest = rest;
+        if let Some(power) = power_in_words(word) {
+            // `sq ft`, `cu in`
+            self.rest = self.rest.trim_start();
+            let end = self.rest.find(|c| !is_letter(c)).unwrap_or(self.rest.len());
+            let (word, rest) = self.rest.split_at_checked(end)?;
+            self.rest = rest;
+            return Unit::ONE.times(symbol(word)?, power);
+        }
         let power = self.power()?;
         if let Some(unit) = symbol(word) {
             return Unit::ONE.times(unit, power);
         }
-        // `kNm`: a force and a length; the power is that of the length.
+        // `sqft`
+        let in_words = word.split_at_checked(2).and_then(|(words, length)| {
+            let length = symbol(length).filter(|length| length.dimension == LENGTH)?;
+            Unit::ONE.times(length, power_in_words(words)?)
+        });
+        if let Some(unit) = in_words {
+            return Unit::ONE.times(unit, power);
+        }
+        // `kNm`: a force and a length; the power is that of the length. `k` is a symbol of its own alone.
         word.char_indices().skip(1).find_map(|(i, _)| {
-            let (force, length) = word.split_at_checked(i)?;
+            let (force, length) = word.split_at_checked(i).filter(|(force, _)| *force != "k")?;
             let (force, length) = (symbol(force)?, symbol(length)?);
             let is_moment = force.dimension == FORCE && length.dimension == LENGTH;
             if is_moment { force.times(length, power) } else { None }
@@ -362,6 +395,15 @@ impl Reader<'_> {
     }
 }
 
+/// The power of a length behind this word.
+fn power_in_words(word: &str) -> Option<i32> {
+    match word {
+        "sq" => Some(2),
+        "cu" => Some(3),
+        _ => None,
+    }
+}
+
 fn is_letter(c: char) -> bool {
     !(c.is_whitespace()
         || c.is_ascii_digit()
@@ -386,6 +428,19 @@ mod tests {
         let published = [
             ("in", 2.54e-2),
             ("ft", 3.048e-1),
+            ("mil", 2.54e-5),
+            ("bar", 1e5),
+            ("kp", 9.806_65),
+            ("#", 4.448_222),
+            ("k", 4.448_222e3),
+            ("pli", 1.751_268e2),
+            ("kli", 1.751_268e5),
+            ("Msi", 6.894_757e9),
+            ("tsf", 9.576_052e4),
+            ("tcf", 3.141_749e5),
+            ("lb/sq in", 6.894_757e3),
+            ("kips/cu ft", 1.570_875e5),
+            ("sqft", 9.290_304e-2),
             ("yd", 9.144e-1),
             ("lbf", 4.448_222),
             ("kip", 4.448_222e3),

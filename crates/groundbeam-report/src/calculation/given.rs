@@ -6,31 +6,31 @@ use super::{Source, print};
 use crate::characteristics::Characteristics;
 use crate::context::{Context, clean};
 use crate::load::{is_moment_per_length, load_name, load_size};
-use crate::number::significant;
 use crate::quantity::{Kind, Units};
 use crate::svg::figures;
 use crate::text;
 use groundbeam::{Acts, Existence, Hinge, Method, Model, Profile, RigidMotion, SupportKind};
 
-/// The input, on the model of a file or of its first combination; what statics tell of it, if they are known.
+/// The input, on the model of a file or on those of its combinations; what statics tell of it, if they are known.
 pub(super) fn section(
-    model: &Model,
+    models: &[&Model],
     existence: Option<&Existence>,
     motion: Option<RigidMotion>,
     context: &Context,
     source: &Source,
 ) -> Section {
     let units = context.units;
+    let model = models.first().copied().unwrap_or(source.model);
     let caption = match motion {
         Some(_) => "The model as it is given; in dashes, the motion in which the loads do work",
         None => "The model as it is given",
     };
     let drawing = figures::model(source.model, motion, units);
     let mut blocks = vec![Block::Figure { svg: drawing, caption: caption.to_owned() }];
-    if let Some(existence) = existence {
-        let found = Characteristics::of(model, existence);
-        blocks.extend(facts(|sheet| text::structure(sheet, model, &found, context)));
+    if let Some(found) = existence.and_then(|of| Characteristics::of_all(models, of)) {
+        blocks.extend(facts(|sheet| text::structure(sheet, models, &found, context)));
     }
+    let units = units.of_input();
     blocks.extend(segments(model, units));
     blocks.extend(supports(model, units));
     blocks.extend(hinges(model, units));
@@ -48,9 +48,9 @@ fn unit_name(units: Units, kind: Kind, largest: f64) -> (crate::quantity::Unit, 
 fn profile(units: Units, kind: Kind, profile: &Profile) -> String {
     let unit = units.unit(kind, profile.largest());
     if profile.is_constant() {
-        return unit.write(profile.start(), 6);
+        return unit.write(profile.start());
     }
-    let words = format!("{} to {}", unit.number(profile.start(), 6), unit.write(profile.end(), 6));
+    let words = format!("{} to {}", unit.number(profile.start()), unit.write(profile.end()));
     if profile.control_values().len() > 2 { words + ", curved" } else { words }
 }
 
@@ -66,7 +66,7 @@ fn segments(model: &Model, units: Units) -> Vec<Block> {
             let stiffness = profile(units, Kind::BendingStiffness, &segment.bending_stiffness);
             let own = segment.shear_stiffness.or(model.beam.shear_stiffness.map(Into::into));
             let shear = own.map_or("–".to_owned(), |own| profile(units, Kind::Constant, &own));
-            let ends = [segment.from, segment.to].map(|x| unit.number(x, 6));
+            let ends = [segment.from, segment.to].map(|x| unit.number(x));
             table.push(ends.into_iter().chain([stiffness]).chain(shears.then_some(shear)));
         }
         blocks.push(Block::Table(table));
@@ -76,8 +76,8 @@ fn segments(model: &Model, units: Units) -> Vec<Block> {
         let mut table = Table::new("Stretches of the ground", columns);
         for segment in &model.foundation.segments {
             table.push([
-                unit.number(segment.from, 6),
-                unit.number(segment.to, 6),
+                unit.number(segment.from),
+                unit.number(segment.to),
                 profile(units, Kind::Spring, &segment.subgrade),
                 profile(units, Kind::Constant, &segment.shear_layer),
             ]);
@@ -96,9 +96,9 @@ fn supports(model: &Model, units: Units) -> Option<Block> {
             SupportKind::Fixed => "fixed".to_owned(),
             SupportKind::Spring { spring, rotational_spring } => {
                 // k is a force per length of beam and deflection, a spring's one a force per deflection: as k times m.
-                let linear = units.write(Kind::Pressure, spring, 6);
-                let turning = units.write(Kind::Moment, rotational_spring, 6);
-                let per = if units == Units::Si { "/rad" } else { "" };
+                let linear = units.write(Kind::Pressure, spring);
+                let turning = units.write(Kind::Moment, rotational_spring);
+                let per = units.per_radian();
                 format!("spring {linear}, turning {turning}{per}")
             }
         };
@@ -109,10 +109,9 @@ fn supports(model: &Model, units: Units) -> Option<Block> {
             Acts::Down => ", holding down alone",
         };
         if support.settlement != 0.0 {
-            words +=
-                &format!(", settled by {}", units.write(Kind::Deflection, support.settlement, 6));
+            words += &format!(", settled by {}", units.write(Kind::Deflection, support.settlement));
         }
-        table.push([unit.number(support.at, 6), print::words(&words)]);
+        table.push([unit.number(support.at), print::words(&words)]);
     }
     (!table.rows.is_empty()).then_some(Block::Table(table))
 }
@@ -121,11 +120,11 @@ fn hinges(model: &Model, units: Units) -> Option<Block> {
     let (unit, name) = unit_name(units, Kind::Position, model.beam.length);
     let mut table = Table::new("Hinges", vec![numbers("x", name), wording("kind")]);
     for hinge in &model.hinges {
-        let per = if units == Units::Si { "/rad" } else { "" };
-        let spring = units.write(Kind::Moment, hinge.rotational_spring, 6);
+        let per = units.per_radian();
+        let spring = units.write(Kind::Moment, hinge.rotational_spring);
         let kind =
             if hinge.is_free() { "free".to_owned() } else { format!("spring {spring}{per}") };
-        table.push([unit.number(hinge.at, 6), kind]);
+        table.push([unit.number(hinge.at), kind]);
     }
     (!table.rows.is_empty()).then_some(Block::Table(table))
 }
@@ -135,14 +134,14 @@ fn gap(model: &Model, context: &Context) -> Option<Block> {
     if context.chords.is_some() {
         return None;
     }
-    let units = context.units;
+    let units = context.units.of_input();
     let deepest = model.gap.iter().fold(0.0_f64, |most, corner| most.max(corner.value.abs()));
     let (position, x) = unit_name(units, Kind::Position, model.beam.length);
     let (depth, clearance) = unit_name(units, Kind::Deflection, deepest);
     let columns = vec![numbers("x", x), numbers("clearance", clearance)];
     let mut table = Table::new("Initial gap, straight between these points", columns);
     for corner in &model.gap {
-        table.push([position.number(corner.at, 6), depth.number(corner.value, 6)]);
+        table.push([position.number(corner.at), depth.number(corner.value)]);
     }
     (!table.rows.is_empty()).then_some(Block::Table(table))
 }
@@ -166,12 +165,12 @@ fn loads(source: &Source, units: Units) -> Option<Block> {
     for (i, load) in model.loads.iter().enumerate() {
         let [from, to] = load.extent().ends();
         let per = if is_moment_per_length(load, units) { " (moment per length)" } else { "" };
-        let size = load_size(load, units, " to ", 6) + per;
-        let to = if from == to { String::new() } else { unit.number(to, 6) };
+        let size = load_size(load, units, " to ") + per;
+        let to = if from == to { String::new() } else { unit.number(to) };
         let mut row = vec![
             (i + 1).to_string(),
             load_name(load).to_owned(),
-            unit.number(from, 6),
+            unit.number(from),
             to,
             print::words(&size),
         ];
@@ -245,19 +244,19 @@ pub(super) fn statics(model: &Model, existence: &Existence, context: &Context) -
     let free = model.supports.is_empty() && model.beam.axial_force == 0.0;
     let free = free && !model.hinges.iter().any(Hinge::is_free);
     let [left, right] =
-        existence.static_reactions.map(|force| print::words(&units.write(Kind::Force, force, 6)));
+        existence.static_reactions.map(|force| print::words(&units.write(Kind::Force, force)));
     if free {
         let words = "A beam that nothing but the ground holds has exactly one equilibrium if, and only if, both static \
                      reactions of its loads are positive, that is, if their resultant acts down and inside the beam:";
         blocks.push(Block::Text { words: words.to_owned() });
         blocks.push(equations::static_reactions());
     }
-    let sum = print::words(&units.write(Kind::Force, existence.resultant(), 6));
+    let sum = print::words(&units.write(Kind::Force, existence.resultant()));
     let place = existence.resultant_position(model.beam.length);
     let place = place.map_or_else(
         || "nowhere".to_owned(),
         |x| {
-            let share = significant(x / model.beam.length, 4);
+            let share = units.ratio(x / model.beam.length);
             format!("x = {} = {share} l", units.position(x))
         },
     );
@@ -270,8 +269,7 @@ pub(super) fn statics(model: &Model, existence: &Existence, context: &Context) -
         let each: Vec<String> = groundbeam::static_reactions(model)
             .into_iter()
             .map(|(x, force)| {
-                let words =
-                    format!("{} at {}", units.write(Kind::Force, force, 6), units.position(x));
+                let words = format!("{} at {}", units.write(Kind::Force, force), units.position(x));
                 print::words(&words)
             })
             .collect();

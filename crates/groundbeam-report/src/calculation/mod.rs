@@ -16,8 +16,9 @@ mod single;
 use crate::context::{Context, clean};
 pub use content::{Block, Column, Equation, Fact, Key, Report, Section, Table, Verdict};
 use groundbeam::Model;
-use groundbeam_file::Document;
+use groundbeam_file::{Document, OtherFile};
 use groundbeam_run::{Answers, Asked, Found};
+use std::sync::Arc;
 
 /// Where a report's model comes from.
 #[derive(Debug, Clone, Copy)]
@@ -30,12 +31,15 @@ pub struct Source<'a> {
     pub model: &'a Model,
     /// The load case of each of its loads, in their order; none for a load to which the file gives none.
     pub cases: &'a [Option<String>],
+    /// The tables that the file names: surveys and data of the soil.
+    pub files: &'a [Arc<OtherFile>],
 }
 
 impl<'a> Source<'a> {
     /// A model file with what it is called.
     pub fn of(document: &'a Document, name: &'a str, text: &'a str) -> Self {
-        Source { name, text, model: &document.model, cases: &document.cases }
+        let (model, cases, files) = (&document.model, &document.cases, &document.files);
+        Source { name, text, model, cases, files }
     }
 }
 
@@ -67,10 +71,35 @@ pub fn report(answers: &Answers, context: &Context, source: &Source) -> Report {
         (Asked::Trains, _) => passages::trains(&answers.passages(), context, source),
         _ => several::combinations(answers, context, source),
     };
+    let digest = match context.digest {
+        Some(whole) => whole.replace("sha256:", ""),
+        None => crate::digest::digest(source.text),
+    };
     Report {
         title: context.clean_title().unwrap_or_else(|| clean(source.name)),
         version: env!("CARGO_PKG_VERSION"),
-        digest: crate::digest::digest(source.text),
+        digest,
+        sections: long_tables_last(report.sections),
         ..report
     }
+}
+
+/// The most rows of a table that stands where it belongs.
+const LONGEST: usize = 24;
+
+/// The sections with their long tables in a section of their own behind all others.
+fn long_tables_last(mut sections: Vec<Section>) -> Vec<Section> {
+    let mut tables = Vec::new();
+    for block in sections.iter_mut().flat_map(|section| &mut section.blocks) {
+        let Block::Table(table) = block else { continue };
+        if table.rows.len() > LONGEST {
+            let words =
+                format!("{}: {} rows, in the last section.", table.caption, table.rows.len());
+            tables.push(std::mem::replace(block, Block::Text { words }));
+        }
+    }
+    if !tables.is_empty() {
+        sections.push(Section::new("Long tables", tables));
+    }
+    sections
 }

@@ -1,7 +1,7 @@
 //! The report of trains that pass: the envelope of all positions.
 
 use super::content::{Block, Key, Report, Section, Table, Verdict, facts, numbers, wording};
-use super::single::{certified, checked, place};
+use super::single::{certified, checked, overview, place};
 use super::{Source, given, print, proof};
 use crate::checked::verdicts;
 use crate::context::{Context, clean};
@@ -9,7 +9,7 @@ use crate::quantity::{Kind, Units};
 use crate::svg::figures;
 use crate::text::{self, train};
 use groundbeam::{Field, Method};
-use groundbeam_run::{InPassage, Located, Overall, Passage, Passages};
+use groundbeam_run::{Ground, InPassage, Located, Overall, Passage, Passages};
 
 /// The report of passages.
 pub(super) fn trains(passages: &Passages, context: &Context, source: &Source) -> Report {
@@ -18,13 +18,23 @@ pub(super) fn trains(passages: &Passages, context: &Context, source: &Source) ->
     let model = first.map_or(source.model, |(_, solution)| solution.model());
     let existence = first.map(|(_, solution)| *solution.existence());
     let existence = existence.or_else(|| groundbeam::exists(source.model).ok());
-    let mut given = given::section(model, existence.as_ref(), None, context, source);
+    let follows = context.ground.is_some_and(Ground::follows_solution) && first.is_some();
+    let models = if follows { text::used_by_trains(all) } else { vec![model] };
+    let ground = context.ground.filter(|_| !follows);
+    let of_input = Context { ground, ..*context };
+    let mut given = given::section(&models, existence.as_ref(), None, &of_input, source);
     given.blocks.extend(facts(|sheet| {
         all.iter().for_each(|passage| train::head(sheet, passage, context.units));
         train::places(sheet, all);
     }));
     let method = first.map_or(Method::Exact, |(_, solution)| solution.method());
-    let mut sections = vec![given, given::assumptions(model, method), ways(all, context)];
+    let mut sections = Vec::new();
+    let mut drawn = diagrams(passages, context.units);
+    if first.is_some() && !drawn.blocks.is_empty() {
+        let checks = facts(|sheet| train::limits(sheet, all, context));
+        sections.push(overview(checks, drawn.blocks.remove(0)));
+    }
+    sections.extend([given, given::assumptions(model, method), ways(all, context)]);
     let mut said = vec![overall(passages)];
     let mut key = Vec::new();
     if first.is_some() {
@@ -35,10 +45,7 @@ pub(super) fn trains(passages: &Passages, context: &Context, source: &Source) ->
         said.push(certified(gaps.fold(0.0, f64::max)));
         key = keys(passages, context.units);
         sections.push(envelope(passages, context.units));
-        sections.push(diagrams(passages, context.units));
-        if let Some(block) = facts(|sheet| train::limits(sheet, all, context)) {
-            sections.push(Section::new("Checks", vec![block]));
-        }
+        sections.push(drawn);
         let untimed = Context { seconds: None, ..*context };
         sections.push(proof::certificates(|sheet| train::proof(sheet, all, &untimed)));
     }
@@ -124,7 +131,7 @@ fn extremes(caption: &str, passages: &Passages, units: Units) -> Table {
         let most = known.iter().fold(0.0_f64, |most, (located, _)| most.max(located.value.abs()));
         let unit = units.unit(Kind::of(field), most);
         let [min, max] = known.map(|(Located { x: at, value, first_axle }, number)| {
-            let mut cells = vec![unit.number(value, 5), x.number(at, 5), x.number(first_axle, 5)];
+            let mut cells = vec![unit.number(value), x.number(at), x.number(first_axle)];
             cells.extend(several.then(|| number.to_string()));
             cells
         });
@@ -149,7 +156,7 @@ fn keys(passages: &Passages, units: Units) -> Vec<Key> {
             place(units, most.x),
             place(units, most.first_axle)
         );
-        let value = print::words(&units.write(Kind::of(field), most.value, 4));
+        let value = print::words(&units.write(Kind::of(field), most.value));
         Some(Key::largest(field, value, print::words(&note)))
     };
     Key::FIELDS.into_iter().filter_map(largest).collect()

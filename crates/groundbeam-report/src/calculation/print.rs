@@ -1,5 +1,6 @@
 //! Words and numbers for print.
 
+use crate::number::MINUS;
 use crate::quantity::is_unit;
 
 /// A sentence: true minus signs, powers of ten as powers, units beside their numbers, μ for mu.
@@ -56,7 +57,7 @@ pub(super) fn cell(word: &str) -> String {
 /// `e-13` at the beginning, raised, with its length; followed by no further letter.
 fn power_of_ten(letters: &[char]) -> Option<(String, usize)> {
     let ['e', rest @ ..] = letters else { return None };
-    let sign = usize::from(rest.first() == Some(&'-'));
+    let sign = usize::from(rest.first().is_some_and(|sign| ['-', MINUS].contains(sign)));
     let digits = rest[sign..].iter().take_while(|c| c.is_ascii_digit()).count();
     let next = rest.get(sign + digits);
     if digits == 0 || next.is_some_and(|c| c.is_alphanumeric()) {

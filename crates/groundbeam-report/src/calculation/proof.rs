@@ -4,7 +4,6 @@ use super::content::{Block, Section, facts};
 use super::{Source, equations};
 use crate::context::{Context, clean};
 use crate::digest::digest;
-use crate::quantity::Units;
 use crate::text;
 use groundbeam::Solution;
 
@@ -59,28 +58,50 @@ pub(super) fn proof(context: &Context) -> Option<Section> {
 /// Program, input and its digest, and how to make the report again.
 pub(super) fn provenance(context: &Context, source: &Source) -> [Section; 2] {
     let name = clean(source.name);
-    let units = match context.units {
-        Units::Si => "the file gives every quantity a unit; calculated in m, N and rad",
-        Units::Plain => "the file gives no units: all numbers are in its own consistent system",
+    let units = match context.units.is_plain() {
+        false => "the file gives every quantity a unit; calculated in m, N and rad",
+        true => "the file gives no units: all numbers are in its own consistent system",
     };
     let proven = if context.proofs.is_empty() { "" } else { " --proven" };
     let program = format!("groundbeam {}", env!("CARGO_PKG_VERSION"));
-    let rows = [
-        ("Program", program),
-        ("Input", format!("{name}, {} bytes", source.text.len())),
-        ("SHA-256", digest(source.text)),
-        ("Units", units.to_owned()),
-        ("Recompute", format!("groundbeam solve {name} --report report.html{proven}")),
-    ];
+    let mut rows = vec![("Program", program)];
+    for (what, name, text) in inputs(source) {
+        rows.push((what, format!("{name}, {} bytes", text.len())));
+        rows.push(("SHA-256", digest(text)));
+    }
+    if let (Some(whole), [_, ..]) = (context.digest, source.files) {
+        rows.push(("Together", whole.replace("sha256:", "SHA-256 ")));
+    }
+    rows.push(("Units", units.to_owned()));
+    rows.push(("Recompute", format!("groundbeam solve {name} --report report.html{proven}")));
     let list = facts(|sheet| rows.iter().for_each(|(label, words)| sheet.row(label, words)));
-    let words = "The input below is all that the answer depends on: saved as a file it has the digest above, and the same \
-                 version of the program gives the same bits. Results of every section for other programs: \
-                 groundbeam solve FILE --json.";
+    let what = match source.files {
+        [] => {
+            "The input below is all that the answer depends on: saved as a file it has the digest above"
+        }
+        _ => {
+            "The model file and the tables below are all that the answer depends on: saved as files they have the digests above"
+        }
+    };
+    let words = format!(
+        "{what}, and the same version of the program gives the same bits. Results of every section for other programs: \
+         groundbeam solve FILE --json."
+    );
     let mut blocks: Vec<Block> = list.into_iter().collect();
-    blocks.push(Block::Text { words: words.to_owned() });
-    let lines = source.text.lines().map(str::to_owned).collect();
-    [
-        Section::new("Where this comes from", blocks),
-        Section::new("Input file", vec![Block::Code { lines }]),
-    ]
+    blocks.push(Block::Text { words });
+    let mut texts = Vec::new();
+    for (_, name, text) in inputs(source) {
+        if !source.files.is_empty() {
+            texts.push(Block::Text { words: format!("{name}:") });
+        }
+        texts.push(Block::Code { lines: text.lines().map(str::to_owned).collect() });
+    }
+    [Section::new("Where this comes from", blocks), Section::new("Input file", texts)]
+}
+
+/// The texts on which the answer depends: the model file, and the tables that it names, each with its name.
+fn inputs<'a>(source: &Source<'a>) -> Vec<(&'static str, String, &'a str)> {
+    let last = |name: &str| clean(name.rsplit(['/', '\\']).next().unwrap_or(name));
+    let tables = source.files.iter().map(|file| ("Table", last(&file.name), file.text.as_str()));
+    [("Input", clean(source.name), source.text)].into_iter().chain(tables).collect()
 }

@@ -1,7 +1,7 @@
 //! The report of all combinations: each one, and the envelope with the governing combination.
 
 use super::content::{Block, Key, Report, Section, Table, Verdict, facts, numbers, wording};
-use super::single::{certified, checked, place, proven};
+use super::single::{certified, checked, overview, place, proven};
 use super::{Source, given, print, proof};
 use crate::bound::{not_proven, rounded_with_bound};
 use crate::checked::verdicts;
@@ -25,17 +25,22 @@ pub(super) fn combinations(all: &Answers, context: &Context, source: &Source) ->
     let existence = existence.or_else(|| groundbeam::exists(first.model()).ok());
     let ground = first.ground.as_ref().filter(|ground| !ground.follows_solution());
     let of_first = Context { ground, ..*context };
-    let mut given = given::section(first.model(), existence.as_ref(), None, &of_first, source);
+    let models = text::used_models(all).unwrap_or_else(|| vec![first.model()]);
+    let mut given = given::section(&models, existence.as_ref(), None, &of_first, source);
     given.blocks.push(list(all));
     let solved: Vec<Numbered> = numbered(all, context);
     let have_bounds = !context.proofs.is_empty();
     let method = solved.first().map_or(Method::Exact, |row| row.solution.method());
-    let mut sections =
-        vec![given, given::assumptions(first.model(), method), statics(all, context.units)];
+    let rows = rows_of(all, context);
+    let checks = facts(|sheet| text::checks::all_rows(sheet, &rows, context));
+    let picture = governing(all, context.units);
+    let mut sections: Vec<Section> =
+        picture.map(|picture| overview(checks, picture)).into_iter().collect();
+    let assumptions = given::assumptions(first.model(), method);
+    sections.extend([given, assumptions, statics(all, context.units)]);
     let mut said = vec![overall(all)];
     let mut key = Vec::new();
     if !solved.is_empty() {
-        let rows = rows_of(all, context);
         said.extend(checked(&verdicts(context.limits, &rows)));
         let gaps = solved.iter().map(|row| row.solution.certificate().relative_gap());
         let gap = gaps.fold(0.0, f64::max);
@@ -47,9 +52,6 @@ pub(super) fn combinations(all: &Answers, context: &Context, source: &Source) ->
             false => [each(all, &solved, context.units), envelope(all, &solved, context.units)],
         });
         sections.push(diagrams(all, context.units));
-        if let Some(block) = facts(|sheet| text::checks::all_rows(sheet, &rows, context)) {
-            sections.push(Section::new("Checks", vec![block]));
-        }
         sections.push(proof::certificates(|sheet| {
             let of = format!("for each of the {} solved", solved.len());
             text::certificate::of_several(sheet, &of, gap);
@@ -124,7 +126,7 @@ fn statics(all: &Answers, units: Units) -> Section {
             Tone::Good => wording.words.to_owned(),
             _ => wording.with(&print::words(&sentence)),
         };
-        let [left, right] = existence.static_reactions.map(|force| unit.number(force, 5));
+        let [left, right] = existence.static_reactions.map(|force| unit.number(force));
         [number.to_string(), clean(name), left, right, said]
     };
     for (i, answer) in all.list.iter().enumerate() {
@@ -190,7 +192,7 @@ fn each(all: &Answers, solved: &[Numbered], units: Units) -> Section {
             .contact()
             .iter()
             .map(|zone| {
-                let [from, to] = [zone.from, zone.to].map(|at| x.number(row.sizes.position(at), 4));
+                let [from, to] = [zone.from, zone.to].map(|at| x.number(row.sizes.position(at)));
                 if from == to { from } else { format!("{from} to {to}") }
             })
             .collect();
@@ -200,9 +202,9 @@ fn each(all: &Answers, solved: &[Numbered], units: Units) -> Section {
         };
         let share = significant(100.0 * row.solution.lifted_share(), 3);
         let cells = extremes.iter().zip(&in_units);
-        let cells = cells.map(|(&of, unit)| unit.number(value(row, of), 5));
+        let cells = cells.map(|(&of, unit)| unit.number(value(row, of)));
         let ends = row.solution.end_forces();
-        let ends = [ends.left, ends.right].map(|end| force.number(row.sizes.force(end), 5));
+        let ends = [ends.left, ends.right].map(|end| force.number(row.sizes.force(end)));
         table.push([row.number.to_string(), zones, share].into_iter().chain(cells).chain(ends));
     }
     Section::new("Every combination", vec![Block::Table(table)])
@@ -262,7 +264,7 @@ fn extremes(caption: &str, all: &Answers, solved: &[Numbered], units: Units) -> 
         let most = both.iter().fold(0.0_f64, |most, (extreme, _)| most.max(extreme.value.abs()));
         let unit = units.unit(Kind::of(field), most);
         let [min, max] = both.map(|(Extreme { x: at, value }, number)| {
-            [unit.number(value, 6), x.number(at, 6), number.to_string()]
+            [unit.number(value), x.number(at), number.to_string()]
         });
         let name = [field.label().to_owned()];
         table.push(name.into_iter().chain(min).chain(max).chain([unit.name.to_owned()]));
@@ -287,7 +289,7 @@ fn keys(all: &Answers, solved: &[Numbered], context: &Context) -> Vec<Key> {
         let is_max = -min.0.value <= max.0.value;
         let (extreme, number) = if is_max { max } else { min };
         let (value, at) = if context.proofs.is_empty() {
-            (units.write(Kind::of(field), extreme.value, 4), place(units, extreme.x))
+            (units.write(Kind::of(field), extreme.value), place(units, extreme.x))
         } else {
             let governing = if is_max { range.max } else { range.min };
             let Extreme { x, value } = governing.extreme;
@@ -301,20 +303,25 @@ fn keys(all: &Answers, solved: &[Numbered], context: &Context) -> Vec<Key> {
     Key::FIELDS.map(largest).into()
 }
 
-/// The envelopes, and the combination with the largest moment.
+/// The picture of the combination with the largest moment; none where nothing is solved.
+fn governing(all: &Answers, units: Units) -> Option<Block> {
+    all.solved().next()?;
+    let range = all.envelope().range(Field::Moment);
+    let most =
+        if -range.min.extreme.value > range.max.extreme.value { range.min } else { range.max };
+    let (answer, solution) = all.solved().nth(most.by)?;
+    Some(Block::Figure {
+        svg: figures::bent(solution, units),
+        caption: format!("The beam under {}, which bends it most", clean(answer.name())),
+    })
+}
+
+/// The envelopes.
 fn diagrams(all: &Answers, units: Units) -> Section {
     let drawn = figures::combinations(all, units).into_iter().zip(figures::OF_ENVELOPES);
     let figures = drawn.map(|(svg, field)| Block::Figure {
         svg,
         caption: format!("{}: envelope, and every combination as a thin line", field.title()),
     });
-    let range = all.envelope().range(Field::Moment);
-    let most =
-        if -range.min.extreme.value > range.max.extreme.value { range.min } else { range.max };
-    let governing = all.solved().nth(most.by).map(|(answer, solution)| Block::Figure {
-        svg: figures::bent(solution, units),
-        caption: format!("The beam under {}, which bends it most", clean(answer.name())),
-    });
-    let blocks = governing.into_iter().chain(figures).collect();
-    Section::new("Diagrams", blocks)
+    Section::new("Diagrams", figures.collect())
 }

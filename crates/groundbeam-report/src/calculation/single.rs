@@ -16,14 +16,16 @@ use groundbeam::{Existence, Extreme, Field, Model, Solution, Stopped, Verdict as
 /// The report of an equilibrium.
 pub(super) fn solved(solution: &Solution, context: &Context, source: &Source) -> Report {
     let (model, existence) = (solution.model(), solution.existence());
-    let checks = verdicts(context.limits, &[Row::alone(solution, context)]);
-    let mut verdicts = vec![stands(model, existence, context.units)];
-    verdicts.extend(checked(&checks));
-    verdicts.push(certified(solution.certificate().relative_gap()));
-    verdicts.extend(proven(context.proofs));
+    let all = verdicts(context.limits, &[Row::alone(solution, context)]);
+    let mut said = vec![stands(model, existence, context.units)];
+    said.extend(checked(&all));
+    said.push(certified(solution.certificate().relative_gap()));
+    said.extend(proven(context.proofs));
     let numbers = Numbers::plain(solution, context.units).with_proof(context.proofs.first());
+    let checks = facts(|sheet| text::checks::rows(sheet, solution, context));
     let mut sections = vec![
-        given::section(model, Some(existence), None, context, source),
+        overview(checks, bent(solution, context.units)),
+        given::section(&[model], Some(existence), None, context, source),
         given::assumptions(model, solution.method()),
         given::statics(model, existence, context),
     ];
@@ -39,20 +41,27 @@ pub(super) fn solved(solution: &Solution, context: &Context, source: &Source) ->
             sections.push(extremes(solution, context.units));
         }
     }
-    if let Some(block) = facts(|sheet| text::checks::rows(sheet, solution, context)) {
-        sections.push(Section::new("Checks", vec![block]));
-    }
     sections.push(proof::certificate(solution));
     sections.extend(proof::proof(context));
     sections.extend(proof::provenance(context, source));
     let key = key(solution, &numbers);
     Report {
         subject: "Beam on ground that pushes and does not pull",
-        verdicts,
+        verdicts: said,
         key,
         sections,
         ..Report::default()
     }
+}
+
+/// Below the verdicts and the governing values: the checks and the picture.
+pub(super) fn overview(checks: Option<Block>, picture: Block) -> Section {
+    Section::new("Checks and picture", checks.into_iter().chain([picture]).collect())
+}
+
+fn bent(solution: &Solution, units: Units) -> Block {
+    let caption = "The bent beam on its ground".to_owned();
+    Block::Figure { svg: figures::bent(solution, units), caption }
 }
 
 /// The report of a model that has no equilibrium.
@@ -67,7 +76,7 @@ pub(super) fn no_equilibrium(
         _ => None,
     };
     let mut sections = vec![
-        given::section(model, Some(existence), motion, context, source),
+        given::section(&[model], Some(existence), motion, context, source),
         given::assumptions(model, groundbeam::Method::Exact),
         given::statics(model, existence, context),
     ];
@@ -85,7 +94,7 @@ pub(super) fn not_converged(
 ) -> Report {
     let existence = groundbeam::exists(model).ok();
     let mut sections = vec![
-        given::section(model, existence.as_ref(), None, context, source),
+        given::section(&[model], existence.as_ref(), None, context, source),
         given::assumptions(model, reached.method),
     ];
     sections.extend(existence.map(|existence| given::statics(model, &existence, context)));
@@ -169,7 +178,7 @@ fn key(solution: &Solution, numbers: &Numbers) -> Vec<Key> {
     };
     let lifted = Key {
         label: "Lifted off".to_owned(),
-        value: print::words(&numbers.lifted_share(solution, 3)),
+        value: print::words(&numbers.lifted_share(solution)),
         note: "of the beam's length".to_owned(),
     };
     let ends = solution.end_forces();
@@ -183,7 +192,7 @@ fn key(solution: &Solution, numbers: &Numbers) -> Vec<Key> {
 }
 
 pub(super) fn place(units: Units, x: f64) -> String {
-    units.write(Kind::Position, x, 4)
+    units.write(Kind::Position, x)
 }
 
 /// Where the beam touches and where not, and every concentrated force.
@@ -215,10 +224,10 @@ fn contact(solution: &Solution, written: &Numbers) -> Section {
             None => "touches",
         };
         let gap = gap.map_or([String::new(), String::new()], |gap| {
-            [depth.number(gap.value, 6), x.number(gap.x, 6)]
+            [depth.number(gap.value), x.number(gap.x)]
         });
         let [from, to] = [from, to].map(|at| sizes.position(at));
-        let ends = [from, to, to - from].map(|at| x.number(at, 6));
+        let ends = [from, to, to - from].map(|at| x.number(at));
         table.push([kind.to_owned()].into_iter().chain(ends).chain(gap));
     }
     let mut blocks = vec![Block::Table(table)];
@@ -236,10 +245,8 @@ fn diagrams(solution: &Solution, units: Units) -> Section {
         "Bending moment, drawn on the tension side",
         "Shear force",
     ];
-    let bent = (figures::bent(solution, units), "The bent beam on its ground");
     let fields = figures::fields(solution, units).into_iter().zip(captions);
-    let all = [bent].into_iter().chain(fields);
-    Section::new("Diagrams", all.map(figure).collect())
+    Section::new("Diagrams", fields.map(figure).collect())
 }
 
 fn extremes(solution: &Solution, units: Units) -> Section {
@@ -258,8 +265,7 @@ fn extremes(solution: &Solution, units: Units) -> Section {
         let range = solution.range(field);
         let both = [range.min, range.max].map(|extreme| sizes.extreme(field, extreme));
         let unit = units.unit(Kind::of(field), both[0].value.abs().max(both[1].value.abs()));
-        let [min, max] =
-            both.map(|extreme| [unit.number(extreme.value, 6), x.number(extreme.x, 6)]);
+        let [min, max] = both.map(|extreme| [unit.number(extreme.value), x.number(extreme.x)]);
         let name = [field.label().to_owned()];
         table.push(name.into_iter().chain(min).chain(max).chain([unit.name.to_owned()]));
     }

@@ -90,10 +90,7 @@ fn left_of_jumps(solution: &Solution, positions: &[f64]) -> Along<Vec<f64>> {
 fn model_file(solution: &Solution, units: Units) -> String {
     let mut model = solution.model().clone();
     model.foundation.soil = None;
-    let units = match units {
-        Units::Si => UnitSystem::Si,
-        Units::Plain => UnitSystem::Plain,
-    };
+    let units = if units.is_plain() { UnitSystem::Plain } else { UnitSystem::Si };
     write_toml(&model, None, units)
 }
 

@@ -1,5 +1,7 @@
 //! Round numbers for axes.
 
+use crate::quantity::Unit;
+
 /// Multiples of 1, 2 or 5 times a power of ten that lie in a range, in the largest steps that give at
 /// least so many.
 pub(super) fn ticks([low, high]: [f64; 2], least: usize) -> Vec<f64> {
@@ -22,6 +24,12 @@ pub(super) fn ticks([low, high]: [f64; 2], least: usize) -> Vec<f64> {
         step = finer;
     }
     within(step).map(|i| i as f64 * step).collect()
+}
+
+/// The same of a quantity that is printed in a unit: round numbers of this unit.
+pub(super) fn ticks_in(unit: Unit, range: [f64; 2], least: usize) -> Vec<f64> {
+    let all = ticks(range.map(|end| end / unit.size), least);
+    all.into_iter().map(|tick| tick * unit.size).collect()
 }
 
 const LEADS: [f64; 3] = [1.0, 2.0, 5.0];

@@ -143,13 +143,13 @@ impl Diagram<'_> {
             let x = frame.x(x);
             canvas.line([x, top], [x, bottom], rule);
         }
-        for value in axis::ticks(scale.range, 3) {
+        for value in axis::ticks_in(unit, scale.range, 3) {
             let y = scale.y(value);
             if value != 0.0 {
                 let faint = Stroke::new(Colour::FaintRule, 1.0);
                 canvas.line([LEFT, y], [frame.right(), y], faint);
             }
-            let words = printed(&unit.number(value, 6));
+            let words = printed(&unit.of_input().number(value));
             canvas.text([LEFT - 8.0, y + 3.7], Anchor::End, TICK, &words);
         }
         let zero = scale.y(0.0);
@@ -237,8 +237,8 @@ impl Diagram<'_> {
         for extreme in self.extremes.iter().filter(|extreme| extreme.value != 0.0) {
             let at = [frame.x(extreme.x), scale.y(extreme.value)];
             let dot = Fill::new(self.colour).and(Stroke::new(Colour::Paper, 1.0));
-            let x = self.units.unit(Kind::Position, extreme.x).write(extreme.x, 4);
-            let words = printed(&format!("{} at {x}", unit.write(extreme.value, 4)));
+            let x = self.units.unit(Kind::Position, extreme.x).write(extreme.x);
+            let words = printed(&format!("{} at {x}", unit.write(extreme.value)));
             canvas.dot(at, 3.2, dot);
             labels.avoid(Rect::around(at, at, 3.0));
             if let Some(place) = labels.around(at, &words, RIMMED.size) {

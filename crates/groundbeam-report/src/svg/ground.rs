@@ -101,8 +101,8 @@ pub(super) fn constants(
             continue;
         }
         let lines = [
-            format!("k = {}", units.write(Kind::Spring, spring.start(), 3)),
-            format!("μ = {}", units.write(Kind::Constant, shear.start(), 3)),
+            format!("k = {}", units.write(Kind::Spring, spring.start())),
+            format!("μ = {}", units.write(Kind::Constant, shear.start())),
         ];
         for (words, up) in lines.map(|words| printed(&words)).iter().zip([20.0, 6.0]) {
             let width = labels.width(words, NOTE.size);
@@ -212,7 +212,7 @@ impl GroundLoads<'_> {
         share: f64,
         labels: &mut Labels,
     ) -> Word {
-        let words = printed(&self.units.write(Kind::Force, value, 5));
+        let words = printed(&self.units.write(Kind::Force, value));
         let x = self.frame.x(at);
         let [left, right] = self.ends();
         if x < left - 1e-6 || x > right + 1e-6 {
@@ -242,8 +242,8 @@ impl GroundLoads<'_> {
     ) -> Word {
         let unit = self.units.unit(Kind::Pressure, start.abs().max(end.abs()));
         let words = printed(&match start == end {
-            true => unit.write(start, 5),
-            false => format!("{} … {}", unit.number(start, 5), unit.write(end, 5)),
+            true => unit.write(start),
+            false => format!("{} … {}", unit.number(start), unit.write(end)),
         });
         let [left, right] = self.ends();
         if self.frame.x(to) < left || self.frame.x(from) > right {
@@ -301,8 +301,8 @@ impl GroundLoads<'_> {
     fn at_the_edge(&self, canvas: &mut Canvas, at: f64, words: &str, labels: &mut Labels) {
         let unit = self.units.unit(Kind::Position, at);
         let words = printed(&match at < 0.0 {
-            true => format!("← {words} at {}", unit.write(at, 4)),
-            false => format!("{words} at {} →", unit.write(at, 4)),
+            true => format!("← {words} at {}", unit.write(at)),
+            false => format!("{words} at {} →", unit.write(at)),
         });
         let [left, right] = self.ends();
         let width = labels.width(&words, LABEL.size);

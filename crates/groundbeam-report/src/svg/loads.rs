@@ -78,7 +78,7 @@ impl Loads<'_> {
             ends[lane].push([from, to]);
             let base = 4.0 + lane as f64 * (LANE + LANE_LABEL);
             let sizes = load.extent().sizes();
-            let words = printed(&load_size(load, self.units, " … ", 5));
+            let words = printed(&load_size(load, self.units, " … "));
             let (share, words) = match load.action() {
                 Action::Force => {
                     let share = sizes.map(|value| value / force);
@@ -219,7 +219,7 @@ impl Loads<'_> {
         let forces = points().filter(|(load, ..)| load.action() == Action::Force);
         let largest = forces.map(|(_, _, force)| force.abs()).fold(0.0, f64::max);
         for (load, at, size) in points() {
-            let words = printed(&self.units.write(load_kind(load), size.abs(), 5));
+            let words = printed(&self.units.write(load_kind(load), size.abs()));
             if load.action() == Action::Moment {
                 let centre = [self.frame.x(at), (self.top)(at) + 3.0];
                 turning_arrow(canvas, centre, RADIUS, size > 0.0);

@@ -26,7 +26,6 @@ mod view;
 use crate::characteristics::Characteristics;
 use crate::context::Context;
 use crate::font::Metrics;
-use crate::number::significant;
 use crate::quantity::{Kind, Units};
 pub(crate) use canvas::Anchor;
 pub use canvas::Picture;
@@ -103,24 +102,24 @@ fn numbers(solution: &Solution, units: Units) -> String {
     let found = Characteristics::of(model, solution.existence());
     let mut parts = vec![format!("l = {}", units.position(model.beam.length))];
     if model.beam.segments.is_empty() {
-        let stiffness = units.write(Kind::BendingStiffness, model.beam.bending_stiffness, 4);
+        let stiffness = units.write(Kind::BendingStiffness, model.beam.bending_stiffness);
         parts.push(format!("EI = {stiffness}"));
     } else {
         parts.push("EI varies".to_owned());
     }
     if let Some(stiffness) = model.beam.shear_stiffness {
-        parts.push(format!("GA = {}", units.write(Kind::Constant, stiffness, 4)));
+        parts.push(format!("GA = {}", units.write(Kind::Constant, stiffness)));
     }
     if model.beam.axial_force != 0.0 {
-        parts.push(format!("P = {}", units.write(Kind::Constant, model.beam.axial_force, 4)));
+        parts.push(format!("P = {}", units.write(Kind::Constant, model.beam.axial_force)));
     }
     if model.foundation.segments.is_empty() {
-        parts.push(format!("k = {}", units.write(Kind::Spring, model.foundation.subgrade, 4)));
-        parts.push(format!("μ = {}", units.write(Kind::Constant, model.foundation.shear_layer, 4)));
+        parts.push(format!("k = {}", units.write(Kind::Spring, model.foundation.subgrade)));
+        parts.push(format!("μ = {}", units.write(Kind::Constant, model.foundation.shear_layer)));
     } else {
         parts.push("k and μ vary".to_owned());
     }
-    parts.push(format!("βl = {}", significant(found.beta_length, 3)));
+    parts.push(format!("βl = {}", units.ratio(found.beta_length)));
     printed(&parts.join("\u{a0}\u{a0} · \u{a0}\u{a0}"))
 }
 
@@ -166,18 +165,18 @@ fn concentrated(solution: &Solution, units: Units, samples: &Samples) -> Vec<(f6
     let all = [(0.0, ends.left)].into_iter().chain(inner).chain([(l, ends.right)]);
     all.map(|(at, force)| (at, samples.sizes.force(force)))
         .filter(|&(_, force)| force != 0.0)
-        .map(|(at, force)| (at, force, units.write(Kind::Force, force, 4)))
+        .map(|(at, force)| (at, force, units.write(Kind::Force, force)))
         .collect()
 }
 
 fn axis_of_x(page: &mut Canvas, frame: &Frame, units: Units, y: f64) {
     let stroke = Stroke::new(Colour::FaintInk, 1.0);
     page.line([frame.x(0.0), y], [frame.x(frame.length), y], stroke);
-    let unit = units.unit(Kind::Position, frame.length);
-    for x in axis::ticks([0.0, frame.length], 6) {
+    let unit = units.of_input().unit(Kind::Position, frame.length);
+    for x in axis::ticks_in(unit, [0.0, frame.length], 6) {
         let at = frame.x(x);
         page.line([at, y], [at, y + 5.0], stroke);
-        page.text([at, y + 18.0], Anchor::Middle, TICK, &printed(&unit.number(x, 6)));
+        page.text([at, y + 18.0], Anchor::Middle, TICK, &printed(&unit.number(x)));
     }
     let words = format!("x{}", unit.bracketed());
     page.text([frame.end_of_axis(), y + 18.0], Anchor::End, TICK, &words);

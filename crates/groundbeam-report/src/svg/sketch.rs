@@ -82,7 +82,7 @@ fn ground(
     ground::draw(canvas, model, frame, &line, bottom);
     labels.avoid_line(&line);
     if deepest > 0.0 {
-        let words = printed(&units.write(Kind::Deflection, deepest, 4));
+        let words = printed(&units.write(Kind::Deflection, deepest));
         let words = format!("initial gap, up to {words}, not to scale");
         canvas.text([left + 6.0, bottom - 8.0], Anchor::Start, NOTE, &words);
     } else {

@@ -127,7 +127,7 @@ impl<'a> Panel<'a> {
         let beside = 0.03 * (to - from);
         let unit = match spread.kind {
             Some(kind) => units.unit(kind, spread.largest()),
-            None => Unit { name: "", size: 1.0 },
+            None => units.plain(""),
         };
         Panel { spread, limits, unit, left, width, range: [from - beside, to + beside] }
     }
@@ -213,7 +213,7 @@ impl<'a> Panel<'a> {
             let dashes = Stroke::new(Colour::Load, 1.4).dashed(4.0, 3.0);
             canvas.line([x, TOP - 6.0], [x, zero], dashes);
             let side = if limit.above { ">" } else { "<" };
-            let words = printed(&format!("{side} {}", self.unit.write(limit.limit, 4)));
+            let words = printed(&format!("{side} {}", self.unit.write(limit.limit)));
             let half = 0.5 * metrics.width(&words, NOTE.size);
             let middle = x.clamp(self.left + half, self.left + self.width - half);
             let style = Style { colour: Colour::Load, ..NOTE };

@@ -224,7 +224,7 @@ impl Picture<'_> {
                 _ => self.reaction(support.kind, reaction.force, reaction.moment),
             };
             if support.settlement != 0.0 {
-                let by = self.units.write(Kind::Deflection, support.settlement, 4);
+                let by = self.units.write(Kind::Deflection, support.settlement);
                 words += &printed(&format!(", settled {by}"));
             }
             let below = [x, y + supports::HEIGHT - 2.0];
@@ -239,9 +239,9 @@ impl Picture<'_> {
         let force = self.samples.sizes.force(force);
         let moment = self.samples.sizes.moment(moment);
         let sense = if force < 0.0 { "↓" } else { "↑" };
-        let mut words = format!("{sense} {}", self.units.write(Kind::Force, force.abs(), 4));
+        let mut words = format!("{sense} {}", self.units.write(Kind::Force, force.abs()));
         if kind != SupportKind::Pinned && moment != 0.0 {
-            words += &format!(", {}", self.units.write(Kind::Moment, moment, 4));
+            words += &format!(", {}", self.units.write(Kind::Moment, moment));
         }
         printed(&words)
     }
@@ -270,7 +270,7 @@ impl Picture<'_> {
         let deepest = sizes.extreme(Field::Deflection, self.solution.range(Field::Deflection).max);
         if deepest.value > 0.0 {
             let at = [self.frame.x(deepest.x), self.scale * deepest.value];
-            let words = self.units.write(Kind::Deflection, deepest.value, 4);
+            let words = self.units.write(Kind::Deflection, deepest.value);
             self.word(at, &format!("{words} deep at {}", self.position(deepest.x)));
         }
         let mut gaps = self.solution.lift_off();
@@ -280,7 +280,7 @@ impl Picture<'_> {
             if gap.value > 0.0 {
                 let fields = self.solution.at(gap.x, Side::Right);
                 let at = [self.frame.x(gap.x), self.scale * surface(&fields)];
-                let words = self.units.write(Kind::Deflection, gap.value, 4);
+                let words = self.units.write(Kind::Deflection, gap.value);
                 // How long a span is that both ends of the beam leave to themselves.
                 let over = match stretch.reaches {
                     [false, false] => format!(" over {}", self.position(stretch.length())),
@@ -300,7 +300,7 @@ impl Picture<'_> {
     }
 
     fn position(&self, x: f64) -> String {
-        self.units.unit(Kind::Position, x).write(x, 4)
+        self.units.unit(Kind::Position, x).write(x)
     }
 
     fn with_title(mut self) -> Canvas {

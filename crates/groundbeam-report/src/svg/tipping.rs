@@ -127,7 +127,7 @@ mod tests {
 
     fn drawn(model: &Model) -> View {
         let existence = groundbeam::exists(model).unwrap();
-        tipping(model, &existence, &Context::new(Units::Plain), 800.0)
+        tipping(model, &existence, &Context::new(Units::PLAIN), 800.0)
     }
 
     /// Heights of the handles of all loads.

@@ -47,7 +47,7 @@ mod tests {
     fn a_certificate_in_words() {
         let expected = "\
 Certificate  recomputed from model and answer, by other code than the method's
-             energy gap  3e-6 of the strain energy, an estimate of the error
+             energy gap  3e−6 of the strain energy, an estimate of the error
 ";
         assert_eq!(written(Verdict::Unique), expected);
     }

@@ -4,7 +4,7 @@ use super::sheet::{Sheet, Tone};
 use crate::bound::{not_proven, with_bound};
 use crate::checked::{Governing, Judged, Judgement, Row, Verdict, verdicts};
 use crate::context::{Context, clean};
-use crate::numbers::{Numbers, PERCENT};
+use crate::numbers::Numbers;
 use crate::quantity::{Kind, Unit};
 use groundbeam::{Beside, Check, Checked, Field, Solution};
 
@@ -79,8 +79,6 @@ fn noun(what: Checked) -> &'static str {
     }
 }
 
-/// Digits of a value and of a limit.
-const DIGITS: usize = 4;
 /// Digits that tell every double from its neighbours.
 const ALL_DIGITS: usize = 17;
 
@@ -90,14 +88,14 @@ fn judged_in_words(judged: &Judged, numbers: &Numbers) -> (String, Tone) {
         Checked::BearingPressure => numbers.units.unit(Kind::Stress, value),
         Checked::BearingResistance => numbers.units.unit(Kind::Force, value),
         Checked::Settlement => numbers.units.unit(Kind::Deflection, value),
-        Checked::LiftedShare => PERCENT,
-        Checked::Eccentricity => Unit { name: "l", size: 1.0 },
-        Checked::Overturning => Unit { name: "", size: 1.0 },
+        Checked::LiftedShare => numbers.units.percent(),
+        Checked::Eccentricity => numbers.units.plain("l"),
+        Checked::Overturning => numbers.units.plain(""),
     };
-    let digits = digits(check, &unit);
+    let digits = digits(check, &unit, numbers.units.digits());
     let write = |value: f64| match value.is_infinite() {
         true => "any number of".to_owned(),
-        false => unit(value).write(value, digits).trim_end().to_owned(),
+        false => unit(value).with_digits(digits).write(value).trim_end().to_owned(),
     };
     let found = match judged.error {
         None => write(check.found),
@@ -115,7 +113,7 @@ fn judged_in_words(judged: &Judged, numbers: &Numbers) -> (String, Tone) {
             format!("peak pressure {found}{}, {limit} allowed", place(Some(Field::Pressure)))
         }
         Checked::BearingResistance => {
-            let used = PERCENT.write(check.utilisation(), 3);
+            let used = numbers.units.percent().write(check.utilisation());
             format!("V_d = {found} on the effective area, {limit} resisted, {used} used")
         }
         Checked::Settlement => {
@@ -138,21 +136,22 @@ fn judged_in_words(judged: &Judged, numbers: &Numbers) -> (String, Tone) {
 }
 
 /// As few digits as tell the value from a limit that it does not keep to.
-fn digits(check: &Check, unit: &impl Fn(f64) -> Unit) -> usize {
+fn digits(check: &Check, unit: &impl Fn(f64) -> Unit, least: usize) -> usize {
     let same = |digits: &usize| {
-        let [a, b] = [check.found, check.limit].map(|value| unit(value).write(value, *digits));
+        let [a, b] =
+            [check.found, check.limit].map(|value| unit(value).with_digits(*digits).write(value));
         !check.passes() && a == b
     };
-    (DIGITS..ALL_DIGITS).find(|digits| !same(digits)).unwrap_or(ALL_DIGITS)
+    (least..ALL_DIGITS).find(|digits| !same(digits)).unwrap_or(ALL_DIGITS)
 }
 
 /// The forces that a peak pressure leaves out; the area on which a force is resisted.
 fn beside(check: &Check, numbers: &Numbers) -> String {
     let force = |force: f64| {
         let force = numbers.sizes().force(force);
-        numbers.units.unit(Kind::Force, force).write(force, DIGITS)
+        numbers.units.unit(Kind::Force, force).write(force)
     };
-    let length = |length: f64| numbers.units.write(Kind::Position, length, DIGITS);
+    let length = |length: f64| numbers.units.write(Kind::Position, length);
     match check.beside {
         Beside::EndForces(ends) if ends.left != 0.0 || ends.right != 0.0 => {
             let [left, right] = [force(ends.left), force(ends.right)];

@@ -9,30 +9,25 @@ use crate::combinations::{
     Numbered, bound_of_extreme, bounds_of_band, largest_end_force, noun, numbered, of_limit_state,
 };
 use crate::context::{Context, clean};
-use crate::number::significant;
 use crate::quantity::{Kind, Unit, Units, duration};
 use crate::results::rows_of;
 use crate::verdict::{self, falls, wording};
-use groundbeam::{Envelope, Extreme, Governing, Verdict};
+use groundbeam::{Envelope, Extreme, Governing, Model, Verdict};
 use groundbeam_run::{Answer, Answers, Banded, Found, Ground};
 
 /// The report of all combinations, solved or only checked; with `colour`, with escape codes for a terminal.
 pub fn combinations(answers: &Answers, context: &Context, colour: bool) -> String {
     let mut sheet = Sheet::new(colour);
     title(&mut sheet, context);
-    let known = |answer: &Answer| {
-        let existence = *answer.existence()?;
-        Some(Characteristics::of(answer.model(), &existence))
-    };
-    let first = answers.list.iter().find_map(|answer| Some((answer, known(answer)?)));
-    if let Some((answer, found)) = first {
+    let first = answers.list.iter().find_map(|answer| Some((answer, *answer.existence()?)));
+    if let Some((answer, existence)) = first {
         let ground = answer.ground.as_ref().filter(|ground| !ground.follows_solution());
-        structure(&mut sheet, answer.model(), &found, &Context { ground, ..*context });
-        let follows = |a: &Answer| a.ground.as_ref().is_some_and(Ground::follows_solution);
-        if answers.list.iter().any(follows) {
-            let words = "k and mu of each combination are those that its own solution makes of it; \
-                         above stands the ground before anything is solved";
-            sheet.row("Soil", words);
+        let models = used_models(answers).unwrap_or_else(|| vec![answer.model()]);
+        if let Some(found) = Characteristics::of_all(&models, &existence) {
+            structure(&mut sheet, &models, &found, &Context { ground, ..*context });
+        }
+        if answers.list.iter().any(follows_solution) {
+            sheet.row("Soil", &soil_of_each("combination", used_models(answers).is_some()));
         }
         sheet.blank();
     }
@@ -69,6 +64,28 @@ pub fn combinations(answers: &Answers, context: &Context, colour: bool) -> Strin
     sheet.finish()
 }
 
+fn follows_solution(answer: &Answer) -> bool {
+    answer.ground.as_ref().is_some_and(Ground::follows_solution)
+}
+
+/// The models of all solutions, if the ground of each follows from its solution.
+pub(crate) fn used_models(answers: &Answers) -> Option<Vec<&Model>> {
+    let models: Vec<&Model> = answers.solved().map(|(_, solution)| solution.model()).collect();
+    (!models.is_empty() && answers.list.iter().any(follows_solution)).then_some(models)
+}
+
+/// How k and μ follow from the solutions, of which they are printed if there are any.
+pub(super) fn soil_of_each(what: &str, is_solved: bool) -> String {
+    match is_solved {
+        true => format!(
+            "k and mu of each {what} follow from its own solution; above stand those of all"
+        ),
+        false => format!(
+            "k and mu of each {what} follow from its own solution; above stands the ground before it"
+        ),
+    }
+}
+
 /// Numbers and names.
 fn names(sheet: &mut Sheet, answers: &Answers) {
     for (i, answer) in answers.list.iter().enumerate() {
@@ -86,8 +103,8 @@ fn band(sheet: &mut Sheet, answers: &Answers, units: Units) {
         let Banded { best, low, high } = bands[field.index()][usize::from(largest)];
         let unit = units.unit(Kind::of(field), low.abs().max(high.abs()));
         let name = extreme_of(field, largest);
-        let best = unit.write(best, 6);
-        let range = format!("{} to {}", unit.number(low, 6), unit.write(high, 6));
+        let best = unit.write(best);
+        let range = format!("{} to {}", unit.number(low), unit.write(high));
         sheet.line(&format!("{name:<31}{best:>14}    {range}"));
     }
     sheet.row("", "of the grounds that were solved; nothing is proven of those between them");
@@ -143,14 +160,14 @@ fn table(sheet: &mut Sheet, answers: &Answers, solved: &[Numbered], units: Units
         units.unit(Kind::of(field), sizes.fold(0.0, f64::max))
     });
     let line = |first: &str, cells: [String; 4]| {
-        let cells: String = cells.iter().map(|cell| format!("{cell:>11}")).collect();
+        let cells: String = cells.iter().map(|cell| format!(" {cell:>10}")).collect();
         format!("{first:<35}{cells}")
     };
     let fields = COLUMNS.map(|(field, _)| field.label().to_lowercase());
     sheet.heading(&line("   #  equilibrium  zones of  lifted", fields));
     let words = COLUMNS.map(|(_, largest)| if largest { "largest" } else { "smallest" }.to_owned());
     sheet.heading(&line("                    contact   share", words));
-    if units == Units::Si {
+    if !units.is_plain() {
         sheet.heading(&line("", units_of_columns.map(|unit| unit.name.to_owned())));
     }
     let mut rows = solved.iter().zip(&values).peekable();
@@ -161,9 +178,9 @@ fn table(sheet: &mut Sheet, answers: &Answers, solved: &[Numbered], units: Units
             continue;
         };
         let zones = row.solution.contact().len();
-        let share = format!("{} %", significant(100.0 * row.solution.lifted_share(), 3));
-        let first = format!("{:>4}  {words:<11}{zones:>10}{share:>8}", i + 1);
-        let cells = [0, 1, 2, 3].map(|i| units_of_columns[i].number(values[i], 5));
+        let share = row.numbers(units).lifted_share(row.solution);
+        let first = format!("{:>4}  {words:<11}{zones:>9} {share:>8}", i + 1);
+        let cells = [0, 1, 2, 3].map(|i| units_of_columns[i].number(values[i]));
         sheet.line(&line(&first, cells));
     }
 }
@@ -181,7 +198,7 @@ fn bounded_table(sheet: &mut Sheet, answers: &Answers, solved: &[Numbered], unit
         let zones = row.solution.contact().len();
         let proven = row.proof.is_some_and(|named| named.is_proven());
         let proof = if proven { "proven" } else { "not proven" };
-        let share = row.numbers(units).lifted_share(row.solution, 6);
+        let share = row.numbers(units).lifted_share(row.solution);
         sheet.line(&format!("{:>4}  {words:<11}{zones:>18}  {proof:<12}{share}", i + 1));
     }
 }
@@ -282,13 +299,13 @@ fn envelope(
         let [min, max] = [range.min, range.max].map(known);
         let unit = units.unit(Kind::of(field), min.0.value.abs().max(max.0.value.abs()));
         if min.0.value == max.0.value {
-            let value = unit.write(min.0.value, 6);
+            let value = unit.write(min.0.value);
             sheet.row(field.label(), &format!("{value:>14} everywhere, in every combination"));
             continue;
         }
         let cell = |(Extreme { x, value }, number): (Extreme, usize)| {
             let place = format!("at {}", units.position(x));
-            format!("{:>14} {place:<13}{:<5}", unit.write(value, 6), format!("#{number}"))
+            format!("{:>14} {place:<12} {:<4} ", unit.write(value), format!("#{number}"))
         };
         sheet.row(field.label(), &format!("{}{}", cell(min), cell(max)));
     }
@@ -332,7 +349,7 @@ fn end_forces(sheet: &mut Sheet, solved: &[Numbered], units: Units) {
         let Some((row, force, error)) = largest_end_force(solved, end) else { continue };
         let unit = units.unit(Kind::Force, force);
         let largest = match row.proof {
-            None => unit.write(force, 6),
+            None => unit.write(force),
             Some(_) => with_bound(force, error, unit),
         };
         let words = match force {

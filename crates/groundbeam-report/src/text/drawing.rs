@@ -144,7 +144,7 @@ impl Picture<'_> {
         let edges = self.solution.contact().iter().flat_map(|region| [region.from, region.to]);
         // The ends first: they are always named.
         for x in [0.0, self.length].into_iter().chain(edges) {
-            let words = units.write(Kind::Position, sizes.position(x), 4);
+            let words = units.write(Kind::Position, sizes.position(x));
             let count = words.chars().count();
             let from = self.column(x).saturating_sub(count / 2).min(WIDTH - count.min(WIDTH));
             let room = from.saturating_sub(1)..(from + count + 1).min(WIDTH);

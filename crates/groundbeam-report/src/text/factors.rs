@@ -3,7 +3,6 @@
 use super::sheet::Sheet;
 use crate::bound::not_proven;
 use crate::context::{Context, clean};
-use crate::number::significant;
 use crate::quantity::Units;
 use crate::verdict::falls;
 use groundbeam::{FirstLiftOff, LossOfEquilibrium};
@@ -45,7 +44,7 @@ fn lift_off(found: FirstLiftOff, loads: &Grows, units: Units) -> String {
             format!("not on the ground along its whole length, however small {are}")
         }
         FirstLiftOff::At { factor, x } => {
-            let (factor, x) = (significant(factor, 6), units.position(x));
+            let (factor, x) = (units.ratio(factor), units.position(x));
             format!("first lift-off at {factor} times {times}, at x = {x}")
         }
         FirstLiftOff::Never => {
@@ -61,7 +60,7 @@ fn loss(found: LossOfEquilibrium, loads: &Grows, units: Units) -> String {
             format!("no equilibrium at factors near zero of {times}: {}", falls(motion, units))
         }
         LossOfEquilibrium::At { factor, motion } => {
-            let factor = significant(factor, 6);
+            let factor = units.ratio(factor);
             format!("no equilibrium beyond {factor} times {times}: {}", falls(motion, units))
         }
         LossOfEquilibrium::Never => format!("in equilibrium, however large {are}"),
@@ -77,7 +76,7 @@ mod tests {
         let found = LoadFactors { first_lift_off, loss_of_equilibrium: loss };
         let factors = Factors { found, cases: cases.iter().map(|&case| case.into()).collect() };
         let mut sheet = Sheet::new(false);
-        rows(&mut sheet, &Context::new(Units::Si).with_factors(&factors));
+        rows(&mut sheet, &Context::new(Units::SI).with_factors(&factors));
         sheet.finish()
     }
 
@@ -89,7 +88,7 @@ mod tests {
         assert_eq!(
             said(lift_off, loss, &["Q"]),
             "Load factors first lift-off at 0.25 times the loads of case Q, at x = 1.5 m\n             \
-             no equilibrium beyond 0.666667 times the loads of case Q: it tips\n             \
+             no equilibrium beyond 0.6667 times the loads of case Q: it tips\n             \
              about its right end\n"
         );
         let cases = [

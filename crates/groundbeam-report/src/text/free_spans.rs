@@ -24,8 +24,8 @@ pub(super) fn table(sheet: &mut Sheet, lifted: &[LiftOff], units: Units, sizes: 
     let height = units.unit(Kind::Deflection, most);
     let row = |open: &&LiftOff| {
         let largest = largest(open);
-        let x = |x: f64| place.write(sizes.position(x), 5);
-        let gap = height.write(largest.value, 5);
+        let x = |x: f64| place.write(sizes.position(x));
+        let gap = height.write(largest.value);
         [x(open.from), x(open.to), x(open.length()), gap, x(largest.x), ends(open).to_owned()]
     };
     let rows: Vec<[String; 6]> = shown.iter().map(row).collect();
@@ -83,7 +83,7 @@ pub(crate) fn of_trains(sheet: &mut Sheet, all: &[Passage], units: Units) {
         sheet.row("Free spans", "none: the beam touches everywhere in every position");
         return;
     };
-    let place = |x: f64| units.write(Kind::Position, x, 4);
+    let place = |x: f64| units.write(Kind::Position, x);
     let when = |opened: &Opened, number: usize| {
         let which = if all.len() > 1 { format!(", #{number}") } else { String::new() };
         format!("with the first axle at {}{which}", place(opened.first_axle))
@@ -102,7 +102,7 @@ pub(crate) fn of_trains(sheet: &mut Sheet, all: &[Passage], units: Units) {
     );
     sheet.row("Free spans", &words);
     let gap = highest.stretch.largest_gap;
-    let value = units.write(Kind::Deflection, gap.value, 4);
+    let value = units.write(Kind::Deflection, gap.value);
     let when_highest = when(&highest, of_highest);
     sheet.row("", &format!("the largest clearance {value}, at {}, {when_highest}", place(gap.x)));
 }
@@ -135,7 +135,7 @@ mod tests {
             reaches: [false, true],
         };
         let mut sheet = Sheet::new(false);
-        table(&mut sheet, &[open(0.123e-5), open(0.9e7)], Units::Plain, &Sizes::of(&solution));
+        table(&mut sheet, &[open(0.123e-5), open(0.9e7)], Units::PLAIN, &Sizes::of(&solution));
         let text = sheet.finish();
         let rows: Vec<Vec<&str>> =
             text.lines().skip(2).map(|line| line.split_whitespace().collect()).collect();

@@ -2,7 +2,6 @@
 
 use super::sheet::{Sheet, Tone};
 use crate::context::Context;
-use crate::number::significant;
 use crate::quantity::Kind;
 use groundbeam::Model;
 use groundbeam::soil::SoilRounds;
@@ -15,17 +14,18 @@ pub fn rows(sheet: &mut Sheet, model: &Model, context: &Context) {
     if let Some(soil) = &ground.soil {
         let mut words = format!("by {}", soil.source());
         if let Some(SoilRounds { gamma: Some(gamma), rounds }) = ground.rounds {
-            words += &format!(", γ = {}", significant(gamma, 6));
+            words += &format!(", γ = {}", units.ratio(gamma));
             if rounds > 1 {
                 words += &format!(", the solution's own after {rounds} of them");
             }
         }
         sheet.row("Soil", &words);
     }
-    let area = units.write(Kind::AreaSpring, constants.subgrade / width, 6);
-    let mut values = format!("on a width of {}: C1 = k/b = {area}", units.position(width));
+    let area = units.write(Kind::AreaSpring, constants.subgrade / width);
+    let mut values =
+        format!("on a width of {}: C1 = k/b = {area}", units.of_input().position(width));
     if constants.shear_layer > 0.0 {
-        let shear = units.write(Kind::AreaShear, constants.shear_layer / width, 6);
+        let shear = units.write(Kind::AreaShear, constants.shear_layer / width);
         values += &format!(", C2 = mu/b = {shear}");
     }
     sheet.row("", &values);

@@ -17,19 +17,19 @@ pub(crate) mod train;
 
 use crate::characteristics::Characteristics;
 use crate::checked::Row;
-use crate::context::Context;
+use crate::context::{Context, clean};
 use crate::load::load_kind;
-use crate::number::significant;
 use crate::numbers::Numbers;
 use crate::quantity::{Kind, Units, duration};
 use crate::verdict::{self, wording};
 pub use combinations::combinations;
-pub(crate) use combinations::{bounded_band, bounded_envelope, of_limit_states};
+pub(crate) use combinations::{bounded_band, bounded_envelope, of_limit_states, used_models};
 pub use comparison::comparison;
 pub use drawing::drawing;
 use groundbeam::{
     Existence, Extent, Field, GroundEnd, Load, Model, Profile, Solution, Stopped, Verdict,
 };
+pub(crate) use passages::used_models as used_by_trains;
 pub use passages::{checked_trains, trains};
 pub use proof::{proof, proofs, verified};
 use results::{between, contact};
@@ -65,6 +65,9 @@ pub fn summary(solution: &Solution, context: &Context) -> Vec<(String, String)> 
     let mut sheet = Sheet::new(false);
     let numbers = Numbers::plain(solution, context.units);
     let (units, sizes) = (context.units, numbers.sizes());
+    for warning in context.warnings {
+        sheet.row("Caution", &clean(&warning.message));
+    }
     contact(&mut sheet, solution, &numbers);
     forces(&mut sheet, solution, &numbers);
     for field in Field::of(&solution.model().beam) {
@@ -72,10 +75,10 @@ pub fn summary(solution: &Solution, context: &Context) -> Vec<(String, String)> 
         let (min, max) = (sizes.extreme(field, range.min), sizes.extreme(field, range.max));
         let unit = units.unit(Kind::of(field), min.value.abs().max(max.value.abs()));
         let [low, high] = [min, max].map(|extreme| {
-            format!("{} at {}", unit.write(extreme.value, 6), units.position(extreme.x))
+            format!("{} at {}", unit.write(extreme.value), units.position(extreme.x))
         });
         let words = if min.value == max.value {
-            format!("{} everywhere", unit.write(max.value, 6))
+            format!("{} everywhere", unit.write(max.value))
         } else {
             format!("from {low} to {high}")
         };
@@ -131,13 +134,13 @@ fn problem(sheet: &mut Sheet, model: &Model, existence: &Existence, context: &Co
     let units = context.units;
     title(sheet, context);
     let found = Characteristics::of(model, existence);
-    structure(sheet, model, &found, context);
+    structure(sheet, &[model], &found, context);
     let force = found.resultant.force;
     let loads = match found.resultant.at {
         Some(x) => {
             let sense = if force > 0.0 { "down" } else { "up" };
-            let share = significant(x / model.beam.length, 4);
-            let size = units.write(Kind::Force, force.abs(), 6);
+            let share = units.ratio(x / model.beam.length);
+            let size = units.write(Kind::Force, force.abs());
             format!("resultant {size} {sense} at x = {} ({share} l)", units.position(x))
         }
         None if model.loads.iter().all(Load::is_on_ground) => "none".to_owned(),
@@ -147,11 +150,12 @@ fn problem(sheet: &mut Sheet, model: &Model, existence: &Existence, context: &Co
     let neighbours: Vec<&Load> = model.ground_loads().collect();
     listed(sheet, "On ground", &neighbours, |load| match load.extent() {
         Extent::Distributed { from, to, start, end } => {
-            let size = range(units, load_kind(load), [start, end]);
-            format!("{size} {}", between(units, from, to))
+            let size = range(units.of_input(), load_kind(load), [start, end]);
+            format!("{size} {}", between(units.of_input(), from, to))
         }
         Extent::Point { at, size } => {
-            format!("{} at x = {}", units.write(load_kind(load), size, 6), units.position(at))
+            let given = units.of_input();
+            format!("{} at x = {}", given.write(load_kind(load), size), given.position(at))
         }
     });
     sheet.blank();
@@ -164,22 +168,22 @@ fn title(sheet: &mut Sheet, context: &Context) {
     }
 }
 
-/// Beam and ground.
+/// Beam and ground, of several models between which values. All of them have one beam.
 pub(crate) fn structure(
     sheet: &mut Sheet,
-    model: &Model,
+    models: &[&Model],
     found: &Characteristics,
     context: &Context,
 ) {
-    let units = context.units;
-    let write = |kind, value| units.write(kind, value, 6);
+    let (units, given) = (context.units, context.units.of_input());
+    let [model, ..] = models else { return };
     let stiffnesses = ends(model.beam.segments.iter().map(|s| s.bending_stiffness));
     let stiffness =
-        spread(units, Kind::BendingStiffness, model.beam.bending_stiffness, stiffnesses);
-    let mut beam = format!("l = {}, EI = {stiffness}", units.position(model.beam.length));
+        spread(given, Kind::BendingStiffness, model.beam.bending_stiffness, stiffnesses);
+    let mut beam = format!("l = {}, EI = {stiffness}", given.position(model.beam.length));
     if model.beam.axial_force != 0.0 {
         let sense = if model.beam.axial_force > 0.0 { "tension" } else { "compression" };
-        let force = write(Kind::Constant, model.beam.axial_force.abs());
+        let force = given.write(Kind::Constant, model.beam.axial_force.abs());
         beam += &format!(", {sense} {force}");
     }
     sheet.row("Beam", &beam);
@@ -187,10 +191,13 @@ pub(crate) fn structure(
         sheet.row("", &shear);
     }
 
-    let springs = ends(model.foundation.segments.iter().map(|s| s.subgrade));
-    let shears = ends(model.foundation.segments.iter().map(|s| s.shear_layer));
-    let spring = spread(units, Kind::Spring, model.foundation.subgrade, springs);
-    let shear = spread(units, Kind::Constant, model.foundation.shear_layer, shears);
+    let grounds = || models.iter().map(|model| &model.foundation);
+    let springs = ends(grounds().flat_map(|ground| &ground.segments).map(|s| s.subgrade));
+    let shears = ends(grounds().flat_map(|ground| &ground.segments).map(|s| s.shear_layer));
+    let springs = springs.chain(grounds().map(|ground| ground.subgrade));
+    let shears = shears.chain(grounds().map(|ground| ground.shear_layer));
+    let spring = spread(given, Kind::Spring, model.foundation.subgrade, springs);
+    let shear = spread(given, Kind::Constant, model.foundation.shear_layer, shears);
     let is_winkler = found.shear_length[1] == 0.0;
     let constants = if is_winkler {
         format!("k = {spring}, no shear layer (Winkler)")
@@ -203,8 +210,8 @@ pub(crate) fn structure(
     for (side, end) in ["on the left", "on the right"].into_iter().zip(model.foundation.ends) {
         let words = match end {
             GroundEnd::Endless => continue,
-            GroundEnd::Free { at } => format!("free at x = {}", units.position(at)),
-            GroundEnd::Held { at } => format!("held at x = {}", units.position(at)),
+            GroundEnd::Free { at } => format!("free at x = {}", given.position(at)),
+            GroundEnd::Held { at } => format!("held at x = {}", given.position(at)),
         };
         sheet.row("", &format!("{side} it ends, {words}"));
     }
@@ -213,8 +220,11 @@ pub(crate) fn structure(
         let words = format!("curve replaced by {chords} chords; the answer is for this polygon");
         sheet.row("Trough", &words);
     }
+    for warning in context.warnings {
+        sheet.toned_row("Caution", &clean(&warning.message), Tone::Doubtful);
+    }
     let beta = range(units, Kind::PerLength, found.beta);
-    let beta_length = significant(found.beta_length, 4);
+    let beta_length = units.ratio(found.beta_length);
     sheet.row("Stiffness", &format!("β = {beta}, βl = {beta_length}: {}", found.class()));
 }
 
@@ -225,11 +235,11 @@ pub(crate) fn shear(model: &Model, units: Units) -> Option<String> {
     let all: Vec<f64> =
         beam.shear_stiffness.into_iter().chain(ends(segments.into_iter())).collect();
     let first = *all.first()?;
-    let stiffness = spread(units, Kind::Constant, first, all.iter().copied());
+    let stiffness = spread(units.of_input(), Kind::Constant, first, all.iter().copied());
     let least = all.iter().copied().fold(f64::INFINITY, f64::min);
     let number = beam.bending_stiffness / least / (beam.length * beam.length);
     let part = if beam.shear_stiffness.is_none() { ", in segments" } else { "" };
-    Some(format!("it shears: GA = {stiffness}{part}, EI/(GA l²) = {}", significant(number, 4)))
+    Some(format!("it shears: GA = {stiffness}{part}, EI/(GA l²) = {}", units.ratio(number)))
 }
 
 /// A quantity that may vary: `2 MN`, or `1 to 3 MN`.
@@ -248,11 +258,10 @@ fn ends(profiles: impl Iterator<Item = Profile>) -> impl Iterator<Item = f64> {
 
 fn range(units: Units, kind: Kind, [low, high]: [f64; 2]) -> String {
     let unit = units.unit(kind, high);
-    let digits = if kind == Kind::PerLength { 4 } else { 6 };
     if low == high {
-        unit.write(high, digits)
+        unit.write(high)
     } else {
-        format!("{} to {}", unit.number(low, digits), unit.write(high, digits))
+        format!("{} to {}", unit.number(low), unit.write(high))
     }
 }
 

@@ -1,12 +1,13 @@
 //! The report of trains that pass, each alone: of one its own, of several a table of them and the envelope of all.
 
+use super::combinations::soil_of_each;
 use super::sheet::Sheet;
 use super::train::{cleaned, failures, limits, places, proof, ranges, train};
 use super::{COLUMNS, free_spans, structure, title};
 use crate::characteristics::Characteristics;
 use crate::context::{Context, clean};
 use crate::quantity::{Kind, Unit, Units};
-use groundbeam::Field;
+use groundbeam::{Field, Model};
 use groundbeam_run::{Ground, InPassage, Overall, Passage, Passages};
 
 /// Where the first number of an envelope may begin.
@@ -22,11 +23,14 @@ pub fn trains(passages: &Passages, context: &Context, colour: bool) -> String {
         Some((passage.model(), solution))
     });
     if let Some((model, solution)) = first {
-        structure(&mut sheet, model, &Characteristics::of(model, solution.existence()), context);
-        if context.ground.is_some_and(Ground::follows_solution) {
-            let words = "k and mu of each position are those that its own solution makes of it; \
-                         above stands the ground before anything is solved";
-            sheet.row("Soil", words);
+        let follows = context.ground.is_some_and(Ground::follows_solution);
+        let models = if follows { used_models(all) } else { vec![model] };
+        if let Some(found) = Characteristics::of_all(&models, solution.existence()) {
+            let ground = context.ground.filter(|_| !follows);
+            structure(&mut sheet, &models, &found, &Context { ground, ..*context });
+        }
+        if follows {
+            sheet.row("Soil", &soil_of_each("position", true));
         }
     }
     if let [passage] = all {
@@ -59,6 +63,11 @@ pub fn trains(passages: &Passages, context: &Context, colour: bool) -> String {
         proof(&mut sheet, all, context);
     }
     sheet.finish()
+}
+
+/// The models of all positions that were solved.
+pub(crate) fn used_models<'a>(all: &'a [Passage<'a>]) -> Vec<&'a Model> {
+    all.iter().flat_map(Passage::solved).map(|(_, solution)| solution.model()).collect()
 }
 
 /// What statics says of the ways of trains; with `colour`, with escape codes for a terminal.
@@ -98,21 +107,21 @@ fn table(sheet: &mut Sheet, all: &[Passage], units: Units) {
         units.unit(Kind::of(field), sizes.fold(0.0, |most, size| most.max(size.abs())))
     });
     let line = |first: &str, cells: [String; 4]| {
-        let cells: String = cells.iter().map(|cell| format!("{cell:>13}")).collect();
+        let cells: String = cells.iter().map(|cell| format!(" {cell:>12}")).collect();
         format!("{first:<24}{cells}")
     };
     let fields = COLUMNS.map(|(field, _)| field.label().to_lowercase());
     sheet.heading(&line("   #   positions", fields));
     let words = COLUMNS.map(|(_, largest)| if largest { "largest" } else { "smallest" }.to_owned());
     sheet.heading(&line("", words));
-    if units == Units::Si {
+    if !units.is_plain() {
         sheet.heading(&line("", units_of_columns.map(|unit| unit.name.to_owned())));
     }
     for (i, (passage, values)) in all.iter().zip(&values).enumerate() {
         let count = passage.solved().count();
         let first = format!("{:>4}{count:>12}", i + 1);
         let cells = [0, 1, 2, 3].map(|column| match values[column] {
-            Some(value) => units_of_columns[column].number(value, 5),
+            Some(value) => units_of_columns[column].number(value),
             None => "none".to_owned(),
         });
         sheet.line(&line(&first, cells));
@@ -134,8 +143,9 @@ fn of_limit_states(sheet: &mut Sheet, passages: &Passages, units: Units) {
 /// Extremes of all, each with the number of the passage, the section, and the position of the first axle.
 fn envelope(sheet: &mut Sheet, heading: &str, passages: &Passages, units: Units) {
     let columns = |first: &str, a: [&str; 4], b: [&str; 4]| {
-        let cell =
-            |[value, x, train, which]: [&str; 4]| format!("{value:>13}{x:>8}{train:>8}{which:>4}");
+        let cell = |[value, x, train, which]: [&str; 4]| {
+            format!("{value:>13} {x:>8} {train:>8}{which:>3}")
+        };
         format!("{first:<13}{}{}", cell(a), cell(b))
     };
     let words = |largest| [largest, "at", "train", "#"];
@@ -154,18 +164,18 @@ fn envelope(sheet: &mut Sheet, heading: &str, passages: &Passages, units: Units)
         let [min, max] = known.map(|governing| governing.located.value);
         let unit = units.unit(Kind::of(field), min.abs().max(max.abs()));
         if min == max {
-            let value = unit.write(min, 5);
+            let value = unit.write(min);
             sheet.row(field.label(), &format!("{value:>13} everywhere, always"));
             continue;
         }
         let [a, b] = known.map(|InPassage { located, passage }| {
-            let place = |x: f64| units.write(Kind::Position, x, 3);
+            let place = |x: f64| units.write(Kind::Position, x);
             let which = (passage + 1).to_string();
-            [unit.write(located.value, 5), place(located.x), place(located.first_axle), which]
+            [unit.write(located.value), place(located.x), place(located.first_axle), which]
         });
         let cells = |cells: &[String; 4]| -> String {
             let [value, x, train, which] = cells;
-            format!("{value:>13}{x:>8}{train:>8}{which:>4}")
+            format!("{value:>13} {x:>8} {train:>8}{which:>3}")
         };
         sheet.line(&format!("{:<13}{}{}", field.label(), cells(&a), cells(&b)));
     }
@@ -185,8 +195,8 @@ fn uplift(sheet: &mut Sheet, all: &[Passage], units: Units) {
             each.reduce(|most, other| if other.1.value > most.1.value { other } else { most });
         let words = match most {
             Some((number, gap)) if gap.value != 0.0 => {
-                let [x, at] = [gap.x, gap.first_axle].map(|x| units.write(Kind::Position, x, 4));
-                let value = units.write(Kind::Deflection, gap.value, 4);
+                let [x, at] = [gap.x, gap.first_axle].map(|x| units.write(Kind::Position, x));
+                let value = units.write(Kind::Deflection, gap.value);
                 format!(
                     "{place} up to {value}, at {x} with the first axle at {at}, #{}",
                     number + 1

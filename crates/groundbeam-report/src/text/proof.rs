@@ -3,7 +3,7 @@
 use super::sheet::{Sheet, Tone};
 use crate::number::{above, significant};
 use crate::numbers::Numbers;
-use crate::quantity::Units;
+use crate::quantity::{Kind, Unit, Units};
 use crate::verified::{LeftOut, ModelOf, Named, Verified};
 use groundbeam::Solution;
 use groundbeam::proof::{Bound, NotProven, Verification};
@@ -154,22 +154,21 @@ fn verdict(sheet: &mut Sheet, named: &Named, found: &Verification, errors: &str)
 
 /// Each bound with the scale with which it is compared.
 fn bounds(sheet: &mut Sheet, found: &Verification, units: Units) {
-    let written = |Bound { error, scale }: Bound, unit: &str| {
-        let unit = if unit.is_empty() { String::new() } else { format!(" {unit}") };
-        format!("± {}{unit}, scale {}{unit}", above(error), significant(scale, 3))
+    let written = |Bound { error, scale }: Bound, unit: Unit| {
+        format!("± {}, scale {}", bound_in(unit, error), unit.with_digits(3).write(scale))
     };
     energy(sheet, found, units);
     for (name, bound) in found.named() {
-        sheet.row(label(name), &written(bound, units_of(units, name)));
+        sheet.row(label(name), &written(bound, unit_of(units, name)));
     }
 }
 
 /// The energy of the error, and the strain energy.
 fn energy(sheet: &mut Sheet, found: &Verification, units: Units) {
-    let (proof, unit) = (&found.proof, units_of(units, "energy"));
-    let [error, strain] = [above(proof.energy), significant(proof.strain_energy, 3)];
-    let words = format!("error at most {error} {unit}, strain energy {strain} {unit}");
-    sheet.row("Energy", words.replace(" ,", ",").trim_end());
+    let (proof, unit) = (&found.proof, units.column(Kind::Moment));
+    let strain = unit.with_digits(3).write(proof.strain_energy);
+    let words = format!("error at most {}, strain energy {strain}", bound_in(unit, proof.energy));
+    sheet.row("Energy", &words);
 }
 
 fn label(name: &str) -> &'static str {
@@ -189,16 +188,22 @@ fn label(name: &str) -> &'static str {
     }
 }
 
-/// The unit of a bound; empty in a system of its own.
-fn units_of(units: Units, name: &str) -> &'static str {
-    match (units, name) {
-        (Units::Plain, _) => "",
-        (_, "deflection" | "settlement" | "gap" | "edges") => "m",
-        (_, "slope" | "rotation") => "rad",
-        (_, "moment" | "reaction_moments" | "energy") => "N m",
-        (_, "pressure") => "N/m",
-        _ => "N",
-    }
+/// The unit of a bound.
+fn unit_of(units: Units, name: &str) -> Unit {
+    units.column(match name {
+        "deflection" | "settlement" | "gap" => Kind::Deflection,
+        "edges" => Kind::Position,
+        "slope" | "rotation" => Kind::Slope,
+        "moment" | "reaction_moments" => Kind::Moment,
+        "pressure" => Kind::Pressure,
+        _ => Kind::Force,
+    })
+}
+
+/// A bound in a unit, rounded up.
+fn bound_in(unit: Unit, error: f64) -> String {
+    let number = above(unit.upper(error));
+    format!("{number} {}", unit.name).trim_end().to_owned()
 }
 
 /// How much was compared, and what was not.

@@ -75,11 +75,11 @@ fn lift_off(sheet: &mut Sheet, solution: &Solution, numbers: &Numbers) {
 /// `from 0 to 10.2 m`
 pub(super) fn between(units: Units, from: f64, to: f64) -> String {
     let unit = units.unit(Kind::Position, to);
-    format!("from {} to {}", unit.number(from, 6), unit.write(to, 6))
+    format!("from {} to {}", unit.number(from), unit.write(to))
 }
 
 pub(crate) fn forces(sheet: &mut Sheet, solution: &Solution, numbers: &Numbers) {
-    let (units, sizes) = (numbers.units, numbers.sizes());
+    let (units, sizes) = (numbers.units.of_input(), numbers.sizes());
     let ends = solution.end_forces();
     let [left, right] = [numbers.end_force(0, ends.left), numbers.end_force(1, ends.right)];
     sheet.row("End forces", &format!("left {left}, right {right}"));
@@ -100,7 +100,7 @@ pub(crate) fn forces(sheet: &mut Sheet, solution: &Solution, numbers: &Numbers) 
         };
         let settled = match support.settlement {
             0.0 => String::new(),
-            by => format!(", settled by {},", units.write(Kind::Deflection, by, 6)),
+            by => format!(", settled by {},", units.write(Kind::Deflection, by)),
         };
         let one_way = match support.acts {
             Acts::Both => "",
@@ -142,7 +142,7 @@ pub(crate) fn forces(sheet: &mut Sheet, solution: &Solution, numbers: &Numbers) 
 
 fn extremes(sheet: &mut Sheet, solution: &Solution, numbers: &Numbers) {
     let (units, sizes) = (numbers.units, numbers.sizes());
-    sheet.heading(&format!("{:<13}{:>17}{:>30}", "", "smallest", "largest"));
+    sheet.heading(&format!("{:<13}{:>17}{:>31}", "", "smallest", "largest"));
     for field in Field::of(&solution.model().beam) {
         let range = solution.range(field);
         let (min, max) = (sizes.extreme(field, range.min), sizes.extreme(field, range.max));
@@ -153,7 +153,7 @@ fn extremes(sheet: &mut Sheet, solution: &Solution, numbers: &Numbers) {
             } else {
                 format!("at {}", units.position(extreme.x))
             };
-            format!("{:>17} {place:<12}", unit.write(extreme.value, 6))
+            format!("{:>17} {place:<12} ", unit.write(extreme.value))
         };
         sheet.row(field.label(), &format!("{}{}", cell(min), cell(max)));
     }

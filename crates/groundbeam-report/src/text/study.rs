@@ -35,7 +35,7 @@ pub fn study(study: &Study, context: &Context, colour: bool) -> String {
     sheet.row("Solved", &words);
     sheet.blank();
     sheet.heading(&format!(
-        "{:<34}{:>10}{:>12}{:>23}",
+        "{:<33} {:>10} {:>11} {:>22}",
         "Event", "samples", "probability", "95 % interval"
     ));
     for Estimate { name, count, probability, interval, .. } in &study.events {
@@ -44,13 +44,13 @@ pub fn study(study: &Study, context: &Context, colour: bool) -> String {
         let name = shortened(&clean(name), 33);
         let probability = significant(*probability, digits.max(4));
         sheet.line(&format!(
-            "{name:<34}{count:>10}{probability:>12}{:>23}",
+            "{name:<33} {count:>10} {probability:>11} {:>22}",
             format!("{low} to {high}")
         ));
     }
     sheet.blank();
     sheet.heading(&format!(
-        "{:<26}{:>11}{:>11}{:>11}{:>10}{:>10}",
+        "{:<25} {:>10} {:>10} {:>10} {:>9} {:>9}",
         "", "mean", "deviation", "5 %", "50 %", "95 %"
     ));
     for spread in &study.spreads {
@@ -82,11 +82,11 @@ pub fn study(study: &Study, context: &Context, colour: bool) -> String {
 fn line(spread: &Spread, units: Units) -> String {
     let (kind, largest) = (spread.kind, spread.largest());
     let number = |value: f64| match kind {
-        Some(kind) => units.unit(kind, largest).number(value, 4),
-        None => significant(value, 4),
+        Some(kind) => units.unit(kind, largest).number(value),
+        None => units.ratio(value),
     };
     let unit = kind.map_or(String::new(), |kind| units.unit(kind, largest).bracketed());
-    let label = shortened(&(spread.label() + &unit), 26);
+    let label = shortened(&(spread.label() + &unit), 25);
     let [mean, deviation, low, middle, high] = [
         spread.mean,
         spread.deviation,
@@ -95,7 +95,7 @@ fn line(spread: &Spread, units: Units) -> String {
         spread.quantiles[3],
     ]
     .map(number);
-    format!("{label:<26}{mean:>11}{deviation:>11}{low:>11}{middle:>10}{high:>10}")
+    format!("{label:<25} {mean:>10} {deviation:>10} {low:>10} {middle:>9} {high:>9}")
 }
 
 /// So many characters of it at most.

@@ -72,26 +72,27 @@ pub(crate) fn head(sheet: &mut Sheet, passage: &Passage, units: Units) {
         words += &format!(", spread load {}", spread.name());
     }
     let force: f64 = train.axles.iter().map(|axle| axle.force).sum();
-    let force = units.write(Kind::Force, force, 6);
+    let given = units.of_input();
+    let force = given.write(Kind::Force, force);
     words += &match train.axles.len() {
         0 => String::new(),
         1 => format!(": one axle of {force}"),
         count => {
-            let length = units.position(train.length());
+            let length = given.position(train.length());
             format!(": {count} axles, {force} together, over {length}")
         }
     };
     for part in &train.uniform {
-        words += &format!(", {}", units.write(Kind::Pressure, part.intensity, 6));
+        words += &format!(", {}", given.write(Kind::Pressure, part.intensity));
         if part.from.is_finite() {
-            words += &format!(" from {}", units.position(part.from));
+            words += &format!(" from {}", given.position(part.from));
         }
         if part.to.is_finite() {
-            words += &format!(" to {}", units.position(part.to));
+            words += &format!(" to {}", given.position(part.to));
         }
     }
     sheet.row("Train", &words);
-    let [from, to] = range.map(|x| units.position(x));
+    let [from, to] = range.map(|x| given.position(x));
     sheet.row("", &format!("the first axle goes from {from} to {to}"));
 }
 
@@ -139,7 +140,7 @@ pub(crate) fn failures(sheet: &mut Sheet, passage: &Passage, whose: &str, units:
 /// Extremes with their places on the beam and those of the first axle.
 fn envelope(sheet: &mut Sheet, passage: &Passage, units: Units) {
     let columns = |first: &str, a: [&str; 3], b: [&str; 3]| {
-        let cell = |[value, x, train]: [&str; 3]| format!("{value:>15}{x:>9}{train:>9}");
+        let cell = |[value, x, train]: [&str; 3]| format!("{value:>14} {x:>9} {train:>9}");
         format!("{first:<13}{}{}", cell(a), cell(b))
     };
     let words = |largest| [largest, "at", "train at"];
@@ -150,17 +151,17 @@ fn envelope(sheet: &mut Sheet, passage: &Passage, units: Units) {
         let [min, max] = known;
         let unit = units.unit(Kind::of(field), min.value.abs().max(max.value.abs()));
         if min.value == max.value {
-            let value = unit.write(min.value, 6);
-            sheet.row(field.label(), &format!("{value:>15} everywhere, always"));
+            let value = unit.write(min.value);
+            sheet.row(field.label(), &format!("{value:>14} everywhere, always"));
             continue;
         }
         let cells = known.map(|Located { x, value, first_axle }| {
-            let place = |x: f64| units.write(Kind::Position, x, 4);
-            [unit.write(value, 6), place(x), place(first_axle)]
+            let place = |x: f64| units.write(Kind::Position, x);
+            [unit.write(value), place(x), place(first_axle)]
         });
         let [a, b] = &cells;
         let of = |cell: &[String; 3]| -> String {
-            format!("{:>15}{:>9}{:>9}", cell[0], cell[1], cell[2])
+            format!("{:>14} {:>9} {:>9}", cell[0], cell[1], cell[2])
         };
         sheet.line(&format!("{:<13}{}{}", field.label(), of(a), of(b)));
     }
@@ -184,8 +185,8 @@ pub(crate) fn uplift(sheet: &mut Sheet, passage: &Passage, units: Units) {
     for (i, (place, gap)) in rows.into_iter().enumerate() {
         let words = match gap.map(|gap| cleaned(passage, Field::Gap, gap)) {
             Some(gap) if gap.value != 0.0 => {
-                let [x, at] = [gap.x, gap.first_axle].map(|x| units.write(Kind::Position, x, 4));
-                let value = units.write(Kind::Deflection, gap.value, 4);
+                let [x, at] = [gap.x, gap.first_axle].map(|x| units.write(Kind::Position, x));
+                let value = units.write(Kind::Deflection, gap.value);
                 format!("{place} up to {value}, at {x} with the first axle at {at}")
             }
             _ => format!("{place} none"),

@@ -121,12 +121,12 @@ mod tests {
         ];
         for (model, said, moving, mended) in cases {
             let existence = groundbeam::exists(&model).unwrap();
-            let found = sentence(&model, &existence, Units::Plain);
+            let found = sentence(&model, &existence, Units::PLAIN);
             assert!(found.contains(said), "{found}");
             if let Verdict::None(motion) = existence.verdict {
-                let found = written(&model, motion, Units::Plain);
+                let found = written(&model, motion, Units::PLAIN);
                 assert!(found.contains(moving), "{found}");
-                let found = remedy(motion, Units::Plain).unwrap();
+                let found = remedy(motion, Units::PLAIN).unwrap();
                 assert!(found.contains(mended), "{found}");
             }
         }

@@ -28,8 +28,8 @@ pub fn document(name: &str) -> Document {
 
 pub fn context(document: &Document) -> Context<'_> {
     let units = match document.units {
-        UnitSystem::Si => Units::Si,
-        UnitSystem::Plain => Units::Plain,
+        UnitSystem::Si => Units::SI,
+        UnitSystem::Plain => Units::PLAIN,
     };
     Context { title: document.title.as_deref(), ..Context::new(units) }.with_seconds(0.0015)
 }

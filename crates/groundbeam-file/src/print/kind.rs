@@ -1,84 +1,6 @@
-//! The unit in which a quantity is written.
+//! The kinds of printed quantities, and the metric units in which each kind is printed.
 
-use crate::number::significant;
 use groundbeam::{Dimension, Field};
-use groundbeam_file::UnitSystem;
-
-/// How numbers are written.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Units {
-    /// The model is in m, N and rad; people read kN and mm.
-    Si,
-    /// The numbers are one consistent system, whichever; no unit is written.
-    Plain,
-}
-
-impl From<UnitSystem> for Units {
-    /// Results are written as the quantities of the file are.
-    fn from(of: UnitSystem) -> Self {
-        match of {
-            UnitSystem::Si => Units::Si,
-            UnitSystem::Plain => Units::Plain,
-        }
-    }
-}
-
-impl Units {
-    /// The name that results use: `SI` or `none`.
-    pub fn name(self) -> &'static str {
-        match self {
-            Units::Si => "SI",
-            Units::Plain => "none",
-        }
-    }
-
-    /// The unit in which a quantity of at most this size reads well.
-    pub(crate) fn unit(self, kind: Kind, largest: f64) -> Unit {
-        if self == Units::Plain {
-            return Unit { name: "", size: 1.0 };
-        }
-        let ladder = kind.ladder();
-        let size = if largest == 0.0 { kind.usual() } else { largest.abs() };
-        let fits = ladder.iter().find(|rung| size >= rung.from);
-        let rung = fits.or(ladder.last()).unwrap_or(&BARE);
-        Unit { name: rung.name, size: rung.size }
-    }
-
-    /// A quantity in a unit of its own choice: `600 kN`.
-    pub(crate) fn write(self, kind: Kind, value: f64, digits: usize) -> String {
-        self.unit(kind, value).write(value, digits)
-    }
-
-    /// A position along the beam.
-    pub(crate) fn position(self, x: f64) -> String {
-        self.write(Kind::Position, x, 6)
-    }
-}
-
-/// A unit with its size in m, N and rad.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Unit {
-    /// Empty for plain numbers.
-    pub name: &'static str,
-    pub size: f64,
-}
-
-impl Unit {
-    /// The number alone.
-    pub fn number(self, value: f64, digits: usize) -> String {
-        significant(value / self.size, digits)
-    }
-
-    pub fn write(self, value: f64, digits: usize) -> String {
-        let number = self.number(value, digits);
-        if self.name.is_empty() { number } else { format!("{number} {}", self.name) }
-    }
-
-    /// ` [kN]`, or nothing.
-    pub fn bracketed(self) -> String {
-        if self.name.is_empty() { String::new() } else { format!(" [{}]", self.name) }
-    }
-}
 
 macro_rules! kinds {
     ($($(#[$doc:meta])* $name:ident,)*) => {
@@ -89,7 +11,7 @@ macro_rules! kinds {
         }
 
         impl Kind {
-            const ALL: &[Kind] = &[$(Kind::$name),*];
+            pub(super) const ALL: &[Kind] = &[$(Kind::$name),*];
         }
     };
 }
@@ -123,6 +45,27 @@ kinds! {
     PerLength,
 }
 
+/// Nothing at all has the unit of a value of this size among the technical units.
+pub(super) const TECHNICAL: f64 = 1e4;
+
+/// One tonne-force, 1000 × 9.806 65 N.
+const TF: f64 = 9806.65;
+const KGF: f64 = 9.80665;
+
+/// Units with the kilogram-force: the tonne-force from a tenth of it on.
+macro_rules! technical {
+    ($tonnes:literal, $kilograms:literal) => {
+        Some(const { &[rung(0.1 * TF, TF, $tonnes), rung(0.0, KGF, $kilograms)] })
+    };
+}
+
+/// The name and the size of the first unit of a ladder for a value of this size.
+pub(super) fn fitting(ladder: &[Rung], size: f64) -> (&'static str, f64) {
+    let fits = ladder.iter().find(|rung| size >= rung.from);
+    let rung = fits.or(ladder.last()).unwrap_or(&BARE);
+    (rung.name, rung.size)
+}
+
 impl Kind {
     /// What a field measures.
     pub fn of(field: Field) -> Self {
@@ -136,7 +79,7 @@ impl Kind {
     }
 
     /// Of this size is what people look at; it gives nothing at all its unit.
-    fn usual(self) -> f64 {
+    pub(super) fn usual(self) -> f64 {
         match self {
             Kind::Deflection | Kind::Slope => 1e-3,
             Kind::Moment | Kind::Force | Kind::Pressure => 1e3,
@@ -144,8 +87,33 @@ impl Kind {
         }
     }
 
+    /// The power of length beside the force, of a quantity with a force; nothing for others.
+    pub(super) fn power_of_length(self) -> Option<i32> {
+        match self {
+            Kind::BendingStiffness => Some(2),
+            Kind::Moment => Some(1),
+            Kind::Force | Kind::Constant => Some(0),
+            Kind::Pressure | Kind::AreaShear => Some(-1),
+            Kind::Spring | Kind::Stress => Some(-2),
+            Kind::AreaSpring => Some(-3),
+            Kind::Position | Kind::Deflection | Kind::Slope | Kind::PerLength => None,
+        }
+    }
+
+    /// The units with the kilogram-force; none for quantities without a force.
+    pub(super) fn technical(self) -> Option<&'static [Rung]> {
+        match self.power_of_length()? {
+            2 => technical!("tf m²", "kgf m²"),
+            1 => technical!("tf m", "kgf m"),
+            0 => technical!("tf", "kgf"),
+            -1 => technical!("tf/m", "kgf/m"),
+            -2 => technical!("tf/m²", "kgf/m²"),
+            _ => technical!("tf/m³", "kgf/m³"),
+        }
+    }
+
     /// From the largest unit to the smallest; the last one serves everything below.
-    fn ladder(self) -> &'static [Rung] {
+    pub(super) fn ladder(self) -> &'static [Rung] {
         match self {
             Kind::Position => const { &[rung(0.0, 1.0, "m")] },
             // Engineers read settlements in millimetres, from hundredths to a metre.
@@ -259,67 +227,14 @@ impl Kind {
 }
 
 /// A unit and the smallest value it is used for.
-struct Rung {
+pub(super) struct Rung {
     from: f64,
-    size: f64,
-    name: &'static str,
+    pub size: f64,
+    pub name: &'static str,
 }
 
 const fn rung(from: f64, size: f64, name: &'static str) -> Rung {
     Rung { from, size, name }
 }
 
-const BARE: Rung = rung(0.0, 1.0, "");
-
-/// The units of a time on a clock.
-const TIMES: [&str; 3] = ["µs", "ms", "s"];
-
-/// A time on a clock.
-pub(crate) fn duration(seconds: f64) -> String {
-    let [micro, milli, whole] = TIMES;
-    if seconds < 1e-3 {
-        format!("{:.0} {micro}", seconds * 1e6)
-    } else if seconds < 1.0 {
-        format!("{} {milli}", significant(seconds * 1e3, 2))
-    } else {
-        format!("{} {whole}", significant(seconds, 3))
-    }
-}
-
-/// Every unit that may be written behind a number.
-pub(crate) fn units() -> impl Iterator<Item = &'static str> {
-    let of_quantities = Kind::ALL.iter().flat_map(|kind| kind.ladder().iter());
-    of_quantities.map(|rung| rung.name).chain(TIMES)
-}
-
-/// Whether these words are a unit, or the first word of one; a moment may be one per radian.
-pub(crate) fn is_unit(words: &str) -> bool {
-    let words = words.strip_suffix("/rad").unwrap_or(words);
-    units().any(|unit| unit == words || unit.split(' ').next() == Some(words))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn units_an_engineer_expects() {
-        let cases = [
-            (Kind::Force, 600e3, "600 kN"),
-            (Kind::Force, -12.5, "-12.5 N"),
-            (Kind::Force, 1.44e6, "1440 kN"),
-            (Kind::Force, 2.5e8, "250 MN"),
-            (Kind::Deflection, 2e-3, "2 mm"),
-            (Kind::Deflection, 0.2, "200 mm"),
-            (Kind::Deflection, 3e-13, "3e-13 m"),
-            (Kind::BendingStiffness, 1.2e9, "1.2 GN m²"),
-            (Kind::Spring, 40e6, "40 MN/m²"),
-            (Kind::Constant, 9e6, "9 MN"),
-            (Kind::Moment, 0.0, "0 kN m"),
-        ];
-        for (kind, value, text) in cases {
-            assert_eq!(Units::Si.write(kind, value, 6), text);
-        }
-        assert_eq!(Units::Plain.write(Kind::Force, 600e3, 6), "600000");
-    }
-}
+pub(super) const BARE: Rung = rung(0.0, 1.0, "");

@@ -1,0 +1,334 @@
+//! A quantity becomes text here: its unit, its digits, and its sign.
+//!
+//! The units of a file decide the units of what is printed. A file in feet and kips prints feet and kips.
+
+mod kind;
+pub mod number;
+mod us;
+
+pub use kind::Kind;
+pub use us::UsUnits;
+
+use crate::unit::Marks;
+use crate::units::Seen;
+use crate::units::UnitSystem;
+use kind::{BARE, TECHNICAL};
+use number::significant;
+
+/// The digits of a result.
+pub const RESULT_DIGITS: usize = 4;
+/// The digits of an input.
+const INPUT_DIGITS: usize = 6;
+
+/// The units in which quantities are printed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum System {
+    /// The numbers are one consistent system, whichever; no unit is printed.
+    Plain,
+    /// kN, m, mm, MPa.
+    Si,
+    /// tf, m, mm: the metric system with the kilogram-force.
+    Technical,
+    /// ft, in, kip, ksf.
+    Us(UsUnits),
+}
+
+/// The units that a user asks for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Asked {
+    /// Those of the file.
+    #[default]
+    File,
+    /// SI units.
+    Si,
+    /// US units.
+    Us,
+}
+
+/// The units and the digits with which quantities are printed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct Units {
+    system: System,
+    digits: usize,
+}
+
+impl From<UnitSystem> for Units {
+    /// SI units, or none.
+    fn from(of: UnitSystem) -> Self {
+        match of {
+            UnitSystem::Si => Units::SI,
+            UnitSystem::Plain => Units::PLAIN,
+        }
+    }
+}
+
+impl Units {
+    /// SI units.
+    pub const SI: Units = Units::new(System::Si);
+    /// No units.
+    pub const PLAIN: Units = Units::new(System::Plain);
+    /// US units.
+    pub const US: Units = Units::new(System::Us(UsUnits::USUAL));
+
+    const fn new(system: System) -> Self {
+        Units { system, digits: RESULT_DIGITS }
+    }
+
+    /// The units of what a file contains.
+    pub(crate) fn of(system: UnitSystem, quantities: &[Seen]) -> Self {
+        let count = |any: Marks| quantities.iter().filter(|seen| seen.marks.has_any(any)).count();
+        let (us, newton) = (count(Marks::US), count(Marks::NEWTON));
+        let (metre, technical) = (count(Marks::METRE), count(Marks::TECHNICAL));
+        match system {
+            UnitSystem::Plain => Units::PLAIN,
+            UnitSystem::Si if us > metre.max(newton).max(technical) => {
+                Units::new(System::Us(UsUnits::of(quantities)))
+            }
+            UnitSystem::Si if technical > newton => Units::new(System::Technical),
+            UnitSystem::Si => Units::SI,
+        }
+    }
+
+    /// The units that a user asks for in place of those of the file; none for a file without units.
+    pub fn in_system(self, asked: Asked) -> Option<Self> {
+        let system = match (asked, self.system) {
+            (Asked::File, own) => own,
+            (_, System::Plain) => return None,
+            (Asked::Si, _) => System::Si,
+            (Asked::Us, own @ System::Us(_)) => own,
+            (Asked::Us, _) => System::Us(UsUnits::USUAL),
+        };
+        Some(Units { system, ..self })
+    }
+
+    /// The same units with so many digits for results.
+    pub fn with_digits(self, digits: usize) -> Self {
+        Units { digits, ..self }
+    }
+
+    /// The same units with the digits of inputs.
+    pub fn of_input(self) -> Self {
+        self.with_digits(self.digits.max(INPUT_DIGITS))
+    }
+
+    /// The digits of a result.
+    pub fn digits(self) -> usize {
+        self.digits
+    }
+
+    /// Whether numbers are one consistent system without units.
+    pub fn is_plain(self) -> bool {
+        self.system == System::Plain
+    }
+
+    /// The name that documents of results use, whose numbers are in SI units or in the file's own system: `SI` or `none`.
+    pub fn name(self) -> &'static str {
+        if self.is_plain() { "none" } else { "SI" }
+    }
+
+    /// The unit in which a quantity of at most this size reads well.
+    pub fn unit(self, kind: Kind, largest: f64) -> Unit {
+        let size = largest.abs();
+        let usual = |usual: f64| if size == 0.0 { usual } else { size };
+        let (name, size) = match self.system {
+            System::Plain => ("", 1.0),
+            System::Si => kind::fitting(kind.ladder(), usual(kind.usual())),
+            System::Technical => match kind.technical() {
+                Some(ladder) => kind::fitting(ladder, usual(TECHNICAL)),
+                None => kind::fitting(kind.ladder(), usual(kind.usual())),
+            },
+            System::Us(own) => own.unit(kind, size),
+        };
+        Unit { name, size, digits: self.digits }
+    }
+
+    /// The unit of a column of a table that programs read: one for every size.
+    pub fn column(self, kind: Kind) -> Unit {
+        match self.system {
+            _ if kind == Kind::Slope => Unit {
+                name: if self.is_plain() { "" } else { "rad" },
+                size: 1.0,
+                digits: self.digits,
+            },
+            System::Si => {
+                let base = kind.ladder().last().unwrap_or(&BARE);
+                Unit { name: base.name, size: base.size, digits: self.digits }
+            }
+            _ => self.unit(kind, 0.0),
+        }
+    }
+
+    /// A quantity in a unit of its own choice: `600 kN`.
+    pub fn write(self, kind: Kind, value: f64) -> String {
+        self.unit(kind, value).write(value)
+    }
+
+    /// A position along the beam.
+    pub fn position(self, x: f64) -> String {
+        self.write(Kind::Position, x)
+    }
+
+    /// Plain numbers with a word behind them.
+    pub fn plain(self, name: &'static str) -> Unit {
+        Unit { name, size: 1.0, digits: self.digits }
+    }
+
+    /// Parts of a whole.
+    pub fn percent(self) -> Unit {
+        Unit { name: "%", size: 0.01, digits: self.digits }
+    }
+
+    /// A plain number.
+    pub fn ratio(self, value: f64) -> String {
+        significant(value, self.digits)
+    }
+
+    /// What is printed behind a moment per angle.
+    pub fn per_radian(self) -> &'static str {
+        if self.is_plain() { "" } else { "/rad" }
+    }
+}
+
+/// A unit with its size in m, N and rad, and the digits of its numbers.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Unit {
+    /// Empty for plain numbers.
+    pub name: &'static str,
+    /// Its size in m, N and rad.
+    pub size: f64,
+    /// The significant digits of numbers in this unit.
+    pub digits: usize,
+}
+
+impl Unit {
+    /// The number alone.
+    pub fn number(self, value: f64) -> String {
+        significant(value / self.size, self.digits)
+    }
+
+    /// The number and the unit.
+    pub fn write(self, value: f64) -> String {
+        let number = self.number(value);
+        if self.name.is_empty() { number } else { format!("{number} {}", self.name) }
+    }
+
+    /// An upper bound of a bound in this unit. A unit that is a power of ten divides exactly as a decimal.
+    pub fn upper(self, bound: f64) -> f64 {
+        if self.size == 1.0 {
+            bound
+        } else {
+            (bound / self.size * (1.0 + 4.0 * f64::EPSILON)).next_up()
+        }
+    }
+
+    /// The power of ten that this unit is, if it is one.
+    pub fn power_of_ten(self) -> Option<i32> {
+        let text = format!("{:e}", self.size);
+        text.strip_prefix("1e").and_then(|power| power.parse().ok())
+    }
+
+    /// The same unit with so many digits.
+    pub fn with_digits(self, digits: usize) -> Self {
+        Unit { digits, ..self }
+    }
+
+    /// The same unit with the digits of inputs.
+    pub fn of_input(self) -> Self {
+        self.with_digits(self.digits.max(INPUT_DIGITS))
+    }
+
+    /// ` [kN]`, or nothing.
+    pub fn bracketed(self) -> String {
+        if self.name.is_empty() { String::new() } else { format!(" [{}]", self.name) }
+    }
+}
+
+/// The units of a time on a clock.
+const TIMES: [&str; 3] = ["µs", "ms", "s"];
+
+/// A time on a clock.
+pub fn duration(seconds: f64) -> String {
+    let [micro, milli, whole] = TIMES;
+    if seconds < 1e-3 {
+        format!("{:.0} {micro}", seconds * 1e6)
+    } else if seconds < 1.0 {
+        format!("{} {milli}", significant(seconds * 1e3, 2))
+    } else {
+        format!("{} {whole}", significant(seconds, 3))
+    }
+}
+
+/// Every unit that may be written behind a number.
+pub fn units() -> impl Iterator<Item = &'static str> {
+    let metric = |kind: &Kind| kind.ladder().iter().chain(kind.technical().unwrap_or_default());
+    let of_quantities = Kind::ALL.iter().flat_map(metric).map(|rung| rung.name);
+    of_quantities.chain(us::names()).chain(TIMES)
+}
+
+/// Whether these words are a unit, or the first word of one; a moment may be one per radian.
+pub fn is_unit(words: &str) -> bool {
+    let words = words.strip_suffix("/rad").unwrap_or(words);
+    units().any(|unit| unit == words || unit.split(' ').next() == Some(words))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn units_an_engineer_expects() {
+        let cases = [
+            (Kind::Force, 600e3, "600 kN"),
+            (Kind::Force, -12.5, "−12.5 N"),
+            (Kind::Force, 1.44e6, "1440 kN"),
+            (Kind::Force, 2.5e8, "250 MN"),
+            (Kind::Force, 12_345_678.0, "12350 kN"),
+            (Kind::Deflection, 2e-3, "2 mm"),
+            (Kind::Deflection, 0.2, "200 mm"),
+            (Kind::Deflection, 3e-13, "3e−13 m"),
+            (Kind::BendingStiffness, 1.2e9, "1.2 GN m²"),
+            (Kind::Spring, 40e6, "40 MN/m²"),
+            (Kind::Constant, 9e6, "9 MN"),
+            (Kind::Moment, 0.0, "0 kN m"),
+        ];
+        for (kind, value, text) in cases {
+            assert_eq!(Units::SI.write(kind, value), text);
+        }
+        assert_eq!(Units::PLAIN.write(Kind::Force, 600e3), "600000");
+        assert_eq!(Units::SI.of_input().write(Kind::Force, 123_456.0), "123.456 kN");
+        assert_eq!(Units::SI.with_digits(8).of_input().digits(), 8);
+    }
+
+    /// The units of `length`, a point load, a gap and `k` decide what is printed.
+    #[test]
+    fn the_units_of_a_file_decide() {
+        let file = |length: &str, load: &str, k: &str| {
+            let text = format!(
+                "[beam]\nlength = {length}\nE = '30 GPa'\nI = '0.01 m^4'\n[foundation]\nk = '{k}'\n\
+                 [[load]]\npoint = '{load}'\nat = 0\n[[gap]]\nat = 0\nvalue = '0.001 in'\n"
+            );
+            crate::parse(&text).unwrap().printed
+        };
+        let us = file("'12 ft'", "5 kip", "100 ksf");
+        let printed = [
+            us.write(Kind::Position, 3.048),
+            us.write(Kind::Deflection, 0.0254),
+            us.write(Kind::Force, 44_482.216_152_605),
+            us.write(Kind::Moment, 1_355.817_948_331_4),
+            us.write(Kind::Spring, 4_788_025.898_034),
+            us.write(Kind::Slope, 2e-3),
+        ];
+        assert_eq!(printed, ["10 ft", "1 in", "10 kip", "1 kip-ft", "100 ksf", "2 mrad"]);
+        assert_eq!(
+            file("'12 ft'", "5 kip", "500 psi").write(Kind::Spring, 6_894_757.293),
+            "1000 psi"
+        );
+        assert_eq!(
+            file("'12 in'", "5 lbf", "500 psi").write(Kind::Force, 4_448.221_615),
+            "1000 lbf"
+        );
+        assert_eq!(file("'12 m'", "5 kN", "40 MN/m^2"), Units::SI);
+        let technical = file("'12 m'", "5 tf", "40 tf/m^2");
+        assert_eq!(technical.write(Kind::Moment, 98_066.5), "10 tf m");
+    }
+}

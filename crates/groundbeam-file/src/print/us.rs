@@ -1,0 +1,93 @@
+//! The US units in which results are printed: kips or pounds, with feet or inches as the file has them.
+
+use super::Kind;
+use crate::unit::Marks;
+use crate::units::Seen;
+
+const INCH: f64 = 0.0254;
+const FOOT: f64 = 0.3048;
+/// 0.453 592 37 kg × 9.806 65 m/s².
+const POUND: f64 = 4.448_221_615_260_5;
+
+/// The choices among US units.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct UsUnits {
+    /// The kinds of quantity that are printed with inches, one bit each.
+    inches: u16,
+    /// Whether forces are printed in pounds at every size.
+    pounds: bool,
+}
+
+/// Names by the power of length from −3 on: pounds and inches, kips and inches, pounds and feet, kips and feet.
+const NAMES: [[&str; 4]; 6] = [
+    ["pci", "kci", "pcf", "kcf"],
+    ["psi", "ksi", "psf", "ksf"],
+    ["lbf/in", "kip/in", "lbf/ft", "kip/ft"],
+    ["lbf", "kip", "lbf", "kip"],
+    ["lbf-in", "kip-in", "lbf-ft", "kip-ft"],
+    ["lbf-in²", "kip-in²", "lbf-ft²", "kip-ft²"],
+];
+
+impl UsUnits {
+    /// Feet for lengths, inches for deflections, pci for the modulus of the ground, kips.
+    pub(super) const USUAL: UsUnits =
+        UsUnits { inches: bit(Kind::Deflection) | bit(Kind::AreaSpring), pounds: false };
+
+    /// The choices that follow from a file. Each kind of quantity has the length that its units have most often. A file
+    /// without feet is printed in inches.
+    pub(super) fn of(quantities: &[Seen]) -> Self {
+        let count = |kind: Option<Kind>, marks: Marks| {
+            let of_kind = |seen: &&Seen| kind.is_none() || seen.kind.printed == kind;
+            quantities.iter().filter(of_kind).filter(|seen| seen.marks.has_any(marks)).count()
+        };
+        let has_feet = count(None, Marks::FOOT) > 0;
+        let mut inches = bit(Kind::Deflection);
+        for &kind in Kind::ALL {
+            let [inch, foot] = [Marks::INCH, Marks::FOOT].map(|marks| count(Some(kind), marks));
+            let usual = !has_feet || UsUnits::USUAL.has_inches(kind);
+            if inch > foot || (inch == foot && usual) {
+                inches |= bit(kind);
+            }
+        }
+        let loads = [Kind::Force, Kind::Pressure, Kind::Moment];
+        let [pound, kip] = [Marks::POUND, Marks::KIP]
+            .map(|marks| loads.iter().map(|&kind| count(Some(kind), marks)).sum::<usize>());
+        UsUnits { inches, pounds: pound > 0 && kip == 0 }
+    }
+
+    fn has_inches(self, kind: Kind) -> bool {
+        self.inches & bit(kind) != 0
+    }
+
+    /// The name and the size of the unit for a value of this size.
+    pub(super) fn unit(self, kind: Kind, value: f64) -> (&'static str, f64) {
+        let inches = self.has_inches(kind);
+        let length = if inches { INCH } else { FOOT };
+        let Some(power) = kind.power_of_length() else {
+            return match kind {
+                Kind::Slope if value == 0.0 || (1e-7..0.1).contains(&value) => ("mrad", 1e-3),
+                Kind::Slope => ("rad", 1.0),
+                Kind::PerLength if inches => ("1/in", 1.0 / INCH),
+                Kind::PerLength => ("1/ft", 1.0 / FOOT),
+                _ if inches => ("in", INCH),
+                _ => ("ft", FOOT),
+            };
+        };
+        let kip = 1e3 * POUND * length.powi(power);
+        // Stresses and moduli with inches are known in pounds: 4000 psi, 200 pci.
+        let from = if inches && power <= -2 { 10.0 * kip } else { 0.1 * kip };
+        let in_kips = if value == 0.0 { from <= kip } else { value >= from };
+        let in_kips = in_kips && !(self.pounds && power >= -1);
+        let name = NAMES[(power + 3) as usize][2 * usize::from(!inches) + usize::from(in_kips)];
+        (name, if in_kips { kip } else { POUND * length.powi(power) })
+    }
+}
+
+const fn bit(kind: Kind) -> u16 {
+    1 << kind as u16
+}
+
+/// Every US unit that may be printed.
+pub(super) fn names() -> impl Iterator<Item = &'static str> {
+    NAMES.iter().flatten().copied().chain(["in", "ft", "1/in", "1/ft"])
+}

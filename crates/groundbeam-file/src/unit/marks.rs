@@ -1,0 +1,29 @@
+//! Marks of the units in a quantity: which results are printed in the same units.
+
+/// A set of marks.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(crate) struct Marks(u8);
+
+impl Marks {
+    pub const NONE: Marks = Marks(0);
+    pub const METRE: Marks = Marks(1);
+    pub const NEWTON: Marks = Marks(2);
+    /// The kilogram-force and the tonne-force.
+    pub const TECHNICAL: Marks = Marks(4);
+    pub const INCH: Marks = Marks(8);
+    pub const FOOT: Marks = Marks(16);
+    pub const POUND: Marks = Marks(32);
+    pub const KIP: Marks = Marks(64);
+    /// All US units.
+    pub const US: Marks = Marks(8 | 16 | 32 | 64);
+
+    /// The marks of both.
+    pub const fn with(self, other: Marks) -> Marks {
+        Marks(self.0 | other.0)
+    }
+
+    /// Whether one of these marks is set.
+    pub fn has_any(self, marks: Marks) -> bool {
+        self.0 & marks.0 != 0
+    }
+}
