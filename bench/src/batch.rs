@@ -1,4 +1,4 @@
-//! Many beams: on meshes, exactly, on one thread and on two; and a rail of growing length.
+//! Times many beams: on meshes, by the exact method, on one thread and on two; and a rail of increasing length.
 
 use crate::clock::side_by_side;
 use crate::models::{footings, rail, random_beams};
@@ -11,11 +11,11 @@ use std::time::Instant;
 fn solved(model: &Model) -> Box<Solution> {
     match solve(model) {
         Ok(Outcome::Equilibrium(solution)) => solution,
-        other => panic!("a model that stands: {other:?}"),
+        other => panic!("a model in equilibrium: {other:?}"),
     }
 }
 
-/// Every bit of what a study reads.
+/// The bits of all results that a study reads.
 fn bits(models: &[Model]) -> Vec<u64> {
     let of = |model: &Model| {
         let solution = solved(model);
@@ -26,7 +26,7 @@ fn bits(models: &[Model]) -> Vec<u64> {
     models.iter().flat_map(of).collect()
 }
 
-/// 1000 beams of 100 elements.
+/// Times 1000 beams of 100 elements.
 pub fn meshes() -> String {
     let models = random_beams(1000);
     let mut solver = NodalSolver::new();
@@ -66,7 +66,7 @@ pub fn meshes() -> String {
     table.finish("")
 }
 
-/// Solved and certified by the exact method.
+/// Times models solved and certified by the exact method.
 pub fn exact() -> String {
     let mut table = Table::new(
         "Exact, solved and certified",
@@ -136,20 +136,20 @@ fn neighbour(model: &Model) -> Model {
     model
 }
 
-/// Neighbouring models: each solved anew, and from the contact of the one before.
+/// Times neighbouring models: each solved from scratch, and from the contact of the previous one.
 fn followed() -> String {
     let mut table = Table::new(
-        "A neighbouring model, its first load 2 % larger: from the contact of the one before, or anew",
+        "A neighbouring model, its first load 2 % larger: from the contact of the previous model, or from scratch",
         &["models", "anew / followed", "µs anew", "µs followed", "steps anew", "steps followed"],
     );
     for (name, models) in [("footings", footings(2000)), ("case C", random_beams(300))] {
         let neighbours: Vec<Model> = models.iter().map(neighbour).collect();
         let mut solver = Solver::new();
-        // Both are timed without the model that comes before.
+        // Both times exclude the previous model.
         let mut timed = |followed: bool| {
             let (mut seconds, mut steps) = (0.0, 0);
             for (model, neighbour) in models.iter().zip(&neighbours) {
-                solver.solve(model).expect("a model that stands");
+                solver.solve(model).expect("a model in equilibrium");
                 let began = Instant::now();
                 let answer =
                     if followed { solver.solve_next(neighbour) } else { solver.solve(neighbour) };
@@ -174,10 +174,10 @@ fn followed() -> String {
     table.finish("")
 }
 
-/// A rail of growing length, exactly.
+/// Times a rail of increasing length, by the exact method.
 pub fn rails() -> String {
     let mut table = Table::new(
-        "A rail, exactly and certified: cost for loads and zones",
+        "A rail by the exact method, certified: cost by loads and zones",
         &["km", "axles", "zones", "ms", "µs an axle", "steps", "relative gap"],
     );
     let mut points = Vec::new();
@@ -207,5 +207,5 @@ pub fn rails() -> String {
     let mean = points.iter().fold((0.0, 0.0), |m, p| (m.0 + p.0 / n, m.1 + p.1 / n));
     let slope = points.iter().map(|p| (p.0 - mean.0) * (p.1 - mean.1)).sum::<f64>()
         / points.iter().map(|p| (p.0 - mean.0).powi(2)).sum::<f64>();
-    table.finish(&format!("Time grows as axles to the power **{slope:.2}**."))
+    table.finish(&format!("Time grows as the number of axles to the power **{slope:.2}**."))
 }

@@ -1,4 +1,4 @@
-//! Times on a machine that others use too: the least and the median of many runs.
+//! Times on a shared machine: the minimum and the median of many runs.
 
 use std::time::Instant;
 
@@ -9,8 +9,8 @@ pub struct Time {
     pub median: f64,
 }
 
-/// Runs each of some jobs in turn, `runs` times, after one run that is not counted; a ratio of medians of jobs
-/// that were run side by side holds although the machine's speed drifts.
+/// Runs some jobs alternately, `runs` times each, after one run that is not counted. Alternation makes ratios of
+/// medians independent of drifts of the machine's speed.
 pub fn side_by_side<const N: usize>(runs: usize, mut jobs: [&mut dyn FnMut(); N]) -> [Time; N] {
     let mut seconds = [const { Vec::new() }; N];
     for run in 0..=runs {
@@ -28,7 +28,7 @@ pub fn side_by_side<const N: usize>(runs: usize, mut jobs: [&mut dyn FnMut(); N]
     })
 }
 
-/// The most memory this process has used so far \[bytes\], where the system tells.
+/// The peak memory of this process so far \[bytes\], if the system reports it.
 pub fn peak_memory() -> Option<f64> {
     let status = std::fs::read_to_string("/proc/self/status").ok()?;
     let line = status.lines().find(|line| line.starts_with("VmHWM:"))?;

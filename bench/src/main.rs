@@ -48,7 +48,7 @@ fn main() {
     }
 }
 
-/// Where the rivals' part begins.
+/// Heading of the part about other programs.
 const RIVALS: &str = "\n## Beside other programs";
 
 fn write(ours: &str) {

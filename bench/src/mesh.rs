@@ -1,4 +1,4 @@
-//! Case B on meshes: glued, contact, digits, memory.
+//! Times case B on meshes: bonded problem, contact, digits, memory.
 
 use crate::clock::{peak_memory, side_by_side};
 use crate::models::long_beam;
@@ -10,7 +10,7 @@ use std::process::Command;
 const AXIAL_FORCES: [f64; 2] = [0.0, 0.5];
 const ELEMENTS: [usize; 4] = [1_000, 10_000, 100_000, 1_000_000];
 
-/// The table, without the reference above `most` elements.
+/// The table; the reference is omitted above `most` elements.
 pub fn table(most: usize) -> String {
     let columns = [
         "P",
@@ -88,7 +88,7 @@ fn errors(found: &NodalSolution, right: &Reference) -> [f64; 2] {
     [error(&found.deflection, &right.deflection), error(&found.force, &right.force)]
 }
 
-/// Bytes per element at the peak, in a process of its own.
+/// Peak memory per element in bytes, in a separate process.
 fn memory(axial_force: f64, n: usize) -> Option<f64> {
     if n < 100_000 {
         return None;
@@ -109,9 +109,9 @@ pub fn peak(axial_force: f64, n: usize) {
     println!("{}", peak_memory().unwrap_or(f64::NAN));
 }
 
-/// Writes case B on a mesh for other programs: the positions of the nodes, forces and moments there, w and the
-/// ground's forces in twice the digits, one array after another; prints how many nodes, and our own least
-/// times for the glued beam and for contact.
+/// Writes case B on a mesh for other programs, one array after another: positions of the nodes, forces and moments
+/// there, and w and the ground's forces with twice the digits. Prints the number of nodes, and our own smallest times
+/// for the bonded beam and for contact.
 pub fn problem(n: usize, file: &std::path::Path) {
     let model = long_beam(0.0);
     let mut solver = NodalSolver::new();

@@ -1,4 +1,4 @@
-//! The models that are timed, each drawn from a number: the same number, the same model.
+//! The models that are timed. A model is drawn from its number, so the same number gives the same model.
 
 use groundbeam::{Beam, Foundation, Load, Model, Verdict, exists};
 use rand::{RngExt, SeedableRng};
@@ -7,16 +7,16 @@ use rand_chacha::ChaCha8Rng;
 /// Case B: `cases/long-beam.toml`.
 const LONG_BEAM: &str = include_str!("../../cases/long-beam.toml");
 
-/// Case B, a long soft beam that touches in eight places, under an axial force.
+/// Case B: a long soft beam with eight contact zones, under an axial force.
 pub fn long_beam(axial_force: f64) -> Model {
-    let document = groundbeam_file::parse(LONG_BEAM).expect("a case of this repository");
+    let document = groundbeam_file::parse(LONG_BEAM).expect("the case is readable");
     let mut model = document.model;
     model.beam.axial_force = axial_force;
     model
 }
 
-/// Case C: beams of 50 m under up to twelve loads down, four up and two moments, over three decades of
-/// stiffness and of shear.
+/// Case C: beams of 50 m under up to twelve downward loads, four upward loads and two moments, with stiffness and shear
+/// layer over three decades.
 pub fn random_beams(count: usize) -> Vec<Model> {
     drawn(count, 1, |rng| {
         let l = 50.0;
@@ -39,7 +39,7 @@ pub fn random_beams(count: usize) -> Vec<Model> {
     })
 }
 
-/// Typical footings: 3 to 6 loads of columns and walls, 1 to 3 zones of contact.
+/// Typical footings: 3 to 6 loads of columns and walls, 1 to 3 contact zones.
 pub fn footings(count: usize) -> Vec<Model> {
     drawn(count, 2, |rng| {
         let l: f64 = rng.random_range(4.0..16.0);
@@ -63,18 +63,18 @@ pub fn footings(count: usize) -> Vec<Model> {
     })
 }
 
-/// A rail of `length` metres under wagons of four axles, about one axle every five metres: it lifts off
-/// between wagons that stand apart.
+/// A rail of `length` metres under wagons of four axles, about one axle every five metres. It lifts off between distant
+/// wagons.
 pub fn rail(length: f64, number: u64) -> Model {
     let mut rng = ChaCha8Rng::seed_from_u64(number);
-    // UIC60 on ballast with a shear layer; its own weight with half the sleepers'.
+    // UIC60 on ballast with a shear layer; the rail's own weight plus half the sleepers'.
     let mut model = Model::new(Beam::uniform(length, 6.4e6), Foundation::pasternak(30e6, 2e6));
     model.loads.push(Load::uniform_force(0.0, length, 2500.0));
     let mut at = 2.0;
     let mut axle = 0;
     while at < length - 1.0 {
         model.loads.push(Load::point_force(at, rng.random_range(4e4..1.1e5)));
-        // Wagons of four axles; now and then a longer gap between them.
+        // Wagons of four axles, with a longer gap between some of them.
         axle += 1;
         at += match axle % 4 {
             1 | 3 => 1.8,
@@ -89,7 +89,7 @@ fn decade(rng: &mut ChaCha8Rng, low: f64, high: f64) -> f64 {
     10_f64.powf(rng.random_range(low..high))
 }
 
-/// The first models of a family that have one equilibrium.
+/// The first models of a family that have a unique equilibrium.
 fn drawn(count: usize, family: u64, draw: impl Fn(&mut ChaCha8Rng) -> Model) -> Vec<Model> {
     let mut rng = ChaCha8Rng::seed_from_u64(family);
     let stands = |model: &Model| exists(model).is_ok_and(|e| e.verdict == Verdict::Unique);

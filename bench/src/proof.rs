@@ -1,4 +1,4 @@
-//! The cost of a proof beside the solve that gave the answer.
+//! Times proofs in comparison with the solves that they prove.
 
 use crate::clock::side_by_side;
 use crate::models::{footings, long_beam};
@@ -6,7 +6,7 @@ use crate::table::{Table, short};
 use groundbeam::proof::{Answer, Ball, Model as Given, Wide, prove};
 use groundbeam::{Model, Outcome, Solution, solve};
 
-/// How often each model is solved and proven.
+/// Number of solves and proofs of each model.
 const RUNS: usize = 200;
 
 pub fn table() -> String {

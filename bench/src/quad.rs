@@ -1,4 +1,4 @@
-//! Numbers of twice the digits: an unevaluated sum of two, after Dekker and Knuth.
+//! Numbers with twice the digits: an unevaluated sum of two doubles, after Dekker and Knuth.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -22,7 +22,7 @@ impl From<f64> for Quad {
     }
 }
 
-/// a + b and what rounding left out of it.
+/// The rounded sum a + b and its rounding error.
 fn sum(a: f64, b: f64) -> (f64, f64) {
     let s = a + b;
     let from_b = s - a;

@@ -1,26 +1,27 @@
-//! The discrete problem in twice the digits, by another road: stiffnesses in (w, θ, u), block elimination.
+//! The discrete problem with twice the digits, by another method: stiffnesses in (w, θ, u), block elimination.
 //!
-//! For a given set of nodes that touch, the glued system is solved as any textbook does it, and then every
-//! sign is looked at: no force pulls, and the beam lies nowhere below the ground. If all are right the set is the right one, whoever proposed it, since the problem is convex.
+//! For a given set of nodes in contact, the bonded system is solved as in textbooks. Then all signs are checked: no
+//! contact force is tensile, and the beam is nowhere below the ground. If all signs are right, the set is the contact
+//! set, however it was found, because the problem is convex.
 
 use crate::quad::Quad;
 use groundbeam::{Action, Extent, Model};
 
-/// What came out.
+/// The result of a reference solve.
 pub struct Reference {
     pub deflection: Vec<f64>,
     pub force: Vec<f64>,
-    /// The smallest force over the largest, and the deepest w − u over the largest w.
+    /// The smallest force relative to the largest, and the largest penetration w − u relative to the largest w.
     pub smallest_force: f64,
     pub deepest: f64,
 }
 
-/// Equal elements in a row: position, first node, count, length.
+/// Consecutive equal elements: position, first node, count, length.
 pub type Row = (f64, usize, usize, f64);
 
 type Block = [[Quad; 3]; 3];
 
-/// Solves a model of one EI, k, μ and point or even loads, with contact at the given nodes (all of them if
+/// Solves a model with constant EI, k, μ under point and uniform loads, with contact at the given nodes (all nodes if
 /// it is bonded).
 pub fn solve(model: &Model, rows: &[Row], contact: &[[usize; 2]]) -> Reference {
     let last = rows.last().map_or(0, |row| row.1 + row.2);
@@ -30,7 +31,7 @@ pub fn solve(model: &Model, rows: &[Row], contact: &[[usize; 2]]) -> Reference {
         contact.iter().for_each(|&[a, b]| touches[a..=b].fill(true));
         touches
     };
-    // Unknowns of node i: (w, θ, u), where it touches u = w and the third is left out.
+    // Unknowns of node i: (w, θ, u). In contact u = w, and the third is omitted.
     let mut diagonal = vec![[[Quad::default(); 3]; 3]; last + 1];
     let mut beside = vec![[[Quad::default(); 3]; 3]; last];
     let outside =
@@ -53,7 +54,7 @@ pub fn solve(model: &Model, rows: &[Row], contact: &[[usize; 2]]) -> Reference {
             ground.push(links);
         }
     }
-    // The ground on w where it touches, on u where it does not.
+    // The ground acts on w in contact, on u otherwise.
     let which = |i: usize| if touches[i] { 0 } else { 2 };
     let add = |to: &mut Quad, x: Quad| *to = *to + x;
     for i in 0..last {
@@ -157,10 +158,10 @@ fn solve_block(d: &Block, b: &Block, r: &[Quad; 3]) -> [[Quad; 4]; 3] {
     x
 }
 
-/// The beam's stiffness at an element's left end, between its ends, and the ground's leak and coupling.
+/// The beam's stiffness at an element's left end and between its ends, and the ground's shunt and series stiffness.
 ///
-/// With t = P h²/EI and cₙ = Σ tⁱ/(2i + n)!, w = w₀ + θ₀ x + A x²c₂ + B x³c₃: one formula for tension, none
-/// and compression.
+/// With t = P h²/EI and cₙ = Σ tⁱ/(2i + n)!, w = w₀ + θ₀ x + A x²c₂ + B x³c₃: one formula for tension, compression and
+/// no axial force.
 fn element(model: &Model, h: Quad) -> ([[Quad; 2]; 2], [[Quad; 2]; 2], [Quad; 2]) {
     let q = Quad::from;
     let ei = q(model.beam.bending_stiffness);
@@ -171,7 +172,7 @@ fn element(model: &Model, h: Quad) -> ([[Quad; 2]; 2], [[Quad; 2]; 2], [Quad; 2]
     let kww = ei / h3 * (c1 / d);
     let kwt = ei / h2 * (c2 / d);
     let ktt = ei / h * ((c2 - c3) / d);
-    // θ–θ across: from equilibrium of moments, V h + M + M' + P (w' − w) = 0 for w = w' = 0, θ = 1.
+    // θ–θ coupling between the ends, from moment equilibrium V h + M + M' + P (w' − w) = 0 for w = w' = 0, θ = 1.
     let across = kwt * h - ktt;
     let near = [[kww, kwt], [kwt, ktt]];
     let far = [[-kww, kwt], [-kwt, across]];
@@ -201,7 +202,7 @@ fn mirror(k: &[[Quad; 2]; 2]) -> [[Quad; 2]; 2] {
     [[k[0][0], -k[0][1]], [-k[1][0], k[1][1]]]
 }
 
-/// Forces and moments at the nodes, of all loads.
+/// Nodal forces and moments of all loads.
 fn all_loads(model: &Model, rows: &[Row]) -> Vec<[Quad; 2]> {
     let last = rows.last().map_or(0, |row| row.1 + row.2);
     let (mut at_nodes, even) = loads(model, rows, last);
@@ -215,13 +216,13 @@ fn all_loads(model: &Model, rows: &[Row]) -> Vec<[Quad; 2]> {
     at_nodes
 }
 
-/// The same as doubles: forces, moments.
+/// The nodal forces and moments as doubles.
 pub fn nodal_loads(model: &Model, rows: &[Row]) -> [Vec<f64>; 2] {
     let all = all_loads(model, rows);
     [0, 1].map(|i| all.iter().map(|load| load[i].double()).collect())
 }
 
-/// Forces and moments at the nodes, and the even load along the whole beam.
+/// Forces and moments at the nodes, and the uniform load along the whole beam.
 fn loads(model: &Model, rows: &[Row], last: usize) -> (Vec<[Quad; 2]>, f64) {
     let mut at_nodes = vec![[Quad::default(); 2]; last + 1];
     let mut even = 0.0;
@@ -241,7 +242,7 @@ fn loads(model: &Model, rows: &[Row], last: usize) -> (Vec<[Quad; 2]>, f64) {
     (at_nodes, even)
 }
 
-/// What an even load does to an element's left end, clamped at both ends: half of it, and the moment.
+/// The fixed-end force and moment of a uniform load at an element's left end.
 fn even_load(model: &Model, f: f64, h: Quad) -> [Quad; 2] {
     let q = Quad::from;
     let t = q(model.beam.axial_force) * h * h / q(model.beam.bending_stiffness);

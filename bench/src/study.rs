@@ -1,4 +1,4 @@
-//! A study beside the bare solver: what drawing, keeping and writing cost.
+//! Times a study in comparison with the bare solver: the cost of drawing, storing and writing samples.
 
 use crate::clock::side_by_side;
 use crate::table::{Table, short};
@@ -8,10 +8,10 @@ use groundbeam_study::{Draws, Finished, Shard};
 use std::ops::ControlFlow;
 use std::path::Path;
 
-/// The study in `bench/study`, under a number of samples; with `kept`, with the extremes of these fields alone.
+/// The study in `bench/study` with a number of samples; with `kept`, only the extremes of these fields are stored.
 fn draws(samples: u64, kept: Option<&[Field]>) -> Draws {
     let path = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/study/footings.toml"));
-    let mut study = read_study(path).expect("a study that is right");
+    let mut study = read_study(path).expect("a valid study");
     if let Some(kept) = kept {
         study.keep.extremes = kept.to_vec();
     }
@@ -19,7 +19,7 @@ fn draws(samples: u64, kept: Option<&[Field]>) -> Draws {
     Draws::new(study, plan).expect("a study that can be drawn")
 }
 
-/// The solver alone, on models that are there already.
+/// The solver only, on models drawn before.
 fn bare(models: &[Model], threads: usize) {
     let part = models.len().div_ceil(threads);
     std::thread::scope(|scope| {
@@ -34,7 +34,7 @@ fn bare(models: &[Model], threads: usize) {
     });
 }
 
-/// Samples drawn, solved, certified and written, beside the solver alone.
+/// Samples drawn, solved, certified and written, compared with the solver only.
 pub fn table(samples: u64) -> String {
     let (all, least) = (draws(samples, None), draws(samples, Some(&[Field::Pressure])));
     let models: Vec<Model> = (0..samples).map(|sample| all.model(&all.draw(sample))).collect();
@@ -79,7 +79,7 @@ pub fn table(samples: u64) -> String {
         ]);
     }
     let size = std::fs::metadata(&out).map_or(0, |file| file.len());
-    // What cannot be removed is not what is measured.
+    // Failure to remove the file does not affect the measurement.
     let _ = std::fs::remove_file(&out);
     table.finish(&format!("{} bytes a footing in the file of four fields.", size / samples))
 }

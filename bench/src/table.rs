@@ -1,4 +1,4 @@
-//! Tables in Markdown, and what they were measured on.
+//! Tables in Markdown, and a description of the machine.
 
 use std::process::Command;
 
@@ -26,7 +26,7 @@ impl Table {
     }
 }
 
-/// What a number is printed as: three digits.
+/// Prints a number with three digits.
 pub fn short(x: f64) -> String {
     if x == 0.0 {
         "0".to_owned()
@@ -38,7 +38,7 @@ pub fn short(x: f64) -> String {
     }
 }
 
-/// Machine, compiler and date, each as its own tool says it.
+/// Machine, compiler and date, each as reported by its own tool.
 pub fn setting() -> String {
     let said = |program: &str, arguments: &[&str]| {
         let output = Command::new(program).args(arguments).output().ok()?;

@@ -8,20 +8,20 @@ use std::process::Command;
 
 /// A source file: its path in the repository and its text.
 pub struct Source {
-    /// With `/` between folders.
+    /// The path, with `/` between folders.
     pub path: String,
     /// Its text.
     pub text: String,
 }
 
 impl Source {
-    /// The first sentence of the file's own documentation, if it has one.
+    /// The first sentence of the file's documentation, if it has one.
     pub fn summary(&self) -> Option<String> {
         let lines = self.text.lines().take_while(|line| line.starts_with("//!"));
         let text: Vec<&str> =
             lines.map(|line| line[3..].trim()).take_while(|l| !l.is_empty()).collect();
         let mut text = text.join(" ").replace("\\[", "[").replace("\\]", "]");
-        // Links within the documentation lead nowhere from here.
+        // Links to items of the crate do not work in this table.
         while let Some(from) = text.find("](crate::") {
             let to = text[from..].find(')').map_or(text.len(), |length| from + length + 1);
             text.replace_range(from..to, "]");
@@ -32,7 +32,7 @@ impl Source {
         (!text.is_empty()).then(|| text.to_owned())
     }
 
-    /// The text without the tests at its end; the head of a file that `#![cfg(test)]` leaves out of the program.
+    /// The text without the tests at its end; empty for a file that `#![cfg(test)]` excludes from the program.
     pub fn code(&self) -> &str {
         if let Some((head, _)) = self.text.split_once("\n#![cfg(test)]\n") {
             return head;
@@ -43,14 +43,14 @@ impl Source {
     }
 }
 
-/// All source files below a folder of the repository, in the order of their names.
+/// All source files below a folder of the repository, sorted by name.
 pub fn sources(folder: &str) -> Vec<Source> {
     let root = repository();
     let mut found = Vec::new();
     let mut folders: Vec<PathBuf> = vec![root.join(folder)];
     while let Some(folder) = folders.pop() {
         for entry in std::fs::read_dir(&folder).into_iter().flatten() {
-            let path = entry.expect("an entry of a folder").path();
+            let path = entry.expect("a readable folder").path();
             if path.is_dir() {
                 folders.push(path);
             } else if path.extension().is_some_and(|extension| extension == "rs") {
@@ -72,7 +72,7 @@ fn spelled(root: &Path, path: &Path) -> String {
     parts.join("/")
 }
 
-/// The crates of the workspace, each with its folder and what it depends on outside of tests.
+/// The crates of the workspace, each with its folder and its dependencies outside of tests.
 pub fn crates() -> BTreeMap<String, (String, Vec<String>)> {
     let root = repository();
     let output = Command::new(env!("CARGO"))
@@ -84,7 +84,7 @@ pub fn crates() -> BTreeMap<String, (String, Vec<String>)> {
     let list = |value: &serde_json::Value| value.as_array().cloned().unwrap_or_default();
     let word = |value: &serde_json::Value| value.as_str().unwrap_or_default().to_owned();
     let each = |package: &serde_json::Value| {
-        // A dependency from elsewhere that is optional is not needed.
+        // An optional external dependency does not count.
         let is_needed = |d: &serde_json::Value| d["optional"] != true || d["path"].is_string();
         let outside_tests = |d: &serde_json::Value| d["kind"].is_null() && is_needed(d);
         let needs = list(&package["dependencies"]);

@@ -1,4 +1,4 @@
-//! Wrong answers: documents made from right ones by random changes, and how far each is from the truth.
+//! Wrong answers: documents made from right ones by random changes, with their distance from the true solution.
 
 use crate::carried;
 use crate::claims::{error_bound, holds_at};
@@ -9,10 +9,11 @@ use rand::seq::IndexedRandom;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
-/// How many kinds of random model are attacked.
+/// Number of kinds of random model that are tested.
 pub const KINDS: u64 = Family::ALL.len() as u64 + 2;
 
-/// A random model of a kind, with the kind's name: of a family, a beam that shears, or one that its tension balances.
+/// A random model of a kind, with the kind's name: a model of a family, a beam that shears, or a beam that its tension
+/// balances.
 pub fn random(kind: u64, number: u64) -> (String, Model) {
     let families = Family::ALL.into_iter().chain([Family::Shearing]);
     match families.into_iter().nth(kind as usize) {
@@ -21,10 +22,10 @@ pub fn random(kind: u64, number: u64) -> (String, Model) {
     }
 }
 
-/// The true values are computed with this error, relative to the largest of their kind.
+/// Error of the true values, relative to the largest of their kind.
 const ROUNDING: f64 = 1e-12;
 
-/// A model with its solution, and what is proven of the solution.
+/// A model with its solution and the proof of this solution.
 pub struct Target {
     /// The solution.
     pub solution: Solution,
@@ -35,25 +36,25 @@ pub struct Target {
 
 /// A wrong answer.
 pub struct Attack {
-    /// What was changed.
+    /// Name of the change.
     pub change: &'static str,
     pub(crate) answer: Answer,
 }
 
-/// What came of an attack.
+/// The result for a wrong answer.
 pub struct Verdict {
-    /// Whether the answer is called proven.
+    /// Whether the answer is proven.
     pub proven: bool,
     /// The largest error over its bound.
     pub ratio: f64,
     /// Error over bound, by quantity.
     pub ratios: Vec<(&'static str, f64)>,
-    /// A false statement.
+    /// A false statement, if there is one.
     pub fault: Option<String>,
 }
 
 impl Target {
-    /// A model whose solution has bounds.
+    /// A model and its solution, if the solution has proven bounds.
     pub fn of(model: &Model) -> Option<Self> {
         let Ok(Outcome::Equilibrium(solution)) = solve(model) else { return None };
         let (given, right) = solution.claim::<Wide>();
@@ -79,7 +80,7 @@ impl Target {
         Attack { change: change.0, answer }
     }
 
-    /// Judges a wrong answer; none if nothing is proven of it.
+    /// Compares a wrong answer with its bounds; `None` if nothing is proven of it.
     pub fn judge(&self, attack: &Attack) -> Option<Verdict> {
         let proof = prove(&self.given, &attack.answer).ok()?;
         let (ratios, mut fault) = self.errors(&attack.answer, &proof);
@@ -125,7 +126,7 @@ impl Target {
         (ratios, fault)
     }
 
-    /// What a document says at x: field, value and bound.
+    /// The claims of a document at x: field, value and bound.
     pub(crate) fn fields(&self, piece: &Piece, x: f64, proof: &Proof) -> Vec<(Field, f64, f64)> {
         let (model, bounds) = (self.solution.model(), &proof.bounds);
         let w = derivatives(piece, &piece.deflection, x);
@@ -190,7 +191,7 @@ fn clearance(model: &Model, x: f64) -> f64 {
     }
 }
 
-/// A polynomial of a piece and its first three derivatives by x.
+/// A polynomial of a piece and its first three derivatives with respect to x.
 fn derivatives(piece: &Piece, coefficients: &[f64], x: f64) -> [f64; 4] {
     let t = (x - 0.5 * (piece.x[0] + piece.x[1])) / piece.half;
     let mut c = coefficients.to_vec();
@@ -203,7 +204,7 @@ fn derivatives(piece: &Piece, coefficients: &[f64], x: f64) -> [f64; 4] {
     found
 }
 
-/// Two contact sets that are both shown for one model must be the same.
+/// Two contact sets that are both proven for one model must be equal.
 fn differing(claimed: &ContactSet, exact: &ContactSet) -> Option<String> {
     let meet = |a: [f64; 2], b: [f64; 2]| a[0] <= b[1] && b[0] <= a[1];
     let same = claimed.regions.len() == exact.regions.len()
@@ -228,7 +229,7 @@ fn differing(claimed: &ContactSet, exact: &ContactSet) -> Option<String> {
 
 type Change = (&'static str, fn(&mut Answer, &mut ChaCha8Rng, &Target));
 
-/// 10ⁿ with a random sign, n even between −15 and −1.
+/// 10ⁿ with a random sign, n uniform between −15 and −1.
 fn tiny(rng: &mut ChaCha8Rng) -> f64 {
     let size = 10.0_f64.powf(rng.random_range(-15.0..-1.0));
     if rng.random_bool(0.5) { size } else { -size }
@@ -249,7 +250,7 @@ const CHANGES: [Change; 14] = [
     ("an edge moved", move_edge),
     ("a bump", |answer, rng, target| {
         let (i, size) = (any(answer, rng), tiny(rng) * largest(target));
-        // (1 − t²)³ has no value, slope and curvature at the ends.
+        // (1 − t²)³ is zero at the ends, with its slope and curvature.
         add(&mut answer.pieces[i], &[1.0, 0.0, -3.0, 0.0, 3.0, 0.0, -1.0], size);
     }),
     ("one coefficient", |answer, rng, _| {
@@ -274,7 +275,7 @@ const CHANGES: [Change; 14] = [
             }
         }
     }),
-    ("contact claimed otherwise", |answer, rng, _| {
+    ("contact claimed elsewhere", |answer, rng, _| {
         let i = any(answer, rng);
         answer.pieces[i].touches ^= true;
     }),
@@ -318,7 +319,7 @@ const CHANGES: [Change; 14] = [
         }
     }),
     ("another settlement", |answer, rng, _| {
-        // Open ground that varies is proven with the settlement that is stored.
+        // The proof of varying open ground uses the stored settlement.
         let stored: Vec<_> =
             answer.pieces.iter_mut().filter(|piece| !piece.settlement.is_empty()).collect();
         let count = stored.len();
@@ -354,7 +355,7 @@ const CHANGES: [Change; 14] = [
     }),
 ];
 
-/// Moves an end of contact; both functions go on beyond their ends.
+/// Moves an end of contact; both functions are continued beyond their ends.
 fn move_edge(answer: &mut Answer, rng: &mut ChaCha8Rng, target: &Target) {
     let pieces = &answer.pieces;
     let is_edge = |i: &usize| pieces[*i].touches != pieces[*i - 1].touches;

@@ -1,10 +1,10 @@
-//! Random beams under tension that one end or one corner of the ground alone holds: the tension balances the loads.
+//! Random beams under tension that touch one end or one corner of the ground only: the tension balances the loads.
 
 use groundbeam::{Beam, Foundation, Load, Model, Verdict, exists};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
-/// The model with a number; the same numbers make the same model.
+/// The model with a number; the same number gives the same model.
 pub fn model(number: u64) -> Model {
     let mut rng = ChaCha8Rng::seed_from_u64(number);
     loop {
@@ -32,7 +32,7 @@ fn draw(rng: &mut ChaCha8Rng) -> Model {
         _ => length * rng.random_range(0.2..0.8),
     };
     let mut loads = Vec::new();
-    // The resultant stands at the top, so that the beam turns little.
+    // The resultant is near the top, so that the beam rotates little.
     for _ in 0..rng.random_range(1..4) {
         let off = length * rng.random_range(-0.1..0.1);
         let at = (top + off).clamp(0.0, length);

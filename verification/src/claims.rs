@@ -1,18 +1,19 @@
-//! Claimed answers beside the true one: errors over proven bounds, and the energy of the error over E.
+//! Compares claimed answers with the true one: errors relative to proven bounds, and the energy of the error relative
+//! to E.
 
 use groundbeam::proof::Proof;
 use groundbeam::{Field, Solution};
 
-/// The true values are computed with this error, relative to the largest of their field.
+/// Error of the true values, relative to the largest of their field.
 const ROUNDING: f64 = 1e-10;
 
-/// The proven bound of the error of a field; none of the gap, of which no bound of its own is proven.
+/// The proven error bound of a field; `None` for the gap, which has no bound of its own.
 pub fn error_bound(proof: &Proof, field: Field) -> Option<f64> {
     let named = proof.bounds.named().into_iter().find(|(name, _)| *name == field.name());
     named.map(|(_, bound)| bound.error)
 }
 
-/// Whether the bound of a field holds at x: that of the pressure holds outside the intervals of the edges.
+/// Whether the bound of a field holds at x. The bound of the pressure holds outside the intervals of the edges.
 pub fn holds_at(proof: &Proof, field: Field, x: f64) -> bool {
     let inside = |[low, high]: [f64; 2]| low <= x && x <= high;
     match (field, &proof.contact) {
@@ -24,8 +25,8 @@ pub fn holds_at(proof: &Proof, field: Field, x: f64) -> bool {
     }
 }
 
-/// The largest of |claimed − true| over bound, at places where no field jumps. The claimed settlement has the ground of the
-/// claim; without `ground` it is not compared.
+/// The largest |claimed − true|/bound, at places where no field jumps. The claimed settlement belongs to the ground of
+/// the claim; without `ground` it is not compared.
 pub fn over_bound(claimed: &Solution, truth: &Solution, proof: &Proof, ground: bool) -> f64 {
     let length = truth.model().beam.length;
     let mut worst: f64 = 0.0;
@@ -42,8 +43,8 @@ pub fn over_bound(claimed: &Solution, truth: &Solution, proof: &Proof, ground: b
     worst
 }
 
-/// A part of the energy of the error: ½∫(ΔM)²/EI, and ½∫k(Δu)² along the beam if the grounds are compared. By Gauss's rule of two
-/// points between the stations of both answers.
+/// A part of the energy of the error: ½∫(ΔM)²/EI, and ½∫k(Δu)² along the beam if the grounds are equal. By Gauss's rule
+/// with two points between the stations of both answers.
 pub fn energy_of_error(claimed: &Solution, truth: &Solution, ground: bool) -> f64 {
     let model = truth.model();
     let density = |x: f64| {

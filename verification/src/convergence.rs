@@ -1,11 +1,11 @@
-//! Convergence of the mesh methods to the exact answer: errors over N and their slopes.
+//! Convergence of the mesh methods to the exact solution: errors over the number of elements N, and their slopes.
 
 use groundbeam::{
     Beam, Field, Foundation, Load, Method, Model, Options, Outcome, Pressure, Side, Solution,
     solve, solve_with,
 };
 
-/// The numbers of elements that are tried.
+/// Numbers of elements.
 pub const ELEMENTS: [usize; 6] = [10, 20, 40, 80, 160, 320];
 
 /// Kikuchi's example, l = EI = μ = k = 1 with f₀ = 1 and M₀ at mid-length.
@@ -15,38 +15,38 @@ pub fn kikuchi(moment: f64) -> Model {
         .with_load(Load::point_moment(0.5, moment))
 }
 
-/// The same beam on separate springs.
+/// The same beam on Winkler ground.
 pub fn kikuchi_on_springs(moment: f64) -> Model {
     Model { foundation: Foundation::winkler(1.0), ..kikuchi(moment) }
 }
 
-/// What is compared.
+/// The compared quantity.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Quantity {
-    /// w anywhere, over the largest w.
+    /// w at all stations, relative to the largest w.
     Deflection,
-    /// w' anywhere.
+    /// w' at all stations.
     Slope,
     /// M at the nodes.
     MomentAtNodes,
-    /// M anywhere.
+    /// M at all stations.
     Moment,
     /// V at the nodes, from both sides.
     ShearAtNodes,
-    /// V anywhere.
+    /// V at all stations.
     Shear,
-    /// p where both answers touch, over the largest p.
+    /// p where both solutions are in contact, relative to the largest p.
     Pressure,
-    /// p_l, over the resultant.
+    /// p_l, relative to the resultant.
     EndForce,
-    /// The left edge of contact, over l.
+    /// The left edge of contact, relative to l.
     Edge,
     /// The certificate's relative gap.
     Gap,
 }
 
 impl Quantity {
-    /// All, in the order of the table.
+    /// All quantities, in the order of the table.
     pub const ALL: [Quantity; 10] = [
         Quantity::Deflection,
         Quantity::Slope,
@@ -91,8 +91,8 @@ pub fn errors(model: &Model, pressure: Pressure, quantity: Quantity) -> Errors {
     })
 }
 
-/// The order of convergence: minus the slope of log(error) over log(N), by least squares; errors below
-/// `floor` are left to rounding. None if fewer than three are left.
+/// The order of convergence: minus the slope of log(error) over log(N), by least squares. Errors below `floor` are
+/// omitted as rounding. `None` if fewer than three remain.
 pub fn order(errors: &Errors, floor: f64) -> Option<f64> {
     let points: Vec<(f64, f64)> = ELEMENTS
         .iter()
@@ -119,7 +119,7 @@ fn equilibrium(outcome: Result<Outcome, groundbeam::Error>) -> Solution {
 }
 
 fn error(exact: &Solution, found: &Solution, elements: usize, quantity: Quantity) -> f64 {
-    // Stations that are nodes of every mesh, and three within each element of the finest.
+    // Stations that are nodes of every mesh, and three inside each element of the finest mesh.
     let nodes = |n: usize| (0..=n).map(move |i| i as f64 / n as f64);
     let largest = |field| {
         let range = exact.range(field);

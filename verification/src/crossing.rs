@@ -1,22 +1,22 @@
-//! A picture that moves: a load crosses a footing, and the ends of the footing lift off the ground.
+//! An animated picture: a load crosses a footing, and the ends of the footing lift off the ground.
 
 use groundbeam::{Beam, Field, Foundation, Load, Model, Outcome, Side, Solution, solve};
 use std::fmt::Write;
 
-/// The beam's length \[m\], and how much ground is shown beyond each end.
+/// The beam's length \[m\], and the length of ground shown outside each end.
 const LENGTH: f64 = 12.0;
 const BEYOND: f64 = 2.0;
-/// Positions of the load from end to end.
+/// Number of positions of the load from end to end.
 const PLACES: usize = 48;
-/// Points along the beam, and along the ground beyond each end.
+/// Number of points along the beam, and along the ground outside each end.
 const POINTS: usize = 40;
 const OUTSIDE: usize = 8;
-/// The page, and where the undeformed beam and the diagram of pressure lie on it.
+/// The page size, and the positions of the undeformed beam and of the pressure diagram.
 const WIDTH: f64 = 800.0;
 const HEIGHT: f64 = 330.0;
 const BEAM_AT: f64 = 110.0;
 const PRESSURE_AT: f64 = 215.0;
-/// How deep the deepest point of the beam and the largest pressure are drawn.
+/// The drawn sizes of the largest deflection and of the largest pressure.
 const DEEPEST: f64 = 70.0;
 const DIAGRAM: f64 = 80.0;
 
@@ -26,15 +26,15 @@ fn model(at: f64) -> Model {
         .with_load(Load::uniform_force(0.0, LENGTH, 10e3))
 }
 
-/// The picture, an SVG file that a browser sets in motion by itself.
+/// The picture as an animated SVG file.
 ///
 /// # Errors
 ///
-/// If a position of the load cannot be solved.
+/// A position of the load cannot be solved.
 pub fn picture() -> Result<String, groundbeam::Error> {
     let mut solutions = Vec::new();
     for i in 0..=PLACES {
-        // Both ends lie in: exactly over an end the equilibrium would not be unique without the weight.
+        // The load stays inside the ends: exactly over an end the equilibrium would not be unique without the weight.
         let at = LENGTH * (0.02 + 0.96 * i as f64 / PLACES as f64);
         if let Outcome::Equilibrium(solution) = solve(&model(at))? {
             solutions.push((at, solution));
@@ -48,18 +48,18 @@ pub fn picture() -> Result<String, groundbeam::Error> {
         pressure: DIAGRAM / most(Frame::largest_pressure),
         force: DIAGRAM / most(|frame| frame.ends[0].max(frame.ends[1])),
     };
-    // There and back again.
+    // The load moves to the other end and back.
     let order = (0..there.len()).chain((1..there.len() - 1).rev()).chain([0]);
     let frames: Vec<&Frame> = order.map(|i| &there[i]).collect();
     Ok(page(&frames, &scale))
 }
 
-/// What is seen at one position of the load.
+/// The picture for one position of the load.
 struct Frame {
     at: f64,
     /// x, w and the pressure.
     beam: Vec<[f64; 3]>,
-    /// x and u, beyond the ends too.
+    /// x and u, also outside the ends.
     ground: Vec<[f64; 2]>,
     ends: [f64; 2],
 }
@@ -119,7 +119,7 @@ fn page(frames: &[&Frame], scale: &Scale) -> String {
         let corners = [[WIDTH, PRESSURE_AT - 25.0], [0.0, PRESSURE_AT - 25.0]];
         path(f.ground.iter().map(|p| [across(p[0]), down(p[1])]).chain(corners), true)
     };
-    // Between beam and ground: without area wherever they touch.
+    // The area between beam and ground; zero in contact.
     let gap = |f: &Frame| {
         let under = f.ground[OUTSIDE..=OUTSIDE + POINTS].iter().rev().map(|p| [p[0], p[1]]);
         let around = f.beam.iter().map(|p| [p[0], p[1]]).chain(under);
@@ -172,7 +172,7 @@ fn page(frames: &[&Frame], scale: &Scale) -> String {
         (
             24.0,
             "#1f2328",
-            "900 kN crosses a footing of 12 m that weighs 10 kN/m; deflections are not to scale",
+            "A 900 kN load crosses a 12 m footing that weighs 10 kN/m; deflections are not to scale",
         ),
         (
             HEIGHT - 14.0,

@@ -1,7 +1,7 @@
-//! The paper's discrete problem (5.10)–(5.11), written out densely and without any cleverness.
+//! The paper's discrete problem (5.10)–(5.11) with dense matrices.
 //!
-//! Only for beams whose loads stand on the nodes of an even mesh. Nothing here is shared with the library:
-//! stiffness by the deflections and slopes of both ends as textbooks print it, G by its formula (2.4).
+//! Only for beams with loads at the nodes of a uniform mesh. It shares nothing with the library: stiffness in the
+//! deflections and slopes of both ends as in textbooks, G by its formula (2.4).
 
 use crate::element;
 use groundbeam::{Action, Extent, Model};
@@ -9,9 +9,9 @@ use groundbeam::{Action, Extent, Model};
 /// The matrices of the Lagrangian (5.9): ½WᵀKW − FᵀW − ½pᵀGp + pᵀw. The deflection is (5.3), the settlement (5.6).
 #[derive(Debug, Clone)]
 pub struct Dense {
-    /// Nodes.
+    /// Number of nodes.
     pub nodes: usize,
-    /// K of (5.4): w₁, θ₁, w₂, θ₂, …, and behind them a slope more for each hinge, that of the element to its right.
+    /// K of (5.4): w₁, θ₁, w₂, θ₂, …, followed by an additional slope for each hinge, that of the element to its right.
     pub stiffness: Vec<Vec<f64>>,
     /// F, of the same length.
     pub load: Vec<f64>,
@@ -63,7 +63,7 @@ impl Dense {
                         load[2 * e + 3] -= start * h * h / 12.0;
                     }
                 }
-                // The moments EI κ₀ at both ends of each element, which turn them apart.
+                // The moments EI κ₀ at both ends of each element, in opposite directions.
                 (Action::Curvature, Extent::Distributed { start, .. }) => {
                     for e in 0..elements {
                         load[2 * e + 1] -= ei * start;
@@ -80,7 +80,7 @@ impl Dense {
         Dense { nodes, stiffness, load, flexibility }
     }
 
-    /// Tries every set of touching nodes and returns w and p of the one that satisfies all signs.
+    /// Tries every set of touching nodes, and returns w and p of the one that satisfies all sign conditions.
     pub fn by_exhaustion(&self) -> Option<(Vec<f64>, Vec<f64>)> {
         (1..1_usize << self.nodes).find_map(|set| {
             let touching: Vec<usize> = (0..self.nodes).filter(|i| set >> i & 1 == 1).collect();
@@ -88,7 +88,7 @@ impl Dense {
         })
     }
 
-    /// K W + p = F with (G p − w)ᵢ = 0 on the set and p = 0 off it; none if a sign fails.
+    /// K W + p = F with (G p − w)ᵢ = 0 on the set and p = 0 elsewhere; `None` if a sign condition fails.
     fn with_contact(&self, touching: &[usize]) -> Option<(Vec<f64>, Vec<f64>)> {
         let (n, m) = (self.load.len(), touching.len());
         let mut a = vec![vec![0.0; n + m + 1]; n + m];
@@ -117,7 +117,7 @@ impl Dense {
     }
 }
 
-/// Gauss's elimination with the largest pivot; none for a singular matrix.
+/// Gaussian elimination with the largest pivot; `None` for a singular matrix.
 fn solve(mut a: Vec<Vec<f64>>) -> Option<Vec<f64>> {
     let n = a.len();
     let scale = a.iter().flatten().fold(0.0, |m: f64, x| m.max(x.abs()));

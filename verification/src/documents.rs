@@ -1,4 +1,4 @@
-//! The repository's documents: where they are, and the parts of them that are made by a command.
+//! The repository's documents: their paths, and the parts of them that a command generates.
 
 use std::path::PathBuf;
 
@@ -14,7 +14,7 @@ pub fn read(path: &str) -> String {
     std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
 }
 
-/// The part of a text between `<!-- begin NAME -->` and `<!-- end NAME -->`, and where it is.
+/// The part of a text between `<!-- begin NAME -->` and `<!-- end NAME -->`, and its range.
 pub fn part<'a>(text: &'a str, name: &str) -> Option<(std::ops::Range<usize>, &'a str)> {
     let (begin, end) = (format!("<!-- begin {name} -->\n"), format!("<!-- end {name} -->"));
     let from = text.find(&begin)? + begin.len();
@@ -22,8 +22,8 @@ pub fn part<'a>(text: &'a str, name: &str) -> Option<(std::ops::Range<usize>, &'
     Some((from..to, &text[from..to]))
 }
 
-/// Demands that a part of a document is what a command made of it; with `UPDATE_EXPECTED` in the
-/// environment, makes it so.
+/// Asserts that a part of a document equals the generated text. If `UPDATE_EXPECTED` is set in the environment, writes
+/// the generated text instead.
 pub fn expect(path: &str, name: &str, made: &str) {
     expect_by(path, name, made, |a, b| a == b);
 }
@@ -34,7 +34,7 @@ pub fn expect_by(path: &str, name: &str, made: &str, alike: impl Fn(&str, &str) 
     let (range, written) =
         part(&text, name).unwrap_or_else(|| panic!("{path} has no part `{name}`"));
     if std::env::var_os("UPDATE_EXPECTED").is_some() {
-        // In one move, and only if need be: other tests may be reading the document.
+        // One atomic write, only if needed: other tests may be reading the document.
         if !alike(written, made) {
             let mut text = text.clone();
             text.replace_range(range, made);
@@ -46,7 +46,7 @@ pub fn expect_by(path: &str, name: &str, made: &str, alike: impl Fn(&str, &str) 
         let how = "UPDATE_EXPECTED=1 cargo test --workspace";
         assert!(
             alike(written, made),
-            "`{name}` in {path} is not what is made now ({how}):\n{made}"
+            "`{name}` in {path} differs from the generated text ({how}):\n{made}"
         );
     }
 }

@@ -1,4 +1,4 @@
-//! The element of cubic deflections as textbooks print it: w, θ at the left end, w, θ at the right.
+//! The cubic element as in textbooks: w, θ at the left end, w, θ at the right end.
 
 /// Bending stiffness of an element of length h, without EI/h³.
 pub fn bending(h: f64) -> [[f64; 4]; 4] {

@@ -1,4 +1,5 @@
-//! The index of the paper's equations: which source files name each equation, or why the program needs none of it.
+//! The index of the paper's equations: the source files that name each equation, or the reason why the program does not
+//! need it.
 
 use crate::architecture::{Source, sources};
 use std::fmt::Write;
@@ -6,11 +7,11 @@ use std::fmt::Write;
 /// Equations of each section of the paper, (2.1) to (5.21).
 pub const SECTIONS: [(u32, u32); 4] = [(2, 13), (3, 12), (4, 25), (5, 21)];
 
-/// Crates that hold the paper's equations.
+/// Folders of the crates with the paper's equations.
 const FOLDERS: [&str; 3] =
     ["crates/groundbeam/src", "crates/groundbeam-proof/src", "verification/src"];
 
-/// Files that a row of the index names.
+/// Maximum number of files in a row of the index.
 const MOST_FILES: usize = 4;
 
 /// Equations that no source file names: number, statement, reason.
@@ -46,7 +47,7 @@ const NOT_NEEDED: &str = "\
 /// The index as a Markdown table, and the equations that neither a file nor `NOT_NEEDED` covers.
 pub fn index() -> (String, Vec<String>) {
     let files: Vec<Source> = FOLDERS.iter().flat_map(|folder| sources(folder)).collect();
-    // This file lists equations that others do not name.
+    // This file lists equations that no other file names.
     let files = files.into_iter().filter(|file| !file.path.ends_with("src/equations.rs"));
     let files: Vec<Source> = files.collect();
     let mut table = String::from("| equation | where |\n|---|---|\n");
@@ -82,7 +83,7 @@ fn reason(section: u32, number: u32) -> Option<(&'static str, &'static str)> {
     row.and_then(|mut row| Some((row.next()?, row.next()?)))
 }
 
-/// The files that name an equation, first those that name it in their first comment.
+/// The files that name an equation; those that name it in their first comment come first.
 fn places(files: &[Source], section: u32, number: u32) -> Vec<String> {
     let mut found: Vec<(bool, String)> = Vec::new();
     for file in files {
@@ -99,12 +100,12 @@ fn places(files: &[Source], section: u32, number: u32) -> Vec<String> {
     found.into_iter().map(|(_, path)| path).collect()
 }
 
-/// Whether a line is a comment or holds a message.
+/// Whether a line is a comment or contains a message.
 fn is_text(line: &str) -> bool {
     line.trim_start().starts_with("//") || line.contains('"')
 }
 
-/// Whether a text names an equation, by itself or within a range like (5.14)–(5.18).
+/// Whether a text names an equation, directly or within a range like (5.14)–(5.18).
 fn names(text: &str, section: u32, number: u32) -> bool {
     let mut rest = text;
     let mut before: Option<(u32, u32)> = None;

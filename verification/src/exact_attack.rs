@@ -1,23 +1,24 @@
-//! Wrong answers for the models of `reference/answers`: their errors against the answers in 60 digits, over the proven bounds.
+//! Wrong answers for the models of `reference/answers`: their errors against the answers in 60 digits, relative to the
+//! proven bounds.
 
 use crate::attack::{Attack, Target};
 use crate::reference::Answer as Exact;
 use groundbeam::proof::{ContactSet, Proof, prove};
 
-/// The truth has 20 digits, of which a double keeps 16; a claimed field is computed in doubles from its coefficients.
+/// Error of a comparison: the true values have 20 digits, a double has 16, and a claimed field is evaluated in doubles.
 const ROUNDING: f64 = 1e-12;
 
-/// What came of an attack.
+/// The result for a wrong answer.
 pub struct Judged {
-    /// Whether the answer is called proven.
+    /// Whether the answer is proven.
     pub proven: bool,
     /// Error over bound, by quantity.
     pub ratios: Vec<(&'static str, f64)>,
-    /// A contact set that is shown and is not the exact one.
+    /// A proven contact set that differs from the exact one.
     pub fault: Option<String>,
 }
 
-/// Judges a wrong answer; none if nothing is proven of it.
+/// Compares a wrong answer with its bounds; `None` if nothing is proven of it.
 pub fn judge(target: &Target, attack: &Attack, exact: &Exact) -> Option<Judged> {
     let proof = prove(&target.given, &attack.answer).ok()?;
     let mut ratios = fields(target, attack, exact, &proof);
@@ -74,7 +75,8 @@ fn reactions(
     ratios
 }
 
-/// How far the exact concentrated forces lie from the middles of their intervals, over half the length of these.
+/// The distances of the exact concentrated forces from the middles of their intervals, relative to the half lengths of
+/// these.
 fn forces(contact: &ContactSet, exact: &Exact, length: f64) -> Vec<(&'static str, f64)> {
     let mut truth = vec![(0.0, exact.end_forces["left"]), (length, exact.end_forces["right"])];
     truth.extend(exact.inner_forces.iter().map(|force| (force.x, force.force)));
@@ -87,7 +89,7 @@ fn forces(contact: &ContactSet, exact: &Exact, length: f64) -> Vec<(&'static str
     truth.into_iter().map(ratio).collect()
 }
 
-/// Why a contact set is not the exact one.
+/// The difference between a contact set and the exact one.
 fn wrong_contact(contact: &ContactSet, exact: &Exact, length: f64) -> Option<String> {
     let mut shown: Vec<[[f64; 2]; 2]> = Vec::new();
     for region in &contact.regions {

@@ -1,4 +1,5 @@
-//! Hostile models and model files: extreme numbers, positions a rounding error apart, text with random changes.
+//! Hostile models and model files: extreme numbers, positions that differ by a rounding error, text with random
+//! changes.
 
 use crate::documents::repository;
 use groundbeam::{
@@ -11,10 +12,10 @@ use rand::seq::IndexedRandom;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
-/// The memory that such a model may need: most are refused, none takes minutes.
+/// Memory limit for such models: it refuses most of them, and none takes minutes.
 const MEMORY: u64 = 3_000_000;
 
-/// Does everything with a model that a program does with one. Nothing of it may panic, whatever the answer is.
+/// Applies every function of the library to a model. None of them may panic.
 pub fn exercise(model: &Model) {
     let context = Context::new(Units::Plain);
     memory_estimate(model, &Options::default());
@@ -44,7 +45,7 @@ pub fn exercise(model: &Model) {
     }
 }
 
-/// Existence, of a model in compression only where that is known without large meshes.
+/// Existence; for a model in compression only if it needs no large mesh.
 fn exists_within(model: &Model) -> Result<groundbeam::Existence, Error> {
     let large = memory_estimate(model, &Options::default()) > MEMORY;
     if model.beam.axial_force < 0.0 && large && model.problems().is_empty() {
@@ -88,7 +89,7 @@ impl Dice {
         *all.choose(&mut self.0).expect("not empty")
     }
 
-    /// A positive number, one in three times an extreme one.
+    /// A positive number, with probability one third an extreme one.
     fn size(&mut self) -> f64 {
         match self.up_to(5) {
             0 => 1.0,
@@ -103,7 +104,7 @@ impl Dice {
         if self.happens(12) { sign * 0.0 } else { sign * self.size() }
     }
 
-    /// A place on a beam: an end, a round part, one that was given before or a few roundings beside any of these.
+    /// A place on a beam: an end, a round fraction, an earlier place, or a few roundings from one of these.
     fn place(&mut self, places: &mut Vec<f64>) -> f64 {
         let length = places[1];
         let at = match self.up_to(3) {
@@ -137,12 +138,12 @@ impl Dice {
     }
 }
 
-/// The model of a number; the same number makes the same model. It may be wrong, and often has no equilibrium.
+/// The model of a number; the same number gives the same model. It may be invalid, and often has no equilibrium.
 pub fn model(number: u64) -> Model {
     let dice = &mut Dice::of(number, 1);
     let length = dice.size();
     let places = &mut vec![0.0, length];
-    // Where numbers go with one another, a model is more than a rigid body or a membrane.
+    // With comparable numbers, the model is more than a rigid body or a membrane.
     let tame = dice.happens(2);
     let k = dice.size();
     let stiffness = if tame {
@@ -220,7 +221,7 @@ fn segments(beam: &mut Beam, ground: &mut Foundation, places: &mut Vec<f64>, dic
     }
 }
 
-/// Where the ground ends beside the beam.
+/// Sets the ends of the ground outside the beam.
 fn ends(ground: &mut Foundation, length: f64, dice: &mut Dice) {
     for right in [false, true] {
         if dice.happens(6) {
@@ -269,7 +270,7 @@ fn joints(model: &mut Model, places: &mut Vec<f64>, dice: &mut Dice) {
     }
 }
 
-/// What stands in a changed text instead of what was there.
+/// Replacements in a changed text.
 const WORDS: [&str; 24] = [
     "0",
     "-1",
@@ -297,7 +298,7 @@ const WORDS: [&str; 24] = [
     "9999999999999999999999",
 ];
 
-/// A text with a few changes: parts removed, doubled, moved or replaced.
+/// A text with a few changes: parts are removed, repeated, moved or replaced.
 pub fn mutated(text: &str, number: u64) -> String {
     let dice = &mut Dice::of(number, 2);
     let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
@@ -341,7 +342,7 @@ pub fn mutated(text: &str, number: u64) -> String {
     lines.join("\n")
 }
 
-/// The model files of the repository, faulty ones too, in the order of their names.
+/// The model files of the repository, including faulty ones, sorted by name.
 pub fn texts() -> Vec<String> {
     let cases = repository().join("cases");
     let mut paths = Vec::new();
@@ -353,18 +354,18 @@ pub fn texts() -> Vec<String> {
     }
     paths.retain(|path| path.extension().is_some_and(|extension| extension == "toml"));
     paths.sort();
-    // A file that is no UTF-8 is no text to change.
+    // Files that are not UTF-8 are skipped.
     paths.iter().filter_map(|path| std::fs::read_to_string(path).ok()).collect()
 }
 
-/// What a panic of `exercise` says; none if it comes to its end.
+/// The message of a panic in `exercise`; `None` without a panic.
 pub fn panics(exercise: impl FnOnce()) -> Option<String> {
     let panic = std::panic::catch_unwind(std::panic::AssertUnwindSafe(exercise)).err()?;
     let said = panic.downcast_ref::<String>().map(String::as_str);
     Some(said.or(panic.downcast_ref::<&str>().copied()).unwrap_or("a panic").to_owned())
 }
 
-/// Reads a text; solves what it says and shows it. A text that is no model is told why.
+/// Reads a text, solves the model and writes the result. For an invalid text it writes the diagnostics.
 pub fn exercise_text(written: &str) {
     match groundbeam_file::parse(written) {
         Ok(document) => {

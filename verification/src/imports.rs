@@ -1,7 +1,7 @@
-//! The imports between the source files of a crate, read from the sources: who uses which name of whom.
+//! The imports between the source files of a crate, read from the sources: which file uses which names of which file.
 //!
-//! A name that a module only re-exports counts for the file that defines it. Unit tests do not count. Calls of
-//! methods carry no path and do not count either.
+//! A re-exported name counts for the file that defines it. Unit tests do not count. Method calls carry no path, so they
+//! do not count either.
 
 use crate::architecture::{Source, sources};
 use petgraph::algo::tarjan_scc;
@@ -13,14 +13,14 @@ use syn::{Attribute, Item, UseTree};
 
 type Path = Vec<String>;
 
-/// A source file: its module, the names that it defines, and the paths that it names.
+/// A source file: its module, the names that it defines, and the paths that it contains.
 struct File {
     name: String,
     module: Path,
     defined: BTreeSet<String>,
-    /// The leaves of `use`: the path, and the name under which the file knows it.
+    /// The leaves of `use`: the path, and the local name.
     uses: Vec<(Path, String)>,
-    /// All other paths, the module in which they stand first.
+    /// All other paths, each after the module that contains it.
     paths: Vec<(Path, Path)>,
 }
 
@@ -28,7 +28,7 @@ struct File {
 pub struct Imports {
     files: Vec<File>,
     modules: BTreeMap<Path, usize>,
-    /// From a file to a file: the names.
+    /// For a pair of files: the names that the first uses of the second.
     edges: BTreeMap<(usize, usize), BTreeSet<String>>,
 }
 
@@ -46,7 +46,7 @@ impl Imports {
         imports
     }
 
-    /// The names of files that import each other in a cycle, one list a cycle.
+    /// Cycles of files that import each other, one list per cycle.
     pub fn cycles(&self) -> Vec<Vec<String>> {
         let edges = self
             .edges
@@ -55,7 +55,7 @@ impl Imports {
         cycles(edges)
     }
 
-    /// Imports between rooms, the top folders and files of the crate: the two rooms, and `file -> file: names`.
+    /// Imports between top folders or files of the crate (rooms): the two rooms, and `file -> file: names`.
     pub fn between_rooms(&self) -> Vec<(String, String, String)> {
         let mut found = Vec::new();
         for (&(from, to), names) in &self.edges {
@@ -69,7 +69,7 @@ impl Imports {
         found
     }
 
-    /// The rooms that import each other in a cycle, one list a cycle.
+    /// Cycles of rooms that import each other, one list per cycle.
     pub fn cycles_of_rooms(&self) -> Vec<Vec<String>> {
         cycles(self.between_rooms().into_iter().map(|(from, to, _)| (from, to)))
     }
@@ -79,7 +79,7 @@ impl Imports {
         let mut found = BTreeSet::new();
         for (path, alias) in &file.uses {
             let whole = self.absolute(&file.module, path);
-            // A module that is imported by its name ties nothing; what is used of it does.
+            // The import of a module by name is not counted; the names used of it are.
             let is_module = whole.as_ref().is_some_and(|whole| self.modules.contains_key(whole));
             if let Some(whole) = whole.filter(|_| !is_module && file.names(alias)) {
                 found.extend(self.origin(&whole, 0));
@@ -121,7 +121,7 @@ impl Imports {
         Some(base.into_iter().chain(rest.iter().cloned()).collect())
     }
 
-    /// The file that defines what a path names, and the name.
+    /// The file that defines the target of a path, and the name.
     fn origin(&self, path: &[String], depth: usize) -> Option<(usize, String)> {
         let cut = (0..=path.len()).rev().find(|cut| self.modules.contains_key(&path[..*cut]))?;
         let at = self.modules[&path[..cut]];
@@ -208,12 +208,12 @@ impl File {
         self.defined.insert(name.to_string());
     }
 
-    /// Whether the body of the file names something. A `pub use` that only hands a name on does not count.
+    /// Whether the body of the file uses a name. A `pub use` that only re-exports it does not count.
     fn names(&self, alias: &str) -> bool {
         alias == "*" || self.paths.iter().any(|(_, path)| path[0] == alias)
     }
 
-    /// The paths among tokens, those in calls of macros among them. A single name is a path of one part.
+    /// The paths among tokens, including those in macro calls. A single name is a path of one part.
     fn paths_in(&mut self, tokens: TokenStream, module: &Path) {
         let mut path: Path = Vec::new();
         let mut colons = 0;
@@ -248,7 +248,7 @@ impl File {
     }
 }
 
-/// All leaves of a `use`, each with the name by which it is known.
+/// All leaves of a `use`, each with its local name.
 fn leaves(tree: &UseTree, before: &mut Path, found: &mut Vec<(Path, String)>) {
     let mut leaf = |last: &str, alias: &str| {
         let own = (last != "self").then(|| last.to_owned());
@@ -271,7 +271,7 @@ fn leaves(tree: &UseTree, before: &mut Path, found: &mut Vec<(Path, String)>) {
     }
 }
 
-/// The top folder or top file of the crate in which a file lies.
+/// The top folder or top file of the crate that contains a file.
 pub fn room(file: &str) -> &str {
     file.split('/').next().unwrap_or(file).trim_end_matches(".rs")
 }

@@ -1,4 +1,4 @@
-//! groundbeam checked against what is known: shared by the tests.
+//! Checks of groundbeam against known results: code shared by the tests.
 
 pub mod architecture;
 pub mod attack;

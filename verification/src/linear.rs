@@ -1,9 +1,9 @@
-//! Beams that shear by elements of the plainest kind: w, φ and u linear between nodes, the shear strain at one point
-//! of each element (Hughes, Taylor and Kanoknukulchai 1977), contact at nodes, tried until it fits.
+//! Beams that shear, by the simplest elements: w, φ and u linear between nodes, the shear strain at one point of each
+//! element (Hughes, Taylor and Kanoknukulchai 1977), nodal contact by trial.
 
 use groundbeam::{Action, Extent, Model, SupportKind};
 
-/// A deflection at even nodes.
+/// A deflection at equally spaced nodes.
 #[derive(Debug, Clone)]
 pub struct Linear {
     /// w at the nodes \[m\].
@@ -21,11 +21,11 @@ const W: usize = 0;
 const TURN: usize = 1;
 const U: usize = 2;
 
-/// Changes of the contact on one mesh.
+/// Maximum number of changes of the contact on one mesh.
 const MOST_SWEEPS: usize = 4000;
 
 impl Linear {
-    /// A uniform beam on uniform ground, loads and supports at nodes, the gap given at both ends.
+    /// Solves a uniform beam on uniform ground with loads and supports at nodes; the gap is given at both ends.
     pub fn solve(model: &Model, elements: usize) -> Self {
         let coarse = elements / 4;
         let start = if coarse.is_multiple_of(40) && coarse > 40 {
@@ -41,7 +41,7 @@ impl Linear {
 struct Mesh {
     h: f64,
     gap: Vec<f64>,
-    /// What stands at a node and acts on it: springs against w and φ, force and moment.
+    /// Springs, force and moment at a node: stiffnesses of w and φ, force and moment.
     springs: Vec<[f64; 2]>,
     loads: Vec<[f64; 2]>,
     held: Vec<[bool; 2]>,
@@ -125,17 +125,17 @@ impl Mesh {
             }
             touching = next;
         }
-        panic!("the contact does not come to rest");
+        panic!("the contact does not converge");
     }
 
-    /// What the ground presses with at a node.
+    /// The contact force of the ground at a node.
     fn ground(&self, found: &[Node], i: usize) -> f64 {
         let around = [i.checked_sub(1), Some(i), Some(i + 1).filter(|next| *next < found.len())];
         let row = self.ground_row(i);
         around.iter().zip(row).map(|(at, k)| at.map_or(0.0, |at| k * found[at][U])).sum()
     }
 
-    /// The ground's stiffness between a node and the one before, itself and the next.
+    /// A row of the ground's stiffness: the node before, the node itself, the next node.
     fn ground_row(&self, i: usize) -> [f64; 3] {
         let [.., k, mu] = self.constants;
         let h = self.h;
@@ -145,12 +145,12 @@ impl Mesh {
         [beside, sides as f64 * (k * h / 3.0 + mu / h) + end, beside]
     }
 
-    /// The beam with the ground at the nodes that touch: block rows, eliminated from left to right.
+    /// The beam bonded to the ground at the nodes in contact: block rows, eliminated from left to right.
     fn glued(&self, touching: &[bool]) -> Vec<Node> {
         let count = touching.len();
         let [ei, shear, axial, ..] = self.constants;
         let h = self.h;
-        // An element's own: (w_left, φ_left, w_right, φ_right).
+        // The unknowns of an element: (w_left, φ_left, w_right, φ_right).
         let element = |a: usize, b: usize| {
             let strain = [-1.0 / h, -0.5, 1.0 / h, -0.5];
             let bend = [0.0, -1.0 / h, 0.0, 1.0 / h];
@@ -221,7 +221,7 @@ impl Mesh {
     }
 }
 
-/// M⁻¹ A and M⁻¹ r, by Gauss with pivots.
+/// M⁻¹ A and M⁻¹ r, by Gaussian elimination with pivoting.
 fn solve_block(mut m: Block, mut a: Block, mut r: Node) -> (Block, Node) {
     for p in 0..3 {
         let best = (p..3).max_by(|&i, &j| m[i][p].abs().total_cmp(&m[j][p].abs())).unwrap_or(p);

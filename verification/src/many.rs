@@ -2,12 +2,12 @@
 
 use groundbeam::{Beam, Foundation, Hinge, Load, Model, Support};
 
-/// Of what a model has many.
+/// The kind of the parts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
     /// Forces at points.
     Points,
-    /// Spread loads, one beside the other.
+    /// Distributed loads, one beside the other.
     Spread,
     /// Segments of the beam.
     Beam,
@@ -15,7 +15,7 @@ pub enum Kind {
     Ground,
     /// Forces on the ground.
     GroundForces,
-    /// Spread loads on the ground, one beside the other.
+    /// Distributed loads on the ground, one beside the other.
     GroundSpread,
     /// Pins.
     Supports,
@@ -23,7 +23,7 @@ pub enum Kind {
     Hinges,
 }
 
-/// All of them.
+/// All kinds.
 pub const KINDS: [Kind; 8] = [
     Kind::Points,
     Kind::Spread,
@@ -35,7 +35,7 @@ pub const KINDS: [Kind; 8] = [
     Kind::Hinges,
 ];
 
-/// A model with so many parts of a kind on a beam 1 km long.
+/// A model with this number of parts of a kind on a beam of 1 km.
 pub fn model(kind: Kind, count: usize) -> Model {
     let length = 1000.0;
     let beam = Beam::uniform(length, 1e12);

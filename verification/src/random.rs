@@ -1,4 +1,4 @@
-//! Random models that have an equilibrium, from both ends of every parameter.
+//! Random models that have an equilibrium, with parameters over their whole range.
 
 mod features;
 
@@ -13,10 +13,10 @@ use groundbeam::{
 use rand::{Rng, RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
-/// What a family of models is made of.
+/// The features of a family of models.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Family {
-    /// One kind of beam and of ground, a few loads.
+    /// Uniform beam and ground, a few loads.
     Plain,
     /// Axial tension.
     Tension,
@@ -30,37 +30,37 @@ pub enum Family {
     Gap,
     /// Resultants close to an end, stiffness over sixteen decades, λl up to 10³.
     Hard,
-    /// A long beam pulled up here and there: many zones.
+    /// A long beam with upward loads at several places: many zones.
     Long,
-    /// All of it.
+    /// All features of the families above.
     Mixed,
-    /// Stiffness and ground that run from one value to another, with some of all the rest.
+    /// Stiffness and ground that vary along segments, with features of all others.
     Varying,
-    /// Imposed curvatures beside the loads, with some of all the rest.
+    /// Imposed curvatures in addition to loads, with features of all others.
     Curled = 12,
-    /// Supports that have settled, with some of all the rest.
+    /// Settled supports, with features of all others.
     Settled = 13,
-    /// Hinges, free and elastic, with some of all the rest.
+    /// Free and elastic hinges, with features of all others.
     Hinged = 10,
-    /// Supports that act in one direction alone, with some of all the rest.
+    /// One-way supports, with features of all others.
     OneWay = 11,
-    /// Ground that ends or changes beside the beam.
+    /// Ground that ends or changes outside the beam.
     Beside = 16,
-    /// The same, and loads on the ground, under the beam and beside it.
+    /// As `Beside`, with loads on the ground, under the beam and outside it.
     Neighbours = 17,
-    /// Beams that shear, from hardly to hardly anything else, with some of all the rest.
+    /// Beams with shear flexibility from negligible to dominant, with features of all others.
     Shearing = 30,
-    /// All of it but tension, under compression that the ground must help to bear.
+    /// All features except tension, under compression that the ground helps to carry.
     Compressed = 21,
-    /// The same on beams that shear, on supports that act in one direction alone, or both, with hinges now and then.
+    /// As `Compressed`, on beams that shear or with one-way supports, or both, sometimes with hinges.
     CompressedToo = 22,
-    /// All of it at its worst: λl up to 10⁴, up to a hundred loads, some pulling, resultants near an end.
+    /// All features at their extremes: λl up to 10⁴, up to a hundred loads, some upward, resultants near an end.
     Extreme = 20,
 }
 
 impl Family {
-    /// Every family that takes milliseconds a model and that every method solves; `Extreme` takes seconds at times, and
-    /// `Compressed`, `CompressedToo` and `Shearing` are solved by the exact method alone.
+    /// Every family that takes milliseconds per model and that every method solves. Not in it: `Extreme`, which can
+    /// take seconds, and `Compressed`, `CompressedToo` and `Shearing`, which only the exact method solves.
     pub const ALL: [Family; 16] = [
         Family::Plain,
         Family::Tension,
@@ -81,7 +81,7 @@ impl Family {
     ];
 }
 
-/// The model of a family with a number; the same numbers make the same model.
+/// The model of a family with a number; the same family and number give the same model.
 pub fn model(family: Family, number: u64) -> Model {
     let mut rng = ChaCha8Rng::seed_from_u64(number);
     rng.set_stream(family as u64);
@@ -97,7 +97,7 @@ pub fn model(family: Family, number: u64) -> Model {
             return model;
         }
     }
-    unreachable!("a family in which one model in a thousand stands")
+    unreachable!("a family in which one model in a thousand has an equilibrium")
 }
 
 struct Dice<'a, R>(&'a mut R);
@@ -107,7 +107,7 @@ impl<R: Rng> Dice<'_, R> {
         self.0.random_range(low..high)
     }
 
-    /// Even in the logarithm.
+    /// Uniform in the logarithm.
     fn decades(&mut self, low: f64, high: f64) -> f64 {
         10_f64.powf(self.even(low, high))
     }
@@ -120,12 +120,12 @@ impl<R: Rng> Dice<'_, R> {
         self.0.random_bool(probability)
     }
 
-    /// One time in five; without a throw where it is not asked for.
+    /// True with probability one fifth; draws no number if `asked` is false.
     fn now_and_then(&mut self, asked: bool) -> bool {
         asked && self.happens(0.2)
     }
 
-    /// A place on [0, 1], sometimes an end or a round number.
+    /// A place on [0, 1], sometimes an end or a round fraction.
     fn place(&mut self) -> f64 {
         match self.up_to(9) {
             0 => 0.0,
@@ -144,7 +144,7 @@ fn draw(family: Family, rng: &mut impl Rng) -> Model {
     let mixed = extreme || compressed || family == Family::Mixed;
     let hard = extreme || family == Family::Hard;
     let curled = family == Family::Curled;
-    // With some of all the rest.
+    // Features of all others.
     let settles = family == Family::Settled;
     let hinged = family == Family::Hinged;
     let one_way = family == Family::OneWay;
@@ -153,7 +153,7 @@ fn draw(family: Family, rng: &mut impl Rng) -> Model {
     let varying = family == Family::Varying || dice.now_and_then(curled || settles || shearing);
     let length = dice.decades(-1.0, 2.0);
     let k = dice.decades(-2.0, 2.0);
-    // Stiffness by the number that matters, l (k/4EI)^(1/4).
+    // The stiffness follows from a drawn value of l (k/4EI)^(1/4).
     let lambda_l = match family {
         Family::Hard => dice.decades(-2.0, 3.0),
         Family::Long => dice.decades(1.0, 2.0),
@@ -161,7 +161,7 @@ fn draw(family: Family, rng: &mut impl Rng) -> Model {
         _ => dice.decades(-1.0, 1.5),
     };
     let stiffness = 0.25 * k * (length / lambda_l).powi(4);
-    // The shear layer by √(μ/k) against √(EI/k)^(1/2).
+    // The shear layer follows from a drawn ratio of √(μ/k) and √(EI/k)^(1/2).
     let shear = match family {
         Family::Winkler => 0.0,
         _ if (mixed || curled || settles || shearing) && dice.happens(0.2) => 0.0,
@@ -196,7 +196,7 @@ fn draw(family: Family, rng: &mut impl Rng) -> Model {
         }
     }
     let beside = matches!(family, Family::Beside | Family::Neighbours);
-    // Springs alone under the beam's end say nothing to a layer beside it.
+    // Winkler ground under the beam's end is not coupled to a shear layer outside it.
     let layered = shear > 0.0 && !varying && ground.segments.is_empty();
     if beside || (layered && dice.now_and_then(shearing)) {
         ground = change_beside(ground, length, dice);
@@ -205,7 +205,7 @@ fn draw(family: Family, rng: &mut impl Rng) -> Model {
         beam = vary_beam(beam, stiffness, dice);
         ground = vary_ground(ground, length, dice);
     }
-    // A beam that shears, supports that act one way, or both.
+    // A beam that shears, one-way supports, or both.
     let kind = if too { 1 + dice.up_to(2) } else { 0 };
     if shearing || kind & 1 > 0 {
         beam = shear_beam(beam, lambda_l, dice);
@@ -258,7 +258,7 @@ fn draw(family: Family, rng: &mut impl Rng) -> Model {
         let mut places: Vec<f64> = (0..corners).map(|_| dice.place()).collect();
         places.sort_by(f64::total_cmp);
         places.dedup();
-        // Clearances of the order of the deflections to come.
+        // Clearances of the order of the expected deflections.
         let size = model.loads.iter().map(|load| size_of(load, length)).sum::<f64>() / (k * length);
         for place in places {
             let clearance = size * dice.even(-0.3, 1.0);
@@ -268,7 +268,7 @@ fn draw(family: Family, rng: &mut impl Rng) -> Model {
     if family == Family::Neighbours {
         add_neighbours(&mut model, dice);
     }
-    // A moment on a beam a hundred waves long would lift it by 10⁶ times its settlement and more.
+    // A moment on a beam of a hundred wave lengths would lift it by more than 10⁶ times its settlement.
     if hard && lambda_l < 30.0 {
         bring_to_the_edge(&mut model, dice);
     }
@@ -329,7 +329,7 @@ fn load<R: Rng>(model: &mut Model, family: Family, lambda_l: f64, dice: &mut Dic
     }
 }
 
-/// Adds a moment that brings the resultant close to an end.
+/// Adds a moment that moves the resultant close to an end.
 fn bring_to_the_edge<R: Rng>(model: &mut Model, dice: &mut Dice<R>) {
     if !model.supports.is_empty() || dice.happens(0.3) {
         return;
@@ -348,7 +348,7 @@ fn bring_to_the_edge<R: Rng>(model: &mut Model, dice: &mut Dice<R>) {
     model.loads.push(Load::point_moment(at, moment));
 }
 
-/// Adds an even load, and the rest at a factor next to the one at which the beam first leaves the ground.
+/// Adds a uniform load, and scales the other loads close to the factor of first lift-off.
 fn bring_to_lift_off<R: Rng>(model: &mut Model, dice: &mut Dice<R>) {
     let (l, own) = (model.beam.length, model.loads.len());
     let size: f64 = model.loads.iter().map(|load| size_of(load, l)).sum();

@@ -1,11 +1,11 @@
-//! The multiprecision answers in `reference/answers`, and how far a solution is from them.
+//! The multiprecision answers in `reference/answers`, and the distance of a solution from them.
 
 use groundbeam::{Extent, Field, Model, Side, Solution};
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::path::Path;
 
-/// One answer; `reference/README.md` says what the keys mean.
+/// One answer; `reference/README.md` describes the keys.
 #[derive(Debug, Deserialize)]
 pub struct Answer {
     /// Name of the model.
@@ -25,20 +25,20 @@ pub struct Answer {
     pub reactions: Vec<AnswerReaction>,
     /// Primal energy.
     pub primal_energy: f64,
-    /// The largest size of each field.
+    /// The largest absolute value of each field.
     pub largest: BTreeMap<String, f64>,
     /// Fields at stations.
     pub stations: BTreeMap<String, serde_json::Value>,
 }
 
-/// What a support does.
+/// The reaction of a support.
 #[derive(Debug, Deserialize)]
 pub struct AnswerReaction {
     /// Position.
     pub at: f64,
     /// Force, up.
     pub force: f64,
-    /// Moment against the slope.
+    /// Moment, with the sign opposite to the slope.
     pub moment: f64,
 }
 
@@ -51,12 +51,12 @@ pub struct InnerForce {
     pub force: f64,
 }
 
-/// How far a solution is from an answer, each relative to the largest size of its kind.
+/// The distances of a solution from an answer, relative to the largest value of each kind.
 #[derive(Debug, Default, Clone, Copy)]
 pub struct Distance {
     /// The fields at the stations.
     pub fields: f64,
-    /// The edges, relative to the length; infinite if the regions are others.
+    /// The edges, relative to the length; infinite if the number of regions differs.
     pub edges: f64,
     /// The end forces and reactions, relative to all forces.
     pub forces: f64,
@@ -70,7 +70,7 @@ impl Distance {
 }
 
 impl Answer {
-    /// All answers of a folder, file by file in the order of their names.
+    /// All answers of a folder, sorted by file name.
     pub fn all() -> Vec<Answer> {
         let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../reference/answers");
         let mut files: Vec<_> = std::fs::read_dir(folder)
@@ -107,8 +107,7 @@ impl Answer {
         list.iter().map(|v| v.as_f64().unwrap_or(f64::NAN)).collect()
     }
 
-    /// The largest error of a field at the stations, away from edges; what the answer itself is rounded by does not
-    /// count.
+    /// The largest error of a field at the stations away from edges, minus the rounding of the answer itself.
     pub fn largest_error(&self, solution: &Solution, field: Field) -> f64 {
         let x = self.numbers("x");
         let sides = self.stations["side"].as_array().expect("a list of sides");
@@ -123,7 +122,7 @@ impl Answer {
         largest
     }
 
-    /// How far a solution is from this answer.
+    /// The distance of a solution from this answer.
     pub fn distance(&self, solution: &Solution) -> Distance {
         let mut distance = Distance::default();
         let l = solution.model().beam.length;
@@ -140,11 +139,11 @@ impl Answer {
             };
             let wanted = self.numbers(field.name());
             for ((&x, side), wanted) in x.iter().zip(sides).zip(wanted) {
-                // A limit at an edge is a limit at the edge that was found.
+                // A limit value at an edge is compared at the computed edge.
                 let edges = solution.contact().iter().flat_map(|region| [region.from, region.to]);
                 let near = |edge: &f64| side != "" && (edge - x).abs() <= 1e-11 * l;
                 let edge = edges.into_iter().find(near);
-                // A load within rounding of an edge: which of two jumps comes first is no question.
+                // At a load within rounding of an edge, the order of the two jumps is undetermined.
                 if edge.is_some() && self.loaded_near(x, 1e-11 * l) {
                     continue;
                 }

@@ -1,23 +1,23 @@
-//! The model of the first reader against that of the second: every number.
+//! Compares the model of the first reader with that of the second, number by number.
 
 use groundbeam::{Acts, Extent, Foundation, GroundEnd, Model, Profile, SupportKind};
 use groundbeam_proof as proof;
 use groundbeam_proof::{Course, Scalar, Wide};
 
-/// What differs, each with its name and both numbers; and the largest difference in units of the last place.
+/// The differences, each with its name and both numbers; and the largest difference in units of the last place.
 #[derive(Debug, Default)]
 pub struct Comparison {
-    /// Numbers that are compared.
+    /// Number of compared numbers.
     pub numbers: usize,
     /// The largest relative difference, in units of 2⁻⁵².
     pub largest: f64,
-    /// What differs by more than is allowed.
+    /// Differences beyond the tolerance.
     pub faults: Vec<String>,
     allowed: f64,
 }
 
 impl Comparison {
-    /// Compares two models; numbers may differ by `allowed` · 2⁻⁵² of themselves.
+    /// Compares two models; numbers may differ by a relative `allowed` · 2⁻⁵².
     pub fn of(first: &Model, second: &proof::Model<Wide>, allowed: f64) -> Self {
         let mut comparison = Comparison { allowed, ..Comparison::default() };
         comparison.beam(first, second);
@@ -31,13 +31,13 @@ impl Comparison {
         self.number_beside(name, first, second, first);
     }
 
-    /// A number, and the largest one of those from which it follows.
+    /// Compares a number; `largest` is the largest number from which it is computed.
     fn number_beside(&mut self, name: &str, first: f64, second: Wide, largest: f64) {
         self.numbers += 1;
         let difference = (first - second.middle()).abs();
         let ulps = if difference == 0.0 { 0.0 } else { difference / first.abs() / f64::EPSILON };
         self.largest = self.largest.max(ulps);
-        // A decimal is enclosed by some 100 bits: what the middle leaves is its rounding.
+        // A decimal has an enclosure of about 100 bits: the difference from its middle is rounding.
         let rest = (second - Wide::of(second.middle())).size();
         let is_sharp = rest <= f64::EPSILON * (first.abs() + 1e-12 * largest.abs()) + 1e-280;
         if !(ulps <= self.allowed && is_sharp) {
@@ -57,7 +57,7 @@ impl Comparison {
         }
     }
 
-    /// Two polynomials, by their values at six places.
+    /// Compares two polynomials by their values at six places.
     fn course(&mut self, name: &str, first: &Profile, second: &Course<Wide>) {
         if let Course::Constant(second) = second {
             self.same(name, first.is_constant());
@@ -182,7 +182,7 @@ impl Comparison {
     }
 }
 
-/// The value at a part of the way, by de Casteljau.
+/// The value at a fraction of the length, by de Casteljau's algorithm.
 fn at(course: &Course<Wide>, t: Wide) -> Wide {
     let mut values = match course {
         Course::Constant(value) => vec![*value],

@@ -1,4 +1,4 @@
-//! Random models over settlement troughs, and what twice as many chords change in their results.
+//! Random models over settlement troughs, and the change of their results when the number of chords doubles.
 
 use groundbeam::{Field, GapPoint, Model, Outcome, Range, Solution, solve};
 use groundbeam_file::{Diagnostics, Document, parse};
@@ -22,12 +22,12 @@ pub struct Trough {
 pub struct Drawn {
     /// The file.
     pub text: String,
-    /// The curves that it describes.
+    /// The troughs that it describes.
     pub troughs: Vec<Trough>,
 }
 
-/// The model of a number: always the same one. Stiffness, loads and troughs span what engineers give and far more.
-/// Even numbers have separate springs, odd ones a shear layer.
+/// The model of a number; the same number gives the same model. Stiffness, loads and troughs cover more than the range
+/// of practice. Even numbers have Winkler ground, odd ones a shear layer.
 pub fn drawn(number: u64) -> Drawn {
     let mut random = ChaCha8Rng::seed_from_u64(number);
     let r = &mut random;
@@ -138,7 +138,7 @@ pub fn doubled(model: &Model, troughs: &[Trough]) -> Model {
         let straight =
             0.5 * (pair[0].value - depth(pair[0].at) + pair[1].value - depth(pair[1].at));
         let value = straight + depth(at);
-        // Less than this cannot be computed with.
+        // Smaller numbers are outside the range of the solver.
         let value = if value.abs() < 1e-60 { 0.0 } else { value };
         gap.extend([pair[0], GapPoint { at, value }]);
     }
@@ -146,7 +146,8 @@ pub fn doubled(model: &Model, troughs: &[Trough]) -> Model {
     Model { gap, ..model.clone() }
 }
 
-/// What changes between two solutions: w, M and p by their largest magnitude, the edges of contact by the length.
+/// The change between two solutions: w, M and p relative to their largest magnitude, the edges of contact relative to
+/// the length.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Changed {
     /// Of deflection, moment and pressure.
@@ -168,10 +169,10 @@ pub fn changed(coarse: &Solution, fine: &Solution) -> Changed {
     Changed { fields, edges: edges / fine.model().beam.length }
 }
 
-/// An end of a stretch of contact.
+/// An end of a contact zone.
 struct Edge {
     at: f64,
-    /// The length of the opening on its other side.
+    /// The length of the open span on its other side.
     opening: f64,
 }
 
@@ -185,8 +186,8 @@ fn edges(solution: &Solution) -> Vec<Edge> {
     openings.flat_map(ends).collect()
 }
 
-/// The largest distance of an edge of one solution from the edges of the other. Above a shear layer the beam opens at
-/// every corner that points down: an opening that has no counterpart moves the set of contact by half its length.
+/// The largest distance of an edge of one solution from the edges of the other. Over a shear layer the beam lifts off
+/// at every corner that points down. Such an open span without counterpart changes the contact set by half its length.
 fn apart(from: &[Edge], to: &[Edge]) -> f64 {
     let distance = |edge: &Edge| {
         to.iter().map(|other| (edge.at - other.at).abs()).fold(0.5 * edge.opening, f64::min)
@@ -194,24 +195,24 @@ fn apart(from: &[Edge], to: &[Edge]) -> f64 {
     from.iter().map(distance).fold(0.0, f64::max)
 }
 
-/// What came of a model.
+/// The result for a model.
 #[derive(Debug)]
 pub enum Result {
-    /// The file is refused.
+    /// The reader refuses the file.
     Refused(Diagnostics),
-    /// No equilibrium, whatever the ground's shape.
+    /// No equilibrium exists, for any shape of the ground.
     NoEquilibrium,
-    /// The method gave up.
+    /// The method did not converge.
     Failed(String),
     /// Solved with the chords of the file and with twice as many.
     Solved {
-        /// Those of the file.
+        /// Number of chords of the file.
         chords: usize,
-        /// Stretches of contact, with the chords of the file and with twice as many.
+        /// Number of contact zones, with the chords of the file and with twice as many.
         zones: [usize; 2],
         /// The differences.
         changed: Changed,
-        /// What the first solution took.
+        /// Time of the first solution.
         seconds: f64,
     },
 }

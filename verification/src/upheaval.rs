@@ -1,16 +1,17 @@
-//! Compression by brute force: a mesh of cubic elements on nodal springs that act one way, Newton's method step by step.
+//! Compression by brute force: a mesh of cubic elements on nodal one-way springs, Newton's method in small steps of
+//! compression.
 //!
-//! Nothing here is shared with the library: stiffness and geometric stiffness as textbooks print them, the
-//! ground as one spring per node, stability by Cholesky's elimination of the whole matrix. For uniform
-//! beams on uniform separate springs, of which it is an approximation of second order.
+//! It shares nothing with the library: stiffness and geometric stiffness as in textbooks, one spring per node for the
+//! ground, stability by Cholesky factorisation of the whole matrix. It is for uniform beams on uniform Winkler ground,
+//! with an error of second order.
 
 use crate::element;
 use groundbeam::{Action, Acts, Extent, Model, SupportKind};
 
-/// Newton's steps that one compression may take.
+/// Maximum number of Newton steps per compression.
 const MOST_STEPS: usize = 40;
 
-/// A spring at a node, against deflections beyond a place.
+/// A one-way spring at a node, which acts on deflections beyond a height.
 #[derive(Debug, Clone, Copy)]
 struct Spring {
     node: usize,
@@ -33,7 +34,7 @@ impl Spring {
 /// The spring constant of a rigid support, as a multiple of EI/h³.
 const RIGID: f64 = 1e4;
 
-/// A uniform beam on springs at its nodes: first the ground's, then those of the supports.
+/// A uniform beam on springs at its nodes: first those of the ground, then those of the supports.
 #[derive(Debug, Clone)]
 pub struct Meshed {
     length: f64,
@@ -44,12 +45,12 @@ pub struct Meshed {
     springs: Vec<Spring>,
 }
 
-/// The lower band of a symmetric matrix, row by row: the diagonal stands last.
+/// The lower band of a symmetric matrix, row by row; the diagonal comes last.
 const WIDTH: usize = 4;
 
 impl Meshed {
-    /// The mesh of a model that has uniform beam and ground, μ = 0, even loads or forces and moments at nodes, and
-    /// pins or springs against deflection there.
+    /// The mesh of a model with uniform beam and ground, μ = 0, uniform loads or nodal forces and moments, and pins or
+    /// translational springs at nodes.
     pub fn new(model: &Model, elements: usize) -> Self {
         let length = model.beam.length;
         let h = length / elements as f64;
@@ -103,8 +104,8 @@ impl Meshed {
         Meshed { length, elements, bending, geometric, load, springs }
     }
 
-    /// w at the nodes where the second variation is positive and Newton's steps from given w and θ settle;
-    /// none if there is no such state.
+    /// w at the nodes, if Newton's method converges from given w and θ to a state with positive second
+    /// variation; otherwise `None`.
     pub fn settle(&self, compression: f64, start: &[f64]) -> Option<Vec<f64>> {
         let mut w = start.to_vec();
         let mut touching: Option<Vec<bool>> = None;
@@ -122,7 +123,7 @@ impl Meshed {
         None
     }
 
-    /// Matrix and force of the beam glued to the springs that touch.
+    /// Matrix and force of the beam bonded to the springs in contact.
     fn glued(&self, compression: f64, touching: &[bool]) -> (Vec<[f64; WIDTH]>, Vec<f64>) {
         let mut matrix = self.bending.clone();
         for (row, turn) in matrix.iter_mut().zip(&self.geometric) {
@@ -139,8 +140,7 @@ impl Meshed {
         (matrix, force)
     }
 
-    /// Whether the beam glued to the ground where a function says so, and to the supports of which another one does,
-    /// is stable.
+    /// Whether the beam is stable if it is bonded to the ground and the supports where the two functions return true.
     pub fn is_stable(
         &self,
         compression: f64,
@@ -154,13 +154,13 @@ impl Meshed {
         cholesky(self.glued(compression, &touching).0).is_some()
     }
 
-    /// w and θ where nothing acts and nothing is pressed: the start without compression.
+    /// w and θ at rest without loads: the start without compression.
     pub fn at_rest(&self) -> Vec<f64> {
         let deepest = self.springs.iter().map(|spring| spring.place).fold(0.0, f64::max);
         (0..self.load.len()).map(|i| if i % 2 == 0 { deepest + 1.0 } else { 0.0 }).collect()
     }
 
-    /// w and θ under a compression, reached in so many steps.
+    /// w and θ under a compression, reached in this number of steps.
     pub fn branch(&self, compression: f64, steps: usize) -> Option<Vec<f64>> {
         let mut w = self.settle(0.0, &self.at_rest())?;
         for step in 1..=steps {
@@ -169,7 +169,8 @@ impl Meshed {
         Some(w)
     }
 
-    /// The compression at which the branch that begins without any ends, in steps that shrink to a part of it.
+    /// The compression at which the path that starts without compression ends, in steps that shrink to a fraction of
+    /// it.
     pub fn critical_compression(&self, first: f64) -> Option<f64> {
         let mut w = self.settle(0.0, &self.at_rest())?;
         let (mut reached, mut step) = (0.0, first);
@@ -195,7 +196,7 @@ fn clearance(model: &Model, x: f64) -> f64 {
     }
 }
 
-/// L of L Lᵀ for a banded matrix; none if it is not positive.
+/// L of L Lᵀ for a banded matrix; `None` if the matrix is not positive definite.
 fn cholesky(mut a: Vec<[f64; WIDTH]>) -> Option<Vec<[f64; WIDTH]>> {
     for i in 0..a.len() {
         for j in i.saturating_sub(WIDTH - 1)..=i {

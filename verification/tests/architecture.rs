@@ -1,10 +1,10 @@
-//! The promises of `ARCHITECTURE.md` about the code.
+//! Checks the rules of `ARCHITECTURE.md` about the code.
 
 use groundbeam_verification::architecture::{Source, crates, map, sources};
 use groundbeam_verification::documents;
 use groundbeam_verification::imports::Imports;
 
-/// What each crate may depend on within the workspace.
+/// Allowed dependencies of each crate within the workspace.
 const ARROWS: [(&str, &[&str]); 13] = [
     ("groundbeam-proof", &[]),
     ("groundbeam-wasm", &["groundbeam", "groundbeam-file", "groundbeam-proof"]),
@@ -50,7 +50,7 @@ const ARROWS: [(&str, &[&str]); 13] = [
     ),
 ];
 
-/// The floors of the core, the highest first. A folder or file imports only from lower floors.
+/// The floors of the core, the highest first. A folder or file may import only from lower floors.
 const FLOORS: [&[&str]; 15] = [
     &["lib"],
     &["load_factors", "nodal_solver", "soil"],
@@ -69,15 +69,15 @@ const FLOORS: [&[&str]; 15] = [
     &["cancel"],
 ];
 
-/// Top folders and files of the other crates that import each other in a cycle. The list may only shrink.
+/// Top folders and files of the other crates that import each other in a cycle. This list may only shrink.
 const CYCLES: [(&str, &[&str]); 2] = [
     ("groundbeam-file", &["combination", "document", "reader", "units"]),
     ("groundbeam-pdf", &["lib", "typeset", "without"]),
 ];
 
-/// Lines of a file, its tests at the end not counted.
+/// Maximum number of lines of a file, without the tests at its end.
 const BUDGET: usize = 450;
-/// What the mathematics never does: input and output, clocks, environment, unordered maps, panics.
+/// Forbidden in the mathematical crates: input and output, clocks, environment, unordered maps, panics.
 const NEVER_IN_THE_CORE: [&str; 22] = [
     "println!",
     "print!",
@@ -157,7 +157,7 @@ fn the_core_is_pure() {
     for source in sources("crates/groundbeam/src").into_iter().chain(proof) {
         for (number, line) in source.code().lines().enumerate() {
             let code = line.split("//").next().unwrap_or_default();
-            // An assertion on what only the code itself can break is compiled out of releases.
+            // Releases do not contain `debug_assert!`.
             let code = code.replace("debug_assert!(", "");
             for never in NEVER_IN_THE_CORE.iter().filter(|never| code.contains(**never)) {
                 faults.push(format!("{}:{}: {never}", source.path, number + 1));
@@ -195,7 +195,7 @@ fn no_folder_imports_itself_through_others() {
         let more: Vec<_> = rooms.iter().filter(|room| !known.contains(&room.as_str())).collect();
         assert!(more.is_empty(), "{name}: {more:?} joined a cycle");
         let gone: Vec<_> = known.iter().filter(|room| !rooms.iter().any(|r| r == *room)).collect();
-        assert!(gone.is_empty(), "{name}: {gone:?} left the cycle: take them off the list");
+        assert!(gone.is_empty(), "{name}: {gone:?} left the cycle: remove them from the list");
     }
 }
 

@@ -1,4 +1,4 @@
-//! Every model file below `cases/`, by being there: its expectations, and two roads to the same answer.
+//! Checks every model file below `cases/`: its expectations, and two methods against each other.
 
 use groundbeam::{
     Error, Field, Method, Options, Outcome, Side, Solution, Verdict, solve, solve_with,
@@ -48,11 +48,11 @@ fn a_mesh_is_no_farther_off_than_its_certificate_says() {
     let models = cases.iter().flat_map(|case| case.models().into_iter().map(|m| (&case.path, m)));
     for (path, model) in models {
         let model = &model;
-        // Eight elements to a wave of the beam, where that makes a mesh. A mesh cannot follow a beam of
-        // thousands of waves, nor the ground under a beam 1e12 times as stiff.
+        // Eight elements per wave length of the beam, if the mesh is not too large. A mesh cannot resolve a beam of
+        // thousands of wave lengths, nor the ground under a beam 10¹² times as stiff.
         let ei = model.beam.bending_stiffness;
         let waves = (model.foundation.subgrade / (4.0 * ei)).powf(0.25) * model.beam.length;
-        // Loads on the ground are the exact method's alone.
+        // Only the exact method supports loads on the ground.
         let on_ground = model.loads.iter().any(groundbeam::Load::is_on_ground);
         if on_ground || !(0.01..1000.0).contains(&waves) {
             continue;
@@ -65,14 +65,14 @@ fn a_mesh_is_no_farther_off_than_its_certificate_says() {
                 farther_off_than_proven(&exact, &mesh)
             }
             (Ok(Outcome::NoEquilibrium(a)), Ok(Outcome::NoEquilibrium(b))) if a == b => None,
-            // A mesh does not follow a local equilibrium, and says so.
+            // The mesh method refuses a local equilibrium.
             (Ok(Outcome::Equilibrium(exact)), Err(Error::Unsupported(problem)))
                 if matches!(exact.existence().verdict, Verdict::Local(_))
                     && problem.code == "GB611" =>
             {
                 None
             }
-            // A mesh does not shear either.
+            // The mesh method refuses a beam that shears.
             (Ok(Outcome::Equilibrium(_)), Err(Error::Unsupported(problem)))
                 if model.beam.shears() && problem.code == "GB614" =>
             {
@@ -86,7 +86,7 @@ fn a_mesh_is_no_farther_off_than_its_certificate_says() {
     report(&faults);
 }
 
-/// The bounds of the mesh's certificate, held against the exact answer.
+/// Compares the bounds of the mesh's certificate with the exact solution. Returns a violation.
 fn farther_off_than_proven(exact: &Solution, mesh: &Solution) -> Option<String> {
     let (proof, sharp) = (mesh.certificate(), exact.certificate());
     let strain =

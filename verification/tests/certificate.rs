@@ -1,4 +1,4 @@
-//! The certificate's claims: errors stay within their bounds, and the bounds are sharp.
+//! Checks the certificate: errors stay within their bounds, and the bounds are sharp.
 
 use groundbeam::{
     Beam, Error, Field, Foundation, Load, Method, Model, NotConverged, Options, Outcome, Side,
@@ -23,7 +23,7 @@ fn largest(solution: &Solution, field: Field) -> f64 {
     range.max.value.abs().max(range.min.value.abs())
 }
 
-/// √∫(M − M*)²/EI, by Gauss's rule between every two places where either may have a corner.
+/// √∫(M − M*)²/EI, by Gauss's rule between the places where either moment may have a corner.
 fn moment_error(coarse: &Solution, exact: &Solution) -> f64 {
     const GAUSS: [(f64, f64); 3] = [
         (0.238_619_186_083_196_9, 0.467_913_934_572_691),
@@ -68,7 +68,7 @@ fn moments_that_cancel_leave_the_pressure() {
     assert!(pressure.error < 1e-12, "{pressure:?}");
 }
 
-/// A couple of large forces and a moment cancel each other up to a rounding error that turns the beam.
+/// Large forces and a moment cancel each other up to a rounding error that rotates the beam.
 #[test]
 fn loads_that_cancel_to_rounding_are_named() {
     for size in [1e13, 1e14, 1e15].map(|size| size / 3.0) {
@@ -83,7 +83,8 @@ fn loads_that_cancel_to_rounding_are_named() {
     }
 }
 
-/// The clamp takes all: the beam touches nothing, and the energy of the error is compared with the strain energy alone.
+/// The clamp carries all loads: the beam has no contact, and the energy of the error is compared with the strain energy
+/// only.
 #[test]
 fn a_clamp_that_takes_moments_alone_is_certified() {
     let model = Model::new(Beam::uniform(49.0, 26e3), Foundation::pasternak(43.0, 14.1e3))
@@ -94,8 +95,8 @@ fn a_clamp_that_takes_moments_alone_is_certified() {
     assert!(solution.certificate().relative_gap() < 1e-15, "{:?}", solution.certificate());
 }
 
-/// A beam that turns by 10¹² about a contact of a thousandth of its length. A piece there is a ten-thousandth of its distance from the left
-/// end, from which positions count. Its ends in terms of t are differences of near positions.
+/// A beam rotates by 10¹² about a contact of a thousandth of its length. A piece there is a ten-thousandth of its
+/// distance from the left end, the origin of positions. Its ends in terms of t are differences of near positions.
 #[test]
 fn short_pieces_far_from_the_left_end_keep_their_digits() {
     let folder = groundbeam_verification::frozen::folder();
@@ -106,7 +107,7 @@ fn short_pieces_far_from_the_left_end_keep_their_digits() {
     assert!(gap < 1e-14, "{gap:e}");
 }
 
-/// A mesh's answer is as close to the exact one as it says.
+/// A mesh solution is within its own bound of the exact one.
 #[test]
 fn a_mesh_is_as_good_as_it_says() {
     let (mut faults, mut count) = (Vec::new(), 0);
@@ -152,12 +153,12 @@ fn a_mesh_is_as_good_as_it_says() {
     );
     assert!(count > 400, "{count}");
     assert!(faults.is_empty(), "{} of {count}:\n{}", faults.len(), faults.join("\n"));
-    // A bound that is never nearly reached would say little.
+    // A bound that is much larger than every error would be useless.
     assert!(sharpest[0] > 0.1 && sharpest[1] > 0.25, "{sharpest:?}");
 }
 
-/// The exact method's settlements are within their bounds of sixty digits, rounding and all, and the bounds
-/// are small.
+/// The settlements of the exact method are within their bounds of the 60-digit answers, including rounding, and the
+/// bounds are small.
 #[test]
 fn bounds_hold_against_sixty_digits() {
     let mut faults = Vec::new();
@@ -174,7 +175,7 @@ fn bounds_hold_against_sixty_digits() {
         };
         for (x, wanted) in numbers("x").into_iter().zip(numbers("settlement")) {
             let error = (solution.settlement(x) - wanted).abs();
-            // The bound is that of the polynomials, before a value is computed.
+            // The bound applies to the polynomials, before rounding of the value.
             if error > bound + 2.0 * f64::EPSILON * wanted.abs() {
                 faults.push(format!("{}: u({x}): {error:e} > {bound:e}", answer.name));
                 break;

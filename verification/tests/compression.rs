@@ -1,4 +1,4 @@
-//! Compression that the ground must help to bear, against closed forms and a mesh by brute force.
+//! Compares compression that the ground helps to carry with closed forms and with a mesh by brute force.
 
 use groundbeam::{
     Beam, Field, Foundation, Load, Local, Model, Outcome, Side, Solution, Support, Verdict, exists,
@@ -13,7 +13,7 @@ fn compressed(model: &Model, compression: f64) -> Model {
     model
 }
 
-/// Where the branch that begins without compression ends.
+/// The compression at which the path that starts without compression ends.
 fn critical(model: &Model) -> f64 {
     match exists(model).expect("a verdict").verdict {
         Verdict::Local(local) => local.critical_compression,
@@ -36,7 +36,7 @@ fn near(found: f64, wanted: f64, tolerance: f64) {
     assert!((found / wanted - 1.0).abs() <= tolerance, "{found} {wanted}");
 }
 
-/// The least root above zero of a continuous function that first changes its sign there.
+/// The smallest positive root of a continuous function that first changes its sign there.
 fn first_root(f: impl Fn(f64) -> f64, step: f64) -> f64 {
     let mut low = step;
     while f(low) * f(low + step) > 0.0 {
@@ -50,9 +50,8 @@ fn first_root(f: impl Fn(f64) -> f64, step: f64) -> f64 {
     low
 }
 
-/// A heavy beam between pins, that lies as deep in the ground as it would without them: w = 0. Timoshenko
-/// and Gere, Theory of Elastic Stability (1961), section 2.10: P = min (m²π²EI/l² + k l²/(m²π²)), and the
-/// shear layer's μ beside it.
+/// A heavy beam between pins, supported by the ground at the same height: w = 0. Timoshenko and Gere, Theory of Elastic
+/// Stability (1961), section 2.10: P = min (m²π²EI/l² + k l²/(m²π²)), and the shear layer's μ beside it.
 #[test]
 fn pinned_beams_buckle_in_waves() {
     let (ei, k, q) = (2.0, 3.0, 0.7);
@@ -75,19 +74,19 @@ fn pinned_beams_buckle_in_waves() {
         let (solution, found) = local(&compressed(&model, 0.5 * (own + wanted)));
         near(found.stability_margin, 0.5 - 0.5 * own / wanted, 1e-9);
         assert!(solution.range(Field::Deflection).max.value < 1e-9 * q / k);
-        // An infinite beam: 2√(kEI) + μ.
+        // The limit for an infinite beam: 2√(kEI) + μ.
         if l == 30.0 {
             near(wanted, 2.0 * (k * ei).sqrt() + mu, 4e-3);
         }
-        // Below its own buckling load the beam has one equilibrium alone.
+        // Below its own buckling load the beam has a unique equilibrium.
         model.beam.axial_force = -0.99 * own;
         assert_eq!(exists(&model).expect("a verdict").verdict, Verdict::Unique);
     }
 }
 
-/// Free beams under their weight on separate springs: with w = cosh αx cos βx and sinh αx sin βx for the even
-/// modes, cosh αx sin βx and sinh αx cos βx for the odd ones, where α² = √(k/4EI) − P/4EI and β² = √(k/4EI) +
-/// P/4EI, and w″ = 0, EI w‴ + P w′ = 0 at both ends (Hetényi, Beams on Elastic Foundation, 1946, chapter 7).
+/// Free beams under their weight on Winkler ground: with w = cosh αx cos βx and sinh αx sin βx for the even modes, cosh
+/// αx sin βx and sinh αx cos βx for the odd ones, where α² = √(k/4EI) − P/4EI and β² = √(k/4EI) + P/4EI, and w″ = 0, EI
+/// w‴ + P w′ = 0 at both ends (Hetényi, Beams on Elastic Foundation, 1946, chapter 7).
 #[test]
 fn free_beams_buckle_as_hetenyi_says() {
     let (ei, k) = (2.0, 3.0_f64);
@@ -118,7 +117,7 @@ fn free_beams_buckle_as_hetenyi_says() {
         let (solution, found) = local(&compressed(&model, 0.75 * wanted));
         near(found.stability_margin, 0.25, 1e-8);
         near(solution.value(Field::Deflection, 0.3 * l), 0.7 / k, 1e-11);
-        // A stiff beam turns as a whole: k l²/12. A long one buckles at its end: √(kEI).
+        // A stiff beam rotates as a whole: k l²/12. A long one buckles at its end: √(kEI).
         if l == 0.5 {
             near(wanted, k * l * l / 12.0, 1e-3);
         }
@@ -128,10 +127,10 @@ fn free_beams_buckle_as_hetenyi_says() {
     }
 }
 
-/// Hobbs, In-service buckling of heated pipelines, Journal of Transportation Engineering 110 (1984): a heavy
-/// beam lifted off a rigid bed over L has tan(nL/2) = nL/2 with n² = P/EI, so that PL²/EI = 80.76, and the
-/// height 2.408·10⁻³ qL⁴/EI. It is lifted over a prop of just that height when the prop no longer carries:
-/// then nothing holds it any more, and P = 3.962 √(qEI/h) is the most that a propped beam bears.
+/// Hobbs, In-service buckling of heated pipelines, Journal of Transportation Engineering 110 (1984): a heavy beam
+/// lifted off a rigid bed over L has tan(nL/2) = nL/2 with n² = P/EI, so PL²/EI = 80.76, and the height 2.408·10⁻³
+/// qL⁴/EI. A prop of this height under the beam just loses its contact force. Then nothing restrains the beam any more,
+/// and P = 3.962 √(qEI/h) is the largest compression of a propped beam.
 #[test]
 fn hobbs_upheaval_over_a_prop() {
     let half = first_root(|z| z * z.cos() - z.sin(), 1.0);
@@ -189,7 +188,7 @@ fn with_lift_off() -> Vec<Model> {
     ]
 }
 
-/// A mesh by brute force: its branch, its deflections, its second variation with the contact that was found.
+/// Compares with a mesh by brute force: its path, its deflections, and its second variation with the computed contact.
 #[test]
 fn a_mesh_follows_the_same_branch() {
     for model in with_lift_off() {
@@ -219,7 +218,7 @@ fn a_mesh_follows_the_same_branch() {
     }
 }
 
-/// Along the branch the energy changes by ½∫w′² times the change of P: equilibrium leaves no other change.
+/// Along the path the energy changes by ½∫w′² times the change of P, because the state is in equilibrium.
 #[test]
 fn the_energy_changes_by_the_shortening() {
     for model in with_lift_off() {
@@ -279,8 +278,9 @@ fn apart(a: &Solution, b: &Solution, place: impl Fn(f64) -> f64) -> f64 {
     (0..=64).map(difference).fold(0.0, f64::max) / size(a)
 }
 
-/// Two hundred models: each a stable equilibrium of its branch, the same in the mirror and in another size, next to
-/// that of a little more compression, and with an end of the branch that is found from beyond as well.
+/// For two hundred models: the solution is a stable equilibrium of its path, the mirrored and the scaled model give the
+/// same, a slightly larger compression gives a neighbouring solution, and the end of the path is also found from
+/// beyond.
 #[test]
 fn random_models() {
     for number in 0..200_u64 {
@@ -291,7 +291,7 @@ fn random_models() {
         let Local { stability_margin: margin, critical_compression: end } = found;
         assert!(margin > 0.0 && margin <= 1.0 && end > compression, "{number}: {found:?}");
         assert!(solution.certificate().relative_gap() <= 1e-9, "{number}");
-        // The rest costs more than the answer.
+        // The other checks cost more than the solve.
         if number % 8 > 0 {
             continue;
         }
@@ -316,7 +316,7 @@ fn random_models() {
         }
         let more = (1e-7 * compression).min(1e-3 * (end - compression));
         let (next, _) = local(&compressed(&model, compression + more));
-        // dw/dP is at most 1/margin of what the compression does to the beam as it is.
+        // dw/dP is at most 1/margin times the effect of the compression on the undisturbed beam.
         let moved = apart(&solution, &next, |x| x);
         let relative = more / compression;
         assert!(moved <= 10.0 * relative / margin + rounding, "{number} {moved} {margin}");

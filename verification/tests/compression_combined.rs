@@ -1,4 +1,4 @@
-//! Compression that the ground must help to bear, on beams that shear and on supports that act one way.
+//! Compression that the ground helps to carry, on beams that shear and with one-way supports.
 
 use groundbeam::{
     Acts, Beam, Field, Foundation, Load, Local, Model, Outcome, Solution, Support, Verdict, exists,
@@ -15,7 +15,7 @@ fn compressed(model: &Model, compression: f64) -> Model {
     model
 }
 
-/// Where the branch that begins without compression ends.
+/// The compression at which the path that starts without compression ends.
 fn critical(model: &Model) -> f64 {
     match exists(model).expect("a verdict").verdict {
         Verdict::Local(local) => local.critical_compression,
@@ -39,8 +39,8 @@ fn near(found: f64, wanted: f64, tolerance: f64) {
     assert!((found / wanted - 1.0).abs() <= tolerance, "{found} {wanted}");
 }
 
-/// In w = sin mπx/l bending and shear give way one after the other, 1/(1/P_E + 1/S) with P_E = EI (mπ/l)² (Engesser
-/// 1891), and the ground bears beside them: P = min P_E/(1 + P_E/S) + k l²/(mπ)² + μ.
+/// For w = sin mπx/l, bending and shear act in series, 1/(1/P_E + 1/S) with P_E = EI (mπ/l)² (Engesser 1891), and the
+/// ground in parallel: P = min P_E/(1 + P_E/S) + k l²/(mπ)² + μ.
 #[test]
 fn pinned_beams_that_shear_buckle_in_waves() {
     let (ei, k, q) = (2.0, 3.0, 0.7);
@@ -72,7 +72,7 @@ fn pinned_beams_that_shear_buckle_in_waves() {
     }
 }
 
-/// A beam so soft in shear that no wave is short enough to be its worst: it folds at S + μ.
+/// A beam so flexible in shear that its critical wave length tends to zero: it buckles at S + μ.
 #[test]
 fn a_beam_soft_in_shear_folds() {
     let (k, mu, shear) = (3.0, 0.2, 0.5);
@@ -83,12 +83,12 @@ fn a_beam_soft_in_shear_folds() {
     .with_load(Load::uniform_force(0.0, 4.0, 1.0));
     let found = critical(&compressed(&model, 0.1));
     assert!(found < shear + mu, "{found}");
-    // The end of an endless beam is worse off than its middle.
+    // The end of an infinite beam buckles before its middle.
     let long = critical(&compressed(&model.with_gap(0.0, 0.0), 0.69));
     near(found, long, 1e-9);
 }
 
-/// Numbers x + iy.
+/// A complex number x + iy.
 type Complex = [f64; 2];
 
 fn times(a: Complex, b: Complex) -> Complex {
@@ -105,7 +105,7 @@ fn root(z: Complex) -> Complex {
     [size * angle.cos(), size * angle.sin()]
 }
 
-/// Free beams that shear, under their weight on separate springs. With z = r² of EI (1 + N/S) z² − (N + EI k/S) z + k =
+/// Free beams that shear, under their weight on Winkler ground. With z = r² of EI (1 + N/S) z² − (N + EI k/S) z + k =
 /// 0, N = −P, even modes are w = cosh rx, φ = ((S + N) r − k/r)/S sinh rx, and odd ones with sinh and cosh changed; at
 /// both ends φ′ = 0 and S (w′ − φ) + N w′ = ∫k w = 0. A limit S → ∞ gives Hetényi's.
 #[test]
@@ -186,7 +186,8 @@ fn with_lift_off() -> Vec<Model> {
     ]
 }
 
-/// Stiffer and stiffer against shear the branch is that of the beam that only bends, in proportion to 1/S.
+/// With increasing shear stiffness the path approaches that of the beam without shear, with an error proportional to
+/// 1/S.
 #[test]
 fn without_shear_the_branch_is_that_of_bending() {
     for model in with_lift_off() {
@@ -209,7 +210,7 @@ fn without_shear_the_branch_is_that_of_bending() {
     }
 }
 
-/// Elements of the plainest kind find the same local equilibria.
+/// The simplest elements find the same local equilibria.
 #[test]
 fn linear_elements_find_the_same() {
     for mut model in with_lift_off() {
@@ -232,25 +233,25 @@ fn linear_elements_find_the_same() {
     }
 }
 
-/// Bearings and straps over a heavy beam, rigid and elastic: some are left, some are met on the way.
+/// Bearings and straps along a heavy beam, rigid and elastic. Some lose contact, others gain it along the path.
 fn on_bearings() -> Vec<Model> {
     let beam = |l: f64| {
         Model::new(Beam::uniform(l, 1.0), Foundation::winkler(1.0))
             .with_load(Load::uniform_force(0.0, l, 1.0))
     };
     vec![
-        // A bearing that the beam leaves as it rises from it.
+        // A bearing that loses contact as the beam rises.
         beam(10.0)
             .with_load(Load::point_moment(3.0, 2.0))
             .with_support(Support::pinned(1.25).settled(0.65).acting(Acts::Up)),
-        // A strap above the hump, met on the way.
+        // A strap above the hump, reached along the path.
         beam(12.0)
             .with_gap(0.0, 0.0)
             .with_gap(5.0, 0.0)
             .with_gap(6.0, -0.4)
             .with_gap(7.5, 0.0)
             .with_support(Support::pinned(6.0).settled(0.81).acting(Acts::Down)),
-        // The same, elastic, and a bearing beside it.
+        // The same with an elastic strap, and a bearing.
         beam(12.0)
             .with_gap(0.0, 0.0)
             .with_gap(5.0, 0.0)
@@ -258,7 +259,7 @@ fn on_bearings() -> Vec<Model> {
             .with_gap(7.5, 0.0)
             .with_support(Support::spring(6.0, 3.0, 0.0).settled(0.81).acting(Acts::Down))
             .with_support(Support::spring(3.0, 2.0, 0.0).settled(1.03).acting(Acts::Up)),
-        // A pipe over a bearing prop, and one under a force that lifts its end off a bearing.
+        // A pipe over a prop that only pushes up, and one whose end a force lifts off a bearing.
         beam(16.0).with_support(Support::pinned(8.0).settled(-0.6).acting(Acts::Up)),
         beam(8.0)
             .with_load(Load::point_force(6.0, 4.0))
@@ -267,8 +268,8 @@ fn on_bearings() -> Vec<Model> {
     ]
 }
 
-/// A mesh by brute force, each of its supports a spring that acts one way: its branch, its states, and its second
-/// variation on the supports that act.
+/// Compares with a mesh by brute force, with one-way springs as supports: its path, its states, and its second
+/// variation with the active supports.
 #[test]
 fn a_mesh_follows_the_same_branch_on_one_way_supports() {
     let mut changed = 0;
@@ -304,7 +305,7 @@ fn a_mesh_follows_the_same_branch_on_one_way_supports() {
     assert!(changed >= 2, "{changed}");
 }
 
-/// A beam on bearings with which nothing presses is one on nothing: a bearing holds no beam from rising.
+/// A beam on bearings without reaction behaves like a beam without them: a bearing does not prevent lifting.
 #[test]
 fn a_bearing_holds_no_beam_from_rising() {
     let column = Model::new(Beam::uniform(2.0, 3.0), Foundation::winkler(1.0))
@@ -315,16 +316,16 @@ fn a_bearing_holds_no_beam_from_rising() {
         .with_load(Load::uniform_force(0.0, 2.0, 0.1));
     let euler = 3.0 * PI * PI / 4.0;
     near(own_buckling_load(&column), euler, 1e-11);
-    // With a bearing at midspan, which the weight presses: the second mode, where nothing leaves it.
+    // With a bearing at midspan that carries weight: the second mode, in which the beam keeps its contact there.
     let on_a_bearing = column.clone().with_support(Support::pinned(1.0).acting(Acts::Up));
     near(critical(&compressed(&on_a_bearing, 1.01 * euler)), 4.0 * euler, 1e-8);
-    // A strap there holds nothing down that does not rise: the weight takes the beam away from it.
+    // A strap there is inactive, because the weight moves the beam away from it.
     let under_a_strap = column.with_support(Support::pinned(1.0).acting(Acts::Down));
     let found = critical(&compressed(&under_a_strap, 1.01 * euler));
     assert!(found < 1.2 * euler, "{found}");
 }
 
-/// Random beams that shear, on random bearings, with hinges, neighbours and the rest.
+/// Random beams that shear, with one-way supports, hinges, loads on the ground and other features.
 #[test]
 fn random_models() {
     let (mut sheared, mut borne) = (0, 0);

@@ -1,4 +1,4 @@
-//! Orders of convergence, fitted, for edges of contact inside an element. `docs/methods.md` derives them.
+//! Fits the orders of convergence for edges of contact inside an element. `docs/methods.md` derives them.
 
 use groundbeam::Pressure::{self, Dirac, Distributed};
 use groundbeam_verification::convergence::{
@@ -7,10 +7,10 @@ use groundbeam_verification::convergence::{
 use groundbeam_verification::documents;
 use std::fmt::Write;
 
-/// Errors below are rounding.
+/// Smaller errors are rounding.
 const FLOOR: f64 = 1e-11;
-/// Errors that depend on where in its element an edge of contact lies: no straight line, but nowhere more
-/// than the last number times N to the power of minus the one before.
+/// Errors that depend on the position of an edge of contact in its element. They do not follow a straight line, but are
+/// at most the last number times N to minus the second number.
 const IRREGULAR: [(Quantity, i32, f64); 4] = [
     (Quantity::MomentAtNodes, 4, 5e-3),
     (Quantity::ShearAtNodes, 4, 1e-2),
@@ -59,7 +59,7 @@ fn on_separate_springs_the_pressure_is_as_good_as_the_deflection() {
     let model = kikuchi_on_springs(0.4);
     for quantity in [Quantity::Deflection, Quantity::Pressure, Quantity::Gap] {
         let found = order(&errors(&model, Distributed, quantity), FLOOR).expect("errors");
-        // The gap also has parts that fall faster.
+        // The gap also contains terms of higher order.
         let most = if quantity == Quantity::Gap { 5.0 } else { 4.2 };
         assert!((3.8..most).contains(&found), "{}: order {found}", quantity.name());
     }
@@ -78,7 +78,7 @@ fn the_papers_pressures_are_of_first_order_in_forces_and_second_in_deflections()
     }
     let found = slope(0.1, Dirac, Quantity::Deflection);
     assert!((found - 2.0).abs() < 0.1, "w in full contact: order {found}");
-    // With an edge inside an element, w also feels how far the edge is from the nearest nodes.
+    // With an edge inside an element, the error of w also depends on the distance of the edge from the nodes.
     for (case, moment) in CASES {
         let model = kikuchi(moment);
         let w = errors(&model, Dirac, Quantity::Deflection);
@@ -126,7 +126,7 @@ fn table(pressure: Pressure) -> String {
     text + "\n"
 }
 
-/// The same words, and numbers that agree but for rounding.
+/// Whether two texts have the same words, and numbers that agree to rounding.
 fn alike(a: &str, b: &str) -> bool {
     let words = |text: &str| text.split_whitespace().map(str::to_owned).collect::<Vec<_>>();
     let (a, b) = (words(a), words(b));

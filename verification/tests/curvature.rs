@@ -1,4 +1,4 @@
-//! Imposed curvature: curling slabs against closed forms, and point moments in its place.
+//! Compares imposed curvature with closed forms of curling slabs, and with equivalent point moments.
 
 use groundbeam::{
     Beam, Field, Foundation, Load, Method, Model, Options, Outcome, Profile, Side, Solution,
@@ -17,7 +17,7 @@ fn close(a: f64, b: f64, tolerance: f64) {
     assert!((a - b).abs() <= tolerance, "{a} {b}: off by {:e}", (a - b).abs());
 }
 
-/// Every field of the one is that of the other, with `more` of moment and shear.
+/// Every field of one solution equals that of the other, plus `more` of moment and shear force.
 #[track_caller]
 fn alike(curled: &Solution, bent: &Solution, more: impl Fn(f64) -> [f64; 2]) {
     let l = curled.model().beam.length;
@@ -33,8 +33,8 @@ fn alike(curled: &Solution, bent: &Solution, more: impl Fn(f64) -> [f64; 2]) {
     }
 }
 
-/// An even curvature is a pair of moments EI κ₀ at the ends of its stretch: the same deflection, and EI κ₀ more
-/// of moment between them.
+/// A uniform curvature equals a pair of moments EI κ₀ at the ends of its stretch: the same deflection, and EI κ₀ more
+/// moment between them.
 #[test]
 fn an_even_curvature_is_a_pair_of_moments() {
     for foundation in [Foundation::pasternak(1.0, 0.3), Foundation::winkler(2.0)] {
@@ -49,7 +49,7 @@ fn an_even_curvature_is_a_pair_of_moments() {
     }
 }
 
-/// Where EI and κ₀ run linearly, EI κ₀ is a parabola: a distributed moment −(EI κ₀)' besides.
+/// If EI and κ₀ are linear, EI κ₀ is a parabola: equivalent to end moments and a distributed moment −(EI κ₀)'.
 #[test]
 fn a_varying_curvature_of_a_varying_beam_is_a_spread_moment() {
     let (l, ei, curvature) = (4.0, |x: f64| 2.0 - 0.25 * x, |x: f64| 0.1 + 0.05 * x);
@@ -67,7 +67,7 @@ fn a_varying_curvature_of_a_varying_beam_is_a_spread_moment() {
         .with_load(Load::point_moment(l, moment(l)))
         .with_load(spread);
     alike(&solved(&curled), &solved(&bent), |x| [moment(x), rise(x)]);
-    // On a mesh the two are the same mesh's answer as well.
+    // The equivalence also holds on a mesh.
     let options = Options { method: Method::ActiveSet, elements: 9, ..Options::default() };
     let [a, b] = [&curled, &bent].map(|model| match solve_with(model, &options) {
         Ok(Outcome::Equilibrium(solution)) => *solution,
@@ -76,8 +76,8 @@ fn a_varying_curvature_of_a_varying_beam_is_a_spread_moment() {
     alike(&a, &b, |x| [moment(x), rise(x)]);
 }
 
-/// Westergaard, *Analysis of stresses in concrete pavements due to variations of temperature* (1926): beside the
-/// free end of a long slab M = EI κ₀ (1 − √2 e^(−λx) sin(λx + π/4)), and the end sinks by κ₀/(2λ²).
+/// Westergaard, *Analysis of stresses in concrete pavements due to variations of temperature* (1926): near the free end
+/// of a long slab M = EI κ₀ (1 − √2 e^(−λx) sin(λx + π/4)), and the end moves down by κ₀/(2λ²).
 #[test]
 fn the_end_of_a_long_slab_curls_as_westergaard_says() {
     let (l, k, lambda, curvature) = (60.0, 4.0, 1.0_f64, 0.1);
@@ -101,7 +101,8 @@ fn the_end_of_a_long_slab_curls_as_westergaard_says() {
     }
 }
 
-/// A slab warmer on top that stands on its two ends: a simple beam under its own weight, bent by κ₀ l²/8 more.
+/// A slab with a warmer top that stands on its two ends: a simple beam under its own weight, with κ₀ l²/8 more
+/// deflection.
 #[test]
 fn a_curled_beam_stands_on_its_ends() {
     let (l, ei, q, curvature, k, mu) = (4.0_f64, 2.0, 0.03, 0.5, 40.0, 90.0);
@@ -124,8 +125,8 @@ fn a_curled_beam_stands_on_its_ends() {
     }
 }
 
-/// Where nothing keeps it from curling there is no stress, whatever EI; clamped at both ends it stays straight
-/// under M = EI κ₀; clamped at one end and propped at the other M = 3/2 EI κ₀ at the clamp.
+/// If curling is not restrained there is no moment, for any EI. Clamped at both ends the beam stays straight under M =
+/// EI κ₀. Clamped at one end and propped at the other it has M = 3/2 EI κ₀ at the clamp.
 #[test]
 fn supports_decide_what_a_curvature_does() {
     let (l, curvature) = (3.0, 0.2);
@@ -155,7 +156,7 @@ fn supports_decide_what_a_curvature_does() {
     close(prop.force, 1.5 * 1.5 * curvature / l, 1e-14);
 }
 
-/// Hot above, the middle of a slab rises: the factor on the temperature at which it first does.
+/// With a hot top the middle of a slab rises: the factor on the temperature at first lift-off.
 #[test]
 fn the_temperature_at_which_a_slab_first_lifts() {
     let (l, k, q) = (60.0, 4.0, 0.5);
@@ -166,6 +167,6 @@ fn the_temperature_at_which_a_slab_first_lifts() {
     let groundbeam::FirstLiftOff::At { factor, .. } = found.first_lift_off else {
         panic!("{found:?}")
     };
-    // w is least at λx = π/2: q/k = κ₀/(2λ²) e^(−π/2).
+    // w has its minimum at λx = π/2: q/k = κ₀/(2λ²) e^(−π/2).
     close(factor, 2.0 * q / k * std::f64::consts::FRAC_PI_2.exp(), 1e-11);
 }

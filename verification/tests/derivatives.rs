@@ -1,4 +1,4 @@
-//! Derivatives: against differences of exact solutions, forward against backward, and closed forms.
+//! Compares derivatives with differences of exact solutions, forward with backward, and with closed forms.
 
 use groundbeam::derivatives::{
     Domain, Gradient, LoadNumber, OneSided, Output, Parameter, Property, SupportNumber,
@@ -67,16 +67,16 @@ fn size_of(load: &Load, l: f64) -> f64 {
     }
 }
 
-/// Outputs of every kind, at random places, and what is large of their kind.
+/// Outputs of every kind at random places, each with the largest value of its kind.
 fn outputs(solution: &Solution, rng: &mut ChaCha8Rng) -> Vec<(Output, f64)> {
     let l = solution.model().beam.length;
     let mut all = Vec::new();
     let carried: f64 = solution.model().loads.iter().map(|load| size_of(load, l)).sum();
     let sunk = largest(solution, Field::Deflection);
-    // A field that is nothing but rounding has no derivatives to compare.
+    // A field that contains only rounding error has no derivatives to compare.
     let rounding = |field: Field| match field {
         Field::Deflection => 0.0,
-        // A difference of two deflections.
+        // The gap is a difference of two deflections.
         Field::Gap => 1e-5 * sunk,
         _ => 1e-9 * field.natural_size(l, carried, sunk, carried / l),
     };
@@ -128,7 +128,7 @@ fn value(solution: &Solution, output: Output) -> Option<f64> {
     })
 }
 
-/// A change of a parameter that matters.
+/// A significant change of a parameter.
 fn unit(solution: &Solution, parameter: Parameter) -> f64 {
     let model = solution.model();
     let own = parameter.value(model).unwrap_or(0.0).abs();
@@ -148,8 +148,8 @@ fn unit(solution: &Solution, parameter: Parameter) -> f64 {
     }
 }
 
-/// Difference quotients of all outputs over a step; from one side where the other is no model. Nothing of an output that
-/// is not the same on both sides.
+/// Difference quotients of all outputs over a step; one-sided if the other side is not a valid model. An output that
+/// does not exist on both sides has none.
 fn quotients(
     solution: &Solution,
     outputs: &[(Output, f64)],
@@ -185,7 +185,7 @@ fn quotients(
     (0..outputs.len()).map(quotient).collect()
 }
 
-/// Whether a gradient says that the derivative by a parameter holds on one side alone.
+/// Whether a gradient states that the derivative with respect to a parameter is one-sided.
 fn is_one_sided(gradient: &Gradient, parameter: usize) -> bool {
     gradient.one_sided.iter().any(|why| match why {
         OneSided::Place { parameter: own, .. } => *own == parameter,
@@ -193,8 +193,8 @@ fn is_one_sided(gradient: &Gradient, parameter: usize) -> bool {
     })
 }
 
-/// How far difference quotients over smaller and smaller steps are from a derivative, at best, and how far two of them
-/// that follow one another are from each other there; both relative.
+/// The smallest difference between a derivative and difference quotients over decreasing steps, and the difference
+/// between two successive quotients there; both relative.
 #[derive(Debug, Clone, Copy)]
 struct Comparison {
     error: f64,
@@ -221,8 +221,8 @@ impl Comparison {
         self.last = quotient;
     }
 
-    /// Within 10⁻⁶; or, where quotients over steps of different length agree to no more than 10⁻⁷, within ten times
-    /// what they do; where contact changes near by, within 10⁻⁵.
+    /// The derivative agrees within 10⁻⁶. If quotients over different steps agree only to more than 10⁻⁷, it must agree
+    /// within ten times their difference; where contact changes nearby, within 10⁻⁵.
     fn agrees(&self) -> bool {
         self.error <= 1e-5 || (self.error <= 10.0 * self.unsure && self.error <= 1e-3)
     }
@@ -234,13 +234,13 @@ impl Comparison {
 /// Mixed 73 has no answer where the ground outside its segments is stiffer or softer by a thousandth to a ten-millionth.
 const UNRESOLVED: [(Family, u64); 2] = [(Family::Beside, 68), (Family::Mixed, 73)];
 
-/// So many parameters of a model are tried, drawn at random.
+/// Number of random parameters tested per model.
 const SOME: usize = 6;
 
-/// An output that changes by so many times its size over a unit of a parameter.
+/// Change of an output, relative to its size, over a unit of a parameter, from which differences are too inaccurate.
 const TOO_FAST: f64 = 1e4;
 
-/// What is compared in a family.
+/// Counts of the comparisons in a family.
 #[derive(Debug, Default)]
 struct Counts {
     compared: usize,
@@ -251,7 +251,7 @@ struct Counts {
     wrong: usize,
 }
 
-/// Every output by every number of a model, against differences.
+/// Compares the derivative of every output with respect to every number of a model with differences.
 fn compare(family: Family, number: u64, counts: &mut Counts) {
     let mut rng = ChaCha8Rng::seed_from_u64(number);
     rng.set_stream(100 + family as u64);
@@ -259,7 +259,7 @@ fn compare(family: Family, number: u64, counts: &mut Counts) {
     let solution = solved(&model);
     let carried: f64 = model.loads.iter().map(|load| size_of(load, model.beam.length)).sum();
     if largest(&solution, Field::ShearForce) <= 1e-9 * carried {
-        // A load on a rigid support: nothing but rounding is anywhere.
+        // A load on a rigid support: all fields are rounding error.
         counts.idle += 1;
         return;
     }
@@ -278,8 +278,8 @@ fn compare(family: Family, number: u64, counts: &mut Counts) {
             let stands_there = |why: &OneSided| matches!(why, OneSided::Place { parameter, .. } if *parameter == p);
             let apart = (exact(i) - row).abs() * scale(i);
             let output = all[i].0;
-            // The edge of a region on which next to nothing presses: its movement is nothing divided by nothing, and
-            // marked.
+            // The edge of a region with a pressure of almost zero: its displacement is a quotient of rounding errors,
+            // and marked as such.
             let is_idle = matches!(output, Output::Edge(..)) && is_one_sided(&gradients[i], p);
             if apart > 1e-6 && !is_idle && !gradients[i].one_sided.iter().any(stands_there) {
                 counts.wrong += 1;
@@ -291,8 +291,8 @@ fn compare(family: Family, number: u64, counts: &mut Counts) {
         }
         let doubtful: Vec<bool> = gradients.iter().map(|g| is_one_sided(g, p)).collect();
         let mut found = vec![Comparison::NONE; all.len()];
-        // Where an output changes fast, steps that change it little. Where it is so fast that the least step is a long
-        // one, differences tell nothing.
+        // For an output that changes fast, use steps that change it little. If even the smallest step changes it much,
+        // differences are useless.
         let fast = |i: usize| exact(i).abs() * unit / all[i].1;
         let fastest = (0..all.len()).map(fast).fold(1.0, f64::max);
         if fastest > TOO_FAST {
@@ -329,8 +329,8 @@ fn compare(family: Family, number: u64, counts: &mut Counts) {
     }
 }
 
-/// Every derivative of every output by every number of a model, against differences of solutions of their own, and
-/// forward against backward.
+/// Compares every derivative of every output with respect to every number of a model with differences of separate
+/// solutions, and forward with backward differentiation.
 #[test]
 fn derivatives_are_limits_of_differences() {
     let mut all = Counts::default();

@@ -1,4 +1,4 @@
-//! Derivatives: closed forms, theorems that hold for all models, and what is refused.
+//! Checks derivatives against closed forms and general theorems, and the refusals.
 
 use groundbeam::derivatives::{
     Domain, LoadNumber, NotDifferentiable, OneSided, Output, Parameter, Property, SupportNumber,
@@ -25,7 +25,7 @@ fn near(found: f64, exact: f64) {
     assert!((found - exact).abs() <= 1e-12 * exact.abs().max(1.0), "{found} {exact}");
 }
 
-/// A beam on two supports, high above the ground: influence lines of a force F at a (any book of statics).
+/// A beam on two supports, high above the ground: influence lines of a force F at a, as in textbooks of statics.
 #[test]
 fn influence_lines_of_a_beam_on_two_supports() {
     let (l, ei, a, force, x) = (6.0, 7.0, 2.0, 1.5, 4.0);
@@ -58,8 +58,8 @@ fn influence_lines_of_a_beam_on_two_supports() {
     reaction.iter().zip(exact).for_each(|(found, exact)| near(*found, exact));
 }
 
-/// The same of a beam that shears: the force adds F a b/(S l) (1 at its place, straight from the supports) to the
-/// deflection, and w' falls by F/S there (Timoshenko and Gere, *Mechanics of Materials*, 1972, sec. 12.12).
+/// The same of a beam that shears: the force adds F a b/(S l) times a function that is 1 at its place and linear to the
+/// supports, and w' decreases by F/S there (Timoshenko and Gere, *Mechanics of Materials*, 1972, sec. 12.12).
 #[test]
 fn a_beam_on_two_supports_that_shears() {
     let (l, ei, s, a, force, x) = (6.0, 7.0, 3.0, 2.0, 1.5, 4.0);
@@ -84,10 +84,10 @@ fn a_beam_on_two_supports_that_shears() {
     let exact =
         [bends(a) + shears(a), force * by_a, -force * bends(a) / ei, -force * shears(a) / s];
     deflection.iter().zip(exact).for_each(|(found, exact)| near(*found, exact));
-    // Beside the force w' differs by F/S, which the slope of the supports' line shares.
+    // At the force w' jumps by F/S, the difference between the slopes of the two linear parts.
     let slope = |side| derivatives(&solution, Output::Value(Field::Slope, a, side), &by[..1])[0];
     near(slope(Side::Left) - slope(Side::Right), 1.0 / s);
-    // The sections beside the force turn by F a c (c − a)/(3 EI l) on both sides: of bending alone.
+    // The rotation of the sections at the force is F a c (c − a)/(3 EI l) on both sides, from bending only.
     let (c, value) = (l - a, |side| Output::Value(Field::Rotation, a, side));
     for side in [Side::Left, Side::Right] {
         let turned = force * a * c * (c - a) / (3.0 * ei * l);
@@ -109,7 +109,7 @@ fn a_beam_on_two_supports_that_shears() {
     energy.iter().zip(exact).for_each(|(found, exact)| near(*found, exact));
 }
 
-/// An even load q on even ground: w = q/k, whatever the beam; the energy is −q²l/2k.
+/// A uniform load q on uniform ground: w = q/k for any beam; the energy is −q²l/2k.
 #[test]
 fn an_even_load_on_even_springs() {
     let (l, k, q) = (3.0, 4.0, 2.0);
@@ -130,8 +130,8 @@ fn an_even_load_on_even_springs() {
     energy.iter().zip(exact).for_each(|(found, exact)| near(*found, exact));
 }
 
-/// A rigid beam on separate springs, a force at a distance e > l/6 from its middle: it touches over 3 (l/2 − e), and
-/// nothing but e moves that (the kern of any book on foundations).
+/// A rigid beam on Winkler ground, a force at a distance e > l/6 from its middle: the contact length is 3 (l/2 − e) and
+/// depends on e only (the kern, as in textbooks on foundations).
 #[test]
 fn the_edge_under_a_rigid_beam() {
     let (l, e) = (6.0, 1.5);
@@ -149,8 +149,9 @@ fn the_edge_under_a_rigid_beam() {
     }
 }
 
-/// Without a gap, with nothing imposed, every field is homogeneous of degree one in the loads, an edge of degree zero,
-/// the energy of degree two (Euler's theorem); and beam, ground and supports together of degree −1 in a deflection.
+/// Without a gap and imposed displacements, every field is homogeneous of degree one in the loads, an edge of degree
+/// zero, the energy of degree two (Euler's theorem). A deflection is homogeneous of degree −1 in beam, ground and
+/// supports together.
 #[test]
 fn homogeneous_functions() {
     let mut models = 0;
@@ -211,7 +212,7 @@ fn homogeneous_functions() {
     assert!(models > 100);
 }
 
-/// Kikuchi's beam just before its left end leaves the ground: what is about to change is said.
+/// Kikuchi's beam just before its left end lifts off: the result names the imminent change of contact.
 #[test]
 fn what_is_about_to_change_is_said() {
     let at = |moment: f64| {
@@ -224,7 +225,7 @@ fn what_is_about_to_change_is_said() {
             solution.gradients(&[output], &[Parameter::LoadFactor]).expect("derivatives");
         (gradient[0].value, gradient[0].one_sided.clone())
     };
-    // p₀ falls linearly with the moment, from 0.1959… at 0.1 to 0.0146… at 0.3 (design notes of cases I and II).
+    // p₀ decreases linearly with the moment, from 0.1959… at 0.1 to 0.0146… at 0.3 (design notes of cases I and II).
     let [(a, _), (b, _)] = [at(0.1), at(0.3)];
     let zero = 0.3 + 0.2 * b / (a - b);
     assert!(at(zero - 1e-3).1.is_empty());

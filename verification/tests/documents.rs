@@ -1,4 +1,4 @@
-//! The documents agree with each other and with the code.
+//! Checks that the documents agree with each other and with the code.
 
 use groundbeam::Field;
 use groundbeam::supported::{Feature, Way, refusal};
@@ -23,7 +23,7 @@ fn named(feature: Feature) -> &'static str {
     }
 }
 
-/// The limits in the README: of each feature, the ways that refuse it.
+/// The limits in the README: for each feature, the methods that refuse it.
 #[test]
 fn the_readme_lists_what_is_not_supported() {
     let mut lines = String::new();
@@ -85,7 +85,7 @@ fn the_readme_tests_with_the_command_that_is_run_before_a_merge() {
     assert!(read("README.md").contains(command) && read(".ci/run").contains(command));
 }
 
-/// What `cargo run --example crossing` draws.
+/// Compares the picture with the output of `cargo run --example crossing`.
 #[test]
 fn the_moving_picture_is_made_here() {
     let made = crossing::picture().expect("every position has an equilibrium");
@@ -100,7 +100,7 @@ fn the_moving_picture_is_made_here() {
     assert!(made.len() < 500_000, "small enough for a README: {} bytes", made.len());
 }
 
-/// Every model in the documents is read; a part of a model is completed by what it lacks.
+/// Reads every model in the documents; an incomplete model is completed first.
 #[test]
 fn models_in_documents_are_models() {
     let mut count = 0;
@@ -125,7 +125,7 @@ fn models_in_documents_are_models() {
     assert!(count >= 6, "models in the documents");
 }
 
-/// The table of notation names things that exist: types and fields in the library, keys in files and results.
+/// The names in the table of notation exist: types and fields in the library, keys in files and results.
 #[test]
 fn every_spelling_in_the_notation_exists() {
     let text = |folder: &str| -> String {

@@ -1,12 +1,12 @@
-//! Envelopes of random models, held against dense sampling of the solutions they are made of.
+//! Compares envelopes of random models with dense sampling of their solutions.
 
 use groundbeam::{Bound, Bounds, Change, Envelope, Field, Model, Outcome, Side, Solution, solve};
 use groundbeam_verification::random::{Family, model};
 
-/// Positions at which every solution is looked at.
+/// Number of positions at which every solution is evaluated.
 const SAMPLES: usize = 400;
 
-/// A random model under its loads in other proportions, as combinations would have them.
+/// A random model with its loads in several proportions, as in combinations.
 fn combinations(family: Family, number: u64) -> Vec<Solution> {
     let whole = model(family, number);
     let count = whole.loads.len();
@@ -45,7 +45,7 @@ fn beside(envelope: &Envelope, field: Field, x: f64) -> Bounds {
     envelope.all_beside(x, Side::Right)[field.index()]
 }
 
-/// The largest size a field has in any solution.
+/// The largest absolute value of a field in any solution.
 fn size(envelope: &Envelope, field: Field) -> f64 {
     let range = envelope.range(field);
     range.min.extreme.value.abs().max(range.max.extreme.value.abs())
@@ -88,7 +88,7 @@ fn nothing_lies_outside_and_every_bound_is_reached() {
     }
 }
 
-/// Between two changes one solution governs: nothing that sampling finds was left out.
+/// Between two changes one solution governs; sampling finds no further change.
 #[test]
 fn between_changes_one_solution_governs() {
     let mut count = 0;
@@ -116,7 +116,7 @@ fn between_changes_one_solution_governs() {
                     let by = governs(x).unwrap_or(here.by);
                     let value = solutions[by].at(x, Side::Right).get(field);
                     let off = (value - here.extreme.value).abs();
-                    // A field that is steep may move while x moves by its own rounding.
+                    // A steep field may change significantly when x changes by its own rounding.
                     let near = [-1e-9, 1e-9].map(|by| (x + by * length).clamp(0.0, length));
                     let moved = near.map(|x| beside(&envelope, field, x));
                     let steep = moved.iter().map(|b| match bound {
@@ -132,7 +132,7 @@ fn between_changes_one_solution_governs() {
     assert!(count > 500, "{count} changes were looked at");
 }
 
-/// With all loads times 2ⁿ, where there is no gap, the same solutions govern at the same places.
+/// With all loads times 2ⁿ and without a gap, the same solutions govern at the same places.
 #[test]
 fn nothing_is_absolute() {
     for number in 0..6 {

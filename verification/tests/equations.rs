@@ -1,4 +1,4 @@
-//! Every equation of the paper is named by a source file, or listed with the reason why it is not needed.
+//! Checks that a source file names every equation of the paper, or that a list gives the reason why it is not needed.
 
 use groundbeam_verification::{documents, equations};
 

@@ -1,4 +1,4 @@
-//! Load factors on random models: what is said to hold up to a factor holds just below it, and no more just above.
+//! Checks load factors of random models: contact and equilibrium hold just below a factor, and are lost just above it.
 
 use groundbeam::{
     Acts, Beam, Field, FirstLiftOff, Foundation, Load, LossOfEquilibrium, Model, Outcome, Support,
@@ -6,22 +6,23 @@ use groundbeam::{
 };
 use groundbeam_verification::random::{Family, model};
 
-/// How far from the factor of first lift-off a solve looks; all of them must be solved.
+/// Relative distances from the factor of first lift-off at which models are solved; all must be solved.
 const BESIDE: [f64; 4] = [1e-6, 1e-3, 1e-8, 1e-10];
-/// Models that the exact method refuses beside their factor. Settled 5: a thousandth beyond it the edge of the zone that
-/// opens beside a clamp flickers between the clamp and a hundred-millionth of the length from it. Varying 21: a millionth
-/// beyond it an edge lies 3e-13 of the length beside a step of the ground, and the stored settlement has no slope there.
+/// Models that the exact method refuses near their factor. Settled 5: a thousandth beyond it, the edge of the new zone
+/// beside a clamp alternates between the clamp and a hundred-millionth of the length from it. Varying 21: a millionth
+/// beyond it, an edge lies 3e-13 of the length beside a jump of the ground, and the stored settlement has no slope
+/// there.
 const REFUSED: [(Family, u64); 2] = [(Family::Settled, 5), (Family::Varying, 21)];
-/// A model whose ground is not pressed at one place by the loads that stay: its factor is rounding error.
+/// A model with zero pressure at one place under the constant loads: its factor is rounding error.
 const RESTING: (Family, u64) = (Family::Neighbours, 35);
-/// Next to a clamp on separate springs, pressures of the size of rounding make gaps of this part of the length.
+/// Next to a clamp on Winkler ground, rounding of the pressure makes gaps of this fraction of the length.
 const SLIVER: f64 = 1e-6;
 
-/// A random model under an even load that stays, and its own loads, which grow.
+/// A random model under a constant uniform load, with its own loads increasing.
 fn weighted(family: Family, number: u64) -> Model {
     let mut model = model(family, number);
     let l = model.beam.length;
-    // Enough to close the gaps there are, and not nothing beside the other loads.
+    // Enough to close the gaps, and not negligible compared with the other loads.
     let depth = model.gap.iter().map(|corner| corner.value).fold(0.0, f64::max);
     let share = [0.01, 0.3, 3.0][number as usize % 3];
     let weight = 3.0 * model.foundation.subgrade * depth + share / l;
@@ -29,7 +30,7 @@ fn weighted(family: Family, number: u64) -> Model {
     model
 }
 
-/// All loads but the last at a factor; what presses on the ground goes on pressing.
+/// All loads except the last, multiplied by a factor; loads that press on the ground remain.
 fn at(model: &Model, factor: f64) -> Model {
     let mut model = model.clone();
     let count = model.loads.len() - 1;
@@ -39,13 +40,14 @@ fn at(model: &Model, factor: f64) -> Model {
     model
 }
 
-/// Whether the beam touches along its whole length without a pull, and whether it does but for slivers.
+/// Whether the beam is in contact along its whole length without tensile pressure, and whether it is except for short
+/// gaps.
 fn touches_all_along(model: &Model) -> Result<[bool; 2], String> {
     match solve(model) {
         Ok(Outcome::Equilibrium(found)) => {
             let l = model.beam.length;
             let open: f64 = found.lift_off().iter().map(|stretch| stretch.to - stretch.from).sum();
-            // Within its certificate an answer may pull by a billionth of the largest pressure.
+            // Within its certificate, a solution may have tensile pressure of a billionth of the largest pressure.
             let ends = found.end_forces();
             let pulls = found.range(Field::Pressure).min.value < 0.0
                 || ends.left < 0.0
@@ -66,8 +68,8 @@ fn report(faults: &[String]) {
 fn first_lift_off_lies_between_contact_and_lift_off() {
     let mut faults = Vec::new();
     let mut seen = [0; 3];
-    // Beside ground that ends with the beam, gaps of 1e-12 of its length are not always certified: where neighbours
-    // load such ground, those that are tell.
+    // Where the ground ends with the beam, gaps of 1e-12 of its length are not always certified. With loads on such
+    // ground, only the certified solutions are compared.
     for family in Family::ALL.into_iter().filter(|family| *family != Family::Beside) {
         let count = if matches!(family, Family::Long | Family::Hard) { 10 } else { 40 };
         for number in (0..count).filter(|number| (family, *number) != RESTING) {
@@ -124,7 +126,7 @@ fn equilibrium_is_lost_at_the_factor() {
         for number in 0..500 {
             let model = weighted(family, number);
             let last = model.loads.len() - 1;
-            // The loads turned round lift the beam.
+            // The reversed loads lift the beam.
             let model = if number % 2 == 0 { model } else { at(&model, -1.0) };
             let found = load_factors(&model, |load| load != last);
             let none = |factor: f64| {
@@ -152,7 +154,7 @@ fn equilibrium_is_lost_at_the_factor() {
     assert!(lost > 500, "{lost}");
 }
 
-/// Without loads that stay and without a gap the fields are proportional to the factor.
+/// Without constant loads and without a gap the fields are proportional to the factor.
 #[test]
 fn weightless_beams_lift_off_at_once_or_never() {
     let mut faults = Vec::new();
@@ -182,8 +184,8 @@ fn weightless_beams_lift_off_at_once_or_never() {
     report(&faults);
 }
 
-/// A beam seen in a mirror lifts off at the same factor, at the mirrored place; loads that stay multiplied
-/// by a power of two multiply the factors by it, bit for bit.
+/// The mirrored beam lifts off at the same factor, at the mirrored place. If the constant loads are multiplied by a
+/// power of two, the factors are multiplied by it, bit for bit.
 #[test]
 fn mirrored_and_scaled() {
     let mut faults = Vec::new();
@@ -204,7 +206,7 @@ fn mirrored_and_scaled() {
             let right = match (lift_off(found), lift_off(mirror), lift_off(heavy)) {
                 (Some((a, x)), Some((b, y)), Some((c, z))) => {
                     let together = (a - b).abs() <= 1e-10 * a;
-                    // A beam that is its own mirror image lifts off at two places at once.
+                    // A symmetric beam lifts off at two places at once.
                     let there = (x - (l - y)).abs() <= 1e-5 * l || (x == y && a == b);
                     together && there && c == 8.0 * a && z == x
                 }
@@ -219,19 +221,20 @@ fn mirrored_and_scaled() {
     report(&faults);
 }
 
-/// A rigid beam of length l and weight q l on springs, a bearing under its left end from the first: a force at its
-/// right end grows. The beam turns about the bearing while that pushes, and then as if it were not there; what the
-/// bearing carries and the pressure under the left end follow from two equations of equilibrium.
+/// A rigid beam of length l and weight q l on Winkler ground, with a bearing under its left end. A force at its right
+/// end increases. The beam rotates about the bearing while the bearing carries force, and then as if there were no
+/// bearing. The force of the bearing and the pressure under the left end follow from two equations of equilibrium.
 #[test]
 fn a_bearing_is_left_before_the_ground_is() {
     let (l, q, k, down) = (2.0, 3.0, 5.0, 0.4);
-    // The bearing holds the left end at δ < q/k, so that it carries some of the weight.
+    // The bearing holds the left end at δ < q/k, so it carries a part of the weight.
     let model = Model::new(Beam::uniform(l, 1e9), Foundation::winkler(k))
         .with_load(Load::uniform_force(0.0, l, q))
         .with_support(Support::pinned(0.0).settled(down).acting(Acts::Up))
         .with_load(Load::point_force(l, 1.0));
     let found = load_factors(&model, |load| load == 1).expect("factors");
-    // Without the bearing w(0) = q/k − 2F/(kl): it is left at F where that is δ, and the ground where it is 0.
+    // Without the bearing w(0) = q/k − 2F/(kl). The beam leaves the bearing at the F for which w(0) = δ, and the ground
+    // at w(0) = 0.
     let wanted = 0.5 * q * l;
     let FirstLiftOff::At { factor, x } = found.first_lift_off else { panic!("{found:?}") };
     assert!((factor / wanted - 1.0).abs() < 1e-8 && x == 0.0, "{factor} {wanted} {x}");
@@ -244,15 +247,15 @@ fn a_bearing_is_left_before_the_ground_is() {
         assert!(solution.lift_off().is_empty());
     }
     assert_eq!(found.loss_of_equilibrium, LossOfEquilibrium::Never);
-    // A strap in its place holds the end as far up as it lets it, and pulls from there on.
+    // A strap instead of the bearing limits the rise of the end, and carries force from there on.
     let mut strap = model;
     strap.supports[0] = Support::pinned(0.0).settled(down).acting(Acts::Down);
     let found = load_factors(&strap, |load| load == 1).expect("factors");
     assert_eq!(found.first_lift_off, FirstLiftOff::Never);
 }
 
-/// A neighbour beside a footing draws the ground from under its near end: while the beam touches all along, pressure is
-/// linear in the neighbour's weight, and a solve on either side shows where that ends.
+/// A load on the ground beside a footing lowers the ground under its near end. With contact along the whole beam, the
+/// pressure is linear in this load. Solves on both sides confirm the factor at which this ends.
 #[test]
 fn a_neighbour_that_grows() {
     let model = Model::new(Beam::uniform(4.0, 40.0), Foundation::pasternak(2.0, 3.0))
@@ -269,11 +272,11 @@ fn a_neighbour_that_grows() {
         let Ok(Outcome::Equilibrium(solution)) = solve(&at) else { panic!("it stands") };
         (solution.lift_off().len(), solution.end_forces().left)
     };
-    // The end force falls to zero in a straight line.
+    // The end force decreases linearly to zero.
     let [none, half] = [0.0, 0.5].map(|part| force(part * factor));
     assert!((half.1 / none.1 - 0.5).abs() < 1e-9, "{none:?} {half:?}");
     assert_eq!((force(0.9999 * factor).0, force(1.001 * factor).0), (0, 1));
-    // It also stays, while another load grows.
+    // The load on the ground may also be constant while another load increases.
     let turned = load_factors(&model, |load| load == 2).expect("factors");
     let alone = Model { loads: vec![model.loads[0], model.loads[2]], ..model.clone() };
     let without = load_factors(&alone, |load| load == 1).expect("factors");

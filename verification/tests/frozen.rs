@@ -1,4 +1,4 @@
-//! The present program against the frozen answers of the pinned one.
+//! Compares the present program with the frozen answers of the pinned one.
 
 use groundbeam::{Options, Outcome, solve, solve_near};
 use groundbeam_verification::frozen::{
@@ -7,13 +7,13 @@ use groundbeam_verification::frozen::{
 use groundbeam_verification::random::{Family, model};
 use rayon::prelude::*;
 
-/// Families of which a model may take seconds, and how many models of each are compared here. The command compares all.
+/// Families whose models may take seconds, and the number of models of each compared here. The command compares all.
 const SLOW: [(&str, u64); 3] = [("Compressed", 20), ("CompressedToo", 4), ("Extreme", 10)];
 /// A model of another family that takes seconds.
 const SLOW_MODELS: [&str; 1] = ["Shearing 308"];
 
-/// A beam balanced on one corner of its gap, whose moments are rounding error; and a beam with a zone that presses with
-/// rounding error alone.
+/// A beam balanced on one corner of its gap, whose moments are rounding error; and a beam with a zone whose pressure is
+/// rounding error.
 const ROUNDING: [&str; 2] = ["Gap 738", "Supported 1303"];
 
 fn all_frozen() -> Vec<Frozen> {
@@ -85,7 +85,7 @@ fn what_is_no_model_is_refused() {
     }
 }
 
-/// Another way to the same answer stays within the bounds, a model that differs by 10⁻⁵ does not.
+/// A solve from another start stays within the bounds; a model that differs by 10⁻⁵ does not.
 #[test]
 fn the_bounds_separate_rounding_from_a_change() {
     let folder = frozen::folder();

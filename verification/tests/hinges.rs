@@ -1,4 +1,4 @@
-//! Hinges: against a dense problem tried contact by contact, against closed forms and limits.
+//! Compares hinges with a dense problem over all contact sets, with closed forms and limits.
 
 use groundbeam::{
     Beam, Error, Field, Foundation, Hinge, Load, Method, Model, Options, Outcome, Pressure,
@@ -20,7 +20,7 @@ fn solved(model: &Model) -> Solution {
     solved_by(model, &Options::default())
 }
 
-/// A beam with loads and one or two hinges on the nodes of an even mesh.
+/// A beam with loads and one or two hinges at the nodes of a uniform mesh.
 fn hinged(rng: &mut ChaCha8Rng, elements: usize) -> Model {
     loop {
         let l = 10_f64.powf(rng.random_range(-0.5..1.0));
@@ -49,7 +49,7 @@ fn hinged(rng: &mut ChaCha8Rng, elements: usize) -> Model {
     }
 }
 
-/// The paper's discrete problem with one slope more at each hinge, tried over all sets of touching nodes.
+/// The paper's discrete problem with one additional slope at each hinge, over all sets of touching nodes.
 #[test]
 fn brute_force_over_all_contact_sets() {
     let mut rng = ChaCha8Rng::seed_from_u64(1866);
@@ -73,15 +73,15 @@ fn brute_force_over_all_contact_sets() {
     }
 }
 
-/// The ground presses with an atom −μ\[w'\] where the beam bends over a hinge, and lets go where it opens; no free
-/// hinge hands on a moment, an elastic one hands on −k_φ\[w'\].
+/// The ground has a concentrated force −μ\[w'\] where the beam bends over a hinge, and lifts off where it opens. A free
+/// hinge transmits no moment, an elastic one −k_φ\[w'\].
 #[test]
 fn what_stands_at_a_hinge() {
     let (mut pressed, mut parted) = (0, 0);
     for number in 0..400 {
         let model = model(Family::Hinged, number);
         let answer = solved(&model);
-        // Of several pieces each is held, most often by more than a point.
+        // Each of several pieces is held, in most cases by more than one point.
         assert_eq!(answer.existence().verdict, Verdict::Unique, "{number}: {model:?}");
         let range = answer.range(Field::Moment);
         let size = range.min.value.abs().max(range.max.value.abs());
@@ -115,10 +115,10 @@ fn what_stands_at_a_hinge() {
     assert!(pressed > 50 && parted > 10, "{pressed} {parted}");
 }
 
-/// A model with an end piece that has no load: a free hinge lets it turn.
+/// A model with an end piece without loads, which a free hinge allows to rotate.
 const UNLOADED: u64 = 78;
 
-/// A spring that stiffens closes the hinge, one that softens frees it.
+/// With increasing stiffness the hinge becomes rigid, with decreasing stiffness free.
 #[test]
 fn between_free_and_closed() {
     for number in 0..100 {
@@ -127,7 +127,7 @@ fn between_free_and_closed() {
             continue;
         }
         let unit = model.beam.bending_stiffness / model.beam.length;
-        // What the ground under the shortest piece does against turning.
+        // The rotational stiffness of the ground under the shortest piece.
         let places: Vec<f64> = groundbeam::static_reactions(&model).iter().map(|r| r.0).collect();
         let shortest = places.windows(2).map(|x| x[1] - x[0]).fold(f64::INFINITY, f64::min);
         let soft = unit.min(model.foundation.subgrade * shortest.powi(3));
@@ -159,8 +159,8 @@ fn between_free_and_closed() {
                 Ok(Outcome::Equilibrium(soft)) => distance(&soft, &free),
                 other => panic!("{number}: {other:?}"),
             });
-            // A soft spring displaces a piece in proportion to its stiffness. It displaces an unloaded piece in proportion
-            // to the cube root of its stiffness: 0.01^⅓ = 0.215.
+            // A soft spring displaces a piece in proportion to the spring's stiffness, but an unloaded piece in
+            // proportion to the cube root: 0.01^⅓ = 0.215.
             let share = if number == UNLOADED { 0.25 } else { 0.2 };
             assert!(apart < (share * before).max(1e-7), "{number}: {apart:e} after {before:e}");
         }
@@ -200,7 +200,7 @@ fn what_is_refused() {
     assert_eq!(code(&hinged(2.0).with_hinge(Hinge::free(2.0_f64.next_up()))), "GB406");
     assert_eq!(code(&hinged(2.0).with_load(Load::point_moment(2.0, 1.0))), "GB407");
     assert_eq!(code(&hinged(2.0).with_support(groundbeam::Support::fixed(2.0))), "GB407");
-    // Two pins hold a beam, but not one with a hinge between them: there the ground must help.
+    // Two pins hold a beam, but not if a hinge lies between them: then the ground must support it.
     let mut mechanism = hinged(2.0);
     mechanism.beam.axial_force = -1e-6;
     mechanism.supports = vec![groundbeam::Support::pinned(0.0), groundbeam::Support::pinned(4.0)];
@@ -216,7 +216,7 @@ fn what_is_refused() {
     }
 }
 
-/// Positions closer than 16 ε l are one place: a hinge there is at the end, and has no beam on one side.
+/// Positions closer than 16 ε l count as equal: a hinge there is at the end and has no beam on one side.
 #[test]
 fn a_hinge_that_rounding_moves_to_an_end_is_refused() {
     let l = 1e16;

@@ -1,15 +1,15 @@
-//! Extreme numbers, positions a rounding apart and files with random changes: whatever the answer, nothing panics.
+//! Extreme numbers, positions that differ by a rounding error and files with random changes: nothing panics.
 
 use groundbeam::{Beam, Foundation, Hinge, Load, Model, NodalSolution, NodalSolver};
 use groundbeam_verification::hostile::{exercise, exercise_text, model, mutated, panics, texts};
 
-/// Models that the exact method gives up only after many beams, each less stiff than the one before.
+/// Models for which the exact method fails only after many continuation steps.
 const SLOW: [u64; 5] = [50, 60, 67, 76, 96];
 
 #[test]
 fn no_model_panics() {
     let mut faults = Vec::new();
-    // In the last three the number of elements overflowed.
+    // The number of elements overflowed in the last three.
     for number in (0..100).chain([249, 629, 937]).filter(|number| !SLOW.contains(number)) {
         if let Some(panic) = panics(|| exercise(&model(number))) {
             faults.push(format!("{number}: {panic}"));

@@ -1,4 +1,4 @@
-//! The contact iteration on single models: each needs one line of the iteration, and fails or changes without it.
+//! The contact iteration on single models: each fails or changes without one particular line of the iteration.
 
 use groundbeam::{Outcome, Solution, Verdict, solve};
 use groundbeam_verification::random::{Family, model};
@@ -10,7 +10,7 @@ fn solved(family: Family, number: u64) -> Box<Solution> {
     }
 }
 
-/// The zones as parts of the length.
+/// The zones as fractions of the length.
 fn zones(solution: &Solution) -> Vec<[f64; 2]> {
     let l = solution.model().beam.length;
     solution.contact().iter().map(|zone| [zone.from / l, zone.to / l]).collect()

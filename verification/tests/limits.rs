@@ -1,4 +1,4 @@
-//! Well-posed models near a limit of the theory: each has a unique answer that rounding error must not hide.
+//! Well-posed models near a limit of the theory: each has a unique solution that rounding error must not hide.
 
 use groundbeam::{
     Beam, EndForces, Field, Foundation, Hinge, Load, LossOfEquilibrium, Model, Outcome, Solution,
@@ -15,7 +15,7 @@ fn solution(model: &Model) -> Solution {
     }
 }
 
-/// A beam on separate springs that a clamp at ground level holds presses up to the clamp: ψ = κx²/2 there.
+/// A beam on Winkler ground held by a clamp at ground level has pressure up to the clamp: ψ = κx²/2 there.
 #[test]
 fn no_lift_off_of_rounding_error_beside_a_clamp_on_separate_springs() {
     let named = Model::new(Beam::uniform(1.0, 2.0), Foundation::pasternak(4.0, 0.0))
@@ -48,7 +48,7 @@ fn no_lift_off_of_rounding_error_beside_a_clamp_on_separate_springs() {
     });
 }
 
-/// B(l, EI, k, μ) without units.
+/// A dimensionless beam B(l, EI, k, μ).
 fn beam(length: f64, stiffness: f64, spring: f64, layer: f64) -> Model {
     let ground = match layer {
         0.0 => Foundation::winkler(spring),
@@ -57,8 +57,8 @@ fn beam(length: f64, stiffness: f64, spring: f64, layer: f64) -> Model {
     Model::new(Beam::uniform(length, stiffness), ground)
 }
 
-/// The largest difference of two solutions' deflection, moment and pressure between two positions of the first, relative to the
-/// largest value of the second, whose beam begins at `from`.
+/// The largest difference of two solutions' deflection, moment and pressure between two positions of the first,
+/// relative to the largest value of the second. The beam of the second begins at `from`.
 fn difference(whole: &Solution, part: &Solution, from: f64) -> f64 {
     let l = part.model().beam.length;
     let fields = [Field::Deflection, Field::Moment, Field::Pressure];
@@ -78,7 +78,7 @@ fn may_move(solution: &Solution) -> bool {
     matches!(solution.existence().verdict, Verdict::NotUnique(_))
 }
 
-/// The beam turns about its end. The ground's surface decays there over √(μ/k), l/31.6.
+/// The beam rotates about its end. The ground's surface decays there over √(μ/k), l/31.6.
 #[test]
 fn a_force_over_an_end_of_a_long_beam_on_a_shear_layer() {
     for mu in [4.0, 0.4, 0.04, 0.004] {
@@ -88,14 +88,15 @@ fn a_force_over_an_end_of_a_long_beam_on_a_shear_layer() {
             assert!(may_move(&found));
             let EndForces { left, right } = found.end_forces();
             assert!((if end == 0.0 { left } else { right } - 1.0).abs() < 1e-12, "{mu}");
-            // (2.2): a force on endless ground settles its surface by F/(2√(kμ)).
+            // (2.2): a force on infinite ground settles its surface by F/(2√(kμ)).
             let settled = found.settlement(end);
             assert!((settled * 2.0 * (4.0 * mu).sqrt() - 1.0).abs() < 1e-12, "{mu}: {settled}");
         }
     }
 }
 
-/// Closed form on separate springs: a rigid beam touches over three times the distance of the resultant from the end.
+/// Closed form on Winkler ground: the contact length of a rigid beam is three times the distance of the resultant from
+/// the end.
 #[test]
 fn a_resultant_very_near_an_end_on_separate_springs() {
     for off in [1e-3, 1e-6, 1e-9] {
@@ -110,7 +111,7 @@ fn a_resultant_very_near_an_end_on_separate_springs() {
     }
 }
 
-/// Parts without load beyond a free hinge turn out of the way. The rest is solved as if they were not there.
+/// Unloaded parts beyond a free hinge rotate freely. The rest has the solution without these parts.
 #[test]
 fn unloaded_parts_beyond_free_hinges() {
     let force = Load::point_force;
@@ -140,7 +141,7 @@ fn unloaded_parts_beyond_free_hinges() {
         let on_layer = model.foundation.shear_layer > 0.0;
         assert!(!on_layer || different < 1e-9, "{different}: {model:?}");
     }
-    // A force on a hinge between two unloaded parts is carried by that point.
+    // A force on a hinge between two unloaded parts is carried at that point.
     let found = solution(&hinged(1.0).with_load(force(2.0, 1.0)));
     assert!(may_move(&found) && found.concentrated_forces().len() == 1);
     assert!((found.concentrated_forces()[0].force - 1.0).abs() < 1e-12);
@@ -186,7 +187,8 @@ fn a_hinged_beam_that_shears_over_corners_of_the_clearance() {
     assert_eq!(solution(&model).contact().len(), 3);
 }
 
-/// At the factor of the loss of equilibrium the resultant stands over an end, and the beam on a layer has an equilibrium.
+/// At the factor of the loss of equilibrium the resultant is over an end, and a beam on a shear layer has an
+/// equilibrium.
 #[test]
 fn the_factor_of_the_loss_of_equilibrium_itself() {
     let model = beam(10.0, 1.0, 4.0, 0.4)

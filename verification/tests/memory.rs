@@ -1,4 +1,4 @@
-//! The estimate of the memory that a solve takes, beside the memory that it takes: each solve in a process of its own.
+//! Compares the estimated memory of a solve with the measured memory; each solve runs in a separate process.
 #![cfg(target_os = "linux")]
 
 use groundbeam::{
@@ -7,7 +7,7 @@ use groundbeam::{
 };
 use std::process::Command;
 
-/// What tells a process which solve is its own.
+/// The environment variable that tells a process which case to solve.
 const CASE: &str = "GROUNDBEAM_MEMORY_CASE";
 
 /// Loads so close that no stretch is quiet.
@@ -55,7 +55,7 @@ fn cases() -> Vec<(&'static str, Model, Options)> {
     ]
 }
 
-/// A line of what the system knows of this process \[bytes\].
+/// A value that the system reports about this process \[bytes\].
 fn memory(name: &str) -> f64 {
     let status = std::fs::read_to_string("/proc/self/status").expect("a status");
     let line = status.lines().find(|line| line.starts_with(name)).expect("a line");
@@ -64,7 +64,7 @@ fn memory(name: &str) -> f64 {
     1024.0 * kilobytes
 }
 
-/// Solves one case where another process asks for it, and prints how much memory that took.
+/// Solves one case if another process requests it, and prints its memory.
 #[test]
 fn solve_one() {
     let Ok(name) = std::env::var(CASE) else { return };

@@ -1,5 +1,5 @@
-//! Loads on the ground beside the beam and below it: superposition, reciprocity, Green's function; and ground that
-//! ends beside the beam against ground that goes on.
+//! Loads on the ground outside the beam and under it: superposition, reciprocity, Green's function; and ground that
+//! ends outside the beam compared with infinite ground.
 
 use groundbeam::{Beam, Field, Foundation, GroundEnd, Load, Model, Outcome, Solution, solve};
 use groundbeam_verification::estimated::estimated_bounds;
@@ -20,13 +20,13 @@ fn solved(model: &Model) -> Solution {
     }
 }
 
-/// (2.4): the settlement of endless ground under a unit force.
+/// (2.4): the settlement of infinite ground under a unit force.
 fn green(distance: f64) -> f64 {
     let b = f64::sqrt(SPRING / SHEAR);
     (-b * distance.abs()).exp() / (2.0 * SHEAR * b)
 }
 
-/// What the ground does by itself is a clearance of the same size.
+/// The free-field settlement acts like a clearance of the same size.
 #[test]
 fn a_neighbour_is_an_initial_gap() {
     for (at, force) in [(-0.5, 14.0), (-3.0, 60.0), (10.0, 25.0), (11.5, 200.0)] {
@@ -40,7 +40,7 @@ fn a_neighbour_is_an_initial_gap() {
         }
         let sampled = solved(&given);
         assert!(exact.certificate().relative_gap() < 1e-12 && exact.lift_off().len() <= 1);
-        // Between corners the gap is off by at most h²/8 max|g₀″| = h²/8 b² force g(0).
+        // Between corners the error of the gap is at most h²/8 max|g₀″| = h²/8 b² force g(0).
         let off = (10.0 / f64::from(CORNERS)).powi(2) / 8.0 * (SPRING / SHEAR) * force * green(0.0);
         for i in 0..=40 {
             let x = 0.25 * f64::from(i);
@@ -52,8 +52,8 @@ fn a_neighbour_is_an_initial_gap() {
     }
 }
 
-/// Betti: while all of the beam touches, what a force on the beam does to the ground at y, the same force on
-/// the ground at y does to the beam.
+/// Betti: in full contact, the settlement of the ground at y under a force on the beam equals the deflection of the
+/// beam under the same force on the ground at y.
 #[test]
 fn works_are_mutual() {
     let layered = Foundation::pasternak(SPRING, SHEAR)
@@ -78,7 +78,7 @@ fn works_are_mutual() {
     }
 }
 
-/// u beside the beam is Green's function of everything that presses on the ground.
+/// u outside the beam follows from Green's function and all pressures on the ground.
 #[test]
 fn the_surface_beside_the_beam_is_greens() {
     let model = footing()
@@ -114,7 +114,7 @@ fn the_surface_beside_the_beam_is_greens() {
     }
 }
 
-/// Ground cut far away is endless ground, and cut anywhere it gives more; held, less.
+/// Ground cut far away behaves like infinite ground; cut nearer it is softer, held nearer it is stiffer.
 #[test]
 fn less_ground_gives_more() {
     let sunk = |end: fn(f64) -> GroundEnd, distance: f64| {
@@ -135,7 +135,7 @@ fn less_ground_gives_more() {
     assert!((free - held).abs() < 1e-12, "{free} {held} {endless}");
 }
 
-/// Springs under a beam's end are not tied to a shear layer beside it: their surface may jump there.
+/// Winkler ground under a beam's end is not coupled to a shear layer outside it: the surface may jump there.
 #[test]
 fn a_layer_beside_springs_does_nothing() {
     let springs = Model::new(Beam::uniform(10.0, 10.0), Foundation::winkler(5.0))

@@ -1,5 +1,5 @@
-//! Answers at nodes alone: against the paper, against the method `active-set` on the same mesh, on random
-//! models; and how much work they take, counted, not timed.
+//! Compares nodal solutions with the paper and, on random models, with the method `active-set` on the same mesh; and
+//! counts their work.
 
 use groundbeam::{
     Beam, Error, Field, Foundation, Load, Method, Model, NodalSolution, NodalSolver, Options,
@@ -32,7 +32,7 @@ fn equilibrium(outcome: Outcome) -> Box<Solution> {
     solution
 }
 
-/// What the paper's ten elements give at the left end, 0.29882 and 0.01341.
+/// The paper's results for ten elements at the left end, 0.29882 and 0.01341.
 #[test]
 fn the_papers_own_mesh() {
     for (moment, printed) in [(0.1, 0.29882), (0.49, 0.01341)] {
@@ -41,7 +41,7 @@ fn the_papers_own_mesh() {
     }
 }
 
-/// Everything a mesh may meet, at multiples of an element's length.
+/// A model with every supported feature, at multiples of an element's length.
 fn varied() -> Model {
     let beam = Beam::uniform(8.0, 2.0).with_segment(2.0, 3.0, 0.5).with_segment(5.0, 8.0, 6.0);
     let ground = Foundation::pasternak(1.0, 0.3)
@@ -59,7 +59,7 @@ fn varied() -> Model {
         .with_gap(7.0, -0.01)
 }
 
-/// The method `active-set` on the same mesh solves the same discrete problem where P = 0.
+/// For P = 0 the method `active-set` solves the same discrete problem on the same mesh.
 #[test]
 fn another_method_on_the_same_mesh() {
     let options = Options {
@@ -91,7 +91,7 @@ fn another_method_on_the_same_mesh() {
     }
 }
 
-/// The finer the mesh, the nearer to the exact answer.
+/// The solutions converge to the exact one under mesh refinement.
 #[test]
 fn meshes_converge_to_the_exact_answer() {
     let model = long_beam(0.5);
@@ -118,7 +118,7 @@ fn random_beams_balance_press_and_lie_on_the_ground() {
             let elements = [3, 30, 300, 3000][number as usize % 4];
             match solver.solve_into(&model, elements, &mut found) {
                 Ok(_) => {}
-                // Ground without a shear layer somewhere.
+                // Ground without a shear layer at some place.
                 Err(Error::Unsupported(_)) => continue,
                 Err(error) => panic!("{family:?} {number}, {elements}: {error}"),
             }
@@ -132,7 +132,7 @@ fn random_beams_balance_press_and_lie_on_the_ground() {
     }
 }
 
-/// Loads times two are fields times two, bit for bit; and memory used before changes nothing.
+/// With loads times two all fields are times two, bit for bit; reused memory does not change the result.
 #[test]
 fn bits_scale_and_repeat() {
     let model = long_beam(0.0);
@@ -147,7 +147,7 @@ fn bits_scale_and_repeat() {
     }
 }
 
-/// Nothing that was not solved for contact has a check that could hold.
+/// A check never holds without a solve.
 #[test]
 fn only_a_solution_has_a_check() {
     let (mut solver, mut found) = (NodalSolver::new(), NodalSolution::default());
@@ -158,7 +158,7 @@ fn only_a_solution_has_a_check() {
     assert_eq!(found.check, None);
 }
 
-/// From the answer to a model nearby: the same answer as from nothing, by fewer solves.
+/// A start from the solution of a neighbouring model gives the same solution in fewer solves.
 #[test]
 fn a_neighbour_is_a_start() {
     let mut solver = NodalSolver::new();
@@ -170,7 +170,7 @@ fn a_neighbour_is_a_start() {
     assert_eq!(found.contact, expected.contact);
     assert!(found.deflection.iter().zip(&expected.deflection).all(|(a, b)| (a - b).abs() < 1e-13));
     assert!(work.grids == 1 && work.solves <= 4, "{work:?} {:?}", expected.work);
-    // A start that is of no use is none.
+    // A useless start is ignored.
     solver.solve_near_into(&kikuchi(0.4), 3000, &mut found).expect("an answer");
     assert_eq!(found.contact, nodal(&kikuchi(0.4), 3000).contact);
 }

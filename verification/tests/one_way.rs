@@ -1,4 +1,4 @@
-//! Supports that act in one direction alone: against trying all that could act, and against closed forms.
+//! Compares one-way supports with a search over all sets of active supports, and with closed forms.
 
 use groundbeam::{
     Acts, Beam, Error, Field, Foundation, Load, Method, Model, Options, Outcome, Side, Solution,
@@ -13,7 +13,7 @@ fn solved(model: &Model) -> Solution {
     }
 }
 
-/// How far the beam is from a support that pushes up, or holds down; negative beyond it.
+/// The clearance between the beam and a support that pushes up, or holds down; negative beyond it.
 fn clearance(solution: &Solution, support: &Support) -> f64 {
     let w = solution.at(support.at, Side::Right).deflection;
     if support.acts == Acts::Up { -w } else { w }
@@ -24,8 +24,8 @@ fn largest(solution: &Solution) -> f64 {
     range.min.value.abs().max(range.max.value.abs())
 }
 
-/// Every choice of the supports that act, each then acting both ways: the one that keeps all signs has the same
-/// deflection as the answer, and every other breaks one.
+/// Tries every set of active supports, as two-way supports. The set that satisfies all sign conditions has the same
+/// deflection as the solution; every other set violates one.
 #[test]
 fn brute_force_over_all_that_may_act() {
     let (mut states, mut lifted) = (0, 0);
@@ -77,7 +77,7 @@ fn brute_force_over_all_that_may_act() {
     assert!(states > 600 && lifted > 100, "{states} {lifted}");
 }
 
-/// The conditions themselves, by both methods.
+/// Checks the conditions themselves, for both methods.
 #[test]
 fn reactions_and_clearances_have_their_signs() {
     for number in 0..300 {
@@ -109,7 +109,7 @@ fn reactions_and_clearances_have_their_signs() {
 }
 
 /// A stiff beam on two bearings, off the ground, under a force beyond one of them: it needs a hold-down at the other,
-/// and a bearing there is left.
+/// where a bearing loses contact.
 #[test]
 fn a_bearing_is_left_and_a_strap_holds() {
     let beam = |first: Acts| {
@@ -124,7 +124,7 @@ fn a_bearing_is_left_and_a_strap_holds() {
     let forces: Vec<f64> = held.reactions().iter().map(|r| r.force).collect();
     assert!((forces[0] + 0.75).abs() < 1e-12 && (forces[1] - 3.75).abs() < 1e-12, "{forces:?}");
     assert!(held.certificate().relative_gap() < 1e-20);
-    // Without the strap it tips until it lies on the ground: 10⁶ below.
+    // Without the strap the beam tips onto the ground, 10⁶ below.
     let tipped = solved(&beam(Acts::Up));
     assert_eq!(tipped.reactions()[0].force, 0.0);
     assert!(
@@ -132,7 +132,7 @@ fn a_bearing_is_left_and_a_strap_holds() {
     );
 }
 
-/// What a bearing does not carry it does not change: the beam is the one without it, bit for bit.
+/// An inactive bearing does not change the solution, bit for bit.
 #[test]
 fn a_bearing_that_is_left_does_nothing() {
     let free = Model::new(Beam::uniform(1.0, 1.0), Foundation::pasternak(1.0, 1.0))
@@ -146,13 +146,13 @@ fn a_bearing_that_is_left_does_nothing() {
         assert_eq!(a.value(Field::Deflection, x), b.value(Field::Deflection, x));
     }
     assert_eq!(b.reactions()[0].force, 0.0);
-    // Seen in a mirror it is the same.
+    // The mirrored model gives the same.
     let mirrored = solved(&over.mirrored());
     let difference = mirrored.value(Field::Deflection, 0.3) - b.value(Field::Deflection, 0.7);
     assert!(difference.abs() < 1e-15);
 }
 
-/// A bearing adds nothing to what keeps a beam from lifting, a hold-down as much as a pin.
+/// A bearing does not prevent lifting; a hold-down prevents it like a pin.
 #[test]
 fn existence() {
     let tips = Model::new(Beam::uniform(4.0, 1.0), Foundation::pasternak(1.0, 1.0))

@@ -1,4 +1,4 @@
-//! Printed numbers of proven answers: the interval `value ± bound`, as it is printed, holds the answer in 60 digits.
+//! Checks that printed intervals `value ± bound` of proven answers contain the answers in 60 digits.
 
 use groundbeam::proof::{Document, Wide, verify};
 use groundbeam::{Outcome, solve};
@@ -6,7 +6,7 @@ use groundbeam_report::{Context, ModelOf, Named, Units, json, text};
 use groundbeam_verification::reference::Answer;
 use rayon::prelude::*;
 
-/// The intervals of a row of a report and of those that go on with it.
+/// The intervals of a row of a report and of its continuation rows.
 fn intervals(report: &str, label: &str) -> Vec<[f64; 2]> {
     let mut rows = report.lines().skip_while(|line| !line.starts_with(label));
     let first = rows.next().unwrap_or_default().replacen(label, "", 1);
@@ -18,14 +18,14 @@ fn intervals(report: &str, label: &str) -> Vec<[f64; 2]> {
     signs.map(|(i, _)| [number(words[i - 1]), number(words[i + 1])]).collect()
 }
 
-/// The report of a proven answer, if it is proven.
+/// The report of an answer, if it is proven.
 fn report(answer: &Answer) -> Option<String> {
     let Ok(Outcome::Equilibrium(solution)) = solve(&answer.parsed()) else { return None };
     let context = Context { pieces: true, ..Context::new(Units::Plain) };
     let stations = json::default_stations(&solution);
     let written = json::solved(&solution, &stations, &context);
     let document = Document::read(&written).expect("a document").pop()?;
-    // The decimals of these model files stand for the doubles nearest to them.
+    // The decimals of these model files stand for their nearest doubles.
     let (model, _) = solution.claim::<Wide>();
     let found = verify(&model, &document);
     let proofs = [Named { combination: None, model: ModelOf::File, found }];
@@ -33,9 +33,9 @@ fn report(answer: &Answer) -> Option<String> {
     proofs[0].found.as_ref().is_ok_and(|found| found.shortfall.is_none()).then_some(report)
 }
 
-/// What a report prints wrongly of an answer, and how many numbers were compared.
+/// Compares a report with an answer. Returns the number of compared values, or the wrong ones.
 fn compared(answer: &Answer, report: &str) -> Result<usize, String> {
-    // What the answer itself is rounded by in doubles.
+    // The rounding of the answer to doubles is allowed for.
     let holds = |[value, bound]: [f64; 2], exact: f64| {
         (value - exact).abs() <= bound + 2.0 * f64::EPSILON * exact.abs()
     };
@@ -57,7 +57,7 @@ fn compared(answer: &Answer, report: &str) -> Result<usize, String> {
     }
     let edges = intervals(report, "Contact");
     let exact: Vec<f64> = answer.contact.iter().flatten().copied().collect();
-    // A region that is the whole beam, and a point, are printed with less.
+    // A region that covers the whole beam, and a point, have a shorter form.
     let is_inside = |found: &[f64; 2]| exact.iter().any(|exact| holds(*found, *exact));
     if !edges.iter().all(is_inside) {
         return wrong("Contact", &edges, &exact);

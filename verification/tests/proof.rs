@@ -1,4 +1,4 @@
-//! The proof of solutions: gaps reached, models covered, and wrong answers refused.
+//! The proof of solutions: gaps, covered models, and wrong answers that are refused.
 
 use groundbeam::proof::{Ball, ContactForce, ContactSet, NotProven, Proof, Wide, prove};
 use groundbeam::{Field, Model, Outcome, Solution, solve};
@@ -9,7 +9,7 @@ use groundbeam_verification::reference::Answer;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 
-/// Gaps relative to the strain energy as they were first reached, in numbers of 106 bits.
+/// Gaps relative to the strain energy, as measured in numbers of 106 bits.
 const REACHED: [(&str, f64); 16] = [
     ("kikuchi-1980/case-1.toml", 3.1e-32),
     ("kikuchi-1980/case-2.toml", 1.1e-31),
@@ -34,13 +34,13 @@ const REACHED: [(&str, f64); 16] = [
 
 /// The case files with a solution that is not proven, each with the reason. docs/proof.md lists them.
 const EXCEPTIONS: [(&str, &str); 8] = [
-    // What presses stands on one point: nothing has a lever to balance the rounding of the answer.
+    // The beam stands on one point: no force has a lever arm to balance the rounding of the answer.
     ("limits/balanced-on-a-corner-of-the-ground.toml", "no lever"),
     ("limits/balanced-on-an-end-of-a-shear-layer.toml", "no lever"),
-    // The load is the one at which an edge of contact appears: the pressure there is exactly zero.
+    // The load at which an edge of contact appears: the pressure there is exactly zero.
     (
         "textbook/hetenyi-1946-free-beam-central-force-beta-l-pi.toml",
-        "the contact set is not proven: contact and clearance are too close on springs",
+        "the contact set is not proven: the difference w − g₀ is too small to decide contact on Winkler ground",
     ),
     (
         "textbook/lovtsov-2025-beam-loaded-at-both-ends-about-to-lift-off.toml",
@@ -50,7 +50,7 @@ const EXCEPTIONS: [(&str, &str); 8] = [
         "textbook/rigid-footing-of-kikuchi-about-to-lift-off.toml",
         "the contact set is not proven: the clearance of open ground is too small",
     ),
-    // The compression is above the critical load of the beam on its supports alone. The ground holds it.
+    // The compression is above the critical load of the beam on its supports alone. The ground stabilises it.
     (
         "textbook/engesser-1891-pinned-beam-that-shears-in-compression.toml",
         "no critical load above the compression is proven",
@@ -122,7 +122,7 @@ fn solutions_of_all_case_files_are_proven_but_for_the_listed_exceptions() {
     }
 }
 
-/// The same answer in numbers of fewer digits has a larger bound.
+/// The proof in numbers of fewer digits has a larger bound.
 #[test]
 fn more_digits_prove_more() {
     for (path, solution) in solutions().iter().filter(|(path, _)| path.starts_with("kikuchi")) {
@@ -134,7 +134,7 @@ fn more_digits_prove_more() {
     }
 }
 
-/// The largest errors of a solution over their bounds, by quantity, against the answer in 60 digits.
+/// The largest errors of a solution relative to their bounds, by quantity, against the answer in 60 digits.
 fn errors(answer: &Answer, solution: &Solution, proof: &Proof) -> Vec<(&'static str, f64)> {
     let fields = Field::of(&solution.model().beam).filter_map(|field| {
         Some((field.name(), answer.largest_error(solution, field) / error_bound(proof, field)?))
@@ -181,7 +181,7 @@ fn the_truth_lies_within_every_bound() {
     assert!(proven >= 239, "only {proven} models are proven");
 }
 
-/// The edges and concentrated forces of a shown contact set that lie outside their intervals.
+/// The exact edges and concentrated forces outside the intervals of a proven contact set.
 fn outside(answer: &Answer, contact: &ContactSet, length: f64) -> Vec<String> {
     let holds = |[low, high]: [f64; 2], x: f64, scale: f64| {
         let rounding = 4.0 * f64::EPSILON * scale;
@@ -245,7 +245,8 @@ fn the_exact_contact_set_is_the_one_that_is_shown() {
     assert!(shown >= 239, "only {shown} contact sets are shown");
 }
 
-/// The answer to a model with one number changed, claimed for the model as it is: every bound holds.
+/// The answer to a model with one number changed is claimed for the original model: every bound
+/// holds.
 #[test]
 fn answers_to_neighbouring_models_lie_within_every_bound() {
     let changes: [fn(&mut Model, f64); 4] = [
@@ -288,12 +289,12 @@ fn answers_to_neighbouring_models_lie_within_every_bound() {
         assert!(*bound <= 1.0, "{name}: error over bound {bound}");
         assert!(*energy <= 1.001, "{name}: energy of the error over E {energy}");
     }
-    // A bound that nothing comes near would be a sign of a test that measures nothing.
+    // If no error came near its bound, the test would measure nothing.
     assert!(most[0] > 0.1 && most[1] > 0.1, "{most:?}");
 }
 
-/// Beside a hinge that is nearly rigid the ground opens over 1e-10 of the length. The estimate takes the flux of such a
-/// stretch from the rise of the beam over it: the difference of two settlements would lose all digits.
+/// Next to a nearly rigid hinge the ground is open over 1e-10 of the length. The estimate computes the flux of such a
+/// stretch from the rise of the beam over it: the difference of two settlements would have no digits.
 #[test]
 fn the_estimate_is_sharp_on_short_open_stretches() {
     let mut short = 0;

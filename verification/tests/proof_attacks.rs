@@ -1,5 +1,5 @@
-//! Wrong answers for random models: every bound that is proven of them holds, and no false contact set is shown.
-//! `--example attacks` claims more of them.
+//! Wrong answers for random models: every proven bound holds, and every proven contact set is right. `--example
+//! attacks` tests more of them.
 
 use groundbeam_verification::attack::{KINDS, Target, random};
 use rayon::prelude::*;
@@ -25,6 +25,6 @@ fn bounds_of_wrong_answers_hold() {
     let most = judged.iter().map(|(_, verdict)| verdict.ratio).fold(0.0, f64::max);
     let proven = judged.iter().filter(|(_, verdict)| verdict.proven).count();
     println!("{} documents, {proven} proven, error over bound {most:.3}", judged.len());
-    // Bounds that nothing comes near would be a sign of a test that measures nothing.
+    // If no error came near its bound, the test would measure nothing.
     assert!(judged.len() > 700 && most > 0.5, "{} {most}", judged.len());
 }

@@ -1,5 +1,5 @@
-//! The proof of kinds of model beyond those of the 60-digit answers: right answers of frozen random models, and answers to
-//! neighbouring models claimed for them.
+//! The proof of kinds of model beyond those of the 60-digit answers: right answers of frozen random models, and answers
+//! of neighbouring models claimed for them.
 
 use groundbeam::proof::{Proof, Wide, prove};
 use groundbeam::{
@@ -21,7 +21,7 @@ fn solutions(family: &str) -> Vec<(String, Solution)> {
     solved.collect()
 }
 
-/// The same under a compression of a tenth to nine tenths of the own critical load of each beam, if it has one.
+/// The same under a compression of a tenth to nine tenths of the critical load of each beam alone, if it has one.
 fn compressed(family: &str) -> Vec<(String, Solution)> {
     let all = frozen::family(&frozen::folder(), family).expect("a family");
     let solved = all.par_iter().enumerate().take(150).filter_map(|(i, one)| {
@@ -46,7 +46,7 @@ fn compressed(family: &str) -> Vec<(String, Solution)> {
     solved.collect()
 }
 
-/// The ends of the true contact zones that lie in no interval of a shown contact set.
+/// The ends of the true contact zones outside all intervals of a proven contact set.
 fn missed_edges(truth: &Solution, proof: &Proof) -> Vec<f64> {
     let Ok(set) = &proof.contact else { return Vec::new() };
     let rounding = 1e-8 * truth.model().beam.length;
@@ -61,7 +61,7 @@ fn same_ground(a: &Model, b: &Model) -> bool {
     a.foundation == b.foundation && a.ground_loads().eq(b.ground_loads())
 }
 
-/// σ of a compression: less than 1 by the compression over the critical load.
+/// σ of a compression: 1 minus the compression over the critical load.
 fn margin(model: &Model) -> f64 {
     let axial = model.beam.axial_force;
     if axial < 0.0 { 1.0 + axial / own_buckling_load(model) } else { 1.0 }
@@ -96,18 +96,18 @@ const CHANGES: [fn(&mut Model, f64); 7] = [
     |model, factor| model.beam.axial_force *= factor,
 ];
 
-/// What the claims of a family gave.
+/// The results of the claims of a family.
 struct Judged {
-    /// E over the strain energy of the right answers, increasing.
+    /// E relative to the strain energy for the right answers, in increasing order.
     gaps: Vec<f64>,
-    /// Why right answers are not proven.
+    /// The reasons why right answers are not proven.
     refused: Vec<String>,
-    /// How many contact sets of right answers are shown.
+    /// Number of proven contact sets of right answers.
     shown: usize,
-    /// How many right answers are proven altogether.
+    /// Number of right answers that are completely proven.
     proven: usize,
     claims: usize,
-    /// The largest error over bound and energy of the error over E of wrong claims.
+    /// The largest ratios for wrong claims: of error to bound, and of the energy of the error to E.
     most: [f64; 2],
 }
 
@@ -157,13 +157,14 @@ fn judge(family: &str, solutions: &[(String, Solution)]) -> Judged {
             let Ok(Outcome::Equilibrium(claimed)) = solve(&neighbour) else { return None };
             let (_, answer) = claimed.claim::<Wide>();
             let proof = prove(&truth.model().to_prove::<Wide>(), &answer).ok()?;
-            // The proof solves the open ground with the model's own numbers. The claimed surface has the neighbour's.
+            // The proof solves the open ground with the model's own numbers, but the claimed surface has the
+            // neighbour's.
             let ground = same_ground(&neighbour, truth.model());
             let energy = margin(truth.model()) * energy_of_error(&claimed, truth, ground);
             let missed = missed_edges(truth, &proof);
             assert!(missed.is_empty(), "{name}: edges {missed:?} are not in {:?}", proof.contact);
             let ratio = over_bound(&claimed, truth, &proof, ground);
-            // The true solution of the solver has an error of its own.
+            // The solver's solution, taken as the true one, has an error of its own.
             let own = truth.certificate().gap();
             let limit = proof.energy + own + 2.0 * (proof.energy * own).sqrt();
             Some((name, ratio, energy / limit))
@@ -207,7 +208,7 @@ fn beams_that_shear() {
     assert!(found.most[0] > 0.1 && found.most[1] > 0.1, "{:?}", found.most);
 }
 
-/// The frozen models of a family with a shear stiffness that varies as EI.
+/// The frozen models of a family with a shear stiffness proportional to EI.
 fn sheared(family: &str) -> Vec<(String, Solution)> {
     let all = frozen::family(&frozen::folder(), family).expect("a family");
     let solved = all.par_iter().enumerate().filter_map(|(i, one)| {
@@ -250,7 +251,7 @@ fn data_that_vary_within_segments() {
     assert!(found.most[0] > 0.1 && found.most[1] > 0.1, "{:?}", found.most);
 }
 
-/// Frozen models with loads on the ground, as they are and on separate springs.
+/// Frozen models with loads on the ground, unchanged and on Winkler ground.
 #[test]
 fn loads_on_the_ground() {
     let mut all: Vec<_> = ["Beside", "Neighbours"].into_iter().flat_map(solutions).collect();
@@ -277,7 +278,7 @@ fn loads_on_the_ground() {
     assert!(found.most[0] > 0.1 && found.most[1] > 0.1, "{:?}", found.most);
 }
 
-/// Frozen models under a compression. Without a proven critical load the reason is named.
+/// Frozen models under a compression. Without a proven critical load, the reason is returned.
 #[test]
 fn beams_under_compression() {
     let families = ["Supported", "Settled", "OneWay", "Shearing", "Hinged"];
@@ -292,7 +293,7 @@ fn beams_under_compression() {
     assert!(found.most[0] > 0.1 && found.most[1] > 0.1, "{:?}", found.most);
 }
 
-/// An idle support is moved to where the beam is. The answer stays; whether the support acts is within rounding.
+/// An inactive support is moved to the beam. The answer stays the same; rounding decides whether the support is active.
 #[test]
 fn a_support_within_rounding_of_acting_is_named_and_all_bounds_hold() {
     let (mut judged, mut most) = (0, 0.0_f64);
@@ -325,7 +326,7 @@ fn a_support_within_rounding_of_acting_is_named_and_all_bounds_hold() {
     assert!(judged > 80, "{judged}");
 }
 
-/// Beams that one end or one corner of the ground holds: without the tension, what presses has no lever.
+/// Beams that touch one end or one corner of the ground only: without the tension, the contact force has no lever arm.
 #[test]
 fn beams_that_tension_balances() {
     let solved = (0..120_u64).into_par_iter().filter_map(|number| match solve(&carried(number)) {
@@ -340,7 +341,7 @@ fn beams_that_tension_balances() {
     assert!(found.most[0] > 0.1 && found.most[1] > 0.1, "{:?}", found.most);
 }
 
-/// Hinges of both kinds, springs against rotation, clamps on the ground, and tension.
+/// Hinges of both kinds, rotational springs, clamps on the ground, and tension.
 #[test]
 fn beams_on_springs_and_hinges_and_under_tension() {
     let families = ["Hinged", "Supported", "Settled", "Mixed", "Tension"];
@@ -355,7 +356,7 @@ fn beams_on_springs_and_hinges_and_under_tension() {
     assert!(found.most[0] > 0.1 && found.most[1] > 0.1, "{:?}", found.most);
 }
 
-/// Models that one rule each proves.
+/// Models that are each proven by one particular rule.
 #[test]
 fn each_of_these_models_needs_a_rule_of_its_own() {
     for (title, rule) in [
@@ -363,7 +364,7 @@ fn each_of_these_models_needs_a_rule_of_its_own() {
         ("OneWay 85", "a spring against rotation bounds the slope"),
         ("Shearing 71", "it bounds the slope of a beam that nearly reaches a support"),
         ("Supported 35", "a clamp stands on open ground of a layer"),
-        ("Mixed 72", "an end without load rests beside a clamp, on separate springs"),
+        ("Mixed 72", "an end without load rests beside a clamp, on Winkler ground"),
         ("Hinged 93", "an end without load rests beside a clamp, on a layer"),
         ("Tension 5", "the curvature bounds the shear force under tension"),
         ("Extreme 4", "the pressure beside an edge is that near the edge"),
@@ -380,8 +381,8 @@ fn each_of_these_models_needs_a_rule_of_its_own() {
     }
 }
 
-/// The answer to a model without the supports that act, claimed for the model with them as if they were idle: nothing is
-/// proven of it, or bounds that hold.
+/// The answer to a model without its active supports, claimed for the model with these as inactive: nothing is proven,
+/// or bounds that hold.
 #[test]
 fn a_beam_that_passes_a_support_is_not_proven() {
     let (mut judged, mut bounded, mut most) = (0, 0, 0.0_f64);
@@ -410,7 +411,7 @@ fn a_beam_that_passes_a_support_is_not_proven() {
     assert!(judged > 100, "{judged}");
 }
 
-/// The answer to a model with clamps, claimed for pins: a pin has no moment.
+/// The answer to a model with clamps, claimed for pins: the proof refuses it, because a pin has no moment.
 #[test]
 fn a_moment_at_a_pin_is_refused() {
     let mut judged = 0;

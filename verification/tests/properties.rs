@@ -1,4 +1,4 @@
-//! Thousands of random models: each solved, certified, and unmoved by what must not move it.
+//! Thousands of random models: each is solved, certified, and invariant under scaling and mirroring.
 
 use groundbeam::{Field, Method, Model, Options, Outcome, Side, Solution, solve, solve_with};
 use groundbeam_verification::estimated::estimated_bounds;
@@ -16,7 +16,7 @@ fn report(faults: &[String]) {
     assert!(faults.is_empty(), "{} faults:\n{}", faults.len(), faults.join("\n"));
 }
 
-/// No failure, and no result without a proof.
+/// No failure, and no result without a certificate.
 #[test]
 fn exact_is_certified() {
     let mut faults = Vec::new();
@@ -25,11 +25,11 @@ fn exact_is_certified() {
             Family::Hard => 0..40,
             Family::Varying => 0..60,
             Family::Long => 0..100,
-            // Of these none takes seconds.
+            // Models of this range take less than a second.
             Family::Extreme => 5..18,
             _ => 0..500,
         };
-        // Loops a million times higher than the ground settles; an edge that runs over hundreds of waves.
+        // Arches a million times higher than the settlement; an edge that moves over hundreds of wave lengths.
         let hardest: &[u64] = if family == Family::Hard { &[1617, 4179, 6195, 7814] } else { &[] };
         for number in numbers.chain(hardest.iter().copied()) {
             match exact(&model(family, number)) {
@@ -46,11 +46,11 @@ fn exact_is_certified() {
     report(&faults);
 }
 
-/// Any number of elements: an answer whose distance from the exact one its own certificate bounds.
+/// For any number of elements, the solution is within the bound of its own certificate from the exact one.
 #[test]
 fn active_set_stays_within_its_certificate() {
     let mut faults = Vec::new();
-    // Loads on the ground are the exact method's alone.
+    // Only the exact method supports loads on the ground.
     for family in Family::ALL.into_iter().filter(|family| *family != Family::Neighbours) {
         let count = match family {
             Family::Hard | Family::Varying => 30,
@@ -59,7 +59,7 @@ fn active_set_stays_within_its_certificate() {
         };
         for number in 0..count {
             let model = model(family, number);
-            // Seven elements for a thousand waves prove nothing: such models have meshes that see them.
+            // Seven elements for a thousand wave lengths prove nothing: such models get meshes that resolve them.
             let elements = match family {
                 Family::Hard => [100, 200, 333, 1000][number as usize % 4],
                 _ => [1, 2, 7, 16, 50, 100, 333, 1000][number as usize % 8],
@@ -74,7 +74,7 @@ fn active_set_stays_within_its_certificate() {
             };
             let Ok(exact) = exact(&model) else { continue };
             let certificate = coarse.certificate();
-            // Half the squared error in the energy is at most the gap: the energies differ by less.
+            // Half the squared error in the energy norm is at most the gap, so the energies differ by less.
             let excess = certificate.primal_energy() - exact.certificate().primal_energy();
             let rounding = 1e-9 * exact.certificate().primal_energy().abs();
             if excess > certificate.gap() + rounding || excess < -rounding {
@@ -99,7 +99,7 @@ fn active_set_stays_within_its_certificate() {
     report(&faults);
 }
 
-/// Loads times 2ᵏ: every field times 2ᵏ, bit for bit, and the same contact.
+/// With loads times 2ᵏ every field is times 2ᵏ, bit for bit, with the same contact.
 #[test]
 fn scaling_by_a_power_of_two_is_bit_identical() {
     let families = [
@@ -126,7 +126,7 @@ fn scaling_by_a_power_of_two_is_bit_identical() {
                 support.settlement *= factor;
             }
             for method in [Method::Exact, Method::ActiveSet] {
-                // Loads on the ground and shear are the exact method's alone.
+                // Only the exact method supports loads on the ground and beams that shear.
                 let alone = matches!(family, Family::Neighbours | Family::Shearing);
                 if alone && method != Method::Exact {
                     continue;
@@ -185,13 +185,13 @@ fn mirror_images_mirror() {
                 let range = a.range(f);
                 range.max.value.abs().max(range.min.value.abs())
             };
-            // A beam under moments alone has no shear force but rounding.
+            // The shear force of a beam under moments only is rounding error.
             let scale = |f: Field| match f {
                 Field::ShearForce => largest(f).max(largest(Field::Moment) / l),
                 _ => largest(f),
             };
-            // A stiff beam that a settled pin holds deep in the ground bends by the last digits of its deflection:
-            // what it bends by is known as well as its certificate says.
+            // A stiff beam that a settled pin holds deep in the ground: its bending is in the last digits of its
+            // deflection, so its accuracy is that of the certificate.
             let bounds = match family {
                 Family::Settled => [&a, &b].map(estimated_bounds),
                 _ => [[0.0; 3]; 2],
@@ -205,7 +205,7 @@ fn mirror_images_mirror() {
                 _ => 0.0,
             };
             for i in 1..50 {
-                // Off the places where fields jump.
+                // Away from places where fields jump.
                 let x = l * (f64::from(i) + 0.123_456_7) / 51.0;
                 let (here, there) = (a.at(x, Side::Right), b.at(l - x, Side::Left));
                 for (field, sign) in [
@@ -234,8 +234,8 @@ fn mirror_images_mirror() {
     report(&faults);
 }
 
-/// μ → 0 tends to Winkler's ground. Number 27 is a beam about to lose contact in its middle: with
-/// μ = 10⁻⁶√(k EI) the exact method finds no edges there and says so, a known gap.
+/// For μ → 0 the solution tends to that on Winkler ground. Number 27 is a beam about to lift off in its middle: with μ
+/// = 10⁻⁶√(k EI) the exact method finds no edges there and fails, a known gap.
 #[test]
 fn a_vanishing_shear_layer_is_winklers_ground() {
     for number in (0..50).filter(|number| *number != 27) {

@@ -1,25 +1,25 @@
-//! The exact method against answers in 60 digits.
+//! Compares the exact method with answers in 60 digits.
 
 use groundbeam::{Outcome, solve};
 use groundbeam_verification::reference::Answer;
 
-/// Models whose fields or regions 64 bits cannot tell to eleven digits: name, tolerance, whether regions are
-/// compared. The energies agree to eleven digits all the same.
+/// Models whose fields or regions doubles cannot determine to eleven digits: name, tolerance, whether regions are
+/// compared. Their energies agree to eleven digits.
 const KNOWN: [(&str, f64, bool); 5] = [
-    // Shear layers 10⁴ to 10⁶ times stiffer than √(k EI) under beams lifted by thousands of settlements: the
-    // pressure at some edges is 10⁻⁵ of the largest and rounding in the slopes moves them by 10⁻⁹; of
-    // hard-006 an opening is 6·10⁻²¹ deep.
+    // Shear layers 10⁴ to 10⁶ times stiffer than √(k EI) under beams lifted by thousands of settlements: the pressure
+    // at some edges is 10⁻⁵ of the largest, so rounding of the slopes moves these edges by 10⁻⁹. In hard-006 an open
+    // span is 6·10⁻²¹ deep.
     ("hard-005", 2e-5, false),
     ("hard-006", 1e-6, false),
     ("hard-007", 1e-6, false),
     // A load 3·10⁻⁹ from an edge: the shear force between them is a third difference over that length.
     ("hard-027", 2e-7, true),
-    // Zero at both supports and no contact force: touching points are a matter of definition, and so is the
-    // scale of a settlement that is zero.
+    // Zero at both supports and no contact force: whether these points touch is a matter of definition, and so is the
+    // scale of a zero settlement.
     ("supports-012", 1e-6, false),
 ];
 
-/// Its deflection is 4·10⁷ settlements, and rounding error may decide whether the beam touches beside its zones.
+/// Its deflection is 4·10⁷ settlements, so rounding error may decide on contact beside its zones.
 const UNDECIDED: [&str; 1] = ["hard-006"];
 
 #[test]

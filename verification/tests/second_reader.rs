@@ -1,4 +1,4 @@
-//! The second reader of model files understands them as the first one does, or refuses them.
+//! Checks that the second reader of model files gives the same model as the first one, or refuses the file.
 
 use groundbeam::{Outcome, solve};
 use groundbeam_file::{Document, parse_beside, write_toml};
@@ -8,11 +8,11 @@ use groundbeam_verification::hostile::{model, mutated, texts};
 use groundbeam_verification::second::Comparison;
 use std::path::{Path, PathBuf};
 
-/// Units of the last place by which numbers may differ: the first reader computes sections, products and shares in
-/// doubles, each step of which rounds.
+/// Tolerance in units of the last place: the first reader computes sections, products and fractions in doubles, with a
+/// rounding in each step.
 const ALLOWED: f64 = 24.0;
 
-/// The model files of the repository that the second reader refuses, with the key for which it does.
+/// The model files of the repository that the second reader refuses, with the key that it does not support.
 const REFUSED: &[(&str, &str)] = &[
     ("cases/footings/strip-footing-on-layered-soil.toml", "soil"),
     ("cases/footings/strip-on-a-band-of-grounds.toml", "band"),
@@ -22,7 +22,7 @@ const REFUSED: &[(&str, &str)] = &[
     ("docs/train.toml", "train"),
 ];
 
-/// Every model file that is right, by its name from the repository.
+/// Every valid model file, by its path in the repository.
 fn files() -> Vec<(String, PathBuf)> {
     let mut files = Vec::new();
     let mut folders = vec![repository().join("cases"), repository().join("docs")];
@@ -41,7 +41,7 @@ fn files() -> Vec<(String, PathBuf)> {
     files
 }
 
-/// Compares every model of a file; returns how many numbers were compared, and the largest difference.
+/// Compares every model of a file; returns the number of compared numbers, and the largest difference.
 fn compare(name: &str, text: &str, document: &Document) -> Result<(usize, f64), Reason> {
     let mut models = vec![(None, document.model.clone())];
     for combination in document.combinations() {
@@ -66,7 +66,7 @@ fn every_model_file_is_read_alike_or_refused() {
     for (name, path) in files() {
         let text = std::fs::read_to_string(&path).expect("a text");
         let folder = path.parent().unwrap_or(Path::new("."));
-        // Studies are no models.
+        // Study files are skipped.
         let Ok(document) = parse_beside(&text, folder) else { continue };
         match compare(&name, &text, &document) {
             Ok((count, most)) => {
@@ -86,7 +86,7 @@ fn every_model_file_is_read_alike_or_refused() {
     assert!(read >= 113, "{read}");
 }
 
-/// What is proven of an answer for the solver's model, in doubles, is proven for the decimals of the file as well.
+/// A proof of an answer for the solver's model, in doubles, also holds for the decimals of the file.
 #[test]
 fn answers_are_proven_for_the_decimals_of_the_file() {
     let mut proven = 0;
@@ -123,7 +123,7 @@ fn answers_are_proven_for_the_decimals_of_the_file() {
     assert!(proven >= 80 && largest.0 < 2e-19, "{proven} {largest:?}");
 }
 
-/// The blocks of the documents, which the first reader reads when what they leave out is added.
+/// The blocks of the documents, after their completion for the first reader.
 #[test]
 fn the_blocks_of_the_documents_are_read_alike() {
     let mut read = 0;
@@ -152,7 +152,7 @@ fn the_blocks_of_the_documents_are_read_alike() {
     assert!(read >= 12, "{read}");
 }
 
-/// Models of random numbers, as the product writes them.
+/// Models with random numbers, as the product writes them.
 #[test]
 fn random_models_are_read_alike() {
     let mut read = 0;
@@ -171,7 +171,7 @@ fn random_models_are_read_alike() {
     assert!(read > 2000);
 }
 
-/// Files with random changes: what both readers accept they understand alike.
+/// Files with random changes: if both readers accept a file, they give the same model.
 #[test]
 fn changed_files_are_read_alike() {
     let texts = texts();
@@ -201,8 +201,8 @@ fn changed_files_are_read_alike() {
     assert!(alike > 9000);
 }
 
-/// Whether the second reader has no use for a line: titles, checks, and combinations that are not asked for. Two
-/// places so near each other that rounding makes them one are two to the second reader.
+/// Whether the second reader ignores a line: titles, checks, and combinations that are not requested. It also accepts
+/// two places that are equal to rounding.
 fn is_left_out(text: &str, line: usize, code: &str) -> bool {
     let up_to: Vec<&str> = text.lines().take(line).map(str::trim).collect();
     let heading = up_to.iter().rev().find(|line| line.starts_with('[')).copied().unwrap_or("");

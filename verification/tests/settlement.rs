@@ -1,4 +1,4 @@
-//! Supports that have settled, against closed forms.
+//! Compares settled supports with closed forms.
 
 use groundbeam::{
     Beam, Field, Foundation, Load, Method, Model, Options, Outcome, Pressure, Side, Solution,
@@ -20,7 +20,7 @@ fn close(a: f64, b: f64, tolerance: f64) {
     assert!((a - b).abs() <= tolerance, "{a} {b}: off by {:e}", (a - b).abs());
 }
 
-/// Two spans over a middle support that has settled by δ, the ground far below: M = 3 EI δ/L² over it.
+/// Two spans over a middle support that has settled by δ, far above the ground: M = 3 EI δ/L² over it.
 #[test]
 fn the_middle_support_of_two_spans() {
     let (span, ei, delta) = (3.0, 2.0, 0.01);
@@ -40,14 +40,14 @@ fn the_middle_support_of_two_spans() {
             close(*force, expected * moment / span, 1e-13);
         }
         let energy = found.certificate();
-        // ½ Σ R δ turned round: the work that pulled the support down.
+        // −½ Σ R δ: the work that pulled the support down.
         close(energy.primal_energy(), 0.5 * 2.0 * moment / span * delta, 1e-14);
         close(energy.dual_energy(), energy.primal_energy(), 1e-14);
     }
 }
 
-/// A long weightless beam that a support presses down by δ into springs: w = δ e^(−λx) (cos λx + sin λx) where it
-/// touches, held by a force of about 8 EI λ³ δ; clamped at the end of a half beam, w = δ, w′ = 0, the same curve.
+/// A long weightless beam that a support presses into Winkler ground by δ: w = δ e^(−λx) (cos λx + sin λx) in contact,
+/// with a support force of about 8 EI λ³ δ. Clamped at the end of a half beam, w = δ, w′ = 0, it is the same curve.
 #[test]
 fn a_support_presses_a_beam_into_the_ground() {
     let (l, k, lambda, delta) = (30.0, 4.0, 1.0_f64, 0.01);
@@ -74,7 +74,7 @@ fn a_support_presses_a_beam_into_the_ground() {
     }
 }
 
-/// A spring that has settled is a spring with the force k δ down beside it.
+/// A settled spring equals an unsettled spring with an additional force k δ down.
 #[test]
 fn a_settled_spring_is_a_spring_and_a_force() {
     let (spring, delta) = (3.0, 0.2);
@@ -97,7 +97,7 @@ fn a_settled_spring_is_a_spring_and_a_force() {
     }
 }
 
-/// Nodal pressures: the active set and both of the paper's iterations on the same mesh.
+/// Nodal pressures: the active set and both iterations of the paper on the same mesh.
 #[test]
 fn all_methods_on_one_mesh() {
     let base = Model::new(Beam::uniform(4.0, 2.0), Foundation::pasternak(1.0, 0.8))

@@ -1,4 +1,4 @@
-//! Beams that shear: against elements of the plainest kind, against what must be alike, and in the limit.
+//! Compares beams that shear with the simplest elements, with equivalent models, and with limits.
 
 use groundbeam::{
     Beam, Error, Field, FirstLiftOff, Foundation, Hinge, Load, Method, Model, Options, Outcome,
@@ -22,8 +22,8 @@ fn largest(solution: &Solution, field: Field) -> f64 {
     range.max.value.abs().max(range.min.value.abs())
 }
 
-/// Elements with linear w and φ, one point of integration each, nodal springs and a contact that is tried until it
-/// fits: nothing of the solver but the model. Two meshes tell where it goes; what contact leaves of that is checked.
+/// Compares with elements with linear w and φ, one integration point each, nodal springs and contact by trial; they
+/// share only the model with the solver. The limit of two meshes is compared, with a tolerance for the contact.
 #[test]
 fn linear_elements_go_to_the_same_answer() {
     let mut rng = ChaCha8Rng::seed_from_u64(1921);
@@ -54,7 +54,7 @@ fn linear_elements_go_to_the_same_answer() {
     assert!(touching > 10, "{touching}");
 }
 
-/// A beam with loads, a support or a corner of the gap at the nodes of an even mesh.
+/// A beam with loads, a support or a corner of the gap at the nodes of a uniform mesh.
 fn sheared(rng: &mut ChaCha8Rng) -> Model {
     let node = |rng: &mut ChaCha8Rng| f64::from(rng.random_range(0..=20)) / 20.0;
     let (l, k) = (2.0, 1.0);
@@ -89,7 +89,7 @@ fn sheared(rng: &mut ChaCha8Rng) -> Model {
     model
 }
 
-/// The stiffer against shear, the nearer to the beam that only bends, in proportion to 1/S.
+/// With increasing shear stiffness the solution approaches that without shear, with an error proportional to 1/S.
 #[test]
 fn without_shear_it_only_bends() {
     for number in 0..60 {
@@ -114,7 +114,7 @@ fn without_shear_it_only_bends() {
     }
 }
 
-/// Betti: glued beams exchange the work of two loads.
+/// Betti's theorem for two loads on bonded beams.
 #[test]
 fn work_is_exchanged() {
     let bed = Load::uniform_force(0.0, 3.0, 1.0);
@@ -141,7 +141,7 @@ fn work_is_exchanged() {
     assert!((there - back).abs() < 1e-12 * there.abs(), "{there:e} {back:e}");
 }
 
-/// Engesser: P = P_E/(1 + P_E/S) for columns whose shear force the axial force alone makes.
+/// Engesser: P = P_E/(1 + P_E/S) for columns whose shear force comes from the axial force only.
 #[test]
 fn engessers_columns() {
     let (l, ei): (f64, f64) = (2.0, 3.0);
@@ -167,7 +167,8 @@ fn engessers_columns() {
     }
 }
 
-/// A force is a kink, which presses into the ground by μF/(S + P + μ); a pin that pushes up is one that lets go of it.
+/// A force causes a kink, with a concentrated contact force μF/(S + P + μ); at a pin that pushes up the kink opens and
+/// the beam lifts off.
 #[test]
 fn what_stands_at_a_kink() {
     let (s, p, mu, force) = (3.0, 0.5, 0.8, 0.7);
@@ -186,7 +187,7 @@ fn what_stands_at_a_kink() {
     assert!(held.lift_off().iter().any(|span| span.from < 1.5 && span.to > 1.5));
 }
 
-/// Where it is about to lift off the beam glued to the ground tells; methods with a mesh refuse it.
+/// The bonded beam gives the first lift-off; methods with a mesh refuse the model.
 #[test]
 fn load_factors_and_other_methods() {
     let beam = Beam::uniform(4.0, 1.0).with_shear_stiffness(2.0);
@@ -194,7 +195,7 @@ fn load_factors_and_other_methods() {
         .with_load(Load::uniform_force(0.0, 4.0, 1.0));
     let pulled = base.clone().with_load(Load::point_force(2.0, -0.1));
     let factors = load_factors(&pulled, |load| load == 1).expect("factors");
-    // An upward force of any size opens the kink it makes.
+    // An upward force of any size opens the kink under it.
     assert_eq!(factors.first_lift_off, FirstLiftOff::AtOnce);
     let pushed = base.with_load(Load::point_moment(1.0, 1.0));
     let factors = load_factors(&pushed, |load| load == 1).expect("factors");
@@ -212,7 +213,7 @@ fn load_factors_and_other_methods() {
     }
 }
 
-/// An elastic hinge is a short soft stretch of the beam, which turns and does not shear.
+/// An elastic hinge equals a short soft stretch of the beam that bends and does not shear.
 #[test]
 fn a_hinge_turns_the_sections() {
     let beam = Beam::uniform(3.0, 1.0).with_shear_stiffness(1.5);

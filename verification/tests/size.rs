@@ -1,4 +1,4 @@
-//! Models with many parts: the time to read, check and cut them into cells grows in proportion to their number.
+//! Models with many parts: the time to read, check and cut them into cells is proportional to their number.
 
 use groundbeam::{Options, exists, memory_estimate};
 use groundbeam_file::{UnitSystem, parse, write_toml};
@@ -6,7 +6,7 @@ use groundbeam_report::Characteristics;
 use groundbeam_verification::many::{KINDS, model};
 use std::time::Instant;
 
-/// The least seconds of a few runs.
+/// The smallest time of a few runs.
 fn seconds(runs: usize, mut job: impl FnMut()) -> f64 {
     let once = |_| {
         let began = Instant::now();
@@ -16,7 +16,7 @@ fn seconds(runs: usize, mut job: impl FnMut()) -> f64 {
     (0..runs).map(once).fold(f64::INFINITY, f64::min)
 }
 
-/// Ten times as many parts: 10 in proportion, 100 where each is compared with each.
+/// Ten times as many parts take 10 times as long if the time is proportional, 100 times if all pairs are compared.
 #[test]
 fn reading_is_in_proportion() {
     for kind in KINDS {
@@ -28,8 +28,8 @@ fn reading_is_in_proportion() {
     }
 }
 
-/// Sixteen times as many: 16 in proportion, up to three times that beyond the processor's caches, 256 where each is compared
-/// with each.
+/// Sixteen times as many parts take 16 times as long if the time is proportional, up to three times that beyond the
+/// processor's caches, and 256 times if all pairs are compared.
 #[test]
 fn checks_and_cells_are_in_proportion() {
     for kind in KINDS {

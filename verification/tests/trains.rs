@@ -1,4 +1,4 @@
-//! Passages of trains against closed forms, brute force and the mirror.
+//! Compares passages of trains with closed forms, brute force and the mirrored model.
 
 use groundbeam::model::{Axle, Train};
 use groundbeam::{Action, Beam, Extent, Field, Foundation, Load, Model, Outcome, Side, solve};
@@ -18,7 +18,7 @@ fn single(force: f64) -> Train {
     Train { axles: vec![axle(0.0, force)], uniform: Vec::new() }
 }
 
-/// A heavy rail on springs.
+/// A heavy rail on Winkler ground.
 fn rail(length: f64, weight: f64) -> Model {
     Model::new(Beam::uniform(length, EI), Foundation::winkler(K))
         .with_load(Load::uniform_force(0.0, length, weight))
@@ -37,8 +37,9 @@ fn answers(model: &Model, train: &Train, range: [f64; 2]) -> Answers {
     run(model, train, range).solve(&OneThread).unwrap()
 }
 
-/// Zimmermann, Die Berechnung des Eisenbahnoberbaues (1888), and Hetényi, Beams on Elastic Foundation (1946), § 3: under
-/// a wheel F on an endless rail M = F/(4β), w = Fβ/(2k) and V = ±F/2; at a quarter wave, βx = π/2, M = −e^(−π/2) F/(4β).
+/// Zimmermann, Die Berechnung des Eisenbahnoberbaues (1888), and Hetényi, Beams on Elastic Foundation (1946), § 3:
+/// under a wheel F on an infinite rail M = F/(4β), w = Fβ/(2k) and V = ±F/2; at a quarter wave, βx = π/2, M = −e^(−π/2)
+/// F/(4β).
 #[test]
 fn a_wheel_on_a_long_rail_that_its_weight_holds_down() {
     let (force, weight) = (100e3, 40e3);
@@ -62,8 +63,8 @@ fn a_wheel_on_a_long_rail_that_its_weight_holds_down() {
     }
 }
 
-/// The same closed form with the weight q: the rail first lifts at βx = π on both sides of the wheel, under
-/// F = 2 q e^π/β.
+/// The same closed form with the weight q: the rail first lifts off at βx = π on both sides of the wheel, under F = 2 q
+/// e^π/β.
 #[test]
 fn a_rail_lifts_ahead_of_the_wheel_and_behind_it() {
     let weight = 3e3;
@@ -82,7 +83,8 @@ fn a_rail_lifts_ahead_of_the_wheel_and_behind_it() {
     }
 }
 
-/// The longest free span and the largest clearance, against each position solved anew and looked at point by point.
+/// Compares the longest free span and the largest clearance with separate solves of each position, evaluated point by
+/// point.
 #[test]
 fn free_spans_are_those_of_the_positions() {
     let (model, train) = (rail(30.0, 3e3), single(250e3));
@@ -112,13 +114,13 @@ fn free_spans_are_those_of_the_positions() {
     }
     assert!((found.longest.stretch.length() - longest).abs() <= 2.0 * step, "{longest} {found:?}");
     assert!(gap.value >= largest && gap.value < 1.01 * largest, "{largest} {found:?}");
-    // A wheel that nothing lifts from.
+    // A wheel that causes no lift-off.
     let light = run(&rail(30.0, 40e3), &single(1e3), [10.0, 20.0]).with_error(1e-2);
     let light = light.solve(&OneThread).unwrap();
     assert_eq!(light.passages().all[0].free_spans(), None);
 }
 
-/// A wheel down and one up 9 m behind it: a slab tips about its right end where the moments about it vanish,
+/// A downward wheel and an upward one 9 m behind it: a slab tips about its right end where the moments about it vanish,
 /// q l²/2 + F (l − s) = ¾F (l − s + 9).
 #[test]
 fn a_slab_tips_where_the_statics_say() {
@@ -143,7 +145,7 @@ fn random() -> impl Iterator<Item = (String, Model)> {
         .flat_map(|family| (0..2).map(move |i| (format!("{family:?} {i}"), model(family, i))))
 }
 
-/// A train as heavy as what the model carries.
+/// A train whose loads are comparable to those of the model.
 fn suited(model: &Model) -> Train {
     let force =
         model.beam_loads().fold(0.0_f64, |most, load| match (load.action(), load.extent()) {
@@ -157,7 +159,7 @@ fn suited(model: &Model) -> Train {
     Train { axles: vec![axle(0.0, force), axle(behind, 0.5 * force)], uniform: vec![] }
 }
 
-/// Twenty times as many positions do not stick out of the envelope.
+/// The solutions at twenty times as many positions lie within the envelope.
 #[test]
 fn brute_force_stays_within_the_envelope() {
     let mut faults = Vec::new();
@@ -200,7 +202,7 @@ fn brute_force_stays_within_the_envelope() {
     assert!(faults.is_empty(), "{}", faults.join("\n"));
 }
 
-/// A train that comes from the other side does the same in the mirror.
+/// A train from the other side gives the mirrored results.
 #[test]
 fn a_mirror_changes_nothing() {
     for (name, model) in random() {
@@ -208,7 +210,7 @@ fn a_mirror_changes_nothing() {
         let [from, to] = [0.2 * l, 0.8 * l];
         let seen = answers(&model, &train, [from, to]);
         let seen = seen.passages().all[0];
-        // The last axle is the first.
+        // In the mirror, the last axle becomes the first.
         let mirrored = [to, from].map(|s| l - s + train.length());
         let image = answers(&model.mirrored(), &train.mirrored(), mirrored);
         let image = image.passages().all[0];

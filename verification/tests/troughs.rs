@@ -1,11 +1,11 @@
-//! Twice as many chords of a settlement trough change the results by less than a thousandth: the quick models of the
-//! family. `docs/ground.md` has the figures of all models, with the exceptions.
+//! With twice as many chords of a settlement trough the results change by less than a thousandth: the quick models of
+//! the family. `docs/ground.md` has the figures of all models, with the exceptions.
 
 use groundbeam::{Field, Outcome, solve};
 use groundbeam_file::parse;
 use groundbeam_verification::troughs::{Result, result};
 
-/// Solves a model with its chords and with twice as many. Returns whether it was solved.
+/// Solves a model with its chords and with twice as many. Returns whether it could be solved.
 #[track_caller]
 fn holds(number: u64) -> bool {
     match result(number) {
@@ -31,12 +31,12 @@ fn twice_as_many_chords_change_nothing_above_a_shear_layer() {
     assert_eq!(solved, SHEAR.len());
 }
 
-/// Models above a shear layer that are solved in a second and keep the limit: they show a step back, and prove nothing of
-/// the others.
+/// Models over a shear layer that take less than a second and satisfy the limit: a guard against regressions, without
+/// proof for the others.
 const SHEAR: [u64; 23] =
     [1, 9, 11, 13, 15, 23, 27, 29, 33, 45, 47, 53, 57, 59, 69, 77, 79, 81, 83, 91, 99, 101, 103];
 
-/// A pipe over a trough of 20 m: the curve presses at two places. The pressure is that of 40 000 equal chords.
+/// A pipe over a trough of 20 m: contact at two places on the curve. The pressure is that of 40 000 equal chords.
 #[test]
 fn a_light_pipe_rests_on_both_sides_of_a_trough() {
     let text = "[beam]\nlength = '120 m'\nEI = '150 MN m^2'\n[foundation]\nk = '20 MN/m^2'\n

@@ -1,5 +1,5 @@
-//! The paper's discrete problem by four roads: the active set, the paper's iteration, brute force over all
-//! contact sets, and an interior-point solver for quadratic programs.
+//! The paper's discrete problem by four methods: the active set, the paper's iteration, brute force over all contact
+//! sets, and an interior-point solver for quadratic programs.
 
 use clarabel::algebra::CscMatrix;
 use clarabel::solver::{DefaultSettings, DefaultSolver, IPSolver, SolverStatus, SupportedConeT};
@@ -11,7 +11,7 @@ use groundbeam_verification::dense::Dense;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
-/// A beam with loads on the nodes of an even mesh.
+/// A beam with loads at the nodes of a uniform mesh.
 fn model(rng: &mut ChaCha8Rng, elements: usize) -> Model {
     loop {
         let l = 10_f64.powf(rng.random_range(-0.5..1.0));
@@ -92,7 +92,7 @@ fn the_papers_iteration() {
         let model = model(&mut rng, elements);
         let found = solved(&model, Method::ActiveSet, elements);
         let (w, p) = nodal(&found, elements);
-        // A beam that curls up from the one node that carries it may turn there: its forces alone are the same.
+        // A beam that curls up from the single node that carries it may rotate there, so only its forces are compared.
         let most = p.iter().copied().fold(0.0, f64::max);
         let turns = p.iter().filter(|force| **force > 1e-9 * most).count() < 2;
         for method in [Method::Uzawa, Method::Psor] {
@@ -120,13 +120,13 @@ fn an_interior_point_solver() {
         let unit = h.powi(3) / model.beam.bending_stiffness;
         let w: Vec<f64> = w.iter().map(|w| w * unit).collect();
         let dw = distance(&found, &w);
-        // Its own residuals are 1e-12, on a stiffness whose condition is n⁴ and more near tipping.
+        // The solver's own residuals are 1e-12, and the condition number of the stiffness is n⁴, and more near tipping.
         assert!(dw < 1e-4, "{number}: {dw:e} {model:?}");
     }
     assert!(compared > 50, "{compared} of 100 solved by the other solver");
 }
 
-/// The same model with h = EI = 1, and deflections in h³/EI, which an interior-point solver likes better.
+/// The same model with h = EI = 1, and deflections in h³/EI, a scaling that suits an interior-point solver.
 fn dimensionless(model: &Model, elements: usize) -> Model {
     let h = model.beam.length / elements as f64;
     let ei = model.beam.bending_stiffness;
@@ -205,6 +205,6 @@ fn by_clarabel(dense: &Dense) -> Option<Vec<f64>> {
     if solver.solution.status != SolverStatus::Solved {
         return None;
     }
-    // The multiplier of K W + p = F is the deflection, rigid motion and all.
+    // The multiplier of K W + p = F is the deflection, including the rigid motion.
     Some((0..n).map(|i| -solver.solution.z[2 * i]).collect())
 }

@@ -1,4 +1,4 @@
-//! Stiffness and ground that vary along a segment, held against what they must agree with.
+//! Compares stiffness and ground that vary along a segment with equivalent models and limits.
 
 use groundbeam::model::Part;
 use groundbeam::{
@@ -44,7 +44,7 @@ fn smooth(shear: Profile) -> Model {
     )
 }
 
-/// The same by `n` even steps, each with the values in its middle.
+/// The same model with `n` equal steps, each with the values in its middle.
 fn staircase(n: usize, shear: Profile) -> Model {
     let (mut beam, mut ground) = (beam(), Foundation::winkler(1.0));
     for i in 0..n {
@@ -80,7 +80,7 @@ fn equal_ends_are_a_constant_bit_for_bit() {
     assert_eq!(uniform, ends);
 }
 
-/// The largest error of a staircase in w, M, u at some places, and of the last edge.
+/// The largest error of the stepped model in w, M, u at some places, and in the last edge.
 fn staircase_error(wanted: &Solution, n: usize, shear: Profile) -> [f64; 2] {
     let stairs = exact(&staircase(n, shear));
     let error = |x: f64| {
@@ -92,7 +92,7 @@ fn staircase_error(wanted: &Solution, n: usize, shear: Profile) -> [f64; 2] {
     [worst, (last(&stairs) - last(wanted)).abs()]
 }
 
-/// On separate springs; the ground beyond the ends of a shear layer goes on as the first and the last step.
+/// On Winkler ground; outside the beam the ground of a shear layer continues as the first and the last step.
 #[test]
 fn a_staircase_comes_closer_as_the_square_of_its_steps() {
     let even = Profile::constant(0.0);
@@ -109,8 +109,8 @@ fn a_staircase_comes_closer_as_the_square_of_its_steps() {
     }
 }
 
-/// Where μ falls in steps and w' < 0 each step is a force −[μ]w' that would have to pull: the beam lifts off
-/// beside every step, and the staircase comes closer as its steps only.
+/// Where μ decreases in steps and w' < 0 each step would need a tensile force −[μ]w'. So the beam lifts off beside
+/// every step, and the stepped model converges only linearly.
 #[test]
 fn a_staircase_of_the_shear_layer_comes_closer_as_its_steps() {
     let wanted = exact(&smooth(shear()));
@@ -157,7 +157,7 @@ fn the_mesh_comes_closer_and_keeps_its_own_bounds() {
             };
             let proof = found.certificate();
             let excess = proof.primal_energy() - wanted.certificate().primal_energy();
-            // Nodal pressures let the beam enter the ground between the nodes.
+            // With nodal pressures the beam may penetrate the ground between the nodes.
             let least = if method == Method::ActiveSet { -1e-12 } else { -proof.gap() };
             assert!(excess >= least && excess <= proof.gap() * (1.0 + 1e-9), "{proof:?}");
             let [bound, ..] = estimated_bounds(&found);
@@ -214,7 +214,7 @@ fn the_fields_are_each_others_derivatives() {
             assert!((pressure - here.pressure).abs() < 1e-8, "{x}");
         }
     }
-    // Beyond the beam the ground goes on as it is at the end.
+    // Outside the beam the ground continues as it is at the end.
     let b = (spring().end() / shear().end()).sqrt();
     let ratio = solution.settlement(4.7) / solution.settlement(4.0);
     assert!((ratio - (-0.7 * b).exp()).abs() < 1e-15);

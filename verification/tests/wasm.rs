@@ -1,7 +1,7 @@
-//! Solutions and proofs have the same bits in WebAssembly as on the machine of the test.
+//! Checks that solutions and proofs have the same bits in WebAssembly as on the test machine.
 //!
-//! Needs the Rust library of `wasm32-unknown-unknown`, and Python with the package `wasmtime` from its index. Without
-//! them this test says that it was skipped, or fails where the variable `GROUNDBEAM_DEMAND_WASM` is set.
+//! Needs the Rust target `wasm32-unknown-unknown`, and Python with the package `wasmtime`. Without them this test
+//! reports that it was skipped, or fails if the variable `GROUNDBEAM_DEMAND_WASM` is set.
 
 #[path = "../../crates/groundbeam-python/tests/environment/mod.rs"]
 mod environment;
@@ -47,7 +47,7 @@ fn runtime(workplace: &Path) -> Result<PathBuf, String> {
     environment(workplace, &["wasmtime>=50,<51"])
 }
 
-/// The module as a release has it.
+/// The WebAssembly module, compiled as in a release.
 fn module(workplace: &Path) -> PathBuf {
     let mut build = Command::new(env!("CARGO"));
     build.current_dir(repository()).args(["build", "--locked", "--release", "--quiet"]);

@@ -1,4 +1,4 @@
-//! The answers of a case, for comparison with its expectations.
+//! The results of a case, for comparison with its expectations.
 
 use super::expectation::{Expectation, Of, Value};
 use groundbeam::{Error, Solution};
@@ -6,15 +6,15 @@ use groundbeam_file::Document;
 use groundbeam_report::{Context, Results};
 use groundbeam_run::{self as run, Asked, Failed, Found, OneThread, Run};
 
-/// The answers to a file.
+/// The results for a file.
 pub struct Answers(run::Answers);
 
 impl Answers {
-    /// Solves all that the file asks for.
+    /// Solves everything that the file requests.
     ///
     /// # Errors
     ///
-    /// The first that cannot be solved; a train may have positions without a certified answer.
+    /// The first part that cannot be solved; a train may have positions without a certified solution.
     pub fn of(document: &Document) -> Result<Answers, Error> {
         let answers = Run::of(document).solve(&OneThread).map_err(Failed::refusal)?;
         let stopped = answers.list.iter().find_map(|answer| match &answer.found {
@@ -27,16 +27,16 @@ impl Answers {
         }
     }
 
-    /// The equilibria there are.
+    /// The equilibria that exist.
     pub fn solutions(&self) -> Vec<&Solution> {
         self.0.solved().map(|(_, solution)| solution).collect()
     }
 
-    /// What is found where something is expected.
+    /// The computed value of an expected quantity.
     ///
     /// # Errors
     ///
-    /// If the answer has no such quantity, or the file no such combination.
+    /// The result has no such quantity, or the file no such combination.
     pub fn found(&self, expectation: &Expectation, document: &Document) -> Result<Value, String> {
         let Answers(answers) = self;
         if expectation.of == Of::Envelope {
@@ -66,11 +66,11 @@ impl Answers {
         }
     }
 
-    /// Whether the answer is as expected.
+    /// Checks that the result is as expected.
     ///
     /// # Errors
     ///
-    /// How it is not.
+    /// The difference from the expectation.
     pub fn judge(&self, expectation: &Expectation, document: &Document) -> Result<(), String> {
         let found = self.found(expectation, document);
         expectation.judge(&found.map_err(|what| format!("{}: {what}", expectation.name))?)

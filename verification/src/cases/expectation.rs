@@ -1,4 +1,4 @@
-//! One line `#: quantity = value tolerance`, read and judged.
+//! Reads one line `#: quantity = value tolerance`, and compares it with a result.
 
 use super::quantity::Quantity;
 use super::scale::{Kind, scale};
@@ -7,51 +7,51 @@ use groundbeam_file::{Document, UnitSystem};
 use groundbeam_run::{Found, Passages};
 use serde_json::Value as Json;
 
-/// What a line expects.
+/// An expectation of one line.
 #[derive(Debug, Clone)]
 pub struct Expectation {
     /// Line of the file, counted from 1.
     pub line: usize,
-    /// Whose quantity it is.
+    /// The result to which the quantity belongs.
     pub of: Of,
-    /// The quantity as it is written.
+    /// The text of the quantity.
     pub name: String,
-    /// The value as it is written, with its unit.
+    /// The text of the value, with its unit.
     pub value: String,
-    /// How near the answer must be.
+    /// The tolerance.
     pub tolerance: Tolerance,
-    /// Why no nearer, in words; may be empty for a tolerance that leaves only rounding.
+    /// The reason for a wide tolerance; may be empty for a tolerance of rounding error.
     pub why: String,
     quantity: Quantity,
-    /// In the model's units.
+    /// The expected value in the model's units.
     wanted: Wanted,
-    /// The written unit in the model's.
+    /// Factor from the written unit to the model's unit.
     pub(super) scale: f64,
 }
 
-/// Whose quantity is expected.
+/// The result to which an expected quantity belongs.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Of {
-    /// The file's, which has no combinations.
+    /// The result of a file without combinations.
     File,
-    /// That of one of its combinations: `[ULS 1] max(moment)`.
+    /// The result of one combination: `[ULS 1] max(moment)`.
     Combination(String),
-    /// That of the envelope: `[envelope] max(moment)`.
+    /// The envelope: `[envelope] max(moment)`.
     Envelope,
 }
 
-/// How near an answer must be.
+/// The tolerance of an expectation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Tolerance {
-    /// The same word, or the same number of regions.
+    /// The same text, or the same number of regions.
     Same,
-    /// In the unit of the value.
+    /// An absolute tolerance, in the unit of the value.
     Absolute(f64),
-    /// Against the largest of the line's values.
+    /// A tolerance relative to the largest of the line's values.
     Relative(f64),
 }
 
-/// What an answer has, as an expectation sees it.
+/// A computed value, in the form of an expectation.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Value {
     /// A verdict, or the name of a combination.
@@ -66,15 +66,15 @@ enum Wanted {
     Numbers(Vec<f64>),
 }
 
-/// A tolerance up to this leaves only rounding, and needs no reason.
+/// A tolerance up to this value allows for rounding only, and needs no reason.
 const ROUNDING: f64 = 1e-9;
 
 impl Expectation {
-    /// Reads what stands after `#:`.
+    /// Reads the text after `#:`.
     ///
     /// # Errors
     ///
-    /// What cannot be read, in words.
+    /// A description of what cannot be read.
     pub fn read(text: &str, line: usize, units: UnitSystem) -> Result<Expectation, String> {
         let (said, why) = text.split_once('#').unwrap_or((text, ""));
         let (of, said) = match said.trim_start().strip_prefix('[').and_then(|s| s.split_once(']')) {
@@ -88,7 +88,7 @@ impl Expectation {
         let (value, tolerance) = match rest.rfind(" abs ").or_else(|| rest.rfind(" rel ")) {
             Some(at) => {
                 let size: f64 =
-                    rest[at + 5..].trim().parse().map_err(|_| "the tolerance is no number")?;
+                    rest[at + 5..].trim().parse().map_err(|_| "the tolerance is not a number")?;
                 let relative = rest[at..].starts_with(" rel");
                 let tolerance =
                     if relative { Tolerance::Relative(size) } else { Tolerance::Absolute(size) };
@@ -122,7 +122,7 @@ impl Expectation {
                 let known = matches!(self.quantity, Quantity::Governs { .. })
                     || ["passes", "fails", "not judged"].contains(&word.as_str())
                     || ["unique", "not-unique", "none", "local"].contains(&word.as_str());
-                return if known { Ok(()) } else { Err(format!("`{word}` is no verdict")) };
+                return if known { Ok(()) } else { Err(format!("`{word}` is not a verdict")) };
             }
             (Wanted::Word(_), _) => return Err("a verdict has no tolerance".into()),
             (Wanted::Numbers(list), Tolerance::Same) => {
@@ -140,11 +140,11 @@ impl Expectation {
         Ok(())
     }
 
-    /// What the answer has; load factors are a matter of the document alone.
+    /// The value in a result; load factors follow from the document alone.
     ///
     /// # Errors
     ///
-    /// If the answer has no such quantity.
+    /// The result has no such quantity.
     pub fn found(&self, document: &Document, found: &Found) -> Result<Value, String> {
         let existence = found.existence().ok_or("there is no certified answer")?;
         let numbers = match (self.quantity, found) {
@@ -173,11 +173,11 @@ impl Expectation {
             (Quantity::CriticalCompression, _) => match existence.verdict {
                 Verdict::Local(local) => vec![local.critical_compression],
                 Verdict::Buckles(mode) => vec![mode.critical_compression],
-                _ => return Err("the ground need not help to bear the compression".into()),
+                _ => return Err("the beam is stable without the ground".into()),
             },
             (Quantity::StabilityMargin, _) => match existence.verdict {
                 Verdict::Local(local) => vec![local.stability_margin],
-                _ => return Err("the equilibrium is no local one".into()),
+                _ => return Err("the equilibrium is not local".into()),
             },
             (Quantity::Used(what, None), Found::Equilibrium(solution)) => {
                 let checks = document.limits.check(solution);
@@ -190,11 +190,11 @@ impl Expectation {
         Ok(Value::Numbers(numbers.into_iter().map(|number| number / self.scale).collect()))
     }
 
-    /// What the envelope of solutions has, which go by names.
+    /// The value in an envelope of named solutions.
     ///
     /// # Errors
     ///
-    /// If an envelope has no such quantity.
+    /// An envelope has no such quantity.
     pub fn found_in_envelope(&self, envelope: &Envelope, names: &[&str]) -> Result<Value, String> {
         let of = |field, largest| {
             let range = envelope.range(field);
@@ -211,7 +211,7 @@ impl Expectation {
                 name.map(|name| Value::Word((*name).to_owned()))
                     .ok_or_else(|| "nothing was solved".to_owned())
             }
-            _ => Err("an envelope has extremes, and who governs them".to_owned()),
+            _ => Err("an envelope has only extremes and their governing solutions".to_owned()),
         }
     }
 
@@ -247,14 +247,14 @@ impl Expectation {
         })
     }
 
-    /// What the envelope of passages has.
+    /// The value in the envelope of passages.
     ///
     /// # Errors
     ///
-    /// If such an envelope has no such quantity.
+    /// Such an envelope has no such quantity.
     pub fn found_in_passages(&self, passages: &Passages) -> Result<Value, String> {
         let Quantity::Extreme { field, largest, position } = self.quantity else {
-            return Err("the envelope of a train has extremes".to_owned());
+            return Err("the envelope of a train has only extremes".to_owned());
         };
         let range = passages.range(field).ok_or("nothing was solved")?;
         let most = range[usize::from(largest)].located;
@@ -262,11 +262,11 @@ impl Expectation {
         Ok(Value::Numbers(vec![number / self.scale]))
     }
 
-    /// How far a value is from the one expected: absolute in its unit, and relative to the largest.
+    /// The distance of a value from the expected one: absolute in its unit, and relative to the largest.
     ///
     /// # Errors
     ///
-    /// If the two are not comparable: another word, another number of regions.
+    /// The two are not comparable: another text, or another number of regions.
     pub fn distance(&self, found: &Value) -> Result<(f64, f64), String> {
         match (&self.wanted, found) {
             (Wanted::Word(wanted), Value::Word(found)) if wanted == found => Ok((0.0, 0.0)),
@@ -280,11 +280,11 @@ impl Expectation {
         }
     }
 
-    /// Whether the answer is as expected.
+    /// Checks that the value is as expected.
     ///
     /// # Errors
     ///
-    /// How it is not.
+    /// The difference from the expectation.
     pub fn judge(&self, found: &Value) -> Result<(), String> {
         let (absolute, relative) = self.distance(found)?;
         let near = match self.tolerance {
@@ -343,7 +343,7 @@ fn numbers(text: &str, kind: Kind, units: UnitSystem) -> Result<(Wanted, f64), S
     let scale = scale(kind, unit, units)?;
     let number = |word: &str| -> Result<f64, String> {
         let word = word.trim_matches(|c: char| c.is_whitespace() || c == '[' || c == ']');
-        let value: f64 = word.parse().map_err(|_| format!("`{word}` is no number"))?;
+        let value: f64 = word.parse().map_err(|_| format!("`{word}` is not a number"))?;
         Ok(value * scale)
     };
     let list = list.split(',').map(number).collect::<Result<_, _>>()?;

@@ -3,19 +3,19 @@
 use groundbeam::{FirstLiftOff, LoadFactors, LossOfEquilibrium, load_factors};
 use groundbeam_file::{Document, parse_cases};
 
-/// Which of them.
+/// The kind of factor.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Growth {
     /// The factor of first lift-off.
     FirstLiftOff,
-    /// Where the beam then leaves the ground.
+    /// The position at which the beam then lifts off.
     PositionOfLiftOff,
-    /// The factor beyond which there is no equilibrium.
+    /// The factor beyond which no equilibrium exists.
     LossOfEquilibrium,
 }
 
 impl Growth {
-    /// `first_lift_off` and its like.
+    /// Reads `first_lift_off` and the other names.
     pub fn read(name: &str) -> Option<Growth> {
         match name {
             "first_lift_off" => Some(Growth::FirstLiftOff),
@@ -25,8 +25,7 @@ impl Growth {
         }
     }
 
-    /// The number for the loads of the cases named in the brackets of `quantity`; none if the loads can grow
-    /// for ever.
+    /// The value for the loads of the cases in the brackets of `quantity`; empty if there is no limit.
     pub fn of(self, quantity: &str, document: &Document) -> Result<Vec<f64>, String> {
         let cases = quantity.split_once('(').map_or("", |(_, rest)| rest.trim_end_matches(')'));
         let grows = parse_cases(cases, document).map_err(|f| f.render("#:", cases, false))?;

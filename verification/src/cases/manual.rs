@@ -1,4 +1,4 @@
-//! `docs/verification.md`: every expectation of every case, and what came out.
+//! Writes `docs/verification.md`: every expectation of every case, with the computed value.
 
 use super::Case;
 use super::answers::Answers;
@@ -6,19 +6,19 @@ use super::expectation::{Expectation, Of, Tolerance, Value};
 use groundbeam_file::Document;
 use std::fmt::Write;
 
-/// The folders in the order of the manual, each with what it holds.
+/// The folders in the order of the manual, each with a title and a description.
 const CHAPTERS: [(&str, &str, &str); 7] = [
     ("kikuchi-1980/", "The paper's own examples", "Kikuchi's sections 4 and 5."),
     ("textbook/", "Textbooks, manuals and closed forms", "Published numbers and exact solutions."),
-    ("footings/", "Structures with units", "What an engineer would try first."),
-    ("combinations/", "Combinations of load cases", "Each solved by itself, and their envelope."),
+    ("footings/", "Structures with units", "Typical structures of practice."),
+    ("combinations/", "Combinations of load cases", "Each solved separately, and their envelope."),
     (
         "ground/",
-        "Ground that is not flat and not endless",
+        "Ground with an initial gap or with ends",
         "Surveys, troughs, trenches, neighbours.",
     ),
     ("limits/", "Limits", "Degenerate and extreme models."),
-    ("", "Benchmark", "A model that other solvers were measured with."),
+    ("", "Benchmark", "A model on which other solvers were timed."),
 ];
 
 /// The manual's text.
@@ -113,7 +113,7 @@ fn row(text: &mut String, expectation: &Expectation, document: &Document, answer
     _ = writeln!(text, "| {of}`{name}` | {value} | {found} | {error} | {tolerance}{why} |");
 }
 
-/// What is near rounding changes with every processor: only its size is told.
+/// Errors near rounding level differ between processors, so only their order of magnitude is printed.
 fn bound(error: f64) -> String {
     match error {
         e if e < 1e-12 => "< 1e-12".to_owned(),
@@ -144,7 +144,7 @@ fn written(found: &Value, expectation: &Expectation) -> String {
     }
 }
 
-/// Eight figures; 0 for what is no more than `smallest`.
+/// Eight figures; 0 if the magnitude is at most `smallest`.
 fn digits(x: f64, smallest: f64) -> String {
     if x.abs() <= smallest {
         return "0".to_owned();

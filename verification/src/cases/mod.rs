@@ -1,7 +1,6 @@
-//! The model files in `cases/`: each an example, a document and a test at once.
+//! The model files in `cases/`: each is an example, documentation and a test.
 //!
-//! What a file's answer must be stands in the file, in lines that begin with `#:`;
-//! `cases/README.md` describes them.
+//! The expected results are in the file, in lines that begin with `#:`; `cases/README.md` describes them.
 
 pub mod answers;
 pub mod expectation;
@@ -17,23 +16,23 @@ use std::fmt;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// A model file with what its answer must be.
+/// A model file with its expected results.
 #[derive(Debug)]
 pub struct Case {
     /// The file below `cases/`, with `/` between folders.
     pub path: String,
     /// The model.
     pub document: Document,
-    /// Where its numbers are from.
+    /// The source of the expected numbers.
     pub source: String,
-    /// What its answer must be.
+    /// The expected results.
     pub expectations: Vec<Expectation>,
 }
 
-/// Something wrong with the expectations of a file.
+/// A fault in the expectations of a file.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Misread {
-    /// Line of the file, counted from 1; 0 if it is about the whole file.
+    /// Line of the file, counted from 1; 0 if the fault concerns the whole file.
     pub line: usize,
     /// What is wrong.
     pub what: String,
@@ -49,12 +48,12 @@ impl fmt::Display for Misread {
 }
 
 impl Case {
-    /// The models to be solved: the file's own, or those of its combinations.
+    /// The models to be solved: that of the file, or those of its combinations.
     pub fn models(&self) -> Vec<Model> {
         self.document.wanted().into_iter().map(|combination| combination.model).collect()
     }
 
-    /// What the file calls itself.
+    /// The title of the file.
     pub fn title(&self) -> &str {
         self.document.title.as_deref().unwrap_or_default()
     }
@@ -63,8 +62,7 @@ impl Case {
     ///
     /// # Errors
     ///
-    /// A model that is wrong, a line beginning with `#:` that says nothing known, a file without a title, a
-    /// source or an expectation.
+    /// The model is invalid, a line beginning with `#:` is unknown, or the file has no title, source or expectation.
     pub fn read(path: &str, text: &str) -> Result<Case, Misread> {
         let whole = |what: String| Misread { line: 0, what };
         let document = groundbeam_file::parse_beside(text, &folder().join(path).with_file_name(""))
@@ -82,7 +80,7 @@ impl Case {
             expectations.push(expectation);
         }
         if expectations.is_empty() {
-            return Err(whole("the file says nowhere, with `#:`, what its answer must be".into()));
+            return Err(whole("the file has no expectation, a line that begins with `#:`".into()));
         }
         let source = source.ok_or_else(|| whole("the file has no line `#: source = …`".into()))?;
         if document.title.is_none() {
@@ -97,7 +95,7 @@ pub fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../cases")
 }
 
-/// Every model file below `cases/` except those of `cases/errors`, in the order of their names.
+/// Every model file below `cases/` except those of `cases/errors`, sorted by name.
 ///
 /// # Panics
 ///

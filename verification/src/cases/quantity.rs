@@ -39,7 +39,7 @@ pub(super) enum Quantity {
 
 impl Quantity {
     pub(super) fn read(name: &str, units: UnitSystem) -> Result<Quantity, String> {
-        let unknown = || format!("`{name}` is no quantity that can be expected");
+        let unknown = || format!("`{name}` is not a known quantity");
         match name {
             "contact" => return Ok(Quantity::Contact),
             "energy" => return Ok(Quantity::Energy),
@@ -62,10 +62,10 @@ impl Quantity {
         };
         let position = |text: &str| match parse_positions(text, units) {
             Ok(list) if list.len() == 1 => Ok(list[0]),
-            _ => Err(format!("`{text}` is no position")),
+            _ => Err(format!("`{text}` is not a position")),
         };
         let extreme = |largest, position| {
-            let field = Field::named(inside).ok_or_else(|| format!("`{inside}` is no field"))?;
+            let field = Field::named(inside).ok_or_else(|| format!("`{inside}` is not a field"))?;
             Ok(Quantity::Extreme { field, largest, position })
         };
         match what {
@@ -77,17 +77,17 @@ impl Quantity {
             "position_of_min" => extreme(false, true),
             "governs_max" | "governs_min" => {
                 let field =
-                    Field::named(inside).ok_or_else(|| format!("`{inside}` is no field"))?;
+                    Field::named(inside).ok_or_else(|| format!("`{inside}` is not a field"))?;
                 Ok(Quantity::Governs { field, largest: what == "governs_max" })
             }
             "used" | "judged" => {
                 let (name, state) = inside.split_once(", ").unwrap_or((inside, ""));
                 let known = |what: &Checked| what.name().replace('-', "_") == name;
                 let check = Checked::ALL.into_iter().find(known);
-                let check = check.ok_or_else(|| format!("`{name}` is no check"))?;
+                let check = check.ok_or_else(|| format!("`{name}` is not a check"))?;
                 let of = if what == "used" { Quantity::Used } else { Quantity::Judged };
                 match LimitState::named(state) {
-                    None if !state.is_empty() => Err(format!("`{state}` is no limit state")),
+                    None if !state.is_empty() => Err(format!("`{state}` is not a limit state")),
                     state => Ok(of(check, state)),
                 }
             }
@@ -98,7 +98,7 @@ impl Quantity {
                 let field = Field::named(what).ok_or_else(unknown)?;
                 let (side, text) = match (inside.strip_prefix("left of "), field) {
                     (Some(text), _) => (Side::Left, text),
-                    // The ground goes on beyond the beam.
+                    // The ground extends beyond the beam.
                     (None, Field::Settlement) => {
                         return Ok(Quantity::Settlement(position(inside)?));
                     }
@@ -109,7 +109,7 @@ impl Quantity {
         }
     }
 
-    /// What it measures; none for a verdict.
+    /// Its dimension; `None` for a verdict.
     pub(super) fn kind(self) -> Option<Kind> {
         let of = |field: Field| match field.dimension() {
             Dimension::Length => Kind::Length,
@@ -132,7 +132,7 @@ impl Quantity {
             | Quantity::StabilityMargin
             | Quantity::Growth(_)
             | Quantity::Used(..) => Kind::Number,
-            // Work per length of lift.
+            // Work per length of lift is a force.
             Quantity::FailingWork | Quantity::CriticalCompression => Kind::Force,
             Quantity::Verdict | Quantity::Governs { .. } | Quantity::Judged(..) => return None,
         })

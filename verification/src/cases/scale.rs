@@ -1,10 +1,9 @@
-//! Units of expected values. The file format's reader is the only one that knows units: it is asked for
-//! the value of a small model.
+//! Units of expected values. Only the reader of the file format knows units, so it reads a small model with the unit.
 
 use groundbeam::Extent;
 use groundbeam_file::UnitSystem;
 
-/// What a value measures.
+/// The dimension of a value.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
     /// A position or deflection.
@@ -17,16 +16,16 @@ pub enum Kind {
     Moment,
     /// A pressure.
     LineLoad,
-    /// A part of the largest lift of a rigid motion.
+    /// A fraction of the largest lift of a rigid motion.
     Number,
 }
 
-/// A unit in m, N and rad, under the rule of the file.
+/// The factor of a unit to m, N and rad, under the rule of the file.
 pub fn scale(kind: Kind, unit: &str, units: UnitSystem) -> Result<f64, String> {
     if kind == Kind::Number || units == UnitSystem::Plain {
         return match unit {
             "" => Ok(1.0),
-            _ => Err(format!("`{unit}` stands where no unit belongs")),
+            _ => Err(format!("`{unit}` is a unit of a value that has none")),
         };
     }
     let (load, at) = match kind {

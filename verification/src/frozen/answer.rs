@@ -1,15 +1,15 @@
-//! The text of an answer and of its certificate: one line for each quantity, every number to the last bit.
+//! The text of an answer and of its certificate: one line for each quantity, every number with all its bits.
 
 use crate::estimated::estimated_bounds;
 use groundbeam::{Error, Existence, Field, Outcome, Side, Solution, Verdict};
 use std::fmt::Write;
 
-/// Equal steps between the positions of the fields.
+/// Number of equal steps between the positions of the fields.
 pub const STEPS: usize = 40;
-/// The steps between the positions that are written where the fields are not written in full.
+/// Steps between the written positions, if the fields are not written in full.
 const COARSE: usize = 10;
 
-/// The lines of an answer; the fields at all positions, or at five with a digest of all.
+/// The lines of an answer: the fields at all positions, or at five with a digest of all.
 pub fn text(outcome: &Result<Outcome, Error>, in_full: bool) -> String {
     match outcome {
         Ok(Outcome::Equilibrium(solution)) => {
@@ -48,7 +48,7 @@ pub fn forces(solution: &Solution) -> String {
 fn of_fields(solution: &Solution, in_full: bool) -> String {
     let mut text = String::new();
     let mut add = |key: &str, values: &[f64]| text += &line(key, values);
-    // The frozen text has the rotation last.
+    // The frozen text lists the rotation last.
     let (last, first): (Vec<_>, Vec<_>) =
         Field::of(&solution.model().beam).partition(|field| *field == Field::Rotation);
     let listed = first.into_iter().chain(last);
@@ -103,7 +103,7 @@ pub fn certificate(solution: &Solution) -> String {
     line("energies", &energies) + &line("bounds", &[settlement, moment])
 }
 
-/// A key and its numbers, each the shortest that is read back to the same bits.
+/// A key and its numbers, each with the shortest decimal that reads back to the same bits.
 fn line(key: &str, values: &[f64]) -> String {
     let mut line = key.to_owned();
     for value in values {

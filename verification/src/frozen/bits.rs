@@ -1,21 +1,21 @@
-//! Compares two answers bit for bit, and says by how many units in the last place their numbers differ.
+//! Compares two answers bit for bit, and counts the units in the last place between their numbers.
 
 use super::Frozen;
 use super::record::Record;
 use std::fmt;
 
-/// A quantity of which two answers say different things.
+/// A quantity in which two answers differ.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Difference {
     /// The family and the number of the model.
     pub title: String,
-    /// The key of the line, and which of its numbers.
+    /// The key of the line, and the index of the number.
     pub quantity: String,
-    /// What the frozen answer says.
+    /// The frozen text.
     pub frozen: String,
-    /// What the present answer says.
+    /// The present text.
     pub present: String,
-    /// By how much they differ.
+    /// The size of the difference.
     pub size: String,
 }
 
@@ -27,7 +27,7 @@ impl fmt::Display for Difference {
     }
 }
 
-/// Every difference between a frozen answer and a present one.
+/// All differences between a frozen answer and a present one.
 pub fn differences(frozen: &Frozen, present: &Frozen) -> Vec<Difference> {
     of_records(&frozen.answer, &present.answer)
 }
@@ -57,7 +57,7 @@ fn of_records(frozen: &Record, present: &Record) -> Vec<Difference> {
     found
 }
 
-/// The number of floating-point numbers from one to the other; none where a word is no number.
+/// Number of floating-point numbers from one to the other; `None` if a text is not a number.
 fn units_between(a: &str, b: &str) -> Option<u64> {
     let place = |word: &str| {
         let bits = word.parse::<f64>().ok().filter(|value| !value.is_nan())?.to_bits() as i64;

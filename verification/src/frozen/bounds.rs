@@ -25,17 +25,17 @@ use super::record::Record;
 use crate::estimated::estimated_bounds;
 use groundbeam::{Error, Field, Outcome, Side, Solution};
 
-/// The limit of an edge, as a part of the length.
+/// The limit of an edge, as a fraction of the length.
 const EDGE: f64 = 1e-7;
-/// What rounding leaves where the bounds are smaller.
+/// The limit where the bounds are smaller than rounding.
 const FLOOR: f64 = 1e-9;
 /// The same for V at supports and where zones are shorter than the limit of an edge.
 const FLOOR_AT_SUPPORTS: f64 = 1e-5;
 /// Limits of fields and of their derivatives, in e.
 const SHARES: [f64; 2] = [3.0, 100.0];
 
-/// Every difference between a frozen answer and a present one beyond the bounds. A frozen answer that did not converge
-/// is no answer: anything is as good.
+/// All differences between a frozen answer and a present one beyond the bounds. A frozen answer that did not converge
+/// is not compared.
 pub fn differences(frozen: &Frozen, outcome: &Result<Outcome, Error>) -> Vec<Difference> {
     let word = frozen.answer.word("outcome");
     let present = match outcome {
@@ -108,7 +108,7 @@ impl<'a> Comparison<'a> {
         self.energy();
     }
 
-    /// Notes two numbers that differ by more than a limit, or of which one alone is a number.
+    /// Records two numbers that differ by more than a limit, or of which only one is a number.
     fn hold(&mut self, quantity: &str, frozen: f64, present: f64, limit: f64) {
         let distance = (frozen - present).abs();
         if distance <= limit || frozen.to_bits() == present.to_bits() {
@@ -123,7 +123,7 @@ impl<'a> Comparison<'a> {
         });
     }
 
-    /// The largest size of a field in the frozen answer.
+    /// The largest absolute value of a field in the frozen answer.
     fn size(&self, field: Field) -> f64 {
         let own = |field: Field| {
             let values = self.answer().numbers(&format!("extremes_{}", field.name()));
@@ -133,7 +133,7 @@ impl<'a> Comparison<'a> {
                 .fold(0.0, f64::max)
         };
         match field {
-            // Differences of deflections.
+            // These fields are differences of deflections.
             Field::Gap | Field::Settlement => own(field).max(own(Field::Deflection)),
             Field::ShearForce => self
                 .answer()
@@ -141,13 +141,13 @@ impl<'a> Comparison<'a> {
                 .into_iter()
                 .map(f64::abs)
                 .fold(own(field), f64::max),
-            // A beam that hardly touches has pressures of the size of rounding.
+            // A beam with very little contact has pressures of the size of rounding.
             Field::Pressure => own(field).max(FLOOR * self.size(Field::ShearForce) / self.length()),
             _ => own(field),
         }
     }
 
-    /// How far apart two values of a field at a position may be.
+    /// The largest allowed difference of two values of a field at a position.
     fn limit(&self, field: Field, x: f64) -> f64 {
         let derivative = matches!(field, Field::ShearForce | Field::Pressure);
         let near = EDGE * self.length();
@@ -222,7 +222,7 @@ impl<'a> Comparison<'a> {
                 self.hold(&format!("{key}[{i}]"), old, new, limits[i % limits.len()]);
             }
         }
-        // Concentrated forces that only one answer has are rounding.
+        // Concentrated forces that occur in one answer only are rounding error.
         let [old, new] =
             [self.answer(), &present].map(|record| record.numbers("concentrated_forces"));
         let near = EDGE * self.length();
@@ -237,13 +237,13 @@ impl<'a> Comparison<'a> {
         }
     }
 
-    /// The bounds that are theorems.
+    /// Compares the quantities whose bounds are theorems.
     fn settlements_and_moments(&mut self) {
         let bounds = self.frozen.certificate.numbers("bounds");
-        // The last one is of the moment: its root mean square in the files of the pinned program.
+        // The last bound belongs to the moment: its root mean square in the files of the pinned program.
         let bounds = [bounds[0], bounds[bounds.len() - 1]];
         let present = estimated_bounds(self.solution);
-        // A kind of model that the proof does not cover has the frozen bound alone.
+        // If the proof does not cover a kind of model, only the frozen bound is used.
         let [settlement, moments] =
             [0, 1].map(|i| bounds[i] + if present[i].is_finite() { present[i] } else { bounds[i] });
         let mut squares = [0.0, 0.0];
@@ -294,7 +294,7 @@ impl<'a> Comparison<'a> {
         }
     }
 
-    /// The value of a field within the limit of an edge from a position that is nearest to the one wanted.
+    /// The value of a field within the limit of an edge from a position that is nearest to the expected one.
     fn nearest(&self, field: Field, x: f64, wanted: f64) -> f64 {
         let near = EDGE * self.length();
         let edges = edges(self.solution).into_iter().filter(|edge| (edge - x).abs() <= near);
@@ -320,7 +320,7 @@ fn edges(solution: &Solution) -> Vec<f64> {
     solution.contact().iter().flat_map(|zone| [zone.from, zone.to]).collect()
 }
 
-/// The edges of all zones longer than a limit, those joined that are nearer to each other than the limit.
+/// The edges of all zones longer than a limit; zones closer than the limit are merged.
 fn zones(edges: Vec<f64>, limit: f64) -> Vec<f64> {
     let mut zones: Vec<f64> = Vec::new();
     for zone in edges.chunks_exact(2) {

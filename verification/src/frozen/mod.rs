@@ -1,7 +1,7 @@
-//! Frozen random models and their answers by the pinned program, to compare the present program with.
+//! Frozen random models with the answers of a pinned program version, for comparison with the present program.
 //!
-//! The random families draw their models with the code under test, so a change in a last digit draws other models. The
-//! files in `verification/frozen` hold models as the program of one commit drew them, and that program's answers.
+//! The random families draw their models with the code under test, so a change in a last digit changes the models. The
+//! files in `verification/frozen` contain the models that the program of one commit drew, and its answers.
 
 pub mod answer;
 pub mod bits;
@@ -21,7 +21,7 @@ pub struct Frozen {
     pub model: Record,
     /// The answer.
     pub answer: Record,
-    /// The certificate; no lines where there is no solution.
+    /// The certificate; without lines if there is no solution.
     pub certificate: Record,
 }
 
@@ -30,11 +30,11 @@ pub fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("frozen")
 }
 
-/// The names of the families in a folder, in the order of the alphabet.
+/// The names of the families in a folder, in alphabetical order.
 ///
 /// # Errors
 ///
-/// A folder that cannot be read.
+/// The folder cannot be read.
 pub fn families(folder: &Path) -> io::Result<Vec<String>> {
     let mut names = Vec::new();
     for entry in std::fs::read_dir(folder.join("models"))? {
@@ -54,7 +54,7 @@ pub fn file(folder: &Path, kind: &str, family: &str) -> PathBuf {
 ///
 /// # Errors
 ///
-/// A file that cannot be read, or files of different models.
+/// A file cannot be read, or the files belong to different models.
 pub fn family(folder: &Path, family: &str) -> io::Result<Vec<Frozen>> {
     let read = |kind: &str| Record::of_file(&file(folder, kind, family));
     let [models, answers, certificates] =
@@ -87,7 +87,7 @@ impl Frozen {
     ///
     /// # Errors
     ///
-    /// The first line that is no part of a model.
+    /// The first line that does not belong to a model.
     pub fn model(&self) -> Result<Model, String> {
         model::read(&self.model)
     }
@@ -101,7 +101,7 @@ impl Frozen {
     ///
     /// # Errors
     ///
-    /// The first line that is no part of a model.
+    /// The first line that does not belong to a model.
     pub fn solved_again(&self) -> Result<Frozen, String> {
         let outcome = solve(&self.model()?);
         let certificate = match &outcome {

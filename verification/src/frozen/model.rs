@@ -1,4 +1,4 @@
-//! Writes a model as text and reads it back: one line for each part, every number to the last bit.
+//! Writes a model as text and reads it back: one line for each part, every number with all its bits.
 
 use super::record::{Line, Record};
 use groundbeam::{
@@ -97,7 +97,7 @@ fn of_support(support: &Support) -> String {
 ///
 /// # Errors
 ///
-/// The first line that is no part of a model.
+/// The first line that does not belong to a model.
 pub fn read(record: &Record) -> Result<Model, String> {
     let mut model = Model::new(Beam::uniform(0.0, 0.0), Foundation::winkler(0.0));
     for line in &record.lines {
@@ -167,7 +167,7 @@ fn read_load(key: &str, number: impl Fn(usize) -> Option<f64>) -> Option<Load> {
     }
 }
 
-/// `-` stands for none.
+/// `None` for `-`, otherwise the value that is read.
 fn unless_none<T>(word: &str, read: impl Fn(&str) -> Option<T>) -> Option<Option<T>> {
     if word == "-" { Some(None) } else { read(word).map(Some) }
 }

@@ -11,17 +11,17 @@ pub struct Record {
     pub lines: Vec<Line>,
 }
 
-/// A key and the words behind it, most of them numbers.
+/// A key and the words after it, most of them numbers.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Line {
     /// The first word.
     pub key: String,
-    /// All others.
+    /// All other words.
     pub words: Vec<String>,
 }
 
 impl Line {
-    /// The words as numbers; a word that is none is NaN.
+    /// The words as numbers; NaN for a word that is not a number.
     pub fn numbers(&self) -> Vec<f64> {
         self.words.iter().map(|word| word.parse().unwrap_or(f64::NAN)).collect()
     }
@@ -37,7 +37,7 @@ impl Record {
         Record { title: title.to_owned(), lines: lines.lines().filter_map(line).collect() }
     }
 
-    /// All records of a text: empty lines part them.
+    /// All records of a text; empty lines separate them.
     pub fn all(text: &str) -> Vec<Record> {
         let parts = text.split("\n\n").map(|part| part.trim_start_matches('\n'));
         let record = |part: &str| {
@@ -71,7 +71,7 @@ impl Record {
         self.lines.iter().find(|line| line.key == key)
     }
 
-    /// The numbers of a key; none if the record has no such line.
+    /// The numbers of a key; empty if the record has no such line.
     pub fn numbers(&self, key: &str) -> Vec<f64> {
         self.line(key).map(Line::numbers).unwrap_or_default()
     }

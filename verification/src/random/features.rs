@@ -1,4 +1,4 @@
-//! Features of some families of random models besides beam, ground and loads.
+//! Features of some families of random models, in addition to beam, ground and loads.
 
 use super::{Dice, size_of};
 use groundbeam::{
@@ -6,8 +6,8 @@ use groundbeam::{
 };
 use rand::Rng;
 
-/// A compression between the beam's own buckling load, 0 where nothing holds it, and the one at which the ground
-/// no longer helps.
+/// A compression between the beam's own buckling load (0 if it is unsupported) and the one at which the ground no
+/// longer stabilises it.
 pub(super) fn compress<R: Rng>(model: &mut Model, dice: &mut Dice<R>) {
     let own = groundbeam::own_buckling_load(model);
     let unit = model.beam.bending_stiffness / (model.beam.length * model.beam.length);
@@ -20,8 +20,8 @@ pub(super) fn compress<R: Rng>(model: &mut Model, dice: &mut Dice<R>) {
     }
 }
 
-/// One to three stretches of the beam along which EI runs linearly, with the cube or the fourth power of a
-/// depth, or along a curve.
+/// One to three stretches of the beam along which EI is linear, proportional to the third or fourth power of a linear
+/// depth, or a curve.
 pub(super) fn vary_beam<R: Rng>(mut beam: Beam, stiffness: f64, dice: &mut Dice<R>) -> Beam {
     let length = beam.length;
     for [from, to] in stretches(length, dice) {
@@ -46,7 +46,7 @@ pub(super) fn vary_beam<R: Rng>(mut beam: Beam, stiffness: f64, dice: &mut Dice<
     beam
 }
 
-/// A shear stiffness by the length of the beam's waves, of the whole beam or in segments of it, some of which vary.
+/// A shear stiffness relative to the wave length of the beam, for the whole beam or in segments, some of which vary.
 pub(super) fn shear_beam<R: Rng>(mut beam: Beam, lambda_l: f64, dice: &mut Dice<R>) -> Beam {
     let length = beam.length;
     let wave = length / lambda_l.max(1.0);
@@ -74,10 +74,10 @@ pub(super) fn shear_beam<R: Rng>(mut beam: Beam, lambda_l: f64, dice: &mut Dice<
     beam
 }
 
-/// One to five supports that only push up or only hold down, rigid or elastic; loads that lift the beam off some.
+/// One to five one-way supports, rigid or elastic, and loads that lift the beam off some of them.
 pub(super) fn bearings<R: Rng>(mut model: Model, dice: &mut Dice<R>) -> Model {
     let (length, k) = (model.beam.length, model.foundation.subgrade);
-    // A weight, so that no piece lies where it likes.
+    // A weight, so that the position of every piece is determined.
     model = model.with_load(Load::uniform_force(0.0, length, dice.even(0.1, 0.5) / length));
     for _ in 0..=dice.up_to(4) {
         let at = dice.place() * length;
@@ -98,7 +98,7 @@ pub(super) fn bearings<R: Rng>(mut model: Model, dice: &mut Dice<R>) -> Model {
     model
 }
 
-/// One to four hinges, one in three of them elastic; now and then ground without a shear layer.
+/// One to four hinges, one in three of them elastic; sometimes ground without a shear layer.
 pub(super) fn hinge<R: Rng>(mut model: Model, dice: &mut Dice<R>) -> Model {
     let (length, stiffness) = (model.beam.length, model.beam.bending_stiffness);
     if dice.happens(0.25) {
@@ -115,7 +115,7 @@ pub(super) fn hinge<R: Rng>(mut model: Model, dice: &mut Dice<R>) -> Model {
     model
 }
 
-/// The same for the ground, one time in ten without a shear layer.
+/// The same for the ground, one in ten without a shear layer.
 pub(super) fn vary_ground<R: Rng>(
     mut ground: Foundation,
     length: f64,
@@ -138,14 +138,14 @@ pub(super) fn vary_ground<R: Rng>(
     ground
 }
 
-/// Other ground beside the beam, ends of it that are free or held, near and far.
+/// Other ground outside the beam, with free or held ends, near and far.
 pub(super) fn change_beside<R: Rng>(
     mut ground: Foundation,
     length: f64,
     dice: &mut Dice<R>,
 ) -> Foundation {
     let (k, mu) = (ground.subgrade, ground.shear_layer);
-    // Lengths by that in which the ground fades.
+    // Lengths in decay lengths of the ground.
     let fade = (mu / k).sqrt();
     for right in [false, true] {
         let at = |distance: f64| if right { length + distance } else { -distance };
@@ -171,7 +171,7 @@ pub(super) fn change_beside<R: Rng>(
     ground
 }
 
-/// Forces on the ground of the order of the beam's loads, as far out as the ground reaches.
+/// Forces on the ground of the order of the beam's loads, up to the ends of the ground.
 pub(super) fn add_neighbours<R: Rng>(model: &mut Model, dice: &mut Dice<R>) {
     let (l, ground) = (model.beam.length, model.foundation.clone());
     let size: f64 = model.loads.iter().map(|load| size_of(load, l)).sum();
@@ -197,7 +197,7 @@ pub(super) fn add_neighbours<R: Rng>(model: &mut Model, dice: &mut Dice<R>) {
     }
 }
 
-/// One to three stretches of a beam, one time in three the whole of it.
+/// One to three stretches of a beam; in one of three cases the whole beam.
 fn stretches<R: Rng>(length: f64, dice: &mut Dice<R>) -> Vec<[f64; 2]> {
     if dice.up_to(2) == 0 {
         return vec![[0.0, length]];
@@ -207,7 +207,7 @@ fn stretches<R: Rng>(length: f64, dice: &mut Dice<R>) -> Vec<[f64; 2]> {
     ends.chunks_exact(2).filter(|pair| pair[0] < pair[1]).map(|pair| [pair[0], pair[1]]).collect()
 }
 
-/// One to three imposed curvatures, of moments beside which those of the loads are small, alike or large.
+/// One to three imposed curvatures, whose moments are smaller than, similar to or larger than those of the loads.
 pub(super) fn curl<R: Rng>(model: &mut Model, lambda_l: f64, dice: &mut Dice<R>) {
     let l = model.beam.length;
     let loads: f64 = model.loads.iter().map(|load| size_of(load, l)).sum();

@@ -155,8 +155,8 @@ pub(crate) fn finite(found: &mut Vec<Problem>, part: Part, field: &'static str, 
 pub(crate) fn down(found: &mut Vec<Problem>, part: Part, field: &'static str, value: f64) {
     finite(found, part, field, value);
     if value < 0.0 {
-        let message = "a load on the ground pulls it up";
-        let hint = "it must press down";
+        let message = "a load on the ground acts upward";
+        let hint = "it must act downward";
         found.push(Problem::new("GB211", part, field, message, hint));
     }
 }

@@ -19,19 +19,19 @@ pub(crate) const NODAL_FORCES_ON_SPRINGS: Refusal = Refusal {
 
 pub(crate) const NODAL_WITH_SUPPORTS: Refusal = Refusal {
     code: "GB604",
-    message: "a beam solved for its nodes alone cannot have supports",
+    message: "the nodal method does not support supports of the beam",
     hint: "use the method `exact` or `active-set`",
 };
 
 pub(crate) const NODAL_WHERE_IT_VARIES: Refusal = Refusal {
     code: "GB605",
-    message: "a beam solved for its nodes alone cannot vary along a segment",
+    message: "the nodal method does not support data that vary along a segment",
     hint: "use the method `exact` or `active-set`, or many segments with a constant each",
 };
 
 pub(crate) const NODAL_WITH_HINGES: Refusal = Refusal {
     code: "GB606",
-    message: "a beam solved for its nodes alone cannot have hinges",
+    message: "the nodal method does not support hinges",
     hint: "use the method `exact` or `active-set`",
 };
 
@@ -49,14 +49,14 @@ pub(crate) const ONLY_EXACTLY: Refusal = Refusal {
 
 pub(crate) const LOCAL_BY_ANOTHER_METHOD: Refusal = Refusal {
     code: "GB611",
-    message: "the ground must help to bear this compression: the equilibrium is a local one, which a mesh does not follow",
+    message: "the beam is stable under this compression only with the ground: only the exact method computes such a local equilibrium",
     hint: "use the method `exact`",
 };
 
 pub(crate) const FACTORS_OF_A_LOCAL_EQUILIBRIUM: Refusal = Refusal {
     code: "GB612",
-    message: "the ground must help to bear this compression: how far loads may grow is not known from statics",
-    hint: "without load factors the result tells the critical compression, as far as which the axial force may grow",
+    message: "the beam is stable under this compression only with the ground: statics alone give no load factor for it",
+    hint: "without load factors the result contains the critical compression, the limit of the axial force",
 };
 
 pub(crate) const SHEAR_BY_ANOTHER_METHOD: Refusal = Refusal {

@@ -12,8 +12,8 @@ impl Model {
             check_shear(found, part, shear);
             for (field, constant) in [("subgrade", spring), ("shear_layer", shear)] {
                 if constant.control_values().len() > Foundation::MOST_CONTROL_VALUES {
-                    let message = "this curve has more than three control values";
-                    let hint = "split the segment in two, or let it run linearly";
+                    let message = "this profile has more than three control values";
+                    let hint = "split the segment in two, or make it linear";
                     found.push(Problem::new("GB204", part, field, message, hint));
                 }
             }
@@ -53,9 +53,11 @@ impl Model {
             let beyond = outward * (at - end);
             let (right, hint) = match ground {
                 GroundEnd::Held { .. } => {
-                    (beyond > 0.0, "a wall stands beyond the beam's end, which is at {1}")
+                    (beyond > 0.0, "a wall must be outside the beam, whose end is at {1}")
                 }
-                _ => (beyond >= 0.0, "the ground ends at the beam's end or beyond it, at {1}"),
+                _ => {
+                    (beyond >= 0.0, "the ground must end at the beam's end, at {1}, or outside it")
+                }
             };
             if !(right && in_range(at) && in_range(beyond)) {
                 let message = "the ground cannot end at {0}";

@@ -30,7 +30,7 @@ impl Model {
             }
             if let Some(other) = other {
                 let message = format!("there is a support at {{0}} already (number {})", other + 1);
-                let hint = "say in one support all that it holds";
+                let hint = "give all restraints of this position in one support";
                 let problem = Problem::new("GB403", part, "at", message, hint);
                 found.push(problem.with_numbers(&[support.at]));
             }
@@ -51,9 +51,9 @@ impl Model {
             };
             if hinge.at.abs() <= near || (l - hinge.at).abs() <= near {
                 let message = if hinge.at == 0.0 || hinge.at == l {
-                    "the hinge at {0} stands at an end of the beam, where nothing hinges"
+                    "the hinge at {0} is at an end of the beam, where it has no effect"
                 } else {
-                    "the hinge at {0} is too near an end of the beam: rounding makes them one place"
+                    "the hinge at {0} is too close to an end of the beam: to rounding they have the same position"
                 };
                 let hint = "a hinge joins two parts: place it between 0 and {1}, or leave it out";
                 report("GB404", "at", message.into(), hint.into());
@@ -66,13 +66,14 @@ impl Model {
             }
             if let Some(other) = other {
                 let message = format!("there is a hinge at {{0}} already (number {})", other + 1);
-                let hint = "two hinges at one place are one: leave one of them out";
+                let hint = "two hinges at one position act as one: remove one of them";
                 report("GB406", "at", message, hint.into());
             }
             if let Some(what) = turning.at(hinge.at, near) {
-                let message =
-                    format!("{what} at {{0}} acts on the slope, which jumps at the hinge");
-                let hint = "place one of the two a little to the side on which it is meant";
+                let message = format!(
+                    "{what} at {{0}} acts on the slope, which is discontinuous at the hinge"
+                );
+                let hint = "move one of the two slightly to the side where it acts";
                 report("GB407", "at", message, hint.into());
             }
         }
@@ -88,7 +89,8 @@ impl Model {
                 }
                 SupportKind::Pinned | SupportKind::Spring { .. } => continue,
             };
-            let message = format!("{what} holds the slope, and that has no one direction");
+            let message =
+                format!("{what} restrains the slope, so it cannot act in one direction only");
             let hint = "only a pinned support or a spring against deflection can act up or down alone; \
                         give the rest in a support of its own beside it";
             found.push(Problem::new("GB408", Part::Support(i), "acts", message, hint));
