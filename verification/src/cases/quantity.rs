@@ -83,8 +83,8 @@ impl Quantity {
             "used" | "judged" => {
                 let (check, state) = inside.split_once(", ").unwrap_or((inside, ""));
                 let known = |what: &Checked| what.name().replace('-', "_") == check;
-                let check = Checked::ALL.into_iter().find(known);
-                let check = check.ok_or_else(|| format!("`{check}` is no check"))?;
+                let found = Checked::ALL.into_iter().find(known);
+                let check = found.ok_or_else(|| format!("`{check}` is no check"))?;
                 let of = if what == "used" { Quantity::Used } else { Quantity::Judged };
                 match LimitState::named(state) {
                     None if !state.is_empty() => Err(format!("`{state}` is no limit state")),
