@@ -137,3 +137,68 @@ fn sets_of_codes_of_practice() {
     let made = ["EQU: 1.1 G + 1.5 W", "EQU: 0.9 G + 1.5 W", "EQU: 1.1 G", "EQU: 0.9 G"];
     assert_eq!(names[2..], made);
 }
+
+/// [`combined`] with limit states and a check of the lifted share, which `both` breaks.
+fn judged() -> String {
+    combined()
+        .replace("name = \"both\"\n", "name = \"both\"\nlimit_state = \"STR/GEO\"\n")
+        .replace("name = \"heavy\"\n", "name = \"heavy\"\nlimit_state = \"SLS characteristic\"\n")
+        + "[checks]\nlifted_share = 0.5\n"
+}
+
+/// The check is judged in its own limit state alone.
+#[test]
+fn a_check_is_judged_in_its_limit_state() {
+    let folder = Folder::with(&judged());
+    let done = folder.run(&["solve", "model.toml", "--strict"]);
+    done.is_clean(0);
+    assert!(done.stdout.contains("lifted off, 50 % allowed: passes; SLS characteristic, heavy"));
+    let found = folder.run(&["solve", "model.toml", "--json", "--at", "0,1"]).json();
+    let check = &found["checks"][0];
+    assert_eq!(
+        (&check["limit_state"], &check["passes"]),
+        (&json!("SLS characteristic"), &json!(true))
+    );
+    let names = |i: usize| found["envelopes"][i]["limit_state"].clone();
+    assert_eq!([names(0), names(1)], ["STR/GEO", "SLS characteristic"]);
+    assert_eq!(found["envelopes"][1]["gap"]["governs_max"][0], "heavy");
+    let csv = folder.run(&["solve", "model.toml", "--at", "0,1", "--csv", "t.csv"]);
+    csv.is_clean(0);
+    let table = folder.read("t.csv");
+    let states: Vec<&str> = table.lines().filter_map(|line| line.rsplit(',').next()).collect();
+    let [all, strength, service] = ["all", "STR/GEO", "SLS characteristic"];
+    assert_eq!(states, ["limit_state", all, all, strength, strength, service, service]);
+}
+
+#[test]
+fn strict_makes_a_failed_or_missing_verdict_the_exit_status() {
+    let folder = Folder::with(&judged().replace("SLS characteristic", "EQU"));
+    let done = folder.run(&["solve", "model.toml"]);
+    done.is_clean(0);
+    let words = done.stdout.split_whitespace().collect::<Vec<_>>().join(" ");
+    let expected =
+        "lifted share not judged: no combination of SLS characteristic or allowable stress";
+    assert!(words.contains(expected), "{words}");
+    folder.run(&["solve", "model.toml", "--strict"]).is_clean(1);
+    // Without combinations the loads are judged as given.
+    let folder = Folder::with(&(LIFTS.to_owned() + "[checks]\nlifted_share = 0.5\n"));
+    let done = folder.run(&["solve", "model.toml"]);
+    done.is_clean(0);
+    assert!(done.stdout.contains("81.13 % lifted off, 50 % allowed: fails"));
+    assert!(done.stdout.contains("judged on the loads as given"));
+    folder.run(&["solve", "model.toml", "--strict"]).is_clean(1);
+}
+
+#[test]
+fn a_set_is_selected_by_its_name() {
+    let of_sets = LIFTS.replace("point = 1\n", "point = 1\ncase = \"G\"\n")
+        + "[[case]]\nname = \"G\"\naction = \"permanent\"\n\
+           [[combination]]\nset = \"EN 1990 6.10\"\n[[combination]]\nset = \"EN 1990 EQU\"\n";
+    let folder = Folder::with(&of_sets.replace("moment = 0.49", "moment = 0.1"));
+    let done = folder.run(&["solve", "model.toml", "--set", "EN 1990 STR"]);
+    done.is_clean(0);
+    assert!(done.stdout.contains("6.10: 1.35 G") && !done.stdout.contains("EQU"));
+    let done = folder.run(&["solve", "model.toml", "--set", "EN 1990 GEO"]);
+    assert_eq!(done.status, 2);
+    assert!(done.stderr.contains("`EN 1990 EQU`, `EN 1990 STR/GEO B`"), "{}", done.stderr);
+}

@@ -110,6 +110,14 @@ impl MovingTrain {
         (MovingTrain { train, spread, ..self.clone() }, fixed)
     }
 
+    /// Its name, and where its loads without end act if not everywhere.
+    pub fn placed_name(&self) -> String {
+        match self.spread {
+            Spread::Everywhere => self.name.clone(),
+            place => format!("{}, spread load {}", self.name, place.name()),
+        }
+    }
+
     /// The train multiplied by a partial factor.
     pub fn multiplied(&self, factor: f64) -> MovingTrain {
         let train = self.train.clone().scaled(factor);

@@ -131,7 +131,7 @@ impl Answers {
         let each = self.answers.passages().all.into_iter().map(|passage| {
             (
                 passage.combination().map(str::to_owned),
-                passage.moving().name.clone(),
+                passage.moving().placed_name(),
                 passage.moving().range,
                 passage.without_equilibrium().to_vec(),
                 passage.not_converged().collect(),

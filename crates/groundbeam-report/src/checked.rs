@@ -5,7 +5,6 @@ use crate::context::Context;
 use crate::quantity::Units;
 use crate::verified::Named;
 use groundbeam::{Check, Checked, Field, LimitState, LimitStates, Limits, Solution};
-use groundbeam_file::Spread;
 use groundbeam_run::{Answer, Found, Placed};
 use std::borrow::Cow;
 
@@ -94,10 +93,7 @@ impl<'a> Row<'a> {
         let mut name = Cow::Borrowed(&*combination.name);
         if let Some(Placed { train, first_axle }) = &answer.label.train {
             let at = units.position(*first_axle);
-            let mut place = train.name.clone();
-            if train.spread != Spread::Everywhere {
-                place += &format!(", spread load {}", train.spread.name());
-            }
+            let mut place = train.placed_name();
             if !train.train.axles.is_empty() {
                 place += &format!(", first axle at {at}");
             }

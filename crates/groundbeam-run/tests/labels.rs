@@ -35,11 +35,13 @@ fn every_combination_on_every_ground() {
 fn every_position_of_a_train_has_its_label() {
     let file = document(&[BEAM, CASES, TRAIN]);
     let run = Run::of_one(&file, file.combination("a").unwrap());
-    assert_eq!((run.asked(), run.pieces(), Run::of(&file).pieces()), (Asked::Trains, 1, 2));
+    assert_eq!((run.asked(), run.pieces(), Run::of(&file).pieces()), (Asked::Trains, 2, 4));
     let answers = run.solve(&OneThread).unwrap();
     let passages = answers.passages();
-    let [passage] = &passages.all[..] else { panic!("one passage") };
-    assert_eq!((passage.combination(), passage.answers().len()), (Some("a"), answers.list.len()));
+    let [passage, without] = &passages.all[..] else { panic!("with and without the train") };
+    assert!(without.is_without_train() && without.answers().len() == 1);
+    let with = answers.list.len() - 1;
+    assert_eq!((passage.combination(), passage.answers().len()), (Some("a"), with));
     for (answer, (first_axle, _)) in answers.list.iter().zip(passage.solved()) {
         let placed = answer.label.train.as_ref().unwrap();
         assert_eq!((&*placed.train.name, placed.first_axle), ("wheel", first_axle));
@@ -95,4 +97,40 @@ fn the_solutions_of_all_combinations_count_for_the_memory() {
         other => panic!("{other:?}"),
     }
     assert_eq!(limited(11 * one).unwrap().list.len(), 50);
+}
+
+/// A train with a case has its factor of each combination, and passes in no combination that leaves the case out.
+#[test]
+fn a_train_is_an_action() {
+    let train = "[[train]]\nname = 'wheel'\ncase = 'T'\ndynamic = 2\n\
+                 axles = [{ at = 0, force = 1e5 }]\nuniform = [{ from = 1, to = 2, load = 1e4 }]\n";
+    let loads = "[[load]]\npoint = 6e5\nat = 4\ncase = 'G'\n\
+                 [[combination]]\nname = 'with'\nfactors = { G = 1, T = 1.5 }\n\
+                 [[combination]]\nname = 'without'\nfactors = { G = 1 }\n";
+    let file = document(&[BEAM, loads, train]);
+    let answers = Run::of(&file).solve(&OneThread).unwrap();
+    let passages = answers.passages();
+    let labels: Vec<String> = passages.all.iter().map(|passage| passage.label()).collect();
+    assert_eq!(labels, ["with; wheel", "with; no train", "without; no train"]);
+    let moving = passages.all[0].train();
+    // The dynamic factor multiplies the axle alone, the partial factor everything.
+    assert_eq!((moving.axles[0].force, moving.uniform[0].intensity), (3e5, 1.5e4));
+}
+
+/// The lane load on each half of the beam and nowhere, besides on the whole beam.
+#[test]
+fn a_lane_load_is_placed() {
+    let train = "[[train]]\nname = 'lane'\naxles = [{ at = 0, force = 1e5 }]\n\
+                 uniform = [{ load = 1e4 }]\n";
+    let load = "[[load]]\npoint = 6e5\nat = 4\n";
+    let answers = Run::of(&document(&[BEAM, load, train])).solve(&OneThread).unwrap();
+    let passages = answers.passages();
+    let resultant = |i: usize| {
+        let (_, solution) = passages.all[i].nearest(6.0).unwrap();
+        solution.existence().resultant()
+    };
+    let found: Vec<f64> = (0..passages.all.len()).map(resultant).collect();
+    let expected = [82e4, 76e4, 76e4, 70e4];
+    assert!(found.len() == 4 && found.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-3));
+    assert_eq!(passages.all[1].label(), "lane, spread load on the left half");
 }

@@ -75,7 +75,7 @@ pub fn checked_trains(passages: &Passages, context: &Context, colour: bool) -> S
     let mut sheet = Sheet::new(colour);
     title(&mut sheet, context);
     for passage in &passages.all {
-        let mut words = clean(&passage.moving().name);
+        let mut words = clean(&passage.moving().placed_name());
         if let Some(combination) = passage.combination() {
             words = format!("{words} under the combination {}", clean(combination));
         }

@@ -58,6 +58,10 @@ pub(crate) fn positions_of<'a>(all: &[Passage<'a>], context: &Context<'a>) -> Ve
 pub(crate) fn head(sheet: &mut Sheet, passage: &Passage, units: Units) {
     let MovingTrain { name, set, factor, dynamic, spread, train, range, .. } = passage.moving();
     let name = clean(name);
+    if passage.is_without_train() {
+        sheet.row("Train", &name);
+        return;
+    }
     let mut words = match set {
         Some(set) if *set != name => format!("{name}, set {set}"),
         _ => name,

@@ -5,7 +5,7 @@ use super::position::Section;
 use crate::answer::{Answer, Found, Overall};
 use groundbeam::model::Train;
 use groundbeam::{ByField, Field, LimitStates, Model, Side, Solution};
-use groundbeam_file::{Combination, MovingTrain, Spread};
+use groundbeam_file::{Combination, MovingTrain};
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -114,11 +114,7 @@ impl<'a> Passage<'a> {
 
     /// The names of the train and of the combination.
     pub fn label(&self) -> String {
-        let moving = self.moving();
-        let mut train = moving.name.clone();
-        if moving.spread != Spread::Everywhere {
-            train += &format!(", spread load {}", moving.spread.name());
-        }
+        let train = self.moving().placed_name();
         match self.combination() {
             Some(combination) => format!("{combination}; {train}"),
             None => train,
