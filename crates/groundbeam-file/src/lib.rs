@@ -50,6 +50,7 @@ mod implausible;
 mod keys;
 mod list;
 mod materials;
+mod misread;
 mod moving;
 mod number;
 pub mod output;
@@ -162,7 +163,7 @@ fn read(text: &str, beside: Option<Beside>, bare_is_si: bool) -> Result<Document
     let model = &contents.model;
     let before = reader.found.len();
     let units = reader.unit_system().unwrap_or(UnitSystem::Plain);
-    let printed = print::Units::of(units, &reader.quantities);
+    let printed = units::printed(units, &reader.quantities);
     let is_mixed = reader.found.len() > before;
     // Lengths of which only some are in metres cannot be compared.
     if !is_mixed {

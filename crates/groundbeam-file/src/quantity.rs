@@ -3,6 +3,7 @@
 use crate::code;
 use crate::demand::{Place, Sign};
 use crate::fault::Fault;
+use crate::misread::{DENSITY, is_density, without_comma};
 use crate::number::Decimal;
 use crate::print;
 use crate::unit::{Dimension, Marks, Unit, feet_and_inches};
@@ -372,41 +373,6 @@ impl Kind {
     }
 }
 
-/// How to write a number with a comma behind `whole`. Three digits after a comma are thousands to some and decimals to
-/// others, so that both are offered.
-fn without_comma(whole: &str, after: &str) -> String {
-    let mut thousands = whole.to_owned();
-    let mut rest = after;
-    loop {
-        let digits = rest.bytes().take_while(u8::is_ascii_digit).count();
-        let (group, further) = rest.split_at(digits);
-        if digits != 3 {
-            return format!("decimals stand after a point: {whole}.{group}");
-        }
-        thousands += group;
-        match further.strip_prefix(',') {
-            Some(next) => rest = next,
-            None => {
-                let is_decimal = further.strip_prefix('.').map(|part| part.bytes());
-                let part = is_decimal.map(|part| part.take_while(u8::is_ascii_digit).count());
-                return match part.filter(|count| *count > 0) {
-                    Some(count) => format!(
-                        "a comma is not read in numbers: write {thousands}{}",
-                        &further[..=count]
-                    ),
-                    None if rest.len() < after.len() => {
-                        format!("a comma is not read in numbers: write {thousands}")
-                    }
-                    None => format!(
-                        "a comma is not read in numbers: write {thousands}, or {whole}.{group} if \
-                         the comma stands before decimals"
-                    ),
-                };
-            }
-        }
-    }
-}
-
 /// A value that was read, and whether a unit stood behind it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Written {
@@ -414,18 +380,6 @@ pub(crate) struct Written {
     pub value: f64,
     pub has_unit: bool,
     pub marks: Marks,
-}
-
-/// What to do with a density where a force per volume is wanted.
-const DENSITY: &str =
-    "a unit weight is a force per volume: 2400 kg/m3 × 9.80665 m/s2 = 23.536 kN/m3";
-
-/// Whether a unit is a mass per volume.
-fn is_density(unit: &str) -> bool {
-    ["kg", "t", "lbm"].iter().any(|mass| {
-        let per = unit.strip_prefix(mass).and_then(|rest| rest.trim_start().strip_prefix('/'));
-        per.is_some_and(|volume| volume.contains(['3', '³']))
-    })
 }
 
 /// `nan` or `inf`, which TOML and many programs write.

@@ -4,6 +4,7 @@ use crate::code;
 use crate::document::Quantity;
 use crate::fault::Fault;
 use crate::number::Decimal;
+use crate::print::{self, System, Units, UsUnits};
 use crate::quantity::Kind;
 use crate::reader::Reader;
 use crate::unit::{Marks, Unit, feet_and_inches};
@@ -16,6 +17,50 @@ pub enum UnitSystem {
     Si,
     /// No quantity has a unit; the numbers are one consistent system, whichever.
     Plain,
+}
+
+impl From<UnitSystem> for Units {
+    /// SI units, or none.
+    fn from(of: UnitSystem) -> Self {
+        match of {
+            UnitSystem::Si => Units::SI,
+            UnitSystem::Plain => Units::PLAIN,
+        }
+    }
+}
+
+/// The units in which the results of a file with these quantities are printed.
+pub(crate) fn printed(system: UnitSystem, quantities: &[Seen]) -> Units {
+    let count = |any: Marks| quantities.iter().filter(|seen| seen.marks.has_any(any)).count();
+    let (us, newton) = (count(Marks::US), count(Marks::NEWTON));
+    let (metre, technical) = (count(Marks::METRE), count(Marks::TECHNICAL));
+    match system {
+        UnitSystem::Plain => Units::PLAIN,
+        UnitSystem::Si if us > metre.max(newton).max(technical) => {
+            Units::new(System::Us(us_units(quantities)))
+        }
+        UnitSystem::Si if technical > newton => Units::new(System::Technical),
+        UnitSystem::Si => Units::SI,
+    }
+}
+
+/// The choices among US units. Each kind of quantity has the length that its units have most often. A file without feet is
+/// printed in inches.
+fn us_units(quantities: &[Seen]) -> UsUnits {
+    let count = |kind: Option<print::Kind>, marks: Marks| {
+        let of_kind = |seen: &&Seen| kind.is_none() || seen.kind.printed == kind;
+        quantities.iter().filter(of_kind).filter(|seen| seen.marks.has_any(marks)).count()
+    };
+    let has_feet = count(None, Marks::FOOT) > 0;
+    let has_inches = |kind: print::Kind| {
+        let [inch, foot] = [Marks::INCH, Marks::FOOT].map(|marks| count(Some(kind), marks));
+        inch > foot || (inch == foot && (!has_feet || UsUnits::USUAL.has_inches(kind)))
+    };
+    let loads = [print::Kind::Force, print::Kind::Pressure, print::Kind::Moment];
+    let [pound, kip] = [Marks::POUND, Marks::KIP]
+        .map(|marks| loads.iter().map(|&kind| count(Some(kind), marks)).sum::<usize>());
+    let inches = print::Kind::ALL.iter().copied().filter(|&kind| has_inches(kind));
+    UsUnits::new(inches, pound > 0 && kip == 0)
 }
 
 /// A quantity that was read.

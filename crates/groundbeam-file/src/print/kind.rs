@@ -11,7 +11,8 @@ macro_rules! kinds {
         }
 
         impl Kind {
-            pub(super) const ALL: &[Kind] = &[$(Kind::$name),*];
+            /// All kinds.
+            pub const ALL: &[Kind] = &[$(Kind::$name),*];
         }
     };
 }

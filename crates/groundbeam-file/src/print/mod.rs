@@ -9,9 +9,6 @@ mod us;
 pub use kind::Kind;
 pub use us::UsUnits;
 
-use crate::unit::Marks;
-use crate::units::Seen;
-use crate::units::UnitSystem;
 use kind::{BARE, TECHNICAL};
 use number::significant;
 
@@ -52,16 +49,6 @@ pub struct Units {
     digits: usize,
 }
 
-impl From<UnitSystem> for Units {
-    /// SI units, or none.
-    fn from(of: UnitSystem) -> Self {
-        match of {
-            UnitSystem::Si => Units::SI,
-            UnitSystem::Plain => Units::PLAIN,
-        }
-    }
-}
-
 impl Units {
     /// SI units.
     pub const SI: Units = Units::new(System::Si);
@@ -70,23 +57,9 @@ impl Units {
     /// US units.
     pub const US: Units = Units::new(System::Us(UsUnits::USUAL));
 
-    const fn new(system: System) -> Self {
+    /// A system with the digits of results.
+    pub const fn new(system: System) -> Self {
         Units { system, digits: RESULT_DIGITS }
-    }
-
-    /// The units of what a file contains.
-    pub(crate) fn of(system: UnitSystem, quantities: &[Seen]) -> Self {
-        let count = |any: Marks| quantities.iter().filter(|seen| seen.marks.has_any(any)).count();
-        let (us, newton) = (count(Marks::US), count(Marks::NEWTON));
-        let (metre, technical) = (count(Marks::METRE), count(Marks::TECHNICAL));
-        match system {
-            UnitSystem::Plain => Units::PLAIN,
-            UnitSystem::Si if us > metre.max(newton).max(technical) => {
-                Units::new(System::Us(UsUnits::of(quantities)))
-            }
-            UnitSystem::Si if technical > newton => Units::new(System::Technical),
-            UnitSystem::Si => Units::SI,
-        }
     }
 
     /// The units that a user asks for in place of those of the file; none for a file without units.

@@ -1,8 +1,6 @@
 //! The US units in which results are printed: kips or pounds, with feet or inches as the file has them.
 
-use super::Kind;
-use crate::unit::Marks;
-use crate::units::Seen;
+use super::kind::Kind;
 
 const INCH: f64 = 0.0254;
 const FOOT: f64 = 0.3048;
@@ -30,32 +28,17 @@ const NAMES: [[&str; 4]; 6] = [
 
 impl UsUnits {
     /// Feet for lengths, inches for deflections, pci for the modulus of the ground, kips.
-    pub(super) const USUAL: UsUnits =
+    pub const USUAL: UsUnits =
         UsUnits { inches: bit(Kind::Deflection) | bit(Kind::AreaSpring), pounds: false };
 
-    /// The choices that follow from a file. Each kind of quantity has the length that its units have most often. A file
-    /// without feet is printed in inches.
-    pub(super) fn of(quantities: &[Seen]) -> Self {
-        let count = |kind: Option<Kind>, marks: Marks| {
-            let of_kind = |seen: &&Seen| kind.is_none() || seen.kind.printed == kind;
-            quantities.iter().filter(of_kind).filter(|seen| seen.marks.has_any(marks)).count()
-        };
-        let has_feet = count(None, Marks::FOOT) > 0;
-        let mut inches = bit(Kind::Deflection);
-        for &kind in Kind::ALL {
-            let [inch, foot] = [Marks::INCH, Marks::FOOT].map(|marks| count(Some(kind), marks));
-            let usual = !has_feet || UsUnits::USUAL.has_inches(kind);
-            if inch > foot || (inch == foot && usual) {
-                inches |= bit(kind);
-            }
-        }
-        let loads = [Kind::Force, Kind::Pressure, Kind::Moment];
-        let [pound, kip] = [Marks::POUND, Marks::KIP]
-            .map(|marks| loads.iter().map(|&kind| count(Some(kind), marks)).sum::<usize>());
-        UsUnits { inches, pounds: pound > 0 && kip == 0 }
+    /// Inches for these kinds of quantity and for deflections, pounds for forces of every size if they are wanted.
+    pub fn new(inches: impl IntoIterator<Item = Kind>, pounds: bool) -> Self {
+        let bits = inches.into_iter().fold(bit(Kind::Deflection), |bits, kind| bits | bit(kind));
+        UsUnits { inches: bits, pounds }
     }
 
-    fn has_inches(self, kind: Kind) -> bool {
+    /// Whether a kind of quantity is printed with inches.
+    pub fn has_inches(self, kind: Kind) -> bool {
         self.inches & bit(kind) != 0
     }
 
