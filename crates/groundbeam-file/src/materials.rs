@@ -52,6 +52,7 @@ static MATERIALS: LazyLock<Vec<Material>> = LazyLock::new(|| {
         include_str!("../materials/steel.toml"),
         include_str!("../materials/rails.toml"),
         include_str!("../materials/timber.toml"),
+        include_str!("../materials/hardwood.toml"),
         include_str!("../materials/glulam.toml"),
     ]);
     families.into_iter().flat_map(materials_of).collect()

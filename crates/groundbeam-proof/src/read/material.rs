@@ -1,7 +1,7 @@
 //! Materials by name: E, unit weight and expansion.
 //!
 //! Transcribed from the standards: concrete EN 1992-1-1 table 3.1 and 3.1.3; structural steel EN 1993-1-1, 3.2.6;
-//! rail steel with the numbers of structural steel; softwood EN 338 table 1; glued laminated timber EN 14080
+//! rail steel with the numbers of structural steel; softwood and hardwood EN 338 tables 1 and 3; glued laminated timber EN 14080
 //! tables 4 and 5; unit weights EN 1991-1-1 annex A; expansion of timber EN 1991-1-5 table C.1.
 
 use super::error::{Read, wrong};
@@ -80,6 +80,20 @@ const FAMILIES: [Family; 4] = [
             ("timber C40", "14", "5.0"),
             ("timber C45", "15", ""),
             ("timber C50", "16", ""),
+            ("timber D18", "9.5", "5.5897905"),
+            ("timber D24", "10", "5.687857"),
+            ("timber D27", "10.5", "5.9820565"),
+            ("timber D30", "11", "6.276256"),
+            ("timber D35", "12", "6.3743225"),
+            ("timber D40", "13", "6.472389"),
+            ("timber D45", "13.5", "6.864655"),
+            ("timber D50", "14", "7.256921"),
+            ("timber D55", "15.5", "7.7472535"),
+            ("timber D60", "17", "8.237586"),
+            ("timber D65", "18.5", "8.825985"),
+            ("timber D70", "20", "9.414384"),
+            ("timber D75", "22", "10.002783"),
+            ("timber D80", "24", "10.591182"),
         ],
     },
     Family {
@@ -104,6 +118,11 @@ const FAMILIES: [Family; 4] = [
     },
 ];
 
+/// `D24`: no class of another material begins with this letter.
+fn is_hardwood(name: &str) -> bool {
+    name.strip_prefix('D').is_some_and(|class| class.bytes().all(|byte| byte.is_ascii_digit()))
+}
+
 /// Classes of softwood with numbers that no class of concrete uses: the name may omit `timber`.
 const SHORT: [&str; 5] = ["C14", "C18", "C22", "C24", "C27"];
 
@@ -111,7 +130,8 @@ const SHORT: [&str; 5] = ["C14", "C18", "C22", "C24", "C27"];
 pub(crate) fn named(section: Section) -> Read<Option<(Material, usize)>> {
     let Some((name, at)) = section.words("material")? else { return Ok(None) };
     let name = name.trim();
-    let long = if SHORT.contains(&name) { format!("timber {name}") } else { name.to_owned() };
+    let is_short = SHORT.contains(&name) || is_hardwood(name);
+    let long = if is_short { format!("timber {name}") } else { name.to_owned() };
     for Family { unit_weight, expansion, materials } in FAMILIES {
         if let Some((_, modulus, own)) = materials.iter().find(|(name, ..)| *name == long) {
             let unit_weight = if own.is_empty() { unit_weight } else { own };
