@@ -7,7 +7,8 @@ use groundbeam::{
     Options, Outcome, Profile, Solution, Support, exists, load_factors, memory_estimate,
     solve_with,
 };
-use groundbeam_report::{Context, Units, json, text};
+use groundbeam_file::UnitSystem;
+use groundbeam_report::{Context, json, text};
 use rand::seq::IndexedRandom;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -17,7 +18,7 @@ const MEMORY: u64 = 3_000_000;
 
 /// Applies every function of the library to a model. None of them may panic.
 pub fn exercise(model: &Model) {
-    let context = Context::new(Units::Plain);
+    let context = Context::new(UnitSystem::Plain.into());
     memory_estimate(model, &Options::default());
     if let Ok(existence) = exists_within(model) {
         json::existence(model, &existence, &context);

@@ -2,7 +2,8 @@
 
 use groundbeam::proof::{Document, Wide, verify};
 use groundbeam::{Outcome, solve};
-use groundbeam_report::{Context, ModelOf, Named, Units, json, text};
+use groundbeam_file::UnitSystem;
+use groundbeam_report::{Context, ModelOf, Named, json, text};
 use groundbeam_verification::reference::Answer;
 use rayon::prelude::*;
 
@@ -21,7 +22,7 @@ fn intervals(report: &str, label: &str) -> Vec<[f64; 2]> {
 /// The report of an answer, if it is proven.
 fn report(answer: &Answer) -> Option<String> {
     let Ok(Outcome::Equilibrium(solution)) = solve(&answer.parsed()) else { return None };
-    let context = Context { pieces: true, ..Context::new(Units::Plain) };
+    let context = Context { pieces: true, ..Context::new(UnitSystem::Plain.into()) };
     let stations = json::default_stations(&solution);
     let written = json::solved(&solution, &stations, &context);
     let document = Document::read(&written).expect("a document").pop()?;
