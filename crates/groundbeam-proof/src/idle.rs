@@ -1,7 +1,7 @@
 //! One-way supports: shows which are active, and from which the exact beam is separated.
 //!
-//! Let ς = 1 for a support that pushes up and −1 for one that pulls down. A support without reaction must satisfy −ς(w − δ)
-//! > ε_w. Then the corrected deflection w̄ is admissible, and the exact reaction is zero, because |w̄ − w| and |w − w*| are
+//! Let ς = 1 for a support that pushes up and −1 for one that pulls down. A support without reaction must
+//! satisfy −ς(w − δ) > ε_w. Then the corrected deflection w̄ is admissible, and the exact reaction is zero, because |w̄ − w| and |w − w*| are
 //! at most ε_w. A support that is closer gets a node of its own: a rigid one with w̄ = δ and R̄ = 0, a spring with R̄ =
 //! κv̄⁺. Then all bounds hold whether it is active or not.
 

@@ -10,8 +10,8 @@
 //! ```
 //!
 //! 2. Any supports and hinges, without shear. The beam is cut into elements. z is the sum of its cubic interpolant and a
-//!   function ζ that is clamped at the ends of the elements, ∫ζ′² ≤ (h/2π)²∫ζ″². So σ = 1 − N/N₁ if the matrix K_bend +
-//!   springs − Σ N₁/(1 − N₁h²/(4π²EI)) K_geo of the elements is positive definite.
+//!    function ζ that is clamped at the ends of the elements, ∫ζ′² ≤ (h/2π)²∫ζ″². So σ = 1 − N/N₁ if the matrix K_bend +
+//!    springs − Σ N₁/(1 − N₁h²/(4π²EI)) K_geo of the elements is positive definite.
 
 use crate::frame::{Frame, Node};
 use crate::model::Acts;

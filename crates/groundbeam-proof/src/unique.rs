@@ -1,5 +1,5 @@
-//! Uniqueness of the solution. Two solutions have the same u and p. They differ by a rigid motion that vanishes wherever p*
-//! > 0 and at all supports. It does not rotate an elastic hinge, because both solutions have the same M. The solution is
+//! Uniqueness of the solution. Two solutions have the same u and p. They differ by a rigid motion that vanishes at
+//! all supports and wherever p* > 0. It does not rotate an elastic hinge, because both solutions have the same M. The solution is
 //! unique if every part between free hinges is held in two places, or in one place and against rotation.
 
 use crate::anchors::parts_of;
