@@ -1,7 +1,7 @@
 //! The part of the convexity of the beam's energy that remains under an axial compression.
 //!
-//! With N = |P| and a₀ = ∫EI z″² + Σκz² + Σκ_θz′² + Σk_φ[z′]² over the two-way supports, one of two ways proves a number σ
-//! > 0 with N∫z′² ≤ (1 − σ)a₀(z, z) for all z.
+//! With N = |P| and a₀ = ∫EI z″² + Σκz² + Σκ_θz′² + Σk_φ[z′]² over the two-way supports, one of two ways proves a number
+//! σ > 0 with N∫z′² ≤ (1 − σ)a₀(z, z) for all z.
 //!
 //! 1. Spans between rigid supports, without hinges. With L, EI and S of each span, ∫z′ = 0 on a span, so
 //!

@@ -7,7 +7,7 @@
 //!
 //! 1. Solve beam and ground with the active supports, as if these were two-way.
 //! 2. On the straight path from the previous deflection to the new one, stop where the beam first meets an
-//!   inactive support. This support becomes active. Go to 1.
+//!    inactive support. This support becomes active. Go to 1.
 //! 3. Otherwise, if an active support has a force of the wrong sign, it becomes inactive. Go to 1.
 //! 4. Otherwise this is the solution: all conditions hold, and they are sufficient.
 //!
