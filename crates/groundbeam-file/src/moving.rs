@@ -89,11 +89,14 @@ impl MovingTrain {
     }
 
     fn placed(&self, spread: Spread, beam_length: f64) -> (MovingTrain, Vec<Load>) {
-        let stays = |part: &&UniformPart| match (ends(part), spread) {
-            ([true, true], _) | (_, Spread::Everywhere) => true,
-            ([false, true], Spread::Ahead) | ([true, false], Spread::Behind) => true,
-            ([false, true] | [true, false], Spread::LeftHalf | Spread::RightHalf) => true,
-            _ => false,
+        let stays = |part: &&UniformPart| {
+            let is_half = matches!(spread, Spread::LeftHalf | Spread::RightHalf);
+            match (ends(part), spread) {
+                ([true, true], _) | (_, Spread::Everywhere) => true,
+                ([false, true], spread) => is_half || spread == Spread::Ahead,
+                ([true, false], spread) => is_half || spread == Spread::Behind,
+                ([false, false], _) => false,
+            }
         };
         let middle = 0.5 * beam_length;
         let half = match spread {
