@@ -295,9 +295,15 @@ fn escaped(words: &str) -> String {
     escaped
 }
 
-/// A number as print has it, with a true minus sign.
-pub(super) fn printed(number: &str) -> String {
-    number.replace('-', "\u{2212}")
+/// Words as print has them: a true minus sign before every digit. The hyphen of a unit, as in kip-ft, stays.
+pub(super) fn printed(words: &str) -> String {
+    let mut printed = String::with_capacity(words.len());
+    let mut letters = words.chars().peekable();
+    while let Some(letter) = letters.next() {
+        let is_minus = letter == '-' && letters.peek().is_some_and(char::is_ascii_digit);
+        printed.push(if is_minus { '\u{2212}' } else { letter });
+    }
+    printed
 }
 
 #[cfg(test)]
@@ -307,6 +313,6 @@ mod tests {
     #[test]
     fn words_within_xml() {
         assert_eq!(escaped("a < b & c"), "a &lt; b &amp; c");
-        assert_eq!(printed("-1.5e-3"), "−1.5e−3");
+        assert_eq!(printed("-1.5e-3 kip-ft"), "−1.5e−3 kip-ft");
     }
 }
