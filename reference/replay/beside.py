@@ -1,4 +1,4 @@
-"""Stiffness K and push T of the ground beside the beam, flux = Ku − T at the beam's end, from its stretches outward."""
+"""Stiffness K and load T of the ground outside the beam, flux = Ku − T at the beam's end, from its stretches."""
 
 from flint import arb
 

@@ -1,4 +1,4 @@
-"""The clearance C̄ = ū + g₀ − w̄ over open ground: by how much the ground must be raised, and what raising costs (10)."""
+"""The clearance C̄ = ū + g₀ − w̄ over open ground: the height by which the ground is raised, and its cost (10)."""
 
 from flint import arb
 
@@ -7,7 +7,7 @@ from ground import clearance, least
 
 
 def check(r):
-    """C̄ ≥ −D min(x/d, 1) on the stretches of layers, w̄ − g₀ − q/k ≤ η_o on open springs, and the sums of their costs."""
+    """C̄ ≥ −D min(x/d, 1) on the stretches of layers, w̄ − g₀ − q/k ≤ η_o on open Winkler ground, and the sums of their costs."""
     line = r.one("clearance")
     r.lifted, r.risen = exact(line["lifted"]), exact(line["risen"])
     r.raised = [exact(ground["raised"]) for ground in r.all("ground")]
