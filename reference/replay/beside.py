@@ -10,8 +10,8 @@ def check(r):
     for line in r.all("ground beside the beam"):
         side = line["side"]
         stiffness, pushed = seen(line["stretches"], line["held"])
-        r.meets(f"K of the ground beside the beam, side {side}", stiffness - r.outside[side])
-        r.meets(f"T of the ground beside the beam, side {side}", pushed - r.pushed[side])
+        r.meets(f"K of the ground outside the beam, side {side}", stiffness - r.outside[side])
+        r.meets(f"T of the ground outside the beam, side {side}", pushed - r.pushed[side])
         r.outside[side], r.pushed[side] = stiffness, pushed
 
 

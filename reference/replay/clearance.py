@@ -46,7 +46,7 @@ def stretch(r, first, end):
             if not here[side]:
                 continue
             reach = ramp(r, i, side, here[1 - side], depth)
-            r.shows(f"(10) the clearance beside node {i + side} is not shown", reach is not None)
+            r.shows(f"(10) the clearance next to node {i + side} is not proven", reach is not None)
             if reach is not None:
                 interval[side] = reach
                 stiffness += piece.shear.high / abs((reach - piece.t[side]) * piece.half)

@@ -73,7 +73,7 @@ class Contact:
             for side in (0, 1):
                 if here[side]:
                     reach, found = self.approach(i, side, here[1 - side])
-                    r.shows(f"the approach to node {i + side} is not shown", reach is not None)
+                    r.shows(f"the approach to node {i + side} is not proven", reach is not None)
                     if reach is not None:
                         interval[side] = reach
                         self.steep[i + side, 1 - side] = found

@@ -9,7 +9,7 @@ def check(r):
     """Solves the open ground between touching nodes, computes the jumps of the flux, and checks √g."""
     count = len(r.pieces)
     r.u = [None] * (count + 1)
-    # u along open pieces whose k or μ varies, and a bound of what it misses there of the ground's equation.
+    # u along open pieces whose k or μ varies, and a bound of its residual there in the ground's equation.
     r.along, r.missed = [None] * count, [arb(0)] * count
     # μu′ at both ends of open pieces.
     r.flux = [None] * count
@@ -17,7 +17,7 @@ def check(r):
     r.root_g = [exact(line["root_g"]) for line in r.all("ground")]
     r.unclaimed = arb(0)
     for side in (0, 1):
-        r.shows(f"the loads beside the beam press down, side {side}", r.pushed[side] >= 0 or r.pushed[side].contains(0))
+        r.shows(f"the loads on the ground outside the beam act downward, side {side}", r.pushed[side] >= 0 or r.pushed[side].contains(0))
     for i, piece in enumerate(r.pieces):
         if piece.layered and piece.touches:
             r.shows(f"the nodes of piece {i} touch", r.touches[i] and r.touches[i + 1])

@@ -54,7 +54,7 @@ class Piece:
         if (self.stiffness is None) != (self.phi is None):
             raise NotReplayed("a rotation without a shear stiffness, or the reverse")
         if self.q is not None and not self.layered and not self.spring.even:
-            raise NotReplayed("a load on separate springs whose k varies")
+            raise NotReplayed("a load on Winkler ground whose k varies")
         if self.q is not None and not all(q >= 0 or q.contains(0) for q in self.ends(self.q)):
             raise NotReplayed("a load on the ground that lifts it")
 

@@ -61,7 +61,7 @@ def in_rounds(r):
         if contact.shown:
             roughly(contact) if number == 0 else contact.check()
         elif number > 0 and number + 1 < len(rounds):
-            r.shows(f"round {number} follows from one that is not shown", False)
+            r.shows(f"round {number} follows from one that is not proven", False)
         before, errors = contact, [dict(error) for error in errors]
     r.contact = before
     if before.shown != r.shown[0]:

@@ -23,7 +23,7 @@ def check(r):
             places += (j - 1 in held) + (j + 1 in held)
             if places + turning > 1 and places > 0:
                 held.add(j)
-    r.shows("the solution is not shown to be unique", len(held) == len(parts))
+    r.shows("the solution is not proven to be unique", len(held) == len(parts))
 
 
 def holds(r, part, pressed):
