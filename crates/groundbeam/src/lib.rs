@@ -1,7 +1,6 @@
-//! Beams on ground that pushes but does not pull.
+//! Beams in unilateral contact with the ground.
 //!
-//! The unilateral contact of a bending beam with a Pasternak foundation, solved exactly and with proof.
-//!
+//! The unilateral contact of a bending beam with a Pasternak foundation, with exact and proven solutions.
 #![doc = include_str!("../problem.md")]
 //!
 //! [`solve()`] takes a [`Model`] and says what mechanics says: an [`Outcome`] that is either a [`Solution`]
