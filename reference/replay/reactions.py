@@ -36,7 +36,7 @@ def check(r):
                 r.shows(f"the beam may reach support {i}", clear)
             decided = decided and (clear or support.towards(support.claimed[0]) > support.errors[0])
     if r.one("supports")["decided"]:
-        r.shows("a support of one direction may act or be idle", decided)
+        r.shows("the state of a one-way support is not decided", decided)
 
 
 def sums(r):
