@@ -158,7 +158,7 @@ def cuts(r, l, count):
 
 
 def vary_ground(r, model, count, winkler=0.0):
-    """Ground segments; the first and last may go on beyond the beam's ends."""
+    """Ground segments; the first and last may extend beyond the beam's ends."""
     l, k, mu = model.length, model.k, model.mu
     points = cuts(r, l, count)
     for a, b in zip(points, points[1:]):

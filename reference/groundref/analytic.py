@@ -18,7 +18,7 @@ from .pieces import Piece
 
 
 class Rejected(Exception):
-    """The guess of who touches cannot be right; `why` says what went wrong."""
+    """The guess of the contact set is wrong; `why` gives the reason."""
 
 
 class Vanished(Rejected):

@@ -14,7 +14,7 @@ SIGN_TOLERANCE = mpf("1e-40")
 
 
 def samples(piece):
-    """Points inside a stretch: Chebyshev, and geometric towards both ends."""
+    """Points inside a stretch: Chebyshev points, and points in geometric progression towards both ends."""
     h = piece.b - piece.a
     n = int(min(400, max(48, 6 * piece.fastest() * h)))
     t = {(1 - mp.cos(mp.pi * (2 * i + 1) / (2 * n))) / 2 for i in range(n)}

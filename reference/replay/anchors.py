@@ -63,7 +63,7 @@ def held_slopes(r, part):
 
 
 def pushed(r, i):
-    """At a support of one direction that acts: E/ρ̄ of a rigid one, (2E/κ)^½ of a spring with κv̄ > (2κE)^½."""
+    """At an active one-way support: E/ρ̄ for a rigid one, (2E/κ)^½ for a spring with κv̄ > (2κE)^½."""
     pushing, node = r.pushing[i], r.nodes[i]
     if node.spring is not None:
         acts = pushing > (2 * high(node.spring[0]) * r.energy).sqrt()
@@ -121,7 +121,7 @@ def along(r, part, anchors, slopes, kinks):
 
 
 def best_along(r, part, anchors, slopes, kinks=arb(0)):
-    """The least bound over the anchors that are not worse than a level."""
+    """The smallest bound from the anchors whose own bounds are at most a level."""
     anchors = sorted(anchors, key=lambda anchor: float(anchor.bound.mid()))
     least, count = along(r, part, anchors, slopes, kinks), 1
     while count < len(anchors):
@@ -140,7 +140,7 @@ def kink(r, i):
 
 
 def deflections(r):
-    """sup|e| on each part; a part hands its bound on at hinges. Parts joined by elastic hinges are also bounded together.
+    """sup|e| on each part; the bound of a part holds at its hinges for the neighbours too. Parts joined by elastic hinges are also bounded together.
     Under tension one anchor is enough for the whole beam."""
     parts = r.parts()
     anchors, slopes = [], [held_slopes(r, part) for part in parts]

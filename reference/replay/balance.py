@@ -1,4 +1,4 @@
-"""The exact balance: residuals (5), the moment δ of the cells, the system (6) of the factors λ, and what they add (7)."""
+"""The exact balance: residuals (5), the moment δ of the cells, the system (6) of the factors λ, and the moments and forces that they add (7)."""
 
 from flint import arb, arb_poly
 
@@ -29,7 +29,7 @@ def pull(r, i):
 
 
 def pushes(r, i):
-    """The force of a support of one direction, in its direction: as claimed if it is rigid, κ(w̄ − δ)⁺ of a spring."""
+    """The force of a one-way support in its direction: the claimed one if it is rigid, κ(w̄ − δ)⁺ for a spring."""
     node = r.nodes[i]
     if node.acts == 0:
         return arb(0)
@@ -111,7 +111,7 @@ def solve(r):
 
 
 def masses(r, a, b):
-    """∫φ_jφ_k p with what stands at inner nodes, holds the slope, or is carried by tension; and the width for pulls."""
+    """∫φ_jφ_k p plus the terms of inner nodes, clamps and tension; and the width for tensile pressures."""
     ends = [r.x[a], r.x[b]]
     per_length = 1 / (ends[1] - ends[0])
     points = [(turned_in(r, a, b) + r.carrier * (ends[1] - ends[0]), [-per_length, per_length])]
@@ -171,7 +171,7 @@ def cell(r, a, b):
 
 
 def give_back(r, factors):
-    """λ at the nodes, |λ| < ½ on what presses, and (7): the moment and the shear force that the forces given back add."""
+    """λ at the nodes, |λ| < ½ for all contact forces, and (7): the moment and the shear force that the distributed forces add."""
     count = len(r.pieces)
     r.factor = [arb(0)] * (count + 1)
     r.added, r.added_shear, r.steep = [None] * count, [None] * count, [None] * count

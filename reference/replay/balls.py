@@ -32,7 +32,7 @@ def poly(coefficients):
 
 
 def upper(x):
-    """The least upper bound of |x| as a ball."""
+    """The smallest upper bound of |x|, as a ball."""
     return arb(abs(x).upper())
 
 
@@ -79,7 +79,7 @@ def sorted_pair(a, b):
 
 
 def on(ends, is_true):
-    """Shows a statement on an interval of t by halving; it is given the interval as a ball."""
+    """Proves a statement on an interval of t by halving; the statement receives the interval as a ball."""
     todo = [tuple(ends)]
     for _ in range(SUBDIVISIONS):
         if not todo:
@@ -106,7 +106,7 @@ def above(p, ends, limit):
 
 
 def below(p, ends):
-    """How far a polynomial falls below zero on an interval, at most, and on how much of it."""
+    """Bounds of the negative part of a polynomial on an interval: its depth, and the length on which it is negative."""
     depth = measure = arb(0)
     todo = [(low(ends[0]), high(ends[1]))]
     smallest = arb(2) ** -60
@@ -141,7 +141,7 @@ class Checks:
         self.count, self.failed = 0, []
 
     def holds(self, name, left, right):
-        """left ≤ right, but for the rounding of radii. A bound that is infinite claims nothing."""
+        """left ≤ right, except for the rounding of radii. An infinite bound makes no claim."""
         if not right.is_finite():
             return
         self.count += 1

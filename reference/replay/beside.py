@@ -1,4 +1,4 @@
-"""Stiffness K and push T of the ground beside the beam, flux = Ku − T at the beam's end, from its stretches outward."""
+"""Stiffness K and load T of the ground outside the beam, flux = Ku − T at the beam's end, from its stretches."""
 
 from flint import arb
 
@@ -10,8 +10,8 @@ def check(r):
     for line in r.all("ground beside the beam"):
         side = line["side"]
         stiffness, pushed = seen(line["stretches"], line["held"])
-        r.meets(f"K of the ground beside the beam, side {side}", stiffness - r.outside[side])
-        r.meets(f"T of the ground beside the beam, side {side}", pushed - r.pushed[side])
+        r.meets(f"K of the ground outside the beam, side {side}", stiffness - r.outside[side])
+        r.meets(f"T of the ground outside the beam, side {side}", pushed - r.pushed[side])
         r.outside[side], r.pushed[side] = stiffness, pushed
 
 

@@ -1,4 +1,4 @@
-"""The clearance C̄ = ū + g₀ − w̄ over open ground: by how much the ground must be raised, and what raising costs (10)."""
+"""The clearance C̄ = ū + g₀ − w̄ over open ground: the height by which the ground is raised, and its cost (10)."""
 
 from flint import arb
 
@@ -7,7 +7,7 @@ from ground import clearance, least
 
 
 def check(r):
-    """C̄ ≥ −D min(x/d, 1) on the stretches of layers, w̄ − g₀ − q/k ≤ η_o on open springs, and the sums of their costs."""
+    """C̄ ≥ −D min(x/d, 1) on the stretches of layers, w̄ − g₀ − q/k ≤ η_o on open Winkler ground, and the sums of their costs."""
     line = r.one("clearance")
     r.lifted, r.risen = exact(line["lifted"]), exact(line["risen"])
     r.raised = [exact(ground["raised"]) for ground in r.all("ground")]
@@ -16,7 +16,7 @@ def check(r):
         if piece.touches or piece.layered:
             continue
         depth, measure = below(-(piece.above + r.closing[i]), piece.t)
-        r.holds(f"the beam below open springs on piece {i}", depth, r.raised[i])
+        r.holds(f"the penetration on open piece {i}", depth, r.raised[i])
         cost += piece.spring.high * depth**2 * (measure * piece.half).min(piece.h)
     r.holds("(sum k eta_o^2 omega_o)^1/2", cost.max(arb(0)).sqrt(), r.risen)
     cost = arb(0)
@@ -46,7 +46,7 @@ def stretch(r, first, end):
             if not here[side]:
                 continue
             reach = ramp(r, i, side, here[1 - side], depth)
-            r.shows(f"(10) the clearance beside node {i + side} is not shown", reach is not None)
+            r.shows(f"(10) the clearance next to node {i + side} is not proven", reach is not None)
             if reach is not None:
                 interval[side] = reach
                 stiffness += piece.shear.high / abs((reach - piece.t[side]) * piece.half)

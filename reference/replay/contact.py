@@ -8,7 +8,7 @@ from springs import leaves_support, logged_zones, rests
 
 
 class Edge:
-    """An end of a region, side 0 its left one: θ outside, θ′ inside, and how far the flux may jump without the slope."""
+    """An end of a region, side 0 its left one: θ outside, θ′ inside, and the bound of the flux jump for an exact slope."""
 
     def __init__(self, logged):
         self.node, self.side, outside, inside = logged
@@ -17,7 +17,7 @@ class Edge:
 
 
 class Contact:
-    """The contact of all layers, shown from the bounds of one round and the edges that are claimed to follow from them."""
+    """Proves the contact of all layers from the bounds of one round and the edges claimed for it."""
 
     def __init__(self, r, errors, edges):
         self.r, self.errors, self.at = r, errors, {}
@@ -63,7 +63,7 @@ class Contact:
             node = last + 1
 
     def stretch(self, first, end):
-        """C > ε_u + ε_w up to a reach; from there to θ C falls faster than its slope is off. There (μC′)′ > ε_p."""
+        """C > ε_u + ε_w up to a reach; from there to θ, C decreases faster than the error of its slope. There (μC′)′ > ε_p."""
         r, ends, zones = self.r, [self.r.touches[first], self.r.touches[end]], logged_zones(self.r)
         for i in range(first, end):
             if rests(r, i):
@@ -73,7 +73,7 @@ class Contact:
             for side in (0, 1):
                 if here[side]:
                     reach, found = self.approach(i, side, here[1 - side])
-                    r.shows(f"the approach to node {i + side} is not shown", reach is not None)
+                    r.shows(f"the approach to node {i + side} is not proven", reach is not None)
                     if reach is not None:
                         interval[side] = reach
                         self.steep[i + side, 1 - side] = found
@@ -85,7 +85,7 @@ class Contact:
             r.shows(f"the clearance on piece {i} is not larger than its error", clear)
 
     def approach(self, i, side, both):
-        """The reach of the least error of the flux for which the approach is shown, and that error."""
+        """The reach with the smallest error of the flux for which the approach is proven, and this error."""
         r, piece, error = self.r, self.r.pieces[i], self.errors[i]
         edge = self.at.get((i + side, 1 - side))
         theta = edge.outside if edge else arb(0)
@@ -147,7 +147,7 @@ class Contact:
         self.pressed.add(node)
 
     def region(self, a, b):
-        """p > ε_p on the region, (14) at both edges, and what stands at the nodes inside."""
+        """p > ε_p on the region, (14) at both edges, and the forces at the inner nodes."""
         r = self.r
         for i in range(a, b):
             piece, error = r.pieces[i], self.errors[i]["p"]
@@ -171,7 +171,7 @@ class Contact:
                 self.pressed.add(node)
 
     def edge(self, node, side):
-        """The claimed edge at an end of a region, with (14), or of a beam that shears where C is convex."""
+        """Checks the claimed edge at an end of a region: by (14), or on a beam that shears by the convexity of C."""
         r = self.r
         edge = self.at.get((node, side))
         if edge is None:
@@ -204,7 +204,7 @@ class Contact:
         return abs(whole(x) - whole(piece.t[side])) * piece.half
 
     def bends_open(self, node):
-        """Whether the slope of C cannot fall at a node if the beam is open there: a corner of g₀ points up, F pushes down."""
+        """Whether the slope of C cannot decrease at a node if the beam is open there: a corner of g₀ points up, F acts downward."""
         r, here = self.r, self.r.nodes[node]
         alone = here.rigid is None and here.spring is None and here.force >= 0
         return (alone or not r.kinks(node)) and r.even(node) and (r.corner(node) >= 0 or r.corner(node).contains(0))

@@ -6,7 +6,7 @@ from balls import ball, exact, largest, upper
 
 
 def check(r):
-    """c closes the jumps and meets the supports, and |c|, |c′|, |c″| are at most the logged bounds."""
+    """c closes the jumps and satisfies the supports, and |c|, |c′|, |c″| are at most the logged bounds."""
     lines = r.all("closing")
     r.c = [[exact(b) for b in line["bounds"]] for line in lines]
     r.c_slope = [[ball(s) for s in line["slopes"]] for line in lines]
@@ -17,7 +17,7 @@ def check(r):
 
 
 def on_piece(r, i):
-    """c as a polynomial of t: straight if the piece is carried rigidly, else the cubic with its values and slopes."""
+    """c as a polynomial of t: linear if the piece moves rigidly, otherwise the cubic with given end values and slopes."""
     piece, slope, bounds = r.pieces[i], r.c_slope[i], r.c[i]
     a = [r.value[i + side] - w for side, w in enumerate(piece.ends(piece.w))]
     along = arb_poly([-piece.t[0], 1]) * (piece.half / piece.h)
@@ -58,7 +58,7 @@ def at_node(r, i):
 
 
 def felt(r, i):
-    """The piece beside a node whose claimed values its springs feel, and its end there: that of the smaller coefficients."""
+    """The piece whose claimed values act on the springs of a node, and its end there: the neighbour with the smaller coefficients."""
     size = lambda j: sum((upper(c) for c in r.pieces[j].w.coeffs()), arb(0))
     if i == 0 or i < len(r.pieces) and size(i) < size(i - 1):
         return i, 0
@@ -66,6 +66,6 @@ def felt(r, i):
 
 
 def at_support(r, i):
-    """w and φ at a node as its springs feel them."""
+    """w and φ at a node, as they act on its springs."""
     piece, side = r.felt[i]
     return r.pieces[piece].ends(r.pieces[piece].w)[side], r.pieces[piece].ends(r.pieces[piece].rotation)[side]

@@ -1,4 +1,4 @@
-"""The ground's surface ū, the concentrated forces of layers, what ū misses of the ground's equation (4a), and bounds of √g."""
+"""The ground's surface ū, the concentrated forces of layers, the residual of ū in the ground's equation (4a), and bounds of √g."""
 
 from flint import arb, arb_poly
 
@@ -6,10 +6,10 @@ from balls import exact, high, low, negative_part, upper
 
 
 def check(r):
-    """Solves the open ground between touching nodes, takes the jumps of the flux, and checks √g."""
+    """Solves the open ground between touching nodes, computes the jumps of the flux, and checks √g."""
     count = len(r.pieces)
     r.u = [None] * (count + 1)
-    # u along open pieces whose k or μ varies, and a bound of what it misses there of the ground's equation.
+    # u along open pieces whose k or μ varies, and a bound of its residual there in the ground's equation.
     r.along, r.missed = [None] * count, [arb(0)] * count
     # μu′ at both ends of open pieces.
     r.flux = [None] * count
@@ -17,7 +17,7 @@ def check(r):
     r.root_g = [exact(line["root_g"]) for line in r.all("ground")]
     r.unclaimed = arb(0)
     for side in (0, 1):
-        r.shows(f"the loads beside the beam press down, side {side}", r.pushed[side] >= 0 or r.pushed[side].contains(0))
+        r.shows(f"the loads on the ground outside the beam act downward, side {side}", r.pushed[side] >= 0 or r.pushed[side].contains(0))
     for i, piece in enumerate(r.pieces):
         if piece.layered and piece.touches:
             r.shows(f"the nodes of piece {i} touch", r.touches[i] and r.touches[i + 1])
@@ -106,7 +106,7 @@ def run(r, first, end, a, b):
 
 
 def with_ends(piece, ends):
-    """The stored settlement with a straight line added that gives it these values at the ends."""
+    """The stored settlement plus a linear function, so that it has these values at the ends."""
     stored = arb_poly([]) if piece.settlement is None else piece.settlement
     missed = [u - s for u, s in zip(ends, piece.ends(stored))]
     slope = (missed[1] - missed[0]) / (piece.t[1] - piece.t[0])
@@ -114,7 +114,7 @@ def with_ends(piece, ends):
 
 
 def free_fluxes(piece):
-    """What the load on an open piece adds to the flux at both ends for u = 0: with v = u − q/k in (4), and μq′/k."""
+    """The contribution of the load on an open piece to the flux at both ends for u = 0: with v = u − q/k in (4), and μq′/k."""
     across, own = link(piece)
     (a, b), slope = piece.ends(piece.free), (piece.shear.along * piece.d(piece.free))[0]
     return [slope - across * (b - a) + own * a, slope - across * (b - a) - own * b]
@@ -127,7 +127,7 @@ def fluxes(piece, left, right):
 
 
 def rise(r, i):
-    """w̄ − g₀ at the right end of a piece less that at its left end, without their common part."""
+    """The increase of w̄ − g₀ along a piece from left to right, computed without the common part."""
     left, right = r.pieces[i].ends(r.pieces[i].obstacle + r.closing[i] - (r.pieces[i].obstacle + r.closing[i])[0])
     return right - left
 
@@ -136,7 +136,7 @@ def solve(r, first, end, a, b):
     """The tridiagonal system for u at the nodes between a and b: the flux jumps by Q.
 
     u = Au_a + Bρ + G with ρ = u_b − u_a, or Au_b + G where a does not touch: the columns A, B and G have no digits to lose
-    where a short piece makes a large flux of a small difference."""
+    where a short piece gives a large flux for a small difference."""
     nodes = list(range(a + r.touches[a], b + 1 - r.touches[b]))
     known = {a: (arb(1), arb(0), arb(0)), b: (arb(1), arb(r.touches[a]), arb(0))}
     diagonal, beside, right = [], [], []
@@ -178,7 +178,7 @@ def solve(r, first, end, a, b):
 
 
 def jump(r, first, end, node):
-    """The jump of the flux at a node, less the force on the ground there."""
+    """The jump of the flux at a node, minus the force on the ground there."""
     return flux(r, first, end, node, 0) - flux(r, first, end, node, 1) - r.nodes[node].ground_force
 
 

@@ -1,4 +1,4 @@
-"""Bounds at every point of a piece, from E: of w, rotation, m, M, u, and of p where both answers touch (section 4)."""
+"""Pointwise bounds on each piece, from E: of w, rotation, m, M, u, and of p where both solutions are in contact (section 4)."""
 
 from flint import arb
 

@@ -54,7 +54,7 @@ class Piece:
         if (self.stiffness is None) != (self.phi is None):
             raise NotReplayed("a rotation without a shear stiffness, or the reverse")
         if self.q is not None and not self.layered and not self.spring.even:
-            raise NotReplayed("a load on separate springs whose k varies")
+            raise NotReplayed("a load on Winkler ground whose k varies")
         if self.q is not None and not all(q >= 0 or q.contains(0) for q in self.ends(self.q)):
             raise NotReplayed("a load on the ground that lifts it")
 
@@ -77,19 +77,19 @@ class Piece:
             self.misfit = self.stiffness * (self.slope - self.rotation) - shear_force
 
     def pressure_under(self, settlement):
-        """ku − q − (μ(w − g₀)′)′: the pressure if the beam touched ground of the settlement u."""
+        """ku − q − (μ(w − g₀)′)′: the pressure if the beam were in contact with ground of the settlement u."""
         pressure = self.spring * settlement - self.d(self.shear * self.d(self.obstacle))
         return pressure if self.q is None else pressure - self.q
 
     def d(self, p):
-        """The derivative by x."""
+        """The derivative with respect to x."""
         return p.derivative() * (1 / self.half)
 
     def ends(self, p):
         return [p(t) for t in self.t]
 
     def integral(self, p):
-        """∫p over the piece by x."""
+        """∫p dx over the piece."""
         whole = p.integral()
         return (whole(self.t[1]) - whole(self.t[0])) * self.half
 
@@ -129,7 +129,7 @@ class Node:
             raise NotReplayed("a load on the ground that lifts it")
 
     def towards(self, x):
-        """The part in the direction in which a support of one direction acts."""
+        """The component in the direction in which a one-way support acts."""
         return -x if self.acts < 0 else x
 
     def stiff(self):
@@ -252,12 +252,12 @@ class Problem(Checks):
         return all((a.ends[1] - b.ends[0]).contains(0) for a, b in pairs)
 
     def kinks(self, node):
-        """Whether a force or a support bends the slope at a node: on a beam that shears."""
+        """Whether a force or a support causes a jump of the slope at a node: on a beam that shears."""
         here = self.nodes[node]
         beside = [self.pieces[i] for i in (node - 1, node) if 0 <= i < len(self.pieces)]
         forced = here.force != 0 or here.rigid is not None or here.spring is not None
         return forced and any(piece.stiffness is not None for piece in beside)
 
     def smooth(self, node):
-        """Whether the exact answer has no concentrated force there, by the kind of the node."""
+        """Whether the exact solution has no concentrated force there, by the kind of the node."""
         return self.even(node) and self.corner(node).contains(0) and not self.kinks(node)

@@ -1,4 +1,4 @@
-"""Bounds of the errors of the reactions of supports, and whether each of one direction acts or is idle (section 6)."""
+"""Bounds of the errors of the reactions of supports, and whether each one-way support is active or inactive (section 6)."""
 
 from flint import arb
 
@@ -22,7 +22,7 @@ class Support:
 
 
 def check(r):
-    """The logged errors of force and moment, the sums at the nodes, and the state of supports of one direction."""
+    """The logged errors of force and moment, the sums at the nodes, and the state of one-way supports."""
     r.supports = [Support(line) for line in r.all("support")]
     sums(r)
     decided = True
@@ -36,7 +36,7 @@ def check(r):
                 r.shows(f"the beam may reach support {i}", clear)
             decided = decided and (clear or support.towards(support.claimed[0]) > support.errors[0])
     if r.one("supports")["decided"]:
-        r.shows("a support of one direction may act or be idle", decided)
+        r.shows("the state of a one-way support is not decided", decided)
 
 
 def sums(r):
@@ -74,7 +74,7 @@ def errors(r, support):
 
 
 def of_springs(r, support):
-    """min(κε_w, s₂√κ + κ|c|), with what the claimed reaction differs from κ(w − δ); likewise for rotation."""
+    """min(κε_w, s₂√κ + κ|c|), plus the difference of the claimed reaction from κ(w − δ); likewise for rotation."""
     w, slope = at_support(r, support.node)
     piece = max(support.node - 1, 0)
     bounds = (r.errors[piece]["w"], r.errors[piece]["rotation"])
@@ -93,7 +93,7 @@ def of_springs(r, support):
 
 
 def of_rigid_support(r, node):
-    """s₂K + W|λ|: z = 1 at the support and 0 at the others, bent on each side, or a straight line."""
+    """s₂K + W|λ|: z = 1 at the support and 0 at the others, a cubic on each side, or linear."""
     here = r.nodes[node]
     k = (lifted_side(r, node, 0) + lifted_side(r, node, 1) + here.stiff()[0]).min(tilted(r, node))
     given_back = upper(here.reaction[0]) if here.acts else here.weights["rigid"]
@@ -101,7 +101,7 @@ def of_rigid_support(r, node):
 
 
 def tilted(r, node):
-    """K² of the line that is 1 at a support and 0 at the only other one, if no clamp stands there."""
+    """K² of the linear function that is 1 at a support and 0 at the only other one, if neither is a clamp."""
     rigid = [i for i, other in enumerate(r.nodes) if other.rigid is not None]
     if len(rigid) != 2 or any(r.nodes[i].clamped for i in rigid):
         return INFINITE
@@ -110,7 +110,7 @@ def tilted(r, node):
 
 
 def of_clamp(r, node):
-    """s₂K + W_θ|λ′| with z′ = 1 at the clamp: bent on both sides, or z = x − xᵢ over the beam if nothing else is rigid."""
+    """s₂K + W_θ|λ′| with z′ = 1 at the clamp: a cubic on both sides, or z = x − xᵢ on the whole beam if there is no other rigid support."""
     here = r.nodes[node]
     if not here.clamped:
         # A pin claims no moment: another claim is refused.
@@ -123,7 +123,7 @@ def of_clamp(r, node):
 
 
 def is_clear(r, support):
-    """−ς(w − δ) > ε_w on every piece that may hold the support."""
+    """−ς(w − δ) > ε_w on every piece that may contain the support."""
     found = False
     for piece, error in zip(r.pieces, r.errors):
         if support.x < piece.x[0] or support.x > piece.x[1]:

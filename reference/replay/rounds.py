@@ -1,4 +1,4 @@
-"""The contact set of layers with the bounds of V; on a beam that shears in rounds, as slope and contact set need each other."""
+"""The contact set of layers with the bounds of V; on a beam that shears in rounds, because slope and contact set depend on each other."""
 
 from balls import INFINITE, NotReplayed, exact
 from contact import Contact, Edge, roughly
@@ -34,7 +34,7 @@ def nothing(r):
 
 
 def final(r, errors):
-    """ε_V, and what else is lowered by it, from the last round."""
+    """ε_V, and the other bounds that it lowers, from the last round."""
     r.contact.errors = errors
     for i, (force, slope) in enumerate(bounds(r, r.contact)):
         r.holds(f"(15) eps_V on piece {i}", force, r.errors[i]["V"])
@@ -44,7 +44,7 @@ def final(r, errors):
 
 
 def in_rounds(r):
-    """The first round knows the contact roughly; the bounds of each follow from the one before."""
+    """The first round uses rough bounds of the contact; the bounds of each further round follow from the previous one."""
     rounds, errors, before = r.all("round"), first_slopes(r), None
     if len(rounds) < 2:
         raise NotReplayed("the rounds of a beam that shears are not in the log")
@@ -61,7 +61,7 @@ def in_rounds(r):
         if contact.shown:
             roughly(contact) if number == 0 else contact.check()
         elif number > 0 and number + 1 < len(rounds):
-            r.shows(f"round {number} follows from one that is not shown", False)
+            r.shows(f"round {number} follows from one that is not proven", False)
         before, errors = contact, [dict(error) for error in errors]
     r.contact = before
     if before.shown != r.shown[0]:

@@ -97,7 +97,7 @@ def mean(r, errors, spread, first, end, part, couples):
 
 
 def load_errors(r, contact):
-    """q of each piece, and the forces on the parts where only one of both answers touches."""
+    """q of each piece, and the forces on the parts where only one of the two solutions is in contact."""
     errors, spread, edges = contact.errors, [], [arb(0)] * len(r.pieces)
     for i, piece in enumerate(r.pieces):
         given_back = gamma(r, i) * piece.size(piece.pressure) + (1 + gamma(r, i)) * r.depth[i]
@@ -170,7 +170,7 @@ def edges_of_piece(contact, i):
 
 
 def beside_edges(r, errors, i, edges, steady, rest):
-    """ε_T beside edges without the circle through the slope: ε_T ≤ A/(1 − κ)."""
+    """ε_T beside edges in closed form, without an iteration with the slope: ε_T ≤ A/(1 − κ)."""
     piece = r.pieces[i]
     if not piece.stiffness.even or not piece.shear.even:
         return INFINITE
@@ -190,7 +190,7 @@ def beside_edges(r, errors, i, edges, steady, rest):
 
 
 def first_slopes(r):
-    """The bounds before the contact set is shown: of the slope where S or μ of a layer varies, from one piece alone."""
+    """The bounds before the contact set is proven: of the slope where S or μ of a layer varies, from a single piece."""
     found = []
     for i, error in enumerate(r.errors):
         piece = r.pieces[i]

@@ -1,4 +1,4 @@
-"""The exact contact set on separate springs, from the signs of w − g₀ − q/k and of its slope beside edges (W1 to W3)."""
+"""The exact contact set on Winkler ground, from the signs of w − g₀ − q/k and of its slope beside edges (W1 to W3)."""
 
 from balls import above, exact, sorted_pair
 
@@ -9,7 +9,7 @@ def logged_zones(r):
 
 
 def check(r):
-    """Every piece on springs has the sign that it claims, outside zones at edges and supports that stand on the ground."""
+    """Every piece of Winkler ground has the claimed sign, outside zones at edges and at supports that stand on the ground."""
     if not r.shown[1]:
         return
     zones = logged_zones(r)
@@ -40,7 +40,7 @@ def needs_zone(r, i, side):
 
 
 def stands(r, i, side):
-    """Whether a rigid support of both directions at an end of a piece stands on the ground: w* = δ = g₀."""
+    """Whether a rigid two-way support at an end of a piece stands on the ground: w* = δ = g₀."""
     piece, node = r.pieces[i], r.nodes[i + side]
     held = node.rigid is not None and node.acts == 0
     return held and (node.rigid - piece.ends(piece.g0)[side]).contains(0)
@@ -65,7 +65,7 @@ def rests(r, i):
 
 
 def lies(r, i, side):
-    """Whether also the slope of w* − g₀ is zero there: at a clamp of a beam that does not shear, above level ground."""
+    """Whether the slope of w* − g₀ is zero there too: at a clamp of a beam that does not shear, above level ground."""
     piece, node = r.pieces[i], r.nodes[i + side]
     return stands(r, i, side) and node.clamped and piece.stiffness is None and piece.g0.degree() <= 0
 
@@ -78,7 +78,7 @@ def leaves_support(r, error, i, side, to):
 
 
 def zone(r, error, i, side, field, to, limit):
-    """The field grows inward faster than its slope is off, up to a value above a limit (W1). At a support that stands on the
+    """The field grows inward faster than the error of its slope, up to a value above a limit (W1). At a support that stands on the
     ground it grows from zero (W3), at a clamp by its curvature."""
     piece, end = r.pieces[i], r.pieces[i].t[side]
     slope = piece.d(field)

@@ -1,4 +1,4 @@
-"""The part σ of the beam's convexity that a compression N leaves: N∫z′² ≤ (1 − σ)a₀(z, z), from spans or from elements."""
+"""The part σ of the convexity of the beam's energy that remains under a compression N: N∫z′² ≤ (1 − σ)a₀(z, z), from spans or from elements."""
 
 from flint import arb
 
@@ -9,7 +9,7 @@ ELEMENTS = (16, 4, 1)
 
 
 def check(r):
-    """σ is at most what the spans between rigid supports leave, or the elements are stable under N₁ = N/(1 − σ)."""
+    """σ is at most its value from the spans between rigid supports, or the elements are stable under N₁ = N/(1 − σ)."""
     if r.sigma is None:
         return
     compression = high(-r.force)
@@ -19,7 +19,7 @@ def check(r):
         return
     load = compression / (1 - r.sigma)
     stable = not r.shears and any(is_stable(r, load, count) for count in ELEMENTS)
-    r.shows("the critical load of the compression is not shown", stable)
+    r.shows("the critical load of the compression is not proven", stable)
 
 
 def is_rigid(node):
@@ -27,7 +27,7 @@ def is_rigid(node):
 
 
 def of_spans(r, compression):
-    """σ = 1 − N max(L²/(π²EI) + 1/S) over the spans; 2L for L, without shear, of a beam that one clamp at an end holds."""
+    """σ = 1 − N max(L²/(π²EI) + 1/S) over the spans; 2L for L, without shear, for a beam held by one clamp at an end."""
     last = len(r.pieces)
     rigid = [i for i, node in enumerate(r.nodes) if is_rigid(node)]
     if any(node.hinged for node in r.nodes) or not rigid:
@@ -49,7 +49,7 @@ def of_spans(r, compression):
 
 
 def elements(r, count):
-    """Lengths and least EI of elements between supports, hinges and steps of EI, and the node at the right end of each."""
+    """Lengths and smallest EI of elements between supports, hinges and jumps of EI, and the node at the right end of each."""
     first = 0
     for i in range(1, len(r.nodes)):
         node = r.nodes[i]
@@ -80,7 +80,7 @@ def is_stable(r, load, count):
             matrix[i, j] = matrix.get((i, j), arb(0)) + value
 
     def joint(node):
-        """The unknowns z and z′ at a node, with what holds them."""
+        """The unknowns z and z′ at a node, with their supports and springs."""
         place, turn = unknown(not is_rigid(node)), unknown(not node.clamped)
         if node.acts == 0 and node.spring is not None:
             add(place, place, node.spring[0])

@@ -1,4 +1,4 @@
-"""K² of the functions z that test the errors of the moment and of the reactions (section 4), and s₂ or what takes its place."""
+"""K² of the test functions z for the errors of the moment and of the reactions (section 4), and s₂ or the factor that replaces it."""
 
 from flint import arb
 
@@ -7,7 +7,7 @@ from energy import compression_misfit
 
 
 def prepare(r):
-    """The factor of K, and the number that takes the place of P in K²."""
+    """The factor of K, and the number that replaces P in K²."""
     r.beam_energy = r.energy if r.sigma is None else r.energy / r.sigma
     r.test_factor, r.test_tension = r.s2, arb(0) if r.tension is None else high(r.tension)
     if r.sigma is not None:
@@ -44,7 +44,7 @@ def kink(stiff, springs, room):
 
 
 def kinks(r):
-    """The least K found on each piece: kinks between obstacles, and straight ones to an end of the beam."""
+    """The smallest K found on each piece: kinks between obstacles, and linear functions to an end of the beam."""
     least = [INFINITE] * len(r.pieces)
     stops = r.obstacles()
     for a, b in zip(stops, stops[1:]):
@@ -57,7 +57,7 @@ def kinks(r):
 
 
 def long_kinks(r, side, least):
-    """z = the distance to x up to an end of the beam, as long as no rigid support stands there."""
+    """z = the distance to x up to an end of the beam, if there is no rigid support there."""
     count = len(r.pieces)
     layer = ground = arb(0)
     passed = []
@@ -87,7 +87,7 @@ def next_obstacle(r, node, side):
 
 
 def beside(r, node, other):
-    """The largest stiffnesses and the springs between a node and an obstacle, without those at the node, and the room."""
+    """The largest stiffnesses and the springs between a node and an obstacle, without those at the node, and the available length."""
     a, b = min(node, other), max(node, other)
     return stiffest(r, range(a, b)), held(r, [i for i in range(a, b + 1) if i != node]), r.x[b] - r.x[a]
 

@@ -4,7 +4,7 @@ from anchors import REACHES, least_pressure
 
 
 def check(r):
-    """Forces count if the contact set shows them, supports of one direction if their reaction is above its error."""
+    """Contact forces count if the contact set proves them, one-way supports if their reaction exceeds its error."""
     if not r.one("unique")["shown"] or r.sigma is not None:
         return
     pressed = set(r.contact.pressed) if r.contact is not None else set()
@@ -23,7 +23,7 @@ def check(r):
             places += (j - 1 in held) + (j + 1 in held)
             if places + turning > 1 and places > 0:
                 held.add(j)
-    r.shows("the solution is not shown to be unique", len(held) == len(parts))
+    r.shows("the solution is not proven to be unique", len(held) == len(parts))
 
 
 def holds(r, part, pressed):
@@ -35,7 +35,7 @@ def holds(r, part, pressed):
 
 
 def presses(r, i):
-    """Whether a bump z shows p* > 0 in both halves of an interval of a piece: p_m∫z > s₂‖z‖_b."""
+    """Whether a function z ≥ 0 proves p* > 0 in both halves of an interval of a piece: p_m∫z > s₂‖z‖_b."""
     piece = r.pieces[i]
     for reach in REACHES if piece.touches else ():
         least, h = least_pressure(r, i, reach), reach * piece.half

@@ -1,7 +1,7 @@
-//! Claims wrong answers and compares every proven bound with the truth. For random models, `… --example attacks -- 10000`,
-//! the truth is the solution; behind the number of models may stand the number of the first. For the models of
-//! `reference/answers`, `… --example attacks -- exact 10`, it is known in 60 digits; behind it stands the number of wrong
-//! answers for each model.
+//! Claims wrong answers and compares every proven bound with the true solution. For random models, `… --example attacks
+//! -- 10000`, it is the solver's solution; the number of the first model may follow the number of models. For the
+//! models of `reference/answers`, `… --example attacks -- exact 10`, it is known in 60 digits; the number of wrong
+//! answers for each model follows.
 
 use groundbeam_verification::attack::{KINDS, Target, random};
 use groundbeam_verification::exact_attack::judge;
@@ -9,15 +9,15 @@ use groundbeam_verification::reference::Answer;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 
-/// Wrong answers for each random model.
+/// Number of wrong answers for each random model.
 const EACH: u64 = 8;
 
-/// What came of one wrong answer.
+/// The result for one wrong answer.
 struct Case {
     name: String,
     kind: String,
     change: &'static str,
-    /// None if nothing is proven of it.
+    /// `None` if nothing is proven of it.
     found: Option<Found>,
 }
 
@@ -87,7 +87,8 @@ fn exact(each: u64) -> Vec<Case> {
     Answer::all().into_par_iter().enumerate().flat_map_iter(of_model).collect()
 }
 
-/// Documents, those with bounds, those that are proven, and the largest error over bound, by some name.
+/// Counts of documents, of those with bounds and of those that are proven, and the largest ratio of error to bound, by
+/// name.
 fn documents(cases: &[Case], title: &str, name: impl Fn(&Case) -> String) {
     let mut table: BTreeMap<String, (usize, usize, usize, f64)> = BTreeMap::new();
     for case in cases {
@@ -104,7 +105,7 @@ fn documents(cases: &[Case], title: &str, name: impl Fn(&Case) -> String) {
     }
 }
 
-/// The largest error over bound of each quantity, and how many were compared.
+/// The largest ratio of error to bound of each quantity, and the number of comparisons.
 fn quantities(cases: &[Case]) {
     let mut table: BTreeMap<&str, (usize, f64)> = BTreeMap::new();
     for (quantity, ratio) in cases.iter().flat_map(|case| &case.found).flat_map(|f| &f.ratios) {

@@ -1,5 +1,5 @@
-//! Does everything with models and model files that nobody would write on purpose, and lists those that panic:
-//! `… --example hostile_models -- 10000`. Behind the number may stand the number of the first.
+//! Applies every function to hostile models and model files, and lists those that panic: `… --example hostile_models --
+//! 10000`. The number of the first model may follow.
 
 use groundbeam_verification::hostile::{exercise, exercise_text, model, mutated, panics, texts};
 use std::time::{Duration, Instant};

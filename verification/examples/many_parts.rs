@@ -1,4 +1,4 @@
-//! Times to read, check and cut into cells models with many parts, and how they grow: `… --example many_parts -- 10000 100000`.
+//! Measures the times to read, check and cut models with many parts, and their growth with the number of parts: `… --example many_parts -- 10000 100000`.
 
 use groundbeam::{Options, exists, memory_estimate};
 use groundbeam_file::{UnitSystem, parse, write_toml};

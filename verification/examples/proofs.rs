@@ -15,9 +15,9 @@ use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::time::Instant;
 
-/// What came of one model.
+/// The result for one model.
 enum Outcomes {
-    /// Bounds are computed; `why` is the first reason why they are not called a proof.
+    /// Bounds exist; `why` is the first reason why the solution is not proven.
     Bounded {
         times: [f64; 3],
         gaps: [f64; 4],

@@ -12,7 +12,7 @@ use groundbeam_verification::random::{Family, model};
 use rayon::prelude::*;
 use std::time::{Duration, Instant};
 
-/// Families that take long or that the exact method alone solves, and how many models of them are solved at most.
+/// Families that take long or that only the exact method solves, with the maximum number of models of each.
 const OTHERS: [(Family, u64); 4] = [
     (Family::Shearing, u64::MAX),
     (Family::Extreme, 2000),

@@ -1,5 +1,5 @@
-//! The change by twice as many chords in random models over settlement troughs: `… --example random_troughs -- 1000`.
-//! Behind the number may stand the number of the first model; `show` and a number print the file of that model.
+//! The change of the results with twice as many chords, in random models over settlement troughs: `… --example
+//! random_troughs -- 1000`. The number of the first model may follow; `show` and a number print the file of that model.
 
 use groundbeam_verification::troughs::{Result, drawn, result};
 

@@ -1,14 +1,14 @@
-//! The text of an answer and of its certificate: one line for each quantity, every number to the last bit.
+//! The text of an answer and of its certificate: one line for each quantity, every number with all its bits.
 
 use groundbeam::{Certificate, Error, Existence, Field, Outcome, Side, Solution, Verdict};
 use std::fmt::Write;
 
-/// Equal steps between the positions of the fields.
+/// Number of equal steps between the positions of the fields.
 const STEPS: usize = 40;
-/// The steps between the positions that are written where the fields are not written in full.
+/// Steps between the written positions, if the fields are not written in full.
 const COARSE: usize = 10;
 
-/// The lines of an answer; the fields at all positions, or at five with a digest of all.
+/// The lines of an answer: the fields at all positions, or at five with a digest of all.
 pub fn text(outcome: &Result<Outcome, Error>, in_full: bool) -> String {
     match outcome {
         Ok(Outcome::Equilibrium(solution)) => {
@@ -120,7 +120,7 @@ pub fn certificate(solution: &Solution) -> String {
         )
 }
 
-/// A key and its numbers, each the shortest that is read back to the same bits.
+/// A key and its numbers, each with the shortest decimal that reads back to the same bits.
 fn line(key: &str, values: &[f64]) -> String {
     let mut line = key.to_owned();
     for value in values {

@@ -38,12 +38,12 @@ const FAMILIES: [Family; 20] = [
     Family::Extreme,
 ];
 
-/// The first models of every family are frozen.
+/// Number of models of every family that are frozen.
 const FIRST: u64 = 200;
-/// The first models of every family, and the named ones, are frozen with the fields at every position.
+/// Number of models of every family that are frozen with the fields at every position; the named ones are too.
 const IN_FULL: u64 = 40;
 
-/// Models of each family that measurements, documents or tests name by number.
+/// Models of each family to which measurements, documents or tests refer by number.
 const NAMED: [(Family, &[u64]); 14] = [
     (Family::Supported, &[8, 973, 1303]),
     (Family::Gap, &[4, 30, 738, 7429]),
@@ -67,7 +67,7 @@ const NAMED: [(Family, &[u64]); 14] = [
     (Family::Extreme, &[13, 19, 30, 54, 62, 218, 230, 463]),
 ];
 
-/// Models that are left out of the frozen set, since they take the pinned program too long.
+/// Models that are omitted because the pinned program takes too long.
 const LEFT_OUT: [(Family, &[u64]); 1] = [(Family::CompressedToo, &[168])];
 
 fn named(family: Family) -> &'static [u64] {

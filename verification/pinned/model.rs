@@ -1,4 +1,4 @@
-//! The text of a model: one line for each part, every number to the last bit.
+//! The text of a model: one line for each part, every number with all its bits.
 
 use groundbeam::{
     Acts, Beam, BeamSegment, Foundation, FoundationSegment, GapPoint, GroundEnd, Hinge, Load,

@@ -11,7 +11,7 @@ use groundbeam::{Action, Acts, Extent, Model, SupportKind};
 /// Maximum number of Newton steps per compression.
 const MOST_STEPS: usize = 40;
 
-/// A one-way spring at a node, which acts on deflections beyond a height.
+/// A one-way spring at a node. It acts on deflections larger than its height.
 #[derive(Debug, Clone, Copy)]
 struct Spring {
     node: usize,

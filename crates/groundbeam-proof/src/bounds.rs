@@ -65,8 +65,8 @@ pub struct ReactionBound {
 /// Scales of the quantities that are enclosed by intervals.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Scales {
-    /// Of the edges of contact: the length of the beam \[m\].
+    /// Scale of the edges of contact: the length of the beam \[m\].
     pub length: f64,
-    /// Of concentrated forces: the sum of the loads \[N\].
+    /// Scale of concentrated forces: the sum of the loads \[N\].
     pub force: f64,
 }

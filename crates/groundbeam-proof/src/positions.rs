@@ -31,7 +31,7 @@ impl<S: Scalar> Positions<S> {
         let mut end = first.x[0];
         for piece in &answer.pieces {
             if !(piece.x[0] == end && piece.x[0] < piece.x[1]) {
-                let what = "the pieces do not follow one another from left to right";
+                let what = "the pieces are not in order from left to right";
                 return Err(NotProven::new(what).at(piece.x[0]));
             }
             end = piece.x[1];

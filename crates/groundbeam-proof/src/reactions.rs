@@ -188,8 +188,8 @@ impl<S: Scalar> Pointwise<'_, S> {
     }
 }
 
-/// The smallest K² for z = 1 − 3τ² + 2τ³, τ = t/h, h at most the available length: 12EI/h³ + 6(P + μ)/(5h) + 13kh/35 + Σ(κ
-/// + κ_θ(3/(2h))²).
+/// The smallest K² for z = 1 − 3τ² + 2τ³, τ = t/h, h at most the available length:
+/// 12EI/h³ + 6(P + μ)/(5h) + 13kh/35 + Σ(κ + κ_θ(3/(2h))²).
 fn lift([bending, layer, ground]: [Size; 3], [springs, turning]: [Size; 2], room: f64) -> Size {
     least_of_halves(room, |h| {
         let steep = Size::of(1.5).over(h).square();

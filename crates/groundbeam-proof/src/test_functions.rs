@@ -101,8 +101,8 @@ impl<S: Scalar> Pointwise<'_, S> {
         largest
     }
 
-    /// K² for z = the distance from x to one side, up to the end of the beam, if there is no rigid support there: (P + μ)L
-    /// + kL³/3 + K_eL² + Σ(κ(x − x_j)² + κ_θ). It does not contain EI: the bound for stiff beams.
+    /// K² for z = the distance from x to one side, up to the end of the beam, if there is no rigid support there:
+    /// (P + μ)L + kL³/3 + K_eL² + Σ(κ(x − x_j)² + κ_θ). It does not contain EI: the bound for stiff beams.
     pub(crate) fn long_kinks(&self, side: usize, stiffness: &mut [Size]) {
         let frame = self.fields.frame;
         let count = frame.spans.len();

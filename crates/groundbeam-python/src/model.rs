@@ -14,7 +14,7 @@ use pyo3::prelude::*;
 use std::path::Path;
 use std::sync::Arc;
 
-/// A model that was read and found right.
+/// A model file that was read and validated.
 #[pyclass(frozen, module = "groundbeam._native")]
 pub struct Model {
     pub read: Arc<Read>,

@@ -1,4 +1,4 @@
-//! Distributions: from a standard normal number to a number of the same probability.
+//! Distributions: converts a standard normal number to a number with the same cumulative probability.
 
 use groundbeam_file::study::Distribution;
 use statrs::distribution::{ContinuousCDF, Normal};
@@ -22,13 +22,13 @@ pub fn log_variance(mean: f64, deviation: f64) -> f64 {
     (deviation / mean).powi(2).ln_1p()
 }
 
-/// The lognormal number of a standard normal one.
+/// The lognormal number with the same cumulative probability as a standard normal one.
 pub fn lognormal(mean: f64, deviation: f64, z: f64) -> f64 {
     let variance = log_variance(mean, deviation);
     mean * (variance.sqrt() * z - 0.5 * variance).exp()
 }
 
-/// The number with the same probability of not being exceeded as `z` in a standard normal distribution.
+/// The number whose cumulative probability equals that of `z` in a standard normal distribution.
 pub fn of_normal(distribution: &Distribution, z: f64) -> f64 {
     match *distribution {
         Distribution::Normal { mean, deviation } => mean + deviation * z,
@@ -40,7 +40,7 @@ pub fn of_normal(distribution: &Distribution, z: f64) -> f64 {
             mean - scale * (EULER + exponent.ln())
         }
         Distribution::Uniform { from, to } => {
-            // Measured from the nearer end.
+            // Measured from the nearer end, which keeps the digits.
             let width = to - from;
             if z < 0.0 { from + width * probability(z) } else { to - width * probability(-z) }
         }
@@ -74,8 +74,8 @@ mod tests {
         }
     }
 
-    /// Every distribution has its given mean and deviation, by the trapezoidal rule over z, whose error is below
-    /// rounding for smooth functions times exp(−z²/2).
+    /// Every distribution has the given mean and deviation, by the trapezoidal rule over z. Its error is
+    /// below rounding for smooth functions times exp(−z²/2).
     #[test]
     fn moments() {
         let step = 0.01;
@@ -97,7 +97,7 @@ mod tests {
             (Distribution::Lognormal { mean, deviation }, [mean, deviation], 1e-12),
             (Distribution::Gumbel { mean, deviation }, [mean, deviation], 1e-9),
             (Distribution::Uniform { from: 1.0, to: 4.0 }, [2.5, 3.0 / 12.0_f64.sqrt()], 1e-9),
-            // The density has a corner at the mode: second order only.
+            // The density has a corner at the mode, so the error is of second order only.
             (
                 Distribution::Triangular { from: 1.0, mode: 2.0, to: 4.0 },
                 [7.0 / 3.0, (7.0_f64 / 18.0).sqrt()],

@@ -13,9 +13,9 @@ use std::fmt;
 /// The reason why samples cannot be drawn.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Impossible {
-    /// The number of samples, in words.
+    /// The number of samples is not allowed; the text gives the reason.
     Samples(String),
-    /// No random numbers have all demanded correlations.
+    /// The required correlations are contradictory.
     Correlations,
     /// No circle has a positive definite covariance for the field.
     Circle,
@@ -26,7 +26,7 @@ impl fmt::Display for Impossible {
         match self {
             Impossible::Samples(words) => f.write_str(words),
             Impossible::Correlations => {
-                f.write_str("no random numbers have all the correlations of [[correlated]]: they contradict one another")
+                f.write_str("the correlations of [[correlated]] contradict one another")
             }
             Impossible::Circle => f.write_str(
                 "this correlation cannot be embedded in a circle: take method = \"karhunen-loeve\", more points, or a \
@@ -38,7 +38,7 @@ impl fmt::Display for Impossible {
 
 impl std::error::Error for Impossible {}
 
-/// The samples of a study, each computed from its number alone.
+/// The samples of a study; each is computed from its index only.
 #[derive(Debug, Clone)]
 pub struct Draws {
     study: StudyFile,
@@ -61,11 +61,11 @@ pub struct Draw {
 }
 
 impl Draws {
-    /// The samples of a study under a plan, which is the file's own or one with another number or seed.
+    /// The samples of a study under a plan: that of the file, or one with another number or seed.
     ///
     /// # Errors
     ///
-    /// What makes samples impossible.
+    /// The reason why samples cannot be drawn.
     pub fn new(study: StudyFile, plan: Plan) -> Result<Self, Impossible> {
         if let Some(problem) = plan.problem() {
             return Err(Impossible::Samples(problem));
@@ -108,7 +108,7 @@ impl Draws {
         self.dimensions
     }
 
-    /// The kept share of the fields' variance; `None` without fields.
+    /// The share of the fields' variance in the kept terms; `None` without fields.
     pub fn variance(&self) -> Option<f64> {
         self.field.as_ref().map(Field::variance)
     }
@@ -134,7 +134,8 @@ impl Draws {
         let (Some(random), Some(field)) = (&self.study.field, &self.field) else {
             return Vec::new();
         };
-        // Term by term: the first numbers, which fill the cube best, take the largest terms of all fields.
+        // Term by term: the first numbers, which are distributed most evenly, belong to the largest terms of
+        // all fields.
         let count = random.of.len();
         let normal: Vec<Vec<f64>> = (0..count)
             .map(|i| field.of(&numbers.iter().skip(i).step_by(count).copied().collect::<Vec<_>>()))

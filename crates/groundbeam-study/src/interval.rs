@@ -16,11 +16,11 @@ pub fn of_counts(low: u64, high: u64, total: u64) -> Interval {
     Interval { bounds: [lower, upper], by: Way::Counts }
 }
 
-/// The odds x/(1 − x) with which at least `count` of `total` samples have something as often as an interval may be wrong
-/// on one side; none if even zero samples do so.
+/// The odds x/(1 − x) at which at least `count` events in `total` samples have the probability of a one-sided
+/// error of the interval; `None` if even zero samples satisfy this.
 ///
-/// A quantile of the beta distribution, found by halving: tails of the binomial distribution are sums of positive terms,
-/// whatever the numbers, where continued fractions stop short of a thousand million samples.
+/// It is a quantile of the beta distribution, found by bisection. The tails of the binomial distribution are
+/// sums of positive terms for any numbers; continued fractions fail from about 10⁹ samples on.
 fn least_odds(count: u64, total: u64) -> Option<f64> {
     if count == 0 {
         return None;
@@ -41,8 +41,8 @@ fn least_odds(count: u64, total: u64) -> Option<f64> {
     }
 }
 
-/// Whether `count` or more of `total` are more probable than `wanted`. Terms are added one by one; the next one is
-/// the last times (total − j) odds / (j + 1).
+/// Whether the probability of `count` or more events in `total` samples exceeds `wanted`. Terms are added one
+/// by one; each is the previous one times (total − j) odds / (j + 1).
 fn exceeds(count: f64, total: f64, odds: f64, wanted: f64) -> bool {
     if count <= total * (odds / (1.0 + odds)) {
         // The count is at most the mean, so at most the median (Kaas and Buhrman, *Stat. Neerl.* 34 (1980)): the
@@ -106,8 +106,9 @@ pub fn of_replicates(values: &[f64]) -> [f64; 2] {
 mod tests {
     use super::*;
 
-    /// The first three are those of `scipy.stats.binomtest(k, n).proportion_ci()`. The others are tails of the
-    /// binomial distribution, summed by mpmath with 30 digits; SciPy 1.17 is wrong in the eighth digit for 1 of 10⁹.
+    /// The first three values are those of `scipy.stats.binomtest(k, n).proportion_ci()`. The others are
+    /// tails of the binomial distribution, summed by mpmath with 30 digits; SciPy 1.17 has an error in the
+    /// eighth digit for 1 of 10⁹.
     #[test]
     fn exact_intervals() {
         for (count, total, low, high) in [

@@ -1,12 +1,12 @@
-//! Studies: one model under many grounds and loads, drawn at random or given, and what follows for probabilities.
+//! Studies: one model under many grounds and loads, random or given, with the resulting probabilities.
 //!
 //! | module | holds |
 //! |---|---|
-//! | [`Draws`] | sample i of a study: its numbers, which depend on the seed and on i alone |
-//! | [`Wanted`], [`Row`] | what is kept of an answer |
-//! | [`run()`] | the samples solved, part by part, and written so that nothing is lost or done twice |
-//! | [`merge()`] | parts and shards put together |
-//! | [`verify()`] | a file of results compared with its checksums |
+//! | [`Draws`] | sample i of a study: its numbers, which depend only on the seed and on i |
+//! | [`Wanted`], [`Row`] | the stored values of a solution |
+//! | [`run()`] | solves the samples part by part, and can be resumed |
+//! | [`merge()`] | merges parts and shards |
+//! | [`verify()`] | compares a file of results with its checksums |
 //! | [`summary()`] | probabilities with their intervals, means and quantiles |
 //!
 //! A study file is read by [`groundbeam_file::study`].

@@ -1,33 +1,33 @@
-//! Progress of a study, reported to a caller who may stop it.
+//! Progress of a study, reported to a caller that may stop it.
 
 use std::ops::ControlFlow;
 
-/// What is being done.
+/// The present stage of the work.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Stage {
-    /// Results that are there are verified against their checksums.
+    /// Existing results are verified against their checksums.
     Verifying,
     /// Samples are solved.
     Solving,
-    /// Parts are put together.
+    /// Parts are merged.
     Merging,
     /// Results are read for the summary.
     Summarizing,
 }
 
-/// How far the work is.
+/// The progress of the work.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Progress {
-    /// What is being done.
+    /// The present stage.
     pub stage: Stage,
-    /// How much of it is: samples that are verified; samples that are solved, those of earlier runs too; samples that are
-    /// put together; columns of groups of samples that are read.
+    /// Amount of work done: samples verified; samples solved, including those of earlier runs; samples
+    /// merged; columns of row groups read.
     pub done: u64,
-    /// How much of it was when the work was begun.
+    /// Amount of work that was done before this run.
     pub before: u64,
-    /// How much there is to be.
+    /// Total amount of work.
     pub of: u64,
 }
 
-/// Is told how far the work is, and may stop it.
+/// A callback that receives the progress and may stop the work.
 pub type Watch<'a> = dyn FnMut(Progress) -> ControlFlow<()> + 'a;

@@ -1,38 +1,38 @@
-//! The row of one answer in the table of results.
+//! One row of the table of results, from one solution.
 
 use groundbeam::{Answer, Error, Existence, Field, Model, Side, Solution, Solver};
 
-/// What is to be kept of every answer.
+/// The values to be stored for every solution.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Wanted {
     /// Positions \[m\].
     pub at: Vec<f64>,
     /// Fields at these positions.
     pub fields: Vec<Field>,
-    /// Fields of which the smallest and the largest value are kept.
+    /// Fields whose smallest and largest values are stored.
     pub extremes: Vec<Field>,
 }
 
-/// How it went, by the numbers that tables of results know it by.
+/// Status of a sample, with its code in tables of results.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[repr(u8)]
 pub enum Status {
-    /// There is an answer, certified.
+    /// A certified solution exists.
     Solved = 0,
-    /// There is no equilibrium.
+    /// No equilibrium exists.
     NoEquilibrium = 1,
-    /// No answer could be certified.
+    /// No solution could be certified.
     NotConverged = 2,
     /// The model was refused.
     Wrong = 3,
 }
 
 impl Status {
-    /// All, by their numbers.
+    /// All statuses, in the order of their codes.
     pub const ALL: [Status; 4] =
         [Status::Solved, Status::NoEquilibrium, Status::NotConverged, Status::Wrong];
 
-    /// The name that results use.
+    /// The name in results.
     pub fn name(self) -> &'static str {
         match self {
             Status::Solved => "solved",
@@ -43,40 +43,41 @@ impl Status {
     }
 }
 
-/// Why there is no answer.
+/// Reason why there is no solution.
 #[derive(Debug, Clone)]
 pub enum Trouble {
-    /// There is no equilibrium.
+    /// No equilibrium exists.
     NoEquilibrium(Existence),
-    /// The model was refused, or no answer was certified.
+    /// The model was refused, or no solution was certified.
     Failed(Error),
 }
 
-/// What is kept of one answer. Where there is none, numbers are not numbers.
+/// The stored values of one sample. Without a solution, numbers are NaN.
 #[derive(Debug, Clone)]
 pub struct Row {
-    /// How it went.
+    /// The status.
     pub status: Status,
-    /// Why there is no answer; none where there is one.
+    /// The reason why there is no solution; `None` if there is one.
     pub trouble: Option<Box<Trouble>>,
     /// The concentrated contact forces under both ends \[N\].
     pub end_forces: [f64; 2],
-    /// The part of the beam that does not touch.
+    /// The fraction of the beam that is not in contact.
     pub lifted_share: f64,
-    /// The certificate's gap, of the strain energy.
+    /// The certificate's gap relative to the strain energy.
     pub relative_gap: f64,
-    /// r(0), r(l) and F(r) of the motion that proves that there is no equilibrium.
+    /// r(0), r(l) and F(r) of the motion that proves that no equilibrium exists.
     pub motion: [f64; 3],
-    /// Where the beam touches \[m\].
+    /// Contact zones \[m\].
     pub contact: Vec<[f64; 2]>,
-    /// Of each wanted field, where it is smallest and how small, where it is largest and how large.
+    /// For each requested field: position and size of the smallest value, position and size of the largest.
     pub extremes: Vec<[f64; 4]>,
-    /// The wanted fields at the wanted positions, field by field.
+    /// The requested fields at the requested positions, field by field.
     pub values: Vec<f64>,
 }
 
 impl Row {
-    /// Solves a model made of a file's, in the memory of the one before. The bits do not depend on what that was.
+    /// Solves a model derived from that of the file, in the memory of the previous solve. The bits do not
+    /// depend on previous solves.
     pub fn solve(model: &Model, wanted: &Wanted, solver: &mut Solver) -> Self {
         match solver.solve(model) {
             Ok(Answer::Equilibrium(solution)) => Row::of(solution, wanted),
@@ -99,7 +100,7 @@ impl Row {
         }
     }
 
-    /// Of an equilibrium. Beyond its ends a beam has no fields, but the ground beside it settles.
+    /// The values of an equilibrium. Outside the beam there are no fields except the settlement.
     fn of(solution: &Solution, wanted: &Wanted) -> Self {
         let ends = solution.end_forces();
         let on_beam = 0.0..=solution.model().beam.length;
@@ -130,14 +131,14 @@ impl Row {
         }
     }
 
-    /// Of a model that has no equilibrium.
+    /// The values for a model without an equilibrium.
     fn without(existence: Existence, wanted: &Wanted) -> Self {
         let motion = existence.verdict.motion().unwrap_or([f64::NAN; 3]);
         let trouble = Trouble::NoEquilibrium(existence);
         Row { motion, ..Self::empty(Status::NoEquilibrium, trouble, wanted) }
     }
 
-    /// Of a model that was refused, or of which no answer was certified.
+    /// The values for a model that was refused or has no certified solution.
     fn failed(error: Error, wanted: &Wanted) -> Self {
         let status = match error {
             Error::NotConverged(_) => Status::NotConverged,

@@ -1,4 +1,4 @@
-//! A study from its first sample to its last, on all processors, part by part; resumable.
+//! Runs a study on all processors, part by part; it can be resumed.
 
 use crate::draws::{Draw, Draws};
 use crate::progress::{Progress, Stage, Watch};
@@ -14,31 +14,31 @@ use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::mpsc::{self, RecvTimeoutError};
 use std::time::{Duration, Instant};
 
-/// A part has at most so many samples, …
+/// Maximum number of samples of a part.
 const MOST_IN_A_PART: u64 = 16_384;
-/// … at least so many, …
+/// Minimum number of samples of a part.
 const FEWEST_IN_A_PART: u64 = 16;
-/// … and is written when it has taken so long, however many it has by then.
+/// Maximum computing time of a part; it is then written with the samples that it has.
 const LONGEST: Duration = Duration::from_secs(2);
-/// Rows become columns while they are at hand.
+/// Number of rows that are converted to columns together.
 const ROWS_AT_ONCE: usize = 64;
-/// How often whoever watches is told how far it is.
+/// Time between two progress reports.
 const BETWEEN_LOOKS: Duration = Duration::from_millis(100);
 
-/// One of several machines that share a study.
+/// The share of one of several machines in a study.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Shard {
-    /// Which one, from 1 on.
+    /// Index of the machine, from 1.
     pub number: u64,
-    /// Of how many.
+    /// Number of machines.
     pub of: u64,
 }
 
 impl Shard {
-    /// A study that is not shared.
+    /// The whole study.
     pub const WHOLE: Shard = Shard { number: 1, of: 1 };
 
-    /// Its samples: consecutive ones, as many as every other shard's but for one.
+    /// Its samples: consecutive ones, with the same number in every shard, or one more or less.
     pub fn samples(self, of: u64) -> Range<u64> {
         let start = |number: u64| {
             let start = u128::from(of) * u128::from(number) / u128::from(self.of);
@@ -48,24 +48,24 @@ impl Shard {
     }
 }
 
-/// How the work ended.
+/// The result of a run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Finished {
-    /// All samples are in the file. How many were solved now.
+    /// All samples are in the file; the number of samples solved in this run.
     Whole(u64),
-    /// It was stopped; what is done waits in parts.
+    /// The run was stopped; the results so far are stored in parts.
     Stopped(Progress),
 }
 
-/// Solves what of a study is not solved yet, and makes one file of it.
+/// Solves the samples of a study that are not solved yet, and writes one file.
 ///
-/// The file depends on the study alone: not on the number of threads (0: as many as there are processors), and not on
-/// how often the work was stopped. `watch` is told how far it is and may stop it; then every sample that is solved is
-/// kept. Whoever kills the process loses the parts under way, two seconds of work.
+/// The file depends on the study only: not on the number of threads (0: one per processor), and not on the
+/// number of interruptions. `watch` receives the progress and may stop the run; then every solved sample is
+/// kept. If the process is killed, at most two seconds of work are lost.
 ///
 /// # Errors
 ///
-/// Files that cannot be read or written, or belong to another study.
+/// A file cannot be read or written, or belongs to another study.
 pub fn run(
     draws: &Draws,
     out: &Path,
@@ -125,31 +125,31 @@ pub fn run(
     }
 }
 
-/// Of the study, its model, the files that the model names, the plan and this version of the program: results with
-/// the same digest are the same.
+/// The digest of the study, its model, the files that the model names, the plan and the version of the
+/// program. Results with the same digest are equal.
 pub fn digest(draws: &Draws) -> String {
     Head::of(draws).get("digest").unwrap_or_default().to_owned()
 }
 
-/// Whether a file holds all results of a shard.
+/// Whether a file contains all results of a shard.
 ///
 /// # Errors
 ///
-/// A file that cannot be read, or holds other results.
+/// The file cannot be read, or contains other results.
 pub fn is_done(draws: &Draws, out: &Path, shard: Shard) -> Result<bool, StoreError> {
     let samples = shard.samples(draws.plan().samples);
     Ok(!Parts::wait(out) && Whole::of(out, &Head::of(draws), &samples)?.is_some())
 }
 
-/// Refuses an output that is a file of the study, or that is no file and could not be read again.
+/// Refuses an output that is a file of the study, or that is not a regular file and could not be read again.
 fn refuse_inputs(draws: &Draws, out: &Path) -> Result<(), StoreError> {
     let wrong = |error: std::io::Error| StoreError::File(out.to_owned(), error.to_string());
     let refused = |what: &str| Err(StoreError::File(out.to_owned(), what.to_owned()));
     let Some(identity) = Identity::of(out).map_err(wrong)? else {
-        return refused("a study keeps its results in a file, not in a device or a pipe");
+        return refused("a study needs a regular file for its results, not a device or a pipe");
     };
     for file in draws.study().files() {
-        // A file that is gone since it was read is no file that the output could replace.
+        // An input file that no longer exists cannot be overwritten by the output.
         if Identity::of(Path::new(&file.name)).is_ok_and(|input| input.as_ref() == Some(&identity))
         {
             return refused("the study reads this file; name another file for its results");
@@ -158,7 +158,7 @@ fn refuse_inputs(draws: &Draws, out: &Path) -> Result<(), StoreError> {
     Ok(())
 }
 
-/// Ranges in pieces of at most a size.
+/// Cuts ranges into pieces of limited size.
 fn cut(ranges: &[Range<u64>], size: u64) -> VecDeque<Range<u64>> {
     let pieces = |range: &Range<u64>| {
         let end = range.end;
@@ -168,7 +168,7 @@ fn cut(ranges: &[Range<u64>], size: u64) -> VecDeque<Range<u64>> {
     ranges.iter().flat_map(pieces).collect()
 }
 
-/// What the threads share.
+/// The data shared by the threads.
 struct Work<'a> {
     draws: &'a Draws,
     table: &'a Table,
@@ -179,7 +179,7 @@ struct Work<'a> {
 }
 
 impl Work<'_> {
-    /// Does it on so many threads.
+    /// Runs the work on this number of threads.
     fn on(
         &self,
         threads: usize,
@@ -194,7 +194,7 @@ impl Work<'_> {
                     if result.is_err() {
                         self.stop.store(true, Ordering::Relaxed);
                     }
-                    // The watcher waits for all of them.
+                    // The watcher waits for all threads.
                     let _ = say.send(result);
                 });
             }
@@ -217,7 +217,7 @@ impl Work<'_> {
         })
     }
 
-    /// Does one piece after another.
+    /// Works on one piece after another.
     fn thread(&self) -> Result<(), StoreError> {
         let mut solver = Solver::new();
         let next = || self.todo.lock().ok().and_then(|mut todo| todo.pop_front());

@@ -1,23 +1,24 @@
-//! Mean, deviation, quantiles and histogram of numbers that pass by three times, in memory that does not grow with them.
+//! Mean, deviation, quantiles and histogram of numbers, in three passes with bounded memory.
 //!
-//! First mean, deviation and range ([`Moments`]); then how many lie in each of many equal parts of the range
-//! ([`Counted`]); then of the few parts that hold a quantile the numbers themselves ([`Ranked`]). Nothing is approximate.
+//! The first pass gives mean, deviation and range ([`Moments`]). The second counts the numbers in many equal
+//! parts of the range ([`Counted`]). The third collects the numbers in the few parts that contain a quantile
+//! ([`Ranked`]). The results are exact.
 
 use std::collections::BTreeMap;
 
-/// So many parts a range is cut into: of each number of [`HISTOGRAMS`] a multiple.
+/// Number of parts of a range; a multiple of each number of [`HISTOGRAMS`].
 const PARTS: usize = 20_480;
-/// A histogram has one of these numbers of parts.
+/// Possible numbers of parts of a histogram.
 const HISTOGRAMS: [usize; 10] = [1, 2, 4, 5, 8, 10, 16, 20, 32, 40];
-/// The quantiles that are told, and the quartiles.
+/// The reported quantiles, and the quartiles.
 const QUANTILES: [f64; 7] = [0.0, 0.05, 0.5, 0.95, 1.0, 0.25, 0.75];
 
-/// What the first pass finds. What is not a number is not counted.
+/// The result of the first pass. NaN is not counted.
 #[derive(Debug, Clone, Copy)]
 pub struct Moments {
     count: u64,
     mean: f64,
-    /// Of the differences from the mean.
+    /// Sum of squares of the differences from the mean.
     squares: f64,
     range: [f64; 2],
 }
@@ -39,12 +40,12 @@ impl Moments {
         self.range = [self.range[0].min(value), self.range[1].max(value)];
     }
 
-    /// The largest of them; none without any.
+    /// The largest number; `None` if there are none.
     pub fn largest(&self) -> Option<f64> {
         (self.count > 0).then_some(self.range[1])
     }
 
-    /// Ready for the second pass; none if there was no number.
+    /// The start of the second pass; `None` if there are no numbers.
     pub fn counted(self) -> Option<Counted> {
         (self.count > 0).then(|| Counted { moments: self, parts: vec![Part::EMPTY; PARTS] })
     }
@@ -61,7 +62,7 @@ impl Part {
     const EMPTY: Part = Part { count: 0, range: [f64::INFINITY, f64::NEG_INFINITY] };
 }
 
-/// What the second pass finds.
+/// The result of the second pass.
 #[derive(Debug, Clone)]
 pub struct Counted {
     moments: Moments,
@@ -69,11 +70,11 @@ pub struct Counted {
 }
 
 impl Counted {
-    /// The part in which a number lies: the larger the number the later.
+    /// The part that contains a number; it increases with the number.
     fn part(&self, value: f64) -> usize {
         let [from, to] = self.moments.range;
         let place = (value - from) / (to - from) * PARTS as f64;
-        // All are the same: the first.
+        // If all numbers are equal, they belong to the first part.
         if place > 0.0 { (place as usize).min(PARTS - 1) } else { 0 }
     }
 
@@ -87,7 +88,7 @@ impl Counted {
         *range = [range[0].min(value), range[1].max(value)];
     }
 
-    /// Ready for the third pass.
+    /// The start of the third pass.
     pub fn ranked(self) -> Ranked {
         let mut kept = BTreeMap::new();
         for rank in QUANTILES.into_iter().flat_map(|part| self.ranks(part).0) {
@@ -100,8 +101,7 @@ impl Counted {
         Ranked { counted: self, kept }
     }
 
-    /// Between which of the numbers in their order a quantile lies, and how far from the first to the second: Hyndman
-    /// and Fan's type 7.
+    /// The two ranks between which a quantile lies, and its fraction of the way: Hyndman and Fan's type 7.
     fn ranks(&self, part: f64) -> ([u64; 2], f64) {
         let last = self.moments.count - 1;
         let place = part * last as f64;
@@ -109,7 +109,7 @@ impl Counted {
         ([below, (below + 1).min(last)], place - place.floor())
     }
 
-    /// The part that holds a number by its place in their order, and that place within the part.
+    /// The part that contains the number of this rank, and its rank within the part.
     fn part_of(&self, rank: u64) -> (usize, u64) {
         let mut before = 0;
         for (i, part) in self.parts.iter().enumerate() {
@@ -122,15 +122,15 @@ impl Counted {
     }
 }
 
-/// What the third pass finds.
+/// The result of the third pass.
 #[derive(Debug, Clone)]
 pub struct Ranked {
     counted: Counted,
-    /// The numbers in parts that hold a quantile.
+    /// The numbers in parts that contain a quantile.
     kept: BTreeMap<usize, Vec<f64>>,
 }
 
-/// What is told of numbers.
+/// The reported statistics.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Statistics {
     pub mean: f64,
@@ -171,8 +171,9 @@ impl Ranked {
         below + between * (above - below)
     }
 
-    /// As many equal parts as Freedman and Diaconis advise, *Z. Wahrscheinlichkeitstheorie* 57 (1981): each twice the
-    /// distance of the quartiles over the cube root of the count.
+    /// The number of equal parts recommended by Freedman and Diaconis, *Z. Wahrscheinlichkeitstheorie* 57
+    /// (1981): the width of a part is twice the distance of the quartiles divided by the cube root of the
+    /// count.
     fn histogram(&self, [lower, upper]: [f64; 2]) -> Vec<u64> {
         let Moments { count, range: [least, most], .. } = self.counted.moments;
         let width = 2.0 * (upper - lower) / (count as f64).cbrt();
@@ -180,7 +181,7 @@ impl Ranked {
         let advised = match (least < most, width > 0.0) {
             (false, _) => 1.0,
             (true, true) => (most - least) / width,
-            // Where most are the same, as in a share that is zero, quartiles tell nothing.
+            // If most numbers are equal, for example zero, the quartiles coincide and are not used.
             (true, false) => finest as f64,
         };
         let parts = HISTOGRAMS.into_iter().find(|parts| *parts as f64 >= advised).unwrap_or(finest);
@@ -203,7 +204,7 @@ mod tests {
         Some(ranked.finish())
     }
 
-    /// Against sorting all of them; numbers far apart, many of them equal, and some that are not there.
+    /// Compares with sorting, for widely different numbers, many of them equal, and some NaN.
     #[test]
     fn quantiles_are_those_of_the_sorted_numbers() {
         let mut seed = 1_u64;

@@ -41,7 +41,7 @@ impl Symmetric {
     /// All eigenvalues and eigenvectors: reflections make the matrix tridiagonal, rotations make it diagonal (Golub and
     /// Van Loan, *Matrix computations*, 4th edition, algorithms 8.3.1 and 8.3.3).
     ///
-    /// Eigenvalues are right to a few roundings of the largest.
+    /// The error of the eigenvalues is a few units of rounding of the largest one.
     pub fn eigen(mut self) -> Eigen {
         // Scaled so that squares of small entries do not underflow.
         let entries = self.rows.iter().flatten();

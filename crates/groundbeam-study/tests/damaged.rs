@@ -235,6 +235,6 @@ fn results_follow_links_and_need_a_file() {
     assert!(merged.is_symlink());
     assert_eq!(fs::read(folder.join("data-2")).unwrap(), fs::read(&target).unwrap());
     let message = finish(&draws, Path::new("/dev/null")).unwrap_err().to_string();
-    assert!(message.contains("not in a device or a pipe"), "{message}");
+    assert!(message.contains("not a device or a pipe"), "{message}");
     merge(&[link], Path::new("/dev/null"), &mut never).unwrap();
 }

@@ -28,7 +28,7 @@ impl Cancel {
         Cancel(Some(Arc::default()))
     }
 
-    /// Sets the flag, for all clones and for ever.
+    /// Sets the flag permanently, for all clones.
     pub fn cancel(&self) {
         if let Some(flag) = &self.0 {
             flag.store(true, Ordering::Relaxed);

@@ -5,15 +5,15 @@ use crate::numeric::tolerance;
 use crate::options::Method;
 use std::fmt;
 
-/// Why there is no answer.
+/// Reason why a solve has no result.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum Error {
-    /// The model is wrong; every [`Problem`] says what would be right.
+    /// The model is invalid; every [`Problem`] names a remedy.
     Invalid(Vec<Problem>),
-    /// The model is right but lies outside what is solved; the problem says why.
+    /// The model is valid but not supported; the problem names the reason.
     Unsupported(Problem),
-    /// The model is right but needs more memory than [`Options::memory_limit`](crate::Options::memory_limit).
+    /// The model is valid but needs more memory than [`Options::memory_limit`](crate::Options::memory_limit).
     TooLarge(Box<TooLarge>),
     /// The method stopped without an accepted solution.
     NotConverged(Stopped),
@@ -24,13 +24,14 @@ pub enum Error {
 /// A model that would need more memory than the limit.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TooLarge {
-    /// The same in words, with what helps.
+    /// The problem as text, with a remedy.
     pub problem: Problem,
-    /// Elements of the mesh; of the exact method elements between edges of contact, at most.
+    /// Number of elements of the mesh; for the exact method an upper bound of the elements between edges of
+    /// contact.
     pub elements: usize,
     /// The estimated memory \[bytes\].
     pub needed: u64,
-    /// The limit that was given \[bytes\].
+    /// The memory limit \[bytes\].
     pub limit: u64,
 }
 
@@ -39,21 +40,21 @@ pub struct TooLarge {
 pub struct Stopped {
     /// The method.
     pub method: Method,
-    /// Iterations done.
+    /// Number of iterations.
     pub iterations: usize,
-    /// Why it stopped.
+    /// The reason.
     pub why: NotConverged,
 }
 
-/// Why a method stopped without an accepted solution. All figures are relative.
+/// Reason why a method stopped without an accepted solution. All figures are relative.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum NotConverged {
-    /// The energy of the mesh problem can still fall by this part of the strain energy.
+    /// The remaining decrease of the energy of the mesh problem, relative to the strain energy.
     Energy(f64),
     /// The residual of the contact condition (5.10) after the last sweep of Uzawa's iteration or of PSOR.
     Sweeps(f64),
-    /// The last move of a contact edge, as a part of the beam's length.
+    /// The last displacement of a contact edge, as a fraction of the beam's length.
     Edges(f64),
     /// The bonded system of a trial contact is singular: the beam is a mechanism on it.
     Singular,
@@ -61,23 +62,23 @@ pub enum NotConverged {
     Nodes,
     /// The set of active one-way supports still changes.
     Supports,
-    /// The stability margin at which the path of equilibria under compression was lost.
+    /// The stability margin at which the path of equilibria under compression ended.
     Branch(f64),
     /// The relative gap of the certificate at the factor of first lift-off.
     LiftOff(f64),
     /// The last change of the rate r = ∫u'²/∫u² of layered soil, from one solution to the next.
     Soil(f64),
-    /// The relative gap of the certificate, where it is the rounding error of loads that cancel each other.
+    /// The relative gap of the certificate, if it is the rounding error of loads that cancel each other.
     CancellingLoads(f64),
     /// The relative gap of the certificate.
     Gap(f64),
 }
 
 impl NotConverged {
-    /// The quantity that did not reach its tolerance, in words.
+    /// Description of the quantity that did not reach its tolerance.
     pub fn what(&self) -> &'static str {
         match self {
-            NotConverged::Energy(_) => "the decrease of the energy that is left",
+            NotConverged::Energy(_) => "the remaining decrease of the energy",
             NotConverged::Sweeps(_) => "the relative residual of the contact condition (5.10)",
             NotConverged::Edges(_) => {
                 "the last move of a contact edge relative to the beam's length"
@@ -95,7 +96,7 @@ impl NotConverged {
         }
     }
 
-    /// The value reached; `None` where the quantity is not a number.
+    /// The value reached; `None` if the quantity is not a number.
     pub fn reached(&self) -> Option<f64> {
         match *self {
             NotConverged::Singular | NotConverged::Nodes | NotConverged::Supports => None,
@@ -110,7 +111,7 @@ impl NotConverged {
         }
     }
 
-    /// The tolerance of that value; `None` where the quantity is not a number.
+    /// The tolerance of that value; `None` if the quantity is not a number.
     pub fn tolerance(&self) -> Option<f64> {
         match self {
             NotConverged::Singular | NotConverged::Nodes | NotConverged::Supports => None,
@@ -182,7 +183,7 @@ mod tests {
     use crate::model::problem::Bytes;
     use crate::model::{Beam, Foundation, Model, Part};
 
-    /// Every variant, with a figure that a solve may leave.
+    /// Every variant, with the given figure.
     fn all(figure: f64) -> Vec<NotConverged> {
         let all = vec![
             NotConverged::Energy(figure),
@@ -197,7 +198,7 @@ mod tests {
             NotConverged::CancellingLoads(figure),
             NotConverged::Gap(figure),
         ];
-        // A new variant has a number here, and then an entry above.
+        // A new variant needs a number here and an entry above.
         let number = |why: &NotConverged| match why {
             NotConverged::Energy(_) => 0,
             NotConverged::Sweeps(_) => 1,
@@ -224,7 +225,7 @@ mod tests {
     #[test]
     fn every_end_of_an_iteration_has_its_message() {
         let expected = "\
-the method `uzawa` stopped after 7 iterations: the decrease of the energy that is left is 1.2e-3; the tolerance is 1.0e-15
+the method `uzawa` stopped after 7 iterations: the remaining decrease of the energy is 1.2e-3; the tolerance is 1.0e-15
 the method `uzawa` stopped after 7 iterations: the relative residual of the contact condition (5.10) is 1.2e-3; the tolerance is 1.0e-11
 the method `uzawa` stopped after 7 iterations: the last move of a contact edge relative to the beam's length is 1.2e-3; the tolerance is 1.0e-12
 the method `uzawa` stopped after 7 iterations: the beam is a mechanism on a trial contact

@@ -1,12 +1,11 @@
-//! Beams on ground that pushes but does not pull.
+//! Beams in unilateral contact with the ground.
 //!
-//! The unilateral contact of a bending beam with a Pasternak foundation, solved exactly and with proof.
+//! The unilateral contact of a bending beam with a Pasternak foundation, with exact and proven solutions.
 //!
 #![doc = include_str!("../problem.md")]
 //!
-//! [`solve()`] takes a [`Model`] and says what mechanics says: an [`Outcome`] that is either a [`Solution`]
-//! with its [`Certificate`], or no equilibrium, with the [`RigidMotion`] that proves it. What is wrong with
-//! a model is an [`Error`].
+//! [`solve()`] takes a [`Model`] and returns an [`Outcome`]: a [`Solution`] with its [`Certificate`], or no
+//! equilibrium, with the [`RigidMotion`] that proves it. An invalid model gives an [`Error`].
 //!
 //! ```
 //! use groundbeam::{Beam, Field, Foundation, Load, Model, Outcome, solve};

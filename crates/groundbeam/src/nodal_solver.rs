@@ -15,7 +15,7 @@ use crate::options::{Method, Options};
 use crate::solve::exists;
 use crate::supported::{self, Way};
 
-/// Solves on meshes, again and again in the same memory.
+/// A solver on meshes that reuses its memory.
 #[derive(Debug, Clone, Default)]
 pub struct NodalSolver {
     workspace: Workspace,
@@ -23,18 +23,17 @@ pub struct NodalSolver {
 }
 
 impl NodalSolver {
-    /// One that has not solved anything yet.
+    /// A solver without a previous solution.
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// Solves the contact problem on about `elements` elements, equal between any two places of the
-    /// model. Nothing is written if the verdict is that there is no equilibrium; what is written beside an error
-    /// is no answer.
+    /// Solves the contact problem on about `elements` elements, equal between any two places of the model. If
+    /// no equilibrium exists, nothing is written; after an error the content of `into` is undefined.
     ///
     /// # Errors
     ///
-    /// As [`solve`](crate::solve()); and [`Error::Unsupported`] for a feature that values at nodes do not
+    /// As [`solve`](crate::solve()); and [`Error::Unsupported`] for a feature that the nodal method does not
     /// [support](crate::supported).
     pub fn solve_into(
         &mut self,
@@ -45,7 +44,7 @@ impl NodalSolver {
         self.where_it_stands(model, elements, |solver| solver.search(model, elements, into))
     }
 
-    /// Solves if there is an equilibrium.
+    /// Solves the model if an equilibrium exists.
     fn where_it_stands(
         &mut self,
         model: &Model,
@@ -59,7 +58,7 @@ impl NodalSolver {
         Ok(existence)
     }
 
-    /// From coarse grids to the one that is wanted.
+    /// Solves on grids from coarse ones to the required one.
     fn search(
         &mut self,
         model: &Model,
@@ -68,14 +67,14 @@ impl NodalSolver {
     ) -> Result<(), Error> {
         levels::grids(model, elements.max(1), Ground::Nodal, &mut self.grids);
         let (workspace, grids) = (&mut self.workspace, &self.grids);
-        // Coarse grids in memory of their own: that of the answer keeps its length.
+        // Coarse grids use separate memory, so the memory of the result keeps its length.
         let found = workspace.approach(grids, newton::ANSWER);
         found.map_err(|Loose| stalled(workspace.work.solves))?;
         self.finish(model, into)
     }
 
-    /// The same from a neighbour: `into` holds the answer for a model not far from this one. On as many nodes,
-    /// its contact is where the search begins, and no coarser grid is needed.
+    /// Solves from a neighbouring solution: `into` holds the solution of a similar model. If the number of
+    /// nodes is the same, its contact is the start, and no coarser grid is needed.
     ///
     /// # Errors
     ///
@@ -89,7 +88,7 @@ impl NodalSolver {
         self.where_it_stands(model, elements, |solver| solver.search_near(model, elements, into))
     }
 
-    /// From the contact of the answer that `into` holds, or else from coarse grids.
+    /// Starts from the contact in `into`, or otherwise from coarse grids.
     fn search_near(
         &mut self,
         model: &Model,
@@ -107,7 +106,7 @@ impl NodalSolver {
         self.finish(model, into).or_else(|_| self.search(model, elements, into))
     }
 
-    /// The answer on the last grid, from a guess at its contact.
+    /// The solution on the last grid, from an initial guess of its contact.
     fn finish(&mut self, model: &Model, into: &mut NodalSolution) -> Result<(), Error> {
         let workspace = &mut self.workspace;
         let swapped = |workspace: &mut Workspace, into: &mut NodalSolution| {
@@ -133,8 +132,8 @@ impl NodalSolver {
         if check.holds() { Ok(()) } else { Err(stalled(into.work.solves)) }
     }
 
-    /// The beam bonded to the ground at every node, pulls and all: one sweep from each end. What the ground
-    /// pulls is not checked, and the settlement is that of the beam.
+    /// The beam bonded to the ground at every node, also in tension: one sweep from each end. Tensile forces
+    /// are not checked, and the settlement is that of the beam.
     ///
     /// # Errors
     ///
@@ -177,7 +176,7 @@ pub(crate) fn checked(model: &Model, elements: usize) -> Result<Existence, Error
     Ok(existence)
 }
 
-/// u at every node: ψ where the beam touches, the open ground's own elsewhere.
+/// u at every node: ψ in contact, otherwise the solution of the open ground.
 pub(crate) fn settle_ground(grid: &Grid, into: &mut NodalSolution) {
     let NodalSolution { deflection, settlement, contact, .. } = into;
     settlement.resize(grid.last() + 1, 0.0);

@@ -2,18 +2,18 @@
 
 use crate::cancel::Cancel;
 
-/// How the contact pressure is represented.
+/// The representation of the contact pressure.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Pressure {
-    /// Spread over the stretches of contact, with concentrated forces only where mechanics has them.
+    /// Distributed over the contact zones, with concentrated forces where the theory requires them.
     #[default]
     Distributed,
-    /// Forces at the nodes, (5.5): the paper's choice. It needs a shear layer, and is right only while
-    /// b·h is small.
+    /// Forces at the nodes, (5.5), as in the paper. It needs a shear layer, and is accurate only if b·h is
+    /// small.
     Dirac,
 }
 
-/// How the contact problem is solved.
+/// The method of solution.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Method {
     /// Closed forms between the edges of contact, which are the unknowns. No mesh.
@@ -42,24 +42,24 @@ impl Method {
     }
 }
 
-/// Choices for [`solve_with`](crate::solve_with). The default needs none.
+/// Options of [`solve_with`](crate::solve_with), with defaults for all.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Options {
-    /// How to solve.
+    /// The method.
     pub method: Method,
-    /// Equal elements along the beam for the methods with a mesh; more are added where the model needs a
-    /// node. Not used by [`Method::Exact`].
+    /// Number of equal elements along the beam for the methods with a mesh; the model adds nodes where it
+    /// needs them. [`Method::Exact`] ignores it.
     pub elements: usize,
-    /// How the mesh represents the contact pressure. `Uzawa` and `Psor` are always [`Pressure::Dirac`].
+    /// The representation of the contact pressure on a mesh. `Uzawa` and `Psor` always use
+    /// [`Pressure::Dirac`].
     pub pressure: Pressure,
-    /// Where `Uzawa` and `Psor` begin.
+    /// The start of `Uzawa` and `Psor`.
     pub start: Start,
-    /// Sweeps after which `Uzawa` and `Psor` give up.
+    /// Maximum number of sweeps of `Uzawa` and `Psor`.
     pub most_sweeps: usize,
-    /// The memory that a solve may need \[bytes\], by [estimate](crate::memory_estimate()); a model that needs more is
-    /// refused.
+    /// The memory limit \[bytes\]; a model whose [estimate](crate::memory_estimate()) exceeds it is refused.
     pub memory_limit: u64,
-    /// Stops the solve.
+    /// A flag that stops the solve.
     pub cancel: Cancel,
 }
 
@@ -80,9 +80,9 @@ impl Default for Options {
 /// The first pressure of Uzawa's iteration, (5.15).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Start {
-    /// The pressure of the bilateral problem, its pulls left out.
+    /// The pressure of the bilateral problem, without its tensile part.
     #[default]
     Bilateral,
-    /// None.
+    /// Zero.
     Zero,
 }

@@ -3,12 +3,12 @@
 use crate::existence::verdict::Existence;
 use crate::solution::solution::Solution;
 
-/// What mechanics says.
+/// The outcome of a solve.
 #[derive(Debug, Clone)]
 pub enum Outcome {
-    /// An equilibrium, certified.
+    /// An equilibrium with its certificate.
     Equilibrium(Box<Solution>),
-    /// There is none, or in compression none next to the unloaded state. The verdict holds the motion that
-    /// shows it.
+    /// No equilibrium exists, or in compression none next to the unloaded state. The verdict contains the
+    /// motion that proves it.
     NoEquilibrium(Existence),
 }

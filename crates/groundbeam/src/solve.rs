@@ -45,9 +45,9 @@ pub fn solve_with(model: &Model, options: &Options) -> Result<Outcome, Error> {
     solve_near(model, options, None)
 }
 
-/// Solves a model of which a near one's solution is known: a load was moved or grew, the ground changed. The exact
-/// method begins at the contact found for that one, and takes fewer steps. The same is proven of the answer, whose last
-/// digits may be others.
+/// Solves a model from the solution of a similar one: a load has moved or increased, or the ground has
+/// changed. The exact method starts from the contact of the similar model, and needs fewer steps. The same is
+/// proven of the solution, but its last digits may differ.
 ///
 /// # Errors
 ///
@@ -61,7 +61,7 @@ pub fn solve_near(
     solve_in(model, options, likely.as_deref(), &mut Workspace::default())
 }
 
-/// Solves in the memory of a workspace; the exact method from the contact that is likely.
+/// Solves in the memory of a workspace; the exact method starts from the given contact.
 pub(crate) fn solve_in(
     model: &Model,
     options: &Options,
@@ -76,7 +76,7 @@ pub(crate) fn solve_in(
             soil::solve(soil, model, options.method, on_given)
         }
     };
-    // Whatever a cancelled solve came to in the steps that it did not finish, it is no answer.
+    // The result of a cancelled solve may come from unfinished steps, so it is discarded.
     if options.cancel.is_cancelled() { Err(Error::Cancelled) } else { outcome }
 }
 
@@ -104,7 +104,7 @@ fn uncancelled(
     Ok(Outcome::Equilibrium(Box::new(solution)))
 }
 
-/// The equilibrium of a convex energy, on supports that act in both directions.
+/// The equilibrium of a convex energy, with two-way supports.
 fn solve_convex(
     model: &Model,
     options: &Options,
@@ -119,7 +119,7 @@ fn solve_convex(
     Ok(Solution::new(candidate, certificate, existence, options.method, found.history))
 }
 
-/// The same on supports some of which act in one direction.
+/// The same with one-way supports.
 fn solve_one_way(
     model: &Model,
     options: &Options,
@@ -142,7 +142,7 @@ fn solve_one_way(
     Ok(Solution::new(candidate, certificate, checked.existence, options.method, history))
 }
 
-/// The local equilibrium that was found on the path of growing compression, with its last digits.
+/// The local equilibrium found on the path of increasing compression, solved to its last digits.
 fn solve_local(
     model: &Model,
     options: &Options,
@@ -153,7 +153,7 @@ fn solve_local(
     let Assessment { existence, stability, .. } = *checked;
     let method = options.method;
     supported::check(model, Way::of(options), true)?;
-    // The supports that act are known.
+    // The active supports are known.
     let held = state.on_active_supports(model);
     let mut judged = Judged::new(&held, stability, workspace);
     let found =
@@ -167,7 +167,7 @@ fn solve_local(
     Ok(Solution::new(candidate, certificate, existence, method, found.history))
 }
 
-/// The candidate that was judged last, with its certificate.
+/// The candidate checked last, with its certificate.
 struct Judged<'a> {
     model: &'a Model,
     stability: f64,
@@ -190,7 +190,7 @@ impl<'a> Judged<'a> {
         certificate.relative_gap()
     }
 
-    /// The one judged last. The exact method has had its answer judged; those on a mesh have not.
+    /// The candidate checked last. The exact method has checked its result; the methods with a mesh have not.
     fn last(mut self, found: &ContactState) -> (Candidate, Certificate) {
         self.last.take().unwrap_or_else(|| self.certified(found))
     }
@@ -202,16 +202,16 @@ impl<'a> Judged<'a> {
     }
 }
 
-/// Tells whether an equilibrium exists, without solving but where compression makes it a local one.
+/// Decides whether an equilibrium exists. It solves only in compression that makes the equilibrium local.
 ///
 /// # Errors
 ///
-/// As [`solve`], but [`Error::NotConverged`] only for compression that the ground must help to bear.
+/// As [`solve`], but [`Error::NotConverged`] only for compression that the ground helps to carry.
 pub fn exists(model: &Model) -> Result<Existence, Error> {
     Ok(check(model, &Options::default())?.existence)
 }
 
-/// Refuses a model that is wrong, and tells what its equilibrium is like.
+/// Refuses an invalid model, and returns the assessment before the solve.
 pub(crate) fn check(model: &Model, options: &Options) -> Result<Assessment, Error> {
     refuse_invalid(model)?;
     let model = &*model.on_given_ground();
@@ -270,7 +270,7 @@ fn find(
     }
 }
 
-/// The exact method. A beam that may turn without resistance has one of its equilibria.
+/// The exact method. For a beam that may rotate without resistance it returns one of the equilibria.
 fn find_exactly(
     model: &Model,
     existence: Existence,
@@ -300,14 +300,14 @@ fn not_converged(method: Method, stalled: Unconverged) -> Error {
     Error::NotConverged(Stopped { method, iterations, why })
 }
 
-/// Whether a free beam's resultant is exactly over one end and pushes down.
+/// Whether the resultant of a free beam is exactly over one end and acts downward.
 fn stands_on_an_end(model: &Model, existence: Existence) -> bool {
     let free = model.supports.is_empty() && model.beam.axial_force == 0.0;
     let one_piece = model.hinges.iter().all(|hinge| !hinge.is_free());
     free && one_piece && existence.resultant() > 0.0
 }
 
-/// A solution leaves the library only with a certificate that holds.
+/// Refuses a solution whose certificate does not hold.
 fn certified(solution: &Solution, options: &Options) -> Result<(), Error> {
     let certificate = solution.certificate();
     let not = |why| {
@@ -315,7 +315,7 @@ fn certified(solution: &Solution, options: &Options) -> Result<(), Error> {
         Err(Error::NotConverged(Stopped { method: options.method, iterations, why }))
     };
     let gap = certificate.relative_gap();
-    // A mesh method has solved its discrete problem: its gap is that of the mesh.
+    // The gap of a mesh method depends on its mesh.
     let limit = if options.method == Method::Exact { GAP } else { f64::MAX };
     if gap <= limit {
         Ok(())
@@ -390,7 +390,7 @@ mod tests {
         }
     }
 
-    /// Each loop ends at once, long before the end of the solve that would turn its result into an error.
+    /// Each loop stops at once, long before the solve would end and discard its result.
     #[test]
     fn every_loop_looks_at_the_flag() {
         let (model, never, now) = (long(), Cancel::default(), cancelled());

@@ -9,7 +9,7 @@ use crate::solution::candidate::{Candidate, Workspace};
 use crate::solution::solution::Solution;
 use crate::solve::solve_in;
 
-/// Solves one model after another by the exact method, each in the memory of the one before.
+/// Solves a series of models by the exact method, with reuse of memory.
 ///
 /// ```
 /// use groundbeam::{Answer, Beam, Foundation, Load, Model, Solver};
@@ -33,7 +33,7 @@ use crate::solve::solve_in;
 /// ```
 #[derive(Debug, Clone, Default)]
 pub struct Solver {
-    /// The last solution; none if the last model had none.
+    /// The last solution; `None` if the last model had none.
     last: Option<Box<Solution>>,
     workspace: Workspace,
     options: Options,
@@ -42,24 +42,24 @@ pub struct Solver {
 /// The outcome of a solve, borrowed from the [`Solver`].
 #[derive(Debug, Clone, Copy)]
 pub enum Answer<'a> {
-    /// An equilibrium, certified.
+    /// An equilibrium with its certificate.
     Equilibrium(&'a Solution),
-    /// There is none. The verdict holds the motion that shows it.
+    /// No equilibrium exists. The verdict contains the motion that proves it.
     NoEquilibrium(Existence),
 }
 
 impl Solver {
-    /// One that has not solved anything yet.
+    /// A solver without a previous solution.
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// One that solves with these options.
+    /// A solver with these options.
     pub fn with_options(options: Options) -> Self {
         Solver { options, ..Self::default() }
     }
 
-    /// Solves a model as [`solve`](crate::solve()) does, to the same bits, whatever was solved before.
+    /// Solves a model like [`solve`](crate::solve()), with the same bits, independent of previous solves.
     ///
     /// # Errors
     ///
@@ -68,9 +68,9 @@ impl Solver {
         self.solve_from(model, false)
     }
 
-    /// Solves a model that is little different from the one before: a load was moved or grew, the ground
-    /// changed. The steps begin at the contact found for that one, and are fewer. The same is proven of the
-    /// answer, whose last digits may be others.
+    /// Solves a model that is similar to the previous one: a load has moved or increased, or the ground has
+    /// changed. The iteration starts from the previous contact and needs fewer steps. The same is proven of
+    /// the solution, but its last digits may differ.
     ///
     /// # Errors
     ///
@@ -79,7 +79,7 @@ impl Solver {
         self.solve_from(model, true)
     }
 
-    /// The last solution, to keep; none if the last model had none.
+    /// Takes the last solution; `None` if the last model had none.
     pub fn take(&mut self) -> Option<Box<Solution>> {
         self.last.take()
     }
@@ -133,7 +133,7 @@ mod tests {
     fn the_next_answer_is_as_good_and_takes_fewer_steps() {
         let mut solver = Solver::new();
         let [mut anew, mut next] = [0; 2];
-        // Down to full contact and up again.
+        // Decreases the load to full contact and increases it again.
         for i in (0..40).chain((0..40).rev()) {
             let model = footing(0.49 - 0.005 * f64::from(i));
             let Ok(Outcome::Equilibrium(alone)) = solve(&model) else { panic!() };

@@ -41,7 +41,7 @@ impl Way {
         Way::LoadFactors,
     ];
 
-    /// The way that options ask for.
+    /// The way for these options.
     pub(crate) fn of(options: &Options) -> Self {
         match (options.method, options.pressure) {
             (Method::Exact, _) => Way::Exact,
@@ -72,7 +72,7 @@ pub enum Feature {
 }
 
 impl Feature {
-    /// All features, in the order of the table's rows, in which they are also looked for.
+    /// All features, in the order of the table's rows; checks use the same order.
     pub const ALL: [Feature; 7] = [
         Feature::LocalEquilibrium,
         Feature::NoShearLayer,
@@ -83,7 +83,8 @@ impl Feature {
         Feature::Varying,
     ];
 
-    /// The row of the table: by the order of [`Way::ALL`], why the way refuses the feature; `None` where it supports it.
+    /// A row of the table: for each way in [`Way::ALL`], the refusal of the feature; `None` if the way
+    /// supports it.
     const fn row(self) -> [Option<&'static Refusal>; 6] {
         use refused::*;
         let yes = None;
@@ -112,8 +113,8 @@ impl Feature {
         }
     }
 
-    /// The part of a model that has the feature, and the field of that part. A local equilibrium is known from
-    /// `is_local` alone.
+    /// The part of a model that has the feature, and the field of that part. A local equilibrium is indicated
+    /// by `is_local`.
     fn of(self, model: &Model, is_local: bool) -> Option<(Part, &'static str)> {
         match self {
             Feature::LocalEquilibrium => is_local.then_some((Part::Beam, "axial_force")),
@@ -139,7 +140,7 @@ impl Feature {
     }
 }
 
-/// The code of the error with which a way refuses a feature; `None` where it supports the feature.
+/// The code of the error with which a way refuses a feature; `None` if it supports the feature.
 pub fn refusal(feature: Feature, way: Way) -> Option<&'static str> {
     feature.row()[way as usize].map(|refusal| refusal.code)
 }
@@ -170,7 +171,7 @@ fn without_shear_layer(model: &Model) -> Option<Part> {
 mod tests {
     use super::*;
 
-    /// A way is its own column, and the exact method supports everything.
+    /// Each way has its own column, and the exact method supports everything.
     #[test]
     fn the_table_has_a_column_for_each_way() {
         for (column, way) in Way::ALL.into_iter().enumerate() {

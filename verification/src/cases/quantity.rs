@@ -98,7 +98,7 @@ impl Quantity {
                 let field = Field::named(what).ok_or_else(unknown)?;
                 let (side, text) = match (inside.strip_prefix("left of "), field) {
                     (Some(text), _) => (Side::Left, text),
-                    // The ground extends beyond the beam.
+                    // The settlement exists outside the beam too.
                     (None, Field::Settlement) => {
                         return Ok(Quantity::Settlement(position(inside)?));
                     }

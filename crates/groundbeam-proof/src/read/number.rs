@@ -122,7 +122,7 @@ impl Decimal {
         self
     }
 
-    /// As a text of digits and a power of ten.
+    /// The number as text: digits and a power of ten.
     pub fn text(&self) -> String {
         let sign = if self.negative { "-" } else { "" };
         match self.is_zero() {

@@ -32,7 +32,7 @@ class Along:
 
 
 class Points(Along):
-    """Values at even points from end to end, with straight lines between them."""
+    """Values at equally spaced points from end to end, linear between them."""
 
 
 class Steps(Along):

@@ -53,7 +53,7 @@ class Batch(Mapping[str, Array]):
     lifted_share: Array
     """The part of the beam that does not touch."""
     relative_gap: Array
-    """The error bound of the certificate, of the strain energy."""
+    """The error bound of the certificate, relative to the strain energy."""
     motion: Array
     """Of models without equilibrium r(0), r(l) and the loads' work in it, models by 3."""
     extremes: dict[str, Extremes]

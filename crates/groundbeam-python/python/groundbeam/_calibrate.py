@@ -21,7 +21,7 @@ _FIRST_DAMPING, _HIGHEST_DAMPING = 1e-3, 1e12
 _FARTHEST = 2.0
 """The longest step, in logarithms."""
 _VAGUE = 1.0
-"""A combination of unknowns known no better than to a factor of e is not identified."""
+"""A combination of unknowns that is determined only to within a factor of e or worse is not identified."""
 
 
 class Calibration(NamedTuple):

@@ -1,4 +1,4 @@
-"""What is raised where there is no answer."""
+"""Exceptions for solves without a result."""
 
 from __future__ import annotations
 

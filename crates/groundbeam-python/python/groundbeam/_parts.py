@@ -141,7 +141,7 @@ class Load(Part):
 
     @classmethod
     def uniform(cls, intensity: Quantity, start: Quantity, end: Quantity) -> Load:
-        """An even force per length between two positions."""
+        """A uniform force per length between two positions."""
         return cls.distributed(intensity, start, end)
 
     @classmethod

@@ -1,4 +1,4 @@
-"""What is found: fields at any positions, contact, forces, and the proof."""
+"""The solution: fields at any positions, contact, forces, and the proof."""
 
 from __future__ import annotations
 
@@ -302,7 +302,7 @@ class Solution:
 
     @property
     def reactions(self) -> list[Reaction]:
-        """What the supports do, in the order of the model."""
+        """The reactions of the supports, in the order of the model."""
         return [Reaction(*each) for each in self._inner.reactions]
 
     @property

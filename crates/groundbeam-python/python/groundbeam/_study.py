@@ -50,7 +50,7 @@ class Summary:
     without_equilibrium: int
     not_converged: int
     wrong: int
-    """Samples whose model was refused; the column ``message`` of the results tells why."""
+    """Samples whose model was refused; the column ``message`` of the results has the reason."""
     largest_gap: float
     """The largest error bound of all certificates, of the strain energy."""
     events: dict[str, Estimate]
@@ -172,7 +172,7 @@ class Study:
         return self.summary(out) if shard[1] == 1 else None
 
     def summary(self, out: File) -> Summary:
-        """What follows from the results of all samples."""
+        """Statistics of the results of all samples."""
         document, picture = self._inner.summary(out)
         return Summary(json.loads(document), picture)
 

@@ -68,7 +68,7 @@ def run(
         # A worker with another version of the package makes other results.
         study._inner.is_done(unfinished, (i, count))
         os.replace(unfinished, names[i])
-        # The cluster need not keep what is here.
+        # The cluster need not keep data that are stored here.
         future.release()
     merge(list(names.values()), out)
     shutil.rmtree(folder)

@@ -1,25 +1,25 @@
-//! A field by waves on a circle: Dietrich and Newsam, *SIAM J. Sci. Comput.* 18 (1997) 1088–1107.
+//! A random field as waves on a circle: Dietrich and Newsam, *SIAM J. Sci. Comput.* 18 (1997) 1088–1107.
 //!
-//! The covariance of even points on a circle long enough to hold the beam twice is a circulant matrix, which the discrete
-//! Fourier transform diagonalises. Where all of its eigenvalues are positive the field on the beam's part of the circle
-//! has the wanted covariance exactly.
+//! The circle is at least twice as long as the beam. The covariance of equally spaced points on it is a
+//! circulant matrix, which the discrete Fourier transform diagonalises. If all of its eigenvalues are
+//! positive, the field on the beam's part of the circle has exactly the required covariance.
 
 use rustfft::num_complex::Complex;
 use rustfft::{Fft, FftPlanner};
 use std::fmt;
 use std::sync::Arc;
 
-/// Largest length of the circle, relative to the least possible length.
+/// Maximum length of the circle, relative to the smallest possible length.
 const LONGEST: usize = 64;
-/// An eigenvalue smaller than this part of the largest one is rounding error.
+/// An eigenvalue below this fraction of the largest one is rounding error.
 const ROUNDING: f64 = 1e-10;
 
 /// Waves on a circle.
 #[derive(Clone)]
 pub struct Circulant {
-    /// Points on the beam.
+    /// Number of points on the beam.
     count: usize,
-    /// √(λ/m) of the m waves.
+    /// Amplitudes √(λ/m) of the m waves.
     heights: Vec<f64>,
     transform: Arc<dyn Fft<f64>>,
 }
@@ -59,7 +59,8 @@ impl Circulant {
         self.heights.len()
     }
 
-    /// The field at its points. Numbers come by falling wave length: the mean, then cosine and sine of each wave.
+    /// The field at its points. The numbers are ordered by decreasing wave length: the mean, then cosine and
+    /// sine of each wave.
     pub fn of(&self, numbers: &[f64]) -> Vec<f64> {
         let size = self.heights.len();
         let half = size / 2;

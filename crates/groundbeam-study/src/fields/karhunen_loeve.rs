@@ -6,7 +6,7 @@
 use crate::symmetric::{Eigen, Symmetric};
 use groundbeam_file::study::Share;
 
-/// Entries of an eigenvector closer to the largest than this, relative to it, count as equal to it.
+/// Relative difference below which two entries of an eigenvector count as equal.
 const ROUNDING: f64 = 1e-6;
 
 /// The kept terms, with the largest eigenvalues first.
@@ -20,7 +20,7 @@ pub struct Expansion {
 }
 
 impl Expansion {
-    /// From the correlation of two points and the weights of the quadrature.
+    /// The expansion from the correlation of two points and the weights of the quadrature.
     pub fn new(
         count: usize,
         correlation: impl Fn(usize, usize) -> f64,
@@ -81,8 +81,8 @@ impl Expansion {
     }
 }
 
-/// The sign of an eigenvector is free: the first of its entries of largest size is made positive. An antisymmetric
-/// wave has two such entries, and rounding error must not choose between them.
+/// Chooses the sign of an eigenvector: the first of its entries of largest magnitude is positive. An
+/// antisymmetric wave has two such entries; the tolerance makes the choice independent of rounding.
 fn sign(vector: &[f64]) -> f64 {
     let largest = vector.iter().fold(0.0_f64, |most, entry| most.max(entry.abs()));
     let first = vector.iter().find(|entry| entry.abs() >= (1.0 - ROUNDING) * largest);

@@ -18,10 +18,10 @@ pub enum Field {
 }
 
 impl Field {
-    /// The field of a study on a beam of a length; `None` if no circle has its correlation.
+    /// The field of a study on a beam of this length; `None` if no circle has the required correlation.
     pub fn new(random: &RandomField, beam: f64) -> Option<Self> {
         let count = random.points;
-        // Corners of a piecewise linear field, middles of a piecewise constant one.
+        // Points at the corners of a piecewise linear field, at the middles of a piecewise constant one.
         let (first, step) = match random.course {
             Course::Lines => (0.0, beam / (count - 1) as f64),
             Course::Steps => (0.5 * beam / count as f64, beam / count as f64),
@@ -99,8 +99,8 @@ mod tests {
         RandomField { of: Vec::new(), correlation, length, points: 24, course, method, rho: 0.0 }
     }
 
-    /// z = A ξ with independent ξ has the covariance A Aᵀ; the columns of A are the fields of single numbers. The
-    /// covariance must be the correlation function at the points, exactly where nothing is dropped.
+    /// z = A ξ with independent ξ has the covariance A Aᵀ; the columns of A are the fields of single numbers.
+    /// It must equal the correlation function at the points, exactly if no term is dropped.
     #[test]
     fn fields_have_the_covariance_they_were_given() {
         for which in [

@@ -1,13 +1,16 @@
-//! Latin hypercubes without a table: the part of sample i in a dimension, by a permutation computed at i alone.
+//! Latin hypercubes without a stored table: the interval of sample i in each dimension, by a permutation
+//! evaluated at i only.
 
 use super::mixed;
 
-/// Rounds of a network on wide numbers. From four rounds on it is a pseudorandom permutation (Luby and Rackoff 1988).
+/// Number of rounds of a network on wide numbers. With four or more rounds it is a pseudorandom permutation
+/// (Luby and Rackoff 1988).
 const ROUNDS: u32 = 6;
-/// More rounds on narrow numbers, where one round mixes little: this number over the bits of a half.
+/// Additional rounds on narrow numbers, where one round mixes little: this number divided by the bits of a
+/// half.
 const MORE_ROUNDS: u32 = 24;
 
-/// The coordinate of sample `index` of `count`: a part of its own, at `uniform` of the way through it.
+/// The coordinate of sample `index` of `count`: in its own interval, at the fraction `uniform` of it.
 pub fn coordinate(index: u64, count: u64, key: u64, uniform: f64) -> f64 {
     let part = permuted(index, count, key);
     ((part as f64 + uniform) / count as f64).min(1.0 - f64::EPSILON)
@@ -50,7 +53,7 @@ mod tests {
         }
     }
 
-    /// Over many keys every place is equally probable: χ² with 4 degrees of freedom, five σ.
+    /// Over many keys every image is equally probable: χ² with 4 degrees of freedom, five σ.
     #[test]
     fn every_image_is_as_probable() {
         for index in 0..5 {

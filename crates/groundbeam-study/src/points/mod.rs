@@ -1,4 +1,4 @@
-//! Points of the unit cube: sample i, from the seed and i alone.
+//! Points of the unit cube: the point of sample i, from the seed and i only.
 
 mod latin;
 mod sobol;
@@ -16,7 +16,7 @@ pub struct Points {
 }
 
 impl Points {
-    /// The points of a plan in a number of dimensions.
+    /// The points of a plan in this number of dimensions.
     pub fn new(plan: Plan, dimensions: usize) -> Self {
         let sobol = (plan.sampling == Sampling::Sobol).then(|| Sobol::new(dimensions));
         Points { plan, sobol }
@@ -41,7 +41,7 @@ impl Points {
     }
 }
 
-/// The random numbers of one sample: a stream of its own under the seed.
+/// The random numbers of one sample: a separate stream for each seed and sample.
 fn generator(seed: u64, sample: u64) -> ChaCha8Rng {
     let mut key = [0; 32];
     key[..8].copy_from_slice(&seed.to_le_bytes());
@@ -56,7 +56,8 @@ fn inside(bits: u64) -> f64 {
     (((bits >> 11) as f64 + 0.5) * PART).min(1.0 - PART)
 }
 
-/// A number whose bits all depend on all bits of another (Steele, Lea and Flood 2014, with Stafford's constants).
+/// A number each of whose bits depends on all bits of another number (Steele, Lea and Flood 2014, with
+/// Stafford's constants).
 fn mixed(number: u64) -> u64 {
     let mut z = number.wrapping_add(0x9e37_79b9_7f4a_7c15);
     z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
@@ -103,8 +104,8 @@ mod tests {
         }
     }
 
-    /// The first two dimensions of Sobol's sequence are a (0, m, 2)-net in base 2: each box of area 2⁻ᵐ holds one
-    /// point, whatever its shape. Owen's scrambling keeps this.
+    /// The first two dimensions of Sobol's sequence are a (0, m, 2)-net in base 2: each box of area 2⁻ᵐ
+    /// contains one point, for any shape of the box. Owen's scrambling preserves this.
     #[test]
     fn scrambled_sobol_points_are_still_a_net() {
         let points = all(plan(Sampling::Sobol, 1024, 1), 2);

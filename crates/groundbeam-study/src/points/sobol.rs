@@ -3,10 +3,11 @@
 use super::mixed;
 use std::sync::LazyLock;
 
-/// Binary digits of a coordinate that the sequence decides; 2³² points have each a part of its own.
+/// Number of binary digits of a coordinate that the sequence determines; 2³² points each have their own
+/// interval.
 const DIGITS: usize = 32;
 
-/// V₁, …, V₃₂ of every dimension there are numbers for.
+/// V₁, …, V₃₂ of every available dimension.
 static DIRECTIONS: LazyLock<Vec<[u32; DIGITS]>> = LazyLock::new(|| {
     let lines = include_str!("../../data/sobol.txt").lines().filter(|line| !line.starts_with('#'));
     let read = |line: &str| {
@@ -45,12 +46,12 @@ pub struct Sobol {
 }
 
 impl Sobol {
-    /// The first dimensions of the sequence; beyond the last it has, coordinates are independent.
+    /// The first dimensions of the sequence; further coordinates are independent random numbers.
     pub fn new(dimensions: usize) -> Self {
         Sobol { dimensions: dimensions.min(DIRECTIONS.len()) }
     }
 
-    /// A coordinate of point `index`, scrambled by the key; `uniform` decides what the digits leave open.
+    /// A coordinate of point `index`, scrambled by the key; `uniform` determines the remaining digits.
     pub fn coordinate(&self, dimension: usize, index: u64, key: u64, uniform: f64) -> f64 {
         if dimension >= self.dimensions {
             return uniform;
@@ -67,7 +68,7 @@ fn point(directions: &[u32; DIGITS], index: u64) -> u32 {
     bits.fold(0, |digits, i| digits ^ directions[i])
 }
 
-/// Owen's nested scrambling: whether a digit is turned depends on all digits before it.
+/// Owen's nested scrambling: whether a digit is inverted depends on all digits before it.
 fn scrambled(digits: u32, key: u64) -> u32 {
     let mut turned = digits;
     for i in 0..DIGITS {
@@ -82,8 +83,8 @@ fn scrambled(digits: u32, key: u64) -> u32 {
 mod tests {
     use super::*;
 
-    /// Point 1000 of the unscrambled sequence in the order of plain binary numbers. SciPy 1.17 goes through the same points
-    /// in Gray's order: its point i is ours with the number i ⊕ (i >> 1).
+    /// Point 1000 of the unscrambled sequence in binary order. SciPy 1.17 uses the same points in Gray-code
+    /// order: its point i is ours with the index i ⊕ (i >> 1).
     #[test]
     fn the_sequence_is_joe_and_kuos() {
         let gray = 1000_u64 ^ (1000 >> 1);

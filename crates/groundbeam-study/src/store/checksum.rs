@@ -23,17 +23,17 @@ const METHOD: &str = "sha-256";
 const DIGITS: usize = 64;
 /// The last bytes of a Parquet file: the length of the metadata in four bytes, and this.
 const MAGIC: &[u8; 4] = b"PAR1";
-/// Bytes that are read at once.
+/// Number of bytes that are read at once.
 const AT_ONCE: usize = 1 << 16;
 
-/// A sink that computes the checksums of what is written.
+/// A sink that computes the checksums of the written bytes.
 pub struct Sealed<W> {
     sink: W,
     digest: Sha256,
     written: u64,
-    /// What the metadata will state, but for the tail's digest.
+    /// The metadata so far, without the digest of the tail.
     stated: String,
-    /// The tail, held back until its digest is known.
+    /// The tail, stored until its digest is known.
     tail: Option<Vec<u8>>,
 }
 
@@ -85,12 +85,12 @@ impl<W: Write> Write for Sealed<W> {
     }
 }
 
-/// The checksums of a file, of which the tail is verified.
+/// The checksums of a file whose tail is verified.
 pub struct Checksums {
     path: PathBuf,
     file: File,
     blocks: Vec<Block>,
-    /// The blocks that are verified.
+    /// Flags of the verified blocks.
     verified: RefCell<Vec<bool>>,
 }
 
@@ -124,7 +124,7 @@ impl Checksums {
         Ok(Checksums { path: path.to_owned(), file, blocks, verified })
     }
 
-    /// Whether a block is as it was written. It is read once, however often this is asked.
+    /// Whether a block is unchanged. It is read only once.
     pub fn is_sound(&self, block: usize) -> Result<bool, StoreError> {
         let Some(Block { bytes, digest }) = self.blocks.get(block) else { return Ok(false) };
         if self.verified.borrow()[block] {
@@ -139,7 +139,7 @@ impl Checksums {
     }
 }
 
-/// The file is not one of results, or so damaged that it does not look like one.
+/// The error for a file that is not a file of results, or is too damaged to be recognised.
 fn unknown(path: &Path) -> StoreError {
     StoreError::Unlike(format!(
         "{}: this is no file of results, or its metadata are damaged; if the study wrote it, delete it and run the \
@@ -209,7 +209,7 @@ fn blocks(stated: &[u8]) -> Option<(Vec<Block>, &str)> {
     Some((blocks, tail))
 }
 
-/// Goes on with the bytes of a part of a file.
+/// Continues a digest with the bytes of a part of a file.
 fn digest_on(digest: &mut Sha256, mut file: &File, bytes: Range<u64>) -> io::Result<()> {
     file.seek(SeekFrom::Start(bytes.start))?;
     let mut buffer = vec![0; AT_ONCE];

@@ -1,7 +1,9 @@
-//! Columns as Parquet keeps them: the values that are there, and two levels for each place of a row where one may be.
+//! Columns in the representation of Parquet: the values that exist, and two levels for each place where one
+//! may exist.
 //!
-//! The definition level tells how much of a place is there: 0 nothing, the largest a value. The repetition level tells
-//! whether a place begins a row, 0, or goes on with its list, 1 (Melnik and others, *Dremel*, PVLDB 3 (2010), section 4).
+//! The definition level shows whether a place has a value: 0 for nothing, the largest level for a value. The
+//! repetition level shows whether a place begins a row, 0, or continues its list, 1 (Melnik and others,
+//! *Dremel*, PVLDB 3 (2010), section 4).
 
 use parquet::basic::{LogicalType, Repetition, Type as Physical};
 use parquet::column::reader::ColumnReader;
@@ -11,12 +13,12 @@ use parquet::errors::{ParquetError, Result};
 use parquet::schema::types::{GroupTypeBuilder, Type, TypePtr};
 use std::sync::Arc;
 
-/// What a column of results holds.
+/// The kind of a column of results.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
-    /// A whole number, in every row.
+    /// An integer, in every row.
     Whole,
-    /// A word, in every row or in some.
+    /// A text, in every row or in some.
     Word(Repetition),
     /// A number, or none.
     Number,
@@ -25,7 +27,7 @@ pub enum Kind {
 }
 
 impl Kind {
-    /// The column of a name.
+    /// The column with this name.
     pub fn column(self, name: &str) -> TypePtr {
         let one = |name: &str, physical, logical, repetition| {
             let built = Type::primitive_type_builder(name, physical)
@@ -59,7 +61,7 @@ impl Kind {
     }
 }
 
-/// The values of a column that are there.
+/// The existing values of a column.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Values {
     /// Whole numbers: the bits of a `u64`.
@@ -74,9 +76,9 @@ pub enum Values {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Column {
     pub values: Values,
-    /// Of each place its definition level; empty if a value is in every row.
+    /// Definition level of each place; empty if every row has a value.
     pub definitions: Vec<i16>,
-    /// Of each place its repetition level; empty unless the column holds lists.
+    /// Repetition level of each place; empty unless the column contains lists.
     repetitions: Vec<i16>,
 }
 
@@ -107,7 +109,7 @@ impl Column {
         Column { definitions, ..Column::empty(Values::Words(all)) }
     }
 
-    /// Numbers; what is not a number is left out.
+    /// Numbers; NaN is omitted.
     pub fn numbers(numbers: impl Iterator<Item = f64>) -> Self {
         let mut values = Vec::new();
         let mut definitions = Vec::new();
@@ -138,7 +140,7 @@ impl Column {
         Column { values: Values::Numbers(values), definitions, repetitions }
     }
 
-    /// Goes on with the rows of another, of the same kind.
+    /// Appends the rows of another column of the same kind.
     pub fn append(&mut self, other: Column) {
         match (&mut self.values, other.values) {
             (Values::Whole(all), Values::Whole(more)) => all.extend(more),
@@ -150,7 +152,7 @@ impl Column {
         self.repetitions.extend(other.repetitions);
     }
 
-    /// No rows of what a reader reads.
+    /// An empty column for a reader.
     pub fn before(reader: &ColumnReader) -> Result<Self> {
         Ok(Column::empty(match reader {
             ColumnReader::Int64ColumnReader(_) => Values::Whole(Vec::new()),
@@ -160,7 +162,7 @@ impl Column {
         }))
     }
 
-    /// Goes on with the next rows of a reader, which has so many.
+    /// Appends the next `count` rows of a reader.
     pub fn read(&mut self, reader: &mut ColumnReader, count: usize) -> Result<()> {
         let levels = (Some(&mut self.definitions), Some(&mut self.repetitions));
         let (rows, _, _) = match (reader, &mut self.values) {
@@ -182,7 +184,7 @@ impl Column {
         }
     }
 
-    /// Forgets all rows.
+    /// Removes all rows.
     pub fn clear(&mut self) {
         match &mut self.values {
             Values::Whole(values) => values.clear(),
@@ -193,7 +195,7 @@ impl Column {
         self.repetitions.clear();
     }
 
-    /// Hands all rows over at once.
+    /// Writes all rows at once.
     pub fn write(&self, writer: &mut ColumnWriter) -> Result<()> {
         let definitions = Some(&*self.definitions).filter(|levels| !levels.is_empty());
         let repetitions = Some(&*self.repetitions).filter(|levels| !levels.is_empty());

@@ -1,4 +1,4 @@
-//! Design checks: limits beside the values of a solution, and the limit states in which each is judged.
+//! Design checks: compares values of a solution with limits, in the limit states of each check.
 
 use super::limit_states::{LimitState, LimitStates};
 use crate::existence::rigid_motions::Mechanism;
@@ -8,67 +8,67 @@ use crate::solution::field::Field;
 use crate::solution::fields::EndForces;
 use crate::solution::solution::Solution;
 
-/// Limits; none where nothing is asked for.
+/// Limits of the checks; `None` if a check is not requested.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Limits {
     /// The allowable bearing pressure \[Pa\], and the width on which the beam bears \[m\].
     pub bearing_pressure: Option<(f64, f64)>,
     /// The design resistance of the ground per effective area r_d \[Pa\], and the width of the effective area \[m\].
     pub bearing_resistance: Option<(f64, f64)>,
-    /// The largest deflection down \[m\].
+    /// The limit of the downward deflection \[m\].
     pub settlement: Option<f64>,
-    /// The largest part of the beam that may lift off, of its length.
+    /// The limit of the lifted fraction of the beam's length.
     pub lifted_share: Option<f64>,
-    /// The largest distance of the resultant from the beam's middle, of its length: 1/6 is the edge of the
-    /// kern, beyond 1/3 EN 1997-1, 6.5.4 asks for special precautions.
+    /// The limit of the distance between the resultant and the beam's middle, relative to the length: 1/6 is
+    /// the edge of the kern; beyond 1/3, EN 1997-1, 6.5.4 requires special precautions.
     pub eccentricity: Option<f64>,
-    /// The least factor on all loads that overturn at which the beam tips.
+    /// The smallest factor on all overturning loads at which the beam may tip.
     pub overturning: Option<f64>,
-    /// The limit states of checks that are judged in others than [`Checked::limit_states`], in the order of
-    /// [`Checked::ALL`].
+    /// For each check in [`Checked::ALL`]: the limit states in which it is judged, if they differ from
+    /// [`Checked::limit_states`].
     pub judged_in: [Option<LimitStates>; Checked::ALL.len()],
 }
 
-/// What is checked.
+/// The checked quantity.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Checked {
-    /// The largest contact pressure over the width \[Pa\]. Concentrated forces are no pressure.
+    /// The largest contact pressure over the width \[Pa\]. It excludes concentrated forces.
     BearingPressure,
-    /// The force of the ground beside r_d B' L' on the effective length L' = l - 2 e \[N\]: Meyerhof, EN 1997-1, 6.5.2
-    /// and annex D. Force V and eccentricity e are those of the ground's whole reaction, pressure and concentrated
-    /// forces.
+    /// The contact force compared with r_d B' L' on the effective length L' = l - 2 e \[N\]: Meyerhof, EN
+    /// 1997-1, 6.5.2 and annex D. Force V and eccentricity e are those of the total reaction of the ground,
+    /// pressure and concentrated forces.
     BearingResistance,
-    /// The largest deflection down \[m\].
+    /// The largest downward deflection \[m\].
     Settlement,
-    /// The part of the beam off the ground.
+    /// The fraction of the beam that is not in contact.
     LiftedShare,
     /// |x − l/2|/l of the resultant.
     Eccentricity,
-    /// Stabilising over overturning moments about the end where it is smaller.
+    /// The ratio of stabilising to overturning moments, at the end where it is smaller.
     Overturning,
 }
 
-/// A limit and what was found.
+/// A check: value and limit.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Check {
-    /// What.
+    /// The checked quantity.
     pub what: Checked,
-    /// What was found; infinite where nothing overturns.
+    /// The value; infinite if no load overturns.
     pub found: f64,
     /// The limit.
     pub limit: f64,
-    /// Where it was found \[m\].
+    /// The position of the value \[m\].
     pub at: Option<f64>,
-    /// What the value leaves out, or follows from.
+    /// A quantity that the value omits or follows from.
     pub beside: Beside,
 }
 
-/// What stands beside the value of a check.
+/// A quantity reported together with a check.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Beside {
     /// Nothing.
     Nothing,
-    /// The concentrated forces under both ends, which are no pressure.
+    /// The concentrated forces under both ends, which the pressure excludes.
     EndForces(EndForces),
     /// The effective area.
     EffectiveArea {
@@ -90,14 +90,14 @@ impl Checked {
         Checked::Overturning,
     ];
 
-    /// Its place in [`Checked::ALL`].
+    /// The index in [`Checked::ALL`].
     pub const fn index(self) -> usize {
         self as usize
     }
 
-    /// The limit states in which it is judged if nobody names others: ultimate ones for resistance and eccentricity
-    /// (EN 1997-1, 2.4.7.1), equilibrium for overturning (EN 1990, 6.4.1(1)a), serviceability for deformations
-    /// (EN 1997-1, 2.4.8) and allowable values; each with its counterpart in allowable stress design.
+    /// The default limit states of the check: ultimate ones for resistance and eccentricity (EN 1997-1,
+    /// 2.4.7.1), equilibrium for overturning (EN 1990, 6.4.1(1)a), serviceability for deformations (EN
+    /// 1997-1, 2.4.8) and allowable values; each with its counterpart in allowable stress design.
     pub const fn limit_states(self) -> LimitStates {
         use LimitState::{AllowableStress, Characteristic, Equ, Frequent, QuasiPermanent, StrGeo};
         LimitStates::of(match self {
@@ -108,7 +108,7 @@ impl Checked {
         })
     }
 
-    /// The name that results use.
+    /// The name in results.
     pub fn name(self) -> &'static str {
         match self {
             Checked::BearingPressure => "bearing-pressure",
@@ -120,10 +120,10 @@ impl Checked {
         }
     }
 
-    /// The clause that asks for it; none where it is the engineer's own.
+    /// The clause that requires the check; `None` for a check by the engineer's choice.
     pub fn clause(self) -> Option<&'static str> {
         match self {
-            // EN 1997-1 has no clause on an allowable elastic pressure; the file gives it.
+            // EN 1997-1 has no clause for an allowable elastic pressure; the file gives the limit.
             Checked::BearingPressure => None,
             Checked::BearingResistance => Some("EN 1997-1, 6.5.2"),
             Checked::Settlement => Some("EN 1997-1, 6.6"),
@@ -135,7 +135,7 @@ impl Checked {
 }
 
 impl Check {
-    /// Whether the limit is kept to.
+    /// Whether the limit is satisfied.
     pub fn passes(&self) -> bool {
         match self.what {
             Checked::Overturning => self.found >= self.limit,
@@ -143,11 +143,11 @@ impl Check {
         }
     }
 
-    /// The part of the limit that is used, 1 at the limit.
+    /// The utilisation: 1 at the limit.
     pub fn utilisation(&self) -> f64 {
         match self.what {
             Checked::Overturning => self.limit / self.found,
-            // Also where the limit is zero.
+            // This includes a limit of zero.
             _ if self.found == 0.0 => 0.0,
             _ => self.found / self.limit,
         }
@@ -155,7 +155,7 @@ impl Check {
 }
 
 impl Limits {
-    /// The checks that are asked for, in the order of [`Checked::ALL`].
+    /// The requested checks, in the order of [`Checked::ALL`].
     pub fn asked(&self) -> impl Iterator<Item = Checked> + use<> {
         let asked = [
             self.bearing_pressure.is_some(),
@@ -173,7 +173,7 @@ impl Limits {
         self.judged_in[what.index()].unwrap_or(what.limit_states())
     }
 
-    /// The checks that are asked for, of a solution.
+    /// The requested checks of a solution.
     ///
     /// ```
     /// use groundbeam::{Beam, Checked, Foundation, Limits, Load, Model, Outcome, solve};
@@ -217,7 +217,7 @@ impl Limits {
         if let Some(limit) = self.eccentricity
             && let Some(x) = solution.existence().resultant_position(l)
         {
-            // A resultant on the very edge is on the right side of it.
+            // A resultant exactly at the edge passes.
             let found = (x / l - 0.5).abs();
             let found = if (found - limit).abs() <= ROUNDED { limit } else { found };
             add(Checked::Eccentricity, limit, found, Some(x));
@@ -229,8 +229,8 @@ impl Limits {
     }
 }
 
-/// The force of the ground under the beam, and where it acts; no place without a force. Both follow from equilibrium:
-/// loads minus supports, and of an axial force N the moment N (w(l) - w(0)).
+/// The contact force under the beam and its position, if there is a force. Both follow from equilibrium:
+/// loads minus supports, and for an axial force N the moment N (w(l) - w(0)).
 fn ground_reaction(solution: &Solution) -> (f64, Option<f64>) {
     let model = solution.model();
     let l = model.beam.length;
@@ -242,7 +242,7 @@ fn ground_reaction(solution: &Solution) -> (f64, Option<f64>) {
     }
     let ends = [0.0, l].map(|x| solution.value(Field::Deflection, x));
     moment -= model.beam.axial_force * (ends[1] - ends[0]);
-    // A beam that supports carry alone leaves rounding errors to the ground.
+    // If supports carry the whole beam, the contact force is rounding error.
     let total = left.abs() + right.abs();
     match force.abs() <= ROUNDED * total {
         true => (0.0, None),
@@ -252,8 +252,8 @@ fn ground_reaction(solution: &Solution) -> (f64, Option<f64>) {
 
 const ROUNDED: f64 = 8.0 * f64::EPSILON;
 
-/// The factor on all loads that overturn a beam at which it tips: at each end, and at each free hinge, what the loads
-/// that hold it down carry over what the others lift there. Infinite where none lifts.
+/// The factor on all overturning loads at which a beam tips. At each end and each free hinge it is the ratio
+/// of the moments of the holding loads and the lifting loads. Infinite if no load lifts.
 pub fn overturning(model: &Model) -> f64 {
     let nodes = Mechanism::of(model).nodes;
     let mut sums = vec![[0.0; 2]; nodes.len()];

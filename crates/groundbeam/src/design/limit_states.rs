@@ -48,7 +48,7 @@ impl LimitState {
         }
     }
 
-    /// The limit state of a name.
+    /// The limit state with this name.
     pub fn named(name: &str) -> Option<Self> {
         LimitState::ALL.into_iter().find(|state| state.name() == name)
     }
@@ -91,7 +91,7 @@ impl LimitStates {
         self.0 & (1 << state as u8) != 0
     }
 
-    /// These and others.
+    /// The union with other limit states.
     pub const fn and(self, others: LimitStates) -> Self {
         LimitStates(self.0 | others.0)
     }

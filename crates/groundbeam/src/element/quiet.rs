@@ -1,9 +1,9 @@
-//! The element of a long loaded stretch in contact, between two others that take up the waves from its ends: w is the particular
-//! solution κ w = F − G′.
+//! The element of a long loaded stretch in contact, where w is the particular solution κ w = F − G′. The elements on
+//! both sides of it contain the waves from the ends of the stretch.
 //!
-//! The waves decay like e^(−λx) with λ = min Re r over the roots of EI r⁴ − N r² + κ = 0. Beyond 40/λ they are rounding error,
-//! so the two ends do not see each other. From an end, w − w_p solves v″ + σ v′ + π v = 0 with σ = r₁ + r₂ and π = r₁r₂. The
-//! force and the moment there are EI (σπ v + π v′) and EI (π v + σ v′).
+//! The waves decay like e^(−λx) with λ = min Re r over the roots of EI r⁴ − N r² + κ = 0. Beyond 40/λ they are rounding
+//! error, so the two ends are decoupled. From an end, w − w_p solves v″ + σ v′ + π v = 0 with σ = r₁ + r₂ and π = r₁r₂.
+//! The force and the moment there are EI (σπ v + π v′) and EI (π v + σ v′).
 
 use crate::element::element::{Basis, Element, TERMS};
 use crate::element::operator::Operator;
@@ -12,7 +12,7 @@ use crate::element::uniform::bend;
 /// The depth of the waves from an end, as a multiple of 1/λ.
 const DEPTH: f64 = 40.0;
 
-/// How deep the waves from the ends of a stretch reach, if they leave a quiet part of twice that length.
+/// The depth of the waves from the ends of a stretch; `None` if less than twice this depth remains between them.
 pub(crate) fn depth(operator: &Operator, length: f64) -> Option<f64> {
     let loads = particular(operator, length);
     let is_loaded = operator.subgrade > 0.0 && loads[0] * loads[1] > 0.0;
@@ -21,7 +21,7 @@ pub(crate) fn depth(operator: &Operator, length: f64) -> Option<f64> {
     }
     let [sum, product] = roots(operator);
     let apart = sum * sum - 4.0 * product;
-    // The smaller of two real roots without a difference of large numbers.
+    // The smaller of two real roots, without cancellation.
     let decay = if apart > 0.0 { 2.0 * product / (sum + apart.sqrt()) } else { 0.5 * sum };
     let depth = DEPTH / decay;
     (length > 4.0 * depth).then_some(depth)
@@ -49,7 +49,7 @@ pub(crate) fn element(operator: &Operator, length: f64) -> (Element, [f64; TERMS
     let mut element = Element { length, basis: Basis::Ends, ..Element::default() };
     element.stiffness =
         [[ww, wt, 0.0, 0.0], [wt, tt, 0.0, 0.0], [0.0, 0.0, ww, -wt], [0.0, 0.0, -wt, tt]];
-    // What the particular solution itself demands of its ends: −N w′ + G on the left.
+    // The end forces of the particular solution itself: −N w′ + G on the left.
     let [left, right] = operator.moment_load;
     let own = [left - operator.tension * slope, 0.0, operator.tension * slope - right, 0.0];
     let values = [ends[0], slope, ends[1], slope];

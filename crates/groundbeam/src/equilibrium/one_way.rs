@@ -47,7 +47,7 @@ pub(crate) fn solve<E>(
         let now = model.with_supports_that(|i, _| acts[i]);
         let outcome = solve(&now)?;
         let free = |i: &usize| supports[*i].is_one_way() && !acts[*i];
-        // The end of the path: the clearances there, or their rates along an infinite motion.
+        // The clearances at the end of the path, or their rates if the path is a free motion without end.
         let (towards, solution) = match outcome {
             Outcome::Equilibrium(solution) => {
                 (clearances(model, solution.candidate()).0, Some(solution))

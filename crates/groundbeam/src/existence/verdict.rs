@@ -68,8 +68,8 @@ impl Verdict {
     }
 }
 
-/// A rigid motion of the beam, r(x) = a x + b between its free hinges, scaled to a largest absolute value of
-/// 1. r ≤ 0, so it presses nowhere, unless the beam stands on one point inside and rotates about it.
+/// A rigid motion of the beam, r(x) = a x + b between its free hinges, scaled so that its largest absolute
+/// value is one. r ≤ 0, so it presses nowhere, unless the beam stands on one point inside and rotates about it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct RigidMotion {
