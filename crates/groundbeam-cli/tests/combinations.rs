@@ -89,7 +89,7 @@ fn one_of_them_alone() {
         assert_eq!(alone[key], all["combinations"][0][key], "{key}");
     }
     one("storm").is_clean(3);
-    one("bot").fails(2, "did you mean `both`?");
+    one("bot").fails(2, "there is `both`, `storm`, `heavy`");
     Folder::with(LIFTS)
         .run(&["solve", "model.toml", "--combination", "both"])
         .fails(2, "the file has no [[combination]]");

@@ -357,10 +357,15 @@ fn a_train_under_a_combination() {
     let found = done.json();
     let passages = found["passages"].as_array().unwrap();
     let named = |i: usize| (&passages[i]["combination"], &passages[i]["train"]["name"]);
-    assert_eq!(passages.len(), 4);
+    // Both trains and no train, under each combination.
+    assert_eq!(passages.len(), 6);
     assert_eq!(
-        (named(1), named(2)),
-        ((&json!("ULS"), &json!("axle")), (&json!("SLS"), &json!("bogie")))
+        (named(1), named(2), named(3)),
+        (
+            (&json!("ULS"), &json!("axle")),
+            (&json!("ULS"), &json!("no train")),
+            (&json!("SLS"), &json!("bogie"))
+        )
     );
     // The envelope of all is the largest of each one's own.
     let largest =

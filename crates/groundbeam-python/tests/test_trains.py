@@ -57,11 +57,13 @@ def test_trains_pass_over_combinations_and_with_the_same_bits_on_any_number_of_t
     assert [(p.combination, p.train) for p in one] == [
         ("a", "wheel"),
         ("a", "second"),
+        ("a", "no train"),
         ("b", "wheel"),
         ("b", "second"),
+        ("b", "no train"),
     ]
     assert one.to_csv() == two.to_csv()
-    assert [p.combination for p in model.solve_trains(combination="b")] == ["b", "b"]
+    assert [p.combination for p in model.solve_trains(combination="b")] == ["b", "b", "b"]
 
 
 def test_a_slab_tips_where_the_statics_say() -> None:

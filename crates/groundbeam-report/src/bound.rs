@@ -73,8 +73,11 @@ pub(crate) fn rounded_with_bound(value: f64, error: f64, unit: Unit, most: i32) 
         // The quotient of two doubles, the size of a unit among them, is wrong by three roundings at most.
         let quotient = value / unit.size;
         let rounding = 4.0 * f64::EPSILON * quotient.abs();
-        let error = if value == 0.0 { unit.upper(error) } else { unit.upper(error) + rounding };
-        let error = if error == 0.0 { 0.0 } else { error.next_up() };
+        let converted = if error == 0.0 { 0.0 } else { unit.upper(error) };
+        let error = match converted + rounding {
+            0.0 => 0.0,
+            sum => sum.next_up(),
+        };
         return rounded_with_bound(quotient, error, Unit { size: 1.0, ..unit }, most);
     };
     let exact = format!("{value:e}");

@@ -5,7 +5,7 @@ use crate::context::Context;
 use crate::quantity::Units;
 use crate::verified::Named;
 use groundbeam::{Check, Checked, Field, LimitState, LimitStates, Limits, Solution};
-use groundbeam_run::{Answer, Found, Placed};
+use groundbeam_run::{Answer, Answers, Found, Placed};
 use std::borrow::Cow;
 
 /// A check, and what is known of its value.
@@ -260,6 +260,13 @@ impl Judged {
     pub fn is_undecided(&self) -> bool {
         self.judgement() == Judgement::Undecided
     }
+}
+
+/// All answers, as checks see them.
+pub(crate) fn rows_of<'a>(answers: &'a Answers, context: &Context<'a>) -> Vec<Row<'a>> {
+    let proofs = context.proofs;
+    let each = answers.list.iter().enumerate();
+    each.map(|(i, answer)| Row::of(answer, proofs.get(i), context.units)).collect()
 }
 
 #[cfg(test)]

@@ -1,18 +1,11 @@
 //! The answers to a file in every form: text, document, table, picture, calculation report.
 
 use crate::calculation::{self, Report, Source};
-use crate::checked::{Row, Verdict, verdicts};
+use crate::checked::{Verdict, rows_of, verdicts};
 use crate::context::Context;
 use crate::svg::{self, Picture};
 use crate::{csv, json, text};
 use groundbeam_run::{Answer, Answers, Asked, Found};
-
-/// All answers, as checks see them.
-pub(crate) fn rows_of<'a>(answers: &'a Answers, context: &Context<'a>) -> Vec<Row<'a>> {
-    let proofs = context.proofs;
-    let each = answers.list.iter().enumerate();
-    each.map(|(i, answer)| Row::of(answer, proofs.get(i), context.units)).collect()
-}
 
 /// The answers to a file, and what is said besides them.
 #[derive(Debug, Clone, Copy)]

@@ -67,7 +67,7 @@ fn assert_labels(text: &str, document: &Document) {
 fn assert_columns(table: &str, document: &Document) {
     let head: Vec<&str> = table.lines().next().unwrap().split(',').collect();
     let mut found: Vec<&str> = Vec::new();
-    for column in &head[1..] {
+    for column in head[1..].iter().filter(|column| **column != "limit_state") {
         let known = Field::ALL.into_iter().find(|field| column.starts_with(field.name()));
         let name = known.unwrap_or_else(|| panic!("{column}")).name();
         if found.last() != Some(&name) {

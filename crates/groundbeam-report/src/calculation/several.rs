@@ -4,12 +4,12 @@ use super::content::{Block, Key, Report, Section, Table, Verdict, facts, numbers
 use super::single::{certified, checked, overview, place, proven};
 use super::{Source, given, print, proof};
 use crate::bound::{not_proven, rounded_with_bound};
+use crate::checked::rows_of;
 use crate::checked::verdicts;
 use crate::combinations::{Numbered, bound_of_extreme, noun, numbered, of_limit_state};
 use crate::context::{Context, clean};
 use crate::number::significant;
 use crate::quantity::{Kind, Unit, Units};
-use crate::results::rows_of;
 use crate::svg::figures;
 use crate::text;
 use crate::text::sheet::Tone;

@@ -1,12 +1,12 @@
 //! Bounds of the numbers that several combinations give together: envelope, extremes, band and checks.
 
 use super::ByName;
+use crate::checked::rows_of;
 use crate::checked::{Governing, Judged, verdicts};
 use crate::combinations::{
     bound_of_extreme, bounds_at, bounds_of_band, largest_end_force, numbered,
 };
 use crate::context::Context;
-use crate::results::rows_of;
 use groundbeam::Field;
 use groundbeam_run::Answers;
 use serde::Serialize;

@@ -6,8 +6,8 @@ use super::{
     Along, ByName, Checked, EVEN_STEPS, Extremes, Head, Lines, Solved, Unsolved, checks,
     default_stations, text,
 };
+use crate::checked::rows_of;
 use crate::context::Context;
-use crate::results::rows_of;
 use groundbeam::{Bound, Bounds, Change, Envelope, Extreme, Field, Governing, LimitState};
 use groundbeam_run::{Alone, Answer, Answers, Banded, Found, Overall};
 use serde::Serialize;

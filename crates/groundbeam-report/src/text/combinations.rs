@@ -5,12 +5,12 @@ use super::sheet::{Sheet, Tone};
 use super::{COLUMNS, certificate, checks, extreme_of, structure, title};
 use crate::bound::with_bound;
 use crate::characteristics::Characteristics;
+use crate::checked::rows_of;
 use crate::combinations::{
     Numbered, bound_of_extreme, bounds_of_band, largest_end_force, noun, numbered, of_limit_state,
 };
 use crate::context::{Context, clean};
 use crate::quantity::{Kind, Unit, Units, duration};
-use crate::results::rows_of;
 use crate::verdict::{self, falls, wording};
 use groundbeam::{Envelope, Extreme, Governing, Model, Verdict};
 use groundbeam_run::{Answer, Answers, Banded, Found, Ground};

@@ -144,7 +144,7 @@ pub(crate) fn failures(sheet: &mut Sheet, passage: &Passage, whose: &str, units:
 /// Extremes with their places on the beam and those of the first axle.
 fn envelope(sheet: &mut Sheet, passage: &Passage, units: Units) {
     let columns = |first: &str, a: [&str; 3], b: [&str; 3]| {
-        let cell = |[value, x, train]: [&str; 3]| format!("{value:>14} {x:>9} {train:>9}");
+        let cell = |[value, x, train]: [&str; 3]| format!(" {value:>12} {x:>9} {train:>9}");
         format!("{first:<13}{}{}", cell(a), cell(b))
     };
     let words = |largest| [largest, "at", "train at"];
@@ -165,7 +165,7 @@ fn envelope(sheet: &mut Sheet, passage: &Passage, units: Units) {
         });
         let [a, b] = &cells;
         let of = |cell: &[String; 3]| -> String {
-            format!("{:>14} {:>9} {:>9}", cell[0], cell[1], cell[2])
+            format!(" {:>12} {:>9} {:>9}", cell[0], cell[1], cell[2])
         };
         sheet.line(&format!("{:<13}{}{}", field.label(), of(a), of(b)));
     }
