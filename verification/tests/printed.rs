@@ -15,7 +15,8 @@ fn intervals(report: &str, label: &str) -> Vec<[f64; 2]> {
     let words: String = others.fold(first, |all, line| all + " " + line);
     let words: Vec<&str> = words.split_whitespace().collect();
     let signs = words.iter().enumerate().filter(|(_, word)| **word == "±");
-    let number = |word: &str| -> f64 { word.trim_matches(',').parse().expect(word) };
+    let number =
+        |word: &str| -> f64 { word.trim_matches(',').replace('−', "-").parse().expect(word) };
     signs.map(|(i, _)| [number(words[i - 1]), number(words[i + 1])]).collect()
 }
 

@@ -377,7 +377,7 @@ fn a_train_under_a_combination() {
     let report = folder.run(&["solve", "model.toml", "--plot", "p.svg", "--csv", "t.csv"]);
     report.is_clean(0);
     assert!(report.stdout.lines().all(|line| line.chars().count() <= 80), "{}", report.stdout);
-    assert!(report.stdout.contains("   4  SLS; axle\n"), "{}", report.stdout);
+    assert!(report.stdout.contains("   5  SLS; axle\n"), "{}", report.stdout);
     assert!(folder.read("t.csv").contains("deflection_in_min,"));
 }
 

@@ -144,7 +144,7 @@ fn of_limit_states(sheet: &mut Sheet, passages: &Passages, units: Units) {
 fn envelope(sheet: &mut Sheet, heading: &str, passages: &Passages, units: Units) {
     let columns = |first: &str, a: [&str; 4], b: [&str; 4]| {
         let cell = |[value, x, train, which]: [&str; 4]| {
-            format!("{value:>13} {x:>8} {train:>8}{which:>3}")
+            format!(" {value:>11} {x:>8} {train:>8}{which:>3}")
         };
         format!("{first:<13}{}{}", cell(a), cell(b))
     };
@@ -165,7 +165,7 @@ fn envelope(sheet: &mut Sheet, heading: &str, passages: &Passages, units: Units)
         let unit = units.unit(Kind::of(field), min.abs().max(max.abs()));
         if min == max {
             let value = unit.write(min);
-            sheet.row(field.label(), &format!("{value:>13} everywhere, always"));
+            sheet.row(field.label(), &format!(" {value:>11} everywhere, always"));
             continue;
         }
         let [a, b] = known.map(|InPassage { located, passage }| {
@@ -175,7 +175,7 @@ fn envelope(sheet: &mut Sheet, heading: &str, passages: &Passages, units: Units)
         });
         let cells = |cells: &[String; 4]| -> String {
             let [value, x, train, which] = cells;
-            format!("{value:>13} {x:>8} {train:>8}{which:>3}")
+            format!(" {value:>11} {x:>8} {train:>8}{which:>3}")
         };
         sheet.line(&format!("{:<13}{}{}", field.label(), cells(&a), cells(&b)));
     }

@@ -156,7 +156,7 @@ fn envelope(sheet: &mut Sheet, passage: &Passage, units: Units) {
         let unit = units.unit(Kind::of(field), min.value.abs().max(max.value.abs()));
         if min.value == max.value {
             let value = unit.write(min.value);
-            sheet.row(field.label(), &format!("{value:>14} everywhere, always"));
+            sheet.row(field.label(), &format!(" {value:>12} everywhere, always"));
             continue;
         }
         let cells = known.map(|Located { x, value, first_axle }| {

@@ -1,7 +1,7 @@
 //! The element of a long loaded stretch in contact, where w is the particular solution κ w = F − G′. The elements on
 //! both sides of it contain the waves from the ends of the stretch.
 //!
-//! The waves decay like e^(−λx) with λ = min Re r over the roots of EI r⁴ − N r² + κ = 0. Beyond 40/λ they are rounding
+//! The waves decay like e^(−λx) with λ = min Re r over the roots of EI r⁴ − N r² + κ = 0. Beyond 50/λ they are below rounding
 //! error, so the two ends are decoupled. From an end, w − w_p solves v″ + σ v′ + π v = 0 with σ = r₁ + r₂ and π = r₁r₂.
 //! The force and the moment there are EI (σπ v + π v′) and EI (π v + σ v′).
 
@@ -10,9 +10,13 @@ use crate::element::operator::Operator;
 use crate::element::uniform::bend;
 
 /// The depth of the waves from an end, as a multiple of 1/λ.
-const DEPTH: f64 = 40.0;
+const DEPTH: f64 = 50.0;
 
-/// The depth of the waves from the ends of a stretch; `None` if less than twice this depth remains between them.
+/// The shortest stretch with a quiet element, in depths. The error of a moment grows with the length of an element. On shorter
+/// stretches short elements give more digits.
+const SHORTEST: f64 = 40.0;
+
+/// The depth of the waves from the ends of a stretch; `None` if the stretch is too short for a quiet element.
 pub(crate) fn depth(operator: &Operator, length: f64) -> Option<f64> {
     let loads = particular(operator, length);
     let is_loaded = operator.subgrade > 0.0 && loads[0] * loads[1] > 0.0;
@@ -24,7 +28,7 @@ pub(crate) fn depth(operator: &Operator, length: f64) -> Option<f64> {
     // The smaller of two real roots, without cancellation.
     let decay = if apart > 0.0 { 2.0 * product / (sum + apart.sqrt()) } else { 0.5 * sum };
     let depth = DEPTH / decay;
-    (length > 4.0 * depth).then_some(depth)
+    (length > SHORTEST * depth).then_some(depth)
 }
 
 /// σ and π.
@@ -82,7 +86,7 @@ mod tests {
     #[test]
     fn a_quiet_element_agrees_with_short_ones() {
         let never = Cancel::default();
-        let l = 20_000.0;
+        let l = 40_000.0;
         for (tension, layer) in [(0.0, 0.0), (0.0, 1.0), (3.0, 2.0), (-1.0, 0.5), (40.0, 0.0)] {
             let mut model = Model::new(Beam::uniform(l, 1.0), Foundation::pasternak(4.0, layer))
                 .with_load(Load::distributed_force(0.0, l, 1.0, 3.0))
