@@ -14,6 +14,7 @@ const ALLOWED: f64 = 24.0;
 
 /// The model files of the repository that the second reader refuses, with the key that it does not support.
 const REFUSED: &[(&str, &str)] = &[
+    ("cases/combinations/rigid-footing-by-lrfd-and-asd.toml", "set"),
     ("cases/footings/strip-footing-on-layered-soil.toml", "soil"),
     ("cases/footings/strip-on-a-band-of-grounds.toml", "band"),
     ("cases/ground/survey-of-an-even-slope.toml", "gap_survey"),
@@ -103,7 +104,11 @@ fn answers_are_proven_for_the_decimals_of_the_file() {
         {
             let Ok(Outcome::Equilibrium(solution)) = solve(&model) else { continue };
             let (doubles, answer) = solution.claim::<Wide>();
-            let decimals = read_model::<Wide>(&text, combination.as_deref()).expect("a model");
+            let decimals = match read_model::<Wide>(&text, combination.as_deref()) {
+                Ok(decimals) => decimals,
+                Err(error) if matches!(error.reason, Reason::NotRead(_)) => continue,
+                Err(error) => panic!("{name}: {error}"),
+            };
             match (prove(&doubles, &answer), prove(&decimals, &answer)) {
                 (Ok(_), Ok(proof)) => {
                     proven += 1;
@@ -182,6 +187,7 @@ fn changed_files_are_read_alike() {
         match (groundbeam_file::parse(&text), read_model::<Wide>(&text, None)) {
             (Ok(document), Ok(_)) => match compare(&number.to_string(), &text, &document) {
                 Ok(_) => alike += 1,
+                Err(Reason::NotRead(_)) => {}
                 Err(reason) => faults.push(format!("{number}: {reason:?}")),
             },
             (Ok(_), Err(error)) if !matches!(error.reason, Reason::NotRead(_)) => {
@@ -210,6 +216,8 @@ fn is_left_out(text: &str, line: usize, code: &str) -> bool {
     let is_key = ["title", "case", "combination", "checks"].iter().any(|key| last.starts_with(key));
     let table = heading.trim_start_matches('[');
     (is_key && (heading.is_empty() || last.starts_with("title")))
-        || ["checks]", "case]", "combination]"].iter().any(|name| table.starts_with(name))
+        || ["checks]", "checks.limit_states]", "case]", "combination]"]
+            .iter()
+            .any(|name| table.starts_with(name))
         || ["GB403", "GB404", "GB406"].contains(&code)
 }
