@@ -1,11 +1,10 @@
 //! Equilibrium of a beam that stands on one point and may rotate about it.
 
 use crate::cancel::Cancel;
-use crate::contact::bonded::Bonded;
-use crate::contact::bonded::GivenRotation;
+use crate::contact::bonded::{Bonded, GivenRotation};
 use crate::contact::exact::solve;
-use crate::contact::state::edges_not_converged;
-use crate::contact::state::{ContactState, Unconverged};
+use crate::contact::intervals::Interval;
+use crate::contact::state::{ContactState, Step, Unconverged, edges_not_converged};
 use crate::model::{Load, Model};
 use crate::numeric::polynomial::value;
 use crate::numeric::tolerance::GAP;
@@ -24,7 +23,7 @@ pub(crate) fn solve_over_an_end(
     resultant: f64,
     over_left: bool,
     cancel: &Cancel,
-    mut judge: impl FnMut(&ContactState) -> f64,
+    judge: impl FnMut(&ContactState) -> f64,
 ) -> Result<ContactState, Unconverged> {
     let l = model.beam.length;
     let inward = if over_left { ALMOST } else { -ALMOST };
@@ -35,14 +34,28 @@ pub(crate) fn solve_over_an_end(
     let w = value(limit.deflection().cell(cell), s);
     let tangent = value(&limit.rotation(cell), s);
     let at = if over_left { 0.0 } else { l };
-    let history = limit.history;
     // Beyond the limit, clear of the ground: the limit's last interval of contact has a length of order
     // √ALMOST, and its slope an error of that order, times the decay of the ground's surface over the length.
-    for more in BEYOND {
+    let turns = BEYOND.into_iter().map(|more| {
         let beyond = more * tangent.abs().max(w.abs() / l);
-        let slope = if over_left { tangent - beyond } else { tangent + beyond };
-        if let Ok(found) =
-            Bonded::new(model, cancel).solve_held(&[[at, at]], &[GivenRotation { at, slope }])
+        vec![GivenRotation {
+            at,
+            slope: if over_left { tangent - beyond } else { tangent + beyond },
+        }]
+    });
+    turned_clear(&mut Bonded::new(model, cancel), &[[at, at]], turns, limit.history, judge)
+}
+
+/// The beam bonded on a contact, with the first of the given rotations at which the certificate holds.
+pub(crate) fn turned_clear(
+    bonded: &mut Bonded,
+    contact: &[Interval],
+    turns: impl Iterator<Item = Vec<GivenRotation>>,
+    history: Vec<Step>,
+    mut judge: impl FnMut(&ContactState) -> f64,
+) -> Result<ContactState, Unconverged> {
+    for held in turns {
+        if let Ok(found) = bonded.solve_held(contact, &held)
             && judge(&found) <= GAP
         {
             return Ok(ContactState { history, ..found });

@@ -7,17 +7,18 @@
 use crate::cancel::Cancel;
 use crate::contact::bonded::{Bonded, GivenRotation};
 use crate::contact::intervals::{Interval, positions};
-use crate::contact::state::{ContactState, Unconverged, edges_not_converged};
+use crate::contact::point_contact::turned_clear;
+use crate::contact::state::{ContactState, Unconverged};
+use crate::existence::rigid_motions::Mechanism;
 use crate::model::{Action, Model, SupportKind};
 use crate::numeric::polynomial::{ends, value};
-use crate::numeric::tolerance::GAP;
 
 /// Slopes that are tried, in units of the largest deflection and slope of the rest.
 const STEEPER: [f64; 6] = [1.5, 1e1, 1e3, 1e6, 1e9, 1e11];
 
 /// The stretch of the beam between its unloaded end parts, if it has such parts.
 pub(crate) fn loaded_stretch(model: &Model) -> Option<Interval> {
-    let nodes = ends_and_free_hinges(model);
+    let nodes = Mechanism::of(model).nodes;
     let last = nodes.len() - 1;
     if model.beam.axial_force != 0.0 || last == 1 {
         return None;
@@ -25,14 +26,6 @@ pub(crate) fn loaded_stretch(model: &Model) -> Option<Interval> {
     let from = (1..last).rfind(|i| is_unloaded(model, 0.0, nodes[*i])).unwrap_or(0);
     let to = (from + 1..last).find(|i| is_unloaded(model, nodes[last], nodes[*i])).unwrap_or(last);
     (to - from < last).then(|| [nodes[from], nodes[to]])
-}
-
-/// The positions between which the beam is one piece.
-fn ends_and_free_hinges(model: &Model) -> Vec<f64> {
-    let hinges = model.hinges.iter().filter(|hinge| hinge.is_free()).map(|hinge| hinge.at);
-    let mut nodes: Vec<f64> = hinges.chain([0.0, model.beam.length]).collect();
-    nodes.sort_by(f64::total_cmp);
-    nodes
 }
 
 /// Whether nothing acts on the beam from an end to a hinge. A force at the hinge acts on the other side of it, a pin as well.
@@ -62,27 +55,22 @@ pub(crate) fn solve_stretch(
     [from, to]: Interval,
     cancel: &Cancel,
     solve: impl FnOnce(&Model) -> Result<ContactState, Unconverged>,
-    mut judge: impl FnMut(&ContactState) -> f64,
+    judge: impl FnMut(&ContactState) -> f64,
 ) -> Result<ContactState, Unconverged> {
     let rest = solve(&model.part([from, to]))?;
     let zones = positions(&rest.mesh, &rest.zones, &[]).into_iter();
     let contact: Vec<Interval> = zones.map(|ends| ends.map(|x| x + from)).collect();
     let steep = steepness(&rest);
-    let nodes = ends_and_free_hinges(model);
+    let nodes = Mechanism::of(model).nodes;
     let parts = nodes.windows(2).filter(|ends| ends[1] <= from || to <= ends[0]);
     let middles: Vec<f64> = parts.map(|ends| 0.5 * (ends[0] + ends[1])).collect();
-    let mut bonded = Bonded::new(model, cancel);
-    for steeper in STEEPER {
+    let balanced = balanced(&rest, &contact, from);
+    let turns = STEEPER.into_iter().map(|steeper| {
         let turned = |at: f64| if at < from { steeper * steep } else { -steeper * steep };
         let parts = middles.iter().map(|at| GivenRotation { at: *at, slope: turned(*at) });
-        let held: Vec<GivenRotation> = parts.chain(balanced(&rest, &contact, from)).collect();
-        if let Ok(found) = bonded.solve_held(&contact, &held)
-            && judge(&found) <= GAP
-        {
-            return Ok(ContactState { history: rest.history, ..found });
-        }
-    }
-    Err(edges_not_converged(rest.history.len(), f64::NAN))
+        parts.chain(balanced).collect()
+    });
+    turned_clear(&mut Bonded::new(model, cancel), &contact, turns, rest.history, judge)
 }
 
 /// The larger of both slopes at the ends of a beam, and of its deflections there over its length.

@@ -19,8 +19,7 @@ use uniform::{Layers, Uniform};
 
 /// Appends the positions at which a cell is cut into equal elements.
 pub(crate) fn cut_equally(operator: &Operator, cell: &Cell, x: &mut Vec<f64>) {
-    let count = parts(operator, cell.length());
-    x.extend((1..count).map(|i| cell.global(2.0 * i as f64 / count as f64 - 1.0)));
+    x.extend(cell.cuts(parts(operator, cell.length())));
 }
 
 /// Appends the positions at which a cell is cut into elements: equal ones, or equal ones at both ends and a quiet one between

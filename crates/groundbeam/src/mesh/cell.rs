@@ -333,6 +333,11 @@ impl Cell {
         let half = 0.5 * self.length();
         if s <= 0.0 { self.x[0] + half * (1.0 + s) } else { self.x[1] - half * (1.0 - s) }
     }
+
+    /// The positions at which the cell is cut into `count` equal parts.
+    pub fn cuts(&self, count: usize) -> impl Iterator<Item = f64> + '_ {
+        (1..count).map(move |i| self.global(2.0 * i as f64 / count as f64 - 1.0))
+    }
 }
 
 fn with_first<const N: usize, const REST: usize>(first: f64, rest: &[f64; REST]) -> [f64; N] {

@@ -58,7 +58,7 @@ impl Mesh {
     /// A mesh of the required nodes and those in `more`. Every interval between them is cut into `parts`
     /// equal cells.
     pub fn build(model: &Model, more: &[f64], parts: impl Fn(&Cell) -> usize) -> Self {
-        Self::cut(model, more, |cell, x| into_equal(cell, parts(cell), x))
+        Self::cut(model, more, |cell, x| x.extend(cell.cuts(parts(cell))))
     }
 
     /// The same, and what varies so much that it is no short power series is halved before it is cut. `cut` appends positions
@@ -219,10 +219,6 @@ const ROUNDING: f64 = 1e-13;
 
 /// Maximum number of halvings of a cell.
 const MOST_HALVINGS: u32 = 40;
-
-fn into_equal(cell: &Cell, parts: usize, x: &mut Vec<f64>) {
-    x.extend((1..parts).map(|i| cell.global(2.0 * i as f64 / parts as f64 - 1.0)));
-}
 
 fn graded(cell: &Cell, cut: &impl Fn(&Cell, &mut Vec<f64>), x: &mut Vec<f64>) {
     let mut first = true;
