@@ -18,7 +18,7 @@ pub(crate) const MOST: usize = 1000;
 pub(crate) struct Recipe {
     pub name: String,
     pub factors: Vec<(String, f64)>,
-    /// None if nobody names them.
+    /// The limit states; empty if neither the file nor the set names any.
     pub limit_states: LimitStates,
     /// The set of a code of practice that made it.
     pub set: Option<&'static str>,
@@ -41,7 +41,7 @@ pub struct Combination {
     pub name: String,
     /// The cases it names, each with its factor; any other case has the factor 0.
     pub factors: Vec<(String, f64)>,
-    /// The limit states of which it is; none of loads as they are given, and where the file names none.
+    /// Its limit states; empty for loads as given, and if the file names none.
     pub limit_states: LimitStates,
     /// The file's model under its loads alone: those of factor 0 are left out.
     pub model: Model,

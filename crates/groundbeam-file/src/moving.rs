@@ -1,7 +1,6 @@
 //! A train that moves, and the places of its loads that have no end: codes of practice let them act only where they are unfavourable.
 //!
-//! With lift-off there is no influence line that tells where a load is unfavourable, so the places of a list are solved and
-//! the worst of them counts.
+//! With lift-off, influence lines do not exist. So the program solves a list of places, and the worst result governs.
 
 use groundbeam::Load;
 use groundbeam::model::{Train, UniformPart};

@@ -79,6 +79,12 @@ pub(crate) struct Seen {
 }
 
 impl Seen {
+    /// The name of an item of a built-in list, whose numbers have units: the rest of the file must have them.
+    pub fn of_built_in(key: &str, kind: &'static Kind, span: Range<usize>) -> Self {
+        let (key, marks) = (key.to_owned(), Marks::NONE);
+        Seen { key, kind, has_unit: true, is_bare_zero: false, value: 0.0, marks, span }
+    }
+
     /// Where its number stands and what it counts; none if it is written in a way that hides it.
     fn located(&self, text: &str) -> Option<Quantity> {
         let written = text.get(self.span.clone())?;

@@ -131,97 +131,17 @@ impl Kind {
             Kind::Slope => {
                 const { &[rung(0.1, 1.0, "rad"), rung(1e-7, 1e-3, "mrad"), rung(0.0, 1.0, "rad")] }
             }
-            // Forces in kilonewtons, from 0.1 kN to 100 MN.
-            Kind::Force => {
-                const {
-                    &[
-                        rung(1e11, 1e9, "GN"),
-                        rung(1e8, 1e6, "MN"),
-                        rung(1e2, 1e3, "kN"),
-                        rung(0.0, 1.0, "N"),
-                    ]
-                }
-            }
-            Kind::Moment => {
-                const {
-                    &[
-                        rung(1e11, 1e9, "GN m"),
-                        rung(1e8, 1e6, "MN m"),
-                        rung(1e2, 1e3, "kN m"),
-                        rung(0.0, 1.0, "N m"),
-                    ]
-                }
-            }
-            Kind::Pressure => {
-                const {
-                    &[
-                        rung(1e11, 1e9, "GN/m"),
-                        rung(1e8, 1e6, "MN/m"),
-                        rung(1e2, 1e3, "kN/m"),
-                        rung(0.0, 1.0, "N/m"),
-                    ]
-                }
-            }
+            Kind::Force => const { &metric(LOADS, ["GN", "MN", "kN", "N"]) },
+            Kind::Moment => const { &metric(LOADS, ["GN m", "MN m", "kN m", "N m"]) },
+            Kind::Pressure => const { &metric(LOADS, ["GN/m", "MN/m", "kN/m", "N/m"]) },
             Kind::BendingStiffness => {
-                const {
-                    &[
-                        rung(1e9, 1e9, "GN m²"),
-                        rung(1e6, 1e6, "MN m²"),
-                        rung(1e3, 1e3, "kN m²"),
-                        rung(0.0, 1.0, "N m²"),
-                    ]
-                }
+                const { &metric(STIFFNESSES, ["GN m²", "MN m²", "kN m²", "N m²"]) }
             }
-            Kind::Spring => {
-                const {
-                    &[
-                        rung(1e9, 1e9, "GN/m²"),
-                        rung(1e6, 1e6, "MN/m²"),
-                        rung(1e3, 1e3, "kN/m²"),
-                        rung(0.0, 1.0, "N/m²"),
-                    ]
-                }
-            }
-            Kind::Constant => {
-                const {
-                    &[
-                        rung(1e9, 1e9, "GN"),
-                        rung(1e6, 1e6, "MN"),
-                        rung(1e3, 1e3, "kN"),
-                        rung(0.0, 1.0, "N"),
-                    ]
-                }
-            }
-            Kind::AreaSpring => {
-                const {
-                    &[
-                        rung(1e9, 1e9, "GN/m³"),
-                        rung(1e6, 1e6, "MN/m³"),
-                        rung(1e3, 1e3, "kN/m³"),
-                        rung(0.0, 1.0, "N/m³"),
-                    ]
-                }
-            }
-            Kind::AreaShear => {
-                const {
-                    &[
-                        rung(1e9, 1e9, "GN/m"),
-                        rung(1e6, 1e6, "MN/m"),
-                        rung(1e3, 1e3, "kN/m"),
-                        rung(0.0, 1.0, "N/m"),
-                    ]
-                }
-            }
-            Kind::Stress => {
-                const {
-                    &[
-                        rung(1e9, 1e9, "GPa"),
-                        rung(1e7, 1e6, "MPa"),
-                        rung(1e2, 1e3, "kPa"),
-                        rung(0.0, 1.0, "Pa"),
-                    ]
-                }
-            }
+            Kind::Spring => const { &metric(STIFFNESSES, ["GN/m²", "MN/m²", "kN/m²", "N/m²"]) },
+            Kind::Constant => const { &metric(STIFFNESSES, ["GN", "MN", "kN", "N"]) },
+            Kind::AreaSpring => const { &metric(STIFFNESSES, ["GN/m³", "MN/m³", "kN/m³", "N/m³"]) },
+            Kind::AreaShear => const { &metric(STIFFNESSES, ["GN/m", "MN/m", "kN/m", "N/m"]) },
+            Kind::Stress => const { &metric(STRESSES, ["GPa", "MPa", "kPa", "Pa"]) },
             Kind::PerLength => const { &[rung(0.0, 1.0, "1/m")] },
         }
     }
@@ -236,6 +156,23 @@ pub(super) struct Rung {
 
 const fn rung(from: f64, size: f64, name: &'static str) -> Rung {
     Rung { from, size, name }
+}
+
+/// The values from which loads are printed in units of giga, mega and kilo: in kilonewtons from 0.1 kN to 100 MN.
+const LOADS: [f64; 3] = [1e11, 1e8, 1e2];
+/// The same of stiffnesses.
+const STIFFNESSES: [f64; 3] = [1e9, 1e6, 1e3];
+/// The same of stresses: in kilopascals from 0.1 kPa to 10 MPa.
+const STRESSES: [f64; 3] = [1e9, 1e7, 1e2];
+
+/// The units of giga, mega and kilo from these values on, and the unit itself below.
+const fn metric(from: [f64; 3], names: [&'static str; 4]) -> [Rung; 4] {
+    [
+        rung(from[0], 1e9, names[0]),
+        rung(from[1], 1e6, names[1]),
+        rung(from[2], 1e3, names[2]),
+        rung(0.0, 1.0, names[3]),
+    ]
 }
 
 pub(super) const BARE: Rung = rung(0.0, 1.0, "");

@@ -8,7 +8,6 @@ use crate::quantity::ELASTIC_MODULUS;
 use crate::reader::Reader;
 use crate::suggest;
 use crate::table::Section;
-use crate::unit::Marks;
 use crate::units::Seen;
 use groundbeam::Profile;
 
@@ -20,17 +19,7 @@ pub(super) fn modulus(reader: &mut Reader, table: &Section, given: Option<Along>
         let hint = "the material gives E; keep one of the two";
         reader.exclusive(("material", &value), ("E", &given.span), hint);
     }
-    // Its numbers have units, so that the rest of the file must have them.
-    let key = "material".to_owned();
-    reader.quantities.push(Seen {
-        key,
-        kind: &ELASTIC_MODULUS,
-        has_unit: true,
-        is_bare_zero: false,
-        value: 0.0,
-        marks: Marks::NONE,
-        span: value.clone(),
-    });
+    reader.quantities.push(Seen::of_built_in("material", &ELASTIC_MODULUS, value.clone()));
     Some(match named(reader, table) {
         Some(known) => Along { profile: Profile::constant(known.elastic_modulus), span: value },
         None => Along::unreadable(value),

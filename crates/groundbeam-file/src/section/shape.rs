@@ -12,7 +12,6 @@ use crate::profiles::{self, RolledSection};
 use crate::quantity::{SECOND_MOMENT_OF_AREA, WIDTH};
 use crate::reader::Reader;
 use crate::table::Section;
-use crate::unit::Marks;
 use crate::units::Seen;
 use groundbeam::Profile;
 use std::f64::consts::PI;
@@ -291,16 +290,7 @@ fn named(
     let Some((name, at)) = reader.text(section, key) else {
         return Shape::unreadable(span);
     };
-    // Its numbers have units, so that the rest of the file must have them.
-    reader.quantities.push(Seen {
-        key: key.to_owned(),
-        kind: &SECOND_MOMENT_OF_AREA,
-        has_unit: true,
-        is_bare_zero: false,
-        value: 0.0,
-        marks: Marks::NONE,
-        span: span.clone(),
-    });
+    reader.quantities.push(Seen::of_built_in(key, &SECOND_MOMENT_OF_AREA, span.clone()));
     match find(name) {
         Ok(found) => {
             let along = |value| Along { profile: Profile::constant(value), span: span.clone() };

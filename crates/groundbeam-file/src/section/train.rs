@@ -8,7 +8,6 @@ use crate::quantity::{self, BEHIND, FORCE, LOAD_PER_LENGTH, OFFSET, RATIO, REACH
 use crate::reader::Reader;
 use crate::table::Section;
 use crate::trains::{self, TrainSet};
-use crate::unit::Marks;
 use crate::units::Seen;
 use groundbeam::model::{Axle, Train, UniformPart};
 use std::ops::Range;
@@ -142,19 +141,7 @@ fn parts(reader: &mut Reader, table: &Section) -> (Option<&'static TrainSet>, Tr
         }
     }
     let Some((written, span)) = reader.text(table, "set") else { return (None, train) };
-    // The loads of a set have units, so that the rest of the file must have them.
-    let key = "set".to_owned();
-    let (kind, has_unit, is_bare_zero) = (&FORCE, true, false);
-    let (value, marks) = (0.0, Marks::NONE);
-    reader.quantities.push(Seen {
-        key,
-        kind,
-        has_unit,
-        is_bare_zero,
-        value,
-        marks,
-        span: span.clone(),
-    });
+    reader.quantities.push(Seen::of_built_in("set", &FORCE, span.clone()));
     let found = trains::find(written.trim());
     match found {
         Some(set) => train = set.train.clone(),

@@ -42,11 +42,11 @@ pub(crate) fn expand(
     let mut made = Vec::new();
     let mut seen = BTreeMap::new();
     for formula in &set.formulas {
+        let limit_states = states(&set.limit_states).and(states(&formula.also_limit_states));
+        let always: Vec<Vec<f64>> =
+            cases.iter().map(|case| formula.always_of(practice, case.action)).collect();
+        let (always, label, by_parts) = (&*always, &*formula.label, formula.by_parts);
         for (leads, terms) in formula.terms(practice, cases) {
-            let limit_states = states(&set.limit_states).and(states(&formula.also_limit_states));
-            let always: Vec<Vec<f64>> =
-                cases.iter().map(|case| formula.always_of(practice, case.action)).collect();
-            let (label, by_parts) = (&*formula.label, formula.by_parts);
             let mut found =
                 Expansion { cases, always, by_parts, most, label, limit_states, leads, made, seen };
             found.permanent(&terms, 0, &mut Vec::new(), &mut Vec::new())?;
@@ -123,8 +123,8 @@ fn rounded(product: f64) -> f64 {
 
 struct Expansion<'a> {
     cases: &'a [Acting<'a>],
-    /// Of every case the factors that it takes in turn; none if it is not always there.
-    always: Vec<Vec<f64>>,
+    /// The factors that each case takes in turn; no factors for a case that is not always there.
+    always: &'a [Vec<f64>],
     /// Whether permanent cases of one source are taken apart.
     by_parts: bool,
     most: usize,

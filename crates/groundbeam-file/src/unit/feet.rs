@@ -7,8 +7,8 @@ const FINEST: u128 = 64;
 /// Inches are counted in parts of this size, so that 64ths and six decimals are whole: 10⁻⁶ in.
 const PARTS: u128 = 1_000_000;
 
-/// The inches of a length in feet and inches, or with a fraction, as a decimal number; none if the text is no such
-/// length. A length of one decimal number, as in `6.5 in`, is none.
+/// The inches of a length in feet and inches, or with a fraction, as a decimal number. `None` for another text, also for one
+/// decimal number with its unit, as in `6.5 in`.
 pub(crate) fn feet_and_inches(text: &str) -> Option<String> {
     let text = text.trim();
     let (sign, text) = match text.strip_prefix(['-', '\u{2212}']) {
