@@ -73,7 +73,7 @@ impl ListedErrors {
     }
 }
 
-/// The largest of several errors; zero if there are none.
+/// The largest of several errors, or zero.
 fn largest<'a>(errors: impl Iterator<Item = &'a f64>) -> f64 {
     errors.map(|error| Size::of(*error)).fold(Size::ZERO, Size::worst).value()
 }

@@ -179,7 +179,7 @@ impl<S: Scalar> Beside<'_, S> {
         Ok(sum)
     }
 
-    /// q at the near and at the far end of a stretch. Each load covers the whole stretch or none of it.
+    /// q at the near and at the far end of a stretch. Each load covers the whole stretch, or lies outside of it.
     fn spread_over(&self, [near, far]: [S; 2]) -> Result<[S; 2], NotProven> {
         let mut sum = [S::zero(); 2];
         for load in self.loads() {

@@ -75,14 +75,14 @@ fn error(check: &Check, solution: &Solution, named: &Named, limits: Option<&Limi
 #[derive(Debug, Clone)]
 pub(crate) struct Row<'a> {
     pub name: Cow<'a, str>,
-    /// Its limit states; none of loads as they are given.
+    /// Its limit states; empty for loads as given.
     pub states: LimitStates,
     pub solution: Option<&'a Solution>,
     /// Whether there is no equilibrium.
     pub falls: bool,
     /// Whether the loads act as they are given.
     pub as_given: bool,
-    /// What is proven of it; none if nobody asked.
+    /// Its proof; `None` if no proof is requested.
     pub proof: Option<&'a Named>,
 }
 
@@ -130,7 +130,7 @@ impl<'a> Row<'a> {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Verdict {
     pub what: Checked,
-    /// None of answers that name no limit state.
+    /// `None` for answers without a limit state.
     pub state: Option<LimitState>,
     pub of: Governing,
 }
@@ -196,7 +196,7 @@ pub(crate) fn verdicts(limits: Option<&Limits>, rows: &[Row]) -> Vec<Verdict> {
     verdicts
 }
 
-/// What decides a check over some of the answers; none if none of them has a value.
+/// The reason of the verdict on a check over some of the answers; `None` if no answer has a value.
 fn governing(
     what: Checked,
     of_state: &[usize],

@@ -17,7 +17,7 @@ pub(crate) struct Numbered<'a> {
     pub sizes: Sizes,
     /// What its ground multiplies k and μ by; none without a band.
     pub ground: Option<[f64; 2]>,
-    /// What is proven of it; none if nobody asked.
+    /// Its proof; `None` if no proof is requested.
     pub proof: Option<&'a Named>,
 }
 

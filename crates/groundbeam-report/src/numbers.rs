@@ -15,7 +15,7 @@ const NARROW: f64 = 1e-3;
 pub(crate) struct Numbers<'a> {
     pub units: Units,
     sizes: Sizes,
-    /// What is proven of the solution; none if nobody asked.
+    /// The proof of the solution; `None` if no proof is requested.
     proof: Option<&'a Named>,
 }
 

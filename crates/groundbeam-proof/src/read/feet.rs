@@ -3,7 +3,7 @@
 /// Inches are counted in millionths: 64ths and six decimals are whole.
 const MILLION: u128 = 1_000_000;
 
-/// The inches of a text; none of a text that has neither feet beside inches nor a fraction.
+/// The inches of a text with feet and inches, or with a fraction; `None` for another text.
 pub(crate) fn inches(text: &str) -> Option<String> {
     let one_sign = |text: String, names: [&str; 5], sign: &str| {
         names.iter().fold(text, |text, name| text.replace(name, sign))

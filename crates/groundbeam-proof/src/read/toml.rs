@@ -83,7 +83,7 @@ impl Table {
         Ok(())
     }
 
-    /// The table of a key; creates one with the given origin if there is none.
+    /// The table of a key. A missing table is created with the given origin.
     fn inner(&mut self, (key, at): &(String, usize), origin: Origin) -> &mut Node {
         let new = || (*at, Node { at: *at, value: Value::Table(Table::of(origin)) });
         &mut self.entries.entry(key.clone()).or_insert_with(new).1

@@ -168,16 +168,12 @@ fn envelope(sheet: &mut Sheet, heading: &str, passages: &Passages, units: Units)
             sheet.row(field.label(), &format!(" {value:>11} everywhere, always"));
             continue;
         }
-        let [a, b] = known.map(|InPassage { located, passage }| {
-            let place = |x: f64| units.write(Kind::Position, x);
-            let which = (passage + 1).to_string();
-            [unit.write(located.value), place(located.x), place(located.first_axle), which]
+        let cells = known.map(|InPassage { located, passage }| {
+            let [x, train] = [located.x, located.first_axle].map(|x| units.position(x));
+            [unit.write(located.value), x, train, (passage + 1).to_string()]
         });
-        let cells = |cells: &[String; 4]| -> String {
-            let [value, x, train, which] = cells;
-            format!(" {value:>11} {x:>8} {train:>8}{which:>3}")
-        };
-        sheet.line(&format!("{:<13}{}{}", field.label(), cells(&a), cells(&b)));
+        let [a, b] = cells.each_ref().map(|cells| cells.each_ref().map(String::as_str));
+        sheet.line(&columns(field.label(), a, b));
     }
 }
 

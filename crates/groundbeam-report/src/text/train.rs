@@ -160,14 +160,10 @@ fn envelope(sheet: &mut Sheet, passage: &Passage, units: Units) {
             continue;
         }
         let cells = known.map(|Located { x, value, first_axle }| {
-            let place = |x: f64| units.write(Kind::Position, x);
-            [unit.write(value), place(x), place(first_axle)]
+            [unit.write(value), units.position(x), units.position(first_axle)]
         });
-        let [a, b] = &cells;
-        let of = |cell: &[String; 3]| -> String {
-            format!(" {:>12} {:>9} {:>9}", cell[0], cell[1], cell[2])
-        };
-        sheet.line(&format!("{:<13}{}{}", field.label(), of(a), of(b)));
+        let [a, b] = cells.each_ref().map(|cells| cells.each_ref().map(String::as_str));
+        sheet.line(&columns(field.label(), a, b));
     }
 }
 
