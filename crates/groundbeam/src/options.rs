@@ -2,24 +2,13 @@
 
 use crate::cancel::Cancel;
 
-/// How the contact pressure is represented.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Pressure {
-    /// Spread over the stretches of contact, with concentrated forces only where mechanics has them.
-    #[default]
-    Distributed,
-    /// Forces at the nodes, (5.5): the paper's choice. It needs a shear layer, and is right only while
-    /// b·h is small.
-    Dirac,
-}
-
 /// How the contact problem is solved.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Method {
     /// Closed forms between the edges of contact, which are the unknowns. No mesh.
     #[default]
     Exact,
-    /// Cubic elements (5.1), Newton's method on the convex energy.
+    /// The discrete problem (5.10), (5.11) with forces at the nodes, (5.5): Newton's method on the convex energy.
     ActiveSet,
     /// The paper's (5.17) with (5.18), projected successive over-relaxation.
     Psor,
@@ -50,8 +39,6 @@ pub struct Options {
     /// Equal elements along the beam for the methods with a mesh; more are added where the model needs a
     /// node. Not used by [`Method::Exact`].
     pub elements: usize,
-    /// How the mesh represents the contact pressure. `Uzawa` and `Psor` are always [`Pressure::Dirac`].
-    pub pressure: Pressure,
     /// Where `Uzawa` and `Psor` begin.
     pub start: Start,
     /// Sweeps after which `Uzawa` and `Psor` give up.
@@ -68,7 +55,6 @@ impl Default for Options {
         Options {
             method: Method::Exact,
             elements: 100,
-            pressure: Pressure::Distributed,
             start: Start::Bilateral,
             most_sweeps: 1_000_000,
             memory_limit: 4_000_000_000,

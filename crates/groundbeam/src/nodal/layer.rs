@@ -1,7 +1,7 @@
 //! The ground under one run: springs and a shear layer that do not vary.
 
 use crate::ground::link::TwoPort;
-use crate::numeric::elementary::{exp, expm1};
+use crate::numeric::elementary::{asinh, exp, expm1};
 
 /// √(kμ) and √(k/μ).
 #[derive(Debug, Clone, Copy, Default)]
@@ -16,6 +16,18 @@ impl Layer {
             return Layer::default();
         }
         Layer { stiffness: (spring * shear).sqrt(), rate: (spring / shear).sqrt() }
+    }
+
+    /// The same on nodes a distance h apart, between which the shear layer is straight and to which the springs go by the
+    /// trapezoidal rule: u at the nodes is e^(±βi) with sinh(β/2) = h√(k/μ)/2.
+    pub fn at_nodes(spring: f64, shear: f64, h: f64) -> Self {
+        if shear == 0.0 {
+            return Layer::default();
+        }
+        let half = 0.5 * h * (spring / shear).sqrt();
+        // sinh β = 2 sinh(β/2) cosh(β/2).
+        let stiffness = (spring * shear).sqrt() * (1.0 + half * half).sqrt();
+        Layer { stiffness, rate: 2.0 * asinh(half) / h }
     }
 
     /// Open ground of a length, as [`TwoPort::uniform`] with one exponential:
