@@ -63,4 +63,18 @@ mod tests {
             assert!((ours.shunt_left - link.shunt_left).abs() <= 1e-15 * link.shunt_left, "{bh}");
         }
     }
+
+    /// Open ground at nodes is the links of its elements in series: the discrete energy is one function.
+    #[test]
+    fn open_ground_at_nodes_is_its_links_in_series() {
+        for h in [1e-3, 0.1, 1.0, 30.0] {
+            let layer = Layer::at_nodes(2.0, 0.5, h);
+            let link = layer.open(h);
+            assert!((link.series - 0.5 / h).abs() <= 1e-12 / h, "{h}: {link:?}");
+            assert!((link.shunt_left - h).abs() <= 1e-12 * h, "{h}: {link:?}");
+            let (three, open) = (link.then(link).then(link), layer.open(3.0 * h));
+            assert!((three.series - open.series).abs() <= 1e-12 * open.series, "{h}");
+            assert!((three.shunt_left - open.shunt_left).abs() <= 1e-12 * open.shunt_left, "{h}");
+        }
+    }
 }
