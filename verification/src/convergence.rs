@@ -1,8 +1,8 @@
 //! Convergence of the mesh methods to the exact solution: errors over the number of elements N, and their slopes.
 
 use groundbeam::{
-    Beam, Field, Foundation, Load, Method, Model, Options, Outcome, Pressure, Side, Solution,
-    solve, solve_with,
+    Beam, Field, Foundation, Load, Method, Model, Options, Outcome, Side, Solution, solve,
+    solve_with,
 };
 
 /// Numbers of elements.
@@ -13,11 +13,6 @@ pub fn kikuchi(moment: f64) -> Model {
     Model::new(Beam::uniform(1.0, 1.0), Foundation::pasternak(1.0, 1.0))
         .with_load(Load::point_force(0.5, 1.0))
         .with_load(Load::point_moment(0.5, moment))
-}
-
-/// The same beam on Winkler ground.
-pub fn kikuchi_on_springs(moment: f64) -> Model {
-    Model { foundation: Foundation::winkler(1.0), ..kikuchi(moment) }
 }
 
 /// The compared quantity.
@@ -35,8 +30,6 @@ pub enum Quantity {
     ShearAtNodes,
     /// V at all stations.
     Shear,
-    /// p where both solutions are in contact, relative to the largest p.
-    Pressure,
     /// p_l, relative to the resultant.
     EndForce,
     /// The left edge of contact, relative to l.
@@ -47,14 +40,13 @@ pub enum Quantity {
 
 impl Quantity {
     /// All quantities, in the order of the table.
-    pub const ALL: [Quantity; 10] = [
+    pub const ALL: [Quantity; 9] = [
         Quantity::Deflection,
         Quantity::Slope,
         Quantity::MomentAtNodes,
         Quantity::Moment,
         Quantity::ShearAtNodes,
         Quantity::Shear,
-        Quantity::Pressure,
         Quantity::EndForce,
         Quantity::Edge,
         Quantity::Gap,
@@ -69,7 +61,6 @@ impl Quantity {
             Quantity::Moment => "M",
             Quantity::ShearAtNodes => "V at nodes",
             Quantity::Shear => "V",
-            Quantity::Pressure => "p",
             Quantity::EndForce => "p_l",
             Quantity::Edge => "edge of contact",
             Quantity::Gap => "relative gap",
@@ -81,11 +72,11 @@ impl Quantity {
 pub type Errors = [f64; ELEMENTS.len()];
 
 /// Errors of a quantity against the exact method, for each number of elements.
-pub fn errors(model: &Model, pressure: Pressure, quantity: Quantity) -> Errors {
+pub fn errors(model: &Model, quantity: Quantity) -> Errors {
     let exact = equilibrium(solve(model));
     ELEMENTS.map(|elements| {
         let method = Method::ActiveSet;
-        let options = Options { method, elements, pressure, ..Options::default() };
+        let options = Options { method, elements, ..Options::default() };
         let found = equilibrium(solve_with(model, &options));
         error(&exact, &found, elements, quantity)
     })
@@ -143,11 +134,6 @@ fn error(exact: &Solution, found: &Solution, elements: usize, quantity: Quantity
         Quantity::Moment => over(&mut everywhere(), Field::Moment),
         Quantity::ShearAtNodes => over(&mut nodes(elements), Field::ShearForce),
         Quantity::Shear => over(&mut everywhere(), Field::ShearForce),
-        Quantity::Pressure => {
-            let touches = |s: &Solution, x: f64| s.contact().iter().any(|c| c.from < x && x < c.to);
-            let both = |x: &f64| touches(exact, *x) && touches(found, *x);
-            over(&mut everywhere().filter(both), Field::Pressure)
-        }
         Quantity::EndForce => (exact.end_forces().right - found.end_forces().right).abs(),
         Quantity::Edge => {
             let edge = |s: &Solution| s.contact().first().map_or(f64::NAN, |c| c.from);

@@ -34,7 +34,6 @@ fn the_readme_lists_what_is_not_supported() {
             .map(|way| match way {
                 Way::Exact => "the default method",
                 Way::ActiveSet => "`active-set`",
-                Way::NodalForces => "`active-set` with forces at nodes",
                 Way::Iteration => "`psor` and `uzawa`",
                 Way::Nodes => "`NodalSolver`",
                 Way::LoadFactors => "load factors",
@@ -58,7 +57,6 @@ fn the_table_of_methods_and_features_is_the_programs() {
     let ways = Way::ALL.map(|way| match way {
         Way::Exact => "`exact`",
         Way::ActiveSet => "`active-set`",
-        Way::NodalForces => "`active-set` with forces at nodes (5.5)",
         Way::Iteration => "`psor`, `uzawa`",
         Way::Nodes => "nodes alone (section 10)",
         Way::LoadFactors => "load factors",

@@ -1,8 +1,8 @@
 //! Compares hinges with a dense problem over all contact sets, with closed forms and limits.
 
 use groundbeam::{
-    Beam, Error, Field, Foundation, Hinge, Load, Method, Model, Options, Outcome, Pressure,
-    Solution, Verdict, exists, solve, solve_with,
+    Beam, Error, Field, Foundation, Hinge, Load, Method, Model, Options, Outcome, Solution,
+    Verdict, exists, solve, solve_with,
 };
 use groundbeam_verification::dense::Dense;
 use groundbeam_verification::random::{Family, model};
@@ -57,12 +57,7 @@ fn brute_force_over_all_contact_sets() {
         let elements = rng.random_range(3..8);
         let model = hinged(&mut rng, elements);
         let (w, _) = Dense::new(&model, elements).by_exhaustion().expect("one set satisfies all");
-        let options = Options {
-            method: Method::ActiveSet,
-            elements,
-            pressure: Pressure::Dirac,
-            ..Options::default()
-        };
+        let options = Options { method: Method::ActiveSet, elements, ..Options::default() };
         let found = solved_by(&model, &options);
         let size = w.iter().fold(0.0, |m: f64, w| m.max(w.abs()));
         for (i, w) in w.iter().enumerate() {

@@ -1,6 +1,8 @@
 //! Thousands of random models: each is solved, certified, and invariant under scaling and mirroring.
 
-use groundbeam::{Field, Method, Model, Options, Outcome, Side, Solution, solve, solve_with};
+use groundbeam::{
+    Error, Field, Method, Model, Options, Outcome, Side, Solution, solve, solve_with,
+};
 use groundbeam_verification::estimated::estimated_bounds;
 use groundbeam_verification::random::{Family, model};
 
@@ -50,8 +52,7 @@ fn exact_is_certified() {
 #[test]
 fn active_set_stays_within_its_certificate() {
     let mut faults = Vec::new();
-    // Only the exact method supports loads on the ground.
-    for family in Family::ALL.into_iter().filter(|family| *family != Family::Neighbours) {
+    for family in Family::ALL.into_iter().chain([Family::Shearing]) {
         let count = match family {
             Family::Hard | Family::Varying => 30,
             Family::Long => 60,
@@ -74,10 +75,10 @@ fn active_set_stays_within_its_certificate() {
             };
             let Ok(exact) = exact(&model) else { continue };
             let certificate = coarse.certificate();
-            // Half the squared error in the energy norm is at most the gap, so the energies differ by less.
+            // Between nodes the beam may pierce the ground, so the energy may lie on either side of the exact one.
             let excess = certificate.primal_energy() - exact.certificate().primal_energy();
             let rounding = 1e-9 * exact.certificate().primal_energy().abs();
-            if excess > certificate.gap() + rounding || excess < -rounding {
+            if excess.abs() > certificate.gap() + rounding {
                 faults.push(format!(
                     "{family:?} {number} {elements}: energy off by {excess:e}, gap {:e}",
                     certificate.gap()
@@ -126,12 +127,10 @@ fn scaling_by_a_power_of_two_is_bit_identical() {
                 support.settlement *= factor;
             }
             for method in [Method::Exact, Method::ActiveSet] {
-                // Only the exact method supports loads on the ground and beams that shear.
-                let alone = matches!(family, Family::Neighbours | Family::Shearing);
-                if alone && method != Method::Exact {
+                let options = Options { method, elements: 37, ..Options::default() };
+                if matches!(solve_with(&model, &options), Err(Error::Unsupported(_))) {
                     continue;
                 }
-                let options = Options { method, elements: 37, ..Options::default() };
                 let (Ok(Outcome::Equilibrium(a)), Ok(Outcome::Equilibrium(b))) =
                     (solve_with(&model, &options), solve_with(&scaled, &options))
                 else {

@@ -1,8 +1,8 @@
 //! Compares settled supports with closed forms.
 
 use groundbeam::{
-    Beam, Field, Foundation, Load, Method, Model, Options, Outcome, Pressure, Side, Solution,
-    Support, solve_with,
+    Beam, Field, Foundation, Load, Method, Model, Options, Outcome, Side, Solution, Support,
+    solve_with,
 };
 
 const METHODS: [Method; 2] = [Method::Exact, Method::ActiveSet];
@@ -111,8 +111,7 @@ fn all_methods_on_one_mesh() {
     for supports in supports {
         let model = Model { supports, ..base.clone() };
         let by = |method| {
-            let pressure = Pressure::Dirac;
-            let options = Options { method, elements: 8, pressure, ..Options::default() };
+            let options = Options { method, elements: 8, ..Options::default() };
             match solve_with(&model, &options) {
                 Ok(Outcome::Equilibrium(solution)) => *solution,
                 other => panic!("{method:?}: {other:?}"),

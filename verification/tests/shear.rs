@@ -206,7 +206,7 @@ fn load_factors_and_other_methods() {
         solved(&model).lift_off().len()
     };
     assert_eq!((at(factor * 0.999), at(factor * 1.001)), (0, 1));
-    for method in [Method::ActiveSet, Method::Psor, Method::Uzawa] {
+    for method in [Method::Psor, Method::Uzawa] {
         let options = Options { method, ..Options::default() };
         let Err(Error::Unsupported(problem)) = solve_with(&pushed, &options) else { panic!() };
         assert_eq!(problem.code, "GB614");

@@ -4,8 +4,8 @@
 use clarabel::algebra::CscMatrix;
 use clarabel::solver::{DefaultSettings, DefaultSolver, IPSolver, SolverStatus, SupportedConeT};
 use groundbeam::{
-    Action, Beam, Extent, Field, Foundation, Load, Method, Model, Options, Outcome, Pressure,
-    Solution, Verdict, exists, solve_with,
+    Action, Beam, Extent, Field, Foundation, Load, Method, Model, Options, Outcome, Solution,
+    Verdict, exists, solve_with,
 };
 use groundbeam_verification::dense::Dense;
 use rand::{RngExt, SeedableRng};
@@ -44,7 +44,7 @@ fn model(rng: &mut ChaCha8Rng, elements: usize) -> Model {
 }
 
 fn solved(model: &Model, method: Method, elements: usize) -> Solution {
-    let options = Options { method, elements, pressure: Pressure::Dirac, ..Options::default() };
+    let options = Options { method, elements, ..Options::default() };
     match solve_with(model, &options) {
         Ok(Outcome::Equilibrium(solution)) => *solution,
         Ok(Outcome::NoEquilibrium(_)) => panic!("no equilibrium: {model:?}"),

@@ -279,10 +279,6 @@ impl Solve {
                 typed::Method::Uzawa => groundbeam::Method::Uzawa,
             },
             elements: typed.elements as usize,
-            pressure: match typed.pressure {
-                typed::Pressure::Distributed => groundbeam::Pressure::Distributed,
-                typed::Pressure::Dirac => groundbeam::Pressure::Dirac,
-            },
             start: match typed.start {
                 typed::Start::Bilateral => groundbeam::Start::Bilateral,
                 typed::Start::Zero => groundbeam::Start::Zero,

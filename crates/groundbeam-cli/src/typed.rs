@@ -150,9 +150,9 @@ pub struct Solve {
     #[arg(long, value_name = "N", default_value_t = 100, value_parser = clap::value_parser!(u32).range(1..=10_000_000))]
     pub elements: u32,
 
-    /// How a mesh represents the contact pressure; `psor` and `uzawa` always take `dirac`
-    #[arg(long, value_enum, default_value = "distributed")]
-    pub pressure: Pressure,
+    /// The ground of the methods with a mesh presses on the nodes alone
+    #[arg(long, hide = true, value_parser = no_choice_of_pressure)]
+    pub pressure: Option<std::convert::Infallible>,
 
     /// Where `psor` and `uzawa` begin
     #[arg(long, value_enum, default_value = "bilateral")]
@@ -382,19 +382,20 @@ pub enum Method {
 }
 
 #[derive(Debug, Clone, Copy, ValueEnum)]
-pub enum Pressure {
-    /// Spread over the stretches of contact
-    Distributed,
-    /// Forces at the nodes, Kikuchi (5.5)
-    Dirac,
-}
-
-#[derive(Debug, Clone, Copy, ValueEnum)]
 pub enum Start {
     /// From the pressure of the bilateral problem, its pulls left out
     Bilateral,
     /// From no pressure
     Zero,
+}
+
+/// Answers an option that earlier versions had.
+fn no_choice_of_pressure(_: &str) -> Result<std::convert::Infallible, String> {
+    let forces =
+        "the ground of `active-set`, `psor` and `uzawa` presses on the nodes alone, Kikuchi (5.5)";
+    Err(format!(
+        "{forces}: for pressure along the beam leave the option out and use `--method exact`"
+    ))
 }
 
 /// A number of bytes, as in `8 GB` or `500MB`.

@@ -44,8 +44,8 @@ fn methods_side_by_side() {
         .iter()
         .map(|row| row["method"].as_str().unwrap())
         .collect();
-    assert_eq!(names, ["exact", "active-set", "active-set, dirac", "psor", "uzawa"]);
-    for i in 1..5 {
+    assert_eq!(names, ["exact", "active-set", "psor", "uzawa"]);
+    for i in 1..4 {
         let error = |document: &serde_json::Value| {
             document["methods"][i]["errors"]["deflection"].as_f64().unwrap()
         };
@@ -66,7 +66,7 @@ fn comparisons_that_cannot_be_made() {
     // Separate springs have no concentrated pressures: those methods are not for such ground, and that is no failure.
     let springs = Folder::with(FOOTING).run(&["compare", "model.toml"]);
     springs.is_clean(0);
-    assert!(springs.stdout.contains("Not solved   active-set, dirac: the paper's concentrated"));
+    assert!(springs.stdout.contains("Not solved   psor: the paper's concentrated"));
     Folder::with(&tips()).run(&["compare", "model.toml"]).fails(3, "none: ");
     let one = "case = \"G\"\n[[combination]]\nname = \"one\"\nfactors = { G = 1.35 }\n";
     let combined = FOOTING.to_owned() + one;

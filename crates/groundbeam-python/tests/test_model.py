@@ -206,7 +206,8 @@ def test_a_model_outside_of_what_is_solved_is_shown_at_its_line() -> None:
 def test_methods_agree(footing: gb.Model) -> None:
     exact, mesh = footing.solve(), footing.solve("active-set", elements=400)
     assert (exact.method, mesh.method) == ("exact", "active-set")
-    assert mesh.contact[0][1] == pytest.approx(exact.contact[0][1], rel=1e-6)
+    # On a mesh the contact ends at a node.
+    assert mesh.contact[0][1] == pytest.approx(exact.contact[0][1], abs=12.0 / 400)
     with pytest.raises(ValueError, match="exact, active-set, psor, uzawa"):
         footing.solve("exakt")
     with pytest.raises(ValueError, match="at least one element"):

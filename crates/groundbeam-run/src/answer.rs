@@ -16,7 +16,7 @@ pub struct Label {
     pub combination: Arc<Combination>,
     /// The train on the beam, and where it stands.
     pub train: Option<Placed>,
-    /// Name of the method, with the form of pressure if the method has several: `active-set, dirac`.
+    /// Name of the method.
     pub method: &'static str,
 }
 

@@ -5,15 +5,10 @@ use crate::answers::{Answers, Asked};
 use crate::host::Host;
 use crate::run::Run;
 use crate::single::answered;
-use groundbeam::{Error, Field, Method, Options, Pressure, Side, Solution};
+use groundbeam::{Error, Field, Method, Options, Side, Solution};
 
-/// The methods that are compared with `exact`, by name.
-const OTHERS: [(&str, Method, Pressure); 4] = [
-    ("active-set", Method::ActiveSet, Pressure::Distributed),
-    ("active-set, dirac", Method::ActiveSet, Pressure::Dirac),
-    ("psor", Method::Psor, Pressure::Dirac),
-    ("uzawa", Method::Uzawa, Pressure::Dirac),
-];
+/// The methods that are compared with `exact`.
+const OTHERS: [Method; 3] = [Method::ActiveSet, Method::Psor, Method::Uzawa];
 
 /// The options of a comparison.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -60,16 +55,10 @@ impl Run {
         let exact = exact?;
         let stands = exact.solution().is_some();
         answers.list.push(exact);
-        for (name, method, pressure) in OTHERS.into_iter().filter(|_| stands) {
-            let options = Options {
-                method,
-                pressure,
-                elements,
-                most_sweeps,
-                memory_limit,
-                ..Options::default()
-            };
-            answers.list.push(match solved(name, options) {
+        for method in OTHERS.into_iter().filter(|_| stands) {
+            let options =
+                Options { method, elements, most_sweeps, memory_limit, ..Options::default() };
+            answers.list.push(match solved(method.name(), options) {
                 (Ok(answer), ..) => answer,
                 (Err(error @ Error::Invalid(_)), ..) => return Err(error),
                 (Err(error), label, seconds) => {

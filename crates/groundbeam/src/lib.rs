@@ -58,7 +58,6 @@ pub use crate::solution::fields::{
     ConcentratedForce, ContactZone, EndForces, Extreme, Fields, Range, Reaction, Side,
 };
 pub use cancel::Cancel;
-pub use contact::state::Step;
 pub use design::checks::{Beside, Check, Checked, Limits, overturning};
 pub use design::limit_states::{LimitState, LimitStates};
 pub use envelope::{Bound, Bounds, Change, Envelope, Governing};
@@ -75,7 +74,8 @@ pub use model::{
 pub use nodal::newton::Work;
 pub use nodal::solution::{NodalCheck, NodalSolution};
 pub use nodal_solver::NodalSolver;
-pub use options::{Method, Options, Pressure, Start};
+pub use numeric::step::Step;
+pub use options::{Method, Options, Start};
 pub use outcome::Outcome;
 pub use solution::hinges::HingeTurn;
 pub use solution::lift_off::LiftOff;

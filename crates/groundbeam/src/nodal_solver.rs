@@ -5,11 +5,10 @@ use crate::error::{Error, NotConverged, Stopped};
 use crate::existence::verdict::{Existence, Verdict};
 use crate::model::Model;
 use crate::nodal::grid::{Grid, Ground};
-use crate::nodal::hull::Hull;
 use crate::nodal::newton::Work;
 use crate::nodal::newton::Workspace;
+use crate::nodal::quadratic::Loose;
 use crate::nodal::solution::NodalSolution;
-use crate::nodal::sweep::Loose;
 use crate::nodal::{check, levels, newton, open};
 use crate::options::{Method, Options};
 use crate::solve::exists;
@@ -125,7 +124,8 @@ impl NodalSolver {
         swapped(workspace, into);
         into.contact.clone_from(&workspace.zones);
         into.work = workspace.work;
-        settle_ground(&grid, into);
+        let NodalSolution { deflection, settlement, contact, .. } = into;
+        open::settlement(&grid, deflection, contact, settlement);
         into.grid = Some(grid);
         let check = check::check(model, into);
         into.check = Some(check);
@@ -171,30 +171,7 @@ pub(crate) fn checked(model: &Model, elements: usize) -> Result<Existence, Error
     let existence = exists(model)?;
     let is_local = matches!(existence.verdict, Verdict::Local(_));
     supported::check(model, Way::Nodes, is_local)?;
-    let fewest = Grid::of(model, Ground::Nodal).fewest();
+    let fewest = Grid::fewest(model);
     size::check_nodes(fewest.saturating_add(elements), Options::default().memory_limit)?;
     Ok(existence)
-}
-
-/// u at every node: ψ in contact, otherwise the solution of the open ground.
-pub(crate) fn settle_ground(grid: &Grid, into: &mut NodalSolution) {
-    let NodalSolution { deflection, settlement, contact, .. } = into;
-    settlement.resize(grid.last() + 1, 0.0);
-    let hull = Hull { grid, deflection, near: &[] };
-    let mut before: Option<(usize, f64)> = None;
-    for &[from, to] in contact.iter() {
-        if grid.flat {
-            settlement[from..=to].copy_from_slice(&deflection[from..=to]);
-        } else {
-            (from..=to).for_each(|node| settlement[node] = hull.psi(node));
-        }
-        let ends = [before.map(|b| b.1), Some(settlement[from])];
-        open::ground(grid, [before.map_or(0, |b| b.0), from], ends, settlement);
-        before = Some((to, settlement[to]));
-    }
-    if let Some((to, psi)) = before
-        && to < grid.last()
-    {
-        open::ground(grid, [to, grid.last()], [Some(psi), None], settlement);
-    }
 }

@@ -2,24 +2,13 @@
 
 use crate::cancel::Cancel;
 
-/// The representation of the contact pressure.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Pressure {
-    /// Distributed over the contact zones, with concentrated forces where the theory requires them.
-    #[default]
-    Distributed,
-    /// Forces at the nodes, (5.5), as in the paper. It needs a shear layer, and is accurate only if b·h is
-    /// small.
-    Dirac,
-}
-
 /// The method of solution.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Method {
     /// Closed forms between the edges of contact, which are the unknowns. No mesh.
     #[default]
     Exact,
-    /// Cubic elements (5.1), Newton's method on the convex energy.
+    /// The discrete problem (5.10), (5.11) with forces at the nodes, (5.5): Newton's method on the convex energy.
     ActiveSet,
     /// The paper's (5.17) with (5.18), projected successive over-relaxation.
     Psor,
@@ -50,9 +39,6 @@ pub struct Options {
     /// Number of equal elements along the beam for the methods with a mesh; the model adds nodes where it
     /// needs them. [`Method::Exact`] ignores it.
     pub elements: usize,
-    /// The representation of the contact pressure on a mesh. `Uzawa` and `Psor` always use
-    /// [`Pressure::Dirac`].
-    pub pressure: Pressure,
     /// The start of `Uzawa` and `Psor`.
     pub start: Start,
     /// Maximum number of sweeps of `Uzawa` and `Psor`.
@@ -68,7 +54,6 @@ impl Default for Options {
         Options {
             method: Method::Exact,
             elements: 100,
-            pressure: Pressure::Distributed,
             start: Start::Bilateral,
             most_sweeps: 1_000_000,
             memory_limit: 4_000_000_000,

@@ -4,7 +4,7 @@ use crate::cancel::Cancel;
 use crate::contact::intervals::Interval;
 use crate::contact::state::{ContactState, Unconverged};
 use crate::contact::uzawa::{self, Relaxation};
-use crate::contact::{exact, levels, point_contact, unloaded_ends};
+use crate::contact::{exact, nodes, point_contact, unloaded_ends};
 use crate::equilibrium::branch::PathPoint;
 use crate::equilibrium::buckling::convexity;
 use crate::equilibrium::local;
@@ -15,8 +15,8 @@ use crate::equilibrium::soil;
 use crate::error::{Error, NotConverged, Stopped};
 use crate::existence::existence;
 use crate::existence::verdict::{Existence, Verdict};
-use crate::mesh::mesh::Mesh;
 use crate::model::Model;
+use crate::nodal::grid::{Grid, Ground};
 use crate::numeric::tolerance::GAP;
 use crate::options::{Method, Options, Start};
 use crate::outcome::Outcome;
@@ -253,18 +253,15 @@ fn find(
         Method::Exact => {
             find_exactly(model, existence, likely, cancel, &mut judge).map_err(stalled)
         }
-        Method::ActiveSet => {
-            let mesh = Mesh::uniform(model, elements);
-            levels::solve_on(model, mesh, options.pressure, cancel).map_err(stalled)
-        }
+        Method::ActiveSet => nodes::solve(model, elements, cancel).map_err(stalled),
         Method::Psor | Method::Uzawa => {
             let relaxation = match method {
                 Method::Psor => Relaxation::Diagonal,
                 _ => Relaxation::Uniform,
             };
             let from_bilateral = options.start == Start::Bilateral;
-            let mesh = Mesh::uniform(model, elements);
-            uzawa::solve(mesh, relaxation, from_bilateral, options.most_sweeps, cancel)
+            let grid = Grid::new(model, elements, Ground::Nodal);
+            uzawa::solve(&grid, relaxation, from_bilateral, options.most_sweeps, cancel)
                 .map_err(stalled)
         }
     }
@@ -332,7 +329,6 @@ mod tests {
     use crate::equilibrium::branch;
     use crate::equilibrium::buckling::bonded_buckling_load;
     use crate::model::{Acts, Beam, Foundation, Load, Support};
-    use crate::options::Pressure;
     use crate::{Solver, load_factors_with, nodal};
 
     /// A long beam that lifts off between its loads.
@@ -394,11 +390,11 @@ mod tests {
     #[test]
     fn every_loop_looks_at_the_flag() {
         let (model, never, now) = (long(), Cancel::default(), cancelled());
-        let mesh = || Mesh::uniform(&model, 100);
-        let sweeps = |cancel| uzawa::solve(mesh(), Relaxation::Diagonal, true, 3, cancel);
+        let grid = Grid::new(&model, 100, Ground::Nodal);
+        let sweeps = |cancel| uzawa::solve(&grid, Relaxation::Diagonal, true, 3, cancel);
         assert_eq!(sweeps(&never).map_err(|stalled| stalled.iterations).err(), Some(3));
         assert_eq!(sweeps(&now).map_err(|stalled| stalled.iterations).err(), Some(0));
-        let on_mesh = |cancel| levels::solve_on(&model, mesh(), Pressure::Distributed, cancel);
+        let on_mesh = |cancel| nodes::solve(&model, 100, cancel);
         assert!(on_mesh(&never).is_ok());
         assert_eq!(on_mesh(&now).map_err(|stalled| stalled.iterations).err(), Some(0));
         let at_nodes = |cancel| nodal::edges::edges(&model, cancel);

@@ -4,24 +4,22 @@
 //! use groundbeam::supported::{Feature, Way, refusal};
 //!
 //! assert_eq!(refusal(Feature::BeamShear, Way::Exact), None);
-//! assert_eq!(refusal(Feature::BeamShear, Way::ActiveSet), Some("GB614"));
+//! assert_eq!(refusal(Feature::NoShearLayer, Way::Iteration), Some("GB603"));
 //! ```
 
 use crate::error::Error;
 use crate::mesh::mesh::Mesh;
 use crate::model::refused::{self, Refusal};
 use crate::model::{Load, Model, Part, Problem};
-use crate::options::{Method, Options, Pressure};
+use crate::options::{Method, Options};
 
 /// A way to solve a model.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Way {
     /// [`Method::Exact`].
     Exact,
-    /// [`Method::ActiveSet`] with distributed pressure.
+    /// [`Method::ActiveSet`].
     ActiveSet,
-    /// [`Method::ActiveSet`] with the paper's forces at nodes, (5.5).
-    NodalForces,
     /// [`Method::Psor`] and [`Method::Uzawa`].
     Iteration,
     /// [`NodalSolver`](crate::NodalSolver): values at the nodes of a long beam.
@@ -32,22 +30,15 @@ pub enum Way {
 
 impl Way {
     /// All ways, in the order of the table's columns.
-    pub const ALL: [Way; 6] = [
-        Way::Exact,
-        Way::ActiveSet,
-        Way::NodalForces,
-        Way::Iteration,
-        Way::Nodes,
-        Way::LoadFactors,
-    ];
+    pub const ALL: [Way; 5] =
+        [Way::Exact, Way::ActiveSet, Way::Iteration, Way::Nodes, Way::LoadFactors];
 
     /// The way for these options.
     pub(crate) fn of(options: &Options) -> Self {
-        match (options.method, options.pressure) {
-            (Method::Exact, _) => Way::Exact,
-            (Method::ActiveSet, Pressure::Distributed) => Way::ActiveSet,
-            (Method::ActiveSet, Pressure::Dirac) => Way::NodalForces,
-            (Method::Psor | Method::Uzawa, _) => Way::Iteration,
+        match options.method {
+            Method::Exact => Way::Exact,
+            Method::ActiveSet => Way::ActiveSet,
+            Method::Psor | Method::Uzawa => Way::Iteration,
         }
     }
 }
@@ -85,31 +76,31 @@ impl Feature {
 
     /// A row of the table: for each way in [`Way::ALL`], the refusal of the feature; `None` if the way
     /// supports it.
-    const fn row(self) -> [Option<&'static Refusal>; 6] {
+    const fn row(self) -> [Option<&'static Refusal>; 5] {
         use refused::*;
         let yes = None;
         match self {
             Feature::LocalEquilibrium => {
                 let local = Some(&LOCAL_BY_ANOTHER_METHOD);
-                [yes, local, local, local, local, Some(&FACTORS_OF_A_LOCAL_EQUILIBRIUM)]
+                [yes, local, local, local, Some(&FACTORS_OF_A_LOCAL_EQUILIBRIUM)]
             }
             Feature::NoShearLayer => {
                 let forces = Some(&NODAL_FORCES_ON_SPRINGS);
-                [yes, yes, forces, forces, forces, yes]
+                [yes, yes, forces, forces, yes]
             }
             Feature::BeamShear => {
                 let shear = Some(&SHEAR_BY_ANOTHER_METHOD);
-                [yes, shear, shear, shear, shear, yes]
+                [yes, yes, shear, shear, yes]
             }
             Feature::GroundLoads => {
                 let only_exactly = Some(&ONLY_EXACTLY);
-                [yes, only_exactly, only_exactly, only_exactly, only_exactly, yes]
+                [yes, yes, only_exactly, only_exactly, yes]
             }
-            Feature::Supports => [yes, yes, yes, yes, Some(&NODAL_WITH_SUPPORTS), yes],
+            Feature::Supports => [yes, yes, yes, Some(&NODAL_WITH_SUPPORTS), yes],
             Feature::Hinges => {
-                [yes, yes, yes, Some(&ITERATION_WITH_HINGES), Some(&NODAL_WITH_HINGES), yes]
+                [yes, yes, Some(&ITERATION_WITH_HINGES), Some(&NODAL_WITH_HINGES), yes]
             }
-            Feature::Varying => [yes, yes, yes, yes, Some(&NODAL_WHERE_IT_VARIES), yes],
+            Feature::Varying => [yes, yes, yes, Some(&NODAL_WHERE_IT_VARIES), yes],
         }
     }
 

@@ -12,10 +12,10 @@
 
 use crate::chain::hinge::HingeRotation;
 use crate::chain::links::{Surfaces, add_link, counted};
-use crate::chain::mirror::{mirror_cell, mirror_shape};
+use crate::chain::mirror::mirror_cell;
 use crate::chain::node::{ChainCell, ChainNode, CondensedStiffness, NotDefinite, THETA, U, W};
 use crate::chain::node::{Tie, TiedTwoPort};
-use crate::element::element::{Basis, Element};
+use crate::element::element::{Basis, Element, mirror_shape};
 
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Chain {

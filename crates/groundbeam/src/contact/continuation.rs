@@ -9,7 +9,7 @@ use crate::cancel::Cancel;
 use crate::contact::bonded::Bonded;
 use crate::contact::edges::{Start, edges};
 use crate::contact::intervals::{Interval, longest_difference, positions};
-use crate::contact::levels;
+use crate::contact::nodes;
 use crate::contact::obstacle;
 use crate::contact::state::{ContactState, Unconverged, edges_not_converged};
 use crate::contact::stopping::{
@@ -18,11 +18,12 @@ use crate::contact::stopping::{
 };
 use crate::contact::undecided::differ_by_rounding;
 use crate::element::operator::{Operator, ZoneKind};
+use crate::error::NotConverged;
 use crate::mesh::cell::Cell;
 use crate::mesh::mesh::Mesh;
 use crate::model::Model;
+use crate::nodal::edges::{Coarse, coarse};
 use crate::numeric::elementary::{exp2, log2, power};
-use crate::options::Pressure;
 
 /// A deflection of the beam whose contact is a start of phase B. Each `level` has a finer mesh and shorter steps than the one before; level
 /// 1 does not stiffen the beam.
@@ -34,15 +35,13 @@ pub(crate) fn follow(model: &Model, level: u32, cancel: &Cancel) -> Result<Start
         Model { beam, ..model.clone() }
     };
     let stiff = softened(doublings);
-    let start = nodes(&stiff, power(3.0, level as usize), cancel);
+    let start = phase_a(&stiff, power(3.0, level as usize), cancel);
     if doublings == 0.0 {
         // A zone far shorter than an element has no nodes: phase B shortens the whole beam's contact to it.
         let whole = |_| Start::on(vec![[0.0, model.beam.length]]);
-        return Ok(start.map_or_else(whole, Start::of));
+        return Ok(start.unwrap_or_else(whole));
     }
-    let start = start?;
-    let mut found =
-        edges(&mut Bonded::new(&stiff, cancel), Start::of(start), MOST_STEPS, &mut |_| 0.0)?;
+    let mut found = edges(&mut Bonded::new(&stiff, cancel), start?, MOST_STEPS, &mut |_| 0.0)?;
     let mut contact = asked(&found);
     let mut step = longest;
     // The stiffening and the contact of the beam before.
@@ -80,12 +79,13 @@ pub(crate) fn follow(model: &Model, level: u32, cancel: &Cancel) -> Result<Start
     Ok(Start { contact, now: Some(found), near: false })
 }
 
-/// Phase A: the contact of nodal forces, on meshes from coarse to fine.
-fn nodes(model: &Model, per_wave: f64, cancel: &Cancel) -> Result<ContactState, Unconverged> {
-    // A mesh of cubic elements does not shear.
+/// Phase A: the contact of forces at nodes, on meshes from coarse to fine.
+fn phase_a(model: &Model, per_wave: f64, cancel: &Cancel) -> Result<Start, Unconverged> {
+    // Elements that shear are series, which take ten times as long.
     let bending = Model { beam: model.beam.clone().without_shear(), ..model.clone() };
-    let meshes = levels::coarse_meshes(&bending, per_wave);
-    levels::solve(meshes, Pressure::Distributed, cancel)
+    let unsettled = Unconverged { iterations: 0, why: NotConverged::Nodes };
+    let Coarse { grid, workspace, edges } = coarse(&bending, per_wave, cancel).ok_or(unsettled)?;
+    Ok(Start { contact: edges, now: Some(nodes::state(&grid, workspace)), near: false })
 }
 
 /// log₂ of the factor on EI that leaves [`STIFF_WAVES`] between two nodes of the model. The wave number falls at least

@@ -15,7 +15,7 @@ use crate::contact::edge_step;
 use crate::contact::intervals::{Interval, longest_difference, positions, snapped};
 use crate::contact::obstacle;
 use crate::contact::state::edges_not_converged;
-use crate::contact::state::{ContactState, Step, Unconverged};
+use crate::contact::state::{ContactState, Unconverged};
 use crate::contact::stopping::{
     BLIND, JITTER, LEAST_PART, NEAR, NOT_SHORTENED, ON_ONE_POINT, PATIENCE, RELAX, ROUNDED, SAME,
     SETTLED, TETHER, TIGHTEN, WEIGHTLESS,
@@ -23,6 +23,7 @@ use crate::contact::stopping::{
 use crate::contact::undecided::differ_by_rounding;
 use crate::contact::zone_forces::zone_forces;
 use crate::mesh::mesh::Mesh;
+use crate::numeric::step::Step;
 use crate::numeric::tolerance::GAP;
 use std::rc::Rc;
 

@@ -36,36 +36,6 @@ pub(crate) fn contact(w: &Deflection) -> Vec<MeshZone> {
     zones
 }
 
-/// The nodes that touch if only nodes can: the paper's pressures (5.5). They need a shear layer.
-pub(crate) fn nodal_contact(w: &Deflection) -> Vec<MeshZone> {
-    let mut zones = Vec::new();
-    for run in ground_runs(w.mesh) {
-        if run.pasternak {
-            zones.extend(Scan { w, run: &run }.contact_set(nodes_of(&run)));
-        }
-    }
-    zones
-}
-
-/// Contact everywhere: along the whole beam, or at each node.
-pub(crate) fn everywhere(mesh: &Mesh, nodal: bool) -> Vec<MeshZone> {
-    let runs = ground_runs(mesh);
-    if nodal {
-        return runs.iter().flat_map(nodes_of).collect();
-    }
-    let whole = |run: &GroundRun| MeshZone {
-        from: BeamPoint { cell: run.cells.start, s: -1.0 },
-        to: BeamPoint { cell: run.cells.end - 1, s: 1.0 },
-    };
-    runs.iter().map(whole).collect()
-}
-
-/// Every node of a run as a point of its own.
-fn nodes_of(run: &GroundRun) -> impl Iterator<Item = MeshZone> + use<> {
-    let last = point_zone(BeamPoint { cell: run.cells.end - 1, s: 1.0 });
-    run.cells.clone().map(|cell| point_zone(BeamPoint { cell, s: -1.0 })).chain([last])
-}
-
 /// Open ground between two points; a missing one is the ground beyond the run.
 #[derive(Debug, Clone, Copy)]
 struct OpenSpan {

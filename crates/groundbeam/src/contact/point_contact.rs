@@ -4,9 +4,10 @@ use crate::cancel::Cancel;
 use crate::contact::bonded::{Bonded, GivenRotation};
 use crate::contact::exact::solve;
 use crate::contact::intervals::Interval;
-use crate::contact::state::{ContactState, Step, Unconverged, edges_not_converged};
+use crate::contact::state::{ContactState, Unconverged, edges_not_converged};
 use crate::model::{Load, Model};
 use crate::numeric::polynomial::value;
+use crate::numeric::step::Step;
 use crate::numeric::tolerance::GAP;
 
 /// How far from an end the resultant stands whose limit is taken, as a part of the length.

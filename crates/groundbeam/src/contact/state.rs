@@ -9,34 +9,21 @@ use crate::mesh::deflection::{Deflection, MeshZone};
 use crate::mesh::energy::Motion;
 use crate::mesh::mesh::Mesh;
 use crate::numeric::polynomial::{Coefficients, derivative};
-use crate::options::Pressure;
-
-/// One step of an iteration.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Step {
-    /// Zones of contact after the step.
-    pub zones: usize,
-    /// The part of Newton's step that was taken; for Uzawa's iteration the parameter ρ.
-    pub step: f64,
-    /// How far the energy was from its least value, by Newton's estimate, relative to the strain energy;
-    /// for Uzawa's iteration the relative change of the pressure.
-    pub decrement: f64,
-}
+use crate::numeric::step::Step;
 
 /// A beam's deflection on a mesh and where it touches.
 #[derive(Debug, Clone)]
 pub(crate) struct ContactState {
     pub mesh: Mesh,
     pub terms: usize,
-    /// (w_left, θ_left, d₁, d₂) of each cell.
-    pub shapes: Vec<[f64; 4]>,
     /// `terms` coefficients of w(s) for each cell.
     pub coefficients: Vec<f64>,
     /// The same of φ(s), the rotation of the sections, if the beam shears anywhere; else none.
     pub rotation: Vec<f64>,
     pub zones: Vec<MeshZone>,
     pub history: Vec<Step>,
-    pub pressure: Pressure,
+    /// Whether the ground presses on nodes alone, (5.5).
+    pub at_nodes: bool,
     /// The ground's surface where it differs from the obstacle problem of this deflection in the last digits.
     pub surface: Option<Surface>,
     pub edge_error: EdgeError,
@@ -53,12 +40,11 @@ impl ContactState {
         ContactState {
             mesh,
             terms: TERMS,
-            shapes: Vec::new(),
             coefficients,
             rotation,
             zones,
             history: Vec::new(),
-            pressure: Pressure::Distributed,
+            at_nodes: false,
             surface: None,
             edge_error: EdgeError::default(),
         }

@@ -84,6 +84,3 @@ pub(crate) const ROUGH: f64 = 1e-6;
 /// Meshes of phase A that are tried, each with a third of the element length and shorter steps. Shearing 439 needs the
 /// second.
 pub(crate) const LEVELS: u32 = 3;
-
-/// Relative Newton decrement that ends the iteration on a mesh that is only the start of the next.
-pub(crate) const COARSE_CLOSE: f64 = 1e-6;

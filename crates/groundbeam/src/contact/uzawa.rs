@@ -15,16 +15,21 @@ use super::surface::{PointForce, Surface, SurfacePart};
 use crate::cancel::Cancel;
 use crate::chain::elimination::Chain;
 use crate::chain::node::{ChainCell, ChainNode};
-use crate::contact::obstacle;
-use crate::contact::state::{ContactState, Step, Unconverged};
-use crate::element::cubic::{self, TERMS};
+use crate::contact::flexibility::Flexibility;
+use crate::contact::nodes;
+use crate::contact::state::{ContactState, Unconverged};
+use crate::element::ExactElement;
+use crate::element::element::TERMS;
+use crate::element::operator::{Operator, ZoneKind};
 use crate::error::NotConverged;
-use crate::ground::link::TwoPort;
+use crate::mesh::cell::Cell;
 use crate::mesh::deflection::MeshZone;
 use crate::mesh::mesh::Mesh;
-use crate::mesh::open_ground::cell_part;
+use crate::nodal::grid::Grid;
+use crate::nodal::newton::Workspace;
+use crate::nodal::quadratic::Loose;
+use crate::numeric::step::Step;
 use crate::numeric::tolerance::SWEEPS;
-use crate::options::Pressure;
 
 /// How much of the greatest safe ρ is used.
 const SAFE: f64 = 0.95;
@@ -43,22 +48,20 @@ pub(crate) enum Relaxation {
 
 /// Iterates from the pressure of the bilateral problem or from none.
 pub(crate) fn solve(
-    mesh: Mesh,
+    grid: &Grid,
     relaxation: Relaxation,
     from_bilateral: bool,
     most_sweeps: usize,
     cancel: &Cancel,
 ) -> Result<ContactState, Unconverged> {
-    let ground = Column::of(&mesh);
+    let mesh = nodes::mesh(grid);
+    let ground = Flexibility::of(&mesh);
     let beam = FreeBeam::of(&mesh);
     let flexibility = beam.largest_flexibility();
     let rho = relaxed(&ground.diagonal, flexibility, relaxation);
     let gap: Vec<f64> = (0..mesh.nodes.len()).map(|i| initial_gap(&mesh, i)).collect();
-    let mut pressure = if from_bilateral {
-        super::active_set::bilateral_pressure(&mesh)
-    } else {
-        vec![0.0; mesh.nodes.len()]
-    };
+    let mut pressure =
+        if from_bilateral { bilateral_pressure(grid) } else { vec![0.0; mesh.nodes.len()] };
     let mut rigid = [0.0; 2];
     let mut history = Vec::new();
     let mut residual = f64::INFINITY;
@@ -84,6 +87,17 @@ pub(crate) fn solve(
     Ok(found(mesh.clone(), &ground, &beam, &pressure, rigid, history))
 }
 
+/// The nodal pressures (5.5) of the bilateral problem, its pulls left out: a start for (5.15).
+fn bilateral_pressure(grid: &Grid) -> Vec<f64> {
+    let mut workspace = Workspace::default();
+    workspace.bond(grid);
+    workspace.room(grid);
+    match workspace.glue(grid, None) {
+        Ok(()) => workspace.force.iter().map(|force| force.max(0.0)).collect(),
+        Err(Loose) => vec![0.0; grid.last() + 1],
+    }
+}
+
 /// The greatest safe ρ: 2/ρᵢ > Gᵢᵢ + |C| everywhere.
 fn relaxed(diagonal: &[f64], flexibility: f64, relaxation: Relaxation) -> Vec<f64> {
     let safe = diagonal.iter().map(|g| SAFE * 2.0 / (g + flexibility));
@@ -101,7 +115,7 @@ fn relaxed(diagonal: &[f64], flexibility: f64, relaxation: Relaxation) -> Vec<f6
 
 /// (5.17), with the rigid motion that makes the new pressure satisfy (5.20), the balances (5.19) at the nodes.
 fn sweep(
-    ground: &Column,
+    ground: &Flexibility,
     beam: &FreeBeam,
     rho: &[f64],
     gap: &[f64],
@@ -195,67 +209,9 @@ fn initial_gap(mesh: &Mesh, node: usize) -> f64 {
     if node == 0 { mesh.cells[0].gap[0] } else { mesh.cells[node - 1].gap[1] }
 }
 
-/// G without forming it.
-struct Column {
-    /// Gᵢᵢ.
-    diagonal: Vec<f64>,
-    /// Gᵢⱼ/Gᵢ₋₁ⱼ for j < i.
-    rightward: Vec<f64>,
-    /// Gᵢ₋₁ⱼ/Gᵢⱼ for j ≥ i.
-    leftward: Vec<f64>,
-}
-
-impl Column {
-    fn of(mesh: &Mesh) -> Self {
-        let links: Vec<TwoPort> =
-            mesh.cells.iter().map(|cell| cell_part(cell, -1.0, 1.0)).collect();
-        let n = mesh.nodes.len();
-        // What the ground on either side of a node offers to it.
-        let mut from_left = vec![mesh.outside[0]; n];
-        for i in 1..n {
-            let link = links[i - 1];
-            let hold = from_left[i - 1] + link.shunt_left;
-            from_left[i] = link.shunt_right + link.series * (hold / (hold + link.series));
-        }
-        let mut from_right = vec![mesh.outside[1]; n];
-        for i in (0..n - 1).rev() {
-            let link = links[i];
-            let hold = from_right[i + 1] + link.shunt_right;
-            from_right[i] = link.shunt_left + link.series * (hold / (hold + link.series));
-        }
-        let ratio = |series: f64, hold: f64| series / (series + hold);
-        let rightward = (0..n).map(|i| match i {
-            0 => 0.0,
-            _ => ratio(links[i - 1].series, links[i - 1].shunt_right + from_right[i]),
-        });
-        let leftward = (0..n).map(|i| match i {
-            0 => 0.0,
-            _ => ratio(links[i - 1].series, links[i - 1].shunt_left + from_left[i - 1]),
-        });
-        Column {
-            diagonal: (0..n).map(|i| 1.0 / (from_left[i] + from_right[i])).collect(),
-            rightward: rightward.collect(),
-            leftward: leftward.collect(),
-        }
-    }
-
-    /// u = G p.
-    fn settlement(&self, pressure: &[f64]) -> Vec<f64> {
-        let n = pressure.len();
-        let mut u = vec![0.0; n];
-        let mut carried = 0.0;
-        for i in (0..n).rev() {
-            u[i] = carried + self.diagonal[i] * pressure[i];
-            carried = u[i] * self.leftward[i];
-        }
-        carried = 0.0;
-        for i in 0..n {
-            carried *= self.rightward[i];
-            u[i] += carried;
-            carried += self.diagonal[i] * pressure[i];
-        }
-        u
-    }
+/// The beam on a cell, off the ground.
+fn element(cell: &Cell, axial_force: f64) -> ExactElement {
+    ExactElement::new(&Operator::of(cell, axial_force, ZoneKind::Open), cell.length())
 }
 
 /// The beam without ground, its free rigid motions taken out by pins that carry nothing once the pressure
@@ -307,7 +263,7 @@ impl<'a> FreeBeam<'a> {
         let cells: Vec<ChainCell> = mesh
             .cells
             .iter()
-            .map(|c| ChainCell { element: cubic::element(c, mesh.axial_force), links: vec![] })
+            .map(|c| ChainCell { element: element(c, mesh.axial_force).element, links: vec![] })
             .collect();
         let meeting = nodes.iter().position(|n| n.pinned || n.spring > 0.0).unwrap_or(0);
         let chain = Chain { nodes, cells, meeting };
@@ -388,7 +344,7 @@ fn work_of_loads(mesh: &Mesh, chain: &Chain, motions: &[[f64; 2]]) -> ([f64; 2],
 /// The result as every method gives it.
 fn found(
     mesh: Mesh,
-    ground: &Column,
+    ground: &Flexibility,
     beam: &FreeBeam,
     pressure: &[f64],
     rigid: [f64; 2],
@@ -403,15 +359,19 @@ fn found(
             v[1] += rigid[k] * (b[k] - a[k]) / h;
         }
     }
-    let coefficients: Vec<f64> =
-        shapes.iter().zip(&mesh.cells).flat_map(|(v, c)| cubic::unfold(v, c.length())).collect();
+    let unfolded = |(v, cell): (&[f64; 4], &Cell)| element(cell, mesh.axial_force).unfold(v).0;
+    let coefficients: Vec<f64> = shapes.iter().zip(&mesh.cells).flat_map(unfolded).collect();
     let u = ground.settlement(pressure);
     let parts = (0..mesh.cells.len())
         .map(|cell| SurfacePart { cell, s: [-1.0, 1.0], open: Some([u[cell], u[cell + 1]]) })
         .collect();
-    let all = obstacle::everywhere(&mesh, true);
+    let last = mesh.cells.len();
+    let zone = |(node, force): (usize, &f64)| {
+        let point = nodes::point(node, last);
+        (MeshZone { from: point, to: point }, *force)
+    };
     let touching: Vec<(MeshZone, f64)> =
-        all.into_iter().zip(pressure.iter().copied()).filter(|(_, p)| *p > 0.0).collect();
+        pressure.iter().enumerate().filter(|(_, p)| **p > 0.0).map(zone).collect();
     let point_forces =
         touching.iter().map(|(zone, force)| PointForce { point: zone.from, force: *force });
     let surface = Surface { parts, point_forces: point_forces.collect() };
@@ -420,11 +380,10 @@ fn found(
         rotation: Vec::new(),
         mesh,
         terms: TERMS,
-        shapes,
         coefficients,
         zones,
         history,
-        pressure: Pressure::Dirac,
+        at_nodes: true,
         surface: Some(surface),
         edge_error: Default::default(),
     }

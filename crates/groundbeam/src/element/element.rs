@@ -41,11 +41,41 @@ impl Element {
         }
     }
 
+    /// The element seen in a mirror, in its own four numbers there.
+    pub fn mirrored(&self) -> Self {
+        let (h, basis) = (self.length, self.basis);
+        let half: [[f64; 4]; 4] = self.stiffness.map(|row| mirror_row(&row, h, basis));
+        let stiffness = std::array::from_fn(|j| {
+            let column = [half[0][j], half[1][j], half[2][j], half[3][j]];
+            mirror_row(&column, h, basis)
+        });
+        Element { stiffness, load: mirror_row(&self.load, h, basis), ..*self }
+    }
+
     /// K v − q: the forces on the left end, and those that work on the deformation.
+    #[cfg(test)]
     pub fn forces(&self, v: &[f64; 4]) -> [f64; 4] {
         std::array::from_fn(|i| {
             self.stiffness[i].iter().zip(v).map(|(k, v)| k * v).sum::<f64>() - self.load[i]
         })
+    }
+}
+
+/// The four numbers of an element from those of the element seen in a mirror, and back.
+pub(crate) fn mirror_shape(v: &[f64; 4], h: f64, basis: Basis) -> [f64; 4] {
+    let [w, theta, d1, d2] = *v;
+    match basis {
+        Basis::Deformation => [w + h * theta + d1, -(theta + d2), h * d2 - d1, d2],
+        Basis::Ends => [d1, -d2, w, -theta],
+    }
+}
+
+/// What multiplies the four numbers of the element seen in a mirror: row·v = row·(Q v') with Q of [`mirror_shape`].
+pub(crate) fn mirror_row(row: &[f64; 4], h: f64, basis: Basis) -> [f64; 4] {
+    let [a, b, c, d] = *row;
+    match basis {
+        Basis::Deformation => [a, h * a - b, a - c, d - b + h * c],
+        Basis::Ends => [c, -d, a, -b],
     }
 }
 

@@ -2,9 +2,8 @@
 //!
 //! An element is exact: its functions solve (2.11). The [closed form](uniform) is used for cells with
 //! constant EI, N and κ, the [series](series) for all others and for beams that shear. A long
-//! loaded stretch has one [quiet element](quiet) in its middle. The [cubic element](cubic) is that of the paper.
+//! loaded stretch has one [quiet element](quiet) in its middle.
 
-pub(crate) mod cubic;
 pub(crate) mod element;
 pub(crate) mod operator;
 mod quiet;

@@ -39,6 +39,12 @@ impl TwoPort {
         Pair::new(spring, shear, half).link(shear, half)
     }
 
+    /// The same seen in a mirror.
+    pub fn mirrored(self) -> Self {
+        let TwoPort { series, shunt_left, shunt_right } = self;
+        TwoPort { series, shunt_left: shunt_right, shunt_right: shunt_left }
+    }
+
     /// Two two-ports in series; the point between them is free.
     pub fn then(self, next: TwoPort) -> Self {
         let outer = self.shunt_right + next.shunt_left;

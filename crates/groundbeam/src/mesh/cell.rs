@@ -302,16 +302,6 @@ impl Cell {
         self.beam_shear = self.beam_shear.map(|shear| shear.map(|c| c * times));
     }
 
-    /// Multiplies k and μ by a number.
-    pub fn stiffen_ground(&mut self, times: f64) {
-        self.subgrade *= times;
-        self.shear_layer *= times;
-        let Varies { subgrade: spring, shear_layer: shear, shear_layer_ends: shear_ends, .. } =
-            &mut self.varies;
-        (*spring, *shear) = (spring.map(|c| c * times), shear.map(|c| c * times));
-        *shear_ends = shear_ends.map(|ends| ends.map(|c| c * times));
-    }
-
     pub fn length(&self) -> f64 {
         self.x[1] - self.x[0]
     }

@@ -8,7 +8,6 @@ use crate::mesh::cell::Cell;
 use crate::mesh::cell::Varies;
 use crate::mesh::free_field;
 use crate::model::{Action, CellPolynomial, Extent, Load, Model, SupportKind};
-use crate::numeric::elementary::pow;
 use crate::numeric::polynomial::value;
 use crate::numeric::tolerance::same_place;
 
@@ -49,10 +48,6 @@ pub(crate) struct Mesh {
     /// infinite.
     pub outside: [f64; 2],
 }
-
-/// EI/(h²(N + kh²)) of a stiffened cell. If the waves of the beam are longer than the cell, its own EI is
-/// larger.
-const STIFF: f64 = 0.5;
 
 impl Mesh {
     /// A mesh of the required nodes and those in `more`. Every interval between them is cut into `parts`
@@ -108,48 +103,6 @@ impl Mesh {
         mesh.place_loads_and_supports(model);
         mesh.find_kinks();
         mesh
-    }
-
-    /// Increases EI until the waves of the beam on the ground are as long as the cells. A mesh that is too
-    /// coarse for the beam then solves a smooth problem, whose solution starts the iteration on a finer mesh.
-    pub fn stiffen(&mut self) {
-        for cell in &mut self.cells {
-            let h = cell.length();
-            let tension = self.axial_force.max(0.0) + cell.shear_layer;
-            let least = STIFF * h * h * (tension + cell.subgrade * h * h);
-            if cell.beam_varies() {
-                cell.stiffen((least / cell.stiffness).max(1.0));
-            } else {
-                cell.stiffness = cell.stiffness.max(least);
-            }
-        }
-    }
-
-    /// The largest ratio of the stiffened EI to the beam's own EI.
-    pub fn stiffening(&self) -> f64 {
-        let mut stiff = self.clone();
-        stiff.stiffen();
-        let ratio = |(a, b): (&Cell, &Cell)| a.stiffness / b.stiffness;
-        stiff.cells.iter().zip(&self.cells).map(ratio).fold(1.0, f64::max)
-    }
-
-    /// The mesh with EI raised by the fraction `part` of the full stiffening, in the exponent.
-    pub fn stiffened(&self, part: f64) -> Self {
-        let mut mesh = self.clone();
-        mesh.stiffen();
-        for (cell, own) in mesh.cells.iter_mut().zip(&self.cells) {
-            let times = pow(cell.stiffness / own.stiffness, 1.0 - part);
-            *cell = *own;
-            cell.stiffen(times);
-        }
-        mesh
-    }
-
-    /// A mesh of `elements` equal elements, with additional nodes where the model requires one.
-    pub fn uniform(model: &Model, elements: usize) -> Self {
-        let l = model.beam.length;
-        let more: Vec<f64> = (1..elements).map(|i| l * (i as f64 / elements as f64)).collect();
-        Self::build(model, &more, |_| 1)
     }
 
     /// The cell that contains x; at a common node the right one.

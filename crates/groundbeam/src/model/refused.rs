@@ -14,7 +14,7 @@ pub(crate) struct Refusal {
 pub(crate) const NODAL_FORCES_ON_SPRINGS: Refusal = Refusal {
     code: "GB603",
     message: "the paper's concentrated pressures (5.5) need a shear layer (4.9), and mu is zero here",
-    hint: "use the method `exact`, or `active-set` with its own pressure",
+    hint: "use the method `exact`",
 };
 
 pub(crate) const NODAL_WITH_SUPPORTS: Refusal = Refusal {
@@ -43,8 +43,8 @@ pub(crate) const ITERATION_WITH_HINGES: Refusal = Refusal {
 
 pub(crate) const ONLY_EXACTLY: Refusal = Refusal {
     code: "GB609",
-    message: "loads on the ground are solved by the exact method alone",
-    hint: "use the method `exact`",
+    message: "loads on the ground are solved by the methods `exact` and `active-set` alone",
+    hint: "use the method `exact` or `active-set`",
 };
 
 pub(crate) const LOCAL_BY_ANOTHER_METHOD: Refusal = Refusal {
@@ -61,8 +61,8 @@ pub(crate) const FACTORS_OF_A_LOCAL_EQUILIBRIUM: Refusal = Refusal {
 
 pub(crate) const SHEAR_BY_ANOTHER_METHOD: Refusal = Refusal {
     code: "GB614",
-    message: "a beam that shears is solved by the exact method alone",
-    hint: "use the method `exact`, or leave the shear stiffness out",
+    message: "a beam that shears is solved by the methods `exact` and `active-set` alone",
+    hint: "use the method `exact` or `active-set`, or leave the shear stiffness out",
 };
 
 impl Problem {

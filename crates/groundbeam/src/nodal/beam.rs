@@ -6,6 +6,7 @@
 //!
 //! F₀ and F₁ those of (f − g')h⁴/EI at the left end and its rise. The same series serve tension and none.
 
+use crate::element::element::Element;
 use crate::mesh::cell::Cell;
 
 /// How long a beam may be for the series, as a part of 1/√(P/EI).
@@ -93,6 +94,24 @@ impl Beam {
         [self.force, self.turn, shear, -e * bend + second]
     }
 
+    /// K and q in (w, θ, d₁, d₂).
+    pub fn element(&self) -> Element {
+        let h = self.length;
+        let [tt, t1, t2, k11, k12, k22] = self.stiffness();
+        let [qw, qt, q1, q2] = self.load();
+        Element {
+            length: h,
+            stiffness: [
+                [0.0; 4],
+                [0.0, tt * h * h, t1 * h, t2 * h * h],
+                [0.0, t1 * h, k11, k12 * h],
+                [0.0, t2 * h * h, k12 * h, k22 * h * h],
+            ],
+            load: [qw, qt * h, q1, q2 * h],
+            ..Element::default()
+        }
+    }
+
     /// A and B of A c₂ + B c₃ = x, A c₁ + B c₂ = y.
     fn bends(&self, x: f64, y: f64) -> [f64; 2] {
         let [_, c1, c2, c3, ..] = self.c;
@@ -125,25 +144,19 @@ impl Beam {
 /// What is given along a stretch, linear between its two ends.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Given {
-    /// f, g, κ₀ and g₀.
+    /// f, g and κ₀.
     pub load: [f64; 2],
     pub moment_load: [f64; 2],
     pub curvature: [f64; 2],
-    pub gap: [f64; 2],
 }
 
 impl Given {
     pub fn of(cell: &Cell) -> Self {
-        Given {
-            load: cell.load,
-            moment_load: cell.moment_load,
-            curvature: cell.curvature,
-            gap: cell.gap,
-        }
+        Given { load: cell.load, moment_load: cell.moment_load, curvature: cell.curvature }
     }
 
     pub fn is_even(&self) -> bool {
-        let all = [self.load, self.moment_load, self.curvature, self.gap];
+        let all = [self.load, self.moment_load, self.curvature];
         all.iter().all(|v| v[0] == v[1])
     }
 
@@ -154,7 +167,6 @@ impl Given {
             load: linear(self.load),
             moment_load: linear(self.moment_load),
             curvature: linear(self.curvature),
-            gap: linear(self.gap),
         }
     }
 
@@ -165,7 +177,6 @@ impl Given {
             load: turned(self.load),
             moment_load: turned(self.moment_load).map(|g| -g),
             curvature: turned(self.curvature),
-            gap: turned(self.gap),
         }
     }
 }
@@ -199,8 +210,8 @@ mod tests {
             homogeneous_field: [0.0; 2],
             ground_force: 0.0,
         };
-        let Cell { load, moment_load, curvature, gap, .. } = cell;
-        let given = Given { load, moment_load, curvature, gap };
+        let Cell { load, moment_load, curvature, .. } = cell;
+        let given = Given { load, moment_load, curvature };
         for tension in [0.0, 1e-3, 3.9] {
             let beam = Beam::new(2.0, &given, tension, h);
             let exact = ExactElement::new(&Operator::of(&cell, tension, ZoneKind::Open), h);

@@ -69,7 +69,7 @@ pub(crate) fn check(model: &Model, solution: &NodalSolution) -> NodalCheck {
     let (mut deepest, mut deflection) = (0.0_f64, 0.0_f64);
     for row in solution.grid.iter().flat_map(|grid| &grid.runs) {
         let nodes = row.first..row.end() + usize::from(row.end() == last);
-        let [gap, to] = row.given.gap;
+        let [gap, to] = row.gap;
         let rise = (to - gap) / row.count as f64;
         let mut sums = Sums::default();
         let [f, w, u] = [&solution.force, &solution.deflection, &solution.settlement]
@@ -86,7 +86,7 @@ pub(crate) fn check(model: &Model, solution: &NodalSolution) -> NodalCheck {
         deepest = deepest.max(largest_of(&sums.depth));
         deflection = deflection.max(largest_of(&sums.deflection));
         force -= sum;
-        moment -= sum * (row.x[0] - middle) + lever * row.h;
+        moment -= sum * (row.cell.x[0] - middle) + lever * row.h;
         size += sums.size.iter().sum::<f64>();
     }
     let relative = |x: f64, scale: f64| if x == 0.0 { 0.0 } else { x / scale };

@@ -1,6 +1,9 @@
 //! Contact edges of a free beam from its nodal problem: an initial guess for the exact edges.
 
 use crate::cancel::Cancel;
+use crate::element::operator::{Operator, ZoneKind};
+use crate::mesh::cell::Cell;
+use crate::mesh::mesh::Mesh;
 use crate::model::Model;
 use crate::nodal::grid::{Grid, Ground};
 use crate::nodal::newton::Workspace;
@@ -13,9 +16,9 @@ pub(crate) fn edges(model: &Model, cancel: &Cancel) -> Option<Vec<[f64; 2]>> {
     if held || model.varying_part().is_some() {
         return None;
     }
-    let grid = Grid::of(model, Ground::Spread);
+    let grid = Grid::new(model, 1, Ground::Spread);
     let waves = grid.wave_number() * model.beam.length;
-    if waves.is_nan() || waves > MOST_WAVES || grid.fewest() as f64 > PER_WAVE * MOST_WAVES {
+    if waves.is_nan() || waves > MOST_WAVES || Grid::fewest(model) as f64 > PER_WAVE * MOST_WAVES {
         return None;
     }
     let mut grids = Vec::new();
@@ -25,6 +28,40 @@ pub(crate) fn edges(model: &Model, cancel: &Cancel) -> Option<Vec<[f64; 2]>> {
     workspace.contact(&grids, newton::START).ok()?;
     grids.last().map(|grid| workspace.edges(grid))
 }
+
+/// A solved grid and its contact edges.
+pub(crate) struct Coarse {
+    pub grid: Grid,
+    pub workspace: Workspace,
+    pub edges: Vec<[f64; 2]>,
+}
+
+/// Phase A of a beam of few waves, on a coarse mesh. Every interval between two places of the model has two elements or
+/// more, and `per_wave` to each 1/wave number. `None` if the contact does not settle.
+pub(crate) fn coarse(model: &Model, per_wave: f64, cancel: &Cancel) -> Option<Coarse> {
+    let axial_force = model.beam.axial_force;
+    let wanted = |cell: &Cell| {
+        let wave = Operator::of(cell, axial_force, ZoneKind::Contact).wave_number();
+        (wave * cell.length() * per_wave).ceil().clamp(2.0, MOST_COARSE * per_wave) as usize
+    };
+    let most = Mesh::build(model, &[], |_| 1).cells.iter().map(wanted).max().unwrap_or(2);
+    let levels = 1..=most.next_power_of_two().trailing_zeros();
+    let grid = |level: u32| {
+        Grid::cut(model, Ground::Spread, |cell| {
+            let count = wanted(cell).min(1 << level);
+            (count, cell.length() / count as f64)
+        })
+    };
+    let mut grids: Vec<Grid> = levels.map(grid).collect();
+    let mut workspace = Workspace { cancel: cancel.clone(), ..Workspace::default() };
+    workspace.contact(&grids, newton::START).ok()?;
+    let grid = grids.pop()?;
+    let edges = workspace.edges(&grid);
+    Some(Coarse { grid, workspace, edges })
+}
+
+/// The most elements between two places of the model on a coarse mesh, for one per 1/wave number.
+const MOST_COARSE: f64 = 64.0;
 
 /// Elements per 1/wave number of a mesh whose edges are a start for the exact ones.
 pub(crate) const PER_WAVE: f64 = 4.0;

@@ -4,6 +4,7 @@
 //! from the right end, y = T⁻¹x' = (w' − Lθ', Lθ') is where the left end would be if the element were
 //! rigid, and e = y − x what its deformation makes of that: w = y₁ − e₁, Lθ = y₂ − e₂, w' − w = y₂ + e₁.
 
+use crate::element::element::Element;
 use crate::ground::link::TwoPort;
 
 /// An element's energy ½ᵗ(y₂, e) M (y₂, e) − q·(y₁, y₂, e₁, e₂), and the ground's springs under its ends.
@@ -37,6 +38,22 @@ impl Form {
             q: [qw, qt, q1 - qw, q1 + q2 - qt, 0.0, 0.0],
             ..Form::default()
         }
+    }
+
+    /// The same of an element whose rigid translation does no work.
+    pub fn of(element: &Element) -> Self {
+        let Element { length, stiffness: k, load: [qw, qt, q1, q2], .. } = element;
+        let per = 1.0 / length;
+        let mean = |i: usize, j: usize| 0.5 * (k[i][j] + k[j][i]);
+        let stiffness = [
+            k[1][1] * per * per,
+            mean(1, 2) * per,
+            mean(1, 3) * per * per,
+            k[2][2],
+            mean(2, 3) * per,
+            k[3][3] * per * per,
+        ];
+        Form::beam(*length, stiffness, [*qw, qt * per, *q1, q2 * per])
     }
 
     /// Adds ground under it that is open between its ends, where g₀ is `gap`.

@@ -1,34 +1,42 @@
-//! Equal elements between any two places of the model: runs, not elements, are what is stored.
+//! Nodes and elements of the discrete problem, from a model: runs of equal elements between its places.
+//!
+//! Runs, not elements, are what is stored. Where EI, k or μ varies, the beam shears, or loads act on the ground, each
+//! element is a run of its own.
 
 use super::beam::{Beam, REACH};
 use super::form::Form;
 use super::layer::Layer;
-use crate::element::operator::wave_number;
+use crate::element::element::Element;
+use crate::element::operator::{Operator, ZoneKind};
+use crate::element::{ExactElement, parts};
 use crate::ground::link::TwoPort;
-use crate::mesh::cell::Cell;
+use crate::mesh::cell::{Cell, gap_at};
 use crate::mesh::mesh::{Mesh, Node};
+use crate::mesh::open_ground::cell_part;
 use crate::model::Model;
 use crate::nodal::beam::Given;
+use crate::numeric::polynomial::integral;
 
 /// EI over h²(N + kh²) of a stiffened beam: no more than its own where its waves are longer than h.
 const STIFF: f64 = 0.5;
 
-/// Equal elements between two places of the model.
+/// Equal elements in a row.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Run {
-    /// The two places.
-    pub x: [f64; 2],
-    /// EI, k and μ.
-    pub stiffness: f64,
-    spring: f64,
-    shear: f64,
+    /// The whole run of beam and ground.
+    pub cell: Cell,
+    /// What is given along it.
     pub given: Given,
+    /// g₀ + u₀ at its first and its last node; linear between them.
+    pub gap: [f64; 2],
+    /// The element of a run of one, off the ground, where the closed form of even beams does not serve.
+    pub element: Option<Element>,
     /// Its first node, and how many elements follow.
     pub first: usize,
     pub count: usize,
     /// Their length.
     pub h: f64,
-    /// The ground under one of them, glued at both ends.
+    /// The ground under one of them, bonded at both ends.
     pub link: TwoPort,
     /// What a sweep crosses there: the first element in its direction, from the left and from the right.
     pub glued: [Form; 2],
@@ -40,64 +48,84 @@ pub(crate) struct Run {
 }
 
 impl Run {
-    fn new(cell: &Cell) -> Self {
-        let layer = Layer::new(cell.subgrade, cell.shear_layer);
-        Run {
-            x: cell.x,
-            stiffness: cell.stiffness,
-            spring: cell.subgrade,
-            shear: cell.shear_layer,
+    /// Cuts a cell into so many elements, the first of which begins at a node.
+    fn new(cell: &Cell, first: usize, count: usize, axial_force: f64, ground: Ground) -> Self {
+        let h = cell.length() / count as f64;
+        let layer = match ground {
+            Ground::Nodal => Layer::new(cell.subgrade, cell.shear_layer),
+            Ground::Spread => Layer::at_nodes(cell.subgrade, cell.shear_layer, h),
+        };
+        let element = (!is_even(cell)).then(|| {
+            let operator = Operator::of(cell, axial_force, ZoneKind::Open);
+            ExactElement::new(&operator, h).element
+        });
+        let [whole, link] = if cell.shear_layer == 0.0 {
+            [springs(cell, h); 2]
+        } else if element.is_none() {
+            [layer.open(cell.length()), layer.open(h)]
+        } else if ground == Ground::Nodal {
+            [cell_part(cell, -1.0, 1.0); 2]
+        } else {
+            [layer.open(h); 2]
+        };
+        let mut run = Run {
+            cell: *cell,
             given: Given::of(cell),
-            first: 0,
-            count: 0,
-            h: 0.0,
-            link: TwoPort::default(),
+            gap: [-1.0, 1.0].map(|s| gap_at(cell, s)),
+            element,
+            first,
+            count,
+            h,
+            link,
             glued: Default::default(),
             layer,
-            whole: layer.open(cell.length()),
+            whole,
             beyond: Default::default(),
-        }
-    }
-
-    /// Cuts it into so many elements.
-    fn cut(&mut self, first: usize, count: usize, axial_force: f64, ground: Ground) {
-        (self.first, self.count) = (first, count);
-        self.h = self.length() / count as f64;
-        self.link = match ground {
-            Ground::Nodal => self.layer.open(self.h),
-            Ground::Spread => {
-                let shunt = 0.5 * self.spring * self.h;
-                TwoPort { series: self.shear / self.h, shunt_left: shunt, shunt_right: shunt }
-            }
         };
-        let form = self.first_glued(axial_force, false);
-        let alike = self.given.is_even() && self.given.moment_load[0] == 0.0;
-        self.glued = [form, if alike { form } else { self.first_glued(axial_force, true) }];
+        let form = run.first_glued(axial_force, false);
+        let alike = run.is_alike() && run.given.moment_load[0] == 0.0 && element.is_none();
+        run.glued = [form, if alike { form } else { run.first_glued(axial_force, true) }];
+        run
     }
 
-    /// The first element that a sweep crosses, glued at both ends.
+    /// The first element that a sweep crosses, bonded at both ends.
     fn first_glued(&self, axial_force: f64, mirrored: bool) -> Form {
+        let turned = |pair: [f64; 2]| if mirrored { [pair[1], pair[0]] } else { pair };
+        let link = if mirrored { self.link.mirrored() } else { self.link };
+        if let Some(element) = &self.element {
+            let element = if mirrored { element.mirrored() } else { *element };
+            return Form::of(&element).on(link, turned(self.gap));
+        }
         let last = self.count - 1;
         let form = |element: usize| {
             let from = self.first + if mirrored { last - element } else { element };
             let part = self.part(from, from + 1);
             let given = if mirrored { part.mirrored() } else { part };
-            let beam = Beam::new(self.stiffness, &given, axial_force, self.h);
-            Form::beam(self.h, beam.stiffness(), beam.load()).on(self.link, given.gap)
+            let beam = Beam::new(self.cell.stiffness, &given, axial_force, self.h);
+            let gap = turned([from, from + 1].map(|node| self.gap_at(node)));
+            Form::beam(self.h, beam.stiffness(), beam.load()).on(link, gap)
         };
         let first = form(0);
-        if self.given.is_even() { first } else { first.towards(&form(last), self.count) }
+        if self.is_alike() { first } else { first.towards(&form(last), self.count) }
     }
 
-    /// Makes the beam's waves on the ground no shorter than an element.
-    fn stiffen(&mut self, axial_force: f64, h: f64) {
-        let tension = axial_force.max(0.0) + self.shear;
-        let least = STIFF * h * h * (tension + self.spring * h * h);
-        self.stiffness = self.stiffness.max(least);
+    /// Whether the same is given along all its elements.
+    fn is_alike(&self) -> bool {
+        self.given.is_even() && self.gap[0] == self.gap[1]
     }
 
     pub fn length(&self) -> f64 {
-        self.x[1] - self.x[0]
+        self.cell.length()
+    }
+
+    /// g₀ + u₀ at one of its nodes.
+    pub fn gap_at(&self, node: usize) -> f64 {
+        let [left, right] = self.gap;
+        match node - self.first {
+            0 => left,
+            steps if steps == self.count => right,
+            steps => left + (right - left) * (steps as f64 / self.count as f64),
+        }
     }
 
     /// The node after the last element.
@@ -115,7 +143,7 @@ impl Run {
 
     /// Open ground from one node to another, both of this run.
     pub fn open(&self, from: usize, to: usize) -> TwoPort {
-        if to - from == self.count {
+        if to - from == self.count || self.cell.shear_layer == 0.0 {
             return self.whole;
         }
         self.layer.open(self.h * (to - from) as f64)
@@ -123,7 +151,7 @@ impl Run {
 
     /// The position of a node, from the nearer end.
     pub fn x(&self, node: usize) -> f64 {
-        let ([left, right], count) = (self.x, self.count as f64);
+        let ([left, right], count) = (self.cell.x, self.count as f64);
         let (before, after) = ((node - self.first) as f64, (self.end() - node) as f64);
         if before <= after {
             left + self.length() * (before / count)
@@ -132,15 +160,68 @@ impl Run {
         }
     }
 
-    /// The largest wave number of the beam on its ground.
-    fn wave_number(&self, axial_force: f64) -> f64 {
-        wave_number(self.stiffness, (axial_force + self.shear).abs(), self.spring)
+    /// One of its elements as a cell.
+    pub fn element_cell(&self, node: usize) -> Cell {
+        if self.count == 1 {
+            return self.cell;
+        }
+        let count = self.count as f64;
+        let at = |node: usize| match node - self.first {
+            0 => -1.0,
+            steps if steps == self.count => 1.0,
+            // From the nearer end.
+            steps if 2 * steps <= self.count => 2.0 * steps as f64 / count - 1.0,
+            steps => 1.0 - 2.0 * (self.count - steps) as f64 / count,
+        };
+        self.cell.part([at(node), at(node + 1)])
     }
 
-    /// Into how many pieces an open beam of this kind must be cut for one series to serve each.
+    /// Into how many pieces an open part of it must be cut for one series to serve each.
     pub fn pieces(&self, axial_force: f64, length: f64) -> usize {
-        let wave = (axial_force / self.stiffness).abs().sqrt();
-        (wave * length / REACH).ceil().max(1.0) as usize
+        pieces(&self.cell, axial_force, length)
+    }
+}
+
+/// The elements of a cell with so many per length.
+fn equal(cell: &Cell, per_length: f64) -> usize {
+    (cell.length() * per_length).round() as usize
+}
+
+/// Whether equal elements can be cut from a cell.
+fn is_even(cell: &Cell) -> bool {
+    let varies = cell.beam_varies() || cell.ground_varies() || cell.beam_shear.is_some();
+    !varies && !cell.has_free_field()
+}
+
+/// Into how many pieces a beam off the ground must be cut for one series to serve each.
+fn pieces(cell: &Cell, axial_force: f64, length: f64) -> usize {
+    let operator = Operator::of(cell, axial_force, ZoneKind::Open);
+    if operator.polynomials.is_some() {
+        return parts(&operator, length);
+    }
+    let wave = (axial_force / cell.stiffness).abs().sqrt();
+    (wave * length / REACH).ceil().max(1.0) as usize
+}
+
+/// Separate springs, μ = 0: each end of an element holds its half.
+fn springs(cell: &Cell, h: f64) -> TwoPort {
+    let mean = 0.5 * h * cell.subgrade;
+    let [left, right] = if cell.ground_varies() {
+        let sum = integral(&cell.subgrade_along(), 0.5 * h, 0.0);
+        let at = |s: f64| crate::numeric::polynomial::value(&sum, s);
+        [at(0.0) - at(-1.0), at(1.0) - at(0.0)]
+    } else {
+        [mean; 2]
+    };
+    TwoPort { series: 0.0, shunt_left: left, shunt_right: right }
+}
+
+/// Makes the beam's waves on the ground no shorter than an element.
+fn stiffen(cell: &mut Cell, axial_force: f64, h: f64) {
+    let tension = axial_force.max(0.0) + cell.shear_layer;
+    let least = STIFF * h * h * (tension + cell.subgrade * h * h);
+    if cell.stiffness < least {
+        cell.stiffen(least / cell.stiffness);
     }
 }
 
@@ -149,7 +230,8 @@ impl Run {
 pub(crate) enum Ground {
     /// On the nodes alone, (5.5).
     Nodal,
-    /// All along an element that is glued, to the accuracy of the trapezoidal rule.
+    /// The same, with a shear layer that is straight between nodes and springs by the trapezoidal rule: where an element is
+    /// longer than √(μ/k), a node still has the springs of half of it.
     Spread,
 }
 
@@ -162,45 +244,60 @@ pub(crate) struct Grid {
     pub axial_force: f64,
     /// √(kμ) beyond the left and the right end.
     pub outside: [f64; 2],
-    ground: Ground,
     /// Whether its contact may be off by a node: the next grid is hardly finer.
     pub rough: bool,
-    /// Whether g₀ is zero everywhere.
+    /// Whether g₀ + u₀ is zero everywhere.
     pub flat: bool,
+    /// Nodes on rigid supports, and where these have settled.
+    pub pins: Vec<(usize, f64)>,
 }
 
 impl Grid {
     /// About `elements` equal elements, and a node at every place of the model.
     pub fn new(model: &Model, elements: usize, ground: Ground) -> Self {
-        let mut grid = Self::of(model, ground);
-        grid.cut(elements as f64 / model.beam.length);
-        grid
+        let per_length = elements as f64 / model.beam.length;
+        Self::cut(model, ground, |cell| (equal(cell, per_length), 0.0))
     }
 
-    /// Without elements.
-    pub fn of(model: &Model, ground: Ground) -> Self {
-        let mesh = Mesh::build(model, &[], |_| 1);
-        let mut grid = Grid {
-            runs: mesh.cells.iter().map(Run::new).collect(),
-            nodes: mesh.nodes,
-            axial_force: mesh.axial_force,
-            outside: mesh.outside,
-            ground,
-            rough: false,
-            flat: model.gap.is_empty(),
+    /// The same; where its elements are too long for the beam's waves, the beam is made as stiff as they are long.
+    pub fn stiffened(model: &Model, elements: usize, ground: Ground) -> Self {
+        let per_length = elements as f64 / model.beam.length;
+        Self::cut(model, ground, |cell| (equal(cell, per_length), 1.0 / per_length))
+    }
+
+    /// A mesh with the elements that `divide` wants of each cell, for a beam whose waves are no shorter than its lengths.
+    pub fn cut(model: &Model, ground: Ground, divide: impl Fn(&Cell) -> (usize, f64)) -> Self {
+        let axial_force = model.beam.axial_force;
+        let count = |cell: &Cell| {
+            let (wanted, h) = divide(cell);
+            let mut cell = *cell;
+            stiffen(&mut cell, axial_force, h);
+            wanted.max(pieces(&cell, axial_force, cell.length())).max(1)
         };
+        let one_each = |cell: &Cell| if is_even(cell) { 1 } else { count(cell) };
+        let mut mesh = Mesh::graded(model, &[], |cell, x| x.extend(cell.cuts(one_each(cell))));
+        let mut first = 0;
+        let runs = mesh.cells.iter_mut().map(|cell| {
+            let count = if is_even(cell) { count(cell) } else { 1 };
+            let (_, h) = divide(cell);
+            stiffen(cell, axial_force, h);
+            let run = Run::new(cell, first, count, axial_force, ground);
+            first += count;
+            run
+        });
+        let runs: Vec<Run> = runs.collect();
+        let mut grid = Grid {
+            flat: runs.iter().all(|run| run.gap == [0.0; 2]),
+            runs,
+            nodes: mesh.nodes,
+            axial_force,
+            outside: mesh.outside,
+            rough: false,
+            pins: Vec::new(),
+        };
+        let pins = grid.firsts().zip(&grid.nodes).filter(|(_, node)| node.pinned);
+        grid.pins = pins.map(|(i, node)| (i, node.settlement)).collect();
         grid.chain();
-        grid
-    }
-
-    /// The same with fewer elements; where they are too long for the beam, it is made as stiff as they are long.
-    pub fn coarser(&self, elements: usize) -> Self {
-        let mut grid = self.clone();
-        let per_length = elements as f64 / self.length();
-        for run in &mut grid.runs {
-            run.stiffen(self.axial_force, 1.0 / per_length);
-        }
-        grid.cut(per_length);
         grid
     }
 
@@ -219,41 +316,38 @@ impl Grid {
         }
     }
 
-    fn cut(&mut self, per_length: f64) {
-        let mut first = 0;
-        for run in &mut self.runs {
-            let length = run.length();
-            let wanted = (length * per_length).round() as usize;
-            let count = wanted.max(run.pieces(self.axial_force, length));
-            run.cut(first, count, self.axial_force, self.ground);
-            first += count;
-        }
-    }
-
-    pub fn length(&self) -> f64 {
-        self.runs.last().map_or(0.0, |run| run.x[1])
-    }
-
     /// The largest wave number of the beam on its ground.
     pub fn wave_number(&self) -> f64 {
-        self.runs.iter().map(|run| run.wave_number(self.axial_force)).fold(0.0, f64::max)
+        let of =
+            |run: &Run| Operator::of(&run.cell, self.axial_force, ZoneKind::Contact).wave_number();
+        self.runs.iter().map(of).fold(0.0, f64::max)
     }
 
-    /// The fewest elements it may have: those into which an open beam must be cut.
-    pub fn fewest(&self) -> usize {
-        let pieces = self.runs.iter().map(|run| run.pieces(self.axial_force, run.length()));
-        pieces.fold(0, usize::saturating_add)
+    /// The fewest elements of a model: those into which an open beam must be cut.
+    pub fn fewest(model: &Model) -> usize {
+        let axial_force = model.beam.axial_force;
+        let mut fewest = 0_usize;
+        Mesh::each_graded(model, |cell, settles| {
+            let own = pieces(cell, axial_force, cell.length()).max(settles);
+            fewest = fewest.saturating_add(own);
+        });
+        fewest
     }
 
     /// What lifting the whole ground by one takes.
     pub fn stiffness(&self) -> f64 {
-        let springs = self.runs.iter().map(|run| run.spring * run.length());
+        let springs = self.runs.iter().map(|run| run.cell.subgrade * run.length());
         springs.sum::<f64>() + self.outside[0] + self.outside[1]
     }
 
     /// The last node.
     pub fn last(&self) -> usize {
         self.runs.last().map_or(0, Run::end)
+    }
+
+    /// The first node of each run, and the last node of all.
+    pub fn firsts(&self) -> impl Iterator<Item = usize> {
+        self.runs.iter().map(|run| run.first).chain([self.last()])
     }
 
     /// The run of the element to the right of a node; of the last node the last run.
@@ -265,21 +359,19 @@ impl Grid {
         self.runs[self.run_at(node)].x(node)
     }
 
-    /// g₀ at a node.
+    /// g₀ + u₀ at a node.
     pub fn gap(&self, node: usize) -> f64 {
         if self.flat {
             return 0.0;
         }
-        let run = &self.runs[self.run_at(node)];
-        let t = (node - run.first) as f64 / run.count as f64;
-        run.given.gap[0] + (run.given.gap[1] - run.given.gap[0]) * t
+        self.runs[self.run_at(node)].gap_at(node)
     }
 
     /// The node nearest to a position.
     pub fn nearest(&self, x: f64) -> usize {
-        let run = self.runs.partition_point(|run| run.x[1] < x).min(self.runs.len() - 1);
+        let run = self.runs.partition_point(|run| run.cell.x[1] < x).min(self.runs.len() - 1);
         let run = &self.runs[run];
-        let steps = ((x - run.x[0]) / run.h).round().max(0.0) as usize;
+        let steps = ((x - run.cell.x[0]) / run.h).round().max(0.0) as usize;
         run.first + steps.min(run.count)
     }
 
@@ -306,15 +398,6 @@ impl Grid {
         if node == run.first { before } else { before.then(run.open(run.first, node)) }
     }
 
-    /// Open ground from one node, or from beyond the left end, up to another.
-    pub fn left_then(&self, from: usize, held: bool, to: usize) -> TwoPort {
-        if !held {
-            return self.left_of(to);
-        }
-        let nothing = TwoPort { series: f64::MAX, shunt_left: 0.0, shunt_right: 0.0 };
-        self.link(from, to).unwrap_or(nothing)
-    }
-
     /// The ground from a node to beyond the right end.
     pub fn right_of(&self, node: usize) -> TwoPort {
         let run = &self.runs[self.run_at(node.max(1) - 1)];
@@ -322,16 +405,8 @@ impl Grid {
         if node == run.end() { after } else { run.open(node, run.end()).then(after) }
     }
 
-    /// What the model has at a node: force and moment, in a mirror or not.
-    pub fn load(&self, node: usize, mirrored: bool) -> [f64; 2] {
-        match self.place(node) {
-            None => [0.0; 2],
-            Some(Node { force, moment, .. }) => [*force, if mirrored { -moment } else { *moment }],
-        }
-    }
-
     /// The place of the model at a node, if it has one.
-    fn place(&self, node: usize) -> Option<&Node> {
+    pub fn place(&self, node: usize) -> Option<&Node> {
         let run = self.run_at(node);
         if self.runs[run].first == node {
             self.nodes.get(run)

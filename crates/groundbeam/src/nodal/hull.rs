@@ -83,7 +83,7 @@ impl Hull<'_> {
                 note(&mut start, arcs, run.first);
             }
             let (c, shunt) = (run.link.series, run.link.shunt_left + run.link.shunt_right);
-            let [g, to] = run.given.gap;
+            let [g, to] = run.gap;
             let dg = (to - g) / run.count as f64;
             let w = &self.deflection[run.first..=run.end()];
             let mut presses = [false; BLOCK];

@@ -1,7 +1,7 @@
 //! The ground under one run: springs and a shear layer that do not vary.
 
 use crate::ground::link::TwoPort;
-use crate::numeric::elementary::{exp, expm1};
+use crate::numeric::elementary::{asinh, exp, expm1};
 
 /// √(kμ) and √(k/μ).
 #[derive(Debug, Clone, Copy, Default)]
@@ -16,6 +16,18 @@ impl Layer {
             return Layer::default();
         }
         Layer { stiffness: (spring * shear).sqrt(), rate: (spring / shear).sqrt() }
+    }
+
+    /// The same on nodes a distance h apart, between which the shear layer is straight and to which the springs go by the
+    /// trapezoidal rule: u at the nodes is e^(±βi) with sinh(β/2) = h√(k/μ)/2.
+    pub fn at_nodes(spring: f64, shear: f64, h: f64) -> Self {
+        if shear == 0.0 {
+            return Layer::default();
+        }
+        let half = 0.5 * h * (spring / shear).sqrt();
+        // sinh β = 2 sinh(β/2) cosh(β/2).
+        let stiffness = (spring * shear).sqrt() * (1.0 + half * half).sqrt();
+        Layer { stiffness, rate: 2.0 * asinh(half) / h }
     }
 
     /// Open ground of a length, as [`TwoPort::uniform`] with one exponential:
@@ -49,6 +61,20 @@ mod tests {
             let (ours, link) = (layer.open(0.5 * bh), TwoPort::uniform(2.0, 0.5, 0.5 * bh));
             assert!((ours.series - link.series).abs() <= 1e-15 * link.series, "{bh}");
             assert!((ours.shunt_left - link.shunt_left).abs() <= 1e-15 * link.shunt_left, "{bh}");
+        }
+    }
+
+    /// Open ground at nodes is the links of its elements in series: the discrete energy is one function.
+    #[test]
+    fn open_ground_at_nodes_is_its_links_in_series() {
+        for h in [1e-3, 0.1, 1.0, 30.0] {
+            let layer = Layer::at_nodes(2.0, 0.5, h);
+            let link = layer.open(h);
+            assert!((link.series - 0.5 / h).abs() <= 1e-12 / h, "{h}: {link:?}");
+            assert!((link.shunt_left - h).abs() <= 1e-12 * h, "{h}: {link:?}");
+            let (three, open) = (link.then(link).then(link), layer.open(3.0 * h));
+            assert!((three.series - open.series).abs() <= 1e-12 * open.series, "{h}");
+            assert!((three.shunt_left - open.shunt_left).abs() <= 1e-12 * open.shunt_left, "{h}");
         }
     }
 }

@@ -3,24 +3,12 @@
 use super::form::Form;
 use super::grid::Grid;
 use super::hull::Zone;
+use super::quadratic::Loose;
 use super::span::Span;
-use super::sweep::{Loose, Side, Stand, Stretch};
+use super::stand::{Stand, Tether};
+use super::stretch::{Side, Stretch};
+use crate::element::element::{Basis, mirror_shape};
 use crate::ground::link::TwoPort;
-
-/// Springs that hold the beam's two ends where they are: what the ground does not hold.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Tether {
-    pub spring: f64,
-    /// w of the two ends.
-    pub at: [f64; 2],
-}
-
-impl Tether {
-    /// The springs' forces on the beam with other w of its ends, up positive.
-    pub fn forces(&self, ends: [f64; 2]) -> [f64; 2] {
-        [0, 1].map(|i| self.spring * (ends[i] - self.at[i]))
-    }
-}
 
 /// A span, the side that sweeps over it and the number of its stretch.
 #[derive(Debug, Clone, Default)]
@@ -37,6 +25,10 @@ pub(crate) struct Layout {
     /// The node where they meet, and what stands there.
     pub meeting: usize,
     pub stand: Stand,
+    /// w there and the rotations to its left and to its right, of the last solve.
+    pub middle: [f64; 3],
+    /// Whether the beam touches the ground anywhere.
+    touches: bool,
     /// Those not used now keep their memory.
     spans: Vec<Placed>,
     used: usize,
@@ -50,100 +42,154 @@ impl Layout {
         &mut self,
         grid: &Grid,
         zones: &[Zone],
-        tether: Option<Tether>,
+        tether: Option<&Tether>,
     ) -> Result<(), Loose> {
         let count: usize = zones.iter().map(|[from, to]| to - from).sum();
-        // One node holds a beam that tension keeps from turning.
-        let turns = count == 0 && zones.len() < 2 && grid.axial_force <= 0.0;
-        if zones.is_empty() || (turns && tether.is_none()) {
-            return Err(Loose);
-        }
         self.sides.iter_mut().for_each(Side::clear);
         self.used = 0;
-        self.meeting = middle(zones, count / 2);
-        self.stand = stand(grid, self.meeting, false);
-        self.set_left(grid, zones);
-        self.set_right(grid, zones);
-        if let Some(tether) = tether {
-            self.hold(&tether);
+        self.touches = !zones.is_empty();
+        if zones.is_empty() {
+            self.meeting = grid.last();
+            self.stand = Stand::at(grid, self.meeting, false, tether);
+            return self.open(grid, LEFT, None, self.meeting, tether);
         }
-        Ok(())
+        self.meeting = middle(zones, count / 2);
+        self.stand = Stand::on_ground(grid, self.meeting, false, tether);
+        self.set_left(grid, zones, tether)?;
+        self.set_right(grid, zones, tether)
+    }
+
+    /// The motion of each element of a row in its own four numbers, by its left node.
+    pub fn each_element(&self, grid: &Grid, mut each: impl FnMut(usize, [f64; 4])) {
+        let [w, behind, ahead] = self.middle;
+        let (mut left, mut right) = (self.meeting, self.meeting);
+        self.sides[LEFT].each_element(w, behind, |stretch, v| {
+            left = if stretch.is_span() { stretch.node } else { left - 1 };
+            if !stretch.is_span() {
+                each(left, v);
+            }
+        });
+        self.sides[RIGHT].each_element(w, -ahead, |stretch, v| {
+            if stretch.is_span() {
+                right = stretch.node;
+                return;
+            }
+            each(right, mirror_shape(&v, grid.runs[grid.run_at(right)].h, Basis::Deformation));
+            right += 1;
+        });
     }
 
     pub fn spans(&self) -> &[Placed] {
         &self.spans[..self.used]
     }
 
-    fn set_left(&mut self, grid: &Grid, zones: &[Zone]) {
+    fn set_left(
+        &mut self,
+        grid: &Grid,
+        zones: &[Zone],
+        tether: Option<&Tether>,
+    ) -> Result<(), Loose> {
         let (mut behind, meeting) = (None, self.meeting);
         for &[from, to] in zones.iter().take_while(|zone| zone[0] <= meeting) {
-            self.open(grid, LEFT, behind, from);
+            self.open(grid, LEFT, behind, from, tether)?;
             for (run, a, b) in grid.parts(from, to.min(meeting)) {
-                self.sides[LEFT].stretches.push(row(grid, run, a, b, false));
+                self.sides[LEFT].stretches.push(row(grid, run, [a, b], false, tether));
             }
             behind = Some(to);
         }
+        Ok(())
     }
 
-    fn set_right(&mut self, grid: &Grid, zones: &[Zone]) {
+    fn set_right(
+        &mut self,
+        grid: &Grid,
+        zones: &[Zone],
+        tether: Option<&Tether>,
+    ) -> Result<(), Loose> {
         let (mut behind, meeting) = (None, self.meeting);
         for &[from, to] in zones.iter().rev().take_while(|zone| zone[1] >= meeting) {
-            self.open(grid, RIGHT, behind, to);
+            self.open(grid, RIGHT, behind, to, tether)?;
             let stretches = &mut self.sides[RIGHT].stretches;
             let first = stretches.len();
             for (run, a, b) in grid.parts(from.max(meeting), to) {
-                stretches.push(row(grid, run, a, b, true));
+                stretches.push(row(grid, run, [a, b], true, tether));
             }
             stretches[first..].reverse();
             behind = Some(from);
         }
+        Ok(())
     }
 
     /// The span from a zone's end, or else from the end of the beam, to the first node of the next.
-    fn open(&mut self, grid: &Grid, side: usize, behind: Option<usize>, to: usize) {
+    fn open(
+        &mut self,
+        grid: &Grid,
+        side: usize,
+        behind: Option<usize>,
+        to: usize,
+        tether: Option<&Tether>,
+    ) -> Result<(), Loose> {
         let mirrored = side == RIGHT;
-        let end = if mirrored { grid.last() } else { 0 };
-        let node = behind.unwrap_or(end);
-        if node == to {
-            return;
+        if let Some(node) = behind {
+            let link = grid.link(node.min(to), node.max(to)).unwrap_or_default();
+            let link = if mirrored { link.mirrored() } else { link };
+            let form = Form::default().on(link, [grid.gap(node), grid.gap(to)]);
+            let stand = Stand::on_ground(grid, node, mirrored, tether);
+            return self.add_span(grid, side, [node, to], form, stand, tether);
         }
+        // No ground connects the nodes of an overhang: it is cut where anything holds it.
+        let mut node = if mirrored { grid.last() } else { 0 };
+        let holds = |at: &usize| Stand::at(grid, *at, mirrored, tether).is_joint();
+        let mut cuts: Vec<usize> = grid.firsts().filter(holds).collect();
+        if mirrored {
+            cuts.reverse();
+        }
+        cuts.retain(|at| node.min(to) < *at && *at < node.max(to));
+        cuts.push(to);
+        for next in cuts {
+            if next == node {
+                break;
+            }
+            let mut form = Form::default();
+            if next == to && self.touches {
+                // The ground beyond the end and under it is one spring; the end itself does not touch.
+                let ground = if mirrored { grid.right_of(to).mirrored() } else { grid.left_of(to) };
+                let shunt_right = ground.shunt_right;
+                let spring = TwoPort { shunt_right, ..TwoPort::default() };
+                form = form.on(spring, [0.0, grid.gap(to)]);
+            }
+            let stand = Stand::at(grid, node, mirrored, tether);
+            self.add_span(grid, side, [node, next], form, stand, tether)?;
+            node = next;
+        }
+        Ok(())
+    }
+
+    /// The beam from one node to another in the direction of a sweep, with the ground beside it.
+    fn add_span(
+        &mut self,
+        grid: &Grid,
+        side: usize,
+        [node, to]: [usize; 2],
+        ground: Form,
+        stand: Stand,
+        tether: Option<&Tether>,
+    ) -> Result<(), Loose> {
+        if node == to {
+            return Ok(());
+        }
+        let mirrored = side == RIGHT;
         if self.used == self.spans.len() {
             self.spans.push(Placed::default());
         }
         let placed = &mut self.spans[self.used];
         self.used += 1;
         (placed.side, placed.stretch) = (side, self.sides[side].stretches.len());
-        placed.span.set(grid, node.min(to), node.max(to), mirrored);
-        let (length, stiffness, load) = placed.span.scaled();
-        let form = Form::beam(length, stiffness, load);
-        let (link, stand) = if behind.is_some() {
-            (grid.link(node.min(to), node.max(to)), stand(grid, node, mirrored))
-        } else {
-            // The ground beyond the end and under it is one spring; the end itself does not touch.
-            let shunt_right =
-                if mirrored { grid.right_of(to).shunt_left } else { grid.left_of(to).shunt_right };
-            let spring = TwoPort { series: 0.0, shunt_left: 0.0, shunt_right };
-            (Some(spring), Stand { spring: 0.0, push: 0.0, ..stand(grid, node, mirrored) })
-        };
-        let turned = |link: TwoPort| match mirrored && behind.is_some() {
-            true => TwoPort { shunt_left: link.shunt_right, shunt_right: link.shunt_left, ..link },
-            false => link,
-        };
-        let gap = [if behind.is_some() { grid.gap(node) } else { 0.0 }, grid.gap(to)];
-        let form = link.map_or(form, |link| form.on(turned(link), gap));
-        self.sides[side].stretches.push(Stretch { form, count: 1, node, stand });
-    }
-
-    /// Springs under the two ends, which are where the sweeps begin unless they meet there.
-    fn hold(&mut self, tether: &Tether) {
-        for (side, at) in self.sides.iter_mut().zip(tether.at) {
-            let stand = match side.stretches.first_mut() {
-                Some(stretch) => &mut stretch.stand,
-                None => &mut self.stand,
-            };
-            stand.spring += tether.spring;
-            stand.push += tether.spring * at;
-        }
+        let nodes = [node.min(to), node.max(to)];
+        placed.span.set(grid, nodes, mirrored, |at| Stand::at(grid, at, mirrored, tether))?;
+        let stretch = Stretch::span(&placed.span.whole, ground, node, stand);
+        self.sides[side].stretches.push(stretch);
+        Ok(())
     }
 }
 
@@ -158,18 +204,16 @@ fn middle(zones: &[Zone], mut count: usize) -> usize {
     0
 }
 
-/// What stands at a node that touches.
-fn stand(grid: &Grid, node: usize, mirrored: bool) -> Stand {
-    let [force, moment] = grid.load(node, mirrored);
-    let beyond = |end: usize, side: usize| if node == end { grid.outside[side] } else { 0.0 };
-    let spring = beyond(0, 0) + beyond(grid.last(), 1);
-    Stand { force, moment, spring, push: spring * grid.gap(node) }
-}
-
-/// Elements of a run, each glued at both ends.
-fn row(grid: &Grid, run: usize, from: usize, to: usize, mirrored: bool) -> Stretch {
+/// Elements of a run, each bonded at both ends.
+fn row(
+    grid: &Grid,
+    run: usize,
+    [from, to]: [usize; 2],
+    mirrored: bool,
+    tether: Option<&Tether>,
+) -> Stretch {
     let own = &grid.runs[run];
     let (before, node) = if mirrored { (own.end() - to, to) } else { (from - own.first, from) };
     let form = own.glued[usize::from(mirrored)].after(before);
-    Stretch { form, count: to - from, node, stand: stand(grid, node, mirrored) }
+    Stretch::row(form, to - from, node, Stand::on_ground(grid, node, mirrored, tether))
 }

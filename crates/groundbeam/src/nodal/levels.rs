@@ -25,7 +25,8 @@ pub(crate) fn grids(model: &Model, elements: usize, ground: Ground, grids: &mut 
     let fine = Grid::new(model, elements, ground);
     let waves = model.beam.length * fine.wave_number();
     let coarser = coarser(elements as f64, waves);
-    grids.extend(coarser.iter().rev().map(|elements| fine.coarser(*elements as usize)));
+    let coarse = |elements: &f64| Grid::stiffened(model, *elements as usize, ground);
+    grids.extend(coarser.iter().rev().map(coarse));
     grids.push(fine);
     for i in 1..grids.len() {
         grids[i - 1].rough = is_rough(&grids[i - 1], &grids[i], waves);

@@ -1,11 +1,11 @@
-//! Very long beams: answers at the nodes of meshes of up to millions of elements.
+//! The discrete problem (5.5), (5.10), (5.11): forces at the nodes of meshes of up to millions of elements.
 //!
-//! The ground presses on the nodes alone, as in the paper's (5.5), and the beam between them is solved
-//! exactly, so that what is solved is the discrete problem (5.10)–(5.11) with the beam's own flexibility
-//! in place of (5.2). Rows of equal elements are crossed by [sweeps](sweep) in deformation variables,
+//! The beam between nodes is exact, in place of (5.2). The methods with a mesh, long beams and the first phase of the
+//! exact method use this kernel. Rows of equal elements are crossed by [sweeps](sweep) in deformation variables,
 //! stretches off the ground are [one element](span) each, and the contact is found by Newton's method
 //! on [coarse meshes first](newton). Memory is a few numbers a node.
 
+pub(crate) mod back_sweep;
 pub(crate) mod beam;
 pub(crate) mod check;
 pub(crate) mod edges;
@@ -18,7 +18,10 @@ pub(crate) mod layout;
 pub(crate) mod levels;
 pub(crate) mod newton;
 pub(crate) mod open;
+pub(crate) mod quadratic;
 pub(crate) mod search;
 pub(crate) mod solution;
 pub(crate) mod span;
+pub(crate) mod stand;
+pub(crate) mod stretch;
 pub(crate) mod sweep;

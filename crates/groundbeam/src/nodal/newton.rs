@@ -1,11 +1,15 @@
 //! Newton's method on the nodes that touch, from coarse grids to the wanted one.
 
+use super::back_sweep::Fields;
 use super::grid::Grid;
 use super::hull::{Hull, Zone};
-use super::layout::{Layout, Tether};
+use super::layout::Layout;
 use super::open;
-use super::sweep::{self, Fields, Loose};
+use super::quadratic::Loose;
+use super::stand::Tether;
+use super::sweep;
 use crate::cancel::Cancel;
+use crate::numeric::step::Step;
 
 /// Steps on one grid that are taken whole; later ones are shortened where the energy asks for it.
 const WHOLE_STEPS: usize = 8;
@@ -51,7 +55,7 @@ const FINE: f64 = 0.2;
 /// Everything that a solve needs and the next one can use again.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Workspace {
-    layout: Layout,
+    pub(crate) layout: Layout,
     pub(crate) arcs: Vec<Zone>,
     pub(crate) next: Vec<Zone>,
     pub zones: Vec<Zone>,
@@ -60,6 +64,8 @@ pub(crate) struct Workspace {
     pub force: Vec<f64>,
     pub(crate) before: Line,
     pub work: Work,
+    /// The steps, on all grids.
+    pub history: Vec<Step>,
     /// Stops the steps.
     pub cancel: Cancel,
 }
@@ -74,6 +80,7 @@ impl Workspace {
     /// A guess at the nodes that touch on the last grid, from coarser ones.
     pub fn approach(&mut self, grids: &[Grid], goal: Goal) -> Result<(), Loose> {
         self.work = Work::default();
+        self.history.clear();
         self.bond(&grids[0]);
         for level in 1..grids.len() {
             self.level(&grids[level - 1], goal)?;
@@ -110,30 +117,34 @@ impl Workspace {
         }
     }
 
-    /// The beam glued to the ground on `zones` and held by a tether, if any: w on all nodes, w' and forces
-    /// where they touch. Nothing is written if it is loose.
-    pub fn glue(&mut self, grid: &Grid, tether: Option<Tether>) -> Result<(), Loose> {
-        let Workspace { layout, zones, deflection, slope, force, .. } = self;
-        layout.set(grid, zones, tether)?;
+    /// The beam glued to the ground on `zones` and held by a tether to the deflection before, if any: w on all nodes, w'
+    /// and forces where they touch. Nothing is written if it is loose.
+    pub fn glue(&mut self, grid: &Grid, tether: Option<f64>) -> Result<(), Loose> {
+        let Workspace { layout, zones, deflection, slope, force, before, .. } = self;
+        let tether = tether.map(|spring| Tether { spring, at: &before.deflection });
+        layout.set(grid, zones, tether.as_ref())?;
         self.work.solves += 1;
         let middle = sweep::inward(&mut layout.sides, layout.stand)?;
+        if !middle.iter().all(|part| part.is_finite()) {
+            return Err(Loose);
+        }
         for &[from, to] in zones.iter() {
             force[from..=to].fill(0.0);
         }
         let mut fields = Fields { deflection, slope, force };
+        layout.middle = middle;
         let Layout { sides, meeting, stand, .. } = layout;
         self.work.elements += sweep::outward(sides, *meeting, *stand, middle, &mut fields);
         Ok(())
     }
 
-    /// The same where the ground does not hold the beam: springs at its two ends, stretched by no more than
-    /// it moves, keep the step one on which the energy falls.
-    fn glue_loose(&mut self, grid: &Grid, at: [f64; 2]) -> Result<Tether, Loose> {
+    /// The same where the ground does not hold the beam: springs that stretch by no more than it moves keep the step
+    /// one on which the energy falls. Returns their stiffness.
+    fn glue_loose(&mut self, grid: &Grid) -> Result<f64, Loose> {
         let mut spring = TETHER * grid.stiffness();
         for _ in 0..TETHERS {
-            let tether = Tether { spring, at };
-            if self.glue(grid, Some(tether)).is_ok() {
-                return Ok(tether);
+            if self.glue(grid, Some(spring)).is_ok() {
+                return Ok(spring);
             }
             spring *= STIFFER;
         }
@@ -147,6 +158,11 @@ impl Workspace {
         for placed in layout.spans() {
             let shape = &layout.sides[placed.side].shapes[placed.stretch];
             open::beam(grid, &placed.span, shape, derivative, into);
+        }
+        if !derivative {
+            for &(node, settlement) in &grid.pins {
+                into[node] = settlement;
+            }
         }
     }
 
@@ -185,10 +201,10 @@ impl Workspace {
         self.force.fill(0.0);
     }
 
-    fn is_slack(&self, grid: &Grid, tether: &Tether) -> bool {
+    fn is_slack(&self, grid: &Grid, spring: f64) -> bool {
         let all: f64 = self.force.iter().map(|force| force.abs()).sum();
-        let ends = [0, grid.last()].map(|end| self.deflection[end]);
-        tether.forces(ends).iter().all(|force| force.abs() <= SLACK * all)
+        let tether = Tether { spring, at: &self.before.deflection };
+        tether.forces(grid, &self.deflection).all(|(_, force)| force.abs() <= SLACK * all)
     }
 
     /// Steps until the contact asked for is the contact assumed, the first few taken whole.
@@ -209,19 +225,27 @@ impl Workspace {
                 if step < whole {
                     self.remember(grid, true);
                 }
-                let ends = [0, grid.last()].map(|end| self.before.deflection[end]);
-                tether = Some(self.glue_loose(grid, if step > 0 { ends } else { [0.0; 2] })?);
+                if step == 0 {
+                    self.before.deflection.clear();
+                    self.before.deflection.resize(grid.last() + 1, 0.0);
+                }
+                tether = Some(self.glue_loose(grid)?);
                 whole = whole.min(step.max(1));
             }
             self.fill(grid, false);
             let hull = Hull { grid, deflection: &self.deflection, near: &self.zones };
             hull.zones(&mut self.arcs, &mut self.next);
+            let decrement = self.moved() as f64 / (grid.last() + 1) as f64;
+            self.history.push(Step { zones: self.next.len(), step: 1.0, decrement });
             let settled = self.next == self.zones || self.moved() <= goal.moves * self.zones.len();
-            if settled && tether.is_none_or(|tether| self.is_slack(grid, &tether)) {
+            if settled && tether.is_none_or(|spring| self.is_slack(grid, spring)) {
                 return Ok(());
             }
-            if step > 0 && step >= whole && self.shorten(grid) {
-                return Ok(());
+            if step > 0 && step >= whole {
+                let Some(part) = self.shorten(grid) else { return Ok(()) };
+                if let Some(step) = self.history.last_mut() {
+                    step.step = part;
+                }
             }
             std::mem::swap(&mut self.zones, &mut self.next);
         }
@@ -253,7 +277,9 @@ impl Workspace {
     /// F = p₀(h/2 + s) − p₁h²/6 + (p₁ − b p₀)s²/2.
     fn edge(&self, grid: &Grid, node: usize, towards: usize) -> f64 {
         let x = grid.x(node);
-        if node == towards || node == 0 || node == grid.last() {
+        // A corner at a hinge takes a point force.
+        let is_corner = grid.place(node).is_some_and(|place| place.hinge.is_some());
+        if node == towards || node == 0 || node == grid.last() || is_corner {
             return x;
         }
         let inwards = |steps: usize| {

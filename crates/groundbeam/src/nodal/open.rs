@@ -2,21 +2,38 @@
 
 use super::beam::TERMS;
 use super::grid::{Grid, Run};
+use super::hull::{Hull, Zone};
 use super::span::Span;
+use crate::ground::link::TwoPort;
 use crate::numeric::elementary::{exp, expm1};
 
 /// Writes w or w' at the nodes of a span but its ends that touch.
 pub(crate) fn beam(grid: &Grid, span: &Span, v: &[f64; 4], derivative: bool, into: &mut [f64]) {
     let last = grid.last();
-    span.unfold(v, |[from, to], length, series, terms| {
+    span.unfold(v, |piece, own| {
         // Every piece writes its left end unless that touches; the last one its right end too.
+        let ([from, to], length) = (piece.nodes, piece.length);
         let first = usize::from(from == span.from && from > 0);
         let nodes = from + first..to + usize::from(to == last);
-        let (start, sign) = if span.mirrored { (1.0, -1.0) } else { (0.0, 1.0) };
+        let sign = if span.mirrored { -1.0 } else { 1.0 };
+        let Some((series, terms)) = piece.series(own) else {
+            // An element that is a run of its own.
+            let [w, theta, d1, d2] = own;
+            let ends = if derivative {
+                [sign * theta, sign * (theta + d2)]
+            } else {
+                [w, w + length * theta + d1]
+            };
+            for node in nodes {
+                into[node] = ends[usize::from((node == to) != span.mirrored)];
+            }
+            return;
+        };
+        let start = if span.mirrored { 1.0 } else { 0.0 };
         let step = sign / (to - from) as f64;
         let s = move |i: usize| start + (first + i) as f64 * step;
         if !derivative {
-            return values(series, terms, s, &mut into[nodes]);
+            return values(&series, terms, s, &mut into[nodes]);
         }
         let (mut slope, scale) = ([0.0; TERMS], sign / length);
         for (j, c) in series.iter().enumerate().take(terms).skip(1) {
@@ -53,49 +70,84 @@ fn horner<const N: usize>(c: &[f64; TERMS], s: impl Fn(usize) -> f64, into: &mut
     }
 }
 
+/// u − u₀ at every node: ψ where the beam touches, the open ground's own elsewhere.
+pub(crate) fn settlement(
+    grid: &Grid,
+    deflection: &[f64],
+    contact: &[Zone],
+    settlement: &mut Vec<f64>,
+) {
+    settlement.resize(grid.last() + 1, 0.0);
+    let hull = Hull { grid, deflection, near: &[] };
+    let mut before: Option<(usize, f64)> = None;
+    for &[from, to] in contact.iter() {
+        if grid.flat {
+            settlement[from..=to].copy_from_slice(&deflection[from..=to]);
+        } else {
+            (from..=to).for_each(|node| settlement[node] = hull.psi(node));
+        }
+        let ends = [before.map(|b| b.1), Some(settlement[from])];
+        ground(grid, [before.map_or(0, |b| b.0), from], ends, settlement);
+        before = Some((to, settlement[to]));
+    }
+    if let Some((to, psi)) = before
+        && to < grid.last()
+    {
+        ground(grid, [to, grid.last()], [Some(psi), None], settlement);
+    }
+}
+
 /// Writes the settlement at the nodes strictly between two, of which those that touch are given by their
 /// ψ; a missing one is the ground beyond the beam.
-pub(crate) fn ground(
+fn ground(
     grid: &Grid,
     [from, to]: [usize; 2],
     [left, right]: [Option<f64>; 2],
     settlement: &mut [f64],
 ) {
-    // u at the ends of each part: the link from the start forwards, the values backwards.
+    // u at the ends of each part: the ground from the start forwards, the values backwards.
+    let parts: Vec<_> = grid.parts(from, to).collect();
+    let beyond = TwoPort { shunt_right: grid.outside[0], ..TwoPort::default() };
+    let mut before: Vec<TwoPort> = Vec::with_capacity(parts.len());
+    let mut so_far = left.is_none().then_some(beyond);
+    for &(run, a, b) in &parts {
+        let own = grid.runs[run].open(a, b);
+        let link = so_far.map_or(own, |so_far| so_far.then(own));
+        before.push(link);
+        so_far = Some(link);
+    }
     let start = left.unwrap_or(0.0);
-    let mut next = right.unwrap_or(0.0);
+    // u where the ground up to it pulls, and the ground beyond it.
+    let held = |link: &TwoPort, pull: f64, hold: f64| {
+        let all = link.series + link.shunt_right + hold;
+        if all > 0.0 { (link.series * start + pull) / all } else { 0.0 }
+    };
+    let mut next =
+        right.unwrap_or_else(|| before.last().map_or(0.0, |link| held(link, 0.0, grid.outside[1])));
     if right.is_none() {
-        let link = grid.left_then(from, left.is_some(), to);
-        next = link.series * start / (link.series + link.shunt_right + grid.outside[1]);
         settlement[to] = next;
     }
-    let mut parts = grid.parts(from, to).collect::<Vec<_>>();
-    while let Some((run, a, b)) = parts.pop() {
-        let own = &grid.runs[run];
-        let before = if parts.is_empty() {
-            if left.is_some() {
-                start
-            } else {
-                // The ground beyond the left end holds the part's left end.
-                let link = own.open(a, b);
-                link.series * next / (link.series + link.shunt_left + grid.outside[0])
-            }
-        } else {
-            let link = grid.left_then(from, left.is_some(), a);
-            let own = own.open(a, b);
-            let pull = link.series * start + own.series * next;
-            pull / (link.series + link.shunt_right + own.series + own.shunt_left)
+    for (i, &(run, a, b)) in parts.iter().enumerate().rev() {
+        let own = grid.runs[run].open(a, b);
+        let (pull, hold) = (own.series * next, own.series + own.shunt_left);
+        let here = match i.checked_sub(1) {
+            Some(i) => held(&before[i], pull, hold),
+            None if left.is_some() => start,
+            None => held(&beyond, pull, hold),
         };
-        if !(parts.is_empty() && left.is_some()) {
-            settlement[a] = before;
+        if i > 0 || left.is_none() {
+            settlement[a] = here;
         }
-        between(own, before, next, &mut settlement[a + 1..b]);
-        next = before;
+        between(&grid.runs[run], here, next, &mut settlement[a + 1..b]);
+        next = here;
     }
 }
 
 /// u = (left sinh b(L − x) + right sinh bx)/sinh bL at equal steps strictly between two ends.
 fn between(run: &Run, left: f64, right: f64, into: &mut [f64]) {
+    if run.cell.shear_layer == 0.0 {
+        return into.fill(0.0);
+    }
     let b = run.layer.rate;
     let count = into.len() + 1;
     let length = b * run.h * count as f64;

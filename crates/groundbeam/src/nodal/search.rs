@@ -12,8 +12,9 @@ const LEAST: f64 = 1e-28;
 impl Workspace {
     /// Goes back on the way from the deflection before as far as the energy asks for. With K w = F − f for
     /// the forces f that a glued solve finds, and for mixtures of such w, the energy's slope along δ is
-    /// Σ (p − f) δ with the ground's own answer p. True if nothing is left to fall.
-    pub(crate) fn shorten(&mut self, grid: &Grid) -> bool {
+    /// Σ (p − f) δ with the ground's own answer p. Returns the part of the way; none if
+    /// nothing is left to fall.
+    pub(crate) fn shorten(&mut self, grid: &Grid) -> Option<f64> {
         let Line { deflection: w0, force: f0, trial, arcs, zones } = &mut self.before;
         let (w1, f1) = (&self.deflection, &self.force);
         trial.resize(w1.len(), 0.0);
@@ -33,7 +34,7 @@ impl Workspace {
         let fall = -slope(0.0);
         let work: f64 = f1.iter().zip(w1).map(|(f, w)| (f * w).abs()).sum();
         if fall.is_nan() || fall <= LEAST * work {
-            return true;
+            return None;
         }
         let slope = std::cell::RefCell::new(slope);
         let t = line_search::settle(fall, |t| (slope.borrow_mut())(t));
@@ -47,6 +48,6 @@ impl Workspace {
             let hull = Hull { grid, deflection: &self.deflection, near: &self.zones };
             hull.zones(&mut self.arcs, &mut self.next);
         }
-        false
+        Some(t)
     }
 }

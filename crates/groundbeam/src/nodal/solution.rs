@@ -33,7 +33,7 @@ impl NodalSolution {
     /// Rows of equal elements: position of the first node, its number, elements, their length.
     pub fn rows(&self) -> Vec<(f64, usize, usize, f64)> {
         let runs = self.grid.iter().flat_map(|grid| &grid.runs);
-        runs.map(|run| (run.x[0], run.first, run.count, run.h)).collect()
+        runs.map(|run| (run.cell.x[0], run.first, run.count, run.h)).collect()
     }
 }
 

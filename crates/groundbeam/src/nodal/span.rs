@@ -1,26 +1,39 @@
-//! The beam between two nodes that touch: any number of pieces off the ground as one element.
+//! The beam between two nodes that touch: all its pieces off the ground, condensed to one element.
+//!
+//! Two pieces and what stands between them have the energy of the motion (w, θ) of the left end, the deformation
+//! (D₁, D₂) of the whole, and that of the left piece, (d₁, t): t includes the jump of a hinge. The last two are
+//! eliminated. On the way back they follow from the others, so that a long span does not amplify rounding error.
 
 use super::beam::{Beam, TERMS};
 use super::grid::Grid;
-
-/// An element in (w, θ, d₁, d₂): K of the last three and q of all.
-#[derive(Debug, Clone, Copy, Default)]
-struct Whole {
-    length: f64,
-    stiffness: [[f64; 3]; 3],
-    load: [f64; 4],
-}
+use super::quadratic::{Loose, Quadratic, Row};
+use super::stand::Stand;
+use crate::element::element::{Basis, Element, mirror_shape};
 
 /// A piece of the beam, and how all up to its left end follows from all up to its right end.
-#[derive(Debug, Clone, Copy)]
-struct Piece {
-    beam: Beam,
-    /// Elements of the grid.
-    count: usize,
-    /// d of everything before this piece = gain·(θ, D₁, D₂) + constant, with D that of everything up to
-    /// its end.
-    gain: [[f64; 3]; 2],
-    constant: [f64; 2],
+#[derive(Debug, Clone)]
+pub(crate) struct Piece {
+    /// Its nodes in the grid, the left one first.
+    pub nodes: [usize; 2],
+    pub length: f64,
+    /// The closed form of an even beam; a run of one element has none.
+    beam: Option<Beam>,
+    /// d₁ and t before this piece, from the w, θ, D₁, D₂ of all up to its end.
+    before: [Row<6>; 2],
+    /// d₂ of what is left of a hinge, from its w, θ, d₁ and t.
+    hinge: Option<Row<4>>,
+}
+
+impl Piece {
+    /// Its motion seen in a mirror.
+    pub fn mirrored(&self, own: [f64; 4]) -> [f64; 4] {
+        mirror_shape(&own, self.length, Basis::Deformation)
+    }
+
+    /// The series of w(s), s ∈ [0, 1], and how many of its terms matter.
+    pub fn series(&self, own: [f64; 4]) -> Option<([f64; TERMS], usize)> {
+        self.beam.as_ref().map(|beam| beam.unfold(own))
+    }
 }
 
 /// The beam from one node to another, in the direction of its sweep.
@@ -30,25 +43,52 @@ pub(crate) struct Span {
     pub to: usize,
     pub mirrored: bool,
     pieces: Vec<Piece>,
-    whole: Whole,
+    pub whole: Element,
 }
 
+/// Indices into (w, θ, D₁, D₂, d₁, t).
+const D: usize = 4;
+const T: usize = 5;
+
+/// A hinge that nothing keeps from turning, relative to the bending stiffness beside it.
+const FREE: f64 = 1e-14;
+
+const NONE: Row<6> = Row { by: [0.0; 6], constant: 0.0 };
+
 impl Span {
-    /// Makes it the beam between two nodes; in a mirror for the sweep from the right.
-    pub fn set(&mut self, grid: &Grid, from: usize, to: usize, mirrored: bool) {
+    /// Makes it the beam between two nodes; in a mirror for the sweep from the right. `stand` tells what stands at a
+    /// node within.
+    pub fn set(
+        &mut self,
+        grid: &Grid,
+        [from, to]: [usize; 2],
+        mirrored: bool,
+        stand: impl Fn(usize) -> Stand,
+    ) -> Result<(), Loose> {
         (self.from, self.to, self.mirrored) = (from, to, mirrored);
         self.pieces.clear();
         let (first, last) = (grid.run_at(from), grid.run_at(to - 1));
         for i in first..=last {
             let run = if mirrored { last - (i - first) } else { i };
             let (a, b) = (grid.runs[run].first.max(from), grid.runs[run].end().min(to));
-            self.add_run(grid, run, a, b);
+            self.add_run(grid, run, [a, b], &stand)?;
         }
+        Ok(())
     }
 
     /// A part of a run, cut into pieces that a short series describes.
-    fn add_run(&mut self, grid: &Grid, run: usize, from: usize, to: usize) {
+    fn add_run(
+        &mut self,
+        grid: &Grid,
+        run: usize,
+        [from, to]: [usize; 2],
+        stand: &impl Fn(usize) -> Stand,
+    ) -> Result<(), Loose> {
         let own = &grid.runs[run];
+        if let Some(element) = &own.element {
+            let element = if self.mirrored { element.mirrored() } else { *element };
+            return self.add(element, None, [from, to], stand);
+        }
         let count = to - from;
         let wanted = own.pieces(grid.axial_force, own.h * count as f64).min(count);
         let at = |i: usize| count * i / wanted;
@@ -61,121 +101,137 @@ impl Span {
             let part = own.part(a, b);
             let given = if self.mirrored { part.mirrored() } else { part };
             let length = own.h * (b - a) as f64;
-            let beam = Beam::new(own.stiffness, &given, grid.axial_force, length);
-            let load = grid.load(if self.mirrored { b } else { a }, self.mirrored);
-            self.add(beam, b - a, load);
+            let beam = Beam::new(own.cell.stiffness, &given, grid.axial_force, length);
+            self.add(beam.element(), Some(beam), [a, b], stand)?;
         }
+        Ok(())
     }
 
-    /// Adds a piece at the end, with a force and a moment at the node before it.
-    fn add(&mut self, beam: Beam, count: usize, load: [f64; 2]) {
-        let next = Whole::of(&beam);
-        let mut piece = Piece { beam, count, gain: [[0.0; 3]; 2], constant: [0.0; 2] };
+    /// Adds a piece at the end of those so far, and what stands at the node between.
+    fn add(
+        &mut self,
+        next: Element,
+        beam: Option<Beam>,
+        nodes: [usize; 2],
+        stand: &impl Fn(usize) -> Stand,
+    ) -> Result<(), Loose> {
+        let length = next.length;
+        let mut piece = Piece { nodes, length, beam, before: [NONE; 2], hinge: None };
         if self.pieces.is_empty() {
             self.whole = next;
         } else {
-            self.whole = self.whole.then(&next, load, &mut piece);
+            let stand = stand(if self.mirrored { nodes[1] } else { nodes[0] });
+            self.whole = join(&self.whole, &stand, &next, &mut piece)?;
         }
         self.pieces.push(piece);
+        Ok(())
     }
 
-    /// K for (Lθ, d₁, L d₂), its entries θθ, θ1, θ2, 11, 12, 22, and q for (w, Lθ, d₁, L d₂).
-    pub fn scaled(&self) -> (f64, [f64; 6], [f64; 4]) {
-        let (l, k, q) = (self.whole.length, &self.whole.stiffness, self.whole.load);
-        let per = 1.0 / l;
-        let stiffness = [
-            k[0][0] * per * per,
-            k[0][1] * per,
-            k[0][2] * per * per,
-            k[1][1],
-            k[1][2] * per,
-            k[2][2] * per * per,
-        ];
-        (l, stiffness, [q[0], q[1] * per, q[2], q[3] * per])
-    }
-
-    /// The series of each piece for w and θ at the span's beginning and its deformation, with the piece's
-    /// first and last node in the grid and its length. In a mirror s runs from the last to the first.
-    pub fn unfold(
-        &self,
-        v: &[f64; 4],
-        mut each: impl FnMut([usize; 2], f64, &[f64; TERMS], usize),
-    ) {
+    /// Each piece with the w and θ of its first end and its deformation, from those of the span; the last one first.
+    pub fn unfold(&self, v: &[f64; 4], mut each: impl FnMut(&Piece, [f64; 4])) {
         let [w, theta, mut d1, mut d2] = *v;
         let mut length = self.whole.length;
-        let mut passed = 0;
         for (i, piece) in self.pieces.iter().enumerate().rev() {
-            let l = piece.beam.length;
+            let l = piece.length;
             length -= l;
             let mut own = [w, theta, d1, d2];
             if i > 0 {
-                let [b1, b2] = std::array::from_fn(|r| {
-                    let [g0, g1, g2] = piece.gain[r];
-                    g0 * theta + g1 * d1 + g2 * d2 + piece.constant[r]
-                });
-                own = [w + length * theta + b1, theta + b2, d1 - b1 - l * b2, d2 - b2];
-                (d1, d2) = (b1, b2);
+                let z = [w, theta, d1, d2, 0.0, 0.0];
+                let [b, turn] = [0, 1].map(|r| piece.before[r].value(&z));
+                own = [w + length * theta + b, theta + turn, d1 - b - l * turn, d2 - turn];
+                let bent = piece.hinge.map_or(turn, |hinge| hinge.value(&[w, theta, b, turn]));
+                (d1, d2) = (b, bent);
             }
-            let nodes = if self.mirrored {
-                [self.from + passed, self.from + passed + piece.count]
-            } else {
-                [self.to - passed - piece.count, self.to - passed]
-            };
-            passed += piece.count;
-            let (series, terms) = piece.beam.unfold(own);
-            each(nodes, l, &series, terms);
+            each(piece, own);
         }
     }
 }
 
-impl Whole {
-    fn of(beam: &Beam) -> Self {
-        let h = beam.length;
-        let [tt, t1, t2, k11, k12, k22] = beam.stiffness();
-        let [qw, qt, q1, q2] = beam.load();
-        Whole {
-            length: h,
-            stiffness: [
-                [tt * h * h, t1 * h, t2 * h * h],
-                [t1 * h, k11, k12 * h],
-                [t2 * h * h, k12 * h, k22 * h * h],
-            ],
-            load: [qw, qt * h, q1, q2 * h],
+/// Two elements with what stands between them as one; how the left one follows from it goes into `piece`.
+fn join(
+    left: &Element,
+    stand: &Stand,
+    next: &Element,
+    piece: &mut Piece,
+) -> Result<Element, Loose> {
+    let (h, l) = (left.length, next.length);
+    let mut own = Quadratic { h: left.stiffness, g: left.load };
+    if let Some(spring) = stand.hinge {
+        // d₂ gives way to t = d₂ and the hinge's jump.
+        let bending = own.h[3][3];
+        if bending + spring <= FREE * next.stiffness[3][3] {
+            return Err(Loose);
         }
-    }
-
-    /// This one, a force and a moment, and the next one; what is between them goes into `piece`.
-    fn then(&self, next: &Whole, load: [f64; 2], piece: &mut Piece) -> Whole {
-        let (h, l) = (self.length, next.length);
-        let ([k, n], [q, r]) = ([self.stiffness, next.stiffness], [self.load, next.load]);
-        // This one has (θ, d₁, d₂), the next one (θ + d₂, D₁ − d₁ − l d₂, D₂ − d₂): what it demands of d₂ is
-        let turn = [0, 1, 2].map(|j| n[0][j] - l * n[1][j] - n[2][j]);
-        let [a, b, c] =
-            [k[1][1] + n[1][1], k[1][2] - turn[1], k[2][2] + (turn[0] - l * turn[1] - turn[2])];
-        // (θ, D₁, D₂) by (d₁, d₂), and with themselves.
-        let across =
-            [[k[0][1] - n[0][1], k[0][2] + turn[0]], [-n[1][1], turn[1]], [-n[1][2], turn[2]]];
-        let mut outer = n;
-        outer[0][0] += k[0][0];
-        // Forces at the node between and on the next one's left end move with w + hθ + d₁.
-        let through = r[0] + load[0];
-        let [q1, q2] = [q[2] - r[2] + through, q[3] + (r[1] - l * r[2] - r[3]) + load[1]];
-        let ends = [q[1] + r[1] + h * through + load[1], r[2], r[3]];
-        let determinant = a * c - b * b;
-        let inverse = 1.0 / determinant;
-        let solve = |x: f64, y: f64| [(c * x - b * y) * inverse, (a * y - b * x) * inverse];
-        let columns = across.map(|[x, y]| solve(-x, -y));
-        piece.gain = [0, 1].map(|i| columns.map(|column| column[i]));
-        piece.constant = solve(q1, q2);
-        let mut whole = Whole { length: h + l, ..Whole::default() };
-        whole.load[0] = q[0] + through;
-        for i in 0..3 {
-            let [x, y] = across[i];
-            whole.load[i + 1] = ends[i] - x * piece.constant[0] - y * piece.constant[1];
-            for j in 0..3 {
-                whole.stiffness[i][j] = outer[i][j] + x * columns[j][0] + y * columns[j][1];
-            }
+        let mut with_jump = Quadratic::<5>::ZERO;
+        let keep = |i: usize| std::array::from_fn(|j| f64::from(u8::from(i == j)));
+        with_jump.add(&[keep(0), keep(1), keep(2), keep(4)], &own.h, &own.g);
+        with_jump.add(&[[0.0, 0.0, 0.0, 1.0, -1.0]], &[[spring]], &[0.0]);
+        let row = with_jump.eliminate(4, 0.0)?;
+        let mut by = [row.by[0], row.by[1], row.by[2], row.by[3]];
+        own.g = [0, 1, 2, 3].map(|i| with_jump.g[i]);
+        own.h = std::array::from_fn(|i| std::array::from_fn(|j| with_jump.h[i][j]));
+        // Nothing is transmitted by a free hinge, to the last bit; else its share of the bending.
+        let share = spring / (bending + spring);
+        for j in 0..4 {
+            own.h[3][j] = share * if j == 3 { bending } else { left.stiffness[3][j] };
+            own.h[j][3] = own.h[3][j];
         }
-        whole
+        own.g[3] = share * left.load[3];
+        by[3] = share;
+        piece.hinge = Some(Row { by, constant: row.constant });
     }
+    // Of the left piece's motion and the right one's deformation the softer is eliminated: the stiffness of the other
+    // then stands in no difference.
+    let by_left = [
+        stand.pinned || own.h[2][2] + stand.support > next.stiffness[2][2],
+        stand.clamped || own.h[3][3] + stand.turning > next.stiffness[3][3],
+    ];
+    let unit = |i: usize| std::array::from_fn(|j| f64::from(u8::from(i == j)));
+    let combined = |a: [f64; 6], times: f64, b: [f64; 6]| -> [f64; 6] {
+        std::array::from_fn(|j| a[j] + times * b[j])
+    };
+    let (t, bend) = match by_left[1] {
+        true => (unit(T), combined(unit(3), -1.0, unit(T))),
+        false => (combined(unit(3), -1.0, unit(T)), unit(T)),
+    };
+    let beyond = combined(unit(2), -l, t);
+    let (d1, sag) = match by_left[0] {
+        true => (unit(D), combined(beyond, -1.0, unit(D))),
+        false => (combined(beyond, -1.0, unit(D)), unit(D)),
+    };
+    let mut both = Quadratic::<6>::ZERO;
+    both.add(&[unit(0), unit(1), d1, t], &own.h, &own.g);
+    let lift = combined([1.0, h, 0.0, 0.0, 0.0, 0.0], 1.0, d1);
+    let turn = combined(unit(1), 1.0, t);
+    both.add(&[lift, turn, sag, bend], &next.stiffness, &next.load);
+    let springs = [[stand.support + stand.spring, 0.0], [0.0, stand.turning]];
+    both.add(&[lift, turn], &springs, &[stand.load(), stand.moment]);
+    let size = [D, T].map(|i| both.h[i][i]);
+    let mut eliminated = [NONE; 2];
+    if stand.pinned {
+        let by = [-1.0, -h, 0.0, 0.0, 0.0, 0.0];
+        eliminated[0] = Row { by, constant: stand.settlement };
+        both.hold(D, eliminated[0]);
+    }
+    if stand.clamped {
+        eliminated[1] = Row { by: [0.0, -1.0, 0.0, 0.0, 0.0, 0.0], constant: 0.0 };
+        both.hold(T, eliminated[1]);
+    }
+    if !stand.pinned {
+        eliminated[0] = both.eliminate(D, size[0])?;
+    }
+    if !stand.clamped {
+        eliminated[1] = both.eliminate(T, size[1])?;
+    }
+    eliminated[0] = eliminated[0].with(T, &eliminated[1]);
+    let put_in = |row: [f64; 6]| {
+        Row { by: row, constant: 0.0 }.with(D, &eliminated[0]).with(T, &eliminated[1])
+    };
+    piece.before = [put_in(d1), put_in(t)];
+    Ok(Element {
+        length: h + l,
+        stiffness: std::array::from_fn(|i| std::array::from_fn(|j| both.h[i][j])),
+        load: [0, 1, 2, 3].map(|i| both.g[i]),
+        ..Element::default()
+    })
 }

@@ -6,100 +6,60 @@
 //! element's deformation, and never a difference of deflections. The two sweeps do not wait for each
 //! other: a processor works on both at the same time.
 
+use super::back_sweep::{Fields, unfold};
 use super::form::Form;
 use super::lanes::Lanes;
+use super::quadratic::{Loose, Quadratic, Row};
+use super::stand::Stand;
+use super::stretch::{Elements, Gain, Reached, Side, Stretch};
 
 /// ½ xᵀSx − rᵀx for x = (w, Lθ): S₁₁, S₁₂, S₂₂, r₁, r₂.
 type Behind = [f64; 5];
 
-/// e = gain·y + constant: gain by columns, then the constant.
-type Gain = [f64; 6];
-
-/// Elements of one form in a row, in the direction of their sweep.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Stretch {
-    pub form: Form,
-    pub count: usize,
-    /// The first node.
-    pub node: usize,
-    /// What stands there.
-    pub stand: Stand,
-}
-
-/// Elements of one form that are crossed in one go: the number of the first, and where their gains go.
-struct Elements<'a> {
-    form: &'a Form,
-    first: usize,
-    gains: &'a mut [Gain],
-}
-
-/// What stands at a node: force, moment, and the ground beyond an end of the beam.
-#[derive(Debug, Clone, Copy, Default)]
-pub(crate) struct Stand {
-    pub force: f64,
-    pub moment: f64,
-    pub spring: f64,
-    /// Spring times g₀.
-    pub push: f64,
-}
-
-/// All that is behind the meeting node on one side.
-#[derive(Debug, Clone, Default)]
-pub(crate) struct Side {
-    pub stretches: Vec<Stretch>,
-    gains: Vec<Gain>,
-    /// (w, θ) at the first node of each stretch and its deformation (d₁, d₂): of the last of its elements.
-    pub shapes: Vec<[f64; 4]>,
-}
-
-/// Where w, w' and the ground's forces go; these are added.
-#[derive(Debug)]
-pub(crate) struct Fields<'a> {
-    pub deflection: &'a mut [f64],
-    pub slope: &'a mut [f64],
-    pub force: &'a mut [f64],
-}
-
-/// The elimination met a pivot that is not positive: the contact cannot hold the beam.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Loose;
-
-impl Side {
-    pub fn clear(&mut self) {
-        self.stretches.clear();
-        self.shapes.clear();
-    }
-
-    /// The next elements to cross.
-    fn next(&mut self, reached: Reached, steps: usize) -> Elements<'_> {
-        Elements {
-            form: &self.stretches[reached.stretch].form,
-            first: reached.within,
-            gains: &mut self.gains[reached.elements..][..steps],
-        }
-    }
-
-    fn elements(&self) -> usize {
-        self.stretches.iter().map(|stretch| stretch.count).sum()
-    }
-}
-
-/// Both sweeps towards the meeting node, and w and θ there; `stand` is what stands there.
-pub(crate) fn inward(sides: &mut [Side; 2], stand: Stand) -> Result<[f64; 2], Loose> {
+/// Both sweeps towards the meeting node; w there and the rotations to the left and to the right of it. `stand` is what
+/// stands there.
+pub(crate) fn inward(sides: &mut [Side; 2], stand: Stand) -> Result<[f64; 3], Loose> {
     for side in sides.iter_mut() {
         side.gains.resize(side.elements(), [0.0; 6]);
         side.shapes.resize(side.stretches.len(), [0.0; 4]);
     }
-    let [left, right] = offers(sides)?;
-    let s = [left[0] + right[0] + stand.spring, left[1] - right[1], left[2] + right[2]];
-    let r = [left[3] + right[3] + stand.force + stand.push, left[4] - right[4] + stand.moment];
-    let determinant = s[0] * s[2] - s[1] * s[1];
-    if !(s[0] > 0.0 && determinant > 1e-15 * s[0] * s[2]) {
+    let [mut left, right] = offers(sides)?;
+    let turned = turn(&mut left, &stand)?;
+    let s = [
+        left[0] + right[0] + stand.spring + stand.support,
+        left[1] - right[1],
+        left[2] + right[2] + stand.turning,
+    ];
+    let r = [left[3] + right[3] + stand.load(), left[4] - right[4] + stand.moment];
+    let (w, theta) = match (stand.pinned, stand.clamped) {
+        (true, true) => (stand.settlement, 0.0),
+        (true, false) if s[2] > 0.0 => (stand.settlement, (r[1] - s[1] * stand.settlement) / s[2]),
+        (false, true) if s[0] > 0.0 => (r[0] / s[0], 0.0),
+        (false, false) => {
+            let determinant = s[0] * s[2] - s[1] * s[1];
+            if !(s[0] > 0.0 && determinant > 1e-15 * s[0] * s[2]) {
+                return Err(Loose);
+            }
+            let w = (s[2] * r[0] - s[1] * r[1]) / determinant;
+            (w, (s[0] * r[1] - s[1] * r[0]) / determinant)
+        }
+        _ => return Err(Loose),
+    };
+    let behind = turned.map_or(theta, |[by_w, by_theta, rest]| by_w * w + by_theta * theta + rest);
+    Ok([w, behind, theta])
+}
+
+/// Eliminates the rotation behind a hinge: what comes back of it is (by w, by the rotation ahead, constant).
+fn turn(state: &mut Behind, stand: &Stand) -> Result<Option<[f64; 3]>, Loose> {
+    let Some(spring) = stand.hinge else { return Ok(None) };
+    let [a, b, c, r1, r2] = *state;
+    let held = c + spring;
+    if held.is_nan() || held <= 0.0 {
         return Err(Loose);
     }
-    let w = (s[2] * r[0] - s[1] * r[1]) / determinant;
-    let theta = (s[0] * r[1] - s[1] * r[0]) / determinant;
-    Ok([w, theta])
+    let share = spring / held;
+    *state = [a - b * (b / held), b * share, c * share, r1 - b * (r2 / held), r2 * share];
+    Ok(Some([-b / held, share, r2 / held]))
 }
 
 /// From the meeting node to both ends. Returns the elements crossed.
@@ -107,23 +67,14 @@ pub(crate) fn outward(
     sides: &mut [Side; 2],
     meeting: usize,
     stand: Stand,
-    [w, theta]: [f64; 2],
+    [w, behind, ahead]: [f64; 3],
     fields: &mut Fields,
 ) -> usize {
     fields.deflection[meeting] = w;
-    fields.slope[meeting] = theta;
+    fields.slope[meeting] = ahead;
     fields.force[meeting] += stand.spring * w - stand.push;
-    unfold(sides, [w, theta], meeting, fields);
+    unfold(sides, w, [behind, -ahead], meeting, fields);
     sides.iter().map(|side| side.gains.len()).sum()
-}
-
-/// How far a sweep has come.
-#[derive(Debug, Clone, Copy, Default)]
-struct Reached {
-    stretch: usize,
-    /// Elements crossed of this stretch, and in all.
-    within: usize,
-    elements: usize,
 }
 
 /// Both sweeps towards the meeting node, as far as possible at once. Returns what they offer to (w, θ).
@@ -133,12 +84,7 @@ fn offers(sides: &mut [Side; 2]) -> Result<[Behind; 2], Loose> {
     loop {
         let mut rest = [0; 2];
         for lane in 0..2 {
-            if let Some(stretch) = sides[lane].stretches.get(reached[lane].stretch) {
-                if reached[lane].within == 0 {
-                    enter(&mut states[lane], stretch);
-                }
-                rest[lane] = stretch.count - reached[lane].within;
-            }
+            rest[lane] = arrive(&mut sides[lane], &mut states[lane], &mut reached[lane])?;
         }
         let steps = match rest {
             [0, 0] => return Ok(states),
@@ -156,25 +102,82 @@ fn offers(sides: &mut [Side; 2]) -> Result<[Behind; 2], Loose> {
         for lane in (0..2).filter(|lane| rest[*lane] > 0) {
             let now = &mut reached[lane];
             (now.within, now.elements) = (now.within + steps, now.elements + steps);
-            let stretch = &sides[lane].stretches[now.stretch];
-            if now.within == stretch.count {
-                leave(&mut states[lane], stretch);
-                (now.stretch, now.within) = (now.stretch + 1, 0);
-            }
         }
     }
 }
 
+/// At the beginning of a stretch: over all elements that no form tells, up to the next row. Returns the elements left of it.
+fn arrive(side: &mut Side, state: &mut Behind, reached: &mut Reached) -> Result<usize, Loose> {
+    while let Some(stretch) = side.stretches.get_mut(reached.stretch) {
+        if reached.within == 0 {
+            enter(state, stretch)?;
+            if let Some(first) = stretch.first {
+                side.gains[reached.elements] = cross_first(state, stretch, &first)?;
+                (reached.within, reached.elements) = (1, reached.elements + 1);
+            }
+        }
+        if reached.within < stretch.count {
+            return Ok(stretch.count - reached.within);
+        }
+        leave(state, stretch);
+        (reached.stretch, reached.within) = (reached.stretch + 1, 0);
+    }
+    Ok(0)
+}
+
 /// What acts at a stretch's first node, and from θ to Lθ.
-fn enter(state: &mut Behind, stretch: &Stretch) {
+fn enter(state: &mut Behind, stretch: &mut Stretch) -> Result<(), Loose> {
     let per_length = 1.0 / stretch.form.length;
-    let Stand { force, moment, spring, push } = stretch.stand;
-    state[0] += spring;
-    state[3] += force + push;
-    state[4] += moment;
+    let stand = &stretch.stand;
+    stretch.turned = turn(state, stand)?;
+    state[0] += stand.spring + stand.support;
+    state[2] += stand.turning;
+    state[3] += stand.load();
+    state[4] += stand.moment;
     state[1] *= per_length;
     state[2] *= per_length * per_length;
     state[4] *= per_length;
+    Ok(())
+}
+
+/// Over one element whose energy is given in (y₁, y₂, e₁, e₂), from a node that may be held. Of the motion x = y − e of its
+/// left end and of its deformation e, the softer is eliminated.
+fn cross_first(
+    state: &mut Behind,
+    stretch: &Stretch,
+    element: &Quadratic<4>,
+) -> Result<Gain, Loose> {
+    let Stretch { form, stand, .. } = stretch;
+    let [a, b, c, r1, r2] = *state;
+    let (a, r1) = (a + form.shunt[0], r1 + form.q[4]);
+    let held = [stand.pinned, stand.clamped];
+    let stiffer = [a > element.h[2][2], c > element.h[3][3]];
+    let by_left = [0, 1].map(|i| held[i] || stiffer[i]);
+    let unit = |i: usize| -> [f64; 4] { std::array::from_fn(|j| f64::from(u8::from(i == j))) };
+    let rest = |i: usize| -> [f64; 4] { std::array::from_fn(|j| unit(i)[j] - unit(2 + i)[j]) };
+    let [e, x] = [false, true]
+        .map(|is_left| [0, 1].map(|i| if by_left[i] == is_left { unit(2 + i) } else { rest(i) }));
+    let mut energy = Quadratic::<4>::ZERO;
+    energy.add(&[unit(0), unit(1), e[0], e[1]], &element.h, &element.g);
+    energy.add(&x, &[[a, b], [b, c]], &[r1, r2]);
+    let size = [2, 3].map(|i| energy.h[i][i]);
+    let at = [stand.settlement, 0.0];
+    let mut back = [0, 1].map(|i| Row { by: [0.0; 4], constant: at[i] });
+    for i in (0..2).filter(|i| held[*i]) {
+        energy.hold(2 + i, back[i]);
+    }
+    for i in (0..2).filter(|i| !held[*i]) {
+        back[i] = energy.eliminate(2 + i, size[i])?;
+    }
+    back[0] = back[0].with(3, &back[1]);
+    let ([s11, s12], s22) = ([energy.h[0][0], energy.h[0][1]], energy.h[1][1]);
+    let [f1, f2, ..] = energy.g;
+    *state = [s11 + form.shunt[1], s12 - s11, (s22 - s12) - (s12 - s11), f1 + form.q[5], f2 - f1];
+    let bent = |i: usize| Row { by: e[i], constant: 0.0 }.with(2, &back[0]).with(3, &back[1]);
+    let [first, second] = [bent(0), bent(1)];
+    let by = |i: usize| [first.by[i], second.by[i]];
+    let [[k11, k21], [k12, k22]] = [by(0), by(1)];
+    Ok([k11, k21, k12, k22, first.constant, second.constant])
 }
 
 fn leave(state: &mut Behind, stretch: &Stretch) {
@@ -247,149 +250,4 @@ fn cross<const SWEEPS: usize>(
         *state = [a, b, c, r1, r2].map(|lanes| lanes.0[lane]);
     }
     if least.0.iter().all(|least| *least > 0.0) { Ok(()) } else { Err(Loose) }
-}
-
-/// Which way a sweep goes back. A mirror turns slopes.
-const LEFT: f64 = -1.0;
-const RIGHT: f64 = 1.0;
-
-/// A sweep on its way back.
-#[derive(Debug, Clone, Copy)]
-struct Back {
-    node: usize,
-    w: f64,
-    /// θ, or Lθ within a stretch.
-    turn: f64,
-    /// What the element crossed last takes at the node reached.
-    taken: f64,
-    /// The deformation of the element crossed last.
-    e: [f64; 2],
-    /// Stretches left, elements left of the last of them, and in all.
-    stretches: usize,
-    within: usize,
-    elements: usize,
-}
-
-/// From the meeting node to both ends: w, w' and forces at all nodes that touch.
-fn unfold(sides: &mut [Side; 2], [w, theta]: [f64; 2], meeting: usize, fields: &mut Fields) {
-    let mut backs = [(&sides[0], theta), (&sides[1], -theta)].map(|(side, turn)| Back {
-        node: meeting,
-        w,
-        turn,
-        taken: 0.0,
-        e: [0.0; 2],
-        stretches: side.stretches.len(),
-        within: 0,
-        elements: side.gains.len(),
-    });
-    loop {
-        for lane in 0..2 {
-            let (back, side) = (&mut backs[lane], &sides[lane]);
-            if back.within == 0 && back.stretches > 0 {
-                let stretch = &side.stretches[back.stretches - 1];
-                back.within = stretch.count;
-                back.turn *= stretch.form.length;
-            }
-        }
-        let rest = [backs[0].within, backs[1].within];
-        let steps = match rest {
-            [0, 0] => break,
-            [0, steps] | [steps, 0] => steps,
-            [left, right] => left.min(right),
-        };
-        let [left, right] = &mut backs;
-        let [first, second] = &*sides;
-        match rest {
-            [_, 0] => recross([left], [first], [LEFT], steps, fields),
-            [0, _] => recross([right], [second], [RIGHT], steps, fields),
-            _ => recross([left, right], [first, second], [LEFT, RIGHT], steps, fields),
-        }
-        for lane in 0..2 {
-            let back = &mut backs[lane];
-            if rest[lane] == 0 || back.within > 0 {
-                continue;
-            }
-            back.stretches -= 1;
-            let stretch = &sides[lane].stretches[back.stretches];
-            let per_length = 1.0 / stretch.form.length;
-            back.turn *= per_length;
-            back.taken += stretch.stand.spring * back.w - stretch.stand.push;
-            sides[lane].shapes[back.stretches] =
-                [back.w, back.turn, back.e[0] + back.e[1], back.e[1] * per_length];
-        }
-    }
-    for back in &backs {
-        fields.force[back.node] += back.taken;
-    }
-}
-
-/// Back over as many elements, each sweep within one stretch; `towards` its end, LEFT or RIGHT.
-#[inline(always)]
-fn recross<const SWEEPS: usize>(
-    backs: [&mut Back; SWEEPS],
-    sides: [&Side; SWEEPS],
-    towards: [f64; SWEEPS],
-    steps: usize,
-    fields: &mut Fields,
-) {
-    let mut now = backs.each_ref().map(|back| **back);
-    let stretches: [&Stretch; SWEEPS] =
-        std::array::from_fn(|lane| &sides[lane].stretches[now[lane].stretches - 1]);
-    let forms = stretches.map(|stretch| &stretch.form);
-    let of = |number: &dyn Fn(&Form) -> f64| Lanes::of(|lane| number(forms[lane]));
-    let shunt: [_; 2] = std::array::from_fn(|i| of(&|form| form.shunt[i]));
-    let (series, rise) = (of(&|form| form.series), of(&|form| form.rise));
-    let per_length = Lanes::of(|lane| -towards[lane] / forms[lane].length);
-    let even = forms.iter().all(|form| form.is_even());
-    let push_at = |within: &[usize; SWEEPS]| {
-        [4, 5].map(|i| Lanes::of(|lane| forms[lane].q[i] + within[lane] as f64 * forms[lane].dq[i]))
-    };
-    let mut gains: [_; SWEEPS] = std::array::from_fn(|lane| {
-        let end = now[lane].elements;
-        sides[lane].gains[end - steps..end].iter().rev()
-    });
-    let mut within = now.map(|back| back.within);
-    let mut node = now.map(|back| back.node);
-    let mut w = Lanes::of(|lane| now[lane].w);
-    let mut turn = Lanes::of(|lane| now[lane].turn);
-    let mut taken = Lanes::of(|lane| now[lane].taken);
-    let mut e = [Lanes([0.0; SWEEPS]); 2];
-    let mut push = push_at(&within);
-    for _ in 0..steps {
-        let gain: [Gain; SWEEPS] =
-            std::array::from_fn(|lane| gains[lane].next().copied().unwrap_or_default());
-        let gain: [Lanes<SWEEPS>; 6] = std::array::from_fn(|i| Lanes::of(|lane| gain[lane][i]));
-        let y = w - turn;
-        e = [gain[0] * y + gain[2] * turn + gain[4], gain[1] * y + gain[3] * turn + gain[5]];
-        within = within.map(|within| within - 1);
-        if !even {
-            push = push_at(&within);
-        }
-        let pulled = series * (turn + e[0]) - rise;
-        let force = taken + (shunt[1] * w - push[1]) + pulled;
-        w = y - e[0];
-        turn = turn - e[1];
-        taken = (shunt[0] * w - push[0]) - pulled;
-        let slope = turn * per_length;
-        for lane in 0..SWEEPS {
-            fields.force[node[lane]] += force.0[lane];
-            // A span is one element over many nodes.
-            node[lane] = match (within[lane], towards[lane] == LEFT) {
-                (0, _) => stretches[lane].node,
-                (_, true) => node[lane] - 1,
-                _ => node[lane] + 1,
-            };
-            fields.deflection[node[lane]] = w.0[lane];
-            fields.slope[node[lane]] = slope.0[lane];
-        }
-    }
-    for (lane, back) in now.iter_mut().enumerate() {
-        (back.node, back.within) = (node[lane], within[lane]);
-        (back.w, back.turn, back.taken) = (w.0[lane], turn.0[lane], taken.0[lane]);
-        back.e = e.map(|e| e.0[lane]);
-    }
-    for (back, mut now) in backs.into_iter().zip(now) {
-        now.elements -= steps;
-        *back = now;
-    }
 }

@@ -3,9 +3,9 @@
 //! The functions of the standard library call the platform's library, whose last bits differ. `clippy.toml`
 //! forbids them in this crate.
 
+pub(crate) use libm::{asinh, cosh, exp, exp2, expm1, log2, pow, sinh, tanh};
 #[cfg(test)]
-pub(crate) use libm::{asinh, cos, tan};
-pub(crate) use libm::{cosh, exp, exp2, expm1, log2, pow, sinh, tanh};
+pub(crate) use libm::{cos, tan};
 
 /// xⁿ by n products.
 #[inline]

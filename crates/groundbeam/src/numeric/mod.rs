@@ -5,5 +5,6 @@ pub(crate) mod line_search;
 pub(crate) mod polynomial;
 pub(crate) mod quadrature;
 pub(crate) mod roots;
+pub(crate) mod step;
 pub(crate) mod sum;
 pub(crate) mod tolerance;

@@ -15,9 +15,6 @@ pub(crate) const TURNING_POINT: f64 = 1e-9;
 /// distinct. Both are turning points; a closer pair is one flat crest.
 pub(crate) const OTHER_EXTREME: f64 = 1e-6;
 
-/// Newton's decrement on a mesh relative to twice the strain energy. Below it the iteration continues only
-/// while each step halves the decrement.
-pub(crate) const ENERGY: f64 = 1e-15;
 /// The residual of the contact condition (5.10) at which Uzawa's iteration and PSOR stop.
 pub(crate) const SWEEPS: f64 = 1e-11;
 /// The displacement of a contact edge that is rounding error, as a fraction of the beam's length.

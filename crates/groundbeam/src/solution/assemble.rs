@@ -1,6 +1,5 @@
 //! Fields, contact zones and forces of a [`Candidate`], from a deflection and its contact.
 
-use crate::contact::recover;
 use crate::contact::state::ContactState;
 use crate::contact::surface::{PointForce, Surface};
 use crate::ground::link::settled;
@@ -9,7 +8,6 @@ use crate::mesh::deflection::{BeamPoint, pressure_under};
 use crate::model::{Action, Model, Support, SupportKind};
 use crate::numeric::polynomial::{Coefficients, derivative, product, rescale};
 use crate::numeric::tolerance::same_place;
-use crate::options::Pressure;
 use crate::solution::candidate::{Candidate, Workspace};
 use crate::solution::fields::{
     ConcentratedForce, ContactZone, EndForces, Reaction, Side, SolutionPiece,
@@ -69,18 +67,6 @@ impl Candidate {
 fn pieces(found: &ContactState, surface: &Surface, pieces: &mut Vec<SolutionPiece>) {
     let w = found.deflection();
     let parts = surface.short_parts(&found.mesh);
-    let exact = found.terms > crate::element::cubic::TERMS;
-    let recovered = if exact {
-        Vec::new()
-    } else {
-        // Forces at nodes are part of the elements; only forces within a cell are added. Nodal pressures
-        // (5.5) have none.
-        let within = surface.point_forces.iter().filter(|a| a.point.s.abs() < 1.0);
-        let forces: Vec<(usize, f64, f64)> =
-            within.map(|a| (a.point.cell, a.point.s, a.force)).collect();
-        recover::moments(found, &parts, &forces)
-    };
-    let mut recovered = recovered.into_iter();
     pieces.reserve(parts.len());
     for part in &parts {
         let [from, to] = part.s;
@@ -92,7 +78,7 @@ fn pieces(found: &ContactState, surface: &Surface, pieces: &mut Vec<SolutionPiec
             let cell = found.mesh.cells[part.cell].part(part.s);
             (cell, rescale(w.cell(part.cell), middle, quarter))
         };
-        let touching = part.open.is_none() && found.pressure == Pressure::Distributed;
+        let touching = part.open.is_none() && !found.at_nodes;
         let pressure = if touching {
             pressure_under(&cell, half, &deflection)
         } else {
@@ -103,7 +89,7 @@ fn pieces(found: &ContactState, surface: &Surface, pieces: &mut Vec<SolutionPiec
             Some(_) => rescale(&found.rotation(part.cell), middle, quarter),
             None => Coefficients::default(),
         };
-        let moment = recovered.next().unwrap_or_else(|| bent(&cell, half, &deflection, &rotation));
+        let moment = bent(&cell, half, &deflection, &rotation);
         let settlement = match part.open {
             Some(ends) if cell.ground_varies() && cell.shear_layer > 0.0 => {
                 settled(&cell.subgrade_along(), &cell.shear_layer_along(), half, ends)
@@ -156,7 +142,7 @@ fn regions(found: &ContactState, regions: &mut Vec<ContactZone>) {
         let (from, to) = (position(zone.from), position(zone.to));
         // Nodal contact: consecutive nodes form one zone.
         let node = zone.from.cell + usize::from(zone.from.s == 1.0);
-        let nodal = found.pressure == Pressure::Dirac;
+        let nodal = found.at_nodes;
         let follows = nodal && last_node.is_some_and(|last: usize| last + 1 == node);
         last_node = Some(node);
         match regions.last_mut() {

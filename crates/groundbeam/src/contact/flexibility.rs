@@ -1,0 +1,71 @@
+//! The flexibility G of the ground at the nodes of a mesh, (5.8), without forming the matrix.
+//!
+//! Beyond a node a column of G decays by a factor from node to node, so products with G cost O(n).
+
+use crate::ground::link::TwoPort;
+use crate::mesh::mesh::Mesh;
+use crate::mesh::open_ground::cell_part;
+
+/// The matrix G of (5.8), in three numbers a node.
+#[derive(Debug)]
+pub(crate) struct Flexibility {
+    /// Gᵢᵢ.
+    pub diagonal: Vec<f64>,
+    /// Gᵢⱼ/Gᵢ₋₁ⱼ for j < i.
+    pub rightward: Vec<f64>,
+    /// Gᵢ₋₁ⱼ/Gᵢⱼ for j ≥ i.
+    pub leftward: Vec<f64>,
+}
+
+impl Flexibility {
+    pub fn of(mesh: &Mesh) -> Self {
+        let links: Vec<TwoPort> =
+            mesh.cells.iter().map(|cell| cell_part(cell, -1.0, 1.0)).collect();
+        let n = mesh.nodes.len();
+        // The stiffness of the ground on either side of each node.
+        let mut from_left = vec![mesh.outside[0]; n];
+        for i in 1..n {
+            let link = links[i - 1];
+            let hold = from_left[i - 1] + link.shunt_left;
+            from_left[i] = link.shunt_right + link.series * (hold / (hold + link.series));
+        }
+        let mut from_right = vec![mesh.outside[1]; n];
+        for i in (0..n - 1).rev() {
+            let link = links[i];
+            let hold = from_right[i + 1] + link.shunt_right;
+            from_right[i] = link.shunt_left + link.series * (hold / (hold + link.series));
+        }
+        let ratio = |series: f64, hold: f64| series / (series + hold);
+        let rightward = (0..n).map(|i| match i {
+            0 => 0.0,
+            _ => ratio(links[i - 1].series, links[i - 1].shunt_right + from_right[i]),
+        });
+        let leftward = (0..n).map(|i| match i {
+            0 => 0.0,
+            _ => ratio(links[i - 1].series, links[i - 1].shunt_left + from_left[i - 1]),
+        });
+        Flexibility {
+            diagonal: (0..n).map(|i| 1.0 / (from_left[i] + from_right[i])).collect(),
+            rightward: rightward.collect(),
+            leftward: leftward.collect(),
+        }
+    }
+
+    /// u = G p.
+    pub fn settlement(&self, pressure: &[f64]) -> Vec<f64> {
+        let n = pressure.len();
+        let mut u = vec![0.0; n];
+        let mut carried = 0.0;
+        for i in (0..n).rev() {
+            u[i] = carried + self.diagonal[i] * pressure[i];
+            carried = u[i] * self.leftward[i];
+        }
+        carried = 0.0;
+        for i in 0..n {
+            carried *= self.rightward[i];
+            u[i] += carried;
+            carried += self.diagonal[i] * pressure[i];
+        }
+        u
+    }
+}

@@ -1,0 +1,108 @@
+//! Elimination of unknowns from a small quadratic form: the energy of a few degrees of freedom.
+
+/// The elimination met a pivot that is not positive: the contact cannot hold the beam.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Loose;
+
+/// ½zᵀHz − gᵀz of N unknowns.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Quadratic<const N: usize> {
+    pub h: [[f64; N]; N],
+    pub g: [f64; N],
+}
+
+/// An eliminated unknown from the others: row·z + constant.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Row<const N: usize> {
+    pub by: [f64; N],
+    pub constant: f64,
+}
+
+/// A pivot this small beside what it was summed from is rounding error.
+const ROUNDING: f64 = 1e-15;
+
+impl<const N: usize> Quadratic<N> {
+    pub const ZERO: Self = Quadratic { h: [[0.0; N]; N], g: [0.0; N] };
+
+    /// Adds ½vᵀKv − qᵀv for v = rows·z.
+    pub fn add<const M: usize>(&mut self, rows: &[[f64; N]; M], k: &[[f64; M]; M], q: &[f64; M]) {
+        for a in 0..M {
+            for (g, by) in self.g.iter_mut().zip(&rows[a]) {
+                *g += q[a] * by;
+            }
+            for b in 0..M {
+                if k[a][b] == 0.0 {
+                    continue;
+                }
+                for i in 0..N {
+                    for j in 0..N {
+                        self.h[i][j] += rows[a][i] * (k[a][b] * rows[b][j]);
+                    }
+                }
+            }
+        }
+    }
+
+    /// Puts row·z + constant for the unknown e; the row has no part of e.
+    pub fn hold(&mut self, e: usize, row: Row<N>) {
+        let Row { by, constant } = row;
+        for j in 0..N {
+            self.g[j] -= self.h[j][e] * constant;
+        }
+        for i in (0..N).filter(|i| *i != e) {
+            self.g[i] += by[i] * self.g[e];
+            for j in 0..N {
+                self.h[i][j] += by[i] * self.h[e][j];
+            }
+        }
+        for i in (0..N).filter(|i| *i != e) {
+            for j in 0..N {
+                self.h[j][i] += by[i] * self.h[j][e];
+            }
+        }
+        self.clear(e);
+    }
+
+    /// Eliminates the unknown e, at which the energy is least. `size` is what its pivot was summed from.
+    pub fn eliminate(&mut self, e: usize, size: f64) -> Result<Row<N>, Loose> {
+        let pivot = self.h[e][e];
+        if pivot.is_nan() || pivot <= ROUNDING * size || pivot <= 0.0 {
+            return Err(Loose);
+        }
+        let mut by = self.h[e].map(|h| -h / pivot);
+        by[e] = 0.0;
+        let constant = self.g[e] / pivot;
+        for i in (0..N).filter(|i| *i != e) {
+            self.g[i] += by[i] * self.g[e];
+            for j in (0..N).filter(|j| *j != e) {
+                self.h[i][j] += by[i] * self.h[e][j];
+            }
+        }
+        self.clear(e);
+        Ok(Row { by, constant })
+    }
+
+    fn clear(&mut self, e: usize) {
+        self.g[e] = 0.0;
+        self.h[e] = [0.0; N];
+        for row in &mut self.h {
+            row[e] = 0.0;
+        }
+    }
+}
+
+impl<const N: usize> Row<N> {
+    pub fn value(&self, z: &[f64; N]) -> f64 {
+        self.by.iter().zip(z).map(|(by, z)| by * z).sum::<f64>() + self.constant
+    }
+
+    /// The same with another eliminated unknown put in.
+    pub fn with(mut self, e: usize, other: &Row<N>) -> Self {
+        let part = std::mem::take(&mut self.by[e]);
+        for (by, other) in self.by.iter_mut().zip(&other.by) {
+            *by += part * other;
+        }
+        self.constant += part * other.constant;
+        self
+    }
+}
