@@ -1,7 +1,8 @@
 //! The paper's discrete problem (5.10)–(5.11) with dense matrices.
 //!
 //! Only for beams with loads at the nodes of a uniform mesh. It shares nothing with the library: stiffness in the
-//! deflections and slopes of both ends as in textbooks, G by its formula (2.4).
+//! deflections and slopes of both ends as in textbooks, G by its formula (2.4). Under tension the elements are those of the
+//! exact beam in place of (5.2).
 
 use crate::element;
 use groundbeam::{Action, Extent, Model};
@@ -25,7 +26,19 @@ impl Dense {
         let nodes = elements + 1;
         let h = model.beam.length / elements as f64;
         let (ei, p) = (model.beam.bending_stiffness, model.beam.axial_force);
-        let (bend, pull) = (element::bending(h), element::geometric(h));
+        let u = h * (p / ei).sqrt();
+        let own_stiffness = |i: usize, j: usize| match p > 0.0 {
+            true => ei * element::in_tension(h, u)[i][j],
+            false => {
+                let (bend, pull) = (element::bending(h), element::geometric(h));
+                ei / h.powi(3) * bend[i][j] + p / (30.0 * h) * pull[i][j]
+            }
+        };
+        // The end moment of a uniform load of 1 between clamps.
+        let clamped = match p > 0.0 {
+            true => (h / u).powi(2) * (0.5 * u / (0.5 * u).tanh() - 1.0),
+            false => h * h / 12.0,
+        };
         let node = |x: f64| (x / h).round() as usize;
         let size = 2 * nodes + model.hinges.len();
         let mut stiffness = vec![vec![0.0; size]; size];
@@ -43,8 +56,7 @@ impl Dense {
             let own = [2 * e, slope, 2 * e + 2, 2 * e + 3];
             for i in 0..4 {
                 for j in 0..4 {
-                    stiffness[own[i]][own[j]] +=
-                        ei / h.powi(3) * bend[i][j] + p / (30.0 * h) * pull[i][j];
+                    stiffness[own[i]][own[j]] += own_stiffness(i, j);
                 }
             }
         }
@@ -58,9 +70,9 @@ impl Dense {
                 (Action::Force, Extent::Distributed { start, .. }) => {
                     for e in 0..elements {
                         load[2 * e] += 0.5 * start * h;
-                        load[2 * e + 1] += start * h * h / 12.0;
+                        load[2 * e + 1] += start * clamped;
                         load[2 * e + 2] += 0.5 * start * h;
-                        load[2 * e + 3] -= start * h * h / 12.0;
+                        load[2 * e + 3] -= start * clamped;
                     }
                 }
                 // The moments EI κ₀ at both ends of each element, in opposite directions.

@@ -10,6 +10,22 @@ pub fn bending(h: f64) -> [[f64; 4]; 4] {
     ]
 }
 
+/// Stiffness of an element of length h under a tension, by stability functions, without EI; u = h √(P/EI).
+pub fn in_tension(h: f64, u: f64) -> [[f64; 4]; 4] {
+    let (sinh, cosh) = (u.sinh(), u.cosh());
+    let d = 2.0 - 2.0 * cosh + u * sinh;
+    let shear = u.powi(3) * sinh / (d * h.powi(3));
+    let moment = u * u * (cosh - 1.0) / (d * h * h);
+    let near = u * (u * cosh - sinh) / (d * h);
+    let far = u * (sinh - u) / (d * h);
+    [
+        [shear, moment, -shear, moment],
+        [moment, near, -moment, far],
+        [-shear, -moment, shear, -moment],
+        [moment, far, -moment, near],
+    ]
+}
+
 /// Geometric stiffness of an element of length h, without P/(30 h).
 pub fn geometric(h: f64) -> [[f64; 4]; 4] {
     [

@@ -56,6 +56,7 @@ fn active_set_stays_within_its_certificate() {
         let count = match family {
             Family::Hard | Family::Varying => 30,
             Family::Long => 60,
+            Family::Shearing => 200,
             _ => 250,
         };
         for number in 0..count {

@@ -8,7 +8,11 @@ use groundbeam::{
 const METHODS: [Method; 2] = [Method::Exact, Method::ActiveSet];
 
 fn solved(model: &Model, method: Method) -> Solution {
-    let options = Options { method, elements: 400, ..Options::default() };
+    solved_on(model, method, 400)
+}
+
+fn solved_on(model: &Model, method: Method, elements: usize) -> Solution {
+    let options = Options { method, elements, ..Options::default() };
     match solve_with(model, &options) {
         Ok(Outcome::Equilibrium(solution)) => *solution,
         other => panic!("{other:?}"),
@@ -57,7 +61,7 @@ fn a_support_presses_a_beam_into_the_ground() {
         let model = Model::new(Beam::uniform(l, ei), Foundation::winkler(k))
             .with_load(Load::uniform_force(0.0, l, weight))
             .with_support(Support::fixed(0.0).settled(delta + weight / k));
-        let found = solved(&model, method);
+        let found = solved_on(&model, method, 4000);
         let tolerance = if method == Method::Exact { 1e-13 } else { 1e-6 };
         for i in 0..=50 {
             let x = 0.3 * f64::from(i);

@@ -20,7 +20,9 @@ fn model(rng: &mut ChaCha8Rng, elements: usize) -> Model {
         let mu = k * (l * 10_f64.powf(rng.random_range(-1.0..0.5))).powi(2);
         let mut beam = Beam::uniform(l, ei);
         if rng.random_bool(0.3) {
-            beam.axial_force = ei / (l * l) * rng.random_range(0.1..10.0);
+            // An element longer than √(EI/P) is cut.
+            let most = 0.9 * (elements * elements) as f64;
+            beam.axial_force = ei / (l * l) * rng.random_range(0.1..10.0_f64).min(most);
         }
         let mut model = Model::new(beam, Foundation::pasternak(k, mu));
         for _ in 0..rng.random_range(1..4) {

@@ -9,6 +9,9 @@ use crate::idle;
 use crate::model::Model;
 use crate::refusal::NotProven;
 
+/// The largest energy of loads that nothing balances, relative to the strain energy: rounding error.
+const ROUNDING: f64 = 1e-8;
+
 /// The energies of an answer, in plain doubles.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Estimate {
@@ -34,8 +37,11 @@ pub fn estimate(
     let frame = frame(model, answer, stability, &[])?;
     idle::nearly_clear(&frame)?;
     let fields = Fields::of(&frame)?;
-    let energy = fields.estimated_energy()?;
     let energies = Energies::of(&fields);
+    let energy = match fields.energy() {
+        Ok((energy, _)) => energy,
+        Err(_) => fields.nearly_balanced_energy(ROUNDING * energies.strain)?,
+    };
     let restored = |x: f64| frame.units.restored(x, 1, 1);
     // An exact zero is rounded up to TINY.
     let energy = if energy.value() <= TINY { 0.0 } else { energy.value() };

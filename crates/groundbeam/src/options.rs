@@ -37,7 +37,8 @@ pub struct Options {
     /// The method.
     pub method: Method,
     /// Number of equal elements along the beam for the methods with a mesh; the model adds nodes where it
-    /// needs them. [`Method::Exact`] ignores it.
+    /// needs them. On separate springs [`Method::ActiveSet`] doubles the number until the energy gap is no
+    /// larger than the strain energy. [`Method::Exact`] ignores it.
     pub elements: usize,
     /// The start of `Uzawa` and `Psor`.
     pub start: Start,

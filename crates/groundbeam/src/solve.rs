@@ -80,7 +80,45 @@ pub(crate) fn solve_in(
     if options.cancel.is_cancelled() { Err(Error::Cancelled) } else { outcome }
 }
 
+/// Maximum number of times that the elements of the method `active-set` are halved.
+const MOST_HALVINGS: usize = 12;
+
+/// Solves; by the method `active-set` on elements that are halved until the energy gap is no larger than the strain energy.
+/// On separate springs a zone of contact may be shorter than an element.
 fn uncancelled(
+    model: &Model,
+    options: &Options,
+    likely: Option<&[Interval]>,
+    workspace: &mut Workspace,
+) -> Result<Outcome, Error> {
+    let mut outcome = solve_once(model, options, likely, workspace);
+    if options.method != Method::ActiveSet {
+        return outcome;
+    }
+    let mut options = options.clone();
+    for _ in 0..MOST_HALVINGS {
+        let is_coarse = match &outcome {
+            Ok(Outcome::Equilibrium(solution)) => {
+                let mut pieces = solution.candidate().pieces.iter();
+                pieces.any(|piece| piece.cell.shear_layer == 0.0)
+                    && solution.certificate().relative_gap() > 1.0
+            }
+            Err(Error::NotConverged(stopped)) => {
+                matches!(stopped.why, NotConverged::Gap(_) | NotConverged::Supports)
+            }
+            _ => false,
+        };
+        if !is_coarse {
+            break;
+        }
+        options.elements = options.elements.max(1).saturating_mul(2);
+        outcome = solve_once(model, &options, likely, workspace);
+    }
+    outcome
+}
+
+/// Solves by one method on one mesh.
+fn solve_once(
     model: &Model,
     options: &Options,
     likely: Option<&[Interval]>,
@@ -126,7 +164,7 @@ fn solve_one_way(
     checked: &Assessment,
     workspace: &mut Workspace,
 ) -> Result<Solution, Error> {
-    let solve = |model: &Model| solve_in(model, options, None, workspace);
+    let solve = |model: &Model| solve_once(model, options, None, workspace);
     let ended = one_way::solve(model, solve)?;
     let Some((solution, acts)) = ended.found else {
         let (method, iterations) = (options.method, ended.solves);

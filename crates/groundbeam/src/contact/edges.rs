@@ -172,15 +172,19 @@ impl Search<'_, '_> {
             return Ok(Bond::Trial(Trial { found: Rc::new(found), tether: None }));
         }
         let Some(now) = self.now.clone() else { return Err(self.stalled()) };
-        if let Ok(found) = self.bonded.solve_held(contact, &[GivenRotation::as_in(&now)])
-            && self.confirms(contact, &found)
-            && (self.judge)(&found) <= ON_ONE_POINT
-        {
+        if let Some(found) = self.balanced(contact, &now) {
             return Ok(Bond::OnOnePoint(Box::new(found)));
         }
         let tethered = self.bonded.solve_tethered(contact, &now, &mut self.epsilon);
         let (found, work) = tethered.ok_or_else(|| self.stalled())?;
         Ok(Bond::Trial(Trial { found: Rc::new(found), tether: Some(work) }))
+    }
+
+    /// The beam balanced on one point, with the rotation of another deflection.
+    fn balanced(&mut self, contact: &[Interval], like: &ContactState) -> Option<ContactState> {
+        let found = self.bonded.solve_held(contact, &[GivenRotation::as_in(like)]).ok()?;
+        let holds = self.confirms(contact, &found) && (self.judge)(&found) <= ON_ONE_POINT;
+        holds.then_some(found)
     }
 
     /// The contact that the bonded beam asks for, by edge Newton where the last move was short, else by the scan. The
@@ -226,6 +230,9 @@ impl Search<'_, '_> {
         if is_settled || self.jitters(contact, found) {
             if let Some(rest) = self.without_weightless(contact, found) {
                 return Some(rest);
+            }
+            if let Some(corner) = self.on_a_corner(contact, found) {
+                return Some(corner);
             }
             if self.holds(found) || is_settled {
                 let last = self.visited.len().saturating_sub(if is_settled { 1 } else { PATIENCE });
@@ -275,12 +282,23 @@ impl Search<'_, '_> {
         if weightless.is_empty() {
             return None;
         }
+        let pull = weightless.iter().all(|(_, force)| *force < 0.0);
         let zones = |part: Vec<(Interval, f64)>| part.into_iter().map(|(zone, _)| zone).collect();
         let [strong, undecided]: [Vec<Interval>; 2] = [strong, weightless].map(zones);
-        let rest: ContactState = self.bonded.solve_on(&strong).ok()?;
         let edge_error = EdgeError { moved: self.moved * self.length(), undecided };
-        (self.confirms(&strong, &rest) && self.holds(&rest))
-            .then_some(ContactState { edge_error, ..rest })
+        let rest = self.bonded.solve_on(&strong).ok()?;
+        // Zones that pull are left open, even if the rest asks for them again: rounding error decides.
+        let own = self.scan(&rest);
+        let same = |zones: &[Interval]| longest_difference(zones, &own) <= ROUNDED * self.length();
+        let is_own = same(&strong) || pull && same(contact);
+        (is_own && self.holds(&rest)).then_some(ContactState { edge_error, ..rest })
+    }
+
+    /// The beam balanced on one end of its only zone, if the zone is as short as rounding error.
+    fn on_a_corner(&mut self, contact: &[Interval], found: &ContactState) -> Option<ContactState> {
+        let &[[from, to]] = contact else { return None };
+        let is_short = from < to && to - from <= SAME * self.length();
+        is_short.then(|| [from, to].into_iter().find_map(|at| self.balanced(&[[at; 2]], found)))?
     }
 
     /// The next trial contact: the one that was asked for, or the one of a shortened step.

@@ -4,7 +4,7 @@
 
 use crate::cancel::Cancel;
 use crate::contact::edge_error::EdgeError;
-use crate::contact::obstacle;
+use crate::contact::springs;
 use crate::contact::state::{ContactState, Unconverged, turned};
 use crate::contact::surface::{PointForce, Surface, SurfacePart};
 use crate::element::ExactElement;
@@ -76,30 +76,28 @@ pub(crate) fn state(grid: &Grid, mut workspace: Workspace) -> ContactState {
         zones.push(MeshZone { from: point, to: point });
         point_forces.push(PointForce { point, force });
     }
-    let part = |cell: usize| {
-        let open = Some([settlement[cell], settlement[cell + 1]]);
-        SurfacePart { cell, s: [-1.0, 1.0], open }
-    };
-    let surface = Surface { parts: (0..last).map(part).collect(), point_forces };
     let (coefficients, rotation) = deflections(grid, &mesh, &workspace);
-    let history = workspace.history;
-    if mesh.cells.iter().any(|cell| cell.shear_layer == 0.0) {
-        // A force at a node has no finite energy on separate springs: the ground's pressure is that of the deflection.
-        let w = Deflection { mesh: &mesh, terms: TERMS, coefficients: &coefficients };
-        let zones = obstacle::contact(&w);
-        let spread = ContactState::exact(mesh, coefficients, rotation, zones);
-        return ContactState { history, ..spread };
+    let w = Deflection { mesh: &mesh, terms: TERMS, coefficients: &coefficients };
+    let mut parts = Vec::with_capacity(last);
+    for (cell, own) in mesh.cells.iter().enumerate() {
+        if own.shear_layer == 0.0 {
+            // The certificate takes the springs' pressure under the deflection: a force at a node has no finite energy there.
+            springs::cover(&w, cell, &mut parts);
+        } else {
+            let open = Some([settlement[cell], settlement[cell + 1]]);
+            parts.push(SurfacePart { cell, s: [-1.0, 1.0], open });
+        }
     }
     ContactState {
-        mesh,
         terms: TERMS,
-        coefficients,
         rotation,
         zones,
-        history,
+        history: workspace.history,
         at_nodes: true,
-        surface: Some(surface),
+        surface: Some(Surface { parts, point_forces }),
         edge_error: EdgeError::default(),
+        coefficients,
+        mesh,
     }
 }
 

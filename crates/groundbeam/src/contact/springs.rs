@@ -1,6 +1,7 @@
 //! The contact set on separate springs, where ψ = w − g₀ − u₀ ≥ 0; and the intervals of a cell on which a polynomial is not
 //! negative.
 
+use crate::contact::surface::SurfacePart;
 use crate::mesh::deflection::{BeamPoint, Deflection, MeshZone};
 use crate::mesh::ground_runs::GroundRun;
 use crate::numeric::polynomial::{Coefficients, divided, value};
@@ -17,6 +18,22 @@ pub(super) fn winkler_contact(w: &Deflection, run: &GroundRun) -> Vec<MeshZone> 
         }
     }
     zones
+}
+
+/// Covers a cell of separate springs with its parts in contact and off it.
+pub(super) fn cover(w: &Deflection, cell: usize, parts: &mut Vec<SurfacePart>) {
+    let mut knots = Vec::new();
+    let mut from = -1.0;
+    for [a, b] in positive_parts(&w.obstacle(cell), &mut knots) {
+        if from < a {
+            parts.push(SurfacePart { cell, s: [from, a], open: Some([0.0; 2]) });
+        }
+        parts.push(SurfacePart { cell, s: [a, b], open: None });
+        from = b;
+    }
+    if from < 1.0 {
+        parts.push(SurfacePart { cell, s: [from, 1.0], open: Some([0.0; 2]) });
+    }
 }
 
 /// A polynomial with the sign of ψ inside a cell. ψ is divided by its zeros at supports that hold the beam on the ground's

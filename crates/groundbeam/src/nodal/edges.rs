@@ -16,6 +16,8 @@ pub(crate) fn edges(model: &Model, cancel: &Cancel) -> Option<Vec<[f64; 2]>> {
     if held || model.varying_part().is_some() {
         return None;
     }
+    // Elements that shear are series, which take ten times as long and more memory.
+    let model = &Model { beam: model.beam.clone().without_shear(), ..model.clone() };
     let grid = Grid::new(model, 1, Ground::Spread);
     let waves = grid.wave_number() * model.beam.length;
     if waves.is_nan() || waves > MOST_WAVES || Grid::fewest(model) as f64 > PER_WAVE * MOST_WAVES {

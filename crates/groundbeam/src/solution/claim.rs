@@ -150,6 +150,13 @@ pub(super) fn answer(candidate: &Candidate) -> Answer {
     let mut forces = vec![force(0.0, ends.left)];
     forces.extend(candidate.concentrated.iter().map(|c| force(c.at, c.force)));
     forces.push(force(candidate.model.beam.length, ends.right));
+    // Separate springs press along the beam. Their forces at the nodes of a mesh are not claimed.
+    let layered = |x: f64| {
+        let after = candidate.pieces.partition_point(|piece| piece.x[1] < x);
+        let mut beside = candidate.pieces[after..].iter().take(2);
+        beside.any(|piece| piece.x[0] <= x && piece.cell.shear_layer > 0.0)
+    };
+    forces.retain(|force| force.force == 0.0 || layered(force.x));
     let reactions = candidate.reactions.iter().enumerate().map(|(support, reaction)| {
         proof::Reaction { support, force: reaction.force, moment: reaction.moment }
     });
