@@ -228,7 +228,7 @@ fn what_is_wrong_is_told_at_its_place() {
     wrong("deviation = 0.05", "deviation = -0.05", &["wrong.toml:8:13", "must be positive"]);
     wrong("deviation = 0.05\n", "", &["`cov` or `deviation`"]);
     wrong("mean = 0.4", "mean = \"0.4 kN m\"", &["wrong.toml:7:8"]);
-    wrong("length = 0.3", "length = 0", &["a correlation length is positive"]);
+    wrong("length = 0.3", "length = 0", &["a correlation length must be positive"]);
     wrong("rho = 0.5", "rho = 1.5", &["a correlation lies between -1 and 1"]);
     wrong("samples = 3000", "samples = 0", &["wrong.toml:2:11"]);
     wrong("samples = 3000", "sampels = 3000", &["did you mean `samples`?"]);

@@ -47,7 +47,7 @@ pub fn gradients(
         parameters.iter().map(|name| parameter(name)).collect::<Result<_, _>>()?;
     for (name, parameter) in parameters.iter().zip(&by) {
         if on_soil && parameter.is_of_ground() {
-            let why = "the model's ground is made of its soil";
+            let why = "the model's ground is defined by soil data";
             return Err(Failure::Asked(format!("parameter `{name}`: {why}")));
         }
         if parameter.value(solution.model()).is_none() {

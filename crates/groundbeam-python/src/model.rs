@@ -148,7 +148,7 @@ impl Model {
         for (name, number) in numbers {
             let own = parameter(&name)?;
             if own.is_of_ground() && combination.model.foundation.soil.is_some() {
-                let why = "the model's ground is made of its soil";
+                let why = "the model's ground is defined by soil data";
                 return Err(Failure::Asked(format!("parameter `{name}`: {why}")).into());
             }
             let changed = own.set(&combination.model, number);

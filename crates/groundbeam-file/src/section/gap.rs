@@ -1,4 +1,4 @@
-//! `[[gap]]` and `[[gap_trough]]`.
+//! Reads `[[gap]]` and `[[gap_trough]]`.
 
 use super::chords::Spacing;
 use super::survey;
@@ -25,8 +25,8 @@ pub(super) static TABLE: Table = Table {
     ],
 };
 
-/// Gives the model its initial gap: the corners of the file, or those of a survey, and the troughs added to them.
-/// Returns the number of chords if there are troughs. `pressures` are the mean loads of all answers asked for.
+/// Sets the model's initial gap: the points of the file or of a survey, plus the troughs. Returns the number
+/// of chords if there are troughs. `pressures` are the mean loads of all requested results.
 pub(super) fn read(
     reader: &mut Reader,
     root: &Section,
@@ -54,7 +54,7 @@ pub(super) fn read(
         Err(chords) => {
             let message = format!("the troughs need {chords:.0} chords, more than {MOST_CHORDS}");
             let hint = "check `settlement`, the loads, EI, k and mu: chords are short under a light load or a flexible beam \
-                        on stiff ground; or give corners of your own as [[gap]]";
+                        on stiff ground; or give the points yourself as [[gap]]";
             reader.report(Fault::new(code::CHORDS, first.span.clone(), message, "", hint));
             None
         }
@@ -65,7 +65,7 @@ fn given(reader: &mut Reader, root: &Section, length: f64) -> Vec<GapPoint> {
     let gap = corners(reader, root);
     let Some(table) = reader.table(root, "gap_survey") else { return gap };
     if let Some((name, _)) = root.table.get_key_value("gap") {
-        let hint = "give the gap's corners, or the survey from which they follow";
+        let hint = "give either the points of the gap or a survey";
         reader.exclusive(("gap", &name.span()), ("gap_survey", &table.span), hint);
     }
     let gap = survey::read(reader, &table, length);
@@ -80,7 +80,7 @@ fn corners(reader: &mut Reader, root: &Section) -> Vec<GapPoint> {
     tables.iter().map(corner).collect()
 }
 
-/// What is wrong with a corner that the file does not list stands where it was made.
+/// A fault of a generated point is reported at the table that generated it.
 fn place_all(reader: &mut Reader, corners: usize, table: &Section) {
     for i in 0..corners {
         reader.places.part(Part::Gap(i), &table.span);
