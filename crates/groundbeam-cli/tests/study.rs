@@ -95,7 +95,7 @@ fn the_bytes_are_those_of_the_study_alone() {
     let merge =
         |files: &[&str]| folder.run(&[&["merge"], files, &["--out", "bad.parquet"]].concat());
     merge(&shards[..2]).fails(2, "samples 1000 to 1999 are missing");
-    merge(&["shard-1.parquet", "shard-1.parquet"]).fails(2, "are there twice");
+    merge(&["shard-1.parquet", "shard-1.parquet"]).fails(2, "occur twice");
     run(&["--out", "other.parquet", "--seed", "6", "--shard", "2/3"]);
     merge(&["shard-1.parquet", "other.parquet"]).fails(2, "are not of the same study");
     assert!(!folder.path("bad.parquet").exists());
