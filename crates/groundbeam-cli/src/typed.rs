@@ -19,16 +19,16 @@ pub struct Typed {
 
 const AFTER: &str = "\
 Exit status:
-  0  solved; of a file with combinations, all of them; of a train, every position
+  0  solved; for a file with combinations all of them, for a train all positions
   1  an answer is not proven or a check is undecided (--proven); a check fails or is not judged (--strict).
      Without --strict a check that fails leaves the status 0
   2  the input or the command line is wrong
-  3  the model is right and no equilibrium exists, of a combination or position at least
-  4  the solver could not meet its own tolerance
-  130  a study was stopped from the keyboard; what is done is kept
+  3  the model is valid, but it or at least one combination or position has no equilibrium
+  4  the solver did not reach its own tolerance
+  130  a study was stopped from the keyboard; completed samples are saved
 
 Environment:
-  NO_COLOR  if set, nothing is coloured";
+  NO_COLOR  if set, output has no colour";
 
 #[derive(Debug, Subcommand)]
 pub enum Command {

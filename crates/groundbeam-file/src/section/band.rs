@@ -14,8 +14,8 @@ const MULTIPLES: Value = Value::List(&Value::Quantity(&RATIO), [2, 2]);
 pub(super) static TABLE: Table = Table {
     name: "[foundation.band]",
     keys: &[
-        key("k", MULTIPLES, "The limits of k as multiples; left out: [1, 1]."),
-        key("mu", MULTIPLES, "The limits of mu as multiples; left out: [1, 1]."),
+        key("k", MULTIPLES, "Lower and upper factor on k; default: [1, 1]."),
+        key("mu", MULTIPLES, "Lower and upper factor on mu; default: [1, 1]."),
     ],
 };
 

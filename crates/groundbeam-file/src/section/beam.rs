@@ -39,13 +39,13 @@ const I: Key = along("I", &SECOND_MOMENT_OF_AREA, 2, "The second moment of area.
     "moment_of_inertia",
     "inertia",
 ]);
-const SECTION: Key = table("section", &shape::TABLE, "The cross section, which gives I.");
+const SECTION: Key = table("section", &shape::TABLE, "The cross-section, which gives I.");
 
 static SEGMENT: Table = Table {
     name: "[[beam.segment]]",
     keys: &[
-        quantity("from", &POSITION, "Where the segment begins.").needed().also(ALSO_FROM),
-        quantity("to", &POSITION, "Where it ends.").needed().also(ALSO_TO),
+        quantity("from", &POSITION, "The start of the segment.").needed().also(ALSO_FROM),
+        quantity("to", &POSITION, "Its end.").needed().also(ALSO_TO),
         EI,
         E,
         MATERIAL,
@@ -81,7 +81,7 @@ pub(super) static TABLE: Table = Table {
             "normal_force",
         ]),
         quantity("camber", &CAMBER, "The camber: rise at mid-length without load; default: 0."),
-        tables("segment", &SEGMENT, "A part of the beam with another stiffness."),
+        tables("segment", &SEGMENT, "A part of the beam with a different stiffness."),
         shear::STIFFNESS,
         shear::GA,
         shear::MODULUS,

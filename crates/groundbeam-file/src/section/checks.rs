@@ -25,7 +25,11 @@ pub(super) static TABLE: Table = Table {
         ),
         quantity("width", &WIDTH, "The width for both; default: that of `[foundation]`.")
             .also(ALSO_WIDTH),
-        quantity("settlement", &SETTLEMENT_LIMIT, "The largest deflection down, EN 1997-1, 6.6."),
+        quantity(
+            "settlement",
+            &SETTLEMENT_LIMIT,
+            "The largest allowed downward deflection, EN 1997-1, 6.6.",
+        ),
         quantity("lifted_share", &RATIO, "The fraction of the length that may lift off, 0 to 1."),
         quantity(
             "eccentricity",

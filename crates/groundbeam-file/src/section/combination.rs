@@ -62,7 +62,7 @@ pub(super) static TABLE: Table = Table {
     name: "[[combination]]",
     keys: &[
         text("name", "ULS 1", "The name; not given with `set`."),
-        key("factors", Value::Factors, "The factors of the cases; left out: 0.")
+        key("factors", Value::Factors, "The factors of the cases; default: 0.")
             .also(&["factor", "coefficients"]),
         key(
             "set",

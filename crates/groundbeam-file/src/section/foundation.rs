@@ -33,8 +33,7 @@ const MODULUS: Value = Value::Along(&SUBGRADE_MODULUS, 2);
 const SUBGRADE: Key = key("subgrade_modulus", MODULUS, "With `width`; k is their product.")
     .also(&["ks", "k_s", "modulus", "bedding_modulus"]);
 const C1: Key = key("C1", MODULUS, "Another name of `subgrade_modulus`.");
-const BEARING: Key =
-    along("width", &WIDTH, 2, "The width on which the beam bears.").also(ALSO_WIDTH);
+const BEARING: Key = along("width", &WIDTH, 2, "The bearing width of the beam.").also(ALSO_WIDTH);
 const MU: Key = along(
     "mu",
     &SHEAR_CONSTANT,
@@ -47,8 +46,8 @@ const C2: Key = along("C2", &AREA_SHEAR, 2, "With `width`; mu is their product."
 static SEGMENT: Table = Table {
     name: "[[foundation.segment]]",
     keys: &[
-        quantity("from", &POSITION, "Where the segment begins.").needed().also(ALSO_FROM),
-        quantity("to", &POSITION, "Where it ends.").needed().also(ALSO_TO),
+        quantity("from", &POSITION, "The start of the segment.").needed().also(ALSO_FROM),
+        quantity("to", &POSITION, "Its end.").needed().also(ALSO_TO),
         K,
         SUBGRADE,
         C1,
@@ -80,9 +79,9 @@ pub(super) static TABLE: Table = Table {
         BEARING,
         MU,
         C2,
-        tables("segment", &SEGMENT, "Other ground between two positions."),
-        table("soil", &soil::TABLE, "The soil, from which k and mu follow."),
-        table("band", &band::TABLE, "The limits of k and mu as multiples."),
+        tables("segment", &SEGMENT, "A part of the ground with different constants."),
+        table("soil", &soil::TABLE, "Soil data, from which k and mu follow."),
+        table("band", &band::TABLE, "Lower and upper factors on k and mu."),
         table("left", &LEFT, "The left end of the ground; default: unbounded."),
         table("right", &RIGHT, "The right end of the ground; default: unbounded."),
     ],

@@ -13,17 +13,16 @@ use crate::table::Section;
 use groundbeam::model::Part;
 use groundbeam::{GapPoint, Model};
 
-pub(super) static TABLE: Table = Table {
-    name: "[[gap]]",
-    keys: &[
-        quantity("at", &POSITION, "The position of a corner on the beam.").needed().also(ALSO_AT),
-        quantity("value", &CLEARANCE, "The clearance there, positive open.").needed().also(&[
-            "gap",
-            "clearance",
-            "size",
-        ]),
-    ],
-};
+pub(super) static TABLE: Table =
+    Table {
+        name: "[[gap]]",
+        keys: &[
+            quantity("at", &POSITION, "The position of a point of the gap.").needed().also(ALSO_AT),
+            quantity("value", &CLEARANCE, "The initial gap there, positive if open.")
+                .needed()
+                .also(&["gap", "clearance", "size"]),
+        ],
+    };
 
 /// Sets the model's initial gap: the points of the file or of a survey, plus the troughs. Returns the number
 /// of chords if there are troughs. `pressures` are the mean loads of all requested results.

@@ -36,7 +36,7 @@ static KINDS: [LoadKind; 7] = [
     LoadKind { key: SHRUNK, unit: "", action: Action::Curvature },
 ];
 
-const POINT: Key = quantity("point", &FORCE, "A force at a point, down positive.").also(&[
+const POINT: Key = quantity("point", &FORCE, "A force at a point, positive downward.").also(&[
     "f",
     "p",
     "force",
@@ -48,7 +48,7 @@ const MOMENT_AT: Key =
     quantity("moment", &MOMENT, "A moment at a point; a positive one turns the right side down.")
         .also(&["m", "couple"]);
 const DISTRIBUTED: Key =
-    along("distributed", &LOAD_PER_LENGTH, 2, "A distributed force, down positive.").also(&[
+    along("distributed", &LOAD_PER_LENGTH, 2, "A distributed force, positive downward.").also(&[
         "q",
         "w",
         "uniform",
@@ -58,8 +58,12 @@ const DISTRIBUTED: Key =
 const DISTRIBUTED_MOMENT: Key =
     along("distributed_moment", &MOMENT_PER_LENGTH, 2, "A distributed moment.")
         .also(&["line_moment"]);
-const IMPOSED: Key =
-    along("curvature", &CURVATURE, 2, "An imposed curvature κ₀; positive bends the ends down.");
+const IMPOSED: Key = along(
+    "curvature",
+    &CURVATURE,
+    2,
+    "An imposed curvature κ₀; a positive one bends the ends down.",
+);
 const WARMER: Key = along(
     "temperature_difference",
     &TEMPERATURE,
@@ -98,9 +102,13 @@ pub(super) static TABLE: Table = Table {
         ),
         quantity("depth", &DEPTH, "The depth of the beam; default: that of its `section`."),
         quantity("at", &POSITION, "The position of a load at a point.").also(ALSO_AT),
-        quantity("from", &POSITION, "Where a distributed load begins; left out: 0.")
-            .also(ALSO_FROM),
-        quantity("to", &POSITION, "Where it ends; left out: the length of the beam.").also(ALSO_TO),
+        quantity("from", &POSITION, "The start of a distributed load; default: 0.").also(ALSO_FROM),
+        quantity(
+            "to",
+            &POSITION,
+            "The end of a distributed load; default: the length of the beam.",
+        )
+        .also(ALSO_TO),
         CASE,
     ],
 };
@@ -111,8 +119,8 @@ pub(super) static ON_GROUND: Table = Table {
         POINT,
         DISTRIBUTED,
         quantity("at", &GROUND_POSITION, "The position of a force at a point.").also(ALSO_AT),
-        quantity("from", &GROUND_POSITION, "Where a distributed force begins.").also(ALSO_FROM),
-        quantity("to", &GROUND_POSITION, "Where it ends.").also(ALSO_TO),
+        quantity("from", &GROUND_POSITION, "The start of a distributed force.").also(ALSO_FROM),
+        quantity("to", &GROUND_POSITION, "Its end.").also(ALSO_TO),
         CASE,
     ],
 };

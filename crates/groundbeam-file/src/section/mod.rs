@@ -43,14 +43,14 @@ pub(crate) static MODEL: Table = Table {
         tables("ground_load", &load::ON_GROUND, "A load on the ground."),
         tables("support", &support::TABLE, "A support of the beam.")
             .also(&["bearing", "constraint"]),
-        tables("hinge", &hinge::TABLE, "A joint inside the beam.").also(&[
+        tables("hinge", &hinge::TABLE, "A hinge inside the beam.").also(&[
             "joint",
             "internal_hinge",
             "release",
         ]),
-        tables("gap", &gap::TABLE, "A corner of the clearance before loading.")
+        tables("gap", &gap::TABLE, "A point of the initial gap.")
             .also(&["clearance", "initial_gap"]),
-        table("gap_survey", &survey::TABLE, "The clearance from a table in a file."),
+        table("gap_survey", &survey::TABLE, "The initial gap from a table in a file."),
         tables("gap_trough", &trough::TABLE, "A settlement trough of the ground."),
         tables("case", &combination::CASE, "A load case, for sets of combinations.")
             .also(&["load_case"]),

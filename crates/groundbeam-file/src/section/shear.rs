@@ -23,7 +23,7 @@ pub(super) const MODULUS: Key =
 pub(super) const POISSON: Key =
     quantity("nu", &RATIO, "Poisson's ratio, in place of `G`: G = E/2(1 + nu).").also(ALSO_NU);
 pub(super) const AREA: Key =
-    along("shear_area", &SHEAR_AREA, 2, "The area κA that shears; left out: that of the section.")
+    along("shear_area", &SHEAR_AREA, 2, "The shear area κA; default: that of the section.")
         .also(&["as", "a_s", "av", "a_v"]);
 
 const fn keys(modulus: &'static str) -> Keys {

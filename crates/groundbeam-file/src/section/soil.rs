@@ -55,7 +55,7 @@ pub(super) static TABLE: Table = Table {
         word("method", &NAMES, "The method that computes k and mu.").needed(),
         tables("layer", &LAYER, "`…vlasov`: the layers above rock, the uppermost first."),
         quantity("gamma", &RATIO, "`vlasov`: the parameter of the decay with depth."),
-        quantity("E", &SOIL_MODULUS, "The elastic modulus: four methods.")
+        quantity("E", &SOIL_MODULUS, "The elastic modulus, for four methods.")
             .also(ALSO_E)
             .unlike(OEDOMETRIC, OF_OEDOMETRIC),
         quantity("nu", &RATIO, "Poisson's ratio, for the same methods.").also(ALSO_NU),

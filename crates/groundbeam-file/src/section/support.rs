@@ -43,8 +43,8 @@ pub(super) static TABLE: Table = Table {
             "rotation",
             "rotational",
         ]),
-        quantity("settlement", &CLEARANCE, "Its settlement, down positive; left out: 0."),
-        word("acts", &DIRECTIONS, "`up` only pushes up, `down` only holds down; left out: `both`.")
+        quantity("settlement", &CLEARANCE, "Its settlement, positive downward; default: 0."),
+        word("acts", &DIRECTIONS, "`up` only pushes up, `down` only holds down; default: `both`.")
             .also(&["direction", "one_way", "only"]),
     ],
 };

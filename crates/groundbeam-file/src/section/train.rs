@@ -29,7 +29,7 @@ static UNIFORM: Table = Table {
             "The start of the load behind the first axle; default: unbounded.",
         ),
         quantity("to", &OFFSET, "The end of the load behind the first axle; default: unbounded."),
-        quantity("load", &LOAD_PER_LENGTH, "The force per length, down.").needed(),
+        quantity("load", &LOAD_PER_LENGTH, "The force per length, downward.").needed(),
     ],
 };
 

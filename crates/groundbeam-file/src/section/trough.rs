@@ -11,7 +11,7 @@ pub(super) static TABLE: Table = Table {
     name: "[[gap_trough]]",
     keys: &[
         quantity("at", &GROUND_POSITION, "The position of the middle, x₀.").needed().also(ALSO_AT),
-        quantity("settlement", &CLEARANCE, "The largest settlement S, down.").needed(),
+        quantity("settlement", &CLEARANCE, "The largest settlement S, positive downward.").needed(),
         quantity("width", &WIDTH, "The distance i to the point of inflection.")
             .needed()
             .also(ALSO_WIDTH),

@@ -19,8 +19,8 @@ pub(super) static TABLE: Table = Table {
             "`lifted_share`, `left`, `right`, or a field's `.min`, `.max`, `.range`.",
         )
         .needed(),
-        key("above", Value::Depends, "The event is that the number is above this limit."),
-        key("below", Value::Depends, "The event is that it is below this limit."),
+        key("above", Value::Depends, "The event occurs if the result is above this limit."),
+        key("below", Value::Depends, "The event occurs if the result is below this limit."),
     ],
 };
 

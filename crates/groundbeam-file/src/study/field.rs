@@ -73,7 +73,7 @@ pub enum Share {
 }
 
 const QUANTITY: &[Key] = &[
-    key("mean", Value::Depends, "The mean; left out: the model's."),
+    key("mean", Value::Depends, "The mean; default: the model's value."),
     quantity(
         "cov",
         &RATIO,
@@ -111,16 +111,16 @@ pub(super) static TABLE: Table = Table {
         table("mu", &MU, "The field of mu."),
         table("EI", &EI, "The field of EI."),
         quantity("rho", &RATIO, "The correlation of ln k and ln mu; default: 0."),
-        word("correlation", &FUNCTIONS, "The correlation function; left out: `exponential`."),
+        word("correlation", &FUNCTIONS, "The correlation function; default: `exponential`."),
         quantity("length", &LENGTH, "The correlation length L.").needed(),
         key(
             "points",
             Value::Count([2, MOST_POINTS]),
             "The number of points; default: four per L, from 8 to 256.",
         ),
-        word("between", &COURSES, "The course between points; left out: `lines`."),
-        word("method", &METHODS, "How the fields are drawn; left out: `karhunen-loeve`."),
-        key("terms", Value::Count([1, MOST_POINTS]), "`karhunen-loeve`: how many terms are kept."),
+        word("between", &COURSES, "The variation between points; default: `lines`."),
+        word("method", &METHODS, "The method that samples the fields; default: `karhunen-loeve`."),
+        key("terms", Value::Count([1, MOST_POINTS]), "`karhunen-loeve`: the number of terms."),
         quantity("variance", &RATIO, "`karhunen-loeve`: the share of the variance; default: 0.99."),
     ],
 };

@@ -37,8 +37,12 @@ pub(super) static TABLE: Table = Table {
             "Fields whose extremes are saved; default: deflection, moment, shear, pressure.",
         ),
         key("fields", FIELDS, "Fields that are saved at the positions `at`."),
-        key("at", Value::List(&Value::Quantity(&POSITION), [0, usize::MAX]), "These positions."),
-        key("ground", Value::Flag, "Whether the random fields are kept; left out: false."),
+        key(
+            "at",
+            Value::List(&Value::Quantity(&POSITION), [0, usize::MAX]),
+            "The positions for `fields`.",
+        ),
+        key("ground", Value::Flag, "Whether the random fields are saved; default: false."),
     ],
 };
 

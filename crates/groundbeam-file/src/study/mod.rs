@@ -42,7 +42,7 @@ pub(crate) static STUDY: Table = Table {
             Value::Count([0, i64::MAX as u64]),
             "The seed of all random numbers; default: 0.",
         ),
-        word("sampling", &sampling::NAMES, "How the samples are drawn; left out: `monte-carlo`."),
+        word("sampling", &sampling::NAMES, "The sampling method; default: `monte-carlo`."),
         key(
             "replicates",
             Value::Count([1, sampling::MOST_REPLICATES]),
@@ -51,8 +51,8 @@ pub(crate) static STUDY: Table = Table {
         tables("random", &random::TABLE, "A number of the model that is random."),
         tables("correlated", &random::CORRELATED, "Two random numbers that depend on one another."),
         table("field", &field::TABLE, "Random fields along the beam."),
-        table("keep", &keep::TABLE, "The values kept of every answer."),
-        tables("event", &event::TABLE, "A condition whose probability is told."),
+        table("keep", &keep::TABLE, "The values saved for each sample."),
+        tables("event", &event::TABLE, "A condition whose probability is estimated."),
     ],
 };
 

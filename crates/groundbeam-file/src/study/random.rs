@@ -100,7 +100,7 @@ pub(super) static TABLE: Table = Table {
             "Their coefficient of variation: standard deviation divided by the mean.",
         ),
         key("deviation", Value::Depends, "Their standard deviation."),
-        key("from", Value::Depends, "`uniform`, `triangular`: the least value.").also(ALSO_FROM),
+        key("from", Value::Depends, "`uniform`, `triangular`: the smallest value.").also(ALSO_FROM),
         key("to", Value::Depends, "`uniform`, `triangular`: the largest value.").also(ALSO_TO),
         key("mode", Value::Depends, "`triangular`: the most probable value."),
     ],
@@ -109,7 +109,11 @@ pub(super) static TABLE: Table = Table {
 pub(super) static CORRELATED: Table = Table {
     name: "[[correlated]]",
     keys: &[
-        key("what", Value::List(&Value::Text("load[0]"), [2, 2]), "Two numbers that are random."),
+        key(
+            "what",
+            Value::List(&Value::Text("load[0]"), [2, 2]),
+            "The names of two random numbers.",
+        ),
         quantity("rho", &RATIO, "The correlation of their normal scores.").needed(),
     ],
 };
