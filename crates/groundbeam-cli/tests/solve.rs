@@ -163,7 +163,7 @@ fn compression_that_the_ground_helps_to_bear() {
         "{}",
         done.stdout
     );
-    assert!(done.stdout.contains("others, far from it, are not ruled out"), "{}", done.stdout);
+    assert!(done.stdout.contains("others, far from it, may exist"), "{}", done.stdout);
     let existence = &folder.run(&["solve", "model.toml", "--json"]).json()["existence"];
     assert_eq!(existence["verdict"], "local");
     // Value of a mesh with 400 elements; verification/tests/compression.rs confirms nine digits.
