@@ -23,7 +23,7 @@ pub struct Asked {
 /// The requested trains.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Trains {
-    /// All of them, at all positions.
+    /// All trains, at all positions.
     All,
     /// The train with this index in the file, at one position.
     One(usize),

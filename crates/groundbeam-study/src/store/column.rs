@@ -217,7 +217,7 @@ impl Column {
 
 /// Error for a kind of column that results do not have.
 fn foreign() -> ParquetError {
-    ParquetError::General("a column that is not one of results of a study".to_owned())
+    ParquetError::General("this column does not belong to results of a study".to_owned())
 }
 
 #[cfg(test)]
