@@ -108,7 +108,7 @@ fn what_cannot_be_proven_is_told() {
     folder.run(&["solve", "model.toml", "--proven"]).fails(3, "tips about its right end");
     let train = format!("{FOOTING}[[train]]\naxles = [{{ at = '0 m', force = '90 kN' }}]\n");
     let folder = Folder::with(&train);
-    folder.run(&["solve", "model.toml", "--proven"]).fails(2, "positions of trains are not proven");
+    folder.run(&["solve", "model.toml", "--proven"]).fails(2, "train positions cannot be proven");
 }
 
 /// The second reader does not know surveys. The document contains the model, and the proof applies to that
