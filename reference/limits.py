@@ -1,8 +1,8 @@
-"""Models with closed forms, and the closed forms: (name, model, note, checks).
+"""Models with closed-form solutions: (name, model, note, checks).
 
 A check is (what, value, field, place, tolerance): `field` names a column of the stations, read at
 `place`, or is "from" / "to" / "left" / "right" for the first contact region and the end forces.
-The tolerance is relative; where it is not tiny the closed form is a limit (a rigid beam).
+The tolerance is relative. If it is not tiny, the closed form is a limit (a rigid beam).
 """
 
 from mpmath import mp, mpf
@@ -14,8 +14,8 @@ RIGID = 1e12
 
 
 def weightless_winkler():
-    """C01 to C03: a long weightless beam under one force on springs that only push. Off contact it
-    is straight, so that its length does not matter."""
+    """C01 to C03: a long weightless beam under one force on tensionless springs. Outside the
+    contact it is straight, so its length does not matter."""
     EI, k, F, middle = 1.0, 4.0, 1.0, 5.0
     model = Model(10.0, EI, k, loads=[Load("point", F, middle)])
     half, beta = mp.pi / 2, mpf(1)
@@ -30,7 +30,7 @@ def weightless_winkler():
 
 
 def weightless_pasternak(mu):
-    """C04, C05: the same on a Pasternak foundation; g = mu / (2 sqrt(k EI))."""
+    """C04, C05: the same beam on Pasternak ground; g = mu / (2 sqrt(k EI))."""
     EI, k = 1.0, 4.0
     model = Model(10.0, EI, k, mu, loads=[Load("point", 1.0, 5.0)])
     g = mpf(mu) / 4
@@ -66,7 +66,7 @@ def rigid_winkler(e):
 
 
 def rigid_pasternak(m):
-    """C13: rigid beam, contact over m from the loaded end."""
+    """C13: a rigid beam with the contact length m from the loaded end."""
     k, mu = mpf(1), mpf("0.25")
     lam, m = mp.sqrt(mu / k), mpf(m)
     d = m**2 * (m + 3 * lam) / (3 * (m + 2 * lam) ** 2)
@@ -110,7 +110,7 @@ def free_winkler(beta_l):
 
 
 def ends_loaded(beta_l):
-    """A14, A15: equal forces at both ends of a weightless beam; its middle lifts beyond b l = pi."""
+    """A14, A15: equal forces at both ends of a weightless beam; its middle lifts off if b l > pi."""
     loads = [Load("point", 1.0, 0.0), Load("point", 1.0, beta_l)]
     model = Model(beta_l, 1.0, 4.0, loads=loads)
     note = "equal forces at both ends, b = 1: the middle lifts off beyond b l = pi"
@@ -124,7 +124,7 @@ def ends_loaded(beta_l):
 
 
 def pinned_winkler():
-    """A05: pinned at both ends, force at the centre, b l = 3 pi, springs that only push."""
+    """A05: pinned at both ends, force at the centre, b l = 3 pi, tensionless springs."""
     l = float(3 * mp.pi)
     model = Model(l, 1.0, 4.0, loads=[Load("point", 1.0, l / 2)])
     model.supports = [Support(0.0, "pinned"), Support(l, "pinned")]
@@ -134,7 +134,7 @@ def pinned_winkler():
 
 
 def held_by_tension():
-    """P > 0 resists rotation: an equilibrium though the static reaction at the left is negative."""
+    """P > 0 resists rotation: an equilibrium exists although the static reaction at the left is negative."""
     loads = [Load("point", 1.0, 0.5), Load("moment", 0.7, 0.5)]
     model = Model(1.0, 1.0, 1.0, 1.0, P=2.0, loads=loads)
     note = "P = 2: an equilibrium exists although M0 = 0.7 is beyond the static condition"
@@ -161,7 +161,7 @@ def all_limits():
 
 
 def compare(record, checks):
-    """The checks as data for the record; stops where one fails."""
+    """The checks as data for the record; raises an error if one fails."""
     out = []
     with mp.workdps(40):
         for what, value, field, place, tolerance in checks:
@@ -173,7 +173,7 @@ def compare(record, checks):
                 table = record["stations"]
                 got = mpf(table[field][[float(x) for x in table["x"]].index(place)])
             off = abs(got - value) / (abs(value) or 1)
-            # the record holds 20 digits
+            # The record has 20 digits.
             if off > max(tolerance, 1e-19):
                 raise AssertionError(f"{record['name']}: {what}: {got}, expected {value}")
             out.append((what, value, off))

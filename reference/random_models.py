@@ -1,8 +1,8 @@
 """Random models in families, each from its own fixed seed.
 
-`FAMILIES` maps a family's name to (count, maker); `make(family, index)` gives the model. A draw for
-which no equilibrium exists, or hardly, is thrown away and the next one taken, from the same stream
-of numbers, so that everything is fixed by (family, index). Numbers are short decimals.
+`FAMILIES` maps a family's name to (count, maker); `make(family, index)` gives the model. A draw without an
+equilibrium, or close to the limit, is rejected, and the next one is taken from the same stream of numbers, so that
+(family, index) determines everything. Numbers are short decimals.
 """
 
 import math
@@ -19,7 +19,7 @@ def log_uniform(r, a, b):
     return math.exp(r.uniform(math.log(a), math.log(b)))
 
 
-# ---- does an equilibrium exist? -----------------------------------------------------------------
+# ---- existence of an equilibrium -----------------------------------------------------------------
 
 
 def work(model, at_left, at_right):
@@ -55,8 +55,8 @@ def load_size(model):
 
 
 def free_rays(model):
-    """Rigid motions, pressing nowhere on the ground, that supports and tension leave free; as
-    (r(0), r(l)); those of a cone are the sums of these."""
+    """Upward rigid motions that supports and tension leave free, as (r(0), r(l)).
+    The motions of a cone are the sums of these."""
     l = model.length
     held = [s.at for s in model.supports if s.kind != "spring" or s.spring > 0]
     no_turn = model.P > 0 or any(s.kind == "fixed" or s.rotational > 0 for s in model.supports)
@@ -246,10 +246,10 @@ def gap(r, index):
     return model
 
 
-# ---- the hard ones ------------------------------------------------------------------------------------
+# ---- hard models -------------------------------------------------------------------------------------
 
-# Loads that stand on an edge of contact: the moment was found by secant steps so that the edge comes
-# to within 1e-16 of the last load but one; in the second model it is 1e-9 away from the balance.
+# Loads at a contact edge. The moment was found by secant steps, so that the edge is within 1e-16 of the last
+# load but one; in the second model it is 1e-9 away.
 EDGE_LOADS = [
     (1.0, 1.0, 1.0, 1.0, 0.5, 0.4851271361921004, [Load("point", 0.1, 0.6)]),
     (1.0, 1.0, 1.0, 1.0, 0.5, 0.4851271351921004, [Load("point", 0.1, 0.6)]),
@@ -278,7 +278,7 @@ def hard(r, index):
 
 
 def nearly_tipping(r, distance):
-    """Random loads and one moment that carries the resultant to distance * l from an end."""
+    """Random loads and one moment that moves the resultant to distance * l from an end."""
     model = loaded(r, uniform_base(r, (0.1, 6.0)), most=3, upward=0.0, weight=0.5)
     l, total = model.length, work(model, 1.0, 1.0)
     first = work(model, 0.0, l)
@@ -288,7 +288,7 @@ def nearly_tipping(r, distance):
 
 
 def alternating(r, count):
-    """`count` forces down, forces up between them, now and then a moment; no weight or little."""
+    """`count` downward forces with upward forces between them, sometimes a moment; little or no weight."""
     ratio = 6.0 * count
     model = uniform_base(r, (ratio, 2 * ratio), (ratio / 4, 3 * ratio))
     l = model.length
@@ -348,7 +348,7 @@ NOTES = {
 
 
 def make(family, index):
-    """Model number `index` of the family, its seed, and how many draws were thrown away."""
+    """Model `index` of the family, its seed, and the number of rejected draws."""
     seed = 100000 * (1 + list(FAMILIES).index(family)) + index
     r = random.Random(seed)
     for thrown in range(1000):

@@ -1,4 +1,4 @@
-"""Solves models with the multiprecision reference, and makes the files in `answers/`.
+"""Solves models with the multiprecision reference, and writes the files in `answers/`.
 
     python solve.py model.toml              print the record of one model (plain numbers)
     python solve.py --kikuchi               answers/kikuchi.json
@@ -24,7 +24,7 @@ DIGITS = 100
 
 
 def record_of(name, family, seed, model, note=None, log=None):
-    # what was solved is what the text says
+    # The solved model is the one read from the text.
     model = Model.from_toml(model.to_toml())
     return make_record(name, family, seed, model, solve(model, DIGITS, log=log), DIGITS, note)
 

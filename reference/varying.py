@@ -1,19 +1,18 @@
-"""Answers for beams and ground that vary along a segment: `answers/varying.json`.
+"""Computes results for beams and ground that vary along a segment: `answers/varying.json`.
 
-    python varying.py PROGRAM [COUNT]      PROGRAM: the binary `groundbeam`, asked only which stretches touch
+    python varying.py PROGRAM [COUNT] PROGRAM: the binary `groundbeam`, which gives the contact zones
 
-A second road to the same answers, in 45 digits and in first-order form, so that no coefficient is ever
+An independent computation of the same results, with 45 digits and in first-order form, so that no coefficient is
 differentiated:
 
     w' = theta,  EI theta' = m,  m' = V + N theta - G,  V' = F - kappa w      beam (N = P + mu, kappa = k in contact)
     mu u' = t,   t' = k u                                                    open ground
 
-Each piece between two places where anything changes is crossed in Taylor steps that are halved until the last
-terms are below 1e-42; continuity, jumps and the ends' conditions make a linear system for the states at the left
-ends of all pieces, and what is left over at each edge of contact (u' = w' - g0'; w = g0 without a shear layer)
-fixes the edges by Newton's method. Which stretches touch is guessed from the program; that pressure, end forces
-and clearance have the right sign everywhere is checked here, and since the problem is convex, equations and
-signs together are the solution.
+Each piece without changes of the data is integrated by Taylor steps that are halved until the last terms are below
+1e-42. Continuity, jumps and end conditions give a linear system for the states at the left ends of all pieces. The
+remaining condition at each contact edge (u' = w' - g0'; w = g0 without a shear layer) determines the edges by
+Newton's method. The contact zones are assumed as the program gives them. The signs of pressure, end forces and gap
+are checked here. The problem is convex, so equations and signs together prove the solution.
 """
 
 import json
@@ -69,7 +68,7 @@ def plus(p, q):
 
 
 class Model:
-    """The same words as in a model file; stretches are (from, to, control values)."""
+    """The same keys as in a model file; stretches are (from, to, control values)."""
 
     def __init__(self, **given):
         self.__dict__.update(given)
@@ -131,7 +130,7 @@ class Model:
 
 
 class Piece:
-    """A stretch of beam, touching or not, and the map of its states from left to right."""
+    """A stretch of the beam, with or without contact, and the map of its states from left to right."""
 
     def __init__(self, model, a, b, contact, winkler):
         self.model, self.a, self.b, self.contact, self.winkler = model, a, b, contact, winkler
@@ -168,7 +167,7 @@ class Piece:
         return EI, k, mu, m.initial_gap(middle, x0), m.load("distributed", middle, x0), m.load("distributed_moment", middle, x0)
 
     def series(self, x0, y, loaded):
-        """Taylor coefficients of the state (w, theta, m, V and off contact u, t) about x0."""
+        """Taylor coefficients of the state (w, theta, m, V and without contact u, t) about x0."""
         EI, k, mu, gap, f, g = self.courses(x0)
         N, kappa = [mpf(self.model.P)], [mpf(0)]
         if self.contact:
@@ -196,7 +195,7 @@ class Piece:
         return [w, th, m, v] + ([u, t] if u else [])
 
     def settle(self, y):
-        """Keeps the state along the piece, from the one at its left end."""
+        """Stores the state along the piece, from the state at its left end."""
         self.known = []
         for x0, x1 in self.steps:
             series = self.series(x0, y, True)
@@ -223,7 +222,7 @@ class Piece:
 
 
 class System:
-    """The linear problem for given stretches of contact."""
+    """The linear problem for given contact zones."""
 
     def __init__(self, model, stretches, cache):
         self.model = model
@@ -274,7 +273,7 @@ class System:
             before = self.pieces[i - 1] if i else None
             after = self.pieces[i] if i < len(self.pieces) else None
             functional = {}
-            # every quantity as (terms, constant) on both sides
+            # Every quantity as (terms, constant) on both sides.
             for side, p in (("-", before), ("+", after)):
                 if p is None:
                     continue
@@ -286,7 +285,7 @@ class System:
                         functional[side, q] = ([(starts[j], [mpf(c == q) for c in range(p.size)])], mpf(0))
 
             def linear(*parts):
-                """Sum of factor × functional."""
+                """Linear combination of functionals."""
                 terms, constant = [], mpf(0)
                 for factor, (t, c) in parts:
                     terms += [(s, [factor * v for v in row]) for s, row in t]
@@ -298,7 +297,7 @@ class System:
                 add(terms, wanted - constant)
 
             def total(side, p):
-                """V with the ground's flux."""
+                """V plus the flux of the ground."""
                 parts = [(mpf(1), functional[side, 3])]
                 return parts if p.size == 4 else parts + [(mpf(-1), functional[side, 5])]
 
@@ -348,7 +347,7 @@ class System:
             p.settle([y[start + i] for i in range(p.size)])
 
     def left_over(self):
-        """At each free edge what must vanish."""
+        """The residual condition at each free edge."""
         out = []
         for e in self.free:
             i = self.x.index(min(self.x, key=lambda x: abs(x - e)))
@@ -362,7 +361,7 @@ def solve(model, stretches):
     l = mpf(model.length)
     edges = [mpf(e) for s in stretches for e in s]
     free = [i for i, e in enumerate(edges) if 0 < e < l]
-    cache = {}  # what an edge does not bound stays as it is
+    cache = {}  # positions that are not edges stay fixed
     make = lambda edges: System(model, [edges[i : i + 2] for i in range(0, len(edges), 2)], cache)
     system = make(edges)
     for _ in range(5):
@@ -473,7 +472,7 @@ def gauss(n=16):
 
 
 def drawn(seed):
-    """A random model in short decimals."""
+    """A random model with short decimals."""
     r = random.Random(f"varying {seed}")
     short = lambda v: float(f"{v:.3g}")
     decade = lambda low, high: short(10 ** r.uniform(low, high))
@@ -520,7 +519,8 @@ def main():
         answer = json.loads(done.stdout)
         stretches = [[c["from"], c["to"]] for c in answer["contact"]]
         places = [float(x) for x in model.places()]
-        # Edges at places of the model's own, single points and concentrated forces inside are left to the other families.
+        # Edges at marks of the model, contact points and point contact forces inside are left to other
+        # families.
         inner = [e for s in stretches for e in s if 0 < e < model.length]
         plain = all(a < b for a, b in stretches) and not answer["concentrated_forces"]
         if not stretches or not plain or any(abs(e - x) < 1e-9 for e in inner for x in places):

@@ -1,4 +1,4 @@
-//! On macOS a module finds Python's own functions when it is loaded, and the linker has to be told so.
+//! Tells the linker on macOS that the module finds Python's own functions when it is loaded.
 
 fn main() {
     println!("cargo:rerun-if-changed=build.rs");

@@ -1,6 +1,6 @@
-"""Multiprecision reference solutions for a beam on ground that can only push back.
+"""Multiprecision reference solutions for beams on tensionless ground.
 
-Read the modules in this order: `model` (what is given), `coarse` (which parts touch, roughly),
-`pieces` (closed forms on one stretch), `analytic` (the stretches joined, the edges by Newton),
-`verify` (signs, balances, energy), `topology` (the loop over all of these), `record` (the output).
+Read the modules in this order: `model` (the input), `coarse` (an estimate of the contact set), `pieces`
+(closed-form solutions on one stretch), `analytic` (all stretches together, edges by Newton's method), `verify`
+(signs, balances, energy), `topology` (the loop over all of these), `record` (the output).
 """

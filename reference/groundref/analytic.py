@@ -1,7 +1,7 @@
-"""The stretches joined: a linear system for the coefficients, Newton's method for the edges.
+"""Solves a linear system for the coefficients of all stretches, and finds the edges by Newton's method.
 
-For a given guess of which intervals touch (`Topology`) every unknown but the edge positions c
-enters linearly, A(c) y = b(c). At a free edge one condition is left over, t(y, c) = 0:
+For assumed contact intervals (`Topology`), every unknown except the edge positions c enters linearly, A(c) y =
+b(c). At each free edge one more condition remains, t(y, c) = 0:
 
     u'(c) = w'(c) - g0'(c)  seen from the open side (mu > 0),   or   w(c) = g0(c)  (mu = 0).
 
@@ -18,11 +18,11 @@ from .pieces import Piece
 
 
 class Rejected(Exception):
-    """The guess of the contact set is wrong; `why` gives the reason."""
+    """The assumed contact set is wrong; `why` gives the reason."""
 
 
 class Vanished(Rejected):
-    """An interval shrank to nothing; `topology` is what is left without it."""
+    """A contact interval vanished; `topology` is the contact set without it."""
 
     def __init__(self, topology):
         super().__init__("a contact interval vanished")
@@ -31,7 +31,7 @@ class Vanished(Rejected):
 
 @dataclass
 class Edge:
-    """An end of a contact interval. Fixed edges stand at a breakpoint of the model."""
+    """An end of a contact interval. A fixed edge lies at a breakpoint of the model."""
 
     x: mpf
     free: bool
@@ -40,7 +40,7 @@ class Edge:
 @dataclass
 class Topology:
     intervals: list = field(default_factory=list)  # [left Edge, right Edge], in order
-    points: list = field(default_factory=list)  # breakpoints where the beam touches alone
+    points: list = field(default_factory=list)  # breakpoints with point contact
 
     def copy(self):
         pairs = [[Edge(e.x, e.free) for e in pair] for pair in self.intervals]
@@ -54,7 +54,7 @@ class Topology:
 
 
 class Node:
-    """A joint between two stretches, or an end of the beam."""
+    """A node between two stretches, or an end of the beam."""
 
     def __init__(self, model, x, left, right, edge, point_contact):
         self.x, self.left, self.right, self.edge = x, left, right, edge
@@ -70,7 +70,7 @@ class Node:
 
     @property
     def outer(self):
-        """sqrt(k mu) of the ground beyond the beam's end."""
+        """sqrt(k mu) of the ground outside the beam's end."""
         piece = self.right if self.left is None else self.left
         return mp.sqrt(piece.k * piece.mu)
 
@@ -79,8 +79,8 @@ class Node:
         return self.left is None or self.right is None
 
     def equations(self):
-        """Each a list of (piece, field, factor), a factor list on the left being moved over,
-        and a constant: sum of factor * field + constant = 0."""
+        """Equations at this node: each is a list of (piece, field, factor) and a constant,
+        with sum of factor * field + constant = 0. Factors on the left side change their sign."""
         L, R, rows = self.left, self.right, []
         some = R or L
 
@@ -121,7 +121,7 @@ class Node:
         return rows
 
     def flux_jump(self):
-        """[mu u'], with the decaying ground outside at the ends; no flux where mu = 0."""
+        """[mu u'], including the decaying ground outside the ends; the flux is zero where mu = 0."""
         row = []
         if self.right and self.right.mu > 0:
             row.append((self.right, "flux", 1))
@@ -141,13 +141,13 @@ class Node:
         return ([(opened, "w", 1), (opened, "gap", -1)], 0)
 
     def atom(self):
-        """Concentrated contact force on the beam here."""
+        """Point contact force on the beam at this node."""
         if not self.touching:
             return mpf(0)
         return -evaluate((self.flux_jump(), 0), self.x)
 
     def reaction(self):
-        """(force up, moment against the slope) of the support on the beam."""
+        """Upward force and moment of the support on the beam."""
         T, M = self.jump_value("axial shear"), self.jump_value("moment")
         return T - self.atom() + self.force, self.moment - M
 
@@ -157,7 +157,7 @@ class Node:
 
 
 def evaluate(equation, x, shift=0):
-    """Value of an equation's left side with the pieces' present coefficients."""
+    """Left side of an equation with the current coefficients of the pieces."""
     terms, constant = equation
     total = mpf(constant) if shift == 0 else mpf(0)
     for piece, name, factor in terms:
@@ -178,7 +178,7 @@ class System:
             for e in pair:
                 if e.free:
                     if e.x in edges:
-                        raise Rejected("two edges at one place")
+                        raise Rejected("two edges at one position")
                     edges[e.x] = e
         xs = sorted(set(mpf(x) for x in model.breakpoints()) | set(edges))
         self.pieces = [self.make_piece(a, b) for a, b in zip(xs, xs[1:])]
@@ -221,7 +221,7 @@ class System:
         return columns, -total
 
     def solve(self):
-        """Coefficients for the present edges; then t and dt/dc at the free edges."""
+        """Coefficients for the current edges, then t and dt/dc at the free edges."""
         rows, right, of_edge = [], [], []
         free = [n for n in self.nodes if n.edge]
         for node in self.nodes:
@@ -319,9 +319,9 @@ class Elimination:
 
 
 def newton(model, topology, tolerance_digits, limit=60):
-    """Moves the free edges until the tangency conditions hold; returns the solved System.
+    """Moves the free edges until the tangency conditions hold. Returns the solved System.
 
-    A step may neither carry an edge past its neighbours nor off the beam; one that would is cut.
+    No step may move an edge past its neighbours or off the beam; such a step is shortened.
     """
     l = mpf(model.length)
     topology = topology.copy()
@@ -340,7 +340,7 @@ def newton(model, topology, tolerance_digits, limit=60):
             room_left, room_right = edge.x, l - edge.x
             for other in ends:
                 if other is not edge:
-                    # a neighbour that moves gets half the room
+                    # If the neighbour moves too, each gets less than half of the distance.
                     share = mpf("0.4") if other.free else mpf("0.9")
                     if other.x < edge.x:
                         room_left = min(room_left, share * (edge.x - other.x))

@@ -1,12 +1,12 @@
-"""Which parts touch, roughly: finite elements and an interior-point method.
+"""Estimates the contact set with finite elements and an interior-point method.
 
     minimise  1/2 z'H z - f'z   subject to   s = u + g0 - w >= 0  at the nodes
 
 with z = (w, w', u) at the nodes, cubic Hermite elements for the beam and, for the ground, the
 exact elements sqrt(k mu) [[coth bh, -csch bh], [-csch bh, coth bh]] (lumped springs where mu = 0).
-A primal-dual interior-point method (Mehrotra's predictor and corrector) cannot cycle; 200-bit
-numbers keep it free of the 1/h^4 conditioning of Hermite elements. Nothing of this enters the
-reference values: it only says which nodes touch, and is a check on sign conventions later.
+A primal-dual interior-point method (Mehrotra's predictor and corrector) cannot cycle. 200-bit numbers compensate
+for the 1/h^4 conditioning of Hermite elements. The reference values do not depend on this solution: it only gives
+the contact nodes, and later a check of the sign conventions.
 """
 
 import gmpy2
@@ -26,7 +26,7 @@ GAUSS = [  # four points on [0, 1]; exact for a linear load on a cubic shape fun
 
 
 class CoarseSolution:
-    """Nodes x, deflection w, slope, settlement u, nodal contact force, and who touches."""
+    """Nodes x, deflection w, slope, settlement u, nodal contact force, and contact flags."""
 
     def __init__(self, x, w, slope, u, force, touching):
         self.x, self.w, self.slope, self.u = x, w, slope, u
@@ -34,7 +34,7 @@ class CoarseSolution:
 
 
 def graded_mesh(model, elements, finest=1e-4):
-    """Even mesh through all breakpoints, refined geometrically towards each of them."""
+    """Equidistant mesh through all breakpoints, refined geometrically towards each of them."""
     l = model.length
     fixed = model.breakpoints()
     points = set(fixed)
@@ -49,7 +49,7 @@ def graded_mesh(model, elements, finest=1e-4):
 
 
 def thinned(points, fixed, l):
-    """Drops nodes that are too close to the one before, breakpoints excepted."""
+    """Removes nodes that are too close to the previous one, except breakpoints."""
     keep = set(fixed)
     out = []
     for x in points:
@@ -63,7 +63,7 @@ def thinned(points, fixed, l):
 
 
 def refined(x, touching, fixed, l, parts=6):
-    """The mesh cut finer where contact begins or ends."""
+    """The mesh, refined where contact begins or ends."""
     points = set(x)
     for i in range(len(x) - 1):
         if touching[i] != touching[i + 1]:
@@ -228,7 +228,7 @@ def _solve(model, x):
     def gap_of(z):
         return [z[3 * i + 2] - z[3 * i] + g0[i] for i in rows]
 
-    # A common scale for forces and deflections to start from.
+    # A common scale of forces and deflections for the start.
     force = max(max(abs(v) for v in f), mpfr("1e-50"))
     k = mpfr(max([model.k] + [s[2] for s in model.ground_segments]))
     depth = max(force / (k * model.length), max(abs(v) for v in g0))
@@ -258,7 +258,7 @@ def _solve(model, x):
         L = _cholesky(K)
 
         def step(rc):
-            """Newton step for s p = target; rc = what s*p still lacks."""
+            """Newton step for s p = target; rc is the residual of s p."""
             r = rd[:]
             for i in rows:
                 v = rc[i] / s[i] - p[i] / s[i] * rp[i]

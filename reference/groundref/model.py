@@ -1,7 +1,7 @@
-"""What is given: beam, ground, loads, supports, initial gap; and its TOML text.
+"""The model: beam, ground, loads, supports, initial gap; and its TOML text.
 
-All numbers are binary64: a model file holds the shortest decimal that reads back as the same
-double, and every computation starts from that double, exactly.
+All numbers are binary64. A model file has the shortest decimal that reads back as the same double, and every
+computation starts from exactly that double.
 """
 
 import tomllib
@@ -48,7 +48,7 @@ class Model:
     supports: list = field(default_factory=list)
     gap: list = field(default_factory=list)  # (at, value)
 
-    # ---- properties along the beam; x is the middle of a stretch, never a joint -------------
+    # ---- properties along the beam; x is the middle of a stretch, never one of its ends ---------
     def EI_at(self, x):
         for a, b, EI in self.beam_segments:
             if a <= x < b:
@@ -62,7 +62,7 @@ class Model:
         return self.k, self.mu
 
     def breakpoints(self):
-        """Every place where the data change, both ends included."""
+        """All positions where the data change, including both ends."""
         l = self.length
         points = {0.0, l}
         points.update(x for s in self.beam_segments for x in s[:2])
@@ -111,7 +111,7 @@ class Model:
 
     @staticmethod
     def from_toml(text):
-        """Reads a model file in plain numbers (no units, no load cases)."""
+        """Reads a model file without units and without load cases."""
         doc = tomllib.loads(text)
         beam, ground = doc["beam"], doc["foundation"]
         model = Model(

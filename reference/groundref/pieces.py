@@ -1,13 +1,13 @@
-"""Closed forms on one stretch where EI, k, mu, the loads' polynomials and the contact are one.
+"""Closed-form solutions on one stretch with constant EI, k, mu and contact, and polynomial loads.
 
     in contact    EI w'''' - (P + mu) w'' + k w = q + k g0,   u = w - g0,   p = k u - mu u''
     off contact   EI w'''' - P w'' = q,                       mu u'' = k u  (u = 0 where mu = 0)
 
-with q = f - g', the net transverse load. Each w is a polynomial particular solution plus four
-basis functions, each u off contact two. A stretch that is short against its own wave length takes
-its basis from the Taylor series of the Cauchy functions (phi_j has only its j-th derivative at a
-different from zero), so that short stretches stay as well conditioned as long ones; a long stretch
-takes exponentials that decay away from the end at which they are anchored.
+with q = f - g', the net transverse load. Each w is a polynomial particular solution plus four basis functions;
+each u outside the contact has two. For a stretch that is short relative to its wave length, the basis is the
+Taylor series of the Cauchy functions (only the j-th derivative of phi_j at a is nonzero), so that short stretches
+are as well conditioned as long ones. For a long stretch, the basis consists of exponentials that decay away from
+one of its ends.
 """
 
 from dataclasses import dataclass
@@ -53,7 +53,7 @@ class Wave:
 
 
 def cauchy_series(a, h, order, recurrence):
-    """The `order` Cauchy functions of c_{m+order} = recurrence(c, m)."""
+    """The `order` Cauchy functions for the recurrence c_{m+order} = recurrence(c, m)."""
     functions = []
     for j in range(order):
         c = [mpf(0)] * order
@@ -116,7 +116,7 @@ def layer_basis(a, b, k, mu):
 
 @dataclass
 class Piece:
-    """One stretch. Load polynomials are (value at a, slope); `contact` says whether it touches."""
+    """One stretch. Load polynomials are (value at a, slope); `contact` states whether it touches."""
 
     a: mpf
     b: mpf
@@ -160,7 +160,7 @@ class Piece:
         self.seen = {}
 
     def at(self, x):
-        """Derivatives at x: of each beam function, of the particular one, of each layer one."""
+        """Derivatives at x of each beam function, of the particular solution, and of each layer function."""
         if x not in self.seen:
             beam = [f.derivatives(x) for f in self.beam]
             layer = [f.derivatives(x) for f in self.layer]
@@ -173,7 +173,7 @@ class Piece:
         return [f[order] for f in beam] + [mpf(0)] * len(self.layer), particular[order]
 
     def u(self, x, order):
-        """Settlement of the shear layer; in contact, that of the beam less the initial gap."""
+        """Settlement of the shear layer; in contact, the deflection minus the initial gap."""
         if self.contact:
             row, constant = self.w(x, order)
             return row, constant - self.gap_at(x, order)
@@ -186,7 +186,7 @@ class Piece:
         return self.gap[1] if order == 1 else mpf(0)
 
     def form(self, name, x, shift=0):
-        """A field at x as a linear form; `shift` differentiates it once more along x."""
+        """A field at x as a linear form; `shift` adds one derivative along x."""
         scaled = lambda row, factor: ([factor * v for v in row[0]], factor * row[1])
         if name == "w":
             return self.w(x, shift)

@@ -1,4 +1,4 @@
-"""One solved model as plain data, and the JSON text of many."""
+"""Writes a solved model as plain data, and many of them as JSON."""
 
 import json
 import random
@@ -14,7 +14,7 @@ ZERO = mpf("1e-50")  # what is smaller than this against its field's largest val
 
 
 class Number(str):
-    """A decimal that goes into the JSON text as it stands."""
+    """A decimal that is written into the JSON text unchanged."""
 
 
 def number(v, scale=None):
@@ -25,14 +25,14 @@ def number(v, scale=None):
 
 
 def position(x):
-    """A place on the beam: a double as its shortest decimal, an edge with 25 digits."""
+    """A position on the beam: a double as its shortest decimal, an edge with 25 digits."""
     if mpf(float(x)) == x:
         return Number(repr(float(x)))
     return Number(mp.nstr(x, 25, min_fixed=-4, max_fixed=18))
 
 
 def station_places(model, system):
-    """Short decimals over the whole beam, one in the middle of every contact region; no joints."""
+    """Short decimals over the whole beam, one in the middle of every contact zone; no nodes."""
     l = model.length
     draw = random.Random(len(model.breakpoints()) + 1000 * len(model.loads))
     count = 13
@@ -50,7 +50,7 @@ def round_to(v, digits):
 
 
 def regions(system):
-    """Stretches in contact, joined, then the single points; in order."""
+    """Contact zones, merged, followed by contact points; in order."""
     out = []
     for p in system.pieces:
         if p.contact:
@@ -92,7 +92,7 @@ def station_table(model, system):
 
 
 def make_record(name, family, seed, model, solution, digits, note=None):
-    """The record of one model; solves once more with more digits to see how many are right."""
+    """The record of one model. Solves once more with more digits to count the correct ones."""
     with mp.workdps(digits):
         system, scales = solution.system, solution.scales
         balance = balance_report(system)
@@ -161,7 +161,7 @@ def make_record(name, family, seed, model, solution, digits, note=None):
 
 
 def touches_without_force(node, spans, scales):
-    """No gap at a support that is in no contact region."""
+    """No gap at a support that is in no contact zone."""
     if any(a <= node.x <= b for a, b in spans):
         return False
     gaps = [p.fields(node.x)["gap"] for p in (node.left, node.right) if p]
@@ -178,7 +178,7 @@ def reaction_entry(node, force, length):
 
 
 def mesh_difference(solution):
-    """Largest distance between the mesh's deflection and the exact one, relative."""
+    """Largest relative difference between the mesh's deflection and the exact one."""
     system, mesh = solution.system, solution.mesh
     worst, pieces = mpf(0), iter(system.pieces)
     piece = next(pieces)
@@ -195,7 +195,7 @@ def short(v):
 
 
 def to_json(records):
-    """One key a line in a record, arrays on one line: small, and fit for a diff."""
+    """JSON with one key per line and arrays on one line: small, and suitable for diffs."""
 
     def write(v):
         if isinstance(v, Number):

@@ -1,4 +1,4 @@
-"""From the mesh's touching nodes to the exact contact intervals: guess, solve, check, correct."""
+"""Finds the exact contact intervals from the mesh's contact nodes: guess, solve, check, correct."""
 
 from mpmath import mp, mpf
 
@@ -27,7 +27,7 @@ def anchors(model):
 
 
 def from_mesh(model, solution, shortest, least):
-    """Runs of touching nodes as a topology."""
+    """Runs of contact nodes as a topology."""
     x, touching = solution.x, list(solution.touching)
     close_small_openings(model, solution, touching, shortest, least)
     fixed, n = anchors(model), len(x)
@@ -49,7 +49,7 @@ def from_mesh(model, solution, shortest, least):
                 if (at in fixed and i != j) or not 0 <= other < n:
                     pair.append(Edge(mpf(at), False))
                 elif x[other] in fixed and not has_layer(model, x[other]):
-                    pair.append(Edge(mpf(x[other]), False))  # held at w = 0: neither touches nor not
+                    pair.append(Edge(mpf(x[other]), False))  # fixed at w = 0: contact is undefined
                 else:
                     pair.append(Edge((mpf(at) + mpf(x[other])) / 2, True))
             if pair[0].x < pair[1].x:
@@ -66,10 +66,10 @@ def has_layer(model, x):
 
 
 def close_small_openings(model, solution, touching, shortest, least):
-    """Openings shorter than `shortest` with less gap than `least` (relative) are taken for contact.
+    """Treats openings shorter than `shortest` with a smaller gap than `least` (relative) as contact.
 
-    Pressure lumped at the nodes opens a cell here and there where it should not; if an opening is
-    real, the sign of the pressure brings it back.
+    Pressure lumped at the nodes may open a cell wrongly. If an opening is real, the sign of the pressure reopens
+    it later.
     """
     x, n = solution.x, len(touching)
     depth = max(max(abs(v) for v in solution.w), max(abs(v) for v in solution.u))
@@ -94,7 +94,7 @@ def close_small_openings(model, solution, touching, shortest, least):
 
 
 def corrected(model, topology, violation):
-    """The topology with the worst violation answered."""
+    """The topology after a correction of the worst violation."""
     kind, a, b, _ = violation
     fixed = sorted(mpf(x) for x in anchors(model))
     topology = topology.copy()
@@ -132,7 +132,7 @@ def corrected(model, topology, violation):
 
 
 def with_contact(topology, a, b, fixed):
-    """[a, b] added to the contact, joined with what it meets."""
+    """Adds [a, b] to the contact and merges it with intervals that it meets."""
     reach = (b - a) * mpf("1e-3")
     if a == b and a in fixed:
         topology.points.append(float(a))
@@ -159,7 +159,7 @@ def with_contact(topology, a, b, fixed):
 
 
 class Solution:
-    """A system whose signs all hold, with what was found on the way."""
+    """A system that satisfies all signs, with the data found on the way."""
 
     def __init__(self, system, scales, worst, corrections, mesh):
         self.system, self.scales, self.worst = system, scales, worst

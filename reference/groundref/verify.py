@@ -1,15 +1,15 @@
-"""Is it the solution? Signs densely, differential equations, balances and energies by quadrature.
+"""Verifies a solution: signs at many points, differential equations, balances and energies by quadrature.
 
-The problem is convex, so a field that obeys the equations and all the signs is the solution. The
-energy identity a(w, w) + b(u, u) = F(w) - <p, g0> tests the weak form with everything in it: every
-jump condition, support, atom and end force enters it, and quadrature knows nothing of them.
+The problem is convex, so a field that satisfies the equations and all sign conditions is the solution. The energy
+identity a(w, w) + b(u, u) = F(w) - <p, g0> tests the complete weak form: every jump condition, support and point
+contact force contributes to it, while the quadrature does not use these conditions.
 """
 
 from functools import lru_cache
 
 from mpmath import mp, mpf
 
-# What counts as zero when signs are judged, relative to the field's largest value.
+# Tolerance of sign checks, relative to the field's largest value.
 SIGN_TOLERANCE = mpf("1e-40")
 
 
@@ -71,8 +71,8 @@ def sign_report(system):
 
 
 def margins(system, scales):
-    """How plainly the regions can be told apart: over all openings the smallest of their largest
-    gaps, over all regions the smallest of their largest pressures or forces; both relative."""
+    """How clearly the zones can be distinguished: the smallest of the largest gaps over all openings,
+    and the smallest of the largest pressures or forces over all zones; both relative."""
     force, out = total_force(system), {}
     runs = []  # [contact?, size]
     for i, p in enumerate(system.pieces):
@@ -81,7 +81,7 @@ def margins(system, scales):
         size = max(values) / scales[scale] if scales[scale] else mpf(0)
         if p.contact and force:
             size = max([size] + [n.atom() / force for n in system.nodes[i : i + 2]])
-        # an opening on both sides of a single touching point is two
+        # An opening on both sides of a contact point counts as two.
         alone = not p.contact and system.nodes[i].touching
         if runs and runs[-1][0] == p.contact and not alone:
             runs[-1][1] = max(runs[-1][1], size)
@@ -99,7 +99,7 @@ def margins(system, scales):
 
 
 def total_force(system):
-    """A scale for forces: the sum of the loads' sizes, moments divided by the length."""
+    """A scale for forces: the sum of the loads' magnitudes, with moments divided by the length."""
     l = mpf(system.model.length)
     size = mp.fsum(abs(n.force) + abs(n.moment) / l for n in system.nodes)
     for p in system.pieces:
@@ -170,7 +170,7 @@ def integrals(system, digits=45):
             atom = n.atom()
             total["force"] += atom
             total["first"] += atom * n.x
-            # where the shear layer touches with one side only, take the gap from that side
+            # If the shear layer touches on one side only, the gap is taken from that side.
             total["gap"] += atom * piece.gap_at(n.x)
             if n.support:
                 s = n.support

@@ -2,10 +2,11 @@
 
     python reference/replay LOG [RESULT.json]
 
-Each inequality is recomputed from the problem, the pieces of the answer and the closing deflection in the log: none of the
-program's own intermediate results is used but those that are claimed (distances, bounds), and each claim is confirmed. With
-the document the pieces and bounds in the log are compared with those in the document. `docs/proof.md` tells what is
-recomputed; numbers in brackets are its formulas. Exit status: 0 all hold, 1 one does not, 2 a log cannot be replayed.
+Each inequality is recomputed from the problem, the pieces of the solution and the closing deflection in the log.
+Of the program's intermediate results only the claimed ones (distances, bounds) are used, and each claim is
+confirmed. If a document is given, the pieces and bounds in the log are compared with those in the document.
+`docs/proof.md` describes the recomputation; numbers in brackets are its formulas. Exit status: 0 all inequalities
+hold, 1 one does not hold, 2 a log cannot be replayed.
 """
 
 import json
@@ -42,7 +43,7 @@ def results(lines):
 
 
 def replay(lines, combination, claimed):
-    """One result: the inequalities that were checked."""
+    """Replays one result and counts the checked inequalities."""
     problem = Problem(lines)
     for step in STEPS:
         step.check(problem)

@@ -1,4 +1,4 @@
-"""Bounds of |w − w*| on the parts of the beam from their anchors, the places where it is bounded (12)."""
+"""Bounds of |w − w*| on the parts of the beam from their anchors: positions with a bound of the error (12)."""
 
 from flint import arb
 
@@ -10,7 +10,7 @@ REACHES = (0.9, 0.5, 0.25, 0.0625)
 
 
 class Anchor:
-    """A place, an interval of x, with a bound of |e| or of |e_φ|."""
+    """A position or an interval of x with a bound of |e| or of |e_φ|."""
 
     def __init__(self, x, bound):
         self.x, self.bound = x, bound
@@ -52,7 +52,7 @@ def at_nodes(r, part):
 
 
 def held_slopes(r, part):
-    """The places where |e_φ| is bounded: clamps, and rotational springs with ½κ_θe_φ² ≤ E."""
+    """The positions where |e_φ| is bounded: clamps, and rotational springs with ½κ_θe_φ² ≤ E."""
     found = []
     for i in range(part.start, part.stop + 1):
         if r.nodes[i].clamped:
@@ -95,7 +95,8 @@ def pressing(r, i, flexible):
 
 
 def along(r, part, anchors, slopes, kinks):
-    """The bound on a part with kinks of at most `kinks` in all: between anchors, beyond them, and from a bound of the slope."""
+    """The bound on a part with slope jumps of at most `kinks` in total: between anchors, beyond them, and from a
+    bound of the slope."""
     s, slid = flexure(r, part)
     anchors = sorted((a for a in anchors if a.bound.is_finite()), key=lambda anchor: float(anchor.x.mid()))
     if not anchors:
@@ -140,8 +141,8 @@ def kink(r, i):
 
 
 def deflections(r):
-    """sup|e| on each part; the bound of a part holds at its hinges for the neighbours too. Parts joined by elastic hinges are also bounded together.
-    Under tension one anchor is enough for the whole beam."""
+    """sup|e| on each part; the bound of a part also holds at its hinges for the neighbours. Parts connected by
+    elastic hinges are also bounded together. Under tension one anchor is enough for the whole beam."""
     parts = r.parts()
     anchors, slopes = [], [held_slopes(r, part) for part in parts]
     for part in parts:

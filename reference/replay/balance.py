@@ -1,4 +1,5 @@
-"""The exact balance: residuals (5), the moment δ of the cells, the system (6) of the factors λ, and the moments and forces that they add (7)."""
+"""The exact equilibrium: residuals (5), the moment δ of the cells, the system (6) of the factors λ, and the
+moments and forces that they add (7)."""
 
 from flint import arb, arb_poly
 
@@ -13,7 +14,7 @@ def check(r):
 
 
 def pulls(r):
-    """p ≥ −η, and p < 0 on a measure of at most ω."""
+    """p ≥ −η, and p < 0 on a set with measure at most ω."""
     r.depth, r.width = [], []
     for i, (piece, line) in enumerate(zip(r.pieces, r.all("pull"))):
         r.depth.append(exact(line["depth"]))
@@ -171,7 +172,8 @@ def cell(r, a, b):
 
 
 def give_back(r, factors):
-    """λ at the nodes, |λ| < ½ for all contact forces, and (7): the moment and the shear force that the distributed forces add."""
+    """λ at the nodes, |λ| < ½ for all contact forces, and (7): the moment and the shear force from the
+    distributed forces."""
     count = len(r.pieces)
     r.factor = [arb(0)] * (count + 1)
     r.added, r.added_shear, r.steep = [None] * count, [None] * count, [None] * count

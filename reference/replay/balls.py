@@ -1,4 +1,5 @@
-"""Ball arithmetic of the replay: numbers of a log, their bounds, and statements on intervals by halving (python-flint)."""
+"""Ball arithmetic of the replay: numbers of a log, their bounds, and proofs on intervals by bisection
+(python-flint)."""
 
 from flint import arb, arb_poly, ctx
 
@@ -13,7 +14,7 @@ class NotReplayed(Exception):
 
 
 def exact(x):
-    """A double as a ball of radius zero; a bound that is not finite is written as null."""
+    """A double as a ball of radius zero; null in the log means infinite."""
     return INFINITE if x is None else arb(float(x))
 
 
@@ -61,7 +62,7 @@ def negative_part(x):
 
 
 def least_of_halves(h, bound):
-    """The least of a bound over a length and its halves."""
+    """The smallest value of a bound over a length and its halves."""
     found = INFINITE
     for _ in range(HALVINGS):
         found = found.min(bound(h))
@@ -79,7 +80,7 @@ def sorted_pair(a, b):
 
 
 def on(ends, is_true):
-    """Proves a statement on an interval of t by halving; the statement receives the interval as a ball."""
+    """Proves a statement on an interval of t by bisection; the statement receives the interval as a ball."""
     todo = [tuple(ends)]
     for _ in range(SUBDIVISIONS):
         if not todo:
@@ -95,7 +96,8 @@ def on(ends, is_true):
 
 
 def least_on(p, t):
-    """A lower bound of a polynomial on an interval of t, a ball, from its coefficients about the middle."""
+    """A lower bound of a polynomial on an interval of t, given as a ball, from its coefficients about the
+    middle."""
     about, reach = p(arb_poly([t.mid(), 1])), arb(t.rad())
     return low(about[0] - sum((upper(about[j]) * reach**j for j in range(1, about.degree() + 1)), arb(0)))
 
@@ -106,7 +108,8 @@ def above(p, ends, limit):
 
 
 def below(p, ends):
-    """Bounds of the negative part of a polynomial on an interval: its depth, and the length on which it is negative."""
+    """Bounds of the negative part of a polynomial on an interval: its depth, and the length where it is
+    negative."""
     depth = measure = arb(0)
     todo = [(low(ends[0]), high(ends[1]))]
     smallest = arb(2) ** -60
@@ -132,9 +135,10 @@ def below(p, ends):
 
 
 class Checks:
-    """Counts the inequalities and keeps those that do not hold."""
+    """Counts the inequalities and stores those that do not hold."""
 
-    # Radii have 30 bits and depend on the order of operations: a right side may be exceeded by this part of itself.
+    # Radii have 30 bits and depend on the order of operations, so this relative excess over the right side is
+    # allowed.
     ROUNDING = arb("1e-5")
 
     def __init__(self):

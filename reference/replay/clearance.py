@@ -1,4 +1,4 @@
-"""The clearance C̄ = ū + g₀ − w̄ over open ground: the height by which the ground is raised, and its cost (10)."""
+"""The gap C̄ = ū + g₀ − w̄ over open ground: the amount by which the ground is raised, and its cost (10)."""
 
 from flint import arb
 
@@ -60,7 +60,8 @@ def stretch(r, first, end):
 
 
 def ramp(r, i, side, both, depth):
-    """The largest reach found, by halving, with C̄ ≥ −Dx/d up to it: C̄″ ≥ 0 and C̄′ ≥ −D/d at the node, or C̄′ ≥ −D/d."""
+    """The largest reach, by bisection, with C̄ ≥ −Dx/d up to it: C̄″ ≥ 0 and C̄′ ≥ −D/d at the node, or C̄′ ≥
+    −D/d."""
     piece, bar, inward = r.pieces[i], r.closing[i], 1 - 2 * side
     end, part = piece.t[side], arb("0.5") if both else arb(1)
     slope = r.flux[i][side] / piece.shear.ends[side] - piece.d(piece.obstacle + bar)(end)

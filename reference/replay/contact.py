@@ -1,4 +1,5 @@
-"""The exact contact set of layers: open stretches, forces, regions and points, from bounds and the claimed edges (section 5)."""
+"""The exact contact set of layers: open stretches, forces, zones and points, from bounds and the claimed edges
+(section 5)."""
 
 from flint import arb
 
@@ -26,7 +27,7 @@ class Contact:
             other = self.at.setdefault((edge.node, edge.side), edge)
             other.outside, other.inside = other.outside.max(edge.outside), other.inside.max(edge.inside)
         self.edges = list(self.at.values())
-        # ε_a at the touching nodes, and the nodes at which contact with a positive force is shown.
+        # ε_a at the touching nodes, and the nodes where contact with a positive force is proven.
         self.tolerance, self.pressed = [arb(0)] * len(r.nodes), set()
         # Bounds of the error of μu′ on open pieces at their touching ends.
         self.steep = {}
@@ -171,7 +172,8 @@ class Contact:
                 self.pressed.add(node)
 
     def edge(self, node, side):
-        """Checks the claimed edge at an end of a region: by (14), or on a beam that shears by the convexity of C."""
+        """Checks the claimed edge at an end of a region: by (14), or with shear deformation by the convexity of
+        C."""
         r = self.r
         edge = self.at.get((node, side))
         if edge is None:
@@ -228,7 +230,8 @@ def opened(contact, i, side, theta):
 
 
 def roughly(contact):
-    """The edges of a beam that shears before the slope has a bound: where C > ε_C, and where C would be convex."""
+    """The edges of a beam with shear deformation before the slope has a bound: where C > ε_C, and where C would
+    be convex."""
     r = contact.r
     for i, piece in enumerate(r.pieces):
         if not piece.layered:

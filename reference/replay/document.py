@@ -1,10 +1,11 @@
-"""The claims of a result document against those of the log: pieces, contact, forces, reactions, and bounds."""
+"""Compares the claims of a result document with those of the log: pieces, contact, forces, reactions, and
+bounds."""
 
 from flint import arb
 
 from balls import NotReplayed, exact, high, upper
 
-# Positions of the model are at most this far from their node, as a part of the length.
+# Positions of the model are at most this far from their node, relative to the length.
 NEAR = arb("16") * arb(2) ** -52
 
 # Field of `proof.bounds`, key of the bounds in the log, and the exponents of force and length in its unit.
@@ -63,7 +64,7 @@ def is_same(field, coefficients):
 
 
 def reactions(r, claimed, in_log):
-    """The reactions of the supports are those of the document; what it does not list is zero."""
+    """The reactions of the supports agree with the document; missing reactions are zero."""
     listed = {reaction.get("support", i): reaction for i, reaction in enumerate(claimed)}
     for i, support in enumerate(r.supports):
         reaction = listed.get(i) or {}

@@ -9,7 +9,7 @@ from ground import root_g_at
 
 
 def check(r):
-    """The sum (11) is at most the logged E; its parts are kept."""
+    """The sum (11) is at most the logged E; its terms are stored."""
     bent, r.turned, touching, pulled = arb(0), arb(0), arb(0), arb(0)
     bending = misfit = sheared = carried = arb(0)
     for i, piece in enumerate(r.pieces):

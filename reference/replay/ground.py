@@ -1,4 +1,5 @@
-"""The ground's surface ū, the concentrated forces of layers, the residual of ū in the ground's equation (4a), and bounds of √g."""
+"""The ground's surface ū, the point forces of layers, the residual of ū in the ground's equation (4a), and
+bounds of √g."""
 
 from flint import arb, arb_poly
 
@@ -9,7 +10,7 @@ def check(r):
     """Solves the open ground between touching nodes, computes the jumps of the flux, and checks √g."""
     count = len(r.pieces)
     r.u = [None] * (count + 1)
-    # u along open pieces whose k or μ varies, and a bound of its residual there in the ground's equation.
+    # u along open pieces with varying k or μ, and a bound of its residual in the ground's equation.
     r.along, r.missed = [None] * count, [arb(0)] * count
     # μu′ at both ends of open pieces.
     r.flux = [None] * count
@@ -27,7 +28,7 @@ def check(r):
 
 
 def link(piece):
-    """s₁ and s₂ of (4), with the least k and μ of the piece."""
+    """s₁ and s₂ of (4), with the smallest k and μ of the piece."""
     spring, shear = piece.spring.least, piece.shear.least
     z, root = (spring / shear).sqrt() * piece.h, (spring * shear).sqrt()
     return root / z.sinh(), root * (z / 2).tanh()
@@ -57,7 +58,7 @@ def behind(r, first, end, side):
 
 
 def layer(r, first, end):
-    """u at the nodes of one layer, run by run of open pieces, and the forces at the touching nodes."""
+    """u at the nodes of one layer, for each run of open pieces, and the forces at the touching nodes."""
     nodes = range(first, end + 1)
     for i in nodes:
         if r.touches[i]:
@@ -79,7 +80,7 @@ def layer(r, first, end):
 
 
 def run(r, first, end, a, b):
-    """The open pieces a to b − 1: solved where k and μ are constant, else as stored."""
+    """The open pieces a to b − 1: solved if k and μ are constant, otherwise as stored."""
     if all(piece.even_ground for piece in r.pieces[a:b]):
         solve(r, first, end, a, b)
         return
@@ -135,8 +136,8 @@ def rise(r, i):
 def solve(r, first, end, a, b):
     """The tridiagonal system for u at the nodes between a and b: the flux jumps by Q.
 
-    u = Au_a + Bρ + G with ρ = u_b − u_a, or Au_b + G where a does not touch: the columns A, B and G have no digits to lose
-    where a short piece gives a large flux for a small difference."""
+    u = Au_a + Bρ + G with ρ = u_b − u_a, or Au_b + G where a does not touch: the columns A, B and G lose no digits
+    if a short piece gives a large flux for a small difference."""
     nodes = list(range(a + r.touches[a], b + 1 - r.touches[b]))
     known = {a: (arb(1), arb(0), arb(0)), b: (arb(1), arb(r.touches[a]), arb(0))}
     diagonal, beside, right = [], [], []
@@ -197,7 +198,7 @@ def flux(r, first, end, node, side):
 
 
 def root_g_at(r, node):
-    """The least √g of the pieces beside a node."""
+    """The smallest √g of the pieces next to a node."""
     beside = [r.root_g[i] for i in (node - 1, node) if 0 <= i < len(r.pieces)]
     return min((high(x) for x in beside), key=float)
 

@@ -8,7 +8,7 @@ from test_functions import kinks, prepare
 
 
 def check(r):
-    """The logged bounds of w, rotation, m, M and u; those of slope and p too if the beam does not shear."""
+    """The logged bounds of w, rotation, m, M and u, and without shear deformation also those of slope and p."""
     prepare(r)
     stiffness = kinks(r)
     for i, (piece, error) in enumerate(zip(r.pieces, r.errors)):
@@ -43,7 +43,7 @@ def on_part(r, part, moved):
 
 
 def pressure(r, i, error):
-    """ε_p; (14a) and (14b) on a beam that shears on a layer. On open pieces it bounds the error of (μC′)′."""
+    """ε_p, with shear deformation on a layer (14a) and (14b). On open pieces it bounds the error of (μC′)′."""
     piece = r.pieces[i]
     settled, bent = piece.spring.high * error["u"], piece.bent(error["M"])
     if piece.stiffness is None or not piece.layered:

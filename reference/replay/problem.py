@@ -66,7 +66,7 @@ class Piece:
         shear_force = self.d(self.moment) - self.g
         self.transverse = shear_force + self.slope * force
         self.obstacle = self.w - self.g0
-        # q/k: the settlement under the ground's own loads, far from the beam.
+        # q/k: the settlement due to the ground's own loads, far from the beam.
         even = self.q is not None and self.spring.even
         self.free = self.q * (1 / self.spring.along[0]) if even else arb_poly([])
         self.above = self.obstacle - self.free
@@ -77,7 +77,8 @@ class Piece:
             self.misfit = self.stiffness * (self.slope - self.rotation) - shear_force
 
     def pressure_under(self, settlement):
-        """ku − q − (μ(w − g₀)′)′: the pressure if the beam were in contact with ground of the settlement u."""
+        """ku − q − (μ(w − g₀)′)′: the pressure if the beam were in contact with ground that has the settlement
+        u."""
         pressure = self.spring * settlement - self.d(self.shear * self.d(self.obstacle))
         return pressure if self.q is None else pressure - self.q
 
@@ -111,7 +112,7 @@ class Piece:
 
 
 class Node:
-    """A place between pieces, or an end of the beam."""
+    """A node between pieces, or an end of the beam."""
 
     def __init__(self, line):
         self.x, self.force, self.moment = (ball(line[key]) for key in ("x", "F", "M0"))
@@ -121,7 +122,7 @@ class Node:
         self.turning, self.hinge = optional(line["turning"]), optional(line["hinge"])
         self.reaction = [ball(r) for r in line["reaction"]]
         self.hinged, self.free_hinge = self.hinge is not None, self.hinge is not None and self.hinge == 0
-        # Weights with which supports take part when forces are given back; any that are not negative are valid.
+        # Weights of the supports in the redistribution of residual forces; any nonnegative weights are valid.
         self.weights = dict(zip(("rigid", "spring", "clamp", "turning"), map(exact, line["weights"])))
         if not all(weight >= 0 for weight in self.weights.values()):
             raise NotReplayed("a negative weight")
@@ -139,7 +140,8 @@ class Node:
 
 
 class Problem(Checks):
-    """One result of a log: the problem, the claimed answer, and the claimed bounds. The modules add what they compute."""
+    """One result of a log: the problem, the claimed solution, and the claimed bounds. The modules add their
+    results."""
 
     def __init__(self, lines):
         super().__init__()
@@ -190,7 +192,7 @@ class Problem(Checks):
         return self.lines.get(name, [])
 
     def complete(self, name, count):
-        """There is one line of a name for each piece or node, in their order."""
+        """The log has one line with this name for each piece or node, in order."""
         found = [line.get("piece", line.get("node")) for line in self.all(name)]
         if found != list(range(count)):
             raise NotReplayed(f"the lines `{name}` are not complete")
@@ -252,12 +254,13 @@ class Problem(Checks):
         return all((a.ends[1] - b.ends[0]).contains(0) for a, b in pairs)
 
     def kinks(self, node):
-        """Whether a force or a support causes a jump of the slope at a node: on a beam that shears."""
+        """Whether a force or a support causes a jump of the slope at a node, on a beam with shear
+        deformation."""
         here = self.nodes[node]
         beside = [self.pieces[i] for i in (node - 1, node) if 0 <= i < len(self.pieces)]
         forced = here.force != 0 or here.rigid is not None or here.spring is not None
         return forced and any(piece.stiffness is not None for piece in beside)
 
     def smooth(self, node):
-        """Whether the exact solution has no concentrated force there, by the kind of the node."""
+        """Whether the exact solution has no point contact force there, by the kind of the node."""
         return self.even(node) and self.corner(node).contains(0) and not self.kinks(node)

@@ -1,4 +1,5 @@
-"""The contact set of layers with the bounds of V; on a beam that shears in rounds, because slope and contact set depend on each other."""
+"""The contact set of layers with the bounds of V. With shear deformation it needs several rounds, because slope
+and contact set depend on each other."""
 
 from balls import INFINITE, NotReplayed, exact
 from contact import Contact, Edge, roughly
@@ -7,7 +8,7 @@ from shear_force import bounds, first_slopes
 
 
 def check(r):
-    """The logged ε_V, ε_a and edges; of a beam that shears also ε_θ and ε_p, round by round."""
+    """The logged ε_V, ε_a and edges; with shear deformation also ε_θ and ε_p, round by round."""
     r.shown = r.one("contact set")["shown"]
     edges = [Edge(line["edge"]) for line in r.all("edge")]
     r.contact = None

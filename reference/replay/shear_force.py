@@ -1,4 +1,5 @@
-"""Bounds of the error of the shear force (15), and of the slope of a beam that shears, from the contact set (section 6)."""
+"""Bounds of the error of the shear force (15), and of the slope with shear deformation, from the contact set
+(section 6)."""
 
 from flint import arb, arb_poly
 
@@ -10,7 +11,7 @@ REACHES = (0, 1, 3, 7, 15)
 
 
 def bounds(r, contact):
-    """ε_V on each piece, and ε_θ where it shears, from the bounds and the contact set of one round."""
+    """ε_V on each piece, and ε_θ with shear deformation, from the bounds and the contact set of one round."""
     errors = contact.errors
     spread, edges = load_errors(r, contact)
     nodes = [node_error(r, contact, i) for i in range(len(r.nodes))]
@@ -135,7 +136,8 @@ def size_beside(piece, p, side, distance):
 
 
 def open_pressure_beside(r, i, side, distance):
-    """The same as open_pressure within a distance of one end: u − q/k changes by at most its largest slope times the distance."""
+    """The same as open_pressure within a distance of one end: u − q/k changes by at most its largest slope times
+    the distance."""
     piece = r.pieces[i]
     if r.along[i] is not None:
         return size_beside(piece, piece.pressure_under(r.along[i]), side, distance)
@@ -170,7 +172,7 @@ def edges_of_piece(contact, i):
 
 
 def beside_edges(r, errors, i, edges, steady, rest):
-    """ε_T beside edges in closed form, without an iteration with the slope: ε_T ≤ A/(1 − κ)."""
+    """ε_T next to edges in closed form, without an iteration with the slope: ε_T ≤ A/(1 − κ)."""
     piece = r.pieces[i]
     if not piece.stiffness.even or not piece.shear.even:
         return INFINITE
@@ -190,7 +192,8 @@ def beside_edges(r, errors, i, edges, steady, rest):
 
 
 def first_slopes(r):
-    """The bounds before the contact set is proven: of the slope where S or μ of a layer varies, from a single piece."""
+    """The bounds before the contact set is proven, for the slope with varying S or μ of a layer, from a single
+    piece."""
     found = []
     for i, error in enumerate(r.errors):
         piece = r.pieces[i]

@@ -1,15 +1,17 @@
-"""The exact contact set on Winkler ground, from the signs of w − g₀ − q/k and of its slope beside edges (W1 to W3)."""
+"""The exact contact set on Winkler ground, from the signs of w − g₀ − q/k and of its slope near edges (W1 to
+W3)."""
 
 from balls import above, exact, sorted_pair
 
 
 def logged_zones(r):
-    """The lengths beside edges and supports by piece and side."""
+    """The lengths of the zones next to edges and supports, by piece and side."""
     return {(line["piece"], line["side"]): exact(line["length"]) for line in r.all("zone")}
 
 
 def check(r):
-    """Every piece of Winkler ground has the claimed sign, outside zones at edges and at supports that stand on the ground."""
+    """Every piece of Winkler ground has the claimed sign, outside zones at edges and at supports that touch the
+    ground."""
     if not r.shown[1]:
         return
     zones = logged_zones(r)
@@ -20,7 +22,7 @@ def check(r):
         interval, limit = list(piece.t), r.errors[i]["w"]
         for side in (0, 1):
             theta = zones.get((i, side))
-            # At a step of a load on the ground, or of g₀, the sign changes without a zero.
+            # At a step of g₀ or of a load on the ground, the sign changes without a zero.
             steps = field(piece.t[side]) > limit
             if theta is None:
                 r.shows(f"(W1) the edge at node {i + side} has no zone", steps or not needs_zone(r, i, side))
@@ -33,21 +35,23 @@ def check(r):
 
 
 def needs_zone(r, i, side):
-    """Whether w* − g₀ is zero at an end of a piece: at an edge of contact, or at a support that stands on the ground."""
+    """Whether w* − g₀ is zero at an end of a piece: at a contact edge, or at a support that touches the
+    ground."""
     other = i - 1 + 2 * side
     beside = 0 <= other < len(r.pieces) and not r.pieces[other].layered
     return beside and r.pieces[other].touches != r.pieces[i].touches or (stands(r, i, side) and r.pieces[i].q is None)
 
 
 def stands(r, i, side):
-    """Whether a rigid two-way support at an end of a piece stands on the ground: w* = δ = g₀."""
+    """Whether a rigid two-way support at an end of a piece touches the ground: w* = δ = g₀."""
     piece, node = r.pieces[i], r.nodes[i + side]
     held = node.rigid is not None and node.acts == 0
     return held and (node.rigid - piece.ends(piece.g0)[side]).contains(0)
 
 
 def rests(r, i):
-    """Whether a piece lies, without load, between clamps or from a clamp to an end, over level ground of their height."""
+    """Whether a piece is unloaded between clamps, or from a clamp to an end, above level ground at their
+    height."""
     last = len(r.pieces)
     parts = lambda node: node in (0, last) or r.nodes[node].clamped
     a = next(node for node in range(i, -1, -1) if parts(node))
@@ -65,21 +69,23 @@ def rests(r, i):
 
 
 def lies(r, i, side):
-    """Whether the slope of w* − g₀ is zero there too: at a clamp of a beam that does not shear, above level ground."""
+    """Whether the slope of w* − g₀ is also zero there: at a clamp of a beam without shear deformation, above
+    level ground."""
     piece, node = r.pieces[i], r.nodes[i + side]
     return stands(r, i, side) and node.clamped and piece.stiffness is None and piece.g0.degree() <= 0
 
 
 def leaves_support(r, error, i, side, to):
-    """Whether g₀ − w* grows from zero beside a rigid support that stands on open ground of a layer, where u* is not negative."""
+    """Whether g₀ − w* grows from zero next to a rigid support that touches open ground of a layer, where u* is
+    nonnegative."""
     piece = r.pieces[i]
     limit = error["u"] + error["w"]
     return stands(r, i, side) and zone(r, error, i, side, piece.g0 - piece.w, to, limit)
 
 
 def zone(r, error, i, side, field, to, limit):
-    """The field grows inward faster than the error of its slope, up to a value above a limit (W1). At a support that stands on the
-    ground it grows from zero (W3), at a clamp by its curvature."""
+    """The field grows inward faster than the error of its slope, up to a value above a limit (W1). At a support
+    that touches the ground it grows from zero (W3), at a clamp by its curvature."""
     piece, end = r.pieces[i], r.pieces[i].t[side]
     slope = piece.d(field)
     if lies(r, i, side):

@@ -1,4 +1,5 @@
-"""The part σ of the convexity of the beam's energy that remains under a compression N: N∫z′² ≤ (1 − σ)a₀(z, z), from spans or from elements."""
+"""The fraction σ of the convexity of the beam's energy that remains under a compression N: N∫z′² ≤ (1 − σ)a₀(z,
+z), from spans or from elements."""
 
 from flint import arb
 
@@ -115,7 +116,8 @@ def is_stable(r, load, count):
 
 
 def is_positive(matrix, unknowns):
-    """Whether a symmetric matrix is positive definite, by elimination in balls; the unknowns couple with later ones near them."""
+    """Whether a symmetric matrix is positive definite, by elimination in balls. The unknowns are coupled only
+    with near ones."""
     for place, i in enumerate(unknowns):
         pivot = matrix.get((i, i), arb(0))
         if not pivot > 0:

@@ -44,7 +44,8 @@ def kink(stiff, springs, room):
 
 
 def kinks(r):
-    """The smallest K found on each piece: kinks between obstacles, and linear functions to an end of the beam."""
+    """The smallest K on each piece: slope jumps between obstacles, and linear functions to an end of the
+    beam."""
     least = [INFINITE] * len(r.pieces)
     stops = r.obstacles()
     for a, b in zip(stops, stops[1:]):
@@ -57,7 +58,7 @@ def kinks(r):
 
 
 def long_kinks(r, side, least):
-    """z = the distance to x up to an end of the beam, if there is no rigid support there."""
+    """z is the distance to x up to an end of the beam, if there is no rigid support between them."""
     count = len(r.pieces)
     layer = ground = arb(0)
     passed = []
@@ -78,7 +79,7 @@ def long_kinks(r, side, least):
 
 
 def next_obstacle(r, node, side):
-    """The next rigid support on one side of a node, or the end of the beam, and whether a support stands there."""
+    """The next rigid support on one side of a node, or the end of the beam, and whether it is a support."""
     while node != (0, len(r.pieces))[side]:
         node += 2 * side - 1
         if r.nodes[node].rigid is not None:

@@ -1,10 +1,12 @@
-"""Uniqueness: every part between free hinges is held in two places, or in one and against rotation (section 7)."""
+"""Uniqueness: every part between free hinges is supported at two positions, or at one and against rotation
+(section 7)."""
 
 from anchors import REACHES, least_pressure
 
 
 def check(r):
-    """Contact forces count if the contact set proves them, one-way supports if their reaction exceeds its error."""
+    """Contact forces count if the contact set proves them, one-way supports if their reaction exceeds its
+    error."""
     if not r.one("unique")["shown"] or r.sigma is not None:
         return
     pressed = set(r.contact.pressed) if r.contact is not None else set()
@@ -19,7 +21,7 @@ def check(r):
     held = set()
     for _ in parts:
         for j, (places, turning) in enumerate(counts):
-            # A part that is held holds its neighbours at their hinges.
+            # A supported part supports its neighbours at their hinges.
             places += (j - 1 in held) + (j + 1 in held)
             if places + turning > 1 and places > 0:
                 held.add(j)
@@ -27,7 +29,7 @@ def check(r):
 
 
 def holds(r, part, pressed):
-    """The places that hold a part, and whether it is held against rotation."""
+    """The positions that support a part, and whether it is supported against rotation."""
     nodes = range(part.start, part.stop + 1)
     stands = lambda node: node.acts == 0 and (node.rigid is not None or node.spring is not None)
     places = sum(stands(r.nodes[i]) or i in pressed for i in nodes) + 2 * any(presses(r, i) for i in part)

@@ -1,4 +1,4 @@
-// The page: one text, one picture of it, and controls that change the text. The program behind it solves and draws.
+// The page: a model text, its picture, and controls that change the text. The server solves the model and draws it.
 
 import { Picture } from "./picture.js";
 import { keep, packed, unpacked } from "./share.js";
@@ -11,15 +11,15 @@ const note = (words) => {
 };
 
 let name = "model";
-/// The part of the file that is shown. `train` is a number, or "all"; null until an answer tells the trains.
+/// The part of the file that is shown. `train` is an index or "all"; null until a response lists the trains.
 const choice = { combination: null, train: null, firstAxle: null };
-/// The last answer, and the text it belongs to.
+/// The last response, with its text.
 let shown = null;
 let wanted = false;
-/// The request that waits for its answer: when it began, and how it is aborted.
+/// The open request: its start time, and its abort controller.
 let request = null;
-/// A newer question aborts a request that is older than this [ms]. It doubles with every abort until an answer arrives:
-/// a drag on a slow model shows a picture now and then.
+/// A new request aborts an open one that is older than this [ms]. The limit doubles with every abort until a response
+/// arrives, so that a drag on a slow model still shows pictures.
 const PATIENCE = 300;
 let patience = PATIENCE;
 
@@ -30,7 +30,7 @@ const text = new Text(() => {
 });
 const picture = new Picture({ begin, position, move, grow });
 
-/// The choice as a query; a report is about the whole file and takes no train.
+/// The choice as a query. A report covers the whole file, so it has no train.
 function query(form) {
   const asked = new URLSearchParams();
   if (form === "view" && picture.width > 0) asked.set("width", picture.width);
@@ -48,11 +48,11 @@ async function post(address, body, signal) {
   try {
     return await fetch(address, { method: "POST", headers: { "Content-Type": "application/toml" }, body, signal });
   } catch {
-    throw new Unreachable("the program behind this page has ended; start `groundbeam serve` again");
+    throw new Unreachable("the server of this page has stopped; start `groundbeam serve` again");
   }
 }
 
-/// One request at a time; of the questions that come up meanwhile only the last one is asked.
+/// Sends one request at a time. Of the changes that happen meanwhile, only the last one is sent.
 async function look() {
   wanted = true;
   document.body.dataset.state = "waiting";
@@ -73,27 +73,27 @@ async function ask(asked) {
     patience = PATIENCE;
   } catch (error) {
     if (controller.signal.aborted) patience *= 2;
-    else verdict(error instanceof Unreachable ? "Nobody answers" : "No answer", error.message, "wrong");
+    else verdict(error instanceof Unreachable ? "No connection" : "No response", error.message, "wrong");
   } finally {
     clearTimeout(request.timer);
     request = null;
   }
 }
 
-/// Aborts the running request as soon as it is old enough.
+/// Aborts the open request when it is older than the limit.
 function replaceRequest() {
   const { controller, began } = request;
   clearTimeout(request.timer);
   request.timer = setTimeout(() => controller.abort(), began + patience - performance.now());
 }
 
-/// The JSON of an answer; an error with the status and the words of any other.
+/// The JSON of a response. Any other response gives an error with its status and text.
 async function answerOf(reply) {
   const words = await reply.text();
   try {
     return JSON.parse(words);
   } catch {
-    throw new Error(`the program answers ${reply.status} ${reply.statusText}: ${words.slice(0, 300)}`);
+    throw new Error(`the server responded with ${reply.status} ${reply.statusText}: ${words.slice(0, 300)}`);
   }
 }
 
@@ -111,14 +111,14 @@ function show(answer, asked) {
     const faults = answer.diagnostics ?? [];
     const first = faults[0];
     const words = first ? `line ${first.line}: ${first.message}` : answer.message;
-    verdict("The model file is wrong", words, "wrong");
+    verdict("Error in the model file", words, "wrong");
     text.show(faults);
     return;
   }
   const wasLost = document.body.classList.contains("lost");
   shown = { ...answer, text: asked, document: JSON.parse(answer.document) };
   text.show([]);
-  const heads = { solved: "In equilibrium", "no-equilibrium": "No equilibrium", "not-converged": "No answer" };
+  const heads = { solved: "In equilibrium", "no-equilibrium": "No equilibrium", "not-converged": "Not converged" };
   const states = { solved: "right", "no-equilibrium": "lost", "not-converged": "wrong" };
   verdict(heads[answer.status], answer.sentence, states[answer.status]);
   if (answer.picture?.svg) picture.show(answer.picture, answer.length, answer.has_units);
@@ -131,10 +131,10 @@ function show(answer, asked) {
   sliders(shown, { begin, set: setNumber, replace });
 }
 
-/// A choice that the text no longer has is given up; everything else is told.
+/// Resets a choice that is no longer in the text. Shows any other rejection.
 function refused({ query: at, message }) {
   const forget = { combination: ["combination"], train: ["train", "firstAxle"], first_axle: ["firstAxle"] }[at?.key] ?? [];
-  if (forget.every((key) => choice[key] === null)) return verdict("The request is refused", message, "wrong");
+  if (forget.every((key) => choice[key] === null)) return verdict("Invalid request", message, "wrong");
   for (const key of forget) choice[key] = null;
   wanted = true;
 }
@@ -150,7 +150,7 @@ function results(rows) {
   );
 }
 
-/// Combinations and trains, where the file has some.
+/// Fills the lists of combinations and trains.
 function choices({ combinations, trains, has_units: hasUnits }) {
   const fill = (select, entries, chosen) => {
     const made = entries.map(([value, words]) => new Option(words, value, false, value === chosen));
@@ -189,8 +189,8 @@ function choices({ combinations, trains, has_units: hasUnits }) {
 
 let latest = null;
 
-/// A gesture changes some numbers of the text as it was when it began; none while the answer to a text that was typed
-/// is waited for. One that follows before the last one is answered goes on with it.
+/// Begins a gesture, which changes numbers of the text relative to its start. Returns null while the response to typed
+/// text is outstanding. A gesture that follows before the response to the last one continues it.
 function begin() {
   if (shown?.text === text.value) {
     latest = { text: shown.text, numbers: shown.numbers, edits: new Map() };
@@ -200,7 +200,7 @@ function begin() {
   return latest;
 }
 
-/// Other words between two places of the text that the gesture began with.
+/// Replaces the text between two positions of the initial text.
 function replace(gesture, from, to, words) {
   gesture.edits.set(from, { from, to, words });
   const backward = [...gesture.edits.values()].sort((a, b) => b.from - a.from);
@@ -256,7 +256,7 @@ async function share() {
     await navigator.clipboard.writeText(location.href);
     note("address copied");
   } catch {
-    note("the address above holds the model now");
+    note("the address bar now contains the model");
   }
 }
 

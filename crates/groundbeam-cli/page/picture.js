@@ -1,4 +1,4 @@
-// The picture, drawn by the program, and the handles that lie over it.
+// The picture that the server draws, and the handles on top of it.
 
 const SVG = "http://www.w3.org/2000/svg";
 
@@ -15,7 +15,7 @@ export class Picture {
   #held = null;
   #edits;
 
-  /// `edits` changes the text: it begins a gesture, tells the position of a handle in it, moves it, makes it larger.
+  /// `edits` changes the text: it begins a gesture, returns the position of a handle, moves it, and changes its size.
   constructor(edits) {
     this.#edits = edits;
     this.#drawing.append(this.#grips);
@@ -35,7 +35,7 @@ export class Picture {
     const drawn = document.importNode(parsed, true);
     drawn.removeAttribute("width");
     drawn.removeAttribute("height");
-    // The handles stay where they are: taken out and put back they would lose focus and hold.
+    // The handles remain in the document, because removed elements lose focus and pointer capture.
     const before = this.#drawing.querySelector("svg:not(.grips)");
     if (before) before.replaceWith(drawn);
     else this.#drawing.prepend(drawn);
@@ -44,7 +44,7 @@ export class Picture {
     while (this.#grips.children.length > picture.handles.length) this.#grips.lastChild.remove();
   }
 
-  /// The beam begins where it lay, and goes where it is drawn.
+  /// Animates the beam from its unloaded position to the drawn one.
   tip() {
     const moves = this.#drawing.querySelector(".moves[data-still]");
     if (!moves || matchMedia("(prefers-reduced-motion: reduce)").matches) return;
@@ -55,7 +55,7 @@ export class Picture {
     });
   }
 
-  /// Elements stay where they are while pictures change, or a drag would lose its hold.
+  /// Reuses existing elements, so that a drag keeps its pointer capture when the picture changes.
   #place(handle, i) {
     let grip = this.#grips.children[i];
     if (!grip) {
@@ -86,7 +86,7 @@ export class Picture {
     const handle = this.#shown.handles[i];
     const gesture = this.#edits.begin();
     if (!gesture) return;
-    // Where it is taken, relative to where it stands.
+    // `off`: distance of the pointer from the handle.
     this.#held = { i, gesture, handle, off: this.#at(event) - handle.x };
     this.#grips.setPointerCapture(event.pointerId);
     this.#grips.children[i].classList.add("held");
@@ -107,7 +107,7 @@ export class Picture {
     this.#held = null;
   }
 
-  /// A round number near x, as fine as the screen.
+  /// A round number near x, with a step of about one pixel.
   #rounded(x, { range }) {
     const { width, scale } = this.#shown;
     const pixel = width / (this.#grips.getBoundingClientRect().width || width) / scale;

@@ -1,4 +1,4 @@
-// A model in the fragment of an address, which no server ever sees, and files to keep.
+// Stores a model in the fragment of an address, which is never sent to a server, and saves files.
 
 const LONGEST = 4 << 20;
 
@@ -22,7 +22,7 @@ export async function packed(text) {
   return `#model=${btoa(letters).replaceAll("+", "-").replaceAll("/", "_").replaceAll("=", "")}`;
 }
 
-/// The model in a fragment; null where there is none.
+/// The model in a fragment; null if there is none.
 export async function unpacked(fragment) {
   const found = /^#model=([\w-]+)$/.exec(fragment);
   if (!found) return null;

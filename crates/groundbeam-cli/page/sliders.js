@@ -1,8 +1,8 @@
-// A slider and a field for every number of the model file.
+// A slider and an input field for every number of the model file.
 
 const MOST = 60;
 const STEPS = 1000;
-/// Ranges stay as they are while a slider moves, or it would run away from the pointer.
+/// Ranges stay fixed while a slider moves, so that the slider follows the pointer.
 const ranges = new Map();
 let signature = "";
 let rows = [];
@@ -23,7 +23,7 @@ export function sliders(answer, made) {
 
 const valueOf = ({ from, to }) => Number(shown.text.slice(from, to).replaceAll("_", "").replace("\u2212", "-"));
 
-/// What the file leaves out and often wants.
+/// Frequent keys that the file leaves out.
 function addable() {
   const has = (table, key) => shown.numbers.some((n) => n.table === table && n.key === key);
   const wants = [];
@@ -52,7 +52,7 @@ function build(numbers) {
     const slider = Object.assign(document.createElement("input"), { type: "range", min: 0, max: STEPS, step: "any" });
     const field = Object.assign(document.createElement("input"), { type: "text", spellcheck: false });
     for (const input of [slider, field]) input.setAttribute("aria-label", `${group} ${label.textContent}`);
-    // Every number of a list has a range of its own.
+    // Each number of a list has its own range.
     const key = `${number.table}${number.which || ""}.${number.key}`;
     const count = (counts.get(key) ?? 0) + 1;
     counts.set(key, count);
@@ -79,7 +79,7 @@ function build(numbers) {
   document.getElementById("sliders").replaceChildren(...groups.values());
 }
 
-/// Writes a quantity that was left out, as zero, below the heading of its table.
+/// A button that adds a missing quantity as zero below the heading of its table.
 function adder(key) {
   const button = document.createElement("button");
   button.textContent = key === "mu" ? "add μ, a shear layer" : "add P, an axial force";
@@ -94,7 +94,7 @@ function adder(key) {
   return button;
 }
 
-/// What was typed takes the place of number and unit, right or wrong.
+/// Replaces number and unit by the typed text, valid or not.
 function typed(field, i) {
   const gesture = edits.begin();
   if (!gesture) return;
@@ -117,10 +117,10 @@ function update({ slider, field, isHeld }, number) {
   if (document.activeElement !== field) field.value = words;
 }
 
-/// From what a number may be, as the program tells, and from how large it is.
+/// The range of a slider, from the sign and body that the server reports, and from the value.
 function rangeOf({ unit, size, sign, place, usual }, value) {
   if (place) {
-    // The ground goes on beside the beam.
+    // The ground extends beyond the beam.
     const beside = place === "ground" ? (0.5 * shown.length) / size : 0;
     return { unit, low: Math.min(-beside, value), high: Math.max(shown.length / size + beside, value) };
   }
@@ -129,7 +129,7 @@ function rangeOf({ unit, size, sign, place, usual }, value) {
   return { unit, low: sign === "any" ? -high : 0, high };
 }
 
-/// The range of a number that is zero. Without units no number is usual: the loads tell how large numbers are.
+/// The upper limit for a number that is zero. Without units, the sum of the loads gives the scale.
 function wide(usual, size) {
   if (shown.has_units) return 5 * usual;
   return (5 * Math.abs(shown.document.characteristics?.resultant?.force ?? 0)) / size || 100;
@@ -138,7 +138,7 @@ function wide(usual, size) {
 const to = (value, { low, high, log }) =>
   log ? Math.log(value / low) / Math.log(high / low) : (value - low) / (high - low || 1);
 
-/// As many digits as a slider has steps.
+/// The value at a fraction of the slider, rounded to the resolution of the slider.
 function from(share, { low, high, log }) {
   if (log) return Number((low * (high / low) ** share).toPrecision(3));
   const value = low + share * (high - low);

@@ -1,6 +1,6 @@
-// The model's text: the one thing that is ever changed. Its history, and its faults at their lines.
+// The editor: the model's text, its undo history, and the faults at their lines.
 
-const PAUSE = 700; // Typing that goes on within so many milliseconds is undone as one.
+const PAUSE = 700; // Typing with shorter pauses [ms] is undone as one change.
 
 const escape = (words) => words.replace(/[&<>]/g, (c) => ({ "&": "&amp;", "<": "&lt;", ">": "&gt;" })[c]);
 
@@ -39,7 +39,7 @@ export class Text {
 
   #last = null;
 
-  /// Changes the text; changes of one gesture are undone together.
+  /// Changes the text. Changes of one gesture are undone together.
   set(value, gesture = {}) {
     this.#take(value, gesture);
     this.#area.value = value;
@@ -76,7 +76,7 @@ export class Text {
     this.#changed();
   }
 
-  /// Faults with line, column, message and hint; none where all is right.
+  /// Shows faults with line, column, message and hint; the list may be empty.
   show(faults) {
     this.#faults = faults;
     this.#draw();

@@ -1,4 +1,4 @@
-//! `groundbeam check`.
+//! The command `groundbeam check`: decides whether an equilibrium exists.
 
 use crate::colour::standard_output_has_colour;
 use crate::failure::Failure;
@@ -19,7 +19,7 @@ pub fn run(request: &Check) -> Result<Status, Failure> {
     let answers = Run::of(&input.document).check().map_err(|error| input.refused(&error))?;
     let context = input.context().with_seconds(started.elapsed().as_secs_f64());
     let results = Results::new(&answers, context);
-    // The verdict is what was asked for: it goes to standard output whatever it is.
+    // The verdict is the requested result, so it goes to standard output in all cases.
     print(&match request.json {
         true => results.json(None),
         false => results.text(standard_output_has_colour()),

@@ -12,7 +12,7 @@ pub fn standard_error_has_colour() -> bool {
     io::stderr().is_terminal() && colour_is_wanted()
 }
 
-/// See no-color.org.
+/// Whether the environment allows colour, see no-color.org.
 fn colour_is_wanted() -> bool {
     let unset = std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty());
     unset && std::env::var_os("TERM").is_none_or(|term| term != "dumb")

@@ -1,4 +1,4 @@
-//! `groundbeam compare`.
+//! The command `groundbeam compare`: solves one model with every method.
 
 use crate::colour::{standard_error_has_colour, standard_output_has_colour};
 use crate::failure::Failure;
@@ -18,7 +18,7 @@ pub fn run(request: &Compare) -> Result<Status, Failure> {
     }
     let run = Run::of(&input.document);
     if run.asked() != Asked::One {
-        let rule = "methods are compared on one model, and this file has combinations or a train";
+        let rule = "methods are compared on one model, but this file has combinations or a train";
         return Err(Failure::usage(format!("{}: {rule}", request.file.display())));
     }
     let Compare { elements, most_sweeps, memory_limit, .. } = *request;

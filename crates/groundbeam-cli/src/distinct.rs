@@ -1,4 +1,4 @@
-//! Refuses outputs that would replace one another or a file of the input, before anything is solved or written.
+//! Rejects output files that would replace each other or an input file, before the run starts.
 
 use crate::failure::Failure;
 use groundbeam_file::output::{Identity, Target};
@@ -8,7 +8,7 @@ use std::path::Path;
 /// An option that names an output, and its path.
 pub type Output<'a> = (&'static str, &'a Path);
 
-/// Each output must be a file of its own, and no file of the input.
+/// Checks that all outputs are different files, and that none is an input file.
 pub fn check<'a>(
     outputs: impl IntoIterator<Item = Output<'a>>,
     inputs: impl IntoIterator<Item = &'a Path>,
@@ -18,12 +18,12 @@ pub fn check<'a>(
     for input in inputs {
         let shown = format!("the input {}", input.display());
         let input = if input.as_os_str() == "-" { Path::new("/dev/stdin") } else { input };
-        // An input without an identity is a pipe, or is gone: no output replaces it.
+        // An input without an identity is a pipe or no longer exists, so no output can replace it.
         if let Ok(Some(identity)) = Identity::of(input) {
             taken.push((identity, shown));
         }
     }
-    // Standard output that goes to a file.
+    // Standard output may be redirected to a file.
     if let Ok(Some(identity)) = Identity::of(Path::new("/dev/stdout")) {
         taken.push((identity, "standard output".to_owned()));
     }
@@ -46,7 +46,8 @@ pub fn check<'a>(
     }
 }
 
-/// The file that an output would replace or create; none for a device, a pipe or a standard stream.
+/// Identity of the file that an output would replace or create; `None` for a device, a pipe or a standard
+/// stream.
 fn identity(path: &Path) -> io::Result<Option<Identity>> {
     match Target::of(path)? {
         Target::File(_) => Identity::of(path),

@@ -1,4 +1,4 @@
-//! Messages on standard error for runs without an answer.
+//! Error messages on standard error, and the exit status.
 
 use crate::colour::standard_error_has_colour;
 use crate::status::Status;
@@ -7,15 +7,15 @@ use std::fmt::Display;
 use std::path::Path;
 use std::process::ExitCode;
 
-/// Why there is no answer: what a person is shown, and the exit status.
+/// A failed run: its message and exit status.
 pub struct Failure {
-    /// Ends in a newline.
+    /// The message; it ends in a newline.
     shown: String,
     status: Status,
 }
 
 impl Failure {
-    /// The command line is wrong.
+    /// A fault of the command line.
     pub fn usage(message: String) -> Self {
         Failure { shown: headline(&message), status: Status::Wrong }
     }
@@ -25,26 +25,26 @@ impl Failure {
         Failure::usage(format!("{}: {error}", path.display()))
     }
 
-    /// A text with faults at their places.
+    /// Faults of a text with their locations.
     pub fn diagnostics(found: &Diagnostics, name: &str, text: &str) -> Self {
         let shown = found.render(name, text, standard_error_has_colour());
         Failure { shown, status: Status::Wrong }
     }
 
-    /// A report that is no solution.
+    /// A result that is not a solution, such as a missing equilibrium.
     pub fn reported(shown: String, status: Status) -> Self {
         Failure { shown, status }
     }
 
-    /// Several of one file as one.
+    /// Combines several failures of one file.
     pub fn together(all: &[Failure]) -> Self {
         let shown: Vec<&str> = all.iter().map(|failure| failure.shown.as_str()).collect();
         Failure { shown: shown.join("\n"), status: Status::Wrong }
     }
 
-    /// Shows it and gives the exit status.
+    /// Prints the message and returns the exit status.
     pub fn report(self) -> ExitCode {
-        // Where standard error cannot be written, the status says enough.
+        // If standard error cannot be written, the exit status remains.
         let _ = std::io::Write::write_all(&mut std::io::stderr(), self.shown.as_bytes());
         self.status.into()
     }
@@ -59,7 +59,7 @@ fn headline(message: &str) -> String {
     }
 }
 
-/// What clap has to say: help and versions too.
+/// Prints a message of clap, which may also be the help or the version.
 pub fn usage(error: &clap::Error) -> ExitCode {
     if error.exit_code() == 0 {
         let _ = error.print();
@@ -70,8 +70,8 @@ pub fn usage(error: &clap::Error) -> ExitCode {
     Failure { shown: without_steering(&said), status: Status::Wrong }.report()
 }
 
-/// The words of clap with every other character that steers a terminal written as an escape. Clap itself takes the escape
-/// character out of what was typed, and colours its words by it.
+/// Escapes control characters in a message of clap. The escape character itself stays because clap uses it
+/// for colours; clap removes it from the user's text.
 fn without_steering(words: &str) -> String {
     words.split_inclusive(['\n', '\u{1b}']).fold(String::new(), |mut shown, part| {
         let end = part.len() - usize::from(part.ends_with(['\n', '\u{1b}']));

@@ -9,14 +9,14 @@ use rayon::prelude::*;
 use std::convert::Infallible;
 use std::time::Instant;
 
-/// All processors.
+/// Threads on all processors.
 pub struct Threads<'a> {
     started: Instant,
     done: &'a (dyn Fn() + Sync),
 }
 
 impl<'a> Threads<'a> {
-    /// Calls `done` after each piece of work.
+    /// `done` is called after each piece of work.
     pub fn new(done: &'a (dyn Fn() + Sync)) -> Self {
         Threads { started: Instant::now(), done }
     }
@@ -45,7 +45,7 @@ impl Host for Threads<'_> {
     }
 }
 
-/// Solves a run and shows that work goes on; with the answers the time it took \[s\].
+/// Solves a run and shows progress. Returns the results and the time \[s\].
 pub fn solved(run: &Run, input: &Input, method: &str) -> Result<(Answers, f64), Failure> {
     let started = Instant::now();
     let words = match run.asked() {

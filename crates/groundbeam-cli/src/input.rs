@@ -1,4 +1,4 @@
-//! The model file, or standard input.
+//! Reads the model file or standard input.
 
 use crate::colour::standard_error_has_colour;
 use crate::failure::Failure;
@@ -11,7 +11,7 @@ use groundbeam_report::calculation::Source;
 use groundbeam_report::{Context, Units, text};
 use std::path::Path;
 
-/// Name and bytes of a file; of standard input for `-`.
+/// Name and bytes of a file, or of standard input for `-`.
 pub fn bytes_of(path: &Path) -> Result<(String, Vec<u8>), Failure> {
     let (name, bytes) = if path.as_os_str() == "-" {
         ("<stdin>".to_owned(), read_bounded(std::io::stdin().lock()))
@@ -22,25 +22,26 @@ pub fn bytes_of(path: &Path) -> Result<(String, Vec<u8>), Failure> {
     Ok((name, bytes))
 }
 
-/// A model with the name of where it came from.
+/// A model and the name of its file.
 pub struct Input {
     pub document: Document,
     name: String,
-    /// As it was read.
+    /// Text of the file.
     text: String,
     digest: String,
-    /// The units and the digits of what is printed.
+    /// Units and digits of printed results.
     units: Units,
 }
 
 impl Input {
-    /// Reads and parses a file; `-` is standard input, beside which stands what is in the current folder.
+    /// Reads and parses a file. `-` is standard input; then named files are relative to the working
+    /// directory.
     pub fn read(path: &Path) -> Result<Self, Failure> {
         let (name, bytes) = bytes_of(path)?;
         Input::of(name, &bytes, path.parent().unwrap_or(Path::new("")))
     }
 
-    /// Parses the bytes of a file of a folder.
+    /// Parses the bytes of a file in a folder.
     pub fn of(name: String, bytes: &[u8], folder: &Path) -> Result<Self, Failure> {
         let wrong = |found: Diagnostics| {
             Failure::diagnostics(&found, &name, &String::from_utf8_lossy(bytes))
@@ -52,61 +53,62 @@ impl Input {
         Ok(Input { document, name, text: text.to_owned(), digest, units })
     }
 
-    /// The same, printed in the units and with the digits that were asked for.
+    /// The same input with the requested units and digits.
     pub fn printed(self, printed: Printed) -> Result<Self, Failure> {
         let units = printed.units(self.units)?;
         Ok(Input { units, ..self })
     }
 
-    /// Shows the warnings about the file on standard error, for results in a form that has no place for them.
+    /// Prints the warnings about the file on standard error, for output formats without warnings.
     pub fn show_warnings(&self) {
         if !self.document.warnings.is_empty() {
             let warnings = Diagnostics::from(self.document.warnings.clone());
             let shown = warnings.render(&self.name, &self.text, standard_error_has_colour());
-            // Where standard error cannot be written, the result says enough.
+            // If standard error cannot be written, the result remains.
             let _ = std::io::Write::write_all(&mut std::io::stderr(), shown.as_bytes());
         }
     }
 
-    /// The units and the digits of what is printed.
+    /// Units and digits of printed results.
     pub fn units(&self) -> Units {
         self.units
     }
 
-    /// The model as it is written, and the file it stands in.
+    /// The model as written, and its file.
     pub fn source(&self) -> Source<'_> {
         let name = Path::new(&self.name).file_name().and_then(|name| name.to_str());
         Source::of(&self.document, name.unwrap_or(&self.name), &self.text)
     }
 
-    /// The digest of the file and of the tables that it names.
+    /// Digest of the file and of the tables that it names.
     pub fn digest(&self) -> &str {
         &self.digest
     }
 
-    /// The file as it was read.
+    /// Text of the file.
     pub fn text(&self) -> &str {
         &self.text
     }
 
-    /// The name of the file.
+    /// Name of the file.
     pub fn name(&self) -> &str {
         &self.name
     }
 
-    /// Whether the second reader, which reads model files for proofs, does not know a key of the file.
+    /// Whether the file has a key that the second reader does not know. The second reader reads model files
+    /// for proofs.
     pub fn is_not_proven_as_written(&self) -> bool {
         let read = groundbeam::proof::read_model::<f64>(&self.text, None);
         read.is_err_and(|error| matches!(error.reason, Reason::NotRead(_)))
     }
 
-    /// Title, units, limits and digest, as reports want them.
+    /// Title, units, limits and digest for reports.
     pub fn context(&self) -> Context<'_> {
         let of_file = Context::of(&self.document);
         Context { digest: Some(&self.digest), units: self.units, ..of_file }
     }
 
-    /// Why a model is not solved, at its place in the file.
+    /// The error of a model that cannot be solved, at its location in the file.
     pub fn refused(&self, error: &Error) -> Failure {
         if let Error::NotConverged(reached) = error {
             let shown = text::not_converged(reached, standard_error_has_colour());

@@ -1,5 +1,5 @@
-//! The program `groundbeam`: model files in, reports out. A thin shell around `groundbeam_file`,
-//! `groundbeam` and `groundbeam_report`.
+//! The program `groundbeam` reads model files and writes reports. It connects `groundbeam_file`, `groundbeam`
+//! and `groundbeam_report`.
 
 mod check;
 mod colour;

@@ -1,4 +1,4 @@
-//! Output of results: standard output, and files written whole or not at all.
+//! Writes results to standard output, and files completely or not at all.
 
 use crate::failure::Failure;
 use crate::input::Input;
@@ -8,12 +8,12 @@ use groundbeam_report::svg::Picture;
 use std::io::{self, ErrorKind, IsTerminal, Write};
 use std::path::Path;
 
-/// Whether a person reads standard output.
+/// Whether standard output is a terminal.
 pub fn standard_output_is_a_terminal() -> bool {
     io::stdout().is_terminal()
 }
 
-/// Prints to standard output. A reader that has seen enough is no failure.
+/// Prints to standard output. A closed pipe is not an error.
 pub fn print(text: &str) -> Result<(), Failure> {
     let mut standard_output = io::stdout().lock();
     let written = standard_output.write_all(text.as_bytes()).and_then(|()| standard_output.flush());
@@ -25,7 +25,7 @@ pub fn print(text: &str) -> Result<(), Failure> {
     }
 }
 
-/// Writes a picture, if one is asked for, in the format that its name asks for.
+/// Writes a picture if requested. The file name determines the format.
 pub fn draw(plot: Option<&Plot>, picture: impl FnOnce() -> Option<Picture>) -> Result<(), Failure> {
     let Some(Plot { path, format }) = plot else { return Ok(()) };
     let Some(picture) = picture() else { return Ok(()) };
@@ -37,7 +37,7 @@ pub fn draw(plot: Option<&Plot>, picture: impl FnOnce() -> Option<Picture>) -> R
     write(path, &bytes)
 }
 
-/// Writes the calculation report, if one is asked for.
+/// Writes the calculation report if requested.
 pub fn report(wanted: Option<&Report>, results: &Results, input: &Input) -> Result<(), Failure> {
     let Some(Report { path, setting }) = wanted else { return Ok(()) };
     let report = results.calculation(&input.source());
@@ -52,7 +52,7 @@ pub fn report(wanted: Option<&Report>, results: &Results, input: &Input) -> Resu
     write(path, &bytes)
 }
 
-/// Writes an output whole. A reader that has seen enough is no failure.
+/// Writes an output file completely. A closed pipe is not an error.
 pub fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
     match groundbeam_file::output::write(path, bytes) {
         Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),

@@ -1,4 +1,5 @@
-//! Completion scripts and the manual page, from the command line's own definition; the schema of the files.
+//! Prints completion scripts, the manual page and the JSON Schema, from the definition of the command line
+//! and of the file keys.
 
 use crate::failure::Failure;
 use crate::output::print;
@@ -16,13 +17,13 @@ pub fn completions(shell: Shell) -> Result<Status, Failure> {
     Ok(Status::Done)
 }
 
-/// The JSON Schema of study files or of model files.
+/// Prints the JSON Schema of study files or of model files.
 pub fn schema(study: bool) -> Result<Status, Failure> {
     print(&if study { study_schema() } else { model_schema() })?;
     Ok(Status::Done)
 }
 
-/// The program and its commands on one page.
+/// Prints the manual page with all commands.
 pub fn manual() -> Result<Status, Failure> {
     print(&page().map_err(|error| Failure::usage(error.to_string()))?)?;
     Ok(Status::Done)
@@ -42,13 +43,13 @@ fn page() -> std::io::Result<String> {
             page.extend(section(part)?.bytes());
         }
     }
-    // Exit status and environment stand in lines of their own.
+    // Exit status and environment keep their line breaks.
     let notes = command.get_after_long_help().map(ToString::to_string).unwrap_or_default();
     page.extend(format!(".SH NOTES\n.nf\n{notes}\n.fi\n").bytes());
     Ok(String::from_utf8_lossy(&page).into_owned())
 }
 
-/// A command with its options, one level below the page's own sections.
+/// A command and its options, one level below the sections of the page.
 fn section(command: &clap::Command) -> std::io::Result<String> {
     let part = Man::new(command.clone());
     let mut text = Vec::new();

@@ -1,4 +1,4 @@
-//! A request, from the typed options: all choices made, all outputs known.
+//! Converts the typed options into a request with all choices and outputs.
 
 use crate::distinct::Output;
 use crate::failure::Failure;
@@ -12,7 +12,7 @@ use groundbeam_report::calculation::Paper;
 use groundbeam_study::Shard;
 use std::path::PathBuf;
 
-/// What is to be done.
+/// The requested action.
 pub enum Request {
     Solve(Solve),
     Check(Check),
@@ -25,7 +25,7 @@ pub enum Request {
     Study(Study),
     #[cfg(feature = "study")]
     Merge(Merge),
-    /// The schema of model files, or of study files.
+    /// The JSON Schema of model files or of study files.
     Schema {
         study: bool,
     },
@@ -33,46 +33,46 @@ pub enum Request {
     Manual,
 }
 
-/// Solve a model and write these.
+/// Solves a model and writes the requested outputs.
 pub struct Solve {
     pub file: PathBuf,
     pub json: bool,
-    /// Whether the document holds the pieces of the answer.
+    /// Whether the document includes the pieces of the solution.
     pub pieces: bool,
-    /// Whether the answer is proven.
+    /// Whether the solution is proven.
     pub proven: bool,
     pub csv: Option<PathBuf>,
     pub plot: Option<Plot>,
     pub report: Option<Report>,
     pub history: Option<PathBuf>,
-    /// As typed: it is read under the rule of the file.
+    /// Positions as typed. They are parsed after the file, because its units decide.
     pub at: Option<String>,
     pub factors: Option<Grow>,
-    /// The name of one of the file's combinations.
+    /// Name of one combination of the file.
     pub combination: Option<String>,
-    /// The name of one of the file's sets of combinations.
+    /// Name of one set of combinations of the file.
     pub set: Option<String>,
-    /// Whether a check that fails or is not judged makes the exit status 1.
+    /// Whether a check that fails or is not judged gives the exit status 1.
     pub strict: bool,
-    /// Whether a terminal shows the beam below the report.
+    /// Whether a terminal shows a drawing of the beam below the report.
     pub drawing: bool,
     pub printed: Printed,
     pub options: Options,
 }
 
 impl Solve {
-    /// The first option given that is about a single answer.
+    /// The first given option that needs a single result.
     pub fn about_one_answer(&self) -> Option<&'static str> {
         let history = self.history.as_ref().map(|_| "--history");
         history.or(self.factors.as_ref().map(|_| "--factors"))
     }
 }
 
-/// Whose load factors are asked for.
+/// The loads that the load factor multiplies.
 pub enum Grow {
-    /// All loads grow.
+    /// All loads.
     All,
-    /// Those of the cases in a list, as typed: it is read with the file.
+    /// The loads of the listed cases, as typed. The list is parsed after the file.
     Cases(String),
 }
 
@@ -82,7 +82,7 @@ pub struct Plot {
     pub format: Format,
 }
 
-/// How a picture is written.
+/// Format of a picture.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Format {
     Svg,
@@ -96,23 +96,23 @@ pub struct Report {
     pub setting: Setting,
 }
 
-/// How a report is set, and on which paper.
+/// Format and paper of a report.
 #[derive(Debug, Clone, Copy)]
 pub enum Setting {
-    /// Without a paper, on that of whoever prints it.
+    /// `None`: the paper of the user's printer.
     #[cfg(feature = "html")]
     Html(Option<Paper>),
     Pdf(Paper),
 }
 
-/// Tell whether an equilibrium exists.
+/// Decides whether an equilibrium exists.
 pub struct Check {
     pub file: PathBuf,
     pub json: bool,
     pub printed: Printed,
 }
 
-/// The units and the digits of what is printed.
+/// Units and digits of printed results.
 #[derive(Debug, Clone, Copy)]
 pub struct Printed {
     pub asked: print::Asked,
@@ -129,27 +129,26 @@ impl Printed {
         Printed { asked, digits: typed.digits.into() }
     }
 
-    /// The units of a file, or those that were asked for.
+    /// The requested units, or those of the file.
     pub fn units(self, own: Units) -> Result<Units, Failure> {
-        let rule =
-            "--units: the file gives no units, so that no other units follow from its numbers";
+        let rule = "--units: the file has no units, so its numbers cannot be converted";
         let units = own.in_system(self.asked).ok_or_else(|| Failure::usage(rule.to_owned()))?;
         Ok(units.with_digits(self.digits))
     }
 }
 
-/// Prove a result document.
+/// Proves a result document.
 pub struct Verify {
     pub result: PathBuf,
     pub model: PathBuf,
-    /// Where the log of the proof is written.
+    /// Output file for the log of the proof.
     pub log: Option<PathBuf>,
-    /// Whether keys that are not covered count as not proven.
+    /// Whether keys that the proof does not cover count as not proven.
     pub strict: bool,
     pub json: bool,
 }
 
-/// Solve a model with every method.
+/// Solves a model with every method.
 pub struct Compare {
     pub file: PathBuf,
     pub json: bool,
@@ -159,23 +158,23 @@ pub struct Compare {
     pub printed: Printed,
 }
 
-/// Write a model file to begin with.
+/// Writes a starter model file.
 pub struct New {
     pub file: PathBuf,
     pub kind: typed::Starter,
 }
 
-/// Show a page on this machine.
+/// Serves a page on this machine.
 #[cfg(feature = "serve")]
 pub struct Serve {
-    /// The model to begin with.
+    /// The initial model file.
     pub file: Option<PathBuf>,
-    /// 0 takes a free one.
+    /// 0 selects a free port.
     pub port: u16,
     pub opens_browser: bool,
 }
 
-/// Solve a model for many samples.
+/// Solves a model for many samples.
 #[cfg(feature = "study")]
 pub struct Study {
     pub file: PathBuf,
@@ -183,7 +182,7 @@ pub struct Study {
     pub samples: Option<u64>,
     pub seed: Option<u64>,
     pub shard: Shard,
-    /// 0: as many as there are processors.
+    /// 0: the number of processors.
     pub threads: usize,
     pub restart: bool,
     pub plot: Option<Plot>,
@@ -191,7 +190,7 @@ pub struct Study {
     pub printed: Printed,
 }
 
-/// Put shards together.
+/// Merges shards.
 #[cfg(feature = "study")]
 pub struct Merge {
     pub files: Vec<PathBuf>,
@@ -200,7 +199,7 @@ pub struct Merge {
 
 #[cfg(feature = "study")]
 impl Study {
-    /// The options that name outputs.
+    /// Options that name output files.
     pub fn outputs(&self) -> impl Iterator<Item = Output<'_>> {
         let plot = self.plot.as_ref().map(|plot| ("--plot", plot.path.as_path()));
         [("--out", self.out.as_path())].into_iter().chain(plot)
@@ -219,7 +218,7 @@ impl Study {
     }
 }
 
-/// `3/8`
+/// Parses a shard such as `3/8`.
 #[cfg(feature = "study")]
 fn shard(written: &str) -> Result<Shard, Failure> {
     let parts = written.split_once('/').and_then(|(number, of)| {
@@ -228,7 +227,7 @@ fn shard(written: &str) -> Result<Shard, Failure> {
     let known = parts.filter(|shard| (1..=shard.of).contains(&shard.number));
     known.ok_or_else(|| {
         Failure::usage(format!(
-            "--shard {written}: the i-th of N, from 1 on, is written i/N, as in 3/8"
+            "--shard {written}: write shard i of N as i/N, with i from 1 to N, as in 3/8"
         ))
     })
 }
@@ -313,7 +312,7 @@ impl Solve {
         })
     }
 
-    /// The options that name outputs.
+    /// Options that name output files.
     pub fn outputs(&self) -> impl Iterator<Item = Output<'_>> {
         let plot = self.plot.as_ref().map(|plot| &plot.path);
         let report = self.report.as_ref().map(|report| &report.path);
@@ -328,7 +327,7 @@ impl Solve {
 }
 
 impl Report {
-    /// Its name tells how it is set.
+    /// A report whose file name determines the format.
     fn of(path: PathBuf, paper: Option<Paper>) -> Result<Self, Failure> {
         let wrong =
             |rule: &str| Err(Failure::usage(format!("--report {}: {rule}", path.display())));
@@ -346,7 +345,7 @@ impl Report {
     }
 }
 
-/// The remedy where a form is not built in.
+/// Hint for a format that is not built in.
 #[cfg(not(all(feature = "html", feature = "png")))]
 fn not_built_in(form: &str, feature: &str) -> String {
     format!("this program was built without {form}; build it with `--features {feature}`")

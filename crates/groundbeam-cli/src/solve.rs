@@ -1,4 +1,4 @@
-//! `groundbeam solve`.
+//! The command `groundbeam solve`.
 
 use crate::colour::{standard_error_has_colour, standard_output_has_colour};
 use crate::distinct;
@@ -47,8 +47,8 @@ pub fn run(request: &Solve) -> Result<Status, Failure> {
     })
 }
 
-/// The proof of each answer of the document. Without equilibrium there is none. Of combinations the document lists each
-/// answer at all stations of the envelope, so that every printed number is compared with enclosures.
+/// Proof of each solution in the document; `None` without equilibrium. For combinations, the document lists
+/// each solution at all stations of the envelope, so that every printed number is compared with enclosures.
 fn proven(
     results: &Results,
     input: &Input,
@@ -67,7 +67,7 @@ fn proven(
     documents.iter().map(|document| prove(input.text(), input.name(), document)).collect()
 }
 
-/// What is to be solved, and what it is called.
+/// The models to solve, and the name of a single combination.
 fn asked(input: &Input, request: &Solve) -> Result<(Run, Option<String>), Failure> {
     let document = &input.document;
     let (run, title) = match (&request.combination, &request.set) {
@@ -89,10 +89,10 @@ fn asked(input: &Input, request: &Solve) -> Result<(Run, Option<String>), Failur
     if let Some(option) = request.about_one_answer() {
         let rule = match run.asked() {
             Asked::One | Asked::Methods => None,
-            Asked::Trains => Some("it is about one position, and the file has a train"),
-            Asked::Combinations => {
-                Some("of a file with combinations it is about one of them; add --combination NAME")
-            }
+            Asked::Trains => Some("it needs a single position, but the file has a train"),
+            Asked::Combinations => Some(
+                "with a file that has combinations, it applies to one of them; add --combination NAME",
+            ),
         };
         if let Some(rule) = rule {
             return Err(Failure::usage(format!("{option}: {rule}")));
@@ -100,8 +100,8 @@ fn asked(input: &Input, request: &Solve) -> Result<(Run, Option<String>), Failur
     }
     if request.pieces && run.asked() == Asked::Trains {
         let (option, rule) = match request.proven {
-            true => ("--proven", "positions of trains are not proven; leave the option out"),
-            false => ("--pieces", "the document of a train has no pieces"),
+            true => ("--proven", "train positions cannot be proven; leave the option out"),
+            false => ("--pieces", "the document for a train has no pieces"),
         };
         return Err(Failure::usage(format!("{option}: {rule}")));
     }
@@ -126,7 +126,7 @@ fn growing(input: &Input, grow: &Grow, combination: &Combination) -> Result<Grow
     Ok(Growing::of_cases(cases, &of_file, combination))
 }
 
-/// Writes what was found where it was asked for.
+/// Writes the results to the requested outputs.
 fn deliver(
     results: &Results,
     input: &Input,
@@ -166,7 +166,7 @@ fn deliver(
     Ok(status)
 }
 
-/// The positions of `--at`, each on the beam.
+/// Positions of `--at`, which must lie on the beam.
 pub fn positions(input: &Input, list: &str) -> Result<Vec<f64>, Failure> {
     let units = input.units().of_input();
     let failure = |found: &Diagnostics| Failure::diagnostics(found, "--at", list);

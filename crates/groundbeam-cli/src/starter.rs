@@ -1,4 +1,4 @@
-//! `groundbeam new`: model files to begin with.
+//! The command `groundbeam new`: writes starter model files.
 
 use crate::failure::Failure;
 use crate::output::print;
@@ -9,7 +9,7 @@ use groundbeam_file::printable;
 use std::fs::OpenOptions;
 use std::io::{ErrorKind, Write};
 
-/// Writes a commented model file where none stands.
+/// Writes a commented model file, unless the file exists.
 pub fn run(request: &New) -> Result<Status, Failure> {
     let path = &request.file;
     let opened = OpenOptions::new().write(true).create_new(true).open(path);
@@ -21,7 +21,7 @@ pub fn run(request: &New) -> Result<Status, Failure> {
             Ok(Status::Done)
         }
         Err(error) if error.kind() == ErrorKind::AlreadyExists => {
-            Err(Failure::usage(format!("`{shown}` is there already and is not replaced")))
+            Err(Failure::usage(format!("`{shown}` exists already and is not replaced")))
         }
         Err(error) => Err(Failure::file(path, &error)),
     }

@@ -6,7 +6,7 @@ use std::process::ExitCode;
 /// The exit status of the program.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Status {
-    /// Solved, or whatever else was asked for is done.
+    /// Solved, or the requested action is done.
     Done,
     /// Something is not proven.
     NotProven,
@@ -14,13 +14,13 @@ pub enum Status {
     CheckFailed,
     /// The input or the command line is wrong.
     Wrong,
-    /// The model is right and has no equilibrium.
+    /// The model is valid, but has no equilibrium.
     NoEquilibrium,
-    /// Proven for the model that the document contains alone.
+    /// Proven only for the model in the document.
     ProvenForDocument,
-    /// The solver did not meet its own tolerance.
+    /// The solver did not reach its own tolerance.
     NotConverged,
-    /// Stopped from the keyboard; what is done is kept.
+    /// Stopped from the keyboard; completed samples are saved.
     Interrupted,
 }
 
@@ -35,7 +35,7 @@ impl From<Overall> for Status {
 }
 
 impl Status {
-    /// Its number.
+    /// Number of the status.
     pub fn code(self) -> u8 {
         match self {
             Status::Done => 0,

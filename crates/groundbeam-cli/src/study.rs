@@ -1,4 +1,4 @@
-//! `groundbeam study` and `groundbeam merge`
+//! The commands `groundbeam study` and `groundbeam merge`
 
 use crate::colour::{standard_error_has_colour, standard_output_has_colour};
 use crate::distinct;
@@ -19,10 +19,10 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
-/// How long nothing is shown.
+/// Time before progress is shown.
 const PATIENCE: Duration = Duration::from_secs(1);
 
-/// Runs what of a study is left, and says what follows from it.
+/// Solves the remaining samples of a study, and prints the summary.
 pub fn run(request: &Study) -> Result<Status, Failure> {
     let draws = read(request)?;
     let files = draws.study().files();
@@ -37,7 +37,7 @@ pub fn run(request: &Study) -> Result<Status, Failure> {
         Finished::Stopped(Progress { done, of, .. }) => {
             let out = out.display();
             return Err(stopped(&format!(
-                "{done} of {of} samples are kept; the same command goes on with {out}"
+                "{done} of {of} samples saved; run the same command again to continue {out}"
             )));
         }
     };
@@ -46,7 +46,9 @@ pub fn run(request: &Study) -> Result<Status, Failure> {
     }
     let summary = groundbeam_study::summary(&draws, out, &mut |progress| watcher.look(progress));
     watcher.end();
-    let kept = || format!("all samples are in {}; the same command sums them up", out.display());
+    let kept = || {
+        format!("all samples are in {}; run the same command again for the summary", out.display())
+    };
     let summary = summary.map_err(|error| ended(&error, kept))?;
     let seconds = (solved == draws.plan().samples).then_some(seconds);
     let units = request.printed.units(draws.study().document.printed)?;
@@ -59,16 +61,16 @@ pub fn run(request: &Study) -> Result<Status, Failure> {
     Ok(Status::Done)
 }
 
-/// Puts shards together.
+/// Merges shards.
 pub fn merge(request: &Merge) -> Result<Status, Failure> {
     let mut watcher = Watcher::new()?;
     let watch = &mut |progress| watcher.look(progress);
     let merged = groundbeam_study::merge(&request.files, &request.out, watch);
     watcher.end();
-    let kept = || "nothing is put together".to_owned();
+    let kept = || "nothing is merged".to_owned();
     let merged = merged.map_err(|error| ended(&error, kept))?;
     if Target::of(&request.out).is_ok_and(|target| target == Target::StandardOutput) {
-        // The reader of standard output wants the file alone.
+        // Standard output must contain only the file.
         return Ok(Status::Done);
     }
     print(&format!(
@@ -80,7 +82,7 @@ pub fn merge(request: &Merge) -> Result<Status, Failure> {
     Ok(Status::Done)
 }
 
-/// The samples of the file, under what was typed.
+/// The samples of the file, with the typed options applied.
 fn read(request: &Study) -> Result<Draws, Failure> {
     let study = read_study(&request.file).map_err(|error| match error {
         StudyError::Unreadable(path, error) => Failure::file(&path, &error),
@@ -116,7 +118,7 @@ fn failed(error: &StoreError) -> Failure {
     Failure::usage(error.to_string())
 }
 
-/// Stopped, or failed.
+/// Failure after a stop or an error.
 fn ended(error: &StoreError, what_is_kept: impl Fn() -> String) -> Failure {
     match error {
         StoreError::Stopped => stopped(&what_is_kept()),
@@ -128,7 +130,7 @@ fn stopped(what_is_kept: &str) -> Failure {
     Failure::reported(format!("stopped: {}\n", printable(what_is_kept)), Status::Interrupted)
 }
 
-/// Tells whoever waits at a terminal how far it is, and stops where Ctrl-C is pressed.
+/// Shows progress on a terminal, and stops when Ctrl-C is pressed.
 struct Watcher {
     stop: Arc<AtomicBool>,
     begun: Instant,
@@ -142,7 +144,7 @@ impl Watcher {
         let pressed = Arc::clone(&stop);
         let handled = ctrlc::set_handler(move || {
             if pressed.swap(true, Ordering::Relaxed) {
-                // Pressed twice: at once.
+                // The second Ctrl-C stops at once.
                 std::process::exit(i32::from(Status::Interrupted.code()));
             }
         });
@@ -165,7 +167,7 @@ impl Watcher {
         if self.drawn.as_ref().is_none_or(|(drawn, _)| *drawn != stage) {
             self.clear();
             let bar = ProgressBar::new(of).with_style(style(stage));
-            // The rate is that of now: what earlier runs did counts as done but took no time.
+            // The rate counts only this run: earlier samples are done but took no time.
             bar.set_position(before);
             bar.reset_eta();
             self.drawn = Some((stage, bar));
@@ -181,7 +183,7 @@ impl Watcher {
         }
     }
 
-    /// How many seconds it took.
+    /// Duration in seconds.
     fn end(&mut self) -> f64 {
         self.clear();
         self.begun.elapsed().as_secs_f64()
@@ -193,8 +195,8 @@ fn style(stage: Stage) -> ProgressStyle {
     let words = match stage {
         Stage::Verifying => "verifying, {percent} %, {eta} left",
         Stage::Solving => "{human_pos} of {human_len}, {per_sec}, {eta} left",
-        Stage::Merging => "putting together, {percent} %, {eta} left",
-        Stage::Summarizing => "summing up, {percent} %, {eta} left",
+        Stage::Merging => "merging, {percent} %, {eta} left",
+        Stage::Summarizing => "summarizing, {percent} %, {eta} left",
     };
     let style = ProgressStyle::with_template(&format!("{bar} {words}"));
     style.unwrap_or_else(|_| ProgressStyle::default_bar())

@@ -1,15 +1,14 @@
-//! The command line's options as typed. [`request`](crate::request) gives them their meaning.
+//! Options of the command line as typed. [`request`](crate::request) interprets them.
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 use groundbeam_report::RESULT_DIGITS;
 use std::path::PathBuf;
 
-/// Beams on ground that can only push back.
+/// Beams on tensionless ground
 ///
-/// Given a beam, a Pasternak or Winkler foundation and loads, finds where the beam touches, where it lifts
-/// off and how hard the ground pushes, and bounds the error of the answer. If no equilibrium exists, says which way the
-/// beam tips.
+/// Given a beam, a Pasternak or Winkler foundation and loads, computes contact, lift-off and contact
+/// pressure, and bounds the error. If no equilibrium exists, states in which direction the beam tips.
 #[derive(Debug, Parser)]
 #[command(name = "groundbeam", version, max_term_width = 100, after_long_help = AFTER)]
 #[command(subcommand_required = true, arg_required_else_help = true)]
@@ -20,41 +19,42 @@ pub struct Typed {
 
 const AFTER: &str = "\
 Exit status:
-  0  solved; of a file with combinations, all of them; of a train, every position
+  0  solved; for a file with combinations all of them, for a train all positions
   1  an answer is not proven or a check is undecided (--proven); a check fails or is not judged (--strict).
      Without --strict a check that fails leaves the status 0
   2  the input or the command line is wrong
-  3  the model is right and no equilibrium exists, of a combination or position at least
-  4  the solver could not meet its own tolerance
-  130  a study was stopped from the keyboard; what is done is kept
+  3  the model is valid, but it or at least one combination or position has no equilibrium
+  4  the solver did not reach its own tolerance
+  130  a study was stopped from the keyboard; completed samples are saved
 
 Environment:
-  NO_COLOR  if set, nothing is coloured";
+  NO_COLOR  if set, output has no colour";
 
 #[derive(Debug, Subcommand)]
 pub enum Command {
     /// Solve a model and report contact, forces, extremes and the certificate
     Solve(Solve),
-    /// Read a model and tell whether an equilibrium exists, without solving
+    /// Read a model and decide whether an equilibrium exists, without solving
     Check(Check),
     /// Prove a result document against its model file
     Verify(Verify),
-    /// Write a commented model file to begin with
+    /// Write a commented starter model file
     New(New),
-    /// Solve a model with every method and show their errors against `exact`
+    /// Solve a model with every method and show their errors relative to `exact`
     Compare(Compare),
-    /// Solve a model thousands of times on random ground and under random loads, and tell how probable events are
+    /// Solve a model thousands of times on random ground and under random loads, and estimate the probability
+    /// of events
     #[cfg(feature = "study")]
     Study(Study),
-    /// Put the shards of a study together
+    /// Merge the shards of a study
     #[cfg(feature = "study")]
     Merge(Merge),
-    /// Show the model on a page in the browser, where it can be changed and follows at once
+    /// Show the model on a page in the browser; results follow each change at once
     #[cfg(feature = "serve")]
     Serve(Serve),
     /// Print the JSON Schema of model files, with which an editor completes and checks them
     Schema {
-        /// The schema of study files instead
+        /// Print the schema of study files instead
         #[arg(long)]
         study: bool,
     },
@@ -74,34 +74,37 @@ pub struct Solve {
     /// Model file (TOML); `-` for standard input
     pub file: PathBuf,
 
-    /// Print the result as one JSON document, and nothing else, on standard output
+    /// Print the result as one JSON document on standard output, and nothing else
     #[arg(long)]
     pub json: bool,
 
-    /// Add the pieces of the answer to the document, from which `groundbeam verify` proves it
+    /// Add the pieces of the solution to the document, from which `groundbeam verify` proves it
     #[arg(long, requires = "json")]
     pub pieces: bool,
 
-    /// Prove the answer: existence, uniqueness, contact set, and a bound of the error of every printed quantity
+    /// Prove the solution: existence, uniqueness, contact set, and an error bound for every printed quantity
     ///
-    /// All rounding is enclosed. The exit status is 1 if something is not proven. With --json the document holds the pieces
-    /// of the answer and the bounds, which `groundbeam verify` proves again.
+    /// The proof encloses all rounding errors. The exit status is 1 if something is not proven. With --json
+    /// the document contains the pieces of the solution and the bounds, which `groundbeam verify` proves
+    /// again.
     #[arg(long)]
     pub proven: bool,
 
-    /// Write all fields along the beam as a table; of combinations, the envelope
+    /// Write all fields along the beam as a table; for combinations, the envelope
     #[arg(long, value_name = "OUT")]
     pub csv: Option<PathBuf>,
 
-    /// Draw beam, ground, pressure, moment and shear, or the envelopes of combinations; the format is that of the name, .svg or .png
+    /// Draw beam, ground, pressure, moment and shear, or the envelopes of combinations; the file name ends in
+    /// .svg or .png
     #[arg(long, value_name = "OUT")]
     pub plot: Option<PathBuf>,
 
-    /// Write a calculation report that prints well: input, assumptions, results, certificate; a name that ends in .html or .pdf
+    /// Write a printable calculation report: input, assumptions, results, certificate; the file name ends in
+    /// .html or .pdf
     #[arg(long, value_name = "OUT")]
     pub report: Option<PathBuf>,
 
-    /// The paper on which the report is set; left out, a PDF is on A4, and HTML takes that of whoever prints it
+    /// The paper of the report; default: A4 for PDF, the paper of the user's printer for HTML
     #[arg(long, value_enum, requires = "report")]
     pub paper: Option<Paper>,
 
@@ -111,30 +114,30 @@ pub struct Solve {
 
     /// Positions at which the fields are listed, as in "0 m, 0.5 m", or 0,0.5 for a file without units
     ///
-    /// For --json and --csv. Left out: an even grid with every load, edge of contact and extreme.
+    /// For --json and --csv. Default: an equidistant grid with every load, contact edge and extreme.
     #[arg(long, value_name = "LIST", allow_hyphen_values = true)]
     pub at: Option<String>,
 
-    /// Also tell how far the loads may grow until the beam first lifts off, and until equilibrium is lost
+    /// Also compute the load factors at which the beam first lifts off and at which equilibrium is lost
     ///
-    /// All loads grow or, with names, those whose `case` is named; the others stay. As in --factors=Q or
+    /// All loads grow. With names of load cases, only their loads grow, as in --factors=Q or
     /// --factors=Q,wind.
     #[arg(long, value_name = "CASES", num_args = 0..=1, require_equals = true)]
     pub factors: Option<Option<String>>,
 
-    /// Solve this one of the file's combinations alone
+    /// Solve only this combination of the file
     ///
-    /// Left out, a file with combinations gives the results of all of them and their envelope.
+    /// Default: the results of all combinations and their envelope.
     #[arg(long, value_name = "NAME")]
     pub combination: Option<String>,
 
-    /// Solve the combinations of this set alone, one of the sets that the file asks for
+    /// Solve only the combinations of this set, one of the sets that the file asks for
     #[arg(long, value_name = "NAME", conflicts_with = "combination")]
     pub set: Option<String>,
 
     /// Make the exit status 1 if a check fails or is not judged
     ///
-    /// Left out, the verdicts are printed and the exit status is that of the solution.
+    /// Default: the verdicts are printed, and the exit status is that of the solution.
     #[arg(long)]
     pub strict: bool,
 
@@ -142,7 +145,7 @@ pub struct Solve {
     #[arg(long)]
     pub no_drawing: bool,
 
-    /// How to solve
+    /// The method of solution
     #[arg(long, value_enum, default_value = "exact")]
     pub method: Method,
 
@@ -154,15 +157,15 @@ pub struct Solve {
     #[arg(long, hide = true, value_parser = no_choice_of_pressure)]
     pub pressure: Option<std::convert::Infallible>,
 
-    /// Where `psor` and `uzawa` begin
+    /// Initial pressure of `psor` and `uzawa`
     #[arg(long, value_enum, default_value = "bilateral")]
     pub start: Start,
 
-    /// Sweeps after which `psor` and `uzawa` give up
+    /// Maximum number of sweeps of `psor` and `uzawa`
     #[arg(long, value_name = "N", default_value_t = 1_000_000, value_parser = clap::value_parser!(u64).range(1..))]
     pub most_sweeps: u64,
 
-    /// The memory that the solve may need, as in "8 GB"; a model that needs more is refused before it is solved
+    /// Memory limit of the solve, as in "8 GB"; a model that needs more is rejected before it is solved
     #[arg(long, value_name = "SIZE", default_value = "4 GB", value_parser = bytes)]
     pub memory_limit: u64,
 
@@ -175,7 +178,7 @@ pub struct Check {
     /// Model file (TOML); `-` for standard input
     pub file: PathBuf,
 
-    /// Print the verdict as one JSON document, and nothing else, on standard output
+    /// Print the verdict as one JSON document on standard output, and nothing else
     #[arg(long)]
     pub json: bool,
 
@@ -183,10 +186,10 @@ pub struct Check {
     pub printed: Printed,
 }
 
-/// How quantities are printed.
+/// Units and digits of printed quantities.
 #[derive(Debug, Clone, Copy, Args)]
 pub struct Printed {
-    /// Units of everything that is printed, drawn or written as a table; JSON is always in SI units
+    /// Units of printed results, drawings and tables; JSON is always in SI units
     #[arg(long, value_enum, default_value = "file")]
     pub units: UnitsAsked,
 
@@ -195,10 +198,10 @@ pub struct Printed {
     pub digits: u8,
 }
 
-/// The units of what is printed.
+/// Units of printed quantities.
 #[derive(Debug, Clone, Copy, ValueEnum)]
 pub enum UnitsAsked {
-    /// Those of the model file: ft, kip and ksf for a file that has them
+    /// Units of the model file: ft, kip and ksf for a file that uses them
     File,
     /// SI units: m, kN, kPa
     Si,
@@ -208,8 +211,9 @@ pub enum UnitsAsked {
 
 /// Prove a result document against its model file
 ///
-/// The document is one of `groundbeam solve --json --pieces`, or of another program. Each number in it is compared with the
-/// exact solution of the model in arithmetic that encloses all rounding. The proof shares no code with the solver.
+/// The document comes from `groundbeam solve --json --pieces` or from another program. Each of its numbers is
+/// compared with the exact solution of the model, with arithmetic that encloses all rounding errors. The
+/// proof shares no code with the solver.
 #[derive(Debug, Args)]
 #[command(after_long_help = VERIFIED)]
 pub struct Verify {
@@ -223,11 +227,11 @@ pub struct Verify {
     #[arg(long, value_name = "FILE")]
     pub log: Option<PathBuf>,
 
-    /// Keys with numbers that the proof does not cover make the exit status 1
+    /// Exit with status 1 if the document has numbers that the proof does not cover
     #[arg(long)]
     pub strict: bool,
 
-    /// Print what is proven as one JSON document, and nothing else, on standard output
+    /// Print the proven statements as one JSON document on standard output, and nothing else
     #[arg(long)]
     pub json: bool,
 }
@@ -242,21 +246,21 @@ Exit status:
 
 #[derive(Debug, Args)]
 pub struct New {
-    /// The file to write; one that is there is not replaced
+    /// The file to write; an existing file is not replaced
     #[arg(default_value = "model.toml")]
     pub file: PathBuf,
 
-    /// What it is about
+    /// The subject of the model
     #[arg(long, value_enum, default_value = "footing")]
     pub kind: Starter,
 }
 
 #[derive(Debug, Args)]
 pub struct Compare {
-    /// Model file (TOML) without combinations and trains; `-` for standard input
+    /// Model file (TOML) without combinations or trains; `-` for standard input
     pub file: PathBuf,
 
-    /// Print the comparison as one JSON document, and nothing else, on standard output
+    /// Print the comparison as one JSON document on standard output, and nothing else
     #[arg(long)]
     pub json: bool,
 
@@ -264,11 +268,11 @@ pub struct Compare {
     #[arg(long, value_name = "N", default_value_t = 100, value_parser = clap::value_parser!(u32).range(1..=100_000))]
     pub elements: u32,
 
-    /// Sweeps after which `psor` and `uzawa` give up
+    /// Maximum number of sweeps of `psor` and `uzawa`
     #[arg(long, value_name = "N", default_value_t = 100_000, value_parser = clap::value_parser!(u64).range(1..))]
     pub most_sweeps: u64,
 
-    /// The memory that the solve may need, as in "8 GB"; a model that needs more is refused before it is solved
+    /// Memory limit of the solve, as in "8 GB"; a model that needs more is rejected before it is solved
     #[arg(long, value_name = "SIZE", default_value = "4 GB", value_parser = bytes)]
     pub memory_limit: u64,
 
@@ -283,37 +287,38 @@ pub struct Study {
     /// Study file (TOML), which names the model file
     pub file: PathBuf,
 
-    /// Where the results go, one row a sample (Parquet)
+    /// File for the results, one row per sample (Parquet)
     ///
-    /// What is there already is gone on with, and nothing is done twice: the same command after a stop ends the work.
+    /// Existing results are resumed; no sample is computed twice. After a stop, run the same command again.
     #[arg(long, value_name = "OUT")]
     pub out: PathBuf,
 
-    /// So many samples, not as many as the file says
+    /// Number of samples, in place of that of the file
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     pub samples: Option<u64>,
 
-    /// Another seed than the file's
+    /// Seed, in place of that of the file
     #[arg(long, value_name = "S")]
     pub seed: Option<u64>,
 
-    /// Only the i-th of N equal parts of the samples, from 1 on, as in 3/8; `groundbeam merge` puts all together
+    /// Only part i of N equal parts of the samples, with i from 1, as in 3/8; `groundbeam merge` merges all
+    /// parts
     #[arg(long, value_name = "i/N")]
     pub shard: Option<String>,
 
-    /// Threads; left out, as many as there are processors. The results do not depend on it
+    /// Number of threads; default: the number of processors. The results do not depend on it
     #[arg(long, value_name = "N", default_value_t = 0, hide_default_value = true)]
     pub threads: u16,
 
-    /// Throw away what is there and begin anew
+    /// Delete existing results and start again
     #[arg(long)]
     pub restart: bool,
 
-    /// Draw how probable events are and how numbers scatter; the format is that of the name, .svg or .png
+    /// Draw the probabilities of events and the scatter of results; the file name ends in .svg or .png
     #[arg(long, value_name = "OUT", conflicts_with = "shard")]
     pub plot: Option<PathBuf>,
 
-    /// Print the summary as one JSON document, and nothing else, on standard output
+    /// Print the summary as one JSON document on standard output, and nothing else
     #[arg(long)]
     pub json: bool,
 
@@ -328,12 +333,12 @@ pub struct Merge {
     #[arg(required = true)]
     pub files: Vec<PathBuf>,
 
-    /// Where all go together
+    /// File for the merged results
     #[arg(long, value_name = "OUT")]
     pub out: PathBuf,
 }
 
-/// What a model file to begin with is about.
+/// Subject of a starter model file.
 #[derive(Debug, Clone, Copy, ValueEnum)]
 pub enum Starter {
     /// A strip footing under columns
@@ -349,10 +354,10 @@ pub enum Starter {
 #[cfg(feature = "serve")]
 #[derive(Debug, Args)]
 pub struct Serve {
-    /// Model file (TOML) to begin with; left out, an example. The file itself is never changed
+    /// Initial model file (TOML); default: an example. The file itself is never changed
     pub file: Option<PathBuf>,
 
-    /// Port of this machine to listen on; 0 takes a free one
+    /// Port of this machine to listen on; 0 selects a free one
     #[arg(long, value_name = "N", default_value_t = 0)]
     pub port: u16,
 
@@ -371,7 +376,7 @@ pub enum Paper {
 
 #[derive(Debug, Clone, Copy, ValueEnum)]
 pub enum Method {
-    /// Closed forms between the edges of contact, no mesh
+    /// Closed-form solution between the contact edges, no mesh
     Exact,
     /// Cubic elements, Newton's method on the convex energy
     ActiveSet,
@@ -383,9 +388,9 @@ pub enum Method {
 
 #[derive(Debug, Clone, Copy, ValueEnum)]
 pub enum Start {
-    /// From the pressure of the bilateral problem, its pulls left out
+    /// The pressure of the bilateral problem without its tensile part
     Bilateral,
-    /// From no pressure
+    /// Zero pressure
     Zero,
 }
 
@@ -398,7 +403,7 @@ fn no_choice_of_pressure(_: &str) -> Result<std::convert::Infallible, String> {
     ))
 }
 
-/// A number of bytes, as in `8 GB` or `500MB`.
+/// Parses a number of bytes, as in `8 GB` or `500MB`.
 fn bytes(written: &str) -> Result<u64, String> {
     let written = written.trim();
     let split = written.find(|c: char| c.is_ascii_alphabetic()).unwrap_or(written.len());
@@ -409,11 +414,11 @@ fn bytes(written: &str) -> Result<u64, String> {
         "MB" => 1e6,
         "GB" => 1e9,
         "TB" => 1e12,
-        _ => return Err("a size has a unit: B, kB, MB, GB or TB, as in \"8 GB\"".into()),
+        _ => return Err("a size needs a unit: B, kB, MB, GB or TB, as in \"8 GB\"".into()),
     };
     match number.trim().parse::<f64>() {
         Ok(number) if number > 0.0 && number.is_finite() => Ok((number * scale) as u64),
-        _ => Err("a size is a positive number with a unit, as in \"8 GB\"".into()),
+        _ => Err("a size must be a positive number with a unit, as in \"8 GB\"".into()),
     }
 }
 

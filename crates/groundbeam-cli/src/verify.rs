@@ -1,4 +1,4 @@
-//! `groundbeam verify`.
+//! The command `groundbeam verify`.
 
 use crate::colour::standard_output_has_colour;
 use crate::failure::Failure;
@@ -13,7 +13,7 @@ use std::path::Path;
 
 pub fn run(request: &Verify) -> Result<Status, Failure> {
     if [&request.result, &request.model].iter().all(|path| path.as_os_str() == "-") {
-        let words = "document and model file cannot both be `-`: name the file of one of them";
+        let words = "document and model file cannot both be `-`: name a file for one of them";
         return Err(Failure::usage(words.to_owned()));
     }
     let documents = documents(&request.result)?;
@@ -48,7 +48,7 @@ pub fn run(request: &Verify) -> Result<Status, Failure> {
     })
 }
 
-/// The results of a document.
+/// The results in a document.
 fn documents(path: &Path) -> Result<Vec<Document>, Failure> {
     let (name, bytes) = bytes_of(path)?;
     let failure = |error: &dyn Display| {
@@ -64,19 +64,20 @@ fn documents(path: &Path) -> Result<Vec<Document>, Failure> {
     if read.is_empty() { Err(failure(&"the document has no results")) } else { Ok(read) }
 }
 
-/// A model file as the second reader reads it.
+/// A model file, read by the second reader for the proof.
 struct ModelFile {
     name: String,
     text: String,
     digest: String,
-    /// As the solver's reader finds them; none if it refuses the file.
+    /// Units according to the solver's reader; `None` if it rejects the file.
     units: Option<Units>,
-    /// The names of its combinations, as the solver's reader finds them.
+    /// Names of the combinations according to the solver's reader.
     combinations: Vec<String>,
 }
 
 impl ModelFile {
-    /// The solver's reader is asked for faults, which it shows at their places, and for the tables that the file names.
+    /// Reads the file. The solver's reader reports faults with their locations, and returns the tables that
+    /// the file names.
     fn read(path: &Path) -> Result<Self, Failure> {
         let (name, bytes) = bytes_of(path)?;
         let text = groundbeam_file::text_of(&bytes).map_err(|found| {
@@ -99,7 +100,7 @@ impl ModelFile {
         Ok(ModelFile { name, text: text.to_owned(), digest, units, combinations })
     }
 
-    /// The combinations of the file of which there is no document.
+    /// Combinations of the file without a document.
     fn left_out(&self, documents: &[Document]) -> Option<LeftOut> {
         let is_there =
             |name: &&String| documents.iter().any(|d| d.combination.as_ref() == Some(*name));
@@ -108,7 +109,7 @@ impl ModelFile {
         (!names.is_empty()).then_some(LeftOut { all, names })
     }
 
-    /// Why documents do not belong to the file: their digest or their units are others.
+    /// Message if documents do not belong to the file, because their digest or units differ.
     fn differs_from(&self, documents: &[Document]) -> Option<String> {
         let mut units = documents.iter().filter_map(|document| document.units.as_deref());
         if let Some(own) = self.units.map(Units::name)
@@ -130,19 +131,19 @@ impl ModelFile {
     }
 }
 
-/// What is proven of one result: for the model of the file or, if the second reader does not know one of its keys,
-/// for the model that the document contains.
+/// Proves one result. The model is that of the file; if the second reader does not know one of its keys, the
+/// model in the document.
 pub fn prove(text: &str, name: &str, document: &Document) -> Result<Named, Failure> {
     prove_and_log(text, name, document, None)
 }
 
-/// A log with the name of its result before it.
+/// A log, preceded by the name of its result.
 fn logged(document: &Document, log: &Log) -> String {
     let combination = serde_json::json!(document.combination);
     format!("{{\"name\":\"result\",\"combination\":{combination}}}\n{}", log.text())
 }
 
-/// The same, and writes the log of the proof.
+/// Proves one result and writes the log of the proof.
 fn prove_and_log(
     text: &str,
     name: &str,

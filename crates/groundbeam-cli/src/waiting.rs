@@ -1,4 +1,4 @@
-//! Progress on the terminal for work of more than a second.
+//! Shows progress on the terminal for work that takes more than a second.
 
 use indicatif::{ProgressBar, ProgressStyle};
 use std::io::IsTerminal;
@@ -8,13 +8,13 @@ use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::thread::{self, JoinHandle};
 use std::time::Duration;
 
-/// How long nothing is shown.
+/// Time before progress is shown.
 const PATIENCE: Duration = Duration::from_secs(1);
-/// Between two pictures.
+/// Time between two updates.
 const TICK: Duration = Duration::from_millis(120);
 
-/// Does some work, and calls what it is given after each piece. At a terminal it shows that work goes on, and of several
-/// pieces how many are done.
+/// Runs `work`, which calls its argument after each piece. A terminal shows progress, and the number of
+/// finished pieces if there are several.
 pub fn while_working<T>(
     words: String,
     pieces: usize,
@@ -30,7 +30,7 @@ pub fn while_working<T>(
     done
 }
 
-/// How many pieces there are, and how many are done.
+/// Number of pieces, and counter of finished pieces.
 type Counted = Option<(u64, Arc<AtomicU64>)>;
 
 struct Sign {
@@ -55,7 +55,7 @@ impl Drop for Sign {
     }
 }
 
-/// Ends when the sender is dropped.
+/// Shows progress until the sender is dropped.
 fn show(ended: &Receiver<()>, words: String, counted: Counted) {
     if !matches!(ended.recv_timeout(PATIENCE), Err(RecvTimeoutError::Timeout)) {
         return;

@@ -1,4 +1,4 @@
-//! `groundbeam new` and `groundbeam compare`.
+//! Tests `groundbeam new` and `groundbeam compare`.
 
 #[allow(dead_code)]
 mod common;
@@ -15,7 +15,7 @@ fn every_starter_is_solved_as_it_is() {
         let solved = folder.run(&["solve", "own.toml"]);
         solved.is_clean(0);
         assert!(!solved.stdout.contains("allowed: fails"), "{kind}");
-        // All but the slab show what the program is for.
+        // All starter models except the slab show lift-off.
         let lifts = !solved.stdout.contains("Lift-off     none");
         assert_eq!(lifts, kind != "slab", "{kind}: {}", solved.stdout);
     }
@@ -24,9 +24,9 @@ fn every_starter_is_solved_as_it_is() {
 #[test]
 fn nothing_is_replaced() {
     let folder = Folder::with(LIFTS);
-    folder.run(&["new", "model.toml"]).fails(2, "`model.toml` is there already");
-    // Nor where nobody named a file.
-    folder.run(&["new"]).fails(2, "`model.toml` is there already");
+    folder.run(&["new", "model.toml"]).fails(2, "`model.toml` exists already");
+    // The default file name is not replaced either.
+    folder.run(&["new"]).fails(2, "`model.toml` exists already");
     let kept = folder.read("model.toml");
     assert_eq!(kept, LIFTS);
 }
@@ -49,7 +49,8 @@ fn methods_side_by_side() {
         let error = |document: &serde_json::Value| {
             document["methods"][i]["errors"]["deflection"].as_f64().unwrap()
         };
-        // Finer meshes are nearer, and the bound of each is one: squared errors are below the gap, all relative.
+        // Finer meshes have smaller errors. Each bound holds: squared relative errors are below the relative
+        // gap.
         assert!(error(&fine) < error(&coarse), "{}", names[i]);
         assert!(error(&coarse) < 0.05, "{}", names[i]);
     }
@@ -63,7 +64,8 @@ fn comparisons_that_cannot_be_made() {
     let few = Folder::with(LIFTS).run(&["compare", "model.toml", "--most-sweeps", "3"]);
     few.is_clean(4);
     assert!(few.stdout.contains("Not solved   psor: the method `psor` stopped after 3"));
-    // Separate springs have no concentrated pressures: those methods are not for such ground, and that is no failure.
+    // Winkler ground has no point contact forces. Methods that need them do not apply, which is not a
+    // failure.
     let springs = Folder::with(FOOTING).run(&["compare", "model.toml"]);
     springs.is_clean(0);
     assert!(springs.stdout.contains("Not solved   psor: the paper's concentrated"));

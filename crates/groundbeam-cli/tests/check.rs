@@ -1,4 +1,4 @@
-//! `groundbeam check`, and what the command line says about itself.
+//! Tests `groundbeam check`, and help and version of the command line.
 
 #[allow(dead_code)]
 mod common;

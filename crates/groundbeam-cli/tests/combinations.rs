@@ -1,4 +1,4 @@
-//! Files with combinations: exit status, and what goes where.
+//! Tests files with combinations: exit status and outputs.
 
 #[allow(dead_code)]
 mod common;
@@ -6,7 +6,7 @@ mod common;
 use common::{Folder, LIFTS};
 use serde_json::json;
 
-/// A unit load that may be light, and a moment that may be large.
+/// A unit load with a small factor, and a moment with a large factor.
 fn combined() -> String {
     let cases = LIFTS.replace("point = 1\n", "point = 1\ncase = \"G\"\n");
     cases.replace("moment = 0.49\n", "moment = 0.49\ncase = \"W\"\n")
@@ -14,7 +14,7 @@ fn combined() -> String {
            [[combination]]\nname = \"heavy\"\nfactors = { G = 2, W = 1 }\n"
 }
 
-/// The same with a combination that tips.
+/// The same, with an additional combination that tips.
 fn tips() -> String {
     combined() + "[[combination]]\nname = \"storm\"\nfactors = { G = 1, W = 1.5 }\n"
 }
@@ -31,7 +31,7 @@ fn all_are_solved() {
     let found = done.json();
     assert_eq!((&found["status"], &found["units"]), (&json!("solved"), &json!("none")));
     assert_eq!(found["envelope"]["x"], json!([0.0, 1.0]));
-    // The one that is nearly lifted off its left end is `both`.
+    // In `both` the left end has almost lifted off.
     let edge = found["combinations"][0]["contact"][0]["from"].as_f64().unwrap();
     assert!((edge - 0.811326256449155).abs() < 1e-12);
     assert_eq!(found["extremes"]["gap"]["max"]["combination"], "both");
@@ -68,9 +68,10 @@ fn a_method_that_stops_early() {
     let done = Folder::with(&combined()).run(&stopped);
     done.is_clean(4);
     assert_eq!(done.json()["status"], "not-converged");
-    // What mechanics says goes before what a solver does.
+    // A missing equilibrium takes precedence over missing convergence.
     Folder::with(&tips()).run(&stopped).is_clean(3);
-    // The heavy one touches all along, where the method begins: it is given all the same.
+    // The heavy combination touches everywhere, as the initial guess of the method does. Its result is still
+    // given.
     assert_eq!(done.json()["combinations"][0]["status"], "not-converged");
     assert_eq!(done.json()["combinations"][1]["status"], "solved");
     assert_eq!(done.json()["extremes"]["moment"]["max"]["combination"], "heavy");
@@ -104,7 +105,7 @@ fn questions_about_one_model_need_its_name() {
     let done = folder.run(&arguments);
     done.is_clean(0);
     let loss = &done.json()["load_factors"]["loss_of_equilibrium"];
-    // A moment of 0.49 turns a force of 2 over beyond 1/0.49 times itself.
+    // A moment of 0.49 tips the beam under a force of 2 if multiplied by more than 1/0.49.
     assert!((loss["factor"].as_f64().unwrap() - 1.0 / 0.49).abs() < 1e-14);
 }
 
@@ -138,7 +139,7 @@ fn sets_of_codes_of_practice() {
     assert_eq!(names[2..], made);
 }
 
-/// [`combined`] with limit states and a check of the lifted share, which `both` breaks.
+/// [`combined`] with limit states and a check of the lifted share, which `both` fails.
 fn judged() -> String {
     combined()
         .replace("name = \"both\"\n", "name = \"both\"\nlimit_state = \"STR/GEO\"\n")
@@ -146,7 +147,7 @@ fn judged() -> String {
         + "[checks]\nlifted_share = 0.5\n"
 }
 
-/// The check is judged in its own limit state alone.
+/// The check is judged only in its own limit state.
 #[test]
 fn a_check_is_judged_in_its_limit_state() {
     let folder = Folder::with(&judged());
@@ -180,7 +181,7 @@ fn strict_makes_a_failed_or_missing_verdict_the_exit_status() {
         "lifted share not judged: no combination of SLS characteristic or allowable stress";
     assert!(words.contains(expected), "{words}");
     folder.run(&["solve", "model.toml", "--strict"]).is_clean(1);
-    // Without combinations the loads are judged as given.
+    // Without combinations the check applies to the loads as given.
     let folder = Folder::with(&(LIFTS.to_owned() + "[checks]\nlifted_share = 0.5\n"));
     let done = folder.run(&["solve", "model.toml"]);
     done.is_clean(0);

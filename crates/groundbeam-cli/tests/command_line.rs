@@ -1,4 +1,4 @@
-//! Command lines and files that are wrong, and outputs that cannot be written.
+//! Tests faulty command lines and files, and outputs that cannot be written.
 
 #[allow(dead_code)]
 mod common;
@@ -29,7 +29,7 @@ fn wrong_command_lines() {
     assert_eq!(folder.names(), ["model.toml"]);
 }
 
-/// A model with a table of levels beside it.
+/// A model with a separate table of levels.
 const SURVEYED: &str = "\
 [beam]
 length = 1
@@ -43,7 +43,7 @@ point = 1
 at = 0.5
 ";
 
-/// Refused before anything is written, with what is lost.
+/// Checks that a run is rejected before it writes, and that the message names the file that would be lost.
 #[track_caller]
 fn loses(folder: &Folder, options: &[&str], parts: &[&str]) {
     let before = folder.names();
@@ -68,12 +68,12 @@ fn no_output_replaces_another_output() {
         &[&same("--history ./a.csv", "--csv a.csv")],
     );
     loses(&folder, &["--csv", "a.svg", "--plot", "a.svg"], &[&same("--plot a.svg", "--csv a.svg")]);
-    // All faults at once.
+    // All faults are reported together.
     let three = ["--csv", "a.html", "--report", "a.html", "--history", "./a.html"];
     let faults =
         [same("--report a.html", "--csv a.html"), same("--history ./a.html", "--csv a.html")];
     loses(&folder, &three, &[&faults[0], &faults[1]]);
-    // The same when the file exists.
+    // The same if the file exists.
     folder.write("a.csv", b"old");
     std::fs::create_dir(folder.path("sub")).unwrap();
     loses(
@@ -148,7 +148,7 @@ fn outputs_follow_links_and_go_to_devices() {
     folder
         .run(&["solve", "model.toml", "--csv", "/dev/null", "--history", "/dev/null"])
         .is_clean(0);
-    // Standard output holds the table and then the report, as a pipe and as a file.
+    // Standard output contains the table and then the report, both as a pipe and as a file.
     let is_both = |text: &str| {
         let report = text.strip_prefix(&table).unwrap();
         serde_json::from_str::<serde_json::Value>(report).unwrap();
@@ -199,7 +199,7 @@ fn what_a_link_leads_to_is_replaced() {
     folder.run(&["solve", "model.toml", "--csv", "link.csv"]).is_clean(0);
     assert!(folder.path("link.csv").symlink_metadata().unwrap().is_symlink());
     assert!(folder.read("real.csv").starts_with("x,"));
-    // A device is written to, not replaced.
+    // A device is written to and not replaced.
     folder.run(&["solve", "model.toml", "--csv", "/dev/null"]).is_clean(0);
 }
 
@@ -242,7 +242,7 @@ fn nothing_is_coloured_without_a_terminal() {
     assert!(!done.stderr.contains(&0x1b) && done.stdout.is_empty());
 }
 
-/// Nothing that never ends is read, and no pipe is waited for: only regular files, and standard input up to 64 MB.
+/// Only regular files and standard input up to 64 MB are read. Endless files and pipes are rejected.
 #[cfg(target_os = "linux")]
 #[test]
 fn only_files_are_read() {

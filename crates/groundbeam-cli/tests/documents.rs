@@ -1,8 +1,8 @@
-//! The console blocks and pictures in the documents are the program's output.
+//! Tests that console blocks and pictures in the documents agree with the program.
 //!
-//! In `README.md` and `docs/` a block that begins with `$ groundbeam …` holds that command and its output; a line
-//! `<!-- drawn: groundbeam … --plot FILE.svg -->` names the command that draws a picture. All run in the repository's
-//! root. `UPDATE_EXPECTED=1` writes what comes out.
+//! In `README.md` and `docs/`, a block that begins with `$ groundbeam …` contains that command and its
+//! output. A line `<!-- drawn: groundbeam … --plot FILE.svg -->` names the command that draws a picture. The
+//! commands run in the repository's root. `UPDATE_EXPECTED=1` rewrites the outputs.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -48,7 +48,7 @@ fn pictures_are_drawn_by_the_program() {
             let (command, picture) = command.split_once(" --plot ").expect("--plot FILE.svg");
             let folder = tempfile::tempdir().expect("a folder");
             let drawn = folder.path().join("drawn.svg");
-            // A study keeps its samples, which here nobody wants.
+            // A study needs a file for its samples, which this test discards.
             let results = folder.path().join("results.parquet").display().to_string();
             let command = command.replace("results.parquet", &results);
             run(&format!("{command} --plot {}", drawn.display()));
@@ -95,19 +95,19 @@ fn updating() -> bool {
 }
 
 fn write_if_updating(path: &Path, before: &str, after: &str) {
-    // What differs by time or rounding alone stays as it is.
+    // Differences in time or rounding alone do not change the document.
     if updating() && before != after && !alike(before, after) {
         std::fs::write(path, after).expect("the document can be written");
     }
 }
 
-/// The same but for seconds and for what is rounding alone.
+/// Whether two texts are equal except for times and rounding.
 fn alike(a: &str, b: &str) -> bool {
     a.lines().count() == b.lines().count()
         && a.lines().zip(b.lines()).all(|(a, b)| a == b || steady(a) == steady(b))
 }
 
-/// A line without the numbers that another machine may print otherwise.
+/// A line without numbers that depend on the machine.
 fn steady(line: &str) -> String {
     let rounding = [
         "energy gap",
@@ -115,7 +115,7 @@ fn steady(line: &str) -> String {
         "the beam enters",
         "right to ±",
         "Method ",
-        // The lines of `groundbeam compare`, but for the methods' names.
+        // Lines of `groundbeam compare`: only the method names are compared.
         "exact   ",
         "active-set",
         "psor   ",

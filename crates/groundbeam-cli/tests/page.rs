@@ -1,4 +1,4 @@
-//! The page of `groundbeam serve` in a real browser.
+//! Tests the page of `groundbeam serve` in a real browser.
 
 #[allow(dead_code)]
 mod common;
@@ -10,7 +10,7 @@ use served::Server;
 use served::browser::{Browser, Pointer};
 use std::path::{Path, PathBuf};
 
-/// A footing that presses everywhere, its column in the middle.
+/// A footing in full contact, with its column in the middle.
 const MIDDLE: &str = "\
 title = \"Footing under one column\"
 
@@ -37,7 +37,7 @@ const UP: char = '\u{e013}';
 const CONTROL: char = '\u{e009}';
 const BACKSPACE: &str = "\u{e003}";
 
-/// The page shows exactly what the program prints of the text in its pane.
+/// Checks that the page shows the same results as the program for the text in its editor.
 #[track_caller]
 fn agrees(browser: &Browser) {
     let report = browser.text("#report");
@@ -45,7 +45,7 @@ fn agrees(browser: &Browser) {
     let printed = Folder::with(text.as_str().unwrap()).run(&["solve", "model.toml"]);
     let untimed = |text: &str| text.split("\nMethod ").next().unwrap().trim_end().to_owned();
     assert_eq!(untimed(&report), untimed(&(printed.stdout + &printed.stderr)));
-    // The rows beside the picture are the report's own words.
+    // The rows beside the picture have the words of the report.
     for label in ["Contact", "Lift-off", "End forces"] {
         let words = row(browser, label);
         let flat = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
@@ -67,7 +67,7 @@ fn opened(browser: &Browser, server: &Server) {
     settled(browser, "document.querySelectorAll('#results tr').length > 3");
 }
 
-/// Waits until something is so and the answer to the last change is shown.
+/// Waits until a condition holds and the response to the last change is shown.
 #[track_caller]
 fn settled(browser: &Browser, so: &str) {
     browser.until(&format!("document.body.dataset.state === 'settled' && ({so})"));
@@ -83,7 +83,7 @@ fn the_beam_lifts_off_under_the_finger() {
     assert!(browser.text("#verdict").starts_with("In equilibrium: the resultant, 912 kN at x = 6"));
     agrees(&browser);
 
-    // Drag the column to the left until the right end lifts.
+    // Drag the column to the left until the right end lifts off.
     let [x, y] = browser.middle(".grip");
     let scale =
         browser.eval("document.querySelector('#drawing svg').getBoundingClientRect().width");
@@ -101,12 +101,12 @@ fn the_beam_lifts_off_under_the_finger() {
     agrees(&browser);
     let text = browser.eval("document.getElementById('text').value");
     let text = text.as_str().unwrap();
-    // Only the number has changed: comment and unit are where they were.
+    // Only the number has changed; comment and unit are the same.
     let at = text.lines().find_map(|line| line.strip_prefix("at = \"")?.strip_suffix(" m\""));
     let at: f64 = at.unwrap().parse().unwrap();
     assert!(at > 0.0 && at < 6.0, "{at}");
     assert_eq!(text.replace(&format!("{at} m"), "6 m"), MIDDLE);
-    // The whole drag is undone at once, and done again.
+    // One undo reverts the whole drag, and one redo restores it.
     browser.keys(&[CONTROL], "z");
     settled(&browser, "document.getElementById('text').value.includes('at = \"6 m\"')");
     assert_eq!(row(&browser, "Lift-off"), "none");
@@ -114,14 +114,14 @@ fn the_beam_lifts_off_under_the_finger() {
     settled(&browser, "!document.getElementById('text').value.includes('at = \"6 m\"')");
     agrees(&browser);
 
-    // By keyboard: to the right by a hundredth of the beam, and larger.
+    // By keyboard: moves the load to the right by a hundredth of the beam, and increases it.
     browser.eval("document.querySelector('.grip').focus()");
     browser.keys(&[], &format!("{HOME}{RIGHT}"));
     settled(&browser, "document.getElementById('text').value.includes('at = \"0.12 m\"')");
     browser.keys(&[], &UP.to_string());
     settled(&browser, "document.getElementById('text').value.includes('point = \"630 kN\"')");
     agrees(&browser);
-    // Nothing came from elsewhere.
+    // All requests went to this server.
     let foreign = format!(
         "performance.getEntriesByType('resource').map((r) => r.name)
             .filter((name) => !name.startsWith({:?}) && !name.startsWith('data:'))",
@@ -130,7 +130,7 @@ fn the_beam_lifts_off_under_the_finger() {
     assert_eq!(browser.eval(&foreign), serde_json::json!([]));
 }
 
-/// The footing with a neighbour on the ground to its right.
+/// The footing with a neighbouring load on the ground to its right.
 fn neighbour(at: &str) -> String {
     format!("{MIDDLE}\n[[ground_load]]\npoint = \"200 kN\"\nat = \"{at}\"\n")
 }
@@ -152,7 +152,7 @@ fn a_neighbour_is_dragged_along_the_ground() {
     let text =
         || browser.eval("document.getElementById('text').value").as_str().unwrap().to_owned();
 
-    // From the page to the text: to the right, farther away from the beam.
+    // Dragging changes the text: to the right, away from the beam.
     let [x, y] = browser.middle(grip);
     let to = |x: f64| Pointer::To([x, y]);
     browser.pointer(&[to(x), Pointer::Down, to(x + 20.0), to(x + 40.0), Pointer::Up]);
@@ -163,7 +163,7 @@ fn a_neighbour_is_dragged_along_the_ground() {
     let at = stands();
     assert_eq!(text(), neighbour(&format!("{at} m")));
     agrees(&browser);
-    // As far as the picture goes and no farther.
+    // The drag stops at the edge of the picture.
     let [x, y] = browser.middle(grip);
     browser.pointer(&[
         Pointer::To([x, y]),
@@ -176,7 +176,7 @@ fn a_neighbour_is_dragged_along_the_ground() {
         &format!("Number(document.querySelector({grip:?}).getAttribute('aria-valuenow')) > {at}"),
     );
     assert!(stands() < 16.0, "{}", stands());
-    // Under the beam to its other side by the keyboard.
+    // The keyboard moves the load under the beam to its other side.
     browser.eval(&format!("document.querySelector({grip:?}).focus()"));
     browser.keys(&[], &HOME.to_string());
     settled(
@@ -185,7 +185,7 @@ fn a_neighbour_is_dragged_along_the_ground() {
     );
     agrees(&browser);
 
-    // From the text to the page.
+    // A change of the text moves the load on the page.
     let wanted = neighbour("-1.5 m");
     let area = "document.getElementById('text')";
     browser.eval(&format!("({area}.value = {wanted:?}, {area}.dispatchEvent(new Event('input')))"));
@@ -196,14 +196,14 @@ fn a_neighbour_is_dragged_along_the_ground() {
     agrees(&browser);
 }
 
-/// Tab goes to every control, each is seen to have the focus, and none holds it.
+/// Tab reaches every control, the focus is visible, and no control traps it.
 #[test]
 fn everything_is_reached_by_keyboard() {
     let Some(browser) = Browser::start() else { return };
     let folder = Folder::with(MIDDLE);
     let server = Server::start(Some(&folder.path("model.toml")));
     opened(&browser, &server);
-    // Something to undo, or the button cannot be reached.
+    // One change enables the undo button, so that it can be reached.
     browser.eval("document.querySelector('[data-key=\"[foundation].k\"]').focus()");
     browser.keys(&[], &RIGHT.to_string());
     settled(&browser, "!document.getElementById('undo').disabled");
@@ -230,44 +230,44 @@ fn sliders_and_text_are_in_step() {
     let server = Server::start(Some(&folder.path("model.toml")));
     opened(&browser, &server);
 
-    // A slider writes into the text.
+    // A slider changes the text.
     browser.eval("document.querySelector('[data-key=\"[foundation].k\"]').focus()");
     browser.keys(&[], &HOME.to_string());
     settled(&browser, "document.getElementById('text').value.includes('k = \"4 MN/m^2\"')");
     agrees(&browser);
-    // A value is typed, unit and all.
+    // The user types a value with its unit.
     let field = "document.querySelector('[data-key=\"[foundation].k\"] + input')";
     browser.eval(&format!(
         "({field}.value = '55 N/mm^2', {field}.dispatchEvent(new Event('change')))"
     ));
     settled(&browser, "document.getElementById('text').value.includes('k = \"55 N/mm^2\"')");
     agrees(&browser);
-    // The buttons take a step back, and go it again.
+    // The buttons undo and redo one step.
     browser.click("#undo");
     settled(&browser, "document.getElementById('text').value.includes('k = \"4 MN/m^2\"')");
     browser.click("#redo");
     settled(&browser, "document.getElementById('text').value.includes('k = \"55 N/mm^2\"')");
-    // What was left out is added.
+    // The button adds a missing key.
     let add = "[...document.querySelectorAll('#sliders button')]
         .find((button) => button.textContent.startsWith('add P'))";
     browser.eval(&format!("{add}.click()"));
     settled(&browser, "document.querySelector('[data-key=\"[beam].axial_force\"]')");
     agrees(&browser);
 
-    // Break the text: the fault is shown at its line, and the picture stays.
+    // A fault in the text is shown at its line, and the picture remains.
     browser.eval("(document.getElementById('text').focus(), document.getElementById('text').setSelectionRange(0, 0))");
     browser.keys(&[], "x");
     settled(&browser, "document.body.classList.contains('wrong')");
     assert_eq!(browser.text("#gutter .fault"), "1");
     assert!(
-        browser.text("#faults").contains("`xtitle` means nothing"),
+        browser.text("#faults").contains("`xtitle` is not a key"),
         "{}",
         browser.text("#faults")
     );
     assert!(browser.text("#verdict").starts_with("The model file is wrong: line 1: "));
     assert!(browser.text("#behind .says").contains("xtitle"));
     assert_ne!(browser.text("#drawing"), "");
-    // Mend it.
+    // Repair the fault.
     browser.keys(&[], BACKSPACE);
     settled(&browser, "!document.body.classList.contains('wrong')");
     assert_eq!(browser.text("#faults"), "");
@@ -280,7 +280,7 @@ fn it_tips_and_is_shared_and_kept() {
     let folder = Folder::with(MIDDLE);
     let server = Server::start(Some(&folder.path("model.toml")));
     opened(&browser, &server);
-    // A moment that turns the right side up, more than the loads can hold.
+    // A moment that lifts the right side, larger than the loads can balance.
     let area = "document.getElementById('text')";
     browser.eval(&format!(
         "({area}.value += '[[load]]\\nmoment = \"-6 MN m\"\\nat = \"1 m\"\\n', {area}.dispatchEvent(new Event('input')))"
@@ -296,7 +296,7 @@ fn it_tips_and_is_shared_and_kept() {
     let printed = browser.text("#report");
     assert!(printed.contains("none: "), "{printed}");
 
-    // The address holds the model.
+    // The address contains the model.
     browser.click("#share");
     browser.until("location.hash.startsWith('#model=')");
     let address = browser.eval("location.href").as_str().unwrap().to_owned();
@@ -306,7 +306,7 @@ fn it_tips_and_is_shared_and_kept() {
     settled(&browser, "document.body.classList.contains('lost')");
     assert_eq!(browser.eval(&format!("{area}.value")), text);
 
-    // The report is kept, of a beam that stands.
+    // Save the report of a beam in equilibrium.
     browser.eval(&format!("({area}.value = {MIDDLE:?}, {area}.dispatchEvent(new Event('input')))"));
     settled(&browser, "!document.body.classList.contains('lost')");
     let kept = tempfile::tempdir().unwrap();
@@ -332,7 +332,8 @@ fn it_tips_and_is_shared_and_kept() {
     }
 }
 
-/// Waits for a file that a browser saves. The browser makes an empty file of this name first, and writes into another.
+/// Waits for a file that a browser saves. The browser first creates an empty file with this name, and writes
+/// into another one.
 fn arrived(folder: &Path, extension: &str) -> PathBuf {
     for _ in 0..1500 {
         let mut entries = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
@@ -380,7 +381,7 @@ fn combinations_and_trains_are_chosen() {
     assert_ne!(early.0, late.0);
 }
 
-/// Colours of the picture that are shown as they are written in it: in the dark every one should have another.
+/// Colours of the picture that are shown as written. In the dark scheme all of them should change.
 fn as_written(browser: &Browser) -> Vec<String> {
     let found = browser.eval(
         "[...new Set(['fill', 'stroke'].flatMap((paint) =>

@@ -1,4 +1,5 @@
-//! The requests that the page of `groundbeam serve` sends, and the sliders that it makes of an answer.
+//! Tests the requests that the page of `groundbeam serve` sends, and the sliders that it creates from a
+//! response.
 
 #[allow(dead_code)]
 mod common;
@@ -23,7 +24,7 @@ fn settled(browser: &Browser, so: &str) {
     browser.until(&format!("document.body.dataset.state === 'settled' && ({so})"));
 }
 
-/// Types a text into the pane.
+/// Types a text into the editor.
 fn type_in(browser: &Browser, text: &str) {
     let area = "document.getElementById('text')";
     browser.eval(&format!("({area}.value = {text:?}, {area}.dispatchEvent(new Event('input')))"));
@@ -35,7 +36,7 @@ fn a_newer_question_aborts_the_one_before() {
     let folder = Folder::with(FOOTING);
     let server = Server::start(Some(&folder.path("model.toml")));
     opened(&browser, &server);
-    // The next request gets no answer.
+    // The next request has no response.
     browser.eval(
         "(() => { const real = window.fetch; window.aborted = 0;
             window.fetch = (address, { signal }) => { window.fetch = real;
@@ -64,22 +65,26 @@ fn the_page_shows_the_words_of_a_refusal() {
     type_in(&browser, &format!("{FOOTING}\n"));
     settled(&browser, "document.body.classList.contains('wrong')");
     let said = browser.text("#verdict");
-    assert!(said.starts_with("The request is refused: `width=wide` in the query"), "{said}");
-    // Something that is no answer of the program at all.
+    assert!(said.starts_with("Invalid request: `width=wide` in the query"), "{said}");
+    // A response that does not come from the program.
     browser.eval(
         "(window.fetch = async () => new Response('busy', { status: 503, statusText: 'Busy' }))",
     );
     type_in(&browser, &format!("{FOOTING}\n\n"));
     settled(&browser, "document.getElementById('verdict').textContent.includes('503')");
-    assert!(browser.text("#verdict").starts_with("No answer: the program answers 503 Busy: busy"));
-    // Nobody.
+    assert!(
+        browser
+            .text("#verdict")
+            .starts_with("No response: the server responded with 503 Busy: busy")
+    );
+    // Restores the real `fetch`.
     browser.eval("(window.fetch = window.real)");
     drop(server);
     type_in(&browser, FOOTING);
     settled(&browser, "document.getElementById('verdict').textContent.startsWith('Nobody')");
 }
 
-/// A train and a combination that were chosen, and then are deleted from the text.
+/// A chosen train and combination are deselected when they are deleted from the text.
 #[test]
 fn a_choice_that_the_text_no_longer_has_is_given_up() {
     let Some(browser) = Browser::start() else { return };

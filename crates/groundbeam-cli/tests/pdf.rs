@@ -1,4 +1,4 @@
-//! Calculation reports as PDF: where the typesetter is built in, and where it is not.
+//! Tests calculation reports as PDF, with and without the built-in typesetter.
 
 #[allow(dead_code)]
 mod common;

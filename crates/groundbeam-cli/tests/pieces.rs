@@ -1,4 +1,5 @@
-//! What a result document says for its proof: the digest of the model, the pieces of the answer, the combination.
+//! Tests the parts of a result document that a proof needs: digest of the model, pieces of the solution,
+//! combination.
 
 #[allow(dead_code)]
 mod common;
@@ -88,7 +89,7 @@ fn the_digest_is_that_of_the_file() {
     folder.write("model.toml", tips().as_bytes());
     let other = folder.run(&["solve", "model.toml", "--json"]).json()["model_digest"].clone();
     assert!(other.is_string() && other != digest);
-    // A table that the model names belongs to it.
+    // The digest includes a table that the model names.
     folder.write("survey.csv", b"x,gap\n0,0.001\n1,0\n");
     let survey = format!("{LIFTS}[gap_survey]\nfile = 'survey.csv'\n");
     folder.write("model.toml", survey.as_bytes());

@@ -1,4 +1,4 @@
-//! `groundbeam solve --proven`, and the documents that it writes.
+//! Tests `groundbeam solve --proven` and its documents.
 
 #[allow(dead_code)]
 mod common;
@@ -37,13 +37,13 @@ fn a_document_with_its_proof_is_verified() {
     folder.write("result.json", done.stdout.as_bytes());
     let verified = folder.run(&["verify", "result.json", "model.toml", "--json"]);
     verified.is_clean(0);
-    // Seven fields and the gap, two edges, the forces under both ends twice, and thirteen places of
-    // extremes: the smallest gap and the pressure have none.
+    // Seven fields and the gap, two contact edges, the forces under both ends twice, and thirteen positions
+    // of extremes. The smallest gap and the pressure have no position bound.
     assert_eq!(verified.json()["results"][0]["checked"]["bounds"], 27);
     let each = &verified.json()["results"][0]["each"];
     assert_eq!(each["edges"], document["proof"]["bounds"]["edges"]);
     assert_eq!(each["end_forces"].as_array().unwrap().len(), 2);
-    // A bound that is too small is not accepted.
+    // A bound that is too small is rejected.
     let bound = document["proof"]["bounds"]["moment"].as_f64().unwrap();
     document["proof"]["bounds"]["moment"] = json!(0.9 * bound);
     folder.write("result.json", document.to_string().as_bytes());
@@ -108,10 +108,11 @@ fn what_cannot_be_proven_is_told() {
     folder.run(&["solve", "model.toml", "--proven"]).fails(3, "tips about its right end");
     let train = format!("{FOOTING}[[train]]\naxles = [{{ at = '0 m', force = '90 kN' }}]\n");
     let folder = Folder::with(&train);
-    folder.run(&["solve", "model.toml", "--proven"]).fails(2, "positions of trains are not proven");
+    folder.run(&["solve", "model.toml", "--proven"]).fails(2, "train positions cannot be proven");
 }
 
-/// The proof's reader knows no surveys: the document holds the model, and the proof is for that one.
+/// The second reader does not know surveys. The document contains the model, and the proof applies to that
+/// model.
 #[test]
 fn a_model_of_the_document_is_proven_with_a_status_of_its_own() {
     let model = format!("{LIFTS}[gap_survey]\nfile = 'survey.csv'\n");
@@ -124,17 +125,17 @@ fn a_model_of_the_document_is_proven_with_a_status_of_its_own() {
     assert_eq!((verified.status, verified.stderr.as_str()), (3, ""), "{}", verified.stdout);
     assert!(verified.stdout.contains("for the model as the solver read it alone"));
     assert!(verified.stdout.lines().all(|line| line.chars().count() <= 80));
-    // Another table is another model.
+    // Another table gives another model.
     folder.write("survey.csv", &[SURVEY, b"\n"].concat());
     let verified = folder.run(&["verify", "result.json", "model.toml"]);
     assert_eq!(verified.status, 1, "{}", verified.stdout);
     assert!(verified.stdout.contains("belongs to another model file"));
 }
 
-/// A seabed, 1 mm deeper in the middle.
+/// A seabed that is 1 mm deeper in the middle.
 const SURVEY: &[u8] = b"x,z\n0,-1.0\n0.5,-1.001\n1,-1.0\n";
 
-/// [`LIFTS`] with limits of the deflection and of the lifted share.
+/// [`LIFTS`] with limits on the deflection and on the lifted share.
 fn checked(settlement: &str, lifted_share: &str) -> String {
     format!("{LIFTS}[checks]\nsettlement = {settlement}\nlifted_share = {lifted_share}\n")
 }
@@ -153,13 +154,13 @@ fn a_check_is_proven_if_its_limit_lies_outside_of_the_bound() {
     let checks = &document["proof"]["checks"];
     assert_eq!(checks[0]["judgement"], "proven-to-pass");
     assert_eq!(checks[1]["judgement"], "proven-to-fail");
-    // A limit within the bound: the found value itself.
+    // A limit within the bound: the computed value itself.
     let found = document["checks"][0]["value"].as_f64().unwrap();
     let folder = Folder::with(&checked(&format!("{found:?}"), "0.5"));
     let done = folder.run(&solve);
     done.is_clean(1);
     assert!(words(&done.stdout).contains("allowed: undecided within the bound"), "{}", done.stdout);
-    // Loads alone decide the eccentricity, which has no bound.
+    // The eccentricity depends only on the loads and has no bound.
     let folder = Folder::with(&format!("{LIFTS}[checks]\neccentricity = 0.5\n"));
     let done = folder.run(&solve);
     done.is_clean(0);
@@ -195,7 +196,7 @@ fn tables_have_a_bound_beside_each_field() {
             assert!((0.0..1e-10).contains(&bound), "{line}");
         }
     }
-    // At the edge of contact the pressure jumps somewhere within the bound of the edge.
+    // At a contact edge the pressure jumps within the bound of the edge's position.
     folder.run(&["solve", "model.toml", "--proven", "--csv", "t.csv"]).is_clean(0);
     assert!(folder.read("t.csv").lines().any(|line| line.ends_with(",(not proven)")));
     folder.run(&["solve", "model.toml", "--csv", "t.csv"]).is_clean(0);
@@ -239,14 +240,14 @@ fn a_report_with_bounds() {
     assert!(report.matches(" ± ").count() > 20, "{}", report.matches(" ± ").count());
     folder.run(&["solve", "model.toml", "--report", "r.html"]).is_clean(0);
     let report = folder.read("r.html");
-    // A plain solve has an estimate.
+    // A solve without proof has an estimate.
     assert!(!report.contains(" ± ") && !report.contains("proven error"));
     let folder = Folder::with(&combined());
     folder.run(&["solve", "model.toml", "--proven", "--report", "r.html"]).is_clean(0);
     assert!(folder.read("r.html").contains("each of 2 combinations"));
 }
 
-/// The intervals of places that a document claims are compared with the proven ones.
+/// Position intervals in a document are compared with the proven ones.
 #[test]
 fn claimed_places_are_verified() {
     let folder = Folder::with(LIFTS);
@@ -259,7 +260,7 @@ fn claimed_places_are_verified() {
     assert_eq!(verified.status, 1);
     let words = "claims places of the largest moment";
     assert!(verified.stdout.contains(words), "{}", verified.stdout);
-    // So are the values on the left of a jump.
+    // The same holds for the values on the left of a jump.
     let mut document = folder.run(&["solve", "model.toml", "--proven", "--json"]).json();
     let moment = document["left_of_jumps"]["moment"][0].as_f64().unwrap();
     document["left_of_jumps"]["moment"][0] = json!(moment + 1e-4);

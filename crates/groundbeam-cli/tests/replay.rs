@@ -1,6 +1,8 @@
-//! `groundbeam verify --log` and `reference/replay`: the inequalities of proofs hold in ball arithmetic of another program.
+//! Tests `groundbeam verify --log` and `reference/replay`: a second program with ball arithmetic confirms the
+//! inequalities of proofs.
 //!
-//! Skipped with a message where no python with python-flint is there. `PYTHON` names the python.
+//! The tests are skipped with a message if there is no Python with python-flint. `PYTHON` names the
+//! interpreter.
 
 #[allow(dead_code)]
 mod common;
@@ -24,7 +26,7 @@ fn python() -> Option<Command> {
     None
 }
 
-/// A folder with the document of a case and the log of its proof; none if the case has no solution.
+/// A folder with the document of a case and the log of its proof; `None` if the case has no solution.
 fn logged(case: &Path) -> Option<Folder> {
     let (folder, case) = (Folder::new(), root().join(case));
     let case = case.to_str().expect("a path");
@@ -34,7 +36,7 @@ fn logged(case: &Path) -> Option<Folder> {
     folder.path("proof.log").exists().then_some(folder)
 }
 
-/// The replay of a log, compared with the document in the folder.
+/// Replays a log and compares it with the document in the folder.
 fn replay(mut python: Command, folder: &Folder, log: &str) -> (Option<i32>, String) {
     folder.write("changed.log", log.as_bytes());
     let done: Output = python
@@ -46,7 +48,7 @@ fn replay(mut python: Command, folder: &Folder, log: &str) -> (Option<i32>, Stri
     (done.status.code(), text)
 }
 
-/// The model files in a folder, but for those that are wrong on purpose.
+/// The model files in a folder, except the deliberately faulty ones.
 fn models(folder: &Path) -> Vec<PathBuf> {
     let mut found = Vec::new();
     for entry in std::fs::read_dir(folder).expect("a folder") {
@@ -72,7 +74,8 @@ fn every_line_of_a_log_is_an_object_with_a_name() {
     }
 }
 
-/// All kinds are replayed. A result of which nothing is proven, as that of a combination that tips, is named as such.
+/// All kinds of proof lines are replayed. A result without proof, such as a combination that tips, is
+/// reported as such.
 #[test]
 fn the_logs_of_all_cases_replay() {
     let mut replayed = 0;
@@ -95,7 +98,8 @@ fn the_logs_of_all_cases_replay() {
 
 type Change<'a> = (&'a str, &'a dyn Fn(&mut Value));
 
-/// Replays the log of a case with the first line of a name changed that the change alters: it must be refused.
+/// Replays the log of a case after each change. The change applies to the first suitable line, and the replay
+/// must reject it.
 fn refused(case: &str, changes: &[Change]) {
     let folder = logged(Path::new(case)).expect("a log");
     let log = folder.read("proof.log");
@@ -127,7 +131,8 @@ fn times(line: &mut Value, place: &str, factor: f64) {
     }
 }
 
-/// Each number is changed by a tenth or less, in the direction in which the claim becomes stronger or the problem another.
+/// Each number changes by at most a tenth, in the direction that strengthens the claim or changes the
+/// problem.
 #[test]
 fn a_log_with_one_changed_number_fails() {
     refused(
@@ -197,7 +202,7 @@ fn logs_of_other_kinds_with_one_changed_number_fail() {
     );
 }
 
-/// A log without a line is refused by name, or an inequality fails for want of what the line says.
+/// A log with a missing line is rejected by name, or an inequality fails without that line's data.
 #[test]
 fn a_log_with_a_line_left_out_is_refused() {
     let folder = logged(Path::new("cases/kikuchi-1980/case-3.toml")).expect("a log");
@@ -214,7 +219,8 @@ fn a_log_with_a_line_left_out_is_refused() {
     }
 }
 
-/// The log of the right document does not confirm a document with another piece, edge, reaction or a smaller bound.
+/// The log of the correct document does not confirm a document with another piece, edge, reaction or a
+/// smaller bound.
 #[test]
 fn a_changed_document_is_refused() {
     let case = root().join("cases/footings/anchored-slab-on-bearings.toml");

@@ -1,4 +1,4 @@
-//! `groundbeam serve`: answers, and everything that must be refused.
+//! Tests `groundbeam serve`: responses, and requests that must be rejected.
 
 #[allow(dead_code)]
 mod common;
@@ -9,7 +9,7 @@ use common::{FOOTING, Folder, LIFTS, tips};
 use serde_json::{Value, json};
 use served::{Server, talk};
 
-/// A document without the time it took.
+/// A document without its duration.
 fn timeless(mut document: Value) -> Value {
     document.as_object_mut().unwrap().remove("seconds");
     document
@@ -66,7 +66,7 @@ fn what_is_no_model_file_is_refused() {
     }
     let huge = vec![b'#'; 5 << 20];
     assert_eq!(server.ask("POST", "/api/solve", &[], &huge).status, 413);
-    // A length that is announced and never sent does not stop others.
+    // An announced body that never arrives does not block other requests.
     let host = format!("Host: 127.0.0.1:{}", server.port);
     let endless = format!("POST /api/solve HTTP/1.1\r\n{host}\r\nContent-Length: 99999999\r\n\r\n");
     assert_eq!(server.say(&endless, b"[beam]").status, 413);
@@ -78,7 +78,7 @@ fn what_is_no_model_file_is_refused() {
     assert_eq!(server.post("/api/solve", LIFTS).status, 200);
 }
 
-/// Two trains, the first of which goes from 1 m to 4 m, and two combinations.
+/// Two trains, the first of which moves from 1 m to 4 m, and two combinations.
 fn trains() -> String {
     let axle = "axles = [{ at = '0 m', force = '90 kN' }]\n";
     format!(
@@ -112,8 +112,8 @@ fn a_wrong_query_is_refused_with_its_key_its_value_and_what_is_allowed() {
             ("first_axle=nan&train=0", &["first_axle", "a finite number"][..]),
             ("first_axle=inf&train=0", &["a finite number"]),
             ("first_axle=&train=0", &["a finite number"]),
-            ("first_axle=2", &["together with the place of one `train`"]),
-            ("first_axle=2&train=all", &["together with the place of one `train`"]),
+            ("first_axle=2", &["together with the index of one `train`"]),
+            ("first_axle=2&train=all", &["together with the index of one `train`"]),
             ("first_axle=0.9&train=0", &["from 1 to 4 for this train"]),
             ("train=99", &["train=99", "0 to 1 or `all`: this file has 2 trains"]),
             ("train=2", &["0 to 1"]),
@@ -139,14 +139,14 @@ fn a_wrong_query_is_refused_with_its_key_its_value_and_what_is_allowed() {
     }
     refused("/api/solve?width=700", FOOTING, &["combination, train, first_axle"]);
     refused("/api/file/html?train=0", &trains, &["the keys of this address are combination"]);
-    // A query that no file allows is refused before the file is read.
+    // A query that is invalid for every file is rejected before the file is read.
     refused("/api/solve?train=x", "[beam", &["from 0"]);
     for path in ["/api/start?x=1", "/?train=0", "/page.js?v=2"] {
         let reply = server.get(path);
         assert_eq!((reply.status, &reply.json()["status"]), (400, &json!("refused")), "{path}");
     }
     assert_eq!(server.post("/api/file/%ff", FOOTING).json()["status"], "refused");
-    // Right ones are answered.
+    // Valid queries are answered.
     for query in
         ["", "train=0", "train=1&first_axle=0.5", "train=all", "combination=two+%26%20more"]
     {
@@ -170,7 +170,7 @@ fn a_view_of_trains_begins_with_one_position() {
     assert_ne!(view(""), view("?train=all"));
 }
 
-/// Open connections on which little or nothing arrives.
+/// Opens connections on which little or nothing arrives.
 #[test]
 fn slow_connections_do_not_stop_others() {
     use std::io::{Read, Write};
@@ -255,7 +255,7 @@ fn two_hundred_at_once() {
     for (i, (_, reply)) in replies.iter().enumerate() {
         assert_eq!((reply.status, &reply.json()["status"]), (200, &json!("solved")), "{i}");
     }
-    // Each got the answer to its own question.
+    // Each response belongs to its own request.
     for (model, reply) in replies.iter().step_by(50) {
         let printed = Folder::with(model).run(&["solve", "model.toml", "--json"]);
         assert_eq!(timeless(reply.json()), timeless(printed.json()));
@@ -271,7 +271,7 @@ fn a_view_tells_where_every_number_stands() {
     let number = &view["numbers"][handle["position"].as_u64().unwrap() as usize];
     let [from, to] = ["from", "to"].map(|end| number[end].as_u64().unwrap() as usize);
     assert_eq!((&FOOTING[from..to], &number["unit"]), ("5", &json!("m")));
-    // The handle stands where the picture has the position.
+    // The handle is at the position in the picture.
     let [left, scale] = ["left", "scale"].map(|key| view["picture"][key].as_f64().unwrap());
     assert!((handle["x"].as_f64().unwrap() - (left + 5.0 * scale)).abs() < 1e-9);
     let lost = server.post("/api/view", &tips()).json();
@@ -297,7 +297,7 @@ fn files_to_keep_are_those_of_the_command_line() {
     let report = server.post("/api/file/txt", LIFTS);
     assert_eq!(untimed(report.text()), untimed(&printed.stdout));
     assert_eq!(server.post("/api/file/svg", &tips()).status, 409);
-    // A report says why there is no equilibrium.
+    // A report explains why there is no equilibrium.
     let report = server.post("/api/file/html", &tips());
     assert!(report.status == 200 && report.text().contains("No equilibrium"));
     assert_eq!(server.post("/api/file/json", &tips()).json()["status"], "no-equilibrium");

@@ -1,4 +1,4 @@
-//! `groundbeam study` and `groundbeam merge`.
+//! Tests `groundbeam study` and `groundbeam merge`.
 
 #[allow(dead_code)]
 mod common;
@@ -52,11 +52,12 @@ fn a_study_tells_probabilities() {
     let json = done.json();
     assert_eq!(json["samples"], 3000);
     let event = |i: usize| &json["events"][i];
-    // The static reaction of the left end is ½ − M₀: with a normal moment it is lost with probability Φ(−2) = 0.02275.
+    // The static reaction of the left end is ½ − M₀. With a normal moment it vanishes with probability Φ(−2)
+    // = 0.02275.
     assert_eq!(event(0)["name"], "no equilibrium");
     let [low, high] = [0, 1].map(|i| event(0)["interval"]["bounds"][i].as_f64().unwrap());
     assert!(low < 0.02275 && 0.02275 < high && high - low < 0.02, "{low} {high}");
-    // A beam that tips counts as one of which everything has happened.
+    // For a beam that tips, every event counts as occurred.
     let probability = |i: usize| event(i)["probability"].as_f64().unwrap();
     assert!(probability(1) > 0.5 && probability(1) > probability(0));
     assert!(probability(2) >= probability(0));
@@ -94,7 +95,7 @@ fn the_bytes_are_those_of_the_study_alone() {
     let merge =
         |files: &[&str]| folder.run(&[&["merge"], files, &["--out", "bad.parquet"]].concat());
     merge(&shards[..2]).fails(2, "samples 1000 to 1999 are missing");
-    merge(&["shard-1.parquet", "shard-1.parquet"]).fails(2, "are there twice");
+    merge(&["shard-1.parquet", "shard-1.parquet"]).fails(2, "occur twice");
     run(&["--out", "other.parquet", "--seed", "6", "--shard", "2/3"]);
     merge(&["shard-1.parquet", "other.parquet"]).fails(2, "are not of the same study");
     assert!(!folder.path("bad.parquet").exists());
@@ -102,7 +103,7 @@ fn the_bytes_are_those_of_the_study_alone() {
     assert!(bytes(&folder, "other.parquet") != bytes(&folder, "shard-2.parquet"));
 }
 
-/// A merge to standard output is the file alone; a damaged shard is refused there and in the study.
+/// A merge to standard output writes only the file. The merge and the study reject a damaged shard.
 #[test]
 fn damage_is_told_and_standard_output_holds_the_file_alone() {
     let folder = folder();
@@ -129,7 +130,7 @@ fn damage_is_told_and_standard_output_holds_the_file_alone() {
         .fails(2, "one of the files that are merged");
 }
 
-/// The same without the fields: thousands of samples in a moment, and more rows than go on a page of the file.
+/// The same without fields: thousands of samples in a moment, and more rows than one page of the file.
 fn many() -> Folder {
     let folder = folder();
     let (before, rest) = STUDY.split_once("[field]").unwrap();
@@ -138,7 +139,7 @@ fn many() -> Folder {
     folder
 }
 
-/// Runs a study that is too long to end, and stops it once parts are there.
+/// Runs a long study, and stops it when parts exist.
 fn interrupted(
     folder: &Folder,
     stop: impl FnOnce(&mut std::process::Child),
@@ -166,9 +167,9 @@ fn a_killed_study_goes_on_and_ends_with_the_same_bytes() {
     folder.run(&[&all[..], &["--out", "whole.parquet"]].concat()).is_clean(0);
     interrupted(&folder, |child| child.kill().unwrap());
     assert!(!folder.path("r.parquet").exists());
-    // A part that was being written is no part.
+    // An unfinished part is ignored.
     folder.write("r.parquet.parts/000000000039000-000000000040000.unfinished", b"PAR1");
-    // What waits is of this study alone.
+    // Saved parts belong to one study only.
     let other = folder.run(&["study", "study.toml", "--out", "r.parquet", "--seed", "9"]);
     other.fails(2, "another study, model, survey, seed");
     folder.run(&[&all[..], &["--out", "r.parquet"]].concat()).is_clean(0);
@@ -228,24 +229,24 @@ fn what_is_wrong_is_told_at_its_place() {
     wrong("deviation = 0.05", "deviation = -0.05", &["wrong.toml:8:13", "must be positive"]);
     wrong("deviation = 0.05\n", "", &["`cov` or `deviation`"]);
     wrong("mean = 0.4", "mean = \"0.4 kN m\"", &["wrong.toml:7:8"]);
-    wrong("length = 0.3", "length = 0", &["a correlation length is positive"]);
+    wrong("length = 0.3", "length = 0", &["a correlation length must be positive"]);
     wrong("rho = 0.5", "rho = 1.5", &["a correlation lies between -1 and 1"]);
     wrong("samples = 3000", "samples = 0", &["wrong.toml:2:11"]);
     wrong("samples = 3000", "sampels = 3000", &["did you mean `samples`?"]);
-    wrong("deflection.max", "deflection.most", &["is no number of an answer"]);
+    wrong("deflection.max", "deflection.most", &["is not a result of a solve"]);
     wrong("model.toml", "none.toml", &["wrong.toml:1:9", "none.toml"]);
     let sobol = "samples = 3200\nsampling = \"sobol\"";
     wrong("samples = 3000", sobol, &["even only over powers of two", "4096 samples are even"]);
     let uneven = "samples = 3000\nsampling = \"latin-hypercube\"";
     wrong("samples = 3000", uneven, &["16 equal replicates; 2992 can"]);
-    // All that is wrong at once.
+    // All faults are reported together.
     wrong("normal\"\nmean = 0.4", "gumble\"\nmeen = 0.4", &["gumble", "meen"]);
-    // A model that is wrong is told in its own file.
+    // A fault of the model is reported in the model's file.
     folder.write("model.toml", LIFTS.replace("EI = 1", "EI = -1").as_bytes());
     let done = folder.run(&["study", "study.toml", "--out", "w.parquet"]);
     done.fails(2, "model.toml:4:6");
     for shard in ["0/3", "4/3", "x", "1/0"] {
         let done = folder.run(&["study", "study.toml", "--out", "w.parquet", "--shard", shard]);
-        done.fails(2, "is written i/N");
+        done.fails(2, "of N as i/N");
     }
 }

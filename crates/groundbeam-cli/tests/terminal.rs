@@ -1,18 +1,18 @@
-//! Names in a file, and names of files, cannot steer the terminal: what would is written as an escape.
+//! Tests that names in a file and file names cannot control the terminal: control characters are escaped.
 
 #[allow(dead_code)]
 mod common;
 
 use common::{Done, Folder};
 
-/// Characters that a terminal obeys, or that hide the order of letters.
+/// Characters that a terminal interprets, or that hide the order of letters.
 fn steering() -> impl Iterator<Item = char> {
     let control = ('\0'..='\u{1f}').chain('\u{7f}'..='\u{9f}');
     let direction = ['\u{61c}', '\u{200e}', '\u{200f}', '\u{2028}', '\u{2029}'];
     control.chain(direction).chain('\u{202a}'..='\u{202e}').chain('\u{2066}'..='\u{2069}')
 }
 
-/// A name with all of them, as a file spells it.
+/// A name with all of them, as written in a file.
 fn name(word: &str) -> String {
     let escapes: String = steering().map(|c| format!("\\u{:04x}", u32::from(c))).collect();
     format!("\"{word}{escapes}\"")
@@ -94,7 +94,7 @@ fn a_study() {
     }
 }
 
-/// In messages, in advice, in lines of the file and in its name.
+/// In messages, hints, lines of the file and its name.
 #[test]
 fn diagnostics() {
     let folder = Folder::with(&model());

@@ -1,4 +1,4 @@
-//! The units and the digits of what is printed, and warnings about a file.
+//! Tests units and digits of printed results, and warnings about a file.
 
 #[allow(dead_code)]
 mod common;

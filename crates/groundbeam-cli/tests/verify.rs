@@ -1,4 +1,5 @@
-//! `groundbeam verify`: every exit status with a real document, and every listed number is compared.
+//! Tests `groundbeam verify`: every exit status with a real document, and the comparison of every listed
+//! number.
 
 #[allow(dead_code)]
 mod common;
@@ -6,7 +7,7 @@ mod common;
 use common::{Done, FOOTING, Folder, LIFTS, combined};
 use serde_json::{Value, json};
 
-/// A pin, and a spring that settles.
+/// A pin, and a spring support with a settlement.
 const SUPPORTED: &str = "\
 [beam]
 length = 4
@@ -113,7 +114,7 @@ fn another_model_is_told() {
     let done = with(&other, &in_others);
     assert_eq!(done.status, 1);
     assert!(done.stdout.contains("the units of the document are `none`"), "{}", done.stdout);
-    // Without its digest the numbers tell.
+    // Without the digest, the numbers show the difference.
     document.as_object_mut().unwrap().remove("model_digest");
     let done = with(&folder, &document);
     assert_eq!(done.status, 1);
@@ -161,12 +162,12 @@ fn each_combination_is_proven() {
     let done = verify(&folder, &[]);
     done.is_clean(0);
     assert_eq!(done.stdout.matches("Proven ").count(), 2);
-    // Each under its own loads.
+    // Each combination under its own loads.
     let right = document.clone();
     document["combinations"][0]["name"] = json!("two");
     document["combinations"][1]["name"] = json!("one");
     assert_eq!(with(&folder, &document).status, 1);
-    // What stands at two places must agree, and no combination may stand twice.
+    // Repeated data must agree, and no combination may occur twice.
     for (pointer, value) in [
         ("/combinations/1/name", json!("one")),
         ("/combinations/0/combination", json!("two")),
@@ -189,7 +190,7 @@ fn each_combination_is_proven() {
     verify(&folder, &[]).is_clean(0);
 }
 
-/// Every number of a document as a path of keys.
+/// Every number of a document, as a path of keys.
 fn numbers(value: &Value, path: &str, found: &mut Vec<String>) {
     match value {
         Value::Number(_) => found.push(path.to_owned()),
@@ -220,7 +221,8 @@ fn every_listed_number_is_compared() {
         let mut tried = 0;
         for path in paths {
             let value = document.pointer(&path).unwrap().as_f64().unwrap();
-            // The place of a reaction is not covered; a flat field keeps its value where it is moved.
+            // The position of a reaction is not covered. A constant field has the same value at a shifted
+            // position.
             let skipped = (path.starts_with("/reactions") && path.ends_with("/at"))
                 || path.ends_with("/support")
                 || path.starts_with("/stations/x")
@@ -231,7 +233,7 @@ fn every_listed_number_is_compared() {
             let mut changed = document.clone();
             *changed.pointer_mut(&path).unwrap() = json!(value * 1.001);
             let done = with(&folder, &changed);
-            // The top coefficients of a piece change the answer by less than a millionth.
+            // The highest coefficients of a piece change the solution by less than a millionth.
             let negligible = path.starts_with("/pieces") && done.status == 0;
             assert!(done.status == 1 || negligible, "{path}: {}", done.stdout);
             tried += 1;
@@ -261,7 +263,7 @@ fn attacks() {
     }
 }
 
-/// A document of one combination belongs to the file; the others are named.
+/// A document of one combination belongs to the file. The missing combinations are named.
 #[test]
 fn combinations_that_the_document_leaves_out_are_named() {
     let folder = Folder::with(&combined());
@@ -278,7 +280,7 @@ fn combinations_that_the_document_leaves_out_are_named() {
     assert!(!verify(&folder, &[]).stdout.contains("left out"));
 }
 
-/// The shear force of documents is M′, also under a distributed moment.
+/// The shear force in documents is M′, also under a distributed moment.
 #[test]
 fn the_shear_force_under_a_distributed_moment_is_that_of_documents() {
     let model = format!("{FOOTING}[[load]]\ndistributed_moment = '5 kN m/m'\n");
@@ -290,7 +292,7 @@ fn the_shear_force_under_a_distributed_moment_is_that_of_documents() {
     assert_eq!(with(&folder, &wrong).status, 1);
 }
 
-/// Near an extreme the values hardly differ, so that its place is compared by itself.
+/// Near an extreme the values are almost constant, so its position is compared separately.
 #[test]
 fn places_of_extremes_are_compared() {
     let (folder, document) = solved(include_str!("../../../docs/strip-footing.toml"), &[]);
@@ -300,7 +302,7 @@ fn places_of_extremes_are_compared() {
         let mut found = all.filter(|p| p["field"] == field && p["extreme"] == extreme);
         found.next().unwrap()["places"].clone()
     };
-    // The largest moment is under the load; the slope is least where the moment vanishes.
+    // The largest moment is under the load. The slope is smallest where the moment vanishes.
     assert_eq!(of("moment", "max"), json!([[1.5, 1.5]]));
     let listed = document["extremes"]["slope"]["min"]["x"].as_f64().unwrap();
     let place = of("slope", "min");

@@ -1,16 +1,16 @@
-//! Bands of uncertain ground: the multiples of k and μ that are solved together.
+//! Bands of uncertain ground: lower and upper factors on k and μ, and the pairs of factors that are solved.
 
-/// Between which multiples of their best values k and μ are known to lie.
+/// Lower and upper factors on k and μ, relative to their best estimates.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Band {
-    /// The smallest and the largest multiple of k.
+    /// Lower and upper factor on k.
     pub spring: [f64; 2],
-    /// The smallest and the largest multiple of μ.
+    /// Lower and upper factor on μ.
     pub shear: [f64; 2],
 }
 
 impl Band {
-    /// Multiples of k and μ: the best values first, then every pair of low, best and high.
+    /// Pairs of factors on k and μ: first the best estimates, then every combination of low, best and high.
     pub fn grounds(&self) -> Vec<[f64; 2]> {
         let mut grounds = vec![[1.0, 1.0]];
         for spring in steps(self.spring) {
@@ -23,7 +23,7 @@ impl Band {
         grounds
     }
 
-    /// What a ground is called: `best ground`, or `0.5 k, 2 mu`.
+    /// Name of the ground with these factors: `best ground`, or `0.5 k, 2 mu`.
     pub fn name(&self, ground: [f64; 2]) -> String {
         if ground == [1.0, 1.0] {
             return "best ground".to_owned();

@@ -1,4 +1,4 @@
-//! Files beside the model file: where they are read, and the tables of numbers in them.
+//! Files that a model file names: their location, and the tables of numbers that they contain.
 
 use crate::files::read_file;
 use crate::source::Source;
@@ -8,16 +8,16 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// A file that a model file names.
+/// A file that the model file names.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct OtherFile {
-    /// Its name, as it can be opened from where the program runs.
+    /// Its path, relative to the working directory.
     pub name: String,
-    /// Its text, with U+FFFD for what is not UTF-8.
+    /// Its text. U+FFFD replaces bytes that are not UTF-8.
     pub text: String,
 }
 
-/// Where the files are that a file names.
+/// Location of the files that a model file names.
 #[derive(Debug, Clone, Copy)]
 pub struct Beside<'a> {
     folder: &'a Path,
@@ -25,24 +25,25 @@ pub struct Beside<'a> {
 }
 
 impl<'a> Beside<'a> {
-    /// In memory: files that were read in this folder before, here or on another machine. No other file is read.
+    /// Files in memory that were read from this folder earlier, perhaps on another machine. No other file is
+    /// read.
     pub fn held(folder: &'a Path, files: &'a [OtherFile]) -> Self {
         Beside { folder, held: Some(files) }
     }
 
-    /// The same files, named from another folder.
+    /// The same files, with names relative to another folder.
     pub(crate) fn from(self, folder: &'a Path) -> Self {
         Beside { folder, ..self }
     }
 
-    /// The path of a file that is named from the folder, and its bytes if it can be read.
+    /// Path of a file whose name is relative to the folder, and its bytes.
     pub(crate) fn read(&self, name: &str) -> (PathBuf, io::Result<Vec<u8>>) {
         let path = self.folder.join(name);
         let bytes = self.read_path(&path);
         (path, bytes)
     }
 
-    /// The bytes of a file.
+    /// Bytes of a file.
     pub(crate) fn read_path(&self, path: &Path) -> io::Result<Vec<u8>> {
         let Some(files) = self.held else { return read_file(path) };
         let name = path.display().to_string();
@@ -52,13 +53,13 @@ impl<'a> Beside<'a> {
 }
 
 impl<'a, P: AsRef<Path> + ?Sized> From<&'a P> for Beside<'a> {
-    /// On the disk, in a folder.
+    /// Files on the disk, in a folder.
     fn from(folder: &'a P) -> Self {
         Beside { folder: folder.as_ref(), held: None }
     }
 }
 
-/// A table: its header and its rows, every cell with its place.
+/// A table: its header and its rows. Every cell has its location in the text.
 pub(crate) struct Table {
     pub file: Arc<OtherFile>,
     pub source: Source,
@@ -66,24 +67,24 @@ pub(crate) struct Table {
     pub rows: Vec<Row>,
 }
 
-/// The cells of one row.
+/// Cells of one row.
 pub(crate) struct Row {
     pub cells: Vec<String>,
-    /// The bytes of the row in the text.
+    /// Byte range of the row in the text.
     pub span: Range<usize>,
     spans: Vec<Range<usize>>,
 }
 
 impl Row {
-    /// The bytes of a cell; of one that is missing, the end of the row.
+    /// Byte range of a cell; for a missing cell, the end of the row.
     pub fn cell(&self, i: usize) -> Range<usize> {
         self.spans.get(i).cloned().unwrap_or(self.span.end..self.span.end)
     }
 }
 
 impl Table {
-    /// Reads a file of values separated by semicolons, tabs or commas, whichever its first row has, with `#`
-    /// before comments.
+    /// Reads a file of values. The first row decides whether semicolons, tabs or commas separate them. A `#`
+    /// begins a comment.
     pub fn read(beside: Beside, file: &str) -> Result<Table, String> {
         let (path, bytes) = beside.read(file);
         let bytes = bytes.map_err(|error| error.to_string())?;
@@ -116,7 +117,7 @@ impl Table {
 
 impl Row {
     fn of(text: &str, span: Range<usize>, record: &StringRecord, separator: char) -> Self {
-        // A record's position may lie before comments and empty lines.
+        // The position of a record may precede comments and empty lines.
         let mut from = span.start;
         while let Some(line) = text[from..span.end].split_inclusive('\n').next()
             && (line.starts_with('#') || line.trim().is_empty())

@@ -1,6 +1,6 @@
-//! The names of load cases: each once, and what is said of a name that no load case has.
+//! Names of load cases without repetition, and the message for an unknown name.
 
-/// The names of the load cases to which loads belong, each once, in the order of the loads.
+/// Names of the load cases, each once, in the order of the loads.
 pub(crate) fn names(cases: &[Option<String>]) -> Vec<&str> {
     let mut names: Vec<&str> = Vec::new();
     for case in cases.iter().flatten() {
@@ -11,10 +11,10 @@ pub(crate) fn names(cases: &[Option<String>]) -> Vec<&str> {
     names
 }
 
-/// The message about a name that no load case has.
+/// Message for a name that is not a load case.
 pub(crate) const NO_LOAD: &str = "no load belongs to a case `{}`";
 
-/// The advice where no load case has a name like the one that was written.
+/// Hint for a name that resembles no load case.
 pub(crate) fn otherwise(names: &[&str]) -> &'static str {
     match names {
         [] => "no load of the file has a `case`; give one to those that are meant",

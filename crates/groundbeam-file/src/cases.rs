@@ -1,4 +1,4 @@
-//! Lists of load cases from outside the file, as on a command line.
+//! Parses a comma-separated list of load cases, as given on the command line.
 
 use crate::case_names::{NO_LOAD, names, otherwise};
 use crate::code;
@@ -7,8 +7,8 @@ use crate::document::Document;
 use crate::fault::Fault;
 use crate::{list, suggest};
 
-/// Reads names of load cases separated by commas: which of the document's loads belong to one of them, in
-/// the order of the loads.
+/// Parses a comma-separated list of load case names. Returns, for each load of the document in order, whether
+/// it belongs to one of them.
 ///
 /// ```
 /// let text = "[beam]\nlength = 1\nEI = 1\n[foundation]\nk = 1\n
@@ -22,8 +22,8 @@ use crate::{list, suggest};
 ///
 /// # Errors
 ///
-/// Every entry to which no load belongs; places count from the start of `list`, so that
-/// [`Diagnostics::render`] shows them with `list` as the text.
+/// One diagnostic for each entry that is not a load case. Byte positions count from the start of `list`, so
+/// that [`Diagnostics::render`] shows them with `list` as the text.
 pub fn parse_cases(list: &str, document: &Document) -> Result<Vec<bool>, Diagnostics> {
     let known = names(&document.cases);
     let chosen = list::read(list, |name| {

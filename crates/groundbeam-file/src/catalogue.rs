@@ -1,11 +1,11 @@
-//! Built-in lists of things with names: materials, trains, sets of combinations.
+//! Lookup by name in the built-in lists: materials, trains, sets of combinations.
 
 use serde::de::DeserializeOwned;
 
 /// An entry of a built-in list.
 pub(crate) trait Entry {
     fn name(&self) -> &str;
-    /// Other names by which it can be asked for.
+    /// Alternative names of the entry.
     fn also(&self) -> &[String];
 
     fn is_called(&self, name: &str) -> bool {
@@ -13,7 +13,7 @@ pub(crate) trait Entry {
     }
 }
 
-/// All names by which entries can be asked for.
+/// All names of all entries.
 pub(crate) fn spellings<'e, E: Entry + 'e>(
     entries: impl IntoIterator<Item = &'e E>,
 ) -> Vec<&'e str> {
@@ -22,7 +22,7 @@ pub(crate) fn spellings<'e, E: Entry + 'e>(
     entries.into_iter().flat_map(names).collect()
 }
 
-/// The data files of a list, which a test reads.
+/// The data files of a list, for tests.
 pub(crate) fn files<F: DeserializeOwned>(texts: &[&str]) -> Vec<F> {
     let read = |text: &&str| toml::from_str(text).expect("a list that a test has read");
     texts.iter().map(read).collect()

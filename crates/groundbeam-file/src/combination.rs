@@ -1,4 +1,4 @@
-//! Combinations of load cases: names, factors, and the models they make.
+//! Combinations of load cases: names, factors, and the resulting models.
 
 use crate::band::Band;
 use crate::code;
@@ -10,22 +10,22 @@ use crate::source::Source;
 use crate::{case_names, sets, suggest};
 use groundbeam::{LimitStates, Load, Model};
 
-/// More combinations than this a file may not have.
+/// Maximum number of combinations in a file.
 pub(crate) const MOST: usize = 1000;
 
-/// A combination as it is written: its name, and the factors of cases.
+/// A combination as written in the file: its name, and the factors on load cases.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Recipe {
     pub name: String,
     pub factors: Vec<(String, f64)>,
-    /// The limit states; empty if neither the file nor the set names any.
+    /// Its limit states; empty if neither the file nor the set names any.
     pub limit_states: LimitStates,
-    /// The set of a code of practice that made it.
+    /// The set of combinations of a code of practice that it comes from.
     pub set: Option<&'static str>,
 }
 
 impl Recipe {
-    /// By what the loads of a case are multiplied; loads without a case count once.
+    /// Factor on the loads of a case; 1 for loads without a case.
     pub fn factor(&self, case: Option<&str>) -> f64 {
         case.map_or(1.0, |case| {
             let named = self.factors.iter().find(|(name, _)| name == case);
@@ -37,18 +37,17 @@ impl Recipe {
 /// One of the combinations of a file.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Combination {
-    /// Its name, which no other combination of the file has.
+    /// Its name, unique in the file.
     pub name: String,
-    /// The cases it names, each with its factor; any other case has the factor 0.
+    /// The load cases it names, each with its factor. Other cases have the factor 0.
     pub factors: Vec<(String, f64)>,
-    /// Its limit states; empty for loads as given, and if the file names none.
+    /// Its limit states; empty for the loads as given, or if the file names none.
     pub limit_states: LimitStates,
-    /// The file's model under its loads alone: those of factor 0 are left out.
+    /// The file's model under the factored loads. Loads with the factor 0 are left out.
     pub model: Model,
-    /// Which of the document's loads these are.
+    /// Indices of these loads in the document.
     pub loads: Vec<usize>,
-    /// What k and μ are multiplied by where the file has a [`Band`](crate::Band); the model's ground is multiplied
-    /// already.
+    /// Factors on k and μ if the file has a [`Band`](crate::Band). The model's ground already includes them.
     pub ground: Option<[f64; 2]>,
 }
 
@@ -62,16 +61,16 @@ impl From<Model> for Combination {
     }
 }
 
-/// A load case by itself.
+/// One load case alone.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LoadCase {
     /// Its name.
     pub name: String,
-    /// The file's model under the loads of this case alone.
+    /// The file's model under the loads of this case only.
     pub model: Model,
 }
 
-/// The name of a combination on one of the grounds of a band.
+/// Name of a combination on one ground of a band.
 fn on(name: &str, band: &Band, ground: [f64; 2]) -> String {
     let place = band.name(ground);
     match name {
@@ -81,8 +80,8 @@ fn on(name: &str, band: &Band, ground: [f64; 2]) -> String {
 }
 
 impl Combination {
-    /// The factor of a train; `None` of a train whose case the combination leaves out. Without combinations, and without
-    /// a case, it is 1.
+    /// Factor on a train; `None` if the combination leaves out the train's case. It is 1 without combinations
+    /// or without a case.
     pub fn factor_of(&self, train: &MovingTrain) -> Option<f64> {
         let Some(case) = train.case.as_ref().filter(|_| !self.factors.is_empty()) else {
             return Some(1.0);
@@ -91,13 +90,13 @@ impl Combination {
         named.map(|(_, factor)| *factor).filter(|factor| *factor != 0.0)
     }
 
-    /// The same with further loads.
+    /// The same combination with additional loads.
     pub fn with_loads(mut self, loads: Vec<Load>) -> Self {
         self.model.loads.extend(loads);
         self
     }
 
-    /// The same on ground with k and μ multiplied.
+    /// The same combination on ground with factored k and μ.
     fn on(mut self, band: &Band, ground: [f64; 2]) -> Self {
         let [spring, shear] = ground;
         self.model.foundation = self.model.foundation.scaled(spring, shear);
@@ -107,13 +106,13 @@ impl Combination {
     }
 }
 
-/// The hint that names the nearest of the names that there are.
+/// Hint that lists the most similar names.
 fn nearest(wanted: &str, names: &[&str]) -> String {
     let near = suggest::nearest_three(wanted, names);
     let near: Vec<String> = near.iter().map(|name| format!("`{name}`")).collect();
     match (near.len(), names.len()) {
         (near_count, all) if near_count < all => {
-            format!("the nearest of {all} names: {}", near.join(", "))
+            format!("the most similar of {all} names: {}", near.join(", "))
         }
         _ => format!("there is {}", near.join(", ")),
     }
@@ -125,15 +124,15 @@ fn unknown(name: &str, message: String, hint: String) -> Diagnostics {
 }
 
 impl Document {
-    /// Whether the file asks for more than one answer: combinations of load cases, or a band of grounds.
+    /// Whether the file asks for several results: combinations of load cases, or a band of grounds.
     pub fn has_combinations(&self) -> bool {
         !self.recipes.is_empty() || self.band.is_some()
     }
 
-    /// The file's combinations, each with its own model; none if it asks for none.
+    /// The file's combinations, each with its own model; empty if the file asks for none.
     ///
-    /// With a band of grounds every combination is there once for each ground; a file that has a band but no
-    /// combinations of load cases has all its loads on each ground.
+    /// With a band, each combination is repeated for each ground. A file with a band but without combinations
+    /// applies all loads on each ground.
     ///
     /// ```
     /// let text = "[beam]\nlength = 1\nEI = 1\n[foundation]\nk = 1\n
@@ -164,7 +163,7 @@ impl Document {
         all.flat_map(on_each).collect()
     }
 
-    /// The names of the file's combinations, in their order.
+    /// Names of the file's combinations, in order.
     pub fn combination_names(&self) -> Vec<String> {
         let written = self.recipes.iter().map(|recipe| &*recipe.name);
         let Some(band) = &self.band else { return written.map(str::to_owned).collect() };
@@ -173,7 +172,7 @@ impl Document {
         alone.into_iter().chain(written).flat_map(on_each).collect()
     }
 
-    /// All combinations of the file; one that has none is itself one, without a name.
+    /// All combinations of the file. A file without combinations gives one without a name: all loads.
     pub fn wanted(&self) -> Vec<Combination> {
         match self.has_combinations() {
             true => self.combinations(),
@@ -181,12 +180,12 @@ impl Document {
         }
     }
 
-    /// Every load as it is written, on the ground as it is written: a combination without a name.
+    /// All loads as written, on the ground as written: a combination without a name.
     pub fn as_written(&self) -> Combination {
         Combination::from(self.model.clone())
     }
 
-    /// The title of results of one combination: `Footing: ULS 1`.
+    /// Title of the results of one combination, such as `Footing: ULS 1`.
     pub fn title_of(&self, combination: &Combination) -> String {
         match &self.title {
             Some(title) => format!("{title}: {}", combination.name),
@@ -194,12 +193,12 @@ impl Document {
         }
     }
 
-    /// The combination of a name.
+    /// The combination with this name.
     ///
     /// # Errors
     ///
-    /// A name that no combination has, or a file that has none; the place counts from the start of `name`, so that
-    /// [`Diagnostics::render`] shows it with `name` as the text.
+    /// No combination has this name, or the file has none. Byte positions count from the start of `name`, so
+    /// that [`Diagnostics::render`] shows it with `name` as the text.
     pub fn combination(&self, name: &str) -> Result<Combination, Diagnostics> {
         let wanted = name.trim();
         let mut all = self.combinations();
@@ -212,21 +211,21 @@ impl Document {
             [] => "the file has no [[combination]]".to_owned(),
             _ => nearest(wanted, &names),
         };
-        Err(unknown(name, format!("no combination is called `{wanted}`"), hint))
+        Err(unknown(name, format!("no combination has the name `{wanted}`"), hint))
     }
 
-    /// The names of the sets of combinations that the file asks for, each once.
+    /// Names of the sets of combinations that the file asks for, each once.
     pub fn set_names(&self) -> Vec<&'static str> {
         let mut names: Vec<&str> = self.recipes.iter().filter_map(|recipe| recipe.set).collect();
         names.dedup();
         names
     }
 
-    /// The combinations that a set makes, by one of the names of the set.
+    /// The combinations of the set with this name.
     ///
     /// # Errors
     ///
-    /// As [`Document::combination`], of a name that no set of the file has.
+    /// As [`Document::combination`], for a name that is not a set of the file.
     pub fn combinations_of_set(&self, name: &str) -> Result<Vec<Combination>, Diagnostics> {
         let wanted = name.trim();
         let asked = sets::find(wanted).map(|(_, set)| &*set.name);
@@ -245,7 +244,7 @@ impl Document {
         Err(unknown(name, format!("the file does not ask for the set `{wanted}`"), hint))
     }
 
-    /// Every load case that combinations may name, by itself, in the order in which the loads name them.
+    /// Each load case by itself, in the order in which the loads name them.
     pub fn load_cases(&self) -> Vec<LoadCase> {
         if self.recipes.is_empty() {
             return Vec::new();
@@ -257,7 +256,7 @@ impl Document {
         case_names::names(&self.cases).into_iter().map(alone).collect()
     }
 
-    /// The model with a factor to each load, and the loads whose factor is not 0.
+    /// The model with a factor on each load, and the indices of the loads with nonzero factor.
     fn under(&self, factor: impl Fn(&Option<String>) -> f64) -> (Model, Vec<usize>) {
         let mut loads = Vec::new();
         let mut scaled = Vec::new();

@@ -1,6 +1,6 @@
-//! The demands of a key on its number: the sign, and for a position the body on which it lies.
+//! Requirements of a key on its number: the sign, and for a position the body on which it lies.
 
-/// The signs that a number may have.
+/// Signs that a number may have.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Sign {
     /// Negative, zero or positive.
@@ -16,7 +16,7 @@ pub enum Sign {
 pub enum Place {
     /// The beam, from 0 to its length.
     Beam,
-    /// The ground, which goes on beside the beam.
+    /// The ground, which extends beyond the beam.
     Ground,
 }
 
@@ -71,7 +71,7 @@ width = \"1 m\"
 settlement = \"20 mm\"
 ";
 
-    /// All model files of `cases/` and `docs/` that are right, and the folders in which they stand.
+    /// All valid model files of `cases/` and `docs/`, with their folders.
     fn files() -> Vec<(String, PathBuf)> {
         let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
         let mut folders = vec![root.join("docs"), root.join("cases")];
@@ -89,7 +89,7 @@ settlement = \"20 mm\"
         all
     }
 
-    /// Whether a file is refused at a quantity because of its sign when it has another number.
+    /// Whether a file with this number at a quantity is rejected because of the sign.
     fn is_refused(text: &str, folder: &Path, quantity: &Quantity, number: &str) -> bool {
         let at = quantity.number.clone();
         let changed = format!("{}{number}{}", &text[..at.start], &text[at.end..]);
@@ -104,7 +104,7 @@ settlement = \"20 mm\"
     fn the_signs_are_those_that_a_file_demands() {
         let mut keys = BTreeSet::new();
         let mut wrong = BTreeSet::new();
-        // A layer of which μ may not end in the middle of the beam refuses a zero there; another file takes it.
+        // If a layer must not end inside the beam, μ = 0 is rejected there; another file accepts it.
         let (mut may_be_zero, mut was_zero) = (BTreeSet::new(), BTreeSet::new());
         for (text, folder) in files() {
             let Ok(document) = crate::parse_beside(&text, &folder) else { continue };

@@ -1,4 +1,4 @@
-//! Diagnostics: the fault of a file, its place, and the remedy.
+//! Diagnostics: the fault in a file, its location, and the remedy.
 
 use crate::beside::OtherFile;
 use crate::fault::Fault;
@@ -8,50 +8,50 @@ use std::fmt;
 use std::ops::Range;
 use std::sync::Arc;
 
-/// How bad it is.
+/// Severity of a diagnostic.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Severity {
     /// The file cannot be used.
     Error,
-    /// The file can be used, but probably says something else than meant.
+    /// The file can be used, but is probably wrong.
     Warning,
 }
 
-/// Another place in the file that has to do with a [`Diagnostic`].
+/// Another location in the file that relates to a [`Diagnostic`].
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Related {
-    /// Bytes of the text.
+    /// Byte range in the text.
     pub span: Range<usize>,
     /// Line, from 1.
     pub line: usize,
     /// Column in characters, from 1.
     pub column: usize,
-    /// What is there.
+    /// Short description of this location.
     pub label: String,
 }
 
-/// One thing that is wrong with a file.
+/// One fault of a file.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Diagnostic {
     /// A fixed code, one for each rule; [`CODES`](crate::CODES) lists them.
     pub code: &'static str,
-    /// How bad it is.
+    /// Its severity.
     pub severity: Severity,
-    /// The other file in which it is wrong; none for the model file itself.
+    /// The other file that contains the fault; `None` for the model file itself.
     pub file: Option<Arc<OtherFile>>,
-    /// What is wrong, in one sentence.
+    /// The fault, in one sentence.
     pub message: String,
-    /// A few words to stand under the place. May be empty.
+    /// A few words shown under the location. May be empty.
     pub label: String,
-    /// What would be right. May be empty.
+    /// The remedy. May be empty.
     pub hint: String,
-    /// The place, in bytes of the text.
+    /// Location: byte range in the text.
     pub span: Range<usize>,
-    /// Line of the place, from 1.
+    /// Line of the location, from 1.
     pub line: usize,
-    /// Column of the place in characters, from 1.
+    /// Column of the location in characters, from 1.
     pub column: usize,
-    /// Other places that explain this one.
+    /// Other locations that explain this one.
     pub related: Vec<Related>,
 }
 
@@ -82,10 +82,10 @@ impl Diagnostic {
     }
 }
 
-/// Characters of a text at most: a name of the file that stands in it may be as long as the file.
+/// Maximum length of a text in characters. A quoted name may be as long as the file.
 const LONGEST: usize = 1000;
 
-/// The text, cut behind its first [`LONGEST`] characters.
+/// The first [`LONGEST`] characters of the text.
 fn shortened(mut text: String) -> String {
     if let Some((end, _)) = text.char_indices().nth(LONGEST) {
         text.truncate(end);
@@ -106,31 +106,31 @@ impl fmt::Display for Diagnostic {
     }
 }
 
-/// Everything that is wrong with a file, in the order of the text; never empty.
+/// All faults of a file, in the order of the text; never empty.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Diagnostics(Vec<Diagnostic>);
 
 impl Diagnostics {
-    /// Sorts by place, those in other files last, and keeps one of two that say the same of the same place.
+    /// Sorts by location, other files last, and removes repeated messages about one location.
     pub(crate) fn new(mut found: Vec<Diagnostic>) -> Self {
         found.sort_by_key(|d| (d.file.is_some(), d.span.start));
         found.dedup();
         Diagnostics(found)
     }
 
-    /// One after the other, in the order of the text.
+    /// The diagnostics in the order of the text.
     pub fn iter(&self) -> std::slice::Iter<'_, Diagnostic> {
         self.0.iter()
     }
 
-    /// The same as a list.
+    /// The diagnostics as a slice.
     pub fn as_slice(&self) -> &[Diagnostic] {
         &self.0
     }
 }
 
 impl From<Vec<Diagnostic>> for Diagnostics {
-    /// In the order of the text.
+    /// Keeps the order of the text.
     fn from(found: Vec<Diagnostic>) -> Self {
         Diagnostics::new(found)
     }
@@ -161,7 +161,7 @@ impl IntoIterator for Diagnostics {
 }
 
 impl fmt::Display for Diagnostics {
-    /// One line each; [`Diagnostics::render`] also shows the places.
+    /// One line for each diagnostic. [`Diagnostics::render`] also shows the locations.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         for (i, diagnostic) in self.iter().enumerate() {
             if i > 0 {

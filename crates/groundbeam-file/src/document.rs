@@ -1,4 +1,4 @@
-//! A model file that was read: the model, and where in the file each part of it stands.
+//! A model file after reading: the model, and the location of each of its parts in the file.
 
 use crate::band::Band;
 use crate::beside::OtherFile;
@@ -17,67 +17,68 @@ use std::collections::HashMap;
 use std::ops::Range;
 use std::sync::Arc;
 
-/// A model file that was read and found right.
+/// A model file that has been read and validated.
 #[derive(Debug, Clone)]
 pub struct Document {
-    /// What the file calls itself.
+    /// The title that the file gives.
     pub title: Option<String>,
-    /// The model under all of its loads as they are written, in SI units or in the file's own consistent system.
+    /// The model under all of its loads as written, in SI units or in the file's own consistent system.
     pub model: Model,
-    /// How many chords of the model's gap replace the curve of settlement troughs, if the file has troughs.
+    /// Number of chords that replace the curve of settlement troughs in the model's gap, if the file has
+    /// troughs.
     pub chords: Option<usize>,
-    /// The width on which the beam bears \[m\], if the file gives one for the whole beam.
+    /// Bearing width of the beam \[m\], if the file gives one for the whole beam.
     pub width: Option<f64>,
-    /// Between which multiples of their values the ground's constants lie, if the file says so.
+    /// Lower and upper factors on the ground's constants, if the file gives them.
     pub band: Option<Band>,
-    /// What the file asks a design to keep to.
+    /// Limits of the design checks.
     pub limits: Limits,
-    /// Whether all is in SI units or in the file's own consistent system.
+    /// SI units, or the file's own consistent system.
     pub units: UnitSystem,
     /// The units of the file's own quantities, in which results are printed.
     pub printed: Units,
-    /// What the file probably says otherwise than meant: implausible sizes, no loads.
+    /// Warnings: implausible sizes, no loads.
     pub warnings: Vec<Diagnostic>,
-    /// The load case to which each of the model's loads belongs, in the order of the loads; none for a
-    /// load to which the file gives none.
+    /// Load case of each load of the model, in the order of the loads; `None` for a load without a case.
     pub cases: Vec<Option<String>>,
-    /// The trains that pass over the beam, each alone.
+    /// Trains that pass over the beam, one at a time.
     pub trains: Vec<MovingTrain>,
-    /// Every quantity of the file, in the order of the text: what a program changes to change the model.
+    /// All quantities of the file, in the order of the text. Programs edit them to change the model.
     pub quantities: Vec<Quantity>,
-    /// The files that the model names, as they were read.
+    /// Files that the model file names.
     pub files: Vec<Arc<OtherFile>>,
     pub(crate) recipes: Vec<Recipe>,
     pub(crate) source: Source,
     pub(crate) places: Places,
 }
 
-/// A number of the file, perhaps with its unit, where it stands.
+/// A number in the file, with its unit if it has one.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Quantity {
-    /// What it stands under: `k`, `at`, `E`, …
+    /// Its key: `k`, `at`, `E`, …
     pub key: String,
-    /// Its bytes, with the quotes around a number that has a unit.
+    /// Its byte range; for a number with a unit, including the quotes.
     pub span: Range<usize>,
-    /// The bytes of the number alone.
+    /// Byte range of the number without the unit.
     pub number: Range<usize>,
-    /// What the number counts, in SI units; 1 where it has no unit.
+    /// Factor of the unit in SI units; 1 without a unit.
     pub unit: f64,
-    /// The signs that the number may have.
+    /// Signs that the number may have.
     pub sign: Sign,
-    /// The body on which the number is a position; none for other quantities.
+    /// For a position, the body on which it lies; otherwise `None`.
     pub place: Option<Place>,
-    /// A usual value of such a quantity, in SI units.
+    /// A typical value of this quantity, in SI units.
     pub usual: f64,
 }
 
 impl Document {
-    /// The text that was read.
+    /// Text of the file.
     pub fn text(&self) -> &str {
         &self.source.text
     }
 
-    /// The faults that a solve found in the model, each at its place; none for an error that is not about the model.
+    /// Faults of the model that a solve found, with their locations; empty if the error does not concern the
+    /// model.
     pub fn diagnostics_for(&self, error: &Error) -> Vec<Diagnostic> {
         let problems = match error {
             Error::Invalid(problems) => &problems[..],
@@ -88,22 +89,22 @@ impl Document {
         problems.iter().map(|problem| self.diagnostic_for(problem)).collect()
     }
 
-    /// Where the table of a part begins: the bytes of its heading.
+    /// Byte range of the heading of a part's table.
     pub fn part_span(&self, part: Part) -> Option<Range<usize>> {
         self.places.parts.get(&part).cloned()
     }
 
-    /// Where the value of a field stands, by the names of [`Problem::field`]; for a value that
-    /// was left out or has several sources, the heading of its part.
+    /// Location of the value of a field; the fields have the names of [`Problem::field`]. If the value was
+    /// left out or has several sources, the heading of its part.
     pub fn field_span(&self, part: Part, field: &str) -> Option<Range<usize>> {
         let known = self.places.fields.get(&part)?.iter().find(|(name, _)| *name == field);
         known.and_then(|(_, place)| place.clone()).or_else(|| self.part_span(part))
     }
 
-    /// A problem of the model, at its place in the file.
+    /// A problem of the model as a diagnostic at its location in the file.
     ///
-    /// [`parse`](crate::parse) has found the problems there were; this is for those of a model
-    /// that was changed afterwards, and for rules found broken later.
+    /// [`parse`](crate::parse) reports the problems of the file. This function serves models that were
+    /// changed afterwards, and problems that a solve finds.
     pub fn diagnostic_for(&self, problem: &Problem) -> Diagnostic {
         let span = self.field_span(problem.part, problem.field);
         let span = span.or_else(|| self.part_span(problem.part)).unwrap_or(0..0);
@@ -111,7 +112,7 @@ impl Document {
     }
 }
 
-/// A problem of the model as a diagnostic, with its positions written out.
+/// A problem of the model as a diagnostic, with its positions as text.
 pub(crate) fn diagnostic(
     source: &Source,
     span: Range<usize>,
@@ -123,11 +124,11 @@ pub(crate) fn diagnostic(
     Diagnostic::new(source, fault)
 }
 
-/// Where each part and field of the model stands.
+/// Location of each part and field of the model in the text.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Places {
     parts: HashMap<Part, Range<usize>>,
-    /// No range: the value could not be read, or stands in another part.
+    /// `None`: the value could not be read, or lies in another part.
     fields: HashMap<Part, Vec<(&'static str, Option<Range<usize>>)>>,
 }
 
@@ -141,12 +142,12 @@ impl Places {
         self.fields.entry(part).or_default().push((name, place));
     }
 
-    /// Where the part with a problem stands.
+    /// Location of the part with a problem.
     pub fn part_of(&self, problem: &Problem) -> Option<Range<usize>> {
         self.parts.get(&problem.part).cloned()
     }
 
-    /// The place of a problem, unless it only follows from what has been reported already.
+    /// Location of a problem, unless it only follows from a reported one.
     pub fn of(&self, problem: &Problem) -> Option<Range<usize>> {
         if problem.numbers.iter().any(|number| number.is_nan()) {
             return None;

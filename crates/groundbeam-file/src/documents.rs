@@ -1,6 +1,6 @@
-//! The tables of keys in `docs/file-format.md` and `docs/studies.md` are those of the code.
+//! Tests that the tables of keys in `docs/file-format.md` and `docs/studies.md` agree with the code.
 //!
-//! They stand between `<!-- keys of NAME -->` and `<!-- end -->`. `UPDATE_EXPECTED=1` writes them anew.
+//! The tables lie between `<!-- keys of NAME -->` and `<!-- end -->`. `UPDATE_EXPECTED=1` rewrites them.
 
 use crate::keys::{Key, Table, Value};
 use crate::section::MODEL;
@@ -10,7 +10,7 @@ use std::path::Path;
 
 const END: &str = "<!-- end -->";
 
-/// A table and all below it; of tables with the same keys the first.
+/// A table and all tables below it; the first of several tables with the same keys.
 fn tables(root: &'static Table) -> Vec<&'static Table> {
     let mut all = vec![root];
     for key in root.keys {
@@ -60,7 +60,7 @@ fn described(value: &Value) -> String {
     }
 }
 
-/// The text with every table of keys as the code has it, and the names of these tables.
+/// The text with every table of keys regenerated, and the names of these tables.
 fn made(text: &str, tables: &[&'static Table]) -> (String, Vec<String>) {
     let mut made = String::new();
     let mut names = Vec::new();

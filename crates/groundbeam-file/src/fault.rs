@@ -1,8 +1,8 @@
-//! The fault of one written value, before its place in the file is known.
+//! A fault in one value, before its location in the file is known.
 
 use std::ops::Range;
 
-/// A fault in a value; `at` counts bytes from the value's own start.
+/// A fault in a value. `at` counts bytes from the start of the value.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Fault {
     pub code: &'static str,
@@ -23,7 +23,7 @@ impl Fault {
         Fault { code, at, message: message.into(), label: label.into(), hint: hint.into() }
     }
 
-    /// The same fault in a text that begins `offset` bytes earlier.
+    /// The same fault relative to a text that begins `offset` bytes earlier.
     pub fn moved(mut self, offset: usize) -> Self {
         self.at = self.at.start + offset..self.at.end + offset;
         self

@@ -1,19 +1,19 @@
-//! The bytes of files: of regular files alone, and no more than 64 MB of them.
+//! Reads regular files of at most 64 MB.
 
 use std::fs::{File, Metadata, metadata};
 use std::io::{Error, ErrorKind, Read, Result};
 use std::path::Path;
 
-/// The most bytes that are read of one file: a million loads, or three million rows of a survey.
+/// Maximum size of a file in bytes: about a million loads, or three million rows of a survey.
 const MOST: u64 = 64_000_000;
 
-/// Opens a regular file to read it. Folders, pipes and devices are refused, and so is what a link to them leads to.
+/// Opens a regular file for reading. Folders, pipes, devices and links to them are rejected.
 ///
 /// # Errors
 ///
-/// As [`File::open`], and where the path leads to no regular file.
+/// As [`File::open`], and if the path does not lead to a regular file.
 pub fn open_file(path: &Path) -> Result<File> {
-    // To open a pipe into which nobody writes would take for ever.
+    // Opening a pipe without a writer would block.
     regular(&metadata(path)?)?;
     let file = File::open(path)?;
     regular(&file.metadata()?)?;
@@ -24,7 +24,7 @@ pub fn open_file(path: &Path) -> Result<File> {
 ///
 /// # Errors
 ///
-/// As [`open_file`], and where the file is longer.
+/// As [`open_file`], and if the file is longer.
 pub fn read_file(path: &Path) -> Result<Vec<u8>> {
     read_bounded(open_file(path)?)
 }
@@ -33,7 +33,7 @@ pub fn read_file(path: &Path) -> Result<Vec<u8>> {
 ///
 /// # Errors
 ///
-/// What the stream reports, and [`ErrorKind::FileTooLarge`] where it is longer.
+/// Errors of the stream, and [`ErrorKind::FileTooLarge`] if it is longer.
 pub fn read_bounded(stream: impl Read) -> Result<Vec<u8>> {
     let mut bytes = Vec::new();
     stream.take(MOST + 1).read_to_end(&mut bytes)?;

@@ -1,4 +1,4 @@
-//! Warnings about a file that can be used but probably says something else than meant: implausible sizes, no loads.
+//! Warnings about implausible sizes of quantities and about models without loads.
 
 use crate::code;
 use crate::diagnostic::{Diagnostic, Severity};
@@ -8,11 +8,11 @@ use crate::reader::Reader;
 use crate::section::Contents;
 use std::ops::Range;
 
-/// The quotients μ/(k h²) between which the ground's shear constant is plausible. Layers of a thickness between a third
-/// of the beam's height h and thirty times it give quotients between these.
+/// Plausible range of μ/(k h²). Layers with a thickness between a third of the beam's height h and thirty
+/// times h have ratios in this range.
 const SHEAR: [f64; 2] = [1e-2, 3e2];
 
-/// The warnings about a file whose quantities have units. Without units no size is implausible.
+/// Warnings about a file with units. Without units no size can be judged.
 pub(crate) fn warnings(reader: &Reader, contents: &Contents, units: Units) -> Vec<Diagnostic> {
     let sized = reader.quantities.iter().filter(|seen| seen.has_unit && !units.is_plain());
     let sizes = sized.filter_map(|seen| {
@@ -33,7 +33,7 @@ pub(crate) fn warnings(reader: &Reader, contents: &Contents, units: Units) -> Ve
     all.map(warning).collect()
 }
 
-/// A shear constant that is far from k times the square of the beam's height.
+/// Reports a shear constant that is far from k times the square of the beam's height.
 fn shear(reader: &Reader, contents: &Contents, units: Units) -> Option<Fault> {
     let given = |key: &str| reader.quantities.iter().find(|seen| seen.key == key);
     let at: Range<usize> = given("mu").or(given("C2"))?.span.clone();
@@ -77,7 +77,7 @@ mod tests {
     fn plausible_sizes_are_not_warned_of() {
         assert_eq!(warned(&footing("30 GPa", "40 MN/m^3", "9 MN", LOAD)), []);
         assert_eq!(warned(&footing("30 GPa", "40 MN/m^3", "0 kN", LOAD)), []);
-        // Without units no size is implausible.
+        // Without units no size can be judged.
         let plain =
             "[beam]\nlength = 1\nEI = 1\n[foundation]\nk = 1e9\n[[load]]\npoint = 1\nat = 0.5\n";
         assert_eq!(warned(plain), []);

@@ -1,14 +1,14 @@
-//! The tables that a file may have, and their keys. Reading, suggestions, the documents and the JSON Schema take all
-//! of this from the one list that each section declares.
+//! Tables of a file and their keys. The reader, suggestions, documents and JSON Schema all use the list that
+//! each section declares.
 
 use crate::quantity::{Kind, RATIO};
 use crate::suggest::nearest;
 
 /// A table of a file.
 pub(crate) struct Table {
-    /// As a file writes it and messages name it: `[beam]`, `[[load]]`.
+    /// Its name in files and messages: `[beam]`, `[[load]]`.
     pub name: &'static str,
-    /// In the order in which messages list them.
+    /// Its keys, in the order in which messages list them.
     pub keys: &'static [Key],
 }
 
@@ -19,58 +19,58 @@ pub(crate) struct Key {
     pub value: Value,
     /// Its meaning, for the documents and for editors.
     pub meaning: &'static str,
-    /// Whether every such table must have it.
+    /// Whether the key is required.
     pub needed: bool,
-    /// Other names for the same thing: the library's words, other programs' words, other letters.
+    /// Alternative names of the same quantity: names in the library or in other programs, other spellings.
     pub also: &'static [&'static str],
-    /// Names of a similar quantity, in small letters, and how it becomes this one.
+    /// Names of a related quantity, in lower case, and how to convert it to this one.
     pub unlike: Option<(&'static [&'static str], &'static str)>,
 }
 
-/// The values that may stand under a key.
+/// Kinds of value that a key may have.
 #[derive(Clone, Copy)]
 pub(crate) enum Value {
     Quantity(&'static Kind),
-    /// A quantity whose kind follows from another key of the table.
+    /// A quantity whose kind depends on another key of the table.
     Depends,
-    /// One quantity, or a list of two to so many along the beam.
+    /// One quantity, or a list of two or more along the beam; the number is the maximum.
     Along(&'static Kind, usize),
-    /// A whole number between two others.
+    /// An integer in this range.
     Count([u64; 2]),
     /// `true` or `false`.
     Flag,
-    /// Any text; one for an example.
+    /// Any text; the string is an example.
     Text(&'static str),
-    /// The name of an entry of a built-in list; one for an example, and all of them.
+    /// The name of an entry of a built-in list: an example, and all names.
     Name(&'static str, fn() -> Vec<&'static str>),
-    /// One of a few words.
+    /// One of several words.
     Word(&'static Words),
-    /// One of a few words, or a list of them.
+    /// One of several words, or a list of them.
     OneOrMore(&'static Words),
-    /// A list of so many values.
+    /// A list of values; the two numbers limit its length.
     List(&'static Value, [usize; 2]),
-    /// A list of any names, each with a number: `{ G = 1.35, Q = 1.5 }`.
+    /// A table of names with a number each: `{ G = 1.35, Q = 1.5 }`.
     Factors,
     Table(&'static Table),
     /// Any number of tables.
     Tables(&'static Table),
 }
 
-/// Words of which one may stand under a key.
+/// Words of which one may be the value of a key.
 pub(crate) struct Words {
     pub all: fn() -> Vec<&'static str>,
-    /// Other words that people write for each of them.
+    /// Alternative spellings of each word.
     pub also: &'static [(&'static str, &'static [&'static str])],
-    /// The message about another word, which stands for `{}`.
+    /// Message for an unknown word, which replaces `{}`.
     pub message: &'static str,
-    /// The advice where no word is near; all words stand for `{}`.
+    /// Hint if no known word is similar. The list of all words replaces `{}`.
     pub hint: &'static str,
 }
 
-/// The hint of words that explain themselves.
-pub(crate) const WHAT_CAN_STAND_HERE: &str = "what can stand here: {}";
+/// General hint that lists the allowed words.
+pub(crate) const WHAT_CAN_STAND_HERE: &str = "allowed here: {}";
 
-/// Other names of the keys that many tables have.
+/// Alternative names of keys for a position.
 pub(crate) const ALSO_AT: &[&str] = &["x", "position", "location", "station"];
 pub(crate) const ALSO_FROM: &[&str] = &["start", "begin", "x1"];
 pub(crate) const ALSO_TO: &[&str] = &["end", "x2"];
@@ -78,7 +78,7 @@ pub(crate) const ALSO_WIDTH: &[&str] = &["b", "breadth"];
 pub(crate) const ALSO_E: &[&str] = &["elastic_modulus", "youngs_modulus", "young", "modulus"];
 pub(crate) const ALSO_NU: &[&str] = &["poisson", "poissons_ratio", "ν"];
 
-/// A key that may be left out, unless [`Key::needed`] follows.
+/// An optional key; [`Key::needed`] makes it required.
 pub(crate) const fn key(name: &'static str, value: Value, meaning: &'static str) -> Key {
     Key { name, value, meaning, needed: false, also: &[], unlike: None }
 }
@@ -120,7 +120,7 @@ pub(crate) const fn tables(name: &'static str, keys: &'static Table, meaning: &'
     key(name, Value::Tables(keys), meaning)
 }
 
-/// For a name that no table lists.
+/// Placeholder for names that no table lists.
 static UNLISTED: Key = key("", Value::Depends, "");
 
 impl Key {
@@ -132,12 +132,12 @@ impl Key {
         Key { also, ..self }
     }
 
-    /// The same, with names of a similar quantity and how it becomes this one.
+    /// The same key, with names of a related quantity and how to convert it.
     pub const fn unlike(self, names: &'static [&'static str], how: &'static str) -> Key {
         Key { unlike: Some((names, how)), ..self }
     }
 
-    /// The quantity that the key wants; a plain number where it wants none.
+    /// Kind of quantity that the key expects; a plain number if it expects none.
     pub fn kind(&self) -> &'static Kind {
         match self.value {
             Value::Quantity(kind) | Value::Along(kind, _) => kind,
@@ -146,7 +146,7 @@ impl Key {
         }
     }
 
-    /// A line of a file that gives the key a right value; `plain`: in a file without units.
+    /// A valid line of a file for this key; `plain` means a file without units.
     pub fn line(&self, plain: bool) -> String {
         let text = |text: &str| format!("{} = \"{text}\"", self.name);
         match self.value {
@@ -158,19 +158,19 @@ impl Key {
 }
 
 impl Table {
-    /// The row of a key. The sections ask for keys of their own tables alone.
+    /// Row of a key. Each section asks only for keys of its own tables.
     pub fn key(&self, name: &str) -> &'static Key {
         let found = self.keys.iter().find(|key| key.name == name);
         debug_assert!(found.is_some(), "{} has no key `{name}`", self.name);
         found.unwrap_or(&UNLISTED)
     }
 
-    /// The names of all keys.
+    /// Names of all keys.
     pub fn names(&self) -> Vec<&'static str> {
         self.keys.iter().map(|key| key.name).collect()
     }
 
-    /// Whether a table of this name, in this table or in one below it, may be given several times.
+    /// Whether a table with this name, here or below, may be given several times.
     pub fn may_be_several(&self, name: &str) -> bool {
         self.keys.iter().any(|key| match key.value {
             Value::Tables(table) => key.name == name || table.may_be_several(name),
@@ -180,7 +180,7 @@ impl Table {
     }
 }
 
-/// The key that wants a quantity like the one with this name, and how the one becomes the other.
+/// The key that expects a quantity similar to this name, and how to convert it.
 pub(crate) fn becomes(written: &str, keys: &[&Key]) -> Option<(&'static str, &'static str)> {
     let lower = written.to_lowercase();
     let of_key = |key: &&Key| {
@@ -190,7 +190,7 @@ pub(crate) fn becomes(written: &str, keys: &[&Key]) -> Option<(&'static str, &'s
     keys.iter().find_map(of_key)
 }
 
-/// The key that someone who writes `written` probably means.
+/// The key that `written` probably means.
 pub(crate) fn meant(written: &str, keys: &[&Key]) -> Option<&'static str> {
     let lower = written.to_lowercase();
     let other = || keys.iter().find(|key| key.also.contains(&lower.as_str()));

@@ -1,4 +1,4 @@
-//! Model files: TOML with units, read into a [`groundbeam::Model`].
+//! Reads model files (TOML with units) into a [`groundbeam::Model`].
 //!
 //! ```
 //! let document = groundbeam_file::parse(
@@ -24,13 +24,13 @@
 //! # Ok::<(), groundbeam_file::Diagnostics>(())
 //! ```
 //!
-//! Everything that is wrong with a file is found at once, each with its place and what would be
-//! right: [`Diagnostics::render`] shows that to a person, and its fields to a program.
+//! All faults of a file are reported together, each with its location and a remedy. [`Diagnostics::render`]
+//! formats them as text; programs use the fields.
 //!
-//! A file gives every quantity a unit, or none. With units, numbers become SI, rounded once:
-//! `"9.3 MPa"` is exactly 9.3e6. Without, they are taken as one consistent system.
+//! In a file, either all quantities have a unit or none has. Numbers with units are converted to SI with one
+//! rounding: `"9.3 MPa"` is exactly 9.3e6. Numbers without units form one consistent system.
 //!
-//! This is the only crate that knows how a model is spelled.
+//! Only this crate knows the file format.
 
 mod band;
 mod beside;
@@ -110,17 +110,17 @@ use toml::de::DeTable;
 ///
 /// # Errors
 ///
-/// Everything that is wrong with the file, [`Model::problems`](groundbeam::Model::problems)
-/// included. If it is not even TOML, only that is told. A text alone can name no other file.
+/// All faults of the file, including [`Model::problems`](groundbeam::Model::problems); for invalid TOML, only
+/// that fault. The text must not name other files.
 pub fn parse(text: &str) -> Result<Document, Diagnostics> {
     read(text, None, false)
 }
 
-/// Reads a model file that stands in a folder, and the files that it names.
+/// Reads a model file in a folder, and the files that it names.
 ///
 /// # Errors
 ///
-/// As [`parse`]; what is wrong with a file that it names is told at its place in that file.
+/// As [`parse`]. Faults in a named file are reported at their location in that file.
 pub fn parse_beside<'a>(
     text: &str,
     beside: impl Into<Beside<'a>>,
@@ -128,8 +128,8 @@ pub fn parse_beside<'a>(
     read(text, Some(beside.into()), false)
 }
 
-/// Reads a model that a program wrote, beside the files that it names if it names any: a number without a unit is in SI
-/// units, and may stand beside quantities with one.
+/// Reads a model that a program wrote, and the files that it names. Numbers without a unit are in SI units
+/// and may be mixed with numbers that have one.
 ///
 /// ```
 /// let text = "[beam]\nlength = '12 m'\nEI = 1.28e9\n[foundation]\nk = '40 MN/m^2'\nmu = 9e6\n";
@@ -165,7 +165,7 @@ fn read(text: &str, beside: Option<Beside>, bare_is_si: bool) -> Result<Document
     let units = reader.unit_system().unwrap_or(UnitSystem::Plain);
     let printed = units::printed(units, &reader.quantities);
     let is_mixed = reader.found.len() > before;
-    // Lengths of which only some are in metres cannot be compared.
+    // Lengths with and without units cannot be compared.
     if !is_mixed {
         let problems = model.problems();
         for problem in &problems {
@@ -173,7 +173,8 @@ fn read(text: &str, beside: Option<Beside>, bare_is_si: bool) -> Result<Document
                 reader.found.push(document::diagnostic(&source, span, problem, printed));
             }
         }
-        // A model with a problem is never accepted: where no cause of it has been told, it is told of its part.
+        // A model with a problem is never accepted: if no cause has been reported, the problem is reported
+        // for its part.
         if reader.found.is_empty() {
             let told = problems.iter().map(|problem| {
                 let span = reader.places.part_of(problem).unwrap_or(0..0);
@@ -216,8 +217,8 @@ fn read(text: &str, beside: Option<Beside>, bare_is_si: bool) -> Result<Document
 ///
 /// # Errors
 ///
-/// One diagnostic at the first byte that is not; [`Diagnostics::render`] shows it with
-/// `String::from_utf8_lossy` of the bytes as the text.
+/// One diagnostic at the first byte that is not UTF-8. Pass `String::from_utf8_lossy` of the bytes to
+/// [`Diagnostics::render`] as the text.
 pub fn text_of(bytes: &[u8]) -> Result<&str, Diagnostics> {
     std::str::from_utf8(bytes).map_err(|error| {
         let source = Source::new(&String::from_utf8_lossy(bytes));
@@ -233,5 +234,5 @@ pub fn text_of(bytes: &[u8]) -> Result<&str, Diagnostics> {
 
 fn no_model() -> Fault {
     let hint = "a model has at least [beam] with `length` and `EI`, and [foundation] with `k`";
-    Fault::new(code::EMPTY, 0..0, "the file holds no model", "", hint)
+    Fault::new(code::EMPTY, 0..0, "the file contains no model", "", hint)
 }

@@ -1,10 +1,10 @@
-//! Lists separated by commas from outside the file, as on a command line.
+//! Parses comma-separated lists, as given on the command line.
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::fault::Fault;
 use crate::source::Source;
 
-/// Reads every entry, without the spaces around it. A fault counts its place from the start of its entry.
+/// Reads each entry without surrounding spaces. The location of a fault counts from the start of its entry.
 pub(crate) fn read<T>(
     list: &str,
     mut entry: impl FnMut(&str) -> Result<T, Fault>,

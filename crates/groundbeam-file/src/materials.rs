@@ -1,11 +1,11 @@
-//! Materials by name: the data files in `materials/`.
+//! Materials by name, from the data files in `materials/`.
 
 use crate::catalogue::{self, Entry};
 use crate::quantity::{ELASTIC_MODULUS, EXPANSION, UNIT_WEIGHT};
 use serde::Deserialize;
 use std::sync::LazyLock;
 
-/// Materials whose numbers have common sources.
+/// Materials whose values have common sources.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Family {
@@ -29,20 +29,20 @@ struct Listed {
     expansion: String,
 }
 
-/// A material that a model file can ask for, with `[beam] material = "…"`.
+/// A built-in material, which a model file selects with `[beam] material = "…"`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Material {
     /// Its name.
     pub name: String,
-    /// Other names by which it can be asked for.
+    /// Alternative names.
     pub also: Vec<String>,
     /// E \[N/m²\].
     pub elastic_modulus: f64,
-    /// Weight per volume \[N/m³\]; none if the standard does not list it.
+    /// Weight per volume \[N/m³\]; `None` if the standard does not list it.
     pub unit_weight: Option<f64>,
-    /// Strain per temperature \[1/K\].
+    /// Coefficient of thermal expansion \[1/K\].
     pub expansion: f64,
-    /// Where these three are from.
+    /// Sources of these three values.
     pub sources: [String; 3],
 }
 
@@ -58,7 +58,7 @@ static MATERIALS: LazyLock<Vec<Material>> = LazyLock::new(|| {
     families.into_iter().flat_map(materials_of).collect()
 });
 
-/// Every material that a model file can ask for.
+/// All built-in materials.
 ///
 /// ```
 /// let materials = groundbeam_file::materials();
@@ -69,7 +69,7 @@ pub fn materials() -> &'static [Material] {
     &MATERIALS
 }
 
-/// The material of a name.
+/// The material with this name.
 pub(crate) fn find(name: &str) -> Option<&'static Material> {
     MATERIALS.iter().find(|material| material.is_called(name))
 }
@@ -89,7 +89,7 @@ impl Entry for Material {
     }
 }
 
-/// The names in which a word occurs: what someone who writes `C30` may mean.
+/// Names that contain a word, for suggestions: `C30` may mean `C30/37`.
 pub(crate) fn holding(word: &str) -> Vec<&'static str> {
     let parts = |name: &str| name.split([' ', '/']).any(|part| part.eq_ignore_ascii_case(word));
     MATERIALS.iter().map(|m| &*m.name).filter(|name| parts(name)).collect()

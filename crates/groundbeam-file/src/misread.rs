@@ -1,6 +1,6 @@
-//! Advice for numbers and units that are not read: commas in numbers, densities in place of unit weights.
+//! Hints for numbers and units that cannot be read: commas in numbers, densities in place of unit weights.
 
-/// What to do with a density where a force per volume is wanted.
+/// Hint for a density where a force per volume is expected.
 pub(crate) const DENSITY: &str =
     "a unit weight is a force per volume: 2400 kg/m3 × 9.80665 m/s2 = 23.536 kN/m3";
 
@@ -12,8 +12,8 @@ pub(crate) fn is_density(unit: &str) -> bool {
     })
 }
 
-/// How to write a number with a comma behind `whole`. Three digits after a comma are thousands to some and decimals to
-/// others, so that both are offered.
+/// How to write a number that has a comma after `whole`. Three digits after a comma may be thousands or
+/// decimals, so both readings are offered.
 pub(crate) fn without_comma(whole: &str, after: &str) -> String {
     let mut thousands = whole.to_owned();
     let mut rest = after;
@@ -21,7 +21,7 @@ pub(crate) fn without_comma(whole: &str, after: &str) -> String {
         let digits = rest.bytes().take_while(u8::is_ascii_digit).count();
         let (group, further) = rest.split_at(digits);
         if digits != 3 {
-            return format!("decimals stand after a point: {whole}.{group}");
+            return format!("write a decimal point: {whole}.{group}");
         }
         thousands += group;
         match further.strip_prefix(',') {
@@ -31,15 +31,15 @@ pub(crate) fn without_comma(whole: &str, after: &str) -> String {
                 let part = is_decimal.map(|part| part.take_while(u8::is_ascii_digit).count());
                 return match part.filter(|count| *count > 0) {
                     Some(count) => format!(
-                        "a comma is not read in numbers: write {thousands}{}",
+                        "a number must not contain a comma: write {thousands}{}",
                         &further[..=count]
                     ),
                     None if rest.len() < after.len() => {
-                        format!("a comma is not read in numbers: write {thousands}")
+                        format!("a number must not contain a comma: write {thousands}")
                     }
                     None => format!(
-                        "a comma is not read in numbers: write {thousands}, or {whole}.{group} if \
-                         the comma stands before decimals"
+                        "a number must not contain a comma: write {thousands}, or {whole}.{group} if \
+                         the comma is a decimal comma"
                     ),
                 };
             }

@@ -1,51 +1,53 @@
-//! A train that moves, and the places of its loads that have no end: codes of practice let them act only where they are unfavourable.
+//! A moving train, and the placement of its unbounded uniform loads. Codes of practice apply such loads only
+//! where they are unfavourable.
 //!
-//! With lift-off, influence lines do not exist. So the program solves a list of places, and the worst result governs.
+//! With lift-off, influence lines do not exist. So the program solves a list of placements, and the worst
+//! result governs.
 
 use groundbeam::Load;
 use groundbeam::model::{Train, UniformPart};
 
-/// A train, and where it goes.
+/// A train, and the range that it travels.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MovingTrain {
-    /// What the file calls it.
+    /// Its name in the file.
     pub name: String,
-    /// The set it is of; none if the file gives its loads.
+    /// The set it belongs to; `None` if the file gives its loads.
     pub set: Option<String>,
-    /// The load case to which it belongs; none: it passes in every combination with the factor 1.
+    /// Its load case. `None`: it passes in every combination with the factor 1.
     pub case: Option<String>,
-    /// What its loads were multiplied by.
+    /// Factor already applied to its loads.
     pub factor: f64,
-    /// What its axles were multiplied by besides.
+    /// Dynamic factor already applied to its axles.
     pub dynamic: f64,
-    /// Where its loads without end act.
+    /// Placement of its unbounded loads.
     pub spread: Spread,
-    /// Its loads, multiplied.
+    /// The train with these factors applied.
     pub train: Train,
-    /// From where to where its first axle goes \[m\].
+    /// First and last position of its first axle \[m\].
     pub range: [f64; 2],
 }
 
-/// Where the loads of a train that have no end act.
+/// Placement of the unbounded loads of a train.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Spread {
-    /// As the train gives them; a train may have none.
+    /// As the train gives them.
     #[default]
     Everywhere,
-    /// Ahead of the train alone.
+    /// Only ahead of the train.
     Ahead,
-    /// Behind the train alone.
+    /// Only behind the train.
     Behind,
-    /// On the left half of the beam: a load without any end.
+    /// On the left half of the beam, for a load without ends.
     LeftHalf,
     /// On the right half of the beam.
     RightHalf,
-    /// Nowhere.
+    /// Left out.
     Nowhere,
 }
 
 impl Spread {
-    /// In words.
+    /// Name of the placement.
     pub fn name(self) -> &'static str {
         match self {
             Spread::Everywhere => "everywhere",
@@ -58,18 +60,18 @@ impl Spread {
     }
 }
 
-/// Ends of a part: ahead of the train and behind it.
+/// Whether a part is unbounded ahead of the train and behind it.
 fn ends(part: &UniformPart) -> [bool; 2] {
     [part.from.is_finite(), part.to.is_finite()]
 }
 
 impl MovingTrain {
-    /// Whether a load of the train has no end.
+    /// Whether a load of the train is unbounded.
     pub fn has_endless_load(&self) -> bool {
         self.train.uniform.iter().any(|part| ends(part) != [true, true])
     }
 
-    /// The train with its loads without end at each place, and the loads that then stand on the beam.
+    /// The train with its unbounded loads in each placement, and the loads that then act on the beam.
     pub fn placements(&self, beam_length: f64) -> Vec<(MovingTrain, Vec<Load>)> {
         let has = |which: [bool; 2]| self.train.uniform.iter().any(|part| ends(part) == which);
         let (ahead, behind, lane) = (has([false, true]), has([true, false]), has([false, false]));
@@ -112,7 +114,7 @@ impl MovingTrain {
         (MovingTrain { train, spread, ..self.clone() }, fixed)
     }
 
-    /// Its name, and where its loads without end act if not everywhere.
+    /// Its name, followed by the placement of its unbounded loads unless that is everywhere.
     pub fn placed_name(&self) -> String {
         match self.spread {
             Spread::Everywhere => self.name.clone(),
@@ -120,13 +122,13 @@ impl MovingTrain {
         }
     }
 
-    /// The train multiplied by a partial factor.
+    /// The train with a partial factor applied.
     pub fn multiplied(&self, factor: f64) -> MovingTrain {
         let train = self.train.clone().scaled(factor);
         MovingTrain { train, factor: factor * self.factor, ..self.clone() }
     }
 
-    /// No train at all: the beam under the other loads.
+    /// No train: the beam under the other loads.
     pub fn absent() -> MovingTrain {
         MovingTrain {
             name: "no train".to_owned(),

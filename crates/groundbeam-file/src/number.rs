@@ -12,10 +12,9 @@ pub(crate) struct Decimal {
 }
 
 impl Decimal {
-    /// Reads a number from the start of `text`; also tells how many bytes it takes.
+    /// Reads a number from the start of `text`. Also returns the number of bytes read.
     ///
-    /// Besides what programs write, this takes what people paste: a true minus sign and `_`
-    /// between digits.
+    /// Accepts the true minus sign U+2212 and `_` between digits, which copied text may contain.
     pub fn read(text: &str) -> Option<(Decimal, usize)> {
         let mut rest = text;
         let negative = ['-', '\u{2212}'].iter().any(|&minus| take(&mut rest, minus));
@@ -40,7 +39,7 @@ impl Decimal {
             }
             let written = take_digits(&mut power);
             if !written.is_empty() {
-                // Whatever does not fit in four digits is infinite or zero anyway.
+                // Exponents of more than four digits give infinity or zero.
                 let size = written.parse::<i32>().unwrap_or(99_999).min(99_999);
                 exponent = exponent.saturating_add(if below { -size } else { size });
                 rest = power;
@@ -61,9 +60,9 @@ impl Decimal {
 
     /// The 64-bit number nearest to this number times `scale`.
     ///
-    /// A factor that is a power of ten only moves the decimal point, so "9.3 MPa" is exactly
-    /// 9.3e6. Other factors are fractions of whole numbers (1 in = 254/10⁴ m), multiplied and
-    /// divided in whole numbers to 45 figures before the one rounding.
+    /// A factor that is a power of ten only moves the decimal point, so "9.3 MPa" is exactly 9.3e6. Other
+    /// factors are fractions of integers (1 in = 254/10⁴ m). Integer multiplication and division give 45
+    /// figures before the only rounding.
     pub fn times(&self, scale: &Scale) -> f64 {
         let Some((numerator, denominator)) = scale.fraction() else {
             return self.to_f64() * scale.to_f64();
@@ -84,13 +83,13 @@ impl Decimal {
 
     fn nearest(&self, digits: &str, exponent: i32) -> f64 {
         let sign = if self.negative { "-" } else { "" };
-        // Rust's own reader rounds correctly whatever the number of digits.
+        // Rust's parser rounds correctly for any number of digits.
         format!("{sign}{digits}e{exponent}").parse().unwrap_or(f64::NAN)
     }
 }
 
-/// `whole / denominator` as decimal digits × 10^exponent: exact, or 45 figures and a last 1 that
-/// says "a little more", which is enough to round the right way.
+/// `whole / denominator` as decimal digits × 10^exponent. It is exact, or has 45 figures and a final 1 that
+/// stands for the rest, so that rounding is correct.
 fn divide(whole: u128, denominator: u128) -> (String, i32) {
     let mut digits = (whole / denominator).to_string();
     let mut remainder = whole % denominator;
@@ -118,7 +117,7 @@ fn take(rest: &mut &str, wanted: char) -> bool {
     }
 }
 
-/// Digits with single `_` between them.
+/// Reads digits with single `_` between them.
 fn take_digits(rest: &mut &str) -> String {
     let mut digits = String::new();
     loop {
@@ -172,7 +171,7 @@ mod tests {
         {
             let (digits, exponent) = divide(whole, denominator);
             let nearest: f64 = format!("{digits}e{exponent}").parse().unwrap();
-            // Both operands are exact in f64 except the last, where one part in 2^53 is allowed.
+            // Both operands are exact in f64 except the last, where a relative error of 2^-53 is allowed.
             let quotient = whole as f64 / denominator as f64;
             assert!((nearest - quotient).abs() <= f64::EPSILON * quotient);
         }

@@ -1,17 +1,19 @@
-//! Output files, each of which is written whole or not at all.
+//! Output files that are written completely or not at all.
 //!
-//! An [`Output`] writes to a second file in the same folder, syncs it to disk and renames it. A link is followed, and the
-//! file that it names is replaced or created. A device, a pipe or a standard stream is written directly.
+//! An [`Output`] writes to a second file in the same folder, syncs it to disk and renames it. Links are
+//! followed, and their target is replaced or created. A device, a pipe or a standard stream is written
+//! directly.
 
 use std::ffi::OsString;
 use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
-/// The longest chain of links that is followed; Linux has the same limit.
+/// Maximum number of links that are followed; Linux has the same limit.
 const MOST_LINKS: usize = 40;
 
-/// An output that is being written. Dropped before [`Output::finish`], it leaves the file as it was.
+/// An output that is being written. If it is dropped before [`Output::finish`], the old file remains
+/// unchanged.
 pub struct Output {
     sink: Sink,
 }
@@ -22,7 +24,7 @@ enum Sink {
     Replacement(Replacement),
 }
 
-/// A file beside the target, which takes its place in the end.
+/// A file beside the target that replaces it at the end.
 struct Replacement {
     /// Locked until the work ends.
     file: File,
@@ -43,11 +45,11 @@ pub fn write(path: &Path, bytes: &[u8]) -> io::Result<()> {
 }
 
 impl Output {
-    /// Opens an output. The permissions of a file that exists are kept.
+    /// Opens an output. An existing file keeps its permissions.
     ///
     /// # Errors
     ///
-    /// A path that cannot be written, a loop of links, or a file that another process writes now.
+    /// The path cannot be written, the links form a loop, or another process is writing the file.
     pub fn create(path: &Path) -> io::Result<Self> {
         let sink = match Target::of(path)? {
             Target::StandardOutput => Sink::Direct(Box::new(io::stdout())),
@@ -60,11 +62,11 @@ impl Output {
         Ok(Output { sink })
     }
 
-    /// Syncs a file to disk, gives it its name, and syncs its folder.
+    /// Syncs a file to disk, renames it, and syncs its folder.
     ///
     /// # Errors
     ///
-    /// Errors of the file system; the old file is then still there.
+    /// Errors of the file system; the old file then remains.
     pub fn finish(self) -> io::Result<()> {
         match self.sink {
             Sink::Direct(mut sink) => sink.flush(),
@@ -92,7 +94,7 @@ impl Write for Output {
 
 impl Replacement {
     fn of(target: PathBuf) -> io::Result<Self> {
-        // Opening the old file for writing tells whether it may be written.
+        // Opening the old file for writing shows whether it is writable.
         let permissions = match OpenOptions::new().write(true).open(&target) {
             Ok(old) => Some(old.metadata()?.permissions()),
             Err(error) if error.kind() == ErrorKind::NotFound => None,
@@ -118,13 +120,13 @@ impl Replacement {
 impl Drop for Replacement {
     fn drop(&mut self) {
         if !self.is_finished {
-            // The caller reports the first error; a second one adds nothing.
+            // The caller reports the first error, so a second one is ignored.
             let _ = fs::remove_file(&self.unfinished);
         }
     }
 }
 
-/// The name of the file that is written first. The folder is the same, so that renaming stays within one file system.
+/// Name of the temporary file. It lies in the same folder, so that renaming stays within one file system.
 fn beside(target: &Path) -> io::Result<PathBuf> {
     let name = target.file_name().ok_or_else(|| {
         io::Error::new(ErrorKind::InvalidInput, "the path does not end with the name of a file")
@@ -135,7 +137,7 @@ fn beside(target: &Path) -> io::Result<PathBuf> {
     Ok(target.with_file_name(hidden))
 }
 
-/// An empty file of this process alone. A process that was killed may have left one: it is used again.
+/// An empty file that this process has locked. A file left by a killed process is used again.
 fn locked(path: &Path) -> io::Result<File> {
     loop {
         let file = OpenOptions::new().write(true).create(true).truncate(false).open(path)?;
@@ -147,7 +149,7 @@ fn locked(path: &Path) -> io::Result<File> {
                 return Err(io::Error::new(ErrorKind::WouldBlock, message));
             }
         }
-        // Another process may have renamed the file between the opening and the lock.
+        // Another process may have renamed the file between opening and locking.
         if is_at(&file, path) {
             file.set_len(0)?;
             return Ok(file);
@@ -167,7 +169,7 @@ fn is_at(_: &File, path: &Path) -> bool {
     path.exists()
 }
 
-/// Syncs the names of a folder to disk, on systems that can open a folder.
+/// Syncs the entries of a folder to disk, on systems that can open a folder.
 fn sync(folder: &Path) -> io::Result<()> {
     if !cfg!(unix) {
         return Ok(());
@@ -189,7 +191,7 @@ fn folder(path: &Path) -> &Path {
     }
 }
 
-/// Where an output goes once all links are followed.
+/// Destination of an output after following all links.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Target {
     /// The standard output of this process.
@@ -203,7 +205,7 @@ pub enum Target {
 }
 
 impl Target {
-    /// Follows the links of a path, the last of which may name a file that does not exist.
+    /// Follows the links of a path. The last one may name a file that does not exist.
     ///
     /// # Errors
     ///
@@ -241,7 +243,7 @@ impl Target {
     }
 }
 
-/// The number of the open file of this process that a path like `/dev/fd/1` names.
+/// Number of the open file of this process for a path like `/dev/fd/1`.
 fn descriptor(path: &Path) -> Option<u32> {
     let number = path.file_name()?.to_str()?.parse().ok()?;
     let folder = folder(path).canonicalize().ok()?;
@@ -261,7 +263,7 @@ enum Key {
 }
 
 impl Identity {
-    /// The identity of a file that exists or that an output would create; none of a device or a pipe.
+    /// Identity of a file that exists or that an output would create; `None` for a device or a pipe.
     ///
     /// # Errors
     ///
@@ -276,7 +278,7 @@ impl Identity {
         }
         let Target::File(target) = Target::of(path)? else { return Ok(None) };
         let Some(name) = target.file_name() else { return Ok(None) };
-        // The folder may be missing: then creating the file fails.
+        // If the folder is missing, creating the file fails later.
         let folder = folder(&target);
         let folder = folder.canonicalize().or_else(|_| std::path::absolute(folder))?;
         let ignores_case = cfg!(any(windows, target_os = "macos"));

@@ -1,4 +1,4 @@
-//! Lists of positions from outside the file, as on a command line.
+//! Parses comma-separated positions, as given on the command line.
 
 use crate::code;
 use crate::diagnostic::Diagnostics;
@@ -7,8 +7,8 @@ use crate::list;
 use crate::quantity::POSITION;
 use crate::units::UnitSystem;
 
-/// Reads positions \[m, or plain\] separated by commas, under the rule of the file they belong
-/// to: each with a unit, or none with one; 0 needs no unit.
+/// Parses comma-separated positions \[m, or plain\]. As in the file, either all have a unit or none has; 0
+/// needs no unit.
 ///
 /// ```
 /// use groundbeam_file::{UnitSystem, parse_positions};
@@ -19,8 +19,8 @@ use crate::units::UnitSystem;
 ///
 /// # Errors
 ///
-/// Every entry that is no position; places count from the start of `list`, so that
-/// [`Diagnostics::render`] shows them with `list` as the text.
+/// One diagnostic for each entry that is not a position. Byte positions count from the start of `list`, so
+/// that [`Diagnostics::render`] shows them with `list` as the text.
 pub fn parse_positions(list: &str, units: UnitSystem) -> Result<Vec<f64>, Diagnostics> {
     list::read(list, |entry| position(entry, units))
 }
@@ -40,12 +40,12 @@ fn position(entry: &str, units: UnitSystem) -> Result<f64, Fault> {
     match (units, written.has_unit) {
         (UnitSystem::Si, false) if written.value != 0.0 => {
             let hint = format!("give every position a unit, {example}");
-            let message = format!("`{entry}` has no unit, but the file gives units");
+            let message = format!("`{entry}` has no unit, but the file has units");
             Err(Fault::new(code::MIXED, at, message, "", hint))
         }
         (UnitSystem::Plain, true) => {
             let hint = format!("give plain numbers, {example}");
-            let message = format!("`{entry}` has a unit, but the file gives none");
+            let message = format!("`{entry}` has a unit, but the file has no units");
             Err(Fault::new(code::MIXED, at, message, "", hint))
         }
         _ => Ok(written.value),

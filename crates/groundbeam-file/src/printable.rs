@@ -1,9 +1,9 @@
-//! Text of a user in print: characters that a terminal would obey are written as escapes.
+//! Escapes control characters in text from the user, so that a terminal does not interpret them.
 
 use std::borrow::Cow;
 
-/// The text with every character that steers a terminal or hides the order of letters written as an escape, `\n` or
-/// `\u{1b}`: control characters, marks of the direction of text, separators of lines, and U+FFFE and U+FFFF.
+/// The text with escapes, such as `\n` or `\u{1b}`, for all control characters, marks of text direction, line
+/// separators, U+FFFE and U+FFFF.
 ///
 /// ```
 /// assert_eq!(groundbeam_file::printable("a\u{1b}[31mb"), r"a\u{1b}[31mb");
@@ -23,7 +23,7 @@ pub fn printable(text: &str) -> Cow<'_, str> {
     Cow::Owned(printed)
 }
 
-/// Whether a terminal would obey the character instead of showing it.
+/// Whether a terminal would interpret the character instead of showing it.
 pub fn is_unprintable(c: char) -> bool {
     c.is_control()
         || matches!(c, '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{2028}'..='\u{202e}')

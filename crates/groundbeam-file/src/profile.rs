@@ -1,6 +1,6 @@
-//! A quantity that may vary along the beam: one value, or a list from one end to the other.
+//! Reads a quantity that may vary along the beam: one value, or a list from one end to the other.
 //!
-//! Two values run linearly; more are the control values of a curve ([`Profile`]).
+//! Two values define a linear variation. More values are the control values of a curve ([`Profile`]).
 
 use crate::code;
 use crate::fault::Fault;
@@ -11,7 +11,7 @@ use groundbeam::Profile;
 use std::ops::Range;
 use toml::de::DeValue;
 
-/// A quantity from `from` to `to` and its place.
+/// A quantity along a stretch, and its location in the file.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Along {
     pub profile: Profile,
@@ -19,7 +19,7 @@ pub(crate) struct Along {
 }
 
 impl Along {
-    /// Stands for one that is missing or cannot be read.
+    /// Placeholder for a quantity that is missing or cannot be read.
     pub fn unreadable(span: Range<usize>) -> Self {
         Along { profile: Profile::constant(f64::NAN), span }
     }
@@ -28,20 +28,20 @@ impl Along {
         !self.profile.control_values().iter().any(|value| value.is_nan())
     }
 
-    /// One number for all of it, to remember its place by: NaN if it could not be read.
+    /// One number for the whole list, which carries its location; NaN if the list could not be read.
     pub fn field(&self) -> Field {
         let value = if self.is_readable() { self.profile.start() } else { f64::NAN };
         Field::new(value, self.span.clone())
     }
 
-    /// What it is between two parts of the way.
+    /// The quantity between two fractions of the stretch.
     pub fn between(&self, [from, to]: [f64; 2]) -> Self {
         Along { profile: self.profile.part(from, to), span: self.span.clone() }
     }
 
-    /// The product with another one, at a place of its own.
+    /// The product with another quantity, with a location of its own.
     pub fn times(&self, other: &Along, span: &Range<usize>) -> Self {
-        // Only lists of control values can be too many, and these are given for products alone.
+        // Only lists of control values can become too long, and products exclude them.
         let profile = self.profile.times(&other.profile);
         Along { profile: profile.unwrap_or(Profile::constant(f64::NAN)), span: span.clone() }
     }
@@ -66,7 +66,7 @@ impl Reader<'_> {
                 _ => format!(", or up to {most} control values of a curve"),
             };
             let hint = format!(
-                "give one value, or two for a quantity that runs linearly from one end to the \
+                "give one value, or two for a quantity that varies linearly from one end to the \
                  other{curve}"
             );
             let message = format!("`{key}` has {count} {noun}");
@@ -79,7 +79,7 @@ impl Reader<'_> {
         Some(Along { profile: profile.unwrap_or(Profile::constant(f64::NAN)), span: value.span() })
     }
 
-    /// A factor must be positive by itself: two negative ones would go unnoticed.
+    /// Each factor must be positive: the product of two negative ones would be accepted.
     pub fn positive_along(&mut self, key: &str, factor: Along) -> Along {
         let wrong = factor.profile.control_values().iter().find(|value| **value <= 0.0);
         let Some(&value) = wrong else { return factor };
@@ -88,7 +88,8 @@ impl Reader<'_> {
     }
 }
 
-/// What of 0 to `length` stretches leave out, from left to right; nothing while that cannot be told.
+/// The parts of 0 to `length` that the stretches do not cover, from left to right; empty while a stretch is
+/// unreadable.
 pub(crate) fn left_out(length: f64, stretches: impl Iterator<Item = (f64, f64)>) -> Vec<[f64; 2]> {
     let mut stretches: Vec<(f64, f64)> = stretches.collect();
     let unknown = |&(from, to): &(f64, f64)| from.is_nan() || to.is_nan();

@@ -1,28 +1,30 @@
-//! Rolled sections and rails by name: the data files in `sections/`, and areas and second moments from their sides.
+//! Rolled sections and rails by name, from the data files in `sections/`; areas and second moments from their
+//! dimensions.
 
 use crate::quantity::{SECOND_MOMENT_OF_AREA, SHEAR_AREA};
 use crate::suggest;
 use std::f64::consts::PI;
 use std::sync::LazyLock;
 
-/// A section that a model file can ask for, with `section = { name = "IPE 300" }` or `{ rail = "60E1" }`.
+/// A built-in section, which a model file selects with `section = { name = "IPE 300" }` or
+/// `{ rail = "60E1" }`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RolledSection {
     /// Its name.
     pub name: String,
-    /// The area \[m²\].
+    /// Area \[m²\].
     pub area: f64,
-    /// The second moment about the horizontal axis \[m⁴\].
+    /// Second moment of area about the horizontal axis \[m⁴\].
     pub inertia: f64,
-    /// The area that shears \[m²\]: the webs between the flanges; half of a tube; `None` of a rail.
+    /// Shear area \[m²\]: the webs between the flanges, or half of the area of a tube; `None` for a rail.
     pub shear_area: Option<f64>,
-    /// The height \[m\]; `None` of a rail.
+    /// Height \[m\]; `None` for a rail.
     pub height: Option<f64>,
-    /// The standard or the table.
+    /// The standard or table it comes from.
     pub source: String,
-    /// `one source`, where no second source confirmed a number.
+    /// `one source` if a value is not confirmed by a second source.
     pub remark: Option<String>,
-    /// The area and the second moment that the table prints, if it prints them.
+    /// Area and second moment as printed in the table, if given there.
     printed: Option<[f64; 2]>,
 }
 
@@ -44,7 +46,7 @@ static SECTIONS: LazyLock<Vec<RolledSection>> = LazyLock::new(|| {
 static RAIL_SECTIONS: LazyLock<Vec<RolledSection>> =
     LazyLock::new(|| lines(RAILS).filter_map(rail).collect());
 
-/// Every rolled steel section that a model file can ask for.
+/// All built-in rolled steel sections.
 ///
 /// ```
 /// let sections = groundbeam_file::rolled_sections();
@@ -56,22 +58,22 @@ pub fn rolled_sections() -> &'static [RolledSection] {
     &SECTIONS
 }
 
-/// Every rail that a model file can ask for.
+/// All built-in rails.
 pub fn rail_sections() -> &'static [RolledSection] {
     &RAIL_SECTIONS
 }
 
-/// The section of a name, however it is spaced; else the hint that names the nearest three.
+/// The section with this name, ignoring spaces; otherwise a hint with the three most similar names.
 pub(crate) fn find(name: &str) -> Result<&'static RolledSection, String> {
     let wanted = plain(name);
     let found = SECTIONS.iter().find(|section| plain(&section.name) == wanted);
     found.ok_or_else(|| {
         let names: Vec<&str> = SECTIONS.iter().map(|section| &*section.name).collect();
-        format!("the nearest names: {}", suggest::nearest_three(name, &names).join(", "))
+        format!("the most similar names: {}", suggest::nearest_three(name, &names).join(", "))
     })
 }
 
-/// The rail of a name; else the hint that names all rails. A rail with nearly the same name has another I.
+/// The rail with this name; otherwise a hint that lists all rails. Rails with similar names have different I.
 pub(crate) fn find_rail(name: &str) -> Result<&'static RolledSection, String> {
     let wanted = plain(name);
     let found = RAIL_SECTIONS.iter().find(|section| plain(&section.name) == wanted);
@@ -81,7 +83,7 @@ pub(crate) fn find_rail(name: &str) -> Result<&'static RolledSection, String> {
     })
 }
 
-/// A name without spaces and hyphens, in capitals.
+/// The name in capitals, without spaces and hyphens.
 fn plain(name: &str) -> String {
     name.to_uppercase().replace([' ', '-'], "").replace('×', "X")
 }
@@ -98,20 +100,21 @@ fn printed(area: &str, inertia: &str) -> Option<[f64; 2]> {
     Some([area.parse::<f64>().ok()? * 1e-4, inertia.parse::<f64>().ok()? * 1e-8])
 }
 
-/// Distance of the centroid of a fillet from its corner, (10 − 3π)/(12 − 3π) r.
+/// Distance of a fillet's centroid from its corner, (10 − 3π)/(12 − 3π) r.
 const CENTROID: f64 = (10.0 - 3.0 * PI) / (12.0 - 3.0 * PI);
-/// Its second moment about its own centroid, of r⁴: π and the two integrals of the quarter circle leave this number.
+/// Second moment of a fillet about its own centroid, divided by r⁴; from two integrals over the quarter
+/// circle.
 const OWN: f64 = 0.007_545_115_6;
 
-/// Area and second moment of four fillets of radius `r` in corners at the height `corner` above the middle; `towards` is −1
-/// where the fillet lies below its corner, 1 where it lies above.
+/// Area and second moment of four fillets of radius `r` whose corners lie at the height `corner` above the
+/// middle; `towards` is −1 if the fillet lies below its corner, 1 if it lies above.
 pub(crate) fn fillets(r: f64, corner: f64, towards: f64) -> [f64; 2] {
     let area = (1.0 - 0.25 * PI) * r * r;
     let lever = corner + towards * CENTROID * r;
     [4.0 * area, 4.0 * (OWN * r.powi(4) + area * lever * lever)]
 }
 
-/// A rolled I by its sides, with fillets between web and flanges.
+/// A rolled I-section from its dimensions, with fillets between web and flanges.
 fn rolled(cells: Vec<&'static str>) -> Option<RolledSection> {
     let [name, h, b, web, flange, r, area, inertia] = cells[..] else { return None };
     let [h, b, web, flange, r] = numbers(&[h, b, web, flange, r], MM)[..] else { return None };
@@ -131,7 +134,7 @@ fn rolled(cells: Vec<&'static str>) -> Option<RolledSection> {
     })
 }
 
-/// A W shape: A and I as AISC prints them.
+/// A W shape, with A and I as printed by AISC.
 fn american(cells: Vec<&'static str>) -> Option<RolledSection> {
     let [name, d, _, web, flange, area, inertia] = cells[..] else { return None };
     let [d, web, flange] = numbers(&[d, web, flange], INCH)[..] else { return None };
@@ -198,7 +201,7 @@ fn rail(cells: Vec<&'static str>) -> Option<RolledSection> {
 mod tests {
     use super::*;
 
-    /// Largest deviations of printed from computed values, in percent: tables print three or four figures.
+    /// Largest deviations of printed from computed values, in percent. Tables print three or four figures.
     #[test]
     fn sections_from_their_sides_have_the_printed_values() {
         let mut count = 0;
@@ -229,7 +232,7 @@ mod tests {
         assert!(find_rail("133RE").is_err());
     }
 
-    /// The fillet's constants by integration: the square less the quarter circle about its far corner.
+    /// Constants of the fillet by integration over the square minus the quarter circle about its far corner.
     #[test]
     fn constants_of_a_fillet() {
         let steps = 100_000;

@@ -1,4 +1,4 @@
-//! Quantities: a number and its unit, and the kinds of quantity a model is made of.
+//! Reads quantities (a number and a unit), and defines the kinds of quantity in a model.
 
 use crate::code;
 use crate::demand::{Place, Sign};
@@ -8,25 +8,25 @@ use crate::number::Decimal;
 use crate::print;
 use crate::unit::{Dimension, Marks, Unit, feet_and_inches};
 
-/// What a key wants.
+/// A kind of quantity that a key expects.
 #[derive(Debug, PartialEq)]
 pub(crate) struct Kind {
-    /// In words, with an article.
+    /// Its description with an article.
     pub what: &'static str,
     pub dimension: Dimension,
-    /// A value as it may stand in a file.
+    /// A valid value in a file.
     pub example: &'static str,
-    /// A unit to write behind a bare number.
+    /// The unit suggested after a number without one.
     pub unit: &'static str,
-    /// The signs that its number may have.
+    /// Signs that its number may have.
     pub sign: Sign,
-    /// The body on which it is a position; none for other quantities.
+    /// For a position, the body on which it lies; otherwise `None`.
     pub place: Option<Place>,
-    /// The kind of printed quantity that has its units; none for quantities that are not printed.
+    /// The kind of printed quantity with the same units; `None` for quantities that are not printed.
     pub printed: Option<print::Kind>,
-    /// The plausible sizes in SI units, and what they say.
+    /// Plausible range in SI units, and the rule in words.
     pub plausible: Option<([f64; 2], &'static str)>,
-    /// What someone who gives a quantity of another kind probably wants to do.
+    /// Hints for quantities of another dimension that users may give by mistake.
     mistaken: &'static [(Dimension, &'static str)],
 }
 
@@ -74,7 +74,8 @@ pub(crate) const POSITION: Kind = kind("a length", Dimension::LENGTH, "1 m", "m"
 pub(crate) const GROUND_POSITION: Kind = kind("a length", Dimension::LENGTH, "1 m", "m", &[])
     .on(Place::Ground)
     .printed_as(print::Kind::Position);
-/// A length from a place that is no end of the beam: from the first axle of a train, from the level of the sea.
+/// A length measured from a point other than an end of the beam: from the first axle of a train, or from sea
+/// level.
 pub(crate) const OFFSET: Kind =
     kind("a length", Dimension::LENGTH, "1 m", "m", &[]).printed_as(print::Kind::Position);
 /// A length behind the first axle of a train.
@@ -229,23 +230,23 @@ pub(crate) const DEPTH: Kind =
 pub(crate) const CAMBER: Kind = kind("a length", Dimension::LENGTH, "20 mm", "mm", &[]);
 
 impl Kind {
-    /// A radian is a plain number, so what is per angle may be given without it.
+    /// A radian is dimensionless, so quantities per angle may be given without it.
     fn accepts(&self, dimension: Dimension) -> bool {
         dimension == self.dimension
             || (dimension.angle == 0 && Dimension { angle: 0, ..self.dimension } == dimension)
     }
 
-    /// A quantity of one of our own lists, in N, m and K; not a number if it is none, which tests of the list find.
+    /// A quantity of a built-in list, in N, m and K. NaN if unreadable, which the tests of the list detect.
     pub fn listed(&self, text: &str) -> f64 {
         self.read("", text, false).map_or(f64::NAN, |written| written.value)
     }
 
-    /// A line of a file that gives `key` a right value; `plain`: in a file without units.
+    /// A valid line of a file for `key`; `plain` means a file without units.
     pub fn line(&self, key: &str, plain: bool) -> String {
         format!("{key} = {}", self.value(plain))
     }
 
-    /// A right value as a file spells it.
+    /// A valid value as written in a file.
     pub fn value(&self, plain: bool) -> String {
         match self.example.split_once(' ') {
             Some((number, _)) if plain => number.to_owned(),
@@ -253,19 +254,20 @@ impl Kind {
         }
     }
 
-    /// A list of two right values, the first of them 0.
+    /// A list of two valid values, the first of which is 0.
     pub fn pair(&self, plain: bool) -> String {
         let zero = if plain { "0".to_owned() } else { format!("\"0 {}\"", self.unit) };
         format!("[{zero}, {}]", self.value(plain))
     }
 
-    /// What to do where this quantity is wanted and something else stands.
+    /// Hint where this quantity is expected and another value is given.
     pub fn advice(&self, key: &str, plain: bool) -> String {
         let what = if plain { "a number" } else { "a number and its unit" };
         format!("write {what}, as in {}", self.line(key, plain))
     }
 
-    /// The value in SI units, of a number with a unit, or as it stands, of a number without.
+    /// Value in SI units of a number with a unit, or the number itself without one. `plain` selects the hint
+    /// for a file without units.
     ///
     /// `plain` tells what advice fits the file.
     pub fn read(&self, key: &str, text: &str, plain: bool) -> Result<Written, Fault> {
@@ -307,7 +309,8 @@ impl Kind {
         Ok(Written { value, has_unit, marks })
     }
 
-    /// The metres of a length in feet and inches, or with a fraction of an inch; none for other texts and quantities.
+    /// Length in metres from feet and inches, or from a fraction of an inch; `None` for other texts and
+    /// quantities.
     fn feet_and_inches(&self, text: &str) -> Option<f64> {
         let inches = feet_and_inches(text).filter(|_| self.dimension == Dimension::LENGTH)?;
         Some(Decimal::read(&inches)?.0.times(&Unit::read("in").ok()?.scale))
@@ -328,11 +331,11 @@ impl Kind {
             None => format!("give a unit as in {}", self.line(key, false)),
         };
         let found = found.describe();
-        let message = format!("`{unit}` is {found}, but {} is wanted here", self.what);
+        let message = format!("`{unit}` is {found}, but {} is needed here", self.what);
         Fault::new(code::WRONG_UNIT, at, message, found, hint)
     }
 
-    /// There is no number at the start of `trimmed`.
+    /// Fault for a `trimmed` text that does not begin with a number.
     fn unreadable(&self, key: &str, text: &str, trimmed: &str, plain: bool) -> Fault {
         let word = trimmed.trim_start_matches(['+', '-', '\u{2212}']);
         let word = word.split_whitespace().next().unwrap_or("").to_lowercase();
@@ -340,16 +343,16 @@ impl Kind {
             return not_finite(&word, 0..trimmed.len());
         }
         let message = if trimmed.is_empty() {
-            format!("there is no number here, but `{key}` is {}", self.what)
+            format!("a number is missing: `{key}` is {}", self.what)
         } else {
             format!("`{text}` does not begin with a number")
         };
         Fault::new(code::NUMBER, 0..trimmed.len(), message, "", self.advice(key, plain))
     }
 
-    /// A number that goes on after a comma or a space: not guessed at.
+    /// Fault for a number that continues after a comma or a space, which is ambiguous.
     fn interrupted(&self, number: &str, rest: &str, length: usize) -> Option<Fault> {
-        // A unit may be one over another.
+        // A unit may begin with `1/`.
         let over = rest.strip_prefix('1').and_then(|rest| rest.trim_start().strip_prefix('/'));
         if over.is_some_and(|unit| !unit.trim_start().starts_with(|c: char| c.is_ascii_digit())) {
             return None;
@@ -373,35 +376,35 @@ impl Kind {
     }
 }
 
-/// A value that was read, and whether a unit stood behind it.
+/// A value, and whether it had a unit.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Written {
-    /// In SI units if there was a unit, else as it stands.
+    /// In SI units if it had a unit, otherwise the number as written.
     pub value: f64,
     pub has_unit: bool,
     pub marks: Marks,
 }
 
-/// `nan` or `inf`, which TOML and many programs write.
+/// Fault for `nan` or `inf`, which TOML and many programs write.
 pub(crate) fn not_finite(written: &str, at: std::ops::Range<usize>) -> Fault {
     let what = if written.contains("nan") { "not a number" } else { "infinite" };
-    let message = format!("`{written}` is {what}; only finite numbers can be computed with");
+    let message = format!("`{written}` is {what}; a finite number is needed");
     Fault::new(code::NOT_FINITE, at, message, "", "give a finite number, or leave the key out")
 }
 
-/// Whether a number can be computed with: products of a few such numbers, and their powers, are finite.
+/// Whether a number is within the allowed range, so that products and powers of a few such numbers are
+/// finite.
 pub(crate) fn is_within_reach(value: f64) -> bool {
     value == 0.0 || (1e-60..=1e60).contains(&value.abs())
 }
 
-/// Which numbers can be computed with.
-pub(crate) const REACH: &str =
-    "numbers between 1e-60 and 1e60, their negatives and 0 can be computed with";
+/// The allowed range in words.
+pub(crate) const REACH: &str = "allowed values are 0 and magnitudes between 1e-60 and 1e60";
 
-/// A number that cannot be computed with, as near to it as 64-bit floating point comes.
+/// Fault for a number outside the allowed range. 64-bit floating point may round it to 0 or infinity.
 pub(crate) fn out_of_reach(value: f64, at: std::ops::Range<usize>) -> Fault {
     let size = if value.abs() < 1.0 { "small" } else { "large" };
-    let message = format!("this number is too {size} to be computed with");
+    let message = format!("this number is too {size}");
     Fault::new(code::NOT_FINITE, at, message, "", REACH)
 }
 
@@ -474,12 +477,12 @@ mod tests {
         let cases = [
             (
                 "1,200 kN",
-                "a comma is not read in numbers: write 1200, or 1.200 if the comma stands before decimals",
+                "a number must not contain a comma: write 1200, or 1.200 if the comma is a decimal comma",
             ),
-            ("1,200.5 kN", "a comma is not read in numbers: write 1200.5"),
-            ("1,234,567 kN", "a comma is not read in numbers: write 1234567"),
-            ("3,5 kN", "decimals stand after a point: 3.5"),
-            ("3,1416 kN", "decimals stand after a point: 3.1416"),
+            ("1,200.5 kN", "a number must not contain a comma: write 1200.5"),
+            ("1,234,567 kN", "a number must not contain a comma: write 1234567"),
+            ("3,5 kN", "write a decimal point: 3.5"),
+            ("3,1416 kN", "write a decimal point: 3.1416"),
         ];
         for (text, hint) in cases {
             assert_eq!(FORCE.read("point", text, false).unwrap_err().hint, hint, "{text}");

@@ -1,7 +1,7 @@
-//! Reads tables and values of a TOML document and remembers where everything stands.
+//! Reads tables and values of a TOML document and records their locations.
 //!
-//! Nothing stops at the first fault. A value that cannot be read is NaN from then on, which no
-//! value in a file can be; whatever depends on it is then NaN too and is not reported again.
+//! Reading continues after a fault. A value that cannot be read becomes NaN, which no file can contain.
+//! Values that depend on it are also NaN and are not reported again.
 
 use crate::beside::{Beside, OtherFile};
 use crate::code;
@@ -21,10 +21,10 @@ use std::sync::Arc;
 use toml::Spanned;
 use toml::de::{DeInteger, DeValue};
 
-/// A value and its place.
+/// A value and its location.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Field {
-    /// NaN if it could not be read, which has been reported then.
+    /// NaN if it could not be read; that fault has been reported.
     pub value: f64,
     pub span: Range<usize>,
 }
@@ -34,7 +34,7 @@ impl Field {
         Field { value, span }
     }
 
-    /// Stands for a value that is missing or cannot be read.
+    /// Placeholder for a value that is missing or cannot be read.
     pub fn unreadable(span: Range<usize>) -> Self {
         Field { value: f64::NAN, span }
     }
@@ -42,18 +42,18 @@ impl Field {
 
 pub(crate) struct Reader<'s> {
     pub source: &'s Source,
-    /// Where files that the model names stand; none if it can name none.
+    /// Location of the files that the model names; `None` if it cannot name files.
     pub beside: Option<Beside<'s>>,
-    /// Those that were read.
+    /// Named files that have been read.
     pub others: Vec<Arc<OtherFile>>,
     pub found: Vec<Diagnostic>,
     pub quantities: Vec<Seen>,
     pub places: Places,
-    /// Whether numbers without a unit are in SI units and may stand beside others.
+    /// Whether numbers without a unit are in SI units and may be mixed with others.
     pub bare_is_si: bool,
-    /// Whether the file seems to give no units, so that advice fits it.
+    /// Whether the file seems to have no units; hints depend on it.
     plain: bool,
-    /// Keys that unknown ones are probably meant to be, each with the start of its table.
+    /// Known keys that unknown keys probably mean, each with the start of its table.
     meant: Vec<(usize, String)>,
 }
 
@@ -77,7 +77,7 @@ impl<'s> Reader<'s> {
         }
     }
 
-    /// Reports a fault, unless the value is a text whose quotes were reported already.
+    /// Reports a fault, unless the value is text whose quotes were reported already.
     pub fn report(&mut self, fault: Fault) {
         let same = |known: &Diagnostic| known.code == code::SYNTAX && known.span == fault.at;
         if self.found.iter().any(same) {
@@ -86,13 +86,13 @@ impl<'s> Reader<'s> {
         self.found.push(Diagnostic::new(self.source, fault));
     }
 
-    /// Reports what is wrong in another file.
+    /// Reports a fault in another file.
     pub fn report_in(&mut self, source: &Source, file: &Arc<OtherFile>, fault: Fault) {
         let file = Some(Arc::clone(file));
         self.found.push(Diagnostic { file, ..Diagnostic::new(source, fault) });
     }
 
-    /// Whether the file seems to give no units.
+    /// Whether the file seems to have no units.
     pub fn is_plain(&self) -> bool {
         self.plain
     }
@@ -102,8 +102,8 @@ impl<'s> Reader<'s> {
         self.found.push(diagnostic.with_related(self.source, related, label));
     }
 
-    /// Reports a word that is none of the known ones. It stands for `{}` in the message, all known ones in the advice where
-    /// none of them is near.
+    /// Reports an unknown word, which replaces `{}` in the message. If no known word is similar, the hint
+    /// lists all known words in place of `{}`.
     pub fn unknown_word(
         &mut self,
         (written, span): (&str, Range<usize>),
@@ -116,8 +116,8 @@ impl<'s> Reader<'s> {
         self.report(Fault::new(code::UNKNOWN_WORD, span, message, "", hint));
     }
 
-    /// Reports that none of `keys` is given in `section`, unless one of them is misspelt there.
-    /// `example` would be right.
+    /// Reports that none of `keys` is given in `section`, unless one of them is misspelt there. `example` is
+    /// a valid line.
     pub fn missing(&mut self, section: &Section, keys: &[&str], what: &str, example: &str) {
         let is_misspelt = |key: &&str| {
             self.meant.iter().any(|(table, meant)| *table == section.span.start && meant == key)
@@ -130,7 +130,7 @@ impl<'s> Reader<'s> {
         self.report(Fault::new(code::MISSING, section.span.clone(), message, "", hint));
     }
 
-    /// Reports two keys that must not stand together, at the one that comes later.
+    /// Reports two keys that exclude each other, at the later one.
     pub fn exclusive(&mut self, a: (&str, &Range<usize>), b: (&str, &Range<usize>), hint: &str) {
         let (first, later) = if a.1.start <= b.1.start { (a, b) } else { (b, a) };
         let message = format!("`{}` and `{}` exclude each other", first.0, later.0);
@@ -138,11 +138,11 @@ impl<'s> Reader<'s> {
         self.report_with(fault, first.1.clone(), "given here");
     }
 
-    /// Reports every key of `section` but those of these names.
+    /// Reports every key of `section` that is not among these names.
     pub fn refuse_all_but(&mut self, section: &Section, names: &[&str]) {
         for (key, _) in section.table.iter().filter(|(key, _)| !names.contains(&&**key.get_ref())) {
             let written = key.get_ref();
-            let message = format!("`{written}` means nothing in {}", section.name());
+            let message = format!("`{written}` is not a key of {}", section.name());
             let keys: Vec<&Key> = names.iter().map(|name| section.key(name)).collect();
             let hint = match (keys::becomes(written, &keys), keys::meant(written, &keys)) {
                 (Some((meant, how)), _) => {
@@ -153,7 +153,7 @@ impl<'s> Reader<'s> {
                     self.meant.push((section.span.start, meant.to_owned()));
                     format!("did you mean `{meant}`?")
                 }
-                (None, None) => format!("what can stand here: {}", names.join(", ")),
+                (None, None) => format!("allowed here: {}", names.join(", ")),
             };
             self.report(Fault::new(code::UNKNOWN_KEY, key.span(), message, "", hint));
         }
@@ -164,7 +164,7 @@ impl<'s> Reader<'s> {
         self.refuse_all_but(section, &section.keys.names());
     }
 
-    /// The table `[key]`, if given; keys that it does not have are reported.
+    /// The table `[key]`, if given. Unknown keys are reported.
     pub fn table<'a>(&mut self, parent: &Section<'a>, key: &str) -> Option<Section<'a>> {
         let section = self.open(parent, key)?;
         self.refuse_unknown(&section);
@@ -178,7 +178,7 @@ impl<'s> Reader<'s> {
         Some(section)
     }
 
-    /// The table `[key]`, if given, whose keys depend on a value in it.
+    /// The table `[key]`, if given, whose allowed keys depend on a value in it.
     pub fn open<'a>(&mut self, parent: &Section<'a>, key: &str) -> Option<Section<'a>> {
         let Value::Table(keys) = parent.key(key).value else { return None };
         let name = keys.name;
@@ -186,7 +186,7 @@ impl<'s> Reader<'s> {
         match value.get_ref() {
             DeValue::Table(table) => Some(Section { table, span: value.span(), keys, part: None }),
             DeValue::Array(_) => {
-                let message = format!("there is only one {name} in a file");
+                let message = format!("a file has only one {name}");
                 self.wrong_type(value, message, format!("write {name} with single brackets"));
                 None
             }
@@ -198,13 +198,13 @@ impl<'s> Reader<'s> {
         }
     }
 
-    /// The tables of a list, none if there are none; keys that they do not have are reported.
+    /// Tables of a list; empty if not given. Unknown keys are reported.
     pub fn tables<'a>(&mut self, parent: &Section<'a>, key: &str) -> Vec<Section<'a>> {
         let Value::Tables(keys) = parent.key(key).value else { return vec![] };
         let name = keys.name;
         let Some(value) = parent.value(key) else { return vec![] };
         let DeValue::Array(array) = value.get_ref() else {
-            let message = format!("there can be several {name}, so it is written as a list");
+            let message = format!("a file can have several {name}, so it is a list");
             self.wrong_type(value, message, format!("write {name} with double brackets"));
             return vec![];
         };
@@ -226,7 +226,7 @@ impl<'s> Reader<'s> {
         sections
     }
 
-    /// The tables of a list, each a part of the model; `part` makes it of its number in the list.
+    /// Tables of a list, each a part of the model. `part` returns the part for a number in the list.
     pub fn parts<'a>(
         &mut self,
         parent: &Section<'a>,
@@ -258,7 +258,7 @@ impl<'s> Reader<'s> {
         }
     }
 
-    /// The whole number under `key`, if given.
+    /// The integer under `key`, if given.
     pub fn count(&mut self, section: &Section, key: &str) -> Option<u64> {
         let Value::Count([least, most]) = section.key(key).value else { return None };
         let value = section.value(key)?;
@@ -283,7 +283,7 @@ impl<'s> Reader<'s> {
         self.quantity_of(section, key, section.key(key).kind())
     }
 
-    /// The same, of a kind that follows from another key.
+    /// The quantity, whose kind depends on another key.
     pub fn quantity_of(
         &mut self,
         section: &Section,
@@ -297,12 +297,12 @@ impl<'s> Reader<'s> {
         read
     }
 
-    /// The quantity in `section` under `key`, which must be given.
+    /// The required quantity in `section` under `key`.
     pub fn required(&mut self, section: &Section, key: &str) -> Field {
         self.required_of(section, key, section.key(key).kind())
     }
 
-    /// The same, of a kind that follows from another key.
+    /// The required quantity, whose kind depends on another key.
     pub fn required_of(&mut self, section: &Section, key: &str, kind: &'static Kind) -> Field {
         self.quantity_of(section, key, kind).unwrap_or_else(|| {
             let row = section.key(key);
@@ -315,14 +315,14 @@ impl<'s> Reader<'s> {
         })
     }
 
-    /// Remembers the place of a field of the part of the model that `section` describes.
+    /// Records the location of a field of the model's part that `section` describes.
     pub fn place(&mut self, section: &Section, name: &'static str, field: &Field) {
         if let Some(part) = section.part {
             self.places.field(part, name, field);
         }
     }
 
-    /// The value under `key`; one that every such table has is reported where it is missing.
+    /// The value under `key`. If the key is required and missing, this is reported.
     pub fn value<'a>(
         &mut self,
         section: &Section<'a>,
@@ -336,17 +336,17 @@ impl<'s> Reader<'s> {
         value
     }
 
-    /// A line that would be right in this file.
+    /// A valid line for this file.
     pub fn line(&self, table: &Table, key: &str) -> String {
         table.key(key).line(self.plain)
     }
 
-    /// A list of two values that would be right in this file.
+    /// A valid list of two values for this file.
     pub fn pair(&self, kind: &Kind) -> String {
         kind.pair(self.plain)
     }
 
-    /// One quantity, wherever it stands.
+    /// Reads one quantity from any value.
     pub fn field(&mut self, key: &str, value: &Spanned<DeValue>, kind: &'static Kind) -> Field {
         let span = value.span();
         let written = match value.get_ref() {
@@ -396,8 +396,8 @@ impl<'s> Reader<'s> {
         self.report(Fault::new(code::WRONG_TYPE, value.span(), message, label, hint));
     }
 
-    /// A fault within the text of a TOML string, at its place in the file. Where the string is
-    /// written with escapes, characters have moved, and the whole string is marked.
+    /// A fault within a TOML string, at its location in the file. In a string with escapes the characters are
+    /// shifted, so the whole string is marked.
     fn inside_string(&self, text: &str, span: &Range<usize>, fault: Fault) -> Fault {
         let raw = &self.source.text[span.clone()];
         match raw.find(text) {
@@ -422,7 +422,7 @@ fn bare_integer(integer: &DeInteger, kind: &Kind) -> Result<Written, Fault> {
     }
 }
 
-/// What a TOML value is, with an article.
+/// Type of a TOML value, with an article.
 fn type_name(value: &DeValue) -> &'static str {
     match value {
         DeValue::String(_) => "text",

@@ -1,4 +1,4 @@
-//! Diagnostics as a person reads them: file, line and column, the line itself, a mark, a hint.
+//! Formats diagnostics as text: file, line and column, the line itself, a mark, a hint.
 
 use crate::diagnostic::{Diagnostic, Diagnostics, Severity};
 use crate::printable::{is_unprintable, printable};
@@ -6,14 +6,14 @@ use crate::source::BYTE_ORDER_MARK;
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
 use std::ops::Range;
 
-/// Nobody reads on after this many; [`Diagnostics::iter`] has them all.
+/// Maximum number of diagnostics shown; [`Diagnostics::iter`] gives all.
 const MOST_SHOWN: usize = 100;
 
 impl Diagnostics {
-    /// The diagnostics with the places of `text` they are about, ending in a newline. After the
-    /// first hundred only the number of the others is told.
+    /// The diagnostics with the lines of `text` they refer to, ending in a newline. After the first hundred,
+    /// only the number of the others is given.
     ///
-    /// `text` is what was parsed. With `colour`, escape codes for a terminal are put in.
+    /// `text` is the parsed text. `colour` adds escape codes for a terminal.
     ///
     /// # Example
     ///
@@ -22,7 +22,7 @@ impl Diagnostics {
     /// let diagnostics = groundbeam_file::parse(text).unwrap_err();
     /// assert_eq!(
     ///     diagnostics.render("footing.toml", text, false),
-    ///     r#"error[GB015]: `kN m` is a moment, but a bending stiffness is wanted here
+    ///     r#"error[GB015]: `kN m` is a moment, but a bending stiffness is needed here
     ///  --> footing.toml:3:9
     ///   |
     /// 3 | EI = "5 kN m"
@@ -53,17 +53,17 @@ impl Diagnostics {
     }
 }
 
-/// A diagnostic as the renderer takes it. What stands in the file or in its name is escaped here: the renderer prints
-/// paths, labels and hints as they are.
+/// A diagnostic in the form that the renderer needs. Names and text from the file are escaped here, because
+/// the renderer prints paths, labels and hints unchanged.
 fn group<'t>(diagnostic: &'t Diagnostic, file_name: &'t str, text: &str) -> Group<'t> {
-    // Columns are counted without the mark, so the text is shown without it.
+    // Columns do not count the byte order mark, so it is removed from the text.
     let shown = text.strip_prefix(BYTE_ORDER_MARK).unwrap_or(text);
     let mark = text.len() - shown.len();
     let inside = |span: &Range<usize>| {
         let start = boundary(shown, span.start.saturating_sub(mark));
         start..boundary(shown, span.end.saturating_sub(mark)).max(start)
     };
-    // The renderer looks through all it is given, so it is given no more than the lines it needs.
+    // The renderer searches the whole text, so it receives only the lines it needs.
     let spans =
         || std::iter::once(&diagnostic.span).chain(diagnostic.related.iter().map(|r| &r.span));
     let first = spans().map(|span| inside(span).start).min().unwrap_or(0);
@@ -99,14 +99,14 @@ fn group<'t>(diagnostic: &'t Diagnostic, file_name: &'t str, text: &str) -> Grou
     }
 }
 
-/// Lines of the file with one sign in place of each character that is not to be printed, so that columns stay. The
-/// renderer itself does this for the control characters of ASCII, and it knows the ends of lines.
+/// Lines of the file, with one character in place of each unprintable one, so that columns remain the same.
+/// The renderer itself treats ASCII control characters and line ends.
 fn visible(lines: &str) -> String {
     let sign = |c: char| if is_unprintable(c) && !c.is_ascii() { '\u{fffd}' } else { c };
     lines.chars().map(sign).collect()
 }
 
-/// The character boundary at or before `offset`; the caller's text may not be the one parsed.
+/// The character boundary at or before `offset`. The caller's text may differ from the parsed one.
 fn boundary(text: &str, offset: usize) -> usize {
     (0..=offset.min(text.len())).rev().find(|&i| text.is_char_boundary(i)).unwrap_or(0)
 }

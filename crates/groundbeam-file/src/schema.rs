@@ -1,12 +1,12 @@
-//! JSON Schema (draft 7) of model files and study files, from the keys of their tables: for editors that complete and
-//! check TOML.
+//! JSON Schema (draft 7) of model files and study files, generated from the keys of their tables, for editors
+//! that complete and check TOML.
 
 use crate::keys::{Key, Table, Value};
 use crate::section::MODEL;
 use crate::study::STUDY;
 use serde_json::{Map, Value as Json, json};
 
-/// The schema of model files.
+/// Schema of model files.
 ///
 /// ```
 /// let schema = groundbeam_file::model_schema();
@@ -16,7 +16,7 @@ pub fn model_schema() -> String {
     document(&MODEL, "groundbeam model file")
 }
 
-/// The schema of study files.
+/// Schema of study files.
 pub fn study_schema() -> String {
     document(&STUDY, "groundbeam study file")
 }
@@ -28,7 +28,7 @@ fn document(root: &Table, title: &str) -> String {
     format!("{schema:#}\n")
 }
 
-/// A table: its keys and no others.
+/// Schema of a table, which allows only its keys.
 fn object(table: &Table) -> Json {
     let properties: Map<String, Json> =
         table.keys.iter().map(|key| (key.name.to_owned(), property(key))).collect();

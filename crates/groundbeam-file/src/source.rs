@@ -1,11 +1,11 @@
-//! The text of a file, and where in it a byte stands.
+//! The text of a file, with line and column of each byte.
 
 use std::ops::Range;
 
-/// U+FEFF, which some editors put at the start of a file. It takes no column.
+/// U+FEFF, which some editors put at the start of a file. It does not count as a column.
 pub(crate) const BYTE_ORDER_MARK: char = '\u{feff}';
 
-/// A text with the starts of its lines.
+/// A text, with the starts of its lines.
 #[derive(Debug, Clone)]
 pub(crate) struct Source {
     pub text: String,
@@ -21,7 +21,7 @@ impl Source {
         }
     }
 
-    /// Line and column of a byte, both from 1; columns count characters.
+    /// Line and column of a byte, both from 1. Columns count characters.
     pub fn position(&self, offset: usize) -> (usize, usize) {
         let offset = self.character_start(offset);
         let line = self.line_starts.partition_point(|&start| start <= offset);
@@ -31,11 +31,11 @@ impl Source {
         (line, before.chars().count() + 1)
     }
 
-    /// The same span, widened to whole characters inside the text.
+    /// The span widened to whole characters inside the text.
     pub fn whole_characters(&self, span: Range<usize>) -> Range<usize> {
         let start = self.character_start(span.start);
         if start == self.text.len() {
-            // The end of the file is shown at the end of its last line, not below it.
+            // The end of the file is shown at the end of its last line.
             let line = self.text.strip_suffix('\n').unwrap_or(&self.text);
             let end = line.strip_suffix('\r').unwrap_or(line).len();
             return end..end;

@@ -1,5 +1,5 @@
-//! A stiffness is given as one number or as the product of two: EI or E and I, k or
-//! `subgrade_modulus` and `width`. A segment takes from its parent what it leaves out.
+//! Reads a stiffness, given as one number or as a product of two: EI or E and I, k or `subgrade_modulus` and
+//! `width`. A segment inherits missing factors from its parent.
 
 use crate::code;
 use crate::fault::Fault;
@@ -7,7 +7,7 @@ use crate::profile::Along;
 use crate::reader::{Field, Reader};
 use crate::table::Section;
 
-/// The keys of a stiffness and its factors.
+/// Keys of a stiffness and its factors.
 pub(crate) struct Keys {
     pub product: &'static str,
     pub factors: [&'static str; 2],
@@ -15,30 +15,30 @@ pub(crate) struct Keys {
     pub instead: &'static str,
 }
 
-/// What one table says of a stiffness.
+/// Stiffness data of one table.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Given {
     pub product: Option<Along>,
     pub factors: [Option<Along>; 2],
 }
 
-/// What comes of it.
+/// Result of combining a table with its parent.
 pub(crate) enum Stiffness {
     Known(Along),
-    /// The table says nothing of it.
+    /// The table gives no data for it.
     NotGiven,
     /// Only the first (0) or the second (1) factor is known.
     Half(usize, Along),
 }
 
 impl Given {
-    /// What is given for the whole, on a part of the way.
+    /// The data for a part of the stretch.
     pub fn between(&self, way: [f64; 2]) -> Self {
         let part = |given: &Option<Along>| given.as_ref().map(|given| given.between(way));
         Given { product: part(&self.product), factors: [0, 1].map(|i| part(&self.factors[i])) }
     }
 
-    /// The stiffness of a table; factors it does not give are those of `parent`.
+    /// The stiffness of a table. Missing factors come from `parent`.
     pub fn resolve(&self, reader: &mut Reader, parent: &Given, keys: &Keys) -> Stiffness {
         let own = self.factors.iter().position(|factor| factor.is_some());
         if let Some(product) = &self.product {
@@ -64,7 +64,7 @@ impl Given {
 }
 
 impl Reader<'_> {
-    /// The value of a stiffness that must be known; what is missing is reported.
+    /// The value of a required stiffness. Missing values are reported.
     pub fn settle(&mut self, stiffness: Stiffness, section: &Section, keys: &Keys) -> Along {
         match stiffness {
             Stiffness::Known(known) => return known,
@@ -85,7 +85,7 @@ impl Reader<'_> {
         Along::unreadable(section.span.clone())
     }
 
-    /// A factor must be positive by itself: two negative ones would go unnoticed.
+    /// Each factor must be positive: the product of two negative ones would be accepted.
     pub fn positive(&mut self, key: &str, factor: Field) -> Field {
         if factor.value <= 0.0 {
             let state = if factor.value == 0.0 { "zero" } else { "negative" };
@@ -98,8 +98,8 @@ impl Reader<'_> {
     }
 }
 
-/// Whether stretches leave no part of 0 to `length` out. What cannot be told counts as covered:
-/// then something else has been reported.
+/// Whether the stretches cover 0 to `length`. Unreadable stretches count as covering, because their fault has
+/// been reported.
 pub(crate) fn cover(length: f64, stretches: impl Iterator<Item = (f64, f64)>) -> bool {
     let mut stretches: Vec<(f64, f64)> = stretches.collect();
     let unknown = |&(from, to): &(f64, f64)| from.is_nan() || to.is_nan();

@@ -1,10 +1,10 @@
-//! "Did you mean …?": known words and keys near to what was written.
+//! Suggests known words and keys that are similar to an unknown one.
 
 use strsim::osa_distance;
 
-/// The candidate nearest to what was written, if one is near enough to be meant.
+/// The candidate most similar to the written word, if one is similar enough.
 ///
-/// A difference in case alone always counts as near; otherwise one edit in three letters.
+/// Words that differ only in case are always similar. Otherwise one edit per three letters is allowed.
 pub(crate) fn nearest<'c>(
     written: &str,
     candidates: impl IntoIterator<Item = &'c str>,
@@ -15,13 +15,13 @@ pub(crate) fn nearest<'c>(
     let mut best: Option<(usize, &str)> = None;
     for candidate in candidates {
         let letters = candidate.chars().count();
-        // So many letters must be added or removed at least.
+        // At least this number of letters must be added or removed.
         if letters.abs_diff(length) > allowed {
             continue;
         }
         let distance = osa_distance(&lower, &candidate.to_lowercase());
-        // A word of one or two letters is one edit away from too many others, unless the edit
-        // takes away a letter too much.
+        // A word of one or two letters is one edit away from too many others. Only the removal of one extra
+        // letter is accepted.
         let is_long_enough = letters > 2 || (letters == 2 && length == 3);
         let near = distance == 0 || (distance <= allowed && is_long_enough);
         if near && best.is_none_or(|(least, _)| distance < least) {
@@ -31,7 +31,7 @@ pub(crate) fn nearest<'c>(
     best.map(|(_, candidate)| candidate)
 }
 
-/// The three candidates nearest to what was written, the nearest first; fewer if there are fewer.
+/// Up to three candidates most similar to the written word, the best first.
 pub(crate) fn nearest_three<'c>(written: &str, candidates: &[&'c str]) -> Vec<&'c str> {
     let lower = written.to_lowercase();
     let mut ranked: Vec<(usize, &str)> = candidates
@@ -42,8 +42,8 @@ pub(crate) fn nearest_three<'c>(written: &str, candidates: &[&'c str]) -> Vec<&'
     ranked.into_iter().take(3).map(|(_, candidate)| candidate).collect()
 }
 
-/// What to write instead: the known word that is near, or the advice, in which all known words stand for `{}`. Advice that
-/// does not list them says what they mean and follows either way.
+/// Hint: the similar known word, or the text `otherwise` with all known words in place of `{}`. A text
+/// without `{}` always follows.
 pub(crate) fn advice(written: &str, known: &[&str], otherwise: &str) -> String {
     let explains = !otherwise.is_empty() && !otherwise.contains("{}");
     match nearest(written, known.iter().copied()) {

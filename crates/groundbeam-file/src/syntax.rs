@@ -1,4 +1,4 @@
-//! TOML syntax errors in words for readers who do not know TOML.
+//! Explains TOML syntax errors to readers who do not know TOML.
 
 use crate::code;
 use crate::diagnostic::Diagnostic;
@@ -8,15 +8,16 @@ use crate::source::Source;
 use std::ops::Range;
 use toml::de::{DeTable, DeValue, Error};
 
-/// What is wrong with the file as TOML.
+/// Syntax faults of a file.
 pub(crate) struct SyntaxFaults {
     pub found: Vec<Diagnostic>,
-    /// Whether the rest can still be trusted: a text without quotes and a key given twice do not
-    /// spoil what stands around them.
+    /// Whether the rest of the file can still be read. Missing quotes and repeated keys leave the text around
+    /// them readable.
     pub readable: bool,
 }
 
-/// Explains `errors`, at most one on each line: the second mostly follows from the first. `keys` are those of the file.
+/// Explains `errors`, at most one on each line: further ones usually follow from the first. `keys` are those
+/// of the file.
 pub(crate) fn explain(
     source: &Source,
     table: &DeTable,
@@ -43,7 +44,7 @@ pub(crate) fn explain(
     SyntaxFaults { found, readable }
 }
 
-/// The fault, and whether the rest of the file can still be read in spite of it.
+/// The fault, and whether the rest of the file can still be read.
 fn fault(source: &Source, span: Range<usize>, said: &str, keys: &Table) -> (Fault, bool) {
     let written = source.text.get(span.clone()).unwrap_or("");
     let start_of_line =
@@ -56,7 +57,7 @@ fn fault(source: &Source, span: Range<usize>, said: &str, keys: &Table) -> (Faul
         let is_list = keys.may_be_several(written);
         let in_header = line_so_far.trim_start().starts_with('[');
         let hint = if is_list && in_header {
-            "there can be several of these: write each with double brackets, as in [[load]]"
+            "several of these are allowed: write each with double brackets, as in [[load]]"
         } else if in_header {
             "put the keys of both under one heading"
         } else {
@@ -71,31 +72,28 @@ fn fault(source: &Source, span: Range<usize>, said: &str, keys: &Table) -> (Faul
             let hint = "write key = value, as in length = \"12 m\"".to_owned();
             (new("a value is missing here", "", hint), false)
         } else if let Some(inner) = between_typographic_quotes(written) {
-            let message = "typographic quotes do not hold a text together";
+            let message = "typographic quotes cannot enclose text";
             let hint = format!("write straight quotes: \"{inner}\"");
             (new(message, "quotes of a word processor", hint), true)
         } else {
             let hint = format!("write \"{written}\"");
-            let message = "text, and a number with its unit, stand in quotes";
+            let message = "write text, and numbers with a unit, in quotes";
             (new(message, "no quotes", hint), true)
         };
     }
     if said.contains("expected `inf`") || said.contains("expected `nan`") {
-        // A word without quotes that begins as one of these two does.
+        // An unquoted word that begins like one of these two.
         let hint = "write it in quotes, as in \"pinned\" or \"1.5 kN\"".to_owned();
-        return (
-            new("text, and a number with its unit, stand in quotes", "no quotes", hint),
-            false,
-        );
+        return (new("write text, and numbers with a unit, in quotes", "no quotes", hint), false);
     }
     let advice = if said.starts_with("invalid float") || said.starts_with("invalid integer") {
-        "a number with its unit stands in quotes, as in \"1.5 kN\""
+        "write a number with its unit in quotes, as in \"1.5 kN\""
     } else if said.starts_with("unexpected key or value") {
-        "one key = value stands on each line; a comma is not read in numbers: write 1200 or 3.5"
+        "write one key = value on each line; a number must not contain a comma: write 1200 or 3.5"
     } else if said.starts_with("invalid mantissa") || said.starts_with("invalid fraction") {
         "a number has digits on both sides of its point, as in 0.5 or 5.0"
     } else if said.starts_with("unexpected leading zero") {
-        "a number does not begin with a zero, unless a point follows"
+        "a number must not begin with a zero, unless a point follows"
     } else if said.starts_with("unclosed array table") {
         "a heading of this kind is written [[load]]"
     } else if said.starts_with("unclosed table") {
@@ -106,20 +104,20 @@ fn fault(source: &Source, span: Range<usize>, said: &str, keys: &Table) -> (Faul
     {
         "text ends with the same quote it begins with, on the same line"
     } else if said.starts_with("cannot recurse") || said.starts_with("recursion limit") {
-        "no value of a model lies this deep within others"
+        "no value of a model is nested this deeply"
     } else {
         ""
     };
     (new(&format!("this is not valid TOML: {said}"), "", advice.to_owned()), false)
 }
 
-/// The text between quotes as word processors write them.
+/// The text between typographic quotes.
 fn between_typographic_quotes(written: &str) -> Option<&str> {
     const QUOTES: [char; 8] = ['“', '”', '„', '‘', '’', '‚', '«', '»'];
     written.trim().strip_prefix(QUOTES)?.strip_suffix(QUOTES).map(str::trim)
 }
 
-/// The nearest place before `offset` where a key of this name was kept.
+/// Location of the nearest key with this name before `offset`.
 fn first_of(table: &DeTable, name: &str, offset: usize) -> Option<Range<usize>> {
     let mut nearest: Option<Range<usize>> = None;
     let mut waiting = vec![table];
@@ -149,7 +147,7 @@ mod tests {
     use crate::section::MODEL;
     use crate::study::STUDY;
 
-    /// The names of all tables, in a table and in those below it, of which a file may have several.
+    /// Names of all tables, here and below, that a file may have several times.
     fn several(table: &Table) -> Vec<&'static str> {
         let of = |value| match value {
             Value::Table(table) => several(table),
@@ -161,7 +159,7 @@ mod tests {
         own.map(|key| key.name).chain(below).collect()
     }
 
-    /// Every one of them is advised to be written with double brackets where it is given twice.
+    /// Each repeated table gets the hint to use double brackets.
     #[test]
     fn a_table_given_twice_is_a_list() {
         for (keys, count) in [(&MODEL, 14), (&STUDY, 3)] {

@@ -1,4 +1,4 @@
-//! One table of the file.
+//! One table of a file, with its location and its allowed keys.
 
 use crate::keys::{Key, Table};
 use groundbeam::model::Part;
@@ -6,14 +6,15 @@ use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-/// A table with its place and the keys that it may have.
+/// A table with its location and its allowed keys.
 #[derive(Clone)]
 pub(crate) struct Section<'a> {
     pub table: &'a DeTable<'a>,
-    /// The header, or the braces of an inline table.
+    /// Location of the header, or of the braces of an inline table.
     pub span: Range<usize>,
     pub keys: &'static Table,
-    /// The part of the model that it describes: quantities that are read become fields of it, with their places.
+    /// The part of the model that it describes. The locations of its quantities are recorded as fields of
+    /// this part.
     pub part: Option<Part>,
 }
 
@@ -23,7 +24,7 @@ impl<'a> Section<'a> {
         Section { table, span: 0..0, keys, part: None }
     }
 
-    /// As a file writes it: `[beam]`, `[[load]]`.
+    /// Its name in files: `[beam]`, `[[load]]`.
     pub fn name(&self) -> &'static str {
         self.keys.name
     }
@@ -32,7 +33,7 @@ impl<'a> Section<'a> {
         self.keys.key(name)
     }
 
-    /// Whether numbers stand bare in this table and those below, and none stands in quotes.
+    /// Whether this table and those below have numbers without quotes, and none in quotes.
     pub fn has_bare_numbers_only(&self) -> bool {
         let mut bare = false;
         let mut waiting: Vec<&DeValue> =

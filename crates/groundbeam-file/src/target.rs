@@ -1,4 +1,5 @@
-//! Names of a model's numbers that studies and arrays change: their values, and the reasons why some cannot change.
+//! Numbers of a model that studies and arrays may change: their names, their values, and reasons why some
+//! cannot change.
 
 use crate::document::Document;
 use crate::quantity::{
@@ -9,29 +10,29 @@ use crate::section::load::kind_of;
 use groundbeam::derivatives::{Domain, LoadNumber, Parameter, Property, SupportNumber};
 use groundbeam::{Beam, Foundation, Model, Profile};
 
-/// How a quantity runs between numbers at even points from one end of the beam to the other.
+/// Interpolation of a quantity between equidistant points along the whole beam.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Course {
-    /// Straight from one point to the next.
+    /// Linear between points.
     #[default]
     Lines,
-    /// As many equal stretches as there are numbers, each with one of them.
+    /// Constant on equal stretches, one number for each.
     Steps,
 }
 
-/// What several numbers for a quantity along the beam mean.
+/// Meaning of several numbers for one quantity along the beam.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Shape {
-    /// They stand at even points.
+    /// Values at equidistant points.
     Even(Course),
-    /// They are the control values of one curve, as a model file writes it ([`Profile`]).
+    /// Control values of one curve, as in a model file ([`Profile`]).
     Curve,
 }
 
-/// A number for a parameter, or several along the beam and what they mean.
+/// A parameter with one number, or with several numbers along the beam and their meaning.
 pub type Change<'a> = (Parameter, Shape, &'a [f64]);
 
-/// The most control values of a curve of a property.
+/// Maximum number of control values of a curve of a property.
 pub fn most_control_values(property: Property) -> usize {
     match property {
         Property::Spring | Property::Shear => Foundation::MOST_CONTROL_VALUES,
@@ -39,7 +40,7 @@ pub fn most_control_values(property: Property) -> usize {
     }
 }
 
-/// k, μ or EI of the whole beam, which may also be given at points along it.
+/// The property k, μ or EI of the whole beam, which may also be given at points along it.
 pub fn along_the_beam(parameter: Parameter) -> Option<Property> {
     match parameter {
         Parameter::Value(Property::ShearStiffness, _) => None,
@@ -48,7 +49,7 @@ pub fn along_the_beam(parameter: Parameter) -> Option<Property> {
     }
 }
 
-/// Whether a model cannot be solved unless this number is positive.
+/// Whether this number must be positive.
 pub(crate) fn must_be_positive(parameter: Parameter) -> bool {
     match parameter {
         Parameter::Value(property, _) | Parameter::Factor(property, _) => {
@@ -58,11 +59,11 @@ pub(crate) fn must_be_positive(parameter: Parameter) -> bool {
     }
 }
 
-/// Why a number of a file's model cannot be changed, if it cannot; `name` is what it was called.
+/// Reason why a number of the model cannot be changed, if any. `name` is the name that the user gave.
 pub fn problem(parameter: Parameter, name: &str, document: &Document) -> Option<String> {
     let model = &document.model;
     if parameter.is_of_ground() && document.model.foundation.soil.is_some() {
-        return Some("the model's ground is made of its soil".to_owned());
+        return Some("the model's ground is defined by soil data".to_owned());
     }
     if let Parameter::Load(index, _) = parameter
         && index >= model.loads.len()
@@ -78,17 +79,19 @@ pub fn problem(parameter: Parameter, name: &str, document: &Document) -> Option<
         | Parameter::Factor(Property::ShearStiffness, _)
             if !model.beam.shears() =>
         {
-            "the beam only bends: give it `shear_stiffness`, `G` or `nu`".to_owned()
+            "the beam has no shear deformation: give it `shear_stiffness`, `G` or `nu`".to_owned()
         }
         Parameter::Value(_, Domain::Whole) => {
-            format!("the model gives it by segments; `{name}_factor` multiplies it in all of them")
+            format!(
+                "the model defines it by segments; `{name}_factor` multiplies it in all of them"
+            )
         }
         Parameter::Load(..) => "the load has no such number".to_owned(),
         _ => "the model has no such number".to_owned(),
     })
 }
 
-/// What a number counts, in a model that has it.
+/// Physical quantity of a number, in a model that has it.
 pub(crate) fn kind(parameter: Parameter, model: &Model) -> &'static Kind {
     match parameter {
         Parameter::Value(Property::Spring, _) => &SPRING_PER_LENGTH,
@@ -106,7 +109,7 @@ pub(crate) fn kind(parameter: Parameter, model: &Model) -> &'static Kind {
     }
 }
 
-/// The model with numbers changed: what is set is set first, then what multiplies multiplies.
+/// Changes numbers of the model. Assignments come first, then factors.
 pub fn change<'a>(model: &mut Model, changes: impl Iterator<Item = Change<'a>> + Clone) {
     let multiplies =
         |parameter: Parameter| matches!(parameter, Parameter::Factor(..) | Parameter::LoadFactor);
@@ -131,7 +134,7 @@ pub fn change<'a>(model: &mut Model, changes: impl Iterator<Item = Change<'a>> +
 }
 
 impl Shape {
-    /// How many stretches so many numbers make.
+    /// Number of stretches that a list of `numbers` values describes.
     pub fn stretches(self, numbers: usize) -> usize {
         match self {
             Shape::Even(Course::Lines) => numbers - 1,
@@ -141,7 +144,7 @@ impl Shape {
     }
 }
 
-/// Numbers along the beam.
+/// Values along the beam.
 #[derive(Clone, Copy)]
 struct Along<'a> {
     shape: Shape,
@@ -153,7 +156,8 @@ impl Along<'_> {
         self.shape.stretches(self.values.len())
     }
 
-    /// On one of `count` equal stretches: as many as its own, or any number if it has one.
+    /// The profile on one of `count` equal stretches. `count` is its own number of stretches, or any number
+    /// if it has one stretch.
     fn on(self, stretch: usize, count: usize) -> Profile {
         let own = self.stretches();
         if own == count {
@@ -163,7 +167,7 @@ impl Along<'_> {
         self.own(0).part(from, to)
     }
 
-    /// On one of its own stretches.
+    /// The profile on one of its own stretches.
     fn own(self, stretch: usize) -> Profile {
         let values = self.values;
         match self.shape {
@@ -203,7 +207,7 @@ fn vary_ground(model: &mut Model, ground: [Option<Along>; 2]) {
     model.foundation = foundation;
 }
 
-/// The ends of one of `count` equal parts of the beam: those of neighbours are the same number.
+/// Ends of one of `count` equal parts of the beam. Neighbouring parts share the same number bit for bit.
 fn ends(length: f64, part: usize, count: usize) -> [f64; 2] {
     [part, part + 1].map(|i| length * (i as f64 / count as f64))
 }

@@ -1,4 +1,4 @@
-//! Trains of codes of practice: the data files in `trains/`.
+//! Trains of codes of practice, from the data files in `trains/`.
 
 use crate::catalogue::{self, Entry};
 use crate::quantity::{FORCE, LOAD_PER_LENGTH, POSITION};
@@ -44,18 +44,18 @@ struct ListedPart {
     load: String,
 }
 
-/// A train that a model file can ask for, with `[[train]] set = "…"`.
+/// A built-in train, which a model file selects with `[[train]] set = "…"`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TrainSet {
     /// Its name.
     pub name: String,
-    /// Other names by which it can be asked for.
+    /// Alternative names.
     pub also: Vec<String>,
     /// The code of practice.
     pub code: String,
     /// Clause and figure of the code.
     pub source: String,
-    /// `one source …`, where no second source confirmed a number.
+    /// `one source …` if a value is not confirmed by a second source.
     pub remark: Option<String>,
     /// The train, in N and m.
     pub train: Train,
@@ -73,7 +73,7 @@ static SETS: LazyLock<Vec<TrainSet>> = LazyLock::new(|| {
     practices.into_iter().flat_map(sets_of).collect()
 });
 
-/// Every train that a model file can ask for.
+/// All built-in trains.
 ///
 /// ```
 /// let sets = groundbeam_file::train_sets();
@@ -84,17 +84,17 @@ pub fn train_sets() -> &'static [TrainSet] {
     &SETS
 }
 
-/// The set of a name.
+/// The train with this name.
 pub(crate) fn find(name: &str) -> Option<&'static TrainSet> {
     SETS.iter().find(|set| set.is_called(name))
 }
 
-/// The names of all sets.
+/// Main names of all trains.
 pub(crate) fn names() -> Vec<&'static str> {
     SETS.iter().map(|set| &*set.name).collect()
 }
 
-/// All names of all sets.
+/// All names of all trains.
 pub(crate) fn spellings() -> Vec<&'static str> {
     catalogue::spellings(SETS.iter())
 }

@@ -1,4 +1,4 @@
-//! A file gives every quantity a unit, or none; 0 needs no unit.
+//! Decides whether a file has units: either all quantities have one or none has. 0 needs no unit.
 
 use crate::code;
 use crate::document::Quantity;
@@ -10,17 +10,17 @@ use crate::reader::Reader;
 use crate::unit::{Marks, Unit, feet_and_inches};
 use std::ops::Range;
 
-/// How a file writes its quantities, and so how results are to be written.
+/// How a file writes quantities, and therefore how results are written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum UnitSystem {
-    /// Every quantity has a unit; the model is in m, N, rad and their products.
+    /// All quantities have units. The model is in m, N, rad and their products.
     Si,
-    /// No quantity has a unit; the numbers are one consistent system, whichever.
+    /// No quantity has a unit. The numbers form one consistent system.
     Plain,
 }
 
 impl From<UnitSystem> for Units {
-    /// SI units, or none.
+    /// SI units, or no units.
     fn from(of: UnitSystem) -> Self {
         match of {
             UnitSystem::Si => Units::SI,
@@ -29,7 +29,7 @@ impl From<UnitSystem> for Units {
     }
 }
 
-/// The units in which the results of a file with these quantities are printed.
+/// Units for the printed results of a file with these quantities.
 pub(crate) fn printed(system: UnitSystem, quantities: &[Seen]) -> Units {
     let count = |any: Marks| quantities.iter().filter(|seen| seen.marks.has_any(any)).count();
     let (us, newton) = (count(Marks::US), count(Marks::NEWTON));
@@ -44,8 +44,8 @@ pub(crate) fn printed(system: UnitSystem, quantities: &[Seen]) -> Units {
     }
 }
 
-/// The choices among US units. Each kind of quantity has the length that its units have most often. A file without feet is
-/// printed in inches.
+/// Choices among US units. Each kind of quantity uses the length that is most frequent in its units. A file
+/// without feet gives results in inches.
 fn us_units(quantities: &[Seen]) -> UsUnits {
     let count = |kind: Option<print::Kind>, marks: Marks| {
         let of_kind = |seen: &&Seen| kind.is_none() || seen.kind.printed == kind;
@@ -69,23 +69,23 @@ pub(crate) struct Seen {
     pub key: String,
     pub kind: &'static Kind,
     pub has_unit: bool,
-    /// Whether it is 0 without a unit, which fits files of both kinds.
+    /// Whether it is 0 without a unit, which is allowed in both kinds of file.
     pub is_bare_zero: bool,
-    /// In SI units, or as it stands; 0 for the numbers of a built-in list.
+    /// Value in SI units or as written; 0 for entries of a built-in list.
     pub value: f64,
-    /// The marks of its unit.
+    /// Flags of its unit.
     pub marks: Marks,
     pub span: Range<usize>,
 }
 
 impl Seen {
-    /// The name of an item of a built-in list, whose numbers have units: the rest of the file must have them.
+    /// The name of an entry of a built-in list. The entry has units, so the rest of the file must have them.
     pub fn of_built_in(key: &str, kind: &'static Kind, span: Range<usize>) -> Self {
         let (key, marks) = (key.to_owned(), Marks::NONE);
         Seen { key, kind, has_unit: true, is_bare_zero: false, value: 0.0, marks, span }
     }
 
-    /// Where its number stands and what it counts; none if it is written in a way that hides it.
+    /// Location of its number and factor of its unit; `None` if escapes or feet and inches hide the number.
     fn located(&self, text: &str) -> Option<Quantity> {
         let written = text.get(self.span.clone())?;
         let quote =
@@ -94,7 +94,7 @@ impl Seen {
             Some(quote) => written.strip_prefix(quote)?.strip_suffix(quote)?,
             None => written,
         };
-        // Escapes and lengths in feet and inches have more than a number and a unit.
+        // Escapes, and lengths in feet and inches, are more than a number and a unit.
         if inner.contains('\\') || feet_and_inches(inner).is_some() {
             return None;
         }
@@ -115,8 +115,8 @@ impl Seen {
 }
 
 impl Reader<'_> {
-    /// Every quantity that was read, in the order of the text. Among quantities with units, a bare 0 is left out: another
-    /// number in its place would want a unit.
+    /// All quantities in the order of the text. In a file with units a bare 0 is left out, because another
+    /// number in its place would need a unit.
     pub fn located(&self, units: UnitSystem) -> Vec<Quantity> {
         let fits = |seen: &&Seen| units == UnitSystem::Plain || !seen.is_bare_zero;
         let all = self.quantities.iter().filter(fits);
@@ -127,7 +127,8 @@ impl Reader<'_> {
         all
     }
 
-    /// Which of the two the file is, if it gives any quantity but 0; a mixture is reported at the first of the fewer.
+    /// Unit system of the file, if it gives any quantity but 0. A mixture is reported at the first quantity
+    /// of the rarer kind.
     pub fn unit_system(&mut self) -> Option<UnitSystem> {
         if self.bare_is_si {
             return Some(UnitSystem::Si);
@@ -141,7 +142,7 @@ impl Reader<'_> {
         let odd_one = seen.iter().find(|quantity| quantity.has_unit != units_prevail);
         let usual_one = seen.iter().find(|quantity| quantity.has_unit == units_prevail);
         if let (Some(odd), Some(usual)) = (odd_one, usual_one) {
-            let rule = "a file gives every quantity but 0 a unit, or none at all";
+            let rule = "either all quantities of a file except 0 have a unit, or none has";
             let (message, label, other, hint) = if units_prevail {
                 let number = self.source.text[odd.span.clone()].trim_matches(['"', '\'']);
                 let line = format!("{} = \"{} {}\"", odd.key, number.trim(), odd.kind.unit);

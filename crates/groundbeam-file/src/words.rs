@@ -1,4 +1,4 @@
-//! Reads keys whose values are words of a short list.
+//! Reads keys whose value is one of a few allowed words.
 
 use crate::code;
 use crate::fault::Fault;
@@ -10,14 +10,14 @@ use std::ops::Range;
 use toml::de::DeValue;
 
 impl Reader<'_> {
-    /// Which of the key's words stands under `key`, if any.
+    /// The word under `key`, if given.
     pub fn word(&mut self, section: &Section, key: &str) -> Option<&'static str> {
         let Value::Word(words) = section.key(key).value else { return None };
         let written = self.text(section, key)?;
         self.one_of(words, written)
     }
 
-    /// Which of the key's words stand under `key`, one or a list of them.
+    /// The words under `key`: one, or a list of them.
     pub fn words(&mut self, section: &Section, key: &str) -> Option<Vec<&'static str>> {
         let Value::OneOrMore(words) = section.key(key).value else { return None };
         let value = self.value(section, key)?;
@@ -39,7 +39,7 @@ impl Reader<'_> {
         Some(found)
     }
 
-    /// The word of a list that is written; any other is reported.
+    /// The allowed word that was written. Any other word is reported.
     fn one_of(
         &mut self,
         words: &Words,

@@ -1,4 +1,4 @@
-//! Model → text: the inverse of [`parse`](crate::parse), bit for bit.
+//! Writes a model as a model file, the inverse of [`parse`](crate::parse), bit for bit.
 
 use crate::section::load::{LoadKind, kind_of};
 use crate::section::soil::method_name;
@@ -7,11 +7,11 @@ use groundbeam::soil::{LayeredSoil, Soil, SoilModel};
 use groundbeam::{Acts, Extent, GroundEnd, Load, Model, Profile, SupportKind};
 use std::fmt::Write;
 
-/// The model as a model file, every number written so that reading it gives the same bits.
+/// The model as a model file. Reading it gives the same numbers bit for bit.
 ///
-/// Ground made of soil is written as soil. Under a band, whose factors a file cannot give to one model, it is written as
-/// its constants. The units are those of SI, or none. Numbers that are not finite, which no model that
-/// [`Model::problems`] finds right contains, cannot be read again.
+/// Ground defined by soil data is written as soil data. With the factors of a band it is written as its
+/// constants, because a file cannot apply such factors to one model. The units are SI, or none. Non-finite
+/// numbers cannot be read again; [`Model::problems`] reports them.
 ///
 /// ```
 /// use groundbeam::{Beam, Foundation, Load, Model};
@@ -58,7 +58,7 @@ impl Writer {
         let _ = writeln!(self.text, "{key} = {value}");
     }
 
-    /// `{:?}` is the shortest text that reads back as the same bits, and always a TOML float.
+    /// `{:?}` gives the shortest text that reads back as the same bits, and always a TOML float.
     fn number(&self, value: f64, unit: &str) -> String {
         match self.units {
             UnitSystem::Si => format!("\"{value:?} {unit}\""),
@@ -71,7 +71,7 @@ impl Writer {
         self.line(key, &number);
     }
 
-    /// A quantity that is 0 where the file leaves it out; −0 is another number.
+    /// Writes a quantity unless it is 0, its default. −0 is written.
     fn unless_left_out(&mut self, key: &str, value: f64, unit: &str) {
         if value.to_bits() != 0 {
             self.quantity(key, value, unit);

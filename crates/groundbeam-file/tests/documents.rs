@@ -1,4 +1,4 @@
-//! Valid files in all their forms.
+//! Tests of valid files in all their forms.
 
 use groundbeam::model::{Part, Problem};
 use groundbeam::{Acts, Load, Support, SupportKind};
@@ -105,7 +105,7 @@ fn plain_numbers_stay_as_they_are() {
     assert_eq!(document.model.loads, [Load::point_force(16.0, 1.2503646726300526)]);
 }
 
-/// A beam of 12 m with `beam` in its table, on ground with `ground` in its own.
+/// A beam of 12 m with `beam` in its table, on ground with `ground` in its table.
 fn with(beam: &str, ground: &str) -> Document {
     read(&format!("[beam]\nlength = \"12 m\"\n{beam}\n[foundation]\n{ground}\n"))
 }
@@ -148,7 +148,7 @@ fn segments_take_over_what_they_leave_out() {
 
 #[test]
 fn two_values_run_from_one_end_to_the_other() {
-    // The beam is 12 m long; what holds for all of it holds where no segment says otherwise.
+    // The beam is 12 m long. Values of the whole beam apply outside the segments.
     let document = with(
         "E = \"2 Pa\"\nI = [\"1 m^4\", \"4 m^4\"]
          [[beam.segment]]\nfrom = \"4 m\"\nto = \"8 m\"\nE = \"3 Pa\"
@@ -200,7 +200,7 @@ fn segments_from_end_to_end_may_stand_alone() {
         "[[foundation.segment]]\nfrom = \"-1 m\"\nto = \"4 m\"\nk = \"1 N/m^2\"\nmu = \"3 N\"
          [[foundation.segment]]\nfrom = \"4 m\"\nto = \"12 m\"\nk = \"2 N/m^2\"",
     );
-    // The right end belongs to no segment, so what holds there is that of the last one.
+    // The right end belongs to no segment, so the last segment applies there.
     assert_eq!(document.model.beam.bending_stiffness_at(12.0), 2.0);
     assert_eq!(document.model.foundation.constants_at(12.0), (2.0, 0.0));
 }
@@ -256,7 +256,7 @@ fn thousands_of_faults_are_all_found_and_a_hundred_shown() {
     assert!(shown.ends_with("\n... and 2900 more in long.toml\n"));
 }
 
-/// The own weight follows the sections, in a load case of its own, after the file's loads.
+/// Self-weight follows the sections. Its load has its own load case and comes after the file's loads.
 #[test]
 fn own_weight_follows_the_sections() {
     let text = r#"
@@ -297,7 +297,7 @@ fn chords_follow_from_ground_and_loads() {
     let chords = |more: &str| read(&format!("{TROUGH}{more}")).chords.unwrap();
     let plain = chords("");
     assert_eq!(read(TROUGH).model.gap.len(), plain + 1);
-    // 1/h grows with the square root of k, and falls with that of the load.
+    // 1/h is proportional to the square root of k, and decreases with the load.
     let doubled = 2.0_f64.sqrt() * plain as f64;
     for more in [
         "[foundation.band]\nk = [0.5, 2]\n",

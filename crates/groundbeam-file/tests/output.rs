@@ -1,11 +1,11 @@
-//! Outputs: files replaced as a whole, links followed, devices and pipes written directly.
+//! Tests of output files: complete replacement, links, devices and pipes.
 
 use groundbeam_file::output::{Identity, Output, write};
 use std::fs;
 use std::io::Write;
 use std::path::Path;
 
-/// The names in a folder, sorted.
+/// Sorted names in a folder.
 fn names(folder: &Path) -> Vec<String> {
     let name = |entry: std::io::Result<fs::DirEntry>| entry.unwrap().file_name();
     let names = fs::read_dir(folder).unwrap().map(name);
@@ -71,7 +71,7 @@ fn threads_that_write_one_file_leave_one_whole_text() {
         for i in 0..4 {
             scope.spawn(move || {
                 for _ in 0..50 {
-                    // A thread that finds another at work is refused.
+                    // A thread fails if another one is writing.
                     let _ = write(path, &text(i));
                     let seen = fs::read(path).unwrap_or_else(|_| text(0));
                     assert!(seen.len() == 100_000 && seen.iter().all(|byte| *byte == seen[0]));

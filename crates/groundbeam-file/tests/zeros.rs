@@ -166,7 +166,7 @@ fn keys(text: &str, wrong: impl Fn(&str) -> Option<Diagnostics>) -> BTreeSet<Str
         let changed = format!("{}{STRANGE} = 1{end}{}", &text[..place], &text[place..]);
         let Some(found) = wrong(&changed) else { continue };
         let hints = found.iter().filter(|d| d.message.contains(STRANGE));
-        let lists = hints.filter_map(|d| d.hint.strip_prefix("what can stand here: "));
+        let lists = hints.filter_map(|d| d.hint.strip_prefix("allowed here: "));
         keys.extend(lists.flat_map(|list| list.split(", ").map(str::to_owned)));
     }
     keys

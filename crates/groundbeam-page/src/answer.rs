@@ -1,4 +1,4 @@
-//! The answer to a model file.
+//! Responses to a model file: the view, the result document, and downloads.
 
 use crate::question::{Asked, Trains, WrongQuery};
 use crate::reply::{Reply, WrongModel};
@@ -11,7 +11,7 @@ use groundbeam_run::{Failed, Host, Run};
 use std::convert::Infallible;
 use std::fmt::Display;
 
-/// File name of a model without a name.
+/// Default file name of a model.
 const NAME: &str = "model.toml";
 
 /// The format of a downloaded file.
@@ -19,7 +19,7 @@ const NAME: &str = "model.toml";
 pub enum Form {
     /// The picture.
     Svg,
-    /// The picture in pixels.
+    /// The picture as PNG.
     Png,
     /// The table of fields.
     Csv,
@@ -66,7 +66,10 @@ pub fn result(model: &[u8], asked: &Asked, host: &impl Host<Stop = Infallible>) 
 pub fn file(model: &[u8], asked: &Asked, form: Form, host: &impl Host<Stop = Infallible>) -> Reply {
     reply(found(model, asked, host, |read, results| {
         if !results.has_fields() && matches!(form, Form::Svg | Form::Png | Form::Csv) {
-            return Ok(Reply::refusal(409, "there is no equilibrium to draw or to list"));
+            return Ok(Reply::refusal(
+                409,
+                "there is no equilibrium, so there is nothing to draw or to list",
+            ));
         }
         let bytes = match form {
             Form::Svg => {
@@ -89,12 +92,12 @@ pub fn file(model: &[u8], asked: &Asked, form: Form, host: &impl Host<Stop = Inf
     }))
 }
 
-/// What the page shows.
+/// The data that the page shows.
 pub fn view(model: &[u8], asked: &Asked, host: &impl Host<Stop = Infallible>) -> Reply {
     reply(Read::of(model).and_then(|read| {
         let mut asked = asked.clone();
         if !read.document.trains.is_empty() && asked.first_axle.is_none() {
-            // The positions of all trains take long to solve, so a page begins with one train.
+            // The solve of all positions of all trains takes long, so the page first shows one train.
             asked.train = asked.train.or(Some(Trains::One(0)));
         }
         seen(&read, &asked, host, |results| {
@@ -104,14 +107,14 @@ pub fn view(model: &[u8], asked: &Asked, host: &impl Host<Stop = Infallible>) ->
     }))
 }
 
-/// Why a request has no answer.
+/// Reason why a request has no response.
 enum Refused {
     Query(WrongQuery),
     Model(WrongModel),
 }
 
 impl Refused {
-    /// An error without a place in the file.
+    /// An error without a location in the file.
     fn said(error: impl Display) -> Self {
         Refused::Model(WrongModel { message: error.to_string(), found: Vec::new() })
     }
@@ -124,7 +127,7 @@ fn reply(answer: Result<Reply, Refused>) -> Reply {
     })
 }
 
-/// A model file, read.
+/// A model file after reading.
 struct Read {
     document: Document,
     text: String,

@@ -1,6 +1,6 @@
-//! The questions and answers of the page: a model file and a query in, JSON or a file out.
+//! Requests and responses of the page: reads a model file and a query, and returns JSON or a file.
 //!
-//! Nothing here opens a socket, so that the answers can come from a server or from a worker inside a browser.
+//! This crate opens no socket, so a server or a worker inside a browser can use it.
 //!
 //! ```
 //! use groundbeam_page::{Asked, SOLVE, result};

@@ -1,11 +1,11 @@
-//! The query of an address, with every key and value checked.
+//! Parses and checks the query of an address.
 
 use crate::reply::Reply;
 use groundbeam::Cancel;
 use groundbeam_file::Document;
 use serde_json::json;
 
-/// The requested part of a file; with an empty query, all of it.
+/// The requested part of a file; an empty query requests all of it.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Asked {
     /// One of the file's combinations.
@@ -14,16 +14,16 @@ pub struct Asked {
     pub train: Option<Trains>,
     /// The position of the train's first axle \[m\].
     pub first_axle: Option<f64>,
-    /// The width of the picture.
+    /// Width of the picture.
     pub width: Option<f64>,
-    /// Set when the client has gone.
+    /// Set when the client has disconnected.
     pub cancel: Cancel,
 }
 
 /// The requested trains.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Trains {
-    /// All of them, at all positions.
+    /// All trains, at all positions.
     All,
     /// The train with this index in the file, at one position.
     One(usize),
@@ -36,7 +36,7 @@ pub const REPORT: &[&str] = &["combination"];
 /// The keys of the view.
 pub const VIEW: &[&str] = &["combination", "train", "first_axle", "width"];
 
-/// A query that is refused.
+/// Error of an invalid query.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct WrongQuery {
     key: String,
@@ -45,7 +45,7 @@ pub struct WrongQuery {
 }
 
 impl WrongQuery {
-    /// The refusal of a value that its key does not allow.
+    /// Error for a value that its key does not allow.
     fn value(key: &str, value: &str, allowed: &str) -> Self {
         let message = format!("`{key}={value}` in the query is refused: `{key}` is {allowed}");
         WrongQuery { key: key.to_owned(), value: value.to_owned(), message }
@@ -75,7 +75,7 @@ impl Asked {
     ///
     /// # Errors
     ///
-    /// A key that is not one of `keys` or comes twice, or a value that no file allows.
+    /// A key that is unknown or repeated, or a value that is invalid for every file.
     pub fn read(pairs: &[(String, String)], keys: &[&str]) -> Result<Asked, WrongQuery> {
         let mut asked = Asked::default();
         for (i, (key, value)) in pairs.iter().enumerate() {
@@ -89,7 +89,7 @@ impl Asked {
             match key.as_str() {
                 "combination" => asked.combination = Some(value.clone()),
                 "train" => {
-                    let allowed = "the place of a train in the file, from 0, or `all`";
+                    let allowed = "the index of a train in the file, from 0, or `all`";
                     asked.train = Some(trains(value).ok_or_else(|| refused(allowed))?);
                 }
                 "first_axle" => {
@@ -115,13 +115,13 @@ fn number(value: &str) -> Option<f64> {
 }
 
 impl Asked {
-    /// Checks the values against a file: they must name what the file has.
+    /// Checks that the values refer to combinations and trains of the file.
     pub(crate) fn check(&self, file: &Document) -> Result<(), WrongQuery> {
         if let Some(name) = &self.combination {
             let names = file.combination_names();
             if !names.iter().any(|known| known == name) {
                 let allowed = match names.as_slice() {
-                    [] => "for a file with combinations, and this file has none".to_owned(),
+                    [] => "for a file with combinations, but this file has none".to_owned(),
                     names => format!("one of: {}", names.join(", ")),
                 };
                 return Err(WrongQuery::value("combination", name, &allowed));
@@ -130,7 +130,7 @@ impl Asked {
         let count = file.trains.len();
         let wrong = |value: &str| {
             let allowed = match count {
-                0 => "for a file with trains, and this file has none".to_owned(),
+                0 => "for a file with trains, but this file has none".to_owned(),
                 1 => "0 or `all`: this file has one train".to_owned(),
                 _ => format!("0 to {} or `all`: this file has {count} trains", count - 1),
             };
@@ -143,7 +143,7 @@ impl Asked {
         }
         let Some(at) = self.first_axle else { return Ok(()) };
         let Some(Trains::One(i)) = self.train else {
-            let allowed = "only given together with the place of one `train`";
+            let allowed = "only given together with the index of one `train`";
             return Err(WrongQuery::value("first_axle", &at.to_string(), allowed));
         };
         let [from, to] = file.trains[i].range;

@@ -1,34 +1,34 @@
-//! Replies: a document, a file, or the reason of a refusal.
+//! Replies: a document, a file, or an error message.
 
 use groundbeam_file::{Diagnostic, Severity};
 use serde::Serialize;
 use serde_json::json;
 
-/// A reply, as a server sends it.
+/// A reply of the server.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Reply {
-    /// The status of HTTP.
+    /// HTTP status.
     pub status: u16,
-    /// The media type of the bytes.
+    /// Media type of the content.
     pub kind: &'static str,
-    /// What is sent.
+    /// The content.
     pub bytes: Vec<u8>,
 }
 
 impl Reply {
-    /// A document in JSON.
+    /// A JSON document.
     pub fn document(status: u16, text: String) -> Self {
         Reply { status, kind: "application/json", bytes: text.into_bytes() }
     }
 
-    /// The refusal of a request.
+    /// An error message.
     pub fn refusal(status: u16, message: &str) -> Self {
         let text = json!({ "status": "refused", "message": message }).to_string();
         Reply::document(status, text + "\n")
     }
 }
 
-/// A model without an answer: the error in one line, and the diagnostics of its file.
+/// A model that cannot be solved: the error in one line, and the diagnostics of its file.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct WrongModel {
     pub message: String,
@@ -48,11 +48,11 @@ impl From<WrongModel> for Reply {
     }
 }
 
-/// Largest number of listed diagnostics. A file of 4 MiB may have a million.
+/// Maximum number of listed diagnostics. A file of 4 MiB may have a million.
 const MOST: usize = 1000;
 
 impl WrongModel {
-    /// `{"status": "wrong-model", "diagnostics": […], "count": 1}`
+    /// JSON such as `{"status": "wrong-model", "diagnostics": […], "count": 1}`.
     fn faults(&self) -> String {
         let WrongModel { message, found } = self;
         let diagnostics: Vec<Fault> = found.iter().take(MOST).map(Fault::of).collect();
@@ -73,7 +73,7 @@ struct Fault<'a> {
     hint: &'a str,
     line: usize,
     column: usize,
-    /// Bytes of the text.
+    /// Byte range in the text.
     span: [usize; 2],
     related: Vec<Related<'a>>,
 }

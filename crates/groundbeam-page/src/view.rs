@@ -1,4 +1,4 @@
-//! The view of a model on the page: verdict, picture with handles, and every number of the text.
+//! The view of a model on the page: verdict, picture with handles, and all numbers of the text.
 
 use crate::question::Asked;
 use crate::written::Number;
@@ -10,17 +10,17 @@ use groundbeam_report::{Results, load_name, sentence, text};
 use groundbeam_run::{Answer, Found, Overall, Passage};
 use serde::Serialize;
 
-/// Everything the page shows of a model.
+/// All data that the page shows for a model.
 #[derive(Debug, Serialize)]
 pub struct View {
     status: &'static str,
-    /// The verdict in words.
+    /// The verdict as a sentence.
     sentence: String,
     title: Option<String>,
     /// Labels and texts beside the picture.
     rows: Vec<(String, String)>,
     picture: Option<Picture>,
-    /// The result document without stations, itself JSON.
+    /// The result document without stations, as JSON.
     document: String,
     /// The whole report as text.
     report: String,
@@ -51,9 +51,9 @@ struct Held {
     at: f64,
     /// Smallest and largest position of the handle.
     range: [f64; 2],
-    /// Index of the number that is its position.
+    /// Index of the number that gives its position.
     position: usize,
-    /// Index of the number that is its size.
+    /// Index of the number that gives its size.
     size: Option<usize>,
 }
 
@@ -89,7 +89,7 @@ impl View {
     }
 }
 
-/// The verdict in words, and the rows beside the picture.
+/// The verdict as a sentence, and the rows beside the picture.
 fn said(results: &Results) -> (String, Vec<(String, String)>) {
     let (answers, context) = (results.answers(), results.context());
     if let Some(one) = results.one() {
@@ -168,7 +168,8 @@ fn picture(document: &Document, results: &Results, asked: &Asked) -> Option<Pict
     })
 }
 
-/// The handle with its numbers; `None` if the text has no number for the position, as for a train's axle.
+/// The handle with its numbers; `None` if no number of the text gives the position, as for an axle of a
+/// train.
 fn held(document: &Document, combination: &Combination, handle: &Handle) -> Option<Held> {
     let (part, field, size, name) = match handle.grip {
         Grip::Load(i) | Grip::From(i) | Grip::To(i) => {
@@ -181,7 +182,7 @@ fn held(document: &Document, combination: &Combination, handle: &Handle) -> Opti
             };
             let kind = load_name(load);
             let (field, end) = match handle.grip {
-                Grip::From(_) => ("from", ", its beginning"),
+                Grip::From(_) => ("from", ", its start"),
                 Grip::To(_) => ("to", ", its end"),
                 _ => ("at", ""),
             };

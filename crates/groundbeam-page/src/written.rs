@@ -1,15 +1,15 @@
-//! Edits of the model's text for numbers changed on the page.
+//! Finds all numbers of the model's text, so that the page can change them.
 
 use groundbeam::model::Part;
 use groundbeam_file::{Document, Place, Quantity, Sign};
 use serde::Serialize;
 use std::collections::HashMap;
 
-/// A quantity of the text. Positions are in UTF-16 units, as a browser counts them.
+/// A quantity of the text. Positions are in UTF-16 units, as in browsers.
 #[derive(Debug, Serialize)]
 pub struct Number {
     key: String,
-    /// The heading of the table it stands in: `[beam]`, `[[load]]`.
+    /// Heading of its table: `[beam]`, `[[load]]`.
     table: String,
     /// Index among the tables with this heading, from 1; 0 if there is only one.
     which: usize,
@@ -18,11 +18,11 @@ pub struct Number {
     to: usize,
     /// The unit after the number, as written.
     unit: String,
-    /// The value of 1 in SI units.
+    /// Factor of the unit in SI units.
     size: f64,
-    /// The signs that the file format allows.
+    /// Signs that the file format allows.
     sign: &'static str,
-    /// The body on which the quantity is a position.
+    /// The body on which a position lies.
     place: Option<&'static str>,
     /// A typical value, in SI units.
     usual: f64,
@@ -64,7 +64,7 @@ impl Number {
         }
     }
 
-    /// The quantities from which a field of the model was read.
+    /// Index of the quantity from which a field of the model was read.
     pub fn behind(document: &Document, part: Part, field: &str) -> Option<usize> {
         let span = document.field_span(part, field)?;
         let quantities = &document.quantities;
@@ -73,10 +73,10 @@ impl Number {
     }
 }
 
-/// The headings of a text, read line by line.
+/// Headings of a text, read line by line.
 struct Headings<'t> {
     lines: std::iter::Peekable<std::str::SplitInclusive<'t, char>>,
-    /// Position up to which lines are read.
+    /// Position up to which lines have been read.
     end: usize,
     last: &'t str,
     counts: HashMap<&'t str, usize>,
@@ -88,8 +88,8 @@ impl<'t> Headings<'t> {
         Headings { lines, end: 0, last: "", counts: HashMap::new() }
     }
 
-    /// The last heading above a position, and its index among equal headings. Positions come in the order of the
-    /// text.
+    /// The last heading above a position, and its index among equal headings. Successive positions must not
+    /// decrease.
     fn above(&mut self, place: usize) -> (&'t str, usize) {
         while let Some(line) = self.lines.next_if(|line| self.end + line.len() <= place) {
             self.end += line.len();
@@ -103,14 +103,14 @@ impl<'t> Headings<'t> {
     }
 }
 
-/// `[beam]` of `[beam] # the footing`; `None` on a line that continues a list.
+/// The heading `[beam]` in `[beam] # the footing`; `None` for a line that continues a list.
 fn heading(line: &str) -> Option<&str> {
     let end = line.rfind(']')?;
     let is_list = line[..end].contains(['=', ',', '"', '\'']);
     (line.starts_with('[') && !is_list).then_some(&line[..=end])
 }
 
-/// Positions in bytes as positions in UTF-16 units.
+/// Conversion of byte positions to UTF-16 positions.
 struct Utf16(Vec<usize>);
 
 impl Utf16 {
@@ -165,7 +165,7 @@ mod tests {
         let all = Number::all(&document);
         assert_eq!((all[1].key.as_str(), all[1].size), ("EI", 1.0));
     }
-    /// The time to find all numbers of a file with `count` loads and the one behind each position \[s\].
+    /// Time \[s\] to find all numbers of a file with `count` loads, and the number for each load position.
     fn time(count: usize) -> f64 {
         let load = "[[load]]\npoint = \"5 kN\"\nat = \"1 m\"\n".repeat(count);
         let text = format!(
@@ -180,8 +180,8 @@ mod tests {
         started.elapsed().as_secs_f64()
     }
 
-    /// The time for 16 times as many loads grows about 16 times; quadratic growth would give 256 times. The shortest
-    /// of several runs counts, because other programs may interrupt a run.
+    /// The time for 16 times as many loads grows about 16 times; quadratic growth would give 256 times. The
+    /// shortest of several runs is used, because other programs may interrupt a run.
     #[test]
     fn the_time_grows_with_the_number_of_loads() {
         let mut least = [f64::INFINITY; 2];

@@ -1,9 +1,10 @@
 //! Calculation reports of [`groundbeam_report`] as PDF.
 //!
-//! The pages are set by [typst](https://typst.app) from `templates/report.typ`, which takes minutes to build: it is in this
-//! crate if the feature `typst` is on, and the program has it by its feature `pdf`. Without it [`report`] says so.
+//! [typst](https://typst.app) sets the pages from `templates/report.typ`. It takes minutes to build, so it is
+//! only included with the feature `typst` of this crate, or `pdf` of the program. Without it [`report`]
+//! returns an error.
 //!
-//! Equal reports give equal bytes: a report has no date, and none is made up.
+//! Equal reports give equal bytes, because a report has no date.
 
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]
@@ -21,14 +22,14 @@ use without::pdf;
 use groundbeam_report::calculation::{Paper, Report};
 use std::fmt;
 
-/// Whether the typesetter is there.
+/// Whether the typesetter is built in.
 pub const BUILT_IN: bool = cfg!(feature = "typst");
 
-/// What is to be done where it is not.
-pub const NOT_BUILT_IN: &str = "this program was built without PDF; to have it built in, which takes some minutes: `cargo install \
-     --path crates/groundbeam-cli --features pdf`; or write a report that ends in .html, and print it from a browser";
+/// Error message and remedy for builds without the typesetter.
+pub const NOT_BUILT_IN: &str = "this program was built without PDF; build it with PDF, which takes some minutes: `cargo install \
+     --path crates/groundbeam-cli --features pdf`; or write a report that ends in .html and print it from a browser";
 
-/// A report that could not be made.
+/// Reason why a report cannot be made.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Error(String);
 
@@ -44,7 +45,7 @@ impl std::error::Error for Error {}
 ///
 /// # Errors
 ///
-/// Where the typesetter is not built in ([`BUILT_IN`]).
+/// If the typesetter is not built in ([`BUILT_IN`]).
 pub fn report(report: &Report, paper: Paper) -> Result<Vec<u8>, Error> {
     pdf(report, paper)
 }

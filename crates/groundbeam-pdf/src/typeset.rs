@@ -1,4 +1,4 @@
-//! A report as typst sees it: one page description, one data file, and fonts.
+//! Sets a report with typst, from one page description, one data file, and fonts.
 
 use crate::Error;
 use groundbeam_report::calculation::{Paper, Report};
@@ -14,7 +14,7 @@ use typst::{Library, LibraryExt, World};
 use typst_layout::PagedDocument;
 use typst_pdf::PdfOptions;
 
-/// How a report looks.
+/// Layout of the pages.
 const TEMPLATE: &str = include_str!("../templates/report.typ");
 
 /// A report as a PDF file.
@@ -27,7 +27,7 @@ pub(crate) fn pdf(report: &Report, paper: Paper) -> Result<Vec<u8>, Error> {
     typst_pdf::pdf(&set(report, paper)?, &options).map_err(|found| failed(&found))
 }
 
-/// A report as pages.
+/// Sets the pages of a report.
 fn set(report: &Report, paper: Paper) -> Result<PagedDocument, Error> {
     let pages = Pages::of(report, paper)?;
     typst::compile(&pages).output.map_err(|found| failed(&found))
@@ -42,13 +42,13 @@ fn wrong(what: impl Display) -> Error {
     Error(format!("the report could not be set: {what}"))
 }
 
-/// All there is for typst.
+/// The files that typst can read.
 struct Pages {
     library: LazyHash<Library>,
     book: LazyHash<FontBook>,
     fonts: Vec<Font>,
     template: Source,
-    /// `report.json`, and where it is.
+    /// `report.json` and its identifier.
     data: (FileId, Bytes),
 }
 
@@ -135,7 +135,7 @@ mod tests {
 
     const FOOTING: &str = include_str!("../../../docs/strip-footing.toml");
 
-    /// All that is written on each page, without any spaces.
+    /// All text on each page, without spaces.
     fn pages(report: &Report, paper: Paper) -> Vec<String> {
         let mut written = Vec::new();
         for page in set(report, paper).unwrap().pages() {
@@ -160,7 +160,7 @@ mod tests {
         words.chars().filter(|c| !c.is_whitespace()).collect::<String>().replace("_l", "l")
     }
 
-    /// Everything a report says, but for its formulas and the words in its pictures.
+    /// All text of a report, except formulas and words in pictures.
     fn said(report: &Report) -> Vec<String> {
         let mut all = vec![report.title.clone(), report.subject.to_owned()];
         all.extend(report.verdicts.iter().flat_map(|v| [v.head.clone(), v.words.clone()]));
@@ -200,7 +200,7 @@ mod tests {
             let report = report(text);
             let written = pages(&report, paper).concat();
             for words in said(&report) {
-                // A long paragraph may go on on the next page, below the foot of the one where it begins.
+                // A long paragraph may continue below the foot of the page on which it begins.
                 let beginning: String = bare(&words).chars().take(60).collect();
                 assert!(written.contains(&beginning), "{words}");
             }
@@ -252,7 +252,7 @@ mod tests {
         assert_eq!(rows, 150);
     }
 
-    /// Wherever pages end, no heading and no caption of a table stands alone at a foot.
+    /// A heading or the caption of a table is never the last line of a page.
     #[test]
     fn no_heading_is_left_alone() {
         let short = |title| Section {

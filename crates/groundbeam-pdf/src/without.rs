@@ -3,7 +3,7 @@
 use crate::{Error, NOT_BUILT_IN};
 use groundbeam_report::calculation::{Paper, Report};
 
-/// Says so.
+/// Returns the error that PDF is not built in.
 pub(crate) fn pdf(_: &Report, _: Paper) -> Result<Vec<u8>, Error> {
     Err(Error(NOT_BUILT_IN.to_owned()))
 }

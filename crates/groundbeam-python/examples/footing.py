@@ -1,4 +1,4 @@
-"""The strip footing of the README: the twin of ``crates/groundbeam/examples/footing.rs``."""
+"""The strip footing of the README, the same model as in ``crates/groundbeam/examples/footing.rs``."""
 
 import groundbeam as gb
 

@@ -1,4 +1,4 @@
-//! The answers to several models: all combinations, trains, or methods.
+//! The results for several models: all combinations, trains, or methods.
 
 use crate::failure::Failure;
 use crate::names::field;
@@ -12,7 +12,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 use std::sync::Arc;
 
-/// The answers to several models of a text.
+/// The results for several models of one file.
 #[pyclass(frozen, module = "groundbeam._native")]
 pub struct Answers {
     pub read: Arc<Read>,
@@ -21,20 +21,20 @@ pub struct Answers {
 }
 
 impl Answers {
-    /// The equilibrium of the only answer.
+    /// The solution of the only answer.
     pub fn only(&self) -> PyResult<Solution> {
         let answer = self.answers.list.first();
         let answer = answer.ok_or_else(|| Failure::Asked("nothing was solved".to_owned()))?;
         Ok(Solution::of(&self.read, answer)?)
     }
 
-    /// As reports want them.
+    /// The answers in the form for reports.
     fn results(&self) -> Results<'_> {
         let context = Context::of(&self.read.document).with_seconds(self.seconds);
         Results::new(&self.answers, context)
     }
 
-    /// A solution, or the exception that solving it alone would raise.
+    /// A solution, or the exception that a separate solve would raise.
     fn answer(&self, py: Python<'_>, answer: &Answer) -> PyResult<Py<PyAny>> {
         match Solution::of(&self.read, answer) {
             Ok(solution) => Ok(Py::new(py, solution)?.into_any()),
@@ -48,13 +48,13 @@ impl Answers {
     }
 }
 
-/// A bound of an envelope: its values, and the numbers of the combinations that govern.
+/// A bound of an envelope: its values, and the indices of the governing combinations.
 type Line<'py> = (Bound<'py, PyArray1<f64>>, Vec<usize>);
 
-/// A bound of an envelope of passages: its values, positions of the first axle, and numbers of the passages.
+/// A bound of an envelope of passages: its values, positions of the first axle, and indices of the passages.
 type Moving<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>, Vec<usize>);
 
-/// On the best ground, the smallest and the largest on all grounds.
+/// Values on the best ground, and the smallest and the largest over all grounds.
 type Banded = (f64, f64, f64);
 
 /// Errors of deflection, moment, settlement and end forces.
@@ -62,20 +62,20 @@ type Apart = (f64, f64, f64, f64);
 
 #[pymethods]
 impl Answers {
-    /// Each combination's name with its solution, or with the exception that solving it alone would raise.
+    /// The name of each combination, with its solution or the exception that a separate solve would raise.
     fn answers(&self, py: Python<'_>) -> PyResult<Vec<(String, Py<PyAny>)>> {
         let each = self.answers.list.iter();
         each.map(|answer| Ok((answer.name().to_owned(), self.answer(py, answer)?))).collect()
     }
 
-    /// The load cases, and whether each could stand by itself.
+    /// The load cases, and whether each one alone has an equilibrium.
     fn load_cases(&self) -> Vec<(String, bool)> {
         let each = self.answers.alone.iter();
         each.map(|alone| (alone.case.name.clone(), alone.stands())).collect()
     }
 
-    /// The smallest and the largest values of a field at positions on the beam, and the number of the solved
-    /// combination that has them; with a limit state, of its combinations alone.
+    /// The smallest and the largest values of a field at positions on the beam, and the indices of the
+    /// governing combinations. With a limit state, only its combinations count.
     fn envelope<'py>(
         &self,
         py: Python<'py>,
@@ -99,12 +99,13 @@ impl Answers {
         Ok([values(true), values(false)])
     }
 
-    /// The names of the limit states of the solved combinations.
+    /// Names of the limit states of the solved combinations.
     fn limit_states(&self) -> Vec<&'static str> {
         self.answers.limit_states().iter().map(LimitState::name).collect()
     }
 
-    /// The smallest and the largest value of a field on the best ground of a band, each with its bounds on all grounds.
+    /// The smallest and the largest value of a field on the best ground of a band, each with its range over
+    /// all grounds.
     fn band(&self, name: &str) -> Result<Option<(Banded, Banded)>, Failure> {
         let field = field(name)?;
         let of = |band: run::Banded| (band.best, band.low, band.high);
@@ -125,8 +126,8 @@ impl Answers {
         )
     }
 
-    /// Of each passage the combination, the train, from where to where its first axle goes, the ranges without
-    /// equilibrium, and the positions at which the method did not reach its tolerance.
+    /// For each passage: combination, train, first and last position of the first axle, ranges without
+    /// equilibrium, and positions at which the method did not reach its tolerance.
     fn passages(&self) -> Vec<(Option<String>, String, [f64; 2], Vec<[f64; 2]>, Vec<f64>)> {
         let each = self.answers.passages().all.into_iter().map(|passage| {
             (
@@ -140,7 +141,7 @@ impl Answers {
         each.collect()
     }
 
-    /// The positions of the first axle that were solved in a passage.
+    /// The solved positions of the first axle in a passage.
     fn positions<'py>(
         &self,
         py: Python<'py>,
@@ -151,7 +152,7 @@ impl Answers {
         Ok(PyArray1::from_vec(py, solved))
     }
 
-    /// The position that was solved nearest to one, and its solution.
+    /// The solved position nearest to a given one, and its solution.
     fn nearest(&self, passage: usize, first_axle: f64) -> PyResult<Option<(f64, Solution)>> {
         let passage = self.passage(passage)?;
         let Some((first_axle, _)) = passage.nearest(first_axle) else { return Ok(None) };
@@ -164,7 +165,8 @@ impl Answers {
         Ok(solution.map(|solution| (first_axle, solution)))
     }
 
-    /// The smallest and the largest values of a field at sections over all passages; nothing if nothing was solved.
+    /// The smallest and the largest values of a field at sections over all passages; `None` if nothing was
+    /// solved.
     fn moving_envelope<'py>(
         &self,
         py: Python<'py>,
@@ -185,7 +187,8 @@ impl Answers {
         Ok(Some([line(0), line(1)]))
     }
 
-    /// Of each method its name, its solution or why there is none, its errors against the first, and the time it took.
+    /// For each method: its name, its solution or an exception, its errors relative to the first method, and
+    /// its duration.
     fn methods(
         &self,
         py: Python<'_>,

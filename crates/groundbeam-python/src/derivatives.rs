@@ -1,4 +1,4 @@
-//! Derivatives by name: what is asked for in words, and answered in arrays.
+//! Derivatives of outputs with respect to parameters, by name, as arrays.
 
 use crate::failure::Failure;
 use crate::names::{field, side};
@@ -6,13 +6,13 @@ use groundbeam::Solution;
 use groundbeam::derivatives::{Output, Parameter};
 use groundbeam_report::Units;
 
-/// An output: its name, and where and from which side a field is looked at.
+/// An output: its name, and for a field the position and the side.
 pub type Asked = (String, f64, String);
 
-/// Of every output its value, its derivatives one after the other, and why they have one side, if they do.
+/// For every output: its value, its derivatives, and the reasons why they are one-sided, if any.
 pub type Gradients = (Vec<f64>, Vec<f64>, Vec<Vec<String>>);
 
-/// The output that is called so; fields stand at a position.
+/// The output with this name. Fields need a position.
 fn output((name, at, from_side): &Asked) -> Result<Output, Failure> {
     if let Some(output) = Output::named(name) {
         return Ok(output);
@@ -20,21 +20,22 @@ fn output((name, at, from_side): &Asked) -> Result<Output, Failure> {
     match field(name) {
         Ok(field) => Ok(Output::Value(field, *at, side(from_side)?)),
         Err(_) => Err(Failure::Asked(format!(
-            "no output is called `{name}`; outputs are fields at positions, {}",
+            "no output has the name `{name}`; outputs are fields at positions, {}",
             Output::NAMES
         ))),
     }
 }
 
-/// The parameter that is called so.
+/// The parameter with this name.
 pub fn parameter(name: &str) -> Result<Parameter, Failure> {
     Parameter::named(name).ok_or_else(|| {
         let names = Parameter::NAMES;
-        Failure::Asked(format!("parameter `{name}`: means nothing; what can be changed: {names}"))
+        Failure::Asked(format!("parameter `{name}`: unknown name; parameters are: {names}"))
     })
 }
 
-/// Derivatives of all outputs by all parameters; those of the ground are refused where it is made of soil.
+/// Derivatives of all outputs with respect to all parameters. If the ground is defined by soil data, its
+/// constants are rejected.
 pub fn gradients(
     solution: &Solution,
     on_soil: bool,
@@ -47,12 +48,12 @@ pub fn gradients(
         parameters.iter().map(|name| parameter(name)).collect::<Result<_, _>>()?;
     for (name, parameter) in parameters.iter().zip(&by) {
         if on_soil && parameter.is_of_ground() {
-            let why = "the model's ground is made of its soil";
+            let why = "the model's ground is defined by soil data";
             return Err(Failure::Asked(format!("parameter `{name}`: {why}")));
         }
         if parameter.value(solution.model()).is_none() {
             let why =
-                "the model has no such number, or gives it by segments that vary: try a factor";
+                "the model has no such number, or defines it by varying segments: use a factor";
             return Err(Failure::Asked(format!("parameter `{name}`: {why}")));
         }
     }

@@ -1,4 +1,4 @@
-//! Failures as exceptions of `groundbeam._errors`.
+//! Converts failures to exceptions of `groundbeam._errors`.
 
 use groundbeam::{Error, Existence, Model, Stopped, Verdict, static_reactions};
 use groundbeam_file::{Diagnostic, Diagnostics, Document};
@@ -6,15 +6,15 @@ use groundbeam_report::{Units, sentence};
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
 
-/// Why there is no answer.
+/// Reason why there is no result.
 pub enum Failure {
-    /// The model is wrong: what a person is shown, and each fault.
+    /// The model is invalid: the message, and each fault.
     Wrong(String, Vec<Diagnostic>),
     /// There is no equilibrium.
     NoEquilibrium(Tipping),
     /// The method did not reach its tolerance.
     NotConverged(Stopped),
-    /// Something else was asked for that cannot be.
+    /// The request itself is invalid.
     Asked(String),
 }
 
@@ -25,14 +25,14 @@ pub struct Tipping {
     pub motion: [f64; 3],
     /// r at the hinges.
     pub hinges: Vec<f64>,
-    /// Under the ends, and under each free hinge between them.
+    /// Static reactions at the ends, and at each free hinge between them.
     pub static_reactions: Vec<f64>,
-    /// In words.
+    /// The reason, as a sentence.
     pub sentence: String,
 }
 
 impl Tipping {
-    /// Of a model without equilibrium.
+    /// The motion of a model without equilibrium.
     pub fn of(model: &Model, existence: &Existence, units: Units) -> Self {
         let hinges = match existence.verdict {
             Verdict::None(motion) | Verdict::NotUnique(motion) => {
@@ -57,7 +57,7 @@ impl Failure {
         Failure::Wrong(shown, found.into_iter().collect())
     }
 
-    /// What the library refused, at its place in the text.
+    /// An error of the library, at its location in the text.
     pub fn refused(error: Error, document: &Document, name: &str) -> Self {
         let problems = match error {
             Error::NotConverged(reached) => return Failure::NotConverged(reached),

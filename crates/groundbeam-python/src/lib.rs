@@ -1,6 +1,8 @@
-//! The compiled half of the Python package `groundbeam`: models are read and solved here, numbers leave as numpy arrays.
+//! The compiled extension of the Python package `groundbeam`: reads and solves models, and returns numbers as
+//! numpy arrays.
 //!
-//! What users see is in `python/groundbeam`, with its documentation and types; this module is named `_native` there.
+//! The public classes are in `python/groundbeam`, with documentation and types. They import this extension as
+//! `_native`.
 
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]

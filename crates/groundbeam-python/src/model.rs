@@ -1,4 +1,4 @@
-//! The Python class of a model, from text.
+//! The Python class of a model, read from text.
 
 use crate::answers::Answers;
 use crate::derivatives::parameter;
@@ -34,27 +34,27 @@ impl Model {
     }
 }
 
-/// What was chosen about the method.
+/// Options of the method.
 pub fn options(method: &str, elements: usize) -> Result<Options, Failure> {
     let known = Method::ALL.into_iter().find(|known| known.name() == method);
     let Some(method) = known else {
         let names = Method::ALL.map(Method::name).join(", ");
         return Err(Failure::Asked(format!(
-            "no method is called `{method}`; the methods are {names}"
+            "no method has the name `{method}`; the methods are {names}"
         )));
     };
     if elements == 0 {
-        return Err(Failure::Asked("a mesh has at least one element".to_owned()));
+        return Err(Failure::Asked("a mesh needs at least one element".to_owned()));
     }
     Ok(Options { method, elements, ..Options::default() })
 }
 
-/// Files in memory, of names and texts.
+/// Files in memory, from names and texts.
 pub fn held(files: Vec<(String, String)>) -> Vec<OtherFile> {
     files.into_iter().map(|(name, text)| OtherFile { name, text }).collect()
 }
 
-/// A model file's text, which must be UTF-8.
+/// Text of a model file, which must be UTF-8.
 #[pyfunction]
 pub fn text_of(bytes: &[u8], name: &str) -> Result<String, Failure> {
     let text = groundbeam_file::text_of(bytes).map(str::to_owned);
@@ -86,7 +86,7 @@ impl Model {
         Ok(Model { read: Arc::new(Read { document, name: name.to_owned() }) })
     }
 
-    /// The names and texts of the files that the model names, as they were read.
+    /// Names and texts of the files that the model names.
     #[getter]
     fn files(&self) -> Vec<(String, String)> {
         let files = self.read.document.files.iter();
@@ -113,13 +113,13 @@ impl Model {
         self.read.document.model.loads.len()
     }
 
-    /// The names of the trains that pass over the beam.
+    /// Names of the trains that pass over the beam.
     #[getter]
     fn trains(&self) -> Vec<String> {
         self.read.document.trains.iter().map(|train| train.name.clone()).collect()
     }
 
-    /// Every combination of load cases and grounds: its name, and the factors of the cases.
+    /// All combinations of load cases and grounds: the name, and the factors of the cases.
     fn combinations(&self) -> Vec<(String, Vec<(String, f64)>)> {
         let all = self.read.document.combinations();
         all.into_iter().map(|combination| (combination.name, combination.factors)).collect()
@@ -137,7 +137,7 @@ impl Model {
         py.detach(|| self.solution(combination, options))
     }
 
-    /// Solves it with other numbers for some parameters, as they are called.
+    /// Solves the model with other values of some parameters.
     fn solve_with(
         &self,
         py: Python<'_>,
@@ -148,7 +148,7 @@ impl Model {
         for (name, number) in numbers {
             let own = parameter(&name)?;
             if own.is_of_ground() && combination.model.foundation.soil.is_some() {
-                let why = "the model's ground is made of its soil";
+                let why = "the model's ground is defined by soil data";
                 return Err(Failure::Asked(format!("parameter `{name}`: {why}")).into());
             }
             let changed = own.set(&combination.model, number);
@@ -159,7 +159,7 @@ impl Model {
         py.detach(|| self.solution(combination, Options::default()))
     }
 
-    /// The number that a parameter has.
+    /// Value of a parameter.
     fn number(&self, name: &str, combination: Option<&str>) -> Result<f64, Failure> {
         let model = self.read.combination(combination)?.model;
         let number = parameter(name)?.value(&model);
@@ -168,7 +168,7 @@ impl Model {
         })
     }
 
-    /// Solves every combination, each by itself and in its place.
+    /// Solves all combinations, each at its index.
     fn solve_combinations(
         &self,
         py: Python<'_>,
@@ -217,7 +217,7 @@ impl Model {
         Ok(Answers { read: self.read.clone(), answers, seconds: host.seconds() })
     }
 
-    /// The verdict, the static reactions, the motion that costs nothing or gains work, and a sentence.
+    /// The verdict, the static reactions, the motion that is free or gains work, and a sentence.
     fn check(&self, combination: Option<&str>) -> Result<Statics, Failure> {
         let combination = self.read.combination(combination)?;
         let model = &combination.model;
@@ -229,7 +229,7 @@ impl Model {
         Ok((verdict, reactions, motion, sentence))
     }
 
-    /// Positions with units, separated by commas.
+    /// Parses positions with units, separated by commas.
     fn positions(&self, list: &str) -> Result<Vec<f64>, Failure> {
         let found = groundbeam_file::parse_positions(list, self.read.document.units);
         found.map_err(|found| Failure::wrong(found, "x", list))

@@ -1,21 +1,21 @@
-//! Fields and sides by name.
+//! Looks up fields and sides by name.
 
 use crate::failure::Failure;
 use groundbeam::{Field, Side};
 
-/// A field by its name.
+/// The field with this name.
 pub fn field(name: &str) -> Result<Field, Failure> {
     Field::named(name).ok_or_else(|| {
         let names = Field::ALL.map(Field::name).join(", ");
-        Failure::Asked(format!("no field is called `{name}`; the fields are {names}"))
+        Failure::Asked(format!("no field has the name `{name}`; the fields are {names}"))
     })
 }
 
-/// A side by its name.
+/// The side with this name.
 pub fn side(name: &str) -> Result<Side, Failure> {
     match name {
         "left" => Ok(Side::Left),
         "right" => Ok(Side::Right),
-        _ => Err(Failure::Asked(format!("`{name}` is no side: say `left` or `right`"))),
+        _ => Err(Failure::Asked(format!("`{name}` is not a side: write `left` or `right`"))),
     }
 }

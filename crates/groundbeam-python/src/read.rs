@@ -1,4 +1,4 @@
-//! A model as text, read, and its runs.
+//! A model file after reading, and its runs.
 
 use crate::failure::Failure;
 use crate::threads::Threads;
@@ -8,7 +8,7 @@ use groundbeam_report::Units;
 use groundbeam_run::{Answers, Failed, Host, Run};
 use pyo3::prelude::*;
 
-/// A text, what it is called, and what it says.
+/// A text, its name, and the document read from it.
 pub struct Read {
     pub document: Document,
     pub name: String,
@@ -19,7 +19,7 @@ impl Read {
         self.document.printed
     }
 
-    /// The system of units by the name that results use.
+    /// Name of the unit system in results.
     pub fn system(&self) -> &'static str {
         self.units().name()
     }
@@ -28,7 +28,7 @@ impl Read {
         Failure::refused(error, &self.document, &self.name)
     }
 
-    /// Solves a run of this text; with the answers the time it took \[s\].
+    /// Solves a run of this text. Returns the answers and the duration \[s\].
     pub fn solve(&self, run: &Run, threads: Option<usize>) -> PyResult<(Answers, f64)> {
         let host = Threads::new(threads);
         match run.solve(&host) {
@@ -38,7 +38,7 @@ impl Read {
         }
     }
 
-    /// The one that is called so; without a name the model as it is written.
+    /// The combination with this name; without a name the model as written.
     pub fn combination(&self, name: Option<&str>) -> Result<Combination, Failure> {
         let document = &self.document;
         let Some(name) = name else { return Ok(document.as_written()) };

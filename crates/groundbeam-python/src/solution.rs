@@ -1,4 +1,4 @@
-//! An equilibrium: its fields at any positions, its contact, its proof, and its reports.
+//! The Python class of a solution: fields at any positions, contact, certificate, and reports.
 
 use crate::derivatives::{self, Asked};
 use crate::failure::{Failure, Tipping};
@@ -12,7 +12,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 use std::sync::Arc;
 
-/// An equilibrium of a model, of one of its combinations, or of a position of a train.
+/// The solution of a model, of one of its combinations, or of one position of a train.
 #[pyclass(frozen, module = "groundbeam._native")]
 pub struct Solution {
     pub read: Arc<Read>,
@@ -23,7 +23,7 @@ pub struct Solution {
 }
 
 impl Solution {
-    /// The equilibrium of an answer, or why it has none.
+    /// The solution of an answer, or the reason why there is none.
     pub fn of(read: &Arc<Read>, answer: &Answer) -> Result<Self, Failure> {
         let Answer { label, found, ground, seconds, .. } = answer.clone();
         match found {
@@ -39,7 +39,7 @@ impl Solution {
         }
     }
 
-    /// What a report says besides the result itself.
+    /// Data of a report in addition to the result.
     fn context(&self) -> Context<'_> {
         let context = Context::of(&self.read.document).with_seconds(self.seconds);
         Context { ground: self.ground.as_ref(), ..context }
@@ -50,12 +50,13 @@ impl Solution {
     }
 }
 
-/// Values, derivatives row by row, and why they have one side.
+/// Values, derivatives row by row, and the reasons why they are one-sided.
 type GradientArrays<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>, Vec<Vec<String>>);
 
 #[pymethods]
 impl Solution {
-    /// One field at positions on the beam; where it jumps, from the given side. The settlement also beside it.
+    /// One field at positions on the beam. Where it jumps, `side` selects the value. The settlement is also
+    /// defined outside the beam.
     fn field<'py>(
         &self,
         py: Python<'py>,
@@ -125,7 +126,7 @@ impl Solution {
         self.found.contact().iter().map(|region| (region.from, region.to)).collect()
     }
 
-    /// From, to, where the gap is largest, and how large.
+    /// Start, end, position of the largest gap, largest gap.
     #[getter]
     fn lift_off(&self) -> Vec<(f64, f64, f64, f64)> {
         let each = self.found.lift_off().into_iter();
@@ -148,19 +149,20 @@ impl Solution {
         self.found.reactions().iter().map(|r| (r.at, r.force, r.moment)).collect()
     }
 
-    /// Where, how far the slope jumps, and the moment handed on.
+    /// Position, rotation and moment of each hinge.
     #[getter]
     fn hinges(&self) -> Vec<(f64, f64, f64)> {
         self.found.hinges().iter().map(|h| (h.at, h.rotation, h.moment)).collect()
     }
 
-    /// The figures of the certificate, in their order.
+    /// Numbers of the certificate, in order.
     #[getter]
     fn certificate(&self) -> [f64; 4] {
         self.found.certificate().figures().map(|(_, value)| value)
     }
 
-    /// Values of outputs, their derivatives by parameters, one row for each output, and why they have one side.
+    /// Values of outputs, their derivatives with respect to parameters, one row for each output, and the
+    /// reasons why they are one-sided.
     fn gradients<'py>(
         &self,
         py: Python<'py>,
@@ -175,7 +177,7 @@ impl Solution {
         Ok((PyArray1::from_vec(py, values), PyArray1::from_vec(py, derivatives), one_sided))
     }
 
-    /// Where a field is smallest and how small, where it is largest and how large.
+    /// Position and value of the minimum, position and value of the maximum.
     fn range(&self, name: &str) -> Result<(f64, f64, f64, f64), Failure> {
         let range = self.found.range(field(name)?);
         Ok((range.min.x, range.min.value, range.max.x, range.max.value))

@@ -1,4 +1,4 @@
-//! Studies: samples drawn, solved and kept, without Python in the loop.
+//! Draws, solves and saves the samples of studies, without Python in the loop.
 
 use crate::failure::Failure;
 use crate::model::held;
@@ -13,7 +13,7 @@ use pyo3::types::PyDict;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
-/// A study file, under a number of samples and a seed.
+/// A study file with a number of samples and a seed.
 #[pyclass(frozen, module = "groundbeam._native")]
 pub struct Study {
     draws: Draws,
@@ -64,7 +64,7 @@ impl Study {
         self.draws.plan().seed
     }
 
-    /// The names and texts of all files of the study, as they were read.
+    /// Names and texts of all files of the study.
     #[getter]
     fn files(&self) -> Vec<(String, String)> {
         self.draws.study().files().into_iter().map(|file| (file.name, file.text)).collect()
@@ -75,7 +75,7 @@ impl Study {
         groundbeam_study::digest(&self.draws)
     }
 
-    /// Whether a file holds all results of a shard.
+    /// Whether a file contains all results of a shard.
     fn is_done(&self, out: PathBuf, shard: (u64, u64)) -> PyResult<bool> {
         let shard = Shard { number: shard.0, of: shard.1 };
         groundbeam_study::is_done(&self.draws, &out, shard).map_err(|error| lost(&error))
@@ -86,7 +86,7 @@ impl Study {
         &self.draws.study().model_path
     }
 
-    /// The random numbers of consecutive samples by their names, and the fields, samples by points.
+    /// The random numbers of consecutive samples by name, and the fields as arrays of samples by points.
     fn draw<'py>(&self, py: Python<'py>, first: u64, count: u64) -> PyResult<Bound<'py, PyDict>> {
         let drawn: Vec<_> =
             py.detach(|| (first..first + count).map(|sample| self.draws.draw(sample)).collect());
@@ -105,7 +105,7 @@ impl Study {
         Ok(table)
     }
 
-    /// The class whose objects `solve_many` takes for the fields of a draw.
+    /// Name of the class that `solve_many` needs for the fields of a draw.
     #[getter]
     fn shape(&self) -> &'static str {
         match self.draws.study().field.as_ref().map(|field| field.course) {
@@ -114,7 +114,7 @@ impl Study {
         }
     }
 
-    /// Solves what is left of the study; how many samples were solved now.
+    /// Solves the remaining samples. Returns the number of samples solved now.
     fn run(
         &self,
         py: Python<'_>,
@@ -140,7 +140,7 @@ impl Study {
         watched(py, None, |watch| groundbeam_study::verify(&out, watch))
     }
 
-    /// What follows from all samples, as a document and as a picture.
+    /// Statistics of all samples, as a document and as a picture.
     fn summary(&self, py: Python<'_>, out: PathBuf) -> PyResult<(String, String)> {
         let context = Context::new(self.draws.study().document.printed);
         let summary =
@@ -149,13 +149,14 @@ impl Study {
     }
 }
 
-/// Puts the shards of a study together; how many samples there are.
+/// Merges the shards of a study. Returns the number of samples.
 #[pyfunction]
 pub fn merge(py: Python<'_>, files: Vec<PathBuf>, out: PathBuf) -> PyResult<u64> {
     Ok(watched(py, None, |watch| groundbeam_study::merge(&files, &out, watch))?.samples)
 }
 
-/// Work without the interpreter's lock that Ctrl-C stops, and of which a function is told how many samples are solved.
+/// Runs `work` without the interpreter's lock. Ctrl-C stops it, and a function receives the number of solved
+/// samples.
 fn watched<T: Send>(
     py: Python<'_>,
     progress: Option<Py<PyAny>>,

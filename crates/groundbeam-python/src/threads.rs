@@ -1,7 +1,8 @@
-//! Threads for one call, which Python may stop.
+//! Runs work on threads that end with the call, and that Python can stop.
 //!
-//! No thread outlives a call, so a process may fork between calls and the child starts threads of its own. The global
-//! pool of `rayon` must not be used here: its threads are missing in a forked process, and work given to it never ends.
+//! All threads end with the call, so a process may fork between calls, and the child starts its own threads.
+//! The global pool of `rayon` must not be used here: its threads do not exist in a forked process, so its
+//! work would never end.
 
 use crate::failure::Failure;
 use groundbeam_run::Host;
@@ -11,11 +12,11 @@ use std::sync::mpsc::{self, RecvTimeoutError};
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// How often Python is asked whether to stop, and told how far the work is.
+/// Interval between checks for signals and updates of progress.
 const BETWEEN_LOOKS: Duration = Duration::from_millis(100);
 
-/// How many threads a call uses: as many as it asks for. If it asks for 0, as many as the variable `RAYON_NUM_THREADS`
-/// says, which also holds for the program, or else as many as there are processors.
+/// Number of threads of a call: the requested number; for 0 the value of `RAYON_NUM_THREADS`, which the
+/// program also uses, or else the number of processors.
 pub fn number(asked: usize) -> usize {
     let of_variable = || {
         let variable = std::env::var("RAYON_NUM_THREADS").ok()?;
@@ -29,8 +30,8 @@ pub fn number(asked: usize) -> usize {
     }
 }
 
-/// The results of `work` for 0 to `count`, in this order. Each thread makes a state of its own, which `work` may use
-/// as memory; results must not depend on it.
+/// The results of `work` for 0 to `count`, in this order. Each thread has its own state, which `work` may use
+/// as workspace; the results must not depend on it.
 pub fn map<S, T: Send>(
     count: usize,
     threads: usize,
@@ -55,7 +56,7 @@ pub fn map<S, T: Send>(
         let (say, ended) = mpsc::channel();
         for _ in 0..number(threads).min(count) {
             let (say, one_thread) = (say.clone(), &one_thread);
-            // The receiver is gone if Python has stopped the work.
+            // The receiver no longer exists if Python has stopped the work.
             let thread = move || drop(say.send(one_thread()));
             if let Err(error) = thread::Builder::new().spawn_scoped(scope, thread) {
                 stop.store(true, Ordering::Relaxed);
@@ -83,7 +84,7 @@ pub fn map<S, T: Send>(
     Ok(all.into_iter().map(|(_, result)| result).collect())
 }
 
-/// Lets Python handle signals, Ctrl-C among them, and tells it how far the work is.
+/// Lets Python handle signals such as Ctrl-C, and reports the progress.
 fn tell(progress: Option<&Py<PyAny>>, done: usize, count: usize) -> PyResult<()> {
     Python::attach(|py| {
         py.check_signals()?;
@@ -94,14 +95,14 @@ fn tell(progress: Option<&Py<PyAny>>, done: usize, count: usize) -> PyResult<()>
     })
 }
 
-/// The threads of one call, for a run; none for the thread of the caller.
+/// The threads of one call of a run; `None` for the thread of the caller.
 pub struct Threads {
     number: Option<usize>,
     started: Instant,
 }
 
 impl Threads {
-    /// As many as are asked for, as [`number`] counts them.
+    /// The requested number of threads, as counted by [`number`].
     pub fn new(number: Option<usize>) -> Self {
         Threads { number, started: Instant::now() }
     }

@@ -1,7 +1,8 @@
-//! The Python package: built as a wheel, installed into an environment of its own, and tested from Python.
+//! Tests the Python package: builds it as a wheel, installs it into a virtual environment, and runs its
+//! Python tests.
 //!
-//! Needs Python from 3.10 on and packages from its index. Without them this test says that it was skipped, or fails
-//! where the variable `GROUNDBEAM_DEMAND_PYTHON` is set.
+//! The test needs Python 3.10 or later and packages from its index. Without them it reports that it was
+//! skipped, or fails if the variable `GROUNDBEAM_DEMAND_PYTHON` is set.
 
 mod environment;
 
@@ -9,7 +10,7 @@ use environment::{environment, tools_or_skip};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
-/// What the tests need besides the package.
+/// Packages that the tests need.
 const NEEDS: [&str; 9] = [
     "maturin>=1.9,<2",
     "numpy",
@@ -29,7 +30,7 @@ fn the_package_does_what_its_tests_say() {
     let Some(python) = tools_or_skip(python, variable, subject) else { return };
     install(&python);
     let package = folder();
-    // Outside the sources, so that the installed package is tested and not they.
+    // The tests run outside the sources, so that they import the installed package.
     let tests = [package.join("tests"), package.join("python")].map(spelled);
     succeed(in_folder(&python, &["-m", "pytest", "-p", "no:cacheprovider", "-q", &tests[0]]));
     let configuration = spelled(package.join("pyproject.toml"));
@@ -49,12 +50,12 @@ fn spelled(path: PathBuf) -> String {
     path.to_str().expect("a path that is text").to_owned()
 }
 
-/// Where everything is made that is not kept.
+/// Folder for temporary results.
 fn workplace() -> PathBuf {
     Path::new(env!("CARGO_TARGET_TMPDIR")).join("python")
 }
 
-/// Builds the wheel with what `cargo test` has compiled already, as far as it is the same, and installs it.
+/// Builds the wheel, reusing what `cargo test` has compiled as far as possible, and installs it.
 fn install(python: &Path) {
     let wheels = workplace().join("wheels");
     let _ = std::fs::remove_dir_all(&wheels);
@@ -63,7 +64,7 @@ fn install(python: &Path) {
     build.args(["--auditwheel", "skip", "--interpreter"]).arg(python).arg("--out").arg(&wheels);
     build.env("CARGO_TARGET_DIR", target()).env("PIP_DISABLE_PIP_VERSION_CHECK", "1");
     if cfg!(debug_assertions) {
-        // Dependencies as the profile of tests has them.
+        // Dependencies have the settings of the test profile.
         build.args(["--profile", "dev"]).env("CARGO_PROFILE_DEV_OPT_LEVEL", "2");
     } else {
         build.arg("--release");
@@ -79,7 +80,7 @@ fn install(python: &Path) {
     succeed(in_folder(python, &install));
 }
 
-/// The folder of everything that is compiled: this test is in `target/debug/deps`.
+/// Folder of the compiled files: this test is in `target/debug/deps`.
 fn target() -> PathBuf {
     let own = std::env::current_exe().expect("this test is a file");
     own.ancestors().nth(3).expect("target/debug/deps").to_owned()

@@ -1,4 +1,4 @@
-"""Many models at once: the same bits as one by one, on any number of threads."""
+"""Tests that many models give the same bits as one by one, on any number of threads."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from groundbeam._tables import Value
 
 
 def grounds(count: int) -> dict[str, Array]:
-    """Grounds, stiffnesses, forces and loads around those of the footing."""
+    """Parameters near those of the footing: ground, stiffness, forces and loads."""
     random = np.random.default_rng(1)
 
     def around(middle: float) -> Array:
@@ -131,7 +131,7 @@ def test_fields_along_the_beam() -> None:
             gb.Foundation(1e7, 1e6, segments=ground),
             loads=[gb.Load.point(1e5, 3.0)],
         )
-        # A model file names each side of a joint by itself; the numbers here are the same.
+        # A model file writes each side of a joint separately; the numbers here are the same.
         np.testing.assert_array_equal(batch["moment"][number], model.solve().moment(x))
     constant = gb.solve_many(bare, {"k": gb.Points(np.full(9, 1e7))}, at=x)
     np.testing.assert_allclose(
@@ -204,7 +204,8 @@ def test_factors_multiply_what_the_model_has() -> None:
     )
     same: Mapping[str, npt.ArrayLike] = {"k_factor": [2.0], "mu_factor": 2.0, "EI_factor": 2.0, "load_factor": [1.0, 2.0]}
     batch = gb.solve_many(model, same, at=[1.0, 5.0])
-    # Everything twice as stiff sinks half as much, and as much under twice the loads: bit for bit.
+    # With everything twice as stiff the settlement is half as large; under twice the loads it is the same
+    # again, bit for bit.
     alone = model.solve().deflection([1.0, 5.0])
     np.testing.assert_array_equal(batch["deflection"], [alone / 2.0, alone])
     with pytest.raises(ValueError, match="k_factor"):
@@ -214,7 +215,7 @@ def test_factors_multiply_what_the_model_has() -> None:
 @pytest.mark.parametrize(
     "parameters, words",
     [
-        ({"K": [1.0]}, "means nothing"),
+        ({"K": [1.0]}, "unknown name"),
         ({"load[2]": [1.0]}, "count from 0, and the model has 2"),
         ({"load[0].from": [1.0]}, "no such number"),
         ({"load[0]": [[1.0, 2.0]]}, "one number for each model"),
@@ -222,8 +223,8 @@ def test_factors_multiply_what_the_model_has() -> None:
         ({"k": gb.Points([1.0, 2.0, 3.0]), "mu": gb.Steps([[1.0, 2.0, 3.0]])}, "2 stretches along the beam and `mu` has 3"),
         ({"k": [[1.0, 2.0, 3.0]]}, "groundbeam.Points(values) .* groundbeam.ControlValues(values)"),
         ({"EI": np.ones((4, 3))}, "groundbeam.Points(values) .* groundbeam.ControlValues(values)"),
-        ({"mu": gb.ControlValues([1.0, 2.0, 3.0, 4.0])}, "at most 3 control values, and these are 4"),
-        ({"EI": gb.ControlValues(np.ones((2, 7)))}, "at most 6 control values, and these are 7"),
+        ({"mu": gb.ControlValues([1.0, 2.0, 3.0, 4.0])}, "at most 3 control values, but 4 are given"),
+        ({"EI": gb.ControlValues(np.ones((2, 7)))}, "at most 6 control values, but 7 are given"),
         ({"load[0]": gb.Points([1.0, 2.0, 3.0])}, "one number for each model"),
         ({"k": [1.0, 2.0], "mu": gb.Points(np.ones((3, 4)))}, "differ in length: k: 2, mu: 3"),
         ({"k": [[[1.0]]]}, "a row along the beam"),
@@ -247,7 +248,7 @@ def test_a_table_of_pandas_holds_parameters(footing: gb.Model) -> None:
 
 def test_positions_off_the_beam_are_refused(footing: gb.Model) -> None:
     for off in (-0.1, 12.1, float("nan")):
-        with pytest.raises(ValueError, match="off the beam"):
+        with pytest.raises(ValueError, match="outside the beam"):
             gb.solve_many(footing, at=[1.0, off])
     beside = gb.solve_many(footing, at=[12.5], fields="settlement")
     assert beside["settlement"][0, 0] == footing.solve().settlement(12.5)

@@ -1,4 +1,4 @@
-"""Calibration: synthetic measurements of a known truth, with noise."""
+"""Tests calibration with synthetic measurements of known parameters, with noise."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def test_without_noise_the_truth_comes_back(footing: gb.Model) -> None:
 
 
 def test_standard_errors_cover_the_truth(footing: gb.Model) -> None:
-    """Of 300 answers 68 % lie within one standard error and 95 % within two, give or take three times the spread of
+    """Of 300 results, 68 % lie within one standard error and 95 % within two, up to three standard deviations of
     such a count."""
     exact, model, noise = settled(footing), guess(footing), 3e-5
     inside = {name: np.zeros(2) for name in TRUTH}
@@ -60,7 +60,8 @@ def test_the_noise_is_estimated(footing: gb.Model) -> None:
 
 
 def test_what_is_not_identifiable_is_named(footing: gb.Model) -> None:
-    """How a very stiff beam settles tells nothing of EI, and little of the shear layer beside the spring."""
+    """The settlement of a very stiff beam does not depend on EI, and only weakly on the shear layer beside the
+    spring."""
     stiff = gb.Model(
         gb.Beam(4.0, 1e12), gb.Foundation(40e6, 9e6), loads=[gb.Load.point(900e3, 2.0)]
     )
@@ -69,7 +70,7 @@ def test_what_is_not_identifiable_is_named(footing: gb.Model) -> None:
     found = gb.calibrate(stiff, {"deflection": (x, measured)}, ["k", "mu", "EI"], noise=1e-5)
     assert sorted(found.unidentified) == ["EI", "mu"]
     assert found.singular_values[0] > 10.0 > 1.0 > found.singular_values[1]
-    # Ends that settle by as much as the middle tell one sum of k and mu.
+    # Ends that settle as much as the middle determine only one combination of k and mu.
     middle = gb.calibrate(
         stiff, {"deflection": ([2.0, 2.0], [measured[2]] * 2)}, ["k", "mu"], noise=1e-7
     )
@@ -112,9 +113,9 @@ def test_several_kinds_and_unknown_loads(footing: gb.Model) -> None:
     [
         ({}, ["k"], "nothing was measured"),
         ({"deflection": (X, X[:3])}, ["k"], "13 positions and 3 values"),
-        ({"deflection": ([1.0], [1e-3])}, ["k", "mu"], "cannot tell 2 unknowns"),
+        ({"deflection": ([1.0], [1e-3])}, ["k", "mu"], "cannot determine 2 unknowns"),
         ({"deflection": (X, X)}, [], "names of one or more"),
-        ({"deflection": (X, X)}, ["kk"], "means nothing"),
+        ({"deflection": (X, X)}, ["kk"], "unknown name"),
         ({"largest moment": 1.0, "deflection": (X, X)}, ["k"], "give it"),
     ],
 )

@@ -1,4 +1,4 @@
-"""Combinations of load cases and their envelope."""
+"""Tests combinations of load cases and their envelope."""
 
 from __future__ import annotations
 
@@ -57,7 +57,7 @@ def test_the_envelope_is_that_of_all_solutions() -> None:
     np.testing.assert_allclose(envelope.max.values, values.max(axis=0), rtol=1e-12)
     names = np.array(list(combined))
     assert envelope.max.governs == names[values.argmax(axis=0)].tolist()
-    with pytest.raises(ValueError, match="off the beam"):
+    with pytest.raises(ValueError, match="outside the beam"):
         combined.envelope("moment", 13.0)
 
 
@@ -83,7 +83,7 @@ def test_the_file_of_the_documents() -> None:
 def test_a_model_without_combinations_says_so(footing: gb.Model) -> None:
     with pytest.raises(ValueError, match="no combinations"):
         footing.solve_combinations()
-    with pytest.raises(gb.ModelError, match="no combination is called"):
+    with pytest.raises(gb.ModelError, match="no combination has the name"):
         footing.solve(combination="ULS")
 
 

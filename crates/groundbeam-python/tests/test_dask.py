@@ -1,4 +1,4 @@
-"""Studies on a Dask cluster: the same bytes as alone, and never those of another study."""
+"""Tests studies on a Dask cluster: the same bytes as on one machine, and never results of another study."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Derivatives: against differences of solutions, and what is refused."""
+"""Tests derivatives against differences of solutions, and rejected requests."""
 
 from __future__ import annotations
 
@@ -68,7 +68,7 @@ def test_positions_make_rows(footing: gb.Model) -> None:
 
 
 def test_loads_and_their_shares_make_the_whole(footing: gb.Model) -> None:
-    """Without a gap everything but the contact is homogeneous in the loads, of degree one."""
+    """Without a gap, all results except the contact are homogeneous in the loads, of degree one."""
     solution = footing.solve()
     by = ["load[0]", "load[1]"]
     moment = solution.gradient("largest moment", with_respect_to=by)
@@ -89,11 +89,11 @@ def test_what_is_about_to_change_is_said(footing: gb.Model) -> None:
 @pytest.mark.parametrize(
     ("output", "at", "by", "why"),
     [
-        ("deflexion", None, "k", "no output is called"),
-        ("deflection", None, "k", "at which positions"),
-        ("largest moment", 1.0, "k", "no position of its own"),
+        ("deflexion", None, "k", "no output has the name"),
+        ("deflection", None, "k", "give the positions"),
+        ("largest moment", 1.0, "k", "it has no position"),
         ("edge[7].left", None, "k", "no such output"),
-        ("deflection", 1.0, "kk", "means nothing"),
+        ("deflection", 1.0, "kk", "unknown name"),
         ("deflection", 1.0, "load[9]", "no such number"),
         ("deflection", 1.0, "k[0]", "no such number"),
     ],
@@ -127,7 +127,8 @@ def test_segments_and_supports_in_batches_too() -> None:
 
 
 def test_a_beam_that_shears() -> None:
-    """w = F l³/48EI + F l/4S in the middle of a beam on two supports; phi leaves the slope where the shear force is."""
+    """w = F l³/48EI + F l/4S in the middle of a beam on two supports; phi differs from the slope where there is
+    shear force."""
     length, force, bending, shear = 6.0, 1.5, 7.0, 3.0
     model = gb.Model.from_toml(
         f"""

@@ -1,4 +1,4 @@
-"""Every example of the library has a twin here, which prints the same."""
+"""Tests that each Python example prints the same as its Rust counterpart."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Models built in code and read from files, and what is said of wrong ones."""
+"""Tests models built in code and read from files, and messages about invalid ones."""
 
 from __future__ import annotations
 
@@ -123,7 +123,7 @@ def test_what_is_added_makes_another_model(footing: gb.Model) -> None:
     plain = gb.Model.from_toml("[beam]\nlength = 1\nEI = 1\n[foundation]\nk = 1\n")
     assert plain.units == "none"
     assert plain.with_load(gb.Load.point(1.0, 0.5)).solve().units == "none"
-    # Ground that falls away under the lifted part alone makes the gap larger, and changes nothing else.
+    # Additional gap under the lifted part only makes the gap larger; nothing else changes.
     fallen = footing.with_gap(0, 0).with_gap("9 m", 0).with_gap("12 m", "1 mm").solve()
     before = footing.solve()
     assert fallen.gap(12.0) - before.gap(12.0) == pytest.approx(1e-3, rel=1e-6)

@@ -1,4 +1,4 @@
-"""Calls that use threads work in other processes too, and threads are as many as was asked for."""
+"""Tests calls with threads in forked and spawned processes, and the number of threads."""
 
 from __future__ import annotations
 
@@ -62,7 +62,7 @@ CALLS = [combinations, many, whole_study, merged, calibrated]
 
 
 def in_a_process(method: str, call: Callable[[Path], bytes], folder: Path) -> bytes:
-    """What the call returns in a process of its own; a call that never returns fails the test."""
+    """The result of the call in another process. A call that never returns fails the test."""
     pool: Any
     with multiprocessing.get_context(method).Pool(1) as pool:
         found: bytes = pool.apply_async(call, (folder,)).get(timeout=LONGEST)
@@ -164,7 +164,7 @@ def test_combinations_have_the_same_bits_on_any_number_of_threads() -> None:
 
 
 def test_combinations_can_be_interrupted() -> None:
-    """The process sends the signal of Ctrl-C to itself."""
+    """The process sends itself the signal of Ctrl-C."""
     code = """
 import os, signal, threading
 import groundbeam as gb

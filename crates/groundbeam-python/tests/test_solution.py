@@ -1,4 +1,4 @@
-"""What is found: arrays in and out, contact, reports, pictures."""
+"""Tests results: arrays, contact, reports, pictures."""
 
 from __future__ import annotations
 
@@ -14,7 +14,8 @@ import pytest
 from conftest import REPOSITORY
 from groundbeam._solution import FIELDS
 
-# All but those that 64 bits can hardly hold, which `verification/tests/reference.rs` judges one by one.
+# All reference results except those at the limit of double precision, which `verification/tests/reference.rs`
+# judges one by one.
 ANSWERS = [
     answer
     for path in sorted((REPOSITORY / "reference" / "answers").glob("*.json"))
@@ -25,18 +26,18 @@ ANSWERS = [
 
 @pytest.mark.parametrize("answer", ANSWERS, ids=lambda answer: str(answer["name"]))
 def test_the_multiprecision_answers(answer: dict[str, Any]) -> None:
-    """Fields from both sides of their jumps, contact and forces, from a solver that shares nothing with the library."""
+    """Fields on both sides of their jumps, contact and forces, from an independent solver."""
     solution = gb.Model.from_toml(answer["model"]).solve()
     expected, largest = answer["stations"], answer["largest"]
     x, sides = np.array(expected["x"]), np.array(expected["side"])
-    # Where contact ends the last digit of the position decides on the side.
+    # At a contact edge the last digit of the position decides on the side.
     edges = np.array(answer["contact"]).reshape(-1)
     apart = np.abs(x[:, None] - edges).min(axis=1, initial=np.inf) > 1e-9 * solution.length
     apart |= (x == 0.0) | (x == solution.length)
     for name in expected.keys() & set(FIELDS):
         field = getattr(solution, name)
         found = np.where(sides == "-", field(x, "left"), field(x, "right"))
-        # What is zero beside a deflection is so but for the deflection's rounding.
+        # Fields that vanish relative to the deflection have errors of the size of the deflection's rounding.
         floor = {"gap": 1.0, "settlement": 1e-6}.get(name, 0.0)
         size = max(largest[name], floor * largest["deflection"])
         wanted = np.array(expected[name])
@@ -106,7 +107,7 @@ def test_every_field_has_a_method_and_a_member(footing: gb.Model) -> None:
         low, high = solution.range(name)
         assert low.value <= getattr(at, name) <= high.value
         assert gb.solve_many(footing, at=[1.0], fields=[name])[name] == getattr(at, name)
-    # The beam does not shear.
+    # The beam has no shear deformation.
     assert at.rotation == at.slope
 
 
@@ -116,7 +117,7 @@ def test_wrong_names_are_refused(footing: gb.Model) -> None:
         solution.moment(1.0, "middle")
     with pytest.raises(ValueError, match="deflection, slope"):
         solution.range("stress")
-    with pytest.raises(gb.ModelError, match="a length is wanted"):
+    with pytest.raises(gb.ModelError, match="a length is needed"):
         solution.moment("1 kN")
 
 
@@ -193,5 +194,5 @@ def test_other_threads_go_on_while_one_solves() -> None:
         time.sleep(0.001)
         ticks += 1
     thread.join()
-    # A thread that kept the lock would have let this one run once or twice.
+    # If a thread kept the lock, this loop would run only once or twice.
     assert ticks > 10

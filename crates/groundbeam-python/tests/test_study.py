@@ -1,4 +1,5 @@
-"""Studies: what is drawn is what is solved, and the bytes do not depend on how."""
+"""Tests that a study solves the samples that it draws, and that the bytes do not depend on the order of the
+work."""
 
 from __future__ import annotations
 
@@ -110,14 +111,14 @@ def test_moments_and_correlations_of_what_is_drawn(study: gb.Study) -> None:
     assert abs(force.mean() - 900e3) < 5 * 180e3 / np.sqrt(20_000)
     assert abs(force.std() / 180e3 - 1) < 0.05
     assert 1.0 < at.min() and at.max() < 6.0
-    # Of normal scores: ranks have 6/pi asin(rho/2), Pearson 1907.
+    # Rank correlation of normal scores: 6/pi asin(rho/2), Pearson 1907.
     ranks = pandas.DataFrame({"f": force, "a": at}).rank()
     assert abs(ranks["f"].corr(ranks["a"]) - 6 / np.pi * np.arcsin(-0.25)) < 0.035
     k, mu = drawn["k"], drawn["mu"]
     assert abs(k[:, 4].mean() / 40e6 - 1) < 0.015
     z, y = np.log(k[:, 4]), np.log(mu[:, 4])
     assert abs(np.corrcoef(z, y)[0, 1] - 0.6) < 0.03
-    # Three metres are one correlation length: two points of nine on 12 m.
+    # Three metres are one correlation length: two of nine points on 12 m.
     assert abs(np.corrcoef(z, np.log(k[:, 6]))[0, 1] - np.exp(-1)) < 0.04
     np.testing.assert_array_equal(many.draw(100, 3)["k"], k[100:103])
     np.testing.assert_array_equal(study.draw()["k"], k[:600])
@@ -188,7 +189,8 @@ SURVEY = "x [m];clearance [mm]\n0;0\n6;2\n12;1\n"
 
 
 def with_survey(place: Path) -> gb.Study:
-    """A study whose model is in another folder, and that model's survey below it; the survey is no `.csv` file."""
+    """A study with its model in another folder, and the model's survey in a subfolder without the extension
+    `.csv`."""
     (place / "studies" / "own").mkdir(parents=True)
     (place / "models" / "levels").mkdir(parents=True)
     (place / "models" / "levels" / "seabed.txt").write_text(SURVEY)

@@ -1,4 +1,4 @@
-"""Trains, bands of grounds and comparisons of methods."""
+"""Tests trains, bands of grounds and comparisons of methods."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def beta() -> float:
 
 
 def test_a_wheel_on_a_rail_is_that_of_zimmermann() -> None:
-    """M = F/(4 beta) under a wheel on an endless rail that its weight holds down."""
+    """M = F/(4 beta) under a wheel on an infinite rail that its weight keeps in contact."""
     passages = rail(train=[WHEEL]).solve_trains()
     [passage] = passages
     assert (passage.combination, passage.train, passage.range) == (None, "wheel", (0.0, 20.0))
@@ -93,7 +93,7 @@ def test_a_model_without_trains_says_so() -> None:
 
 
 def test_a_band_of_grounds() -> None:
-    """M = P/(4 beta): k half and twice as large."""
+    """M = P/(4 beta), with half and twice k."""
     model = rail(
         load=[{"point": FORCE, "at": 10.0}, {"distributed": 40e3}],
         foundation={"k": K, "band": {"k": [0.5, 2.0]}},

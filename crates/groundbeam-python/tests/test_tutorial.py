@@ -1,4 +1,4 @@
-"""The tutorial runs from top to bottom and prints what it says. ``UPDATE_EXPECTED=1`` writes that anew."""
+"""Runs the tutorial and compares its output. ``UPDATE_EXPECTED=1`` rewrites the output."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ import pytest
 from conftest import REPOSITORY
 
 TUTORIAL = REPOSITORY / "docs" / "python.md"
-# A block of code, and what it prints if something stands below it.
+# A block of code, followed by its output if it has one.
 BLOCK = re.compile(r"```python\n(.*?)```\n(?:```text\n(.*?)```\n)?", re.DOTALL)
 
 
@@ -33,7 +33,7 @@ def test_the_tutorial_prints_what_it_says(
         line = text.count("\n", 0, block.start(1))
         with contextlib.redirect_stdout(printed):
             exec(compile("\n" * line + code, str(TUTORIAL), "exec"), names)
-        # The one thing that is another each time: how long it took.
+        # The duration differs in each run.
         shown = re.sub(r"(Method .* steps), .*", r"\1, …", printed.getvalue())
         return f"```python\n{code}```\n" + (f"```text\n{shown}```\n" if shown else "")
 

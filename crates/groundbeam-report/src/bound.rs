@@ -1,19 +1,19 @@
-//! Numbers with bounds of their errors: how they are printed, and the bounds of the largest and smallest of several.
+//! Formats numbers with error bounds, and computes the bounds of the largest and smallest of several numbers.
 
 use crate::number::{upper, whole, without_trailing_zeros};
 use crate::quantity::Unit;
 
-/// Words of a number that has no bound.
+/// Marks a number without a bound.
 pub(crate) fn not_proven(words: &str) -> String {
     format!("{words} (not proven)").trim_start().to_owned()
 }
 
-/// A bound alone, rounded up: `2.1e-13`.
+/// A bound rounded up: `2.1e-13`.
 pub(crate) fn bound_alone(error: f64) -> String {
     if error.is_finite() { upper(error) } else { not_proven("") }
 }
 
-/// An interval that holds an exact number, as distances from a printed one.
+/// An interval that contains an exact number, as distances from the printed number.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Around {
     low: f64,
@@ -21,7 +21,7 @@ pub(crate) struct Around {
 }
 
 impl Around {
-    /// The interval of a value with the bound of its error.
+    /// The interval of a value with its error bound.
     pub fn of(printed: f64, value: f64, error: f64) -> Self {
         let off = value - printed;
         match off {
@@ -33,7 +33,7 @@ impl Around {
         }
     }
 
-    /// The interval of the largest, or of the smallest, of several exact numbers. None of no numbers.
+    /// The interval of the largest or smallest of several exact numbers; `None` for no numbers.
     pub fn extreme(all: impl IntoIterator<Item = Self>, is_max: bool) -> Option<Self> {
         let outer = if is_max { f64::max } else { f64::min };
         let fold =
@@ -41,36 +41,38 @@ impl Around {
         all.into_iter().reduce(fold)
     }
 
-    /// The bound of the distance of the exact number from the printed one.
+    /// Bound on the distance between the exact and the printed number.
     pub fn error(self) -> f64 {
         self.high.max(-self.low)
     }
 
-    /// Whether every number of this interval is more extreme than every number of another one.
+    /// Whether all numbers of this interval are more extreme than all numbers of another one.
     pub fn leads(self, other: Self, is_max: bool) -> bool {
         if is_max { self.low > other.high } else { self.high < other.low }
     }
 }
 
-/// Significant digits that a double can have.
+/// Significant digits of a double.
 const MOST_DIGITS: i32 = 17;
 
-/// A number with a bound of its error, in a unit: `14.226133301 ± 1.3e-9 mm`. Without a finite bound it is rounded to six
-/// digits and said to be not proven.
+/// A number with a bound of its error, in a unit: `14.226133301 ± 1.3e-9 mm`. Without a finite bound it is
+/// rounded to six digits and marked as not proven.
 ///
-/// |printed − exact| is at most the printed bound: that of the number, and the half of its last printed digit, rounded up.
-/// So many digits are printed that the second part is at most a twentieth of the first, as far as a double has digits.
+/// |printed − exact| is at most the printed bound. This bound is the error bound of the number plus half a
+/// unit of its last printed digit, rounded up. The number of digits is such that the second part is at most a
+/// twentieth of the first, as far as a double has digits.
 pub(crate) fn with_bound(value: f64, error: f64, unit: Unit) -> String {
     rounded_with_bound(value, error, unit, MOST_DIGITS)
 }
 
-/// The same with at most so many digits.
+/// The number with its bound, with at most `most` digits.
 pub(crate) fn rounded_with_bound(value: f64, error: f64, unit: Unit, most: i32) -> String {
     if !(value.is_finite() && error.is_finite()) {
         return not_proven(&unit.write(value));
     }
     let Some(power) = unit.power_of_ten() else {
-        // The quotient of two doubles, the size of a unit among them, is wrong by three roundings at most.
+        // The quotient of two doubles, where the unit size is also rounded, has at most three rounding
+        // errors.
         let quotient = value / unit.size;
         let rounding = 4.0 * f64::EPSILON * quotient.abs();
         let converted = if error == 0.0 { 0.0 } else { unit.upper(error) };
@@ -95,7 +97,8 @@ pub(crate) fn rounded_with_bound(value: f64, error: f64, unit: Unit, most: i32) 
     format!("{number} ± {bound}{unit}")
 }
 
-/// A number rounded to the digit of 10ⁿ, with at most so many digits, in units of 10ᵖ, and a bound of what rounding changes.
+/// Rounds a number to the digit of 10ⁿ, with at most `most` digits. Returns it in units of 10ᵖ, with a bound
+/// of the rounding error.
 fn rounded_within(value: f64, last: i32, power: i32, most: i32) -> (String, f64) {
     let leading = exponent(value);
     let digits = (leading - last + 1).min(most);
@@ -113,7 +116,7 @@ fn exponent(value: f64) -> i32 {
     written.split_once('e').and_then(|(_, exponent)| exponent.parse().ok()).unwrap_or(0)
 }
 
-/// A decimal `1.25e-9` divided by 10ᵖ, without rounding: its digits stay as they are.
+/// The decimal `1.25e-9` divided by 10ᵖ without rounding; the digits stay the same.
 fn shifted(scientific: &str, power: i32) -> String {
     let (mantissa, exponent) = scientific.split_once('e').unwrap_or((scientific, "0"));
     let exponent = exponent.parse::<i32>().unwrap_or(0) - power;
@@ -181,7 +184,7 @@ mod tests {
         assert_eq!(bound_alone(f64::INFINITY), "(not proven)");
     }
 
-    /// The exact largest number lies between the largest lower and the largest upper end.
+    /// The exact largest number lies between the largest lower end and the largest upper end.
     #[test]
     fn extremes_of_intervals() {
         let around = |all: &[(f64, f64)], printed: f64, is_max: bool| {
@@ -196,7 +199,7 @@ mod tests {
         let error = around(&[(3.0, 0.25), (3.5, 1.0)], 3.0, false).unwrap();
         assert!(error > 0.5 && error < 0.5 + 1e-15, "{error}");
         assert_eq!(around(&[(3.0, 0.25), (2.0, f64::INFINITY)], 3.0, true), Some(f64::INFINITY));
-        // What governs by its number may be less than another one by rounding.
+        // The governing number may be smaller than another one because of rounding.
         assert!(around(&[(3.0, 0.0), (3.5, 0.0)], 3.0, true).unwrap() >= 0.5);
         let [a, b] = [(3.0, 0.25), (2.0, 0.5)].map(|(value, error)| Around::of(3.0, value, error));
         assert!(a.leads(b, true) && !b.leads(a, true) && b.leads(a, false));

@@ -1,4 +1,4 @@
-//! Characteristic numbers of a beam on ground, such as its length in waves.
+//! Computes characteristic numbers of a beam on ground, such as βl, from EI, k, μ and the loads.
 
 use groundbeam::{Existence, Model};
 use serde::Serialize;
@@ -6,28 +6,28 @@ use serde::Serialize;
 /// β, βl, the shear length and the resultant.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Characteristics {
-    /// β = (k/4EI)^¼ \[1/m\]: its smallest and its largest value along the beam.
+    /// β = (k/4EI)^¼ \[1/m\]: smallest and largest value along the beam.
     pub beta: [f64; 2],
-    /// βl, where β varies ∫β dx. Below π/4 the beam is nearly rigid, above π its ends do not feel each
+    /// βl; ∫β dx if β varies. Below π/4 the beam is nearly rigid. Above π its ends do not influence each
     /// other (Hetényi).
     pub beta_length: f64,
-    /// √(μ/k) \[m\], over which the ground's surface levels out: its smallest and largest value.
+    /// √(μ/k) \[m\], the decay length of the ground's surface outside the beam: smallest and largest value.
     pub shear_length: [f64; 2],
-    /// The loads' resultant.
+    /// Resultant of the loads.
     pub resultant: Resultant,
 }
 
 /// The resultant of the loads.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Resultant {
-    /// Its size, down positive \[N\].
+    /// Its magnitude, positive downward \[N\].
     pub force: f64,
-    /// Where it acts \[m\]; nowhere if its size is zero.
+    /// Its position \[m\]; `None` if the force is zero.
     pub at: Option<f64>,
 }
 
 impl Characteristics {
-    /// Of a valid model.
+    /// The characteristics of a valid model.
     pub fn of(model: &Model, existence: &Existence) -> Self {
         let mut beta = [f64::INFINITY, 0.0_f64];
         let mut shear_length = [f64::INFINITY, 0.0_f64];
@@ -60,7 +60,8 @@ impl Characteristics {
         Characteristics { beta, beta_length, shear_length, resultant }
     }
 
-    /// Of several valid models with one resultant: the first one, with the smallest and the largest values of all.
+    /// The characteristics of several valid models with one resultant: the first model, with the ranges over
+    /// all models.
     pub(crate) fn of_all(models: &[&Model], existence: &Existence) -> Option<Self> {
         let each = models.iter().map(|model| Characteristics::of(model, existence));
         each.reduce(|all, other| {
@@ -73,7 +74,7 @@ impl Characteristics {
         })
     }
 
-    /// Hetényi's classes.
+    /// Hetényi's class of the beam.
     pub(crate) fn class(&self) -> &'static str {
         use std::f64::consts::PI;
         if self.beta_length < 0.25 * PI {
@@ -86,7 +87,7 @@ impl Characteristics {
     }
 }
 
-/// Segments that do not overlap, from left to right: the one at a place is found by bisection.
+/// Non-overlapping segments from left to right; a position is found by bisection.
 struct Ordered<'a, S> {
     segments: Vec<&'a S>,
     ends: fn(&S) -> [f64; 2],
@@ -110,17 +111,17 @@ fn widened([low, high]: [f64; 2], value: f64) -> [f64; 2] {
     [low.min(value), high.max(value)]
 }
 
-/// Steps in which what varies along a segment is added up.
+/// Integration steps along a varying segment.
 const STEPS: usize = 256;
 
-/// Whether anything varies along a segment.
+/// Whether any segment varies.
 fn varies(model: &Model) -> bool {
     let beam = model.beam.segments.iter().map(|s| &s.bending_stiffness);
     let ground = model.foundation.segments.iter().flat_map(|s| [&s.subgrade, &s.shear_layer]);
     beam.chain(ground).any(|profile| !profile.is_constant())
 }
 
-/// The parts of the beam on which beam and ground are of one kind.
+/// Parts of the beam on which neither beam nor ground changes segment.
 fn stretches(model: &Model) -> Vec<[f64; 2]> {
     let l = model.beam.length;
     let beam = model.beam.segments.iter().flat_map(|s| [s.from, s.to]);

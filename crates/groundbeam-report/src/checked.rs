@@ -1,4 +1,4 @@
-//! Design checks: each in its limit states, with the bounds of the values that they compare with their limits.
+//! Judges design checks in their limit states, using the error bounds of the compared values.
 
 use crate::bound::Around;
 use crate::context::Context;
@@ -8,18 +8,18 @@ use groundbeam::{Check, Checked, Field, LimitState, LimitStates, Limits, Solutio
 use groundbeam_run::{Answer, Answers, Found, Placed};
 use std::borrow::Cow;
 
-/// A check, and what is known of its value.
+/// A check with the knowledge about its value.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Judged {
     pub check: Check,
-    /// The bound of the error of the value, infinite if there is none; `None` if no proof is asked for.
+    /// Error bound of the value; infinite if there is none, `None` if no proof is requested.
     pub error: Option<f64>,
 }
 
-/// Whether a limit is kept to.
+/// Whether a limit is satisfied.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Judgement {
-    /// By the computed value alone.
+    /// Judged by the computed value only.
     Passes(bool),
     /// All values within the bound lie on one side of the limit.
     Proven(bool),
@@ -28,7 +28,7 @@ pub(crate) enum Judgement {
 }
 
 impl Judgement {
-    /// The name that results use.
+    /// Name in results.
     pub fn name(self) -> &'static str {
         match self {
             Judgement::Passes(true) => "passes",
@@ -40,7 +40,7 @@ impl Judgement {
     }
 }
 
-/// The checks that are asked for, of a solution.
+/// The requested checks of a solution.
 pub(crate) fn judged(
     limits: Option<&Limits>,
     solution: &Solution,
@@ -54,13 +54,13 @@ pub(crate) fn judged(
     checks.into_iter().map(of).collect()
 }
 
-/// The bound of the error of a value. No proof bounds those that follow from statics: eccentricity, overturning, the force
-/// on the effective area.
+/// Error bound of a value. The proof does not cover values that follow from statics: eccentricity,
+/// overturning, force on the effective area.
 fn error(check: &Check, solution: &Solution, named: &Named, limits: Option<&Limits>) -> f64 {
     match check.what {
         Checked::BearingPressure => {
             let width = limits.and_then(|limits| limits.bearing_pressure).map_or(0.0, |(_, b)| b);
-            // The width is rounded once, and so is the quotient.
+            // The width and the quotient are each rounded once.
             let rounding = 4.0 * f64::EPSILON * check.found.abs();
             let error = named.error_of(Field::Pressure) / width * (1.0 + 4.0 * f64::EPSILON);
             (error + rounding).next_up()
@@ -71,23 +71,23 @@ fn error(check: &Check, solution: &Solution, named: &Named, limits: Option<&Limi
     }
 }
 
-/// An answer as checks see it.
+/// An answer with the data that checks need.
 #[derive(Debug, Clone)]
 pub(crate) struct Row<'a> {
     pub name: Cow<'a, str>,
     /// Its limit states; empty for loads as given.
     pub states: LimitStates,
     pub solution: Option<&'a Solution>,
-    /// Whether there is no equilibrium.
+    /// Whether no equilibrium exists.
     pub falls: bool,
-    /// Whether the loads act as they are given.
+    /// Whether the loads act as given.
     pub as_given: bool,
     /// Its proof; `None` if no proof is requested.
     pub proof: Option<&'a Named>,
 }
 
 impl<'a> Row<'a> {
-    /// One answer; a train is named with its position.
+    /// The row of one answer; a train has its position in the name.
     pub fn of(answer: &'a Answer, proof: Option<&'a Named>, units: Units) -> Self {
         let combination = &answer.label.combination;
         let mut name = Cow::Borrowed(&*combination.name);
@@ -113,7 +113,7 @@ impl<'a> Row<'a> {
         }
     }
 
-    /// A solution without more answers beside it.
+    /// The row of a single solution.
     pub fn alone(solution: &'a Solution, context: &Context<'a>) -> Self {
         Row {
             name: Cow::Borrowed(""),
@@ -126,7 +126,7 @@ impl<'a> Row<'a> {
     }
 }
 
-/// A check in one limit state, over all answers of it.
+/// Verdict on a check in one limit state, over all its answers.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Verdict {
     pub what: Checked,
@@ -135,22 +135,22 @@ pub(crate) struct Verdict {
     pub of: Governing,
 }
 
-/// The reason of a verdict.
+/// Reason for a verdict.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Governing {
-    /// The answer that comes nearest to the limit, or passes it farthest, by its index. The error is that of the largest
-    /// value of all.
+    /// Index of the answer with the largest utilization of the limit. The error is that of the largest value
+    /// of all.
     Judged(usize, Judged),
-    /// An answer has no equilibrium.
+    /// An answer without equilibrium.
     Falls(usize),
-    /// An answer is not solved.
+    /// An answer that is not solved.
     Unsolved(usize),
-    /// No answer is of these limit states.
+    /// No answer belongs to these limit states.
     NoCombination(LimitStates),
 }
 
 impl Verdict {
-    /// Whether the limit is kept to; none if it is not judged.
+    /// Whether the limit is satisfied; `None` if it is not judged.
     pub fn passes(&self) -> Option<bool> {
         match self.of {
             Governing::Judged(_, judged) => Some(judged.check.passes()),
@@ -159,14 +159,14 @@ impl Verdict {
         }
     }
 
-    /// Whether a value that has a bound may lie on either side of its limit.
+    /// Whether the limit lies within the error bound of the value.
     pub fn is_undecided(&self) -> bool {
         matches!(self.of, Governing::Judged(_, judged) if judged.is_undecided())
     }
 }
 
-/// Every check that is asked for, in each of its limit states of which there is an answer. Answers that name no limit state
-/// are judged by every check.
+/// All requested checks in each of their limit states that has an answer. Answers without a limit state are
+/// judged by every check.
 pub(crate) fn verdicts(limits: Option<&Limits>, rows: &[Row]) -> Vec<Verdict> {
     let Some(limits) = limits else { return Vec::new() };
     let judged: Vec<Vec<Judged>> = rows
@@ -196,7 +196,7 @@ pub(crate) fn verdicts(limits: Option<&Limits>, rows: &[Row]) -> Vec<Verdict> {
     verdicts
 }
 
-/// The reason of the verdict on a check over some of the answers; `None` if no answer has a value.
+/// Reason for the verdict on a check over some of the answers; `None` if no answer has a value.
 fn governing(
     what: Checked,
     of_state: &[usize],
@@ -219,9 +219,9 @@ fn governing(
     worst.map(|(i, judged)| Governing::Judged(i, judged))
 }
 
-/// The value that uses most of its limit, with the error of the largest value of all.
+/// The value with the largest utilization, with the error of the largest value of all.
 fn worst(found: &[(usize, Judged)]) -> Option<(usize, Judged)> {
-    // Of equals the first.
+    // Of equal values the first is kept.
     let most = |a: &&(usize, Judged), b: &&(usize, Judged)| {
         a.1.check.utilisation().total_cmp(&b.1.check.utilisation())
     };
@@ -256,13 +256,13 @@ impl Judged {
         }
     }
 
-    /// Whether a value that has a bound may lie on either side of its limit.
+    /// Whether the limit lies within the error bound of the value.
     pub fn is_undecided(&self) -> bool {
         self.judgement() == Judgement::Undecided
     }
 }
 
-/// All answers, as checks see them.
+/// All answers as rows for the checks.
 pub(crate) fn rows_of<'a>(answers: &'a Answers, context: &Context<'a>) -> Vec<Row<'a>> {
     let proofs = context.proofs;
     let each = answers.list.iter().enumerate();
@@ -307,7 +307,7 @@ mod tests {
         Row { name, states, solution: None, falls, as_given: false, proof: None }
     }
 
-    /// A combination that does not govern by its value may govern by its bound.
+    /// A combination whose value does not govern may govern by its bound.
     #[test]
     fn the_worst_of_several_has_the_bound_of_the_largest_interval() {
         let all = [vec![settles(0.375, Some(0.0))], vec![settles(0.25, Some(0.5))]];

@@ -1,4 +1,4 @@
-//! Numbers and list heads that the reports of several combinations share.
+//! Numbers and headings that all reports of several combinations use.
 
 use crate::bound::Around;
 use crate::context::Context;
@@ -9,20 +9,20 @@ use crate::verified::Named;
 use groundbeam::{Extreme, Field, Governing, LimitState, Side, Solution};
 use groundbeam_run::{Answers, BEST, Banded};
 
-/// A solution with the number its combination has in the report, counted from 1.
+/// A solution with the number of its combination, from 1.
 #[derive(Clone, Copy)]
 pub(crate) struct Numbered<'a> {
     pub number: usize,
     pub solution: &'a Solution,
     pub sizes: Sizes,
-    /// What its ground multiplies k and μ by; none without a band.
+    /// Factors on k and μ of its ground; `None` without a band.
     pub ground: Option<[f64; 2]>,
     /// Its proof; `None` if no proof is requested.
     pub proof: Option<&'a Named>,
 }
 
 impl Numbered<'_> {
-    /// Its numbers in print.
+    /// Its numbers as printed.
     pub fn numbers(&self, units: Units) -> Numbers<'_> {
         Numbers::plain(self.solution, units).with_proof(self.proof)
     }
@@ -32,7 +32,7 @@ impl Numbered<'_> {
         if is_max { range.max } else { range.min }
     }
 
-    /// The exact extreme of a field, about a printed one.
+    /// Interval of the exact extreme of a field around the printed value.
     fn around(&self, printed: f64, field: Field, is_max: bool) -> Around {
         let error = self.proof.map_or(f64::INFINITY, |named| named.error_of(field));
         Around::of(printed, self.extreme(field, is_max).value, error)
@@ -54,7 +54,7 @@ pub(crate) fn numbered<'a>(answers: &'a Answers, context: &Context<'a>) -> Vec<N
     each.collect()
 }
 
-/// Those of a limit state.
+/// The combinations of a limit state.
 pub(crate) fn of_limit_state<'a>(
     answers: &Answers,
     solved: &[Numbered<'a>],
@@ -64,7 +64,7 @@ pub(crate) fn of_limit_state<'a>(
     solved.iter().filter(is_of).copied().collect()
 }
 
-/// The bound of the extreme of a field over all combinations, and whether one combination is shown to govern.
+/// Bound of the extreme of a field over all combinations, and whether one combination is proven to govern.
 pub(crate) fn bound_of_extreme(
     solved: &[Numbered],
     field: Field,
@@ -81,7 +81,8 @@ pub(crate) fn bound_of_extreme(
     (error, leads)
 }
 
-/// The bounds of the smallest and of the largest value of a field over all combinations at a section, on both sides of it.
+/// Bounds of the smallest and of the largest value of a field over all combinations at a section, on both of
+/// its sides.
 pub(crate) fn bounds_at(solved: &[Numbered], field: Field, x: f64, printed: [f64; 2]) -> [f64; 2] {
     [false, true].map(|is_max| {
         let sides = solved.iter().flat_map(|row| {
@@ -94,8 +95,8 @@ pub(crate) fn bounds_at(solved: &[Numbered], field: Field, x: f64, printed: [f64
     })
 }
 
-/// The largest force under an end of the beam, 0 the left one, over all combinations: the combination that has it, the
-/// force, and the bound of its error.
+/// The largest force under an end of the beam (0: left) over all combinations: combination, force and error
+/// bound.
 pub(crate) fn largest_end_force<'s, 'a>(
     solved: &'s [Numbered<'a>],
     end: usize,
@@ -114,7 +115,8 @@ pub(crate) fn largest_end_force<'s, 'a>(
     Some((row, most, Around::extreme(all, true)?.error()))
 }
 
-/// The bounds of an extreme on the best ground, and of the smallest and largest of this extreme over all grounds.
+/// Bounds of an extreme on the best ground, and of the smallest and the largest of this extreme over all
+/// grounds.
 pub(crate) fn bounds_of_band(
     solved: &[Numbered],
     field: Field,
@@ -139,7 +141,7 @@ pub(crate) fn bounds_of_band(
     [best, over(banded.low, false), over(banded.high, true)]
 }
 
-/// The head of a list of combinations. A band of grounds need not have combinations of loads.
+/// Heading of a list of combinations. A band of grounds may exist without combinations of loads.
 pub(crate) fn noun(answers: &Answers) -> &'static str {
     let all = || answers.list.iter().map(|answer| &answer.label.combination);
     let on_grounds = all().any(|combination| combination.ground.is_some());

@@ -6,37 +6,37 @@ use groundbeam::{LimitStates, Limits};
 use groundbeam_file::{Diagnostic, Document, printable};
 use groundbeam_run::{Factors, Ground};
 
-/// What a report says besides the result itself.
+/// Data of a report in addition to the result.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Context<'a> {
-    /// What the model is called.
+    /// Title of the model.
     pub title: Option<&'a str>,
-    /// How numbers are written.
+    /// Units and digits of numbers.
     pub units: Units,
-    /// How long it took \[s\]; left out where nobody measured it.
+    /// Duration \[s\]; `None` if it was not measured.
     pub seconds: Option<f64>,
-    /// What becomes of the model as its loads grow; left out where nobody asked.
+    /// Load factors; `None` if not requested.
     pub factors: Option<&'a Factors>,
-    /// Where the model's ground comes from; left out where its constants were given per length of beam.
+    /// Origin of the ground's constants; `None` if they are given per length of beam.
     pub ground: Option<&'a Ground>,
-    /// What the design must keep to; left out where nobody asked.
+    /// Limits of the design checks; `None` if not requested.
     pub limits: Option<&'a Limits>,
-    /// The limit states of the combination that is solved alone; none of loads as they are given.
+    /// Limit states of a combination that is solved alone; empty for loads as given.
     pub limit_states: LimitStates,
-    /// How many chords of the initial gap replace settlement troughs; left out where there are no troughs.
+    /// Number of chords of the initial gap that replace settlement troughs; `None` without troughs.
     pub chords: Option<usize>,
-    /// The digest of the model file and of the tables that it names, as [`model_digest`](crate::model_digest) makes it;
-    /// left out where the model does not come from a file.
+    /// Digest of the model file and of the tables that it names, from [`model_digest`](crate::model_digest);
+    /// `None` if the model does not come from a file.
     pub digest: Option<&'a str>,
-    /// The combination that is solved alone; left out for a model as it is written.
+    /// Name of a combination that is solved alone; `None` for a model as written.
     pub combination: Option<&'a str>,
-    /// Whether a document holds the pieces of the answer, from which it is proven.
+    /// Whether a document contains the pieces of the solution, which its proof needs.
     pub pieces: bool,
-    /// Whether a document holds the model: the proof does not read the model file.
+    /// Whether a document contains the model, because the second reader does not read the model file.
     pub model: bool,
     /// Warnings about the file.
     pub warnings: &'a [Diagnostic],
-    /// The proof of each answer, in their order; empty if none is asked for.
+    /// Proof of each answer, in order; empty if no proof is requested.
     pub proofs: &'a [Named],
 }
 
@@ -52,7 +52,7 @@ impl<'a> Context<'a> {
         }
     }
 
-    /// No title, no time.
+    /// A context with units only.
     pub fn new(units: Units) -> Self {
         Context {
             title: None,
@@ -72,38 +72,38 @@ impl<'a> Context<'a> {
         }
     }
 
-    /// The same with a title.
+    /// The context with a title.
     pub fn with_title(self, title: &'a str) -> Self {
         Context { title: Some(title), ..self }
     }
 
-    /// The same with the time it took \[s\].
+    /// The context with a duration \[s\].
     pub fn with_seconds(self, seconds: f64) -> Self {
         Context { seconds: Some(seconds), ..self }
     }
 
-    /// The same with load factors.
+    /// The context with load factors.
     pub fn with_factors(self, factors: &'a Factors) -> Self {
         Context { factors: Some(factors), ..self }
     }
 
-    /// The same with where the ground comes from.
+    /// The context with the origin of the ground's constants.
     pub fn with_ground(self, ground: &'a Ground) -> Self {
         Context { ground: Some(ground), ..self }
     }
 
-    /// The same with limits to check against.
+    /// The context with limits of checks.
     pub fn with_limits(self, limits: &'a Limits) -> Self {
         Context { limits: Some(limits), ..self }
     }
 
-    /// The title on one line, without characters that would steer a terminal or break XML.
+    /// The title on one line, without control characters for terminals and invalid XML characters.
     pub(crate) fn clean_title(&self) -> Option<String> {
         self.title.map(clean).filter(|title| !title.is_empty())
     }
 }
 
-/// Words of a file on one line, without characters that would steer a terminal or break XML.
+/// Text of a file on one line, without control characters for terminals and invalid XML characters.
 pub(crate) fn clean(words: &str) -> String {
     printable(&words.split_whitespace().collect::<Vec<_>>().join(" ")).into_owned()
 }

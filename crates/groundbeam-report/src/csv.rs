@@ -1,4 +1,4 @@
-//! Tables: all fields along the beam, the envelope of combinations, and the history of the iteration.
+//! Writes tables: fields along the beam, the envelope of combinations, and the history of the iteration.
 
 use crate::bound::bound_alone;
 use crate::combinations::{Numbered, bounds_at, numbered, of_limit_state};
@@ -10,12 +10,13 @@ use groundbeam::{Bounds, Envelope, Field, Solution};
 use groundbeam_file::printable;
 use groundbeam_run::{Answers, InPassage, Passage, Passages};
 
-/// All fields at the given positions in base SI units or in the US units of the file: `x_m, deflection_m, …`, without units in the header for plain numbers. If a proof is
-/// asked for, a column with the bound of its error follows each field: `deflection_bound_m`.
+/// All fields at the given positions, in base SI units or in the US units of the file:
+/// `x_m, deflection_m, …`. For plain numbers the header has no units. If a proof is requested, a column with
+/// the error bound follows each field: `deflection_bound_m`.
 ///
-/// Where a field jumps (at point loads, supports and edges of contact) the position has two rows: first the
-/// values just to the left, then those just to the right. Numbers are written with as many digits as it
-/// takes to read back the same bits.
+/// Where a field jumps (at point loads, supports and contact edges) the position has two rows: first the
+/// values just to the left, then those just to the right. Numbers have enough digits to read back the same
+/// bits.
 pub fn table(solution: &Solution, positions: &[f64], context: &Context) -> String {
     let mut rows = Rows::new();
     let (units, proof) = (context.units, context.proofs.first());
@@ -42,12 +43,12 @@ pub fn table(solution: &Solution, positions: &[f64], context: &Context) -> Strin
     rows.finish()
 }
 
-/// The envelope of all combinations at the given positions: `x_m, deflection_min_m, deflection_max_m,
-/// deflection_governs_min, deflection_governs_max, …`. If proofs are asked for, the bounds of their errors follow the
-/// values: `deflection_min_bound_m, deflection_max_bound_m`.
+/// The envelope of all combinations at the given positions:
+/// `x_m, deflection_min_m, deflection_max_m, deflection_governs_min, deflection_governs_max, …`. If proofs
+/// are requested, the error bounds follow the values: `deflection_min_bound_m, deflection_max_bound_m`.
 ///
-/// Where a field jumps, both sides count. If combinations have limit states, a last column tells of which one a row is: the
-/// rows of `all` combinations come first, then those of each limit state.
+/// Where a field jumps, both sides count. If combinations have limit states, the last column names the limit
+/// state of the row: the rows of `all` combinations come first, then those of each limit state.
 pub fn envelope(answers: &Answers, positions: &[f64], context: &Context) -> String {
     let mut rows = Rows::new();
     let (units, solved) = (context.units, numbered(answers, context));
@@ -76,7 +77,7 @@ pub fn envelope(answers: &Answers, positions: &[f64], context: &Context) -> Stri
     rows.finish()
 }
 
-/// The rows of an envelope of some of the answers.
+/// Rows of an envelope over some of the answers.
 fn enveloped(
     rows: &mut Rows,
     answers: &Answers,
@@ -106,8 +107,9 @@ fn enveloped(
     }
 }
 
-/// The envelope of passages at the given sections: as [`envelope`], and what governs is the position of the first axle;
-/// of several passages also which of them, `deflection_in_min, deflection_in_max`.
+/// The envelope of passages at the given sections, as [`envelope`]. The governing columns contain the
+/// position of the first axle; with several passages also the passage,
+/// `deflection_in_min, deflection_in_max`.
 pub fn trains(passages: &Passages, sections: &[f64], units: Units) -> String {
     let mut rows = Rows::new();
     let place = units.column(Kind::Position);
@@ -147,11 +149,11 @@ pub fn trains(passages: &Passages, sections: &[f64], units: Units) -> String {
     rows.finish()
 }
 
-/// Every step of the iteration: `step, zones, part, decrement`.
+/// All steps of the iteration: `step, zones, part, decrement`.
 ///
-/// `zones` counts the zones of contact, `part` is the part of Newton's step that was taken (for Uzawa's
-/// iteration its parameter), `decrement` how far the energy was from its least value, relative to the
-/// strain energy (for Uzawa's iteration the relative change of the pressure).
+/// `zones` is the number of contact zones. `part` is the fraction of the Newton step (for Uzawa's iteration
+/// its parameter). `decrement` is the energy minus its minimum, relative to the strain energy (for Uzawa's
+/// iteration the relative change of the pressure).
 pub fn history(solution: &Solution) -> String {
     let mut rows = Rows::new();
     rows.push(["step", "zones", "part", "decrement"].map(str::to_owned));
@@ -166,14 +168,14 @@ pub fn history(solution: &Solution) -> String {
 fn number(value: f64, unit: Unit) -> String {
     match unit.size {
         1.0 => ratio(value),
-        // The last bits of a quotient say nothing: 0.12192 m are 0.4 ft.
+        // The last bits of a quotient are rounding: 0.12192 m are 0.4 ft.
         size => ratio(format!("{:.14e}", value / size).parse().unwrap_or(f64::NAN)),
     }
 }
 
 /// A plain number.
 fn ratio(value: f64) -> String {
-    // -0 is 0.
+    // −0 is written as 0.
     format!("{:?}", value + 0.0)
 }
 
@@ -192,7 +194,7 @@ impl Rows {
         Rows(WriterBuilder::new().from_writer(Vec::new()))
     }
 
-    /// Names of the file are escaped: a table may go to a terminal.
+    /// Names from the file are escaped, because a table may be shown on a terminal.
     fn push(&mut self, cells: impl IntoIterator<Item = String>) {
         let _ = self.0.write_record(cells.into_iter().map(|cell| printable(&cell).into_owned()));
     }

@@ -1,12 +1,12 @@
-//! Fields along the beam as rows of points, with both sides of every jump.
+//! Computes fields along the beam as a list of points, with both sides of every jump.
 
 use crate::size::Sizes;
 use groundbeam::{ByField, Field, Fields, Side, Solution};
 
-/// A smaller difference of the two sides, relative to the field's largest value, is rounding.
+/// A smaller jump, relative to the field's largest value, is rounding.
 const JUMP: f64 = 1e-9;
 
-/// The fields' largest sizes, against which a jump is told from rounding.
+/// Largest magnitudes of the fields, which distinguish jumps from rounding.
 pub(crate) struct Jumps {
     largest: ByField<f64>,
 }
@@ -23,7 +23,7 @@ impl Jumps {
         Jumps { largest }
     }
 
-    /// The values at a position: one row, or where a field jumps the left and the right one.
+    /// The values at a position. The first is the left side of a jump, if any field jumps.
     pub fn rows(&self, solution: &Solution, x: f64) -> (Option<Fields>, Fields) {
         let right = solution.at(x, Side::Right);
         let inside = x > 0.0 && x < solution.model().beam.length;

@@ -1,23 +1,24 @@
-//! Digests: which text an answer belongs to.
+//! Computes digests of model files, which connect results with their input.
 
 use groundbeam_file::Document;
 use sha2::{Digest, Sha256};
 
-/// The SHA-256 digest of a text, in hexadecimal digits.
+/// SHA-256 digest of a text, in hexadecimal digits.
 pub(crate) fn digest(text: &str) -> String {
     Sha256::digest(text.as_bytes()).iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
 /// The digest of a model file and of the tables that it names, as `sha256:` and 64 hexadecimal digits.
 ///
-/// Of a model file alone: the SHA-256 digest of its bytes. With tables: the digest of the text that holds the digest of
-/// each file on a line of its own, the model file first, the tables in the order in which the model names them.
+/// Without tables it is the SHA-256 digest of the file's bytes. With tables it is the digest of a text with
+/// one line for the digest of each file: first the model file, then the tables in the order in which the
+/// model names them.
 pub fn model_digest(document: &Document) -> String {
     let tables = document.files.iter().map(|file| file.text.as_str());
     of_files(document.text(), tables)
 }
 
-/// The digest of a model file that names no tables.
+/// The digest of a model file without tables.
 pub fn digest_of_text(model: &str) -> String {
     of_files(model, [])
 }

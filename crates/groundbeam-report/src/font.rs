@@ -1,15 +1,15 @@
-//! The font of the pictures, and how wide its words are.
+//! The font of the pictures, and the widths of its words.
 
 use ttf_parser::Face;
 
-/// Inter in its regular weight, a TrueType file; SIL Open Font License 1.1, see `fonts/README.md`.
+/// Inter Regular as a TrueType file; SIL Open Font License 1.1, see `fonts/README.md`.
 pub const REGULAR: &[u8] = include_bytes!("../fonts/Inter-Regular.ttf");
-/// The same in semi-bold, for headings.
+/// Inter SemiBold, for headings.
 pub const SEMI_BOLD: &[u8] = include_bytes!("../fonts/Inter-SemiBold.ttf");
-/// What an SVG asks for; all but the first are for viewers that lack it.
+/// Font list of the SVG files; the others are for viewers without Inter.
 pub(crate) const FAMILY: &str = "Inter, 'Helvetica Neue', Arial, sans-serif";
 
-/// The width of characters that the font lacks, in ems.
+/// Assumed width of characters that the font lacks, in ems.
 const UNKNOWN: f64 = 1.0;
 
 /// Widths of words in the regular weight.
@@ -22,7 +22,7 @@ impl Metrics {
         Metrics { face: Face::parse(REGULAR, 0).ok() }
     }
 
-    /// The width of a line of text in a font size.
+    /// Width of a line of text with a font size.
     pub fn width(&self, text: &str, size: f64) -> f64 {
         size * text.chars().map(|c| self.advance(c)).sum::<f64>()
     }

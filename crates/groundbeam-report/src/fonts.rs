@@ -1,3 +1,3 @@
-//! The fonts that the pictures name, for pages that show pictures.
+//! The fonts of the pictures, for pages that show pictures.
 
 pub use crate::font::{REGULAR, SEMI_BOLD};

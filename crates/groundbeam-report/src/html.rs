@@ -1,6 +1,6 @@
-//! The calculation report as one HTML file that needs nothing beside it and prints well on A4 and on Letter.
+//! Writes the calculation report as one self-contained HTML file that can be printed on A4 and Letter.
 //!
-//! The page is set by `templates/report.html`.
+//! `templates/report.html` defines the page.
 
 use crate::calculation::{Paper, Report};
 use crate::font;
@@ -10,7 +10,7 @@ use minijinja::value::Serde;
 use minijinja::{Environment, Value, context as values};
 use std::fmt;
 
-/// A report that could not be made.
+/// Reason why a report cannot be made.
 #[derive(Debug)]
 pub struct Error(String);
 
@@ -28,19 +28,20 @@ impl From<minijinja::Error> for Error {
     }
 }
 
-/// The page on which everything is set.
+/// Template of the page.
 const TEMPLATE: &str = include_str!("../templates/report.html");
-/// How it looks on a screen and on paper.
+/// Style sheet for screen and paper.
 const STYLE: &str = include_str!("../templates/report.css");
 
-/// A report as one HTML file; without a paper it takes that of whoever prints it. Equal reports give equal bytes.
+/// A report as one HTML file. Without `paper` it uses the paper of the user's printer. Equal reports give
+/// equal bytes.
 ///
 /// # Errors
 ///
-/// If memory is lacking for it.
+/// If there is not enough memory.
 pub fn report(report: &Report, paper: Option<Paper>) -> Result<String, Error> {
     let mut environment = Environment::new();
-    // The name's ending makes every value that is put in escaped as HTML asks for.
+    // The file extension makes the template engine escape all values for HTML.
     environment.add_template("report.html", TEMPLATE)?;
     environment.add_filter("indexed", indexed);
     environment.add_filter("css", css);
@@ -54,7 +55,7 @@ pub fn report(report: &Report, paper: Option<Paper>) -> Result<String, Error> {
     Ok(environment.get_template("report.html")?.render(page)? + "\n")
 }
 
-/// Words of the program, escaped, with their indices set low.
+/// Escapes text, with indices as subscripts.
 fn indexed(words: &str) -> Value {
     let mut escaped = words.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;");
     for letter in ["R", "p"] {
@@ -64,7 +65,7 @@ fn indexed(words: &str) -> Value {
     Value::from_safe_string(escaped)
 }
 
-/// Words between quotes of a style sheet: every sign but letters and digits by its number.
+/// Escapes text for quotes in a style sheet: all characters except letters and digits become numbers.
 fn css(words: &str) -> Value {
     let sign = |c: char| match c.is_alphanumeric() {
         true => c.to_string(),

@@ -1,10 +1,10 @@
-//! The result document: one JSON object, in SI units or in the file's own consistent system.
+//! Writes the result document: one JSON object, in SI units or in the file's own consistent system.
 //!
-//! Numbers are written with as many digits as it takes to read back the same bits; what is infinite or not
-//! a number is `null`. Keys stand in a fixed order.
+//! Numbers have enough digits to read back the same bits. Infinite numbers and NaN are `null`. The order of
+//! the keys is fixed.
 //!
-//! `stations` holds every position once, with the values just to the right of it (at x = l just to the
-//! left) where a field jumps. Both sides of a jump are in the table of [`csv`](crate::csv).
+//! `stations` contains each position once. Where a field jumps, it has the value just to the right (at x = l
+//! just to the left). Both sides of a jump are in the table of [`csv`](crate::csv).
 
 mod bounds;
 mod checks;
@@ -37,11 +37,10 @@ pub use study::study;
 pub use train::{checked_trains, trains};
 pub use verified::verified;
 
-/// Equal steps of the grid that [`default_stations`] is made of.
+/// Equal steps of the grid in [`default_stations`].
 const EVEN_STEPS: usize = 100;
 
-/// Where the fields are listed if nobody says: an even grid, every load, support, joint and edge of
-/// contact, and every extreme.
+/// Default positions: an equidistant grid, every load, support, hinge and contact edge, and every extreme.
 pub fn default_stations(solution: &Solution) -> Vec<f64> {
     solution.stations(EVEN_STEPS)
 }
@@ -51,7 +50,7 @@ pub fn solved(solution: &Solution, stations: &[f64], context: &Context) -> Strin
     text(&Solved::of(solution, stations, context))
 }
 
-/// The document of a model that has no equilibrium, or was checked but not solved: its `status` is
+/// The document of a model without equilibrium, or of an existence check. Its `status` is
 /// `equilibrium-exists` or `no-equilibrium`.
 pub fn existence(model: &Model, existence: &Existence, context: &Context) -> String {
     let stands = existence.verdict.stands();
@@ -64,8 +63,8 @@ pub fn not_converged(reached: &Stopped, context: &Context) -> String {
     text(&Unsolved::of(reached, context))
 }
 
-/// Plain structs of numbers and words can always be written. Characters of words that would steer a terminal are
-/// written as escapes, which a reader of the document turns back.
+/// Serializing plain structs cannot fail. Control characters for terminals are written as escapes, which a
+/// JSON reader converts back.
 fn text(document: &impl Serialize) -> String {
     let written = serde_json::to_string_pretty(document).unwrap_or_default() + "\n";
     if written.chars().all(|c| c == '\n' || !is_unprintable(c)) {
@@ -146,7 +145,7 @@ impl<'a> Solved<'a> {
     }
 }
 
-/// The figures of a certificate, by their names and in their order.
+/// Numbers of a certificate, by name and in order.
 fn figures<S: Serializer>(proof: &Certificate, to: S) -> Result<S::Ok, S::Error> {
     to.collect_map(proof.figures())
 }
@@ -208,7 +207,7 @@ impl<'a> Unsolved<'a> {
     }
 }
 
-/// The first keys of a document.
+/// First keys of a document.
 #[derive(Serialize)]
 struct Head<'a> {
     status: &'static str,
@@ -263,7 +262,7 @@ struct Held {
     support: usize,
     #[serde(flatten)]
     reaction: Reaction,
-    /// Of a support that acts in one direction alone.
+    /// State of a support that acts in one direction only.
     #[serde(skip_serializing_if = "Option::is_none")]
     state: Option<&'static str>,
 }
@@ -274,7 +273,7 @@ impl Held {
     }
 }
 
-/// Whether a support that acts in one direction alone does.
+/// Whether a one-way support is active.
 fn state(support: &Support, force: f64) -> Option<&'static str> {
     match support.acts {
         Acts::Both => None,
@@ -284,7 +283,7 @@ fn state(support: &Support, force: f64) -> Option<&'static str> {
     }
 }
 
-/// Something of each field, by its name.
+/// A value for each field, by name.
 struct ByName<T>(Vec<(Field, T)>);
 
 impl<T> ByName<T> {
@@ -303,7 +302,7 @@ impl<T: Serialize> Serialize for ByName<T> {
     }
 }
 
-/// Something of each field at positions along the beam.
+/// Values of each field at positions along the beam.
 #[derive(Serialize)]
 struct Along<T> {
     x: Vec<f64>,
@@ -327,21 +326,21 @@ impl Along<Vec<f64>> {
     }
 }
 
-/// The lines of smallest and largest values, and what governs them.
+/// The smallest and largest values along the beam, and the governing answers.
 #[derive(Serialize)]
 struct Lines<G> {
     min: Vec<f64>,
     max: Vec<f64>,
     governs_min: Vec<G>,
     governs_max: Vec<G>,
-    /// Of several passages which ones, counted from 0.
+    /// Indices of the passages, if there are several.
     #[serde(skip_serializing_if = "Option::is_none")]
     passage_min: Option<Vec<usize>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     passage_max: Option<Vec<usize>>,
 }
 
-/// Something of the smallest and of the largest value.
+/// Data of the smallest and of the largest value.
 #[derive(Serialize)]
 struct Extremes<T> {
     min: T,

@@ -1,4 +1,4 @@
-//! Results of [`groundbeam`] as a person or a program reads them: pure functions from a result to text.
+//! Formats results of [`groundbeam`] for users and programs: pure functions from a result to text.
 //!
 //! | module | makes |
 //! |---|---|
@@ -22,11 +22,11 @@
 //! # Ok::<(), groundbeam::Error>(())
 //! ```
 //!
-//! [`Results`] makes all of them from the [`Answers`](groundbeam_run::Answers) to a file, whatever the file asks for. The
-//! functions named `combinations` show the envelope of combinations of load cases, those named `trains` that of
+//! [`Results`] makes all of them from the [`Answers`](groundbeam_run::Answers) to a file. The functions named
+//! `combinations` show the envelope of combinations of load cases, those named `trains` that of
 //! [`Passages`](groundbeam_run::Passages).
 //!
-//! Nothing here reads a clock, a file or the environment, and equal results give equal bytes.
+//! This crate reads no clock, no file and no environment. Equal results give equal bytes.
 
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]

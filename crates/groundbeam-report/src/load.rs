@@ -1,9 +1,10 @@
-//! The name of each kind of load, and the quantity of its size, for reports, pictures and the page.
+//! Names of the kinds of load, and the physical quantities of their sizes, for reports, pictures and the
+//! page.
 
 use crate::quantity::{Kind, Units};
 use groundbeam::{Action, Load};
 
-/// The name of a load's kind.
+/// Name of the kind of a load.
 pub fn load_name(load: &Load) -> &'static str {
     match (load.action(), load.extent().is_distributed(), load.is_on_ground()) {
         (Action::Force, false, false) => "force",
@@ -16,7 +17,7 @@ pub fn load_name(load: &Load) -> &'static str {
     }
 }
 
-/// The quantity of a load's size.
+/// Physical quantity of a load's size.
 pub fn load_kind(load: &Load) -> Kind {
     match (load.action(), load.extent().is_distributed()) {
         (Action::Force, false) => Kind::Force,
@@ -28,12 +29,12 @@ pub fn load_kind(load: &Load) -> Kind {
     }
 }
 
-/// Whether the unit of its size is that of another quantity: a moment per length, which has the unit of a force.
+/// Whether the load is a moment per length, whose unit is that of a force.
 pub(crate) fn is_moment_per_length(load: &Load, units: Units) -> bool {
     !units.is_plain() && load.action() == Action::Moment && load.extent().is_distributed()
 }
 
-/// The size of a load with its unit: one number, or those at both ends with a word between them.
+/// The size of a load with its unit: one number, or the numbers at both ends with `to` between them.
 pub(crate) fn load_size(load: &Load, units: Units, to: &str) -> String {
     let unit = units.of_input().unit(load_kind(load), load.extent().largest());
     let [start, end] = load.extent().sizes();

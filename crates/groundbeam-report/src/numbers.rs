@@ -1,4 +1,4 @@
-//! The numbers of one solution in print: rounded, or with the bounds of their errors if they are proven.
+//! Formats the numbers of one solution: rounded, or with error bounds if they are proven.
 
 use crate::bound::{not_proven, rounded_with_bound, with_bound};
 use crate::quantity::{Kind, Unit, Units};
@@ -7,10 +7,11 @@ use crate::verified::Named;
 use groundbeam::proof::{Bound, PlacedExtreme, ReactionBound, Verification};
 use groundbeam::{Extreme, Field, Solution};
 
-/// Wider intervals of the place of an extreme, as a part of the length, are printed as intervals.
+/// Intervals of an extreme's position that are wider than this, relative to the length, are printed as
+/// intervals.
 const NARROW: f64 = 1e-3;
 
-/// Writes the numbers of one solution.
+/// Formats the numbers of one solution.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Numbers<'a> {
     pub units: Units,
@@ -39,7 +40,7 @@ impl<'a> Numbers<'a> {
         &self.sizes
     }
 
-    /// A number in a unit, with the bound of its error if one is asked for. `rounded` is what is printed without a bound.
+    /// A number in a unit, with its error bound if requested. `rounded` is printed without a bound.
     fn write(
         &self,
         unit: Unit,
@@ -56,7 +57,7 @@ impl<'a> Numbers<'a> {
         }
     }
 
-    /// A number with four digits; its bound holds what rounding to them changes.
+    /// A number with four digits; its bound includes the rounding to these digits.
     fn key(&self, kind: Kind, value: f64, rounded: f64, error: impl Fn(&Named) -> f64) -> String {
         match self.proof {
             None => self.units.write(kind, rounded),
@@ -64,7 +65,7 @@ impl<'a> Numbers<'a> {
         }
     }
 
-    /// The value of a field as a key figure, and its place.
+    /// The value of a field as a key figure, and its position.
     pub fn key_of(&self, field: Field, is_max: bool, extreme: Extreme) -> [String; 2] {
         let rounded = self.sizes.value(field, extreme.value);
         let value =
@@ -76,31 +77,32 @@ impl<'a> Numbers<'a> {
         [value, place]
     }
 
-    /// The force under an end of the beam, 0 the left one, as a key figure.
+    /// The force under an end of the beam (0: left) as a key figure.
     pub fn key_of_end(&self, end: usize, force: f64) -> String {
         let rounded = self.sizes.force(force);
         self.key(Kind::Force, force, rounded, |named| named.error_of_end_force(end))
     }
 
-    /// The value of a field, in its own unit or in one that is given.
+    /// The value of a field, in a suitable unit or in the given one.
     pub fn field(&self, field: Field, value: f64, unit: Option<Unit>) -> String {
         let unit = unit.unwrap_or_else(|| self.units.unit(Kind::of(field), value));
         let rounded = self.sizes.value(field, value);
         self.write(unit, value, rounded, |found| found.error_of(field.name()))
     }
 
-    /// The place of an extreme.
+    /// The position of an extreme.
     pub fn place(&self, x: f64) -> String {
         self.units.position(self.sizes.position(x))
     }
 
-    /// A place that no proof bounds.
+    /// A position without a proven bound.
     pub fn place_without_bound(&self, x: f64) -> String {
         let place = self.place(x);
         if self.have_bounds() { not_proven(&place) } else { place }
     }
 
-    /// The place of the largest gap of a stretch that has lifted off. Proven is that of the largest gap of all.
+    /// The position of the largest gap in a lifted stretch. Only the position of the largest gap of all is
+    /// proven.
     pub fn place_of_gap(&self, x: f64) -> String {
         let found = self.proof.and_then(|named| named.found.as_ref().ok());
         let largest = |e: &PlacedExtreme| e.field == Field::Gap.name() && e.is_max && e.listed == x;
@@ -110,7 +112,7 @@ impl<'a> Numbers<'a> {
         }
     }
 
-    /// The place of an extreme, with the bound of its error, or the interval that holds it.
+    /// The position of an extreme, with its error bound or the interval that contains it.
     pub fn place_of(&self, field: Field, is_max: bool, x: f64) -> String {
         let found = self.proof.and_then(|named| named.found.as_ref().ok());
         let placed = found.and_then(|found| {
@@ -133,7 +135,7 @@ impl<'a> Numbers<'a> {
         }
     }
 
-    /// The part of the beam that has lifted off, in percent.
+    /// The fraction of the beam that has lifted off, in percent.
     pub fn lifted_share(&self, solution: &Solution) -> String {
         let share = solution.lifted_share();
         match self.proof {
@@ -144,20 +146,20 @@ impl<'a> Numbers<'a> {
         }
     }
 
-    /// One end of a region of contact.
+    /// One end of a contact zone.
     pub fn edge(&self, region: usize, end: usize, x: f64) -> String {
         let unit = self.units.unit(Kind::Position, x);
         let error = |found: &Verification| of(found.listed.edges.get(region).map(|ends| ends[end]));
         self.write(unit, x, self.sizes.position(x), error)
     }
 
-    /// The force under an end of the beam, 0 the left one.
+    /// The force under an end of the beam (0: left).
     pub fn end_force(&self, end: usize, force: f64) -> String {
         let error = |found: &Verification| of(found.listed.end_forces.map(|ends| ends[end]));
         self.force(force, error)
     }
 
-    /// One of the concentrated forces inside the beam. In documents those under the ends stand beside them.
+    /// One of the point contact forces inside the beam. Documents list those under the ends separately.
     pub fn inner_force(&self, i: usize, force: f64) -> String {
         self.force(force, |found| of(found.listed.forces.get(i + 1).copied()))
     }
@@ -192,13 +194,13 @@ impl<'a> Numbers<'a> {
         ]
     }
 
-    /// An extreme without what is rounding; with bounds as it is.
+    /// An extreme; without bounds, rounding errors are set to zero.
     pub fn extreme(&self, field: Field, extreme: Extreme) -> Extreme {
         if self.have_bounds() { extreme } else { self.sizes.extreme(field, extreme) }
     }
 }
 
-/// A bound, infinite if there is none.
+/// A bound; infinite if there is none.
 fn of(error: Option<f64>) -> f64 {
     error.unwrap_or(f64::INFINITY)
 }

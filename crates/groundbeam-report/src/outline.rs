@@ -1,4 +1,4 @@
-//! Text as outlines, for renderers without fonts.
+//! Converts text to outlines, for renderers without fonts.
 
 use crate::font;
 use crate::svg::{Anchor, Picture, Text, rounded};
@@ -7,7 +7,7 @@ use ttf_parser::gpos::{PairAdjustment, PositioningSubtable};
 use ttf_parser::opentype_layout::Lookup;
 use ttf_parser::{Face, GlyphId, OutlineBuilder, Tag};
 
-/// A picture as an SVG file with every line of text as the outlines of its letters.
+/// A picture as an SVG file in which each line of text consists of outlines.
 pub(crate) fn outlined(picture: &Picture) -> String {
     let faces = [font::REGULAR, font::SEMI_BOLD].map(|bytes| Face::parse(bytes, 0).ok());
     let [Some(regular), Some(bold)] = faces else { return picture.to_string() };
@@ -15,10 +15,10 @@ pub(crate) fn outlined(picture: &Picture) -> String {
     picture.written(&|text, svg| if text.style.bold { &bold } else { &regular }.write(text, svg))
 }
 
-/// The letters of a face, and how near they stand to one another.
+/// The glyphs of a font face, and their kerning.
 struct Letters {
     face: Face<'static>,
-    /// What moves pairs of letters.
+    /// Kerning of pairs of letters.
     kerning: Vec<Lookup<'static>>,
 }
 
@@ -37,7 +37,7 @@ impl Letters {
         Letters { face, kerning }
     }
 
-    /// A line of text as one shape.
+    /// Writes a line of text as one shape.
     fn write(&self, text: &Text, out: &mut String) {
         let Text { at, anchor, style, words } = text;
         let [x, y, size] = [at[0], at[1], style.size].map(rounded);
@@ -64,7 +64,7 @@ impl Letters {
         let _ = write!(out, "\" {style}/>");
     }
 
-    /// By how much two letters stand further from one another than by their widths.
+    /// Kerning between two letters, in addition to their widths.
     fn between(&self, left: GlyphId, right: GlyphId) -> f64 {
         let pair = |subtable: PositioningSubtable| {
             let PositioningSubtable::Pair(pairs) = subtable else { return None };
@@ -142,8 +142,8 @@ mod tests {
         pixels
     }
 
-    /// A renderer that knows fonts draws the same pixels from words as from their outlines: widths, anchors, weights, signs that
-    /// XML writes otherwise, and letters that stand nearer or further from one another in pairs.
+    /// A renderer with fonts draws the same pixels from text and from outlines. The test covers widths,
+    /// anchors, weights, escaped characters and kerning.
     #[test]
     fn outlines_are_what_a_renderer_of_fonts_draws() {
         let card = test_card();
@@ -153,7 +153,7 @@ mod tests {
         let apart = words.data().iter().zip(shapes.data()).map(|(a, b)| a.abs_diff(*b));
         let (most, dark) = (apart.max().unwrap(), words.data().iter().min().unwrap());
         assert!(*dark < 60, "nothing is drawn");
-        // Two of the sixteen steps in which a pixel at an edge is covered.
+        // Two of the sixteen steps in the coverage of an edge pixel.
         assert!(most <= 32, "{most} of 255 apart");
     }
 }

@@ -1,4 +1,4 @@
-//! Pictures as PNG.
+//! Renders pictures as PNG.
 
 use crate::outline::outlined;
 use crate::svg::Picture;
@@ -6,10 +6,10 @@ use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg::{Options, Tree};
 use std::fmt;
 
-/// Pixels for one unit of the SVG picture.
+/// Pixels per unit of the SVG picture.
 const PIXELS: f32 = 2.0;
 
-/// A picture that could not be drawn.
+/// Reason why a picture cannot be rendered.
 #[derive(Debug)]
 pub struct Error(String);
 
@@ -26,7 +26,7 @@ impl Picture {
     ///
     /// # Errors
     ///
-    /// If memory for the pixels is lacking.
+    /// If there is not enough memory for the pixels.
     pub fn png(&self) -> Result<Vec<u8>, Error> {
         let tree = Tree::from_str(&outlined(self), &Options::default());
         let tree = tree.map_err(|error| Error(error.to_string()))?;

@@ -1,4 +1,4 @@
-//! The answers to a file in every form: text, document, table, picture, calculation report.
+//! Formats the answers to a file in every form: text, document, table, picture, calculation report.
 
 use crate::calculation::{self, Report, Source};
 use crate::checked::{Verdict, rows_of, verdicts};
@@ -7,7 +7,7 @@ use crate::svg::{self, Picture};
 use crate::{csv, json, text};
 use groundbeam_run::{Answer, Answers, Asked, Found};
 
-/// The answers to a file, and what is said besides them.
+/// The answers to a file, with the context of the report.
 #[derive(Debug, Clone, Copy)]
 pub struct Results<'a> {
     answers: &'a Answers,
@@ -15,7 +15,8 @@ pub struct Results<'a> {
 }
 
 impl<'a> Results<'a> {
-    /// The answers in a context. Ground and load factors are those of the answers; of one model the time is its own.
+    /// The answers in a context. Ground and load factors come from the answers; for one model also the
+    /// duration.
     pub fn new(answers: &'a Answers, context: Context<'a>) -> Self {
         let (ground, factors) = match (answers.asked, answers.list.first()) {
             (Asked::One, Some(one)) => (one.ground.as_ref(), one.factors.as_ref()),
@@ -41,7 +42,7 @@ impl<'a> Results<'a> {
         &self.context
     }
 
-    /// The answer, if one model was asked for.
+    /// The answer, if one model was requested.
     pub fn one(&self) -> Option<&'a Answer> {
         self.answers.list.first().filter(|_| self.answers.asked == Asked::One)
     }
@@ -51,22 +52,22 @@ impl<'a> Results<'a> {
         self.answers.solved().next().is_some()
     }
 
-    /// Every check in each of its limit states.
+    /// Verdicts on each check in each of its limit states.
     fn verdicts(&self) -> Vec<Verdict> {
         verdicts(self.context.limits, &rows_of(self.answers, &self.context))
     }
 
-    /// Labels and words of all verdicts on checks, for a page that has a layout of its own.
+    /// Labels and sentences of all verdicts on checks, for pages with their own layout.
     pub fn check_rows(&self) -> Vec<(String, String)> {
         text::check_rows(&rows_of(self.answers, &self.context), &self.context)
     }
 
-    /// Whether a check has a bound that holds its limit, so that it is not decided.
+    /// Whether the limit of a check lies within its error bound, so that the check is undecided.
     pub fn has_undecided_check(&self) -> bool {
         self.verdicts().iter().any(Verdict::is_undecided)
     }
 
-    /// Whether a check that is asked for fails, or is not judged.
+    /// Whether a requested check fails or is not judged.
     pub fn has_failed_check(&self) -> bool {
         self.verdicts().iter().any(|verdict| verdict.passes() != Some(true))
     }
@@ -98,7 +99,7 @@ impl<'a> Results<'a> {
         }
     }
 
-    /// The report for a terminal, with what is proven.
+    /// The report for a terminal, with the proven statements.
     pub fn text(&self, colour: bool) -> String {
         let report = self.report(colour);
         let units = self.context.units;
@@ -141,7 +142,7 @@ impl<'a> Results<'a> {
         calculation::report(self.answers, &self.context, source)
     }
 
-    /// The table of fields; empty where there are none.
+    /// The table of fields; empty without fields.
     pub fn csv(&self, stations: Option<&[f64]>) -> String {
         let (answers, units) = (self.answers, self.context.units);
         let or = |default: &dyn Fn() -> Vec<f64>| stations.map_or_else(default, <[f64]>::to_vec);
@@ -162,7 +163,7 @@ impl<'a> Results<'a> {
         })
     }
 
-    /// The picture; none of a model that was not solved.
+    /// The picture; `None` for a model that was not solved.
     pub fn picture(&self) -> Option<Picture> {
         let (answers, context) = (self.answers, &self.context);
         match (self.one(), answers.asked) {

@@ -1,11 +1,11 @@
-//! Values that are rounding error in print.
+//! Sets values to zero that are only rounding error.
 
 use groundbeam::{Action, Extreme, Field, Load, Model, Solution};
 
-/// Relative to what loads and lengths make natural, below this a printed number is zero.
+/// Below this fraction of the natural size, a printed number is zero.
 const ROUNDING: f64 = 1e-12;
 
-/// The natural sizes of a solution's fields.
+/// Natural sizes of a solution's fields, from loads and lengths.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Sizes {
     length: f64,
@@ -25,7 +25,7 @@ impl Sizes {
         let force = load_size(model) + reactions.sum::<f64>();
         let length = model.beam.length;
         let deflection = largest(Field::Deflection).max(largest(Field::Settlement));
-        // Moments that cancel each other do not press on the ground: its springs bound the pressure.
+        // Moments that cancel each other give no contact pressure; the subgrade k bounds it.
         let (subgrade, _) = model.foundation.largest();
         let pressure = (force / length).min(subgrade * deflection);
         Sizes { length, force, deflection, pressure }
@@ -36,14 +36,14 @@ impl Sizes {
         self.length
     }
 
-    /// The value, or zero where it is nothing but rounding.
+    /// The value, or zero if it is only rounding error.
     pub fn value(&self, field: Field, value: f64) -> f64 {
         let Sizes { length, force, deflection, pressure } = *self;
         let natural = field.natural_size(length, force, deflection, pressure);
         if value.abs() <= ROUNDING * natural { 0.0 } else { value }
     }
 
-    /// A position, or zero where it is nothing but rounding.
+    /// A position, or zero if it is only rounding error.
     pub fn position(&self, x: f64) -> f64 {
         if x.abs() <= ROUNDING * self.length { 0.0 } else { x }
     }
@@ -61,7 +61,7 @@ impl Sizes {
     }
 }
 
-/// The sizes of all loads, moments as pairs of forces at the beam's ends.
+/// Sum of the magnitudes of all loads; a moment counts as a pair of forces at the beam's ends.
 fn load_size(model: &Model) -> f64 {
     let l = model.beam.length;
     let size = |load: &Load| match load.action() {

@@ -1,101 +1,101 @@
-//! The results of a study as reported.
+//! Results of a study for reports.
 
 use crate::context::clean;
 use crate::quantity::Kind;
 use serde::Serialize;
 
-/// What a study has found.
+/// Results of a study.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Study {
-    /// What its file calls it.
+    /// Title in the study file.
     pub title: Option<String>,
-    /// How many samples there are.
+    /// Number of samples.
     pub samples: u64,
-    /// From which all random numbers follow.
+    /// Seed of all random numbers.
     pub seed: u64,
-    /// How samples are spread: `monte-carlo`, `latin-hypercube`, `sobol`.
+    /// Sampling method: `monte-carlo`, `latin-hypercube`, `sobol`.
     pub sampling: &'static str,
-    /// Into how many parts they are divided that are drawn independently; 1: every sample is independent.
+    /// Number of independent replicates; 1 if all samples are independent.
     pub replicates: u64,
-    /// Of how many independent numbers a sample is made.
+    /// Number of independent random numbers per sample.
     pub dimensions: usize,
-    /// The share of the random fields' variance that is not cut off; none without fields.
+    /// Share of the random fields' variance after truncation; `None` without fields.
     pub variance: Option<f64>,
-    /// Samples with a certified answer.
+    /// Samples with a certified result.
     pub solved: u64,
-    /// Samples that have no equilibrium.
+    /// Samples without equilibrium.
     pub without_equilibrium: u64,
-    /// Samples of which no answer was certified.
+    /// Samples without a certified result.
     pub not_converged: u64,
-    /// Samples of which the model was refused.
+    /// Samples with an invalid model.
     pub wrong: u64,
-    /// The largest gap of all certificates, of the strain energy.
+    /// Largest gap of all certificates, relative to the strain energy.
     pub largest_gap: f64,
-    /// How probable events are.
+    /// Estimated probabilities of events.
     pub events: Vec<Estimate>,
-    /// How random numbers and results scatter.
+    /// Distributions of random numbers and results.
     pub spreads: Vec<Spread>,
 }
 
-/// How probable something is.
+/// Estimated probability of an event.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Estimate {
-    /// What may happen.
+    /// Name of the event.
     pub name: String,
-    /// What it is that a number exceeds a limit; none of what is always told.
+    /// The limit that a number exceeds in the event; `None` for the events that are always listed.
     #[serde(flatten)]
     pub limit: Option<Limit>,
-    /// In how many samples it has.
+    /// Number of samples in which it occurs.
     pub count: u64,
-    /// The part of the samples in which it has.
+    /// Fraction of the samples in which it occurs.
     pub probability: f64,
-    /// Between which bounds the probability lies, with a confidence of 95 %.
+    /// 95 % confidence interval of the probability.
     pub interval: Interval,
 }
 
-/// What a number must not exceed, or fall below.
+/// A limit of a number.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Limit {
-    /// The name of the number's spread.
+    /// Name of the number's distribution.
     pub quantity: String,
-    /// Whether too much of it is what happens; otherwise too little.
+    /// Whether the event occurs above the limit; otherwise below.
     pub above: bool,
     /// The limit.
     pub limit: f64,
 }
 
-/// An interval of confidence.
+/// A confidence interval.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Interval {
-    /// From and to.
+    /// Lower and upper bound.
     pub bounds: [f64; 2],
-    /// How it was found.
+    /// Method by which it was computed.
     pub by: Way,
 }
 
 impl Interval {
-    /// With how many significant digits its bounds are written, so that two of them tell its width.
+    /// Number of significant digits of its bounds, so that two digits show its width.
     pub(crate) fn digits(&self) -> usize {
         let [low, high] = self.bounds;
         let digits = 2.0 + (high / (high - low)).log10().ceil();
-        // Not a number where both are zero.
+        // NaN if both are zero.
         if digits >= 3.0 { digits.min(6.0) as usize } else { 3 }
     }
 }
 
-/// How an interval of confidence is found.
+/// Method of a confidence interval.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub enum Way {
-    /// From how often it happened, whatever the probability is.
+    /// From the number of occurrences, exact for any probability.
     #[serde(rename = "exact for independent samples (Clopper and Pearson)")]
     Counts,
-    /// From how often it happened in each part that was drawn independently.
+    /// From the number of occurrences in each independent replicate.
     #[serde(rename = "the scatter of replicates (Student's t)")]
     Replicates,
 }
 
 impl Way {
-    /// In words.
+    /// Name of the method.
     pub fn words(self) -> &'static str {
         match self {
             Way::Counts => "exact for independent samples (Clopper and Pearson)",
@@ -104,26 +104,26 @@ impl Way {
     }
 }
 
-/// How a number scatters over the samples that have it.
+/// Distribution of a number over the samples that have it.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Spread {
-    /// The column of the results.
+    /// Name of its column in the results.
     pub name: String,
-    /// What it measures, so that it has a unit; none of plain numbers.
+    /// Its physical quantity, which determines the unit; `None` for plain numbers.
     #[serde(skip)]
     pub kind: Option<Kind>,
     /// Mean.
     pub mean: f64,
     /// Standard deviation.
     pub deviation: f64,
-    /// The smallest, the quantiles of 5, 50 and 95 %, the largest.
+    /// Minimum, quantiles of 5, 50 and 95 %, maximum.
     pub quantiles: [f64; 5],
-    /// How many samples lie in each of so many equal parts, from the smallest to the largest.
+    /// Histogram: number of samples in equal intervals from the minimum to the maximum.
     pub histogram: Vec<u64>,
 }
 
 impl Spread {
-    /// As people read it.
+    /// Label for readers.
     pub(crate) fn label(&self) -> String {
         match &*self.name {
             "left" | "right" => format!("{} end force", self.name),
@@ -131,7 +131,7 @@ impl Spread {
         }
     }
 
-    /// The size of its largest value, by which its unit is chosen.
+    /// Magnitude of its largest value, which determines its unit.
     pub(crate) fn largest(&self) -> f64 {
         let [least, .., most] = self.quantiles;
         least.abs().max(most.abs())

@@ -1,6 +1,6 @@
-//! How words are marked: good, doubtful, bad.
+//! Tones that mark text as good, doubtful or bad.
 
-/// How words are marked.
+/// The tone of a text.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Tone {
     Plain,
@@ -11,7 +11,7 @@ pub(crate) enum Tone {
 }
 
 impl Tone {
-    /// In calculation reports.
+    /// Name in calculation reports.
     pub fn name(self) -> &'static str {
         match self {
             Tone::Plain | Tone::Heading => "plain",
@@ -21,7 +21,7 @@ impl Tone {
         }
     }
 
-    /// The escape sequence of a terminal.
+    /// Escape sequence for a terminal.
     pub fn code(self) -> &'static str {
         match self {
             Tone::Plain => "",

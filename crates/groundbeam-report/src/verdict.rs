@@ -1,4 +1,4 @@
-//! The verdict on equilibrium in sentences, with the statics behind it.
+//! The verdict on equilibrium as a sentence, with its reason from statics.
 
 mod hinged;
 mod wording;
@@ -10,7 +10,7 @@ pub(crate) use hinged::falls;
 pub use wording::verdict_name;
 pub(crate) use wording::wording;
 
-/// Why there is one equilibrium, more than one, or none: one sentence without a full stop.
+/// The reason why there is one equilibrium, more than one, or none: one sentence without a full stop.
 ///
 /// ```
 /// use groundbeam::{Beam, Foundation, Load, Model};
@@ -39,7 +39,7 @@ pub fn sentence(model: &Model, existence: &Existence, units: Units) -> String {
     }
 }
 
-/// What would restore equilibrium, or at least must be added: one sentence without a full stop.
+/// The force that would restore equilibrium, or a lower bound of it: one sentence without a full stop.
 pub(crate) fn remedy(motion: RigidMotion, units: Units) -> Option<String> {
     (motion.work > 0.0).then(|| {
         let force = units.write(Kind::Force, motion.work);
@@ -51,11 +51,11 @@ pub(crate) fn remedy(motion: RigidMotion, units: Units) -> Option<String> {
                 None => String::new(),
             },
         };
-        format!("it takes more than {force}, pushing the beam down{place}, to hold it")
+        format!("equilibrium needs a downward force of more than {force}{place}")
     })
 }
 
-/// A rigid motion as a formula: `r(0) = -1, r(l) = 0`, and what the loads do in it.
+/// A rigid motion as a formula, `r(0) = -1, r(l) = 0`, with the work of the loads.
 pub(crate) fn motion(model: &Model, motion: RigidMotion, units: Units) -> String {
     let moves = match (motion.left < 0.0, motion.right < 0.0) {
         _ if motion.lifted.is_some() => hinged::moves(model, motion, units),
@@ -72,7 +72,7 @@ pub(crate) fn motion(model: &Model, motion: RigidMotion, units: Units) -> String
         _ => "unit",
     };
     format!(
-        "{moves}; nothing of it presses on the ground, and the loads do {work} of work per {per} of lift"
+        "{moves}; it does not press on the ground, and the loads do {work} of work per {per} of lift"
     )
 }
 
@@ -115,35 +115,34 @@ impl Say<'_> {
             return format!("{} acts inside the beam {}", self.resultant(), self.beam());
         }
         if self.model.supports.is_empty() {
-            return format!("{} acts down and the tension resists turning", self.resultant());
+            return format!("{} acts down and the tension resists rotation", self.resultant());
         }
-        "no motion that the supports allow lifts the beam without work against the loads".to_owned()
+        "every motion that the supports allow and that lifts the beam does work against the loads"
+            .to_owned()
     }
 
     fn not_unique(&self, motion: RigidMotion) -> String {
         if motion.right > 0.0 {
             let place = self.model.beam.length * (motion.left / (motion.left - motion.right));
             return format!(
-                "the beam stands on the single point x = {}, right under the resultant: how far it turns \
-                 about it is not determined, any equilibrium shown is one of many",
+                "the beam rests on the single point x = {}, directly under the resultant: its rotation \
+                 is not determined, any equilibrium shown is one of many",
                 self.units.position(place)
             );
         }
         let undetermined = match (motion.left < 0.0, motion.right < 0.0) {
-            (true, false) => "how far it turns about its right end is not determined",
-            (false, true) => "how far it turns about its left end is not determined",
-            _ => "how high it lies is not determined",
+            (true, false) => "its rotation about its right end is not determined",
+            (false, true) => "its rotation about its left end is not determined",
+            _ => "its vertical position is not determined",
         };
         let shown = "any equilibrium shown is one of many";
         let held = !self.model.supports.is_empty();
         if self.existence.resultant() == 0.0 && !held {
-            let undetermined = "how high the beam lies and how far it turns is not determined";
+            let undetermined = "the position and rotation of the beam are not determined";
             return format!("the loads have no resultant: {undetermined}, {shown}");
         }
         if held {
-            return format!(
-                "the loads neither hold the beam down nor lift it: {undetermined}, {shown}"
-            );
+            return format!("the loads leave a motion of the beam free: {undetermined}, {shown}");
         }
         let end = if motion.left < 0.0 { "right" } else { "left" };
         format!("{} acts exactly over the {end} end: {undetermined}, {shown}", self.resultant())
@@ -162,7 +161,7 @@ impl Say<'_> {
         });
         match pivot {
             Some(pivot) if held => format!(
-                "the support at its {pivot} end does not keep the beam from turning about it: the \
+                "the beam can rotate about the support at its {pivot} end: the \
                  loads lift its {lifting} end"
             ),
             Some(_) if force < 0.0 => format!("{} lifts the beam off the ground", self.resultant()),
@@ -171,8 +170,8 @@ impl Say<'_> {
                  about its {pivot} end"
             ),
             Some(pivot) if motion.work == 0.0 => format!(
-                "{} acts exactly over the {pivot} end, where separate springs (mu = 0) cannot carry \
-                 a concentrated force: the beam sinks and turns without end",
+                "{} acts exactly over the {pivot} end, where Winkler ground (mu = 0) cannot carry \
+                 a point force: the beam sinks and rotates without limit",
                 self.resultant()
             ),
             Some(pivot) => format!(
@@ -195,7 +194,7 @@ impl Say<'_> {
             let critical = self.force(critical_compression);
             format!("it is lost where the compression grows to {critical}, {times} times this one")
         } else {
-            "it is not lost however the compression grows".to_owned()
+            "it is not lost under any larger compression".to_owned()
         };
         format!(
             "next to the unloaded state the ground keeps the beam from buckling under {}; stability margin \
@@ -209,9 +208,7 @@ impl Say<'_> {
         let (place, compression) =
             (self.units.position(at), self.force(-self.model.beam.axial_force));
         if critical_compression == 0.0 {
-            return format!(
-                "nothing keeps the beam from turning or rising at x = {place} under the least compression"
-            );
+            return format!("the beam can rotate or rise at x = {place} under any compression");
         }
         let critical = self.force(critical_compression);
         format!(
@@ -248,14 +245,11 @@ mod tests {
             (beam().with_load(Load::point_force(4.0, 1.0)), "acts exactly over the right end"),
             (
                 springs.with_load(Load::point_force(0.0, 1.0)),
-                "over the left end, where separate springs",
+                "over the left end, where Winkler ground",
             ),
             (beam(), "the loads have no resultant"),
-            (outside().with_support(Support::pinned(4.0)), "the support at its right end does not"),
-            (
-                outside().with_support(Support::pinned(1.0)),
-                "no motion that the supports allow lifts",
-            ),
+            (outside().with_support(Support::pinned(4.0)), "the support at its right end: the"),
+            (outside().with_support(Support::pinned(1.0)), "every motion that the supports allow"),
         ];
         for (model, part) in cases {
             let said = said(&model);

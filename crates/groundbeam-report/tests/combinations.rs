@@ -1,4 +1,4 @@
-//! All combinations of a file: report, document, table and picture.
+//! Tests reports of all combinations of a file: report, document, table and picture.
 
 #[allow(dead_code)]
 mod common;
@@ -10,7 +10,7 @@ use groundbeam_report::{Results, calculation, csv, html, json, svg, text};
 use groundbeam_run::{Answers, Found, OneThread, Run};
 use serde_json::{Value, json};
 
-/// A file, solved.
+/// A solved file.
 struct Solved {
     document: Document,
     answers: Answers,
@@ -29,7 +29,7 @@ impl Solved {
     }
 }
 
-/// Without what is rounding: the certificate.
+/// The report without the certificate, which contains rounding errors.
 fn steady(report: &str) -> String {
     let lines = report.lines().filter(|line| !line.contains("energy") && !line.contains("Method"));
     lines.collect::<Vec<_>>().join("\n")
@@ -61,7 +61,7 @@ fn what_was_not_solved_is_told() {
     assert!(report.contains("   1         not solved: the method `uzawa` stopped after 7"));
     let document: Value =
         serde_json::from_str(&json::combinations(&all, None, &context(&found.document))).unwrap();
-    // That one has no equilibrium says more.
+    // A missing equilibrium takes precedence.
     assert_eq!(document["status"], "no-equilibrium");
     assert_eq!(document["combinations"][0]["status"], "not-converged");
     all.list.pop();
@@ -93,7 +93,7 @@ fn the_document() {
                 (values.len(), lines[governs].as_array().unwrap().len()),
                 (x.len(), x.len())
             );
-            // The extreme is one of the stations, and none goes beyond it.
+            // The extreme is the value at one of the stations, and no station exceeds it.
             let extreme = extremes[bound]["value"].as_f64().unwrap();
             let values: Vec<f64> = values.iter().map(|value| value.as_f64().unwrap()).collect();
             let reached = if bound == "min" {
@@ -139,7 +139,7 @@ fn a_band_of_grounds_is_that_of_the_grounds_solved() {
     let solved = solved("band");
     let bands = solved.answers.bands().unwrap();
     let [_, moment] = bands[Field::Moment.index()];
-    // P/(4β) with β = (k/4EI)^(1/4): on half and on twice the ground.
+    // P/(4β) with β = (k/4EI)^(1/4), on half and on twice the ground stiffness.
     let close = |a: f64, b: f64| assert!((a / b - 1.0).abs() < 1e-9, "{a} {b}");
     close(moment.best, 25e3);
     close(moment.high, 25e3 * 2_f64.powf(0.25));

@@ -1,4 +1,5 @@
-//! Every output lists the fields of the core's table, and the rotation only if the beam shears.
+//! Tests that every output lists the fields of the core's table, and the rotation only with shear
+//! deformation.
 
 #[allow(dead_code)]
 mod common;
@@ -10,7 +11,7 @@ use groundbeam_report::calculation::{Block, Source, report};
 use groundbeam_report::{csv, json, text};
 use serde_json::Value;
 
-/// A model of the folder, and the same with a beam that shears. The calculation report of each is checked.
+/// A test model without and with shear deformation. The calculation report of each is checked.
 fn both(name: &str) -> [Document; 2] {
     let path = format!("{}/tests/models/{name}.toml", env!("CARGO_MANIFEST_DIR"));
     let text = std::fs::read_to_string(path).unwrap();
@@ -46,13 +47,13 @@ fn keys(of: &Value) -> Vec<&str> {
     keys.filter(|key| *key != "x").collect()
 }
 
-/// The names of `names` in the order of the alphabet, as JSON objects are read.
+/// The names in alphabetical order, as in JSON objects.
 fn sorted(mut names: Vec<&'static str>) -> Vec<&'static str> {
     names.sort_unstable();
     names
 }
 
-/// The labels that start lines of a text after its heading.
+/// The labels at the start of the lines after the heading.
 #[track_caller]
 fn assert_labels(text: &str, document: &Document) {
     let labels = Field::ALL.into_iter().map(Field::label);

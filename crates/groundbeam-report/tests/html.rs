@@ -1,4 +1,4 @@
-//! The calculation report.
+//! Tests the calculation report.
 
 #[allow(dead_code)]
 mod common;
@@ -25,7 +25,7 @@ fn made(name: &str) -> String {
     report(&answers(&document), &context, &source(&document))
 }
 
-/// The words of a page without its style and its figures, one block a line.
+/// The text of a page without its style and figures, one block per line.
 fn words(page: &str) -> String {
     let mut text = String::new();
     let mut rest = page.split_once("<body>").unwrap().1;
@@ -45,10 +45,10 @@ fn words(page: &str) -> String {
     lines.map(|line| line.join(" ")).filter(|line| !line.is_empty()).collect::<Vec<_>>().join("\n")
 }
 
-/// Every element that is opened is closed in its turn.
+/// Checks that every element is closed in the correct order.
 fn is_well_formed(page: &str) {
     let mut open: Vec<&str> = Vec::new();
-    // What stands within quotes or in the style sheet is no tag.
+    // Text in quotes or in the style sheet is not a tag.
     let (head, rest) = page.split_once("<style>").unwrap();
     let (_, rest) = rest.split_once("</style>").unwrap();
     for tag in (head.to_owned() + rest).split('<').skip(1) {
@@ -75,7 +75,7 @@ fn every_report_is_one_whole_file() {
     for name in SOLVABLE {
         let page = made(name);
         is_well_formed(&page);
-        // Nothing is loaded from anywhere and nothing runs; the names of XML are no addresses.
+        // The page loads nothing and runs nothing; XML namespace names are not addresses.
         let plain = page.split_once("</style>").unwrap().1.replace("http://www.w3.org/", "");
         for never in ["http", "<script", "<link", "<img", "src=", "NaN"] {
             assert!(!plain.contains(never), "{name}: {never}");
@@ -113,7 +113,7 @@ fn without_an_equilibrium_the_report_says_why() {
     let page = report(&answers(&document), &context(&document), &source(&document));
     is_well_formed(&page);
     insta::assert_snapshot!("html-tips", words(&page));
-    // The motion in which it tips is drawn.
+    // The tipping motion is drawn.
     assert_eq!(page.matches("stroke-dasharray=\"9 5\"").count(), 1);
 }
 

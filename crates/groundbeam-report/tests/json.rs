@@ -1,4 +1,4 @@
-//! The result documents.
+//! Tests the result documents.
 
 #[allow(dead_code)]
 mod common;
@@ -13,7 +13,7 @@ fn parsed(text: &str) -> Value {
     serde_json::from_str(text).unwrap()
 }
 
-/// Nine digits of every number, so that another rounding is no change; none of the certificate.
+/// Rounds every number to nine digits, so that rounding errors do not matter, and removes the certificate.
 fn steady(value: &mut Value) {
     match value {
         Value::Number(number) => {

@@ -1,4 +1,4 @@
-//! SVG and PNG.
+//! Tests SVG and PNG pictures.
 
 #[allow(dead_code)]
 mod common;
@@ -11,7 +11,7 @@ fn drawn(name: &str) -> String {
     svg::picture(&solved(&document), &context(&document)).to_string()
 }
 
-/// The words in a picture, one a line.
+/// The words in a picture, one per line.
 fn words(picture: &str) -> String {
     let texts = picture.split("<text ").skip(1);
     let words = texts.filter_map(|text| Some(text.split_once('>')?.1.split_once("</text>")?.0));
@@ -33,8 +33,8 @@ fn a_beam_that_tips() {
     insta::assert_snapshot!("svg-tipping", view.svg);
 }
 
-/// Loads on the ground stand on its surface beside the beam and in it below the beam; the picture shows the trench, and
-/// stiffer ground darker.
+/// Loads on the ground lie on its surface outside the beam and in it below the beam. The picture shows the
+/// trench, and stiffer ground darker.
 #[test]
 fn what_is_beside_the_beam_is_drawn() {
     let of = |from: &str, to: &str| {
@@ -48,14 +48,14 @@ fn what_is_beside_the_beam_is_drawn() {
     let soft = of("k = \"160 MN/m^2\"", "k = \"16 MN/m^2\"");
     assert_eq!(soft.matches("fill-opacity=\"0.28\"").count(), 0);
     assert_eq!(soft.matches("fill=\"#ffffff\" fill-opacity=\"0.5\"").count(), 1);
-    // So far away that the picture would be of nothing else: told at its edge.
+    // Loads that are too far away to draw are labelled at the edge.
     let far = of("at = \"-1.2 m\"", "at = \"14.5 m\"");
     assert!(far.contains(">80 kN<"));
     let far = of("at = \"11 m\"", "at = \"40 m\"");
     assert!(far.contains(">300 kN at 40 m →<"), "{far}");
 }
 
-/// Handles on the ground stand on the surface that is drawn, and may go as far as it is drawn.
+/// Handles of loads on the ground lie on the drawn surface, and can move as far as it is drawn.
 #[test]
 fn loads_on_the_ground_are_taken_hold_of() {
     let document = document("neighbours");
@@ -70,7 +70,7 @@ fn loads_on_the_ground_are_taken_hold_of() {
     assert_eq!(on_ground.len(), 4);
     for handle in on_ground {
         assert!((handle.place[0] - (view.left + handle.at * view.scale)).abs() < 1e-9);
-        // The trench on the left, the picture's edge on the right.
+        // The limits are the trench on the left and the picture's edge on the right.
         assert!(handle.range[0] == -2.0 && handle.range[1] > 12.5 && handle.range[1] < 13.0);
     }
 }

@@ -1,5 +1,5 @@
-//! Every kind of picture against the pixels it once had, drawn small, and two of them as text. `UPDATE_EXPECTED=1` keeps
-//! new pixels.
+//! Compares every kind of picture with stored pixels at a small scale, and two pictures as text.
+//! `UPDATE_EXPECTED=1` stores new pixels.
 
 #[allow(dead_code)]
 mod common;
@@ -14,13 +14,13 @@ use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg::{Options, Tree};
 use std::path::PathBuf;
 
-/// Pixels for one unit of a picture.
+/// Pixels per unit of a picture.
 const SCALE: f32 = 0.25;
-/// The mean difference of all channels that other rounding may make, of 255.
+/// Allowed mean difference of all channels, of 255, for rounding differences.
 const MEAN: f64 = 0.5;
-/// A pixel that differs by more than this in a channel is another one.
+/// A pixel that differs by more than this in a channel counts as different.
 const OTHER: u8 = 64;
-/// The share of other pixels that is let pass.
+/// Allowed share of different pixels.
 const FEW: f64 = 0.002;
 
 fn folder() -> PathBuf {
@@ -53,7 +53,7 @@ fn differs(a: &Pixmap, b: &Pixmap) -> Option<String> {
     (mean > MEAN || share > FEW).then(|| format!("mean {mean:.2}, {:.2} % other", 100.0 * share))
 }
 
-/// Holds a picture against the one that is kept.
+/// Compares a picture with the stored one.
 fn looks_as_kept(name: &str, picture: &str) {
     let pixels = drawn(picture);
     let path = folder().join("tests/pictures").join(format!("{name}.png"));
@@ -129,12 +129,13 @@ fn trains() {
     insta::assert_snapshot!("svg-train", picture);
     let page = report(&answers, &document);
     let found = figures(&page);
-    // The model, the train where it bends the beam most, four envelopes.
+    // The model, the train at the position of the largest moment, and four envelopes.
     assert_eq!(found.len(), 6);
     looks_as_kept("report-train-moment", &found[4]);
 }
 
-/// A study of 2000 samples, its numbers made up: events from certain to never, and histograms of many shapes.
+/// A study of 2000 samples with invented numbers: events from certain to impossible, and histograms of many
+/// shapes.
 fn study() -> Study {
     let event =
         |name: &str, limit: Option<(&str, bool, f64)>, count: u64, bounds: [f64; 2]| Estimate {

@@ -1,4 +1,4 @@
-//! CSV.
+//! Tests CSV tables.
 
 #[allow(dead_code)]
 mod common;

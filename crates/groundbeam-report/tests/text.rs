@@ -1,4 +1,4 @@
-//! The reports as text.
+//! Tests the terminal reports.
 
 #[allow(dead_code)]
 mod common;
@@ -7,7 +7,7 @@ use common::{SOLVABLE, context, document, solved};
 use groundbeam::{Method, NotConverged, Stopped};
 use groundbeam_report::text;
 
-/// Without the certificate's figures, which are rounding, and the steps it took.
+/// The report without the certificate's numbers, which are rounding errors, and without the iteration count.
 fn steady(report: &str) -> &str {
     report.split("\nCertificate").next().unwrap()
 }

@@ -9,12 +9,12 @@ use groundbeam_file::{Combination, MovingTrain};
 use std::borrow::Cow;
 use std::sync::Arc;
 
-/// The model of an answer: combination, ground, train and method.
+/// Identifies the model of an answer: combination, ground, train and method.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Label {
     /// The combination of load cases on one ground of a band. A file without either is one combination without a name.
     pub combination: Arc<Combination>,
-    /// The train on the beam, and where it stands.
+    /// The train on the beam and its position.
     pub train: Option<Placed>,
     /// Name of the method.
     pub method: &'static str,
@@ -75,7 +75,7 @@ pub enum Found {
     Unsolved(Error),
 }
 
-/// The joint result of several answers, from the best to the worst.
+/// Joint status of several answers, from the best to the worst.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Overall {
     /// All are solved, or all are known to have an equilibrium.
@@ -87,7 +87,7 @@ pub enum Overall {
 }
 
 impl Overall {
-    /// The name that results use.
+    /// Name in results.
     pub fn name(self) -> &'static str {
         match self {
             Overall::Solved => "solved",
@@ -98,7 +98,7 @@ impl Overall {
 }
 
 impl Found {
-    /// The result of a solve. Errors other than missing convergence concern the model.
+    /// The result of a solve. Failed convergence is a result; other errors concern the model.
     ///
     /// # Errors
     ///
@@ -112,7 +112,7 @@ impl Found {
         }
     }
 
-    /// The result of a decision of existence.
+    /// The result of an existence check.
     pub(crate) fn checked(existence: Existence) -> Self {
         match existence.verdict.stands() {
             true => Found::Exists(existence),
@@ -128,7 +128,7 @@ impl Found {
         }
     }
 
-    /// The decision of existence, if the solve made it.
+    /// The existence check, if the solve made one.
     pub fn existence(&self) -> Option<&Existence> {
         match self {
             Found::Equilibrium(solution) => Some(solution.existence()),
@@ -137,7 +137,7 @@ impl Found {
         }
     }
 
-    /// The result in one word.
+    /// The result as a status.
     pub fn overall(&self) -> Overall {
         match self {
             Found::Equilibrium(_) | Found::Exists(_) | Found::Unsolved(_) => Overall::Solved,
@@ -153,7 +153,7 @@ impl Answer {
         &self.label.combination.name
     }
 
-    /// Whether its combination is of a limit state.
+    /// Whether its combination belongs to a limit state.
     pub fn is_of(&self, state: LimitState) -> bool {
         self.label.combination.limit_states.contains(state)
     }
@@ -168,22 +168,22 @@ impl Answer {
         self.found.solution()
     }
 
-    /// The decision of existence, if the solve made it.
+    /// The existence check, if the solve made one.
     pub fn existence(&self) -> Option<&Existence> {
         self.found.existence()
     }
 }
 
-/// Ground whose constants follow from values per area and a width, or from soil.
+/// Ground whose constants follow from values per area and a bearing width, or from soil data.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Ground {
-    /// The width on which the beam bears \[m\].
+    /// Bearing width of the beam \[m\].
     pub width: f64,
     /// k and μ.
     pub constants: GroundConstants,
-    /// The soil and the method.
+    /// The soil data and the method.
     pub soil: Option<SoilModel>,
-    /// The iteration that computed the constants from the soil.
+    /// The iterations that computed the constants from the soil data.
     pub rounds: Option<SoilRounds>,
 }
 

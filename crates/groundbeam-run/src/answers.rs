@@ -1,4 +1,4 @@
-//! All answers to a file: one labelled list, and their joint results.
+//! All answers to a file: a labelled list, and their joint results.
 
 use crate::answer::{Answer, Ground, Overall};
 use crate::trains::{Located, Passage, Swept};
@@ -23,27 +23,27 @@ pub enum Asked {
 pub struct Answers {
     /// The kind of request.
     pub asked: Asked,
-    /// In the order of the combinations. With trains: for each combination in the order of the trains, each train from
-    /// left to right.
+    /// Answers in the order of the combinations. With trains: for each combination in the order of the
+    /// trains, each train from left to right.
     pub list: Vec<Answer>,
-    /// Each load case alone. It need not be in equilibrium.
+    /// Results for each load case alone, which may have no equilibrium.
     pub alone: Vec<Alone>,
     /// The ground of the first combination before the solve; `None` if its constants are given per length of beam.
     pub ground: Option<Ground>,
     pub(crate) swept: Vec<Swept>,
 }
 
-/// A load case alone.
+/// A load case alone, and its existence check.
 #[derive(Debug, Clone)]
 pub struct Alone {
     /// The case, and the model under its loads alone.
     pub case: LoadCase,
-    /// Whether the loads of the case alone have an equilibrium.
+    /// Result of the existence check.
     pub existence: Existence,
 }
 
 impl Alone {
-    /// Whether the loads of the case alone have an equilibrium.
+    /// Whether an equilibrium exists.
     pub fn stands(&self) -> bool {
         self.existence.verdict.stands()
     }
@@ -60,7 +60,7 @@ impl Answers {
         Envelope::of(self.solved().map(|(_, solution)| solution))
     }
 
-    /// The limit states of the solved answers; none if their combinations name none.
+    /// Limit states of the solved answers; empty if their combinations name none.
     pub fn limit_states(&self) -> LimitStates {
         let each = self.solved().map(|(answer, _)| answer.label.combination.limit_states);
         each.fold(LimitStates::NONE, LimitStates::and)
@@ -77,43 +77,43 @@ impl Answers {
         Passages { all, state: None }
     }
 
-    /// The joint result. Missing equilibrium counts more than missing convergence.
+    /// The joint status. Missing equilibrium counts more than missing convergence.
     pub fn overall(&self) -> Overall {
         let each = self.list.iter().map(|answer| answer.found.overall());
         each.chain([self.passages().overall()]).max().unwrap_or(Overall::Solved)
     }
 }
 
-/// Even steps of the envelope in documents and tables.
+/// Equal steps of the envelope in documents and tables.
 const EVEN_STEPS: usize = 100;
 
 /// Several passages: each train under each combination.
 #[derive(Debug, Clone, Default)]
 pub struct Passages<'a> {
-    /// In the order of the combinations, of each in that of the trains.
+    /// Passages in the order of the combinations, and for each combination in the order of the trains.
     pub all: Vec<Passage<'a>>,
-    /// The limit state of the passages that count in ranges and envelopes; `None`: all count.
+    /// Limit state that selects the passages for ranges and envelopes; `None` selects all.
     pub state: Option<LimitState>,
 }
 
-/// A governing value, and its passage.
+/// A governing value, with its passage.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct InPassage {
-    /// The value, its section, and where the train stands.
+    /// The value, its section, and the position of the train.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub located: Located,
-    /// The passage, counted from 0.
+    /// Index of the passage.
     pub passage: usize,
 }
 
 impl<'a> Passages<'a> {
-    /// The same of which those of a limit state count.
+    /// The same passages, restricted to a limit state for ranges and envelopes.
     pub fn of_limit_state(&self, state: LimitState) -> Self {
         Passages { state: Some(state), ..self.clone() }
     }
 
-    /// The passages that count, with their numbers.
+    /// The selected passages with their indices.
     fn counted(&self) -> impl Iterator<Item = (usize, &Passage<'a>)> {
         let counts = |passage: &Passage| {
             self.state.is_none_or(|state| passage.limit_states().contains(state))
@@ -121,13 +121,13 @@ impl<'a> Passages<'a> {
         self.all.iter().enumerate().filter(move |(_, passage)| counts(passage))
     }
 
-    /// The limit states of the passages; none if their combinations name none.
+    /// Limit states of the passages; empty if their combinations name none.
     pub fn limit_states(&self) -> LimitStates {
         let each = self.all.iter().map(Passage::limit_states);
         each.fold(LimitStates::NONE, LimitStates::and)
     }
 
-    /// The listed fields, in the order of [`Field::ALL`]; without the rotation if the beam does not shear.
+    /// The listed fields, in the order of [`Field::ALL`]. Without shear deformation the rotation is left out.
     pub fn fields(&self) -> impl Iterator<Item = Field> + Clone + use<> {
         self.all.first().map(Passage::fields).into_iter().flatten()
     }
@@ -163,7 +163,7 @@ impl<'a> Passages<'a> {
         self.stations(EVEN_STEPS)
     }
 
-    /// Even steps of the beam, and the sections of all passages.
+    /// Sections at `even` equal steps of the beam, and the sections of all passages.
     pub fn stations(&self, even: usize) -> Vec<f64> {
         let mut x: Vec<f64> = self.all.iter().flat_map(|passage| passage.stations(even)).collect();
         x.sort_by(f64::total_cmp);
@@ -177,7 +177,7 @@ impl<'a> Passages<'a> {
         Some(if max.located.value >= -min.located.value { max } else { min })
     }
 
-    /// The joint result.
+    /// The joint status.
     pub fn overall(&self) -> Overall {
         self.all.iter().map(Passage::overall).max().unwrap_or(Overall::Solved)
     }
@@ -188,7 +188,7 @@ impl<'a> Passages<'a> {
     }
 }
 
-/// Widens a range by another one. Of equal values the first one stays.
+/// Widens a range to include another one. Of equal values the first is kept.
 fn widen(both: &mut [InPassage; 2], [min, max]: [InPassage; 2]) {
     if min.located.value < both[0].located.value {
         both[0] = min;

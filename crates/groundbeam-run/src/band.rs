@@ -1,26 +1,27 @@
-//! Bands of grounds: the results at multiples of k and μ.
+//! Ranges of results over a band of grounds, from the solves with factors on k and μ.
 
 use crate::answers::Answers;
 use groundbeam::{ByField, Envelope, Field};
 
-/// A number on the best ground, and between which it lies on all grounds of a band that were solved.
+/// A value on the best ground, with its range over all solved grounds of a band.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Banded {
-    /// On the best ground.
+    /// Value on the best ground.
     pub best: f64,
-    /// The smallest on any.
+    /// Smallest value on any ground.
     pub low: f64,
-    /// The largest on any.
+    /// Largest value on any ground.
     pub high: f64,
 }
 
-/// The factors of k and μ of the ground that is most likely.
+/// Factors on k and μ of the best ground.
 pub const BEST: [f64; 2] = [1.0, 1.0];
 
 impl Answers {
-    /// The smallest and the largest value of each field, in the order of [`Field::ALL`], over all combinations on a
-    /// ground, with their bands over the grounds; none without a band, or with no solution on the best ground.
+    /// For each field, the smallest and the largest value over all combinations on one ground, with their
+    /// ranges over the grounds. In the order of [`Field::ALL`]; `None` without a band, or without a solution
+    /// on the best ground.
     pub fn bands(&self) -> Option<ByField<[Banded; 2]>> {
         let mut grounds = vec![BEST];
         for ground in self.solved().filter_map(|(answer, _)| answer.label.combination.ground) {
@@ -42,7 +43,7 @@ impl Answers {
         bands
     }
 
-    /// The smallest and the largest values on a ground; none if nothing is solved there.
+    /// The smallest and the largest value of each field on a ground; `None` without a solution there.
     fn extremes_on(&self, ground: [f64; 2]) -> Option<ByField<[f64; 2]>> {
         let here =
             self.solved().filter(|(answer, _)| answer.label.combination.ground == Some(ground));

@@ -1,4 +1,4 @@
-//! The answers of several methods to one model, and how far they are from the exact one.
+//! Solves one model by several methods, and computes their errors relative to the exact method.
 
 use crate::answer::{Answer, Found, Label};
 use crate::answers::{Answers, Asked};
@@ -17,7 +17,7 @@ pub struct Compare {
     pub elements: usize,
     /// Sweeps after which an iteration stops.
     pub most_sweeps: usize,
-    /// Bytes of memory that a solve may need.
+    /// Memory limit of a solve, in bytes.
     pub memory_limit: u64,
 }
 
@@ -29,17 +29,17 @@ impl Default for Compare {
 }
 
 impl Compare {
-    /// How often [`Host::done`] is called.
+    /// Number of calls of [`Host::done`].
     pub const PIECES: usize = 1 + OTHERS.len();
 }
 
 impl Run {
-    /// Solves the first model by every method: first by `exact`, and if that gives an equilibrium by the others. A
-    /// method that cannot solve such a model gives [`Found::Unsolved`].
+    /// Solves the first model by `exact`, and if an equilibrium exists also by the other methods. A method
+    /// that cannot solve this model gives [`Found::Unsolved`].
     ///
     /// # Errors
     ///
-    /// If the model is refused by `exact`.
+    /// The errors of `exact` for this model.
     pub fn compare(&self, compare: Compare, host: &impl Host) -> Result<Answers, Error> {
         let Compare { elements, most_sweeps, memory_limit } = compare;
         let mut answers = Answers { asked: Asked::Methods, ..self.nothing() };
@@ -71,25 +71,26 @@ impl Run {
     }
 }
 
-/// How far an answer is from another: the largest difference anywhere along the beam over the largest value.
+/// Errors of an answer: the largest difference along the beam, relative to the largest value.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Errors {
-    /// Of the deflection.
+    /// Error of the deflection.
     pub deflection: f64,
-    /// Of the moment.
+    /// Error of the moment.
     pub moment: f64,
-    /// Of the settlement of the ground under the beam.
+    /// Error of the settlement of the ground under the beam.
     pub settlement: f64,
-    /// Of the larger end force over all loads that act down; the pressure itself jumps at edges of contact.
+    /// Error of the larger end force, relative to the sum of all downward loads. The pressure itself is not
+    /// compared because it jumps at contact edges.
     pub end_forces: f64,
 }
 
-/// Even steps along the beam at which answers are compared.
+/// Equal steps along the beam at which answers are compared.
 const EVEN_STEPS: usize = 1000;
 
 impl Errors {
-    /// Those of an answer against the one that is taken for right.
+    /// Errors of an answer relative to the reference `exact`.
     pub fn of(found: &Solution, exact: &Solution) -> Self {
         let stations = exact.stations(EVEN_STEPS);
         let relative = |field: Field| {
@@ -112,7 +113,7 @@ impl Errors {
     }
 }
 
-/// Nothing of nothing is nothing.
+/// The ratio of two magnitudes; 0/0 gives 0.
 fn ratio(part: f64, whole: f64) -> f64 {
     if part == 0.0 { 0.0 } else { part / whole }
 }

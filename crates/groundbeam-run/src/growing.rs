@@ -1,23 +1,23 @@
-//! Load factors: which loads grow, and how far.
+//! Computes load factors at lift-off and at the loss of equilibrium.
 
 use groundbeam::{Action, Error, Load, LoadFactors, Model, Options, load_factors_with};
 use groundbeam_file::Combination;
 
-/// The loads that grow.
+/// The loads that a load factor multiplies.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Growing {
-    /// Names of load cases; none if all loads grow.
+    /// Names of load cases; empty if all loads grow.
     pub cases: Vec<String>,
-    /// In the order of the combination's loads.
+    /// Whether each load grows, in the order of the combination's loads.
     grows: Vec<bool>,
 }
 
 /// Load factors with the names of the load cases that grow.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Factors {
-    /// What was found.
+    /// The load factors.
     pub found: LoadFactors,
-    /// The load cases whose loads grow; empty where all loads do.
+    /// The load cases whose loads grow; empty if all loads grow.
     pub cases: Vec<String>,
 }
 
@@ -27,16 +27,16 @@ impl Growing {
         Growing { cases: Vec::new(), grows: vec![true; combination.loads.len()] }
     }
 
-    /// The loads of some cases grow. `of_file` tells of every load of the file whether it grows.
+    /// The loads of some cases grow. `of_file` states for each load of the file whether it grows.
     pub fn of_cases(cases: Vec<String>, of_file: &[bool], combination: &Combination) -> Self {
         let grows = combination.loads.iter().map(|&load| of_file.get(load) == Some(&true));
         Growing { cases, grows: grows.collect() }
     }
 
-    /// The factors, on the foundation of the model.
+    /// The load factors for the foundation of the model.
     pub(crate) fn factors(&self, model: &Model, options: &Options) -> Result<Factors, Error> {
-        // If no case is named, the loads on the beam grow. A temperature, a camber and loads on the ground beside the
-        // beam stay as they are.
+        // If no case is named, all loads on the beam grow. Temperature loads, a camber and loads on the
+        // ground outside the beam keep their values.
         let stays = |load: usize| {
             let stays = |load: &Load| load.is_on_ground() || load.action() == Action::Curvature;
             self.cases.is_empty() && model.loads.get(load).is_some_and(stays)

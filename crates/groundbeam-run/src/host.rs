@@ -1,14 +1,14 @@
-//! The services of the program that runs a file: threads, a clock, progress.
+//! The services of the program that runs a file: threads, clock and progress.
 
 use groundbeam::Error;
 use std::convert::Infallible;
 
 /// Threads, clock and progress of the program that runs a file. The answers do not depend on them.
 pub trait Host: Sync {
-    /// Why the host stops the work early.
+    /// Reason for an early stop.
     type Stop;
 
-    /// The results of `work` for 0 to `count`, in this order, on any number of threads.
+    /// Results of `work` for 0 to `count`, in this order, on any number of threads.
     ///
     /// # Errors
     ///
@@ -22,7 +22,7 @@ pub trait Host: Sync {
     /// Seconds since a fixed moment; NaN without a clock.
     fn seconds(&self) -> f64;
 
-    /// One of [`Run::pieces`](crate::Run::pieces) is done.
+    /// Called when one of [`Run::pieces`](crate::Run::pieces) is done.
     fn done(&self) {}
 }
 
@@ -46,17 +46,17 @@ impl Host for OneThread {
     }
 }
 
-/// Why a run has no answers.
+/// Reason why a run has no answers.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Failed<Stop> {
-    /// A model was refused.
+    /// A model was rejected.
     Refused(Error),
     /// The host stopped the work.
     Stopped(Stop),
 }
 
 impl Failed<Infallible> {
-    /// The refusal; such a host never stops the work.
+    /// The rejection, for a host that never stops.
     pub fn refusal(self) -> Error {
         match self {
             Failed::Refused(error) => error,

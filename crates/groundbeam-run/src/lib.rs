@@ -1,9 +1,9 @@
-//! Solves what a model file asks for.
+//! Solves all models that a model file defines.
 //!
-//! A [`Run`] holds the models: one, all combinations of load cases on all grounds of a band, or trains that move over
-//! them. [`Run::solve`] returns [`Answers`]: one list, in which every [`Answer`] has a [`Label`] with its combination,
-//! its train and the train's position, and its method. [`Run::check`] decides existence alone. [`Run::compare`] solves
-//! one model with every method.
+//! A [`Run`] holds the models: one, all combinations of load cases on all grounds of a band, or trains that
+//! move over them. [`Run::solve`] returns [`Answers`]: one list, in which every [`Answer`] has a [`Label`]
+//! with its combination, its train and the train's position, and its method. [`Run::check`] only decides
+//! whether an equilibrium exists. [`Run::compare`] solves one model with every method.
 //!
 //! The [`Host`] provides threads, a clock and a display of progress. The answers do not depend on it.
 //!

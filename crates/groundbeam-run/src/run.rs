@@ -1,4 +1,4 @@
-//! A run of a model file: its combinations, trains and options, solved to a list of answers.
+//! A run of a model file: solves its combinations, trains and options, and returns a list of answers.
 
 use crate::answer::{Answer, Found, Ground, Label, Placed};
 use crate::answers::{Alone, Answers, Asked};
@@ -23,12 +23,12 @@ pub struct Run {
     options: Options,
     growing: Option<Growing>,
     error: f64,
-    /// Whether loads of trains without end are placed, and combinations solved without trains, too.
+    /// Whether unbounded train loads are placed, and combinations without trains are also solved.
     placed_loads: bool,
 }
 
 impl Run {
-    /// All models that a file asks for.
+    /// All models of a file.
     pub fn of(document: &Document) -> Self {
         match (document.trains.is_empty(), document.has_combinations()) {
             (false, _) => Run::new(document, Asked::Trains, document.wanted()),
@@ -85,7 +85,7 @@ impl Run {
         }
     }
 
-    /// A train over one model, all its loads as it gives them.
+    /// A train over one model, with all of the train's loads as given.
     pub fn train(model: Combination, train: MovingTrain) -> Self {
         Run { trains: vec![Arc::new(train)], ..Run::on(Asked::Trains, vec![model]) }
     }
@@ -105,17 +105,18 @@ impl Run {
         }
     }
 
-    /// The same with other options.
+    /// The same run with other options.
     pub fn with_options(self, options: Options) -> Self {
         Run { options, ..self }
     }
 
-    /// The same with load factors of one model.
+    /// The same run with load factors for one model.
     pub fn with_growing(self, growing: Option<Growing>) -> Self {
         Run { growing, ..self }
     }
 
-    /// The same with another error of the envelopes of trains, relative to the largest value of each field.
+    /// The same run with another error tolerance for the envelopes of trains, relative to the largest value
+    /// of each field.
     pub fn with_error(self, error: f64) -> Self {
         Run { error, ..self }
     }
@@ -130,7 +131,7 @@ impl Run {
         &self.combinations
     }
 
-    /// How often [`Host::done`] is called: once for each combination, or for each train over each combination.
+    /// Number of calls of [`Host::done`]: one for each combination, or for each train over each combination.
     pub fn pieces(&self) -> usize {
         match self.asked {
             Asked::Trains => self.ways().len(),
@@ -142,7 +143,7 @@ impl Run {
     ///
     /// # Errors
     ///
-    /// The first refusal of a model, or the stop of the host.
+    /// The first error of a model, or the stop of the host.
     pub fn solve<H: Host>(&self, host: &H) -> Result<Answers, Failed<H::Stop>> {
         let mut answers = self.nothing();
         if self.asked == Asked::Trains {
@@ -158,7 +159,8 @@ impl Run {
         if self.combinations.len() > 1 {
             check_memory(self.combinations.iter().map(|one| &one.model), &self.options)?;
         }
-        // Each model is solved by itself and kept at its index, so the bits do not depend on the number of threads.
+        // Each model is solved independently and stored at its index, so the result does not depend on the
+        // number of threads.
         let list = host.map(self.combinations.len(), |i| self.one(&self.combinations[i], host));
         let list = list.map_err(Failed::Stopped)?;
         answers.alone = self.alone()?;
@@ -203,8 +205,8 @@ impl Run {
         Answers { asked: self.asked, list, alone, ground, swept }
     }
 
-    /// Each train over each combination that has it, with the factor of its case and its loads without end at each
-    /// place; last each combination without a train.
+    /// Pairs of a combination and a train: each train over each combination that includes it, with the factor
+    /// of its case and its unbounded loads in each placement; finally each combination without a train.
     fn ways(&self) -> Vec<(Arc<Combination>, Arc<MovingTrain>)> {
         let mut ways = Vec::new();
         for combination in &self.combinations {

@@ -4,8 +4,8 @@ use crate::answer::{Answer, Found, Ground, Label};
 use crate::host::Host;
 use groundbeam::{Error, Options, Solution, solve_near};
 
-/// Solves the model of a label. `width` is the width of the beam on the ground; `near` is a solution from which the
-/// iteration starts.
+/// Solves the model of a label. `width` is the bearing width of the beam. The iteration starts from the
+/// solution `near`.
 pub(crate) fn answered(
     label: Label,
     width: Option<f64>,

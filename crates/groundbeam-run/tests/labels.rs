@@ -1,4 +1,4 @@
-//! The labels of answers: combination, ground, train and position, method.
+//! Tests the labels of answers: combination, ground, train and position, method.
 
 use groundbeam::{Error, Options, memory_estimate};
 use groundbeam_file::{Document, parse};
@@ -47,7 +47,7 @@ fn every_position_of_a_train_has_its_label() {
         assert_eq!((&*placed.train.name, placed.first_axle), ("wheel", first_axle));
         assert_eq!(*answer.label.model(), *answer.solution().unwrap().model());
     }
-    // One position alone is the same model.
+    // A single position gives the same model.
     let train = &file.trains[0];
     let alone = Run::at_position(&file, file.combination("a").unwrap(), train, 6.0);
     let alone = alone.solve(&OneThread).unwrap();
@@ -91,7 +91,7 @@ fn the_solutions_of_all_combinations_count_for_the_memory() {
         let options = Options { memory_limit, ..Options::default() };
         run.clone().with_options(options).solve(&OneThread)
     };
-    // Each model is within the limit, all together exceed it.
+    // Each model is below the limit, but all together exceed it.
     match limited(5 * one) {
         Err(Failed::Refused(Error::TooLarge(refused))) => assert_eq!(refused.needed, 11 * one),
         other => panic!("{other:?}"),
@@ -99,7 +99,8 @@ fn the_solutions_of_all_combinations_count_for_the_memory() {
     assert_eq!(limited(11 * one).unwrap().list.len(), 50);
 }
 
-/// A train with a case has its factor of each combination, and passes in no combination that leaves the case out.
+/// A train with a load case has the factor of each combination. It does not pass in combinations without that
+/// case.
 #[test]
 fn a_train_is_an_action() {
     let train = "[[train]]\nname = 'wheel'\ncase = 'T'\ndynamic = 2\n\
@@ -113,11 +114,11 @@ fn a_train_is_an_action() {
     let labels: Vec<String> = passages.all.iter().map(|passage| passage.label()).collect();
     assert_eq!(labels, ["with; wheel", "with; no train", "without; no train"]);
     let moving = passages.all[0].train();
-    // The dynamic factor multiplies the axle alone, the partial factor everything.
+    // The dynamic factor multiplies only the axle; the partial factor multiplies all loads.
     assert_eq!((moving.axles[0].force, moving.uniform[0].intensity), (3e5, 1.5e4));
 }
 
-/// The lane load on each half of the beam and nowhere, besides on the whole beam.
+/// The lane load is placed on the whole beam, on each half, and left out.
 #[test]
 fn a_lane_load_is_placed() {
     let train = "[[train]]\nname = 'lane'\naxles = [{ at = 0, force = 1e5 }]\n\

@@ -17,7 +17,7 @@ pub enum Impossible {
     Samples(String),
     /// The required correlations are contradictory.
     Correlations,
-    /// No circle has a positive definite covariance for the field.
+    /// The circulant embedding of the field is not positive definite.
     Circle,
 }
 
@@ -26,10 +26,10 @@ impl fmt::Display for Impossible {
         match self {
             Impossible::Samples(words) => f.write_str(words),
             Impossible::Correlations => {
-                f.write_str("the correlations of [[correlated]] contradict one another")
+                f.write_str("the correlations of [[correlated]] are contradictory")
             }
             Impossible::Circle => f.write_str(
-                "this correlation cannot be embedded in a circle: take method = \"karhunen-loeve\", more points, or a \
+                "the circulant method fails for this correlation: use method = \"karhunen-loeve\", more points, or a \
                  shorter correlation length",
             ),
         }
@@ -98,7 +98,7 @@ impl Draws {
         &self.study
     }
 
-    /// The number of samples, and the way in which they are drawn.
+    /// Number of samples, and the sampling method.
     pub fn plan(&self) -> Plan {
         self.plan
     }
@@ -134,8 +134,8 @@ impl Draws {
         let (Some(random), Some(field)) = (&self.study.field, &self.field) else {
             return Vec::new();
         };
-        // Term by term: the first numbers, which are distributed most evenly, belong to the largest terms of
-        // all fields.
+        // Term by term: the first numbers, which are distributed most uniformly, belong to the largest terms
+        // of all fields.
         let count = random.of.len();
         let normal: Vec<Vec<f64>> = (0..count)
             .map(|i| field.of(&numbers.iter().skip(i).step_by(count).copied().collect::<Vec<_>>()))
@@ -155,7 +155,7 @@ impl Draws {
         (0..count).map(|i| (0..random.points).map(|point| value(i, point)).collect()).collect()
     }
 
-    /// The model with the numbers and fields of a draw.
+    /// The model with the random numbers and fields of a draw.
     pub fn model(&self, draw: &Draw) -> Model {
         let StudyFile { document, random, field, .. } = &self.study;
         let mut model = document.model.clone();

@@ -1,4 +1,4 @@
-//! Confidence intervals of a probability, from samples.
+//! Computes confidence intervals of a probability from the numbers of events in samples.
 
 use groundbeam_report::{Interval, Way};
 use statrs::distribution::{ContinuousCDF, StudentsT};
@@ -80,7 +80,7 @@ fn exactly(count: f64, total: f64, odds: f64) -> f64 {
     scale.sqrt() * (beyond - distance).exp()
 }
 
-/// ln n! minus Stirling's (n + ½) ln n − n + ½ ln 2π.
+/// ln n! minus Stirling's approximation (n + ½) ln n − n + ½ ln 2π.
 fn beyond_stirling(n: f64) -> f64 {
     if n < 16.0 {
         let factorial: f64 = (2..=n as u64).map(|factor| factor as f64).product();

@@ -1,4 +1,4 @@
-//! Studies: one model under many grounds and loads, random or given, with the resulting probabilities.
+//! Runs studies: solves one model for many grounds and loads, random or given, and estimates probabilities.
 //!
 //! | module | holds |
 //! |---|---|

@@ -1,4 +1,4 @@
-//! One row of the table of results, from one solution.
+//! Converts one solution to a row of the table of results.
 
 use groundbeam::{Answer, Error, Existence, Field, Model, Side, Solution, Solver};
 
@@ -23,7 +23,7 @@ pub enum Status {
     NoEquilibrium = 1,
     /// No solution could be certified.
     NotConverged = 2,
-    /// The model was refused.
+    /// The model was rejected.
     Wrong = 3,
 }
 
@@ -48,7 +48,7 @@ impl Status {
 pub enum Trouble {
     /// No equilibrium exists.
     NoEquilibrium(Existence),
-    /// The model was refused, or no solution was certified.
+    /// The model was rejected, or no solution was certified.
     Failed(Error),
 }
 
@@ -59,7 +59,7 @@ pub struct Row {
     pub status: Status,
     /// The reason why there is no solution; `None` if there is one.
     pub trouble: Option<Box<Trouble>>,
-    /// The concentrated contact forces under both ends \[N\].
+    /// Point contact forces under both ends \[N\].
     pub end_forces: [f64; 2],
     /// The fraction of the beam that is not in contact.
     pub lifted_share: f64,
@@ -76,8 +76,8 @@ pub struct Row {
 }
 
 impl Row {
-    /// Solves a model derived from that of the file, in the memory of the previous solve. The bits do not
-    /// depend on previous solves.
+    /// Solves a model derived from that of the file, with the workspace of the previous solve. The result
+    /// does not depend on previous solves.
     pub fn solve(model: &Model, wanted: &Wanted, solver: &mut Solver) -> Self {
         match solver.solve(model) {
             Ok(Answer::Equilibrium(solution)) => Row::of(solution, wanted),
@@ -138,7 +138,7 @@ impl Row {
         Row { motion, ..Self::empty(Status::NoEquilibrium, trouble, wanted) }
     }
 
-    /// The values for a model that was refused or has no certified solution.
+    /// The values for a model that was rejected or has no certified solution.
     fn failed(error: Error, wanted: &Wanted) -> Self {
         let status = match error {
             Error::NotConverged(_) => Status::NotConverged,

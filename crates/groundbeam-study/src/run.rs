@@ -125,8 +125,8 @@ pub fn run(
     }
 }
 
-/// The digest of the study, its model, the files that the model names, the plan and the version of the
-/// program. Results with the same digest are equal.
+/// Digest of the study, its model, the files that the model names, the plan and the program version. Results
+/// with the same digest are equal.
 pub fn digest(draws: &Draws) -> String {
     Head::of(draws).get("digest").unwrap_or_default().to_owned()
 }
@@ -141,7 +141,8 @@ pub fn is_done(draws: &Draws, out: &Path, shard: Shard) -> Result<bool, StoreErr
     Ok(!Parts::wait(out) && Whole::of(out, &Head::of(draws), &samples)?.is_some())
 }
 
-/// Refuses an output that is a file of the study, or that is not a regular file and could not be read again.
+/// Rejects an output that is a file of the study, or that is not a regular file and so could not be read
+/// again.
 fn refuse_inputs(draws: &Draws, out: &Path) -> Result<(), StoreError> {
     let wrong = |error: std::io::Error| StoreError::File(out.to_owned(), error.to_string());
     let refused = |what: &str| Err(StoreError::File(out.to_owned(), what.to_owned()));
@@ -158,7 +159,7 @@ fn refuse_inputs(draws: &Draws, out: &Path) -> Result<(), StoreError> {
     Ok(())
 }
 
-/// Cuts ranges into pieces of limited size.
+/// Divides ranges into pieces of limited size.
 fn cut(ranges: &[Range<u64>], size: u64) -> VecDeque<Range<u64>> {
     let pieces = |range: &Range<u64>| {
         let end = range.end;

@@ -1,4 +1,4 @@
-//! Mean, deviation, quantiles and histogram of numbers, in three passes with bounded memory.
+//! Computes mean, deviation, quantiles and histogram of numbers in three passes with bounded memory.
 //!
 //! The first pass gives mean, deviation and range ([`Moments`]). The second counts the numbers in many equal
 //! parts of the range ([`Counted`]). The third collects the numbers in the few parts that contain a quantile
@@ -28,7 +28,7 @@ impl Moments {
         Moments { count: 0, mean: 0.0, squares: 0.0, range: [f64::INFINITY, f64::NEG_INFINITY] }
     }
 
-    /// One more number (Welford, *Technometrics* 4 (1962)).
+    /// Adds one number (Welford, *Technometrics* 4 (1962)).
     pub fn add(&mut self, value: f64) {
         if value.is_nan() {
             return;
@@ -51,7 +51,7 @@ impl Moments {
     }
 }
 
-/// Some equal part of a range.
+/// One of the equal parts of a range.
 #[derive(Debug, Clone, Copy)]
 struct Part {
     count: u64,

@@ -12,15 +12,15 @@ use groundbeam_file::study::{Exceeds, Judged, Plan, Sampling};
 use groundbeam_report::{Estimate, Interval, Kind, Limit, Spread, Study, Way, load_kind};
 use std::path::Path;
 
-/// From this number of events on, the scatter of replicates estimates the error.
+/// From this number of events on, the error is estimated from the scatter of the replicates.
 const ENOUGH: u64 = 10;
 
 /// Reads all results of a study.
 ///
 /// # Errors
 ///
-/// A file that cannot be read, or does not hold all samples of the study; [`StoreError::Stopped`] if `watch` wants no
-/// more.
+/// The file cannot be read, or does not contain all samples of the study; [`StoreError::Stopped`] if `watch`
+/// stops the work.
 pub fn summary(draws: &Draws, out: &Path, watch: &mut Watch) -> Result<Study, StoreError> {
     let table = Table::of(draws);
     let plan = draws.plan();
@@ -96,7 +96,7 @@ impl Columns {
     }
 }
 
-/// The numbers of the summary, and those by which events are judged.
+/// The numbers of the summary, and those that decide events.
 fn numbers(draws: &Draws, table: &Table) -> Vec<Number> {
     let one = |name: &str, kind| Number {
         name: name.to_owned(),
@@ -125,7 +125,7 @@ fn numbers(draws: &Draws, table: &Table) -> Vec<Number> {
     all
 }
 
-/// The name of the number by which an event is judged.
+/// Name of the number that decides an event.
 fn judged(of: Judged) -> String {
     match of {
         Judged::LiftedShare => "lifted_share".to_owned(),
@@ -176,7 +176,7 @@ struct Tally {
 struct Happening {
     name: String,
     limit: Option<Limit>,
-    /// Index of the number by which it is judged; `None` for the loss of equilibrium.
+    /// Index of the number that decides it; `None` for the loss of equilibrium.
     by: Option<usize>,
     /// For each replicate, the number of samples with the event and the number with unknown outcome.
     counts: Vec<[u64; 2]>,
@@ -207,8 +207,8 @@ impl Tally {
         Tally { statuses: [0; Status::ALL.len()], happenings, samples: 0, each }
     }
 
-    /// Adds samples in their order. A beam without equilibrium counts as one with every event; a sample without an
-    /// answer is unknown.
+    /// Adds samples in order. For a beam without equilibrium every event counts as occurred; a sample without
+    /// a result is unknown.
     fn add(&mut self, statuses: &[Status], columns: &[Vec<f64>]) {
         for (i, status) in statuses.iter().enumerate() {
             self.statuses[*status as usize] += 1;
@@ -261,7 +261,7 @@ impl Happening {
     }
 }
 
-/// Means, deviations and quantiles of the numbers that every sample has: two more passes.
+/// Means, deviations and quantiles of the numbers that every sample has, in two more passes.
 fn spreads(
     whole: &Whole,
     numbers: Vec<Number>,

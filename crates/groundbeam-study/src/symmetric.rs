@@ -1,4 +1,4 @@
-//! Symmetric matrices: their eigenvalues and eigenvectors, and their triangular roots.
+//! Computes eigenvalues, eigenvectors and Cholesky factors of symmetric matrices.
 
 /// A symmetric matrix, row after row.
 #[derive(Debug, Clone)]
@@ -14,13 +14,14 @@ pub struct Eigen {
 }
 
 impl Symmetric {
-    /// From its entries on and below the diagonal.
+    /// The matrix with these entries on and below the diagonal.
     pub fn new(size: usize, entry: impl Fn(usize, usize) -> f64) -> Self {
         let row = |i: usize| (0..size).map(|j| entry(i.max(j), i.min(j))).collect();
         Symmetric { rows: (0..size).map(row).collect() }
     }
 
-    /// Cholesky's root: L of L Lᵀ, row by row up to the diagonal; `None` unless the matrix is positive definite.
+    /// Cholesky factor: L of L Lᵀ, row by row up to the diagonal; `None` unless the matrix is positive
+    /// definite.
     pub fn root(&self) -> Option<Vec<Vec<f64>>> {
         let mut root: Vec<Vec<f64>> = Vec::with_capacity(self.rows.len());
         for (i, row) in self.rows.iter().enumerate() {
@@ -41,7 +42,7 @@ impl Symmetric {
     /// All eigenvalues and eigenvectors: reflections make the matrix tridiagonal, rotations make it diagonal (Golub and
     /// Van Loan, *Matrix computations*, 4th edition, algorithms 8.3.1 and 8.3.3).
     ///
-    /// The error of the eigenvalues is a few units of rounding of the largest one.
+    /// The error of the eigenvalues is a few rounding errors of the largest one.
     pub fn eigen(mut self) -> Eigen {
         // Scaled so that squares of small entries do not underflow.
         let entries = self.rows.iter().flatten();
@@ -61,14 +62,14 @@ impl Symmetric {
 /// Q T Qᵀ with tridiagonal T.
 struct Tridiagonal {
     diagonal: Vec<f64>,
-    /// The entries beside the diagonal.
+    /// The entries next to the diagonal.
     beside: Vec<f64>,
     /// The columns of Q.
     vectors: Vec<Vec<f64>>,
 }
 
 impl Tridiagonal {
-    /// By Householder's reflections I − 2vvᵀ; each clears a column below the entry beside the diagonal.
+    /// Applies Householder reflections I − 2vvᵀ. Each clears a column below the entry next to the diagonal.
     fn of(matrix: Symmetric) -> Self {
         let Symmetric { rows: mut a } = matrix;
         let size = a.len();
@@ -77,7 +78,7 @@ impl Tridiagonal {
         for k in 0..size.saturating_sub(1) {
             let mut v = a[k][k + 1..].to_vec();
             let length = dot(&v, &v).sqrt();
-            // The sign away from zero, so that nothing cancels.
+            // The sign avoids cancellation.
             let reflected = if v[0] > 0.0 { -length } else { length };
             v[0] -= reflected;
             let norm = dot(&v, &v).sqrt();

@@ -1,4 +1,5 @@
-//! Damaged results: a flipped bit in any byte of a part or of a finished file is refused, and the remedy helps.
+//! Tests damaged results: a flipped bit in any byte of a part or of a finished file is detected, and the
+//! remedy in the message works.
 
 use groundbeam_file::study::read_study;
 use groundbeam_study::{
@@ -20,7 +21,7 @@ mu = 1
 point = 1
 at = 0.5
 ";
-/// The title holds the key of the checksums.
+/// The title contains the key of the checksums.
 const STUDY: &str = "\
 title = \"groundbeam.checksum\"
 model = \"model.toml\"
@@ -33,7 +34,7 @@ cov = 0.2
 extremes = [\"deflection\"]
 ";
 
-/// A study in an empty folder of this test alone.
+/// A study in an empty folder of its own.
 fn study(name: &str, samples: u64) -> (Draws, PathBuf) {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("damaged").join(name);
     let _ = fs::remove_dir_all(&folder);
@@ -74,7 +75,7 @@ fn put(path: &Path, at: usize, byte: u8) {
     file.write_all(&[byte]).unwrap();
 }
 
-/// The message names the damaged file and the remedy.
+/// Checks that the message names the damaged file and the remedy.
 #[track_caller]
 fn refused<T: std::fmt::Debug>(result: Result<T, StoreError>, path: &Path, at: usize) -> String {
     let message = result.expect_err(&format!("byte {at} of {}", path.display())).to_string();
@@ -140,7 +141,7 @@ fn every_cut_and_every_longer_file_is_refused() {
     }
 }
 
-/// Two groups of rows; the bits are a seeded sample.
+/// Two groups of rows; a seeded sample of the bits is flipped.
 #[test]
 fn damage_in_a_later_group_is_told_with_its_rows() {
     let (draws, folder) = study("groups", 70_000);
@@ -184,7 +185,7 @@ fn a_part_under_the_name_of_another_is_refused() {
     let all = parts(&out);
     fs::copy(&all[0], &all[1]).unwrap();
     let message = refused(finish(&draws, &out), &all[1], 0);
-    assert!(message.contains("it holds samples 0 to 15, not those of its name"), "{message}");
+    assert!(message.contains("it contains samples 0 to 15, not those of its name"), "{message}");
 }
 
 #[test]
@@ -194,7 +195,7 @@ fn other_files_are_not_taken_for_results() {
     for text in [&b""[..], b"PAR1", b"PAR1\0\0\0\0PAR1", b"a,b\n1,2\n", &[0xff; 100]] {
         fs::write(&out, text).unwrap();
         let message = refused(finish(&draws, &out), &out, 0);
-        assert!(message.contains("this is no file of results"), "{message}");
+        assert!(message.contains("this is not a file of results"), "{message}");
     }
 }
 

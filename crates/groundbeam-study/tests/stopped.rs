@@ -1,4 +1,4 @@
-//! A study may be stopped at any stage: no file is half-written, and the same call resumes it.
+//! Tests that a study may be stopped at any stage: no file is incomplete, and the same call resumes it.
 
 use groundbeam_file::study::read_study;
 use groundbeam_study::{
@@ -18,7 +18,7 @@ fn draws() -> Draws {
     Draws::new(study, plan).unwrap()
 }
 
-/// An empty folder of this test alone.
+/// An empty folder of its own.
 fn folder(name: &str) -> PathBuf {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("stopped").join(name);
     let _ = fs::remove_dir_all(&folder);
@@ -54,7 +54,7 @@ fn stopped_while_parts_are_put_together() {
     };
     assert_eq!((done, of), (SAMPLES, SAMPLES));
     assert_eq!(names(&folder), ["stopped.parquet.parts", "undisturbed.parquet"]);
-    // Nothing is left to be solved.
+    // No samples remain.
     assert_eq!(on(&draws, &out, &mut |_| ControlFlow::Continue(())), Finished::Whole(0));
     assert_eq!(fs::read(&out).unwrap(), fs::read(&undisturbed).unwrap());
 }

@@ -1,7 +1,8 @@
-//! The solution and the proofs of a result document as text with every number, from its own text and that of its model file.
+//! Computes the solution and the proofs of a result document as text with all numbers, from the document and
+//! its model file.
 //!
-//! The text is the same on every platform if all numbers have the same bits: a double is written as the shortest decimal
-//! that reads back as it, and every NaN as `NaN`.
+//! The text is the same on every platform if all numbers have the same bits. A double is written as the
+//! shortest decimal that reads back as the same double, and every NaN as `NaN`.
 
 #![cfg_attr(not(target_family = "wasm"), forbid(unsafe_code))]
 
@@ -10,10 +11,11 @@ mod module;
 
 use groundbeam_proof::{Ball, Document, Log, Scalar, Wide, read_model, verify_and_log};
 
-/// The solution of the model in a document, and the proofs of the document in all types of numbers, each with its log.
+/// The solution of the model in a document, and the proofs of the document in each type of numbers, with
+/// their logs.
 ///
-/// The input is the text of the model file, the name of the combination or nothing, and the document of one result, with a
-/// zero byte between them.
+/// The input has three parts separated by zero bytes: the text of the model file, the name of the combination
+/// or nothing, and the document of one result.
 pub fn results(input: &str) -> String {
     let parts: Vec<&str> = input.split('\0').collect();
     let [file, combination, document] = parts[..] else {
@@ -34,7 +36,7 @@ pub fn results(input: &str) -> String {
     format!("solution: {solution}\nwide: {wide}\nball: {ball}\ndouble: {double}\n")
 }
 
-/// The solution of the model that the document contains.
+/// Solution of the model in the document.
 fn solution(document: &Document) -> String {
     let Some(model) = &document.model else { return "the document has no model".to_owned() };
     match groundbeam_file::parse(model) {
@@ -43,8 +45,8 @@ fn solution(document: &Document) -> String {
     }
 }
 
-/// The proof in one type of numbers: for the model of the file or, if the reader refuses the file, for the model in the
-/// document.
+/// The proof in one type of numbers. The model is that of the file, or that of the document if the reader
+/// rejects the file.
 fn proof<S: Scalar>(file: &str, combination: Option<&str>, document: &Document) -> String {
     let read = read_model::<S>(file, combination);
     let model = match (read, &document.model) {

@@ -1,4 +1,4 @@
-//! The functions of the WebAssembly module: a text in its memory that the caller writes, and that its results replace.
+//! Functions of the WebAssembly module: the caller writes a text into its memory, and the results replace it.
 
 use crate::results;
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -10,7 +10,7 @@ fn text() -> MutexGuard<'static, Vec<u8>> {
     TEXT.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Makes the text that many bytes long, and returns its place in the memory of the module.
+/// Sets the length of the text in bytes, and returns its address in the memory of the module.
 #[unsafe(no_mangle)]
 pub extern "C" fn place(length: usize) -> *mut u8 {
     let mut text = text();

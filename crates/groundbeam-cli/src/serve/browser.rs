@@ -1,8 +1,8 @@
-//! Opens a page in the browser that a person usually takes.
+//! Opens a page in the user's default browser.
 
 use std::process::{Command, Stdio};
 
-/// Where there is no browser, the address that was printed has to do.
+/// Opens the address. Without a browser the user opens the printed address.
 pub fn open(url: &str) {
     let (program, arguments): (&str, &[&str]) = if cfg!(target_os = "windows") {
         ("rundll32", &["url.dll,FileProtocolHandler"])
@@ -14,6 +14,6 @@ pub fn open(url: &str) {
     let mut command = Command::new(program);
     command.args(arguments).arg(url);
     command.stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null());
-    // The browser goes on by itself.
+    // The program does not wait for the browser.
     let _ = command.spawn();
 }

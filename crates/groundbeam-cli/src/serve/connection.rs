@@ -1,4 +1,4 @@
-//! Connections to the server: accepted one by one, each with a limit on the time for which it is silent.
+//! Accepts connections to the server. Each has time limits for silence.
 
 use axum::Router;
 use hyper::server::conn::http1;
@@ -10,21 +10,22 @@ use tokio::net::{TcpListener, TcpStream};
 use tokio::sync::Semaphore;
 use tokio_io_timeout::TimeoutStream;
 
-/// The limits of a connection.
+/// Limits of a connection.
 #[derive(Debug, Clone, Copy)]
 pub struct Limits {
-    /// For the head of a request, from the end of the answer before it or from the beginning of the connection.
+    /// Time for the head of a request, from the end of the previous response or from the start of the
+    /// connection.
     pub head: Duration,
-    /// For the other side to take the next bytes of an answer.
+    /// Time for the client to accept the next bytes of a response.
     pub write: Duration,
-    /// The number of connections at a time; others wait.
+    /// Maximum number of open connections; further ones wait.
     pub open: usize,
 }
 
 pub const LIMITS: Limits =
     Limits { head: Duration::from_secs(10), write: Duration::from_secs(30), open: 256 };
 
-/// The time after which a failed accept is tried again, for example when all file descriptors are in use.
+/// Pause after a failed accept, for example when all file descriptors are in use.
 const PAUSE: Duration = Duration::from_millis(200);
 
 /// Accepts connections until the program ends.
@@ -44,13 +45,13 @@ pub async fn accept(listener: TcpListener, router: Router, limits: Limits) {
     }
 }
 
-/// Answers the requests of one connection.
+/// Serves the requests of one connection.
 async fn serve(stream: TcpStream, service: TowerToHyperService<Router>, limits: Limits) {
     let mut stream = TimeoutStream::new(stream);
     stream.set_write_timeout(Some(limits.write));
     let mut builder = http1::Builder::new();
     builder.timer(TokioTimer::new()).header_read_timeout(limits.head);
-    // A connection that breaks has nobody who could be told.
+    // An error of the connection cannot be reported to the client.
     let _ = builder.serve_connection(TokioIo::new(Box::pin(stream)), service).await;
 }
 
@@ -64,7 +65,7 @@ mod tests {
     const SHORT: Limits =
         Limits { head: Duration::from_millis(300), write: Duration::from_millis(300), open: 4 };
 
-    /// A server with short limits; it ends with the test.
+    /// A server with short limits that ends with the test.
     fn server() -> (tokio::runtime::Runtime, SocketAddr) {
         let runtime = tokio::runtime::Builder::new_multi_thread()
             .worker_threads(1)
@@ -78,7 +79,7 @@ mod tests {
         (runtime, address)
     }
 
-    /// Everything that a server sends after these bytes until it closes the connection.
+    /// All bytes that the server sends after this request until it closes the connection.
     #[track_caller]
     fn answer(address: SocketAddr, sent: &str) -> String {
         String::from_utf8_lossy(&bytes(address, sent)).into_owned()
@@ -100,10 +101,10 @@ mod tests {
         assert_eq!(answer(address, ""), "");
         assert_eq!(answer(address, "POST /api/solve HTTP/1.1\r\nHost: "), "");
         let host = format!("Host: {address}\r\n");
-        // Kept alive after an answer, and then silent.
+        // A connection that is kept alive after a response, and then silent.
         let kept = answer(address, &format!("GET /text.js HTTP/1.1\r\n{host}\r\n"));
         assert!(kept.starts_with("HTTP/1.1 200 OK"), "{kept}");
-        // A body that does not arrive.
+        // A request whose body does not arrive.
         let head = format!("POST /api/solve HTTP/1.1\r\n{host}Content-Length: 100\r\n\r\n[beam]");
         let late = answer(address, &head);
         assert!(late.starts_with("HTTP/1.1 408 "), "{late}");
@@ -117,12 +118,12 @@ mod tests {
         let idle: Vec<_> = (0..SHORT.open)
             .map(|_| {
                 let mut stream = std::net::TcpStream::connect(address).unwrap();
-                // More than the buffers of the system hold.
+                // More requests than the buffers of the system can store.
                 let _ = stream.write_all(ask.repeat(400).as_bytes());
                 stream
             })
             .collect();
-        // All connections are in use: this one is answered once the others are given up.
+        // All connections are in use: this one is served after the others time out.
         let last = ask.replace("\r\n\r\n", "\r\nConnection: close\r\n\r\n");
         let taken = bytes(address, &last);
         assert!(taken.starts_with(b"HTTP/1.1 200 OK") && taken.len() > 50_000);

@@ -1,7 +1,7 @@
-//! Access to the server: programs on this machine, and its own page.
+//! Restricts access to the server to programs on this machine and to its own page.
 //!
-//! A browser sends requests of foreign pages too, and a foreign name may be made to mean this machine (DNS
-//! rebinding). Both give themselves away: by `Origin`, and by `Host`.
+//! A browser also sends requests of foreign pages; their header `Origin` shows this. A foreign name may
+//! resolve to this machine (DNS rebinding); the header `Host` shows this.
 
 use super::reply::refusal;
 use super::routes::LONGEST;
@@ -14,12 +14,12 @@ use axum::http::{HeaderValue, Method, StatusCode};
 use axum::middleware::Next;
 use axum::response::Response;
 
-/// Nothing from elsewhere, nothing into elsewhere.
+/// The page loads nothing from other servers, and other pages must not embed it.
 const POLICY: &str = "default-src 'none'; script-src 'self'; style-src 'self'; font-src 'self'; \
     connect-src 'self'; img-src 'self' data: blob:; base-uri 'none'; form-action 'none'; \
     frame-ancestors 'none'";
 
-/// What a model file may be sent as; the last two are what programs say of bytes they know nothing about.
+/// Accepted content types of a model file. The last two are used for bytes of unknown type.
 const TYPES: [&str; 4] = [
     "application/toml",
     "text/plain",
@@ -27,7 +27,7 @@ const TYPES: [&str; 4] = [
     "application/x-www-form-urlencoded",
 ];
 
-/// Lets pass what is asked under a name of this machine, by no page of another.
+/// Accepts requests to a name of this machine, unless a page of another server sends them.
 pub async fn guard(State(port): State<u16>, request: Request, next: Next) -> Response {
     let mut response = match fault(&request, port) {
         Some((status, message)) => refusal(status, &message),
@@ -51,7 +51,7 @@ fn fault(request: &Request, port: u16) -> Option<(StatusCode, String)> {
     let names = [format!("127.0.0.1:{port}"), format!("localhost:{port}")];
     let is_here = |host: &str| names.iter().any(|name| name.eq_ignore_ascii_case(host));
     let host = request.uri().authority().map(|a| a.as_str()).or(header(HOST)).unwrap_or_default();
-    // A request line may name a host as well, and a header may be given twice: all of them count.
+    // The request line may also name a host, and a header may be repeated: all values are checked.
     let all = |name| request.headers().get_all(name).iter().map(|v| v.to_str().unwrap_or_default());
     let foreign = all(HOST).find(|host| !is_here(host));
     if let Some(host) = foreign.or((!is_here(host)).then_some(host)) {
@@ -60,10 +60,10 @@ fn fault(request: &Request, port: u16) -> Option<(StatusCode, String)> {
     }
     let is_own = |origin: &str| origin.strip_prefix("http://").is_some_and(is_here);
     if let Some(origin) = all(ORIGIN).find(|origin| !is_own(origin)) {
-        let message = format!("pages of `{origin}` have no business here");
+        let message = format!("requests from pages of `{origin}` are not allowed");
         return Some((StatusCode::FORBIDDEN, message));
     }
-    // Not even waited for.
+    // A body that is announced as too long is rejected before it arrives.
     let announced = header(CONTENT_LENGTH).and_then(|length| length.parse::<u64>().ok());
     if announced.is_some_and(|length| length > LONGEST as u64) {
         let message = format!("a model file has at most {LONGEST} bytes");
@@ -74,7 +74,7 @@ fn fault(request: &Request, port: u16) -> Option<(StatusCode, String)> {
         && let Some(sent) = sent
         && !TYPES.iter().any(|known| known.eq_ignore_ascii_case(sent))
     {
-        let message = format!("a model file is sent as application/toml, not as `{sent}`");
+        let message = format!("send a model file as application/toml, not as `{sent}`");
         return Some((StatusCode::UNSUPPORTED_MEDIA_TYPE, message));
     }
     None

@@ -1,4 +1,4 @@
-//! `groundbeam serve`: a page on this machine, and the answers behind it.
+//! The command `groundbeam serve`: a page on this machine, and its server.
 
 mod assets;
 mod browser;
@@ -16,12 +16,12 @@ use std::net::Ipv4Addr;
 use std::path::Path;
 use tokio::net::TcpListener;
 
-/// The model that the page begins with.
+/// The initial model of the page.
 #[derive(Debug, Clone)]
 pub struct Start {
     /// The file's name without its folder.
     pub name: String,
-    /// Its text, right or wrong.
+    /// Its text, valid or not.
     pub text: String,
 }
 
@@ -34,7 +34,7 @@ impl Start {
     }
 }
 
-/// Listens on the loopback interface alone, until the program is ended.
+/// Listens only on the loopback interface, until the program ends.
 pub fn run(request: &Serve) -> Result<Status, Failure> {
     let start = request.file.as_deref().map(Start::read).transpose()?;
     let broken = |error: std::io::Error| {

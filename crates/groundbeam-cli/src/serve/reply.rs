@@ -1,18 +1,18 @@
-//! Replies of the page as responses of HTTP.
+//! Converts replies of the page to HTTP responses.
 
 use axum::http::StatusCode;
 use axum::http::header::CONTENT_TYPE;
 use axum::response::{IntoResponse, Response};
 use groundbeam_page::Reply;
 
-/// A reply as it is sent.
+/// The HTTP response for a reply.
 pub fn sent(reply: impl Into<Reply>) -> Response {
     let Reply { status, kind, bytes } = reply.into();
     let status = StatusCode::from_u16(status).unwrap_or(StatusCode::INTERNAL_SERVER_ERROR);
     (status, [(CONTENT_TYPE, kind)], bytes).into_response()
 }
 
-/// A question that is not answered.
+/// An HTTP error response.
 pub fn refusal(status: StatusCode, message: &str) -> Response {
     sent(Reply::refusal(status.as_u16(), message))
 }

@@ -1,4 +1,4 @@
-//! The addresses of the page, and what is answered there.
+//! Routes of the server and their responses.
 
 use super::Start;
 use super::assets::{Asset, assets, examples};
@@ -24,25 +24,26 @@ use std::sync::Arc;
 use std::time::Duration;
 use tokio::sync::Semaphore;
 
-/// A longer model file nobody has written \[bytes\].
+/// Maximum size of a model file \[bytes\].
 pub const LONGEST: usize = 4 << 20;
 
-/// The time within which a model file must arrive.
+/// Time limit for the arrival of a model file.
 pub const BODY: Duration = Duration::from_secs(30);
 
-/// What all answers share.
+/// State shared by all responses.
 #[derive(Clone)]
 struct Desk {
     start: Option<Arc<Start>>,
-    /// One permit for every processor: no more models are solved for a result or a file at a time.
+    /// One permit per processor, which limits the number of simultaneous solves for results and files.
     permits: Arc<Semaphore>,
-    /// As many for the views of a page, which follow every keystroke and do not wait for a long solve.
+    /// The same number of permits for views of the page. Views follow every keystroke and must not wait for a
+    /// long solve.
     quick: Arc<Semaphore>,
-    /// The time within which a model file must arrive.
+    /// Time limit for the arrival of a model file.
     body: Duration,
 }
 
-/// All addresses, behind the guard.
+/// All routes, with the access check of [`guard`].
 pub fn all(start: Option<Start>, port: u16, body: Duration) -> Router {
     let processors = std::thread::available_parallelism().map_or(1, usize::from);
     let [permits, quick] = [0, 1].map(|_| Arc::new(Semaphore::new(processors)));
@@ -59,16 +60,16 @@ pub fn all(start: Option<Start>, port: u16, body: Duration) -> Router {
         router = router.route(path, get(answer));
     }
     router
-        .fallback(|| async { refusal(StatusCode::NOT_FOUND, "nothing is here") })
+        .fallback(|| async { refusal(StatusCode::NOT_FOUND, "this address does not exist") })
         .method_not_allowed_fallback(|| async {
-            refusal(StatusCode::METHOD_NOT_ALLOWED, "this is asked in another way")
+            refusal(StatusCode::METHOD_NOT_ALLOWED, "this address does not accept this method")
         })
         .layer(DefaultBodyLimit::max(LONGEST))
         .layer(from_fn_with_state(port, guard))
         .with_state(desk)
 }
 
-/// The model to begin with, and the examples.
+/// The initial model, and the examples.
 async fn begin(State(desk): State<Desk>, pairs: Pairs) -> Result<Response, Response> {
     pairs.read(&[]).map_err(sent)?;
     let start = desk.start.as_ref().map(|s| json!({ "name": s.name, "text": s.text }));
@@ -97,18 +98,18 @@ async fn download(
     let Some(form) = form.ok().and_then(|Path(form)| Form::named(&form)) else {
         return refusal(StatusCode::NOT_FOUND, "a file is svg, png, csv, json, txt or html");
     };
-    // A report is about a whole file, in which no train stands at one position.
+    // A report covers the whole file, so it has no keys for a single position of a train.
     let keys = if form == Form::Html { REPORT } else { SOLVE };
     let work = move |model: &[u8], asked: &Asked| file(model, asked, form, &host());
     answer(&desk.permits, pairs.read(keys), model, work).await
 }
 
-/// All processors, without a display of progress: the page shows that it waits.
+/// All processors, without progress; the page shows it.
 fn host() -> Threads<'static> {
     Threads::new(&|| ())
 }
 
-/// The keys and values of a query in their order.
+/// Keys and values of a query, in order.
 struct Pairs(Vec<(String, String)>);
 
 impl<S: Send + Sync> FromRequestParts<S> for Pairs {
@@ -150,7 +151,7 @@ where
     }
 }
 
-/// Cancels the work on an answer when it is dropped: with the answer, or with the connection of a client that has gone.
+/// Cancels the work when it is dropped: after the response, or when the client disconnects.
 struct Client(Cancel);
 
 impl Drop for Client {
@@ -159,8 +160,8 @@ impl Drop for Client {
     }
 }
 
-/// Works on a model away from the threads that listen. The work is cancelled if the client goes, and keeps its permit until
-/// it has ended.
+/// Works on a model on a thread of its own. The work is cancelled if the client disconnects, and holds its
+/// permit until it ends.
 async fn answer(
     permits: &Arc<Semaphore>,
     asked: Result<Asked, WrongQuery>,
@@ -174,7 +175,7 @@ async fn answer(
     asked.cancel = Cancel::new();
     let client = Client(asked.cancel.clone());
     let Ok(permit) = Arc::clone(permits).acquire_owned().await else {
-        return refusal(StatusCode::SERVICE_UNAVAILABLE, "the program ends");
+        return refusal(StatusCode::SERVICE_UNAVAILABLE, "the program is shutting down");
     };
     let done = tokio::task::spawn_blocking(move || {
         let answer = sent(work(&model, &asked));
@@ -184,7 +185,7 @@ async fn answer(
     let answer = done.await;
     drop(client);
     answer.unwrap_or_else(|_| {
-        let message = "the program broke down on this model: this is a fault of the program";
+        let message = "the program failed on this model because of a bug in the program";
         refusal(StatusCode::INTERNAL_SERVER_ERROR, message)
     })
 }
@@ -199,7 +200,7 @@ mod tests {
     use std::time::Instant;
     use tokio::runtime::Runtime;
 
-    /// How many works have begun and how many have ended.
+    /// Numbers of started and of finished works.
     #[derive(Default)]
     struct Works {
         begun: AtomicUsize,
@@ -207,7 +208,7 @@ mod tests {
     }
 
     impl Works {
-        /// Works until it is cancelled, and a while longer.
+        /// Works until it is cancelled, and for a short time afterwards.
         fn slow(&self, asked: &Asked) -> Reply {
             self.begun.fetch_add(1, Ordering::SeqCst);
             while !asked.cancel.is_cancelled() {
@@ -228,7 +229,7 @@ mod tests {
         }
     }
 
-    /// A server on which `/slow` is work for one permit that ends only if it is cancelled, beside the page.
+    /// A server with the page, and with `/slow`: work that needs one permit and ends only when cancelled.
     fn server(works: &Arc<Works>) -> (Runtime, SocketAddr, Arc<Semaphore>) {
         let runtime = tokio::runtime::Builder::new_multi_thread()
             .worker_threads(2)
@@ -287,7 +288,7 @@ mod tests {
         let waiting = ask(address, "/api/solve");
         assert_eq!((permits.available_permits(), works.ended.load(Ordering::SeqCst)), (0, 0));
         drop(aborted);
-        // Answered with the permit of the work, which has ended by then.
+        // The response comes with the permit of the work, which has ended.
         let reply = reply(waiting);
         assert!(reply.starts_with("HTTP/1.1 200 OK"), "{reply}");
         assert_eq!(works.ended.load(Ordering::SeqCst), 1);

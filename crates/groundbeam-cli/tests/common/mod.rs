@@ -1,10 +1,10 @@
-//! The real binary in a folder of its own.
+//! Runs the real binary in a temporary folder.
 
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 
-/// A unit load off centre: the left end lifts off.
+/// An eccentric unit load: the left end lifts off.
 pub const LIFTS: &str = "\
 title = \"Kikuchi 1980, case IV\"
 [beam]
@@ -21,7 +21,7 @@ moment = 0.49
 at = 0.5
 ";
 
-/// The same with so large a moment that it tips about its right end.
+/// The same with a larger moment, so that it tips about its right end.
 pub fn tips() -> String {
     LIFTS.replace("0.49", "0.6")
 }
@@ -105,7 +105,7 @@ impl Folder {
     }
 }
 
-/// What a run said.
+/// Output of a run.
 #[derive(Debug)]
 pub struct Done {
     pub status: i32,
@@ -124,14 +124,14 @@ impl From<Output> for Done {
 }
 
 impl Done {
-    /// Nothing on standard error, no escape codes.
+    /// Checks the exit status, that standard error is empty, and that there are no escape codes.
     #[track_caller]
     pub fn is_clean(&self, status: i32) {
         assert_eq!((self.status, self.stderr.as_str()), (status, ""));
         assert!(!self.stdout.contains('\u{1b}'));
     }
 
-    /// Nothing on standard output; standard error contains this.
+    /// Checks the exit status, that standard output is empty, and that standard error contains this text.
     #[track_caller]
     pub fn fails(&self, status: i32, part: &str) {
         assert_eq!((self.status, self.stdout.as_str()), (status, ""), "{}", self.stderr);

@@ -1,4 +1,4 @@
-//! A real browser, driven over the WebDriver protocol by the driver that comes with it.
+//! A real browser, controlled over the WebDriver protocol.
 
 use serde_json::{Value, json};
 use std::io::{BufRead, BufReader, Read, Write};
@@ -7,10 +7,10 @@ use std::path::Path;
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 
-/// Longer than a busy machine takes for anything here.
+/// Time limit that exceeds all durations on a busy machine.
 const PATIENCE: Duration = Duration::from_secs(60);
 
-/// A browser without a window; it ends with the test.
+/// A browser without a window that ends with the test.
 pub struct Browser {
     driver: Child,
     port: u16,
@@ -19,7 +19,8 @@ pub struct Browser {
 }
 
 impl Browser {
-    /// None, said aloud, where there is no driver; a failure where `GROUNDBEAM_BROWSER=required`.
+    /// Starts the browser. Without a driver it prints a message and returns `None`; with
+    /// `GROUNDBEAM_BROWSER=required` it fails.
     pub fn start() -> Option<Self> {
         let mut command = Command::new("chromedriver");
         command.arg("--port=0").stdout(Stdio::piped()).stderr(Stdio::null());
@@ -27,7 +28,7 @@ impl Browser {
             let demanded = std::env::var_os("GROUNDBEAM_BROWSER").is_some_and(|v| v == "required");
             assert!(!demanded, "GROUNDBEAM_BROWSER=required, but `chromedriver` does not start");
             eprintln!(
-                "\nSKIPPED: there is no `chromedriver`: the page was NOT tested in a browser\n"
+                "\nSKIPPED: `chromedriver` is missing: the page was NOT tested in a browser\n"
             );
             return None;
         };
@@ -89,7 +90,7 @@ impl Browser {
         }
     }
 
-    /// Where the middle of an element is in the window.
+    /// Position of the middle of an element in the window.
     pub fn middle(&self, selector: &str) -> [f64; 2] {
         let found = self.eval(&format!(
             "(() => {{ const e = document.querySelector({selector:?});
@@ -121,7 +122,7 @@ impl Browser {
         self.command("/actions", &json!({ "actions": [mouse] }));
     }
 
-    /// Presses keys one after the other, those of `held` all the while.
+    /// Presses keys one after the other while the keys in `held` are down.
     pub fn keys(&self, held: &[char], keys: &str) {
         let act = |kind: &str, key: char| json!({ "type": kind, "value": key.to_string() });
         let mut acts: Vec<Value> = held.iter().map(|&key| act("keyDown", key)).collect();
@@ -136,7 +137,7 @@ impl Browser {
         self.command("/goog/cdp/execute", &json!({ "cmd": command, "params": parameters }))
     }
 
-    /// A window so wide and so high, on a light or a dark desk.
+    /// Sets the size of the window and the colour scheme, light or dark.
     pub fn window(&self, width: u32, height: u32, scheme: &str) {
         let size =
             json!({ "width": width, "height": height, "deviceScaleFactor": 1, "mobile": false });
@@ -199,14 +200,14 @@ impl Drop for Browser {
     }
 }
 
-/// What a mouse does.
+/// An action of the mouse.
 pub enum Pointer {
     To([f64; 2]),
     Down,
     Up,
 }
 
-/// Base64.
+/// Decodes Base64.
 fn decoded(letters: &str) -> Vec<u8> {
     let value = |letter: u8| match letter {
         b'A'..=b'Z' => letter - b'A',

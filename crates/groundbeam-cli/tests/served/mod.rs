@@ -1,4 +1,4 @@
-//! The real program serving, and a client that says exactly what a test wants it to say.
+//! Runs the real server, with a client that sends given bytes.
 
 pub mod browser;
 
@@ -9,7 +9,7 @@ use std::path::Path;
 use std::process::{Child, Command, Stdio};
 use std::time::Duration;
 
-/// A running server; it ends with the test.
+/// A running server that ends with the test.
 pub struct Server {
     child: Child,
     /// `http://127.0.0.1:PORT/`
@@ -29,7 +29,7 @@ impl Server {
         Server { child, url, port }
     }
 
-    /// A request with these headers besides the host and the body's length.
+    /// Sends a request with these headers in addition to the host and the length of the body.
     pub fn ask(&self, method: &str, path: &str, headers: &[&str], body: &[u8]) -> Reply {
         let host = format!("Host: 127.0.0.1:{}", self.port);
         let length = format!("Content-Length: {}", body.len());
@@ -46,19 +46,19 @@ impl Server {
         self.ask("GET", path, &[], b"")
     }
 
-    /// Exactly these bytes.
+    /// Sends exactly these bytes.
     pub fn say(&self, head: &str, body: &[u8]) -> Reply {
         talk(self.port, head, body)
     }
 }
 
-/// One request on a connection of its own, and what comes back.
+/// Sends one request on a new connection, and returns the reply.
 pub fn talk(port: u16, head: &str, body: &[u8]) -> Reply {
     let mut stream = TcpStream::connect(("127.0.0.1", port)).unwrap();
     stream.set_read_timeout(Some(Duration::from_secs(120))).unwrap();
     let head = head.replacen("\r\n", "\r\nConnection: close\r\n", 1);
     stream.write_all(head.as_bytes()).unwrap();
-    // A server may refuse a long body before it has read it all.
+    // A server may reject a long body before it has read all of it.
     let _ = stream.write_all(body);
     let mut bytes = Vec::new();
     let _ = stream.read_to_end(&mut bytes);
@@ -72,7 +72,7 @@ impl Drop for Server {
     }
 }
 
-/// An answer.
+/// A response.
 #[derive(Debug)]
 pub struct Reply {
     pub status: u16,

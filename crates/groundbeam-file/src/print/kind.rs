@@ -1,10 +1,10 @@
-//! The kinds of printed quantities, and the metric units in which each kind is printed.
+//! Kinds of printed quantities, and the metric units in which each kind is printed.
 
 use groundbeam::{Dimension, Field};
 
 macro_rules! kinds {
     ($($(#[$doc:meta])* $name:ident,)*) => {
-        /// What a number measures.
+        /// Physical quantity that a number measures.
         #[derive(Debug, Clone, Copy, PartialEq, Eq)]
         pub enum Kind {
             $($(#[$doc])* $name,)*
@@ -18,9 +18,9 @@ macro_rules! kinds {
 }
 
 kinds! {
-    /// A position, or a length along the beam \[m\].
+    /// A position or a length along the beam \[m\].
     Position,
-    /// w, u, a gap: what people read in millimetres \[m\].
+    /// A deflection or gap, usually read in millimetres: w, u, g₀ \[m\].
     Deflection,
     /// A slope or a rotation \[rad\].
     Slope,
@@ -28,7 +28,7 @@ kinds! {
     Moment,
     /// A force \[N\].
     Force,
-    /// Force per length \[N/m\].
+    /// A force per length \[N/m\].
     Pressure,
     /// EI \[N·m²\].
     BendingStiffness,
@@ -36,31 +36,31 @@ kinds! {
     Spring,
     /// μ and P \[N\].
     Constant,
-    /// k on an area: k over a width \[N/m³\].
+    /// k per area of ground: k over a width \[N/m³\].
     AreaSpring,
-    /// μ on an area: μ over a width \[N/m\].
+    /// μ per width \[N/m\].
     AreaShear,
-    /// Force per area \[Pa\].
+    /// A force per area \[Pa\].
     Stress,
     /// A curvature, or a wave number \[1/m\].
     PerLength,
 }
 
-/// Nothing at all has the unit of a value of this size among the technical units.
+/// Value whose unit is used for zero, among the technical units.
 pub(super) const TECHNICAL: f64 = 1e4;
 
 /// One tonne-force, 1000 × 9.806 65 N.
 const TF: f64 = 9806.65;
 const KGF: f64 = 9.80665;
 
-/// Units with the kilogram-force: the tonne-force from a tenth of it on.
+/// Units with the kilogram-force; the tonne-force is used from 0.1 tf on.
 macro_rules! technical {
     ($tonnes:literal, $kilograms:literal) => {
         Some(const { &[rung(0.1 * TF, TF, $tonnes), rung(0.0, KGF, $kilograms)] })
     };
 }
 
-/// The name and the size of the first unit of a ladder for a value of this size.
+/// Name and size of the first unit of a ladder that suits a value of this size.
 pub(super) fn fitting(ladder: &[Rung], size: f64) -> (&'static str, f64) {
     let fits = ladder.iter().find(|rung| size >= rung.from);
     let rung = fits.or(ladder.last()).unwrap_or(&BARE);
@@ -68,7 +68,7 @@ pub(super) fn fitting(ladder: &[Rung], size: f64) -> (&'static str, f64) {
 }
 
 impl Kind {
-    /// What a field measures.
+    /// Kind of a field.
     pub fn of(field: Field) -> Self {
         match field.dimension() {
             Dimension::Length => Kind::Deflection,
@@ -79,7 +79,7 @@ impl Kind {
         }
     }
 
-    /// Of this size is what people look at; it gives nothing at all its unit.
+    /// A typical value of this kind; its unit is used for zero.
     pub(super) fn usual(self) -> f64 {
         match self {
             Kind::Deflection | Kind::Slope => 1e-3,
@@ -88,7 +88,7 @@ impl Kind {
         }
     }
 
-    /// The power of length beside the force, of a quantity with a force; nothing for others.
+    /// Power of length in the unit beside the force; `None` for quantities without a force.
     pub(super) fn power_of_length(self) -> Option<i32> {
         match self {
             Kind::BendingStiffness => Some(2),
@@ -101,7 +101,7 @@ impl Kind {
         }
     }
 
-    /// The units with the kilogram-force; none for quantities without a force.
+    /// Units with the kilogram-force; `None` for quantities without a force.
     pub(super) fn technical(self) -> Option<&'static [Rung]> {
         match self.power_of_length()? {
             2 => technical!("tf m²", "kgf m²"),
@@ -113,11 +113,11 @@ impl Kind {
         }
     }
 
-    /// From the largest unit to the smallest; the last one serves everything below.
+    /// Units from the largest to the smallest. The last one serves all smaller values.
     pub(super) fn ladder(self) -> &'static [Rung] {
         match self {
             Kind::Position => const { &[rung(0.0, 1.0, "m")] },
-            // Engineers read settlements in millimetres, from hundredths to a metre.
+            // Engineers read settlements in millimetres, from hundredths of a millimetre to a metre.
             Kind::Deflection => {
                 const {
                     &[
@@ -147,7 +147,7 @@ impl Kind {
     }
 }
 
-/// A unit and the smallest value it is used for.
+/// A unit and the smallest value for which it is used.
 pub(super) struct Rung {
     from: f64,
     pub size: f64,
@@ -158,14 +158,16 @@ const fn rung(from: f64, size: f64, name: &'static str) -> Rung {
     Rung { from, size, name }
 }
 
-/// The values from which loads are printed in units of giga, mega and kilo: in kilonewtons from 0.1 kN to 100 MN.
+/// Smallest load printed in units of giga, mega and kilo. Loads from 0.1 kN to 100 MN are printed in
+/// kilonewtons.
 const LOADS: [f64; 3] = [1e11, 1e8, 1e2];
-/// The same of stiffnesses.
+/// Smallest stiffness printed in units of giga, mega and kilo.
 const STIFFNESSES: [f64; 3] = [1e9, 1e6, 1e3];
-/// The same of stresses: in kilopascals from 0.1 kPa to 10 MPa.
+/// Smallest stress printed in units of giga, mega and kilo. Stresses from 0.1 kPa to 10 MPa are printed in
+/// kilopascals.
 const STRESSES: [f64; 3] = [1e9, 1e7, 1e2];
 
-/// The units of giga, mega and kilo from these values on, and the unit itself below.
+/// Units of giga, mega and kilo from these values on, and the base unit below.
 const fn metric(from: [f64; 3], names: [&'static str; 4]) -> [Rung; 4] {
     [
         rung(from[0], 1e9, names[0]),

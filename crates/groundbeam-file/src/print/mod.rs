@@ -1,6 +1,6 @@
-//! A quantity becomes text here: its unit, its digits, and its sign.
+//! Formats quantities as text: unit, digits and sign.
 //!
-//! The units of a file decide the units of what is printed. A file in feet and kips prints feet and kips.
+//! Results have the units of the file: a file in feet and kips gives results in feet and kips.
 
 mod kind;
 pub mod number;
@@ -12,28 +12,28 @@ pub use us::UsUnits;
 use kind::{BARE, TECHNICAL};
 use number::significant;
 
-/// The digits of a result.
+/// Significant digits of a result.
 pub const RESULT_DIGITS: usize = 4;
-/// The digits of an input.
+/// Significant digits of an input.
 const INPUT_DIGITS: usize = 6;
 
 /// The units in which quantities are printed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum System {
-    /// The numbers are one consistent system, whichever; no unit is printed.
+    /// One consistent system without units; no unit is printed.
     Plain,
     /// kN, m, mm, MPa.
     Si,
-    /// tf, m, mm: the metric system with the kilogram-force.
+    /// tf, m, mm: metric units with the kilogram-force.
     Technical,
     /// ft, in, kip, ksf.
     Us(UsUnits),
 }
 
-/// The units that a user asks for.
+/// Units that the user requests.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Asked {
-    /// Those of the file.
+    /// Units of the file.
     #[default]
     File,
     /// SI units.
@@ -42,7 +42,7 @@ pub enum Asked {
     Us,
 }
 
-/// The units and the digits with which quantities are printed.
+/// Units and number of digits for printed quantities.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Units {
     system: System,
@@ -57,12 +57,12 @@ impl Units {
     /// US units.
     pub const US: Units = Units::new(System::Us(UsUnits::USUAL));
 
-    /// A system with the digits of results.
+    /// The units of a system, with the digits of results.
     pub const fn new(system: System) -> Self {
         Units { system, digits: RESULT_DIGITS }
     }
 
-    /// The units that a user asks for in place of those of the file; none for a file without units.
+    /// The requested units in place of those of the file; `None` for a file without units.
     pub fn in_system(self, asked: Asked) -> Option<Self> {
         let system = match (asked, self.system) {
             (Asked::File, own) => own,
@@ -74,7 +74,7 @@ impl Units {
         Some(Units { system, ..self })
     }
 
-    /// The same units with so many digits for results.
+    /// The same units with this number of digits.
     pub fn with_digits(self, digits: usize) -> Self {
         Units { digits, ..self }
     }
@@ -84,7 +84,7 @@ impl Units {
         self.with_digits(self.digits.max(INPUT_DIGITS))
     }
 
-    /// The digits of a result.
+    /// Significant digits of a result.
     pub fn digits(self) -> usize {
         self.digits
     }
@@ -94,12 +94,12 @@ impl Units {
         self.system == System::Plain
     }
 
-    /// The name that documents of results use, whose numbers are in SI units or in the file's own system: `SI` or `none`.
+    /// Name of the unit system in result documents: `SI` or `none`.
     pub fn name(self) -> &'static str {
         if self.is_plain() { "none" } else { "SI" }
     }
 
-    /// The unit in which a quantity of at most this size reads well.
+    /// Suitable unit for a quantity of at most this size.
     pub fn unit(self, kind: Kind, largest: f64) -> Unit {
         let size = largest.abs();
         let usual = |usual: f64| if size == 0.0 { usual } else { size };
@@ -115,7 +115,7 @@ impl Units {
         Unit { name, size, digits: self.digits }
     }
 
-    /// The unit of a column of a table that programs read: one for every size.
+    /// Unit of a column in a machine-readable table, independent of the size.
     pub fn column(self, kind: Kind) -> Unit {
         match self.system {
             _ if kind == Kind::Slope => Unit {
@@ -131,7 +131,7 @@ impl Units {
         }
     }
 
-    /// A quantity in a unit of its own choice: `600 kN`.
+    /// A quantity in a suitable unit, such as `600 kN`.
     pub fn write(self, kind: Kind, value: f64) -> String {
         self.unit(kind, value).write(value)
     }
@@ -141,12 +141,12 @@ impl Units {
         self.write(Kind::Position, x)
     }
 
-    /// Plain numbers with a word behind them.
+    /// The unit of plain numbers that are followed by a word.
     pub fn plain(self, name: &'static str) -> Unit {
         Unit { name, size: 1.0, digits: self.digits }
     }
 
-    /// Parts of a whole.
+    /// The unit of percentages.
     pub fn percent(self) -> Unit {
         Unit { name: "%", size: 0.01, digits: self.digits }
     }
@@ -156,7 +156,7 @@ impl Units {
         significant(value, self.digits)
     }
 
-    /// What is printed behind a moment per angle.
+    /// Suffix after a moment per angle.
     pub fn per_radian(self) -> &'static str {
         if self.is_plain() { "" } else { "/rad" }
     }
@@ -165,27 +165,27 @@ impl Units {
 /// A unit with its size in m, N and rad, and the digits of its numbers.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Unit {
-    /// Empty for plain numbers.
+    /// Its name; empty for plain numbers.
     pub name: &'static str,
     /// Its size in m, N and rad.
     pub size: f64,
-    /// The significant digits of numbers in this unit.
+    /// Significant digits of numbers in this unit.
     pub digits: usize,
 }
 
 impl Unit {
-    /// The number alone.
+    /// The number without the unit.
     pub fn number(self, value: f64) -> String {
         significant(value / self.size, self.digits)
     }
 
-    /// The number and the unit.
+    /// The number with the unit.
     pub fn write(self, value: f64) -> String {
         let number = self.number(value);
         if self.name.is_empty() { number } else { format!("{number} {}", self.name) }
     }
 
-    /// An upper bound of a bound in this unit. A unit that is a power of ten divides exactly as a decimal.
+    /// Upper bound of `bound` in this unit. If the unit is a power of ten, the decimal division is exact.
     pub fn upper(self, bound: f64) -> f64 {
         if self.size == 1.0 {
             bound
@@ -194,13 +194,13 @@ impl Unit {
         }
     }
 
-    /// The power of ten that this unit is, if it is one.
+    /// Exponent of this unit if it is a power of ten.
     pub fn power_of_ten(self) -> Option<i32> {
         let text = format!("{:e}", self.size);
         text.strip_prefix("1e").and_then(|power| power.parse().ok())
     }
 
-    /// The same unit with so many digits.
+    /// The same unit with this number of digits.
     pub fn with_digits(self, digits: usize) -> Self {
         Unit { digits, ..self }
     }
@@ -210,16 +210,16 @@ impl Unit {
         self.with_digits(self.digits.max(INPUT_DIGITS))
     }
 
-    /// ` [kN]`, or nothing.
+    /// The unit in brackets, ` [kN]`, or an empty text.
     pub fn bracketed(self) -> String {
         if self.name.is_empty() { String::new() } else { format!(" [{}]", self.name) }
     }
 }
 
-/// The units of a time on a clock.
+/// Units of a duration.
 const TIMES: [&str; 3] = ["µs", "ms", "s"];
 
-/// A time on a clock.
+/// A duration as text.
 pub fn duration(seconds: f64) -> String {
     let [micro, milli, whole] = TIMES;
     if seconds < 1e-3 {
@@ -231,14 +231,14 @@ pub fn duration(seconds: f64) -> String {
     }
 }
 
-/// Every unit that may be written behind a number.
+/// All units that may follow a number.
 pub fn units() -> impl Iterator<Item = &'static str> {
     let metric = |kind: &Kind| kind.ladder().iter().chain(kind.technical().unwrap_or_default());
     let of_quantities = Kind::ALL.iter().flat_map(metric).map(|rung| rung.name);
     of_quantities.chain(us::names()).chain(TIMES)
 }
 
-/// Whether these words are a unit, or the first word of one; a moment may be one per radian.
+/// Whether this text is a unit or the first word of one. A moment may be per radian.
 pub fn is_unit(words: &str) -> bool {
     let words = words.strip_suffix("/rad").unwrap_or(words);
     units().any(|unit| unit == words || unit.split(' ').next() == Some(words))
@@ -272,7 +272,7 @@ mod tests {
         assert_eq!(Units::SI.with_digits(8).of_input().digits(), 8);
     }
 
-    /// The units of `length`, a point load, a gap and `k` decide what is printed.
+    /// The units of `length`, a point load, a gap and `k` determine the printed units.
     #[test]
     fn the_units_of_a_file_decide() {
         let file = |length: &str, load: &str, k: &str| {

@@ -1,6 +1,6 @@
-//! Numbers in print: their digits, and the true minus sign.
+//! Formats numbers: significant digits, and the true minus sign.
 
-/// A number with so many significant digits, without trailing zeros; very large and very small ones with
+/// A number with this many significant digits, without trailing zeros. Very large and very small numbers have
 /// an exponent.
 pub fn significant(value: f64, digits: usize) -> String {
     if value.is_nan() || value == 0.0 {
@@ -13,11 +13,11 @@ pub fn significant(value: f64, digits: usize) -> String {
         return "inf".to_owned();
     }
     let digits = digits.max(1);
-    // Rounding first: 9.9999 with three digits has the exponent of 10.
+    // Rounding comes first: 9.9999 with three digits has the exponent of 10.
     let scientific = format!("{value:.*e}", digits - 1);
     let (mantissa, exponent) = scientific.split_once('e').unwrap_or((&scientific, "0"));
     let exponent: i32 = exponent.parse().unwrap_or(0);
-    // Digits beyond those asked for are zeros: 12345 with four digits is 12350.
+    // Further digits are zeros: 12345 with four digits is 12350.
     let value: f64 = scientific.parse().unwrap_or(value);
     if (-4..7).contains(&exponent) {
         let decimals = (digits as i32 - 1 - exponent).max(0) as usize;
@@ -27,25 +27,25 @@ pub fn significant(value: f64, digits: usize) -> String {
     }
 }
 
-/// The minus sign of print.
+/// The true minus sign, U+2212.
 pub const MINUS: char = '\u{2212}';
 
-/// A whole number with the minus sign of print.
+/// An integer with the true minus sign.
 pub fn whole(value: i32) -> String {
     value.to_string().replace('-', "\u{2212}")
 }
 
-/// A number of which only the size matters: `3e-13`.
+/// The order of magnitude of a number, such as `3e-13`.
 pub fn order(value: f64) -> String {
     if value == 0.0 { "0".to_owned() } else { format!("{value:.0e}").replace('-', "\u{2212}") }
 }
 
-/// A bound with two digits, rounded up, as print has it: `1.64e-14` as `1.7e−14`.
+/// A bound rounded up to two digits, with the true minus sign: `1.64e-14` gives `1.7e−14`.
 pub fn above(bound: f64) -> String {
     upper(bound).replace('-', "\u{2212}")
 }
 
-/// A bound with two digits, rounded up, as programs read it.
+/// A bound rounded up to two digits, for programs.
 pub fn upper(bound: f64) -> String {
     if bound == 0.0 || !bound.is_finite() {
         return significant(bound, 2);
@@ -54,13 +54,13 @@ pub fn upper(bound: f64) -> String {
     if nearest.parse().is_ok_and(|shown: f64| shown > bound) {
         return nearest;
     }
-    // Five hundredths of the leading digit's unit more: the next number with two digits.
+    // Adding one unit of the second digit gives the next number with two digits.
     let exponent = nearest.split_once('e').map_or("0", |(_, exponent)| exponent);
     let step: f64 = format!("0.1e{exponent}").parse().unwrap_or(f64::INFINITY);
     format!("{:.1e}", bound + step)
 }
 
-/// The same decimal without zeros behind its last digit.
+/// The decimal without trailing zeros.
 pub fn without_trailing_zeros(text: &str) -> &str {
     if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { text }
 }

@@ -1,4 +1,4 @@
-//! The US units in which results are printed: kips or pounds, with feet or inches as the file has them.
+//! US units of results: kips or pounds, with feet or inches as in the file.
 
 use super::kind::Kind;
 
@@ -7,16 +7,17 @@ const FOOT: f64 = 0.3048;
 /// 0.453 592 37 kg × 9.806 65 m/s².
 const POUND: f64 = 4.448_221_615_260_5;
 
-/// The choices among US units.
+/// Choices among US units.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct UsUnits {
-    /// The kinds of quantity that are printed with inches, one bit each.
+    /// Kinds of quantity that are printed with inches, one bit each.
     inches: u16,
-    /// Whether forces are printed in pounds at every size.
+    /// Whether forces of every size are printed in pounds.
     pounds: bool,
 }
 
-/// Names by the power of length from −3 on: pounds and inches, kips and inches, pounds and feet, kips and feet.
+/// Names by the power of length from −3 on, for pounds and inches, kips and inches, pounds and feet, kips and
+/// feet.
 const NAMES: [[&str; 4]; 6] = [
     ["pci", "kci", "pcf", "kcf"],
     ["psi", "ksi", "psf", "ksf"],
@@ -31,7 +32,7 @@ impl UsUnits {
     pub const USUAL: UsUnits =
         UsUnits { inches: bit(Kind::Deflection) | bit(Kind::AreaSpring), pounds: false };
 
-    /// Inches for these kinds of quantity and for deflections, pounds for forces of every size if they are wanted.
+    /// Inches for these kinds of quantity and for deflections. `pounds`: pounds for forces of every size.
     pub fn new(inches: impl IntoIterator<Item = Kind>, pounds: bool) -> Self {
         let bits = inches.into_iter().fold(bit(Kind::Deflection), |bits, kind| bits | bit(kind));
         UsUnits { inches: bits, pounds }
@@ -42,7 +43,7 @@ impl UsUnits {
         self.inches & bit(kind) != 0
     }
 
-    /// The name and the size of the unit for a value of this size.
+    /// Name and size of the unit for a value of this size.
     pub(super) fn unit(self, kind: Kind, value: f64) -> (&'static str, f64) {
         let inches = self.has_inches(kind);
         let length = if inches { INCH } else { FOOT };
@@ -57,7 +58,7 @@ impl UsUnits {
             };
         };
         let kip = 1e3 * POUND * length.powi(power);
-        // Stresses and moduli with inches are known in pounds: 4000 psi, 200 pci.
+        // Stresses and moduli per square or cubic inch are usually in pounds: 4000 psi, 200 pci.
         let from = if inches && power <= -2 { 10.0 * kip } else { 0.1 * kip };
         let in_kips = if value == 0.0 { from <= kip } else { value >= from };
         let in_kips = in_kips && !(self.pounds && power >= -1);
@@ -70,7 +71,7 @@ const fn bit(kind: Kind) -> u16 {
     1 << kind as u16
 }
 
-/// Every US unit that may be printed.
+/// All US units that may be printed.
 pub(super) fn names() -> impl Iterator<Item = &'static str> {
     NAMES.iter().flatten().copied().chain(["in", "ft", "1/in", "1/ft"])
 }

@@ -1,4 +1,4 @@
-//! `[foundation.band]`: the limits of the multiples of k and μ.
+//! Reads `[foundation.band]`: lower and upper factors on k and μ.
 
 use crate::band::Band;
 use crate::code;
@@ -14,12 +14,13 @@ const MULTIPLES: Value = Value::List(&Value::Quantity(&RATIO), [2, 2]);
 pub(super) static TABLE: Table = Table {
     name: "[foundation.band]",
     keys: &[
-        key("k", MULTIPLES, "The limits of k as multiples; left out: [1, 1]."),
-        key("mu", MULTIPLES, "The limits of mu as multiples; left out: [1, 1]."),
+        key("k", MULTIPLES, "Lower and upper factor on k; default: [1, 1]."),
+        key("mu", MULTIPLES, "Lower and upper factor on mu; default: [1, 1]."),
     ],
 };
 
-/// The band of a ground, if the file gives one; one that `shears` has a band of μ, too.
+/// The band of a ground, if the file gives one. `shears`: the ground has a shear layer, so the band may also
+/// give μ.
 pub(super) fn read(reader: &mut Reader, foundation: &Section, shears: bool) -> Option<Band> {
     let table = reader.table(foundation, "band")?;
     if TABLE.names().iter().all(|key| table.value(key).is_none()) {
@@ -27,25 +28,25 @@ pub(super) fn read(reader: &mut Reader, foundation: &Section, shears: bool) -> O
             &table,
             &TABLE.names(),
             "`k` and no `mu`",
-            "k = [0.5, 2]: low and high multiples",
+            "k = [0.5, 2]: lower and upper factor",
         );
     }
     if let (Some(value), false) = (table.value("mu"), shears) {
         let message = "a band of `mu` on ground without a shear layer";
-        let hint = "give the ground its `mu`, or leave the band of it out";
+        let hint = "give the ground a `mu`, or leave the band of `mu` out";
         reader.report(Fault::new(code::FACTOR, value.span(), message, "", hint));
     }
     let [spring, shear] = ["k", "mu"].map(|key| multiples(reader, &table, key));
     Some(Band { spring: spring?, shear: shear? })
 }
 
-/// Two multiples, the first not above 1 and the second not below it; [1, 1] where nothing is said.
+/// Lower factor (at most 1) and upper factor (at least 1); [1, 1] if the file gives none.
 fn multiples(reader: &mut Reader, table: &Section, key: &'static str) -> Option<[f64; 2]> {
     let Some(value) = table.value(key) else { return Some([1.0, 1.0]) };
     let values = match value.get_ref() {
         DeValue::Array(values) if values.len() == 2 => values,
         _ => {
-            let message = format!("the band of `{key}` is a list of two multiples");
+            let message = format!("the band of `{key}` is a list of two factors");
             reader.wrong_type(value, message, format!("write for example {key} = [0.5, 2]"));
             return None;
         }
@@ -57,8 +58,8 @@ fn multiples(reader: &mut Reader, table: &Section, key: &'static str) -> Option<
     }
     let least = if key == "mu" { low >= 0.0 } else { low > 0.0 };
     if !(least && low <= 1.0 && high >= 1.0) {
-        let message = format!("the band of `{key}` must hold the best value");
-        let hint = "give a positive multiple not above 1 and one not below it, as in [0.5, 2]";
+        let message = format!("the band of `{key}` must include the best value");
+        let hint = "give a positive factor of at most 1 and a factor of at least 1, as in [0.5, 2]";
         reader.report(Fault::new(code::FACTOR, value.span(), message, "", hint));
         return None;
     }

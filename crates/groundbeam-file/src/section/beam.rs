@@ -1,4 +1,4 @@
-//! `[beam]` and `[[beam.segment]]`.
+//! Reads `[beam]` and `[[beam.segment]]`.
 
 use super::curl::{self, Depth};
 use super::material;
@@ -21,7 +21,7 @@ use groundbeam::model::Part;
 use groundbeam::{Beam, BeamSegment, Load, Profile};
 use std::ops::Range;
 
-// The keys of the bending stiffness, in `[beam]` and in `[[beam.segment]]`.
+// Keys of the bending stiffness, in `[beam]` and in `[[beam.segment]]`.
 const EI: Key = along("EI", &BENDING_STIFFNESS, Profile::MOST, "The bending stiffness.").also(&[
     "bending_stiffness",
     "stiffness",
@@ -39,13 +39,13 @@ const I: Key = along("I", &SECOND_MOMENT_OF_AREA, 2, "The second moment of area.
     "moment_of_inertia",
     "inertia",
 ]);
-const SECTION: Key = table("section", &shape::TABLE, "The cross section, which gives I.");
+const SECTION: Key = table("section", &shape::TABLE, "The cross-section, which gives I.");
 
 static SEGMENT: Table = Table {
     name: "[[beam.segment]]",
     keys: &[
-        quantity("from", &POSITION, "Where the segment begins.").needed().also(ALSO_FROM),
-        quantity("to", &POSITION, "Where it ends.").needed().also(ALSO_TO),
+        quantity("from", &POSITION, "The start of the segment.").needed().also(ALSO_FROM),
+        quantity("to", &POSITION, "Its end.").needed().also(ALSO_TO),
         EI,
         E,
         MATERIAL,
@@ -71,17 +71,17 @@ pub(super) static TABLE: Table = Table {
         quantity(
             "unit_weight",
             &UNIT_WEIGHT,
-            "The weight per volume, or `\"material\"`; left out: no own weight.",
+            "The weight per volume, or `\"material\"`; default: no self-weight.",
         ),
-        text("weight_case", "G", "The load case of the own weight."),
-        quantity("axial_force", &FORCE, "Tension positive; left out: 0.").also(&[
+        text("weight_case", "G", "The load case of the self-weight."),
+        quantity("axial_force", &FORCE, "Axial force, tension positive; default: 0.").also(&[
             "n",
             "p",
             "axial",
             "normal_force",
         ]),
-        quantity("camber", &CAMBER, "The rise at mid-length without load; left out: 0."),
-        tables("segment", &SEGMENT, "A part of the beam with another stiffness."),
+        quantity("camber", &CAMBER, "The camber: rise at mid-length without load; default: 0."),
+        tables("segment", &SEGMENT, "A part of the beam with a different stiffness."),
         shear::STIFFNESS,
         shear::GA,
         shear::MODULUS,
@@ -96,21 +96,21 @@ static BODY: Body = Body {
     keys: Keys { product: "EI", factors: ["E", "I"], instead: " or a `section`" },
 };
 
-/// A load that follows from what `[beam]` says of itself.
+/// A load that follows from the data in `[beam]`.
 pub(super) struct OwnLoad {
     pub load: Load,
     pub case: Option<String>,
-    /// From what it follows.
+    /// Location of the data it follows from.
     pub span: Range<usize>,
 }
 
-/// What `[beam]` says.
+/// Data of `[beam]`.
 pub(super) struct Read {
     pub beam: Beam,
-    /// Its own weight and its camber, if the file gives them.
+    /// Loads from self-weight and camber, if the file gives them.
     pub loads: Vec<OwnLoad>,
     pub depths: Vec<Depth>,
-    /// The expansion of its material, if that is one all along.
+    /// Thermal expansion of the material, if it is the same along the beam.
     pub expansion: Option<f64>,
 }
 
@@ -133,7 +133,7 @@ pub(super) fn read(reader: &mut Reader, root: &Section) -> Read {
     if let Some(along) = &shear_stiffness {
         reader.place(&table, "shear_stiffness", &along.field());
     }
-    // A segment without a shear stiffness has that of the beam, which is one number unless it varies.
+    // A segment without a shear stiffness has the beam's constant one.
     let varying = shear_stiffness.clone().filter(|along| !along.profile.is_constant());
     let whole = Whole::new(reader, length, own, varying, &BODY);
     let mut areas = Vec::new();
@@ -176,12 +176,12 @@ pub(super) fn read(reader: &mut Reader, root: &Section) -> Read {
     Read { beam, loads, depths, expansion: material.map(|material| material.expansion) }
 }
 
-/// Whether a table gives EI or I by themselves: then no section of a parent's is that of the beam there.
+/// Whether a table gives EI or I directly. Then the section of the parent does not apply there.
 fn gives_stiffness(table: &Section) -> bool {
     table.value("EI").is_some() || table.value("I").is_some()
 }
 
-/// What a table says of EI, and its section.
+/// The EI that a table gives, and its section.
 fn given(reader: &mut Reader, table: &Section) -> (Given, Option<Shape>) {
     let product = reader.along(table, "EI");
     let modulus = reader.along(table, "E");

@@ -1,4 +1,4 @@
-//! `[checks]`: the limits of a design.
+//! Reads `[checks]`: the limits of a design.
 
 use super::combination::{LIMIT_STATES, limit_states};
 use crate::code;
@@ -16,27 +16,31 @@ pub(super) static TABLE: Table = Table {
         quantity(
             "bearing_pressure",
             &STRESS_LIMIT,
-            "The allowable peak of the elastic pressure; forces under the ends are printed beside it.",
+            "The allowable peak of the elastic pressure; point contact forces under the ends are printed separately.",
         ),
         quantity(
             "bearing_resistance",
             &STRESS_LIMIT,
             "The design resistance r_d per effective area, V_d ≤ r_d B′ L′: EN 1997-1, 6.5.2.",
         ),
-        quantity("width", &WIDTH, "The width for both; left out: that of `[foundation]`.")
+        quantity("width", &WIDTH, "The width for both; default: that of `[foundation]`.")
             .also(ALSO_WIDTH),
-        quantity("settlement", &SETTLEMENT_LIMIT, "The largest deflection down, EN 1997-1, 6.6."),
-        quantity("lifted_share", &RATIO, "The part of the length that may lift off, 0 to 1."),
+        quantity(
+            "settlement",
+            &SETTLEMENT_LIMIT,
+            "The largest allowed downward deflection, EN 1997-1, 6.6.",
+        ),
+        quantity("lifted_share", &RATIO, "The fraction of the length that may lift off, 0 to 1."),
         quantity(
             "eccentricity",
             &RATIO,
-            "The distance of the resultant from the middle, as a part of the length or `\"l/6\"`.",
+            "The distance of the resultant from the middle, as a fraction of the length or `\"l/6\"`.",
         ),
-        quantity("overturning", &RATIO, "The least factor of the loads at which the beam tips."),
+        quantity("overturning", &RATIO, "The smallest allowed load factor at which the beam tips."),
         table(
             "limit_states",
             &JUDGED_IN,
-            "The limit states in which checks are judged, in place of the usual ones.",
+            "The limit states in which checks are judged, in place of the defaults.",
         ),
     ],
 };
@@ -57,8 +61,7 @@ static JUDGED_IN: Table = Table {
     ],
 };
 
-/// The limits of the file.
-/// What the beam bears on is `width`, unless the table says otherwise.
+/// Reads the limits of the file. The bearing width is `width`, unless the table gives another one.
 pub(super) fn read(reader: &mut Reader, root: &Section, width: Option<f64>) -> Limits {
     let Some(table) = reader.table(root, "checks") else { return Limits::default() };
     let mut limit = |key| {
@@ -74,7 +77,7 @@ pub(super) fn read(reader: &mut Reader, root: &Section, width: Option<f64>) -> L
     let eccentricity = eccentricity(reader, &table);
     let width = own_width.or(width);
     if width.is_none() && (pressure.is_some() || resistance.is_some()) {
-        let example = "`width` here or in [foundation]: what the beam bears on";
+        let example = "`width` here or in [foundation]: the bearing width";
         reader.missing(&table, &["width"], "`width`", example);
     }
     let bearing_pressure = pressure.zip(width);
@@ -96,18 +99,18 @@ pub(super) fn read(reader: &mut Reader, root: &Section, width: Option<f64>) -> L
     }
 }
 
-/// A part of the length; 0 for a beam that must not lift off at all.
+/// The fraction of the length that may lift off; 0 if the beam must not lift off.
 fn lifted_share(reader: &mut Reader, table: &Section) -> Option<f64> {
     let share = reader.quantity(table, "lifted_share")?;
     if share.value < 0.0 || share.value > 1.0 {
-        let message = "the share of the beam that may lift off is a part of its length, 0 to 1";
+        let message = "`lifted_share` is a fraction of the beam's length, from 0 to 1";
         let hint = "lifted_share = 0 for a beam that must not lift off";
         reader.report(Fault::new(code::FACTOR, share.span, message, "", hint));
     }
     Some(share.value)
 }
 
-/// A part of the length, `0.25`, or as engineers write it, `"l/6"`.
+/// A fraction of the length, as `0.25` or in the engineers' form `"l/6"`.
 fn eccentricity(reader: &mut Reader, table: &Section) -> Option<f64> {
     let value = table.value("eccentricity")?;
     let fraction = match value.get_ref() {

@@ -1,46 +1,47 @@
-//! The length of the chords that replace settlement troughs, from EI, S, P, k, μ and the loads.
+//! Computes the length of the chords that replace settlement troughs, from EI, S, P, k, μ and the loads.
 
 use super::trough::Trough;
 use groundbeam::{Beam, Load, Model};
 
-/// The part of a field's largest magnitude by which chords may change it.
+/// Allowed change of a field by the chords, relative to its largest magnitude.
 const TOLERANCE: f64 = 1e-3;
 
-/// Chords per width of a trough for the deflection and the moment, so many widths to both sides of its middle.
+/// Chords per width of a trough for the deflection and the moment, to the same number of widths on both sides
+/// of its middle.
 const PER_WIDTH: f64 = 24.0;
 const NEAR: f64 = 5.0;
-/// Chords per length of the beam where the force of a corner moves the edges of contact.
+/// Chords per length of the beam where slope jumps of the gap move the contact edges.
 const PER_LENGTH: f64 = 600.0;
 
-/// The density of chords along the beam. docs/ground.md, *Settlement troughs*, derives the rules:
+/// Density of chords along the beam. docs/ground.md, *Settlement troughs*, derives the rules:
 ///
 /// * deflection: h ≤ i/24, and less for a beam beside the trough;
-/// * moment: 3.3 T(2π/h) ≤ ε T(1/i), T the moment of a beam that stays on ground with the clearance cos qx;
-/// * pressure: h² (k + μ²/EI)|g″|/12 ≤ ε p̄, p̄ the load per length;
-/// * edges of contact: μ h|g″| ≤ ε p̄ l or h ≤ l/600.
+/// * moment: 3.3 T(2π/h) ≤ ε T(1/i), where T(q) is the moment of a bonded beam on ground with the gap cos qx;
+/// * pressure: h² (k + μ²/EI)|g″|/12 ≤ ε p̄, where p̄ is the load per length;
+/// * contact edges: μ h|g″| ≤ ε p̄ l or h ≤ l/600.
 pub(super) struct Spacing<'a> {
     troughs: &'a [Trough],
-    /// Of each trough, for deflection and moment.
+    /// For deflection and moment, by trough.
     even: Vec<Even>,
     /// 1/h² per |g″|, for the pressure.
     by_curvature: f64,
-    /// 1/h per |g″|, for the edges of contact.
+    /// 1/h per |g″|, for the contact edges.
     by_corner: f64,
-    /// 1/h at most, for these edges.
+    /// Upper limit of 1/h for the contact edges.
     most_for_corners: f64,
 }
 
-/// Chords of the same length near a trough.
+/// Chords of equal length near a trough.
 struct Even {
     /// 1/h².
     density: f64,
-    /// The square of the distance to which they are needed, in widths.
+    /// Square of the distance over which they are needed, in widths.
     reach: f64,
 }
 
 impl<'a> Spacing<'a> {
-    /// For a model whose k and μ are multiplied by factors between two `multiples`, under a mean load of
-    /// `pressure`, infinite without loads: nothing presses then that a chord could change.
+    /// For a model whose k and μ may have factors between two `multiples`, under the mean load `pressure`.
+    /// Without loads it is infinite: then there is no pressure that chords could change.
     pub fn new(
         model: &Model,
         multiples: [[f64; 2]; 2],
@@ -52,7 +53,7 @@ impl<'a> Spacing<'a> {
         let even = troughs.iter().map(|trough| {
             let of_field = PER_WIDTH / trough.width;
             let of_moment = ranges.bonded().map(|bonded| 1.0 / bonded.longest(trough.width));
-            // A beam that lies beside the trough rests on its tail, which is as flat as i/t is long.
+            // A beam beside the trough rests on its tail, which is flatter by the factor i/t.
             let away = ((trough.at.clamp(0.0, l) - trough.at) / trough.width).powi(2);
             Even {
                 density: of_moment.fold(of_field, f64::max).powi(2) * (1.0 + away),
@@ -85,18 +86,18 @@ impl<'a> Spacing<'a> {
     }
 }
 
-/// Forces and moments over the length, per length: what the beam presses with at least, about. Each load counts with
-/// its `factors`.
+/// Estimated mean pressure under the beam: forces and moments divided by the length. Each load has its factor
+/// from `factors`.
 pub(super) fn mean_load(loads: &[Load], l: f64, factors: impl Fn(usize) -> f64) -> f64 {
     let sizes = loads.iter().enumerate().map(|(i, load)| factors(i).abs() * load.as_force(l));
     sizes.sum::<f64>() / l
 }
 
-/// Between which values the constants along the beam lie.
+/// Ranges of the constants along the beam.
 struct Ranges {
     /// EI.
     bending: [f64; 2],
-    /// The smallest S; none if the beam only bends.
+    /// The smallest S; `None` without shear deformation.
     shearing: Option<f64>,
     /// P; 0 under compression.
     tension: f64,
@@ -135,7 +136,7 @@ impl Ranges {
         }
     }
 
-    /// Beams with every combination of the smallest and the largest constants.
+    /// Bonded beams with all combinations of the smallest and the largest constants.
     fn bonded(&self) -> impl Iterator<Item = Bonded> {
         (0..8).map(|i| Bonded {
             bending: self.bending[i & 1],
@@ -147,7 +148,7 @@ impl Ranges {
     }
 }
 
-/// An endless beam that stays on its ground.
+/// An infinite bonded beam.
 struct Bonded {
     bending: f64,
     shearing: Option<f64>,
@@ -157,7 +158,7 @@ struct Bonded {
 }
 
 impl Bonded {
-    /// M/g″ on ground with the clearance g = cos qx.
+    /// M/g″ on ground with the gap g = cos qx.
     fn moment(&self, q: f64) -> f64 {
         let q2 = q * q;
         let bending = self.bending / (1.0 + self.shearing.map_or(0.0, |s| self.bending * q2 / s));
@@ -165,9 +166,9 @@ impl Bonded {
         bending * (ground / (ground + q2 * (self.tension + bending * q2)))
     }
 
-    /// The longest chord under which the moment differs by less than the tolerance.
+    /// The longest chord for which the moment differs by less than the tolerance.
     fn longest(&self, width: f64) -> f64 {
-        // The first harmonic of a row of parabolas or of single forces, and π²/6 for the others.
+        // First harmonic of a row of parabolas or of point forces; π²/6 accounts for the others.
         let few = TOLERANCE * self.moment(1.0 / width) / 3.3;
         let (mut short, mut long) = (0.0, width);
         for _ in 0..60 {

@@ -1,4 +1,4 @@
-//! `[[case]]` and `[[combination]]`.
+//! Reads `[[case]]` and `[[combination]]`.
 
 use crate::case_names::{self, NO_LOAD};
 use crate::code;
@@ -26,7 +26,7 @@ pub(super) static LIMIT_STATES: Words = Words {
         ("SLS quasi-permanent", &["quasi-permanent", "quasi permanent", "long term"]),
         ("allowable stress", &["asd", "allowable", "service"]),
     ],
-    message: "`{}` is no limit state",
+    message: "`{}` is not a limit state",
     hint: "the limit states: {}",
 };
 
@@ -40,19 +40,19 @@ pub(super) fn limit_states(reader: &mut Reader, table: &Section, key: &str) -> O
 pub(super) static CASE: Table = Table {
     name: "[[case]]",
     keys: &[
-        text("name", "Q", "The name of the case, as loads give it.").needed(),
+        text("name", "Q", "The name of the case, as in `case` of the loads.").needed(),
         key(
             "action",
             Value::Name("imposed B", sets::actions),
-            "The action, in the words of the code.",
+            "The type of action, in the terms of the code of practice.",
         )
         .also(&["type", "kind", "category", "nature"]),
-        text("group", "wind", "At most one case of a group acts at a time.")
+        text("group", "wind", "Cases of one group never act together.")
             .also(&["exclusive", "alternative"]),
         text(
             "source",
             "own weight",
-            "Permanent cases of one source have one partial factor; left out: each its own.",
+            "Permanent cases of one source share one partial factor; default: each has its own.",
         )
         .also(&["origin"]),
     ],
@@ -61,8 +61,8 @@ pub(super) static CASE: Table = Table {
 pub(super) static TABLE: Table = Table {
     name: "[[combination]]",
     keys: &[
-        text("name", "ULS 1", "The name; a set names its combinations."),
-        key("factors", Value::Factors, "The factors of the cases; left out: 0.")
+        text("name", "ULS 1", "The name; not given with `set`."),
+        key("factors", Value::Factors, "The factors of the cases; default: 0.")
             .also(&["factor", "coefficients"]),
         key(
             "set",
@@ -73,13 +73,13 @@ pub(super) static TABLE: Table = Table {
         words(
             "limit_state",
             &LIMIT_STATES,
-            "The limit state; left out: that of the set, or every check is judged.",
+            "The limit state; default: that of the set, otherwise all checks are judged.",
         )
         .also(&["limit_states", "design_situation", "state"]),
     ],
 };
 
-/// What `[[case]]` says of a case.
+/// Data of `[[case]]`.
 struct Described<'a> {
     name: &'a str,
     action: Option<(&'a str, Range<usize>)>,
@@ -87,8 +87,8 @@ struct Described<'a> {
     source: Option<&'a str>,
 }
 
-/// The combinations of a file, in its order, those of sets in the place of the set; each will be solved on so many
-/// `grounds`.
+/// Combinations of a file in order; a set is replaced by its combinations. Each one will be solved on
+/// `grounds` grounds.
 pub(super) fn read(
     reader: &mut Reader,
     root: &Section,
@@ -116,13 +116,13 @@ pub(super) fn read(
         match (table.value("set"), table.value("factors")) {
             (Some(set), None) => {
                 if let Some((_, span)) = &name {
-                    let hint = "the set names its combinations itself: leave `name` out";
+                    let hint = "a set gives names to its combinations: leave `name` out";
                     reader.exclusive(("name", span), ("set", &set.span()), hint);
                 }
                 file.make(reader, &table, states, &mut recipes);
             }
             (Some(set), Some(factors)) => {
-                let hint = "give either of them a [[combination]] of its own";
+                let hint = "give each a [[combination]] of its own";
                 reader.exclusive(("set", &set.span()), ("factors", &factors.span()), hint);
             }
             (None, factors) => {
@@ -145,7 +145,7 @@ pub(super) fn read(
     }
     for (name, span) in taken {
         if file.made.contains(&name) {
-            let message = format!("a set makes a combination `{name}`, too");
+            let message = format!("a set also contains a combination `{name}`");
             let hint = "give each combination a name of its own";
             reader.report(Fault::new(code::REPEATED, span, message, "", hint));
         }
@@ -153,7 +153,7 @@ pub(super) fn read(
     recipes
 }
 
-/// The cases that `[[case]]` describes, each of which some load has.
+/// Reads the cases of `[[case]]`; each must have a load.
 fn describe<'a>(reader: &mut Reader, root: &Section<'a>, names: &[&str]) -> Vec<Described<'a>> {
     let mut described = Vec::new();
     let mut taken = Vec::new();
@@ -164,7 +164,7 @@ fn describe<'a>(reader: &mut Reader, root: &Section<'a>, names: &[&str]) -> Vec<
         if let Some(word @ (action, _)) = &action
             && !actions.contains(action)
         {
-            let message = "`{}` is no action that a code of practice knows";
+            let message = "`{}` is not an action of any code of practice";
             reader.unknown_word(word.clone(), message, &actions, "the actions: {}");
         }
         let group = reader.text(&table, "group").map(|(group, _)| group.trim());
@@ -178,7 +178,7 @@ fn describe<'a>(reader: &mut Reader, root: &Section<'a>, names: &[&str]) -> Vec<
     described
 }
 
-/// The `name` of a table, which no other of its kind has; none if there is none or it is empty.
+/// The `name` of a table, checked to be unique among tables of its kind; `None` if absent or empty.
 fn named<'a>(
     reader: &mut Reader,
     table: &Section<'a>,
@@ -194,7 +194,7 @@ fn named<'a>(
     }
     match taken.iter().find(|(other, _)| other == name) {
         Some((_, first)) => {
-            let message = format!("two {} are called `{name}`", table.name());
+            let message = format!("two {} have the name `{name}`", table.name());
             let hint = "give each a name of its own";
             let fault = Fault::new(code::REPEATED, span.clone(), message, "", hint);
             reader.report_with(fault, first.clone(), "the first of them");
@@ -208,23 +208,23 @@ fn unknown_case(reader: &mut Reader, name: &str, span: Range<usize>, names: &[&s
     reader.unknown_word((name, span), NO_LOAD, names, case_names::otherwise(names));
 }
 
-/// What combinations are made of.
+/// Data for building combinations.
 struct File<'a> {
     loads: &'a [Load],
     cases: &'a [Option<String>],
-    /// Each case once, in the order of the loads.
+    /// Names of the cases, each once, in the order of the loads.
     names: Vec<&'a str>,
     described: Vec<Described<'a>>,
-    /// More combinations than this the file may not have.
+    /// Maximum number of combinations in the file.
     most: usize,
-    /// Cases of which it has been said that an action is missing or of another code.
+    /// Cases for which a missing or foreign action has been reported.
     wanting: Vec<&'a str>,
-    /// The names of the combinations that sets made.
+    /// Names of the combinations that come from sets.
     made: Vec<String>,
 }
 
 impl<'a> File<'a> {
-    /// `factors = { G = 1.35, Q = 1.5 }`
+    /// Reads a table of factors, `factors = { G = 1.35, Q = 1.5 }`.
     fn factors(&self, reader: &mut Reader, value: &Spanned<DeValue>) -> Vec<(String, f64)> {
         let DeValue::Table(table) = value.get_ref() else {
             let message = "`factors` is a table of cases and numbers".to_owned();
@@ -248,13 +248,13 @@ impl<'a> File<'a> {
         let mut of_it = of_it.filter(|(case, _)| case.as_deref() == Some(name));
         if of_it.any(|(_, load)| is_finite(load) && !is_within_reach(&load.scaled(factor))) {
             let message =
-                format!("with this factor a load of the case `{name}` cannot be computed with");
+                format!("with this factor a load of the case `{name}` is too large or too small");
             reader.report(Fault::new(code::NOT_FINITE, value.span(), message, "", REACH));
         }
         Some((name.to_owned(), factor))
     }
 
-    /// The combinations of a set, in its limit states or in those that the file names.
+    /// Combinations of a set, in its limit states or in those of the file.
     fn make(
         &mut self,
         reader: &mut Reader,
@@ -279,7 +279,7 @@ impl<'a> File<'a> {
         match sets::expand(practice, set, &acting, self.most.saturating_sub(recipes.len())) {
             Ok(made) => {
                 if let Some(again) = made.iter().find(|made| self.made.contains(&made.name)) {
-                    let message = format!("this set makes `{}` a second time", again.name);
+                    let message = format!("this set makes `{}` twice", again.name);
                     let hint = "ask for each set once";
                     reader.report(Fault::new(code::REPEATED, span, message, "", hint));
                 }
@@ -292,7 +292,7 @@ impl<'a> File<'a> {
                 }
             }
             Err(sets::TooMany) => {
-                let message = format!("the file's combinations are more than {}", self.most);
+                let message = format!("the file has more than {} combinations", self.most);
                 let hint = "give cases that never act together, as winds from two sides, one \
                             `group`, or write the combinations that matter with `factors`";
                 reader.report(Fault::new(code::TOO_MANY, span, message, "", hint));
@@ -300,7 +300,7 @@ impl<'a> File<'a> {
         }
     }
 
-    /// What acts in the cases, for a set that knows all of it.
+    /// Actions of the load cases; `None` if the action of a case is missing or unknown to the set.
     fn acting(
         &mut self,
         reader: &mut Reader,
@@ -322,7 +322,7 @@ impl<'a> File<'a> {
                         set.name
                     );
                     let hint =
-                        "no public source confirmed it: write the combinations with `factors`";
+                        "no public source confirms it: write the combinations with `factors`";
                     reader.report(Fault::new(code::MISSING, span.clone(), message, "", hint));
                 }
                 acting.push(Acting { case, action, group, source });
@@ -335,7 +335,7 @@ impl<'a> File<'a> {
     }
 }
 
-/// Reports a case whose action a set does not know.
+/// Reports a case whose action the set does not know.
 fn wanting(
     reader: &mut Reader,
     (practice, set, span): (&Practice, &Set, &Range<usize>),
@@ -347,21 +347,21 @@ fn wanting(
     match action {
         None => {
             let set = &set.name;
-            let message = format!("`{set}` needs to know what acts in the case `{case}`");
+            let message = format!("`{set}` needs the type of action of the case `{case}`");
             let hint = format!("add a [[case]] with name = \"{case}\" and its `action`; {all}");
             reader.report(Fault::new(code::MISSING, span.clone(), message, "", hint));
         }
-        // What no code knows has been said already.
+        // An action that no code knows has been reported already.
         Some((action, _)) if !sets::actions().contains(&action) => {}
         Some((action, at)) => {
-            let message = format!("`{action}` is no action of {}", practice.code);
+            let message = format!("`{action}` is not an action of {}", practice.code);
             let fault = Fault::new(code::UNKNOWN_WORD, at, message, "", all);
             reader.report_with(fault, span.clone(), "which this set is of");
         }
     }
 }
 
-/// The entries of a table in the order of the text.
+/// Entries of a table in the order of the text.
 fn in_order<'t>(table: &'t DeTable) -> Vec<(&'t str, Range<usize>, &'t Spanned<DeValue<'t>>)> {
     let mut entries: Vec<_> =
         table.iter().map(|(key, value)| (key.get_ref().as_ref(), key.span(), value)).collect();

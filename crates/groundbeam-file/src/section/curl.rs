@@ -1,4 +1,4 @@
-//! Imposed curvature from temperature, shrinkage and camber, by the depth of the beam's section.
+//! Imposed curvature from temperature, shrinkage and camber, using the depth of the beam's section.
 
 use super::beam::OwnLoad;
 use crate::code;
@@ -8,22 +8,22 @@ use crate::reader::{Field, Reader};
 use crate::table::Section;
 use groundbeam::Load;
 
-/// The depth of the beam's section on a stretch, if it is known there.
+/// Depth of the beam's section on a stretch, if known.
 pub(super) struct Depth {
     pub from: f64,
     pub to: f64,
     pub depth: Option<Along>,
 }
 
-/// What the beam says of how temperature and shrinkage curl it.
+/// Data of the beam for curvature from temperature and shrinkage.
 #[derive(Default)]
 pub(super) struct Curls {
     pub depths: Vec<Depth>,
-    /// The expansion of its material, if that is one all along.
+    /// Thermal expansion of its material, if it is the same along the beam.
     pub expansion: Option<f64>,
 }
 
-/// The depths of the whole beam: of its segments, and of its own section where there are none.
+/// Depths along the beam: those of its segments, and of its own section elsewhere.
 pub(super) fn all(length: f64, base: Option<Along>, mut segments: Vec<Depth>) -> Vec<Depth> {
     for [from, to] in left_out(length, segments.iter().map(|s| (s.from, s.to))) {
         let depth = base.as_ref().map(|base| base.between([from / length, to / length]));
@@ -32,9 +32,9 @@ pub(super) fn all(length: f64, base: Option<Along>, mut segments: Vec<Depth>) ->
     segments
 }
 
-/// What one of a difference between top and bottom is as a curvature: 1 for a curvature itself, α/h for the
-/// temperature of the top above that of the bottom, −1/h for the shrinkage of the top beyond that of the
-/// bottom. A warmer top is longer, and bends the ends down, as a positive curvature does.
+/// Curvature per unit of the load: 1 for a curvature, α/h for the temperature difference top minus bottom,
+/// −1/h for the difference in shrinkage top minus bottom. A warmer top is longer and bends the ends down:
+/// positive curvature.
 pub(super) fn curvature_per(
     reader: &mut Reader,
     table: &Section,
@@ -56,7 +56,7 @@ pub(super) fn curvature_per(
     reader.positive("expansion", expansion).value / depth
 }
 
-/// The depth given beside the difference, or that of the section all along the stretch.
+/// Depth given with the load, or otherwise the depth of the section along the whole stretch.
 fn depth(reader: &mut Reader, table: &Section, [from, to]: [f64; 2], depths: &[Depth]) -> f64 {
     if let Some(depth) = reader.quantity(table, "depth") {
         return reader.positive("depth", depth).value;
@@ -65,7 +65,7 @@ fn depth(reader: &mut Reader, table: &Section, [from, to]: [f64; 2], depths: &[D
     let known: Option<Vec<&Along>> = under.map(|d| d.depth.as_ref()).collect();
     let Some(known) = known.filter(|known| !known.is_empty()) else {
         let depth = reader.line(table.keys, "depth");
-        let message = "the depth of the beam's section is not known all along this load";
+        let message = "the depth of the beam's section is not known along the whole load";
         let hint = format!("add {depth} here, or give the beam a `section`");
         let fault = Fault::new(code::INCOMPLETE, table.span.clone(), message, "", hint);
         // A stretch that cannot be read has been reported.
@@ -87,7 +87,7 @@ fn depth(reader: &mut Reader, table: &Section, [from, to]: [f64; 2], depths: &[D
     first.start()
 }
 
-/// The curvature of a camber: a parabola that rises by it at mid-length, w = −4 c x (l − x)/l².
+/// Curvature of a camber. The shape is a parabola with this rise at mid-length, w = −4 c x (l − x)/l².
 pub(super) fn camber(reader: &mut Reader, table: &Section, length: f64) -> Option<OwnLoad> {
     let Field { value: camber, span } = reader.quantity(table, "camber")?;
     let known = !camber.is_nan() && length > 0.0;

@@ -1,4 +1,4 @@
-//! `[foundation]` and `[[foundation.segment]]`.
+//! Reads `[foundation]` and `[[foundation.segment]]`.
 
 use super::segments::{Body, Segment, Whole};
 use super::{band, soil};
@@ -20,26 +20,25 @@ use crate::table::Section;
 use groundbeam::model::Part;
 use groundbeam::{Beam, Foundation, FoundationSegment, GroundEnd, Profile};
 
-// The keys of k and μ, in `[foundation]` and in `[[foundation.segment]]`. How many control values a ground may have the
-// model knows.
+// Keys of k and μ, in `[foundation]` and in `[[foundation.segment]]`. The model limits the number of control
+// values.
 const K: Key = along(
     "k",
     &SPRING_PER_LENGTH,
     Profile::MOST,
-    "The spring constant per length; at most three values.",
+    "The subgrade k per length of beam; at most three values.",
 )
 .also(&["spring", "spring_constant", "winkler", "stiffness"]);
 const MODULUS: Value = Value::Along(&SUBGRADE_MODULUS, 2);
 const SUBGRADE: Key = key("subgrade_modulus", MODULUS, "With `width`; k is their product.")
     .also(&["ks", "k_s", "modulus", "bedding_modulus"]);
 const C1: Key = key("C1", MODULUS, "Another name of `subgrade_modulus`.");
-const BEARING: Key =
-    along("width", &WIDTH, 2, "The width on which the beam bears.").also(ALSO_WIDTH);
+const BEARING: Key = along("width", &WIDTH, 2, "The bearing width of the beam.").also(ALSO_WIDTH);
 const MU: Key = along(
     "mu",
     &SHEAR_CONSTANT,
     Profile::MOST,
-    "The shear constant, as `k`; left out: 0 (Winkler).",
+    "The shear constant μ; at most three values; default: 0 (Winkler).",
 )
 .also(&["µ", "μ", "shear", "g", "gp", "shear_constant", "pasternak"]);
 const C2: Key = along("C2", &AREA_SHEAR, 2, "With `width`; mu is their product.");
@@ -47,8 +46,8 @@ const C2: Key = along("C2", &AREA_SHEAR, 2, "With `width`; mu is their product."
 static SEGMENT: Table = Table {
     name: "[[foundation.segment]]",
     keys: &[
-        quantity("from", &POSITION, "Where the segment begins.").needed().also(ALSO_FROM),
-        quantity("to", &POSITION, "Where it ends.").needed().also(ALSO_TO),
+        quantity("from", &POSITION, "The start of the segment.").needed().also(ALSO_FROM),
+        quantity("to", &POSITION, "Its end.").needed().also(ALSO_TO),
         K,
         SUBGRADE,
         C1,
@@ -61,7 +60,7 @@ static SEGMENT: Table = Table {
 static WAYS: Words = Words {
     all: || vec!["free", "held"],
     also: &[],
-    message: "`{}` is no way in which ground ends",
+    message: "`{}` is not a kind of ground end",
     hint: "\"free\", as beside a trench, or \"held\", as by a wall",
 };
 const END: &[Key] = &[
@@ -80,11 +79,11 @@ pub(super) static TABLE: Table = Table {
         BEARING,
         MU,
         C2,
-        tables("segment", &SEGMENT, "Other ground between two positions."),
-        table("soil", &soil::TABLE, "The soil, from which k and mu follow."),
-        table("band", &band::TABLE, "The limits of k and mu as multiples."),
-        table("left", &LEFT, "The end of the ground on the left; left out: endless."),
-        table("right", &RIGHT, "The end of the ground on the right."),
+        tables("segment", &SEGMENT, "A part of the ground with different constants."),
+        table("soil", &soil::TABLE, "Soil data, from which k and mu follow."),
+        table("band", &band::TABLE, "Lower and upper factors on k and mu."),
+        table("left", &LEFT, "The left end of the ground; default: unbounded."),
+        table("right", &RIGHT, "The right end of the ground; default: unbounded."),
     ],
 };
 
@@ -94,11 +93,11 @@ static BODY: Body = Body {
     keys: Keys { product: "k", factors: ["subgrade_modulus", "width"], instead: "" },
 };
 
-/// All that the file says of the ground.
+/// Data of the ground in the file.
 #[derive(Debug)]
 pub(crate) struct Ground {
     pub foundation: Foundation,
-    /// The width on which the whole beam bears.
+    /// Bearing width of the whole beam.
     pub width: Option<f64>,
     pub band: Option<Band>,
 }
@@ -116,7 +115,7 @@ pub(super) fn read(reader: &mut Reader, root: &Section, beam: &Beam) -> Ground {
                 root,
                 &["foundation"],
                 "`[foundation]`",
-                "[foundation] with `k`, and `mu` if it shears",
+                "[foundation] with `k`, and `mu` if it has a shear layer",
             );
         }
         return Ground::unreadable();
@@ -137,11 +136,11 @@ pub(super) fn read(reader: &mut Reader, root: &Section, beam: &Beam) -> Ground {
     ground
 }
 
-/// A ground made of soil: nothing else may say what it is.
+/// Ground defined by soil data, which excludes all constants.
 fn on_soil(reader: &mut Reader, table: &Section, soil: &Section, beam: &Beam) -> Ground {
     for key in ["k", "subgrade_modulus", "C1", "mu", "C2", "segment", "left", "right"] {
         if let Some((name, _)) = table.table.get_key_value(key) {
-            let hint = "give the ground's constants, or the soil from which they follow";
+            let hint = "give either the ground's constants or the soil data";
             reader.exclusive((key, &name.span()), ("soil", &soil.span), hint);
         }
     }
@@ -156,7 +155,7 @@ fn on_soil(reader: &mut Reader, table: &Section, soil: &Section, beam: &Beam) ->
     Ground { foundation, width: Some(width.value), band: None }
 }
 
-/// A ground given by its constants.
+/// Ground defined by its constants.
 fn constants(reader: &mut Reader, table: &Section, beam_length: f64) -> Ground {
     let ends = ["left", "right"].map(|key| ground_end(reader, table, key));
     let own = given(reader, table);
@@ -186,7 +185,7 @@ fn constants(reader: &mut Reader, table: &Section, beam_length: f64) -> Ground {
     Ground { foundation, width, band: None }
 }
 
-/// `left = { ends = "-2 m", as = "free" }`
+/// Reads one end of the ground, such as `left = { ends = "-2 m", as = "free" }`.
 fn ground_end(reader: &mut Reader, table: &Section, key: &'static str) -> GroundEnd {
     let Some(end) = reader.table(table, key) else { return GroundEnd::Endless };
     let at = reader.required(&end, "ends");
@@ -199,7 +198,7 @@ fn ground_end(reader: &mut Reader, table: &Section, key: &'static str) -> Ground
     }
 }
 
-/// μ as it is given, or as C2 times a width; none if the table says nothing of it.
+/// μ as given, or C2 times a width; `None` if the table gives neither.
 fn shear(
     reader: &mut Reader,
     table: &Section,
@@ -221,7 +220,7 @@ fn shear(
     Some(of_area.times(width, &of_area.span))
 }
 
-/// A segment, of a foundation with this C2.
+/// Reads a segment of a foundation with this C2.
 fn read_segment(
     reader: &mut Reader,
     table: &Section,
@@ -231,13 +230,13 @@ fn read_segment(
     let (ends, way) = whole.ends(reader, table);
     let own = given(reader, table);
     let [own_width, width] = [&own, &whole.given(way)].map(|given| given.factors[1].clone());
-    // A width of its own makes another μ of the C2 of the whole ground.
+    // A segment with its own width has another μ = C2 × width.
     let inherits = own_width.is_some() && table.value("mu").is_none();
     let inherited = of_area.filter(|_| inherits).map(|along| along.between(way));
     let of_area = reader.along(table, "C2").or(inherited);
     let own_shear = shear(reader, table, of_area.as_ref(), own_width.or(width).as_ref());
     let mut segment = whole.segment(reader, table, (ends, way), &own, own_shear);
-    // Ground goes on beyond the beam as it is at its ends: what varies along the beam ends there.
+    // Beyond the beam the ground has the values at the beam's ends, so varying ground must end there.
     if whole.varies() && segment.from < whole.length && segment.to > 0.0 {
         segment.from = segment.from.max(0.0);
         segment.to = segment.to.min(whole.length);

@@ -1,4 +1,4 @@
-//! `[[gap]]` and `[[gap_trough]]`.
+//! Reads `[[gap]]` and `[[gap_trough]]`.
 
 use super::chords::Spacing;
 use super::survey;
@@ -13,20 +13,19 @@ use crate::table::Section;
 use groundbeam::model::Part;
 use groundbeam::{GapPoint, Model};
 
-pub(super) static TABLE: Table = Table {
-    name: "[[gap]]",
-    keys: &[
-        quantity("at", &POSITION, "The position of a corner on the beam.").needed().also(ALSO_AT),
-        quantity("value", &CLEARANCE, "The clearance there, positive open.").needed().also(&[
-            "gap",
-            "clearance",
-            "size",
-        ]),
-    ],
-};
+pub(super) static TABLE: Table =
+    Table {
+        name: "[[gap]]",
+        keys: &[
+            quantity("at", &POSITION, "The position of a point of the gap.").needed().also(ALSO_AT),
+            quantity("value", &CLEARANCE, "The initial gap there, positive if open.")
+                .needed()
+                .also(&["gap", "clearance", "size"]),
+        ],
+    };
 
-/// Gives the model its initial gap: the corners of the file, or those of a survey, and the troughs added to them.
-/// Returns the number of chords if there are troughs. `pressures` are the mean loads of all answers asked for.
+/// Sets the model's initial gap: the points of the file or of a survey, plus the troughs. Returns the number
+/// of chords if there are troughs. `pressures` are the mean loads of all requested results.
 pub(super) fn read(
     reader: &mut Reader,
     root: &Section,
@@ -54,7 +53,7 @@ pub(super) fn read(
         Err(chords) => {
             let message = format!("the troughs need {chords:.0} chords, more than {MOST_CHORDS}");
             let hint = "check `settlement`, the loads, EI, k and mu: chords are short under a light load or a flexible beam \
-                        on stiff ground; or give corners of your own as [[gap]]";
+                        on stiff ground; or give the points yourself as [[gap]]";
             reader.report(Fault::new(code::CHORDS, first.span.clone(), message, "", hint));
             None
         }
@@ -65,7 +64,7 @@ fn given(reader: &mut Reader, root: &Section, length: f64) -> Vec<GapPoint> {
     let gap = corners(reader, root);
     let Some(table) = reader.table(root, "gap_survey") else { return gap };
     if let Some((name, _)) = root.table.get_key_value("gap") {
-        let hint = "give the gap's corners, or the survey from which they follow";
+        let hint = "give either the points of the gap or a survey";
         reader.exclusive(("gap", &name.span()), ("gap_survey", &table.span), hint);
     }
     let gap = survey::read(reader, &table, length);
@@ -80,7 +79,7 @@ fn corners(reader: &mut Reader, root: &Section) -> Vec<GapPoint> {
     tables.iter().map(corner).collect()
 }
 
-/// What is wrong with a corner that the file does not list stands where it was made.
+/// A fault of a generated point is reported at the table that generated it.
 fn place_all(reader: &mut Reader, corners: usize, table: &Section) {
     for i in 0..corners {
         reader.places.part(Part::Gap(i), &table.span);

@@ -1,4 +1,4 @@
-//! `[[hinge]]`.
+//! Reads `[[hinge]]`.
 
 use crate::keys::{ALSO_AT, Table, quantity};
 use crate::quantity::{POSITION, ROTATIONAL_SPRING};
@@ -11,8 +11,12 @@ pub(super) static TABLE: Table = Table {
     name: "[[hinge]]",
     keys: &[
         quantity("at", &POSITION, "The position on the beam.").needed().also(ALSO_AT),
-        quantity("rotational_spring", &ROTATIONAL_SPRING, "Its spring; left out: 0, a free hinge.")
-            .also(&["k_r", "kr", "rotation", "rotational"]),
+        quantity(
+            "rotational_spring",
+            &ROTATIONAL_SPRING,
+            "Its rotational spring; default: 0, a free hinge.",
+        )
+        .also(&["k_r", "kr", "rotation", "rotational"]),
     ],
 };
 

@@ -1,4 +1,4 @@
-//! `[[load]]`.
+//! Reads `[[load]]` and loads on the ground.
 
 use super::curl;
 use super::curl::Curls;
@@ -16,15 +16,16 @@ use groundbeam::{Action, Extent, Load};
 use toml::Spanned;
 use toml::de::DeValue;
 
-/// A kind of load: its key, which says the quantity of its size, and the load of the model that it makes.
+/// A kind of load: its key, which determines the quantity, and the resulting load of the model.
 pub(crate) struct LoadKind {
     pub key: Key,
-    /// The SI unit in which it is written.
+    /// Its SI unit.
     pub unit: &'static str,
     action: Action,
 }
 
-/// Every kind, in the order in which messages list them. Of kinds with the same action and extent the first one is written.
+/// All kinds, in the order in which messages list them. If several kinds give the same load, the first one is
+/// written.
 static KINDS: [LoadKind; 7] = [
     LoadKind { key: POINT, unit: "N", action: Action::Force },
     LoadKind { key: MOMENT_AT, unit: "N m", action: Action::Moment },
@@ -35,7 +36,7 @@ static KINDS: [LoadKind; 7] = [
     LoadKind { key: SHRUNK, unit: "", action: Action::Curvature },
 ];
 
-const POINT: Key = quantity("point", &FORCE, "A force at a point, down positive.").also(&[
+const POINT: Key = quantity("point", &FORCE, "A force at a point, positive downward.").also(&[
     "f",
     "p",
     "force",
@@ -44,10 +45,10 @@ const POINT: Key = quantity("point", &FORCE, "A force at a point, down positive.
     "magnitude",
 ]);
 const MOMENT_AT: Key =
-    quantity("moment", &MOMENT, "A moment at a point; positive turns the right side down.")
+    quantity("moment", &MOMENT, "A moment at a point; a positive one turns the right side down.")
         .also(&["m", "couple"]);
 const DISTRIBUTED: Key =
-    along("distributed", &LOAD_PER_LENGTH, 2, "A distributed force, down positive.").also(&[
+    along("distributed", &LOAD_PER_LENGTH, 2, "A distributed force, positive downward.").also(&[
         "q",
         "w",
         "uniform",
@@ -57,16 +58,24 @@ const DISTRIBUTED: Key =
 const DISTRIBUTED_MOMENT: Key =
     along("distributed_moment", &MOMENT_PER_LENGTH, 2, "A distributed moment.")
         .also(&["line_moment"]);
-const IMPOSED: Key =
-    along("curvature", &CURVATURE, 2, "An imposed curvature κ₀; positive bends the ends down.");
+const IMPOSED: Key = along(
+    "curvature",
+    &CURVATURE,
+    2,
+    "An imposed curvature κ₀; a positive one bends the ends down.",
+);
 const WARMER: Key = along(
     "temperature_difference",
     &TEMPERATURE,
     2,
-    "Top less bottom: κ₀ = expansion × difference / depth.",
+    "Temperature of the top minus that of the bottom: κ₀ = expansion × difference / depth.",
 );
-const SHRUNK: Key =
-    along("shrinkage_difference", &STRAIN, 2, "Top less bottom: κ₀ = −difference / depth.");
+const SHRUNK: Key = along(
+    "shrinkage_difference",
+    &STRAIN,
+    2,
+    "Shrinkage of the top minus that of the bottom: κ₀ = −difference / depth.",
+);
 
 impl LoadKind {
     fn is_distributed(&self) -> bool {
@@ -74,8 +83,7 @@ impl LoadKind {
     }
 }
 
-const CASE: Key =
-    text("case", "Q", "The load case to which it belongs: any name.").also(&["load_case"]);
+const CASE: Key = text("case", "Q", "The load case of the load: any name.").also(&["load_case"]);
 
 pub(super) static TABLE: Table = Table {
     name: "[[load]]",
@@ -90,13 +98,17 @@ pub(super) static TABLE: Table = Table {
         quantity(
             "expansion",
             &EXPANSION,
-            "Strain per temperature; left out: that of the `material`.",
+            "The coefficient of thermal expansion; default: that of the `material`.",
         ),
-        quantity("depth", &DEPTH, "The depth of the beam; left out: that of its `section`."),
+        quantity("depth", &DEPTH, "The depth of the beam; default: that of its `section`."),
         quantity("at", &POSITION, "The position of a load at a point.").also(ALSO_AT),
-        quantity("from", &POSITION, "Where a distributed load begins; left out: 0.")
-            .also(ALSO_FROM),
-        quantity("to", &POSITION, "Where it ends; left out: the length of the beam.").also(ALSO_TO),
+        quantity("from", &POSITION, "The start of a distributed load; default: 0.").also(ALSO_FROM),
+        quantity(
+            "to",
+            &POSITION,
+            "The end of a distributed load; default: the length of the beam.",
+        )
+        .also(ALSO_TO),
         CASE,
     ],
 };
@@ -107,13 +119,13 @@ pub(super) static ON_GROUND: Table = Table {
         POINT,
         DISTRIBUTED,
         quantity("at", &GROUND_POSITION, "The position of a force at a point.").also(ALSO_AT),
-        quantity("from", &GROUND_POSITION, "Where a distributed force begins.").also(ALSO_FROM),
-        quantity("to", &GROUND_POSITION, "Where it ends.").also(ALSO_TO),
+        quantity("from", &GROUND_POSITION, "The start of a distributed force.").also(ALSO_FROM),
+        quantity("to", &GROUND_POSITION, "Its end.").also(ALSO_TO),
         CASE,
     ],
 };
 
-/// The kind of a load of the model.
+/// Kind of a load of the model.
 pub(crate) fn kind_of(load: &Load) -> &'static LoadKind {
     let is_distributed = load.extent().is_distributed();
     let same =
@@ -121,7 +133,7 @@ pub(crate) fn kind_of(load: &Load) -> &'static LoadKind {
     KINDS.iter().find(same).unwrap_or(&KINDS[0])
 }
 
-/// The loads, and beside each the load case it belongs to.
+/// The loads, each with its load case.
 pub(super) fn read(
     reader: &mut Reader,
     root: &Section,
@@ -138,7 +150,7 @@ pub(super) fn read(
     (loads, cases)
 }
 
-/// The name of a load case, without the spaces around it.
+/// Name of a load case, without surrounding spaces.
 fn case(reader: &mut Reader, table: &Section) -> Option<String> {
     let (name, span) = reader.text(table, "case")?;
     let name = name.trim();
@@ -150,7 +162,7 @@ fn case(reader: &mut Reader, table: &Section) -> Option<String> {
     Some(name.to_owned())
 }
 
-/// The loads on the ground, and beside each its load case; `first` loads stand before them.
+/// Loads on the ground, each with its load case. `first` is the number of loads before them.
 pub(super) fn read_on_ground(
     reader: &mut Reader,
     root: &Section,
@@ -195,7 +207,7 @@ fn read_one(reader: &mut Reader, table: &Section, beam_length: f64, curls: &Curl
     let extent = if kind.is_distributed() {
         let [from, to] = stretch(reader, table, kind, on_ground, beam_length);
         let (start, end) = intensity(reader, table, kind, value);
-        // What is missing has been reported.
+        // A missing kind has been reported.
         let per = match kind.action {
             Action::Curvature => {
                 curl::curvature_per(reader, table, kind.key.name, [from, to], curls)
@@ -205,18 +217,18 @@ fn read_one(reader: &mut Reader, table: &Section, beam_length: f64, curls: &Curl
         let [start, end] = [start, end].map(|value| if per.is_nan() { 0.0 } else { per * value });
         Extent::Distributed { from, to, start, end }
     } else {
-        misplaced(reader, table, kind.key.name, &["from", "to"], "a load at a point has `at`");
+        misplaced(reader, table, kind.key.name, &["from", "to"], "a load at a point needs `at`");
         let at = reader.required(table, "at");
         let size = reader.field(kind.key.name, value, kind.key.kind());
         let name = if kind.action == Action::Moment { "moment" } else { "force" };
         reader.place(table, name, &size);
         Extent::Point { at: at.value, size: size.value }
     };
-    // Every kind of the table is a load.
+    // All kinds of the table are valid loads.
     Load::new(kind.action, extent, on_ground).unwrap_or_else(|| nothing(reader, table))
 }
 
-/// Keeps the place of a load of unknown kind in the list, so that those after it keep theirs.
+/// Placeholder for a load of unknown kind, so that later loads keep their numbers.
 fn nothing(reader: &mut Reader, table: &Section) -> Load {
     let unreadable = Field::unreadable(table.span.clone());
     reader.place(table, "at", &unreadable);
@@ -224,7 +236,7 @@ fn nothing(reader: &mut Reader, table: &Section) -> Load {
     Load::point_force(f64::NAN, f64::NAN)
 }
 
-/// `from` and `to`. A load on the beam that leaves them out covers the whole beam.
+/// Reads `from` and `to`. A load on the beam without them covers the whole beam.
 fn stretch(
     reader: &mut Reader,
     table: &Section,
@@ -235,7 +247,7 @@ fn stretch(
     let advice = match on_ground {
         true => "a distributed load has `from` and `to`",
         false => {
-            "a distributed load has `from` and `to`, or neither: then it covers the whole beam"
+            "a distributed load has both `from` and `to`, or neither: then it covers the whole beam"
         }
     };
     misplaced(reader, table, kind.key.name, &["at"], advice);
@@ -244,7 +256,7 @@ fn stretch(
             return reader.required(table, key).value;
         }
         let field = reader.quantity(table, key).unwrap_or_else(|| {
-            // Without a readable length of the beam it is not readable either.
+            // If the beam's length is unreadable, so is this end.
             let whole = Field::new(default, table.span.clone());
             reader.place(table, key, &whole);
             whole
@@ -253,7 +265,7 @@ fn stretch(
     })
 }
 
-/// One number for an even load, or a list of two: at `from` and at `to`.
+/// One number for a uniform load, or a list of two: at `from` and at `to`.
 fn intensity(
     reader: &mut Reader,
     table: &Section,
@@ -268,7 +280,7 @@ fn intensity(
                 let message = format!("`{kind}` has {} values", other.len());
                 let example = reader.pair(wanted);
                 let hint = format!(
-                    "give one value for an even load, or two for one that varies from `from` to \
+                    "give one value for a uniform load, or two for one that varies from `from` to \
                      `to`, as in {kind} = {example}"
                 );
                 reader.report(Fault::new(code::WRONG_TYPE, value.span(), message, "", hint));
@@ -286,7 +298,7 @@ fn intensity(
     (start.value, end.value)
 }
 
-/// Refuses `expansion` and `depth` beside a load that has no use for them.
+/// Rejects `expansion` and `depth` for loads that do not use them.
 fn refuse_keys_of_curvatures(reader: &mut Reader, table: &Section, kind: &str) {
     if kind != "temperature_difference" {
         let advice = "`expansion` belongs to a `temperature_difference`";
@@ -303,7 +315,7 @@ fn refuse_keys_of_curvatures(reader: &mut Reader, table: &Section, kind: &str) {
 fn misplaced(reader: &mut Reader, table: &Section, kind: &str, keys: &[&str], advice: &str) {
     for key in keys {
         if let Some((name, _)) = table.table.get_key_value(*key) {
-            let message = format!("`{key}` does not go with `{kind}`");
+            let message = format!("`{key}` cannot be combined with `{kind}`");
             reader.report(Fault::new(code::MISPLACED, name.span(), message, "", advice));
         }
     }

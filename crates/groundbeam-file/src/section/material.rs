@@ -1,4 +1,4 @@
-//! `material = "…"`: E by a name, and its weight and expansion where they are asked for.
+//! Reads `material = "…"`: E by name, and on request its unit weight and thermal expansion.
 
 use crate::code;
 use crate::fault::Fault;
@@ -11,7 +11,7 @@ use crate::table::Section;
 use crate::units::Seen;
 use groundbeam::Profile;
 
-/// E of the material that `table` names, or else the one given.
+/// E of the material that `table` names; otherwise the given E.
 pub(super) fn modulus(reader: &mut Reader, table: &Section, given: Option<Along>) -> Option<Along> {
     let Some(value) = table.value("material") else { return given };
     let value = value.span();
@@ -26,7 +26,7 @@ pub(super) fn modulus(reader: &mut Reader, table: &Section, given: Option<Along>
     })
 }
 
-/// The material that `table` names; a name that is not known is reported.
+/// The material that `table` names. An unknown name is reported.
 fn named(reader: &mut Reader, table: &Section) -> Option<&'static Material> {
     let (written, span) = reader.text(table, "material")?;
     let name = written.trim();
@@ -46,7 +46,7 @@ fn named(reader: &mut Reader, table: &Section) -> Option<&'static Material> {
     found
 }
 
-/// The material of a table that was read before.
+/// The material of a table that has been checked.
 pub(super) fn of(table: &Section) -> Option<&'static Material> {
     materials::find(table.value("material")?.get_ref().as_str()?.trim())
 }

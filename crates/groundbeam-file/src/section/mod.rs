@@ -1,4 +1,4 @@
-//! The tables of a model file, one file each, in the order of [`groundbeam::Model`].
+//! Readers of the tables of a model file, one source file each, in the order of [`groundbeam::Model`].
 
 mod band;
 mod beam;
@@ -30,7 +30,7 @@ use curl::Curls;
 use groundbeam::model::Part;
 use groundbeam::{Limits, Model};
 
-/// The tables of a model file.
+/// Tables of a model file.
 pub(crate) static MODEL: Table = Table {
     name: "the file",
     keys: &[
@@ -43,14 +43,14 @@ pub(crate) static MODEL: Table = Table {
         tables("ground_load", &load::ON_GROUND, "A load on the ground."),
         tables("support", &support::TABLE, "A support of the beam.")
             .also(&["bearing", "constraint"]),
-        tables("hinge", &hinge::TABLE, "A joint inside the beam.").also(&[
+        tables("hinge", &hinge::TABLE, "A hinge inside the beam.").also(&[
             "joint",
             "internal_hinge",
             "release",
         ]),
-        tables("gap", &gap::TABLE, "A corner of the clearance before loading.")
+        tables("gap", &gap::TABLE, "A point of the initial gap.")
             .also(&["clearance", "initial_gap"]),
-        table("gap_survey", &survey::TABLE, "The clearance from a table in a file."),
+        table("gap_survey", &survey::TABLE, "The initial gap from a table in a file."),
         tables("gap_trough", &trough::TABLE, "A settlement trough of the ground."),
         tables("case", &combination::CASE, "A load case, for sets of combinations.")
             .also(&["load_case"]),
@@ -69,19 +69,19 @@ pub(crate) static MODEL: Table = Table {
     ],
 };
 
-/// The whole file, as far as it could be read.
+/// Contents of the whole file, as far as readable.
 pub(crate) struct Contents {
     pub title: Option<String>,
     pub model: Model,
-    /// How many chords replace settlement troughs; none without troughs.
+    /// Number of chords that replace settlement troughs; `None` without troughs.
     pub chords: Option<usize>,
     pub ground: Ground,
     pub limits: Limits,
-    /// The load case of each of the model's loads.
+    /// Load case of each load of the model.
     pub cases: Vec<Option<String>>,
     pub recipes: Vec<Recipe>,
     pub trains: Vec<MovingTrain>,
-    /// The greatest height of the beam's sections, if one is known.
+    /// Greatest depth of the beam's sections, if known.
     pub height: Option<f64>,
 }
 
@@ -101,7 +101,7 @@ pub(crate) fn read(reader: &mut Reader, root: &Section) -> Contents {
         let part = Part::Load(loads.len());
         reader.places.part(part, &span);
         reader.places.field(part, "start", &Field::new(0.0, span.clone()));
-        // Where it begins and ends the segments say, and what is wrong there is told of them.
+        // The segments' own tables report faults of `from` and `to`.
         for end in ["from", "to"] {
             reader.places.field(part, end, &Field::unreadable(span.clone()));
         }
@@ -125,7 +125,7 @@ pub(crate) fn read(reader: &mut Reader, root: &Section) -> Contents {
     Contents { title, model, chords, ground, limits, cases, recipes, trains, height }
 }
 
-/// The load per length of every answer that the file asks for.
+/// Mean load per length for each result that the file asks for.
 fn mean_loads(model: &Model, cases: &[Option<String>], recipes: &[Recipe]) -> Vec<f64> {
     let mean =
         |factor: &dyn Fn(usize) -> f64| chords::mean_load(&model.loads, model.beam.length, factor);

@@ -1,7 +1,9 @@
-//! Segments of the beam (EI, S) and of the ground (k, μ), from their tables and the table for the whole beam.
+//! Computes segments of the beam (EI, S) and of the ground (k, μ) from their tables and the table for the
+//! whole beam.
 //!
-//! A factor that a segment leaves out has the value of the whole beam at the same position, and so has a stiffness
-//! beside which the segment gives S or μ alone. What varies along the whole beam holds where no segment says otherwise.
+//! A factor that a segment leaves out has the value of the whole beam at the same position. The same holds
+//! for EI or k if the segment gives only S or μ. A variation along the whole beam applies outside the
+//! segments.
 
 use crate::profile::{Along, left_out};
 use crate::reader::{Field, Reader};
@@ -10,12 +12,12 @@ use crate::table::Section;
 use groundbeam::Profile;
 use groundbeam::model::Part;
 
-/// The quantities of the beam or of the ground.
+/// Quantities of the beam or of the ground.
 pub(super) struct Body {
     pub segment: fn(usize) -> Part,
-    /// The fields of the model: EI and S, or k and μ.
+    /// Fields of the model: EI and S, or k and μ.
     pub fields: [&'static str; 2],
-    /// The keys of EI or k.
+    /// Keys of EI or k.
     pub keys: Keys,
 }
 
@@ -25,11 +27,11 @@ pub(super) struct Segment {
     pub to: f64,
     /// EI or k.
     pub stiffness: Profile,
-    /// S or μ; none for that of the whole beam.
+    /// S or μ; `None`: that of the whole beam.
     pub second: Option<Profile>,
 }
 
-/// What the table for the whole beam says.
+/// Data of the table for the whole beam.
 pub(super) struct Whole {
     pub length: f64,
     given: Given,
@@ -51,7 +53,7 @@ impl Whole {
         Whole { length, given, stiffness, second, body }
     }
 
-    /// What is given for the whole beam, on a part of it.
+    /// The quantities given for the whole beam, restricted to a part of it.
     pub fn given(&self, way: [f64; 2]) -> Given {
         self.given.between(way)
     }
@@ -63,13 +65,13 @@ impl Whole {
         all.into_iter().flatten().any(|along| !along.profile.is_constant())
     }
 
-    /// The ends of a segment, and where they are on the way from 0 to 1 along the beam.
+    /// Ends of a segment: positions, and fractions of the beam's length.
     pub fn ends(&self, reader: &mut Reader, table: &Section) -> ([f64; 2], [f64; 2]) {
         let ends = ["from", "to"].map(|key| reader.required(table, key).value);
         (ends, ends.map(|x| (x / self.length).clamp(0.0, 1.0)))
     }
 
-    /// A segment that gives `own`, and S or μ of its own if it does.
+    /// A segment with the values in `own`, and S or μ if it gives one.
     pub fn segment(
         &self,
         reader: &mut Reader,
@@ -81,7 +83,7 @@ impl Whole {
         let [name, second_name] = self.body.fields;
         let stiffness = own.resolve(reader, &self.given(way), &self.body.keys);
         let stiffness = match (stiffness, &self.stiffness) {
-            // A value of the whole beam is reported at its own table if it is wrong.
+            // A wrong value of the whole beam is reported at its own table.
             (Stiffness::NotGiven, Stiffness::Known(whole)) if second.is_some() => {
                 reader.place(table, name, &Field::unreadable(0..0));
                 whole.between(way)
@@ -99,7 +101,7 @@ impl Whole {
         Segment { from, to, stiffness: stiffness.profile, second }
     }
 
-    /// The constants beside all segments, those included that what varies along the whole beam adds here.
+    /// Constants outside all segments. Adds segments where a quantity of the whole beam varies.
     pub fn complete(
         self,
         reader: &mut Reader,
@@ -113,7 +115,7 @@ impl Whole {
         if let (Stiffness::NotGiven | Stiffness::Half(..), Some(last)) = (&stiffness, rightmost)
             && cover(length, stretches.iter().copied())
         {
-            // No part of the beam is left for the constants; they must only be possible values.
+            // The segments cover the beam, so the constants only need allowed values.
             reader.place(table, name, &Field::unreadable(0..0));
             return (last.stiffness.end(), last.second.map(|second| second.end()));
         }
@@ -123,7 +125,7 @@ impl Whole {
         let constants = (start(&stiffness), second.as_ref().map(start));
         let all = [Some(&stiffness), second.as_ref()];
         let varies = all.into_iter().flatten().any(|along| !along.profile.is_constant());
-        // A wrong beginning is reported once.
+        // An invalid value at the start has been reported already.
         if !varies || constants.0 <= 0.0 || constants.1.is_some_and(|second| second < 0.0) {
             return constants;
         }

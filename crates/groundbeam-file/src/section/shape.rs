@@ -1,8 +1,9 @@
-//! `section = { … }`: the second moment of area, the area and the area that shears of a cross section.
+//! Reads `section = { … }`: computes area, second moment and shear area of a cross-section from its
+//! dimensions.
 //!
-//! The area that shears is A/F with the form factor F of Young, Budynas and Sadegh, *Roark's Formulas for Stress and
-//! Strain*, 8th ed., section 8.10: 6/5 for a rectangle, 10/9 for a circle, 2 for a thin tube, and for a box, an I or
-//! a T the area of the webs alone, from flange to flange.
+//! The shear area is A/F with the form factor F of Young, Budynas and Sadegh, *Roark's Formulas for Stress
+//! and Strain*, 8th ed., section 8.10: 6/5 for a rectangle, 10/9 for a circle, 2 for a thin tube. For a box,
+//! an I or a T it is the area of the webs between the flanges.
 
 use crate::code;
 use crate::fault::Fault;
@@ -20,38 +21,38 @@ use std::ops::Range;
 static SHAPES: Words = Words {
     all: || KINDS.iter().map(|kind| kind.name).chain(["rectangle"]).collect(),
     also: &[],
-    message: "`{}` is no shape of a section",
+    message: "`{}` is not a section shape",
     hint: "shapes: {}",
 };
 
 const SIDE: Value = Value::Along(&WIDTH, 2);
 
-/// The keys of all shapes.
+/// Keys of all shapes.
 pub(super) static TABLE: Table = Table {
     name: "section",
     keys: &[
-        word("shape", &SHAPES, "The shape; left out: a rectangle of `width` and `height`."),
+        word("shape", &SHAPES, "The shape; default: a rectangle of `width` and `height`."),
         key("width", SIDE, "The width of a rectangle, box, I or T.").also(ALSO_WIDTH),
         key("height", SIDE, "The height of a rectangle, box, I or T.").also(&["h", "d", "depth"]),
         key("diameter", SIDE, "The diameter of a circle or tube."),
-        key("wall", SIDE, "The wall of a tube or box."),
-        key("flange", SIDE, "The thickness of a flange of an I or T."),
-        key("web", SIDE, "The thickness of the web of an I or T."),
-        key("fillet", SIDE, "The radius between web and flanges of an I; left out: 0."),
+        key("wall", SIDE, "The wall thickness of a tube or box."),
+        key("flange", SIDE, "The flange thickness of an I or T."),
+        key("web", SIDE, "The web thickness of an I or T."),
+        key("fillet", SIDE, "The fillet radius between web and flanges of an I; default: 0."),
         text("name", "IPE 300", "A rolled section: IPE, HEA, HEB, HEM, UB, UC, W, CHS, SHS, RHS.")
             .also(&["profile", "designation"]),
         text("rail", "60E1", "A rolled rail: `60E1`, `UIC60`, `136RE` and others."),
     ],
 };
 
-/// What a cross section is to a beam.
+/// Properties of a cross-section.
 #[derive(Debug, Clone)]
 pub(super) struct Shape {
     pub inertia: Along,
     pub area: Along,
-    /// The area that shears, if it is known.
+    /// Shear area, if known.
     pub shear_area: Option<Along>,
-    /// From the lower to the upper face, if it is known.
+    /// Distance from the lower to the upper face, if known.
     pub depth: Option<Along>,
 }
 
@@ -67,7 +68,7 @@ impl Shape {
         Shape { depth: unknown, ..Shape::constant([f64::NAN; 3], span) }
     }
 
-    /// What it is between two parts of the way.
+    /// The section between two fractions of the stretch.
     pub fn between(&self, way: [f64; 2]) -> Self {
         Shape {
             inertia: self.inertia.between(way),
@@ -78,12 +79,12 @@ impl Shape {
     }
 }
 
-/// A shape by its sides, in this order: \[A, I, the area that shears\], or which side leaves no room for the others.
+/// A shape from its dimensions: \[A, I, shear area\], or the dimension that leaves no room for the others.
 struct Kind {
     name: &'static str,
     sides: &'static [&'static str],
     measure: fn(&[f64]) -> Result<[f64; 3], &'static str>,
-    /// Whether the areas and I are polynomials of the sides, of degree 2 and 4.
+    /// Whether the areas and I are polynomials of the dimensions, of degree 2 and 4.
     is_polynomial: bool,
 }
 
@@ -146,7 +147,7 @@ const KINDS: [Kind; 5] = [
             fits(stem, "flange")?;
             fits(width - web, "web")?;
             let (plate, leg) = (width * flange, web * stem);
-            // Between the middles of flange and stem, half the height.
+            // Distance between the centroids of flange and stem: half the height.
             let apart = 0.5 * height;
             let own = (width * flange.powi(3) + web * stem.powi(3)) / 12.0;
             let inertia = own + plate * leg / (plate + leg) * apart * apart;
@@ -160,10 +161,10 @@ fn fits(room: f64, side: &'static str) -> Result<(), &'static str> {
     if room <= 0.0 { Err(side) } else { Ok(()) }
 }
 
-/// The cross section that `table` gives, if it gives one.
+/// The cross-section that `table` gives, if any.
 pub(super) fn read(reader: &mut Reader, table: &Section) -> Option<Shape> {
     let Some(section) = reader.open(table, "section") else {
-        // Of the wrong type, and reported: as if given, to keep "I is missing" out.
+        // A wrong type has been reported. The section counts as given, so that I is not reported as missing.
         return table.value("section").map(|value| Shape::unreadable(value.span()));
     };
     if section.value("rail").is_some() {
@@ -184,7 +185,7 @@ pub(super) fn read(reader: &mut Reader, table: &Section) -> Option<Shape> {
     })
 }
 
-/// A = b h and I = b h³ / 12; both sides may run from one value to another.
+/// A = b h and I = b h³ / 12. Both dimensions may vary linearly.
 fn rectangle(reader: &mut Reader, section: &Section) -> Shape {
     reader.refuse_all_but(section, &["shape", "width", "height"]);
     let [width, height] = ["width", "height"].map(|key| side(reader, section, key));
@@ -201,7 +202,7 @@ fn rectangle(reader: &mut Reader, section: &Section) -> Shape {
     Shape { inertia, area, shear_area, depth: Some(height) }
 }
 
-/// A shape by its sides, each of which may run from one value to another.
+/// A shape from its dimensions, each of which may vary linearly.
 fn by_sides(reader: &mut Reader, section: &Section, kind: &Kind) -> Shape {
     let fillet = (kind.name == "I").then_some("fillet");
     let keys = ["shape"].into_iter().chain(kind.sides.iter().copied()).chain(fillet);
@@ -215,8 +216,8 @@ fn by_sides(reader: &mut Reader, section: &Section, kind: &Kind) -> Shape {
     if let Some(varies) = sides.iter().find(|side| !side.profile.is_constant())
         && !kind.is_polynomial
     {
-        let message = format!("the sides of a {} cannot vary along a segment", kind.name);
-        let hint = "its I is no polynomial of them: give a [[beam.segment]] for each of several parts, \
+        let message = format!("the dimensions of a {} cannot vary along a segment", kind.name);
+        let hint = "its I is not a polynomial of them: give a [[beam.segment]] for each of several parts, \
                     or the control values of `EI`";
         reader.report(Fault::new(code::MISPLACED, varies.span.clone(), message, "", hint));
         return Shape::unreadable(span);
@@ -230,8 +231,8 @@ fn by_sides(reader: &mut Reader, section: &Section, kind: &Kind) -> Shape {
         Ok(measures) => measures,
         Err(side) => {
             let at = section.value(side).map_or(span.clone(), |value| value.span());
-            let message = format!("`{side}` is thicker than the section has room for");
-            let hint = format!("the sides of a {} are those around it", kind.name);
+            let message = format!("`{side}` is too large for this section");
+            let hint = format!("the dimensions of a {} are outer dimensions", kind.name);
             reader.report(Fault::new(code::FACTOR, at, message, "", hint));
             return Shape::unreadable(span);
         }
@@ -247,7 +248,7 @@ fn by_sides(reader: &mut Reader, section: &Section, kind: &Kind) -> Shape {
     Shape { inertia: along(quartic(inertia)), area: along(square(area)), shear_area, depth }
 }
 
-/// A side that must be given, positive, as one value or a list of two.
+/// A required positive dimension: one value, or a list of two.
 fn side(reader: &mut Reader, section: &Section, key: &'static str) -> Along {
     let given = reader.along(section, key);
     let given = given.map(|given| reader.positive_along(key, given));
@@ -257,10 +258,10 @@ fn side(reader: &mut Reader, section: &Section, key: &'static str) -> Along {
     })
 }
 
-/// Where a polynomial of degree 4 is looked at to be known.
+/// Fractions at which a polynomial of degree 4 is sampled.
 const QUARTERS: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
 
-/// A polynomial of degree 4 by its values at the quarters of its way.
+/// Polynomial of degree 4 from its values at the quarters.
 fn quartic([a, b, c, d, e]: [f64; 5]) -> Profile {
     let beside = |a, b, c, d, e| (-13.0 * a + 48.0 * b - 36.0 * c + 16.0 * d - 3.0 * e) / 12.0;
     let middle = (13.0 * (a + e) - 64.0 * (b + d) + 120.0 * c) / 18.0;
@@ -268,7 +269,7 @@ fn quartic([a, b, c, d, e]: [f64; 5]) -> Profile {
     Profile::by_control_values(&values).unwrap_or(Profile::constant(f64::NAN))
 }
 
-/// The same of degree 2, or 1 where rounding alone bends it.
+/// Polynomial of degree 2, or of degree 1 if its curvature is only rounding.
 fn square([a, _, c, _, e]: [f64; 5]) -> Profile {
     let bend = 2.0 * c - (a + e);
     if bend.abs() <= 16.0 * f64::EPSILON * (a + e) {
@@ -278,7 +279,7 @@ fn square([a, _, c, _, e]: [f64; 5]) -> Profile {
     Profile::by_control_values(&values).unwrap_or(Profile::constant(f64::NAN))
 }
 
-/// A section of a table, by the name under a key.
+/// A tabulated section with the name given under a key.
 fn named(
     reader: &mut Reader,
     section: &Section,
@@ -323,7 +324,8 @@ mod tests {
         }
     }
 
-    /// Against the parts: outer less inner, and the T about its own centroid by Steiner's theorem.
+    /// Compares with the parts: outer minus inner area, and the T about its own centroid by the parallel-axis
+    /// theorem.
     #[test]
     fn sections_by_their_parts() {
         let circle = |d: f64| [PI * d * d / 4.0, PI * d.powi(4) / 64.0];
@@ -341,15 +343,15 @@ mod tests {
         let steiner = |part: [f64; 2], at: f64| part[1] + part[0] * (at - centre).powi(2);
         let inertia = steiner(flange, 0.125) + steiner(stem, 0.625);
         close(measured("T", &[2.0, 1.0, 0.25, 0.5]).unwrap(), [flange[0] + stem[0], inertia]);
-        // IPE 300 without its fillets: A = 5188 mm² of sharp corners, I of 7999 cm⁴.
+        // IPE 300 without fillets: A = 5188 mm², I = 7999 cm⁴.
         let [area, inertia] = measured("I", &[150.0, 300.0, 10.7, 7.1]).unwrap();
         assert!((area - 5188.0).abs() < 1.0 && (inertia / 1e4 - 7999.0).abs() < 1.0);
-        // With its fillets of 15 mm, as printed.
+        // With fillets of 15 mm, as printed.
         let [area, inertia] = measured("I", &[150.0, 300.0, 10.7, 7.1, 15.0]).unwrap();
         assert!((area - 5381.0).abs() < 1.0 && (inertia / 1e4 - 8356.0).abs() < 1.0);
     }
 
-    /// Against the formulas at places where nothing was looked at.
+    /// Compares with the formulas between the sampled fractions.
     #[test]
     fn measures_that_run_along() {
         let powers = |t: f64| (3.0 - 2.0 * t, (3.0 - 2.0 * t).powi(4), (3.0 - 2.0 * t).powi(2));

@@ -1,4 +1,4 @@
-//! The beam's shear stiffness: one number, or G and the shear area.
+//! Reads the beam's shear stiffness: one number, or G and the shear area.
 
 use super::shape::Shape;
 use crate::code;
@@ -11,10 +11,10 @@ use crate::stiffness::{Given, Keys, Stiffness};
 use crate::table::Section;
 use groundbeam::Profile;
 
-// The keys, in `[beam]` and in `[[beam.segment]]`.
+// Keys in `[beam]` and in `[[beam.segment]]`.
 const SHEARS: Value = Value::Along(&SHEAR_STIFFNESS, Profile::MOST);
 pub(super) const STIFFNESS: Key =
-    key("shear_stiffness", SHEARS, "The shear stiffness S = κGA; left out: it only bends.")
+    key("shear_stiffness", SHEARS, "The shear stiffness S = κGA; default: no shear deformation.")
         .also(&["kga", "gas", "gav", "shear_rigidity", "timoshenko"]);
 pub(super) const GA: Key = key("GA", SHEARS, "Another name of `shear_stiffness`.");
 pub(super) const MODULUS: Key =
@@ -23,7 +23,7 @@ pub(super) const MODULUS: Key =
 pub(super) const POISSON: Key =
     quantity("nu", &RATIO, "Poisson's ratio, in place of `G`: G = E/2(1 + nu).").also(ALSO_NU);
 pub(super) const AREA: Key =
-    along("shear_area", &SHEAR_AREA, 2, "The area κA that shears; left out: that of the section.")
+    along("shear_area", &SHEAR_AREA, 2, "The shear area κA; default: that of the section.")
         .also(&["as", "a_s", "av", "a_v"]);
 
 const fn keys(modulus: &'static str) -> Keys {
@@ -34,22 +34,23 @@ const fn keys(modulus: &'static str) -> Keys {
     }
 }
 
-/// What one table says of shear.
+/// Shear data of one table.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Shear {
     given: Given,
     poisson: Option<Field>,
-    /// Whether the area is said to be one that shears, not only that of a section.
+    /// Whether a shear area is given explicitly, not only through a section.
     says_area: bool,
 }
 
 impl Shear {
-    /// What is given for the whole, on a part of the way.
+    /// The data for a part of the stretch.
     pub fn between(&self, way: [f64; 2]) -> Self {
         Shear { given: self.given.between(way), ..self.clone() }
     }
 
-    /// What `table` says, of a beam with these E, its own or the whole beam's, and this section of its own.
+    /// Reads the shear data of `table`, for a beam with these E (the table's own or the whole beam's) and the
+    /// table's own section.
     pub fn read(
         reader: &mut Reader,
         table: &Section,
@@ -59,7 +60,7 @@ impl Shear {
     ) -> Self {
         let both = ["shear_stiffness", "GA"].map(|key| reader.along(table, key));
         if let [Some(a), Some(b)] = &both {
-            let hint = "they mean the same; keep one of the two";
+            let hint = "they have the same meaning; keep one of the two";
             reader.exclusive(("shear_stiffness", &a.span), ("GA", &b.span), hint);
         }
         let [named, short] = both;
@@ -70,7 +71,7 @@ impl Shear {
             let hint = "`nu` gives G = E/2(1 + nu); keep one of the two";
             reader.exclusive(("G", &given.span), ("nu", &poisson.span), hint);
         }
-        // Another E of the same Poisson's ratio is another G.
+        // With the same Poisson's ratio, another E gives another G.
         let [own, whole] = modulus;
         let inherited = parent.poisson.clone().filter(|_| own.is_some() && shear_modulus.is_none());
         let of = poisson.clone().or(inherited);
@@ -96,24 +97,24 @@ impl Shear {
         Shear { given, poisson, says_area }
     }
 
-    /// The shear stiffness of a table, if it says anything of it; what is missing is reported.
+    /// Shear stiffness of a table, if it gives any data for it. Missing values are reported.
     pub fn settle(&self, reader: &mut Reader, table: &Section, parent: &Shear) -> Option<Along> {
         let keys = keys(if self.poisson.is_some() { "nu" } else { "G" });
         let mut given = self.given.clone();
         if given.product.is_some() && !self.says_area {
-            // What a section has is no word of its own.
+            // The shear area of a section is not given explicitly.
             given.factors[1] = None;
         }
         match given.resolve(reader, &parent.given, &keys) {
             Stiffness::NotGiven => None,
-            // A section alone does not ask for shear.
+            // A section alone does not request shear deformation.
             Stiffness::Half(1, _) if !self.says_area => None,
             known => Some(reader.settle(known, table, &keys)),
         }
     }
 }
 
-/// `nu` of a beam's material.
+/// Poisson's ratio of the beam's material.
 fn poisson(reader: &mut Reader, table: &Section) -> Option<Field> {
     let poisson = reader.quantity(table, "nu")?;
     if poisson.value < 0.0 || poisson.value > 0.5 {

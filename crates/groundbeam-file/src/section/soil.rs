@@ -1,4 +1,4 @@
-//! `[foundation.soil]`: soil data in place of `k` and `mu`.
+//! Reads `[foundation.soil]`: soil data in place of `k` and `mu`.
 
 use crate::code;
 use crate::fault::Fault;
@@ -8,7 +8,7 @@ use crate::reader::Reader;
 use crate::table::Section;
 use groundbeam::soil::{Elastic, LayeredSoil, PlateTest, Soil, SoilLayer, SoilModel};
 
-/// A method: its name, the keys it takes, and what other keys tell that it is not.
+/// A method: its name, its keys, and keys that indicate another method.
 struct Method {
     name: &'static str,
     keys: &'static [&'static str],
@@ -16,7 +16,7 @@ struct Method {
     is_of: fn(&Soil) -> bool,
 }
 
-/// The name of a soil's method in a model file.
+/// Name of a soil's method in a model file.
 pub(crate) fn method_name(soil: &Soil) -> &'static str {
     METHODS.iter().find(|method| (method.is_of)(soil)).map_or("", |method| method.name)
 }
@@ -24,9 +24,9 @@ pub(crate) fn method_name(soil: &Soil) -> &'static str {
 const ELASTIC: &[&str] = &["method", "E", "nu"];
 const PLATE: &[&str] = &["method", "plate_modulus", "plate_width"];
 
-/// Names of the modulus of a soil that cannot move sideways.
+/// Names of the oedometric modulus (no lateral strain).
 const OEDOMETRIC: &[&str] = &["e_s", "es", "e_oed", "eoed", "e_stat", "m_s"];
-const OF_OEDOMETRIC: &str = "write `E`, the modulus of a soil that is free sideways; of an oedometric modulus E_s it is \
+const OF_OEDOMETRIC: &str = "write `E`, the modulus with free lateral strain; from an oedometric modulus E_s it is \
                              E = E_s (1 + nu) (1 − 2 nu)/(1 − nu)";
 
 static LAYER: Table = Table {
@@ -44,21 +44,21 @@ static LAYER: Table = Table {
 static NAMES: Words = Words {
     all: || METHODS.iter().map(|method| method.name).collect(),
     also: &[],
-    message: "`{}` is no method to make a ground of a soil",
+    message: "`{}` is not a method to compute ground from soil data",
     hint: "methods: {}",
 };
 
-/// The keys of all methods.
+/// Keys of all methods.
 pub(super) static TABLE: Table = Table {
     name: "[foundation.soil]",
     keys: &[
-        word("method", &NAMES, "The method that gives k and mu.").needed(),
-        tables("layer", &LAYER, "`…vlasov`: the layers on rock, the uppermost first."),
+        word("method", &NAMES, "The method that computes k and mu.").needed(),
+        tables("layer", &LAYER, "`…vlasov`: the layers above rock, the uppermost first."),
         quantity("gamma", &RATIO, "`vlasov`: the parameter of the decay with depth."),
-        quantity("E", &SOIL_MODULUS, "The elastic modulus: four methods.")
+        quantity("E", &SOIL_MODULUS, "The elastic modulus, for four methods.")
             .also(ALSO_E)
             .unlike(OEDOMETRIC, OF_OEDOMETRIC),
-        quantity("nu", &RATIO, "Poisson's ratio: the same methods.").also(ALSO_NU),
+        quantity("nu", &RATIO, "Poisson's ratio, for the same methods.").also(ALSO_NU),
         quantity(
             "plate_modulus",
             &SUBGRADE_MODULUS,
@@ -119,7 +119,7 @@ const METHODS: [Method; 8] = [
     },
 ];
 
-/// The soil under a beam that bears on a `width` of it.
+/// The soil model under a beam with this bearing width.
 pub(super) fn read(reader: &mut Reader, table: &Section, width: f64) -> Option<SoilModel> {
     let method = method(reader, table)?;
     reader.refuse_all_but(table, method.keys);

@@ -1,4 +1,4 @@
-//! `[[support]]`.
+//! Reads `[[support]]`.
 
 use crate::keys::{ALSO_AT, Table, Words, quantity, word};
 use crate::quantity::{CLEARANCE, POSITION, ROTATIONAL_SPRING, SPRING};
@@ -13,7 +13,7 @@ static TYPES: Words = Words {
         ("pinned", &["hinged", "simple", "hinge", "pin", "roller"]),
         ("fixed", &["clamped", "built-in", "encastre", "rigid"]),
     ],
-    message: "`{}` is no type of support",
+    message: "`{}` is not a support type",
     hint: "`pinned` holds the deflection, `fixed` also the rotation",
 };
 
@@ -23,8 +23,8 @@ static DIRECTIONS: Words = Words {
         ("up", &["compression", "press", "push", "upward", "upwards"]),
         ("down", &["tension", "pull", "hold-down", "downward", "downwards"]),
     ],
-    message: "`{}` is no direction in which a support acts",
-    hint: "`up` only pushes the beam up, `down` only holds it down, `both` does either",
+    message: "`{}` is not a support direction",
+    hint: "`up` only pushes the beam up, `down` only holds it down, `both` does both",
 };
 
 pub(super) static TABLE: Table = Table {
@@ -43,8 +43,8 @@ pub(super) static TABLE: Table = Table {
             "rotation",
             "rotational",
         ]),
-        quantity("settlement", &CLEARANCE, "Its settlement, down positive; left out: 0."),
-        word("acts", &DIRECTIONS, "`up` only pushes up, `down` only holds down; left out: `both`.")
+        quantity("settlement", &CLEARANCE, "Its settlement, positive downward; default: 0."),
+        word("acts", &DIRECTIONS, "`up` only pushes up, `down` only holds down; default: `both`.")
             .also(&["direction", "one_way", "only"]),
     ],
 };
@@ -88,7 +88,7 @@ fn read_one(reader: &mut Reader, table: &Section) -> Support {
     Support { at, kind, settlement, acts }
 }
 
-/// In which directions it acts: both, if nothing is said.
+/// Directions in which it acts; both by default.
 fn acts(reader: &mut Reader, table: &Section) -> Acts {
     if let Some(value) = table.value("acts") {
         reader.place(table, "acts", &Field::new(0.0, value.span()));

@@ -1,4 +1,4 @@
-//! `[gap_survey]`: the initial gap from a table of levels or clearances in a file beside the model file.
+//! Reads `[gap_survey]`: the initial gap from a table of levels or clearances in a separate file.
 
 use crate::beside::{Row, Table};
 use crate::code;
@@ -17,27 +17,31 @@ pub(super) static TABLE: Keys = Keys {
     name: "[gap_survey]",
     keys: &[
         text("file", "seabed.csv", "The table: a file in the folder of the model file.").needed(),
-        text("x", "KP", "The column of positions; left out: the first."),
-        text("level", "z", "The column of levels, positive up; left out: the second."),
+        text("x", "KP", "The column of positions; default: the first."),
+        text("level", "z", "The column of levels, positive up; default: the second."),
         text("clearance", "gap", "A column of clearances in place of levels."),
         along(
             "datum",
             &OFFSET,
             2,
-            "The level of the straight underside, or of its ends; left out: the highest level.",
+            "The level of the straight underside, or of its two ends; default: the highest level.",
         ),
-        quantity("start", &OFFSET, "Where in the survey the beam begins; left out: 0."),
+        quantity(
+            "start",
+            &OFFSET,
+            "The position of the beam's left end in the survey; default: 0.",
+        ),
     ],
 };
 
-/// Reads the survey's corners, cut to the beam.
+/// Reads the survey's points, clipped to the beam.
 pub(super) fn read(reader: &mut Reader, table: &Section, length: f64) -> Vec<GapPoint> {
     let start = reader.quantity(table, "start").map_or(0.0, |start| start.value);
     let datum = reader.along(table, "datum");
     let [x, level, clearance] = ["x", "level", "clearance"].map(|key| reader.text(table, key));
     let Some((file, span)) = reader.text(table, "file") else { return Vec::new() };
     if let (Some((_, level)), Some((_, clearance))) = (&level, &clearance) {
-        let hint = "the column holds levels, positive up, or clearances, positive open";
+        let hint = "the column has levels (positive up) or clearances (positive for an open gap)";
         reader.exclusive(("level", level), ("clearance", clearance), hint);
     }
     if let (Some((_, clearance)), Some(datum)) = (&clearance, &datum) {
@@ -45,8 +49,8 @@ pub(super) fn read(reader: &mut Reader, table: &Section, length: f64) -> Vec<Gap
         reader.exclusive(("clearance", clearance), ("datum", &datum.span), hint);
     }
     let Some(beside) = reader.beside else {
-        let message = "this model stands by itself: no file can be read beside it";
-        let hint = "write the corners in the model, as [[gap]], or solve it from a file";
+        let message = "this model is given as text alone: it cannot name other files";
+        let hint = "write the points in the model as [[gap]], or solve the model from a file";
         reader.report(Fault::new(code::FILE, span, message, "", hint));
         return Vec::new();
     };
@@ -54,7 +58,7 @@ pub(super) fn read(reader: &mut Reader, table: &Section, length: f64) -> Vec<Gap
         Ok(survey) => survey,
         Err(error) => {
             let message = format!("`{file}` cannot be read: {error}");
-            let hint = "the name is taken from the folder of the model file";
+            let hint = "the name is relative to the folder of the model file";
             reader.report(Fault::new(code::FILE, span, message, "", hint));
             return Vec::new();
         }
@@ -101,7 +105,7 @@ impl Columns<'_, '_, '_> {
         self.reader.report_in(&self.survey.source, &self.survey.file, fault);
     }
 
-    /// The column of a name, or the one that stands at a place.
+    /// The column with a name, or with an index.
     fn find(
         &mut self,
         named: Option<(&str, Range<usize>)>,
@@ -141,20 +145,20 @@ impl Columns<'_, '_, '_> {
             (_, None) if self.reader.is_plain() => None,
             (name, None) => {
                 let message = format!("the column `{name}` has no unit");
-                let hint = format!("write it behind the name, as in `{name} [m]`");
+                let hint = format!("write the unit after the name, as in `{name} [m]`");
                 self.report(Fault::new(code::MIXED, at, message, "", hint));
                 return None;
             }
             (_, Some(_)) if self.reader.is_plain() => {
-                let message = "this column has a unit, but the model gives none";
-                let hint = "a file gives every quantity a unit, or none at all";
+                let message = "this column has a unit, but the model has no units";
+                let hint = "either all quantities of a file have a unit or none has";
                 self.report(Fault::new(code::MIXED, at, message, "a unit here", hint));
                 return None;
             }
             (_, Some(unit)) => match Unit::read(unit) {
                 Ok(found) if found.dimension == Dimension::LENGTH => Some(found.scale),
                 Ok(_) => {
-                    let message = format!("`{unit}` is no unit of length");
+                    let message = format!("`{unit}` is not a unit of length");
                     self.report(Fault::new(code::WRONG_UNIT, at, message, "", "as in [m], [mm]"));
                     return None;
                 }
@@ -167,7 +171,7 @@ impl Columns<'_, '_, '_> {
         Some(Column { index, scale })
     }
 
-    /// Every row as position and height, in ascending order of position.
+    /// Rows as position and height, in ascending order of position.
     fn points(&mut self, x: &Column, heights: &Column) -> Vec<[f64; 2]> {
         let survey = self.survey;
         let mut points: Vec<[f64; 2]> = Vec::with_capacity(survey.rows.len());
@@ -177,8 +181,8 @@ impl Columns<'_, '_, '_> {
             if let Some([before, _]) = points.last()
                 && at <= *before
             {
-                let message = "this row does not lie to the right of the one before";
-                let hint = "sort the rows by position, each at a place of its own";
+                let message = "this row does not lie to the right of the previous one";
+                let hint = "sort the rows by position; no two rows may share a position";
                 self.report(Fault::new("GB501", row.cell(x.index), message, "", hint));
                 continue;
             }
@@ -198,7 +202,7 @@ impl Columns<'_, '_, '_> {
         let lower = text.trim_start_matches(['+', '-']).to_lowercase();
         if ["nan", "inf", "infinity"].contains(&&*lower) {
             self.report(Fault {
-                hint: "leave out rows without a value".into(),
+                hint: "delete rows without a value".into(),
                 ..quantity::not_finite(&lower, at)
             });
             return None;
@@ -213,15 +217,15 @@ impl Columns<'_, '_, '_> {
             }
             found => {
                 let message = if text.is_empty() {
-                    "there is no number here".to_owned()
+                    "a number is missing here".to_owned()
                 } else {
                     format!("`{text}` is not a number")
                 };
                 let comma = found.is_some_and(|(_, length)| text[length..].starts_with(','));
                 let hint = if comma {
-                    format!("decimals stand after a point: {}", text.replacen(',', ".", 1))
+                    format!("write a decimal point: {}", text.replacen(',', ".", 1))
                 } else {
-                    "one number in each cell, without a unit; units stand in the header".to_owned()
+                    "write one number in each cell; units belong in the header".to_owned()
                 };
                 self.report(Fault::new(code::NUMBER, at, message, "", hint));
             }
@@ -230,7 +234,7 @@ impl Columns<'_, '_, '_> {
     }
 }
 
-/// `KP [km]` or `KP (km)`: the name and the unit.
+/// Splits `KP [km]` or `KP (km)` into the name and the unit.
 fn split(cell: &str) -> (&str, Option<&str>) {
     for (open, close) in [('[', ']'), ('(', ')')] {
         if let Some(rest) = cell.strip_suffix(close)
@@ -242,8 +246,8 @@ fn split(cell: &str) -> (&str, Option<&str>) {
     (cell.trim(), None)
 }
 
-/// The corners along a beam that begins at `start`; where the survey goes on beyond an end of the beam, a corner
-/// stands there.
+/// Points along a beam that begins at `start`. If the survey extends beyond an end of the beam, there is a
+/// point at that end.
 fn on_the_beam(points: &[[f64; 2]], start: f64, length: f64) -> Vec<GapPoint> {
     let at = |x: f64| {
         let right = points.partition_point(|point| point[0] < x);

@@ -1,4 +1,4 @@
-//! `[[train]]`.
+//! Reads `[[train]]`.
 
 use crate::code;
 use crate::fault::Fault;
@@ -16,48 +16,56 @@ static AXLE: Table = Table {
     name: "an axle",
     keys: &[
         quantity("at", &BEHIND, "The distance behind the first axle.").needed(),
-        quantity("force", &FORCE, "The force of the axle, down.").needed(),
+        quantity("force", &FORCE, "The axle load, downward.").needed(),
     ],
 };
 
 static UNIFORM: Table = Table {
     name: "a distributed load",
     keys: &[
-        quantity("from", &OFFSET, "Where it begins behind the first axle; left out: without end."),
-        quantity("to", &OFFSET, "Where it ends behind the first axle; left out: without end."),
-        quantity("load", &LOAD_PER_LENGTH, "The force per length, down.").needed(),
+        quantity(
+            "from",
+            &OFFSET,
+            "The start of the load behind the first axle; default: unbounded.",
+        ),
+        quantity("to", &OFFSET, "The end of the load behind the first axle; default: unbounded."),
+        quantity("load", &LOAD_PER_LENGTH, "The force per length, downward.").needed(),
     ],
 };
 
 pub(super) static TABLE: Table = Table {
     name: "[[train]]",
     keys: &[
-        text("name", "LM71", "The name of the train; left out: that of its set."),
+        text("name", "LM71", "The name of the train; default: that of its set."),
         key(
             "set",
             Value::Name("LM71", trains::spellings),
             "A train of a code of practice, in place of axles.",
         )
         .also(&["code", "standard"]),
-        tables("axles", &AXLE, "The axles, from the first one backward.")
+        tables("axles", &AXLE, "The axles, from the front backward.")
             .also(&["axle", "wheels", "forces"]),
         tables("uniform", &UNIFORM, "Distributed loads that move with the axles."),
-        quantity("from", &OFFSET, "The first position of the first axle; left out: x = 0.")
+        quantity("from", &OFFSET, "The start position of the first axle; default: x = 0.")
             .also(ALSO_FROM),
-        quantity("to", &OFFSET, "Its last position; left out: until the last axle leaves.")
-            .also(ALSO_TO),
-        quantity("factor", &RATIO, "A factor of all loads; left out: 1."),
-        quantity("dynamic", &RATIO, "A factor of the axles besides; left out: 1.").also(&[
+        quantity(
+            "to",
+            &OFFSET,
+            "The final position of the first axle; default: the last axle leaves the beam.",
+        )
+        .also(ALSO_TO),
+        quantity("factor", &RATIO, "A factor on all loads; default: 1."),
+        quantity("dynamic", &RATIO, "An additional factor on the axles; default: 1.").also(&[
             "impact",
             "dynamic_factor",
             "IM",
         ]),
-        text("case", "T", "The load case; left out: in every combination with the factor 1.")
+        text("case", "T", "The load case; default: none, in every combination with the factor 1.")
             .also(&["load_case"]),
     ],
 };
 
-/// The trains of a file, each of which passes alone.
+/// Trains of a file. They pass one at a time.
 pub(super) fn read(reader: &mut Reader, root: &Section, beam_length: f64) -> Vec<MovingTrain> {
     let tables = reader.tables(root, "train");
     let mut trains: Vec<MovingTrain> = Vec::new();
@@ -70,7 +78,7 @@ pub(super) fn read(reader: &mut Reader, root: &Section, beam_length: f64) -> Vec
                 let key = table.value("name").or(table.value("set"));
                 key.map_or(table.span.clone(), |key| key.span())
             };
-            let message = format!("two trains are called `{}`", train.name);
+            let message = format!("two trains have the name `{}`", train.name);
             let hint = "give each a `name` of its own";
             let fault = Fault::new(code::REPEATED, place(&tables[i]), message, "", hint);
             reader.report_with(fault, place(&tables[first]), "the first of them");
@@ -98,7 +106,7 @@ fn read_one(reader: &mut Reader, table: &Section, beam_length: f64) -> MovingTra
         Some(factor) => {
             let scaled = train.clone().scaled(factor.value);
             if factor.value.is_finite() && is_finite(&train) && !is_within_reach(&scaled) {
-                let message = "with this factor a load of the train cannot be computed with";
+                let message = "with this factor a load of the train is too large or too small";
                 reader.report(Fault::new(code::NOT_FINITE, factor.span, message, "", REACH));
             }
             factor.value
@@ -116,7 +124,7 @@ fn read_one(reader: &mut Reader, table: &Section, beam_length: f64) -> MovingTra
     MovingTrain { name, set, case, factor, dynamic, spread, train, range }
 }
 
-/// The axles and distributed loads: of a set, or as they are written.
+/// Axles and distributed loads: those of a set, or as written.
 fn parts(reader: &mut Reader, table: &Section) -> (Option<&'static TrainSet>, Train) {
     let mut train = Train::default();
     let Some(set) = table.value("set") else {
@@ -136,7 +144,7 @@ fn parts(reader: &mut Reader, table: &Section) -> (Option<&'static TrainSet>, Tr
     };
     for key in ["axles", "uniform"] {
         if let Some(other) = table.value(key) {
-            let hint = "the set brings its own loads: leave either of them out";
+            let hint = "the set defines the loads: leave one of the two out";
             reader.exclusive(("set", &set.span()), (key, &other.span()), hint);
         }
     }
@@ -153,7 +161,7 @@ fn parts(reader: &mut Reader, table: &Section) -> (Option<&'static TrainSet>, Tr
     (found, train)
 }
 
-/// `axles = [{ at = "0 m", force = "250 kN" }, …]`
+/// Reads `axles = [{ at = "0 m", force = "250 kN" }, …]`.
 fn axles(reader: &mut Reader, table: &Section) -> Vec<Axle> {
     let mut axles = Vec::new();
     let mut first: Option<(f64, Range<usize>)> = None;
@@ -168,8 +176,9 @@ fn axles(reader: &mut Reader, table: &Section) -> Vec<Axle> {
     }
     match first {
         Some((at, span)) if !at.is_nan() && at != 0.0 => {
-            let message = "the first axle of a train stands at 0";
-            let hint = "measure the others backward from the first one, in positive numbers";
+            let message = "the first axle of a train must be at 0";
+            let hint =
+                "give the distances of the others behind the first axle, as positive numbers";
             reader.report(Fault::new(code::FIRST_AXLE, span, message, "", hint));
         }
         None if table.value("axles").is_some_and(|list| list.get_ref().as_array().is_some()) => {
@@ -180,7 +189,7 @@ fn axles(reader: &mut Reader, table: &Section) -> Vec<Axle> {
     axles
 }
 
-/// `uniform = [{ from = "5.6 m", load = "80 kN/m" }, …]`; left out, an end is infinitely far away.
+/// Reads `uniform = [{ from = "5.6 m", load = "80 kN/m" }, …]`. A missing end is at infinity.
 fn uniform(reader: &mut Reader, table: &Section) -> Vec<UniformPart> {
     let mut parts = Vec::new();
     for part in reader.tables(table, "uniform") {
@@ -190,7 +199,7 @@ fn uniform(reader: &mut Reader, table: &Section) -> Vec<UniformPart> {
         if let (Some(from), Some(to)) = (&from, &to)
             && to.value <= from.value
         {
-            let hint = "both are measured backward from the first axle; `to` is farther back";
+            let hint = "both are distances behind the first axle; `to` must be larger than `from`";
             backward(reader, "a distributed load of the train has no length", &to.span, hint);
         }
         parts.push(UniformPart {
@@ -202,7 +211,7 @@ fn uniform(reader: &mut Reader, table: &Section) -> Vec<UniformPart> {
     parts
 }
 
-/// Where the first axle goes; left out, until the last one has left the beam.
+/// Range of the first axle; by default until the last axle has left the beam.
 fn range(reader: &mut Reader, table: &Section, train: &Train, beam_length: f64) -> [f64; 2] {
     let [start, end] = train.passage(beam_length);
     let from = reader.quantity(table, "from");
@@ -212,8 +221,8 @@ fn range(reader: &mut Reader, table: &Section, train: &Train, beam_length: f64) 
     if let Some(span) = place
         && range[1] <= range[0]
     {
-        let hint = "`from` and `to` are positions of the first axle, which goes to the right";
-        backward(reader, "the train goes nowhere", &span, hint);
+        let hint = "`from` and `to` are positions of the first axle, which moves to the right";
+        backward(reader, "the train does not move", &span, hint);
     }
     range
 }

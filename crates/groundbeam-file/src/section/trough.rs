@@ -1,4 +1,4 @@
-//! `[[gap_trough]]`: the corners of the polygon that stands for settlement troughs.
+//! Reads `[[gap_trough]]`, and computes the polygon that replaces settlement troughs.
 
 use super::chords::Spacing;
 use crate::keys::{ALSO_AT, ALSO_WIDTH, Table, quantity};
@@ -11,30 +11,31 @@ pub(super) static TABLE: Table = Table {
     name: "[[gap_trough]]",
     keys: &[
         quantity("at", &GROUND_POSITION, "The position of the middle, x₀.").needed().also(ALSO_AT),
-        quantity("settlement", &CLEARANCE, "The largest settlement S, down.").needed(),
+        quantity("settlement", &CLEARANCE, "The largest settlement S, positive downward.").needed(),
         quantity("width", &WIDTH, "The distance i to the point of inflection.")
             .needed()
             .also(ALSO_WIDTH),
     ],
 };
 
-/// Corners added for troughs; more are refused.
+/// Maximum number of points added for troughs.
 pub(super) const MOST_CHORDS: usize = 10_000;
-/// The density of chords is integrated in steps of this part of a width.
+/// Step for the integration of the density of chords, in widths.
 const STEP: f64 = 1.0 / 16.0;
-/// Beyond this many widths from its middle a trough needs no corner: less than 1e-14 of its depth is left.
+/// Distance from the middle, in widths, beyond which a trough needs no points: there its depth is below 1e-14
+/// of the maximum.
 const REACH: f64 = 8.0;
 
-/// The tail of a trough becomes zero below this number, the least that a model may have.
+/// Smallest nonzero depth of a trough; the smallest number that a model may have.
 const LEAST: f64 = 1e-60;
 
-/// A settlement trough as over a tunnel: S exp(−(x − x₀)²/2i²), Peck (1969).
+/// A settlement trough, as above a tunnel: S exp(−(x − x₀)²/2i²), Peck (1969).
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Trough {
     pub at: f64,
-    /// S, down.
+    /// S, positive downward.
     pub settlement: f64,
-    /// i, from the middle to the point of inflection.
+    /// i, the distance from the middle to the point of inflection.
     pub width: f64,
 }
 
@@ -51,7 +52,7 @@ impl Trough {
         (self.at + self.settlement + self.width).is_finite()
     }
 
-    /// S√(t⁴ − t² + 1) exp(−t²/2)/i², from t²: |g″| is at most this, and this has no zero.
+    /// Bound S√(t⁴ − t² + 1) exp(−t²/2)/i² on |g″|, from t². It has no zero.
     pub fn largest_curvature(&self, t2: f64) -> f64 {
         let size = (self.settlement / (self.width * self.width)).abs();
         size * (t2 * t2 - t2 + 1.0).sqrt() * (-0.5 * t2).exp()
@@ -62,7 +63,7 @@ impl Trough {
         self.settlement * (-0.5 * t * t).exp()
     }
 
-    /// Places where the density of chords is sampled, symmetric about the middle.
+    /// Positions at which the density of chords is sampled, symmetric about the middle.
     fn grid(&self) -> impl Iterator<Item = f64> {
         let steps = (REACH / STEP) as i32;
         let Trough { at, width, .. } = *self;
@@ -70,7 +71,8 @@ impl Trough {
     }
 }
 
-/// The gap of the model with the troughs added, linear between corners; the number of chords if they are too many.
+/// The gap of the model plus the troughs, linear between points; the number of chords if it exceeds the
+/// limit.
 pub(super) fn sunk(
     model: &Model,
     troughs: &[Trough],
@@ -104,7 +106,8 @@ pub(super) fn sunk(
     Ok(places.into_iter().map(corner).collect())
 }
 
-/// Divides a stretch into chords: equal parts of the integral of their density. Returns how many corners it needs.
+/// Divides a stretch into chords with equal integrals of their density. Returns the number of points that are
+/// needed.
 fn divide(stretch: &[(f64, f64, f64)], places: &mut Vec<f64>) -> f64 {
     let whole: f64 = stretch.iter().map(|(from, to, density)| (to - from) * density).sum();
     let parts = whole.ceil().max(1.0);
@@ -134,7 +137,7 @@ fn base(gap: &[GapPoint], x: f64) -> f64 {
     }
 }
 
-/// Places on the beam from left to right, none closer to another than rounding.
+/// Positions on the beam from left to right, without those that differ only by rounding.
 fn sorted(places: impl Iterator<Item = f64>, length: f64) -> Vec<f64> {
     let mut places: Vec<f64> = places.filter(|x| (0.0..=length).contains(x)).collect();
     places.sort_by(f64::total_cmp);

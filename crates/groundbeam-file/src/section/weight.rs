@@ -1,4 +1,4 @@
-//! The beam's own weight: `unit_weight` times the area of its sections.
+//! Computes the beam's self-weight: `unit_weight` times the area of its sections.
 
 use super::beam::OwnLoad;
 use crate::code;
@@ -9,14 +9,14 @@ use crate::reader::{Field, Reader};
 use crate::table::Section;
 use groundbeam::Load;
 
-/// The area of the beam's section on a stretch, if it is known there.
+/// Area of the beam's section on a stretch, if known.
 pub(super) struct Area {
     pub from: f64,
     pub to: f64,
     pub area: Option<Along>,
 }
 
-/// `unit_weight`: a quantity, or "material" for that of the beam's material.
+/// Reads `unit_weight`: a quantity, or "material" for that of the beam's material.
 fn unit_weight(reader: &mut Reader, table: &Section, material: Option<&Material>) -> Option<Field> {
     let value = table.value("unit_weight")?;
     if value.get_ref().as_str().is_none_or(|text| text.trim() != "material") {
@@ -27,14 +27,14 @@ fn unit_weight(reader: &mut Reader, table: &Section, material: Option<&Material>
     }
     let message = match material {
         Some(material) => format!("no unit weight of {} is listed", material.name),
-        None => "the beam is not all of one material that has a name".to_owned(),
+        None => "the beam does not have one named material".to_owned(),
     };
     let hint = format!("give {}", reader.line(table.keys, "unit_weight"));
     reader.report(Fault::new(code::INCOMPLETE, value.span(), message, "", hint));
     Some(Field::unreadable(value.span()))
 }
 
-/// The loads of the beam's own weight, each with its load case; none if `table` gives no unit weight.
+/// Loads from self-weight, each with its load case; empty if `table` gives no unit weight.
 pub(super) fn read(
     reader: &mut Reader,
     table: &Section,
@@ -47,7 +47,7 @@ pub(super) fn read(
     let Some(weight) = unit_weight(reader, table, material) else {
         if let Some((key, _)) = table.table.get_key_value("weight_case") {
             let message = "`weight_case` is given without `unit_weight`";
-            let hint = "unit_weight = \"25 kN/m^3\" makes the beam's own weight a load";
+            let hint = "unit_weight = \"25 kN/m^3\" adds the beam's self-weight as a load";
             reader.report(Fault::new(code::INCOMPLETE, key.span(), message, "", hint));
         }
         return Vec::new();
@@ -66,13 +66,13 @@ pub(super) fn read(
                 "give `section` instead of `EI` or `I`, or the weight as a distributed load",
             ),
             Some(area) if area.profile.control_values().len() > 2 => (
-                "the area of the beam's section does not run linearly",
-                "give the weight as distributed loads, or let one side of the section vary alone",
+                "the area of the beam's section does not vary linearly",
+                "give the weight as distributed loads, or let only one dimension of the section vary",
             ),
             Some(area) => {
                 let [start, end] =
                     [area.profile.start(), area.profile.end()].map(|a| a * weight.value);
-                // A stretch without a length, or one that cannot be read, has been reported.
+                // A stretch of zero length or an unreadable one has been reported.
                 let known = area.is_readable() && !weight.value.is_nan();
                 if known && from < to {
                     let load = Load::distributed_force(from, to, start, end);

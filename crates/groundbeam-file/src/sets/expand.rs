@@ -1,38 +1,38 @@
-//! Combinations, from a set and the cases of a file.
+//! Generates load combinations from a set of a code of practice and the load cases of a file.
 //!
-//! Lift-off makes superposition false, so no action can be left out because it seems favourable: every subset of
-//! the variable cases is made, with every leading action and every factor of the permanent ones.
+//! Superposition fails with lift-off, so no action can be dropped as favourable. All subsets of the variable
+//! cases are combined with all leading actions and all factors of the permanent cases.
 
 use super::{Action, Formula, Practice, Set, Share, states};
 use groundbeam::LimitStates;
 use std::collections::BTreeMap;
 
-/// A load case and what acts in it.
+/// A load case and its action.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Acting<'a> {
     pub case: &'a str,
     pub action: &'a str,
-    /// Of the cases of one group at most one is there at a time.
+    /// Cases of one group never act together.
     pub group: Option<&'a str>,
-    /// Permanent cases of one source have the same one of their factors.
+    /// Permanent cases of one source share the choice of their factor.
     pub source: Option<&'a str>,
 }
 
-/// More combinations than are solved.
+/// The number of combinations exceeds the limit.
 #[derive(Debug, PartialEq, Eq)]
 pub(crate) struct TooMany;
 
-/// A combination as a set makes it.
+/// A combination generated from a set.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Made {
-    /// `6.10: 1.35 G + 1.5 Q + 0.9 W`
+    /// Its name, such as `6.10: 1.35 G + 1.5 Q + 0.9 W`.
     pub name: String,
-    /// Cases by their number, in the order of the name, none with the factor 0.
+    /// Indices of cases with their nonzero factors, in the order of the name.
     pub factors: Vec<(usize, f64)>,
     pub limit_states: LimitStates,
 }
 
-/// The combinations of a set, each once, at most `most` of them.
+/// Combinations of a set, each once, at most `most` of them.
 pub(crate) fn expand(
     practice: &Practice,
     set: &Set,
@@ -56,11 +56,12 @@ pub(crate) fn expand(
     Ok(made)
 }
 
-/// Of each term one action at a time, with its factor, or none.
+/// For each term, the alternative actions with their factors. At most one action of a term acts.
 type Terms<'a> = Vec<Vec<(&'a str, f64)>>;
 
 impl Formula {
-    /// The formula's terms: once, or once for each action that leads, which then must be there, and once with none.
+    /// Terms of the formula. With leading actions, one list for each action that leads and must act, and one
+    /// without a leading action.
     fn terms<'a>(&'a self, practice: &'a Practice, cases: &[Acting]) -> Vec<(bool, Terms<'a>)> {
         let written: Terms = self
             .terms
@@ -90,13 +91,13 @@ impl Formula {
         variable.iter().map(leads).chain([(false, written.clone())]).collect()
     }
 
-    /// The partial factors of an action; 1 where the formula has none.
+    /// Partial factors of an action; 1 if the formula has none.
     fn gamma_of<'a>(&self, action: &'a Action) -> &'a [f64] {
         let letter = self.gamma.as_ref();
         letter.and_then(|letter| action.gamma.get(letter)).map_or(&[1.0], Vec::as_slice)
     }
 
-    /// The factors that an action takes in turn because it is always there: γ_sup with ξ, and γ_inf.
+    /// Alternative factors of a permanent action: γ_sup with ξ, and γ_inf.
     fn always_of(&self, practice: &Practice, action: &str) -> Vec<f64> {
         if let Some(factors) = self.always.get(action) {
             return factors.clone();
@@ -116,29 +117,30 @@ impl Share {
     }
 }
 
-/// A product of decimals, without what binary numbers add to it.
+/// The product of decimals, without binary rounding errors.
 fn rounded(product: f64) -> f64 {
     (product * 1e9).round() / 1e9
 }
 
 struct Expansion<'a> {
     cases: &'a [Acting<'a>],
-    /// The factors that each case takes in turn; no factors for a case that is not always there.
+    /// Alternative factors of each case; empty for a case that is not permanent.
     always: &'a [Vec<f64>],
-    /// Whether permanent cases of one source are taken apart.
+    /// Whether permanent cases of one source have independent factors.
     by_parts: bool,
     most: usize,
     label: &'a str,
     limit_states: LimitStates,
-    /// Whether the first term must be there.
+    /// Whether an action of the first term must act.
     leads: bool,
     made: Vec<Made>,
-    /// The factors of all cases of what was made, by their bits, and its number.
+    /// Index of each generated combination, by the bits of the factors of all cases.
     seen: BTreeMap<Vec<u64>, usize>,
 }
 
 impl Expansion<'_> {
-    /// Every factor of every permanent case, one case after the other; `rows` holds which factor the cases have.
+    /// Combines all factors of all permanent cases by recursion over the cases. `rows` records the factor
+    /// chosen for each case.
     fn permanent(
         &mut self,
         terms: &Terms,
@@ -170,7 +172,8 @@ impl Expansion<'_> {
         if factors.is_empty() { self.permanent(terms, case + 1, chosen, rows) } else { Ok(()) }
     }
 
-    /// Of the first term each action, or none unless it must be there; then the others.
+    /// Combines the actions of the first term, or none of them unless one must act; then recurs over the
+    /// other terms.
     fn variable(
         &mut self,
         terms: &[Vec<(&str, f64)>],
@@ -187,7 +190,7 @@ impl Expansion<'_> {
         if must { Ok(()) } else { self.variable(others, false, chosen) }
     }
 
-    /// Every subset of an action's cases that is not empty: an action may be spread over several.
+    /// All non-empty subsets of the cases of an action, because several cases may have the same action.
     fn subsets(
         &mut self,
         cases: &[usize],
@@ -222,7 +225,7 @@ impl Expansion<'_> {
             return Ok(());
         }
         if let Some(&same) = self.seen.get(&key) {
-            // One combination may serve several expressions of a code.
+            // One combination may belong to several expressions of a code.
             self.made[same].limit_states = self.made[same].limit_states.and(self.limit_states);
             return Ok(());
         }
@@ -290,7 +293,7 @@ mod tests {
         ] {
             assert!(found.iter().any(|found| found == name), "{name} in {found:?}");
         }
-        // With each of two factors of G: Q or W alone, either with the other, none.
+        // For each of the two factors of G: Q alone, W alone, either one leading with the other, or neither.
         assert_eq!(found.len(), 2 * 5);
         let found = made("EN 1990 frequent", &cases);
         assert!(found.contains(&"frequent: G + 0.2 W + 0.3 Q".to_owned()), "{found:?}");
@@ -344,8 +347,8 @@ mod tests {
         let cases = vec![case("Q", "imposed B"); 60];
         assert_eq!(expand(practice, set, &cases, 1000), Err(TooMany));
     }
-    /// EN 1990, table A1.2(B), note 3: one factor for all permanent actions of one source; static equilibrium takes the
-    /// parts apart.
+    /// EN 1990, table A1.2(B), note 3: one factor for all permanent actions of one source. Static equilibrium
+    /// treats the parts separately.
     #[test]
     fn permanent_cases_of_one_source_have_one_factor() {
         let of = |name| Acting { source: Some("own weight"), ..case(name, "permanent") };

@@ -1,4 +1,5 @@
-//! Sets of combinations that codes of practice ask for: the data files in `sets/`, and what they make of a file's cases.
+//! Sets of load combinations from codes of practice: the data files in `sets/`, and their application to a
+//! file's load cases.
 
 mod expand;
 
@@ -10,11 +11,11 @@ use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
-/// A code of practice: the actions it knows and the sets of combinations it asks for.
+/// A code of practice: its actions and its sets of combinations.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Practice {
-    /// `EN 1990`.
+    /// Its name, such as `EN 1990`.
     pub code: String,
     #[serde(rename = "action")]
     actions: Vec<Action>,
@@ -27,12 +28,12 @@ pub(crate) struct Practice {
 #[serde(deny_unknown_fields)]
 struct Action {
     name: String,
-    /// ψ₀, ψ₁, ψ₂ of a variable action; none for the others, and in codes without them.
+    /// ψ₀, ψ₁, ψ₂ of a variable action; `None` for other actions and in codes without them.
     psi: Option<[f64; 3]>,
-    /// Partial factors by the letter of the set of combinations: unfavourable, and favourable if it has another one.
+    /// Partial factors by the letter of the set: unfavourable, and favourable if it differs.
     #[serde(default)]
     gamma: BTreeMap<String, Vec<f64>>,
-    /// Whether the action is always there.
+    /// Whether the action is permanent.
     #[serde(default)]
     permanent: bool,
 }
@@ -41,52 +42,52 @@ struct Action {
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Set {
-    /// As a model file asks for it.
+    /// Its name in a model file.
     pub name: String,
-    /// Other names by which it can be asked for.
+    /// Alternative names.
     #[serde(default)]
     also: Vec<String>,
-    /// Names that other editions or sets claim, too; a file that asks for one of them is refused.
+    /// Ambiguous names, which other editions or sets share. A file that uses one is rejected.
     #[serde(default)]
     ambiguous: Vec<String>,
     /// Clause and table.
     pub source: String,
-    /// `one source`, where no second source confirmed a number.
+    /// `one source` if a value is not confirmed by a second source.
     remark: Option<String>,
-    /// The limit states of its combinations.
+    /// Limit states of its combinations.
     limit_states: Vec<String>,
     #[serde(rename = "formula")]
     formulas: Vec<Formula>,
 }
 
-/// One expression of a code. Of its variable actions any may be absent.
+/// One expression of a code. Any of its variable actions may be absent.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Formula {
-    /// How its combinations' names begin.
+    /// Prefix of the names of its combinations.
     label: String,
-    /// Limit states besides those of the set.
+    /// Limit states in addition to those of the set.
     #[serde(default)]
     also_limit_states: Vec<String>,
-    /// Actions that are there in every combination, each with the factors that it takes in turn; besides the permanent
+    /// Actions that act in every combination, each with its alternative factors, in addition to the permanent
     /// actions of the code.
     #[serde(default)]
     always: BTreeMap<String, Vec<f64>>,
-    /// Of each of these one action at a time, or none.
+    /// Terms. At most one action of each term acts.
     #[serde(default)]
     terms: Vec<BTreeMap<String, f64>>,
-    /// Whether an action of the first of these is there in every combination.
+    /// Whether an action of the first term must act in every combination.
     #[serde(default)]
     needs_first: bool,
-    /// The letter of the partial factors; left out, they are 1.
+    /// Letter of the partial factors; without it they are 1.
     gamma: Option<String>,
     /// ξ, the reduction of unfavourable permanent actions.
     xi: Option<f64>,
-    /// The part of every action with ψ, which leads in turn.
+    /// Factor of the leading action. Each action with ψ leads in turn.
     leading: Option<Share>,
-    /// The part of the actions with ψ that do not lead.
+    /// Factor of the accompanying actions with ψ.
     accompanying: Option<Share>,
-    /// Whether parts of one permanent action may have different factors, as static equilibrium demands.
+    /// Whether parts of one permanent action may have different factors, as for static equilibrium.
     #[serde(default)]
     by_parts: bool,
 }
@@ -109,13 +110,13 @@ static PRACTICES: LazyLock<Vec<Practice>> = LazyLock::new(|| {
     ])
 });
 
-/// The set of a name, and the code it belongs to.
+/// The set with this name, and its code.
 pub(crate) fn find(name: &str) -> Option<(&'static Practice, &'static Set)> {
     let mut all = PRACTICES.iter().flat_map(|p| p.sets.iter().map(move |set| (p, set)));
     all.find(|(_, set)| set.is_called(name))
 }
 
-/// The sets that a name without an edition or a letter may mean.
+/// Sets that a name without an edition or a letter may mean.
 pub(crate) fn meant(name: &str) -> Vec<&'static str> {
     let all = PRACTICES.iter().flat_map(|p| &p.sets);
     let claims = |set: &&Set| set.ambiguous.iter().any(|ambiguous| ambiguous == name);
@@ -137,12 +138,12 @@ impl Entry for Set {
     }
 }
 
-/// The names of all sets.
+/// Main names of all sets.
 pub(crate) fn names() -> Vec<&'static str> {
     PRACTICES.iter().flat_map(|p| &p.sets).map(|set| set.name.as_str()).collect()
 }
 
-/// The names of all actions, each once.
+/// Names of all actions, each once.
 pub(crate) fn actions() -> Vec<&'static str> {
     let mut names: Vec<&str> = PRACTICES.iter().flat_map(Practice::actions).collect();
     let mut seen = std::collections::BTreeSet::new();
@@ -150,14 +151,14 @@ pub(crate) fn actions() -> Vec<&'static str> {
     names
 }
 
-/// The limit states of these names, which a test reads.
+/// The limit states with these names. A test checks the names.
 fn states(names: &[String]) -> LimitStates {
     let states: Vec<LimitState> = names.iter().filter_map(|name| LimitState::named(name)).collect();
     LimitStates::of(&states)
 }
 
 impl Practice {
-    /// The letter of partial factors that an expression of a set needs and an action lacks.
+    /// Letter of the partial factors that an expression of the set needs and the action lacks.
     pub fn lacks<'s>(&self, set: &'s Set, action: &str) -> Option<&'s str> {
         let action = self.actions.iter().find(|known| known.name == action)?;
         let letters = set.formulas.iter().filter_map(|formula| formula.gamma.as_deref());
@@ -165,13 +166,13 @@ impl Practice {
         letters.filter(|_| has_factors).find(|letter| !action.gamma.contains_key(*letter))
     }
 
-    /// The names of its actions.
+    /// Names of its actions.
     pub fn actions(&self) -> impl Iterator<Item = &str> {
         self.actions.iter().map(|action| action.name.as_str())
     }
 }
 
-/// A set of combinations that a model file can ask for, with `[[combination]] set = "…"`.
+/// A built-in set of combinations, which a model file selects with `[[combination]] set = "…"`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct CombinationSet {
     /// Its name.
@@ -180,13 +181,13 @@ pub struct CombinationSet {
     pub code: &'static str,
     /// Clause and table of the code.
     pub source: &'static str,
-    /// `one source`, where no second source confirmed a number.
+    /// `one source` if a value is not confirmed by a second source.
     pub remark: Option<&'static str>,
-    /// The limit states of its combinations.
+    /// Limit states of its combinations.
     pub limit_states: LimitStates,
 }
 
-/// Every set of combinations that a model file can ask for.
+/// All built-in sets of combinations.
 ///
 /// ```
 /// let sets = groundbeam_file::combination_sets();

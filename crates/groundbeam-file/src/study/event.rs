@@ -1,4 +1,4 @@
-//! `[[event]]`: conditions whose probability is asked for.
+//! Reads `[[event]]`: conditions whose probability a study estimates.
 
 use super::keep::field;
 use crate::code;
@@ -19,25 +19,25 @@ pub(super) static TABLE: Table = Table {
             "`lifted_share`, `left`, `right`, or a field's `.min`, `.max`, `.range`.",
         )
         .needed(),
-        key("above", Value::Depends, "The event is that the number is above this limit."),
-        key("below", Value::Depends, "The event is that it is below this limit."),
+        key("above", Value::Depends, "The event occurs if the result is above this limit."),
+        key("below", Value::Depends, "The event occurs if the result is below this limit."),
     ],
 };
 
-/// Something that may happen.
+/// An event whose probability is estimated.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Event {
     /// Its name.
     pub name: String,
-    /// What of an answer it is judged by.
+    /// The result that decides whether it occurs.
     pub of: Judged,
-    /// On which side of the limit it has happened.
+    /// Side of the limit on which it occurs.
     pub side: Exceeds,
-    /// The limit, in SI units or the file's own.
+    /// The limit, in SI units or in the file's own units.
     pub limit: f64,
 }
 
-/// On which side of a limit.
+/// Side of a limit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Exceeds {
     /// `above`: more than the limit.
@@ -46,44 +46,45 @@ pub enum Exceeds {
     Below,
 }
 
-/// A number of an answer.
+/// A scalar result of a solve.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Judged {
-    /// `lifted_share`: how much of the beam does not touch, from 0 to 1.
+    /// `lifted_share`: fraction of the beam length that is not in contact, from 0 to 1.
     LiftedShare,
-    /// `left` and `right`: the concentrated force under an end.
+    /// `left` and `right`: the point contact force under an end.
     EndForce(usize),
     /// `moment.min`: the smallest value of a field.
     Smallest(Field),
-    /// `moment.max`: its largest value.
+    /// `moment.max`: the largest value of a field.
     Largest(Field),
-    /// `deflection.range`: the difference of both.
+    /// `deflection.range`: the largest minus the smallest value.
     Difference(Field),
 }
 
 impl Judged {
-    /// The number of a name.
+    /// The result with this name.
     fn parse(name: &str) -> Result<Self, String> {
-        let all = "lifted_share, left, right, and of a field its .min, .max or .range, as in pressure.max";
+        let all =
+            "lifted_share, left, right, or a field with .min, .max or .range, as in pressure.max";
         Ok(match name.trim() {
             "lifted_share" => Judged::LiftedShare,
             "left" => Judged::EndForce(0),
             "right" => Judged::EndForce(1),
             other => {
                 let (name, part) =
-                    other.split_once('.').ok_or_else(|| format!("what can stand here: {all}"))?;
+                    other.split_once('.').ok_or_else(|| format!("allowed here: {all}"))?;
                 let field = field(name)?;
                 match part {
                     "min" => Judged::Smallest(field),
                     "max" => Judged::Largest(field),
                     "range" => Judged::Difference(field),
-                    _ => return Err(format!("what can stand here: {all}")),
+                    _ => return Err(format!("allowed here: {all}")),
                 }
             }
         })
     }
 
-    /// The field of which extremes are needed.
+    /// The field whose extremes are needed.
     pub fn field(self) -> Option<Field> {
         match self {
             Judged::Smallest(field) | Judged::Largest(field) | Judged::Difference(field) => {
@@ -118,7 +119,7 @@ pub(super) fn read(reader: &mut Reader, root: &Section) -> Vec<Event> {
         let [above, below] = ["above", "below"].map(|key| reader.quantity_of(&table, key, kind));
         let limit = match (above, below) {
             (Some(above), Some(below)) => {
-                let hint = "of two limits make two events";
+                let hint = "for two limits write two events";
                 reader.exclusive(("above", &above.span), ("below", &below.span), hint);
                 continue;
             }
@@ -140,13 +141,7 @@ pub(super) fn read(reader: &mut Reader, root: &Section) -> Vec<Event> {
             () => None,
         };
         if let Some((code, message)) = fault {
-            reader.report(Fault::new(
-                code,
-                span,
-                message,
-                "",
-                "give every event a name of its own",
-            ));
+            reader.report(Fault::new(code, span, message, "", "give each event a name of its own"));
             continue;
         }
         if let Some(of) = of {
@@ -161,7 +156,7 @@ fn judged(reader: &mut Reader, table: &Section) -> Option<Judged> {
     match Judged::parse(name) {
         Ok(judged) => Some(judged),
         Err(hint) => {
-            let message = format!("`{name}` is no number of an answer");
+            let message = format!("`{name}` is not a result of a solve");
             reader.report(Fault::new(code::UNKNOWN_WORD, span, message, "", hint));
             None
         }

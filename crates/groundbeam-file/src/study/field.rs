@@ -1,4 +1,4 @@
-//! `[field]`: random fields of ground and beam along the beam.
+//! Reads `[field]`: random fields of ground and beam along the beam.
 
 use super::random::{Random, out_of_range, spread};
 use crate::code;
@@ -11,20 +11,20 @@ use crate::table::Section;
 use crate::target::{self, Course};
 use groundbeam::derivatives::{Domain, Parameter, Property};
 
-/// Lognormal fields along the beam, all with one correlation function.
+/// Lognormal fields along the beam, with a common correlation function.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RandomField {
-    /// What varies: k, μ, EI, each at most once.
+    /// Quantities that vary: k, μ, EI, each at most once.
     pub of: Vec<FieldOf>,
-    /// How quickly the correlation fades with the distance.
+    /// Correlation as a function of distance.
     pub correlation: Correlation,
     /// The correlation length \[m\].
     pub length: f64,
-    /// At how many even points, or on how many equal stretches, the fields are drawn.
+    /// Number of equidistant points, or of equal stretches, at which the fields are sampled.
     pub points: usize,
-    /// How they run between.
+    /// Interpolation between the points.
     pub course: Course,
-    /// How they are made of independent numbers.
+    /// Method that computes the fields from independent normal numbers.
     pub method: Method,
     /// The correlation of ln k and ln μ at one point.
     pub rho: f64,
@@ -41,7 +41,7 @@ pub struct FieldOf {
     pub deviation: f64,
 }
 
-/// The correlation of the logarithms at two points a distance d apart, with the correlation length L.
+/// Correlation of the logarithms at two points a distance d apart, with the correlation length L.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Correlation {
     /// `exponential`: exp(−d/L); Matérn's with ν = 1/2.
@@ -54,27 +54,31 @@ pub enum Correlation {
     Gaussian,
 }
 
-/// How a field is made of independent normal numbers.
+/// Method that computes a field from independent normal numbers.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Method {
-    /// `karhunen-loeve`: by the eigenvectors of its covariance, as many as are asked for.
+    /// `karhunen-loeve`: eigenvectors of the covariance matrix, truncated.
     KarhunenLoeve(Share),
-    /// `circulant`: exactly, by waves on a circle into which the beam is embedded.
+    /// `circulant`: exact, by circulant embedding of the covariance.
     Circulant,
 }
 
-/// How much of a Karhunen–Loève expansion is kept.
+/// Truncation of a Karhunen–Loève expansion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Share {
-    /// So many terms.
+    /// This number of terms.
     Terms(usize),
-    /// So many that they hold this share of the variance.
+    /// As many terms as this share of the variance needs.
     OfVariance(f64),
 }
 
 const QUANTITY: &[Key] = &[
-    key("mean", Value::Depends, "The mean; left out: the model's."),
-    quantity("cov", &RATIO, "The standard deviation as a part of the mean."),
+    key("mean", Value::Depends, "The mean; default: the model's value."),
+    quantity(
+        "cov",
+        &RATIO,
+        "The coefficient of variation: standard deviation divided by the mean.",
+    ),
     key("deviation", Value::Depends, "The standard deviation."),
 ];
 static K: Table = Table { name: "k of [field]", keys: QUANTITY };
@@ -84,19 +88,19 @@ static EI: Table = Table { name: "EI of [field]", keys: QUANTITY };
 static FUNCTIONS: Words = Words {
     all: || CORRELATIONS.map(|(name, _)| name).to_vec(),
     also: &[],
-    message: "`{}` is no `correlation`",
+    message: "`{}` is not a value of `correlation`",
     hint: WHAT_CAN_STAND_HERE,
 };
 static COURSES: Words = Words {
     all: || vec!["lines", "steps"],
     also: &[],
-    message: "`{}` is no `between`",
+    message: "`{}` is not a value of `between`",
     hint: WHAT_CAN_STAND_HERE,
 };
 static METHODS: Words = Words {
     all: || vec!["karhunen-loeve", "circulant"],
     also: &[],
-    message: "`{}` is no `method`",
+    message: "`{}` is not a value of `method`",
     hint: WHAT_CAN_STAND_HERE,
 };
 
@@ -106,22 +110,18 @@ pub(super) static TABLE: Table = Table {
         table("k", &K, "The field of k."),
         table("mu", &MU, "The field of mu."),
         table("EI", &EI, "The field of EI."),
-        quantity("rho", &RATIO, "The correlation of ln k and ln mu; left out: 0."),
-        word("correlation", &FUNCTIONS, "The correlation function; left out: `exponential`."),
+        quantity("rho", &RATIO, "The correlation of ln k and ln mu; default: 0."),
+        word("correlation", &FUNCTIONS, "The correlation function; default: `exponential`."),
         quantity("length", &LENGTH, "The correlation length L.").needed(),
         key(
             "points",
             Value::Count([2, MOST_POINTS]),
-            "How many points; left out: four to each L, from 8 to 256.",
+            "The number of points; default: four per L, from 8 to 256.",
         ),
-        word("between", &COURSES, "The course between points; left out: `lines`."),
-        word("method", &METHODS, "How the fields are drawn; left out: `karhunen-loeve`."),
-        key("terms", Value::Count([1, MOST_POINTS]), "`karhunen-loeve`: how many terms are kept."),
-        quantity(
-            "variance",
-            &RATIO,
-            "`karhunen-loeve`: the share of the variance; left out: 0.99.",
-        ),
+        word("between", &COURSES, "The variation between points; default: `lines`."),
+        word("method", &METHODS, "The method that samples the fields; default: `karhunen-loeve`."),
+        key("terms", Value::Count([1, MOST_POINTS]), "`karhunen-loeve`: the number of terms."),
+        quantity("variance", &RATIO, "`karhunen-loeve`: the share of the variance; default: 0.99."),
     ],
 };
 const CORRELATIONS: [(&str, Correlation); 4] = [
@@ -130,15 +130,15 @@ const CORRELATIONS: [(&str, Correlation); 4] = [
     ("matern-5/2", Correlation::Matern5),
     ("gaussian", Correlation::Gaussian),
 ];
-/// More points than this a field may not have.
+/// Maximum number of points of a field.
 const MOST_POINTS: u64 = 1024;
-/// Points to each correlation length, unless the file says otherwise.
+/// Default number of points per correlation length.
 const POINTS_PER_LENGTH: f64 = 4.0;
 const FEWEST_POINTS: f64 = 8.0;
 const VARIANCE: f64 = 0.99;
 
 impl FieldOf {
-    /// As files spell it.
+    /// Name in files.
     pub fn name(&self) -> &'static str {
         match self.property {
             Property::Spring => "k",
@@ -150,7 +150,7 @@ impl FieldOf {
 }
 
 impl Correlation {
-    /// As files spell it.
+    /// Name in files.
     pub fn name(self) -> &'static str {
         CORRELATIONS.iter().find(|(_, known)| *known == self).map_or("", |(name, _)| name)
     }
@@ -183,8 +183,8 @@ pub(super) fn read(
         out_of_range(
             reader,
             &length,
-            "a correlation length is positive",
-            "for example of some metres",
+            "a correlation length must be positive",
+            "for example several metres",
         );
         return None;
     }
@@ -222,7 +222,7 @@ fn field_of(
         return None;
     }
     if random.iter().any(|random| random.target == target) {
-        let message = format!("`{name}` is a [[random]] number already");
+        let message = format!("`{name}` is already a [[random]] number");
         let hint = format!("a [[random]] `{name}_factor` may multiply the field");
         reader.report(Fault::new(code::REPEATED, own.span.clone(), message, "", hint));
         return None;
@@ -244,12 +244,12 @@ fn rho(reader: &mut Reader, table: &Section, of: &[FieldOf]) -> Option<f64> {
     let has = |property| of.iter().any(|field| field.property == property);
     if !(has(Property::Spring) && has(Property::Shear)) {
         let hint = "it is the correlation of ln k and ln mu at one point: give both as fields";
-        let message = "there are not two fields of the ground";
+        let message = "the study does not have fields of both k and mu";
         reader.report(Fault::new(code::INCOMPLETE, rho.span, message, "", hint));
         return None;
     }
     if rho.value.abs() > 1.0 {
-        out_of_range(reader, &rho, "a correlation lies between -1 and 1", "0 is independent");
+        out_of_range(reader, &rho, "a correlation lies between -1 and 1", "0 means independent");
         return None;
     }
     Some(rho.value)
@@ -261,15 +261,15 @@ fn method(reader: &mut Reader, table: &Section) -> Option<Method> {
     let variance = reader.quantity(table, "variance");
     let (a, b) = (table.value("terms"), &variance);
     if let (Some(a), Some(b)) = (a, b) {
-        let hint = "the number of terms follows from the share of the variance";
+        let hint = "the share of the variance determines the number of terms";
         reader.exclusive(("terms", &a.span()), ("variance", &b.span), hint);
         return None;
     }
     if circulant {
         let place = a.map(|a| a.span()).or_else(|| variance.as_ref().map(|v| v.span.clone()));
         let Some(span) = place else { return Some(Method::Circulant) };
-        let message = "an embedding in a circle has no terms to be cut";
-        let hint = "leave it out, or take method = \"karhunen-loeve\"";
+        let message = "the circulant method has no truncated terms";
+        let hint = "leave it out, or use method = \"karhunen-loeve\"";
         reader.report(Fault::new(code::MISPLACED, span, message, "", hint));
         return None;
     }

@@ -1,4 +1,4 @@
-//! `[keep]`: the values kept of every answer.
+//! Reads `[keep]`: the values that a study saves for each sample.
 
 use crate::code;
 use crate::fault::Fault;
@@ -10,16 +10,16 @@ use crate::table::Section;
 use groundbeam::Field;
 use toml::de::DeValue;
 
-/// What is kept of every answer, besides status, end forces, lifted share and the certificate's gap.
+/// Values saved for each sample, in addition to status, end forces, lifted share and the certificate's gap.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Keep {
-    /// Fields of which the smallest and the largest value are kept, and where they are.
+    /// Fields whose smallest and largest values are saved, with their positions.
     pub extremes: Vec<Field>,
-    /// Fields that are kept at positions.
+    /// Fields saved at given positions.
     pub fields: Vec<Field>,
-    /// These positions \[m\].
+    /// The given positions \[m\].
     pub at: Vec<f64>,
-    /// Whether the random fields are kept at all of their points.
+    /// Whether the random fields are saved at all of their points.
     pub ground: bool,
 }
 
@@ -31,10 +31,18 @@ const FIELDS: Value = Value::List(
 pub(super) static TABLE: Table = Table {
     name: "[keep]",
     keys: &[
-        key("extremes", FIELDS, "Fields whose extremes are kept; left out: the usual four."),
-        key("fields", FIELDS, "Fields that are kept at positions."),
-        key("at", Value::List(&Value::Quantity(&POSITION), [0, usize::MAX]), "These positions."),
-        key("ground", Value::Flag, "Whether the random fields are kept; left out: false."),
+        key(
+            "extremes",
+            FIELDS,
+            "Fields whose extremes are saved; default: deflection, moment, shear, pressure.",
+        ),
+        key("fields", FIELDS, "Fields that are saved at the positions `at`."),
+        key(
+            "at",
+            Value::List(&Value::Quantity(&POSITION), [0, usize::MAX]),
+            "The positions for `fields`.",
+        ),
+        key("ground", Value::Flag, "Whether the random fields are saved; default: false."),
     ],
 };
 
@@ -50,7 +58,7 @@ pub(super) fn read(reader: &mut Reader, root: &Section) -> Keep {
     let (fields, at) =
         (fields(reader, &table, "fields").unwrap_or_default(), positions(reader, &table));
     if let (true, Some(value)) = (at.is_empty(), table.value("fields")) {
-        let message = "`fields` are kept at positions, and `at` gives none";
+        let message = "`fields` needs positions, and `at` gives none";
         let hint =
             format!("add {}", POSITION.line("at", reader.is_plain()).replace("= ", "= [") + "]");
         reader.report(Fault::new(code::INCOMPLETE, value.span(), message, "", hint));
@@ -80,18 +88,18 @@ fn fields(reader: &mut Reader, table: &Section, key: &str) -> Option<Vec<Field>>
     for word in list.iter() {
         let Some(name) = word.get_ref().as_str() else {
             let hint = format!("as in {key} = [\"deflection\", \"moment\"]");
-            reader.wrong_type(word, "a field is named by a word".to_owned(), hint);
+            reader.wrong_type(word, "give the name of a field".to_owned(), hint);
             continue;
         };
         match field(name) {
             Ok(field) if all.contains(&field) => {
-                let message = format!("`{name}` stands here twice");
+                let message = format!("`{name}` is listed twice");
                 reader.report(Fault::new(
                     code::REPEATED,
                     word.span(),
                     message,
                     "",
-                    "once is enough",
+                    "list each field once",
                 ));
             }
             Ok(field) => all.push(field),
@@ -104,7 +112,7 @@ fn fields(reader: &mut Reader, table: &Section, key: &str) -> Option<Vec<Field>>
     Some(all)
 }
 
-/// The field of a name, or what is probably meant.
+/// The field with this name, or a hint with similar names.
 pub(super) fn field(name: &str) -> Result<Field, String> {
     let names = Field::ALL.map(Field::name);
     Field::named(name.trim()).ok_or_else(|| suggest::advice(name, &names, "the fields: {}"))

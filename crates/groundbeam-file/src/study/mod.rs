@@ -1,4 +1,4 @@
-//! Study files: a model, its random numbers, the sampling, and the results asked for.
+//! Reads study files: the model, its random numbers, the sampling, and the requested results.
 
 mod event;
 mod field;
@@ -25,7 +25,7 @@ use crate::{code, no_model, parse_beside, syntax, text_of};
 use std::path::{Path, PathBuf};
 use toml::de::DeTable;
 
-/// The tables of a study file.
+/// Tables of a study file.
 pub(crate) static STUDY: Table = Table {
     name: "the file",
     keys: &[
@@ -35,51 +35,51 @@ pub(crate) static STUDY: Table = Table {
         key(
             "samples",
             Value::Count([1, sampling::MOST_SAMPLES]),
-            "How many samples; left out: 10000.",
+            "The number of samples; default: 10000.",
         ),
         key(
             "seed",
             Value::Count([0, i64::MAX as u64]),
-            "All random numbers follow from it; left out: 0.",
+            "The seed of all random numbers; default: 0.",
         ),
-        word("sampling", &sampling::NAMES, "How the samples are drawn; left out: `monte-carlo`."),
+        word("sampling", &sampling::NAMES, "The sampling method; default: `monte-carlo`."),
         key(
             "replicates",
             Value::Count([1, sampling::MOST_REPLICATES]),
-            "Hypercubes or sequences drawn independently; left out: 16.",
+            "The number of independent hypercubes or sequences; default: 16.",
         ),
         tables("random", &random::TABLE, "A number of the model that is random."),
         tables("correlated", &random::CORRELATED, "Two random numbers that depend on one another."),
         table("field", &field::TABLE, "Random fields along the beam."),
-        table("keep", &keep::TABLE, "The values kept of every answer."),
-        tables("event", &event::TABLE, "A condition whose probability is told."),
+        table("keep", &keep::TABLE, "The values saved for each sample."),
+        tables("event", &event::TABLE, "A condition whose probability is estimated."),
     ],
 };
 
-/// A study file that was read, with the model it is about.
+/// A study file after reading, with its model.
 #[derive(Debug, Clone)]
 pub struct StudyFile {
-    /// The study file, as it can be opened from where the program runs.
+    /// Path of the study file, relative to the working directory.
     pub path: PathBuf,
-    /// What the file calls itself.
+    /// The title that the file gives.
     pub title: Option<String>,
     /// Its text.
     pub text: String,
-    /// The file of the model, as it can be opened from where the program runs.
+    /// Path of the model file, relative to the working directory.
     pub model_path: PathBuf,
     /// The model under all of its loads.
     pub document: Document,
-    /// How many samples there are, and how they are drawn.
+    /// Number of samples, and the sampling method.
     pub plan: Plan,
     /// Numbers of the model that are random.
     pub random: Vec<Random>,
-    /// Which of them depend on one another.
+    /// Correlations between them.
     pub joined: Vec<Joined>,
-    /// Ground and beam that vary at random along the beam.
+    /// Random fields of ground and beam.
     pub field: Option<RandomField>,
-    /// What is kept of every answer.
+    /// Values saved for each sample.
     pub keep: Keep,
-    /// What must not happen.
+    /// Events whose probability is estimated.
     pub events: Vec<Event>,
 }
 
@@ -87,12 +87,12 @@ pub struct StudyFile {
 ///
 /// # Errors
 ///
-/// A file that cannot be read, and everything that is wrong with it; of a model that is wrong, what is wrong there.
+/// A file that cannot be read, all faults of the study file, or all faults of the model file.
 pub fn read_study(path: &Path) -> Result<StudyFile, StudyError> {
     read(path, folder_of(path).into())
 }
 
-/// Reads a study from its files in memory, as [`StudyFile::files`] gives them.
+/// Reads a study from files in memory, as [`StudyFile::files`] returns them.
 ///
 /// # Errors
 ///
@@ -118,7 +118,7 @@ fn read(path: &Path, beside: Beside) -> Result<StudyFile, StudyError> {
 }
 
 impl StudyFile {
-    /// All files of the study, as they were read: the study itself, its model, and the files that the model names.
+    /// All files of the study: the study itself, its model, and the files that the model names.
     pub fn files(&self) -> Vec<OtherFile> {
         let of = |path: &Path, text: &str| OtherFile {
             name: path.display().to_string(),
@@ -130,7 +130,7 @@ impl StudyFile {
     }
 }
 
-/// Where something is wrong.
+/// The file that contains a fault.
 enum At {
     Study(Diagnostics),
     Model(StudyError),
@@ -151,8 +151,8 @@ fn parse(path: &Path, text: &str, beside: Beside) -> Result<StudyFile, At> {
     }
     let root = Section::root(table.get_ref(), &STUDY);
     if root.table.is_empty() {
-        let fault = Fault { message: "the file holds no study".to_owned(), ..no_model() };
-        let hint = "a study has at least `model`, and something that is [[random]] or a [field]";
+        let fault = Fault { message: "the file contains no study".to_owned(), ..no_model() };
+        let hint = "a study has at least `model`, and a [[random]] or a [field]";
         let fault = Fault { hint: hint.to_owned(), ..fault };
         return Err(Diagnostics::from(crate::Diagnostic::new(&source, fault)).into());
     }
@@ -180,13 +180,13 @@ fn parse(path: &Path, text: &str, beside: Beside) -> Result<StudyFile, At> {
     if units.is_some_and(|units| units != document.units) && reader.found.is_empty() {
         let message = match document.units {
             crate::UnitSystem::Si => {
-                "the model's quantities have units, so those of its study need them too"
+                "the model's quantities have units, so the study's quantities need units too"
             }
             crate::UnitSystem::Plain => {
-                "the model's numbers have no units, so those of its study have none either"
+                "the model's quantities have no units, so the study's quantities must have none"
             }
         };
-        let hint = "write the study's quantities as those of the model are written";
+        let hint = "write the study's quantities in the same way as the model's";
         reader.report(Fault::new(code::MIXED, span, message, "", hint));
     }
     if !reader.found.is_empty() {
@@ -208,12 +208,12 @@ fn parse(path: &Path, text: &str, beside: Beside) -> Result<StudyFile, At> {
     })
 }
 
-/// Why there is no study.
+/// Reason why a study cannot be read.
 #[derive(Debug)]
 pub enum StudyError {
     /// The study file cannot be read.
     Unreadable(PathBuf, std::io::Error),
-    /// What is wrong in a file of this name and text: the study, or the model that it names.
+    /// Faults in the file with this name and text: the study or its model.
     Wrong(Diagnostics, PathBuf, String),
 }
 
@@ -236,7 +236,7 @@ impl std::fmt::Display for StudyError {
 
 impl std::error::Error for StudyError {}
 
-/// Reads the model beside the study.
+/// Reads the model of the study.
 fn model(
     reader: &mut Reader,
     root: &Section,
@@ -248,7 +248,7 @@ fn model(
         Ok(bytes) => bytes,
         Err(error) => {
             let message = format!("`{name}` cannot be read: {error}");
-            let hint = "the name is taken from the folder of the study file";
+            let hint = "the name is relative to the folder of the study file";
             reader.report(Fault::new(code::FILE, span, message, "", hint));
             return Ok(None);
         }
@@ -259,13 +259,14 @@ fn model(
         Ok(document) => {
             let several = match () {
                 () if !document.trains.is_empty() => Some("trains"),
-                () if document.has_combinations() => Some("combinations or a band of grounds"),
+                () if document.has_combinations() => {
+                    Some("combinations or a range of ground stiffness")
+                }
                 () => None,
             };
             if let Some(what) = several {
-                let message =
-                    format!("`{name}` has {what}: a study is of one model with one answer");
-                let hint = "leave them out of the model of the study";
+                let message = format!("`{name}` has {what}: a study needs a model with one result");
+                let hint = "remove them from the model of the study";
                 reader.report(Fault::new(code::EXCLUSIVE, span, message, "", hint));
                 return Ok(None);
             }

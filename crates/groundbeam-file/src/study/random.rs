@@ -1,4 +1,4 @@
-//! `[[random]]` and `[[correlated]]`: random numbers of the model.
+//! Reads `[[random]]` and `[[correlated]]`: random numbers of the model.
 
 use crate::code;
 use crate::document::Document;
@@ -18,15 +18,15 @@ use toml::de::DeValue;
 /// A number of the model that is random.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Random {
-    /// As the file calls it: `load[0]`.
+    /// Its name in the file: `load[0]`.
     pub name: String,
-    /// Which number of the model it is.
+    /// The number of the model that it replaces.
     pub target: Parameter,
-    /// How it is distributed.
+    /// Its distribution.
     pub distribution: Distribution,
 }
 
-/// How a random number is distributed; all in SI units or the file's own.
+/// Distribution of a random number, in SI units or in the file's own units.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Distribution {
     /// `normal`.
@@ -43,60 +43,64 @@ pub enum Distribution {
         /// Standard deviation, positive.
         deviation: f64,
     },
-    /// `gumbel`: the largest of many, type I.
+    /// `gumbel`: the type I distribution of the largest value.
     Gumbel {
         /// Mean.
         mean: f64,
         /// Standard deviation, positive.
         deviation: f64,
     },
-    /// `uniform`: anything between two numbers.
+    /// `uniform`: all values between two numbers are equally probable.
     Uniform {
-        /// The least.
+        /// Smallest value.
         from: f64,
-        /// The largest.
+        /// Largest value.
         to: f64,
     },
-    /// `triangular`: between two numbers, most probably at a third.
+    /// `triangular`: a piecewise linear density between two numbers, with its peak at the mode.
     Triangular {
-        /// The least.
+        /// Smallest value.
         from: f64,
-        /// The most probable.
+        /// Most probable value.
         mode: f64,
-        /// The largest.
+        /// Largest value.
         to: f64,
     },
 }
 
-/// Two random numbers that depend on one another.
+/// Two correlated random numbers.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Joined {
-    /// Which two of the random numbers, counted from 0.
+    /// Indices of the two random numbers, from 0.
     pub of: [usize; 2],
-    /// The correlation of the normal numbers that they are made of.
+    /// Correlation of their normal scores.
     pub rho: f64,
 }
 
 static DISTRIBUTIONS: Words = Words {
     all: || vec!["normal", "lognormal", "gumbel", "uniform", "triangular"],
     also: &[],
-    message: "`{}` is no `distribution`",
+    message: "`{}` is not a value of `distribution`",
     hint: WHAT_CAN_STAND_HERE,
 };
 
 pub(super) static TABLE: Table = Table {
     name: "[[random]]",
     keys: &[
-        text("what", "k_factor", "The number of the model, as listed below.").needed(),
-        word("distribution", &DISTRIBUTIONS, "How the number is distributed.").needed(),
+        text("what", "k_factor", "A number of the model, from the list below.").needed(),
+        word("distribution", &DISTRIBUTIONS, "The distribution of the number.").needed(),
         key(
             "mean",
             Value::Depends,
-            "The mean of `normal`, `lognormal`, `gumbel`; left out: the model's.",
+            "The mean of `normal`, `lognormal`, `gumbel`; default: the model's value.",
         ),
-        quantity("cov", &RATIO, "Their standard deviation as a part of the mean."),
+        quantity(
+            "cov",
+            &RATIO,
+            "Their coefficient of variation: standard deviation divided by the mean.",
+        ),
         key("deviation", Value::Depends, "Their standard deviation."),
-        key("from", Value::Depends, "`uniform`, `triangular`: the least value.").also(ALSO_FROM),
+        key("from", Value::Depends, "`uniform`, `triangular`: the smallest value.").also(ALSO_FROM),
         key("to", Value::Depends, "`uniform`, `triangular`: the largest value.").also(ALSO_TO),
         key("mode", Value::Depends, "`triangular`: the most probable value."),
     ],
@@ -105,7 +109,11 @@ pub(super) static TABLE: Table = Table {
 pub(super) static CORRELATED: Table = Table {
     name: "[[correlated]]",
     keys: &[
-        key("what", Value::List(&Value::Text("load[0]"), [2, 2]), "Two numbers that are random."),
+        key(
+            "what",
+            Value::List(&Value::Text("load[0]"), [2, 2]),
+            "The names of two random numbers.",
+        ),
         quantity("rho", &RATIO, "The correlation of their normal scores.").needed(),
     ],
 };
@@ -119,15 +127,16 @@ pub(super) fn read(reader: &mut Reader, root: &Section, document: &Document) -> 
         let distribution = distribution(reader, &table, kind, what.as_ref(), document);
         let Some((name, target, span)) = what else { continue };
         if all.iter().any(|other| other.target == target) {
-            let message = format!("`{name}` is random already");
+            let message = format!("`{name}` is already random");
             let hint = "give each number one distribution";
             reader.report(Fault::new(code::REPEATED, span, message, "", hint));
             continue;
         }
         if let Some(distribution) = distribution {
             if target::must_be_positive(target) && !distribution.is_positive() {
-                let message = format!("`{name}` must be positive, and this distribution is not");
-                let hint = "take `lognormal`, or `uniform` or `triangular` with a positive `from`";
+                let message =
+                    format!("`{name}` must be positive, but this distribution has other values");
+                let hint = "use `lognormal`, or `uniform` or `triangular` with a positive `from`";
                 reader.report(Fault::new(code::RANGE, span, message, "", hint));
                 continue;
             }
@@ -137,7 +146,7 @@ pub(super) fn read(reader: &mut Reader, root: &Section, document: &Document) -> 
     all
 }
 
-/// The number that `what` names.
+/// The number of the model that `what` names.
 fn target(
     reader: &mut Reader,
     table: &Section,
@@ -146,8 +155,8 @@ fn target(
     let (name, span) = reader.text(table, "what")?;
     let name = name.trim();
     let Some(target) = Parameter::named(name) else {
-        let message = format!("`{name}` is no number of a model");
-        let hint = format!("what can be random: {}", Parameter::NAMES);
+        let message = format!("`{name}` is not a number of the model");
+        let hint = format!("allowed here: {}", Parameter::NAMES);
         reader.report(Fault::new(code::UNKNOWN_WORD, span, message, "", hint));
         return None;
     };
@@ -175,10 +184,10 @@ fn distribution(
     };
     for key in foreign {
         if let Some(value) = table.value(key) {
-            let message = format!("`{key}` means nothing for `{which}`");
+            let message = format!("`{key}` is not a parameter of `{which}`");
             let hint = match by_ends {
-                true => "it is given by `from` and `to`, and `triangular` by its `mode` too",
-                false => "it is given by its `mean`, and by `cov` or `deviation`",
+                true => "give `from` and `to`, and for `triangular` also `mode`",
+                false => "give `mean`, and `cov` or `deviation`",
             };
             reader.report(Fault::new(code::MISPLACED, value.span(), message, "", hint));
         }
@@ -187,7 +196,7 @@ fn distribution(
         let from = reader.required_of(table, "from", kind);
         let to = reader.required_of(table, "to", kind);
         if to.value <= from.value {
-            let hint = "`to` is the largest, `from` the least";
+            let hint = "`to` is the largest value, `from` the smallest";
             out_of_range(reader, &to, "`to` must be larger than `from`", hint);
             return None;
         }
@@ -212,7 +221,7 @@ fn distribution(
     };
     let deviation = spread(reader, table, kind, mean)?;
     if which == "lognormal" && mean <= 0.0 {
-        let hint = "a lognormal number is positive; for another take `normal`";
+        let hint = "a lognormal number is positive; for other numbers use `normal`";
         out_of_range(reader, &Field::new(mean, span), "its mean must be positive", hint);
         return None;
     }
@@ -224,7 +233,7 @@ fn distribution(
     }
 }
 
-/// The standard deviation, by itself or as a part of the mean.
+/// The standard deviation: given directly, or as a fraction of the mean.
 pub(super) fn spread(
     reader: &mut Reader,
     table: &Section,
@@ -235,14 +244,14 @@ pub(super) fn spread(
     let deviation = reader.quantity_of(table, "deviation", kind);
     let given = match (cov, deviation) {
         (Some(cov), Some(deviation)) => {
-            let hint = "the deviation is the mean times `cov`: give either of them";
+            let hint = "the deviation is the mean times `cov`: give one of the two";
             reader.exclusive(("cov", &cov.span), ("deviation", &deviation.span), hint);
             return None;
         }
         (Some(cov), None) => {
             if mean == 0.0 {
                 let hint = "give its `deviation`";
-                out_of_range(reader, &cov, "the mean is 0, and so is any part of it", hint);
+                out_of_range(reader, &cov, "`cov` needs a mean other than 0", hint);
                 return None;
             }
             Field::new(cov.value * mean.abs(), cov.span)
@@ -255,7 +264,12 @@ pub(super) fn spread(
         }
     };
     if given.value <= 0.0 {
-        out_of_range(reader, &given, "it must be positive", "what does not scatter is not random");
+        out_of_range(
+            reader,
+            &given,
+            "it must be positive",
+            "a random number needs a positive deviation",
+        );
         return None;
     }
     Some(given.value).filter(|value| value.is_finite())
@@ -266,7 +280,7 @@ pub(super) fn out_of_range(reader: &mut Reader, field: &Field, message: &str, hi
 }
 
 impl Distribution {
-    /// Whether it never is zero or negative.
+    /// Whether all its values are positive.
     fn is_positive(&self) -> bool {
         match *self {
             Distribution::Normal { .. } | Distribution::Gumbel { .. } => false,
@@ -289,13 +303,13 @@ pub(super) fn read_joined(reader: &mut Reader, root: &Section, random: &[Random]
     for table in reader.tables(root, "correlated") {
         let rho = reader.required(&table, "rho");
         if rho.value.abs() >= 1.0 {
-            let hint = "0 is independent; of two that always agree make one";
+            let hint = "0 means independent; replace two fully correlated numbers by one";
             out_of_range(reader, &rho, "a correlation lies between -1 and 1", hint);
         }
         let Some(of) = pair(reader, &table, random, &written) else { continue };
         let span = table.span.clone();
         if all.iter().any(|other| other.of == of) {
-            let message = "the correlation of these two is given already";
+            let message = "the correlation of these two has already been given";
             let hint = "give it once";
             reader.report(Fault::new(code::REPEATED, span, message, "", hint));
             continue;
@@ -305,7 +319,7 @@ pub(super) fn read_joined(reader: &mut Reader, root: &Section, random: &[Random]
     all
 }
 
-/// Which two are named, the first before the second. One that is written but wrong itself has been told.
+/// Indices of the two named numbers in ascending order. Names of invalid numbers have been reported.
 fn pair(
     reader: &mut Reader,
     table: &Section,
@@ -332,15 +346,15 @@ fn pair(
             if written.iter().any(|what| what == name.trim()) {
                 return None;
             }
-            let message = format!("no [[random]] is called `{name}`");
-            let hint = "only what is random can be correlated";
+            let message = format!("no [[random]] has the name `{name}`");
+            let hint = "only random numbers can be correlated";
             reader.report(Fault::new(code::UNKNOWN_WORD, value.span(), message, "", hint));
             return None;
         };
         *slot = index;
     }
     if found[0] == found[1] {
-        let message = "a number is not correlated with itself";
+        let message = "a number cannot be correlated with itself";
         let hint = "name two different ones";
         reader.report(Fault::new(code::REPEATED, value.span(), message, "", hint));
         return None;

@@ -1,4 +1,4 @@
-//! `samples`, `seed`, `sampling`, `replicates`: how many samples, and how they are drawn.
+//! Reads `samples`, `seed`, `sampling` and `replicates`: the number of samples and the sampling method.
 
 use crate::code;
 use crate::fault::Fault;
@@ -6,22 +6,22 @@ use crate::keys::{WHAT_CAN_STAND_HERE, Words};
 use crate::reader::Reader;
 use crate::table::Section;
 
-/// How points are spread over the random numbers.
+/// Sampling method.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Sampling {
-    /// `monte-carlo`: each by itself.
+    /// `monte-carlo`: independent samples.
     MonteCarlo,
-    /// `latin-hypercube`: every number's range is cut into as many equally probable parts as there are samples in a
-    /// replicate, and each part has one sample.
+    /// `latin-hypercube`: the range of each random number is divided into as many equally probable intervals
+    /// as a replicate has samples. Each interval contains one sample.
     LatinHypercube,
-    /// `sobol`: Sobol's sequence, its digits scrambled after Owen, anew in each replicate.
+    /// `sobol`: Sobol's sequence with Owen scrambling, different in each replicate.
     Sobol,
 }
 
 impl Sampling {
     const ALL: [Sampling; 3] = [Sampling::MonteCarlo, Sampling::LatinHypercube, Sampling::Sobol];
 
-    /// As files spell it.
+    /// Name in files.
     pub fn name(self) -> &'static str {
         match self {
             Sampling::MonteCarlo => "monte-carlo",
@@ -34,28 +34,28 @@ impl Sampling {
 pub(super) static NAMES: Words = Words {
     all: || Sampling::ALL.map(Sampling::name).to_vec(),
     also: &[],
-    message: "`{}` is no `sampling`",
+    message: "`{}` is not a value of `sampling`",
     hint: WHAT_CAN_STAND_HERE,
 };
 
-/// How many samples there are, and how they are drawn.
+/// Number of samples, and the sampling method.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Plan {
-    /// How many.
+    /// Number of samples.
     pub samples: u64,
-    /// From which all random numbers follow.
+    /// Seed of all random numbers.
     pub seed: u64,
-    /// How they are spread.
+    /// Sampling method.
     pub sampling: Sampling,
-    /// Into how many parts they are divided that are drawn independently, so that their scatter tells the error;
-    /// 1 for `monte-carlo`, where every sample is a part.
+    /// Number of independent replicates; their scatter estimates the error. It is 1 for `monte-carlo`, where
+    /// all samples are independent.
     pub replicates: u64,
 }
 
-/// Unless the file says otherwise.
+/// Default number of samples.
 const SAMPLES: u64 = 10_000;
 const REPLICATES: u64 = 16;
-/// An exact integer in every program that may read the results.
+/// Maximum number of samples. Every program that reads the results can represent it exactly.
 pub(super) const MOST_SAMPLES: u64 = 1 << 48;
 pub(super) const MOST_REPLICATES: u64 = 1 << 16;
 
@@ -69,8 +69,8 @@ pub(super) fn read(reader: &mut Reader, root: &Section) -> Plan {
     let replicates = match sampling {
         Sampling::MonteCarlo => {
             if let (Some(_), Some(value)) = (written, root.value("replicates")) {
-                let message = "samples of `monte-carlo` are independent already";
-                let hint = "leave `replicates` out, or take `latin-hypercube` or `sobol`";
+                let message = "samples of `monte-carlo` are always independent";
+                let hint = "leave `replicates` out, or use `latin-hypercube` or `sobol`";
                 reader.report(Fault::new(code::MISPLACED, value.span(), message, "", hint));
             }
             1
@@ -81,16 +81,16 @@ pub(super) fn read(reader: &mut Reader, root: &Section) -> Plan {
 }
 
 impl Plan {
-    /// The same with other numbers than the file's.
+    /// The plan with another number of samples or another seed.
     pub fn with(self, samples: Option<u64>, seed: Option<u64>) -> Self {
         Plan { samples: samples.unwrap_or(self.samples), seed: seed.unwrap_or(self.seed), ..self }
     }
 
-    /// What is wrong with how many samples there are.
+    /// Fault in the number of samples, if any.
     pub fn problem(&self) -> Option<String> {
         let Plan { samples, replicates, .. } = *self;
         if !(1..=MOST_SAMPLES).contains(&samples) {
-            return Some(format!("there must be from 1 to {MOST_SAMPLES} samples"));
+            return Some(format!("the number of samples must be from 1 to {MOST_SAMPLES}"));
         }
         if !samples.is_multiple_of(replicates) {
             let down = samples - samples % replicates;

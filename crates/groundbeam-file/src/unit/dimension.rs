@@ -1,6 +1,6 @@
 //! Dimensions of units: powers of force, length, angle and temperature.
 
-/// Powers of force, length, angle and temperature difference. Mass and time occur nowhere in a model.
+/// Powers of force, length, angle and temperature difference. A model has no masses or times.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Dimension {
     pub force: i32,
@@ -21,8 +21,8 @@ impl Dimension {
         Dimension { force, length, angle: 0, temperature: 0 }
     }
 
-    /// This dimension times `other` to a power. Powers stop at the limits of their type, which
-    /// no dimension that is wanted anywhere comes near.
+    /// This dimension times a power of `other`. Exponents saturate at the limits of their type, far beyond
+    /// those of any unit.
     pub fn times(self, other: Dimension, power: i32) -> Self {
         let add = |mine: i32, its: i32| mine.saturating_add(its.saturating_mul(power));
         Dimension {
@@ -33,7 +33,7 @@ impl Dimension {
         }
     }
 
-    /// In words, with an article: "a force per length".
+    /// Its description with an article: "a force per length".
     pub fn describe(self) -> String {
         if self == Dimension::TEMPERATURE {
             return "a temperature".to_owned();

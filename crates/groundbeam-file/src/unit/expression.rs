@@ -1,19 +1,18 @@
-//! Products, quotients and powers of unit symbols, as engineers write them:
-//! `kN/m^2`, `kN/m²`, `kN m`, `kNm`, `kN·m`, `kN*m`, `kN.m`, `kip-ft`, `kN/m/m`, `kN/(m rad)`,
-//! `kN m-2`, `mm4`, `1/m`.
+//! Parses products, quotients and powers of unit symbols, as engineers write them: `kN/m^2`, `kN/m²`, `kN m`,
+//! `kNm`, `kN·m`, `kN*m`, `kN.m`, `kip-ft`, `kN/m/m`, `kN/(m rad)`, `kN m-2`, `mm4`, `1/m`.
 
 use super::{Dimension, Marks, Scale, symbol};
 use crate::code;
 use crate::fault::Fault;
 use crate::suggest::nearest;
 
-/// Nobody needs a higher power, and a limit keeps the arithmetic small.
+/// Largest allowed exponent; it keeps the arithmetic small.
 const HIGHEST_POWER: i32 = 12;
-/// Nor parentheses within so many others.
+/// Maximum depth of nested parentheses.
 const DEEPEST: usize = 8;
 const SUPERSCRIPTS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
 
-/// A unit: its factor to N, m and rad, and what it measures.
+/// A unit: its factor to N, m and rad, and its dimension.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Unit {
     pub scale: Scale,
@@ -30,7 +29,7 @@ impl Unit {
         let unit = reader.product(0)?;
         match reader.peek() {
             None => Ok(unit),
-            Some(_) => Err(reader.unexpected("this parenthesis was never opened")),
+            Some(_) => Err(reader.unexpected("this closing parenthesis has no opening one")),
         }
     }
 
@@ -77,7 +76,7 @@ impl Reader<'_> {
         }
     }
 
-    /// A symbol or a parenthesis, with its power.
+    /// Reads a symbol or a parenthesis, with its exponent.
     fn factor(&mut self, depth: usize) -> Result<Unit, Fault> {
         self.skip_spaces();
         if self.at == 0 && self.text.starts_with('1') {
@@ -87,7 +86,7 @@ impl Reader<'_> {
         }
         if self.peek() == Some('(') {
             if depth == DEEPEST {
-                return Err(self.unexpected("too many parentheses within each other"));
+                return Err(self.unexpected("too many nested parentheses"));
             }
             self.advance();
             let unit = self.product(depth + 1)?;
@@ -115,12 +114,12 @@ impl Reader<'_> {
         if word.is_empty() {
             return Err(self.unexpected("a unit is expected here"));
         }
-        // In "kNm2" the power belongs to the metre.
+        // In "kNm2" the exponent belongs to the metre.
         let (first, last) = self.symbols(start, word)?;
         Ok(first.times(last, self.power()?))
     }
 
-    /// The power of a length that a word before it stands for.
+    /// Exponent that a word before a length stands for: `sq` or `cu`.
     fn power_in_words(word: &str) -> Option<i32> {
         match word {
             "sq" => Some(2),
@@ -142,7 +141,7 @@ impl Reader<'_> {
         }) {
             return Ok((Unit::ONE, Unit::ONE.times(unit(known), power)));
         }
-        // A `k` alone is no part of such a word.
+        // A `k` alone cannot be a symbol of such a word.
         for (i, _) in word.char_indices().skip(1).filter(|(i, _)| !word[..*i].eq("k")) {
             let halves = symbol::look_up(&word[..i]).zip(symbol::look_up(&word[i..]));
             if let Some((force, length)) = halves
@@ -155,7 +154,7 @@ impl Reader<'_> {
         Err(unknown(start, word))
     }
 
-    /// The power behind a symbol; 1 if there is none.
+    /// Exponent after a symbol; 1 if there is none.
     fn power(&mut self) -> Result<i32, Fault> {
         let start = self.at;
         let rest = self.text[self.at..].trim_start();
@@ -180,7 +179,7 @@ impl Reader<'_> {
         }
         let Some(power) = power else {
             if marked.is_some() || raised {
-                return Err(self.unexpected("a whole number is expected as the power"));
+                return Err(self.unexpected("the exponent must be a whole number"));
             }
             self.at = before_sign; // a minus sign between two symbols: kip-ft
             return Ok(1);
@@ -189,9 +188,9 @@ impl Reader<'_> {
         let fraction =
             after.next() == Some('.') && after.next().is_some_and(|c| c.is_ascii_digit());
         if fraction || power > HIGHEST_POWER {
-            let message = "this power is not one that a unit can have";
+            let message = "a unit cannot have this exponent";
             let hint =
-                format!("powers are whole numbers up to {HIGHEST_POWER}, as in \"0.04 m^4\"");
+                format!("exponents are whole numbers up to {HIGHEST_POWER}, as in \"0.04 m^4\"");
             return Err(Fault::new(code::UNIT_SYNTAX, start..self.at, message, "", hint));
         }
         Ok(if negative { -power } else { power })
@@ -202,9 +201,9 @@ impl Reader<'_> {
         Fault::new(
             code::UNIT_SYNTAX,
             start..start + factor.len(),
-            format!("it is not clear whether `{factor}` is multiplied or divided by"),
+            format!("it is unclear whether `{factor}` multiplies or divides"),
             "after a `/`",
-            "put what is divided by in parentheses, as in \"kN/(m rad)\", or write it last, as in \
+            "put a divisor in parentheses, as in \"kN/(m rad)\", or write it last, as in \
              \"kN m/rad\"",
         )
     }
@@ -241,7 +240,7 @@ fn unknown(start: usize, word: &str) -> Fault {
     let hint = match (symbol::advice(word), suggested) {
         (Some(advice), _) => advice.to_owned(),
         (None, Some(symbol)) => format!("did you mean `{symbol}`?"),
-        (None, None) => "units are made of m, N, Pa, rad with prefixes (mm, kN, MPa), or of in, \
+        (None, None) => "units consist of m, N, Pa, rad with prefixes (mm, kN, MPa), or of in, \
                          ft, lbf, kip, psi, ksi, pci and the like"
             .to_owned(),
     };

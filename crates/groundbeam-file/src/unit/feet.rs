@@ -2,13 +2,13 @@
 
 use super::symbol::{FEET, INCHES};
 
-/// The finest fraction: 64ths.
+/// Largest denominator of a fraction: 64ths.
 const FINEST: u128 = 64;
-/// Inches are counted in parts of this size, so that 64ths and six decimals are whole: 10⁻⁶ in.
+/// Parts per inch. In parts of 10⁻⁶ in, 64ths and six decimals are integers.
 const PARTS: u128 = 1_000_000;
 
-/// The inches of a length in feet and inches, or with a fraction, as a decimal number. `None` for another text, also for one
-/// decimal number with its unit, as in `6.5 in`.
+/// Inches of a length in feet and inches or with a fraction, as a decimal number. `None` for other texts,
+/// including one decimal number with its unit, as in `6.5 in`.
 pub(crate) fn feet_and_inches(text: &str) -> Option<String> {
     let text = text.trim();
     let (sign, text) = match text.strip_prefix(['-', '\u{2212}']) {
@@ -32,18 +32,18 @@ pub(crate) fn feet_and_inches(text: &str) -> Option<String> {
     Some(format!("{sign}{}.{:06}", parts / PARTS, parts % PARTS))
 }
 
-/// The text before a unit of one of these names.
+/// The text before the unit, if it ends with one of these names.
 fn number_and_unit<'t>(text: &'t str, names: &[&str]) -> Option<&'t str> {
     let number = names.iter().filter_map(|name| text.strip_suffix(name));
     number.min_by_key(|number| number.len()).map(str::trim_end)
 }
 
-/// Whether a letter may begin the unit of feet.
+/// Whether this letter may begin the unit of feet.
 fn starts_feet(letter: char) -> bool {
     FEET.iter().any(|name| name.starts_with(letter))
 }
 
-/// The feet and the inches of a text without the unit of the inches.
+/// Splits a text into feet and inches. The unit of the inches has been removed.
 fn feet_before(text: &str) -> Option<(&str, &str)> {
     let at = text.find(starts_feet)?;
     let (feet, rest) = text.split_at(at);
@@ -52,7 +52,7 @@ fn feet_before(text: &str) -> Option<(&str, &str)> {
     Some((feet.trim_end(), rest.strip_prefix('-').unwrap_or(rest).trim_start()))
 }
 
-/// A number with decimals, a fraction, or a whole number and a fraction, in parts.
+/// A decimal number, a fraction, or an integer and a fraction, in parts of an inch.
 fn parts_of(text: &str) -> Option<u128> {
     let Some((before, below)) = text.split_once('/') else { return decimal(text) };
     let (whole, above) = match before.trim_end().rsplit_once([' ', '-']) {
@@ -71,7 +71,7 @@ fn decimal(text: &str) -> Option<u128> {
     Some(PARTS.checked_mul(count(whole)?)? + count(&part)?)
 }
 
-/// A whole number of up to nine digits.
+/// An integer of up to nine digits.
 fn count(text: &str) -> Option<u128> {
     let is_count = (1..=9).contains(&text.len()) && text.bytes().all(|byte| byte.is_ascii_digit());
     is_count.then(|| text.parse().ok()).flatten()

@@ -1,6 +1,6 @@
-//! Marks of the units in a quantity: which results are printed in the same units.
+//! Flags that record the unit systems in a quantity. They determine the units of printed results.
 
-/// A set of marks.
+/// A set of flags.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(crate) struct Marks(u8);
 
@@ -17,12 +17,12 @@ impl Marks {
     /// All US units.
     pub const US: Marks = Marks(8 | 16 | 32 | 64);
 
-    /// The marks of both.
+    /// Union of both sets.
     pub const fn with(self, other: Marks) -> Marks {
         Marks(self.0 | other.0)
     }
 
-    /// Whether one of these marks is set.
+    /// Whether one of these flags is set.
     pub fn has_any(self, marks: Marks) -> bool {
         self.0 & marks.0 != 0
     }

@@ -1,8 +1,7 @@
-//! Units: symbols, how they combine, and what they measure.
+//! Parses units: symbols, their combination, and their dimension.
 //!
-//! Written for this file format rather than taken from a general unit calculator: those bring
-//! large tables and an expression language, accept far more than a quantity, and do not tell
-//! which characters are at fault. A force, a length and an angle are all that is needed here.
+//! A model needs only forces, lengths, angles and temperature differences. General unit libraries accept far
+//! more than a quantity and do not report which characters are wrong.
 
 mod dimension;
 mod expression;

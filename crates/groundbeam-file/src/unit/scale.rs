@@ -1,9 +1,9 @@
-//! The factor of a unit: a fraction of whole numbers times a power of ten.
+//! The factor of a unit: a fraction of integers times a power of ten.
 
-/// `numerator / denominator × 10^ten`, exact as long as the whole numbers fit.
+/// `numerator / denominator × 10^ten`, exact as long as the integers fit.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Scale {
-    /// Nothing when the whole numbers have grown out of 128 bits.
+    /// `None` if the integers exceed 128 bits.
     fraction: Option<(u128, u128)>,
     ten: i32,
     approximate: f64,
@@ -12,13 +12,13 @@ pub(crate) struct Scale {
 impl Scale {
     pub const ONE: Scale = Scale { fraction: Some((1, 1)), ten: 0, approximate: 1.0 };
 
-    /// `numerator / denominator × 10^ten`; neither part is 0.
+    /// `numerator / denominator × 10^ten`, with both parts nonzero.
     pub fn new(numerator: u64, denominator: u64, ten: i32) -> Self {
         let approximate = numerator as f64 / denominator as f64 * 10_f64.powi(ten);
         Scale { fraction: Some((numerator.into(), denominator.into())), ten, approximate }
     }
 
-    /// This factor times `other` to a power.
+    /// This factor times a power of `other`.
     pub fn times(self, other: Scale, power: i32) -> Self {
         let mut fraction = self.fraction;
         for _ in 0..power.unsigned_abs() {
@@ -38,18 +38,18 @@ impl Scale {
         self.fraction
     }
 
-    /// The power of ten that goes with the fraction.
+    /// Exponent of ten beside the fraction.
     pub fn ten(&self) -> i32 {
         self.ten
     }
 
-    /// The factor to within a few units in the last place.
+    /// The factor, accurate to a few units in the last place.
     pub fn to_f64(self) -> f64 {
         self.approximate
     }
 }
 
-/// The product in lowest terms, so that what cancels leaves no trace (lbf/lbf is exactly 1).
+/// The product in lowest terms, so that lbf/lbf is exactly 1.
 fn multiply(a: (u128, u128), b: (u128, u128)) -> Option<(u128, u128)> {
     let (left, right) = (common_divisor(a.0, b.1), common_divisor(b.0, a.1));
     let numerator = (a.0 / left).checked_mul(b.0 / right)?;

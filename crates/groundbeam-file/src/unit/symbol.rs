@@ -1,17 +1,17 @@
-//! The table of unit symbols.
+//! Table of unit symbols with their factors and dimensions.
 //!
-//! Factors are exact by definition: the inch, the pound and the standard acceleration of free
-//! fall as in NIST Special Publication 811 (2008), appendix B; only the degree is rounded.
+//! The factors are exact. The definitions of the inch, the pound and the standard acceleration of free fall
+//! come from NIST Special Publication 811 (2008), appendix B. Only the degree is rounded.
 
 use super::{Dimension, Marks, Scale};
 
-/// What one symbol stands for.
+/// One unit symbol.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Symbol {
-    /// The name to suggest, and others that are read.
+    /// The name that hints use, followed by alternative names.
     pub names: &'static [&'static str],
     pub dimension: Dimension,
-    /// In N, m and rad: numerator, denominator, power of ten.
+    /// Factor to N, m and rad: numerator, denominator, power of ten.
     factor: (u64, u64, i32),
     takes_prefix: bool,
     marks: Marks,
@@ -58,7 +58,7 @@ pub(super) const SYMBOLS: &[Symbol] = &[
     metric(&["Pa"], STRESS, 0, Marks::NEWTON),
     metric(&["bar"], STRESS, 5, Marks::NEWTON),
     metric(&["rad"], Dimension::ANGLE, 0, Marks::NONE),
-    // Differences of temperature.
+    // Temperature differences.
     other(&["K", "°C", "degC"], Dimension::TEMPERATURE, (1, 1, 0), Marks::NONE),
     other(&["°F", "degF"], Dimension::TEMPERATURE, (5, 9, 0), Marks::NONE),
     // π/180 to 19 figures.
@@ -85,7 +85,7 @@ pub(super) const SYMBOLS: &[Symbol] = &[
     other(&["psf"], STRESS, (POUND, FOOT * FOOT, -5), LBF.with(FT)),
     other(&["ksf"], STRESS, (POUND, FOOT * FOOT, -2), KIP.with(FT)),
     other(&["tsf"], STRESS, (2 * POUND, FOOT * FOOT, -2), KIP.with(FT)),
-    // The same per cubic inch or cubic foot.
+    // Pounds, kips or tons per cubic inch or cubic foot.
     other(&["pci"], SPECIFIC_WEIGHT, (POUND, INCH * INCH * INCH, -1), LBF.with(IN)),
     other(&["kci"], SPECIFIC_WEIGHT, (POUND, INCH * INCH * INCH, 2), KIP.with(IN)),
     other(&["pcf"], SPECIFIC_WEIGHT, (POUND, FOOT * FOOT * FOOT, -1), LBF.with(FT)),
@@ -93,7 +93,7 @@ pub(super) const SYMBOLS: &[Symbol] = &[
     other(&["tcf"], SPECIFIC_WEIGHT, (2 * POUND, FOOT * FOOT * FOOT, 2), KIP.with(FT)),
 ];
 
-/// The inch and the foot, with the signs that word processors put in their place.
+/// The inch and the foot, including the signs that word processors substitute.
 pub(super) const INCHES: &[&str] = &["in", "inch", "inches", "\"", "″", "”"];
 pub(super) const FEET: &[&str] = &["ft", "foot", "feet", "'", "′", "’"];
 
@@ -114,14 +114,14 @@ const PREFIXES: &[(&str, i32)] = &[
     ("n", -9),
 ];
 
-/// Symbols worth suggesting, the commonest first.
+/// Symbols for suggestions, the most common first.
 pub(super) const COMMON: &[&str] = &[
     "m", "mm", "cm", "km", "kN", "N", "MN", "GN", "MPa", "kPa", "GPa", "Pa", "bar", "rad", "mrad",
     "deg", "in", "ft", "yd", "mil", "lbf", "kip", "kgf", "tf", "daN", "psi", "ksi", "psf", "ksf",
     "tsf", "pci", "pcf", "kcf", "plf", "klf", "pli", "K", "°C", "°F",
 ];
 
-/// Names and other symbols people write, with the symbol that is understood.
+/// Names and foreign symbols, each with the symbol that it means.
 const NAMES: &[(&str, &str)] = &[
     ("metre", "m"),
     ("metres", "m"),
@@ -142,27 +142,28 @@ const NAMES: &[(&str, &str)] = &[
 
 const TONS: &str = "a ton is 2000 lbf = 8.896 kN (short), 2240 lbf = 9.964 kN (long) or 1000 kgf = 9.807 kN (metric): \
      write kip, kN or tf";
-const TONNE: &str = "it is a mass; write `tf` for the weight of a tonne (9.80665 kN), or kip or kN";
+const TONNE: &str =
+    "this is a mass; write `tf` for the weight of a tonne (9.80665 kN), or kip or kN";
 
-/// What to write in place of symbols that are ambiguous, are masses, or are not read.
+/// Hints for symbols that are ambiguous, denote a mass, or are not supported.
 const ADVICE: &[(&[&str], &str)] = &[
-    (&["kg"], "it is a mass; write `kgf` for its weight (9.80665 N), or give the force in kN"),
+    (&["kg"], "this is a mass; write `kgf` for its weight (9.80665 N), or give the force in kN"),
     (&["t", "te", "Te", "tonne", "tonnes", "tm"], TONNE),
     (&["ton", "tons", "T", "Ton", "Tons"], TONS),
     (&["tlf"], "a ton per foot is 2 kip/ft: write klf"),
     (&["Mp"], "a megapond is 1000 kgf: write `tf`"),
-    (&["lbm"], "no quantity of a model is a mass; for a weight write `lbf`"),
+    (&["lbm"], "a model has no masses; for a weight write `lbf`"),
     (&["mi", "mile", "miles"], "1 mile = 5280 ft = 1609.344 m: write ft or km"),
     (&["chain", "chains"], "1 chain = 66 ft = 20.1168 m: write ft or m"),
     (&["sf", "SF"], "write `sq ft` or `ft^2`"),
     (&["at"], "a technical atmosphere is 1 kgf/cm^2 = 98.0665 kPa"),
     (&["atm"], "an atmosphere is 101.325 kPa"),
-    (&["F"], "a difference of temperature is written `°F` or `degF`"),
-    (&["C"], "a difference of temperature is written `°C`, `degC` or `K`"),
-    (&["MM"], "a millimetre is written `mm`"),
+    (&["F"], "write a temperature difference in `°F` or `degF`"),
+    (&["C"], "write a temperature difference in `°C`, `degC` or `K`"),
+    (&["MM"], "write millimetres as `mm`"),
 ];
 
-/// The factor, the dimension and the marks of a symbol with or without a prefix.
+/// Factor, dimension and flags of a symbol with or without a prefix.
 pub(super) fn look_up(word: &str) -> Option<(Scale, Dimension, Marks)> {
     if let Some(symbol) = SYMBOLS.iter().find(|symbol| symbol.names.contains(&word)) {
         let (numerator, denominator, ten) = symbol.factor;
@@ -175,13 +176,13 @@ pub(super) fn look_up(word: &str) -> Option<(Scale, Dimension, Marks)> {
     })
 }
 
-/// The symbol that someone who wrote the name or foreign symbol `word` wants.
+/// The symbol that the name or foreign symbol `word` means.
 pub(super) fn symbol_for_name(word: &str) -> Option<&'static str> {
     let lower = word.to_lowercase();
     NAMES.iter().find(|(name, _)| *name == lower).map(|&(_, symbol)| symbol)
 }
 
-/// What to write in place of a symbol that is not read.
+/// Hint for a symbol that is not supported.
 pub(super) fn advice(word: &str) -> Option<&'static str> {
     ADVICE.iter().find(|(words, _)| words.contains(&word)).map(|&(_, advice)| advice)
 }
@@ -197,8 +198,8 @@ mod tests {
         Decimal::read("1").unwrap().0.times(&scale)
     }
 
-    /// NIST Special Publication 811 (2008), appendix B.8, prints these to seven figures, in bold
-    /// where exact; here they stand as the exact quotients of their definitions.
+    /// NIST Special Publication 811 (2008), appendix B.8, prints these to seven figures, in bold if exact.
+    /// The test uses the exact quotients of the definitions.
     #[test]
     fn every_symbol_has_its_published_factor() {
         let pound = 4.448_221_615_260_5; // B.8: pound-force, 4.448 222 E+00

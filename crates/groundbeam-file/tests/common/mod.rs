@@ -1,8 +1,8 @@
-//! Rules for every diagnostic of a text.
+//! Checks that apply to all diagnostics of a text.
 
 use groundbeam_file::{Diagnostic, Diagnostics, printable};
 
-/// Whatever is found lies in its text, in order, and can be shown.
+/// Checks that the diagnostics lie in their text, are in order, and can be shown.
 pub fn well_placed(diagnostics: &Diagnostics, text: &str) {
     assert!(!diagnostics.as_slice().is_empty());
     let mut last = (false, 0);
@@ -21,8 +21,8 @@ pub fn well_placed(diagnostics: &Diagnostics, text: &str) {
     for diagnostic in diagnostics.iter().take(100) {
         let file = diagnostic.file.as_deref();
         let (name, text) = file.map_or(("file.toml", text), |file| (&file.name, &file.text));
-        // The position is counted here and by the renderer; a carriage return at the very end of a
-        // line is the one place they may see differently.
+        // The position is computed here and by the renderer. They may differ only for a carriage return at
+        // the very end of a line.
         let position = format!("{name}:{}:{}", diagnostic.line, diagnostic.column);
         let at_carriage_return = text[diagnostic.span.start..].starts_with('\r');
         assert!(at_carriage_return || shown.contains(&position), "{position} not in\n{shown}");
@@ -32,7 +32,7 @@ pub fn well_placed(diagnostics: &Diagnostics, text: &str) {
     diagnostics.render("file.toml", text, true);
 }
 
-/// No message tells a number that is none, unless the text itself has it.
+/// Checks that no message contains NaN or infinity, unless the text itself does.
 fn tells_numbers(diagnostic: &Diagnostic, text: &str) {
     for said in [&diagnostic.message, &diagnostic.label, &diagnostic.hint] {
         for word in said.split(|c: char| !c.is_alphanumeric()) {

@@ -1,15 +1,15 @@
-//! The files of `cases/errors/`, read.
+//! Loads the files of `cases/errors/`.
 
 use groundbeam_file::{Diagnostics, parse_beside, text_of};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// One file that is wrong.
+/// A faulty file.
 pub struct ErrorCase {
     pub path: PathBuf,
     /// The file's name.
     pub name: String,
-    /// The file's text, with U+FFFD for what is not UTF-8.
+    /// The file's text. U+FFFD replaces bytes that are not UTF-8.
     pub text: String,
     /// Its lines `# error: CODE at LINE:COLUMN`.
     pub announced: Vec<String>,

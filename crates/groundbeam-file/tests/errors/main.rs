@@ -1,8 +1,8 @@
-//! Every file in `cases/errors/` says in its first lines what is wrong with it, and beside it
-//! stands what a person is shown.
+//! Checks that each file in `cases/errors/` gives the errors that its first lines announce, and the output in
+//! the `.expected` file.
 //!
-//! `UPDATE_EXPECTED=1 cargo test -p groundbeam-file` writes the `.expected` files and
-//! `docs/diagnostics.md` anew.
+//! `UPDATE_EXPECTED=1 cargo test -p groundbeam-file` rewrites the `.expected` files and
+//! `docs/diagnostics.md`.
 
 mod cases;
 mod page;

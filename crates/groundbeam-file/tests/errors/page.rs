@@ -1,4 +1,4 @@
-//! `docs/diagnostics.md` is made from the table of codes and the files of `cases/errors/`.
+//! Generates `docs/diagnostics.md` from the table of codes and the files of `cases/errors/`, and compares it.
 
 use super::cases::{ErrorCase, error_cases, root, same_as_file};
 use groundbeam_file::{CODES, Code};
@@ -54,7 +54,7 @@ fn codes_ascend() {
     assert!(CODES.is_sorted_by(|a, b| a.code < b.code));
 }
 
-/// The core has codes of its own; none may be without a line in the table.
+/// Every code of the core must have a row in the table.
 #[test]
 fn every_code_of_the_core_is_in_the_table() {
     let source = sources(&root().join("crates/groundbeam/src"));

@@ -1,4 +1,4 @@
-//! Every model file of the repository: those in `cases/` and `docs/`, and those printed in documents.
+//! Collects all model files of the repository: those in `cases/` and `docs/`, and those printed in documents.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 /// A model file.
 #[derive(Debug, Clone)]
 pub struct Sample {
-    /// Where files that it names stand.
+    /// Folder of the files that it names.
     pub folder: PathBuf,
     pub text: String,
 }

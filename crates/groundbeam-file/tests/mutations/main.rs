@@ -1,7 +1,7 @@
-//! Every model file of the repository with a few changes: it is read without panic, what is wrong has its place, and
-//! what is accepted is written as a file that reads as the same model.
+//! Changes every model file of the repository at random. Reading must not panic, every fault must have a
+//! location, and an accepted file must be written and read again as the same model.
 //!
-//! `GROUNDBEAM_MUTATIONS=1000000 GROUNDBEAM_SEED=7` searches further, and from another seed.
+//! `GROUNDBEAM_MUTATIONS=1000000 GROUNDBEAM_SEED=7` runs more changes, from another seed.
 
 #[path = "../common/mod.rs"]
 mod common;
@@ -20,7 +20,7 @@ use std::cell::Cell;
 use std::fs;
 use std::path::Path;
 
-/// So many changed files, if nothing else is asked for.
+/// Runner with this number of changed files by default.
 fn runner(files: u32) -> TestRunner {
     let asked = |name, otherwise| {
         std::env::var(name).map_or(otherwise, |value| value.parse().expect("a number"))
@@ -57,7 +57,8 @@ fn a_changed_file_is_refused_at_a_place_or_written_as_it_was_read() {
     assert!(accepted.get() > 500, "{}", accepted.get());
 }
 
-/// A study beside its model, both in a folder of their own.
+/// A changed study file is either rejected with a location or read. The study and its model lie in a
+/// temporary folder.
 #[test]
 fn a_changed_study_is_refused_at_a_place_or_read() {
     let is_study =
@@ -102,7 +103,7 @@ fn reads_again(document: &Document, text: &str) {
     };
     assert_eq!(again.title, document.title);
     assert_eq!(again.units, document.units);
-    // Debug tells 0 from −0 and is the shortest text of the same bits.
+    // `{:?}` distinguishes 0 from −0 and gives the shortest text of the same bits.
     assert_eq!(format!("{:?}", again.model), format!("{:?}", document.model), "{text}");
     assert_eq!(write_toml(&again.model, again.title.as_deref(), again.units), written);
 }

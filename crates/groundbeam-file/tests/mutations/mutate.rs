@@ -1,4 +1,5 @@
-//! Changes to a model file that keep most of it: other numbers, units, words, keys, lists, lines and tables.
+//! Random changes to a model file that keep most of it: other numbers, units, words, keys, lists, lines and
+//! tables.
 
 use proptest::prelude::*;
 use proptest::sample::Index;
@@ -45,7 +46,7 @@ const UNITS: &[&str] = &[
     "psi", "kN/m^3", "MN/m³", "kN m^2", "N m", "kN m/rad", "1/m", "K", "degF", "1/K", "rad", "deg",
     "mrad/m", "", "m^4", "cm4", "%", "t", "tf",
 ];
-/// As they stand in a file.
+/// Texts with their quotes.
 const STRINGS: &[&str] = &[
     "\"\"",
     "\" \"",
@@ -138,30 +139,30 @@ const KEYS: &[&str] = &[
     "\"a b\"",
 ];
 
-/// A change, and where.
+/// A change and its position.
 #[derive(Debug, Clone)]
 pub enum Edit {
-    /// Another number, its unit kept.
+    /// Replaces a number and keeps its unit.
     Number(Index, usize),
-    /// Another unit behind a number.
+    /// Replaces the unit of a number.
     Unit(Index, usize),
-    /// Another text.
+    /// Replaces a text.
     Text(Index, usize),
-    /// Another key or heading.
+    /// Replaces a key or heading.
     Key(Index, usize),
-    /// A value as a list of itself and a number, so many times.
+    /// Replaces a value by a list of the value and repeated numbers.
     List(Index, usize, usize),
-    /// A token taken out.
+    /// Removes a token.
     Remove(Index),
-    /// A token in the place of another.
+    /// Replaces a token by another.
     Copy(Index, Index),
-    /// Two tokens in each other's place.
+    /// Swaps two tokens.
     Swap(Index, Index),
-    /// A line once more, before another one.
+    /// Repeats a line before another one.
     Line(Index, Index),
-    /// A table once more, at the end.
+    /// Repeats a table at the end.
     Table(Index),
-    /// Characters in place of others.
+    /// Replaces characters.
     Characters(Index, usize, String),
 }
 
@@ -251,7 +252,7 @@ fn replaced(text: &str, at: Range<usize>, by: &str) -> String {
 enum Kind {
     /// A number, bare or in quotes with its unit.
     Number,
-    /// Another text in quotes.
+    /// Any other text in quotes.
     Text,
     /// A key, a part of a heading, true or false.
     Word,
@@ -263,7 +264,7 @@ struct Token {
     span: Range<usize>,
 }
 
-/// The tokens of a text without spaces and comments.
+/// Tokens of a text, without spaces and comments.
 fn tokens(text: &str) -> Vec<Token> {
     let mut tokens = Vec::new();
     let mut rest = text;
@@ -299,7 +300,7 @@ fn any_of(tokens: &[Token], i: &Index) -> Option<Range<usize>> {
     (!tokens.is_empty()).then(|| tokens[i.index(tokens.len())].span.clone())
 }
 
-/// Where the number stands in a token of that kind.
+/// Byte range of the number in a token of kind number.
 fn number(token: &str) -> (usize, usize) {
     let start = token.len() - token.trim_start_matches(['"', '\'']).len();
     let is_part = |c: char| c.is_ascii_digit() || "+-.eE_".contains(c);

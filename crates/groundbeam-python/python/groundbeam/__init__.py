@@ -1,4 +1,4 @@
-"""Beams on ground that can only push back: contact, lift-off and end forces, with proof.
+"""Beams on tensionless ground: contact, lift-off and end forces, with proof.
 
 >>> import groundbeam as gb
 >>> model = gb.Model(

@@ -1,4 +1,4 @@
-"""Parameters along the beam: what the values of a row mean."""
+"""Parameters along the beam: the meaning of several values in a row."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ from ._solution import Array
 class Along:
     """Values of ``k``, ``mu`` or ``EI`` along the beam, for ``solve_many``.
 
-    A list is one row for all models; an array of models by values has a row for each.
+    A list is one row for all models. An array of models by values has one row for each model.
     """
 
     values: Array
-    """The rows, models by values."""
+    """The values, one row per model or one row for all."""
 
     def __init__(self, values: npt.ArrayLike) -> None:
         array = np.asarray(values, dtype=np.float64)
@@ -32,15 +32,15 @@ class Along:
 
 
 class Points(Along):
-    """Values at equally spaced points from end to end, linear between them."""
+    """Values at equidistant points along the whole beam, linear between them."""
 
 
 class Steps(Along):
-    """Values of equal stretches from end to end, constant on each."""
+    """Values on equal stretches of the whole beam, constant on each."""
 
 
 class ControlValues(Along):
-    """The control values of one curve from end to end, as ``Foundation(k=[...])`` and ``Beam(EI=[...])`` take them.
+    """Control values of one curve along the whole beam, as in ``Foundation(k=[...])`` and ``Beam(EI=[...])``.
 
     ``k`` and ``mu`` have at most three, ``EI`` at most six.
     """

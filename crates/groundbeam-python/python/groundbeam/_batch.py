@@ -1,4 +1,4 @@
-"""Many models at once: arrays of parameters in, arrays of results out, on all processors."""
+"""Solves many models at once on all processors, from arrays of parameters to arrays of results."""
 
 from __future__ import annotations
 
@@ -19,16 +19,16 @@ if TYPE_CHECKING:
     import pandas
 
 STATUSES = np.array(["solved", "no-equilibrium", "not-converged", "wrong"])
-"""How it went, by the numbers of the compiled half."""
+"""Status, indexed by the status codes of the compiled extension."""
 
 Progress = Union[None, bool, Callable[[int, int], object]]
 
 Parameters = Union[Mapping[str, Union[npt.ArrayLike, Along]], "pandas.DataFrame"]
-"""Names of parameters with a number for all models, a number for each, or values along the beam."""
+"""Parameter names, each with a number for all models, a number for each, or values along the beam."""
 
 
 class Extremes(NamedTuple):
-    """The smallest and the largest values of a field, one of each model, and where they are."""
+    """The smallest and the largest values of a field and their positions, one of each per model."""
 
     min_x: Array
     min: Array
@@ -37,27 +37,28 @@ class Extremes(NamedTuple):
 
 
 class Batch(Mapping[str, Array]):
-    """The answers to many models, in their order: ``batch["moment"]`` is an array of models by positions.
+    """The results for many models, in the order of the models: ``batch["moment"]`` is an array of models by
+    positions.
 
-    A model without an answer has NaN for numbers, and tells why in ``status`` and ``messages``.
+    A model without a result has NaN for numbers; ``status`` and ``messages`` give the reason.
     """
 
     at: Array
     """The positions of the fields [m]."""
     status: npt.NDArray[np.str_]
-    """Of each model ``solved``, ``no-equilibrium``, ``not-converged`` or ``wrong``."""
+    """Status of each model: ``solved``, ``no-equilibrium``, ``not-converged`` or ``wrong``."""
     messages: list[Optional[str]]
-    """Why there is no answer, in words; ``None`` where there is one."""
+    """Message for each model without a result; ``None`` for the others."""
     end_forces: Array
-    """The concentrated contact forces under the left and the right end [N], models by 2."""
+    """Point contact forces under the left and the right end [N], models by 2."""
     lifted_share: Array
-    """The part of the beam that does not touch."""
+    """Fraction of the beam length that is not in contact."""
     relative_gap: Array
     """The error bound of the certificate, relative to the strain energy."""
     motion: Array
-    """Of models without equilibrium r(0), r(l) and the loads' work in it, models by 3."""
+    """For models without equilibrium: r(0), r(l) and the work of the loads in this motion, models by 3."""
     extremes: dict[str, Extremes]
-    """Of the fields that were asked for."""
+    """Extremes of the requested fields."""
 
     def __init__(
         self, table: dict[str, Any], at: Array, fields: Sequence[str], extremes: Sequence[str]
@@ -90,16 +91,16 @@ class Batch(Mapping[str, Array]):
 
     @property
     def count(self) -> int:
-        """How many models there are."""
+        """Number of models."""
         return len(self.status)
 
     @property
     def solved(self) -> npt.NDArray[np.bool_]:
-        """Which of them have an answer."""
+        """Whether each model has a result."""
         return np.asarray(self.status == "solved", dtype=np.bool_)
 
     def contact(self, number: int) -> list[tuple[float, float]]:
-        """Where beam and ground touch in one of the models."""
+        """Contact zones of one model."""
         if not -self.count <= number < self.count:
             raise IndexError(f"there are {self.count} models")
         number %= self.count
@@ -137,28 +138,31 @@ def solve_many(
     threads: Optional[int] = None,
     progress: Progress = None,
 ) -> Batch:
-    """Solves a list of models, or one model under many sets of parameters, with no Python in the loop.
+    """Solves a list of models, or one model with many sets of parameters, in compiled code.
 
-    A parameter is one number for all models, or an array of one number for each; the columns of a table of pandas are such
-    arrays. All are in SI units:
+    A parameter is one number for all models, or an array with one number for each. Columns of a pandas table are
+    such arrays. All are in SI units:
 
     * ``k``, ``mu``, ``EI``, ``GA``, ``axial_force``;
-    * ``k_factor``, ``mu_factor``, ``EI_factor``, ``GA_factor`` and ``load_factor``, which multiply what the model has;
-    * of the loads, which count from 0, ``load[0]`` (its size), ``load[0].at``, and of distributed loads ``load[0].from``,
+    * ``k_factor``, ``mu_factor``, ``EI_factor``, ``GA_factor`` and ``load_factor``, which multiply the values of
+      the model;
+    * loads, numbered from 0: ``load[0]`` (its size), ``load[0].at``, and for distributed loads ``load[0].from``,
       ``.to``, ``.start`` and ``.end``;
-    * of segments ``k[0]``, ``mu_factor[1]`` and so on, of what is outside them ``k[]``;
+    * segments: ``k[0]``, ``mu_factor[1]`` and so on; the rest outside the segments: ``k[]``;
     * ``support[0].settlement``, ``.spring`` and ``.rotational_spring``, ``hinge[0]``, ``gap[0]``.
 
-    ``k``, ``mu`` and ``EI`` may also vary along the beam. The values of a row then have a shape: ``Points(values)`` are
-    values at even points with straight lines between them, ``Steps(values)`` values of equal stretches,
-    ``ControlValues(values)`` the control values of one curve, as ``Foundation(k=[...])`` takes them. ``values`` is one row
-    for all models, or an array of models by values. An array of models by two values needs no shape: it runs linearly from
-    end to end. A row of three or more values without a shape is a ``ValueError``.
+    ``k``, ``mu`` and ``EI`` may also vary along the beam. The values of a row then have a shape.
+    ``Points(values)`` are values at equidistant points, linear between them; ``Steps(values)`` are values on equal
+    stretches; ``ControlValues(values)`` are the control values of one curve, as in ``Foundation(k=[...])``.
+    ``values`` is one row for all models, or an array of models by values. An array of models by two values needs
+    no shape: it varies linearly from end to end. A row of three or more values without a shape raises
+    ``ValueError``.
 
-    ``at`` are the positions of ``fields``, on the beam; a model whose beam ends before a position has NaN there. ``extremes`` names fields of which the smallest and the largest values are
-    located. ``threads`` defaults to as many as there are processors; the answers have the same bits with any number.
-    A model that fails does not stop the others. ``progress=True`` draws a bar; a function is called with how many are
-    done and how many there are.
+    ``at`` are the positions of ``fields`` on the beam; a model with a shorter beam has NaN beyond its end.
+    ``extremes`` names the fields whose smallest and largest values are computed with their positions. ``threads``
+    defaults to the number of processors; the results have the same bits with any number. A model that fails does
+    not stop the others. ``progress=True`` draws a bar; a function is called with the number of finished models and
+    the total number.
     """
     several = [models] if isinstance(models, Model) else list(models)
     given = {} if parameters is None else {str(name): each for name, each in parameters.items()}
@@ -178,7 +182,7 @@ def solve_many(
     beside = not set(fields) - {"settlement"}
     length = max((model.length for model in several), default=0.0)
     if not beside and not ((positions >= 0.0) & (positions <= length)).all():
-        raise ValueError(f"a position lies off the beam, which goes from 0 to {length:g}")
+        raise ValueError(f"a position lies outside the beam, which extends from 0 to {length:g}")
     if not several:
         count = 0
     table = _native.solve_many(
@@ -197,17 +201,17 @@ def solve_many(
 
 
 def _names(names: Union[str, Sequence[str]]) -> list[str]:
-    """A list of names; one name may stand alone."""
+    """A list of names from a list or a single name."""
     return [names] if isinstance(names, str) else list(names)
 
 
 def _shape(values: Union[npt.ArrayLike, Along]) -> Optional[str]:
-    """What the values of a row mean, if that is said."""
+    """Name of the shape of the values in a row; ``None`` if not given."""
     return type(values).__name__ if isinstance(values, Along) else None
 
 
 def _rows(name: str, values: Union[npt.ArrayLike, Along]) -> Array:
-    """A row for each model, or one for all."""
+    """One row for each model, or one row for all."""
     if isinstance(values, Along):
         return np.ascontiguousarray(values.values)
     try:
@@ -221,7 +225,7 @@ def _rows(name: str, values: Union[npt.ArrayLike, Along]) -> Array:
 
 
 class _Bar:
-    """A bar on standard error for whatever takes more than a second."""
+    """A progress bar on standard error for work that takes more than a second."""
 
     WIDTH = 40
 

@@ -1,4 +1,4 @@
-"""From measured settlements back to the ground: bounded least squares with exact derivatives."""
+"""Estimates ground parameters from measured settlements: bounded least squares with exact derivatives."""
 
 from __future__ import annotations
 
@@ -14,47 +14,47 @@ Measured = Mapping[str, Union[float, Tuple[Union[Position, Positions], Union[flo
 """Fields with positions and values, as ``{"settlement": (x, values)}``; other outputs with one value."""
 
 _STEPS = 200
-"""Solves at most."""
+"""Maximum number of solves."""
 _SMALL = 1e-10
-"""A step that is none."""
+"""Step size below which the iteration ends."""
 _FIRST_DAMPING, _HIGHEST_DAMPING = 1e-3, 1e12
 _FARTHEST = 2.0
-"""The longest step, in logarithms."""
+"""Longest step, in logarithms."""
 _VAGUE = 1.0
 """A combination of unknowns that is determined only to within a factor of e or worse is not identified."""
 
 
 class Calibration(NamedTuple):
-    """What measurements say about a model."""
+    """Result of a calibration."""
 
     values: dict[str, float]
-    """The unknowns."""
+    """Values of the unknowns."""
     standard_errors: dict[str, float]
-    """Of each of them, from the noise; NaN for one at its bound, and where there is nothing to estimate the noise from."""
+    """Standard error of each unknown from the noise; NaN at a bound, and if the noise cannot be estimated."""
     correlation: Array
-    """Of their errors, in their order; NaN at bounds."""
+    """Correlation matrix of their errors; NaN at bounds."""
     residuals: dict[str, Array]
-    """What was measured less what the model gives, as measured."""
+    """Measured values minus those of the model, for each output."""
     noise: float
-    """Standard deviation of what was measured, over the noise that was given; over 1 where none was given."""
+    """Standard deviation of the residuals relative to the given noise, or relative to 1 without noise."""
     singular_values: Array
-    """How well combinations of the unknowns are known, the best first: the inverse standard errors of their logarithms."""
+    """Inverse standard errors of combinations of the logarithms of the unknowns, the best determined first."""
     directions: Array
-    """These combinations, a row each: by how much each unknown takes part."""
+    """These combinations, one row each: the coefficient of each unknown."""
     unidentified: list[str]
-    """In words, combinations that the measurements leave free by a factor of e or more."""
+    """Descriptions of combinations that the measurements determine only to within a factor of e or worse."""
     at_bound: list[str]
-    """Unknowns that stopped at a bound."""
+    """Unknowns at a bound."""
     one_sided: bool
-    """Whether contact is about to change at the answer, which the errors then do not see."""
+    """Whether contact changes at the solution; the standard errors do not include this."""
     steps: int
-    """Solves it took."""
+    """Number of solves."""
     solution: Solution
-    """The answer with these values."""
+    """The solution with these values."""
 
 
 class _Problem:
-    """Residuals and their derivatives by scaled unknowns."""
+    """The residuals and their derivatives with respect to the scaled unknowns."""
 
     def __init__(
         self,
@@ -72,7 +72,7 @@ class _Problem:
         values: list[Array] = []
         sizes: list[Array] = []
         if noise is None and len(measured) > 1:
-            raise ValueError("several kinds of measurements are weighed by their noise: give it")
+            raise ValueError("several kinds of measurements need `noise` for their weights")
         for name, given in measured.items():
             at: Optional[Array] = None
             if name in FIELDS:
@@ -102,11 +102,12 @@ class _Problem:
         self.noise_given = noise is not None
         if self.measured.size < len(self.unknown):
             raise ValueError(
-                f"{self.measured.size} measurements cannot tell {len(self.unknown)} unknowns"
+                f"{self.measured.size} measurements cannot determine {len(self.unknown)} unknowns"
             )
 
     def at(self, values: Array) -> Tuple[Array, Array, Solution, bool]:
-        """Weighed residuals, their derivatives by the unknowns, the solution, and whether those have one side."""
+        """Weighted residuals, their derivatives with respect to the unknowns, the solution, and whether these
+        are one-sided."""
         numbers = [(name, float(value)) for name, value in zip(self.unknown, values)]
         solution = Solution(self.model._inner.solve_with(numbers, self.combination))
         found: list[Array] = []
@@ -136,28 +137,29 @@ def calibrate(
     start: Optional[Mapping[str, float]] = None,
     combination: Optional[str] = None,
 ) -> Calibration:
-    """Finds the numbers of a model with which it gives what was measured, by least squares.
+    """Finds parameters of a model that fit measurements, by least squares.
 
-    ``measured`` has fields with positions and values, ``{"settlement": ([1.0, 3.0], [0.004, 0.003])}``, and single outputs
-    such as ``"end_force.left"``; ``unknown`` the names of parameters, as ``Solution.gradient`` knows them: ``k``, ``mu``,
-    ``EI``, of segments ``k[0]``, factors, loads. ``noise`` is the standard deviation of the measurements, one for all or one
-    for each kind; without it it is estimated from what the model leaves. ``bounds`` limit unknowns, ``start`` says where
-    to begin if not at the model's own numbers. Positive unknowns are sought as logarithms. All are in SI units.
+    ``measured`` has fields with positions and values, ``{"settlement": ([1.0, 3.0], [0.004, 0.003])}``, and single
+    outputs such as ``"end_force.left"``; ``unknown`` has names of parameters, as in ``Solution.gradient``: ``k``, ``mu``,
+    ``EI``, ``k[0]`` of a segment, factors, loads. ``noise`` is the standard deviation of the measurements, one for
+    all or one for each kind; by default it is estimated from the residuals. ``bounds`` limit unknowns. ``start``
+    gives starting values; by default they are those of the model. Positive unknowns are transformed to logarithms.
+    All are in SI units.
 
-    Beside the values come their standard errors, and in words what the measurements do not tell
-    (docs/derivatives.md#calibration).
+    The result has the values, their standard errors, and descriptions of combinations that the measurements do not
+    determine (docs/derivatives.md#calibration).
     """
     problem = _Problem(model, measured, unknown, noise, combination)
     for what in (bounds or {}), (start or {}):
         for name in what:
             if name not in problem.unknown:
-                raise ValueError(f"`{name}` is none of the unknowns {', '.join(problem.unknown)}")
+                raise ValueError(f"`{name}` is not one of the unknowns {', '.join(problem.unknown)}")
     scale = _Scale(problem, bounds or {}, start or {})
     return _judged(problem, scale, _least(problem, scale))
 
 
 class _Scale:
-    """Unknowns as they are sought: positive ones as logarithms, others over a size of their own."""
+    """Transformation of the unknowns: positive ones to logarithms, others relative to their own scale."""
 
     def __init__(
         self,
@@ -176,10 +178,10 @@ class _Scale:
         ):
             if not lowest < highest or not lowest <= value <= highest:
                 raise ValueError(
-                    f"`{name}` begins at {value:g}, which is not within {lowest:g} and {highest:g}"
+                    f"the starting value of `{name}`, {value:g}, is not between {lowest:g} and {highest:g}"
                 )
             if positive and not value > 0.0:
-                raise ValueError(f"`{name}` begins at {value:g}: give a positive start")
+                raise ValueError(f"the starting value of `{name}` is {value:g}: give a positive start")
         width = self.highest - self.lowest
         size = np.where(first != 0.0, np.abs(first), 1.0)
         self.unit = np.where(np.isfinite(width), width, size)
@@ -194,7 +196,7 @@ class _Scale:
     def values(self, theta: Array) -> Array:
         logarithms = np.where(self.positive, theta, 0.0)
         values = np.where(self.positive, np.exp(logarithms), theta * self.unit)
-        # At a bound it is the bound, to the last bit.
+        # An unknown at a bound has exactly the bound's value.
         values = np.where(theta <= self.low, self.lowest, values)
         return np.asarray(np.where(theta >= self.high, self.highest, values))
 
@@ -204,7 +206,7 @@ class _Scale:
 
 
 class _Least(NamedTuple):
-    """The least squares: unknowns as they are sought, and the last look at the problem."""
+    """The least-squares problem: transformed unknowns, and the last evaluation of the residuals."""
 
     theta: Array
     residual: Array
@@ -215,7 +217,7 @@ class _Least(NamedTuple):
 
 
 def _least(problem: _Problem, scale: _Scale) -> _Least:
-    """Levenberg's and Marquardt's method, its steps cut off at the bounds."""
+    """Levenberg–Marquardt method, with steps cut off at the bounds."""
 
     def look(theta: Array, steps: int) -> _Least:
         residual, jacobian, solution, one_sided = problem.at(scale.values(theta))
@@ -246,7 +248,7 @@ def _least(problem: _Problem, scale: _Scale) -> _Least:
 
 
 def _step(best: _Least, scale: _Scale, damping: float) -> Array:
-    """The damped step of least squares of those unknowns that do not press against a bound."""
+    """Damped least-squares step of the unknowns that are not held at a bound."""
     downhill = -best.jacobian.T @ best.residual
     low, high = best.theta <= scale.low, best.theta >= scale.high
     free = ~((low & (downhill < 0.0)) | (high & (downhill > 0.0)))
@@ -263,14 +265,14 @@ def _step(best: _Least, scale: _Scale, damping: float) -> Array:
 
 
 def _judged(problem: _Problem, scale: _Scale, best: _Least) -> Calibration:
-    """What the least squares are worth."""
+    """The calibration with its statistics."""
     names, count = problem.unknown, len(problem.unknown)
     values = scale.values(best.theta)
     bound = (best.theta <= scale.low) | (best.theta >= scale.high)
     free = np.flatnonzero(~bound)
     over = best.residual.size - free.size
     noise = float(np.sqrt(best.residual @ best.residual / over)) if over > 0 else float("nan")
-    # Where the noise was given it is believed.
+    # A given noise replaces the estimate.
     size = 1.0 if problem.noise_given else noise
     _, singular, directions = np.linalg.svd(best.jacobian[:, free], full_matrices=False)
     with np.errstate(divide="ignore", invalid="ignore"):
@@ -303,7 +305,7 @@ def _judged(problem: _Problem, scale: _Scale, best: _Least) -> Calibration:
 
 
 def _in_words(names: Sequence[str], row: Array) -> str:
-    """A combination of unknowns, those of them that take part."""
+    """Text for a combination of unknowns, listing only those that contribute to it."""
     largest = row[np.argmax(np.abs(row))]
     parts = [
         (name, "up" if share * largest > 0.0 else "down")

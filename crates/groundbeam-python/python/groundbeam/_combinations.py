@@ -1,4 +1,4 @@
-"""The answers to all combinations of a model, and their envelope."""
+"""The results for all combinations of a model, and their envelope."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ if TYPE_CHECKING:
     import pandas
 
 Answer = Union[Solution, NoEquilibrium, NotConverged]
-"""What came out for one combination."""
+"""Result for one combination."""
 
 
 class Bound(NamedTuple):
-    """One line of an envelope: its values, and the names of the combinations that govern."""
+    """One bound of an envelope: its values, and the names of the governing combinations."""
 
     values: Array
     governs: list[str]
@@ -33,7 +33,7 @@ class Envelope(NamedTuple):
 
 
 class Banded(NamedTuple):
-    """A number on the best ground, and the smallest and the largest on all grounds of a band that were solved."""
+    """A value on the best ground, with the smallest and the largest value over all solved grounds of a band."""
 
     best: float
     low: float
@@ -41,14 +41,15 @@ class Banded(NamedTuple):
 
 
 class Band(NamedTuple):
-    """The smallest and the largest value of a field, each with its band over the grounds."""
+    """The smallest and the largest value of a field, each with its range over the grounds."""
 
     min: Banded
     max: Banded
 
 
 class Combinations(Mapping[str, Answer]):
-    """The answer to each combination by its name; those that failed are there as what ``solve`` would raise."""
+    """Results of all combinations by name; a combination without a solution has the exception that ``solve``
+    would raise."""
 
     _inner: _native.Answers
     _answers: dict[str, Answer]
@@ -71,12 +72,12 @@ class Combinations(Mapping[str, Answer]):
 
     @property
     def solutions(self) -> dict[str, Solution]:
-        """Those that were solved."""
+        """The solved combinations."""
         return {name: each for name, each in self.items() if isinstance(each, Solution)}
 
     @property
     def load_cases(self) -> dict[str, bool]:
-        """Every load case, and whether it could stand by itself."""
+        """Load cases, and whether each one alone has an equilibrium."""
         return dict(self._inner.load_cases())
 
     @property
@@ -87,8 +88,8 @@ class Combinations(Mapping[str, Answer]):
     def envelope(
         self, field: str, x: Union[Position, Positions], limit_state: Optional[str] = None
     ) -> Envelope:
-        """The envelope of a field at positions, of all combinations or of those of a limit state; where it jumps, both
-        sides count."""
+        """The envelope of a field at positions, over all combinations or those of a limit state. Where the field
+        jumps, both sides count."""
         if limit_state is not None and limit_state not in self.limit_states:
             known = ", ".join(self.limit_states) or "none"
             raise ValueError(f"no solved combination is of {limit_state}; the limit states: {known}")
@@ -98,7 +99,7 @@ class Combinations(Mapping[str, Answer]):
         names = list(self.solutions)
         length = self.solutions[names[0]].length
         if not ((at >= 0.0) & (at <= length)).all():
-            raise ValueError(f"a position lies off the beam, which goes from 0 to {length:g}")
+            raise ValueError(f"a position lies outside the beam, which extends from 0 to {length:g}")
         bounds = self._inner.envelope(field, at.ravel(), limit_state)
         low, high = (
             Bound(values.reshape(at.shape), [names[i] for i in by]) for values, by in bounds
@@ -106,20 +107,21 @@ class Combinations(Mapping[str, Answer]):
         return Envelope(low, high)
 
     def band(self, field: str) -> Band:
-        """The smallest and the largest value of a field over all combinations on one ground, with their bands over all
-        grounds. Nothing is proven of grounds between those that were solved."""
+        """The smallest and the largest value of a field over all combinations on the best ground, with their
+        ranges over all grounds. Nothing is proven for grounds between the solved ones."""
         found = self._inner.band(field)
         if found is None:
-            raise ValueError("the model has no band of grounds, or nothing was solved on the best ground")
+            raise ValueError("the model has no band of grounds, or no combination was solved on the best ground")
         low, high = found
         return Band(Banded(*low), Banded(*high))
 
     def stations(self) -> Array:
-        """Positions at which the envelope is worth listing, the changes of what governs among them."""
+        """Default positions for listing the envelope, including those where the governing combination
+        changes."""
         return self._inner.stations()
 
     def to_json(self) -> str:
-        """The document, as ``groundbeam solve --json`` prints it."""
+        """The result document of ``groundbeam solve --json``."""
         return self._inner.to_json(None)
 
     def to_csv(self) -> str:

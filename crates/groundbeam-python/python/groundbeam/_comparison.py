@@ -10,28 +10,29 @@ from ._solution import Solution
 
 
 class MethodErrors(NamedTuple):
-    """How far an answer is from the exact one: the largest difference along the beam over the largest value."""
+    """Errors relative to the exact method: the largest difference along the beam, relative to the largest
+    value."""
 
     deflection: float
     moment: float
     settlement: float
     end_forces: float
-    """The larger difference of both end forces, over the resultant of the loads."""
+    """The larger difference of the two end forces, relative to the resultant."""
 
 
 class MethodAnswer(NamedTuple):
-    """The answer of one method."""
+    """The result of one method."""
 
     answer: Union[Solution, NoEquilibrium, NotConverged, ModelError]
     """The solution, or the exception that ``solve`` would raise."""
     errors: Optional[MethodErrors]
-    """None without a solution."""
+    """The errors; ``None`` without a solution."""
     seconds: float
-    """How long it took [s]."""
+    """Duration [s]."""
 
 
 class Comparison(Mapping[str, MethodAnswer]):
-    """The answers of all methods by name, ``exact`` first."""
+    """The results of all methods by name, ``exact`` first."""
 
     def __init__(self, native: _native.Answers) -> None:
         self._inner = native
@@ -54,7 +55,7 @@ class Comparison(Mapping[str, MethodAnswer]):
         return len(self._answers)
 
     def to_json(self) -> str:
-        """The document, as ``groundbeam compare --json`` prints it."""
+        """The document of ``groundbeam compare --json``."""
         return self._inner.to_json(None)
 
     def __str__(self) -> str:

@@ -6,14 +6,14 @@ from typing import Iterable, NamedTuple, Sequence, Tuple
 
 
 class Diagnostic(NamedTuple):
-    """One thing that is wrong with a model."""
+    """One fault of a model."""
 
     code: str
-    """A fixed code, ``GB015``: docs/diagnostics.md lists all of them."""
+    """A fixed code such as ``GB015``; docs/diagnostics.md lists all of them."""
     message: str
-    """What is wrong, in one sentence."""
+    """The fault, in one sentence."""
     hint: str
-    """What would be right; may be empty."""
+    """The remedy; may be empty."""
     line: int
     """Line of the model's text, from 1."""
     column: int
@@ -21,17 +21,17 @@ class Diagnostic(NamedTuple):
 
 
 class GroundbeamError(Exception):
-    """Why there is no answer: the base of the three below."""
+    """Base class of the three exceptions below."""
 
 
 class ModelError(GroundbeamError, ValueError):
-    """The model is wrong. Printed, it shows every fault where it stands in the model's text.
+    """The model is invalid. Its text shows every fault at its location in the model file.
 
-    For a model that was built in code that text is ``Model.to_toml()`` of what was given.
+    For a model that was built in code, the model file is ``Model.to_toml()``.
     """
 
     diagnostics: list[Diagnostic]
-    """Everything that is wrong, in the order of the text; never empty."""
+    """All faults, in the order of the text; never empty."""
 
     def __init__(
         self, shown: str, diagnostics: Iterable[Tuple[str, str, str, int, int]]
@@ -49,7 +49,7 @@ class ModelError(GroundbeamError, ValueError):
 
     @property
     def hint(self) -> str:
-        """What would be right instead of the first fault."""
+        """Remedy of the first fault."""
         return self.diagnostics[0].hint
 
     @property
@@ -64,14 +64,14 @@ class ModelError(GroundbeamError, ValueError):
 
 
 class NoEquilibrium(GroundbeamError):
-    """The loads tip or lift the beam: there is no equilibrium, and this is the motion that proves it.
+    """There is no equilibrium. The motion proves it.
 
-    The motion goes from ``left`` at x = 0 to ``right`` at x = l, straight but for hinges, zero or negative (upward) everywhere, so that it
-    presses nowhere on the ground; the loads do ``work`` in it that nothing resists.
+    The motion varies linearly between hinges, from ``left`` at x = 0 to ``right`` at x = l. It is zero or negative
+    (upward) everywhere, so it does not press on the ground, and the loads do positive ``work``.
     """
 
     sentence: str
-    """Why, in words."""
+    """The reason, as a sentence."""
     left: float
     """r(0): 0 or -1."""
     right: float
@@ -79,10 +79,10 @@ class NoEquilibrium(GroundbeamError):
     work: float
     """F(r), the work of the loads [N m per m of lift]."""
     static_reactions: Tuple[float, ...]
-    """What supports under both ends, and under each free hinge between them, would carry if the beam were rigid and
-    stood on them alone [N]."""
+    """Static reactions [N]: forces of supports under both ends and under each free hinge between them, for a rigid
+    beam on these supports only."""
     hinges: Tuple[float, ...]
-    """r at the hinges, where the motion may have corners."""
+    """r at the hinges, where the slope of the motion may jump."""
 
     def __init__(
         self,
@@ -106,18 +106,18 @@ class NoEquilibrium(GroundbeamError):
 
 
 class NotConverged(GroundbeamError):
-    """The method did not reach its own tolerance, so that no answer could be certified."""
+    """The method did not reach its tolerance, so no result could be certified."""
 
     method: str
     """The method."""
     iterations: int
-    """Steps taken."""
+    """Number of steps."""
     tolerance: float
-    """What was asked for, relative."""
+    """Requested relative tolerance."""
     reached: float
-    """What was reached, relative."""
+    """Achieved relative tolerance."""
     what: str
-    """What was not reached, in words."""
+    """Description of the quantity that exceeds its tolerance."""
 
     def __init__(
         self, shown: str, method: str, iterations: int, tolerance: float, reached: float, what: str

@@ -1,4 +1,4 @@
-"""Tables as data frames of pandas."""
+"""Converts tables to pandas data frames."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
 
 def frame(table: str) -> pandas.DataFrame:
-    """A table with a head; its numbers read back with the same bits, what is no number stays text."""
+    """Data frame of a table with a header. Numbers keep their bits; other cells remain text."""
     import pandas
 
     head, *rows = csv.reader(io.StringIO(table))

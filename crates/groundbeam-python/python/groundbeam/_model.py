@@ -14,25 +14,27 @@ from ._trains import Passages
 
 
 _Files = Optional[Sequence[Tuple[str, str]]]
-"""Names and texts of files that are not read from the disk."""
+"""Names and texts of files in memory."""
 
 
 class Existence(NamedTuple):
-    """What the statics say about equilibrium, before anything is solved."""
+    """The existence check of a model."""
 
     verdict: str
-    """``unique``, ``not-unique``, ``none``, or ``local`` under compression that the ground helps to bear."""
+    """``unique``, ``not-unique``, ``none``, or ``local`` for an equilibrium under compression that needs the
+    ground."""
     sentence: str
-    """Why, in words."""
+    """The reason, as a sentence."""
     static_reactions: Tuple[float, ...]
-    """What supports under both ends, and under each free hinge between them, would carry if the beam were rigid and
-    stood on them alone [N]."""
+    """Static reactions [N]: forces of supports under both ends and under each free hinge between them, for a rigid
+    beam on these supports only."""
     motion: Optional[Tuple[float, float, float]]
-    """r(0), r(l) and the loads' work of the motion that is free (``not-unique``) or that gains work (``none``)."""
+    """r(0), r(l) and the work of the loads, for a motion that is free (``not-unique``) or gains work
+    (``none``)."""
 
 
 class Model:
-    """A beam, the ground under it, and what acts on them. It does not change; what is added makes another model.
+    """A beam, the ground under it, supports and loads. It is immutable; each addition returns a new model.
 
     Numbers are in SI units (m, N), texts have a unit::
 
@@ -58,7 +60,7 @@ class Model:
         combinations: Sequence[_parts.Combination] = (),
         title: Optional[str] = None,
     ) -> None:
-        """Raises ``ModelError`` if anything is wrong, all faults at once."""
+        """Raises ``ModelError`` with all faults if the model is invalid."""
         several = {"load": loads, "support": supports, "hinge": hinges, "combination": combinations}
         made = _parts.tables(beam, foundation, several, gap, title)
         self._read(_tables.write(made), "model", True, None)
@@ -85,12 +87,13 @@ class Model:
 
     @classmethod
     def from_toml(cls, text: str, *, name: str = "model") -> Model:
-        """A model file's text. Messages about it call it ``name``."""
+        """A model from the text of a model file. Messages use ``name`` for it."""
         return cls._of(text, name, False)
 
     @classmethod
     def from_dict(cls, tables: _tables.Tables) -> Model:
-        """Anything that a model file can say, as nested dictionaries and lists; numbers are in SI units."""
+        """A model from nested dictionaries and lists with the keys of the model file; numbers are in SI
+        units."""
         return cls._of(_tables.write(tables), "model", True)
 
     def _with(self, heading: str, part: _parts.Part) -> Model:
@@ -98,33 +101,33 @@ class Model:
         return Model._of(text, self._name, self.units == "SI", self._folder, self._files)
 
     def with_load(self, load: _parts.Load) -> Model:
-        """The same model with one load more."""
+        """The model with an additional load."""
         return self._with("load", load)
 
     def with_support(self, support: _parts.Support) -> Model:
-        """The same model with one support more."""
+        """The model with an additional support."""
         return self._with("support", support)
 
     def with_hinge(self, hinge: _parts.Hinge) -> Model:
-        """The same model with one hinge more."""
+        """The model with an additional hinge."""
         return self._with("hinge", hinge)
 
     def with_gap(self, at: _parts.Quantity, value: _parts.Quantity) -> Model:
-        """The same model with one more corner of the initial clearance, right of those it has."""
+        """The model with an additional point of the initial gap, to the right of the existing ones."""
         return self._with("gap", _parts.Part(at=at, value=value))
 
     def to_toml(self) -> str:
-        """The model as a model file. In one that was built in code, numbers without a unit are in SI units."""
+        """The model as a model file. If the model was built in code, numbers without a unit are in SI units."""
         return self._text
 
     @property
     def title(self) -> Optional[str]:
-        """What the model is called."""
+        """The title of the model."""
         return self._inner.title
 
     @property
     def units(self) -> str:
-        """``SI``, or ``none`` for a file that gives numbers in a consistent system of its own."""
+        """``SI``, or ``none`` for a file in its own consistent system."""
         return self._inner.units
 
     @property
@@ -135,19 +138,19 @@ class Model:
     def solve(
         self, method: str = "exact", *, elements: int = 100, combination: Optional[str] = None
     ) -> Solution:
-        """Solves the model, or one of its combinations. Other Python threads go on meanwhile.
+        """Solves the model, or one of its combinations. Other Python threads continue meanwhile.
 
-        ``elements`` are those of the methods with a mesh: ``active-set``, ``psor`` and ``uzawa``.
+        ``elements`` is the number of elements for the methods with a mesh: ``active-set``, ``psor`` and ``uzawa``.
 
-        Raises ``NoEquilibrium`` with the motion that proves it, ``NotConverged`` if no answer could be certified, and
-        ``ModelError`` if the model lies outside of what is solved.
+        Raises ``NoEquilibrium`` with the motion that proves it, ``NotConverged`` if no result could be certified,
+        and ``ModelError`` if the method does not apply to the model.
         """
         if combination is None:
             self._refuse_more_than_one_answer()
         return Solution(self._inner.solve(method, elements, combination))
 
     def _refuse_more_than_one_answer(self) -> None:
-        """What a file asks for is not left out silently."""
+        """Raises an error if one result would ignore combinations or trains of the file."""
         names = [name for name, _ in self._inner.combinations()]
         if names:
             raise ValueError(
@@ -161,12 +164,12 @@ class Model:
             )
 
     def check(self, *, combination: Optional[str] = None) -> Existence:
-        """Whether an equilibrium exists, without solving."""
+        """Decides whether an equilibrium exists, without solving."""
         verdict, reactions, motion, sentence = self._inner.check(combination)
         return Existence(verdict, sentence, tuple(reactions), motion)
 
     def combinations(self) -> list[_parts.Combination]:
-        """Every combination of load cases, and every ground of a band, each with the factors of its cases."""
+        """All combinations of load cases on all grounds of a band, each with the factors of its cases."""
         return [
             _parts.Combination(name, dict(factors))
             for name, factors in self._inner.combinations()
@@ -175,9 +178,10 @@ class Model:
     def solve_combinations(
         self, method: str = "exact", *, elements: int = 100, threads: Optional[int] = None
     ) -> Combinations:
-        """Solves every combination by itself. Those without an answer are kept as what ``solve`` would raise for them.
+        """Solves each combination. A combination without a solution has the exception that ``solve`` would
+        raise.
 
-        ``threads`` defaults to the number of processors; the answers have the same bits with any number.
+        ``threads`` defaults to the number of processors; the results have the same bits with any number.
         """
         if not self._inner.combinations():
             raise ValueError("the model has no combinations: use solve()")
@@ -191,10 +195,10 @@ class Model:
         combination: Optional[str] = None,
         threads: Optional[int] = None,
     ) -> Passages:
-        """Moves every train of the model over every combination, or over one, and solves each position.
+        """Moves every train of the model over every combination, or over one, and solves all positions.
 
-        A model without combinations has its loads as they are written. The answers have the same bits with any number
-        of ``threads``.
+        A model without combinations has its loads as written. The results have the same bits with any number of
+        ``threads``.
         """
         if not self._inner.trains:
             raise ValueError("the model has no trains: use solve()")
@@ -210,7 +214,8 @@ class Model:
     ) -> Comparison:
         """Solves the model, or one of its combinations, by every method.
 
-        ``elements`` are those of the methods with a mesh. ``most_sweeps`` limits their iterations.
+        ``elements`` is the number of elements for the methods with a mesh. ``most_sweeps`` limits their
+        iterations.
         """
         if combination is None:
             self._refuse_more_than_one_answer()
@@ -235,12 +240,12 @@ class Model:
         return hash(self._made_of())
 
     def __reduce__(self) -> Tuple[object, Tuple[str, str, bool, Optional[str], _Files]]:
-        # With the files that it names, which another machine need not have.
+        # The pickled model includes the files that it names, which may be missing on another machine.
         return Model._of, (self._text, self._name, self._bare_is_si, self._folder, self._files)
 
 
 def load(path: Union[str, "os.PathLike[str]"]) -> Model:
-    """The model in a file. Raises ``ModelError`` with the places of everything that is wrong in it."""
+    """Reads a model file. Raises ``ModelError`` with the locations of all faults."""
     with open(path, "rb") as file:
         data = file.read()
     name = os.fspath(path)

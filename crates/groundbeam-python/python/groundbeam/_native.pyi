@@ -1,4 +1,4 @@
-"""The compiled half of the package; what users see is documented in the other modules."""
+"""Types of the compiled extension. The other modules document what users see."""
 
 from os import PathLike
 from pathlib import Path

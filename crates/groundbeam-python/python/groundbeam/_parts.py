@@ -1,7 +1,7 @@
-"""The parts of a model that is built in code, each a table of the model file.
+"""Parts of a model that is built in code. Each is a table of the model file.
 
-Every number is in SI units (m, N, N/m, N m, rad) and every text a number with a unit, ``"12 m"`` or ``"40 MN/m^2"``; both
-may stand side by side.
+A number is in SI units (m, N, N/m, N m, rad). A text is a number with a unit, ``"12 m"`` or ``"40 MN/m^2"``. Both
+may be mixed.
 """
 
 from __future__ import annotations
@@ -14,17 +14,17 @@ Quantity = Union[str, SupportsFloat]
 """A number in SI units, or text with a unit."""
 
 Course = Union[Quantity, Sequence[Quantity]]
-"""A quantity along a stretch: one for all of it, or one at its left and one at its right end."""
+"""A quantity along a stretch: one value, or a list of two for the left and the right end."""
 
 
 class Part:
     """A table of the model file."""
 
     table: dict[str, Value]
-    """Its keys, as ``docs/file-format.md`` explains them."""
+    """Its keys, explained in ``docs/file-format.md``."""
 
     def __init__(self, **keys: Optional[Value]) -> None:
-        """Any keys that the model file knows; those that are ``None`` are left out."""
+        """Takes any keys of the model file; those that are ``None`` are left out."""
         self.table = {key: value for key, value in keys.items() if value is not None}
 
     def __repr__(self) -> str:
@@ -38,7 +38,7 @@ class Part:
 
 
 class Beam(Part):
-    """The beam: its length, how stiff it is, and the axial force in it."""
+    """The beam: its length, its stiffness, and its axial force."""
 
     def __init__(
         self,
@@ -53,7 +53,8 @@ class Beam(Part):
         segments: Sequence[Mapping[str, Value]] = (),
         **more: Value,
     ) -> None:
-        """The stiffness is ``EI``, or ``E`` with ``I`` or with a ``section``; the axial force is positive in tension."""
+        """The stiffness is ``EI``, or ``E`` with ``I`` or with a ``section``. The axial force is positive in
+        tension."""
         super().__init__(
             length=length,
             EI=EI,
@@ -68,12 +69,12 @@ class Beam(Part):
 
     @classmethod
     def uniform(cls, length: Quantity, bending_stiffness: Quantity) -> Beam:
-        """A beam of one bending stiffness."""
+        """A beam with constant bending stiffness."""
         return cls(length, bending_stiffness)
 
 
 class Foundation(Part):
-    """The ground: ``k`` per length of beam and ``mu``, or those of an area with a ``width``, or a ``soil``."""
+    """The ground: ``k`` per length of beam and ``mu``, or constants per area with a ``width``, or a ``soil``."""
 
     def __init__(
         self,
@@ -89,7 +90,7 @@ class Foundation(Part):
         segments: Sequence[Mapping[str, Value]] = (),
         **more: Value,
     ) -> None:
-        """Without ``mu`` the ground is of separate springs (Winkler)."""
+        """Without ``mu`` the ground consists of independent springs (Winkler)."""
         super().__init__(
             k=k,
             mu=mu,
@@ -110,12 +111,12 @@ class Foundation(Part):
 
     @classmethod
     def winkler(cls, spring: Quantity) -> Foundation:
-        """Uniform ground of separate springs."""
+        """Uniform Winkler ground."""
         return cls(spring)
 
 
 class Load(Part):
-    """A load, down positive; a moment is positive where it turns the right side down."""
+    """A load, positive downward. A positive moment turns the right side down."""
 
     @classmethod
     def point(cls, force: Quantity, at: Quantity, *, case: Optional[str] = None) -> Load:
@@ -136,7 +137,7 @@ class Load(Part):
         *,
         case: Optional[str] = None,
     ) -> Load:
-        """A force per length between two positions, even or linear; along the whole beam if no positions are given."""
+        """A force per length between two positions, uniform or linear; along the whole beam by default."""
         return cls(distributed=intensity, **_between(start, end), case=case)
 
     @classmethod
@@ -153,7 +154,7 @@ class Load(Part):
         *,
         case: Optional[str] = None,
     ) -> Load:
-        """A moment per length between two positions; along the whole beam if no positions are given."""
+        """A moment per length between two positions; along the whole beam by default."""
         return cls(distributed_moment=intensity, **_between(start, end), case=case)
 
 
@@ -166,8 +167,8 @@ class Load(Part):
         *,
         case: Optional[str] = None,
     ) -> Load:
-        """A curvature that no moment makes [1/m], positive where it bends the ends down; of a temperature gradient
-        it is ``Load(temperature_difference="15 K", ...)``."""
+        """An imposed curvature [1/m], positive if it bends the ends down. For a temperature gradient write
+        ``Load(temperature_difference="15 K", ...)``."""
         return cls(curvature=curvature, **_between(start, end), case=case)
 
 
@@ -176,20 +177,20 @@ def _between(start: Optional[Quantity], end: Optional[Quantity]) -> dict[str, Op
 
 
 class Support(Part):
-    """What holds the beam besides the ground.
+    """A support of the beam.
 
-    ``acts="up"`` is a bearing that the beam may lift from, ``acts="down"`` a strap; a support that has settled holds the
-    beam at its ``settlement``.
+    ``acts="up"`` is a bearing that only pushes the beam up, ``acts="down"`` a strap that only holds it down. A
+    support with a ``settlement`` holds the beam at this deflection.
     """
 
     @classmethod
     def pinned(cls, at: Quantity, **more: Value) -> Support:
-        """No deflection; the beam may turn."""
+        """A support that holds the deflection, but not the rotation."""
         return cls(at=at, type="pinned", **more)
 
     @classmethod
     def fixed(cls, at: Quantity, **more: Value) -> Support:
-        """Neither deflection nor slope."""
+        """A support that holds deflection and rotation."""
         return cls(at=at, type="fixed", **more)
 
     @classmethod
@@ -200,15 +201,15 @@ class Support(Part):
         rotational_spring: Optional[Quantity] = None,
         **more: Value,
     ) -> Support:
-        """Springs against deflection [N/m] and rotation [N m/rad]."""
+        """Translational spring [N/m] and rotational spring [N m/rad]."""
         return cls(at=at, spring=spring, rotational_spring=rotational_spring, **more)
 
 
 class Hinge(Part):
-    """A joint inside the beam that hands on shear, and a moment only as far as its spring does."""
+    """A hinge inside the beam. It transmits shear, and the moment of its spring."""
 
     def __init__(self, at: Quantity, rotational_spring: Optional[Quantity] = None) -> None:
-        """Without a spring [N m/rad] it turns freely."""
+        """Without a rotational spring [N m/rad] it rotates freely."""
         super().__init__(at=at, rotational_spring=rotational_spring)
 
 
@@ -221,7 +222,7 @@ class Combination(Part):
 
 
 Gap = Sequence[Tuple[Quantity, Quantity]]
-"""Corners of the initial clearance: each a position and a clearance, positive open."""
+"""Points of the initial gap: each a position and a gap, positive if open."""
 
 
 def tables(
@@ -231,7 +232,7 @@ def tables(
     gap: Gap,
     title: Optional[str],
 ) -> Tables:
-    """The model file that the parts make."""
+    """The model file for the parts."""
     made: dict[str, Value] = {} if title is None else {"title": title}
     made |= {"beam": beam.table, "foundation": foundation.table}
     for name, parts in several.items():

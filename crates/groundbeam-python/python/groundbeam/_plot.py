@@ -1,4 +1,4 @@
-"""A solution drawn with matplotlib."""
+"""Draws a solution with matplotlib."""
 
 from __future__ import annotations
 
@@ -11,12 +11,12 @@ if TYPE_CHECKING:
 
     from ._solution import Array, Solution
 
-# Okabe and Ito: told apart with any kind of colour vision.
+# Colours of Okabe and Ito, which can be distinguished with any kind of colour vision.
 BEAM, GROUND, PRESSURE, MOMENT, SHEAR = "#000000", "#b07000", "#0072b2", "#d55e00", "#009e73"
 
 
 def figure(solution: Solution) -> Figure:
-    """Four panels above one another: deflection down, pressure down, the moment on the tension side, and shear."""
+    """Four panels: deflection and pressure downward, the moment on the tension side, and shear."""
     from matplotlib.figure import Figure
 
     drawn = Figure(figsize=(8.0, 9.0), layout="constrained")
@@ -66,5 +66,5 @@ def figure(solution: Solution) -> Figure:
 
 
 def both_sides(x: Array) -> tuple[Array, np.ndarray[tuple[int], np.dtype[np.str_]]]:
-    """Every position twice, first seen from the left and then from the right, so that jumps are drawn upright."""
+    """Each position twice, with the left and the right side, so that jumps are drawn vertically."""
     return np.repeat(x, 2), np.tile(np.array(["left", "right"]), len(x))

@@ -1,4 +1,4 @@
-"""The solution: fields at any positions, contact, forces, and the proof."""
+"""The solution of a model: fields at any positions, contact, forces, and the certificate."""
 
 from __future__ import annotations
 
@@ -19,28 +19,28 @@ Array = npt.NDArray[np.float64]
 Position = Union[str, float]
 """A number in m (or in the file's own unit of length), or text with a unit."""
 Positions = Union[Sequence[Position], npt.NDArray[np.floating], npt.NDArray[np.integer]]
-"""Several of them."""
+"""Several positions."""
 
 FIELDS = _native.FIELDS
-"""The name of every field, in the order in which results list them."""
+"""Names of all fields, in the order of results."""
 
 
 class EndForces(NamedTuple):
-    """The concentrated contact forces under the beam's ends, not negative, pushing the beam up [N]."""
+    """Point contact forces under the beam's ends [N], nonnegative, upward on the beam."""
 
     left: float
     right: float
 
 
 class Force(NamedTuple):
-    """A concentrated contact force inside the beam, pushing it up [m, N]."""
+    """A point contact force inside the beam, upward on the beam [m, N]."""
 
     at: float
     force: float
 
 
 class Reaction(NamedTuple):
-    """What a support does: a force up [N], and a moment that turns the right side down [N m]."""
+    """Reaction of a support: an upward force [N], and a moment that turns the right side down [N m]."""
 
     at: float
     force: float
@@ -48,7 +48,7 @@ class Reaction(NamedTuple):
 
 
 class HingeTurn(NamedTuple):
-    """A hinge: how far the slope jumps, right less left [rad], and the moment it hands on [N m]."""
+    """A hinge: its rotation (jump of the slope, right minus left) [rad], and its moment [N m]."""
 
     at: float
     rotation: float
@@ -56,7 +56,7 @@ class HingeTurn(NamedTuple):
 
 
 class LiftOff(NamedTuple):
-    """A stretch that does not touch, and where the gap is largest and how large [m]."""
+    """A stretch without contact, with the position and size of the largest gap [m]."""
 
     start: float
     end: float
@@ -65,7 +65,7 @@ class LiftOff(NamedTuple):
 
 
 class Extreme(NamedTuple):
-    """Where a field is smallest or largest, and how large."""
+    """Position and value of an extreme of a field."""
 
     x: float
     value: float
@@ -79,7 +79,7 @@ class Range(NamedTuple):
 
 
 class Fields(NamedTuple):
-    """All fields at positions: numbers at a number, arrays of the same shape at an array."""
+    """All fields at one position as numbers, or at an array of positions as arrays of the same shape."""
 
     x: Union[float, Array]
     deflection: Union[float, Array]
@@ -93,18 +93,18 @@ class Fields(NamedTuple):
 
 
 class Gradient(NamedTuple):
-    """A number of a solution with its derivatives, or several of them."""
+    """One or several outputs of a solution, with derivatives."""
 
     value: Union[float, Array]
-    """The output; at several positions an array of it."""
+    """Value of the output; an array for several positions."""
     derivatives: Array
-    """By each parameter, in their order; at several positions a row for each."""
+    """Derivatives with respect to each parameter, in order; one row per position for several positions."""
     one_sided: list[str]
-    """Why the derivatives hold for small changes in one direction only, if they do."""
+    """Reasons why the derivatives hold for small changes in one direction only; empty if they hold in both."""
 
 
 class Certificate(NamedTuple):
-    """The energies, recomputed from model and answer (docs/proof.md)."""
+    """Energies, recomputed from model and result (docs/proof.md)."""
 
     primal_energy: float
     """The potential energy of the deflections [N m]."""
@@ -117,7 +117,7 @@ class Certificate(NamedTuple):
 
 
 def positions_of(native: Union[_native.Model, None], x: Union[Position, Positions]) -> Array:
-    """Positions as numbers; texts with units are read by a model that has units."""
+    """Positions as numbers. A model with units parses texts with units."""
     if isinstance(x, str):
         return np.array(_read(native, x)).reshape(())
     if isinstance(x, np.ndarray) or not isinstance(x, Sequence):
@@ -135,7 +135,7 @@ def _read(native: Union[_native.Model, None], text: str) -> float:
 
 
 class Solution:
-    """An equilibrium with its certificate. ``Model.solve`` makes it."""
+    """An equilibrium with its certificate, returned by ``Model.solve``."""
 
     _inner: _native.Solution
 
@@ -153,10 +153,10 @@ class Solution:
         if np.isnan(at).any():
             raise ValueError("a position is not a number")
         if not beside and ((at < 0.0) | (at > length)).any():
-            raise ValueError(f"a position lies off the beam, which goes from 0 to {length:g}")
+            raise ValueError(f"a position lies outside the beam, which extends from 0 to {length:g}")
         return at
 
-    # Text is one position, though it is a sequence of text: the first signature holds for it.
+    # A text is one position, although it is a sequence of texts: the first signature applies.
     @overload
     def deflection(self, x: Position, side: str = "right") -> float: ...  # type: ignore[overload-overlap]
     @overload
@@ -180,7 +180,7 @@ class Solution:
     @overload
     def rotation(self, x: Positions, side: str = "right") -> Array: ...
     def rotation(self, x: Union[Position, Positions], side: str = "right") -> Union[float, Array]:
-        """The rotation phi of the sections: the slope, but of a beam that shears [rad]."""
+        """The rotation phi of the cross-sections; without shear deformation it is the slope [rad]."""
         return self._field("rotation", x, side)
 
     @overload
@@ -216,7 +216,7 @@ class Solution:
     @overload
     def gap(self, x: Positions, side: str = "right") -> Array: ...
     def gap(self, x: Union[Position, Positions], side: str = "right") -> Union[float, Array]:
-        """The clearance between beam and ground, not negative [m]."""
+        """The gap between beam and ground, nonnegative [m]."""
         return self._field("gap", x, side)
 
     @overload
@@ -224,17 +224,19 @@ class Solution:
     @overload
     def pressure(self, x: Positions, side: str = "right") -> Array: ...
     def pressure(self, x: Union[Position, Positions], side: str = "right") -> Union[float, Array]:
-        """The contact pressure p per length of beam, not negative [N/m]. ``end_forces`` come on top."""
+        """The contact pressure p per length of beam, nonnegative [N/m]. It does not include ``end_forces``."""
         return self._field("pressure", x, side)
 
     def at(self, x: Union[Position, Positions], side: str = "right") -> Fields:
-        """All fields at positions on the beam; where a field jumps, just to the ``right`` or to the ``left``."""
+        """All fields at positions on the beam. Where a field jumps, ``side`` selects the ``right`` or the
+        ``left`` value."""
         at = self._positions(x)
         values = {name: self._field(name, at, side) for name in FIELDS}
         return Fields(float(at) if at.ndim == 0 else at, **values)
 
     def range(self, field: str) -> Range:
-        """Where a field is smallest and largest on the whole beam: the roots of its derivative, not samples."""
+        """Smallest and largest value of a field on the whole beam, with positions, from the roots of its
+        derivative."""
         low_x, low, high_x, high = self._inner.range(field)
         return Range(Extreme(low_x, low), Extreme(high_x, high))
 
@@ -246,18 +248,19 @@ class Solution:
         with_respect_to: Sequence[str],
         side: str = "right",
     ) -> Gradient:
-        """Exact derivatives of an output by parameters (docs/derivatives.md).
+        """Exact derivatives of an output with respect to parameters (docs/derivatives.md), for solutions of the
+        exact method.
 
-        Outputs are the fields ``at`` positions, and ``largest moment``, ``smallest gap``, … wherever they are;
-        ``edge[0].left`` and ``edge[0].right``, the ends of a region of contact; ``end_force.left``, ``end_force.right``;
-        ``support[0].force``, ``support[0].moment``; ``potential_energy``. Parameters are called as ``solve_many`` calls
-        them: ``k``, ``mu_factor``, ``EI[0]``, ``load[1].at``, ``gap[0]``, … Only of solutions of the exact method.
+        Outputs are: the fields ``at`` positions; ``largest moment``, ``smallest gap``, …, at their own positions;
+        ``edge[0].left`` and ``edge[0].right``, the ends of a contact zone; ``end_force.left``,
+        ``end_force.right``; ``support[0].force``, ``support[0].moment``; ``potential_energy``. Parameters have the
+        names of ``solve_many``: ``k``, ``mu_factor``, ``EI[0]``, ``load[1].at``, ``gap[0]``, …
         """
         if isinstance(with_respect_to, str):
             raise ValueError("with_respect_to is a list of names")
         names = list(with_respect_to)
         if (at is None) == (output in FIELDS):
-            what = "say at which positions" if at is None else "it stands at no position of its own"
+            what = "give the positions" if at is None else "it has no position"
             raise ValueError(f"`{output}`: {what}")
         x = np.asarray(0.0) if at is None else self._positions(at)
         asked = [(output, float(each), side) for each in x.ravel()]
@@ -267,12 +270,13 @@ class Solution:
         return Gradient(float(value[0]) if x.ndim == 0 else value.reshape(x.shape), derivatives, why)
 
     def stations(self, even: int = 100) -> Array:
-        """Positions worth listing: equal steps, every load, support, joint, edge of contact, and every extreme."""
+        """Default positions for listing: equal steps, all loads, supports, hinges, contact edges, and
+        extremes."""
         return self._inner.stations(even)
 
     @property
     def units(self) -> str:
-        """``SI``, or ``none`` for a file that gives numbers in a consistent system of its own."""
+        """``SI``, or ``none`` for a file in its own consistent system."""
         return self._inner.units
 
     @property
@@ -282,22 +286,22 @@ class Solution:
 
     @property
     def contact(self) -> list[tuple[float, float]]:
-        """Where beam and ground touch, from left to right; a region of a single point begins where it ends [m]."""
+        """Contact zones from left to right [m]; for a point contact both ends are equal."""
         return self._inner.contact
 
     @property
     def lift_off(self) -> list[LiftOff]:
-        """The stretches that do not touch."""
+        """The stretches without contact."""
         return [LiftOff(*each) for each in self._inner.lift_off]
 
     @property
     def end_forces(self) -> EndForces:
-        """The concentrated contact forces under the beam's ends [N]."""
+        """The point contact forces under the beam's ends [N]."""
         return EndForces(*self._inner.end_forces)
 
     @property
     def concentrated_forces(self) -> list[Force]:
-        """Concentrated contact forces elsewhere."""
+        """Point contact forces inside the beam."""
         return [Force(*each) for each in self._inner.concentrated_forces]
 
     @property
@@ -307,56 +311,56 @@ class Solution:
 
     @property
     def hinges(self) -> list[HingeTurn]:
-        """What the hinges do, in the order of the model."""
+        """Rotations and moments of the hinges, in the order of the model."""
         return [HingeTurn(*each) for each in self._inner.hinges]
 
     @property
     def certificate(self) -> Certificate:
-        """The proof."""
+        """The certificate."""
         return Certificate(*self._inner.certificate)
 
     @property
     def verdict(self) -> str:
-        """``unique``, ``not-unique`` where this is one equilibrium of many, or ``local`` where the ground helps to bear
-        compression."""
+        """``unique``, ``not-unique`` if this is one equilibrium of many, or ``local`` for an equilibrium under
+        compression that needs the ground."""
         return self._inner.verdict
 
     @property
     def sentence(self) -> str:
-        """Why there is an equilibrium, in words."""
+        """The reason why an equilibrium exists, as a sentence."""
         return self._inner.sentence
 
     @property
     def combination(self) -> Optional[str]:
-        """The combination that was solved, if the model was asked for one."""
+        """The combination, if the model was solved for one."""
         return self._inner.combination
 
     @property
     def method(self) -> str:
-        """The method that found it."""
+        """The method of solution."""
         return self._inner.method
 
     @property
     def iterations(self) -> int:
-        """Steps of the method."""
+        """Number of steps of the method."""
         return self._inner.iterations
 
     @property
     def elements(self) -> int:
-        """Elements of the mesh, or closed forms of the exact method."""
+        """Number of elements of the mesh, or of closed-form pieces of the exact method."""
         return self._inner.elements
 
     @property
     def seconds(self) -> float:
-        """How long it took [s]."""
+        """Duration of the solve [s]."""
         return self._inner.seconds
 
     def to_json(self, at: Union[None, Positions] = None) -> str:
-        """The result document, as ``groundbeam solve --json`` prints it."""
+        """The result document of ``groundbeam solve --json``."""
         return self._inner.to_json(None if at is None else self._positions(at).ravel().tolist())
 
     def to_csv(self, at: Union[None, Positions] = None) -> str:
-        """All fields as a table; where a field jumps, a row for each side."""
+        """All fields as a table. Where a field jumps, there is one row for each side."""
         return self._inner.to_csv(None if at is None else self._positions(at).ravel().tolist())
 
     def to_svg(self) -> str:
@@ -364,7 +368,7 @@ class Solution:
         return self._inner.to_svg()
 
     def to_png(self) -> bytes:
-        """The same picture in pixels."""
+        """The picture as PNG."""
         return self._inner.to_png()
 
     def to_pandas(self, at: Union[None, Positions] = None) -> pandas.DataFrame:
@@ -372,7 +376,7 @@ class Solution:
         return frame(self.to_csv(at))
 
     def plot(self) -> Figure:
-        """A figure of matplotlib: deflection with the ground and the lifted stretches, pressure, moment, shear."""
+        """A matplotlib figure: deflection with the ground and the lifted stretches, pressure, moment, shear."""
         from ._plot import figure
 
         return figure(self)

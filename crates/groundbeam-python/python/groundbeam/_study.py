@@ -1,4 +1,4 @@
-"""Studies: one model under many random grounds and loads, and how probable events are."""
+"""Studies: solve one model for many samples of random ground and loads, and estimate probabilities of events."""
 
 from __future__ import annotations
 
@@ -20,43 +20,43 @@ File = Union[str, "os.PathLike[str]"]
 
 
 class Estimate(NamedTuple):
-    """How probable something is."""
+    """Estimated probability of an event."""
 
     name: str
     happened: int
-    """In how many samples it did."""
+    """Number of samples in which it occurs."""
     probability: float
     interval: Tuple[float, float]
-    """Between which bounds the probability lies, with a confidence of 95 %."""
+    """95 % confidence interval of the probability."""
 
 
 class Spread(NamedTuple):
-    """How a number scatters over the samples that have it."""
+    """Distribution of a number over the samples that have it."""
 
     mean: float
     deviation: float
     quantiles: Tuple[float, float, float, float, float]
-    """The smallest, the quantiles of 5, 50 and 95 %, the largest."""
+    """Minimum, quantiles of 5, 50 and 95 %, maximum."""
     histogram: Tuple[int, ...]
-    """How many samples lie in each of so many equal parts, from the smallest to the largest."""
+    """Histogram: number of samples in equal intervals from the minimum to the maximum."""
 
 
 class Summary:
-    """What follows from all samples of a study."""
+    """Statistics of all samples of a study."""
 
     samples: int
     solved: int
-    """Samples with a certified answer."""
+    """Samples with a certified result."""
     without_equilibrium: int
     not_converged: int
     wrong: int
-    """Samples whose model was refused; the column ``message`` of the results has the reason."""
+    """Samples with an invalid model; the column ``message`` of the results has the reason."""
     largest_gap: float
-    """The largest error bound of all certificates, of the strain energy."""
+    """Largest error bound of all certificates, relative to the strain energy."""
     events: dict[str, Estimate]
-    """By their names; ``no equilibrium`` and ``some of the beam lifts off`` are always there."""
+    """Events by name; ``no equilibrium`` and ``some of the beam lifts off`` are always included."""
     spreads: dict[str, Spread]
-    """By the columns of the results."""
+    """Distributions by the columns of the results."""
 
     def __init__(self, document: dict[str, Any], picture: str) -> None:
         self._picture = picture
@@ -83,7 +83,7 @@ class Summary:
         }
 
     def to_svg(self) -> str:
-        """The picture: how probable events are, and how numbers scatter."""
+        """The picture: probabilities of events, and distributions of numbers."""
         return self._picture
 
     def _repr_html_(self) -> str:
@@ -94,9 +94,10 @@ class Summary:
 
 
 class Study:
-    """A study file: a model, what of it is random, and what is asked of the answers.
+    """A study file: a model, its random numbers, and the requested results.
 
-    ``samples`` and ``seed`` take the place of the file's. What a sample draws depends on the seed and on its number alone.
+    ``samples`` and ``seed`` replace those of the file. The random numbers of a sample depend only on the seed and
+    on its index.
     """
 
     def __init__(
@@ -113,22 +114,22 @@ class Study:
         return study
 
     def __reduce__(self) -> Tuple[object, Tuple[str, int, int, Sequence[Tuple[str, str]]]]:
-        # With its files as they were read, which another machine need not have.
+        # The pickled study includes its files, which may be missing on another machine.
         return Study._of, (os.fspath(self.path), self.samples, self.seed, self._inner.files)
 
     @property
     def title(self) -> Optional[str]:
-        """What the file calls itself."""
+        """The title of the study."""
         return self._inner.title
 
     @property
     def samples(self) -> int:
-        """How many samples there are."""
+        """Number of samples."""
         return self._inner.samples
 
     @property
     def seed(self) -> int:
-        """From which all random numbers follow."""
+        """Seed of all random numbers."""
         return self._inner.seed
 
     @property
@@ -146,7 +147,7 @@ class Study:
     def parameters(
         self, first: int = 0, count: Optional[int] = None
     ) -> dict[str, Union[Array, Along]]:
-        """What ``draw`` gives, in the form that ``solve_many`` takes: fields say what their values mean."""
+        """The result of ``draw`` in the form that ``solve_many`` takes; fields have a shape."""
         shape: type[Along] = {"Points": Points, "Steps": Steps}[self._inner.shape]
         drawn = self.draw(first, count)
         return {name: shape(each) if each.ndim == 2 else each for name, each in drawn.items()}
@@ -160,10 +161,10 @@ class Study:
         threads: Optional[int] = None,
         progress: Progress = None,
     ) -> Optional[Summary]:
-        """Solves what is not solved yet and keeps it in a Parquet file, one row a sample.
+        """Solves the remaining samples and saves them in a Parquet file, one row per sample.
 
-        Interrupted, it goes on when it is called again; the file is the same to the last byte. ``shard=(3, 8)`` does the
-        third of eight equal parts, which :func:`merge` puts together; then there is no summary yet.
+        After an interruption, the next call continues; the file is the same to the last byte. ``shard=(3, 8)``
+        solves the third of eight equal parts, which :func:`merge` merges; then there is no summary yet.
         """
         if not 1 <= shard[0] <= shard[1]:
             raise ValueError("a shard is (i, n), from 1 to n")
@@ -177,9 +178,9 @@ class Study:
         return Summary(json.loads(document), picture)
 
     def to_pandas(self, out: File) -> pandas.DataFrame:
-        """The results as a table, compared with their checksums first; needs pyarrow.
+        """The results as a table, after a check of their checksums; needs pyarrow.
 
-        A damaged file is a ``ValueError``.
+        A damaged file raises ``ValueError``.
         """
         import pandas
 
@@ -191,9 +192,9 @@ class Study:
 
 
 def merge(files: Sequence[File], out: File) -> int:
-    """Puts the shards of a study together and returns how many samples there are.
+    """Merges the shards of a study and returns the number of samples.
 
-    The file is, to the last byte, the one that a single machine would have written. Shards that are missing, doubled or of
-    another study are a ``ValueError``.
+    The file is the same, to the last byte, as that of a single machine. Missing or repeated shards, and shards of
+    another study, raise ``ValueError``.
     """
     return _native.merge(list(files), out)

@@ -1,4 +1,4 @@
-"""Tables of a model file as text: the one language in which every model reaches the solver."""
+"""Writes tables as the text of a model file. Every model reaches the solver in this form."""
 
 from __future__ import annotations
 
@@ -6,13 +6,13 @@ import json
 from typing import Mapping, Sequence, SupportsFloat, Union
 
 Value = Union[str, bool, SupportsFloat, Sequence["Value"], Mapping[str, "Value"]]
-"""What can stand behind a key: a number in SI, text with a unit, a list, or a table."""
+"""Value of a key: a number in SI units, text with a unit, a list, or a table."""
 
 Tables = Mapping[str, Value]
 
 
 def write(tables: Tables) -> str:
-    """The tables as TOML: first what stands at the top, then table after table."""
+    """The tables as TOML: first the keys at the top, then table after table."""
     top = [(key, value) for key, value in tables.items() if not _is_heading(value)]
     text = "".join(_line(key, value) for key, value in top)
     for key, value in tables.items():
@@ -26,7 +26,7 @@ def write(tables: Tables) -> str:
 
 
 def _table(name: str, table: Tables, heading: str) -> str:
-    """A table, and below it the tables of which it has several or which have a heading of their own."""
+    """A table, followed by its subtables that are lists or have a heading of their own."""
     below = {key: value for key, value in table.items() if _is_several(value)}
     text = f"\n{heading}\n"
     text += "".join(_line(key, value) for key, value in table.items() if key not in below)
@@ -43,7 +43,7 @@ def _is_heading(value: Value) -> bool:
 
 
 def _is_several(value: Value) -> bool:
-    """A list of tables."""
+    """Whether a value is a list of tables."""
     if isinstance(value, (str, bytes)) or not isinstance(value, Sequence) or not value:
         return False
     return all(isinstance(each, Mapping) for each in value)
@@ -76,5 +76,5 @@ def _value(value: Value) -> str:
 
 
 def _text(text: str) -> str:
-    """A TOML string, which escapes what JSON does and the delete character."""
+    """A TOML string. TOML escapes the same characters as JSON, and the delete character."""
     return json.dumps(text, ensure_ascii=False).replace("\x7f", "\\u007f")

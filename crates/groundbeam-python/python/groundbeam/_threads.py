@@ -1,4 +1,4 @@
-"""How many threads a call uses."""
+"""Number of threads of a call."""
 
 from __future__ import annotations
 
@@ -6,9 +6,9 @@ from typing import Optional
 
 
 def number_of(threads: Optional[int]) -> int:
-    """The number that was asked for; 0 leaves it to the compiled half."""
+    """The requested number; 0 if not given, which lets the compiled extension choose."""
     if threads is None:
         return 0
     if threads < 1:
-        raise ValueError("it takes at least one thread")
+        raise ValueError("at least one thread is needed")
     return threads

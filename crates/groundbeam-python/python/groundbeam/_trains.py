@@ -1,4 +1,4 @@
-"""Trains that pass over the beam: the answers at their positions, and their envelope."""
+"""Trains that pass over the beam: results at their positions, and their envelope."""
 
 from __future__ import annotations
 
@@ -15,7 +15,8 @@ if TYPE_CHECKING:
 
 
 class MovingBound(NamedTuple):
-    """One line of an envelope of trains: its values, where the first axle then stands, and in which passage."""
+    """One bound of an envelope of trains: its values, with the position of the first axle and the index of the
+    passage."""
 
     values: Array
     first_axle: Array
@@ -30,18 +31,18 @@ class MovingEnvelope(NamedTuple):
 
 
 class Passage:
-    """One train that passes over one combination."""
+    """The passage of one train over one combination."""
 
     combination: Optional[str]
-    """The combination; none where the loads are as they are written."""
+    """The combination; ``None`` for the loads as written."""
     train: str
     """The name of the train."""
     range: Tuple[float, float]
-    """From where to where its first axle goes [m]."""
+    """First and last position of the first axle [m]."""
     without_equilibrium: list[Tuple[float, float]]
-    """Ranges of the first axle's position in which there is no equilibrium [m]."""
+    """Ranges of the first axle's position without equilibrium [m]."""
     not_converged: list[float]
-    """Positions of the first axle at which no answer could be certified [m]."""
+    """Positions of the first axle without a certified result [m]."""
 
     def __init__(self, inner: _native.Answers, number: int) -> None:
         self._inner, self._number = inner, number
@@ -52,11 +53,11 @@ class Passage:
 
     @property
     def positions(self) -> Array:
-        """The positions of the first axle that were solved, from left to right [m]."""
+        """Solved positions of the first axle, from left to right [m]."""
         return self._inner.positions(self._number)
 
     def nearest(self, first_axle: float) -> Tuple[float, Solution]:
-        """The position that was solved nearest to one, and its solution."""
+        """The solved position nearest to a given one, and its solution."""
         found = self._inner.nearest(self._number, first_axle)
         if found is None:
             raise ValueError("no position of the train was solved")
@@ -89,7 +90,7 @@ class Passages(Sequence[Passage]):
         return len(self._all)
 
     def envelope(self, field: str, x: Union[Position, Positions]) -> MovingEnvelope:
-        """The envelope of a field at positions on the beam; where it jumps, both sides count."""
+        """The envelope of a field at positions on the beam. Where it jumps, both sides count."""
         at = np.atleast_1d(positions_of(None, x))
         found = self._inner.moving_envelope(field, at.ravel())
         if found is None:
@@ -101,11 +102,11 @@ class Passages(Sequence[Passage]):
         return MovingEnvelope(low, high)
 
     def stations(self) -> Array:
-        """Positions on the beam at which the envelope is worth listing."""
+        """Default positions on the beam for listing the envelope."""
         return self._inner.stations()
 
     def to_json(self) -> str:
-        """The document, as ``groundbeam solve --json`` prints it."""
+        """The result document of ``groundbeam solve --json``."""
         return self._inner.to_json(None)
 
     def to_csv(self) -> str:
@@ -113,11 +114,11 @@ class Passages(Sequence[Passage]):
         return self._inner.to_csv(None)
 
     def to_svg(self) -> str:
-        """A picture of the train where it bends the beam most, and of the envelopes."""
+        """A picture of the train at the position of the largest moment, and of the envelopes."""
         return self._inner.to_svg()
 
     def to_png(self) -> bytes:
-        """The same picture in pixels."""
+        """The picture as PNG."""
         return self._inner.to_png()
 
     def to_pandas(self) -> pandas.DataFrame:

@@ -5,9 +5,9 @@
 >>> with distributed.Client() as client:  # doctest: +SKIP
 ...     summary = run(client, gb.Study("study.toml"), "results.parquet")
 
-The workers need the package and nothing else, no shared disk: the study takes its files with it, as they were when it was
-read. A shard comes back as the bytes of its file and is kept at once, so that a run that is killed goes on where it was; a
-shard on a worker that dies is done again by another.
+The workers need only the package, no shared disk: the study carries the contents of its files. Each finished shard
+is sent back as the bytes of its file and saved at once, so that a killed run can be resumed. If a worker fails,
+another one solves its shard.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 __all__ = ["run"]
 
 SAMPLES_A_SHARD = 50_000
-"""Unless the caller says otherwise: some seconds of work, some megabytes of results."""
+"""Default number of samples per shard: some seconds of work, some megabytes of results."""
 
 
 def run(
@@ -38,11 +38,11 @@ def run(
     retries: int = 3,
     restart: bool = False,
 ) -> Summary:
-    """Solves the samples of a study on a cluster and keeps them in one Parquet file here.
+    """Solves the samples of a study on a cluster and saves them in one local Parquet file.
 
-    The file is, to the last byte, what ``study.run(out)`` writes. ``shards`` is in how many pieces the work goes to the
-    workers; each is begun again up to ``retries`` times where a worker fails. If ``out`` holds results of another study,
-    that is a ``ValueError``; ``restart`` throws away all results that are there.
+    The file is the same, to the last byte, as that of ``study.run(out)``. ``shards`` is the number of parts of the
+    work. Each part is repeated up to ``retries`` times if a worker fails. If ``out`` contains results of another
+    study, a ``ValueError`` is raised; ``restart`` deletes all existing results.
     """
     import distributed
 
@@ -65,10 +65,10 @@ def run(
         i = futures.pop(future)
         unfinished = names[i].with_suffix(".unfinished")
         unfinished.write_bytes(future.result())
-        # A worker with another version of the package makes other results.
+        # A worker with another version of the package could give other results.
         study._inner.is_done(unfinished, (i, count))
         os.replace(unfinished, names[i])
-        # The cluster need not keep data that are stored here.
+        # The cluster need not keep data that are stored locally.
         future.release()
     merge(list(names.values()), out)
     shutil.rmtree(folder)
@@ -76,7 +76,7 @@ def run(
 
 
 def _is_kept(study: Study, name: Path, shard: Tuple[int, int]) -> bool:
-    """Whether an earlier run has kept this shard. A file with anything else in it does not count."""
+    """Whether an earlier run has saved this shard. A file with other contents does not count."""
     try:
         return study._inner.is_done(name, shard)
     except ValueError:
@@ -84,7 +84,7 @@ def _is_kept(study: Study, name: Path, shard: Tuple[int, int]) -> bool:
 
 
 def _shard(study: Study, number: int, of: int) -> bytes:
-    """One shard, on a worker."""
+    """Solves one shard on a worker."""
     with tempfile.TemporaryDirectory() as place:
         out = Path(place) / "shard.parquet"
         study.run(out, shard=(number, of), threads=1)

@@ -1,4 +1,5 @@
-//! Many models on all processors: arrays of parameters in, arrays of results out, no Python in between.
+//! Solves many models on all processors, from arrays of parameters to arrays of results, without Python in
+//! the loop.
 
 mod parameter;
 mod run;
@@ -14,13 +15,13 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use run::{Answered, Task, run};
 
-/// A parameter: its name, the shape of a row if one is named, and its rows.
+/// A parameter: its name, the shape of a row if given, and its rows.
 type Given<'py> = (String, Option<String>, PyReadonlyArray2<'py, f64>);
 
 /// Solves `count` models: the given ones, or one under as many sets of parameters.
 ///
-/// `parameters` have arrays of one row, or of one row for each model. What comes back is a dictionary of
-/// arrays, each of one row for each model.
+/// `parameters` have arrays with one row, or with one row for each model. The result is a dictionary of
+/// arrays with one row for each model.
 #[pyfunction]
 pub fn solve_many<'py>(
     py: Python<'py>,
@@ -53,7 +54,7 @@ pub fn solve_many<'py>(
     columns(py, &task.wanted, rows)
 }
 
-/// The rows as columns.
+/// Converts the rows to columns.
 fn columns<'py>(
     py: Python<'py>,
     wanted: &Wanted,
@@ -82,7 +83,8 @@ fn columns<'py>(
             rows.iter().flat_map(|each| &each.row.values[i * stations..(i + 1) * stations]);
         table.set_item(name, PyArray1::from_vec(py, values.copied().collect()))?;
     }
-    // Regions of contact differ in number: all of them in a row, and where those of each model begin.
+    // The number of contact zones differs between models: one array contains all zones, another the start of
+    // each model.
     let mut starts = vec![0_i64];
     let mut edges: Vec<f64> = Vec::new();
     for Answered { row, .. } in &rows {

@@ -1,4 +1,4 @@
-//! The numbers of a model that an array changes.
+//! Parameters of a model that arrays change.
 
 use crate::derivatives::parameter;
 use crate::failure::Failure;
@@ -9,20 +9,21 @@ use groundbeam_file::{Course, Shape, along_the_beam, change, most_control_values
 use numpy::ndarray::ArrayView2;
 use std::sync::Arc;
 
-/// Numbers for one part of the models, a row for each or one row for all.
+/// Values of one parameter: one row for each model, or one row for all.
 pub struct Parameter {
     name: String,
     target: Number,
-    /// What the numbers of a row mean, if there are several.
+    /// Meaning of several numbers in a row.
     shape: Shape,
-    /// Row by row.
+    /// Values, row by row.
     values: Vec<f64>,
-    /// Numbers in a row: one, or several along the beam.
+    /// Numbers per row: one, or several along the beam.
     width: usize,
 }
 
 impl Parameter {
-    /// A named array, if it fits the models. `shape` is the Python class that says what the numbers of a row mean.
+    /// A named array, checked against the models. `shape` is the Python class that gives the meaning of a
+    /// row.
     pub fn read(
         name: &str,
         shape: Option<&str>,
@@ -40,13 +41,13 @@ impl Parameter {
             Some("Points") => Shape::Even(Course::Lines),
             Some("Steps") => Shape::Even(Course::Steps),
             Some("ControlValues") => Shape::Curve,
-            Some(other) => return wrong(format!("`{other}` is no shape")),
-            // Both meanings of two values agree.
+            Some(other) => return wrong(format!("`{other}` is not a shape")),
+            // For two values both meanings agree.
             None if width <= 2 => Shape::Even(Course::Lines),
             None => {
                 return wrong(format!(
-                    "a row of {width} values can mean two things: write groundbeam.Points(values) for values at even \
-                     points with straight lines between them, or groundbeam.ControlValues(values) for the control \
+                    "a row of {width} values is ambiguous: write groundbeam.Points(values) for values at equidistant \
+                     points with linear variation between them, or groundbeam.ControlValues(values) for the control \
                      values of one curve, as Foundation(k=[...]) and Beam(EI=[...]) take them"
                 ));
             }
@@ -54,7 +55,7 @@ impl Parameter {
         let most = property.map_or(1, most_control_values);
         if shape == Shape::Curve && width > most {
             return wrong(format!(
-                "a curve has at most {most} control values, and these are {width}; groundbeam.Points takes any number"
+                "a curve has at most {most} control values, but {width} are given; groundbeam.Points takes any number"
             ));
         }
         for read in models {
@@ -73,7 +74,7 @@ impl Parameter {
     }
 }
 
-/// k and μ along the beam must be given on the same stretches, or one of them on the whole beam.
+/// k and μ along the beam need the same stretches, unless one of them is given for the whole beam.
 pub fn agree(parameters: &[Parameter]) -> Result<(), Failure> {
     let of_ground = |p: &&Parameter| {
         let is_ground = |property| matches!(property, Property::Spring | Property::Shear);
@@ -97,7 +98,7 @@ pub fn agree(parameters: &[Parameter]) -> Result<(), Failure> {
     Ok(())
 }
 
-/// The model under the parameters of a row.
+/// Applies the parameters of a row to the model.
 pub fn apply(parameters: &[Parameter], number: usize, model: &mut Model) {
     let changes = parameters
         .iter()

@@ -1,4 +1,4 @@
-//! Solves the models of a batch: numbers of each row put into its model, its answer made a row.
+//! Solves the models of a batch: applies each row to its model, and converts the result to a row.
 
 use super::parameter::{Parameter, apply};
 use crate::failure::Tipping;
@@ -8,16 +8,16 @@ use groundbeam_study::{Row, Trouble, Wanted};
 use pyo3::prelude::*;
 use std::sync::Arc;
 
-/// Everything that the threads need to know.
+/// Data for the threads.
 pub struct Task {
-    /// One for each answer, or one for all.
+    /// One model for each result, or one for all.
     pub models: Vec<Arc<Read>>,
     pub parameters: Vec<Parameter>,
     pub wanted: Wanted,
     pub options: Options,
 }
 
-/// Solves every model in its place.
+/// Solves all models, each at its index.
 pub fn run(
     task: &Task,
     count: usize,
@@ -28,14 +28,14 @@ pub fn run(
     crate::threads::map(count, threads, progress, solver, |solver, number| task.row(number, solver))
 }
 
-/// An answer, and in words why there is none.
+/// A result, or a message saying why there is none.
 pub struct Answered {
     pub row: Row,
     pub message: Option<String>,
 }
 
 impl Task {
-    /// The answer of a number, the same whatever thread it is on and whatever that has solved before.
+    /// The result for model `number`; it does not depend on the thread or on what that thread solved before.
     fn row(&self, number: usize, solver: &mut Solver) -> Answered {
         let Task { models, parameters, wanted, .. } = self;
         let read = &models[if models.len() == 1 { 0 } else { number }];

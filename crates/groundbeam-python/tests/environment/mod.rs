@@ -1,10 +1,10 @@
-//! A virtual environment of Python with given packages, and the skip of a test whose tools are missing.
+//! Creates a virtual environment of Python with given packages, and skips a test whose tools are missing.
 
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// An interpreter with the packages that are needed. The environment is made in a folder and kept from run to run.
+/// An interpreter with the needed packages. The environment is created in a folder and reused by later runs.
 pub fn environment(place: &Path, needs: &[&str]) -> Result<PathBuf, String> {
     std::fs::create_dir_all(place).map_err(|error| error.to_string())?;
     let home = place.join("environment");
@@ -40,7 +40,7 @@ fn quietly(command: &mut Command, otherwise: &str) -> Result<(), String> {
     }
 }
 
-/// The tools of a test. Without them one line on standard error says that the test was skipped.
+/// The tools of a test. Without them a line on standard error reports that the test was skipped.
 ///
 /// # Panics
 ///
@@ -52,7 +52,7 @@ pub fn tools_or_skip<T>(tools: Result<T, String>, variable: &str, subject: &str)
     };
     assert!(std::env::var_os(variable).is_none(), "{subject} cannot be tested here: {why}");
     let words = format!("\n*** SKIPPED: {subject} was NOT tested: {why}\n\n");
-    // Not `eprintln!`, which a test that passes keeps to itself.
+    // Not `eprintln!`, whose output is hidden for a passing test.
     std::io::stderr().write_all(words.as_bytes()).expect("standard error");
     None
 }

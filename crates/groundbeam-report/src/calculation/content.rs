@@ -1,4 +1,4 @@
-//! The content of a report before it is set in type.
+//! Content of a calculation report, independent of its layout.
 
 use super::formulas::Formula;
 use super::print::{cell, words};
@@ -9,61 +9,61 @@ use serde::Serialize;
 /// A whole report.
 #[derive(Debug, Clone, Default, Serialize)]
 pub struct Report {
-    /// What the model is called, or its file where it has no title.
+    /// Title of the model, or the file name if it has none.
     pub title: String,
-    /// The version of the program that made it.
+    /// Version of the program.
     pub version: &'static str,
-    /// The SHA-256 digest of the input file, in hexadecimal digits.
+    /// SHA-256 digest of the input file, in hexadecimal digits.
     pub digest: String,
-    /// What it is, in a few words.
+    /// Kind of the report, in a few words.
     pub subject: &'static str,
-    /// What came out, in one line each: what everybody reads first.
+    /// Main results, one line each.
     pub verdicts: Vec<Verdict>,
-    /// The numbers that everybody looks for.
+    /// Key figures.
     pub key: Vec<Key>,
-    /// Its parts, numbered in this order from 1.
+    /// Sections, numbered from 1.
     pub sections: Vec<Section>,
 }
 
-/// A statement that is good or bad.
+/// A statement with an assessment.
 #[derive(Debug, Clone, Serialize)]
 pub struct Verdict {
     /// `good`, `doubtful` or `bad`.
     pub tone: &'static str,
-    /// Its first words.
+    /// Heading of the statement.
     pub head: String,
-    /// What it says.
+    /// The statement.
     pub words: String,
 }
 
-/// A number with what it is.
+/// A key figure.
 #[derive(Debug, Clone, Serialize)]
 pub struct Key {
-    /// What it is.
+    /// Name of the quantity.
     pub label: String,
-    /// The number with its unit.
+    /// Value with its unit.
     pub value: String,
-    /// Where it is, or of what.
+    /// Position, or further explanation.
     pub note: String,
 }
 
 impl Key {
-    /// The fields of which the largest value is named first.
+    /// Fields whose largest values are key figures.
     pub(crate) const FIELDS: [Field; 4] =
         [Field::Deflection, Field::Moment, Field::Pressure, Field::Gap];
 
-    /// The largest value of a field.
+    /// The largest value of a field as a key figure.
     pub(crate) fn largest(field: Field, value: String, note: String) -> Self {
         Key { label: format!("Largest {}", field.label().to_lowercase()), value, note }
     }
 }
 
-/// A numbered part.
+/// A numbered section.
 #[derive(Debug, Clone, Serialize)]
 pub struct Section {
-    /// What it is about.
+    /// Heading of the section.
     pub title: &'static str,
-    /// What it is made of.
+    /// Blocks of the section.
     pub blocks: Vec<Block>,
 }
 
@@ -73,12 +73,12 @@ pub struct Section {
 pub enum Block {
     /// A paragraph.
     Text {
-        /// What it says.
+        /// The text.
         words: String,
     },
-    /// Statements, each with a dot before it.
+    /// A bulleted list.
     List {
-        /// The statements.
+        /// Items of the list.
         items: Vec<String>,
     },
     /// Labelled statements.
@@ -88,21 +88,21 @@ pub enum Block {
     },
     /// A table.
     Table(Table),
-    /// A picture; figures are numbered through the whole report.
+    /// A picture. Figures are numbered through the whole report.
     Figure {
-        /// The picture, as wide as the page's text.
+        /// The picture, as wide as the text.
         svg: String,
-        /// What it shows.
+        /// Caption.
         caption: String,
     },
-    /// Formulas below one another.
+    /// A list of formulas.
     Equations {
-        /// A formula a line.
+        /// One formula per line.
         lines: Vec<Equation>,
     },
-    /// A file, line by line, the lines numbered from 1.
+    /// A file, with numbered lines.
     Code {
-        /// The lines, without their ends.
+        /// The lines without line ends.
         lines: Vec<String>,
     },
 }
@@ -110,51 +110,51 @@ pub enum Block {
 /// A labelled statement.
 #[derive(Debug, Clone, Serialize)]
 pub struct Fact {
-    /// What it is about; empty where it continues the one above.
+    /// Label; empty if the statement continues the previous one.
     pub label: String,
-    /// A label within the statement; empty where it has none.
+    /// Second label inside the statement; may be empty.
     pub inner: String,
     /// `plain`, `good`, `doubtful` or `bad`.
     pub tone: &'static str,
-    /// The first part, in its tone; empty where nothing is set off.
+    /// Emphasized first words; may be empty.
     pub head: String,
-    /// What it says.
+    /// The statement.
     pub words: String,
 }
 
-/// Rows under a head.
+/// A table.
 #[derive(Debug, Clone, Default, Serialize)]
 pub struct Table {
-    /// What it shows.
+    /// Caption.
     pub caption: String,
-    /// The heads of its columns.
+    /// Heads of the columns.
     pub columns: Vec<Column>,
-    /// Its rows, a cell for every column.
+    /// Rows, with one cell per column.
     pub rows: Vec<Vec<String>>,
-    /// What is said below it; may be empty.
+    /// Note below the table; may be empty.
     pub note: String,
 }
 
-/// The head of a column, and which way its cells are set.
+/// Head and alignment of a column.
 #[derive(Debug, Clone, Serialize)]
 pub struct Column {
-    /// What stands in it.
+    /// Name of the column.
     pub head: String,
-    /// The unit of its numbers; empty where they have none.
+    /// Unit of the numbers; empty without a unit.
     pub unit: String,
-    /// Whether it holds numbers, which are set to the right.
+    /// Whether the column contains numbers, which are right-aligned.
     pub number: bool,
 }
 
-/// A formula with its number and what it says.
+/// A formula with its explanation and number.
 #[derive(Debug, Clone, Serialize)]
 pub struct Equation {
     /// The formula.
     #[serde(flatten)]
     pub formula: Formula,
-    /// Where it holds, or what it is; may be empty.
+    /// Its domain or meaning; may be empty.
     pub words: &'static str,
-    /// Its number in the source; empty where it has none.
+    /// Its number in the source; empty if it has none.
     pub number: &'static str,
 }
 
@@ -174,17 +174,17 @@ impl Table {
     }
 }
 
-/// A column of numbers in a unit, which may be none.
+/// A column of numbers with a unit, which may be empty.
 pub(super) fn numbers(head: &str, unit: &str) -> Column {
     Column { head: head.to_owned(), unit: unit.to_owned(), number: true }
 }
 
-/// A column of words.
+/// A column of text.
 pub(super) fn wording(head: &str) -> Column {
     Column { head: head.to_owned(), unit: String::new(), number: false }
 }
 
-/// What the report for a terminal says, as statements; none where it says nothing.
+/// The rows of the terminal report as statements; `None` if there are no rows.
 pub(super) fn facts(say: impl FnOnce(&mut Sheet)) -> Option<Block> {
     let mut sheet = Sheet::new(false);
     say(&mut sheet);

@@ -1,9 +1,9 @@
-//! The equations of the problem, with their places and numbers.
+//! The equations of the problem, with their domains and numbers.
 
 use super::content::{Block, Equation};
 use super::formulas::{self, Formula};
 
-/// The problem, in the equations of Kikuchi; of a beam that shears in those of Timoshenko.
+/// The problem in the equations of Kikuchi; with shear deformation in those of Timoshenko.
 pub(super) fn problem(shears: bool) -> Block {
     let (beam, number, ends) = match shears {
         true => (formulas::SHEARING_BEAM, "", formulas::SHEARING_ENDS),
@@ -19,12 +19,12 @@ pub(super) fn problem(shears: bool) -> Block {
     }
 }
 
-/// The statics of a free beam.
+/// Static reactions of a free beam.
 pub(super) fn static_reactions() -> Block {
     Block::Equations { lines: vec![line(formulas::REACTIONS, "", "(4.25)")] }
 }
 
-/// What bounds the error.
+/// The error bound of the certificate.
 pub(super) fn energy_gap() -> Block {
     Block::Equations { lines: vec![line(formulas::ENERGY_GAP, "energy gap", "")] }
 }

@@ -11,7 +11,8 @@ use crate::svg::figures;
 use crate::text;
 use groundbeam::{Acts, Existence, Hinge, Method, Model, Profile, RigidMotion, SupportKind};
 
-/// The input, on the model of a file or on those of its combinations; what statics tell of it, if they are known.
+/// The input, for the model of a file or for those of its combinations, with the existence check if it is
+/// known.
 pub(super) fn section(
     models: &[&Model],
     existence: Option<&Existence>,
@@ -22,8 +23,8 @@ pub(super) fn section(
     let units = context.units;
     let model = models.first().copied().unwrap_or(source.model);
     let caption = match motion {
-        Some(_) => "The model as it is given; in dashes, the motion in which the loads do work",
-        None => "The model as it is given",
+        Some(_) => "The model as given; dashed: the motion in which the loads do work",
+        None => "The model as given",
     };
     let drawing = figures::model(source.model, motion, units);
     let mut blocks = vec![Block::Figure { svg: drawing, caption: caption.to_owned() }];
@@ -44,7 +45,7 @@ fn unit_name(units: Units, kind: Kind, largest: f64) -> (crate::quantity::Unit, 
     (unit, unit.name)
 }
 
-/// The values of a profile, from end to end.
+/// Values of a profile, from one end to the other.
 fn profile(units: Units, kind: Kind, profile: &Profile) -> String {
     let unit = units.unit(kind, profile.largest());
     if profile.is_constant() {
@@ -61,7 +62,7 @@ fn segments(model: &Model, units: Units) -> Vec<Block> {
         let shears = model.beam.shears();
         let mut columns = vec![numbers("from", name), numbers("to", name), wording("EI")];
         columns.extend(shears.then(|| wording("GA")));
-        let mut table = Table::new("Stretches of the beam", columns);
+        let mut table = Table::new("Segments of the beam", columns);
         for segment in &model.beam.segments {
             let stiffness = profile(units, Kind::BendingStiffness, &segment.bending_stiffness);
             let own = segment.shear_stiffness.or(model.beam.shear_stiffness.map(Into::into));
@@ -73,7 +74,7 @@ fn segments(model: &Model, units: Units) -> Vec<Block> {
     }
     if !model.foundation.segments.is_empty() {
         let columns = vec![numbers("from", name), numbers("to", name), wording("k"), wording("μ")];
-        let mut table = Table::new("Stretches of the ground", columns);
+        let mut table = Table::new("Segments of the ground", columns);
         for segment in &model.foundation.segments {
             table.push([
                 unit.number(segment.from),
@@ -95,11 +96,12 @@ fn supports(model: &Model, units: Units) -> Option<Block> {
             SupportKind::Pinned => "pinned".to_owned(),
             SupportKind::Fixed => "fixed".to_owned(),
             SupportKind::Spring { spring, rotational_spring } => {
-                // k is a force per length of beam and deflection, a spring's one a force per deflection: as k times m.
+                // k has the unit force per length of beam and deflection, a spring force per deflection,
+                // which is the unit of k times m.
                 let linear = units.write(Kind::Pressure, spring);
                 let turning = units.write(Kind::Moment, rotational_spring);
                 let per = units.per_radian();
-                format!("spring {linear}, turning {turning}{per}")
+                format!("spring {linear}, rotational spring {turning}{per}")
             }
         };
         let mut words = kind;
@@ -129,7 +131,7 @@ fn hinges(model: &Model, units: Units) -> Option<Block> {
     (!table.rows.is_empty()).then_some(Block::Table(table))
 }
 
-/// The corners of the gap; those of chords follow from the troughs of the input file.
+/// The points of the gap. Those of chords are omitted because they follow from the troughs in the input file.
 fn gap(model: &Model, context: &Context) -> Option<Block> {
     if context.chords.is_some() {
         return None;
@@ -139,7 +141,7 @@ fn gap(model: &Model, context: &Context) -> Option<Block> {
     let (position, x) = unit_name(units, Kind::Position, model.beam.length);
     let (depth, clearance) = unit_name(units, Kind::Deflection, deepest);
     let columns = vec![numbers("x", x), numbers("clearance", clearance)];
-    let mut table = Table::new("Initial gap, straight between these points", columns);
+    let mut table = Table::new("Initial gap, linear between these points", columns);
     for corner in &model.gap {
         table.push([position.number(corner.at), depth.number(corner.value)]);
     }
@@ -160,7 +162,7 @@ fn loads(source: &Source, units: Units) -> Option<Block> {
     if has_cases {
         columns.push(wording("case"));
     }
-    let mut table = Table::new("Loads as they are written", columns);
+    let mut table = Table::new("Loads as written", columns);
     table.note = "Forces act downward; moments turn the right side down.".to_owned();
     for (i, load) in model.loads.iter().enumerate() {
         let [from, to] = load.extent().ends();
@@ -183,30 +185,30 @@ fn loads(source: &Source, units: Units) -> Option<Block> {
     (!table.rows.is_empty()).then_some(Block::Table(table))
 }
 
-/// What is taken for granted, the equations, and how they were solved.
+/// Assumptions, equations, and the method.
 pub(super) fn assumptions(model: &Model, method: Method) -> Section {
     let layer = model.foundation.shear_layer > 0.0
         || model.foundation.segments.iter().any(|segment| segment.shear_layer.largest() > 0.0);
     let ground = if layer {
-        "The ground is a bed of springs k under a layer that carries shear alone, μ (Pasternak), on both sides of the \
-         beam too."
+        "The ground consists of springs k under a shear layer μ (Pasternak), also on both sides of the \
+         beam."
     } else {
-        "The ground is a bed of separate springs k (Winkler)."
+        "The ground consists of independent springs k (Winkler)."
     };
     let beam = if model.beam.shears() {
-        "The beam bends and shears (Timoshenko): plane sections stay plane and turn by φ, w′ − φ is the shear force over \
-         GA, small slopes, linearly elastic. It has a kink where a force acts on it."
+        "The beam has shear deformation (Timoshenko): plane sections remain plane and rotate by φ, w′ − φ is the shear force over \
+         GA, small slopes, linearly elastic. Its slope jumps where a point force acts."
     } else {
-        "The beam bends (Euler–Bernoulli): plane sections stay plane, no deformation by shear, small slopes, linearly \
+        "The beam has no shear deformation (Euler–Bernoulli): plane sections remain plane, small slopes, linearly \
          elastic."
     };
     let mut items = vec![
         beam.to_owned(),
         ground.to_owned(),
-        "The ground pushes and never pulls: where the beam lifts off there is no contact pressure, and where it touches \
-         is part of what was sought. There is no friction."
+        "The ground carries no tension: the contact pressure is zero where the beam lifts off. The contact zones \
+         are unknowns of the problem. There is no friction."
             .to_owned(),
-        "Loads are static. Superposition does not hold: every combination is solved by itself.".to_owned(),
+        "Loads are static. Superposition does not hold: each combination is solved separately.".to_owned(),
     ];
     if model.beam.axial_force != 0.0 {
         items.push(
@@ -215,11 +217,11 @@ pub(super) fn assumptions(model: &Model, method: Method) -> Section {
     }
     let how = match method {
         Method::Exact => {
-            "Between the edges of contact the equations have closed forms; the edges themselves are unknowns, found by \
-             u′\u{a0}=\u{a0}w′ there (w\u{a0}=\u{a0}u\u{a0}+\u{a0}g₀ where μ\u{a0}=\u{a0}0). No mesh was chosen."
+            "Between the contact edges the equations have closed-form solutions; the edges are unknowns, determined by \
+             u′\u{a0}=\u{a0}w′ there (w\u{a0}=\u{a0}u\u{a0}+\u{a0}g₀ where μ\u{a0}=\u{a0}0). No mesh is used."
         }
         _ => {
-            "The equations were solved on a mesh of elements; how far the mesh leaves the exact answer is bounded in \
+            "The equations were solved on a mesh of elements; the error of the mesh is bounded in \
              the certificate."
         }
     };
@@ -236,7 +238,7 @@ pub(super) fn assumptions(model: &Model, method: Method) -> Section {
     Section::new("Assumptions and method", blocks)
 }
 
-/// What statics says before anything is solved.
+/// The existence check, before the solve.
 pub(super) fn statics(model: &Model, existence: &Existence, context: &Context) -> Section {
     let units = context.units;
     let mut blocks: Vec<Block> =
@@ -246,8 +248,8 @@ pub(super) fn statics(model: &Model, existence: &Existence, context: &Context) -
     let [left, right] =
         existence.static_reactions.map(|force| print::words(&units.write(Kind::Force, force)));
     if free {
-        let words = "A beam that nothing but the ground holds has exactly one equilibrium if, and only if, both static \
-                     reactions of its loads are positive, that is, if their resultant acts down and inside the beam:";
+        let words = "A beam without supports has exactly one equilibrium if, and only if, both static \
+                     reactions of its loads are positive, that is, if the resultant acts downward and inside the beam:";
         blocks.push(Block::Text { words: words.to_owned() });
         blocks.push(equations::static_reactions());
     }
@@ -273,7 +275,7 @@ pub(super) fn statics(model: &Model, existence: &Existence, context: &Context) -
                 print::words(&words)
             })
             .collect();
-        let words = "Of the pieces between free hinges, each standing on its own ends:";
+        let words = "For the parts between free hinges, each supported at its ends:";
         blocks.push(Block::Text { words: format!("{words} {}.", each.join(", ")) });
     }
     blocks.extend(facts(|sheet| text::factors::rows(sheet, context)));

@@ -1,7 +1,7 @@
-//! The calculation report before it is set in type: one content for HTML and for PDF.
+//! The content of the calculation report, used for HTML and PDF.
 //!
-//! It says what was given, what is assumed, why there is an equilibrium, what came out, and how anyone can check it. The
-//! words are those of [`text`](crate::text), the figures those of [`svg`](crate::svg).
+//! It contains the input, the assumptions, the existence check, the results and the certificate. It uses the
+//! words of [`text`](crate::text) and the figures of [`svg`](crate::svg).
 
 mod content;
 mod equations;
@@ -20,30 +20,30 @@ use groundbeam_file::{Document, OtherFile};
 use groundbeam_run::{Answers, Asked, Found};
 use std::sync::Arc;
 
-/// Where a report's model comes from.
+/// Origin of a report's model.
 #[derive(Debug, Clone, Copy)]
 pub struct Source<'a> {
-    /// What the file is called.
+    /// Name of the file.
     pub name: &'a str,
-    /// All of the file: the report holds it and its digest.
+    /// Text of the file, which the report contains with its digest.
     pub text: &'a str,
-    /// The model under all of its loads as they are written.
+    /// The model under all of its loads as written.
     pub model: &'a Model,
-    /// The load case of each of its loads, in their order; none for a load to which the file gives none.
+    /// Load case of each load, in order; `None` for a load without a case.
     pub cases: &'a [Option<String>],
-    /// The tables that the file names: surveys and data of the soil.
+    /// Tables that the file names: surveys.
     pub files: &'a [Arc<OtherFile>],
 }
 
 impl<'a> Source<'a> {
-    /// A model file with what it is called.
+    /// A model file with its name.
     pub fn of(document: &'a Document, name: &'a str, text: &'a str) -> Self {
         let (model, cases, files) = (&document.model, &document.cases, &document.files);
         Source { name, text, model, cases, files }
     }
 }
 
-/// The paper on which a report is set.
+/// Paper size of a report.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Paper {
     /// 210 mm × 297 mm.
@@ -52,7 +52,7 @@ pub enum Paper {
     Letter,
 }
 
-/// The report of the answers to a file. Equal results give equal reports, but for the time a context brings along.
+/// The report of the answers to a file. Equal results give equal reports, except for the time in the context.
 pub fn report(answers: &Answers, context: &Context, source: &Source) -> Report {
     let report = match (answers.asked, answers.list.first()) {
         (Asked::One, Some(one)) => {
@@ -84,10 +84,10 @@ pub fn report(answers: &Answers, context: &Context, source: &Source) -> Report {
     }
 }
 
-/// The most rows of a table that stands where it belongs.
+/// Maximum number of rows of a table in its own section.
 const LONGEST: usize = 24;
 
-/// The sections with their long tables in a section of their own behind all others.
+/// The sections, with their long tables moved to a last section.
 fn long_tables_last(mut sections: Vec<Section>) -> Vec<Section> {
     let mut tables = Vec::new();
     for block in sections.iter_mut().flat_map(|section| &mut section.blocks) {

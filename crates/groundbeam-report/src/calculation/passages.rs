@@ -1,4 +1,4 @@
-//! The report of trains that pass: the envelope of all positions.
+//! The calculation report of moving trains: the envelope over all positions.
 
 use super::content::{Block, Key, Report, Section, Table, Verdict, facts, numbers, wording};
 use super::single::{certified, checked, overview, place};
@@ -51,7 +51,7 @@ pub(super) fn trains(passages: &Passages, context: &Context, source: &Source) ->
     }
     sections.extend(proof::provenance(context, source));
     Report {
-        subject: "Beam on ground under trains that pass",
+        subject: "Beam on ground under moving trains",
         verdicts: said,
         key,
         sections,
@@ -67,14 +67,14 @@ fn overall(passages: &Passages) -> Verdict {
             ("bad", "No equilibrium", "in some positions of a train".to_owned())
         }
         Overall::NotConverged => {
-            ("bad", "Not solved", "some positions have no certified answer".to_owned())
+            ("bad", "Not solved", "some positions have no certified result".to_owned())
         }
         Overall::Solved => ("good", "In equilibrium", solved),
     };
     Verdict { tone, head: head.to_owned(), words }
 }
 
-/// Which positions were solved, and where there is no equilibrium.
+/// The solved positions, and those without equilibrium.
 fn ways(all: &[Passage], context: &Context) -> Section {
     let blocks = facts(|sheet| {
         for (i, passage) in all.iter().enumerate() {
@@ -88,9 +88,9 @@ fn ways(all: &[Passage], context: &Context) -> Section {
     Section::new("Positions and equilibrium", blocks.into_iter().collect())
 }
 
-/// The extremes of all, and those of each limit state.
+/// The extremes over all passages, and those for each limit state.
 fn envelope(passages: &Passages, units: Units) -> Section {
-    let caption = "Envelope of all positions; where the first axle then stands";
+    let caption = "Envelope of all positions, with the position of the first axle";
     let mut blocks = vec![Block::Table(extremes(caption, passages, units))];
     for state in passages.limit_states().iter() {
         let caption = format!("Envelope of the limit state {}", state.name());
@@ -141,7 +141,7 @@ fn extremes(caption: &str, passages: &Passages, units: Units) -> Table {
     table
 }
 
-/// A governing value without what is rounding, and the number of its passage.
+/// A governing value with rounding errors set to zero, and the number of its passage.
 fn cleaned(passages: &Passages, field: Field, governing: InPassage) -> (Located, usize) {
     let InPassage { located, passage } = governing;
     (train::cleaned(&passages.all[passage], field, located), passage + 1)
@@ -162,14 +162,14 @@ fn keys(passages: &Passages, units: Units) -> Vec<Key> {
     Key::FIELDS.into_iter().filter_map(largest).collect()
 }
 
-/// The train where it bends the beam most, and the envelopes.
+/// The train at the position of the largest moment, and the envelopes.
 fn diagrams(passages: &Passages, units: Units) -> Section {
     let governing = passages.largest_moment().and_then(|most| {
         let passage = passages.all.get(most.passage)?;
         let (first_axle, solution) = passage.nearest(most.located.first_axle)?;
         let at = units.position(first_axle);
         let caption = format!(
-            "{} where it bends the beam most, first axle at {}",
+            "{} at the position of the largest moment, first axle at {}",
             clean(&passage.label()),
             print::words(&at)
         );

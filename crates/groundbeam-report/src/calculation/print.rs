@@ -1,9 +1,10 @@
-//! Words and numbers for print.
+//! Typography of words and numbers in print.
 
 use crate::number::MINUS;
 use crate::quantity::is_unit;
 
-/// A sentence: true minus signs, powers of ten as powers, units beside their numbers, μ for mu.
+/// Typesets a sentence: true minus signs, superscript powers of ten, units that stay with their numbers, μ
+/// for mu.
 pub(super) fn words(said: &str) -> String {
     let mut printed = String::with_capacity(said.len());
     for (i, word) in said.split(' ').enumerate() {
@@ -21,7 +22,7 @@ pub(super) fn words(said: &str) -> String {
     printed
 }
 
-/// μ, spelled as a keyboard has it, alone or in a quotient.
+/// Replaces `mu`, alone or in a quotient, by μ.
 fn greek(word: &str) -> String {
     match word {
         "mu" => "μ".to_owned(),
@@ -30,7 +31,7 @@ fn greek(word: &str) -> String {
     }
 }
 
-/// A word: its minus sign, and its power of ten.
+/// Typesets a word: its minus sign and its power of ten.
 pub(super) fn cell(word: &str) -> String {
     let mut printed = String::with_capacity(word.len());
     let letters: Vec<char> = word.chars().collect();
@@ -54,7 +55,7 @@ pub(super) fn cell(word: &str) -> String {
     printed
 }
 
-/// `e-13` at the beginning, raised, with its length; followed by no further letter.
+/// `e-13` at the start as a superscript power, with its length. No further letter may follow.
 fn power_of_ten(letters: &[char]) -> Option<(String, usize)> {
     let ['e', rest @ ..] = letters else { return None };
     let sign = usize::from(rest.first().is_some_and(|sign| ['-', MINUS].contains(sign)));
@@ -92,7 +93,7 @@ mod tests {
             let whole = format!("of 12.5\u{a0}{}, and", unit.replace(' ', "\u{a0}"));
             assert_eq!(words(&said), whole);
         }
-        // No number: a name and a word.
+        // Names and words that look like numbers stay unchanged.
         assert_eq!(words("pile-7 type e4, active-set"), "pile-7 type e4, active-set");
     }
 }

@@ -1,4 +1,4 @@
-//! The certificate in words, and the origin of the results.
+//! The certificate, the proof and the origin of the results.
 
 use super::content::{Block, Section, facts};
 use super::{Source, equations};
@@ -15,7 +15,7 @@ pub(super) fn certificate(solution: &Solution) -> Section {
     Section::new("Certificate", blocks)
 }
 
-/// The certificates of several, in the words that the report for a terminal has for them.
+/// The certificates of several solutions, in the words of the terminal report.
 pub(super) fn certificates(say: impl FnOnce(&mut text::sheet::Sheet)) -> Section {
     let mut blocks = explained();
     blocks.extend(facts(say));
@@ -23,18 +23,18 @@ pub(super) fn certificates(say: impl FnOnce(&mut text::sheet::Sheet)) -> Section
 }
 
 fn explained() -> Vec<Block> {
-    let words = "Code that shares nothing with the method checks this answer. From the model and the claimed fields it makes a \
-                 deflection that enters the ground nowhere and a pressure that pulls nowhere and is in balance with the loads. \
-                 It forms their energy gap";
+    let words = "Independent code checks this result. From the model and the computed fields it constructs a \
+                 deflection without penetration and a nonnegative pressure in equilibrium with the loads. \
+                 It computes their energy gap";
     let after = "which is at least half the squared distance of the deflections from the exact solution (w*, u*) in the \
-                 energy norm, whatever method or mesh found them (Prager and Synge). Here it is an estimate: the sums carry \
-                 rounding error. groundbeam solve FILE --proven computes it in numbers that enclose all rounding error, and \
-                 bounds the errors of the printed numbers. An exact answer with a gap above 1e-9 is not printed.";
+                 energy norm, for every method and mesh (Prager and Synge). Here it is an estimate: the sums have \
+                 rounding errors. groundbeam solve FILE --proven computes it with arithmetic that encloses all rounding errors, and \
+                 bounds the errors of the printed numbers. The exact method gives no result if the gap is above 1e-9.";
     let text = |words: &str| Block::Text { words: words.to_owned() };
     vec![text(words), equations::energy_gap(), text(after)]
 }
 
-/// What is proven of the answers, and what has no bound; nothing if no proof is asked for.
+/// The proven statements, and the quantities without a bound; `None` if no proof is requested.
 pub(super) fn proof(context: &Context) -> Option<Section> {
     let first = context.proofs.first()?;
     let mut blocks = Vec::new();
@@ -48,19 +48,19 @@ pub(super) fn proof(context: &Context) -> Option<Section> {
         if first.combination.is_none() { "results" } else { "results of each combination" };
     let words = format!(
         "The {results}, the key figures and the checks are printed as value ± bound: the exact solution of the model differs \
-         from the printed value by at most the bound. Numbers of the sections on input and equilibrium follow from the \
-         input alone, those in figures are rounded; they have no bound."
+         from the printed value by at most the bound. Numbers in the sections on input and equilibrium depend on the \
+         input only, and those in figures are rounded; they have no bound."
     );
     blocks.push(Block::Text { words });
     Some(Section::new("Proof", blocks))
 }
 
-/// Program, input and its digest, and how to make the report again.
+/// The program, the input with its digest, and the command that makes the report.
 pub(super) fn provenance(context: &Context, source: &Source) -> [Section; 2] {
     let name = clean(source.name);
     let units = match context.units.is_plain() {
-        false => "the file gives every quantity a unit; calculated in m, N and rad",
-        true => "the file gives no units: all numbers are in its own consistent system",
+        false => "all quantities of the file have units; calculated in m, N and rad",
+        true => "the file has no units: all numbers are in one consistent system",
     };
     let proven = if context.proofs.is_empty() { "" } else { " --proven" };
     let program = format!("groundbeam {}", env!("CARGO_PKG_VERSION"));
@@ -76,15 +76,13 @@ pub(super) fn provenance(context: &Context, source: &Source) -> [Section; 2] {
     rows.push(("Recompute", format!("groundbeam solve {name} --report report.html{proven}")));
     let list = facts(|sheet| rows.iter().for_each(|(label, words)| sheet.row(label, words)));
     let what = match source.files {
-        [] => {
-            "The input below is all that the answer depends on: saved as a file it has the digest above"
-        }
+        [] => "The result depends only on the input below: saved as a file it has the digest above",
         _ => {
-            "The model file and the tables below are all that the answer depends on: saved as files they have the digests above"
+            "The result depends only on the model file and the tables below: saved as files they have the digests above"
         }
     };
     let words = format!(
-        "{what}, and the same version of the program gives the same bits. Results of every section for other programs: \
+        "{what}, and the same version of the program gives the same bits. For results that other programs can read: \
          groundbeam solve FILE --json."
     );
     let mut blocks: Vec<Block> = list.into_iter().collect();
@@ -96,10 +94,10 @@ pub(super) fn provenance(context: &Context, source: &Source) -> [Section; 2] {
         }
         texts.push(Block::Code { lines: text.lines().map(str::to_owned).collect() });
     }
-    [Section::new("Where this comes from", blocks), Section::new("Input file", texts)]
+    [Section::new("Origin of this report", blocks), Section::new("Input file", texts)]
 }
 
-/// The texts on which the answer depends: the model file, and the tables that it names, each with its name.
+/// The texts on which the result depends: the model file and the tables that it names, each with its name.
 fn inputs<'a>(source: &Source<'a>) -> Vec<(&'static str, String, &'a str)> {
     let last = |name: &str| clean(name.rsplit(['/', '\\']).next().unwrap_or(name));
     let tables = source.files.iter().map(|file| ("Table", last(&file.name), file.text.as_str()));

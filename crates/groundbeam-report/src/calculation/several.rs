@@ -1,4 +1,4 @@
-//! The report of all combinations: each one, and the envelope with the governing combination.
+//! The calculation report of all combinations: each one, and the envelope with the governing combination.
 
 use super::content::{Block, Key, Report, Section, Table, Verdict, facts, numbers, wording};
 use super::single::{certified, checked, overview, place, proven};
@@ -84,7 +84,7 @@ fn overall(all: &Answers) -> Verdict {
     Verdict { tone, head: head.to_owned(), words }
 }
 
-/// Names and factors.
+/// Names and factors of the combinations.
 fn list(all: &Answers) -> Block {
     let columns = vec![numbers("#", ""), wording("combination"), wording("load cases")];
     let mut table = Table::new(noun(all), columns);
@@ -105,7 +105,7 @@ fn list(all: &Answers) -> Block {
     Block::Table(table)
 }
 
-/// What statics says of every combination, and of every load case by itself.
+/// Existence check of each combination, and of each load case alone.
 fn statics(all: &Answers, units: Units) -> Section {
     let heads = |what: &str| {
         vec![
@@ -117,7 +117,7 @@ fn statics(all: &Answers, units: Units) -> Section {
         ]
     };
     let mut table =
-        Table::new("Every combination, before anything is solved", heads("combination"));
+        Table::new("Existence of an equilibrium for each combination", heads("combination"));
     let unit = units.unit(Kind::Force, largest_reaction(all));
     let row = |number: usize, name: &str, model, existence: &Existence| {
         let sentence = verdict::sentence(model, existence, units);
@@ -143,8 +143,8 @@ fn statics(all: &Answers, units: Units) -> Section {
     }
     let mut blocks = vec![Block::Table(table)];
     if !all.alone.is_empty() {
-        let mut alone = Table::new("Every load case by itself", heads("case"));
-        alone.note = "A case that could not stand by itself is no physical state; combinations with it may be.".into();
+        let mut alone = Table::new("Each load case alone", heads("case"));
+        alone.note = "A load case without equilibrium is not a physical state; combinations that contain it may be.".into();
         for (i, case) in all.alone.iter().enumerate() {
             alone.push(row(i + 1, &case.case.name, &case.case.model, &case.existence));
         }
@@ -163,7 +163,7 @@ fn force_unit(all: &Answers, units: Units) -> &'static str {
     units.unit(Kind::Force, largest_reaction(all)).name
 }
 
-/// Contact and extremes, a line each.
+/// Contact and extremes, one row per combination.
 fn each(all: &Answers, solved: &[Numbered], units: Units) -> Section {
     let value = |row: &Numbered, (field, largest): (Field, bool)| {
         let range = row.solution.range(field);
@@ -210,7 +210,7 @@ fn each(all: &Answers, solved: &[Numbered], units: Units) -> Section {
     Section::new("Every combination", vec![Block::Table(table)])
 }
 
-/// Contact, forces and extremes of every combination, with the bounds of their errors.
+/// Contact, forces and extremes of every combination, with error bounds.
 fn bounded(all: &Answers, solved: &[Numbered], units: Units) -> Section {
     let mut blocks = Vec::new();
     for row in solved {
@@ -221,7 +221,7 @@ fn bounded(all: &Answers, solved: &[Numbered], units: Units) -> Section {
     Section::new("Every combination", blocks)
 }
 
-/// The extremes of all with their bounds, and the band of grounds.
+/// The extremes over all combinations with error bounds, and the band of grounds.
 fn bounded_envelope(all: &Answers, solved: &[Numbered], context: &Context) -> Section {
     let block = facts(|sheet| {
         text::bounded_envelope(sheet, &all.envelope(), solved, context.units);
@@ -231,9 +231,9 @@ fn bounded_envelope(all: &Answers, solved: &[Numbered], context: &Context) -> Se
     Section::new("Envelope", block.into_iter().collect())
 }
 
-/// The extremes of all and of each limit state, each with the combination that has it.
+/// The extremes over all combinations and for each limit state, with the governing combination.
 fn envelope(all: &Answers, solved: &[Numbered], units: Units) -> Section {
-    let caption = "Envelope: the smallest and largest values, and the combination that governs";
+    let caption = "Envelope: smallest and largest values, and the governing combination";
     let mut blocks = vec![Block::Table(extremes(caption, all, solved, units))];
     for state in all.limit_states().iter() {
         let caption = format!("Envelope of the limit state {}", state.name());
@@ -272,7 +272,7 @@ fn extremes(caption: &str, all: &Answers, solved: &[Numbered], units: Units) -> 
     table
 }
 
-/// An extreme without what is rounding, and the number of its combination.
+/// An extreme with rounding errors set to zero, and the number of its combination.
 fn known(governing: Governing, field: Field, solved: &[Numbered]) -> (Extreme, usize) {
     let Governing { extreme, by } = governing;
     match solved.get(by) {
@@ -303,7 +303,7 @@ fn keys(all: &Answers, solved: &[Numbered], context: &Context) -> Vec<Key> {
     Key::FIELDS.map(largest).into()
 }
 
-/// The picture of the combination with the largest moment; none where nothing is solved.
+/// The picture of the combination with the largest moment; `None` without a solution.
 fn governing(all: &Answers, units: Units) -> Option<Block> {
     all.solved().next()?;
     let range = all.envelope().range(Field::Moment);
@@ -312,11 +312,14 @@ fn governing(all: &Answers, units: Units) -> Option<Block> {
     let (answer, solution) = all.solved().nth(most.by)?;
     Some(Block::Figure {
         svg: figures::bent(solution, units),
-        caption: format!("The beam under {}, which bends it most", clean(answer.name())),
+        caption: format!(
+            "The beam under {}, the combination with the largest moment",
+            clean(answer.name())
+        ),
     })
 }
 
-/// The envelopes.
+/// Figures of the envelopes.
 fn diagrams(all: &Answers, units: Units) -> Section {
     let drawn = figures::combinations(all, units).into_iter().zip(figures::OF_ENVELOPES);
     let figures = drawn.map(|(svg, field)| Block::Figure {

@@ -1,4 +1,4 @@
-//! The report of one model: its equilibrium, or the reason for its absence.
+//! The calculation report of one model: its equilibrium, or the reason why there is none.
 
 use super::content::{Block, Key, Report, Section, Table, Verdict, facts, numbers, wording};
 use super::{Source, given, print, proof};
@@ -46,7 +46,7 @@ pub(super) fn solved(solution: &Solution, context: &Context, source: &Source) ->
     sections.extend(proof::provenance(context, source));
     let key = key(solution, &numbers);
     Report {
-        subject: "Beam on ground that pushes and does not pull",
+        subject: "Beam on tensionless ground",
         verdicts: said,
         key,
         sections,
@@ -54,13 +54,13 @@ pub(super) fn solved(solution: &Solution, context: &Context, source: &Source) ->
     }
 }
 
-/// Below the verdicts and the governing values: the checks and the picture.
+/// The section after verdicts and key figures: the checks and the picture.
 pub(super) fn overview(checks: Option<Block>, picture: Block) -> Section {
     Section::new("Checks and picture", checks.into_iter().chain([picture]).collect())
 }
 
 fn bent(solution: &Solution, units: Units) -> Block {
-    let caption = "The bent beam on its ground".to_owned();
+    let caption = "The deflected beam on the ground".to_owned();
     Block::Figure { svg: figures::bent(solution, units), caption }
 }
 
@@ -85,7 +85,7 @@ pub(super) fn no_equilibrium(
     Report { subject: "Beam without an equilibrium", verdicts, sections, ..Report::default() }
 }
 
-/// The report of a model that has no certified answer.
+/// The report of a model without a certified result.
 pub(super) fn not_converged(
     model: &Model,
     reached: &Stopped,
@@ -102,31 +102,31 @@ pub(super) fn not_converged(
     let words = format!("{reached}; no result is given, since none could be certified");
     let refused = Verdict { tone: "bad", head: "Not solved".into(), words: print::words(&words) };
     Report {
-        subject: "Beam without an answer",
+        subject: "Beam without a certified result",
         verdicts: vec![refused],
         sections,
         ..Report::default()
     }
 }
 
-/// What the statics say.
+/// Verdict on the existence of an equilibrium.
 pub(super) fn stands(model: &Model, existence: &Existence, units: Units) -> Verdict {
     let wording = verdict::wording(existence.verdict);
     let words = print::words(&verdict::sentence(model, existence, units));
     Verdict { tone: wording.tone.name(), head: wording.head.to_owned(), words }
 }
 
-/// How many checks pass; nothing if none was asked for.
+/// Number of checks that pass; `None` if no check is requested.
 pub(super) fn checked(checks: &[Judged]) -> Option<Verdict> {
     let undecided = checks.iter().filter(|judged| judged.is_undecided()).count();
     let failed = checks.iter().filter(|judged| judged.passes() == Some(false)).count();
     let unjudged = checks.iter().filter(|judged| judged.passes().is_none()).count();
     let mut words = match (checks.len(), failed) {
         (0, _) => return None,
-        (all, 0) if unjudged > 0 => format!("{} of {all} kept", all - unjudged),
-        (1, 0) => "the check asked for is kept".to_owned(),
-        (all, 0) => format!("all {all} are kept"),
-        (all, failed) => format!("{failed} of {all} not kept"),
+        (all, 0) if unjudged > 0 => format!("{} of {all} pass", all - unjudged),
+        (1, 0) => "the requested check passes".to_owned(),
+        (all, 0) => format!("all {all} pass"),
+        (all, failed) => format!("{failed} of {all} fail"),
     };
     if undecided > 0 {
         words += &format!("; {undecided} undecided within the bound");
@@ -142,14 +142,14 @@ pub(super) fn checked(checks: &[Judged]) -> Option<Verdict> {
     Some(Verdict { tone, head: "Checks".to_owned(), words })
 }
 
-/// The energy gap of a solve, an estimate.
+/// The energy gap of a solve, an error estimate.
 pub(super) fn certified(gap: f64) -> Verdict {
     let gap = print::cell(&crate::number::order(gap));
     let words = format!("{}, an estimate of the error", text::certificate::energy_gap(&gap));
     Verdict { tone: "good", head: "Certified".to_owned(), words }
 }
 
-/// Whether all answers are proven; nothing if no proof is asked for.
+/// Whether all results are proven; `None` if no proof is requested.
 pub(super) fn proven(proofs: &[Named]) -> Option<Verdict> {
     let first = proofs.first()?;
     let missing = proofs.iter().filter(|named| !named.is_proven()).count();
@@ -195,7 +195,7 @@ pub(super) fn place(units: Units, x: f64) -> String {
     units.write(Kind::Position, x)
 }
 
-/// Where the beam touches and where not, and every concentrated force.
+/// Contact zones, lift-off zones, and all point forces.
 fn contact(solution: &Solution, written: &Numbers) -> Section {
     let (units, sizes) = (written.units, written.sizes());
     let mut zones: Vec<(f64, f64, Option<Extreme>)> =
@@ -241,7 +241,7 @@ fn diagrams(solution: &Solution, units: Units) -> Section {
     let captions = [
         "Deflection of the beam and of the ground's surface under it",
         "Gap between beam and ground",
-        "Contact pressure, and concentrated contact forces as arrows",
+        "Contact pressure, and point contact forces as arrows",
         "Bending moment, drawn on the tension side",
         "Shear force",
     ];

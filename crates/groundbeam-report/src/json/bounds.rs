@@ -1,4 +1,4 @@
-//! Bounds of the numbers that several combinations give together: envelope, extremes, band and checks.
+//! Writes error bounds of joint numbers of several combinations: envelope, extremes, band and checks.
 
 use super::ByName;
 use crate::checked::rows_of;
@@ -11,12 +11,12 @@ use groundbeam::Field;
 use groundbeam_run::Answers;
 use serde::Serialize;
 
-/// The bounds of a document of combinations; `null` where there is none.
+/// Bounds in a document of combinations; `null` where there is none.
 #[derive(Serialize)]
 pub(super) struct Together {
     envelope: ByName<Ends<Vec<f64>>>,
     extremes: ByName<Ends<f64>>,
-    /// Of the largest force under each end.
+    /// Bounds of the largest force under each end.
     end_forces: Forces,
     #[serde(skip_serializing_if = "Option::is_none")]
     band: Option<ByName<Ends<Spread>>>,
@@ -24,7 +24,7 @@ pub(super) struct Together {
     checks: Vec<JudgedCheck>,
 }
 
-/// The same of the smallest and of the largest value.
+/// Bounds of the smallest and of the largest value.
 #[derive(Serialize)]
 struct Ends<T> {
     min: T,
@@ -48,7 +48,7 @@ struct Spread {
 #[derive(Serialize)]
 pub(super) struct JudgedCheck {
     name: &'static str,
-    /// The combination that governs, of several.
+    /// The governing combination, if there are several.
     #[serde(skip_serializing_if = "Option::is_none")]
     combination: Option<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -75,7 +75,7 @@ impl JudgedCheck {
 }
 
 impl Together {
-    /// The bounds at the stations of the envelope; none if no proof is asked for or nothing is solved.
+    /// Bounds at the stations of the envelope; `None` if no proof is requested or nothing is solved.
     pub fn of(answers: &Answers, stations: &[f64], context: &Context) -> Option<Self> {
         let solved = numbered(answers, context);
         if context.proofs.is_empty() || solved.is_empty() {
@@ -121,7 +121,7 @@ impl Together {
     }
 }
 
-/// The worst of each check in each limit state, with the combination that governs.
+/// The governing result of each check in each limit state, with its combination.
 fn checks(answers: &Answers, context: &Context) -> Vec<JudgedCheck> {
     let rows = rows_of(answers, context);
     let all = verdicts(context.limits, &rows);

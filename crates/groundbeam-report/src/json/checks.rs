@@ -1,4 +1,4 @@
-//! Verdicts on checks in the result document.
+//! Writes verdicts on checks in the result document.
 
 use crate::checked::{Governing, Row, Verdict, verdicts};
 use crate::context::Context;
@@ -8,24 +8,24 @@ use serde::Serialize;
 #[derive(Serialize)]
 pub(super) struct Checked {
     name: &'static str,
-    /// `null` for loads as they are given, and for combinations that name none.
+    /// `null` for loads as given, and for combinations without a limit state.
     limit_state: Option<&'static str>,
-    /// The combination that governs, of several.
+    /// The governing combination, if there are several.
     #[serde(skip_serializing_if = "Option::is_none")]
     combination: Option<String>,
     value: Option<f64>,
     limit: Option<f64>,
     utilisation: Option<f64>,
     x: Option<f64>,
-    /// The concentrated forces under the ends, which a peak pressure leaves out.
+    /// The point contact forces under the ends, which a peak pressure does not include.
     #[serde(skip_serializing_if = "Option::is_none")]
     end_forces: Option<EndForces>,
     #[serde(skip_serializing_if = "Option::is_none")]
     effective_area: Option<Area>,
     clause: Option<&'static str>,
-    /// `null` where it is not judged.
+    /// `null` if it is not judged.
     passes: Option<bool>,
-    /// Why it has no value.
+    /// Reason why it has no value.
     #[serde(skip_serializing_if = "Option::is_none")]
     reason: Option<String>,
 }
@@ -36,7 +36,7 @@ struct Area {
     length: f64,
 }
 
-/// Empty where nothing is asked for.
+/// The verdicts; empty if no checks are requested.
 pub(super) fn of(rows: &[Row], context: &Context) -> Vec<Checked> {
     verdicts(context.limits, rows).iter().map(|verdict| Checked::of(verdict, rows)).collect()
 }

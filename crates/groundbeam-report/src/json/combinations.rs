@@ -1,4 +1,4 @@
-//! The document of a file with combinations: each with its own result, and the envelope of all.
+//! Writes the document of a file with combinations: the result of each one, and the envelope.
 
 use super::bounds::Together;
 use super::existence::Proven;
@@ -13,8 +13,8 @@ use groundbeam_run::{Alone, Answer, Answers, Banded, Found, Overall};
 use serde::Serialize;
 use std::collections::BTreeMap;
 
-/// The document of all combinations, solved or only checked, with the fields at the given positions; left out, each result and the
-/// envelope have those that suit them.
+/// The document of all combinations, solved or only checked, with the fields at the given positions. `None`
+/// selects the default positions of each result and of the envelope.
 pub fn combinations(answers: &Answers, stations: Option<&[f64]>, context: &Context) -> String {
     let names: Vec<&str> = answers.solved().map(|(answer, _)| answer.name()).collect();
     let envelope = answers.envelope();
@@ -49,7 +49,7 @@ pub fn combinations(answers: &Answers, stations: Option<&[f64]>, context: &Conte
     })
 }
 
-/// Where an envelope is listed if nobody says: where each of the solutions would be, and where another combination
+/// Default positions of an envelope: those of all solutions, and the positions where another combination
 /// begins to govern.
 pub fn envelope_stations(answers: &Answers) -> Vec<f64> {
     answers.envelope().stations(EVEN_STEPS)
@@ -131,7 +131,7 @@ struct One<'a> {
     result: Result<'a>,
 }
 
-/// What k and μ are multiplied by.
+/// Factors on k and μ.
 #[derive(Serialize)]
 struct GroundFactors {
     k: f64,
@@ -221,7 +221,7 @@ struct Changed<'a> {
     to: &'a str,
 }
 
-/// An envelope that calls solutions by the names of their combinations.
+/// An envelope in which combinations have names.
 struct Named<'e, 'a> {
     envelope: &'e Envelope<'e>,
     names: &'e [&'a str],

@@ -1,4 +1,4 @@
-//! The answers of several methods to one model, as a document.
+//! Writes the results of several methods for one model as a document.
 
 use crate::context::Context;
 use groundbeam::Solution;
@@ -28,7 +28,7 @@ struct Row {
     seconds: f64,
 }
 
-/// The document of the answers of several methods, of which the first is the exact one.
+/// The document of the results of several methods. The first one is the exact method.
 pub fn comparison(answers: &Answers, context: &Context) -> String {
     let exact = answers.list.first().and_then(Answer::solution);
     let row = |(i, answer): (usize, &Answer)| {

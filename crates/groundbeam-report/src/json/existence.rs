@@ -1,4 +1,4 @@
-//! The verdict on existence, in the result document.
+//! Writes the verdict on existence in the result document.
 
 use crate::context::Context;
 use crate::verdict::{sentence, wording};
@@ -8,7 +8,7 @@ use serde::Serialize;
 #[derive(Serialize)]
 pub(super) struct Proven {
     verdict: &'static str,
-    /// Under the ends, and under each free hinge between them.
+    /// Static reactions at the ends, and at each free hinge between them.
     static_reactions: Vec<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     failing_motion: Option<Motion>,
@@ -63,7 +63,7 @@ impl Proven {
 pub(super) struct Motion {
     #[serde(flatten)]
     motion: RigidMotion,
-    /// r at each hinge, in the order of the model's hinges.
+    /// Displacement r of the motion at each hinge, in the order of the model's hinges.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     hinges: Vec<f64>,
 }

@@ -1,4 +1,4 @@
-//! Load factors in the result document.
+//! Writes load factors in the result document.
 
 use super::existence::Motion;
 use groundbeam::{FirstLiftOff, LossOfEquilibrium, Model};
@@ -7,7 +7,7 @@ use serde::Serialize;
 
 #[derive(Serialize)]
 pub(super) struct Grown<'a> {
-    /// Left out: all loads grow.
+    /// Empty if all loads grow.
     #[serde(skip_serializing_if = "<[String]>::is_empty")]
     cases: &'a [String],
     first_lift_off: FirstLiftOff,
@@ -24,7 +24,7 @@ struct Loss {
 }
 
 impl<'a> Grown<'a> {
-    /// Without a model, as for one that was not solved, motions say nothing of hinges.
+    /// Without a model, motions have no data of hinges.
     pub fn of(factors: &'a Factors, model: Option<&Model>) -> Self {
         let (when, factor, motion) = match factors.found.loss_of_equilibrium {
             LossOfEquilibrium::AtOnce(motion) => ("at-once", None, Some(motion)),

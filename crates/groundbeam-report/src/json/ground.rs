@@ -1,4 +1,4 @@
-//! The origin of the ground's constants in the result document.
+//! Writes the origin of the ground's constants in the result document.
 
 use groundbeam::Model;
 use groundbeam::soil::SoilModel;
@@ -12,7 +12,7 @@ pub(super) struct Ground {
     width: f64,
     k: f64,
     mu: f64,
-    /// k and mu of an area.
+    /// k and μ per area.
     #[serde(rename = "C1")]
     area_spring: f64,
     #[serde(rename = "C2")]

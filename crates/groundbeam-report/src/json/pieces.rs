@@ -1,4 +1,4 @@
-//! The answer piece by piece, as the proof reads it.
+//! Writes the pieces of the solution, which the proof reads.
 
 use super::bounds::JudgedCheck;
 use super::{Along, ByName};
@@ -13,7 +13,7 @@ use groundbeam_file::{UnitSystem, write_toml};
 use serde::Serialize;
 use std::collections::BTreeMap;
 
-/// Pieces and concentrated forces of a solution.
+/// Pieces and point forces of a solution.
 #[derive(Serialize)]
 pub(super) struct Claimed {
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -26,7 +26,7 @@ pub(super) struct Claimed {
     proof: Option<Proof>,
 }
 
-/// A piece; of t = (x − (x₀ + x₁)/2)/half.
+/// A piece, as polynomials of t = (x − (x₀ + x₁)/2)/half.
 #[derive(Serialize)]
 struct Stretch {
     x: [f64; 2],
@@ -50,7 +50,7 @@ struct Concentrated {
 }
 
 impl Claimed {
-    /// The pieces, and the fields on the left of those listed positions where a field jumps.
+    /// The pieces, and the fields just left of the listed positions where a field jumps.
     pub fn of(solution: &Solution, positions: &[f64], context: &Context) -> Self {
         let (_, Answer { pieces, forces, .. }) = solution.claim::<f64>();
         let stretch = |piece: Piece| Stretch {
@@ -74,7 +74,7 @@ impl Claimed {
     }
 }
 
-/// The fields on the left of the positions where they differ from those on the right.
+/// The fields just left of the positions where they differ from those on the right.
 fn left_of_jumps(solution: &Solution, positions: &[f64]) -> Along<Vec<f64>> {
     let both = positions.iter().map(|&x| (x, [Side::Left, Side::Right].map(|s| solution.at(x, s))));
     let inside = |x: f64| x > 0.0 && x < solution.model().beam.length;
@@ -86,7 +86,7 @@ fn left_of_jumps(solution: &Solution, positions: &[f64]) -> Along<Vec<f64>> {
     Along::fields_at(solution, x, fields)
 }
 
-/// The text of a model file with the model that was solved: its ground by constants, all its loads with their factors.
+/// Model file of the solved model: ground as constants, and all loads with their factors.
 fn model_file(solution: &Solution, units: Units) -> String {
     let mut model = solution.model().clone();
     model.foundation.soil = None;
@@ -94,30 +94,32 @@ fn model_file(solution: &Solution, units: Units) -> String {
     write_toml(&model, None, units)
 }
 
-/// What is proven of the answer.
+/// The proven statements about the solution.
 #[derive(Serialize)]
 pub(super) struct Proof {
-    /// `proven`, or the first reason why it is not.
+    /// `proven`, or the first reason why it is not proven.
     statement: String,
     scalar: &'static str,
     #[serde(skip_serializing_if = "Option::is_none")]
     energy: Option<f64>,
-    /// Of each quantity: of a field one, else one for each number in the order of the document, `null` where there is none.
+    /// Bounds of each quantity: one for a field, otherwise one for each number in the order of the document;
+    /// `null` if there is none.
     bounds: BTreeMap<&'static str, Errors>,
-    /// Of each extreme the intervals that hold all places of the exact one; of a field without such intervals nothing.
+    /// For each extreme, the intervals that contain all exact positions; without such intervals the field is
+    /// left out.
     #[serde(skip_serializing_if = "ByName::is_empty")]
     places: ByName<Places>,
-    /// The bound of the value of each check, `null` where there is none, and what follows of its limit.
+    /// Bound of the value of each check, `null` if there is none, and the resulting judgement.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     checks: Vec<JudgedCheck>,
-    /// Why a quantity has no bound at all.
+    /// Reason why a quantity has no bound.
     #[serde(skip_serializing_if = "BTreeMap::is_empty")]
     not_proven: BTreeMap<&'static str, String>,
     exists: bool,
     unique: bool,
 }
 
-/// The bounds of one field, or of several numbers.
+/// Bounds of one field, or of several numbers.
 #[derive(Serialize)]
 #[serde(untagged)]
 enum Errors {
@@ -125,7 +127,7 @@ enum Errors {
     Numbers(Vec<f64>),
 }
 
-/// The intervals that hold the places of the smallest and of the largest value.
+/// Intervals that contain the positions of the smallest and of the largest value.
 #[derive(Serialize)]
 struct Places {
     #[serde(skip_serializing_if = "Vec::is_empty")]

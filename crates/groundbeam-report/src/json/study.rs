@@ -1,4 +1,4 @@
-//! The document of a study.
+//! Writes the document of a study.
 
 use super::text;
 use crate::context::Context;

@@ -1,4 +1,4 @@
-//! The document of passages: each train, the positions that were solved, and the envelope.
+//! Writes the document of passages: each train, the solved positions, and the envelope.
 
 use super::{Along, ByName, Extremes, FreeSpan, Head, Lines, checks, text};
 use crate::context::Context;
@@ -9,8 +9,8 @@ use groundbeam_file::MovingTrain;
 use groundbeam_run::{InPassage, Located, Opened, Overall, Passage, Passages, Uplift};
 use serde::Serialize;
 
-/// The document of passages, with the envelopes at the given sections; left out, at those that suit them. Of a single
-/// passage it is that one's own.
+/// The document of passages, with the envelopes at the given sections; `None` selects the default sections.
+/// For a single passage it is the document of that passage.
 pub fn trains(passages: &Passages, stations: Option<&[f64]>, context: &Context) -> String {
     if let [passage] = passages.all[..] {
         let head = Head::new(passage.overall().name(), context);
@@ -44,7 +44,7 @@ pub fn trains(passages: &Passages, stations: Option<&[f64]>, context: &Context) 
     })
 }
 
-/// The document of trains that were not solved for: where along their ways there is no equilibrium.
+/// The document of an existence check of trains: ranges of positions without equilibrium.
 pub fn checked_trains(passages: &Passages, context: &Context) -> String {
     let status = match passages.overall() {
         Overall::NoEquilibrium => "no-equilibrium",
@@ -142,7 +142,7 @@ struct One<'a> {
     extremes: Option<ByName<Option<Extremes<Located>>>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     uplift: Option<Uplift>,
-    /// Left out where nothing was solved.
+    /// Left out if nothing was solved.
     #[serde(skip_serializing_if = "Option::is_none")]
     free_spans: Option<FreeSpans>,
 }
@@ -179,13 +179,13 @@ struct Train<'a> {
     case: Option<&'a str>,
     factor: f64,
     dynamic: f64,
-    /// Where loads without end act, of those places that were tried.
+    /// Placement of the unbounded loads.
     spread: &'static str,
     axles: &'a [Axle],
-    /// What has no end is `null` there.
+    /// An unbounded end is `null`.
     uniform: &'a [UniformPart],
     range: Stretch,
-    /// Positions that were solved.
+    /// Number of solved positions.
     positions: usize,
     error: Error,
     without_equilibrium: Vec<Stretch>,
@@ -204,7 +204,7 @@ impl Stretch {
     }
 }
 
-/// Relative to each field's largest value.
+/// Errors relative to each field's largest value.
 #[derive(Serialize)]
 struct Error {
     stated: f64,
@@ -253,7 +253,7 @@ fn envelope_of_all(passages: &Passages, x: Vec<f64>) -> Along<Lines<f64>> {
     envelope(x, passages.fields(), |x| passages.at(x), true)
 }
 
-/// What governs is the position of the first axle.
+/// The envelope; the governing data are positions of the first axle.
 fn envelope(
     x: Vec<f64>,
     fields: impl Iterator<Item = Field>,
@@ -280,7 +280,7 @@ fn envelope(
     Along { fields: ByName::of(fields, lines), x }
 }
 
-/// The longest stretch in the air and the one with the largest gap; `null` where nothing lifts.
+/// The longest lifted stretch and the one with the largest gap; `null` without lift-off.
 #[derive(Serialize)]
 struct FreeSpans {
     longest: Option<Span>,

@@ -1,4 +1,4 @@
-//! What is proven of a result document, as a document.
+//! Writes the proven statements about a result document as a document.
 
 use super::text;
 use crate::verified::{ModelOf, Named, Verified};
@@ -35,7 +35,7 @@ struct Document<'a> {
     results: Vec<Of<'a>>,
 }
 
-/// The number of combinations of the file, and those that the document does not hold.
+/// Number of combinations of the file, and those that the document does not contain.
 #[derive(Serialize)]
 struct Missing<'a> {
     all: usize,
@@ -54,10 +54,10 @@ struct Of<'a> {
     energy: Option<f64>,
     #[serde(skip_serializing_if = "BTreeMap::is_empty")]
     bounds: BTreeMap<&'static str, Pair>,
-    /// The bounds of edges, forces and reactions one by one, in the order of the document.
+    /// Bounds of edges, forces and reactions one by one, in the order of the document.
     #[serde(skip_serializing_if = "BTreeMap::is_empty")]
     each: BTreeMap<&'static str, Vec<f64>>,
-    /// Of each listed extreme, in the order of the fields, the intervals that hold the places of the exact one.
+    /// For each listed extreme, in the order of the fields, the intervals that contain the exact positions.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     places: Vec<Place<'a>>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -72,7 +72,7 @@ struct Pair {
     scale: f64,
 }
 
-/// Where an extreme is; no places if none is shown.
+/// The proven positions of an extreme; empty if there are none.
 #[derive(Serialize)]
 struct Place<'a> {
     field: &'a str,

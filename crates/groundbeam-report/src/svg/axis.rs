@@ -1,9 +1,9 @@
-//! Round numbers for axes.
+//! Computes round numbers for axes.
 
 use crate::quantity::Unit;
 
-/// Multiples of 1, 2 or 5 times a power of ten that lie in a range, in the largest steps that give at
-/// least so many.
+/// Multiples of 1, 2 or 5 times a power of ten in a range, with the largest step that gives at least `least`
+/// of them.
 pub(super) fn ticks([low, high]: [f64; 2], least: usize) -> Vec<f64> {
     let range = high - low;
     if !(range > 0.0 && range.is_finite()) {
@@ -26,7 +26,7 @@ pub(super) fn ticks([low, high]: [f64; 2], least: usize) -> Vec<f64> {
     within(step).map(|i| i as f64 * step).collect()
 }
 
-/// The same of a quantity that is printed in a unit: round numbers of this unit.
+/// Ticks of a quantity with a unit: round numbers of this unit.
 pub(super) fn ticks_in(unit: Unit, range: [f64; 2], least: usize) -> Vec<f64> {
     let all = ticks(range.map(|end| end / unit.size), least);
     all.into_iter().map(|tick| tick * unit.size).collect()
@@ -34,8 +34,8 @@ pub(super) fn ticks_in(unit: Unit, range: [f64; 2], least: usize) -> Vec<f64> {
 
 const LEADS: [f64; 3] = [1.0, 2.0, 5.0];
 
-/// The largest of `leads` times a power of ten that is not above a positive value; with `up`, the
-/// smallest that is not below it.
+/// The largest of `leads` times a power of ten that is not above a positive value; with `up`, the smallest
+/// that is not below it.
 pub(super) fn round_down_to(value: f64, leads: &[f64], up: bool) -> f64 {
     let power = value.log10().floor() as i32;
     let size = |lead: f64, power: i32| lead * 10.0_f64.powi(power);

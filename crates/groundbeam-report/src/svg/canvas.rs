@@ -1,10 +1,10 @@
-//! A drawing: shapes and lines of text, and how far up and down they reach.
+//! A drawing: shapes, lines of text, and its vertical extent.
 
 use super::paint::{Colour, Fill, Paint, number};
 use crate::font;
 use std::fmt::{self, Display, Formatter, Write};
 
-/// How a line of text stands to its position.
+/// Alignment of a line of text relative to its position.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Anchor {
     Start,
@@ -18,7 +18,7 @@ pub(crate) struct Style {
     pub size: f64,
     pub bold: bool,
     pub(super) colour: Colour,
-    /// Whether the words keep a pale rim, to be read across lines.
+    /// Whether the text has a pale rim, for readability across lines.
     pub(super) rim: bool,
 }
 
@@ -48,7 +48,7 @@ pub(crate) struct Text {
     pub words: String,
 }
 
-/// The words for a renderer that knows fonts.
+/// The text for a renderer with fonts.
 impl Display for Text {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         let [x, y] = self.at.map(number);
@@ -73,7 +73,7 @@ enum Shape {
     Arc { ends: [[f64; 2]; 2], radius: f64, clockwise: bool },
 }
 
-/// The name of the element and its place.
+/// Name of the element and its coordinates.
 impl Display for Shape {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         match self {
@@ -106,13 +106,13 @@ impl Display for Shape {
     }
 }
 
-/// The attributes of a group of elements.
+/// Attributes of a group of elements.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Group {
-    /// Moved down.
+    /// Shifted downward.
     Down(f64),
     Ground,
-    /// A beam that moves, with the transform that lays it back where it is straight.
+    /// A moving beam, with the transform that returns it to its straight position.
     Moves(Option<String>),
 }
 
@@ -134,11 +134,11 @@ enum Element {
     Group(Group, Vec<Element>),
 }
 
-/// A drawing in coordinates of its own.
+/// A drawing in its own coordinates.
 #[derive(Debug, Default)]
 pub(super) struct Canvas {
     elements: Vec<Element>,
-    /// The highest and the lowest point of what was drawn.
+    /// Highest and lowest point of the drawing.
     reach: Option<[f64; 2]>,
 }
 
@@ -147,12 +147,12 @@ impl Canvas {
         Canvas::default()
     }
 
-    /// How far up and down the drawing reaches.
+    /// Highest and lowest point of the drawing.
     pub fn reach(&self) -> [f64; 2] {
         self.reach.unwrap_or([0.0, 0.0])
     }
 
-    /// Makes room that nothing is drawn in.
+    /// Includes a height in the extent without drawing.
     pub fn reserve(&mut self, y: f64) {
         let [top, bottom] = self.reach.unwrap_or([y, y]);
         self.reach = Some([top.min(y), bottom.max(y)]);
@@ -175,13 +175,13 @@ impl Canvas {
         self.shape(Shape::Circle { centre, radius }, paint);
     }
 
-    /// Straight lines from point to point.
+    /// Straight lines between points.
     pub fn polyline(&mut self, points: &[[f64; 2]], closed: bool, paint: impl Into<Paint>) {
         points.iter().for_each(|point| self.reserve(point[1]));
         self.shape(Shape::Polyline { points: points.to_vec(), closed }, paint);
     }
 
-    /// The shorter arc of a circle between two points. Its reach does not count.
+    /// The shorter arc of a circle between two points. It does not count for the extent.
     pub fn arc(
         &mut self,
         ends: [[f64; 2]; 2],
@@ -206,12 +206,12 @@ impl Canvas {
         self.elements.push(Element::Text(Text { at, anchor, style, words: words.to_owned() }));
     }
 
-    /// Another drawing, moved down by `dy`.
+    /// Adds another drawing, shifted downward by `dy`.
     pub fn place(&mut self, other: Canvas, dy: f64) {
         self.add(other, Group::Down(dy), dy);
     }
 
-    /// Another drawing as one group that has attributes of its own.
+    /// Adds another drawing as a group with its own attributes.
     pub fn group(&mut self, other: Canvas, group: Group) {
         self.add(other, group, 0.0);
     }
@@ -223,13 +223,13 @@ impl Canvas {
         self.elements.push(Element::Group(group, other.elements));
     }
 
-    /// The whole picture, from y = 0.
+    /// The complete picture, from y = 0.
     pub fn finish(self, width: f64, height: f64, title: &str) -> Picture {
         Picture { elements: self.elements, size: [width, height], title: title.to_owned() }
     }
 }
 
-/// A finished picture. Its `Display` is an SVG file with the words as text.
+/// A finished picture. Its `Display` is an SVG file with text elements.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Picture {
     elements: Vec<Element>,
@@ -238,7 +238,7 @@ pub struct Picture {
 }
 
 impl Picture {
-    /// The picture as an SVG file, each line of text as `text` writes it.
+    /// The picture as an SVG file; `text` writes each line of text.
     pub(crate) fn written(&self, text: &dyn Fn(&Text, &mut String)) -> String {
         let [width, height] = self.size.map(number);
         let mut svg = format!(
@@ -281,7 +281,7 @@ fn write_all(elements: &[Element], text: &dyn Fn(&Text, &mut String), svg: &mut 
     }
 }
 
-/// Text within XML, with the minus sign that print has.
+/// Escapes text for XML, with true minus signs.
 fn escaped(words: &str) -> String {
     let mut escaped = String::with_capacity(words.len());
     for c in words.chars() {
@@ -295,7 +295,7 @@ fn escaped(words: &str) -> String {
     escaped
 }
 
-/// Words as print has them: a true minus sign before every digit. The hyphen of a unit, as in kip-ft, stays.
+/// Typesets text: a true minus sign before every digit. The hyphen of a unit, as in kip-ft, stays.
 pub(super) fn printed(words: &str) -> String {
     let mut printed = String::with_capacity(words.len());
     let mut letters = words.chars().peekable();

@@ -1,4 +1,4 @@
-//! A field drawn over the beam's length: zero line, curve, extremes in words.
+//! Draws a field over the beam's length: zero line, curve, labelled extremes.
 
 use super::axis;
 use super::canvas::{Anchor, Canvas, printed};
@@ -11,40 +11,40 @@ use crate::font::Metrics;
 use crate::quantity::{Kind, Unit, Units};
 use groundbeam::{Extreme, Field};
 
-/// Where it begins, below the baseline of its title.
+/// Distance from the baseline of the title to the top of the diagram.
 const TOP: f64 = 9.0;
-/// The height of a diagram without its title.
+/// Height of a diagram without its title.
 const HEIGHT: f64 = 136.0;
-/// The same where there is nothing to draw.
+/// Height of an empty diagram.
 const EMPTY: f64 = 30.0;
-/// The part of the height that the values take up; the rest is for labels.
+/// Fraction of the height for the values; the rest is for labels.
 const FILLED: f64 = 0.68;
-/// The longest arrow of a concentrated force.
+/// Length of the longest arrow of a point force.
 const LONGEST_ARROW: f64 = 50.0;
 
-/// What is drawn.
+/// Content of a diagram.
 pub(super) struct Diagram<'a> {
     pub title: &'a str,
     pub note: &'a str,
     pub kind: Kind,
     pub units: Units,
     pub colour: Colour,
-    /// Whether positive values are drawn downward.
+    /// Whether positive values point downward.
     pub downward: bool,
     pub values: Vec<(f64, f64)>,
-    /// The lower line of an envelope, of which `values` is the upper one; empty if there is one line only.
+    /// Lower line of an envelope whose upper line is `values`; empty for a single line.
     pub lower: Vec<(f64, f64)>,
-    /// Thin lines: those that make an envelope, or another one beside the values.
+    /// Thin lines: the members of an envelope, or a second line.
     pub thin: Vec<Vec<(f64, f64)>>,
     pub extremes: Vec<Extreme>,
-    /// Concentrated forces that push the beam up, with what to call them.
+    /// Point forces that push the beam up, with their labels.
     pub forces: Vec<(f64, f64, String)>,
-    /// Positions at which contact begins or ends.
+    /// Positions of contact edges.
     pub edges: &'a [f64],
 }
 
 impl Diagram<'static> {
-    /// The empty diagram of a field.
+    /// An empty diagram of a field.
     pub fn of(field: Field, units: Units) -> Self {
         let (note, colour) = match field {
             Field::Pressure => (field.positive(), Colour::Pressure),
@@ -70,7 +70,7 @@ impl Diagram<'static> {
     }
 }
 
-/// Of the contact pressure only the largest: the smallest is zero, or of no interest.
+/// Extremes to be labelled. For the contact pressure only the largest: the smallest is zero or irrelevant.
 pub(super) fn worth_naming(field: Field, mut extremes: Vec<Extreme>) -> Vec<Extreme> {
     if field == Field::Pressure {
         extremes.truncate(1);
@@ -78,7 +78,7 @@ pub(super) fn worth_naming(field: Field, mut extremes: Vec<Extreme>) -> Vec<Extr
     extremes
 }
 
-/// The fields whose envelopes are drawn, from above.
+/// Fields whose envelopes are drawn, from top to bottom.
 pub(crate) const OF_ENVELOPES: [Field; 4] =
     [Field::Deflection, Field::Pressure, Field::Moment, Field::ShearForce];
 
@@ -121,11 +121,11 @@ impl Diagram<'_> {
     fn title(&self, canvas: &mut Canvas, frame: &Frame, unit: Unit, metrics: &Metrics) {
         let title = format!("{}{}", self.title, unit.bracketed());
         canvas.text([LEFT, 0.0], Anchor::Start, PANEL_TITLE, &title);
-        // The title is semi-bold, a little wider than it is measured.
+        // The title is semi-bold, so it is slightly wider than measured.
         let x = LEFT + 1.06 * metrics.width(&title, PANEL_TITLE.size) + 12.0;
         let is_empty = self.range() == [0.0, 0.0] && self.forces.is_empty();
         let note = if is_empty { "zero everywhere" } else { self.note };
-        // On a narrow page only as much of it as there is room for.
+        // On a narrow page the note is shortened to the available width.
         let first = note.split(';').next().unwrap_or_default();
         let fits = |words: &&str| x + metrics.width(words, NOTE.size) <= frame.width - 4.0;
         let note = [note, first].into_iter().find(fits).unwrap_or_default();
@@ -171,7 +171,7 @@ impl Diagram<'_> {
         self.thin(canvas, frame, scale);
         let points = on_page(&self.values, frame, scale);
         let zero = scale.y(0.0);
-        // The ends close the area, and the curve meets the zero line there as the jump it is.
+        // The endpoints close the area and show the jump to the zero line.
         let mut closed = vec![[frame.x(0.0), zero]];
         closed.extend(points);
         closed.push([frame.x(frame.length), zero]);
@@ -181,7 +181,7 @@ impl Diagram<'_> {
         labels.avoid_line(&closed);
     }
 
-    /// The area between the two lines of an envelope, and what makes it.
+    /// The area between the two lines of an envelope, and its members.
     fn band(&self, canvas: &mut Canvas, frame: &Frame, scale: &Scale, labels: &mut Labels) {
         let [upper, lower] =
             [&self.values, &self.lower].map(|line| simplified(&on_page(line, frame, scale)));
@@ -203,7 +203,7 @@ impl Diagram<'_> {
         }
     }
 
-    /// Forces push from below up to the zero line.
+    /// Arrows of forces that point up to the zero line.
     fn arrows(&self, canvas: &mut Canvas, frame: &Frame, scale: &Scale, labels: &mut Labels) {
         let largest = self.forces.iter().fold(0.0_f64, |most, force| most.max(force.1.abs()));
         let zero = scale.y(0.0);
@@ -248,12 +248,12 @@ impl Diagram<'_> {
     }
 }
 
-/// A line from the beam to the page.
+/// Converts a line from beam coordinates to page coordinates.
 fn on_page(line: &[(f64, f64)], frame: &Frame, scale: &Scale) -> Vec<[f64; 2]> {
     line.iter().map(|&(x, value)| [frame.x(x), scale.y(value)]).collect()
 }
 
-/// From values to the height of the page.
+/// Scale from values to heights on the page.
 struct Scale {
     range: [f64; 2],
     per_value: f64,
@@ -274,7 +274,7 @@ impl Scale {
     }
 }
 
-/// A straight arrow with its head at the second point, up or down.
+/// A straight arrow, up or down, with its head at the second point.
 pub(super) fn arrow(
     canvas: &mut Canvas,
     [x, from]: [f64; 2],

@@ -1,4 +1,4 @@
-//! The picture of all combinations: envelopes of deflection, pressure, moment and shear force.
+//! Draws the picture of all combinations: envelopes of deflection, pressure, moment and shear force.
 
 use super::canvas::{Canvas, Picture};
 use super::diagram::{Diagram, OF_ENVELOPES, worth_naming};
@@ -11,10 +11,10 @@ use crate::quantity::Units;
 use groundbeam::{ByField, Envelope, Field, Side, Solution};
 use groundbeam_run::Answers;
 
-/// Even steps along the beam: finer than a screen.
+/// Equal steps along the beam, finer than a screen.
 const EVEN_STEPS: usize = 1200;
 
-/// The envelopes of all combinations that were solved, each combination a thin line.
+/// Envelopes of all solved combinations; each combination is a thin line.
 pub fn combinations(answers: &Answers, context: &Context) -> Picture {
     let solutions: Vec<&Solution> = answers.solved().map(|(_, solution)| solution).collect();
     let title = context.clean_title();
@@ -60,7 +60,7 @@ pub(super) fn diagrams(envelope: &Envelope, units: Units) -> [Diagram<'static>; 
     })
 }
 
-/// The lines of smallest and largest values of all fields, with both sides of every jump.
+/// Lines of the smallest and largest values of all fields, with both sides of every jump.
 fn lines(envelope: &Envelope, stations: &[f64]) -> ByField<[Vec<(f64, f64)>; 2]> {
     let mut lines = Field::ALL.map(|_| [Vec::new(), Vec::new()]);
     for &x in stations {

@@ -1,4 +1,5 @@
-//! Figures for paper: one drawing or diagram each, so that a page may end between any two.
+//! Draws the figures of calculation reports: one drawing or diagram each, so that a page can break between
+//! them.
 
 use super::canvas::Canvas;
 pub(crate) use super::diagram::OF_ENVELOPES;
@@ -11,14 +12,14 @@ use crate::quantity::Units;
 use groundbeam::{Field, Model, RigidMotion, Solution};
 use groundbeam_run::{Answers, Passages};
 
-/// The model as it is given; where there is no equilibrium, with the motion that proves it.
+/// The model as given; without equilibrium, with the motion that proves it.
 pub(crate) fn model(model: &Model, motion: Option<RigidMotion>, units: Units) -> String {
     let (frame, metrics) = (Frame::narrow(model), Metrics::new());
     let drawing = sketch::draw(model, motion, units, &frame, &metrics);
     alone(drawing, &frame, None, "The model")
 }
 
-/// The bent beam on its ground.
+/// The deflected beam on the ground.
 pub(crate) fn bent(solution: &Solution, units: Units) -> String {
     let (frame, metrics) = (Frame::narrow(solution.model()), Metrics::new());
     let drawing = system::draw(solution, units, &frame, &Samples::of(solution), &metrics);
@@ -46,13 +47,13 @@ pub(crate) fn fields(solution: &Solution, units: Units) -> Vec<String> {
     drawn(all, solution.model(), units)
 }
 
-/// The envelopes of combinations; none if nothing was solved.
+/// Envelopes of combinations; empty if nothing was solved.
 pub(crate) fn combinations(all: &Answers, units: Units) -> Vec<String> {
     let Some((_, first)) = all.solved().next() else { return Vec::new() };
     drawn(envelope::diagrams(&all.envelope(), units).into_iter(), first.model(), units)
 }
 
-/// The envelopes of passages; none if nothing was solved.
+/// Envelopes of passages; empty if nothing was solved.
 pub(crate) fn trains(passages: &Passages, units: Units) -> Vec<String> {
     let first = passages.all.iter().find_map(|passage| Some((passage, passage.solved().next()?)));
     let Some((passage, (_, solution))) = first else { return Vec::new() };
@@ -68,7 +69,7 @@ fn drawn<'a>(all: impl Iterator<Item = Diagram<'a>>, model: &Model, units: Units
     all.map(figure).collect()
 }
 
-/// One panel as a file of its own, over the positions along the beam where they are asked for.
+/// One panel as a separate file, with an axis of positions if requested.
 fn alone(panel: Canvas, frame: &Frame, axis: Option<Units>, title: &str) -> String {
     const EDGE: f64 = 4.0;
     let [top, bottom] = panel.reach();

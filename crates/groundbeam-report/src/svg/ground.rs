@@ -1,4 +1,4 @@
-//! The ground beside the beam: trenches, walls, stretches of other ground, and what stands on its surface.
+//! Draws the ground outside the beam: trenches, walls, segments, and loads on its surface.
 
 use super::canvas::Style;
 use super::canvas::{Anchor, Canvas, printed};
@@ -10,14 +10,14 @@ use super::style::{DISTRIBUTED, LABEL, NOTE};
 use crate::quantity::{Kind, Units};
 use groundbeam::{Extent, FoundationSegment, GroundEnd, Load, Model, Profile};
 
-/// How high the largest force on the ground is drawn.
+/// Height of the largest point force on the ground.
 const FORCE: f64 = 34.0;
-/// How high the largest distributed load is drawn.
+/// Height of the largest distributed load.
 const SPREAD: f64 = 18.0;
-/// How far a wall stands out of the ground.
+/// Height of a wall above the ground.
 const WALL: f64 = 30.0;
 
-/// How much ground is drawn beyond each end: less where it ends.
+/// Width of the drawn ground beyond each end; shorter if the ground ends.
 pub(super) fn margins(model: &Model, frame: &Frame) -> [f64; 2] {
     [false, true].map(|right| {
         let end = model.foundation.ends[usize::from(right)].at();
@@ -26,8 +26,8 @@ pub(super) fn margins(model: &Model, frame: &Frame) -> [f64; 2] {
     })
 }
 
-/// Ground below a surface, with its ends; beside the beam, stiffer ground than under the beam's end is darker and softer
-/// ground paler.
+/// The ground below a surface, with its ends. Outside the beam, ground that is stiffer than under the beam's
+/// end is darker, softer ground is paler.
 ///
 /// `line` is the surface on the page, from left to right.
 pub(super) fn draw(
@@ -57,7 +57,7 @@ pub(super) fn draw(
     canvas.polyline(line, false, Fill::NONE.and(edge));
     let corners = [line.first(), line.last()];
     for (corner, end) in corners.into_iter().zip(model.foundation.ends) {
-        // Where it goes on beyond the picture it does not end there.
+        // An end beyond the picture is not drawn.
         let is_here = |corner: &[f64; 2]| {
             end.at().is_some_and(|at| (frame.x(at) - corner[0]).abs() < 1e-6 * frame.width)
         };
@@ -72,7 +72,7 @@ pub(super) fn draw(
     }
 }
 
-/// Whether a stretch is stiffer than the ground under an end of the beam; none where it is the same.
+/// Whether a segment is stiffer than the ground under an end of the beam; `None` if equal.
 fn is_stiffer(segment: &FoundationSegment, model: &Model, right: bool) -> Option<bool> {
     let middle = |profile: &Profile| 0.5 * (profile.start() + profile.end());
     let end = if right { model.beam.length * (1.0 - f64::EPSILON) } else { 0.0 };
@@ -82,7 +82,7 @@ fn is_stiffer(segment: &FoundationSegment, model: &Model, right: bool) -> Option
     apart.map(|(own, end)| own > end)
 }
 
-/// The constants of stretches beside the beam, written into them where there is room.
+/// Writes the constants of segments outside the beam into them if there is room.
 pub(super) fn constants(
     canvas: &mut Canvas,
     model: &Model,
@@ -116,7 +116,7 @@ pub(super) fn constants(
     }
 }
 
-/// A line closed along the bottom of the ground.
+/// A line, closed along the bottom of the ground.
 fn below(line: &[[f64; 2]], bottom: f64) -> Vec<[f64; 2]> {
     let ends = [line.first(), line.last()].map(|point| point.map_or(0.0, |p| p[0]));
     let mut area = vec![[ends[0], bottom]];
@@ -125,7 +125,7 @@ fn below(line: &[[f64; 2]], bottom: f64) -> Vec<[f64; 2]> {
     area
 }
 
-/// The part of a line between two places on the page.
+/// The part of a line between two page coordinates.
 fn between(line: &[[f64; 2]], from: f64, to: f64) -> Vec<[f64; 2]> {
     let inside = line.iter().copied().filter(|p| from < p[0] && p[0] < to);
     let ends = [line.first(), line.last()].map(|point| point.map_or(0.0, |p| p[0]));
@@ -139,7 +139,7 @@ fn between(line: &[[f64; 2]], from: f64, to: f64) -> Vec<[f64; 2]> {
     part
 }
 
-/// The height of a line at a place on the page.
+/// The height of a line at a page coordinate.
 pub(super) fn height(line: &[[f64; 2]], x: f64) -> f64 {
     let ends = [line.first(), line.last()].map(|point| point.map_or(0.0, |p| p[1]));
     let next = line.partition_point(|point| point[0] < x);
@@ -150,15 +150,15 @@ pub(super) fn height(line: &[[f64; 2]], x: f64) -> f64 {
     }
 }
 
-/// What is written beside a load.
+/// The label of a load.
 struct Word {
-    /// On the page; of what stands beyond it, the position in the model.
+    /// Position on the page; for a load outside the picture, its position in the model.
     at: [f64; 2],
     words: String,
     is_here: bool,
 }
 
-/// Draws what acts on the ground: onto its surface beside the beam, and from its surface down below the beam.
+/// Draws loads on the ground: downward to the surface outside the beam, and below the surface under the beam.
 pub(super) struct GroundLoads<'a> {
     pub units: Units,
     pub frame: &'a Frame,
@@ -186,7 +186,7 @@ impl GroundLoads<'_> {
                 _ => continue,
             });
         }
-        // Every arrow is there before a word looks for its place.
+        // All arrows are drawn before labels are placed.
         for Word { at, words, is_here } in words {
             match is_here {
                 true => self.beside(canvas, at, &words, labels),
@@ -195,7 +195,7 @@ impl GroundLoads<'_> {
         }
     }
 
-    /// Where the picture ends.
+    /// Left and right end of the picture.
     fn ends(&self) -> [f64; 2] {
         [self.line.first(), self.line.last()].map(|point| point.map_or(0.0, |p| p[0]))
     }
@@ -231,7 +231,7 @@ impl GroundLoads<'_> {
         Word { at: [x, end], words, is_here: true }
     }
 
-    /// A distributed load, parted where it goes on below the beam.
+    /// A distributed load, divided at the ends of the beam.
     fn area(
         &self,
         canvas: &mut Canvas,
@@ -297,7 +297,7 @@ impl GroundLoads<'_> {
         }
     }
 
-    /// What stands beyond the picture is told at its edge.
+    /// Labels a load outside the picture at the edge of the picture.
     fn at_the_edge(&self, canvas: &mut Canvas, at: f64, words: &str, labels: &mut Labels) {
         let unit = self.units.unit(Kind::Position, at);
         let words = printed(&match at < 0.0 {
@@ -317,7 +317,7 @@ impl GroundLoads<'_> {
     }
 }
 
-/// How far from the beam's ends something of the ground is that a picture should show \[m\].
+/// Largest distance from the beam's ends of an object on the ground that a picture should show \[m\].
 pub(super) fn farthest(model: &Model, within: f64) -> f64 {
     let l = model.beam.length;
     let away = |x: f64| (-x).max(x - l);

@@ -1,4 +1,4 @@
-//! Positions of labels, without overlap.
+//! Places labels without overlap.
 
 use crate::font::Metrics;
 use std::ops::RangeInclusive;
@@ -13,7 +13,7 @@ pub(super) struct Rect {
 }
 
 impl Rect {
-    /// Around two corners, in any order.
+    /// The rectangle around two corners, in any order, with a margin.
     pub fn around([x1, y1]: [f64; 2], [x2, y2]: [f64; 2], margin: f64) -> Self {
         Rect {
             left: x1.min(x2) - margin,
@@ -30,7 +30,7 @@ impl Rect {
             && other.top < self.bottom
     }
 
-    /// Whether a straight line passes through, by clipping it (Liang and Barsky).
+    /// Whether a straight line crosses the rectangle, by clipping (Liang and Barsky).
     fn is_crossed_by(&self, [a, b]: [[f64; 2]; 2]) -> bool {
         let [dx, dy] = [b[0] - a[0], b[1] - a[1]];
         let (mut enters, mut leaves) = (0.0_f64, 1.0_f64);
@@ -55,14 +55,14 @@ impl Rect {
     }
 }
 
-/// A place for a line of words: the left end of its baseline.
+/// A position for a line of text: the left end of its baseline.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Place {
     pub x: f64,
     pub baseline: f64,
 }
 
-/// The labels placed so far, and what they must not cover.
+/// The labels placed so far, and the objects that they must not cover.
 pub(super) struct Labels<'m> {
     metrics: &'m Metrics,
     page: Rect,
@@ -71,12 +71,12 @@ pub(super) struct Labels<'m> {
     left_out: usize,
 }
 
-/// Things on the page, by the upright strips of it in which they lie: thousands of loads take no longer than
-/// their number.
+/// Objects on the page, sorted into vertical strips. The search time is proportional to the number of
+/// objects, even for thousands of loads.
 struct Columns<T> {
     left: f64,
     width: f64,
-    /// Each thing with the first of its strips.
+    /// Each object with its first strip.
     strips: Vec<Vec<(usize, T)>>,
 }
 
@@ -88,7 +88,7 @@ impl<T: Copy> Columns<T> {
         Columns { left: page.left, width, strips: vec![Vec::new(); Self::COUNT] }
     }
 
-    /// The strips from one position to another; those at the edges of the page go on for ever.
+    /// The strips between two positions. The outermost strips extend beyond the page.
     fn between(&self, left: f64, right: f64) -> RangeInclusive<usize> {
         let strip = |x: f64| (((x - self.left) / self.width) as usize).min(Self::COUNT - 1);
         strip(left)..=strip(right)
@@ -100,7 +100,7 @@ impl<T: Copy> Columns<T> {
         self.strips[strips].iter_mut().for_each(|strip| strip.push((first, thing)));
     }
 
-    /// All things that may lie between two positions, each once.
+    /// All objects that may lie between two positions, each once.
     fn near(&self, left: f64, right: f64) -> impl Iterator<Item = &T> {
         let strips = self.between(left, right);
         let start = *strips.start();
@@ -111,7 +111,7 @@ impl<T: Copy> Columns<T> {
     }
 }
 
-/// Room around a label.
+/// Margin around a label.
 const MARGIN: f64 = 2.0;
 
 impl<'m> Labels<'m> {
@@ -120,12 +120,12 @@ impl<'m> Labels<'m> {
         Labels { metrics, page, solid, lines, left_out: 0 }
     }
 
-    /// No label may overlap this.
+    /// Forbids labels to overlap this rectangle.
     pub fn avoid(&mut self, solid: Rect) {
         self.solid.add(solid.left, solid.right, solid);
     }
 
-    /// No label should lie on this line.
+    /// Makes labels prefer positions off this line.
     pub fn avoid_line(&mut self, points: &[[f64; 2]]) {
         for pair in points.windows(2) {
             let [a, b] = [pair[0], pair[1]];
@@ -133,17 +133,17 @@ impl<'m> Labels<'m> {
         }
     }
 
-    /// Labels that found no place.
+    /// Number of labels without a free position.
     pub fn left_out(&self) -> usize {
         self.left_out
     }
 
-    /// A place around a point, the nearest that is free; none if labels would overlap.
+    /// The nearest free position around a point; `None` if labels would overlap.
     pub fn around(&mut self, at: [f64; 2], words: &str, size: f64) -> Option<Place> {
         self.near(at, words, size, true)
     }
 
-    /// The same, but not above the point.
+    /// The nearest free position that is not above the point.
     pub fn below(&mut self, at: [f64; 2], words: &str, size: f64) -> Option<Place> {
         self.near(at, words, size, false)
     }
@@ -165,7 +165,7 @@ impl<'m> Labels<'m> {
         self.best(&candidates, width, size)
     }
 
-    /// The first free one of some places.
+    /// The best free position of several candidates.
     pub fn at(&mut self, candidates: &[Place], words: &str, size: f64) -> Option<Place> {
         let width = self.metrics.width(words, size);
         self.best(candidates, width, size)
@@ -192,7 +192,7 @@ impl<'m> Labels<'m> {
             is_inside
                 && !self.solid.near(label.left, label.right).any(|solid| label.overlaps(solid))
         };
-        // Going on to the next place costs less than crossing a line, but many cost more.
+        // One more candidate costs less than crossing a line, but many cost more.
         let cost = |(i, place): &(usize, &Place)| {
             let label = around(place);
             let lines = self.lines.near(label.left, label.right);

@@ -1,4 +1,4 @@
-//! Loads as arrows, areas of arrows, turning arrows and bent lines, with their sizes.
+//! Draws loads with their sizes: arrows, areas of arrows, rotation arrows and curved lines.
 
 use super::canvas::{Anchor, Canvas, Style, printed};
 use super::diagram::arrow;
@@ -10,24 +10,24 @@ use crate::load::{is_moment_per_length, load_kind, load_size};
 use crate::quantity::Units;
 use groundbeam::{Action, Extent, Load};
 
-/// The height of an area of arrows.
+/// Height of an area of arrows.
 const LANE: f64 = 22.0;
-/// What is kept free above it for its label.
+/// Height reserved above it for its label.
 const LANE_LABEL: f64 = 18.0;
-/// Areas above one another; more share the last place.
+/// Maximum number of lanes; further loads share the last lane.
 const MOST_LANES: usize = 3;
-/// A turning arrow's radius.
+/// Radius of a rotation arrow.
 const RADIUS: f64 = 14.0;
 
-/// Draws loads onto the beam's upper side.
+/// Draws loads on the beam's upper side.
 pub(super) struct Loads<'a> {
     pub units: Units,
     pub frame: &'a Frame,
-    /// The beam's upper side on the page, by position.
+    /// Height of the beam's upper side on the page, by position.
     pub top: &'a dyn Fn(f64) -> f64,
 }
 
-/// A label to be placed, with the places it may have.
+/// A label to be placed, with its candidate positions.
 struct Wanted {
     words: String,
     places: Vec<Place>,
@@ -39,7 +39,7 @@ impl Loads<'_> {
         let mut wanted = Vec::new();
         let lanes = self.spread(canvas, loads, labels, &mut wanted);
         self.points(canvas, loads, labels, lanes, &mut wanted);
-        // The largest loads get the best places.
+        // The largest loads get the best positions.
         wanted.sort_by(|a, b| b.weight.total_cmp(&a.weight));
         for Wanted { words, places, .. } in wanted {
             let style = Style { colour: Colour::Load, ..LABEL };
@@ -49,7 +49,7 @@ impl Loads<'_> {
         }
     }
 
-    /// Loads over a stretch, in lanes above one another where they overlap. Tells how many lanes.
+    /// Draws loads over stretches, in separate lanes if they overlap. Returns the number of lanes.
     fn spread(
         &self,
         canvas: &mut Canvas,
@@ -87,7 +87,7 @@ impl Loads<'_> {
                 }
                 Action::Moment => {
                     self.turning_row(canvas, [from, to], sizes, base);
-                    // The unit of a moment per length is that of a force, which would be misread.
+                    // A moment per length has the unit of a force, which could be misread.
                     let per = if is_moment_per_length(load, self.units) { " m/m" } else { "" };
                     ([0.5; 2], words + per)
                 }
@@ -101,7 +101,7 @@ impl Loads<'_> {
         ends.len()
     }
 
-    /// A force over a stretch: its outline and arrows in it.
+    /// A force over a stretch: its outline, with arrows inside.
     fn area(&self, canvas: &mut Canvas, [from, to]: [f64; 2], share: [f64; 2], base: f64) {
         let height = |t: f64| LANE * (share[0] + (share[1] - share[0]) * t);
         let width = self.frame.x(to) - self.frame.x(from);
@@ -129,7 +129,7 @@ impl Loads<'_> {
         }
     }
 
-    /// An imposed curvature: the line into which it bends a straight one, both ends held.
+    /// An imposed curvature: the curve of a straight line under it, with both ends fixed in position.
     fn bent_line(&self, canvas: &mut Canvas, [from, to]: [f64; 2], ends: [f64; 2], base: f64) {
         let [a, b] = [ends[0], ends[1] - ends[0]];
         let bend = |t: f64| 0.5 * a * t * (t - 1.0) + b / 6.0 * t * (t * t - 1.0);
@@ -173,7 +173,7 @@ impl Loads<'_> {
         let mut places = Vec::new();
         for rise in [5.0, 18.0, 31.0, 44.0] {
             for step in 0..40 {
-                // From the middle outward, now to the left and now to the right.
+                // From the middle outward, alternately to the left and to the right.
                 let side = if step % 2 == 0 { 0.5 } else { -0.5 };
                 let t = 0.5 + side * f64::from(step) / 41.0;
                 let x = from + (to - from) * t;
@@ -182,11 +182,11 @@ impl Loads<'_> {
                 places.push(Place { x: left, baseline: top - rise });
             }
         }
-        // Beside its ends, where arrows leave no room above.
+        // Beside its ends, if arrows leave no room above.
         let level = |x: f64| (self.top)(x) - base - 4.0;
         places.push(Place { x: self.frame.x(to) + 6.0, baseline: level(to) });
         places.push(Place { x: self.frame.x(from) - 6.0 - width, baseline: level(from) });
-        // Solid in slices, so that point loads' labels keep off a slanted area too.
+        // The area is divided into slices, so that labels of point loads also avoid a sloping area.
         let slices = ((self.frame.x(to) - self.frame.x(from)) / 6.0).clamp(1.0, 200.0) as u32;
         for i in 0..slices {
             let [a, b] = [i, i + 1].map(|i| f64::from(i) / f64::from(slices));
@@ -198,7 +198,7 @@ impl Loads<'_> {
         Wanted { words, places, weight: f64::INFINITY }
     }
 
-    /// Forces and moments at points, above all lanes.
+    /// Point forces and moments, above all lanes.
     fn points(
         &self,
         canvas: &mut Canvas,
@@ -239,7 +239,7 @@ impl Loads<'_> {
         }
     }
 
-    /// Above a point, or to its side, or higher up.
+    /// A label above a point, to its side, or higher up.
     fn beside(&self, [x, y]: [f64; 2], words: String, weight: f64, labels: &Labels) -> Wanted {
         let width = labels.width(&words, LABEL.size);
         let mut places = vec![Place { x: x - 0.5 * width, baseline: y - 8.0 }];
@@ -250,10 +250,10 @@ impl Loads<'_> {
         for rise in [21.0, 34.0, 47.0] {
             places.push(Place { x: x - 0.5 * width, baseline: y - rise });
         }
-        // A moment's arrow is wider than a force's.
+        // The arrow of a moment is wider than that of a force.
         places.push(Place { x: x + RADIUS + 8.0, baseline: y + 8.0 });
         places.push(Place { x: x - RADIUS - 8.0 - width, baseline: y + 8.0 });
-        // Below the beam, as a last resort.
+        // Below the beam, as the last candidate.
         for drop in [44.0, 58.0] {
             places.push(Place { x: x - 0.5 * width, baseline: y + drop });
         }
@@ -261,17 +261,17 @@ impl Loads<'_> {
     }
 }
 
-/// Most of a circle over the beam; with `clockwise` it turns the right side down.
+/// An arc over the beam; with `clockwise` it turns the right side down.
 fn turning_arrow(canvas: &mut Canvas, [x, y]: [f64; 2], radius: f64, clockwise: bool) {
     let side = if clockwise { 1.0 } else { -1.0 };
-    // From 20° below the level on one side, over the top, to 20° above it on the other.
+    // From 20° below the horizontal on one side, over the top, to 20° above it on the other.
     let point = |degrees: f64, radius: f64| {
         let angle = degrees.to_radians();
         [x + side * radius * angle.cos(), y - radius * angle.sin()]
     };
     let ends = [point(200.0, radius), point(22.0, radius)];
     let width = if radius > 10.0 { 2.0 } else { 1.2 };
-    // Pale underneath, to be seen on arrows and on the beam.
+    // A pale line underneath makes it visible on arrows and on the beam.
     for stroke in [Stroke::new(Colour::Paper, 4.5), Stroke::new(Colour::Load, width)] {
         canvas.arc(ends, radius, clockwise, Fill::NONE.and(stroke));
     }

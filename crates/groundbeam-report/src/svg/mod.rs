@@ -1,7 +1,8 @@
-//! The picture of a solution: the beam on its ground, pressure, moment and shear force.
+//! Draws the picture of a solution: the deflected beam on the ground, pressure, moment and shear force.
 //!
-//! Equal solutions give equal bytes. The picture has a white ground of its own and needs no style sheet and
-//! no script. It names the font Inter, in which its labels were measured; a [PNG](Picture::png) has their outlines.
+//! Equal solutions give equal bytes. The picture has a white background and needs no style sheet and no
+//! script. It uses the font Inter, with which its labels were measured; a [PNG](Picture::png) contains their
+//! outlines.
 
 mod axis;
 mod canvas;
@@ -47,7 +48,7 @@ pub use tipping::tipping;
 pub use train::trains;
 pub use view::{Grip, Handle, View, view};
 
-/// Edges of contact beyond this many are not marked in the diagrams.
+/// Maximum number of contact edges that diagrams mark.
 const MOST_EDGES: usize = 40;
 
 /// The picture of one solution.
@@ -71,17 +72,17 @@ pub fn picture(solution: &Solution, context: &Context) -> Picture {
     page.finish(WIDTH, height, title.as_deref().unwrap_or("A beam on its ground"))
 }
 
-/// Between two panels.
+/// Vertical distance between two panels.
 const PANEL_SPACE: f64 = 22.0;
 
-/// Puts a panel below y and tells where the next one begins.
+/// Places a panel below y and returns the position of the next one.
 fn stacked(page: &mut Canvas, panel: Canvas, y: f64) -> f64 {
     let [top, bottom] = panel.reach();
     page.place(panel, y - top);
     y - top + bottom + PANEL_SPACE
 }
 
-/// Title and the numbers that judge the problem.
+/// Title, and the main parameters of the problem.
 fn header(page: &mut Canvas, title: Option<&str>, notes: &[&str]) -> f64 {
     let mut y = 16.0;
     if let Some(title) = title {
@@ -123,7 +124,7 @@ fn numbers(solution: &Solution, units: Units) -> String {
     printed(&parts.join("\u{a0}\u{a0} · \u{a0}\u{a0}"))
 }
 
-/// Where contact begins or ends inside the beam.
+/// Positions of contact edges inside the beam.
 fn edges(solution: &Solution) -> Vec<f64> {
     let l = solution.model().beam.length;
     let mut edges: Vec<f64> = solution.contact().iter().flat_map(|c| [c.from, c.to]).collect();
@@ -157,7 +158,7 @@ fn diagrams<'a>(
     [pressure, diagram(Field::Moment), diagram(Field::ShearForce)]
 }
 
-/// Concentrated contact forces with their labels.
+/// Point contact forces with their labels.
 fn concentrated(solution: &Solution, units: Units, samples: &Samples) -> Vec<(f64, f64, String)> {
     let ends = solution.end_forces();
     let l = solution.model().beam.length;
@@ -182,7 +183,7 @@ fn axis_of_x(page: &mut Canvas, frame: &Frame, units: Units, y: f64) {
     page.text([frame.end_of_axis(), y + 18.0], Anchor::End, TICK, &words);
 }
 
-/// Lines of text of all anchors, weights and kinds of signs on a tinted ground.
+/// Lines of text with all anchors, weights and kinds of characters on a tinted background.
 #[cfg(test)]
 pub(crate) fn test_card() -> Picture {
     use canvas::Style;

@@ -1,8 +1,8 @@
-//! Numbers, colours, fills and strokes of the pictures as SVG writes them, and the colours of a dark page.
+//! SVG notation of numbers, colours, fills and strokes, and the colours of a dark page.
 
 use std::fmt::{self, Display, Formatter};
 
-/// A number as the pictures write it: hundredths of a unit are finer than any screen.
+/// A number as written in the pictures, rounded to hundredths of a unit.
 pub(super) fn number(value: f64) -> String {
     let text = format!("{value:.2}");
     let text = text.trim_end_matches('0').trim_end_matches('.');
@@ -15,7 +15,8 @@ pub(crate) fn rounded(value: f64) -> f64 {
     number(value).parse().unwrap_or(value)
 }
 
-/// A colour of the pictures. People with any kind of colour vision tell those of fields and loads apart (Okabe and Ito).
+/// A colour of the pictures. Those of fields and loads can be distinguished with any kind of colour vision
+/// (Okabe and Ito).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Colour {
     Paper,
@@ -32,7 +33,7 @@ pub(super) enum Colour {
     Pressure,
     Moment,
     Shear,
-    /// Concentrated forces, which stand beside the pressure.
+    /// Point forces beside the pressure.
     Force,
 }
 
@@ -60,7 +61,8 @@ impl Display for Colour {
     }
 }
 
-/// The style sheet that gives pictures within an element of a page the colours of a dark page. `within` selects the element.
+/// Style sheet that gives pictures inside an element the colours of a dark page. `within` selects the
+/// element.
 pub fn dark_style(within: &str) -> String {
     let rule = |(_, light, dark): &(Colour, &str, &str)| {
         ["fill", "stroke"]
@@ -69,7 +71,7 @@ pub fn dark_style(within: &str) -> String {
     SHADES.iter().flat_map(rule).collect()
 }
 
-/// The inside of a shape.
+/// The fill of a shape.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Fill {
     colour: Option<Colour>,
@@ -87,7 +89,7 @@ impl Fill {
         Fill { opacity, ..self }
     }
 
-    /// With an outline.
+    /// The fill with an outline.
     pub const fn and(self, stroke: Stroke) -> Paint {
         Paint { fill: Some(self), stroke: Some(stroke) }
     }
@@ -105,10 +107,10 @@ impl Display for Fill {
 pub(super) struct Stroke {
     colour: Option<Colour>,
     width: f64,
-    /// Lengths of a dash and of the space behind it.
+    /// Lengths of a dash and of the space after it.
     dashes: Option<[f64; 2]>,
     opacity: f64,
-    /// Whether the attribute says that the ends are cut at the last points. It is SVG's default, too.
+    /// Whether the attribute for butt line ends is written. Butt ends are also SVG's default.
     is_cut: bool,
 }
 
@@ -159,7 +161,7 @@ fn write_opacity(f: &mut Formatter<'_>, name: &str, value: f64) -> fmt::Result {
     if value == 1.0 { Ok(()) } else { write!(f, " {name}=\"{value}\"") }
 }
 
-/// The inside and the outline of a shape; SVG's own where left out.
+/// Fill and outline of a shape; SVG's default if left out.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Paint {
     fill: Option<Fill>,

@@ -1,14 +1,15 @@
-//! The fields along the beam, dense enough for a picture.
+//! Samples the fields along the beam for a picture.
 
 use crate::curve::Jumps;
 use crate::size::Sizes;
 use groundbeam::{Field, Fields, Solution};
 
-/// Even steps along the beam: finer than a screen.
+/// Equal steps along the beam, finer than a screen.
 const EVEN_STEPS: usize = 1200;
-/// The most points of a line that are simplified together: the time may grow with the square of this number.
+/// Maximum number of points that are simplified together, because the time may grow with the square of this
+/// number.
 const TOGETHER: usize = 4096;
-/// A point nearer than this to the line between its neighbours is left out, in page units.
+/// A point closer than this to the line between its neighbours is removed, in page units.
 const FLAT: f64 = 0.04;
 
 /// Positions and values, with two entries where a field jumps.
@@ -29,13 +30,13 @@ impl Samples {
         Samples { rows, sizes: Sizes::of(solution) }
     }
 
-    /// One field, rounding taken for zero.
+    /// One field, with rounding errors set to zero.
     pub fn field(&self, field: Field) -> Vec<(f64, f64)> {
         let value = |fields: &Fields| self.sizes.value(field, fields.get(field));
         self.rows.iter().map(|(x, fields)| (*x, value(fields))).collect()
     }
 
-    /// Something made of the fields, between two positions.
+    /// A function of the fields between two positions.
     pub fn between(&self, from: f64, to: f64, value: impl Fn(&Fields) -> f64) -> Vec<(f64, f64)> {
         let inside = self.rows.iter().filter(|(x, _)| *x >= from && *x <= to);
         inside.map(|(x, fields)| (*x, value(fields))).collect()
@@ -46,7 +47,8 @@ impl Samples {
     }
 }
 
-/// The same line with fewer points (Ramer, Douglas and Peucker); of a very long line each part by itself.
+/// The line with fewer points (Ramer, Douglas and Peucker). The parts of a very long line are simplified
+/// separately.
 pub(super) fn simplified(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
     let mut kept = vec![false; points.len()];
     for first in (0..points.len()).step_by(TOGETHER) {
@@ -55,7 +57,7 @@ pub(super) fn simplified(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
     points.iter().zip(kept).filter(|(_, kept)| *kept).map(|(point, _)| *point).collect()
 }
 
-/// Marks the points between two that the line needs, and these two.
+/// Marks the necessary points between two points, and these two.
 fn keep(points: &[[f64; 2]], first: usize, last: usize, kept: &mut [bool]) {
     kept[first] = true;
     kept[last] = true;
@@ -74,7 +76,7 @@ fn keep(points: &[[f64; 2]], first: usize, last: usize, kept: &mut [bool]) {
     }
 }
 
-/// From a point to the line between two others.
+/// Distance of a point from the line through two others.
 fn distance_to([x1, y1]: [f64; 2], [x2, y2]: [f64; 2]) -> impl Fn([f64; 2]) -> f64 {
     let [dx, dy] = [x2 - x1, y2 - y1];
     let length = dx.hypot(dy);

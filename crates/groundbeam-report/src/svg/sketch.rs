@@ -1,4 +1,4 @@
-//! The model as it is given: beam, ground, supports and loads before anything moves.
+//! Draws the model as given: beam, ground, supports and loads before deformation.
 
 use super::canvas::{Anchor, Canvas, printed};
 use super::frame::Frame;
@@ -12,16 +12,16 @@ use crate::font::Metrics;
 use crate::quantity::{Kind, Units};
 use groundbeam::{Model, RigidMotion};
 
-/// The beam's drawn thickness.
+/// Drawn thickness of the beam.
 const THICKNESS: f64 = 9.0;
-/// How deep the deepest initial gap is drawn.
+/// Drawn depth of the largest initial gap.
 const DEEPEST: f64 = 22.0;
 /// Ground drawn below its lowest point.
 const BELOW: f64 = 30.0;
-/// How far a tipping end is drawn to rise.
+/// Drawn rise of a tipping end.
 const RISE: f64 = 52.0;
 
-/// The drawing, with the beam's underside at y = 0; where there is no equilibrium, with the motion that proves it.
+/// The drawing, with the beam's underside at y = 0; without equilibrium, with the motion that proves it.
 pub(super) fn draw(
     model: &Model,
     motion: Option<RigidMotion>,
@@ -60,7 +60,7 @@ pub(super) fn draw(
     canvas
 }
 
-/// The ground and its clearance from the beam. Gives its surface and its lowest point.
+/// Draws the ground and its initial gap. Returns its surface and its lowest point.
 fn ground(
     canvas: &mut Canvas,
     model: &Model,
@@ -91,7 +91,7 @@ fn ground(
     (line, floor)
 }
 
-/// The beam as it would go, in dashes.
+/// The beam after the motion, dashed.
 fn tipping(canvas: &mut Canvas, model: &Model, motion: RigidMotion, frame: &Frame) {
     let mut corners: Vec<f64> = model.hinges.iter().map(|hinge| hinge.at).collect();
     corners.extend([0.0, model.beam.length]);

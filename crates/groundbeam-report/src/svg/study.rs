@@ -1,4 +1,4 @@
-//! The picture of a study: how probable events are, and how numbers scatter.
+//! Draws the picture of a study: probabilities of events, and distributions of numbers.
 
 use super::axis;
 use super::canvas::{Anchor, Canvas, Picture, Style, printed};
@@ -12,19 +12,19 @@ use crate::number::significant;
 use crate::quantity::{Unit, Units};
 use crate::study::{Estimate, Limit, Spread, Study};
 
-/// Where panels end.
+/// Right end of the panels.
 const RIGHT: f64 = WIDTH - 24.0;
-/// Panels beside one another.
+/// Number of panels per row.
 const COLUMNS: usize = 3;
-/// Between two of them.
+/// Distance between two panels.
 const BETWEEN: f64 = 28.0;
-/// The height of the bars.
+/// Height of the bars.
 const BARS: f64 = 84.0;
-/// Below the title of a panel.
+/// Distance below the title of a panel.
 const TOP: f64 = 24.0;
-/// From one event to the next.
+/// Distance between two events.
 const ROW: f64 = 24.0;
-/// Where the scale of probabilities begins and ends.
+/// Left and right end of the probability scale.
 const SCALE: [f64; 2] = [LEFT + 270.0, RIGHT - 200.0];
 
 /// Probabilities of events with their intervals, and histograms of random numbers and results.
@@ -50,7 +50,7 @@ pub fn study(study: &Study, context: &Context) -> Picture {
     page.finish(WIDTH, y, title.as_deref().unwrap_or("A study"))
 }
 
-/// Each event a row: its probability on a scale of powers of ten, with the interval.
+/// One row per event: its probability on a logarithmic scale, with the interval.
 fn events(study: &Study, metrics: &Metrics) -> Canvas {
     let mut canvas = Canvas::new();
     canvas.text([LEFT, 0.0], Anchor::Start, PANEL_TITLE, "How probable events are");
@@ -88,7 +88,7 @@ fn events(study: &Study, metrics: &Metrics) -> Canvas {
             let dot = Fill::new(Colour::Load).and(Stroke::new(Colour::Paper, 1.0));
             canvas.dot([x(*probability), y], 3.6, dot);
         }
-        // There is room for no more.
+        // There is no room for more digits.
         let digits = interval.digits().min(4);
         let [low, high] = interval.bounds.map(|bound| significant(100.0 * bound, digits));
         let words = format!("{} ({low} to {high})", percent(*probability, digits));
@@ -98,14 +98,14 @@ fn events(study: &Study, metrics: &Metrics) -> Canvas {
     canvas
 }
 
-/// A histogram in its place.
+/// A histogram at its position.
 struct Panel<'a> {
     spread: &'a Spread,
     limits: &'a [&'a Limit],
     unit: Unit,
     left: f64,
     width: f64,
-    /// What the width shows.
+    /// Range of the horizontal axis.
     range: [f64; 2],
 }
 
@@ -115,7 +115,7 @@ impl<'a> Panel<'a> {
         let left = LEFT + column as f64 * (width + BETWEEN);
         let [least, .., most] = spread.quantiles;
         let size = most - least;
-        // A limit that is not too far away is shown.
+        // A limit is shown if it is close enough.
         let near = limits.iter().map(|limit| limit.limit);
         let near = near.filter(|limit| *limit > least - size && *limit < most + size);
         let [mut from, mut to] =
@@ -165,7 +165,7 @@ impl<'a> Panel<'a> {
         canvas.reserve(zero + 24.0);
     }
 
-    /// Parts that lie beyond a limit are of its colour.
+    /// Parts of bars beyond a limit have the colour of the limit.
     fn bars(&self, canvas: &mut Canvas, zero: f64) {
         let counts = &self.spread.histogram;
         let [least, .., most] = self.spread.quantiles;
@@ -189,7 +189,7 @@ impl<'a> Panel<'a> {
         }
     }
 
-    /// A bar, cut at the limits.
+    /// A bar, divided at the limits.
     fn pieces(&self, [from, to]: [f64; 2]) -> Vec<([f64; 2], Colour)> {
         let mut cuts: Vec<f64> = self.limits.iter().map(|limit| limit.limit).collect();
         cuts.retain(|cut| from < *cut && *cut < to);
@@ -222,7 +222,7 @@ impl<'a> Panel<'a> {
     }
 }
 
-/// As much of the words as there is room for.
+/// The words that fit into the available width.
 fn fitting(words: &str, room: f64, style: Style, metrics: &Metrics) -> String {
     if metrics.width(words, style.size) <= room {
         return words.to_owned();

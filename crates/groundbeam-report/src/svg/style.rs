@@ -1,4 +1,4 @@
-//! Sizes, weights and colours of words in the pictures, and the look of distributed loads.
+//! Styles of text in the pictures, and of distributed loads.
 
 use super::canvas::Style;
 use super::paint::{Colour, Fill, Paint, Stroke};
@@ -8,7 +8,7 @@ pub(super) const PANEL_TITLE: Style = Style::new(12.5, true, Colour::Ink);
 pub(super) const NOTE: Style = Style::new(11.0, false, Colour::FaintInk);
 pub(super) const TICK: Style = Style::new(10.5, false, Colour::FaintInk);
 pub(super) const LABEL: Style = Style::new(11.5, false, Colour::Ink);
-/// In diagrams, where labels may have to cross lines.
+/// Text in diagrams, which may cross lines.
 pub(super) const RIMMED: Style = Style { rim: true, ..LABEL };
 /// The area of a distributed load.
 pub(super) const DISTRIBUTED: Paint =

@@ -1,10 +1,10 @@
-//! Supports as triangles, walls and springs; hinges.
+//! Draws supports as triangles, walls and springs, and hinges.
 
 use super::canvas::Canvas;
 use super::paint::{Colour, Fill, Paint, Stroke};
 use groundbeam::{Acts, Support, SupportKind};
 
-/// The height of a support below the beam.
+/// Height of a support below the beam.
 pub(super) const HEIGHT: f64 = 20.0;
 
 /// Draws a support under the point (x, y) of the beam's underside; `outward` is −1 at the left end, 1 at
@@ -12,7 +12,7 @@ pub(super) const HEIGHT: f64 = 20.0;
 pub(super) fn draw(canvas: &mut Canvas, [x, y]: [f64; 2], support: &Support, outward: f64) {
     match support.acts {
         Acts::Both => {}
-        // A seat on which the beam lies, or a loop around it.
+        // A seat under the beam, or a loop around it.
         Acts::Up => canvas.line([x - 7.0, y], [x + 7.0, y], stroke(2.2)),
         Acts::Down => {
             let strap =
@@ -57,7 +57,7 @@ fn stroke(width: f64) -> Paint {
     Fill::NONE.and(Stroke::new(Colour::Ink, width))
 }
 
-/// A line with hatching under it.
+/// A line with hatching below it.
 fn base(canvas: &mut Canvas, [x, y]: [f64; 2]) {
     canvas.line([x - 12.0, y], [x + 12.0, y], stroke(1.4));
     for i in 0..5 {

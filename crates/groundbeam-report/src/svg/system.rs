@@ -1,4 +1,4 @@
-//! The first panel: the bent beam, the ground's surface under and beside it, loads and supports.
+//! Draws the first panel: the deflected beam, the ground's surface below and outside it, loads and supports.
 
 use super::axis;
 use super::canvas::{Anchor, Canvas, printed};
@@ -15,17 +15,17 @@ use crate::number::significant;
 use crate::quantity::{Kind, Units};
 use groundbeam::{Acts, Field, Fields, Model, Side, Solution, SupportKind};
 
-/// How far apart the highest and the lowest point of beam and ground are drawn.
+/// Drawn height between the highest and the lowest point of beam and ground.
 const DEPTH: f64 = 92.0;
-/// The beam's drawn thickness.
+/// Drawn thickness of the beam.
 pub(super) const THICKNESS: f64 = 8.0;
 /// Ground drawn below its lowest point.
 pub(super) const BELOW: f64 = 40.0;
-/// Below this width of a picture words are few.
+/// Width of a picture below which labels are shortened.
 const PHONE: f64 = 520.0;
-/// Lift-off stretches whose gap is written out.
+/// Maximum number of lift-off zones whose gap is labelled.
 const MOST_GAPS: usize = 8;
-/// Leading digits of a round exaggeration.
+/// Leading digits of a round magnification.
 const LEADS: [f64; 9] = [1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 8.0];
 
 /// The panel, with the beam's unloaded underside at y = 0.
@@ -67,7 +67,7 @@ pub(super) fn draw(
     picture.with_title()
 }
 
-/// Page units for one unit of deflection, so that the exaggeration is a round number; 0 if nothing moves.
+/// Page units per unit of deflection, such that the magnification is a round number; 0 without deflection.
 pub(super) fn vertical_scale(solution: &Solution, frame: &Frame, samples: &Samples) -> f64 {
     let largest = |field| {
         let range = solution.range(field);
@@ -88,7 +88,7 @@ pub(super) fn vertical_scale(solution: &Solution, frame: &Frame, samples: &Sampl
     axis::round_down_to(exaggeration, &LEADS, false) * frame.scale()
 }
 
-/// Where the ground's surface is drawn, below the beam and beside it.
+/// Drawn height of the ground's surface, below the beam and outside it.
 pub(super) fn level(solution: &Solution, scale: f64, x: f64) -> f64 {
     let length = solution.model().beam.length;
     if (0.0..=length).contains(&x) {
@@ -98,12 +98,12 @@ pub(super) fn level(solution: &Solution, scale: f64, x: f64) -> f64 {
     }
 }
 
-/// The ground's surface below the beam's unloaded underside: u + g₀.
+/// The ground's surface relative to the beam's unloaded underside: u + g₀.
 fn surface(fields: &Fields) -> f64 {
     fields.deflection + fields.gap
 }
 
-/// g₀ beyond an end, where it goes on as it is there.
+/// g₀ beyond an end, where it has the value at the end.
 fn initial_gap_at_end(model: &Model, right: bool) -> f64 {
     let corner = if right { model.gap.last() } else { model.gap.first() };
     corner.map_or(0.0, |corner| corner.value)
@@ -140,7 +140,7 @@ impl Picture<'_> {
         const STEPS: u32 = 60;
         let mut values: Vec<_> =
             (1..=STEPS).rev().map(|i| beyond(f64::from(i) / f64::from(STEPS), false)).collect();
-        // Separate springs have a step where the beam ends.
+        // On Winkler ground the surface has a step at the end of the beam.
         if let (x, value) = beyond(f64::EPSILON, false)
             && x < 0.0
         {
@@ -157,7 +157,7 @@ impl Picture<'_> {
         ground::draw(&mut self.canvas, model, frame, &line, bottom);
         self.labels.avoid_line(&line);
         self.labels.avoid(Rect::around([0.0, bottom], [frame.width, bottom + 1e3], 0.0));
-        // Where the beam's underside was before loading.
+        // The beam's underside before loading.
         let dashes = Stroke::new(Colour::FaintInk, 0.8).dashed(5.0, 4.0);
         self.canvas.line([left, 0.0], [right, 0.0], dashes);
         self.labels.avoid_line(&[[left, 0.0], [right, 0.0]]);
@@ -184,7 +184,7 @@ impl Picture<'_> {
         self.canvas.polyline(&outline, true, Fill::new(Colour::Beam));
     }
 
-    /// A line along which beam and ground touch; single points as dots.
+    /// A line along each contact zone; point contacts are dots.
     fn contact(&mut self) {
         for region in self.solution.contact() {
             let points =
@@ -206,7 +206,7 @@ impl Picture<'_> {
     fn supports(&mut self) {
         let model = self.solution.model();
         for (support, reaction) in model.supports.iter().zip(self.solution.reactions()) {
-            // Where it does not act it stays where it was.
+            // An inactive support is drawn at its initial position.
             let left = support.is_one_way() && reaction.force == 0.0;
             let y = if left { 0.0 } else { self.underside(support.at) };
             let at = [self.frame.x(support.at), y];
@@ -234,7 +234,7 @@ impl Picture<'_> {
         }
     }
 
-    /// `↑ 120 kN, 5 kN m`
+    /// Label of a reaction, such as `↑ 120 kN, 5 kN m`.
     fn reaction(&self, kind: SupportKind, force: f64, moment: f64) -> String {
         let force = self.samples.sizes.force(force);
         let moment = self.samples.sizes.moment(moment);
@@ -246,7 +246,7 @@ impl Picture<'_> {
         printed(&words)
     }
 
-    /// The usual small circles; a filled one where a spring resists.
+    /// Small circles, filled if the hinge has a rotational spring.
     fn hinges(&mut self) {
         for hinge in &self.solution.model().hinges {
             let at = [self.frame.x(hinge.at), self.underside(hinge.at) - 0.5 * THICKNESS];
@@ -264,7 +264,7 @@ impl Picture<'_> {
         loads.draw(&mut self.canvas, &solution.model().loads, &mut self.labels);
     }
 
-    /// The largest deflection, the gaps, and where contact begins and ends.
+    /// Labels of the largest deflection, the gaps, and the contact edges.
     fn words(&mut self) {
         let sizes = self.samples.sizes;
         let deepest = sizes.extreme(Field::Deflection, self.solution.range(Field::Deflection).max);
@@ -281,7 +281,7 @@ impl Picture<'_> {
                 let fields = self.solution.at(gap.x, Side::Right);
                 let at = [self.frame.x(gap.x), self.scale * surface(&fields)];
                 let words = self.units.write(Kind::Deflection, gap.value);
-                // How long a span is that both ends of the beam leave to themselves.
+                // The length of a free span between two contact zones.
                 let over = match stretch.reaches {
                     [false, false] => format!(" over {}", self.position(stretch.length())),
                     _ => String::new(),
@@ -291,7 +291,7 @@ impl Picture<'_> {
         }
     }
 
-    /// Words in the ground below a point.
+    /// Places text in the ground below a point.
     fn word(&mut self, [x, y]: [f64; 2], words: &str) {
         let words = printed(words);
         if let Some(place) = self.labels.below([x, y + 4.0], &words, LABEL.size) {
@@ -308,7 +308,7 @@ impl Picture<'_> {
         let mut notes = Vec::new();
         if self.scale > 0.0 {
             let times = printed(&significant(self.scale / self.frame.scale(), 2));
-            // On a phone there is room for fewer words.
+            // A narrow picture has room for fewer words.
             let as_large = if self.frame.width < PHONE { "" } else { " as large as lengths" };
             notes.push(format!("deflections drawn {times} times{as_large}"));
         }
@@ -322,7 +322,7 @@ impl Picture<'_> {
         let end = x + self.labels.width(&note, NOTE.size) + 24.0;
         let legend = self.legend();
         let width: f64 = legend.iter().map(|(_, _, words)| self.entry_width(words)).sum();
-        // On a narrow page the legend has a line of its own.
+        // On a narrow page the legend has its own line.
         let has_room = end + width <= self.frame.right() + 18.0;
         let (y, place) = if has_room {
             (top - 16.0, [end, top - 16.0])
@@ -344,7 +344,7 @@ impl Picture<'_> {
         23.0 + self.labels.width(words, NOTE.size) + 18.0
     }
 
-    /// Colours, how high they are shown, and what they mean.
+    /// Colours, their opacity, and their meaning.
     fn legend(&self) -> Vec<(Colour, f64, &'static str)> {
         let contact =
             (!self.solution.contact().is_empty()).then_some((Colour::Pressure, 3.0, "contact"));

@@ -1,4 +1,4 @@
-//! A beam that no ground holds: how it begins to move.
+//! Draws a beam without equilibrium: the start of its motion.
 
 use super::canvas::{Anchor, Canvas, Group};
 use super::frame::{Frame, LEFT};
@@ -14,15 +14,16 @@ use crate::context::Context;
 use crate::font::Metrics;
 use groundbeam::{Existence, Model, Verdict};
 
-/// How far what lifts most is drawn above the ground.
+/// Drawn rise of the highest point above the ground.
 const RISE: f64 = 46.0;
-/// Above the panel.
+/// Margin above the panel.
 const TOP: f64 = 8.0;
 
-/// The beam as it tips, about an end or a hinge, or rises as a whole; loads, which move with it, stay upright.
+/// The beam as it tips about an end or a hinge, or rises as a whole. Loads move with it and stay upright.
 ///
-/// What moves is a group of the class `moves`. Where the beam moves as one piece its `data-still` is the transform
-/// that would lay it back onto the ground. Of a model that has an equilibrium, the beam lies as it does before it bends.
+/// The moving part is a group of the class `moves`. If the beam moves as one piece, `data-still` is the
+/// transform that returns it to the ground. For a model with an equilibrium, the beam is drawn before
+/// deformation.
 pub fn tipping(model: &Model, existence: &Existence, context: &Context, width: f64) -> View {
     let metrics = Metrics::new();
     let frame = Frame::of(model).on_page(sensible(width));
@@ -76,7 +77,7 @@ pub fn tipping(model: &Model, existence: &Existence, context: &Context, width: f
     View { svg, size, left: frame.x(0.0), scale: frame.scale(), handles }
 }
 
-/// The ground with what stands on it, and the place where the beam lay.
+/// The ground with its loads, and the initial position of the beam.
 fn lying(model: &Model, frame: &Frame) -> Canvas {
     let mut canvas = Canvas::new();
     let line = flat(model, frame);
@@ -96,13 +97,13 @@ fn lying(model: &Model, frame: &Frame) -> Canvas {
     canvas
 }
 
-/// The ground's surface before anything presses on it, as far as the ground goes.
+/// The ground's surface before loading, as far as the ground extends.
 fn flat(model: &Model, frame: &Frame) -> [[f64; 2]; 2] {
     let [left, right] = ground::margins(model, frame);
     [[frame.x(-left), 0.0], [frame.x(frame.length + right), 0.0]]
 }
 
-/// The beam's ends and hinges, between which it stays straight.
+/// The beam's ends and hinges, between which it remains straight.
 fn nodes(model: &Model) -> Vec<f64> {
     let mut nodes: Vec<f64> = model.hinges.iter().map(|hinge| hinge.at).collect();
     nodes.extend([0.0, model.beam.length]);
@@ -110,7 +111,7 @@ fn nodes(model: &Model) -> Vec<f64> {
     nodes
 }
 
-/// The shear that takes a straight motion back.
+/// The shear transform that reverses a linear motion.
 fn laid_back(frame: &Frame, rises: impl Fn(f64) -> f64) -> String {
     let [start, end] = [frame.x(0.0), frame.x(frame.length)];
     let slope = (rises(frame.length) - rises(0.0)) / (end - start);
@@ -148,7 +149,7 @@ mod tests {
         assert!((2.0 * middle - heights(&view)[0] - heights(&view)[1]).abs() < 1e-9);
         let right = at(at(beam(), 0.0), 4.0).with_load(Load::point_moment(2.0, 9.0));
         assert!(heights(&drawn(&right))[1] > heights(&drawn(&right))[0]);
-        // What lays it back takes as much from the one end as it has risen over the other.
+        // The transform lowers one end by as much as it has risen over the other.
         assert!(view.svg.contains(r#"data-still="matrix(1, "#), "{}", view.svg);
     }
 

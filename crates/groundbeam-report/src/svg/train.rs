@@ -1,5 +1,5 @@
-//! One picture of the passages of trains: the train that bends the beam most where it does, and the envelopes of all
-//! positions of all trains.
+//! Draws one picture of the passages of trains: the train at the position of the largest moment, and the
+//! envelopes over all positions of all trains.
 
 use super::canvas::{Canvas, Picture};
 use super::diagram::{Diagram, OF_ENVELOPES, worth_naming};
@@ -13,10 +13,10 @@ use crate::size::Sizes;
 use groundbeam::{ByField, Extreme};
 use groundbeam_run::{InPassage, Passages};
 
-/// Even steps along the beam.
+/// Equal steps along the beam.
 const EVEN_STEPS: usize = 400;
 
-/// The train where the moment is largest, and the envelopes of all passages.
+/// The train at the position of the largest moment, and the envelopes of all passages.
 pub fn trains(passages: &Passages, context: &Context) -> Picture {
     let units = context.units;
     let title = context.clean_title();

@@ -1,4 +1,4 @@
-//! The picture for a page: without its heading, of any width, and with the places where it may be taken hold of.
+//! Draws the picture for a page: without a heading, with any width, and with handles.
 
 use super::canvas::Canvas;
 use super::frame::{Frame, ROOM};
@@ -9,42 +9,42 @@ use crate::context::Context;
 use crate::font::Metrics;
 use groundbeam::{Extent, Model, Side, Solution};
 
-/// A picture that can be taken hold of. Places are in units of the picture, from its upper left corner.
+/// A picture with handles. Positions are in units of the picture, from its upper left corner.
 #[derive(Debug, Clone, PartialEq)]
 pub struct View {
     /// The picture as an SVG file.
     pub svg: String,
-    /// Its size.
+    /// Its width and height.
     pub size: [f64; 2],
-    /// Where x = 0 is drawn.
+    /// Coordinate of x = 0.
     pub left: f64,
-    /// How long a unit of length is drawn \[1/m\].
+    /// Drawn length of a unit of length \[1/m\].
     pub scale: f64,
-    /// Where it may be taken hold of.
+    /// Its handles.
     pub handles: Vec<Handle>,
 }
 
-/// A place of the picture that stands for a position in the model.
+/// A handle of the picture for a position in the model.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Handle {
-    /// What is taken hold of there.
+    /// The object that the handle moves.
     pub grip: Grip,
     /// The position along the beam \[m\].
     pub at: f64,
-    /// The place in the picture.
+    /// Position in the picture.
     pub place: [f64; 2],
-    /// Between which positions it may be moved \[m\].
+    /// Allowed range of positions in the model \[m\].
     pub range: [f64; 2],
 }
 
-/// What of a model is taken hold of, by its number in the model.
+/// The object of a handle, by its index in the model.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Grip {
     /// The point at which a load acts.
     Load(usize),
-    /// Where a distributed load begins.
+    /// Start of a distributed load.
     From(usize),
-    /// Where a distributed load ends.
+    /// End of a distributed load.
     To(usize),
     /// A support.
     Support(usize),
@@ -52,16 +52,16 @@ pub enum Grip {
     Hinge(usize),
 }
 
-/// The narrowest page on which words find their places.
+/// Smallest page width at which labels find positions.
 const NARROWEST: f64 = 440.0;
-/// Wider than this a picture only grows.
+/// Above this width the picture is only magnified.
 const WIDEST: f64 = 1400.0;
-/// Above the first panel.
+/// Margin above the first panel.
 const TOP: f64 = 8.0;
-/// How far above the beam a load is taken hold of.
+/// Height of a load's handle above the beam.
 const GRIP: f64 = 24.0;
 
-/// The width a page asks for, as far as it makes sense.
+/// The requested width, within limits.
 pub(super) fn sensible(width: f64) -> f64 {
     if width.is_finite() { width.clamp(NARROWEST, WIDEST) } else { WIDEST }
 }
@@ -92,8 +92,8 @@ pub fn view(solution: &Solution, context: &Context, width: f64) -> View {
     View { svg, size, left: frame.x(0.0), scale: frame.scale(), handles }
 }
 
-/// Loads above the beam or on the ground, hinges in the beam, supports below it; `underside` is where the beam is drawn,
-/// `surface` the ground.
+/// Handles of loads above the beam or on the ground, of hinges in the beam, and of supports below it.
+/// `underside` is the drawn height of the beam, `surface` that of the ground.
 pub(super) fn handles(
     model: &Model,
     frame: &Frame,
@@ -106,7 +106,7 @@ pub(super) fn handles(
         place: [frame.x(at), underside(at) - rise],
         range: [0.0, frame.length],
     };
-    // As far as the ground is drawn, or the picture would run away from what is dragged.
+    // Only as far as the ground is drawn, so that the picture does not move away from a dragged object.
     let [left, right] = ground::margins(model, frame);
     let most = frame.margin / ROOM;
     let reach = [-left.min(most), frame.length + right.min(most)];

@@ -1,22 +1,23 @@
-//! The certificate of one solution, in words.
+//! The certificate of one solution as text.
 
 use super::sheet::Sheet;
 use crate::number::order;
 use groundbeam::{Certificate, Verdict};
 
-/// The energy gap, and how far it reaches.
+/// The energy gap, and its range of validity.
 pub(crate) fn rows(sheet: &mut Sheet, certificate: &Certificate, verdict: Verdict) {
-    let words = "recomputed from model and answer, by other code than the method's";
+    let words = "recomputed from model and result by independent code";
     sheet.row("Certificate", words);
     let gap = order(certificate.relative_gap());
     sheet.item("energy gap", &format!("{gap} of the strain energy, an estimate of the error"));
     if let Verdict::Local(_) = verdict {
-        let words = "the gap is for the equilibrium with this contact; others, far from it, are not ruled out";
+        let words =
+            "the gap holds for the equilibrium with this contact; others, far from it, may exist";
         sheet.item("reach", words);
     }
 }
 
-/// `energy gap at most 3e-16 of the strain energy`, with the gap as it is written.
+/// `energy gap at most 3e-16 of the strain energy`, with the gap as text.
 pub(crate) fn energy_gap(gap: &str) -> String {
     format!("energy gap at most {gap} of the strain energy")
 }
@@ -31,7 +32,7 @@ mod tests {
     use super::*;
     use groundbeam::{Beam, Foundation, Load, Local, Method, Model, Options, Outcome, solve_with};
 
-    /// The certificate of Kikuchi's case IV on two elements: an error that is no rounding error.
+    /// The certificate of Kikuchi's case IV on two elements, whose error exceeds rounding.
     fn written(verdict: Verdict) -> String {
         let model = Model::new(Beam::uniform(1.0, 1.0), Foundation::pasternak(1.0, 1.0))
             .with_load(Load::point_force(0.5, 1.0))
@@ -46,7 +47,7 @@ mod tests {
     #[test]
     fn a_certificate_in_words() {
         let expected = "\
-Certificate  recomputed from model and answer, by other code than the method's
+Certificate  recomputed from model and result by independent code
              energy gap  3e−6 of the strain energy, an estimate of the error
 ";
         assert_eq!(written(Verdict::Unique), expected);
@@ -55,6 +56,6 @@ Certificate  recomputed from model and answer, by other code than the method's
     #[test]
     fn a_local_equilibrium_has_a_limited_reach() {
         let local = Local { stability_margin: 0.5, critical_compression: 2.0 };
-        assert!(written(Verdict::Local(local)).contains("others, far from it, are not ruled out"));
+        assert!(written(Verdict::Local(local)).contains("others, far from it, may exist"));
     }
 }

@@ -1,4 +1,4 @@
-//! Verdicts on design checks, a sentence each.
+//! Verdicts on design checks, one sentence each.
 
 use super::sheet::{Sheet, Tone};
 use crate::bound::{not_proven, with_bound};
@@ -8,12 +8,12 @@ use crate::numbers::Numbers;
 use crate::quantity::{Kind, Unit};
 use groundbeam::{Beside, Check, Checked, Field, Solution};
 
-/// The checks of one solution, and a blank line if there are any.
+/// The checks of one solution, followed by a blank line if there are any.
 pub(crate) fn rows(sheet: &mut Sheet, solution: &Solution, context: &Context) {
     all_rows(sheet, &[Row::alone(solution, context)], context);
 }
 
-/// Every check in each of its limit states: the answer that comes nearest to the limit, or passes it farthest.
+/// Each check in each of its limit states, with the answer that has the largest utilization.
 pub(crate) fn all_rows(sheet: &mut Sheet, rows: &[Row], context: &Context) {
     let verdicts = verdicts(context.limits, rows);
     for (i, verdict) in verdicts.iter().enumerate() {
@@ -34,7 +34,7 @@ pub(crate) fn all_rows(sheet: &mut Sheet, rows: &[Row], context: &Context) {
     sheet.blank();
 }
 
-/// A verdict in words, and their tone.
+/// A verdict as a sentence, with its tone.
 pub(crate) fn sentence(verdict: &Verdict, rows: &[Row], context: &Context) -> (String, Tone) {
     let name = noun(verdict.what);
     let (mut words, tone, by) = match verdict.of {
@@ -67,7 +67,7 @@ pub(crate) fn sentence(verdict: &Verdict, rows: &[Row], context: &Context) -> (S
     (words, tone)
 }
 
-/// The check as a subject.
+/// The check as the subject of a sentence.
 fn noun(what: Checked) -> &'static str {
     match what {
         Checked::BearingPressure => "peak pressure",
@@ -79,7 +79,7 @@ fn noun(what: Checked) -> &'static str {
     }
 }
 
-/// Digits that tell every double from its neighbours.
+/// Number of digits that distinguishes every double from its neighbours.
 const ALL_DIGITS: usize = 17;
 
 fn judged_in_words(judged: &Judged, numbers: &Numbers) -> (String, Tone) {
@@ -135,7 +135,7 @@ fn judged_in_words(judged: &Judged, numbers: &Numbers) -> (String, Tone) {
     (format!("{said}: {verdict}{}", beside(check, numbers)), tone)
 }
 
-/// As few digits as tell the value from a limit that it does not keep to.
+/// The smallest number of digits that distinguishes the value from a limit that it exceeds.
 fn digits(check: &Check, unit: &impl Fn(f64) -> Unit, least: usize) -> usize {
     let same = |digits: &usize| {
         let [a, b] =
@@ -145,7 +145,7 @@ fn digits(check: &Check, unit: &impl Fn(f64) -> Unit, least: usize) -> usize {
     (least..ALL_DIGITS).find(|digits| !same(digits)).unwrap_or(ALL_DIGITS)
 }
 
-/// The forces that a peak pressure leaves out; the area on which a force is resisted.
+/// The end forces that a peak pressure does not include, or the area on which a force is resisted.
 fn beside(check: &Check, numbers: &Numbers) -> String {
     let force = |force: f64| {
         let force = numbers.sizes().force(force);
@@ -155,7 +155,7 @@ fn beside(check: &Check, numbers: &Numbers) -> String {
     match check.beside {
         Beside::EndForces(ends) if ends.left != 0.0 || ends.right != 0.0 => {
             let [left, right] = [force(ends.left), force(ends.right)];
-            format!("; besides, the ends press with {left} (left) and {right} (right)")
+            format!("; end forces {left} (left) and {right} (right) in addition")
         }
         Beside::EffectiveArea { width, length: of } => {
             format!("; B' = {}, L' = {}", length(width), length(of))

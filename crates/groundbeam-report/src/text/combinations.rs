@@ -1,5 +1,5 @@
-//! The report of all combinations: a table of them, the envelope, and every load case by itself; if proofs are asked for,
-//! with bounds.
+//! The terminal report of all combinations: a table of them, the envelope, and each load case alone; with
+//! bounds if proofs are requested.
 
 use super::sheet::{Sheet, Tone};
 use super::{COLUMNS, certificate, checks, extreme_of, structure, title};
@@ -15,7 +15,7 @@ use crate::verdict::{self, falls, wording};
 use groundbeam::{Envelope, Extreme, Governing, Model, Verdict};
 use groundbeam_run::{Answer, Answers, Banded, Found, Ground};
 
-/// The report of all combinations, solved or only checked; with `colour`, with escape codes for a terminal.
+/// The report of all combinations, solved or only checked. `colour` adds escape codes for a terminal.
 pub fn combinations(answers: &Answers, context: &Context, colour: bool) -> String {
     let mut sheet = Sheet::new(colour);
     title(&mut sheet, context);
@@ -68,25 +68,23 @@ fn follows_solution(answer: &Answer) -> bool {
     answer.ground.as_ref().is_some_and(Ground::follows_solution)
 }
 
-/// The models of all solutions, if the ground of each follows from its solution.
+/// The models of all solutions, if the ground of each depends on its solution.
 pub(crate) fn used_models(answers: &Answers) -> Option<Vec<&Model>> {
     let models: Vec<&Model> = answers.solved().map(|(_, solution)| solution.model()).collect();
     (!models.is_empty() && answers.list.iter().any(follows_solution)).then_some(models)
 }
 
-/// How k and μ follow from the solutions, of which they are printed if there are any.
+/// Statement that k and μ depend on the solutions; they are printed if there are solutions.
 pub(super) fn soil_of_each(what: &str, is_solved: bool) -> String {
     match is_solved {
-        true => format!(
-            "k and mu of each {what} follow from its own solution; above stand those of all"
-        ),
+        true => format!("k and mu of each {what} depend on its own solution; above: those of all"),
         false => format!(
-            "k and mu of each {what} follow from its own solution; above stands the ground before it"
+            "k and mu of each {what} depend on its own solution; above: before the solution"
         ),
     }
 }
 
-/// Numbers and names.
+/// Numbers and names of the combinations.
 fn names(sheet: &mut Sheet, answers: &Answers) {
     for (i, answer) in answers.list.iter().enumerate() {
         let name = format!("{:>4}  {}", i + 1, clean(answer.name()));
@@ -94,7 +92,7 @@ fn names(sheet: &mut Sheet, answers: &Answers) {
     }
 }
 
-/// What the engineer judges by, on the best ground and between which bounds on all of them.
+/// The governing quantities on the best ground, and their ranges over all grounds.
 fn band(sheet: &mut Sheet, answers: &Answers, units: Units) {
     let Some(bands) = answers.bands() else { return };
     let heading = format!("{:<31}{:>14}{:>18}", "Band of grounds", "best ground", "all of them");
@@ -107,11 +105,11 @@ fn band(sheet: &mut Sheet, answers: &Answers, units: Units) {
         let range = format!("{} to {}", unit.number(low), unit.write(high));
         sheet.line(&format!("{name:<31}{best:>14}    {range}"));
     }
-    sheet.row("", "of the grounds that were solved; nothing is proven of those between them");
+    sheet.row("", "of the solved grounds; nothing is proven for grounds between them");
     sheet.blank();
 }
 
-/// The numbers by which an engineer judges, on the best ground and between which bounds on all grounds.
+/// The governing quantities with bounds: on the best ground, and their ranges over all grounds.
 pub(crate) fn bounded_band(
     sheet: &mut Sheet,
     answers: &Answers,
@@ -130,11 +128,11 @@ pub(crate) fn bounded_band(
         let name = extreme_of(field, largest);
         sheet.row("", &format!("{name}: {best} on the best ground, {low} to {high} on all"));
     }
-    sheet.row("", "of the grounds that were solved; nothing is proven of those between them");
+    sheet.row("", "of the solved grounds; nothing is proven for grounds between them");
     sheet.blank();
 }
 
-/// Numbers, verdicts and names, where there is nothing else to tell.
+/// Numbers, verdicts and names, for reports with nothing else.
 fn verdicts(sheet: &mut Sheet, answers: &Answers, units: Units) {
     sheet.heading("   #  equilibrium  combination");
     for (i, answer) in answers.list.iter().enumerate() {
@@ -144,7 +142,7 @@ fn verdicts(sheet: &mut Sheet, answers: &Answers, units: Units) {
     }
 }
 
-/// Verdict, contact and extremes, a line each.
+/// Verdict, contact and extremes, one row each.
 fn table(sheet: &mut Sheet, answers: &Answers, solved: &[Numbered], units: Units) {
     let extremes = |row: &Numbered| {
         COLUMNS.map(|(field, largest)| {
@@ -153,7 +151,7 @@ fn table(sheet: &mut Sheet, answers: &Answers, solved: &[Numbered], units: Units
         })
     };
     let values: Vec<[f64; 4]> = solved.iter().map(extremes).collect();
-    // Both columns of a field are in one unit.
+    // Both columns of a field have one unit.
     let units_of_columns: [Unit; 4] = COLUMNS.map(|(field, _)| {
         let same = (0..4).filter(|&column| COLUMNS[column].0 == field);
         let sizes = same.flat_map(|column| values.iter().map(move |row| row[column].abs()));
@@ -185,7 +183,8 @@ fn table(sheet: &mut Sheet, answers: &Answers, solved: &[Numbered], units: Units
     }
 }
 
-/// Verdict, contact and proof, a line each. The extremes stand with their bounds below, combination by combination.
+/// Verdict, contact and proof, one row each. The extremes with their bounds follow below for each
+/// combination.
 fn bounded_table(sheet: &mut Sheet, answers: &Answers, solved: &[Numbered], units: Units) {
     sheet.heading("   #  equilibrium  zones of contact  proof       lifted share");
     let mut rows = solved.iter().peekable();
@@ -203,7 +202,7 @@ fn bounded_table(sheet: &mut Sheet, answers: &Answers, solved: &[Numbered], unit
     }
 }
 
-/// `one`, `many`, `none: it tips about its left end`.
+/// `one`, `many`, or `none: it tips about its left end`.
 fn outcome(answer: &Answer, units: Units) -> String {
     match answer.existence().map(|existence| existence.verdict) {
         Some(verdict @ Verdict::None(motion)) => wording(verdict).with(&falls(motion, units)),
@@ -212,7 +211,7 @@ fn outcome(answer: &Answer, units: Units) -> String {
     }
 }
 
-/// Why combinations have no answer, or more than one.
+/// Reasons why combinations have no result, or more than one.
 fn failures(sheet: &mut Sheet, answers: &Answers, units: Units) {
     let mut begun = false;
     for (i, answer) in answers.list.iter().enumerate() {
@@ -241,7 +240,7 @@ fn failures(sheet: &mut Sheet, answers: &Answers, units: Units) {
     }
 }
 
-/// Whether each load case could stand by itself.
+/// Whether each load case alone has an equilibrium.
 fn alone(sheet: &mut Sheet, answers: &Answers, units: Units) {
     for (i, case) in answers.alone.iter().enumerate() {
         if i == 0 {
@@ -254,7 +253,7 @@ fn alone(sheet: &mut Sheet, answers: &Answers, units: Units) {
     }
 }
 
-/// The envelopes of the limit states, if there is more than one envelope.
+/// The envelopes of the limit states, if there is more than one.
 pub(crate) fn of_limit_states(
     sheet: &mut Sheet,
     answers: &Answers,
@@ -280,7 +279,7 @@ pub(crate) fn of_limit_states(
     }
 }
 
-/// The extremes of all, each with the number of the combination that has it.
+/// The extremes over all combinations, each with the number of its combination.
 fn envelope(
     sheet: &mut Sheet,
     heading: &str,
@@ -312,7 +311,8 @@ fn envelope(
     end_forces(sheet, solved, units);
 }
 
-/// The extremes of all, each with its bound, the combination that has it, and its place if this combination is shown to govern.
+/// The extremes over all combinations, each with its bound and its combination. The position is given if this
+/// combination is proven to govern.
 pub(crate) fn bounded_envelope(
     sheet: &mut Sheet,
     envelope: &Envelope,

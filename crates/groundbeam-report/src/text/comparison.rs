@@ -1,4 +1,4 @@
-//! The answers of several methods to one model, a line each.
+//! The terminal report of a comparison of methods, one row per method.
 
 use super::sheet::Sheet;
 use super::title;
@@ -8,7 +8,8 @@ use crate::quantity::duration;
 use groundbeam::{Error, Field, Solution};
 use groundbeam_run::{Answer, Answers, Errors, Found};
 
-/// The report of the answers of several methods, of which the first is the exact one; with `colour`, with escape codes for a terminal.
+/// The report of the results of several methods, of which the first is exact. `colour` adds escape codes for
+/// a terminal.
 pub fn comparison(answers: &Answers, context: &Context, colour: bool) -> String {
     let mut sheet = Sheet::new(colour);
     title(&mut sheet, context);
@@ -43,11 +44,10 @@ pub fn comparison(answers: &Answers, context: &Context, colour: bool) -> String 
     for (i, failure) in failures.iter().enumerate() {
         sheet.row(if i == 0 { "Not solved" } else { "" }, failure);
     }
-    let words = "largest difference from exact along the beam over the largest value; of the end forces, \
-                 over the resultant of the loads";
+    let words = "largest difference from exact along the beam, relative to the largest value; end forces: \
+                 relative to the resultant";
     sheet.row("Errors", words);
-    let words = "the bound that each answer carries with it: no answer is farther from the truth than its \
-                 gap allows";
+    let words = "the error bound of each result, from its certificate";
     sheet.row("Energy gap", words);
     sheet.finish()
 }

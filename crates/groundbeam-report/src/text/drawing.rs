@@ -1,4 +1,4 @@
-//! Beam, ground and contact as a few lines of signs on a terminal, 80 columns wide.
+//! Draws beam, ground and contact with characters on a terminal, 80 columns wide.
 
 use crate::quantity::{Kind, Units};
 use crate::size::Sizes;
@@ -6,9 +6,9 @@ use groundbeam::{Action, Extent, Side, Solution};
 
 /// Columns of the drawing.
 const WIDTH: usize = 78;
-/// Of them, ground beyond each end.
+/// Columns of ground beyond each end.
 const BEYOND: usize = 5;
-/// Rows over which beam and ground move.
+/// Rows for the deflections of beam and ground.
 const DEPTH: usize = 7;
 /// Rows of ground below its lowest point.
 const BELOW: usize = 1;
@@ -17,12 +17,13 @@ const LOAD: &str = "33";
 const CONTACT: &str = "34";
 const GROUND: &str = "2";
 
-/// The bent beam on its ground, not to scale, with where it touches; with `colour`, with escape codes for a terminal.
+/// The deflected beam on the ground, not to scale, with its contact zones. `colour` adds escape codes for a
+/// terminal.
 pub fn drawing(solution: &Solution, units: Units, colour: bool) -> String {
     let picture = Picture { solution, length: solution.model().beam.length };
     let mut rows = vec![painted(&picture.loads(), LOAD, colour)];
     rows.extend(picture.bent().iter().map(|row| {
-        // Ground is faint, so that the beam stands out.
+        // The ground is faint, so that the beam is prominent.
         match row.find('░') {
             Some(_) if colour => row.replace('░', &format!("\u{1b}[{GROUND}m░\u{1b}[0m")),
             _ => row.clone(),
@@ -43,13 +44,13 @@ struct Picture<'a> {
 }
 
 impl Picture<'_> {
-    /// The column of a position.
+    /// Column of a position.
     fn column(&self, x: f64) -> usize {
         let last = (WIDTH - 2 * BEYOND - 1) as f64;
         BEYOND + (last * (x / self.length).clamp(0.0, 1.0)).round() as usize
     }
 
-    /// The position of a column; beyond the ends too.
+    /// Position of a column, also beyond the ends.
     fn position(&self, column: usize) -> f64 {
         let last = (WIDTH - 2 * BEYOND - 1) as f64;
         self.length * ((column as f64 - BEYOND as f64) / last)
@@ -59,7 +60,7 @@ impl Picture<'_> {
         (BEYOND..WIDTH - BEYOND).contains(&column)
     }
 
-    /// Forces as arrows, moments as turning arrows, distributed loads as what they rain from.
+    /// Forces as arrows, moments as rotation arrows, distributed loads as a row of marks.
     fn loads(&self) -> String {
         let mut row = vec![' '; WIDTH];
         let model = self.solution.model();
@@ -77,7 +78,7 @@ impl Picture<'_> {
         row.into_iter().collect()
     }
 
-    /// Beam and ground, row below row.
+    /// Rows with beam and ground.
     fn bent(&self) -> Vec<String> {
         let solution = self.solution;
         let beam: Vec<Option<f64>> = (0..WIDTH)
@@ -91,7 +92,7 @@ impl Picture<'_> {
                 let x = self.position(column);
                 let inside = x.clamp(0.0, self.length);
                 let fields = solution.at(inside, Side::Right);
-                // The clearance goes on beyond the ends as it is there.
+                // Beyond the ends the initial gap has its value at the end.
                 let initial = fields.deflection + fields.gap - fields.settlement;
                 solution.settlement(x) + initial
             })
@@ -113,7 +114,7 @@ impl Picture<'_> {
             if let Some(deflection) = beam[column] {
                 let row = row_of(deflection);
                 rows[row][column] = '━';
-                // A steep beam has no holes.
+                // The rows between two neighbouring columns are filled, so that a steep beam has no gaps.
                 let last = before.replace(row).unwrap_or(row);
                 let sign = if last < row { '╲' } else { '╱' };
                 for between in rows.iter_mut().take(last.max(row)).skip(last.min(row) + 1) {
@@ -124,7 +125,7 @@ impl Picture<'_> {
         rows.into_iter().map(|row| row.into_iter().collect()).collect()
     }
 
-    /// A bar wherever beam and ground touch.
+    /// A row with a bar at each contact zone.
     fn contact(&self) -> String {
         let mut row = vec![' '; WIDTH];
         for region in self.solution.contact() {
@@ -137,12 +138,12 @@ impl Picture<'_> {
         row.into_iter().collect()
     }
 
-    /// Where contact begins and ends, as far as there is room.
+    /// The positions of contact edges, as far as there is room.
     fn positions(&self, units: Units) -> String {
         let sizes = Sizes::of(self.solution);
         let mut row = vec![' '; WIDTH];
         let edges = self.solution.contact().iter().flat_map(|region| [region.from, region.to]);
-        // The ends first: they are always named.
+        // The ends of the beam come first because they are always labelled.
         for x in [0.0, self.length].into_iter().chain(edges) {
             let words = units.write(Kind::Position, sizes.position(x));
             let count = words.chars().count();

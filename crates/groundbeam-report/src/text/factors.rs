@@ -1,4 +1,4 @@
-//! Load factors, in words.
+//! Load factors as text.
 
 use super::sheet::Sheet;
 use crate::bound::not_proven;
@@ -8,18 +8,19 @@ use crate::verdict::falls;
 use groundbeam::{FirstLiftOff, LossOfEquilibrium};
 use groundbeam_run::Factors;
 
-/// The rows about load factors, if they were asked for.
+/// The rows with load factors, if requested.
 pub(crate) fn rows(sheet: &mut Sheet, context: &Context) {
     let Some(factors) = context.factors else { return };
     let loads = Grows::of(factors);
-    // Load factors are the result of a search, which no proof covers.
+    // Load factors come from a search that the proof does not cover.
     let mark = |words: String| if context.proofs.is_empty() { words } else { not_proven(&words) };
     let lift_off = lift_off(factors.found.first_lift_off, &loads, context.units);
     sheet.row("Load factors", &mark(lift_off));
     sheet.row("", &mark(loss(factors.found.loss_of_equilibrium, &loads, context.units)));
 }
 
-/// The loads that grow: `all loads`, and `they` where `however small they are` follows.
+/// Noun and pronoun for the growing loads in a sentence: `all loads`, and `they` as in
+/// `however small they are`.
 struct Grows {
     times: String,
     are: String,

@@ -1,4 +1,4 @@
-//! The stretches that have lifted off: of one solution all of them, of trains those that stand out.
+//! The lifted stretches as text: all of one solution, or the governing ones of trains.
 
 use super::MOST_ROWS;
 use super::sheet::Sheet;
@@ -7,7 +7,7 @@ use crate::size::Sizes;
 use groundbeam::{Field, LiftOff};
 use groundbeam_run::{Opened, Passage};
 
-/// A line for each; of very many the longest.
+/// One row for each stretch; only the longest ones if there are many.
 pub(super) fn table(sheet: &mut Sheet, lifted: &[LiftOff], units: Units, sizes: &Sizes) {
     let count = lifted.len();
     let by_length = |a: &&LiftOff, b: &&LiftOff| b.length().total_cmp(&a.length());
@@ -30,7 +30,7 @@ pub(super) fn table(sheet: &mut Sheet, lifted: &[LiftOff], units: Units, sizes: 
     };
     let rows: Vec<[String; 6]> = shown.iter().map(row).collect();
     let heads = ["from", "to", "length", "largest gap", "at", "reaches"].map(str::to_owned);
-    // As wide as what stands in them.
+    // Columns are as wide as their content.
     let width = |column: usize, least: usize| {
         let longest = rows.iter().map(|row| row[column].chars().count()).max().unwrap_or(0);
         least.max(longest + 1)
@@ -49,7 +49,7 @@ pub(super) fn table(sheet: &mut Sheet, lifted: &[LiftOff], units: Units, sizes: 
     }
 }
 
-/// Which ends of the beam a stretch reaches.
+/// The ends of the beam that a stretch reaches.
 fn ends(open: &LiftOff) -> &'static str {
     match open.reaches {
         [true, true] => "both ends",
@@ -59,19 +59,20 @@ fn ends(open: &LiftOff) -> &'static str {
     }
 }
 
-/// The longest free span and the largest clearance of all positions of trains; with their numbers, of several.
+/// The longest free span and the largest clearance over all positions of trains; with several trains, with
+/// their numbers.
 pub(crate) fn of_trains(sheet: &mut Sheet, all: &[Passage], units: Units) {
     let each = || {
         all.iter().enumerate().filter_map(|(i, passage)| {
             let found = passage.free_spans()?;
             let cleaned = |opened: Opened| clean(passage, opened);
-            // What is nothing but rounding is no clearance.
+            // A value that is only rounding error is not a clearance.
             let highest = cleaned(found.highest);
             let is_open = highest.stretch.largest_gap.value > 0.0;
             is_open.then(|| (i + 1, cleaned(found.longest), highest))
         })
     };
-    // Of equals the first.
+    // Of equal values the first is kept.
     let longest = each().map(|(number, longest, _)| (number, longest)).reduce(|most, other| {
         if other.1.stretch.length() > most.1.stretch.length() { other } else { most }
     });
@@ -107,7 +108,7 @@ pub(crate) fn of_trains(sheet: &mut Sheet, all: &[Passage], units: Units) {
     sheet.row("", &format!("the largest clearance {value}, at {}, {when_highest}", place(gap.x)));
 }
 
-/// Without what is rounding.
+/// Sets rounding errors to zero.
 fn clean(passage: &Passage, opened: Opened) -> Opened {
     let Some((_, solution)) = passage.nearest(opened.first_axle) else { return opened };
     let sizes = Sizes::of(solution);

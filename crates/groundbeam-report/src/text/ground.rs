@@ -1,4 +1,4 @@
-//! The origin of the ground's constants.
+//! The origin of the ground's constants as text.
 
 use super::sheet::{Sheet, Tone};
 use crate::context::Context;
@@ -6,7 +6,7 @@ use crate::quantity::Kind;
 use groundbeam::Model;
 use groundbeam::soil::SoilRounds;
 
-/// The method, the values of an area beside those of the beam, and what is to be doubted.
+/// The method, the values per area, and warnings.
 pub fn rows(sheet: &mut Sheet, model: &Model, context: &Context) {
     let Some(ground) = context.ground else { return };
     let units = context.units;

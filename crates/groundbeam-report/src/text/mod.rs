@@ -37,10 +37,10 @@ pub(crate) use results::{forces, results};
 use sheet::{Sheet, Tone};
 pub use study::study;
 
-/// More rows of one kind than this are counted, not listed.
+/// Maximum number of listed rows of one kind; more are counted.
 const MOST_ROWS: usize = 20;
 
-/// The report of an equilibrium; with `colour`, with escape codes for a terminal.
+/// The report of an equilibrium. `colour` adds escape codes for a terminal.
 pub fn solved(solution: &Solution, context: &Context, colour: bool) -> String {
     let mut sheet = Sheet::new(colour);
     let units = context.units;
@@ -59,8 +59,8 @@ pub fn solved(solution: &Solution, context: &Context, colour: bool) -> String {
     sheet.finish()
 }
 
-/// Labels and words of what a page shows beside the picture: contact, forces, extremes, checks. An empty label goes
-/// on with the one above.
+/// Labels and text beside the picture of a page: contact, forces, extremes, checks. An empty label continues
+/// the previous row.
 pub fn summary(solution: &Solution, context: &Context) -> Vec<(String, String)> {
     let mut sheet = Sheet::new(false);
     let numbers = Numbers::plain(solution, context.units);
@@ -88,14 +88,14 @@ pub fn summary(solution: &Solution, context: &Context) -> Vec<(String, String)> 
     sheet.into_rows()
 }
 
-/// Labels and words of the verdicts on checks.
+/// Labels and text of the verdicts on checks.
 pub(crate) fn check_rows(rows: &[Row], context: &Context) -> Vec<(String, String)> {
     let mut sheet = Sheet::new(false);
     checks::all_rows(&mut sheet, rows, context);
     sheet.into_rows()
 }
 
-/// Motion and remedy of a model without an equilibrium, as labels and words.
+/// Motion and remedy of a model without equilibrium, as labels and text.
 pub fn failing(model: &Model, existence: &Existence, context: &Context) -> Vec<(String, String)> {
     let Verdict::None(motion) = existence.verdict else { return Vec::new() };
     let row = |label: &str, words: String| (label.to_owned(), words);
@@ -104,8 +104,8 @@ pub fn failing(model: &Model, existence: &Existence, context: &Context) -> Vec<(
     [motion].into_iter().chain(remedy).collect()
 }
 
-/// What the statics say of a model: the verdict alone, for an equilibrium that was not asked for or that
-/// does not exist.
+/// The existence check of a model: only the verdict, for an equilibrium that was not solved or does not
+/// exist.
 pub fn existence(model: &Model, existence: &Existence, context: &Context, colour: bool) -> String {
     let mut sheet = Sheet::new(colour);
     problem(&mut sheet, model, existence, context);
@@ -114,15 +114,15 @@ pub fn existence(model: &Model, existence: &Existence, context: &Context, colour
     sheet.finish()
 }
 
-/// What a method reached that did not reach its tolerance.
+/// The report of a method that did not reach its tolerance.
 pub fn not_converged(reached: &Stopped, colour: bool) -> String {
     let mut sheet = Sheet::new(colour);
-    sheet.toned_row("Not solved", &format!("no answer: {reached}"), Tone::Bad);
+    sheet.toned_row("Not solved", &format!("no result: {reached}"), Tone::Bad);
     sheet.row("", "no result is given, since none could be certified");
     sheet.finish()
 }
 
-/// The load factors alone, for a report that has no other place for them; empty if nobody asked.
+/// The load factors for a report without another place for them; empty if not requested.
 pub fn load_factors(context: &Context, colour: bool) -> String {
     let mut sheet = Sheet::new(colour);
     factors::rows(&mut sheet, context);
@@ -168,7 +168,7 @@ fn title(sheet: &mut Sheet, context: &Context) {
     }
 }
 
-/// Beam and ground, of several models between which values. All of them have one beam.
+/// Beam and ground; for several models the ranges of values. All models have one beam.
 pub(crate) fn structure(
     sheet: &mut Sheet,
     models: &[&Model],
@@ -228,7 +228,7 @@ pub(crate) fn structure(
     sheet.row("Stiffness", &format!("β = {beta}, βl = {beta_length}: {}", found.class()));
 }
 
-/// What a beam resists shear with, and how much that matters.
+/// Shear stiffness of the beam, and the ratio EI/(GA l²); `None` without shear deformation.
 pub(crate) fn shear(model: &Model, units: Units) -> Option<String> {
     let beam = &model.beam;
     let segments: Vec<Profile> = beam.segments.iter().filter_map(|s| s.shear_stiffness).collect();
@@ -239,7 +239,7 @@ pub(crate) fn shear(model: &Model, units: Units) -> Option<String> {
     let least = all.iter().copied().fold(f64::INFINITY, f64::min);
     let number = beam.bending_stiffness / least / (beam.length * beam.length);
     let part = if beam.shear_stiffness.is_none() { ", in segments" } else { "" };
-    Some(format!("it shears: GA = {stiffness}{part}, EI/(GA l²) = {}", units.ratio(number)))
+    Some(format!("shear: GA = {stiffness}{part}, EI/(GA l²) = {}", units.ratio(number)))
 }
 
 /// A quantity that may vary: `2 MN`, or `1 to 3 MN`.
@@ -277,7 +277,7 @@ pub(crate) fn verdict_row(sheet: &mut Sheet, model: &Model, existence: &Existenc
     }
 }
 
-/// One row each; of very many only the first.
+/// One row per item; only the first ones if there are many.
 fn listed<T>(sheet: &mut Sheet, label: &str, items: &[T], write: impl Fn(&T) -> String) {
     for (i, item) in items.iter().take(MOST_ROWS).enumerate() {
         sheet.row(if i == 0 { label } else { "" }, &write(item));
@@ -287,7 +287,7 @@ fn listed<T>(sheet: &mut Sheet, label: &str, items: &[T], write: impl Fn(&T) -> 
     }
 }
 
-/// The columns of numbers in tables of several solutions: which field, and whether its largest value.
+/// Columns of tables with several solutions: the field, and whether it is its largest value.
 pub(crate) const COLUMNS: [(Field, bool); 4] = [
     (Field::Deflection, true),
     (Field::Moment, false),
@@ -295,7 +295,7 @@ pub(crate) const COLUMNS: [(Field, bool); 4] = [
     (Field::Pressure, true),
 ];
 
-/// `largest moment`.
+/// Name of an extreme, such as `largest moment`.
 pub(crate) fn extreme_of(field: Field, largest: bool) -> String {
     let which = if largest { "largest" } else { "smallest" };
     format!("{which} {}", field.label().to_lowercase())

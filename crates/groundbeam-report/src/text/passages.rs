@@ -1,4 +1,4 @@
-//! The report of trains that pass, each alone: of one its own, of several a table of them and the envelope of all.
+//! The terminal report of moving trains: one passage alone, or a table of several with the joint envelope.
 
 use super::combinations::soil_of_each;
 use super::sheet::Sheet;
@@ -10,10 +10,10 @@ use crate::quantity::{Kind, Unit, Units};
 use groundbeam::{Field, Model};
 use groundbeam_run::{Ground, InPassage, Overall, Passage, Passages};
 
-/// Where the first number of an envelope may begin.
+/// Column of the first number of an envelope.
 const COLUMN: usize = 13;
 
-/// The report of passages; with `colour`, with escape codes for a terminal.
+/// The report of passages. `colour` adds escape codes for a terminal.
 pub fn trains(passages: &Passages, context: &Context, colour: bool) -> String {
     let mut sheet = Sheet::new(colour);
     title(&mut sheet, context);
@@ -65,12 +65,12 @@ pub fn trains(passages: &Passages, context: &Context, colour: bool) -> String {
     sheet.finish()
 }
 
-/// The models of all positions that were solved.
+/// The models of all solved positions.
 pub(crate) fn used_models<'a>(all: &'a [Passage<'a>]) -> Vec<&'a Model> {
     all.iter().flat_map(Passage::solved).map(|(_, solution)| solution.model()).collect()
 }
 
-/// What statics says of the ways of trains; with `colour`, with escape codes for a terminal.
+/// The existence check along the ways of trains. `colour` adds escape codes for a terminal.
 pub fn checked_trains(passages: &Passages, context: &Context, colour: bool) -> String {
     let mut sheet = Sheet::new(colour);
     title(&mut sheet, context);
@@ -82,7 +82,7 @@ pub fn checked_trains(passages: &Passages, context: &Context, colour: bool) -> S
         let [from, to] = passage.moving().range.map(|x| context.units.position(x));
         words += &format!(": first axle from {from} to {to}");
         if passage.without_equilibrium().is_empty() {
-            words += ", an equilibrium in every position that was looked at";
+            words += ", an equilibrium at every checked position";
         }
         sheet.row("Train", &words);
         ranges(&mut sheet, passage.without_equilibrium(), "", context.units);
@@ -90,7 +90,7 @@ pub fn checked_trains(passages: &Passages, context: &Context, colour: bool) -> S
     sheet.finish()
 }
 
-/// Extremes of each passage, a line each.
+/// Extremes of each passage, one row each.
 fn table(sheet: &mut Sheet, all: &[Passage], units: Units) {
     let extremes = |passage: &Passage| {
         let of = |(field, largest): (Field, bool)| {
@@ -100,7 +100,7 @@ fn table(sheet: &mut Sheet, all: &[Passage], units: Units) {
         COLUMNS.map(of)
     };
     let values: Vec<[Option<f64>; 4]> = all.iter().map(extremes).collect();
-    // Both columns of a field are in one unit.
+    // Both columns of a field have one unit.
     let units_of_columns: [Unit; 4] = COLUMNS.map(|(field, _)| {
         let same = (0..4).filter(|&column| COLUMNS[column].0 == field);
         let sizes = same.flat_map(|column| values.iter().filter_map(move |row| row[column]));
@@ -128,7 +128,7 @@ fn table(sheet: &mut Sheet, all: &[Passage], units: Units) {
     }
 }
 
-/// The envelopes of the limit states, if they are not that of all.
+/// The envelopes of the limit states, if they differ from the joint one.
 fn of_limit_states(sheet: &mut Sheet, passages: &Passages, units: Units) {
     for state in passages.limit_states().iter() {
         if passages.all.iter().all(|passage| passage.limit_states().contains(state)) {
@@ -140,7 +140,8 @@ fn of_limit_states(sheet: &mut Sheet, passages: &Passages, units: Units) {
     }
 }
 
-/// Extremes of all, each with the number of the passage, the section, and the position of the first axle.
+/// Extremes over all passages, each with the number of the passage, the section, and the position of the
+/// first axle.
 fn envelope(sheet: &mut Sheet, heading: &str, passages: &Passages, units: Units) {
     let columns = |first: &str, a: [&str; 4], b: [&str; 4]| {
         let cell = |[value, x, train, which]: [&str; 4]| {
@@ -177,7 +178,7 @@ fn envelope(sheet: &mut Sheet, heading: &str, passages: &Passages, units: Units)
     }
 }
 
-/// The largest gaps ahead of, between and behind the axles of any.
+/// The largest gaps ahead of, between and behind the axles over all passages.
 fn uplift(sheet: &mut Sheet, all: &[Passage], units: Units) {
     let places = ["ahead of the axles", "between them", "behind them"];
     for (i, place) in places.into_iter().enumerate() {
@@ -186,7 +187,7 @@ fn uplift(sheet: &mut Sheet, all: &[Passage], units: Units) {
             let gap = [uplift.ahead, uplift.between, uplift.behind][i]?;
             Some((number, cleaned(passage, Field::Gap, gap)))
         });
-        // Of equals the first.
+        // Of equal values the first is kept.
         let most =
             each.reduce(|most, other| if other.1.value > most.1.value { other } else { most });
         let words = match most {

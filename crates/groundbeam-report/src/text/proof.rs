@@ -1,4 +1,4 @@
-//! What is proven of a result document, in words.
+//! The proven statements about a result document as text.
 
 use super::sheet::{Sheet, Tone};
 use crate::number::{above, significant};
@@ -8,7 +8,7 @@ use crate::verified::{LeftOut, ModelOf, Named, Verified};
 use groundbeam::Solution;
 use groundbeam::proof::{Bound, NotProven, Verification};
 
-/// More names than this are counted, not listed.
+/// Maximum number of listed names; more are counted.
 const MOST_NAMES: usize = 10;
 
 /// The report of `groundbeam verify`.
@@ -16,7 +16,7 @@ pub fn verified(verified: &Verified, colour: bool) -> String {
     let mut sheet = Sheet::new(colour);
     if let Some(why) = &verified.other_model {
         sheet.toned_row("Not proven", why, Tone::Bad);
-        sheet.row("", "The rest holds for the numbers alone, read in the units of the model file.");
+        sheet.row("", "The rest applies to the numbers only, read in the units of the model file.");
     }
     if let Some(LeftOut { all, names }) = &verified.left_out {
         let shown: Vec<&str> = names.iter().take(MOST_NAMES).map(String::as_str).collect();
@@ -41,7 +41,7 @@ pub fn verified(verified: &Verified, colour: bool) -> String {
     sheet.finish()
 }
 
-/// What is proven of the answer of a report, whose numbers have their bounds.
+/// The proven statements about a result whose report prints the bounds.
 pub fn proof(named: &Named, units: Units, colour: bool) -> String {
     let mut sheet = Sheet::new(colour);
     sheet.heading("Proof");
@@ -49,7 +49,7 @@ pub fn proof(named: &Named, units: Units, colour: bool) -> String {
     sheet.finish()
 }
 
-/// The numbers of each of several answers with their bounds, and what is proven of it.
+/// The numbers of several results with their bounds, and the proven statements about each.
 pub fn proofs<'a>(
     answers: impl Iterator<Item = (Option<&'a Solution>, &'a Named)>,
     units: Units,
@@ -71,7 +71,8 @@ pub fn proofs<'a>(
     sheet.finish()
 }
 
-/// The statement, existence, uniqueness, contact set and energy, and the quantities without a bound or with a large one.
+/// The statement, existence, uniqueness, contact set and energy, and the quantities without a bound or with a
+/// large one.
 pub(crate) fn proven(sheet: &mut Sheet, named: &Named, units: Units) {
     let found = match &named.found {
         Err(why) => return sheet.toned_row("Not proven", &reason(why), Tone::Bad),
@@ -126,7 +127,7 @@ fn result(sheet: &mut Sheet, named: &Named, units: Units) {
     }
 }
 
-/// A reason in words that end with its place.
+/// A reason, followed by its position.
 pub(crate) fn reason(why: &NotProven) -> String {
     match why.at {
         Some(at) => format!("{} (at x = {})", why.what, significant(at, 6)),
@@ -152,7 +153,7 @@ fn verdict(sheet: &mut Sheet, named: &Named, found: &Verification, errors: &str)
     }
 }
 
-/// Each bound with the scale with which it is compared.
+/// Each bound with its scale.
 fn bounds(sheet: &mut Sheet, found: &Verification, units: Units) {
     let written = |Bound { error, scale }: Bound, unit: Unit| {
         format!("± {}, scale {}", bound_in(unit, error), unit.with_digits(3).write(scale))
@@ -206,7 +207,7 @@ fn bound_in(unit: Unit, error: f64) -> String {
     format!("{number} {}", unit.name).trim_end().to_owned()
 }
 
-/// How much was compared, and what was not.
+/// The numbers of compared values, and the keys that were not compared.
 fn checked(sheet: &mut Sheet, found: &Verification) {
     let checked = &found.checked;
     let count = |n: usize, one: &str, many: &str| match n {

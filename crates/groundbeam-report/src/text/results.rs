@@ -1,4 +1,4 @@
-//! Contact, forces and extremes of one solution, rounded or with the bounds of their errors.
+//! Contact, forces and extremes of one solution as text, rounded or with error bounds.
 
 use super::sheet::Sheet;
 use super::{free_spans, listed};
@@ -72,7 +72,7 @@ fn lift_off(sheet: &mut Sheet, solution: &Solution, numbers: &Numbers) {
     });
 }
 
-/// `from 0 to 10.2 m`
+/// A range such as `from 0 to 10.2 m`.
 pub(super) fn between(units: Units, from: f64, to: f64) -> String {
     let unit = units.unit(Kind::Position, to);
     format!("from {} to {}", unit.number(from), unit.write(to))
@@ -159,7 +159,7 @@ fn extremes(sheet: &mut Sheet, solution: &Solution, numbers: &Numbers) {
     }
 }
 
-/// A row for each extreme, with the bound of its error.
+/// One row for each extreme, with its error bound.
 fn bounded_extremes(sheet: &mut Sheet, solution: &Solution, numbers: &Numbers) {
     sheet.heading("Smallest and largest values");
     for field in Field::of(&solution.model().beam) {

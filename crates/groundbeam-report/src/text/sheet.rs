@@ -1,22 +1,23 @@
-//! A page of labelled rows, at most 80 columns wide. Whatever a file calls its parts is escaped here.
+//! Formats labelled rows as text of at most 80 columns. Names from the file are escaped here.
 
 pub(crate) use crate::tone::Tone;
 use groundbeam_file::printable;
 
-/// The width no line exceeds, as far as words allow.
+/// Maximum width of a line, unless a word is longer.
 const WIDTH: usize = 80;
-/// Where the text of a row begins.
+/// Column at which the text of a row begins.
 const COLUMN: usize = 13;
 
-/// What a page is made of.
+/// An element of a page.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Entry {
     Blank,
     /// A paragraph that begins at the left edge.
     Heading(String),
-    /// A line of a table, as it is.
+    /// A line of a table, unchanged.
     Line(String),
-    /// A labelled row; an empty label continues the row above. The tone is that of its first part, up to a colon.
+    /// A labelled row. An empty label continues the previous row. The tone applies to the text before the
+    /// first colon.
     Row {
         label: String,
         words: String,
@@ -29,7 +30,7 @@ pub(crate) enum Entry {
     },
 }
 
-/// The page so far: what it says, for whoever sets it in type.
+/// The content of a page, independent of its layout.
 pub(crate) struct Sheet {
     entries: Vec<Entry>,
     colour: bool,
@@ -40,19 +41,19 @@ impl Sheet {
         Sheet { entries: Vec::new(), colour }
     }
 
-    /// What it says.
+    /// The elements of the page.
     pub fn entries(self) -> Vec<Entry> {
         self.entries
     }
 
-    /// As text.
+    /// The page as text.
     pub fn finish(self) -> String {
         let mut text = String::new();
         self.entries.iter().for_each(|entry| self.print(entry, &mut text));
         text
     }
 
-    /// The rows alone, for a page that has a layout of its own.
+    /// The rows of the page, for pages with their own layout.
     pub fn into_rows(self) -> Vec<(String, String)> {
         let row = |entry: Entry| match entry {
             Entry::Row { label, words, .. } => Some((label, words)),
@@ -65,28 +66,29 @@ impl Sheet {
         self.entries.push(Entry::Blank);
     }
 
-    /// A paragraph that begins at the left edge.
+    /// Adds a paragraph that begins at the left edge.
     pub fn heading(&mut self, words: &str) {
         self.entries.push(Entry::Heading(printable(words).into_owned()));
     }
 
-    /// A line of a table, as it is.
+    /// Adds a line of a table, unchanged.
     pub fn line(&mut self, words: &str) {
         self.entries.push(Entry::Line(printable(words).into_owned()));
     }
 
-    /// `label        words`, wrapped under themselves. An empty label continues the row above.
+    /// Adds a row `label        words`, with wrapped lines aligned. An empty label continues the previous
+    /// row.
     pub fn row(&mut self, label: &str, words: &str) {
         self.toned_row(label, words, Tone::Plain);
     }
 
-    /// The same with the first part of the words, up to a colon, in a tone.
+    /// Adds a row in which the text before the first colon has a tone.
     pub fn toned_row(&mut self, label: &str, words: &str, tone: Tone) {
         let [label, words] = [label, words].map(|text| printable(text).into_owned());
         self.entries.push(Entry::Row { label, words, tone });
     }
 
-    /// `             label       words`: a row within a row.
+    /// Adds a row within a row, `             label       words`.
     pub fn item(&mut self, label: &str, words: &str) {
         let [label, words] = [label, words].map(|text| printable(text).into_owned());
         self.entries.push(Entry::Item { label, words });
@@ -144,7 +146,7 @@ impl Sheet {
 
 /// Lines of at most `width` characters, broken at spaces; a longer word stays whole. Never empty.
 fn wrapped(words: &str, width: usize) -> Vec<String> {
-    // Several spaces in a row are the columns of a table and stay.
+    // Several spaces in a row belong to the columns of a table and stay.
     if words.chars().count() <= width {
         return vec![words.to_owned()];
     }
@@ -166,7 +168,7 @@ fn wrapped(words: &str, width: usize) -> Vec<String> {
     lines
 }
 
-/// Words as they may be parted; what stands in brackets stays together: `[0, 5]`.
+/// Words at which lines may break; text in brackets such as `[0, 5]` stays together.
 fn unbroken(words: &str) -> Vec<String> {
     let mut parts: Vec<String> = Vec::new();
     for word in words.split_whitespace() {

@@ -7,7 +7,7 @@ use crate::number::significant;
 use crate::quantity::{Units, duration};
 use crate::study::{Estimate, Spread, Study, Way};
 
-/// The study as a report for the terminal; with `colour`, with escape codes.
+/// The terminal report of a study. `colour` adds escape codes.
 pub fn study(study: &Study, context: &Context, colour: bool) -> String {
     let mut sheet = Sheet::new(colour);
     title(&mut sheet, &Context { title: study.title.as_deref(), ..*context });
@@ -16,17 +16,17 @@ pub fn study(study: &Study, context: &Context, colour: bool) -> String {
         words += &format!(", {} replicates", study.replicates);
     }
     sheet.row("Samples", &words);
-    let mut words = format!("{} independent numbers a sample", study.dimensions);
+    let mut words = format!("{} independent numbers per sample", study.dimensions);
     if let Some(variance) = study.variance {
         words +=
-            &format!("; the fields hold {} % of their variance", significant(100.0 * variance, 4));
+            &format!("; the fields have {} % of their variance", significant(100.0 * variance, 4));
     }
     sheet.row("Random", &words);
     let mut words = format!("{} certified", study.solved);
     for (count, what) in [
         (study.without_equilibrium, "without equilibrium"),
         (study.not_converged, "not converged"),
-        (study.wrong, "refused: their message is in the results"),
+        (study.wrong, "rejected: the results contain the messages"),
     ] {
         if count > 0 {
             words += &format!(", {count} {what}");
@@ -67,7 +67,7 @@ pub fn study(study: &Study, context: &Context, colour: bool) -> String {
     }
     for (i, way) in ways.iter().enumerate() {
         let is_of_rare = ways.len() > 1 && *way == Way::Counts;
-        let rare = if is_of_rare { " where something happened in few samples" } else { "" };
+        let rare = if is_of_rare { " where an event occurred in few samples" } else { "" };
         let words = format!("{}{rare}", way.words());
         sheet.row(if i == 0 { "Intervals" } else { "" }, &words);
     }
@@ -98,7 +98,7 @@ fn line(spread: &Spread, units: Units) -> String {
     format!("{label:<25} {mean:>10} {deviation:>10} {low:>10} {middle:>9} {high:>9}")
 }
 
-/// So many characters of it at most.
+/// The text, shortened to at most `most` characters.
 fn shortened(text: &str, most: usize) -> String {
     match text.chars().count() > most {
         true => text.chars().take(most - 1).chain(['…']).collect(),

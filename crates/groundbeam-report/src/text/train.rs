@@ -1,4 +1,4 @@
-//! The report of one train's passage: the train, the envelope, uplift ahead of and behind the axles.
+//! The terminal report of one train's passage: the train, the envelope, uplift ahead of and behind the axles.
 
 use super::sheet::{Sheet, Tone};
 use super::{certificate, checks, free_spans};
@@ -11,7 +11,7 @@ use groundbeam::Field;
 use groundbeam_file::{MovingTrain, Spread};
 use groundbeam_run::{Located, Passage};
 
-/// More ranges of one kind than this are counted, not listed.
+/// Maximum number of listed ranges of one kind; more are counted.
 const MOST_RANGES: usize = 8;
 
 /// The report of one passage, below the beam and the ground.
@@ -34,27 +34,27 @@ pub(crate) fn train(sheet: &mut Sheet, passage: &Passage, context: &Context) {
     }
 }
 
-/// The places of loads without end that were tried.
+/// The placements of unbounded loads.
 pub(crate) fn places(sheet: &mut Sheet, all: &[Passage]) {
     if all.iter().any(|passage| passage.moving().spread != Spread::Everywhere) {
-        let words = "loads without end were placed as listed and the worst counts; other patches \
-                     were not tried: a beam that lifts off has no influence line";
+        let words = "unbounded loads were placed as listed, and the worst result counts; other placements \
+                     were not tried: with lift-off there are no influence lines";
         sheet.row("Spread loads", words);
     }
 }
 
-/// Of every check the position that comes nearest to its limit, or passes it farthest.
+/// For each check, the position with the largest utilization of its limit.
 pub(crate) fn limits(sheet: &mut Sheet, all: &[Passage], context: &Context) {
     checks::all_rows(sheet, &positions_of(all, context), context);
 }
 
-/// All positions of all passages, as checks see them.
+/// All positions of all passages, as rows for the checks.
 pub(crate) fn positions_of<'a>(all: &[Passage<'a>], context: &Context<'a>) -> Vec<Row<'a>> {
     let answers = all.iter().flat_map(|passage| passage.answers());
     answers.map(|answer| Row::of(answer, None, context.units)).collect()
 }
 
-/// Name, axles, and where it goes.
+/// Name and axles of the train, and its range of positions.
 pub(crate) fn head(sheet: &mut Sheet, passage: &Passage, units: Units) {
     let MovingTrain { name, set, factor, dynamic, spread, train, range, .. } = passage.moving();
     let name = clean(name);
@@ -70,7 +70,7 @@ pub(crate) fn head(sheet: &mut Sheet, passage: &Passage, units: Units) {
         words += &format!(", factor {}", significant(*factor, 6));
     }
     if *dynamic != 1.0 {
-        words += &format!(", axles times {} besides", significant(*dynamic, 6));
+        words += &format!(", axles also times {}", significant(*dynamic, 6));
     }
     if *spread != Spread::Everywhere {
         words += &format!(", spread load {}", spread.name());
@@ -97,7 +97,7 @@ pub(crate) fn head(sheet: &mut Sheet, passage: &Passage, units: Units) {
     }
     sheet.row("Train", &words);
     let [from, to] = range.map(|x| given.position(x));
-    sheet.row("", &format!("the first axle goes from {from} to {to}"));
+    sheet.row("", &format!("the first axle moves from {from} to {to}"));
 }
 
 pub(crate) fn positions(sheet: &mut Sheet, passage: &Passage) {
@@ -107,7 +107,7 @@ pub(crate) fn positions(sheet: &mut Sheet, passage: &Passage) {
         passage.fields().partition(|&field| reach.of(field) <= reach.asked);
     let reached = met.into_iter().map(|field| reach.of(field)).fold(0.0, f64::max);
     let mut words = format!(
-        "{count} solved; error of the envelope {} of each field's largest value, {} asked for",
+        "{count} solved; error of the envelope {} of each field's largest value, {} requested",
         order(reached),
         order(reach.asked)
     );
@@ -118,7 +118,7 @@ pub(crate) fn positions(sheet: &mut Sheet, passage: &Passage) {
     sheet.row("Positions", &words);
 }
 
-/// Where a train cannot stand.
+/// Ranges of positions without equilibrium.
 pub(crate) fn ranges(sheet: &mut Sheet, none: &[[f64; 2]], whose: &str, units: Units) {
     for (i, [from, to]) in none.iter().take(MOST_RANGES).enumerate() {
         let [from, to] = [from, to].map(|x| units.position(*x));
@@ -126,11 +126,11 @@ pub(crate) fn ranges(sheet: &mut Sheet, none: &[[f64; 2]], whose: &str, units: U
         sheet.toned_row(if i == 0 { "Tips" } else { "" }, &words, Tone::Bad);
     }
     if let Some(more @ 1..) = none.len().checked_sub(MOST_RANGES) {
-        sheet.row("", &format!("{whose}and {more} ranges more"));
+        sheet.row("", &format!("{whose}and {more} more ranges"));
     }
 }
 
-/// Where the train cannot stand, and where nothing was certified.
+/// Ranges without equilibrium, and positions without a certified result.
 pub(crate) fn failures(sheet: &mut Sheet, passage: &Passage, whose: &str, units: Units) {
     ranges(sheet, passage.without_equilibrium(), whose, units);
     let failed: Vec<f64> = passage.not_converged().collect();
@@ -141,7 +141,7 @@ pub(crate) fn failures(sheet: &mut Sheet, passage: &Passage, whose: &str, units:
     }
 }
 
-/// Extremes with their places on the beam and those of the first axle.
+/// Extremes with their positions on the beam and the positions of the first axle.
 fn envelope(sheet: &mut Sheet, passage: &Passage, units: Units) {
     let columns = |first: &str, a: [&str; 3], b: [&str; 3]| {
         let cell = |[value, x, train]: [&str; 3]| format!(" {value:>12} {x:>9} {train:>9}");
@@ -167,7 +167,7 @@ fn envelope(sheet: &mut Sheet, passage: &Passage, units: Units) {
     }
 }
 
-/// What is nothing but rounding is zero in print.
+/// Sets a value that is only rounding error to zero.
 pub(crate) fn cleaned(passage: &Passage, field: Field, located: Located) -> Located {
     let Some((_, solution)) = passage.nearest(located.first_axle) else { return located };
     let sizes = Sizes::of(solution);

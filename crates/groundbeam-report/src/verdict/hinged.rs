@@ -3,14 +3,14 @@
 use crate::quantity::Units;
 use groundbeam::{Existence, Model, RigidMotion, Verdict, static_reactions};
 
-/// Why there is one equilibrium, more than one, or none; nothing of compression.
+/// The reason why there is one equilibrium, more than one, or none, without the effects of compression.
 pub(super) fn sentence(model: &Model, existence: &Existence, units: Units) -> String {
     let moves = |motion| moves(model, motion, units);
     match existence.verdict {
         Verdict::Unique => {
             let held = if model.supports.is_empty() { "hinges" } else { "hinges and supports" };
             format!(
-                "no motion that its {held} allow lifts a part of the beam without work against the loads"
+                "every motion that its {held} allow and that lifts part of the beam does work against the loads"
             )
         }
         Verdict::NotUnique(motion)
@@ -18,17 +18,17 @@ pub(super) fn sentence(model: &Model, existence: &Existence, units: Units) -> St
         {
             let [from, to] = motion.lifted.unwrap_or_default().map(|x| units.position(x));
             format!(
-                "the part of the beam from x = {from} to {to} stands on too few points: how far it turns is \
+                "the part of the beam from x = {from} to {to} rests on too few points: its rotation is \
                  not determined, any equilibrium shown is one of many"
             )
         }
         Verdict::NotUnique(motion) => format!(
-            "the loads neither hold the beam down there nor lift it: {}, how far is not determined, any \
+            "a motion of the beam is free: {}, by an amount that is not determined, any \
              equilibrium shown is one of many",
             moves(motion)
         ),
         Verdict::None(motion) if motion.work == 0.0 => format!(
-            "the loads neither hold the beam down there nor lift it: {}, and separate springs (mu = 0) cannot \
+            "a motion of the beam is free: {}, and Winkler ground (mu = 0) cannot \
              carry the rest on one point",
             moves(motion)
         ),
@@ -37,12 +37,12 @@ pub(super) fn sentence(model: &Model, existence: &Existence, units: Units) -> St
     }
 }
 
-/// A motion about a single point, of which only the part that moves is known.
+/// A motion about a single point, where only the moving part is known.
 fn is_at_rest(motion: RigidMotion) -> bool {
     motion.lifted.is_some_and(|[from, to]| from < to) && motion.work == 0.0
 }
 
-/// `its part from x = 4 m to its right end turns up about the hinge at x = 4 m`.
+/// Description of the motion, such as `its hinge at x = 4 lifts, its left end stays`.
 pub(super) fn moves(model: &Model, motion: RigidMotion, units: Units) -> String {
     let l = model.beam.length;
     let [from, to] = motion.lifted.unwrap_or([0.0, l]);
@@ -70,7 +70,7 @@ pub(super) fn moves(model: &Model, motion: RigidMotion, units: Units) -> String 
     }
 }
 
-/// What falls, in a few words.
+/// A short description of the motion.
 pub(crate) fn falls(motion: RigidMotion, units: Units) -> String {
     match (motion.lifted, motion.left < 0.0, motion.right < 0.0) {
         (None, true, false) => "it tips about its right end".to_owned(),
@@ -99,22 +99,22 @@ mod tests {
                 .with_load(Load::uniform_force(0.0, 6.0, 1.0))
         };
         let cases = [
-            (slab(), "no motion that its hinges allow lifts", "", ""),
+            (slab(), "every motion that its hinges allow", "", ""),
             (
                 slab().with_load(Load::point_force(6.0, -3.0)),
                 "lift a part of the beam: its right end lifts, its hinge at x = 4 stays",
-                "its right end lifts, its hinge at x = 4 stays; nothing of it presses",
-                "down at its right end",
+                "its right end lifts, its hinge at x = 4 stays; it does not press",
+                "of more than 2 at its right end",
             ),
             (
                 slab().with_load(Load::point_force(2.0, -3.0)),
                 "its hinge at x = 2 lifts, its left end and its hinge at x = 4 stay",
                 "its hinge at x = 2 lifts",
-                "down at x = 2",
+                " at x = 2",
             ),
             (
                 slab().with_load(Load::point_force(6.0, -1.0)),
-                "neither hold the beam down there nor lift it: its right end lifts",
+                "a motion of the beam is free: its right end lifts",
                 "",
                 "",
             ),

@@ -1,17 +1,17 @@
-//! The name, the words and the tone of each verdict on equilibrium.
+//! Name, words and tone of each verdict on equilibrium.
 
 use crate::tone::Tone;
 use groundbeam::Verdict;
 
-/// A verdict in a word or two.
+/// The words for a verdict.
 pub(crate) struct Wording {
-    /// In documents.
+    /// Name in documents.
     pub name: &'static str,
-    /// Before the sentence that gives the reason.
+    /// Words before the sentence with the reason.
     pub words: &'static str,
-    /// In a cell of a narrow table.
+    /// Words in a cell of a narrow table.
     pub short: &'static str,
-    /// At the head of a calculation report.
+    /// Heading in a calculation report.
     pub head: &'static str,
     pub tone: Tone,
 }
@@ -21,7 +21,7 @@ impl Wording {
         Wording { name, words, short, head, tone }
     }
 
-    /// `exactly one: the resultant, …`
+    /// The verdict followed by its reason, such as `exactly one: the resultant, …`.
     pub fn with(&self, reason: &str) -> String {
         format!("{}: {reason}", self.words)
     }

@@ -1,4 +1,4 @@
-//! The models beside this file, solved.
+//! Loads and solves the test models.
 
 use groundbeam::{Outcome, Solution};
 use groundbeam_file::{Document, UnitSystem};
@@ -20,7 +20,7 @@ pub const SOLVABLE: [&str; 11] = [
     "winkler",
 ];
 
-/// `tests/models/NAME.toml`.
+/// The model file `tests/models/NAME.toml`.
 pub fn document(name: &str) -> Document {
     let path = format!("{}/tests/models/{name}.toml", env!("CARGO_MANIFEST_DIR"));
     groundbeam_file::parse(&std::fs::read_to_string(path).unwrap()).unwrap()
@@ -41,7 +41,7 @@ pub fn solved(document: &Document) -> Solution {
     }
 }
 
-/// The answers to all that a file asks for.
+/// The answers to all models of a file.
 pub fn answers(document: &Document) -> Answers {
     Run::of(document).solve(&OneThread).unwrap()
 }

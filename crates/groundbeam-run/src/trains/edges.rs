@@ -1,4 +1,4 @@
-//! Positions of a train at which the beam loses its equilibrium.
+//! Computes the positions of a train at which the equilibrium is lost.
 
 use super::position::first_positions;
 use groundbeam::model::Train;
@@ -7,7 +7,8 @@ use groundbeam::{Error, Model, exists};
 /// Halvings of an interval: one for each bit of a double.
 const HALVINGS: usize = 52;
 
-/// Ranges of the first axle's position without equilibrium, from left to right, from positions with a known decision.
+/// Ranges of the first axle's position without equilibrium, from left to right, from positions with a known
+/// decision.
 pub(super) fn without_equilibrium(
     model: &Model,
     train: &Train,
@@ -30,11 +31,11 @@ pub(super) fn without_equilibrium(
     ranges
 }
 
-/// Parts of each interval between first positions at which statics decide.
+/// Parts of each interval between first positions at which the existence check runs.
 const PARTS: usize = 8;
 
-/// Ranges of the first axle's position in which there is no equilibrium, without solving: told from statics at the
-/// places where axles meet what the model has, on an even grid, and in between.
+/// Ranges of the first axle's position without equilibrium, from existence checks alone. The checks run where
+/// axles meet supports, loads and edges of the model, on an equidistant grid, and in between.
 ///
 /// # Errors
 ///

@@ -1,4 +1,4 @@
-//! Free spans under a train: the longest one and the one with the largest clearance, over all positions.
+//! Finds the longest free span and the one with the largest clearance, over all positions of a train.
 
 use super::passage::Passage;
 use groundbeam::LiftOff;
@@ -22,8 +22,9 @@ pub struct FreeSpans {
 }
 
 impl Passage<'_> {
-    /// The longest free span and the one with the largest clearance over all solved positions, including lifted ends.
-    /// Of equal ones the first. `None` if the beam touches everywhere at all positions.
+    /// The longest free span and the one with the largest clearance over all solved positions, including
+    /// lifted ends. Of equal spans the first is taken. `None` if the beam touches everywhere at all
+    /// positions.
     pub fn free_spans(&self) -> Option<FreeSpans> {
         let mut found: Option<FreeSpans> = None;
         for (first_axle, solution) in self.solved() {

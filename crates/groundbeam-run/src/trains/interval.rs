@@ -1,12 +1,12 @@
-//! The interval between two solved positions: interpolation, and the error of a third one.
+//! Interpolates results between two solved positions of a train, and estimates the error with a third
+//! position.
 
 use super::position::{Beside, Position, Section};
 use groundbeam::model::Train;
 use groundbeam::{ByField, Field};
 use std::borrow::Borrow;
 
-/// The fields beside an axle between two solved positions, at the part t of the way from the left to the right
-/// position; `None` if the axle is off the beam.
+/// Fields beside an axle at the fraction t between two solved positions; `None` if the axle is off the beam.
 fn beside_axle(ends: [&Section; 2], axle: usize, t: f64) -> Option<Beside> {
     let [start, end] = ends.map(|end| end.under.get(axle).copied().flatten());
     let (start, end) = (start?.leaving(), end?.arriving());
@@ -15,10 +15,10 @@ fn beside_axle(ends: [&Section; 2], axle: usize, t: f64) -> Option<Beside> {
     }))
 }
 
-/// The envelope at the stations, on their left and on their right sides: smallest and largest values.
+/// Smallest and largest values at the stations, on their left and right sides.
 pub(super) struct Table {
     bounds: Vec<[ByField<f64>; 2]>,
-    /// Over the whole beam.
+    /// Smallest and largest values over the whole beam.
     all: [ByField<f64>; 2],
 }
 
@@ -55,7 +55,7 @@ fn widen([min, max]: &mut [ByField<f64>; 2], values: &ByField<f64>) {
     }
 }
 
-/// The fields beside an axle as it passes x, and the position of the first axle then.
+/// Fields beside an axle that passes x, and the position of the first axle at that moment.
 pub(super) fn passing<S: Borrow<Section>>(
     found: &[S],
     train: &Train,
@@ -69,7 +69,7 @@ pub(super) fn passing<S: Borrow<Section>>(
     Some((at, beside_axle([left, right], axle, t)?))
 }
 
-/// The amount by which the middle of an interval exceeds the envelope, or a parabola predicts it within the interval,
+/// Amount by which the middle of an interval, or the parabola through it and the ends, exceeds the envelope,
 /// relative to the scale of each field.
 pub(super) fn sticks_out(
     middle: &Position,
@@ -88,7 +88,7 @@ pub(super) fn sticks_out(
         for field in 0..Field::ALL.len() {
             let [min, max] = [bounds[0][field], bounds[1][field]];
             let [a, value, b] = [start[field], values[field], end[field]];
-            // Where the contact begins or ends, pressure and gap change between zero and positive values.
+            // Where contact begins or ends, pressure and gap change between zero and positive values.
             let is_one_curve = (a == 0.0) == (value == 0.0) && (b == 0.0) == (value == 0.0);
             let crest = if is_smooth && is_one_curve { crest(a, value, b) } else { value };
             note(field, crest.max(value) - max);
@@ -114,7 +114,7 @@ pub(super) fn sticks_out(
     std::array::from_fn(relative)
 }
 
-/// Whether an axle passes a section between two positions, or stands there in one of them.
+/// Whether an axle passes a section between two positions, or is there at one of them.
 fn is_passed(x: f64, [start, end]: [&Position; 2], train: &Train, near: f64) -> bool {
     let [from, to] = [start, end].map(|position| position.section.first_axle);
     let passing = from - near..=to + near;

@@ -1,4 +1,4 @@
-//! The passage of a train: the envelope of all its positions.
+//! The passage of a train: the envelope over all its positions.
 
 use super::interval::passing;
 use super::position::Section;
@@ -9,7 +9,7 @@ use groundbeam_file::{Combination, MovingTrain};
 use std::ops::Range;
 use std::sync::Arc;
 
-/// A value, its place on the beam, and the position of the train.
+/// A value, its position on the beam, and the position of the train.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Located {
@@ -21,14 +21,14 @@ pub struct Located {
     pub first_axle: f64,
 }
 
-/// The demanded and the reached error, relative to the largest value of each field.
+/// Requested and achieved error, relative to the largest value of each field.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Reach {
-    /// The demanded error.
+    /// Requested error.
     pub asked: f64,
-    /// For each field, in the order of [`Field::ALL`], the largest amount by which a last trial position exceeded the
-    /// envelope before it. If a field jumps, as the pressure at a moving edge of contact may, this stays as large as
-    /// the jump.
+    /// Achieved error of each field, in the order of [`Field::ALL`]: the largest amount by which the last
+    /// trial positions exceeded the envelope. If a field jumps, as the pressure at a moving contact edge,
+    /// this remains as large as the jump.
     pub reached: ByField<f64>,
 }
 
@@ -44,7 +44,7 @@ impl Reach {
     }
 }
 
-/// The largest gaps under the beam while a train passes; `None` where nothing lifts.
+/// Largest gaps under the beam during the passage; `None` where nothing lifts.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Uplift {
@@ -56,14 +56,14 @@ pub struct Uplift {
     pub behind: Option<Located>,
 }
 
-/// The result of a sweep without the solutions at its positions.
+/// Result of a sweep, without the solutions at its positions.
 #[derive(Debug, Clone)]
 pub(crate) struct Swept {
     pub combination: Arc<Combination>,
     pub train: Arc<MovingTrain>,
-    /// Range of the answers at its positions in the list of all answers.
+    /// Range of its answers in the list of all answers.
     pub answers: Range<usize>,
-    /// One for each of these answers.
+    /// Data of each of these answers.
     pub sections: Vec<Section>,
     pub reach: Reach,
     /// Ranges of the first axle's position without equilibrium.
@@ -83,7 +83,7 @@ pub struct Passage<'a> {
     answers: &'a [Answer],
 }
 
-/// Even steps of the envelope in documents and tables.
+/// Equal steps of the envelope in documents and tables.
 const EVEN_STEPS: usize = 100;
 
 impl<'a> Passage<'a> {
@@ -112,7 +112,7 @@ impl<'a> Passage<'a> {
         &self.moving().train
     }
 
-    /// The names of the train and of the combination.
+    /// Names of the train and of the combination.
     pub fn label(&self) -> String {
         let train = self.moving().placed_name();
         match self.combination() {
@@ -121,7 +121,7 @@ impl<'a> Passage<'a> {
         }
     }
 
-    /// Whether it is the beam without a train.
+    /// Whether this is the beam without a train.
     pub fn is_without_train(&self) -> bool {
         self.train().axles.is_empty() && self.train().uniform.is_empty()
     }
@@ -131,7 +131,7 @@ impl<'a> Passage<'a> {
         self.answers
     }
 
-    /// The demanded and the reached error.
+    /// Requested and achieved error.
     pub fn reach(&self) -> Reach {
         self.swept.reach
     }
@@ -157,7 +157,7 @@ impl<'a> Passage<'a> {
         self.each().filter_map(|(first_axle, found)| Some((first_axle, found.solution()?)))
     }
 
-    /// The joint result of all positions.
+    /// The joint status of all positions.
     pub fn overall(&self) -> Overall {
         if !self.without_equilibrium().is_empty() {
             Overall::NoEquilibrium
@@ -168,16 +168,16 @@ impl<'a> Passage<'a> {
         }
     }
 
-    /// The listed fields, in the order of [`Field::ALL`]; without the rotation if the beam does not shear.
+    /// The listed fields, in the order of [`Field::ALL`]. Without shear deformation the rotation is left out.
     pub fn fields(&self) -> impl Iterator<Item = Field> + Clone + use<> {
         Field::of(&self.model().beam)
     }
 
-    /// The smallest and the largest value of every field at a section, in the order of [`Field::ALL`]; none if nothing
-    /// was solved.
+    /// The smallest and the largest value of every field at a section, in the order of [`Field::ALL`]; `None`
+    /// if no position was solved.
     ///
-    /// Of all solved positions, and of each axle as it passes the section, where the fields beside it are interpolated
-    /// between the solved positions before and after.
+    /// The values include all solved positions, and each axle as it passes the section. The fields beside a
+    /// passing axle are interpolated between the neighbouring solved positions.
     pub fn at(&self, x: f64) -> Option<ByField<[Located; 2]>> {
         let mut bounds: Option<ByField<[Located; 2]>> = None;
         let mut note = |first_axle: f64, values: ByField<f64>| {
@@ -265,7 +265,7 @@ impl<'a> Passage<'a> {
     }
 }
 
-/// Widens a range by another one. Of equal values the first one stays.
+/// Widens a range to include another one. Of equal values the first is kept.
 fn widen(bounds: &mut [Located; 2], [low, high]: [Located; 2]) {
     if low.value < bounds[0].value {
         bounds[0] = low;

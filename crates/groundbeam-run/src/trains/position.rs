@@ -1,4 +1,4 @@
-//! One position of a train and its result.
+//! One position of a train and its values for the envelope.
 
 use crate::answer::Answer;
 use groundbeam::model::Train;
@@ -20,7 +20,7 @@ impl Borrow<Section> for Position {
     }
 }
 
-/// The data of a position that the envelope needs besides its solution.
+/// Data of a position that the envelope needs in addition to its solution.
 #[derive(Debug, Clone)]
 pub(crate) struct Section {
     /// Position of the first axle \[m\].
@@ -42,7 +42,7 @@ const SHEAR_FORCE: usize = Field::ShearForce.index();
 /// The values of each field just left and just right of an axle that passes a section.
 pub(crate) type Beside = [ByField<f64>; 2];
 
-/// An axle on the beam: the fields beside it, and their jumps due to the axle.
+/// Fields beside an axle on the beam, and their jumps due to the axle.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Under {
     pub beside: Beside,
@@ -50,8 +50,8 @@ pub(crate) struct Under {
 }
 
 impl Under {
-    /// The values beside one axle, at x. The shear force jumps by the whole axle force. A beam that shears has a
-    /// kink, where the ground may take part of the force.
+    /// The values beside one axle, at x. The shear force jumps by the whole axle load. If the beam has shear
+    /// deformation, it has a kink there, and the ground may carry part of the load.
     pub fn of(beside: Beside, model: &Model, train: &Train, axle: usize, x: f64) -> Self {
         let mut jump = [0.0; Field::ALL.len()];
         let own = force(train, axle);
@@ -72,14 +72,14 @@ impl Under {
         Under { beside, jump }
     }
 
-    /// The fields beside an axle that continues to the right. A fixed load at the same place is then behind it, so
-    /// only the jumps of the axle itself count.
+    /// Fields beside an axle that has just passed a fixed load at the same position: only the jumps of the
+    /// axle itself count.
     pub(crate) fn leaving(&self) -> Beside {
         let [_, right] = self.beside;
         [std::array::from_fn(|field| right[field] + self.jump[field]), right]
     }
 
-    /// The same for an axle that arrives from the left.
+    /// Fields beside an axle that arrives at this position from the left.
     pub(crate) fn arriving(&self) -> Beside {
         let [left, _] = self.beside;
         [left, std::array::from_fn(|field| left[field] - self.jump[field])]
@@ -89,8 +89,8 @@ impl Under {
 /// Equal steps of the range in the first round.
 pub(crate) const EVEN_STEPS: usize = 32;
 
-/// Even steps, and the positions where an axle or the end of a distributed load meets a mark of the model; at the
-/// ends of the beam also positions just off them.
+/// First positions: equal steps, and positions where an axle or the end of a distributed load meets a mark of
+/// the model. At the ends of the beam also positions just off them.
 pub(crate) fn first_positions(model: &Model, train: &Train, [from, to]: [f64; 2]) -> Vec<f64> {
     let l = model.beam.length;
     let step = |i: usize| from + (to - from) * (i as f64 / EVEN_STEPS as f64);
@@ -108,12 +108,12 @@ pub(crate) fn first_positions(model: &Model, train: &Train, [from, to]: [f64; 2]
     at
 }
 
-/// The sum of the forces of all axles at the place of one axle.
+/// Sum of the loads of all axles that share the position of one axle.
 pub(crate) fn force(train: &Train, axle: usize) -> f64 {
     let behind = train.axles[axle].behind;
     train.axles.iter().filter(|other| other.behind == behind).map(|other| other.force).sum()
 }
 
-/// The distance from an end of the beam, relative to its length, at which an axle is about to arrive or has just
-/// left.
+/// Distance from an end of the beam, relative to its length, for positions just before an axle arrives or
+/// just after it has left.
 pub(crate) const JUST_OFF: f64 = 1e-8;

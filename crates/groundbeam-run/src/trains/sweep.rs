@@ -1,5 +1,5 @@
-//! The sweep of a train: positions at marks of the model, an even grid, and halvings until the envelope has its
-//! demanded error.
+//! Solves the positions of a train: marks of the model, an equidistant grid, and bisection until the envelope
+//! has the requested error.
 
 use super::edges;
 use super::interval::{Table, sticks_out};
@@ -13,11 +13,12 @@ use groundbeam::{ByField, Error, Field, Model, Options, Side, Solution};
 use groundbeam_file::{Combination, MovingTrain};
 use std::sync::Arc;
 
-/// Equal steps of the beam at whose ends envelopes are compared, besides marks of the model.
+/// Equal steps of the beam at whose ends envelopes are compared, in addition to marks of the model.
 const EVEN_STATIONS: usize = 96;
-/// Intervals shorter than this part of the beam's length are not halved.
+/// Intervals shorter than this fraction of the beam's length are not bisected.
 const SHORTEST: f64 = 1e-5;
-/// The same if one end has no equilibrium: fields may grow without limit near the position at which the beam tips.
+/// The same limit if one end has no equilibrium: fields may grow without limit near the position at which the
+/// beam tips.
 const SHORTEST_AT_EDGE: f64 = 1e-3;
 /// Largest number of positions.
 const MOST: usize = 20_000;
@@ -25,8 +26,8 @@ const MOST: usize = 20_000;
 /// An interval between two neighbouring positions.
 #[derive(Debug, Clone, Copy)]
 struct Between {
-    /// The amount by which its middle, or the middle of the interval that contains it, exceeded the envelope of each
-    /// field.
+    /// Amount by which its middle, or the middle of the interval that contains it, exceeded the envelope of
+    /// each field.
     error: ByField<f64>,
     open: bool,
 }
@@ -34,13 +35,14 @@ struct Between {
 /// Default error of an envelope, relative to the largest value of each field.
 pub(crate) const ERROR: f64 = 1e-3;
 
-/// A sweep of a train over a combination, in rounds: `wanted` holds the positions of the first axle to be solved next,
-/// from left to right, `give` takes their answers, until none is wanted.
+/// A sweep of a train over a combination, in rounds. `wanted` contains the positions of the first axle to be
+/// solved next, from left to right; `give` takes their answers. The sweep ends when `wanted` is empty.
 ///
-/// At a section of the beam a field changes smoothly while the train moves, except when an axle passes. Between two
-/// solved positions the fields beside each axle are therefore interpolated; elsewhere the envelope is that of the
-/// solved positions. The middle of an interval is solved, too, and the interval is halved for as long as its middle,
-/// or the crest of the parabola through it and its ends, sticks out of the envelope by more than the error.
+/// At a section of the beam a field changes smoothly while the train moves, except when an axle passes.
+/// Between two solved positions the fields beside each axle are therefore interpolated; elsewhere the
+/// envelope is that of the solved positions. The middle of each interval is also solved. The interval is
+/// bisected while its middle, or the maximum of the parabola through middle and ends, exceeds the envelope by
+/// more than the error.
 pub(crate) struct Sweep {
     combination: Arc<Combination>,
     moving: Arc<MovingTrain>,
@@ -52,7 +54,7 @@ pub(crate) struct Sweep {
 }
 
 impl Sweep {
-    /// A sweep to an error relative to the largest value of each field.
+    /// A sweep with an error tolerance relative to the largest value of each field.
     pub fn new(combination: Arc<Combination>, moving: Arc<MovingTrain>, error: f64) -> Self {
         let model = &combination.model;
         let l = model.beam.length;
@@ -74,8 +76,8 @@ impl Sweep {
         &self.moving.train
     }
 
-    /// Solves all wanted positions. Each starts from a neighbour of an earlier round and is kept at its index, so the
-    /// bits do not depend on the number of threads.
+    /// Solves all wanted positions. Each starts from a neighbour of an earlier round and is stored at its
+    /// index, so the result does not depend on the number of threads.
     pub fn run<H: Host>(
         mut self,
         options: &Options,
@@ -118,7 +120,8 @@ impl Sweep {
         }
     }
 
-    /// The solution at the nearest solved position, the start of the solve; of two equally near ones the left.
+    /// The solution at the nearest solved position, which starts the iteration; of two equally near ones the
+    /// left.
     fn near(&self, wanted: f64) -> Option<&Solution> {
         let next = self.found.partition_point(|position| position.section.first_axle <= wanted);
         let sides = [next.checked_sub(1), Some(next)];
@@ -150,7 +153,7 @@ impl Sweep {
         (answers, swept)
     }
 
-    /// Inserts the middles of all open intervals and judges each.
+    /// Inserts the middles of all open intervals and checks each one.
     fn halve(&mut self, new: Vec<Position>) {
         let table = Table::of(&self.found, self.train(), &self.stations);
         let scale = scale(self.found.iter().chain(&new));
@@ -226,7 +229,7 @@ fn is_edge(a: &Position, b: &Position) -> bool {
 
 /// The largest absolute value of each field. The scale of gap and settlement is at least that of the deflection.
 fn scale<'p>(positions: impl Iterator<Item = &'p Position>) -> ByField<f64> {
-    /// A field smaller than this part of the deflection counts as zero.
+    /// A field smaller than this fraction of the deflection counts as zero.
     const NOTHING: f64 = 1e-6;
     let mut scale = [0.0_f64; Field::ALL.len()];
     for ranges in positions.filter_map(|position| position.section.ranges.as_ref()) {

@@ -1,8 +1,9 @@
-//! A random field as waves on a circle: Dietrich and Newsam, *SIAM J. Sci. Comput.* 18 (1997) 1088–1107.
+//! Computes a random field by circulant embedding: Dietrich and Newsam, *SIAM J. Sci. Comput.* 18 (1997)
+//! 1088–1107.
 //!
-//! The circle is at least twice as long as the beam. The covariance of equally spaced points on it is a
-//! circulant matrix, which the discrete Fourier transform diagonalises. If all of its eigenvalues are
-//! positive, the field on the beam's part of the circle has exactly the required covariance.
+//! The field is periodic on a circle at least twice as long as the beam. The covariance of equidistant points
+//! on it is a circulant matrix, which the discrete Fourier transform diagonalises. If all of its eigenvalues
+//! are positive, the field on the beam's part of the circle has exactly the required covariance.
 
 use rustfft::num_complex::Complex;
 use rustfft::{Fft, FftPlanner};
@@ -14,7 +15,7 @@ const LONGEST: usize = 64;
 /// An eigenvalue below this fraction of the largest one is rounding error.
 const ROUNDING: f64 = 1e-10;
 
-/// Waves on a circle.
+/// A field as a sum of waves on a circle.
 #[derive(Clone)]
 pub struct Circulant {
     /// Number of points on the beam.
@@ -31,7 +32,8 @@ impl fmt::Debug for Circulant {
 }
 
 impl Circulant {
-    /// From the correlation over a number of steps; `None` if no circle gives positive eigenvalues.
+    /// The field for a correlation as a function of the number of steps; `None` if no circle gives positive
+    /// eigenvalues.
     pub fn new(count: usize, correlation: impl Fn(usize) -> f64) -> Option<Self> {
         let least = (2 * (count - 1)).max(2).next_power_of_two();
         let mut size = least;

@@ -1,7 +1,7 @@
-//! A field by the eigenvectors of its covariance: z(x) = Σ √λᵢ φᵢ(x) ξᵢ.
+//! Computes a random field from the eigenvectors of its covariance: z(x) = Σ √λᵢ φᵢ(x) ξᵢ.
 //!
-//! The eigenvalue problem ∫R(x, y) φ(y) dy = λ φ(x) is solved at the field's own points by a rule of quadrature
-//! (Nyström's method), so that with all terms the covariance at the points is R exactly.
+//! The eigenvalue problem ∫R(x, y) φ(y) dy = λ φ(x) is solved at the field's own points with a quadrature
+//! rule (Nyström's method). With all terms, the covariance at the points is exactly R.
 
 use crate::symmetric::{Eigen, Symmetric};
 use groundbeam_file::study::Share;
@@ -20,7 +20,7 @@ pub struct Expansion {
 }
 
 impl Expansion {
-    /// The expansion from the correlation of two points and the weights of the quadrature.
+    /// The expansion from the correlation of pairs of points and the quadrature weights.
     pub fn new(
         count: usize,
         correlation: impl Fn(usize, usize) -> f64,

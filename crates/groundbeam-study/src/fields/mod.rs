@@ -1,4 +1,4 @@
-//! Normal random fields along the beam, made of independent standard normal numbers.
+//! Computes normal random fields along the beam from independent standard normal numbers.
 
 mod circulant;
 mod karhunen_loeve;
@@ -18,10 +18,11 @@ pub enum Field {
 }
 
 impl Field {
-    /// The field of a study on a beam of this length; `None` if no circle has the required correlation.
+    /// The field of a study on a beam of this length; `None` if the circulant embedding fails.
     pub fn new(random: &RandomField, beam: f64) -> Option<Self> {
         let count = random.points;
-        // Points at the corners of a piecewise linear field, at the middles of a piecewise constant one.
+        // Piecewise linear fields have points at the ends of the stretches, piecewise constant fields at
+        // their middles.
         let (first, step) = match random.course {
             Course::Lines => (0.0, beam / (count - 1) as f64),
             Course::Steps => (0.5 * beam / count as f64, beam / count as f64),
@@ -32,7 +33,7 @@ impl Field {
                 .map(Field::Circulant),
             Method::KarhunenLoeve(share) => {
                 let at: Vec<f64> = (0..count).map(|i| first + step * i as f64).collect();
-                // The trapezoidal rule for lines, the midpoint rule for steps.
+                // The trapezoidal rule for linear variation, the midpoint rule for constant stretches.
                 let weight = |i: usize| match random.course {
                     Course::Lines if i == 0 || i == count - 1 => 0.5 * step,
                     _ => step,
@@ -99,8 +100,8 @@ mod tests {
         RandomField { of: Vec::new(), correlation, length, points: 24, course, method, rho: 0.0 }
     }
 
-    /// z = A ξ with independent ξ has the covariance A Aᵀ; the columns of A are the fields of single numbers.
-    /// It must equal the correlation function at the points, exactly if no term is dropped.
+    /// Tests that the fields have the required covariance. z = A ξ with independent ξ has the covariance A
+    /// Aᵀ; the columns of A are the fields of single numbers. The covariance is exact if no term is dropped.
     #[test]
     fn fields_have_the_covariance_they_were_given() {
         for which in [

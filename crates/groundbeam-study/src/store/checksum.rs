@@ -1,9 +1,10 @@
-//! Checksums of a file of results: SHA-256 of all its bytes, block by block, kept in the file's own metadata.
+//! Computes and verifies checksums of a file of results: SHA-256 of all its bytes, block by block, stored in
+//! the file's own metadata.
 //!
-//! A block holds one group of rows. The last block, the tail, holds the rest: the page index, the metadata and the footer.
-//! The metadata state the end and the digest of each block, and last the digest of the tail, which is computed with zeros
-//! in its own place. So each byte of the file is covered, each block is verified before it is decoded, and other programs
-//! read the file as any Parquet file.
+//! A block contains one group of rows. The last block, the tail, contains the rest: the page index, the
+//! metadata and the footer. The metadata contain the end and the digest of each block, and finally the digest
+//! of the tail, which is computed with zeros in its own place. The checksums cover every byte, and each block
+//! is verified before it is decoded. Other programs can read the file as ordinary Parquet.
 
 use super::StoreError;
 use parquet::file::metadata::KeyValue;
@@ -50,7 +51,7 @@ impl<W: Write> Sealed<W> {
         let _ = write!(self.stated, " {} {digest}", self.written);
     }
 
-    /// Begins the tail: what goes into its metadata.
+    /// Begins the tail. Returns the checksums for its metadata.
     pub fn begin_tail(&mut self) -> KeyValue {
         self.tail = Some(Vec::new());
         KeyValue::new(KEY.to_owned(), format!("{} {}", self.stated, "0".repeat(DIGITS)))
@@ -142,7 +143,7 @@ impl Checksums {
 /// The error for a file that is not a file of results, or is too damaged to be recognised.
 fn unknown(path: &Path) -> StoreError {
     StoreError::Unlike(format!(
-        "{}: this is no file of results, or its metadata are damaged; if the study wrote it, delete it and run the \
+        "{}: this is not a file of results, or its metadata are damaged; if the study wrote it, delete it and run the \
          study again, which computes its samples again",
         path.display()
     ))
@@ -171,9 +172,9 @@ fn metadata_of(mut file: &File, length: u64) -> io::Result<Option<Vec<u8>>> {
     Ok(Some(all))
 }
 
-/// Where among the bytes of the metadata the checksums stand: after their key and their length (compact protocol of
-/// Thrift: a string is the byte 0x18, its length in groups of seven bits from the lowest on, its bytes). They are the last
-/// of the pairs: the texts of model and study, which may hold anything, stand before them.
+/// Byte range of the checksums in the metadata. It follows their key and length (compact protocol of Thrift:
+/// a string is the byte 0x18, its length in groups of seven bits from the lowest on, and its bytes). The
+/// checksums are the last key: the texts of model and study, which may contain any bytes, precede them.
 fn stated_in(metadata: &[u8]) -> Option<Range<usize>> {
     let key = metadata.windows(KEY.len()).rposition(|bytes| bytes == KEY.as_bytes())?;
     let mut place = key + KEY.len();
@@ -194,7 +195,7 @@ fn stated_in(metadata: &[u8]) -> Option<Range<usize>> {
     (length > DIGITS && end <= metadata.len()).then_some(place + 1..end)
 }
 
-/// The blocks that the metadata state, and the digest of the tail.
+/// The blocks listed in the metadata, and the digest of the tail.
 fn blocks(stated: &[u8]) -> Option<(Vec<Block>, &str)> {
     let mut words =
         std::str::from_utf8(stated).ok()?.strip_prefix(METHOD)?.strip_prefix(' ')?.split(' ');

@@ -1,5 +1,5 @@
-//! Columns in the representation of Parquet: the values that exist, and two levels for each place where one
-//! may exist.
+//! Converts columns to the representation of Parquet: the existing values, and two levels for each place
+//! where one may exist.
 //!
 //! The definition level shows whether a place has a value: 0 for nothing, the largest level for a value. The
 //! repetition level shows whether a place begins a row, 0, or continues its list, 1 (Melnik and others,
@@ -16,13 +16,13 @@ use std::sync::Arc;
 /// The kind of a column of results.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
-    /// An integer, in every row.
+    /// An integer in every row.
     Whole,
-    /// A text, in every row or in some.
+    /// Text in every row or in some rows.
     Word(Repetition),
-    /// A number, or none.
+    /// A number or nothing.
     Number,
-    /// A list of numbers, or none.
+    /// A list of numbers or nothing.
     Numbers,
 }
 
@@ -64,11 +64,11 @@ impl Kind {
 /// The existing values of a column.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Values {
-    /// Whole numbers: the bits of a `u64`.
+    /// Integers: the bits of a `u64`.
     Whole(Vec<i64>),
     /// Numbers.
     Numbers(Vec<f64>),
-    /// Words in UTF-8.
+    /// Texts in UTF-8.
     Words(Vec<ByteArray>),
 }
 
@@ -83,22 +83,22 @@ pub struct Column {
 }
 
 impl Column {
-    /// No rows.
+    /// A column without rows.
     fn empty(values: Values) -> Self {
         Column { values, definitions: Vec::new(), repetitions: Vec::new() }
     }
 
-    /// Whole numbers.
+    /// A column of integers.
     pub fn whole(numbers: impl Iterator<Item = u64>) -> Self {
         Column::empty(Values::Whole(numbers.map(u64::cast_signed).collect()))
     }
 
-    /// A word in every row.
+    /// A column with a text in every row.
     pub fn words<'a>(words: impl Iterator<Item = &'a str>) -> Self {
         Column::empty(Values::Words(words.map(ByteArray::from).collect()))
     }
 
-    /// A word in some rows.
+    /// A column with a text in some rows.
     pub fn some_words(words: impl Iterator<Item = Option<String>>) -> Self {
         let mut all = Vec::new();
         let mut definitions = Vec::new();
@@ -109,7 +109,7 @@ impl Column {
         Column { definitions, ..Column::empty(Values::Words(all)) }
     }
 
-    /// Numbers; NaN is omitted.
+    /// A column of numbers; NaN is omitted.
     pub fn numbers(numbers: impl Iterator<Item = f64>) -> Self {
         let mut values = Vec::new();
         let mut definitions = Vec::new();
@@ -120,7 +120,7 @@ impl Column {
         Column { definitions, ..Column::empty(Values::Numbers(values)) }
     }
 
-    /// Lists of numbers, or none.
+    /// A column of lists of numbers; `None` is omitted.
     pub fn lists<'a>(lists: impl Iterator<Item = Option<&'a [f64]>>) -> Self {
         let mut values = Vec::new();
         let (mut definitions, mut repetitions) = (Vec::new(), Vec::new());
@@ -215,16 +215,17 @@ impl Column {
     }
 }
 
-/// A column of a kind that results do not have.
+/// Error for a kind of column that results do not have.
 fn foreign() -> ParquetError {
-    ParquetError::General("a column that is not one of results of a study".to_owned())
+    ParquetError::General("this column does not belong to results of a study".to_owned())
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    /// The levels of the format's own example of nested lists, cut down to one list: a list, an empty one, none.
+    /// The levels of the format's own example of nested lists, reduced to one list: a list, an empty list,
+    /// and no list.
     #[test]
     fn levels_of_lists() {
         let lists = [Some(&[1.0, 2.0][..]), Some(&[]), None, Some(&[3.0])];

@@ -18,12 +18,12 @@ pub struct Merged {
     pub files: usize,
 }
 
-/// Puts the shards of a study together: the same file, to the last bit, as if it had been run on one machine.
+/// Merges the shards of a study. The file is the same, to the last bit, as if one machine had run the study.
 ///
 /// # Errors
 ///
-/// Files that cannot be read or written, are not of the same study, overlap, or leave samples out; [`StoreError::Stopped`]
-/// if `watch` wants no more.
+/// Files that cannot be read or written, are not of the same study, overlap, or leave samples out;
+/// [`StoreError::Stopped`] if `watch` stops the merge.
 pub fn merge(paths: &[PathBuf], out: &Path, watch: &mut Watch) -> Result<Merged, StoreError> {
     let mut shards: Vec<(u64, u64, &Path)> = Vec::new();
     let mut known: Option<(Head, TypePtr, &Path)> = None;
@@ -39,7 +39,7 @@ pub fn merge(paths: &[PathBuf], out: &Path, watch: &mut Watch) -> Result<Merged,
         let (head, schema, rows) = (results.head(), results.schema(), results.rows());
         if head.get("digest").is_none() {
             return Err(StoreError::Unlike(format!(
-                "{}: these are no results of a study",
+                "{}: these are not results of a study",
                 path.display()
             )));
         }
@@ -57,14 +57,14 @@ pub fn merge(paths: &[PathBuf], out: &Path, watch: &mut Watch) -> Result<Merged,
         shards.extend(results.first()?.map(|first| (first, first + rows, &**path)));
     }
     let Some((head, schema, _)) = known else {
-        return Err(StoreError::Unlike("there are no files to put together".to_owned()));
+        return Err(StoreError::Unlike("there are no files to merge".to_owned()));
     };
     shards.sort_by_key(|shard| shard.0);
     let samples: u64 = head.get("samples").and_then(|samples| samples.parse().ok()).unwrap_or(0);
     let mut reached = 0;
     for &(from, to, path) in &shards {
         if from != reached {
-            let what = if from > reached { "are missing" } else { "are there twice" };
+            let what = if from > reached { "are missing" } else { "occur twice" };
             let [a, b] = [from.min(reached), from.max(reached) - 1];
             let what = format!("{}: samples {a} to {b} {what}", path.display());
             return Err(StoreError::Unlike(what));

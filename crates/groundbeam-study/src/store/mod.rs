@@ -1,4 +1,5 @@
-//! Results as Parquet: one row a sample, with the study, the model, the seed and checksums inside.
+//! Stores results as Parquet: one row per sample, with the study, the model, the seed and checksums in the
+//! metadata.
 
 mod checksum;
 mod column;
@@ -25,7 +26,7 @@ use std::path::{Path, PathBuf};
 pub enum StoreError {
     /// A file cannot be read or written.
     File(PathBuf, String),
-    /// A file of results is damaged; the text says how.
+    /// A file of results is damaged; the text describes the damage.
     Damaged(PathBuf, String),
     /// The present results belong to another study.
     Foreign(PathBuf),
@@ -60,7 +61,7 @@ impl fmt::Display for StoreError {
             StoreError::Foreign(path) => write!(
                 f,
                 "{}: these results are of another study, model, survey, seed or version of the program; \
-                 name another file, or --restart to begin anew",
+                 name another file, or use --restart to start again",
                 path.display()
             ),
             StoreError::Busy(path) => {

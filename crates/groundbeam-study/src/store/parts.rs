@@ -1,6 +1,6 @@
-//! Parts of a running study, in a folder beside the final file.
+//! Stores the parts of a running study in a folder beside the final file.
 //!
-//! The name of a part states its samples. Whoever works here holds a lock that ends with the process.
+//! The name of a part gives its samples. A process that works here holds a lock that ends with the process.
 
 use super::StoreError;
 use super::column::Column;
@@ -64,7 +64,7 @@ impl Parts {
             let first = results.first()?.unwrap_or(range.start);
             if (first, first + results.rows()) != (range.start, range.end) {
                 return Err(StoreError::Unlike(format!(
-                    "{}: it holds samples {first} to {}, not those of its name; delete this file and run the study \
+                    "{}: it contains samples {first} to {}, not those of its name; delete this file and run the study \
                      again, which computes them again",
                     path.display(),
                     (first + results.rows()).saturating_sub(1)
@@ -96,7 +96,7 @@ impl Parts {
         Ok(all)
     }
 
-    /// The samples of a range that no part holds.
+    /// The samples of a range that no part contains.
     pub fn missing(&self, of: Range<u64>) -> Result<Vec<Range<u64>>, StoreError> {
         let mut missing = Vec::new();
         let mut reached = of.start;
@@ -120,14 +120,14 @@ impl Parts {
         columns: Vec<Column>,
     ) -> Result<(), StoreError> {
         let rows = usize::try_from(range.end - range.start).unwrap_or(0);
-        // Zeros in front make names sort as numbers do.
+        // Leading zeros make names sort like numbers.
         let path = self.folder.join(format!("{:015}-{:015}.parquet", range.start, range.end));
         let mut writer = Writer::new(&path, table, Packing::Passing)?;
         writer.write(columns, rows)?;
         writer.finish()
     }
 
-    /// Joins all parts to one file and removes them.
+    /// Joins all parts in one file and removes them.
     pub fn finish(self, table: &Table, watch: &mut Watch) -> Result<(), StoreError> {
         let all = self.all()?;
         let paths: Vec<&Path> = all.iter().map(|(_, path)| &**path).collect();
@@ -137,7 +137,7 @@ impl Parts {
     }
 }
 
-/// Joins several files row after row. Returns the number of samples.
+/// Joins several files, row after row. Returns the number of samples.
 pub fn assembled(
     out: &Path,
     table: &Table,

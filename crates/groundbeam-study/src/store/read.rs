@@ -1,4 +1,4 @@
-//! Reads files of results.
+//! Reads and verifies files of results.
 
 use super::StoreError;
 use super::checksum::{self, Checksums};
@@ -124,11 +124,12 @@ impl Results {
     }
 }
 
-/// Verifies a file of results, whatever its study, and returns how many samples it holds.
+/// Verifies a file of results of any study, and returns its number of samples.
 ///
 /// # Errors
 ///
-/// A file that cannot be read, is damaged, or is not one of results; [`StoreError::Stopped`] if `watch` wants no more.
+/// The file cannot be read, is damaged, or is not a file of results; [`StoreError::Stopped`] if `watch` stops
+/// the work.
 pub fn verify(path: &Path, watch: &mut Watch) -> Result<u64, StoreError> {
     let results = Results::open(path)?;
     results.verify(&mut counted(results.rows(), watch))?;
@@ -156,7 +157,7 @@ pub struct Whole {
 }
 
 impl Whole {
-    /// The file, if it exists and holds exactly these samples of the study.
+    /// The file, if it exists and contains exactly these samples of the study.
     pub fn of(path: &Path, head: &Head, samples: &Range<u64>) -> Result<Option<Self>, StoreError> {
         if !path.exists() {
             return Ok(None);
@@ -168,7 +169,7 @@ impl Whole {
         if results.first()? != Some(samples.start) || results.rows() != samples.end - samples.start
         {
             return Err(StoreError::Unlike(format!(
-                "{}: it holds other samples of the study than {} to {}; name another file, or --restart",
+                "{}: it contains other samples of the study than {} to {}; name another file, or use --restart",
                 path.display(),
                 samples.start,
                 samples.end - 1

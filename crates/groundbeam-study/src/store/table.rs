@@ -58,8 +58,8 @@ impl Head {
     }
 }
 
-/// The digests of the files that a model names, in their order; `None` if it names none. Their names stand in the
-/// model, and their places must not matter.
+/// Digests of the files that a model names, in order; `None` if it names none. The model contains their
+/// names; their locations are not included.
 fn files_of(document: &Document) -> Option<String> {
     let digests = document.files.iter().map(|file| hex(Sha256::new_with_prefix(&file.text)));
     let digests: Vec<String> = digests.collect();
@@ -77,7 +77,7 @@ pub struct Table {
 }
 
 impl Table {
-    /// The columns that a study demands.
+    /// The columns that a study needs.
     pub fn of(draws: &Draws) -> Self {
         let StudyFile { random, field, keep, events, .. } = draws.study();
         let mut extremes = keep.extremes.clone();

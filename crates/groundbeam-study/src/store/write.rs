@@ -1,6 +1,7 @@
 //! Writes files of results, compressing rows in groups of one size.
 //!
-//! A file appears under its name when it is whole and on the disk ([`Output`]), with checksums of all its bytes.
+//! A file appears under its name when it is complete and on the disk ([`Output`]), with checksums of all its
+//! bytes.
 
 use super::StoreError;
 use super::checksum::Sealed;
@@ -23,9 +24,9 @@ const ROWS_IN_A_GROUP: usize = 1 << 16;
 /// The compression level of a file.
 #[derive(Debug, Clone, Copy)]
 pub enum Packing {
-    /// A file that stays.
+    /// A file that is kept.
     Kept,
-    /// A file that soon becomes part of another.
+    /// A file that is soon merged into another one.
     Passing,
 }
 
@@ -33,8 +34,8 @@ pub enum Packing {
 pub struct Writer<'a> {
     path: &'a Path,
     file: SerializedFileWriter<Sealed<Output>>,
-    /// Rows that wait to be written. The ends of pages depend on the number of rows handed over, so it is always the
-    /// same.
+    /// Rows that wait to be written. The ends of pages depend on the number of rows per call, so this number
+    /// is always the same.
     waiting: Vec<Column>,
     rows: usize,
 }
