@@ -139,7 +139,7 @@ fn a_model_that_needs_more_memory_than_the_limit_is_refused_at_once() {
     let little = ["solve", "model.toml", "--memory-limit", "1 kB"];
     folder.run(&little).fails(2, "more than the limit of 1 kB");
     folder.run(&["solve", "model.toml", "--memory-limit", "1 MB"]).is_clean(0);
-    folder.run(&["solve", "model.toml", "--memory-limit", "8"]).fails(2, "a size has a unit");
+    folder.run(&["solve", "model.toml", "--memory-limit", "8"]).fails(2, "a size needs a unit");
 }
 
 /// A heavy beam in compression that needs the support of the ground.
