@@ -1,6 +1,7 @@
 //! The calculation report of moving trains: the envelope over all positions.
 
 use super::content::{Block, Key, Report, Section, Table, Verdict, facts, numbers, wording};
+use super::several::all_of;
 use super::single::{certified, checked, overview, place};
 use super::{Source, given, print, proof};
 use crate::checked::verdicts;
@@ -23,6 +24,11 @@ pub(super) fn trains(passages: &Passages, context: &Context, source: &Source) ->
     let ground = context.ground.filter(|_| !follows);
     let of_input = Context { ground, ..*context };
     let mut given = given::section(&models, existence.as_ref(), None, &of_input, source);
+    if follows {
+        given.blocks.extend(facts(|sheet| {
+            text::ground_of_each(sheet, "position", context.ground, &models, context.units);
+        }));
+    }
     given.blocks.extend(facts(|sheet| {
         all.iter().for_each(|passage| train::head(sheet, passage, context.units));
         train::places(sheet, all);
@@ -93,6 +99,10 @@ fn envelope(passages: &Passages, units: Units) -> Section {
     let caption = "Envelope of all positions, with the position of the first axle";
     let mut blocks = vec![Block::Table(extremes(caption, passages, units))];
     for state in passages.limit_states().iter() {
+        if passages.all.iter().all(|passage| passage.limit_states().contains(state)) {
+            blocks.push(all_of(state));
+            continue;
+        }
         let caption = format!("Envelope of the limit state {}", state.name());
         let of_state = passages.of_limit_state(state);
         blocks.push(Block::Table(extremes(&caption, &of_state, units)));

@@ -2,7 +2,7 @@
 //! bounds if proofs are requested.
 
 use super::sheet::{Sheet, Tone};
-use super::{COLUMNS, certificate, checks, extreme_of, structure, title};
+use super::{COLUMNS, certificate, checks, extreme_of, ground, structure, title};
 use crate::bound::with_bound;
 use crate::characteristics::Characteristics;
 use crate::checked::rows_of;
@@ -12,7 +12,7 @@ use crate::combinations::{
 use crate::context::{Context, clean};
 use crate::quantity::{Kind, Unit, Units, duration};
 use crate::verdict::{self, falls, wording};
-use groundbeam::{Envelope, Extreme, Governing, Model, Verdict};
+use groundbeam::{Envelope, Extreme, Governing, LimitState, Model, Verdict};
 use groundbeam_run::{Answer, Answers, Banded, Found, Ground};
 
 /// The report of all combinations, solved or only checked. `colour` adds escape codes for a terminal.
@@ -22,12 +22,14 @@ pub fn combinations(answers: &Answers, context: &Context, colour: bool) -> Strin
     let first = answers.list.iter().find_map(|answer| Some((answer, *answer.existence()?)));
     if let Some((answer, existence)) = first {
         let ground = answer.ground.as_ref().filter(|ground| !ground.follows_solution());
-        let models = used_models(answers).unwrap_or_else(|| vec![answer.model()]);
+        let used = used_models(answers);
+        let models = used.clone().unwrap_or_else(|| vec![answer.model()]);
         if let Some(found) = Characteristics::of_all(&models, &existence) {
             structure(&mut sheet, &models, &found, &Context { ground, ..*context });
         }
         if answers.list.iter().any(follows_solution) {
-            sheet.row("Soil", &soil_of_each("combination", used_models(answers).is_some()));
+            let (own, used) = (answer.ground.as_ref(), used.unwrap_or_default());
+            ground::of_each(&mut sheet, "combination", own, &used, context.units);
         }
         sheet.blank();
     }
@@ -72,16 +74,6 @@ fn follows_solution(answer: &Answer) -> bool {
 pub(crate) fn used_models(answers: &Answers) -> Option<Vec<&Model>> {
     let models: Vec<&Model> = answers.solved().map(|(_, solution)| solution.model()).collect();
     (!models.is_empty() && answers.list.iter().any(follows_solution)).then_some(models)
-}
-
-/// Statement that k and μ depend on the solutions; they are printed if there are solutions.
-pub(super) fn soil_of_each(what: &str, is_solved: bool) -> String {
-    match is_solved {
-        true => format!("k and mu of each {what} depend on its own solution; above: those of all"),
-        false => format!(
-            "k and mu of each {what} depend on its own solution; above: before the solution"
-        ),
-    }
 }
 
 /// Numbers and names of the combinations.
@@ -253,6 +245,11 @@ fn alone(sheet: &mut Sheet, answers: &Answers, units: Units) {
     }
 }
 
+/// In place of the envelope of a limit state that is the envelope of all.
+pub(crate) fn all_of(state: LimitState) -> String {
+    format!("all of these combinations are of {}", state.name())
+}
+
 /// The envelopes of the limit states, if there is more than one.
 pub(crate) fn of_limit_states(
     sheet: &mut Sheet,
@@ -263,7 +260,7 @@ pub(crate) fn of_limit_states(
     for state in answers.limit_states().iter() {
         let of_state = of_limit_state(answers, solved, state);
         if of_state.len() == solved.len() {
-            sheet.row("", &format!("all of these combinations are of {}", state.name()));
+            sheet.row("", &all_of(state));
             sheet.blank();
             continue;
         }

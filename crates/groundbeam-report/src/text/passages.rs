@@ -1,17 +1,17 @@
 //! The terminal report of moving trains: one passage alone, or a table of several with the joint envelope.
 
-use super::combinations::soil_of_each;
+use super::combinations::all_of;
 use super::sheet::Sheet;
 use super::train::{cleaned, failures, limits, places, proof, ranges, train};
-use super::{COLUMNS, free_spans, structure, title};
+use super::{COLUMNS, free_spans, ground, structure, title};
 use crate::characteristics::Characteristics;
 use crate::context::{Context, clean};
 use crate::quantity::{Kind, Unit, Units};
 use groundbeam::{Field, Model};
 use groundbeam_run::{Ground, InPassage, Overall, Passage, Passages};
 
-/// Column of the first number of an envelope.
-const COLUMN: usize = 13;
+/// The width of the labels of an envelope.
+const LABELS: usize = 12;
 
 /// The report of passages. `colour` adds escape codes for a terminal.
 pub fn trains(passages: &Passages, context: &Context, colour: bool) -> String {
@@ -30,7 +30,7 @@ pub fn trains(passages: &Passages, context: &Context, colour: bool) -> String {
             structure(&mut sheet, &models, &found, &Context { ground, ..*context });
         }
         if follows {
-            sheet.row("Soil", &soil_of_each("position", true));
+            ground::of_each(&mut sheet, "position", context.ground, &models, context.units);
         }
     }
     if let [passage] = all {
@@ -132,7 +132,7 @@ fn table(sheet: &mut Sheet, all: &[Passage], units: Units) {
 fn of_limit_states(sheet: &mut Sheet, passages: &Passages, units: Units) {
     for state in passages.limit_states().iter() {
         if passages.all.iter().all(|passage| passage.limit_states().contains(state)) {
-            sheet.row("", &format!("all of these combinations are of {}", state.name()));
+            sheet.row("", &all_of(state));
         } else {
             envelope(sheet, state.name(), &passages.of_limit_state(state), units);
         }
@@ -143,14 +143,17 @@ fn of_limit_states(sheet: &mut Sheet, passages: &Passages, units: Units) {
 /// Extremes over all passages, each with the number of the passage, the section, and the position of the
 /// first axle.
 fn envelope(sheet: &mut Sheet, heading: &str, passages: &Passages, units: Units) {
+    let digits = passages.all.len().to_string().len();
+    // `−65570 lbf-ft` has 13 characters.
+    let widest = 15 - digits.max(2);
     let columns = |first: &str, a: [&str; 4], b: [&str; 4]| {
         let cell = |[value, x, train, which]: [&str; 4]| {
-            format!(" {value:>11} {x:>8} {train:>8}{which:>3}")
+            format!(" {value:>widest$} {x:>8} {train:>8} {which:>digits$}")
         };
-        format!("{first:<13}{}{}", cell(a), cell(b))
+        format!("{first:<LABELS$}{}{}", cell(a), cell(b))
     };
     let words = |largest| [largest, "at", "train", "#"];
-    if heading.len() < COLUMN {
+    if heading.len() <= LABELS {
         sheet.heading(&columns(heading, words("smallest"), words("largest")));
     } else {
         sheet.heading(heading);
@@ -166,7 +169,7 @@ fn envelope(sheet: &mut Sheet, heading: &str, passages: &Passages, units: Units)
         let unit = units.unit(Kind::of(field), min.abs().max(max.abs()));
         if min == max {
             let value = unit.write(min);
-            sheet.row(field.label(), &format!(" {value:>11} everywhere, always"));
+            sheet.row(field.label(), &format!("{value:>widest$} everywhere, always"));
             continue;
         }
         let cells = known.map(|InPassage { located, passage }| {
