@@ -282,6 +282,40 @@ fn a_view_tells_where_every_number_stands() {
     );
 }
 
+/// A view, a file and a report have the units and digits of their query, as those of the command line.
+#[test]
+fn units_and_digits_are_those_of_the_query() {
+    let server = Server::start(None);
+    let folder = Folder::with(LIFTS);
+    let untimed = |text: &str| text.split("\nMethod ").next().unwrap().to_owned();
+    for (query, arguments) in [
+        ("units=us", ["--units", "us"]),
+        ("digits=7", ["--digits", "7"]),
+        ("units=file", ["--units", "file"]),
+    ] {
+        let text = folder.run(&[&["solve", "model.toml"][..], &arguments[..]].concat()).stdout;
+        let reply = server.post(&format!("/api/file/txt?{query}"), LIFTS);
+        assert_eq!(untimed(reply.text()), untimed(&text), "{query}");
+        let view = server.post(&format!("/api/view?{query}"), LIFTS).json();
+        assert_eq!(untimed(view["report"].as_str().unwrap()), untimed(&text), "{query}");
+    }
+    let view = server.post("/api/view?units=us", LIFTS).json();
+    assert_eq!(view["shown_in"], json!({ "name": "ft", "size": 0.3048 }));
+    assert!(server.post("/api/file/html?units=us", LIFTS).text().contains(" kip-ft"));
+    let plain = "[beam]\nlength = 1\nEI = 1\n[foundation]\nk = 1\n[[load]]\npoint = 1\nat = 0.5\n";
+    for (path, model, words) in [
+        ("/api/view?units=yards", LIFTS, "`units` is `file`, `si` or `us`"),
+        ("/api/view?digits=1", LIFTS, "`digits` is a whole number from 2 to 15"),
+        ("/api/view?digits=4.5", LIFTS, "`digits` is a whole number from 2 to 15"),
+        ("/api/view?units=us", plain, "`units` is `file` for a file without units"),
+        ("/api/solve?units=us", LIFTS, "the keys of this address are combination"),
+    ] {
+        let reply = server.post(path, model);
+        let message = reply.json()["message"].as_str().unwrap_or_default().to_owned();
+        assert!(reply.status == 400 && message.contains(words), "{path}: {message}");
+    }
+}
+
 #[test]
 fn files_to_keep_are_those_of_the_command_line() {
     let server = Server::start(None);

@@ -6,7 +6,7 @@ use groundbeam::model::Part;
 use groundbeam::{Action, Extent};
 use groundbeam_file::{Combination, Document, UnitSystem};
 use groundbeam_report::svg::{self, Grip, Handle};
-use groundbeam_report::{Results, load_name, sentence, text};
+use groundbeam_report::{Kind, Results, load_name, sentence, text};
 use groundbeam_run::{Answer, Found, Overall, Passage};
 use serde::Serialize;
 
@@ -28,8 +28,12 @@ pub struct View {
     combinations: Vec<String>,
     trains: Vec<Train>,
     length: f64,
-    /// Whether positions are in metres.
+    /// Whether the file has units.
     has_units: bool,
+    /// The unit in which positions are shown.
+    shown_in: Shown,
+    /// The unit of a force that the page writes into the file.
+    force: &'static str,
 }
 
 #[derive(Debug, Serialize)]
@@ -57,6 +61,13 @@ struct Held {
     size: Option<usize>,
 }
 
+/// A unit: its name, and its size in metres.
+#[derive(Debug, Serialize)]
+struct Shown {
+    name: &'static str,
+    size: f64,
+}
+
 #[derive(Debug, Serialize)]
 struct Train {
     name: String,
@@ -72,6 +83,8 @@ impl View {
             to: train.range[1],
         });
         let (sentence, rows) = said(results);
+        let length = document.model.beam.length;
+        let shown = results.context().units.unit(Kind::Position, length);
         View {
             status: results.answers().overall().name(),
             sentence,
@@ -83,8 +96,10 @@ impl View {
             numbers: Number::all(document),
             combinations: document.combination_names(),
             trains: trains.collect(),
-            length: document.model.beam.length,
+            length,
             has_units: document.units == UnitSystem::Si,
+            shown_in: Shown { name: shown.name, size: shown.size },
+            force: document.printed.unit(Kind::Force, 0.0).name,
         }
     }
 }
