@@ -183,8 +183,8 @@ fn picture(document: &Document, results: &Results, asked: &Asked) -> Option<Pict
     })
 }
 
-/// The handle with its numbers; `None` if no number of the text gives the position, as for an axle of a
-/// train.
+/// The handle with its numbers; `None` if no number of the text gives the position, as for an axle or the own weight
+/// of the beam.
 fn held(document: &Document, combination: &Combination, handle: &Handle) -> Option<Held> {
     let (part, field, size, name) = match handle.grip {
         Grip::Load(i) | Grip::From(i) | Grip::To(i) => {
@@ -206,6 +206,9 @@ fn held(document: &Document, combination: &Combination, handle: &Handle) -> Opti
         Grip::Hinge(i) => (Part::Hinge(i), "at", None, format!("hinge {}", i + 1)),
         Grip::Support(i) => (Part::Support(i), "at", None, format!("support {}", i + 1)),
     };
+    // The ends of the own weight follow from the length of the beam: the file has no position for them.
+    let position = Number::behind(document, part, field)?;
+    document.quantities[position].place?;
     let [x, y] = handle.place;
     Some(Held {
         name,
@@ -213,7 +216,7 @@ fn held(document: &Document, combination: &Combination, handle: &Handle) -> Opti
         y,
         at: handle.at,
         range: handle.range,
-        position: Number::behind(document, part, field)?,
+        position,
         size: size.and_then(|size| Number::behind(document, part, size)),
     })
 }

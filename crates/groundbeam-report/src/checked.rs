@@ -108,7 +108,9 @@ impl<'a> Row<'a> {
             states: combination.limit_states,
             solution: answer.solution(),
             falls: matches!(answer.found, Found::NoEquilibrium(_)),
-            as_given: combination.factors.is_empty(),
+            // A combination of the file has a name, and so has each ground of a band.
+            as_given: combination.factors.is_empty()
+                && (combination.name.is_empty() || combination.ground.is_some()),
             proof,
         }
     }
