@@ -85,7 +85,12 @@ def test_ground_loads_troughs_trains_and_checks_say_what_a_file_says() -> None:
         combined = model.solve_combinations()
         assert combined.limit_states == ["SLS frequent"]
         checked = json.loads(combined.to_json())["checks"]
-        moment = model.solve_trains().envelope("moment", 4.0)
+        passages = model.solve_trains()
+        assert passages.limit_states == ["SLS frequent"]
+        moment = passages.envelope("moment", 4.0, limit_state="SLS frequent")
+        assert moment.max.values == passages.envelope("moment", 4.0).max.values
+        with pytest.raises(ValueError, match="no solved combination is of EQU"):
+            passages.envelope("moment", 4.0, limit_state="EQU")
         documents.append((checked, moment.max.values.tolist(), moment.max.first_axle.tolist()))
     assert documents[0] == documents[1] == documents[2]
     [check] = documents[0][0]
