@@ -8,6 +8,7 @@ use crate::checked::rows_of;
 use crate::checked::verdicts;
 use crate::combinations::{Numbered, bound_of_extreme, noun, numbered, of_limit_state};
 use crate::context::{Context, clean};
+use crate::extremes::{Extremes, of_combinations};
 use crate::number::significant;
 use crate::quantity::{Kind, Unit, Units};
 use crate::svg::figures;
@@ -265,28 +266,38 @@ pub(super) fn all_of(state: LimitState) -> Block {
 /// The extremes of some combinations.
 fn extremes(caption: &str, all: &Answers, solved: &[Numbered], units: Units) -> Table {
     let envelope = Envelope::of(solved.iter().map(|row| row.solution));
-    let x = units.unit(Kind::Position, all.list.first().map_or(1.0, |c| c.model().beam.length));
-    let columns = vec![
-        wording("quantity"),
-        numbers("smallest", ""),
-        numbers("at x", x.name),
-        numbers("#", ""),
-        numbers("largest", ""),
-        numbers("at x", x.name),
-        numbers("#", ""),
-        wording("unit"),
-    ];
+    let length = all.list.first().map_or(1.0, |answer| answer.model().beam.length);
+    table_of(
+        caption,
+        &of_combinations(&envelope, solved, units),
+        units.unit(Kind::Position, length),
+    )
+}
+
+/// A table of extremes with their places, those of the first axle, and the numbers of the answers.
+pub(super) fn table_of(caption: &str, all: &[Extremes], x: Unit) -> Table {
+    let ends = || all.iter().flat_map(|of| of.ends);
+    let has_axle = ends().any(|end| end.first_axle.is_some());
+    let has_number = ends().any(|end| end.number.is_some());
+    let bound = |head: &str| {
+        let mut columns = vec![numbers(head, ""), numbers("at x", x.name)];
+        columns.extend(has_axle.then(|| numbers("axle at", x.name)));
+        columns.extend(has_number.then(|| numbers("#", "")));
+        columns
+    };
+    let (smallest, largest) = (bound("smallest"), bound("largest"));
+    let mut columns = vec![wording("quantity")];
+    columns.extend(smallest.into_iter().chain(largest));
+    columns.push(wording("unit"));
     let mut table = Table::new(caption, columns);
-    for field in envelope.fields() {
-        let range = envelope.range(field);
-        let both = [range.min, range.max].map(|governing| known(governing, field, solved));
-        let most = both.iter().fold(0.0_f64, |most, (extreme, _)| most.max(extreme.value.abs()));
-        let unit = units.unit(Kind::of(field), most);
-        let [min, max] = both.map(|(Extreme { x: at, value }, number)| {
-            [unit.number(value), x.number(at), number.to_string()]
+    for Extremes { field, unit, ends } in all {
+        let cells = ends.iter().flat_map(|end| {
+            let axle = end.first_axle.map(|at| x.number(at));
+            let number = end.number.map(|number| number.to_string());
+            [unit.number(end.value), x.number(end.x)].into_iter().chain(axle).chain(number)
         });
         let name = [field.label().to_owned()];
-        table.push(name.into_iter().chain(min).chain(max).chain([unit.name.to_owned()]));
+        table.push(name.into_iter().chain(cells).chain([unit.name.to_owned()]));
     }
     table
 }

@@ -10,9 +10,10 @@ use crate::combinations::{
     Numbered, bound_of_extreme, bounds_of_band, largest_end_force, noun, numbered, of_limit_state,
 };
 use crate::context::{Context, clean};
+use crate::extremes::{End, of_combinations};
 use crate::quantity::{Kind, Unit, Units, duration};
 use crate::verdict::{self, falls, wording};
-use groundbeam::{Envelope, Extreme, Governing, LimitState, Model, Verdict};
+use groundbeam::{Envelope, Governing, LimitState, Model, Verdict};
 use groundbeam_run::{Answer, Answers, Banded, Found, Ground};
 
 /// The report of all combinations, solved or only checked. `colour` adds escape codes for a terminal.
@@ -285,25 +286,19 @@ fn envelope(
     units: Units,
 ) {
     sheet.heading(&format!("{heading:<18} {:>8}{:>33}", "smallest", "largest"));
-    for field in envelope.fields() {
-        let range = envelope.range(field);
-        let known = |Governing { extreme, by }: Governing| {
-            let row = solved.get(by);
-            let extreme = row.map_or(extreme, |row| row.sizes.extreme(field, extreme));
-            (extreme, row.map_or(0, |row| row.number))
-        };
-        let [min, max] = [range.min, range.max].map(known);
-        let unit = units.unit(Kind::of(field), min.0.value.abs().max(max.0.value.abs()));
-        if min.0.value == max.0.value {
-            let value = unit.write(min.0.value);
-            sheet.row(field.label(), &format!("{value:>14} everywhere, in every combination"));
+    for extremes in of_combinations(envelope, solved, units) {
+        let (label, unit) = (extremes.field.label(), extremes.unit);
+        if let Some(value) = extremes.everywhere() {
+            let value = unit.write(value);
+            sheet.row(label, &format!("{value:>14} everywhere, in every combination"));
             continue;
         }
-        let cell = |(Extreme { x, value }, number): (Extreme, usize)| {
-            let place = format!("at {}", units.position(x));
-            format!("{:>14} {place:<12} {:<4} ", unit.write(value), format!("#{number}"))
+        let cell = |end: End| {
+            let place = format!("at {}", units.position(end.x));
+            let number = format!("#{}", end.number.unwrap_or_default());
+            format!("{:>14} {place:<12} {number:<4} ", unit.write(end.value))
         };
-        sheet.row(field.label(), &format!("{}{}", cell(min), cell(max)));
+        sheet.row(label, &extremes.ends.map(cell).concat());
     }
     end_forces(sheet, solved, units);
 }
