@@ -157,6 +157,30 @@ fn the_blocks_of_the_documents_are_read_alike() {
     assert!(read >= 12, "{read}");
 }
 
+/// Fillets of an I, constant and along a haunch; permanent cases of one source, which only EQU takes apart.
+#[test]
+fn fillets_and_sources_are_read_alike() {
+    let section = "section = { shape = 'I', width = '0.3 m', height = ['0.6 m', '0.5 m'], flange = '30 mm', web = '20 mm', \
+                   fillet = '27 mm' }";
+    let case = |name: &str, more: &str| {
+        format!(
+            "[[load]]\npoint = '100 kN'\nat = '3 m'\ncase = '{name}'\n[[case]]\nname = '{name}'\n{more}\n"
+        )
+    };
+    let text = format!(
+        "[beam]\nlength = '6 m'\nE = '210 GPa'\n{section}\n[foundation]\nk = '40 MN/m^2'\n{}{}{}{}\
+         [[combination]]\nset = 'EN 1990 6.10'\n[[combination]]\nset = 'EN 1990 EQU'\n\
+         [[combination]]\nset = 'EN 1990 6.10a/b'\n",
+        case("G1", "action = 'permanent'\nsource = 'own weight'"),
+        case("Q", "action = 'imposed B'"),
+        case("G2", "action = 'permanent'\nsource = ' own weight'"),
+        case("G3", "action = 'permanent'\nsource = 'soil'"),
+    );
+    let document = groundbeam_file::parse(&text).expect("a model");
+    let (numbers, largest) = compare("fillets and sources", &text, &document).expect("read");
+    assert!(numbers > 100 && document.combinations().len() > 30, "{numbers} {largest}");
+}
+
 /// Models with random numbers, as the product writes them.
 #[test]
 fn random_models_are_read_alike() {

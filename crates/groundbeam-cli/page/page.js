@@ -11,6 +11,8 @@ const note = (words) => {
 };
 
 let name = "model";
+/// Units and digits of the command line; null without such an option.
+const printed = { units: null, digits: null };
 /// The part of the file that is shown. `train` is an index or "all"; null until a response lists the trains.
 const choice = { combination: null, train: null, firstAxle: null };
 /// The last response, with its text.
@@ -34,6 +36,7 @@ const picture = new Picture({ begin, position, move, grow });
 function query(form) {
   const asked = new URLSearchParams();
   if (form === "view" && picture.width > 0) asked.set("width", picture.width);
+  for (const key of ["units", "digits"]) if (printed[key] !== null) asked.set(key, printed[key]);
   if (choice.combination) asked.set("combination", choice.combination);
   if (choice.train !== null && form !== "html") {
     asked.set("train", choice.train);
@@ -121,7 +124,7 @@ function show(answer, asked) {
   const heads = { solved: "In equilibrium", "no-equilibrium": "No equilibrium", "not-converged": "Not converged" };
   const states = { solved: "right", "no-equilibrium": "lost", "not-converged": "wrong" };
   verdict(heads[answer.status], answer.sentence, states[answer.status]);
-  if (answer.picture?.svg) picture.show(answer.picture, answer.length, answer.has_units);
+  if (answer.picture?.svg) picture.show(answer.picture, answer.length, answer.shown_in);
   if (answer.status === "no-equilibrium" && !wasLost) picture.tip();
   the("hint").hidden = !answer.picture?.handles.length;
   results(answer.rows);
@@ -131,8 +134,13 @@ function show(answer, asked) {
   sliders(shown, { begin, set: setNumber, replace });
 }
 
-/// Resets a choice that is no longer in the text. Shows any other rejection.
+/// Resets a choice that is no longer in the text, and units that a text without units cannot have. Shows any other rejection.
 function refused({ query: at, message }) {
+  if (at?.key === "units" && printed.units !== null) {
+    printed.units = null;
+    wanted = true;
+    return;
+  }
   const forget = { combination: ["combination"], train: ["train", "firstAxle"], first_axle: ["firstAxle"] }[at?.key] ?? [];
   if (forget.every((key) => choice[key] === null)) return verdict("Invalid request", message, "wrong");
   for (const key of forget) choice[key] = null;
@@ -151,7 +159,7 @@ function results(rows) {
 }
 
 /// Fills the lists of combinations and trains.
-function choices({ combinations, trains, has_units: hasUnits }) {
+function choices({ combinations, trains, shown_in: shownIn }) {
   const fill = (select, entries, chosen) => {
     const made = entries.map(([value, words]) => new Option(words, value, false, value === chosen));
     if (JSON.stringify(entries) !== select.dataset.entries) {
@@ -182,7 +190,7 @@ function choices({ combinations, trains, has_units: hasUnits }) {
   const at = Math.min(train.to, Math.max(train.from, choice.firstAxle ?? 0.5 * (train.from + train.to)));
   const axle = the("axle");
   axle.value = Math.round((1000 * (at - train.from)) / (train.to - train.from));
-  const words = `${Number(at.toPrecision(4))}${hasUnits ? " m" : ""}`;
+  const words = `${Number((at / shownIn.size).toPrecision(4))} ${shownIn.name}`.trim();
   axle.setAttribute("aria-valuetext", words);
   the("axle-at").textContent = words;
 }
@@ -272,7 +280,8 @@ async function fromAddress() {
 }
 
 async function start() {
-  const { start, examples } = await (await fetch("/api/start")).json();
+  const { start, examples, units, digits } = await (await fetch("/api/start")).json();
+  Object.assign(printed, { units, digits });
   the("examples").append(new Option("…", ""), ...examples.map(({ name }, i) => new Option(name, i)));
   the("examples").addEventListener("change", ({ target }) => {
     if (target.value !== "") open(examples[target.value]);

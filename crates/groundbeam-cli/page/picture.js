@@ -29,8 +29,9 @@ export class Picture {
     return this.#drawing.clientWidth;
   }
 
-  show(picture, length, hasUnits) {
-    this.#shown = { ...picture, length, hasUnits };
+  /// Positions are said in the unit `shownIn`.
+  show(picture, length, shownIn) {
+    this.#shown = { ...picture, length, shownIn };
     const parsed = new DOMParser().parseFromString(picture.svg, "image/svg+xml").documentElement;
     const drawn = document.importNode(parsed, true);
     drawn.removeAttribute("width");
@@ -65,14 +66,14 @@ export class Picture {
       grip.addEventListener("keydown", (event) => this.#key(event, i));
       this.#grips.append(grip);
     }
-    const unit = this.#shown.hasUnits ? " m" : "";
+    const { name, size } = this.#shown.shownIn;
     const attributes = {
       transform: `translate(${handle.x} ${handle.y})`,
       "aria-label": handle.name,
       "aria-valuemin": handle.range[0],
       "aria-valuemax": handle.range[1],
       "aria-valuenow": handle.at,
-      "aria-valuetext": `at ${Number(handle.at.toPrecision(5))}${unit}`,
+      "aria-valuetext": `at ${Number((handle.at / size).toPrecision(5))} ${name}`.trim(),
     };
     for (const [key, value] of Object.entries(attributes)) grip.setAttribute(key, value);
   }

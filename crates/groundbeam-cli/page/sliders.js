@@ -89,7 +89,7 @@ function adder(key) {
     const found = gesture && heading.exec(gesture.text);
     if (!found) return;
     const at = found.index + found[0].length;
-    edits.replace(gesture, at, at, `${key} = ${shown.has_units ? '"0 kN"' : "0"}\n`);
+    edits.replace(gesture, at, at, `${key} = ${shown.has_units ? `"0 ${shown.force}"` : "0"}\n`);
   });
   return button;
 }

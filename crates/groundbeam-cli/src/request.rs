@@ -172,6 +172,7 @@ pub struct Serve {
     /// 0 selects a free port.
     pub port: u16,
     pub opens_browser: bool,
+    pub printed: Printed,
 }
 
 /// Solves a model for many samples.
@@ -254,8 +255,9 @@ impl Request {
             }),
             Command::New(new) => Request::New(New { file: new.file, kind: new.kind }),
             #[cfg(feature = "serve")]
-            Command::Serve(typed::Serve { file, port, no_open }) => {
-                Request::Serve(Serve { file, port, opens_browser: !no_open })
+            Command::Serve(typed::Serve { file, port, no_open, printed }) => {
+                let printed = Printed::of(printed);
+                Request::Serve(Serve { file, port, opens_browser: !no_open, printed })
             }
             #[cfg(feature = "study")]
             Command::Study(study) => Request::Study(Study::of(study)?),

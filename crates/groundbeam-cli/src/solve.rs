@@ -27,7 +27,12 @@ pub fn run(request: &Solve) -> Result<Status, Failure> {
     let stations = request.at.as_deref().map(|list| positions(&input, list)).transpose()?;
     let (run, title) = asked(&input, request)?;
     let (answers, seconds) = solved(&run, &input, request.options.method.name())?;
-    let context = Context { title: title.as_deref(), pieces: request.pieces, ..input.context() };
+    let context = Context {
+        title: title.as_deref(),
+        pieces: request.pieces,
+        selected: request.combination.is_some() || request.set.is_some(),
+        ..input.context()
+    };
     let model = request.pieces && input.is_not_proven_as_written();
     let context = Context { model, ..context.with_seconds(seconds) };
     let stations = stations.as_deref();

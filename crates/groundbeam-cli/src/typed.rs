@@ -2,6 +2,7 @@
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
+use groundbeam_file::print::DIGITS;
 use groundbeam_report::RESULT_DIGITS;
 use std::path::PathBuf;
 
@@ -194,7 +195,7 @@ pub struct Printed {
     pub units: UnitsAsked,
 
     /// Significant digits of results; proven numbers have as many as their bound allows
-    #[arg(long, value_name = "N", default_value_t = RESULT_DIGITS as u8, value_parser = clap::value_parser!(u8).range(2..=15))]
+    #[arg(long, value_name = "N", default_value_t = RESULT_DIGITS as u8, value_parser = clap::value_parser!(u8).range(*DIGITS.start() as i64..=*DIGITS.end() as i64))]
     pub digits: u8,
 }
 
@@ -364,6 +365,9 @@ pub struct Serve {
     /// Do not open the browser
     #[arg(long)]
     pub no_open: bool,
+
+    #[command(flatten)]
+    pub printed: Printed,
 }
 
 #[derive(Debug, Clone, Copy, ValueEnum)]

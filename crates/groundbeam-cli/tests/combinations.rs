@@ -190,6 +190,64 @@ fn strict_makes_a_failed_or_missing_verdict_the_exit_status() {
     folder.run(&["solve", "model.toml", "--strict"]).is_clean(1);
 }
 
+/// The file has a combination of the limit state of the check, and another one is selected.
+#[test]
+fn a_verdict_on_selected_combinations_says_so() {
+    let folder = Folder::with(&judged());
+    let done = folder.run(&["solve", "model.toml", "--combination", "both"]);
+    let words = done.stdout.split_whitespace().collect::<Vec<_>>().join(" ");
+    let expected = "lifted share not judged: no selected combination is of SLS characteristic";
+    assert!(words.contains(expected), "{words}");
+    folder.run(&["solve", "model.toml", "--combination", "both", "--strict"]).is_clean(1);
+}
+
+/// A check is never left out in silence: loads without a resultant have no eccentricity.
+#[test]
+fn an_eccentricity_that_does_not_exist_is_not_judged() {
+    let held = "[[support]]\nat = 0\ntype = \"pinned\"\n[checks]\neccentricity = \"l/6\"\n\
+                overturning = 1.5\n";
+    let folder = Folder::with(&(LIFTS.replace("point = 1\n", "point = 0\n") + held));
+    let done = folder.run(&["solve", "model.toml"]);
+    done.is_clean(0);
+    assert!(done.stdout.contains("eccentricity not judged: the loads have no resultant"));
+    // The beam is pinned at the end about which nothing turns it.
+    let expected = "no load overturns the beam, a factor of 1.5 required: passes";
+    assert!(done.stdout.contains(expected), "{}", done.stdout);
+    let checks = folder.run(&["solve", "model.toml", "--json"]).json()["checks"].clone();
+    assert_eq!(
+        (&checks[0]["passes"], &checks[0]["reason"]),
+        (&json!(null), &json!("no resultant"))
+    );
+    folder.run(&["solve", "model.toml", "--strict"]).is_clean(1);
+}
+
+/// Allowable stress design is no part of the Eurocodes. A peak pressure leaves out the force at a corner of the ground.
+#[test]
+fn a_verdict_names_its_clause_and_what_it_leaves_out() {
+    let checks = "[[gap]]\nat = 0.4\nvalue = 0\n[[gap]]\nat = 0.6\nvalue = 0.1\n\
+                  [checks]\nsettlement = 5\nbearing_pressure = 9\nwidth = 1\n[[combination]]\nname = \"D\"\n\
+                  limit_state = [\"allowable stress\", \"SLS frequent\"]\nfactors = {}\n";
+    let model = LIFTS.replace("moment = 0.49", "moment = 0.1") + checks;
+    let folder = Folder::with(&model);
+    let done = folder.run(&["solve", "model.toml"]);
+    done.is_clean(0);
+    let words = done.stdout.split_whitespace().collect::<Vec<_>>().join(" ");
+    for expected in [
+        "passes; SLS frequent, D (EN 1997-1, 6.6)",
+        "passes; allowable stress, D Certificate",
+        "(right), force 0.3131 at x = 0.4 in addition; allowable stress, D",
+    ] {
+        assert!(words.contains(expected), "{expected}: {words}");
+    }
+    let clauses: Vec<_> = folder.run(&["solve", "model.toml", "--json"]).json()["checks"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|check| check["clause"].clone())
+        .collect();
+    assert_eq!(clauses, [json!(null), json!("EN 1997-1, 6.6"), json!(null)]);
+}
+
 #[test]
 fn a_set_is_selected_by_its_name() {
     let of_sets = LIFTS.replace("point = 1\n", "point = 1\ncase = \"G\"\n")

@@ -132,6 +132,40 @@ fn sliders_keep_to_the_signs_of_the_file_format() {
     assert!(!browser.eval("document.body.classList.contains('wrong')").as_bool().unwrap());
 }
 
+/// A train in a file in feet: its first axle, the handle of a load and what the page adds to the file.
+#[test]
+fn a_page_says_positions_in_the_units_of_the_file() {
+    let Some(browser) = Browser::start() else { return };
+    let model = "[beam]\nlength = \"40 ft\"\nEI = \"1e6 kip ft^2\"\n[foundation]\nk = \"1000 ksf\"\n\
+                 [[load]]\npoint = \"200 kip\"\nat = \"10 ft\"\n\
+                 [[train]]\naxles = [{ at = \"0 ft\", force = \"20 kip\" }]\n";
+    let folder = Folder::with(model);
+    let server = Server::start(Some(&folder.path("model.toml")));
+    opened(&browser, &server);
+    settled(&browser, "!document.getElementById('axle-choice').hidden");
+    assert_eq!(browser.text("#axle-at"), "20 ft");
+    let handle = "document.querySelector('.grip').getAttribute('aria-valuetext')";
+    assert_eq!(browser.eval(handle), "at 10 ft");
+    browser.eval(
+        "[...document.querySelectorAll('#sliders button')]
+            .find((button) => button.textContent.includes('shear layer')).click()",
+    );
+    settled(&browser, "document.getElementById('text').value.includes('mu = \"0 kip\"')");
+    assert!(browser.text("#verdict").starts_with("In equilibrium"));
+    // The options of the program choose other units; a file without units has none.
+    let server =
+        Server::with(Some(&folder.path("model.toml")), &["--units", "si", "--digits", "6"]);
+    opened(&browser, &server);
+    settled(&browser, "!document.getElementById('axle-choice').hidden");
+    assert_eq!(browser.text("#axle-at"), "6.096 m");
+    assert!(browser.text("#verdict").contains("978.609 kN"), "{}", browser.text("#verdict"));
+    type_in(
+        &browser,
+        "[beam]\nlength = 1\nEI = 1\n[foundation]\nk = 1\n[[load]]\npoint = 1\nat = 0.5\n",
+    );
+    settled(&browser, "document.getElementById('verdict').textContent.includes('resultant, 1 at')");
+}
+
 #[test]
 fn each_number_of_a_list_has_a_slider_of_its_own_range() {
     let Some(browser) = Browser::start() else { return };

@@ -274,12 +274,52 @@ fn a_view_tells_where_every_number_stands() {
     // The handle is at the position in the picture.
     let [left, scale] = ["left", "scale"].map(|key| view["picture"][key].as_f64().unwrap());
     assert!((handle["x"].as_f64().unwrap() - (left + 5.0 * scale)).abs() < 1e-9);
+    // The own weight of a beam has no position to drag.
+    let section = "E = \"30 GPa\"\nsection = { width = \"1 m\", height = \"1 m\" }\nunit_weight = \"25 kN/m^3\"";
+    let heavy = FOOTING.replace("EI = \"1.2e6 kN m^2\"", section);
+    let heavier = server.post("/api/view?width=700", &heavy).json();
+    assert_ne!(heavier["document"], view["document"]);
+    let handles = |view: &Value| view["picture"]["handles"].as_array().unwrap().len();
+    assert_eq!(handles(&heavier), handles(&view));
     let lost = server.post("/api/view", &tips()).json();
     assert_eq!(lost["status"], "no-equilibrium");
     assert!(lost["sentence"].as_str().unwrap().contains("it tips about its right end"));
     assert!(
         lost["picture"]["svg"].as_str().unwrap().contains(r#"class="moves" data-still="matrix("#)
     );
+}
+
+/// A view, a file and a report have the units and digits of their query, as those of the command line.
+#[test]
+fn units_and_digits_are_those_of_the_query() {
+    let server = Server::start(None);
+    let folder = Folder::with(FOOTING);
+    let untimed = |text: &str| text.split("\nMethod ").next().unwrap().to_owned();
+    for (query, arguments) in [
+        ("units=us", ["--units", "us"]),
+        ("digits=7", ["--digits", "7"]),
+        ("units=file", ["--units", "file"]),
+    ] {
+        let text = folder.run(&[&["solve", "model.toml"][..], &arguments[..]].concat()).stdout;
+        let reply = server.post(&format!("/api/file/txt?{query}"), FOOTING);
+        assert_eq!(untimed(reply.text()), untimed(&text), "{query}");
+        let view = server.post(&format!("/api/view?{query}"), FOOTING).json();
+        assert_eq!(untimed(view["report"].as_str().unwrap()), untimed(&text), "{query}");
+    }
+    let view = server.post("/api/view?units=us", FOOTING).json();
+    assert_eq!(view["shown_in"], json!({ "name": "ft", "size": 0.3048 }));
+    assert!(server.post("/api/file/html?units=us", FOOTING).text().contains(" kip-ft"));
+    for (path, model, words) in [
+        ("/api/view?units=yards", FOOTING, "`units` is `file`, `si` or `us`"),
+        ("/api/view?digits=1", FOOTING, "`digits` is a whole number from 2 to 15"),
+        ("/api/view?digits=4.5", FOOTING, "`digits` is a whole number from 2 to 15"),
+        ("/api/view?units=us", LIFTS, "`units` is `file` for a file without units"),
+        ("/api/solve?units=us", FOOTING, "the keys of this address are combination"),
+    ] {
+        let reply = server.post(path, model);
+        let message = reply.json()["message"].as_str().unwrap_or_default().to_owned();
+        assert!(reply.status == 400 && message.contains(words), "{path}: {message}");
+    }
 }
 
 #[test]

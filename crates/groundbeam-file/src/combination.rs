@@ -217,6 +217,7 @@ impl Document {
     /// Names of the sets of combinations that the file asks for, each once.
     pub fn set_names(&self) -> Vec<&'static str> {
         let mut names: Vec<&str> = self.recipes.iter().filter_map(|recipe| recipe.set).collect();
+        // A file asks for a set once, and its combinations follow one another.
         names.dedup();
         names
     }

@@ -203,6 +203,8 @@ fn seen(
         title: title.as_deref(),
         seconds,
         digest: Some(&digest),
+        units: asked.printed(document).unwrap_or(document.printed),
+        selected: asked.combination.is_some(),
         ..Context::of(document)
     };
     deliver(&Results::new(&answers, context))

@@ -22,5 +22,5 @@ mod view;
 mod written;
 
 pub use answer::{Form, file, result, view};
-pub use question::{Asked, REPORT, SOLVE, Trains, VIEW, WrongQuery};
+pub use question::{Asked, FILE, REPORT, SOLVE, Trains, VIEW, WrongQuery};
 pub use reply::Reply;

@@ -2,7 +2,7 @@
 
 use crate::reply::Reply;
 use groundbeam::Cancel;
-use groundbeam_file::Document;
+use groundbeam_file::{Document, print};
 use serde_json::json;
 
 /// The requested part of a file; an empty query requests all of it.
@@ -16,6 +16,10 @@ pub struct Asked {
     pub first_axle: Option<f64>,
     /// Width of the picture.
     pub width: Option<f64>,
+    /// The units of texts and pictures.
+    pub units: print::Asked,
+    /// The significant digits of results.
+    pub digits: Option<usize>,
     /// Set when the client has disconnected.
     pub cancel: Cancel,
 }
@@ -29,12 +33,14 @@ pub enum Trains {
     One(usize),
 }
 
-/// The keys of requests that solve.
+/// The keys of a result document, which is in SI units.
 pub const SOLVE: &[&str] = &["combination", "train", "first_axle"];
+/// The keys of a downloaded file.
+pub const FILE: &[&str] = &["combination", "train", "first_axle", "units", "digits"];
 /// The keys of a calculation report.
-pub const REPORT: &[&str] = &["combination"];
+pub const REPORT: &[&str] = &["combination", "units", "digits"];
 /// The keys of the view.
-pub const VIEW: &[&str] = &["combination", "train", "first_axle", "width"];
+pub const VIEW: &[&str] = &["combination", "train", "first_axle", "units", "digits", "width"];
 
 /// Error of an invalid query.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -85,7 +91,7 @@ impl Asked {
             if pairs[..i].iter().any(|(earlier, _)| earlier == key) {
                 return Err(WrongQuery::value(key, value, "given once"));
             }
-            let refused = |allowed| WrongQuery::value(key, value, allowed);
+            let refused = |allowed: &str| WrongQuery::value(key, value, allowed);
             match key.as_str() {
                 "combination" => asked.combination = Some(value.clone()),
                 "train" => {
@@ -95,6 +101,16 @@ impl Asked {
                 "first_axle" => {
                     let at = number(value).ok_or_else(|| refused("a finite number"))?;
                     asked.first_axle = Some(at);
+                }
+                "units" => {
+                    asked.units = print::Asked::named(value)
+                        .ok_or_else(|| refused("`file`, `si` or `us`"))?;
+                }
+                "digits" => {
+                    let digits = value.parse().ok().filter(|digits| print::DIGITS.contains(digits));
+                    let (least, most) = (print::DIGITS.start(), print::DIGITS.end());
+                    let allowed = format!("a whole number from {least} to {most}");
+                    asked.digits = Some(digits.ok_or_else(|| refused(&allowed))?);
                 }
                 _ => {
                     let width = number(value).filter(|width| *width > 0.0);
@@ -115,8 +131,19 @@ fn number(value: &str) -> Option<f64> {
 }
 
 impl Asked {
+    /// The units and the digits for a file; `None` of other units than those of a file without units.
+    pub(crate) fn printed(&self, file: &Document) -> Option<print::Units> {
+        let units = file.printed.in_system(self.units)?;
+        Some(units.with_digits(self.digits.unwrap_or(print::RESULT_DIGITS)))
+    }
+
     /// Checks that the values refer to combinations and trains of the file.
     pub(crate) fn check(&self, file: &Document) -> Result<(), WrongQuery> {
+        if self.printed(file).is_none() {
+            let asked = if self.units == print::Asked::Us { "us" } else { "si" };
+            let allowed = "`file` for a file without units";
+            return Err(WrongQuery::value("units", asked, allowed));
+        }
         if let Some(name) = &self.combination {
             let names = file.combination_names();
             if !names.iter().any(|known| known == name) {

@@ -6,7 +6,7 @@ use groundbeam::model::Part;
 use groundbeam::{Action, Extent};
 use groundbeam_file::{Combination, Document, UnitSystem};
 use groundbeam_report::svg::{self, Grip, Handle};
-use groundbeam_report::{Results, load_name, sentence, text};
+use groundbeam_report::{Kind, Results, load_name, sentence, text};
 use groundbeam_run::{Answer, Found, Overall, Passage};
 use serde::Serialize;
 
@@ -28,8 +28,12 @@ pub struct View {
     combinations: Vec<String>,
     trains: Vec<Train>,
     length: f64,
-    /// Whether positions are in metres.
+    /// Whether the file has units.
     has_units: bool,
+    /// The unit in which positions are shown.
+    shown_in: Shown,
+    /// The unit of a force that the page writes into the file.
+    force: &'static str,
 }
 
 #[derive(Debug, Serialize)]
@@ -57,6 +61,13 @@ struct Held {
     size: Option<usize>,
 }
 
+/// A unit: its name, and its size in metres.
+#[derive(Debug, Serialize)]
+struct Shown {
+    name: &'static str,
+    size: f64,
+}
+
 #[derive(Debug, Serialize)]
 struct Train {
     name: String,
@@ -72,6 +83,8 @@ impl View {
             to: train.range[1],
         });
         let (sentence, rows) = said(results);
+        let length = document.model.beam.length;
+        let shown = results.context().units.unit(Kind::Position, length);
         View {
             status: results.answers().overall().name(),
             sentence,
@@ -83,8 +96,10 @@ impl View {
             numbers: Number::all(document),
             combinations: document.combination_names(),
             trains: trains.collect(),
-            length: document.model.beam.length,
+            length,
             has_units: document.units == UnitSystem::Si,
+            shown_in: Shown { name: shown.name, size: shown.size },
+            force: document.printed.unit(Kind::Force, 0.0).name,
         }
     }
 }
@@ -168,8 +183,8 @@ fn picture(document: &Document, results: &Results, asked: &Asked) -> Option<Pict
     })
 }
 
-/// The handle with its numbers; `None` if no number of the text gives the position, as for an axle of a
-/// train.
+/// The handle with its numbers; `None` if no number of the text gives the position, as for an axle or the own weight
+/// of the beam.
 fn held(document: &Document, combination: &Combination, handle: &Handle) -> Option<Held> {
     let (part, field, size, name) = match handle.grip {
         Grip::Load(i) | Grip::From(i) | Grip::To(i) => {
@@ -191,6 +206,9 @@ fn held(document: &Document, combination: &Combination, handle: &Handle) -> Opti
         Grip::Hinge(i) => (Part::Hinge(i), "at", None, format!("hinge {}", i + 1)),
         Grip::Support(i) => (Part::Support(i), "at", None, format!("support {}", i + 1)),
     };
+    // The ends of the own weight follow from the length of the beam: the file has no position for them.
+    let position = Number::behind(document, part, field)?;
+    document.quantities[position].place?;
     let [x, y] = handle.place;
     Some(Held {
         name,
@@ -198,7 +216,7 @@ fn held(document: &Document, combination: &Combination, handle: &Handle) -> Opti
         y,
         at: handle.at,
         range: handle.range,
-        position: Number::behind(document, part, field)?,
+        position,
         size: size.and_then(|size| Number::behind(document, part, size)),
     })
 }

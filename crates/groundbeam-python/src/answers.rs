@@ -165,16 +165,21 @@ impl Answers {
         Ok(solution.map(|solution| (first_axle, solution)))
     }
 
-    /// The smallest and the largest values of a field at sections over all passages; `None` if nothing was
-    /// solved.
+    /// The smallest and the largest values of a field at sections over all passages, or over those of a limit
+    /// state; `None` if nothing was solved.
     fn moving_envelope<'py>(
         &self,
         py: Python<'py>,
         name: &str,
         x: PyReadonlyArray1<'py, f64>,
+        limit_state: Option<&str>,
     ) -> Result<Option<[Moving<'py>; 2]>, Failure> {
         let index = field(name)?.index();
-        let passages = self.answers.passages();
+        let all = self.answers.passages();
+        let passages = match limit_state.and_then(LimitState::named) {
+            Some(state) => all.of_limit_state(state),
+            None => all,
+        };
         let each = x.as_array().iter().map(|&x| Some(passages.at(x)?[index])).collect();
         let Some::<Vec<[InPassage; 2]>>(bounds) = each else { return Ok(None) };
         let line = |bound: usize| {

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import pickle
 from pathlib import Path
 
@@ -30,6 +31,72 @@ def test_code_and_file_say_the_same_to_the_last_bit() -> None:
     x = np.linspace(0.0, 12.0, 37)
     for one, other in zip(in_code.solve().at(x), of_file.solve().at(x)):
         np.testing.assert_array_equal(one, other)
+
+
+def test_ground_loads_troughs_trains_and_checks_say_what_a_file_says() -> None:
+    """In the arguments of a model, added to a model, and as tables of a file."""
+    beam, foundation = gb.Beam("20 m", EI="6 MN m^2"), gb.Foundation(k="40 MN/m^2", mu="2 MN")
+    weight = gb.Load.distributed("30 kN/m", case="G")
+    neighbour = gb.GroundLoad.point("10 kN", at="-1 m", case="G")
+    backfill = gb.GroundLoad.distributed(["0 kN/m", "5 kN/m"], "20 m", "23 m")
+    trough = gb.Trough("6 m", "5 mm", "3 m")
+    uniform = [{"from": "3 m", "load": "4 kN/m"}]
+    train = gb.Train([("0 m", "80 kN"), ("2 m", "80 kN")], name="bogie", uniform=uniform, end="3 m", dynamic=1.1)
+    checks = gb.Checks(settlement="5 mm", limit_states={"settlement": ["STR/GEO", "SLS frequent"]})
+    service = gb.Combination("service", {"G": 1.0}, limit_state="SLS frequent")
+    at_once = gb.Model(
+        beam,
+        foundation,
+        loads=[weight],
+        ground_loads=[neighbour, backfill],
+        troughs=[trough],
+        trains=[train],
+        combinations=[service],
+        checks=checks,
+    )
+    added = gb.Model(beam, foundation, loads=[weight], combinations=[service])
+    added = added.with_ground_load(neighbour).with_ground_load(backfill).with_trough(trough)
+    added = added.with_train(train).with_checks(checks)
+    in_file = gb.Model.from_dict(
+        {
+            "beam": {"length": 20, "EI": 6e6},
+            "foundation": {"k": 40e6, "mu": 2e6},
+            "load": [{"distributed": 30e3, "case": "G"}],
+            "ground_load": [
+                {"point": 10e3, "at": -1, "case": "G"},
+                {"distributed": [0, 5e3], "from": 20, "to": 23},
+            ],
+            "gap_trough": [{"at": 6, "settlement": 0.005, "width": 3}],
+            "train": [
+                {
+                    "name": "bogie",
+                    "axles": [{"at": 0, "force": 80e3}, {"at": 2, "force": 80e3}],
+                    "uniform": [{"from": 3, "load": 4e3}],
+                    "to": 3,
+                    "dynamic": 1.1,
+                }
+            ],
+            "combination": [{"name": "service", "limit_state": "SLS frequent", "factors": {"G": 1}}],
+            "checks": {"settlement": 0.005, "limit_states": {"settlement": ["STR/GEO", "SLS frequent"]}},
+        }
+    )
+    documents = []
+    for model in (at_once, added, in_file):
+        combined = model.solve_combinations()
+        assert combined.limit_states == ["SLS frequent"]
+        checked = json.loads(combined.to_json())["checks"]
+        passages = model.solve_trains()
+        assert passages.limit_states == ["SLS frequent"]
+        moment = passages.envelope("moment", 4.0, limit_state="SLS frequent")
+        assert moment.max.values == passages.envelope("moment", 4.0).max.values
+        with pytest.raises(ValueError, match="no solved combination is of EQU"):
+            passages.envelope("moment", 4.0, limit_state="EQU")
+        documents.append((checked, moment.max.values.tolist(), moment.max.first_axle.tolist()))
+    assert documents[0] == documents[1] == documents[2]
+    [check] = documents[0][0]
+    assert check["limit_state"] == "SLS frequent" and check["passes"] in (True, False)
+    with pytest.raises(gb.ModelError):
+        added.with_checks(checks)
 
 
 def test_every_kind_of_part() -> None:

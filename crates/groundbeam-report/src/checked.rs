@@ -108,7 +108,9 @@ impl<'a> Row<'a> {
             states: combination.limit_states,
             solution: answer.solution(),
             falls: matches!(answer.found, Found::NoEquilibrium(_)),
-            as_given: combination.factors.is_empty(),
+            // A combination of the file has a name, and so has each ground of a band.
+            as_given: combination.factors.is_empty()
+                && (combination.name.is_empty() || combination.ground.is_some()),
             proof,
         }
     }
@@ -145,6 +147,8 @@ pub(crate) enum Governing {
     Falls(usize),
     /// An answer that is not solved.
     Unsolved(usize),
+    /// The loads of an answer have no resultant, and so no eccentricity.
+    NoResultant(usize),
     /// No answer belongs to these limit states.
     NoCombination(LimitStates),
 }
@@ -155,8 +159,15 @@ impl Verdict {
         match self.of {
             Governing::Judged(_, judged) => Some(judged.check.passes()),
             Governing::Falls(_) => Some(false),
-            Governing::Unsolved(_) | Governing::NoCombination(_) => None,
+            Governing::Unsolved(_) | Governing::NoResultant(_) | Governing::NoCombination(_) => {
+                None
+            }
         }
+    }
+
+    /// The clause that requires the check. The Eurocodes have no allowable stress design.
+    pub fn clause(&self) -> Option<&'static str> {
+        self.what.clause().filter(|_| self.state != Some(LimitState::AllowableStress))
     }
 
     /// Whether the limit lies within the error bound of the value.
@@ -206,15 +217,21 @@ fn governing(
     if let Some(&falls) = of_state.iter().find(|&&i| rows[i].falls) {
         return Some(Governing::Falls(falls));
     }
-    let of_kind = of_state
-        .iter()
-        .filter_map(|&i| Some((i, *judged[i].iter().find(|judged| judged.check.what == what)?)));
-    let worst = worst(&of_kind.collect::<Vec<_>>());
-    let fails = worst.is_some_and(|(_, judged)| !judged.check.passes());
-    if let Some(&unsolved) = of_state.iter().find(|&&i| rows[i].solution.is_none())
-        && !fails
-    {
+    let of_kind = |i: usize| judged[i].iter().find(|judged| judged.check.what == what).copied();
+    let found: Vec<_> = of_state.iter().filter_map(|&i| Some((i, of_kind(i)?))).collect();
+    let worst = worst(&found);
+    if worst.is_some_and(|(_, judged)| !judged.check.passes()) {
+        return worst.map(|(i, judged)| Governing::Judged(i, judged));
+    }
+    if let Some(&unsolved) = of_state.iter().find(|&&i| rows[i].solution.is_none()) {
         return Some(Governing::Unsolved(unsolved));
+    }
+    // An answer without any load leaves a check to the others.
+    let is_loaded =
+        |i: usize| rows[i].solution.is_some_and(|of| of.existence().static_reactions != [0.0; 2]);
+    let lacks = |&&i: &&usize| of_kind(i).is_none() && (worst.is_none() || is_loaded(i));
+    if let Some(&without) = of_state.iter().find(lacks) {
+        return Some(Governing::NoResultant(without));
     }
     worst.map(|(i, judged)| Governing::Judged(i, judged))
 }

@@ -30,6 +30,8 @@ pub struct Context<'a> {
     pub digest: Option<&'a str>,
     /// Name of a combination that is solved alone; `None` for a model as written.
     pub combination: Option<&'a str>,
+    /// Whether the file has more combinations than the requested ones.
+    pub selected: bool,
     /// Whether a document contains the pieces of the solution, which its proof needs.
     pub pieces: bool,
     /// Whether a document contains the model, because the second reader does not read the model file.
@@ -65,6 +67,7 @@ impl<'a> Context<'a> {
             chords: None,
             digest: None,
             combination: None,
+            selected: false,
             pieces: false,
             model: false,
             warnings: &[],

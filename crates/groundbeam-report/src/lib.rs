@@ -40,6 +40,7 @@ mod combinations;
 mod context;
 mod curve;
 mod digest;
+mod extremes;
 mod font;
 mod load;
 mod numbers;

@@ -3,9 +3,9 @@
 #[allow(dead_code)]
 mod common;
 
-use common::{SOLVABLE, context, document, solved};
+use common::{SOLVABLE, answers, context, document, solved};
 use groundbeam::{Method, NotConverged, Stopped};
-use groundbeam_report::text;
+use groundbeam_report::{Context, Kind, text};
 
 /// The report without the certificate's numbers, which are rounding errors, and without the iteration count.
 fn steady(report: &str) -> &str {
@@ -30,6 +30,44 @@ fn no_line_is_wider_than_a_terminal() {
             assert!(line.chars().count() <= 80 && line == line.trim_end(), "{name}: {line}");
         }
     }
+}
+
+/// A rail in pounds and feet: its envelope has the widest numbers of all units.
+#[test]
+fn the_envelope_of_passages_fits_a_terminal() {
+    let passages = "[beam]\nlength = '150 ft'\nE = '30000 ksi'\nsection = { rail = '136RE' }\n\
+                    [foundation]\nk = '3000 psi'\n[[load]]\ndistributed = '17 pli'\n\
+                    [[train]]\naxles = [{ at = '0 ft', force = '100000 lb' }]\nfrom = '10 ft'\nto = '12 ft'\n\
+                    [[train]]\nname = 'b'\naxles = [{ at = '0 ft', force = '500 lb' }]\nfrom = '10 ft'\nto = '11 ft'\n";
+    let document = groundbeam_file::parse(passages).unwrap();
+    let answers = answers(&document);
+    let report = text::trains(&answers.passages(), &Context::of(&document), false);
+    let mut rows = report.lines().skip_while(|line| !line.starts_with("Envelope"));
+    let heading = rows.next().unwrap();
+    assert!(heading.contains("   smallest  ") && heading.contains("   train #"), "{heading}");
+    let row = rows.find(|row| row.starts_with("Moment")).unwrap();
+    assert_eq!(row.chars().count(), heading.chars().count(), "{heading}\n{row}");
+    for line in report.lines() {
+        assert!(line.chars().count() <= 80, "{line}");
+    }
+}
+
+/// k and μ of several combinations on layers of soil differ in digits that are not printed.
+#[test]
+fn ground_of_each_combination_has_its_values_per_area() {
+    let soil = "[beam]\nlength = '12 m'\nEI = '1 GN m^2'\n[foundation]\nwidth = '2 m'\n[foundation.soil]\n\
+                method = 'modified-vlasov'\n[[foundation.soil.layer]]\nE = '15 MPa'\nnu = 0.3\nthickness = '4 m'\n\
+                [[load]]\npoint = '450 kN'\nat = '5 m'\ncase = 'G'\n[[load]]\npoint = '45 kN'\nat = '6 m'\ncase = 'Q'\n\
+                [[combination]]\nname = 'a'\nfactors = { G = 1 }\n[[combination]]\nname = 'b'\nfactors = { G = 1, Q = 0.001 }\n";
+    let document = groundbeam_file::parse(soil).unwrap();
+    let answers = answers(&document);
+    let report = text::combinations(&answers, &Context::of(&document), false);
+    let words = report.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(words.contains("Stiffness β = 0.2") && !words.contains("0.2 to 0.2"), "{words}");
+    let k = answers.list[0].solution().unwrap().model().foundation.subgrade;
+    let area = document.printed.write(Kind::AreaSpring, k / 2.0);
+    assert!(words.contains(&format!("on a width of 2 m: C1 = k/b = {area}, C2")), "{words}");
+    assert!(words.contains("of each combination depend on its own solution by "), "{words}");
 }
 
 #[test]

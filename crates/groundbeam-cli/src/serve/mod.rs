@@ -9,34 +9,42 @@ mod routes;
 
 use crate::failure::Failure;
 use crate::output::print;
-use crate::request::Serve;
+use crate::request::{Printed, Serve};
 use crate::status::Status;
 use connection::LIMITS;
 use std::net::Ipv4Addr;
 use std::path::Path;
 use tokio::net::TcpListener;
 
-/// The initial model of the page.
+/// The initial model, units and digits of the page.
 #[derive(Debug, Clone)]
 pub struct Start {
+    pub model: Option<StartingModel>,
+    pub printed: Printed,
+}
+
+/// The initial model of the page.
+#[derive(Debug, Clone)]
+pub struct StartingModel {
     /// The file's name without its folder.
     pub name: String,
     /// Its text, valid or not.
     pub text: String,
 }
 
-impl Start {
+impl StartingModel {
     fn read(path: &Path) -> Result<Self, Failure> {
         let bytes =
             groundbeam_file::read_file(path).map_err(|error| Failure::file(path, &error))?;
         let name = path.file_name().map_or_else(String::new, |n| n.to_string_lossy().into_owned());
-        Ok(Start { name, text: String::from_utf8_lossy(&bytes).into_owned() })
+        Ok(StartingModel { name, text: String::from_utf8_lossy(&bytes).into_owned() })
     }
 }
 
 /// Listens only on the loopback interface, until the program ends.
 pub fn run(request: &Serve) -> Result<Status, Failure> {
-    let start = request.file.as_deref().map(Start::read).transpose()?;
+    let model = request.file.as_deref().map(StartingModel::read).transpose()?;
+    let start = Start { model, printed: request.printed };
     let broken = |error: std::io::Error| {
         let port = request.port;
         Failure::usage(format!("port {port} of this machine: {error}"))

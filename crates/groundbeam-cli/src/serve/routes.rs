@@ -18,7 +18,10 @@ use axum::middleware::from_fn_with_state;
 use axum::response::Response;
 use axum::routing::{get, post};
 use groundbeam::Cancel;
-use groundbeam_page::{Asked, Form, REPORT, Reply, SOLVE, VIEW, WrongQuery, file, result, view};
+use groundbeam_file::print;
+use groundbeam_page::{
+    Asked, FILE, Form, REPORT, Reply, SOLVE, VIEW, WrongQuery, file, result, view,
+};
 use serde_json::json;
 use std::sync::Arc;
 use std::time::Duration;
@@ -33,7 +36,7 @@ pub const BODY: Duration = Duration::from_secs(30);
 /// State shared by all responses.
 #[derive(Clone)]
 struct Desk {
-    start: Option<Arc<Start>>,
+    start: Arc<Start>,
     /// One permit per processor, which limits the number of simultaneous solves for results and files.
     permits: Arc<Semaphore>,
     /// The same number of permits for views of the page. Views follow every keystroke and must not wait for a
@@ -44,10 +47,10 @@ struct Desk {
 }
 
 /// All routes, with the access check of [`guard`].
-pub fn all(start: Option<Start>, port: u16, body: Duration) -> Router {
+pub fn all(start: Start, port: u16, body: Duration) -> Router {
     let processors = std::thread::available_parallelism().map_or(1, usize::from);
     let [permits, quick] = [0, 1].map(|_| Arc::new(Semaphore::new(processors)));
-    let desk = Desk { start: start.map(Arc::new), permits, quick, body };
+    let desk = Desk { start: Arc::new(start), permits, quick, body };
     let mut router = Router::new()
         .route("/api/start", get(begin))
         .route("/api/solve", post(solve))
@@ -72,10 +75,18 @@ pub fn all(start: Option<Start>, port: u16, body: Duration) -> Router {
 /// The initial model, and the examples.
 async fn begin(State(desk): State<Desk>, pairs: Pairs) -> Result<Response, Response> {
     pairs.read(&[]).map_err(sent)?;
-    let start = desk.start.as_ref().map(|s| json!({ "name": s.name, "text": s.text }));
+    let Start { model, printed } = &*desk.start;
+    let model = model.as_ref().map(|model| json!({ "name": model.name, "text": model.text }));
+    let units = match printed.asked {
+        print::Asked::File => None,
+        print::Asked::Si => Some("si"),
+        print::Asked::Us => Some("us"),
+    };
+    let digits = Some(printed.digits).filter(|&digits| digits != print::RESULT_DIGITS);
     let examples: Vec<_> =
         examples().map(|(name, text)| json!({ "name": name, "text": text })).collect();
-    let text = json!({ "start": start, "examples": examples }).to_string();
+    let begin = json!({ "start": model, "examples": examples, "units": units, "digits": digits });
+    let text = begin.to_string();
     Ok(sent(Reply::document(200, text)))
 }
 
@@ -99,7 +110,7 @@ async fn download(
         return refusal(StatusCode::NOT_FOUND, "a file is svg, png, csv, json, txt or html");
     };
     // A report covers the whole file, so it has no keys for a single position of a train.
-    let keys = if form == Form::Html { REPORT } else { SOLVE };
+    let keys = if form == Form::Html { REPORT } else { FILE };
     let work = move |model: &[u8], asked: &Asked| file(model, asked, form, &host());
     answer(&desk.permits, pairs.read(keys), model, work).await
 }
@@ -194,6 +205,7 @@ async fn answer(
 mod tests {
     use super::super::connection::{LIMITS, accept};
     use super::*;
+    use crate::request::Printed;
     use std::io::{Read, Write};
     use std::net::{Ipv4Addr, SocketAddr, TcpStream};
     use std::sync::atomic::{AtomicUsize, Ordering};
@@ -240,8 +252,9 @@ mod tests {
         let listener = runtime.block_on(tokio::net::TcpListener::bind(listener)).unwrap();
         let address = listener.local_addr().unwrap();
         let permits = Arc::new(Semaphore::new(1));
+        let printed = Printed { asked: print::Asked::File, digits: print::RESULT_DIGITS };
         let desk = Desk {
-            start: None,
+            start: Arc::new(Start { model: None, printed }),
             permits: Arc::clone(&permits),
             quick: Arc::new(Semaphore::new(1)),
             body: BODY,

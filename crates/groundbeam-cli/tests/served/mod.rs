@@ -19,8 +19,13 @@ pub struct Server {
 
 impl Server {
     pub fn start(file: Option<&Path>) -> Self {
+        Server::with(file, &[])
+    }
+
+    /// The same with more options.
+    pub fn with(file: Option<&Path>, options: &[&str]) -> Self {
         let mut command = Command::new(env!("CARGO_BIN_EXE_groundbeam"));
-        command.arg("serve").args(file).args(["--port", "0", "--no-open"]);
+        command.arg("serve").args(file).args(["--port", "0", "--no-open"]).args(options);
         let mut child = command.stdout(Stdio::piped()).spawn().unwrap();
         let mut line = String::new();
         BufReader::new(child.stdout.as_mut().unwrap()).read_line(&mut line).unwrap();

@@ -11,9 +11,12 @@ pub use us::UsUnits;
 
 use kind::{BARE, TECHNICAL};
 use number::significant;
+use std::ops::RangeInclusive;
 
 /// Significant digits of a result.
 pub const RESULT_DIGITS: usize = 4;
+/// Allowed numbers of significant digits.
+pub const DIGITS: RangeInclusive<usize> = 2..=15;
 /// Significant digits of an input.
 const INPUT_DIGITS: usize = 6;
 
@@ -40,6 +43,18 @@ pub enum Asked {
     Si,
     /// US units.
     Us,
+}
+
+impl Asked {
+    /// The choice of a name.
+    pub fn named(name: &str) -> Option<Self> {
+        match name {
+            "file" => Some(Asked::File),
+            "si" => Some(Asked::Si),
+            "us" => Some(Asked::Us),
+            _ => None,
+        }
+    }
 }
 
 /// Units and number of digits for printed quantities.

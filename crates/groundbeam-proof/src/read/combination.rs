@@ -114,7 +114,7 @@ fn recipes(root: Section, names: &[&str]) -> Read<Vec<Recipe>> {
 fn acting<'t>(root: Section<'t>, names: &[&str], at: usize) -> Read<Vec<Acting<'t>>> {
     let mut described: BTreeMap<&str, Acting> = BTreeMap::new();
     for table in root.tables("case")? {
-        table.only(&[&["name", "action", "group"]], &["source"])?;
+        table.only(&[&["name", "action", "group", "source"]], &[])?;
         let Some((name, place)) = table.words("name")? else { return table.missing("name") };
         let name = name.trim();
         if described.contains_key(name) {
@@ -122,7 +122,8 @@ fn acting<'t>(root: Section<'t>, names: &[&str], at: usize) -> Read<Vec<Acting<'
         }
         let action = table.words("action")?.map_or("", |(action, _)| action);
         let group = table.words("group")?.map(|(group, _)| group.trim());
-        described.insert(name, Acting { name, action, group });
+        let source = table.words("source")?.map(|(source, _)| source.trim());
+        described.insert(name, Acting { name, action, group, source });
     }
     let of = |case: &&str| match described.get(*case) {
         Some(acting) => Ok(*acting),

@@ -65,11 +65,16 @@ pub(crate) fn read<S: Scalar>(fields: &mut Fields, parent: Section) -> Read<Opti
         "I" | "T" => &["width", "height", "flange", "web"],
         _ => return wrong(at, format!("the shape `{shape}` is not known")),
     };
-    section.only(&[&["shape"], keys], &["fillet"])?;
+    let optional: &[&'static str] = if shape == "I" { &["fillet"] } else { &[] };
+    section.only(&[&["shape"], keys, optional], &[])?;
     let mut sides = Vec::new();
     for key in keys {
         let side = fields.along(section, key, LENGTH, Values::Linear)?;
         sides.push(side.map_or_else(|| section.missing(key), Ok)?);
+    }
+    let mut fillet = None;
+    if shape == "I" {
+        fillet = fields.along(section, "fillet", LENGTH, Values::Linear)?;
     }
     let courses: Vec<&Course<S>> = sides.iter().map(|side| &side.course).collect();
     let measured = match (shape, &courses[..]) {
@@ -77,7 +82,10 @@ pub(crate) fn read<S: Scalar>(fields: &mut Fields, parent: Section) -> Read<Opti
         ("circle", [d]) => circle(d),
         ("tube", [d, wall]) => tube(d, wall),
         ("box", [b, h, wall]) => hollow(b, h, wall),
-        ("I", [b, h, flange, web]) => i_shape(b, h, flange, web),
+        ("I", [b, h, flange, web]) => i_shape(b, h, flange, web).and_then(|sharp| match &fillet {
+            None => Ok(sharp),
+            Some(radius) => filled(sharp, [b, h, flange, web], &radius.course),
+        }),
         ("T", [b, h, flange, web]) if sides.iter().all(Along::is_constant) => {
             t_shape(b, h, flange, web)
         }
@@ -191,6 +199,30 @@ fn i_shape<S: Scalar>(
     Ok([area, by(&second_moment, 1.0, 12.0), shear])
 }
 
+/// An I with a radius r in its four corners. A corner has the area (1 − π/4) r², and about the face of its flange the first
+/// and second moments (5/6 − π/4) r³ and (1 − 5π/16) r⁴: a square less a quarter of a disc. The face is H = h/2 − f from the
+/// axis.
+fn filled<S: Scalar>(
+    [area, second_moment, shear]: [Course<S>; 3],
+    [b, h, flange, web]: [&Course<S>; 4],
+    radius: &Course<S>,
+) -> Measures<S> {
+    let height = inside(h, flange, 2.0)?;
+    inside(&height, radius, 2.0)?;
+    inside(&inside(b, web, 1.0)?, radius, 2.0)?;
+    let pi = pi::<S>().ok_or("π is out of range")?;
+    let less_pi = |n: f64, d: f64, times: f64, of: f64| part::<S>(n, d) - pi * part(times, of);
+    let square = times(radius, radius);
+    let face = by(&height, 1.0, 2.0);
+    let corners = scaled(&square, S::of(4.0) * less_pi(1.0, 1.0, 1.0, 4.0));
+    let steiner = times(&corners, &times(&face, &face));
+    let first = times(&face, &times(&square, radius));
+    let first = scaled(&first, S::of(8.0) * less_pi(5.0, 6.0, 1.0, 4.0));
+    let own = scaled(&times(&square, &square), S::of(4.0) * less_pi(1.0, 1.0, 5.0, 16.0));
+    let second_moment = plus(&second_moment, &plus(&less(&steiner, &first), &own));
+    Ok([plus(&area, &corners), second_moment, shear])
+}
+
 /// About the centroid of flange and stem, whose centres are h/2 apart: I = (b f³ + w s³)/12 + A₁A₂/(A₁ + A₂) h²/4, s = h −
 /// f.
 fn t_shape<S: Scalar>(
@@ -249,6 +281,16 @@ mod tests {
         is(hollow(&c(2.0), &c(1.0), &c(0.2)), strips(wall, 1.0), 0.24);
         let i = |y: f64| if !(0.25..=0.75).contains(&y) { 2.0 } else { 0.1 };
         is(i_shape(&c(2.0), &c(1.0), &c(0.25), &c(0.1)), strips(i, 1.0), 0.05);
+        // Fillets of 0.2 between web and flanges.
+        let web = |y: f64| {
+            let above = 0.2 - (y - 0.25).min(0.75 - y).min(0.2);
+            0.1 + 2.0 * (0.2 - (0.04 - above * above).sqrt())
+        };
+        let rounded = |y: f64| if !(0.25..=0.75).contains(&y) { 2.0 } else { web(y) };
+        let sides = [&c(2.0), &c(1.0), &c(0.25), &c(0.1)];
+        let sharp = i_shape(sides[0], sides[1], sides[2], sides[3]).unwrap();
+        is(filled(sharp.clone(), sides, &c(0.2)), strips(rounded, 1.0), 0.05);
+        assert!(filled(sharp, sides, &c(0.25)).is_err());
         let t = |y: f64| if y < 0.25 { 2.0 } else { 0.5 };
         is(t_shape(&c(2.0), &c(1.0), &c(0.25), &c(0.5)), strips(t, 1.0), 0.375);
     }

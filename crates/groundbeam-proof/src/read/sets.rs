@@ -10,6 +10,8 @@ pub(crate) struct Acting<'a> {
     pub action: &'a str,
     /// At most one case of a group is present at a time.
     pub group: Option<&'a str>,
+    /// Permanent cases of one source have one factor.
+    pub source: Option<&'a str>,
 }
 
 /// A combination that a set makes: its name, and decimal factors by the number of the case.
@@ -36,6 +38,8 @@ struct Formula {
     leading: Option<(Micro, Option<usize>)>,
     /// The same for the accompanying actions.
     accompanying: Option<(Micro, Option<usize>)>,
+    /// Whether permanent cases of one source may have different factors, as in the limit state EQU.
+    by_parts: bool,
 }
 
 /// A set: its names, the actions of its code, and its expressions.
@@ -92,7 +96,8 @@ const fn european(
     leading: Option<(Micro, Option<usize>)>,
     accompanying: (Micro, Option<usize>),
 ) -> Formula {
-    Formula { label, always, terms: &[], leading, accompanying: Some(accompanying) }
+    let accompanying = Some(accompanying);
+    Formula { label, always, terms: &[], leading, accompanying, by_parts: false }
 }
 
 const fn american(
@@ -100,7 +105,7 @@ const fn american(
     always: &'static [(&'static str, &'static [Micro])],
     terms: &'static [Term],
 ) -> Formula {
-    Formula { label, always, terms, leading: None, accompanying: None }
+    Formula { label, always, terms, leading: None, accompanying: None, by_parts: false }
 }
 
 const ONE: &[(&str, &[Micro])] = &[("permanent", &[m(1000)])];
@@ -165,12 +170,15 @@ const SETS: &[Set] = &[
     Set {
         names: &["EN 1990 EQU", "EN 1990 EQU A"],
         actions: EUROPEAN,
-        formulas: &[european(
-            "EQU",
-            &[("permanent", &[m(1100), m(900)])],
-            Some((m(1500), None)),
-            (m(1500), Some(0)),
-        )],
+        formulas: &[Formula {
+            by_parts: true,
+            ..european(
+                "EQU",
+                &[("permanent", &[m(1100), m(900)])],
+                Some((m(1500), None)),
+                (m(1500), Some(0)),
+            )
+        }],
     },
     Set {
         names: &["EN 1990 characteristic", "EN 1990 SLS characteristic", "EN 1990 6.14"],
@@ -266,7 +274,8 @@ pub(crate) fn expand(set: &str, cases: &[Acting], most: usize) -> Result<Vec<Mad
     if !cases.iter().all(is_known) {
         return Err("the action of a load case does not belong to this code");
     }
-    let mut found = Expansion { cases, most, made: Vec::new(), chosen: Vec::new() };
+    let (made, chosen, rows) = (Vec::new(), Vec::new(), Vec::new());
+    let mut found = Expansion { cases, most, made, chosen, rows };
     for formula in set.formulas {
         for (must_lead, terms) in variable_terms(formula, set.actions, cases) {
             found.permanent(formula, &terms, must_lead, 0)?;
@@ -337,6 +346,8 @@ struct Expansion<'a> {
     most: usize,
     made: Vec<(&'static str, Vec<(usize, Micro)>)>,
     chosen: Vec<(usize, Micro)>,
+    /// The source of each permanent case, and the place of its factor among its factors.
+    rows: Vec<(Option<&'a str>, usize)>,
 }
 
 type Lists = [Vec<(&'static str, Micro)>];
@@ -357,10 +368,19 @@ impl Expansion<'_> {
         let Some((_, factors)) = always else {
             return self.permanent(formula, terms, must_lead, case + 1);
         };
-        for factor in *factors {
+        let source = acting.source;
+        let same = self.rows.iter().find(|(other, _)| source.is_some() && *other == source);
+        let bound = same.filter(|_| !formula.by_parts).map(|(_, row)| *row);
+        let last = factors.len().saturating_sub(1);
+        for (row, factor) in factors.iter().enumerate() {
+            if bound.is_some_and(|bound| row != bound.min(last)) {
+                continue;
+            }
             let before = self.chosen.len();
             self.chosen.extend((*factor != 0).then_some((case, *factor)));
+            self.rows.push((source, row));
             self.permanent(formula, terms, must_lead, case + 1)?;
+            self.rows.pop();
             self.chosen.truncate(before);
         }
         Ok(())

@@ -22,7 +22,18 @@ from ._comparison import Comparison, MethodAnswer, MethodErrors
 from ._errors import Diagnostic, GroundbeamError, ModelError, NoEquilibrium, NotConverged
 from ._model import Existence, Model, load
 from ._native import __version__
-from ._parts import Beam, Combination, Foundation, Hinge, Load, Support
+from ._parts import (
+    Beam,
+    Checks,
+    Combination,
+    Foundation,
+    GroundLoad,
+    Hinge,
+    Load,
+    Support,
+    Train,
+    Trough,
+)
 from ._solution import (
     Certificate,
     EndForces,
@@ -47,6 +58,7 @@ __all__ = [
     "Banded",
     "Calibration",
     "Certificate",
+    "Checks",
     "Combination",
     "Combinations",
     "Comparison",
@@ -61,6 +73,7 @@ __all__ = [
     "Force",
     "Foundation",
     "Gradient",
+    "GroundLoad",
     "GroundbeamError",
     "Hinge",
     "HingeTurn",
@@ -85,6 +98,8 @@ __all__ = [
     "Study",
     "Summary",
     "Support",
+    "Train",
+    "Trough",
     "__version__",
     "calibrate",
     "load",

@@ -47,6 +47,13 @@ class Band(NamedTuple):
     max: Banded
 
 
+def refuse_other_than(known: list[str], limit_state: Optional[str]) -> None:
+    """Refuses a limit state of which no combination was solved."""
+    if limit_state is not None and limit_state not in known:
+        names = ", ".join(known) or "none"
+        raise ValueError(f"no solved combination is of {limit_state}; the limit states: {names}")
+
+
 class Combinations(Mapping[str, Answer]):
     """Results of all combinations by name; a combination without a solution has the exception that ``solve``
     would raise."""
@@ -90,9 +97,7 @@ class Combinations(Mapping[str, Answer]):
     ) -> Envelope:
         """The envelope of a field at positions, over all combinations or those of a limit state. Where the field
         jumps, both sides count."""
-        if limit_state is not None and limit_state not in self.limit_states:
-            known = ", ".join(self.limit_states) or "none"
-            raise ValueError(f"no solved combination is of {limit_state}; the limit states: {known}")
+        refuse_other_than(self.limit_states, limit_state)
         at = np.atleast_1d(positions_of(None, x))
         if not self.solutions:
             raise ValueError("no combination has an equilibrium: there is no envelope")

@@ -57,12 +57,24 @@ class Model:
         supports: Sequence[_parts.Support] = (),
         hinges: Sequence[_parts.Hinge] = (),
         gap: _parts.Gap = (),
+        ground_loads: Sequence[_parts.GroundLoad] = (),
+        troughs: Sequence[_parts.Trough] = (),
+        trains: Sequence[_parts.Train] = (),
         combinations: Sequence[_parts.Combination] = (),
+        checks: Optional[_parts.Checks] = None,
         title: Optional[str] = None,
     ) -> None:
         """Raises ``ModelError`` with all faults if the model is invalid."""
-        several = {"load": loads, "support": supports, "hinge": hinges, "combination": combinations}
-        made = _parts.tables(beam, foundation, several, gap, title)
+        several = {
+            "load": loads,
+            "ground_load": ground_loads,
+            "support": supports,
+            "hinge": hinges,
+            "gap_trough": troughs,
+            "train": trains,
+            "combination": combinations,
+        }
+        made = _parts.tables(beam, foundation, several, gap, checks, title)
         self._read(_tables.write(made), "model", True, None)
 
     def _read(
@@ -97,7 +109,10 @@ class Model:
         return cls._of(_tables.write(tables), "model", True)
 
     def _with(self, heading: str, part: _parts.Part) -> Model:
-        text = self._text.rstrip("\n") + "\n\n" + _tables.write({heading: [part.table]})
+        return self._joined({heading: [part.table]})
+
+    def _joined(self, tables: _tables.Tables) -> Model:
+        text = self._text.rstrip("\n") + "\n\n" + _tables.write(tables)
         return Model._of(text, self._name, self.units == "SI", self._folder, self._files)
 
     def with_load(self, load: _parts.Load) -> Model:
@@ -115,6 +130,22 @@ class Model:
     def with_gap(self, at: _parts.Quantity, value: _parts.Quantity) -> Model:
         """The model with an additional point of the initial gap, to the right of the existing ones."""
         return self._with("gap", _parts.Part(at=at, value=value))
+
+    def with_ground_load(self, load: _parts.GroundLoad) -> Model:
+        """The model with an additional load on the ground."""
+        return self._with("ground_load", load)
+
+    def with_trough(self, trough: _parts.Trough) -> Model:
+        """The model with an additional settlement trough."""
+        return self._with("gap_trough", trough)
+
+    def with_train(self, train: _parts.Train) -> Model:
+        """The model with an additional train."""
+        return self._with("train", train)
+
+    def with_checks(self, checks: _parts.Checks) -> Model:
+        """The same model with limits to check, of a model that has none."""
+        return self._joined({"checks": checks.table})
 
     def to_toml(self) -> str:
         """The model as a model file. If the model was built in code, numbers without a unit are in SI units."""

@@ -157,7 +157,6 @@ class Load(Part):
         """A moment per length between two positions; along the whole beam by default."""
         return cls(distributed_moment=intensity, **_between(start, end), case=case)
 
-
     @classmethod
     def curvature(
         cls,
@@ -213,12 +212,104 @@ class Hinge(Part):
         super().__init__(at=at, rotational_spring=rotational_spring)
 
 
+class GroundLoad(Part):
+    """A force on the surface of the ground, down positive: it does not act on the beam."""
+
+    @classmethod
+    def point(cls, force: Quantity, at: Quantity, *, case: Optional[str] = None) -> GroundLoad:
+        """A force at a point, which needs a shear layer."""
+        return cls(point=force, at=at, case=case)
+
+    @classmethod
+    def distributed(
+        cls, intensity: Course, start: Quantity, end: Quantity, *, case: Optional[str] = None
+    ) -> GroundLoad:
+        """A force per length between two positions, even or linear."""
+        return cls(distributed=intensity, **_between(start, end), case=case)
+
+
+class Trough(Part):
+    """A settlement trough of the ground, S exp(-(x - x0)^2/2i^2)."""
+
+    def __init__(self, at: Quantity, settlement: Quantity, width: Quantity) -> None:
+        """The position x0 of its middle, its largest settlement S, and the distance i to the point of inflection."""
+        super().__init__(at=at, settlement=settlement, width=width)
+
+
+class Train(Part):
+    """Axles and distributed loads that move along the beam together."""
+
+    def __init__(
+        self,
+        axles: Sequence[Tuple[Quantity, Quantity]] = (),
+        *,
+        name: Optional[str] = None,
+        set: Optional[str] = None,
+        uniform: Sequence[Mapping[str, Value]] = (),
+        start: Optional[Quantity] = None,
+        end: Optional[Quantity] = None,
+        factor: Optional[SupportsFloat] = None,
+        dynamic: Optional[SupportsFloat] = None,
+        case: Optional[str] = None,
+    ) -> None:
+        """``axles`` are distances behind the first axle with their forces, or a ``set`` gives them. The first axle goes
+        from ``start`` to ``end``. ``factor`` multiplies all loads, ``dynamic`` the axles besides."""
+        super().__init__(
+            name=name,
+            set=set,
+            axles=[{"at": at, "force": force} for at, force in axles] or None,
+            uniform=list(uniform) or None,
+            **_between(start, end),
+            factor=factor,
+            dynamic=dynamic,
+            case=case,
+        )
+
+
+LimitStates = Union[str, Sequence[str]]
+"""``STR/GEO``, ``SLS characteristic`` or another limit state, or several."""
+
+
+class Checks(Part):
+    """The limits of a design, and the limit states in which they are judged."""
+
+    def __init__(
+        self,
+        *,
+        bearing_pressure: Optional[Quantity] = None,
+        bearing_resistance: Optional[Quantity] = None,
+        width: Optional[Quantity] = None,
+        settlement: Optional[Quantity] = None,
+        lifted_share: Optional[SupportsFloat] = None,
+        eccentricity: Optional[Quantity] = None,
+        overturning: Optional[SupportsFloat] = None,
+        limit_states: Mapping[str, LimitStates] = {},
+    ) -> None:
+        """``limit_states`` names those of a check in place of the usual ones; ``eccentricity`` may be ``"l/6"``."""
+        super().__init__(
+            bearing_pressure=bearing_pressure,
+            bearing_resistance=bearing_resistance,
+            width=width,
+            settlement=settlement,
+            lifted_share=lifted_share,
+            eccentricity=eccentricity,
+            overturning=overturning,
+            limit_states=dict(limit_states) or None,
+        )
+
+
 class Combination(Part):
     """Load cases with their factors."""
 
-    def __init__(self, name: str, factors: Mapping[str, SupportsFloat]) -> None:
-        """Cases that are not named have the factor 0."""
-        super().__init__(name=name, factors=dict(factors))
+    def __init__(
+        self,
+        name: str,
+        factors: Mapping[str, SupportsFloat],
+        *,
+        limit_state: Optional[LimitStates] = None,
+    ) -> None:
+        """Cases that are not named have the factor 0. Without a ``limit_state`` every check is judged."""
+        super().__init__(name=name, factors=dict(factors), limit_state=limit_state)
 
 
 Gap = Sequence[Tuple[Quantity, Quantity]]
@@ -230,6 +321,7 @@ def tables(
     foundation: Foundation,
     several: Mapping[str, Sequence[Part]],
     gap: Gap,
+    checks: Optional[Checks],
     title: Optional[str],
 ) -> Tables:
     """The model file for the parts."""
@@ -238,4 +330,6 @@ def tables(
     for name, parts in several.items():
         made[name] = [part.table for part in parts]
     made["gap"] = [{"at": at, "value": value} for at, value in gap]
+    if checks is not None:
+        made["checks"] = checks.table
     return {name: each for name, each in made.items() if each != []}

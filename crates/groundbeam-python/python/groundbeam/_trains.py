@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, NamedTuple, Optional, Sequence, Tuple, Union, 
 import numpy as np
 
 from . import _native
+from ._combinations import refuse_other_than
 from ._frames import frame
 from ._solution import Array, Position, Positions, Solution, positions_of
 
@@ -89,10 +90,19 @@ class Passages(Sequence[Passage]):
     def __len__(self) -> int:
         return len(self._all)
 
-    def envelope(self, field: str, x: Union[Position, Positions]) -> MovingEnvelope:
-        """The envelope of a field at positions on the beam. Where it jumps, both sides count."""
+    @property
+    def limit_states(self) -> list[str]:
+        """The limit states of the solved combinations; empty if they name none."""
+        return list(self._inner.limit_states())
+
+    def envelope(
+        self, field: str, x: Union[Position, Positions], limit_state: Optional[str] = None
+    ) -> MovingEnvelope:
+        """The envelope of a field at positions, over all combinations or those of a limit state. Where the field
+        jumps, both sides count."""
+        refuse_other_than(self.limit_states, limit_state)
         at = np.atleast_1d(positions_of(None, x))
-        found = self._inner.moving_envelope(field, at.ravel())
+        found = self._inner.moving_envelope(field, at.ravel(), limit_state)
         if found is None:
             raise ValueError("no position of a train was solved: there is no envelope")
         low, high = (

@@ -1,15 +1,17 @@
 //! The calculation report of moving trains: the envelope over all positions.
 
-use super::content::{Block, Key, Report, Section, Table, Verdict, facts, numbers, wording};
+use super::content::{Block, Key, Report, Section, Table, Verdict, facts};
+use super::several::{all_of, table_of};
 use super::single::{certified, checked, overview, place};
 use super::{Source, given, print, proof};
 use crate::checked::verdicts;
 use crate::context::{Context, clean};
+use crate::extremes::of_passages;
 use crate::quantity::{Kind, Units};
 use crate::svg::figures;
 use crate::text::{self, train};
 use groundbeam::{Field, Method};
-use groundbeam_run::{Ground, InPassage, Located, Overall, Passage, Passages};
+use groundbeam_run::{Ground, Overall, Passage, Passages};
 
 /// The report of passages.
 pub(super) fn trains(passages: &Passages, context: &Context, source: &Source) -> Report {
@@ -23,6 +25,11 @@ pub(super) fn trains(passages: &Passages, context: &Context, source: &Source) ->
     let ground = context.ground.filter(|_| !follows);
     let of_input = Context { ground, ..*context };
     let mut given = given::section(&models, existence.as_ref(), None, &of_input, source);
+    if follows {
+        given.blocks.extend(facts(|sheet| {
+            text::ground_of_each(sheet, "position", context.ground, &models, context.units);
+        }));
+    }
     given.blocks.extend(facts(|sheet| {
         all.iter().for_each(|passage| train::head(sheet, passage, context.units));
         train::places(sheet, all);
@@ -93,6 +100,10 @@ fn envelope(passages: &Passages, units: Units) -> Section {
     let caption = "Envelope of all positions, with the position of the first axle";
     let mut blocks = vec![Block::Table(extremes(caption, passages, units))];
     for state in passages.limit_states().iter() {
+        if passages.all.iter().all(|passage| passage.limit_states().contains(state)) {
+            blocks.push(all_of(state));
+            continue;
+        }
         let caption = format!("Envelope of the limit state {}", state.name());
         let of_state = passages.of_limit_state(state);
         blocks.push(Block::Table(extremes(&caption, &of_state, units)));
@@ -112,50 +123,15 @@ fn envelope(passages: &Passages, units: Units) -> Section {
 /// The extremes, with the section, the position of the first axle, and the passage.
 fn extremes(caption: &str, passages: &Passages, units: Units) -> Table {
     let length = passages.all.first().map_or(1.0, |passage| passage.model().beam.length);
-    let x = units.unit(Kind::Position, length);
-    let several = passages.all.len() > 1;
-    let bound = |head: &str| {
-        let mut columns =
-            vec![numbers(head, ""), numbers("at x", x.name), numbers("axle at", x.name)];
-        columns.extend(several.then(|| numbers("#", "")));
-        columns
-    };
-    let (smallest, largest) = (bound("smallest"), bound("largest"));
-    let mut columns = vec![wording("quantity")];
-    columns.extend(smallest.into_iter().chain(largest));
-    columns.push(wording("unit"));
-    let mut table = Table::new(caption, columns);
-    for field in passages.fields() {
-        let Some(range) = passages.range(field) else { continue };
-        let known = range.map(|governing| cleaned(passages, field, governing));
-        let most = known.iter().fold(0.0_f64, |most, (located, _)| most.max(located.value.abs()));
-        let unit = units.unit(Kind::of(field), most);
-        let [min, max] = known.map(|(Located { x: at, value, first_axle }, number)| {
-            let mut cells = vec![unit.number(value), x.number(at), x.number(first_axle)];
-            cells.extend(several.then(|| number.to_string()));
-            cells
-        });
-        let name = [field.label().to_owned()];
-        table.push(name.into_iter().chain(min).chain(max).chain([unit.name.to_owned()]));
-    }
-    table
-}
-
-/// A governing value with rounding errors set to zero, and the number of its passage.
-fn cleaned(passages: &Passages, field: Field, governing: InPassage) -> (Located, usize) {
-    let InPassage { located, passage } = governing;
-    (train::cleaned(&passages.all[passage], field, located), passage + 1)
+    table_of(caption, &of_passages(passages, units), units.unit(Kind::Position, length))
 }
 
 fn keys(passages: &Passages, units: Units) -> Vec<Key> {
+    let all = of_passages(passages, units);
     let largest = |field: Field| {
-        let [min, max] = passages.range(field)?.map(|found| cleaned(passages, field, found).0);
-        let most = if -min.value > max.value { min } else { max };
-        let note = format!(
-            "at x = {}, first axle at {}",
-            place(units, most.x),
-            place(units, most.first_axle)
-        );
+        let most = all.iter().find(|extremes| extremes.field == field)?.largest();
+        let axle = place(units, most.first_axle?);
+        let note = format!("at x = {}, first axle at {axle}", place(units, most.x));
         let value = print::words(&units.write(Kind::of(field), most.value));
         Some(Key::largest(field, value, print::words(&note)))
     };

@@ -8,13 +8,14 @@ use crate::checked::rows_of;
 use crate::checked::verdicts;
 use crate::combinations::{Numbered, bound_of_extreme, noun, numbered, of_limit_state};
 use crate::context::{Context, clean};
+use crate::extremes::{Extremes, of_combinations};
 use crate::number::significant;
 use crate::quantity::{Kind, Unit, Units};
 use crate::svg::figures;
 use crate::text;
 use crate::text::sheet::Tone;
 use crate::verdict;
-use groundbeam::{Envelope, Existence, Extreme, Field, Governing, Method};
+use groundbeam::{Envelope, Existence, Extreme, Field, Governing, LimitState, Method};
 use groundbeam_file::Combination;
 use groundbeam_run::{Answers, Found, Overall};
 
@@ -25,8 +26,13 @@ pub(super) fn combinations(all: &Answers, context: &Context, source: &Source) ->
     let existence = existence.or_else(|| groundbeam::exists(first.model()).ok());
     let ground = first.ground.as_ref().filter(|ground| !ground.follows_solution());
     let of_first = Context { ground, ..*context };
-    let models = text::used_models(all).unwrap_or_else(|| vec![first.model()]);
+    let used = text::used_models(all);
+    let models = used.clone().unwrap_or_else(|| vec![first.model()]);
     let mut given = given::section(&models, existence.as_ref(), None, &of_first, source);
+    given.blocks.extend(used.and_then(|used| {
+        let (ground, units) = (first.ground.as_ref(), context.units);
+        facts(|sheet| text::ground_of_each(sheet, "combination", ground, &used, units))
+    }));
     given.blocks.push(list(all));
     let solved: Vec<Numbered> = numbered(all, context);
     let have_bounds = !context.proofs.is_empty();
@@ -84,12 +90,15 @@ fn overall(all: &Answers) -> Verdict {
     Verdict { tone, head: head.to_owned(), words }
 }
 
-/// Names and factors of the combinations.
+/// Names, factors and limit states of the combinations.
 fn list(all: &Answers) -> Block {
-    let columns = vec![numbers("#", ""), wording("combination"), wording("load cases")];
+    let has_states =
+        all.list.iter().any(|answer| !answer.label.combination.limit_states.is_empty());
+    let mut columns = vec![numbers("#", ""), wording("combination"), wording("load cases")];
+    columns.extend(has_states.then(|| wording("limit state")));
     let mut table = Table::new(noun(all), columns);
     for (i, answer) in all.list.iter().enumerate() {
-        let Combination { name, factors, ground, .. } = &*answer.label.combination;
+        let Combination { name, factors, ground, limit_states, .. } = &*answer.label.combination;
         let terms = factors.iter().filter(|(_, factor)| *factor != 0.0);
         let terms: Vec<String> = terms
             .map(|(case, factor)| format!("{} {}", significant(*factor, 6), clean(case)))
@@ -100,7 +109,9 @@ fn list(all: &Answers) -> Block {
             let ground = format!("ground {spring} k, {shear} μ");
             words = if words.is_empty() { ground } else { format!("{words}; {ground}") };
         }
-        table.push([(i + 1).to_string(), clean(name), words]);
+        let states: Vec<&str> = limit_states.iter().map(LimitState::name).collect();
+        let states = has_states.then(|| states.join(", "));
+        table.push([(i + 1).to_string(), clean(name), words].into_iter().chain(states));
     }
     Block::Table(table)
 }
@@ -236,38 +247,57 @@ fn envelope(all: &Answers, solved: &[Numbered], units: Units) -> Section {
     let caption = "Envelope: smallest and largest values, and the governing combination";
     let mut blocks = vec![Block::Table(extremes(caption, all, solved, units))];
     for state in all.limit_states().iter() {
-        let caption = format!("Envelope of the limit state {}", state.name());
         let of_state = of_limit_state(all, solved, state);
+        if of_state.len() == solved.len() {
+            blocks.push(all_of(state));
+            continue;
+        }
+        let caption = format!("Envelope of the limit state {}", state.name());
         blocks.push(Block::Table(extremes(&caption, all, &of_state, units)));
     }
     Section::new("Envelope", blocks)
 }
 
+/// In place of the envelope of a limit state that is the envelope of all.
+pub(super) fn all_of(state: LimitState) -> Block {
+    Block::Text { words: text::all_of(state) }
+}
+
 /// The extremes of some combinations.
 fn extremes(caption: &str, all: &Answers, solved: &[Numbered], units: Units) -> Table {
     let envelope = Envelope::of(solved.iter().map(|row| row.solution));
-    let x = units.unit(Kind::Position, all.list.first().map_or(1.0, |c| c.model().beam.length));
-    let columns = vec![
-        wording("quantity"),
-        numbers("smallest", ""),
-        numbers("at x", x.name),
-        numbers("#", ""),
-        numbers("largest", ""),
-        numbers("at x", x.name),
-        numbers("#", ""),
-        wording("unit"),
-    ];
+    let length = all.list.first().map_or(1.0, |answer| answer.model().beam.length);
+    table_of(
+        caption,
+        &of_combinations(&envelope, solved, units),
+        units.unit(Kind::Position, length),
+    )
+}
+
+/// A table of extremes with their places, those of the first axle, and the numbers of the answers.
+pub(super) fn table_of(caption: &str, all: &[Extremes], x: Unit) -> Table {
+    let ends = || all.iter().flat_map(|of| of.ends);
+    let has_axle = ends().any(|end| end.first_axle.is_some());
+    let has_number = ends().any(|end| end.number.is_some());
+    let bound = |head: &str| {
+        let mut columns = vec![numbers(head, ""), numbers("at x", x.name)];
+        columns.extend(has_axle.then(|| numbers("axle at", x.name)));
+        columns.extend(has_number.then(|| numbers("#", "")));
+        columns
+    };
+    let (smallest, largest) = (bound("smallest"), bound("largest"));
+    let mut columns = vec![wording("quantity")];
+    columns.extend(smallest.into_iter().chain(largest));
+    columns.push(wording("unit"));
     let mut table = Table::new(caption, columns);
-    for field in envelope.fields() {
-        let range = envelope.range(field);
-        let both = [range.min, range.max].map(|governing| known(governing, field, solved));
-        let most = both.iter().fold(0.0_f64, |most, (extreme, _)| most.max(extreme.value.abs()));
-        let unit = units.unit(Kind::of(field), most);
-        let [min, max] = both.map(|(Extreme { x: at, value }, number)| {
-            [unit.number(value), x.number(at), number.to_string()]
+    for Extremes { field, unit, ends } in all {
+        let cells = ends.iter().flat_map(|end| {
+            let axle = end.first_axle.map(|at| x.number(at));
+            let number = end.number.map(|number| number.to_string());
+            [unit.number(end.value), x.number(end.x)].into_iter().chain(axle).chain(number)
         });
         let name = [field.label().to_owned()];
-        table.push(name.into_iter().chain(min).chain(max).chain([unit.name.to_owned()]));
+        table.push(name.into_iter().chain(cells).chain([unit.name.to_owned()]));
     }
     table
 }

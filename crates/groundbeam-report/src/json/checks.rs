@@ -47,6 +47,7 @@ impl Checked {
             Governing::Judged(by, judged) => (Some(judged.check), Some(by), None),
             Governing::Falls(by) => (None, Some(by), Some("no equilibrium".to_owned())),
             Governing::Unsolved(by) => (None, Some(by), Some("not solved".to_owned())),
+            Governing::NoResultant(by) => (None, Some(by), Some("no resultant".to_owned())),
             Governing::NoCombination(states) => {
                 (None, None, Some(format!("no combination of {}", states.names())))
             }
@@ -69,7 +70,7 @@ impl Checked {
                 Beside::EffectiveArea { width, length } => Some(Area { width, length }),
                 _ => None,
             },
-            clause: verdict.what.clause(),
+            clause: verdict.clause(),
             passes: verdict.passes(),
             reason,
         }

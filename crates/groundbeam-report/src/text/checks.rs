@@ -39,17 +39,21 @@ pub(crate) fn sentence(verdict: &Verdict, rows: &[Row], context: &Context) -> (S
     let name = noun(verdict.what);
     let (mut words, tone, by) = match verdict.of {
         Governing::NoCombination(states) => {
-            let words = format!("{name} not judged: no combination of {}", states.names());
+            let of = if context.selected { "selected combination is" } else { "combination" };
+            let words = format!("{name} not judged: no {of} of {}", states.names());
             return (words, Tone::Doubtful);
         }
         Governing::Unsolved(by) => {
             (format!("{name} not judged: a combination is not solved"), Tone::Doubtful, by)
         }
+        Governing::NoResultant(by) => {
+            (format!("{name} not judged: the loads have no resultant"), Tone::Doubtful, by)
+        }
         Governing::Falls(by) => (format!("{name} fails: no equilibrium"), Tone::Bad, by),
         Governing::Judged(by, judged) => match rows[by].solution {
             Some(solution) => {
                 let numbers = Numbers::plain(solution, context.units).with_proof(rows[by].proof);
-                let (words, tone) = judged_in_words(&judged, &numbers);
+                let (words, tone) = judged_in_words(&judged, solution, &numbers);
                 (words, tone, by)
             }
             None => return (String::new(), Tone::Plain),
@@ -61,7 +65,7 @@ pub(crate) fn sentence(verdict: &Verdict, rows: &[Row], context: &Context) -> (S
     if !place.is_empty() {
         words += &format!("; {}", place.join(", "));
     }
-    if let Some(clause) = verdict.what.clause() {
+    if let Some(clause) = verdict.clause() {
         words += &format!(" ({clause})");
     }
     (words, tone)
@@ -82,7 +86,7 @@ fn noun(what: Checked) -> &'static str {
 /// Number of digits that distinguishes every double from its neighbours.
 const ALL_DIGITS: usize = 17;
 
-fn judged_in_words(judged: &Judged, numbers: &Numbers) -> (String, Tone) {
+fn judged_in_words(judged: &Judged, solution: &Solution, numbers: &Numbers) -> (String, Tone) {
     let check = &judged.check;
     let unit = |value: f64| match check.what {
         Checked::BearingPressure => numbers.units.unit(Kind::Stress, value),
@@ -93,10 +97,7 @@ fn judged_in_words(judged: &Judged, numbers: &Numbers) -> (String, Tone) {
         Checked::Overturning => numbers.units.plain(""),
     };
     let digits = digits(check, &unit, numbers.units.digits());
-    let write = |value: f64| match value.is_infinite() {
-        true => "any number of".to_owned(),
-        false => unit(value).with_digits(digits).write(value).trim_end().to_owned(),
-    };
+    let write = |value: f64| unit(value).with_digits(digits).write(value).trim_end().to_owned();
     let found = match judged.error {
         None => write(check.found),
         Some(error) if error.is_finite() => with_bound(check.found, error, unit(check.found)),
@@ -121,6 +122,9 @@ fn judged_in_words(judged: &Judged, numbers: &Numbers) -> (String, Tone) {
         }
         Checked::LiftedShare => format!("{found} lifted off, {limit} allowed"),
         Checked::Eccentricity => format!("eccentricity {found}{}, {limit} allowed", place(None)),
+        Checked::Overturning if check.found.is_infinite() => {
+            format!("no load overturns the beam, a factor of {limit} required")
+        }
         Checked::Overturning => {
             format!("tips at {found} times the loads that overturn, {limit} required")
         }
@@ -132,7 +136,7 @@ fn judged_in_words(judged: &Judged, numbers: &Numbers) -> (String, Tone) {
         Judgement::Proven(false) => ("proven to fail", Tone::Bad),
         Judgement::Undecided => ("undecided within the bound", Tone::Doubtful),
     };
-    (format!("{said}: {verdict}{}", beside(check, numbers)), tone)
+    (format!("{said}: {verdict}{}", beside(check, solution, numbers)), tone)
 }
 
 /// The smallest number of digits that distinguishes the value from a limit that it exceeds.
@@ -145,21 +149,32 @@ fn digits(check: &Check, unit: &impl Fn(f64) -> Unit, least: usize) -> usize {
     (least..ALL_DIGITS).find(|digits| !same(digits)).unwrap_or(ALL_DIGITS)
 }
 
-/// The end forces that a peak pressure does not include, or the area on which a force is resisted.
-fn beside(check: &Check, numbers: &Numbers) -> String {
+/// The concentrated forces that a peak pressure does not include, or the area on which a force is resisted.
+fn beside(check: &Check, solution: &Solution, numbers: &Numbers) -> String {
     let force = |force: f64| {
         let force = numbers.sizes().force(force);
         numbers.units.unit(Kind::Force, force).write(force)
     };
     let length = |length: f64| numbers.units.write(Kind::Position, length);
     match check.beside {
-        Beside::EndForces(ends) if ends.left != 0.0 || ends.right != 0.0 => {
-            let [left, right] = [force(ends.left), force(ends.right)];
-            format!("; end forces {left} (left) and {right} (right) in addition")
+        Beside::EndForces(ends) => {
+            let mut said = Vec::new();
+            if ends.left != 0.0 || ends.right != 0.0 {
+                let [left, right] = [force(ends.left), force(ends.right)];
+                said.push(format!("end forces {left} (left) and {right} (right)"));
+            }
+            for inner in solution.concentrated_forces() {
+                let place = numbers.place(inner.at);
+                said.push(format!("force {} at x = {place}", force(inner.force)));
+            }
+            match said.is_empty() {
+                true => String::new(),
+                false => format!("; {} in addition", said.join(", ")),
+            }
         }
         Beside::EffectiveArea { width, length: of } => {
             format!("; B' = {}, L' = {}", length(width), length(of))
         }
-        _ => String::new(),
+        Beside::Nothing => String::new(),
     }
 }

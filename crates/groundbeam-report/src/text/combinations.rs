@@ -2,7 +2,7 @@
 //! bounds if proofs are requested.
 
 use super::sheet::{Sheet, Tone};
-use super::{COLUMNS, certificate, checks, extreme_of, structure, title};
+use super::{COLUMNS, certificate, checks, extreme_of, ground, structure, title};
 use crate::bound::with_bound;
 use crate::characteristics::Characteristics;
 use crate::checked::rows_of;
@@ -10,9 +10,10 @@ use crate::combinations::{
     Numbered, bound_of_extreme, bounds_of_band, largest_end_force, noun, numbered, of_limit_state,
 };
 use crate::context::{Context, clean};
+use crate::extremes::{End, of_combinations};
 use crate::quantity::{Kind, Unit, Units, duration};
 use crate::verdict::{self, falls, wording};
-use groundbeam::{Envelope, Extreme, Governing, Model, Verdict};
+use groundbeam::{Envelope, Governing, LimitState, Model, Verdict};
 use groundbeam_run::{Answer, Answers, Banded, Found, Ground};
 
 /// The report of all combinations, solved or only checked. `colour` adds escape codes for a terminal.
@@ -22,12 +23,14 @@ pub fn combinations(answers: &Answers, context: &Context, colour: bool) -> Strin
     let first = answers.list.iter().find_map(|answer| Some((answer, *answer.existence()?)));
     if let Some((answer, existence)) = first {
         let ground = answer.ground.as_ref().filter(|ground| !ground.follows_solution());
-        let models = used_models(answers).unwrap_or_else(|| vec![answer.model()]);
+        let used = used_models(answers);
+        let models = used.clone().unwrap_or_else(|| vec![answer.model()]);
         if let Some(found) = Characteristics::of_all(&models, &existence) {
             structure(&mut sheet, &models, &found, &Context { ground, ..*context });
         }
         if answers.list.iter().any(follows_solution) {
-            sheet.row("Soil", &soil_of_each("combination", used_models(answers).is_some()));
+            let (own, used) = (answer.ground.as_ref(), used.unwrap_or_default());
+            ground::of_each(&mut sheet, "combination", own, &used, context.units);
         }
         sheet.blank();
     }
@@ -72,16 +75,6 @@ fn follows_solution(answer: &Answer) -> bool {
 pub(crate) fn used_models(answers: &Answers) -> Option<Vec<&Model>> {
     let models: Vec<&Model> = answers.solved().map(|(_, solution)| solution.model()).collect();
     (!models.is_empty() && answers.list.iter().any(follows_solution)).then_some(models)
-}
-
-/// Statement that k and μ depend on the solutions; they are printed if there are solutions.
-pub(super) fn soil_of_each(what: &str, is_solved: bool) -> String {
-    match is_solved {
-        true => format!("k and mu of each {what} depend on its own solution; above: those of all"),
-        false => format!(
-            "k and mu of each {what} depend on its own solution; above: before the solution"
-        ),
-    }
 }
 
 /// Numbers and names of the combinations.
@@ -253,6 +246,11 @@ fn alone(sheet: &mut Sheet, answers: &Answers, units: Units) {
     }
 }
 
+/// In place of the envelope of a limit state that is the envelope of all.
+pub(crate) fn all_of(state: LimitState) -> String {
+    format!("all of these combinations are of {}", state.name())
+}
+
 /// The envelopes of the limit states, if there is more than one.
 pub(crate) fn of_limit_states(
     sheet: &mut Sheet,
@@ -263,7 +261,7 @@ pub(crate) fn of_limit_states(
     for state in answers.limit_states().iter() {
         let of_state = of_limit_state(answers, solved, state);
         if of_state.len() == solved.len() {
-            sheet.row("", &format!("all of these combinations are of {}", state.name()));
+            sheet.row("", &all_of(state));
             sheet.blank();
             continue;
         }
@@ -288,25 +286,19 @@ fn envelope(
     units: Units,
 ) {
     sheet.heading(&format!("{heading:<18} {:>8}{:>33}", "smallest", "largest"));
-    for field in envelope.fields() {
-        let range = envelope.range(field);
-        let known = |Governing { extreme, by }: Governing| {
-            let row = solved.get(by);
-            let extreme = row.map_or(extreme, |row| row.sizes.extreme(field, extreme));
-            (extreme, row.map_or(0, |row| row.number))
-        };
-        let [min, max] = [range.min, range.max].map(known);
-        let unit = units.unit(Kind::of(field), min.0.value.abs().max(max.0.value.abs()));
-        if min.0.value == max.0.value {
-            let value = unit.write(min.0.value);
-            sheet.row(field.label(), &format!("{value:>14} everywhere, in every combination"));
+    for extremes in of_combinations(envelope, solved, units) {
+        let (label, unit) = (extremes.field.label(), extremes.unit);
+        if let Some(value) = extremes.everywhere() {
+            let value = unit.write(value);
+            sheet.row(label, &format!("{value:>14} everywhere, in every combination"));
             continue;
         }
-        let cell = |(Extreme { x, value }, number): (Extreme, usize)| {
-            let place = format!("at {}", units.position(x));
-            format!("{:>14} {place:<12} {:<4} ", unit.write(value), format!("#{number}"))
+        let cell = |end: End| {
+            let place = format!("at {}", units.position(end.x));
+            let number = format!("#{}", end.number.unwrap_or_default());
+            format!("{:>14} {place:<12} {number:<4} ", unit.write(end.value))
         };
-        sheet.row(field.label(), &format!("{}{}", cell(min), cell(max)));
+        sheet.row(label, &extremes.ends.map(cell).concat());
     }
     end_forces(sheet, solved, units);
 }

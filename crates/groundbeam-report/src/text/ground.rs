@@ -1,10 +1,12 @@
-//! The origin of the ground's constants as text.
+//! The origin of the ground's constants and their values per area as text.
 
+use super::range;
 use super::sheet::{Sheet, Tone};
 use crate::context::Context;
-use crate::quantity::Kind;
+use crate::quantity::{Kind, Units};
 use groundbeam::Model;
 use groundbeam::soil::SoilRounds;
+use groundbeam_run::Ground;
 
 /// The method, the values per area, and warnings.
 pub fn rows(sheet: &mut Sheet, model: &Model, context: &Context) {
@@ -21,15 +23,49 @@ pub fn rows(sheet: &mut Sheet, model: &Model, context: &Context) {
         }
         sheet.row("Soil", &words);
     }
-    let area = units.write(Kind::AreaSpring, constants.subgrade / width);
-    let mut values =
-        format!("on a width of {}: C1 = k/b = {area}", units.of_input().position(width));
-    if constants.shear_layer > 0.0 {
-        let shear = units.write(Kind::AreaShear, constants.shear_layer / width);
-        values += &format!(", C2 = mu/b = {shear}");
-    }
-    sheet.row("", &values);
+    sheet.row("", &areas(width, [constants.subgrade; 2], [constants.shear_layer; 2], units));
     for doubt in ground.soil.as_ref().map(|soil| soil.doubts(&model.beam)).unwrap_or_default() {
         sheet.toned_row("Caution", &doubt, Tone::Doubtful);
+    }
+}
+
+/// The smallest and the largest k and μ, divided by the width.
+fn areas(width: f64, subgrade: [f64; 2], shear_layer: [f64; 2], units: Units) -> String {
+    let [area, shear] = [(Kind::AreaSpring, subgrade), (Kind::AreaShear, shear_layer)]
+        .map(|(kind, ends)| range(units, kind, ends.map(|value| value / width)));
+    let mut words =
+        format!("on a width of {}: C1 = k/b = {area}", units.of_input().position(width));
+    if shear_layer[1] > 0.0 {
+        words += &format!(", C2 = mu/b = {shear}");
+    }
+    words
+}
+
+/// The ground of several models, each of which has its own k and μ; `what` is one of the solutions, none of which there is
+/// if `models` is empty.
+pub(crate) fn of_each(
+    sheet: &mut Sheet,
+    what: &str,
+    ground: Option<&Ground>,
+    models: &[&Model],
+    units: Units,
+) {
+    let words = match models {
+        [] => "above: before the solution",
+        _ => "above: those of all",
+    };
+    let source = ground.and_then(|ground| ground.soil.as_ref()).map(|soil| soil.source());
+    let by = source.map_or_else(String::new, |source| format!(" by {source}"));
+    let words = format!("k and mu of each {what} depend on its own solution{by}; {words}");
+    sheet.row("Soil", &words);
+    let ends = |value: fn(&Model) -> f64| {
+        models.iter().map(|model| value(model)).fold([f64::INFINITY, 0.0], |[low, high], value| {
+            [low.min(value), f64::max(high, value)]
+        })
+    };
+    if let (Some(ground), false) = (ground, models.is_empty()) {
+        let [springs, shears] =
+            [ends(|of| of.foundation.subgrade), ends(|of| of.foundation.shear_layer)];
+        sheet.row("", &areas(ground.width, springs, shears, units));
     }
 }

@@ -23,9 +23,12 @@ use crate::numbers::Numbers;
 use crate::quantity::{Kind, Units, duration};
 use crate::verdict::{self, wording};
 pub use combinations::combinations;
-pub(crate) use combinations::{bounded_band, bounded_envelope, of_limit_states, used_models};
+pub(crate) use combinations::{
+    all_of, bounded_band, bounded_envelope, of_limit_states, used_models,
+};
 pub use comparison::comparison;
 pub use drawing::drawing;
+pub(crate) use ground::of_each as ground_of_each;
 use groundbeam::{
     Existence, Extent, Field, GroundEnd, Load, Model, Profile, Solution, Stopped, Verdict,
 };
@@ -258,11 +261,8 @@ fn ends(profiles: impl Iterator<Item = Profile>) -> impl Iterator<Item = f64> {
 
 fn range(units: Units, kind: Kind, [low, high]: [f64; 2]) -> String {
     let unit = units.unit(kind, high);
-    if low == high {
-        unit.write(high)
-    } else {
-        format!("{} to {}", unit.number(low), unit.write(high))
-    }
+    let [from, to] = [low, high].map(|value| unit.number(value));
+    if from == to { unit.write(high) } else { format!("{from} to {}", unit.write(high)) }
 }
 
 pub(crate) fn verdict_row(sheet: &mut Sheet, model: &Model, existence: &Existence, units: Units) {

@@ -1,17 +1,15 @@
 //! The terminal report of moving trains: one passage alone, or a table of several with the joint envelope.
 
-use super::combinations::soil_of_each;
+use super::combinations::all_of;
 use super::sheet::Sheet;
-use super::train::{cleaned, failures, limits, places, proof, ranges, train};
-use super::{COLUMNS, free_spans, structure, title};
+use super::train::{envelope, failures, limits, places, proof, ranges, train};
+use super::{COLUMNS, free_spans, ground, structure, title};
 use crate::characteristics::Characteristics;
 use crate::context::{Context, clean};
+use crate::extremes::{cleaned, of_passages};
 use crate::quantity::{Kind, Unit, Units};
 use groundbeam::{Field, Model};
-use groundbeam_run::{Ground, InPassage, Overall, Passage, Passages};
-
-/// Column of the first number of an envelope.
-const COLUMN: usize = 13;
+use groundbeam_run::{Ground, Overall, Passage, Passages};
 
 /// The report of passages. `colour` adds escape codes for a terminal.
 pub fn trains(passages: &Passages, context: &Context, colour: bool) -> String {
@@ -30,7 +28,7 @@ pub fn trains(passages: &Passages, context: &Context, colour: bool) -> String {
             structure(&mut sheet, &models, &found, &Context { ground, ..*context });
         }
         if follows {
-            sheet.row("Soil", &soil_of_each("position", true));
+            ground::of_each(&mut sheet, "position", context.ground, &models, context.units);
         }
     }
     if let [passage] = all {
@@ -53,7 +51,7 @@ pub fn trains(passages: &Passages, context: &Context, colour: bool) -> String {
     }
     if first.is_some() {
         sheet.blank();
-        envelope(&mut sheet, "Envelope", passages, context.units);
+        envelope(&mut sheet, "Envelope", &of_passages(passages, context.units), context.units);
         sheet.blank();
         of_limit_states(&mut sheet, passages, context.units);
         uplift(&mut sheet, all, context.units);
@@ -132,49 +130,12 @@ fn table(sheet: &mut Sheet, all: &[Passage], units: Units) {
 fn of_limit_states(sheet: &mut Sheet, passages: &Passages, units: Units) {
     for state in passages.limit_states().iter() {
         if passages.all.iter().all(|passage| passage.limit_states().contains(state)) {
-            sheet.row("", &format!("all of these combinations are of {}", state.name()));
+            sheet.row("", &all_of(state));
         } else {
-            envelope(sheet, state.name(), &passages.of_limit_state(state), units);
+            let of_state = of_passages(&passages.of_limit_state(state), units);
+            envelope(sheet, state.name(), &of_state, units);
         }
         sheet.blank();
-    }
-}
-
-/// Extremes over all passages, each with the number of the passage, the section, and the position of the
-/// first axle.
-fn envelope(sheet: &mut Sheet, heading: &str, passages: &Passages, units: Units) {
-    let columns = |first: &str, a: [&str; 4], b: [&str; 4]| {
-        let cell = |[value, x, train, which]: [&str; 4]| {
-            format!(" {value:>11} {x:>8} {train:>8}{which:>3}")
-        };
-        format!("{first:<13}{}{}", cell(a), cell(b))
-    };
-    let words = |largest| [largest, "at", "train", "#"];
-    if heading.len() < COLUMN {
-        sheet.heading(&columns(heading, words("smallest"), words("largest")));
-    } else {
-        sheet.heading(heading);
-        sheet.heading(&columns("", words("smallest"), words("largest")));
-    }
-    for field in passages.fields() {
-        let Some(range) = passages.range(field) else { continue };
-        let known = range.map(|InPassage { located, passage }| {
-            let located = cleaned(&passages.all[passage], field, located);
-            InPassage { located, passage }
-        });
-        let [min, max] = known.map(|governing| governing.located.value);
-        let unit = units.unit(Kind::of(field), min.abs().max(max.abs()));
-        if min == max {
-            let value = unit.write(min);
-            sheet.row(field.label(), &format!(" {value:>11} everywhere, always"));
-            continue;
-        }
-        let cells = known.map(|InPassage { located, passage }| {
-            let [x, train] = [located.x, located.first_axle].map(|x| units.position(x));
-            [unit.write(located.value), x, train, (passage + 1).to_string()]
-        });
-        let [a, b] = cells.each_ref().map(|cells| cells.each_ref().map(String::as_str));
-        sheet.line(&columns(field.label(), a, b));
     }
 }
 

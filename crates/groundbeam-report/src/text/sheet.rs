@@ -6,7 +6,7 @@ use groundbeam_file::printable;
 /// Maximum width of a line, unless a word is longer.
 const WIDTH: usize = 80;
 /// Column at which the text of a row begins.
-const COLUMN: usize = 13;
+pub(super) const COLUMN: usize = 13;
 
 /// An element of a page.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,15 +1,15 @@
 //! The terminal report of one train's passage: the train, the envelope, uplift ahead of and behind the axles.
 
-use super::sheet::{Sheet, Tone};
+use super::sheet::{COLUMN, Sheet, Tone};
 use super::{certificate, checks, free_spans};
 use crate::checked::Row;
 use crate::context::{Context, clean};
+use crate::extremes::{Extremes, cleaned, of_passage};
 use crate::number::{order, significant};
 use crate::quantity::{Kind, Units, duration};
-use crate::size::Sizes;
 use groundbeam::Field;
 use groundbeam_file::{MovingTrain, Spread};
-use groundbeam_run::{Located, Passage};
+use groundbeam_run::Passage;
 
 /// Maximum number of listed ranges of one kind; more are counted.
 const MOST_RANGES: usize = 8;
@@ -24,7 +24,7 @@ pub(crate) fn train(sheet: &mut Sheet, passage: &Passage, context: &Context) {
     failures(sheet, passage, "", context.units);
     if passage.solved().next().is_some() {
         sheet.blank();
-        envelope(sheet, passage, context.units);
+        envelope(sheet, "Envelope", &of_passage(passage, context.units), context.units);
         sheet.blank();
         uplift(sheet, passage, context.units);
         free_spans::of_trains(sheet, std::slice::from_ref(passage), context.units);
@@ -141,38 +141,47 @@ pub(crate) fn failures(sheet: &mut Sheet, passage: &Passage, whose: &str, units:
     }
 }
 
-/// Extremes with their positions on the beam and the positions of the first axle.
-fn envelope(sheet: &mut Sheet, passage: &Passage, units: Units) {
-    let columns = |first: &str, a: [&str; 3], b: [&str; 3]| {
-        let cell = |[value, x, train]: [&str; 3]| format!(" {value:>12} {x:>9} {train:>9}");
-        format!("{first:<13}{}{}", cell(a), cell(b))
+/// Extremes with their positions on the beam and the positions of the first axle; of several passages with the number of
+/// the passage.
+pub(crate) fn envelope(sheet: &mut Sheet, heading: &str, all: &[Extremes], units: Units) {
+    let numbers = all.iter().flat_map(|of| of.ends).filter_map(|end| end.number);
+    let digits = numbers.max().map(|most| most.to_string().len());
+    // `−65570 lbf-ft` has 13 characters.
+    let (label, value, place) = match digits {
+        None => (13, 12, 9),
+        Some(digits) => (12, 15 - digits.max(2), 8),
     };
-    let words = |largest| [largest, "at", "train at"];
-    sheet.heading(&columns("Envelope", words("smallest"), words("largest")));
-    for field in passage.fields() {
-        let Some(range) = passage.range(field) else { continue };
-        let known = range.map(|located| cleaned(passage, field, located));
-        let [min, max] = known;
-        let unit = units.unit(Kind::of(field), min.value.abs().max(max.value.abs()));
-        if min.value == max.value {
-            let value = unit.write(min.value);
-            sheet.row(field.label(), &format!(" {value:>12} everywhere, always"));
+    let line = |first: &str, ends: [[String; 4]; 2]| {
+        let cell = |[number, x, train, which]: [String; 4]| {
+            let cell = format!(" {number:>value$} {x:>place$} {train:>place$}");
+            match digits {
+                Some(digits) => format!("{cell} {which:>digits$}"),
+                None => cell,
+            }
+        };
+        format!("{first:<label$}{}", ends.map(cell).concat())
+    };
+    let train = if digits.is_some() { "train" } else { "train at" };
+    let words = ["smallest", "largest"].map(|word| [word, "at", train, "#"].map(str::to_owned));
+    let first = if heading.len() <= label { heading } else { "" };
+    if first.is_empty() {
+        sheet.heading(heading);
+    }
+    sheet.heading(&line(first, words));
+    for extremes in all {
+        let (name, unit) = (extremes.field.label(), extremes.unit);
+        if let Some(same) = extremes.everywhere() {
+            let (same, width) = (unit.write(same), label + 1 + value - COLUMN);
+            sheet.row(name, &format!("{same:>width$} everywhere, always"));
             continue;
         }
-        let cells = known.map(|Located { x, value, first_axle }| {
-            [unit.write(value), units.position(x), units.position(first_axle)]
+        let cells = extremes.ends.map(|end| {
+            let first_axle = end.first_axle.map_or_else(String::new, |at| units.position(at));
+            let number = end.number.map_or_else(String::new, |number| number.to_string());
+            [unit.write(end.value), units.position(end.x), first_axle, number]
         });
-        let [a, b] = cells.each_ref().map(|cells| cells.each_ref().map(String::as_str));
-        sheet.line(&columns(field.label(), a, b));
+        sheet.line(&line(name, cells));
     }
-}
-
-/// Sets a value that is only rounding error to zero.
-pub(crate) fn cleaned(passage: &Passage, field: Field, located: Located) -> Located {
-    let Some((_, solution)) = passage.nearest(located.first_axle) else { return located };
-    let sizes = Sizes::of(solution);
-    let (x, value) = (sizes.position(located.x), sizes.value(field, located.value));
-    Located { x, value, ..located }
 }
 
 pub(crate) fn uplift(sheet: &mut Sheet, passage: &Passage, units: Units) {

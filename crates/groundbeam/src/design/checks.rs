@@ -44,7 +44,8 @@ pub enum Checked {
     LiftedShare,
     /// |x − l/2|/l of the resultant.
     Eccentricity,
-    /// The ratio of stabilising to overturning moments, at the end where it is smaller.
+    /// The ratio of the works of the holding and the lifting loads, in the motion where it is smallest. Without
+    /// supports, these are the moments about an end.
     Overturning,
 }
 
@@ -252,14 +253,22 @@ fn ground_reaction(solution: &Solution) -> (f64, Option<f64>) {
 
 const ROUNDED: f64 = 8.0 * f64::EPSILON;
 
-/// The factor on all overturning loads at which a beam tips. At each end and each free hinge it is the ratio
-/// of the moments of the holding loads and the lifting loads. Infinite if no load lifts.
+/// The factor on all overturning loads at which a beam tips. In each motion that lifts a part of the beam and
+/// that no support prevents, it is the ratio of the works of the holding loads and the lifting loads. Infinite
+/// if no load lifts.
 pub fn overturning(model: &Model) -> f64 {
-    let nodes = Mechanism::of(model).nodes;
-    let mut sums = vec![[0.0; 2]; nodes.len()];
+    let mechanism = Mechanism::of(model);
+    let groups = mechanism.free_groups();
+    let mut sums = vec![[0.0; 2]; groups.len()];
     for load in &model.loads {
-        for (sums, reaction) in sums.iter_mut().zip(static_reactions(&[*load], &nodes)) {
-            sums[usize::from(reaction.sum < 0.0)] += reaction.sum.abs();
+        let reactions = static_reactions(&[*load], &mechanism.nodes);
+        for (sums, group) in sums.iter_mut().zip(&groups) {
+            let of_group = || reactions[group.clone()].iter().map(|reaction| reaction.sum);
+            let work: f64 = of_group().sum();
+            // A moment does no work where the beam lifts without turning.
+            if work.abs() > ROUNDED * of_group().map(f64::abs).sum::<f64>() {
+                sums[usize::from(work < 0.0)] += work.abs();
+            }
         }
     }
     let margin = |[holding, lifting]: [f64; 2]| {
@@ -285,6 +294,25 @@ mod tests {
         assert!((overturning(&model(0.1)) - 5.0).abs() < 1e-14);
         assert!((overturning(&model(-0.4)) - 1.25).abs() < 1e-14);
         assert_eq!(overturning(&beam().with_load(Load::point_force(0.9, 1.0))), f64::INFINITY);
+    }
+
+    /// A beam pinned at 0 turns about the pin alone; one that is clamped does not tip; tension lets it rise, not turn.
+    #[test]
+    fn a_beam_tips_only_in_motions_that_its_supports_allow() {
+        let beam = |m: f64| {
+            Model::new(Beam::uniform(2.0, 1.0), Foundation::pasternak(1.0, 1.0))
+                .with_load(Load::point_force(1.0, 3.0))
+                .with_load(Load::point_moment(1.0, m))
+        };
+        assert_eq!(overturning(&beam(1.0)), 3.0);
+        let pinned = |m| beam(m).with_support(crate::model::Support::pinned(0.0));
+        assert_eq!(overturning(&pinned(1.0)), f64::INFINITY);
+        assert_eq!(overturning(&pinned(-1.0)), 3.0);
+        let clamped = beam(-1.0).with_support(crate::model::Support::fixed(0.0));
+        assert_eq!(overturning(&clamped), f64::INFINITY);
+        let mut tied = beam(0.1).with_load(Load::point_force(0.3, -1.0));
+        tied.beam.axial_force = 1.0;
+        assert_eq!(overturning(&tied), 3.0);
     }
 
     #[test]

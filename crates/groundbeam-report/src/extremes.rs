@@ -1,0 +1,98 @@
+//! The smallest and the largest value of every field over several answers, from envelopes of combinations and of trains.
+
+use crate::combinations::Numbered;
+use crate::quantity::{Kind, Unit, Units};
+use crate::size::Sizes;
+use groundbeam::{Envelope, Field, Governing};
+use groundbeam_run::{InPassage, Located, Passage, Passages};
+
+/// A field with its smallest and its largest value, in one unit.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Extremes {
+    pub field: Field,
+    pub unit: Unit,
+    pub ends: [End; 2],
+}
+
+/// An extreme value. A value that is only rounding error is zero.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct End {
+    pub value: f64,
+    pub x: f64,
+    /// The position of the first axle; `None` without a train.
+    pub first_axle: Option<f64>,
+    /// The number of the combination or passage that has it, from 1; `None` of a single one.
+    pub number: Option<usize>,
+}
+
+impl Extremes {
+    fn new(field: Field, ends: [End; 2], units: Units) -> Self {
+        let most = ends.iter().fold(0.0_f64, |most, end| most.max(end.value.abs()));
+        Extremes { field, unit: units.unit(Kind::of(field), most), ends }
+    }
+
+    /// The value everywhere, if the field does not vary.
+    pub fn everywhere(&self) -> Option<f64> {
+        let [min, max] = self.ends.map(|end| end.value);
+        (min == max).then_some(min)
+    }
+
+    /// The value that is larger without its sign.
+    pub fn largest(&self) -> End {
+        let [min, max] = self.ends;
+        if -min.value > max.value { min } else { max }
+    }
+}
+
+/// Those of an envelope of combinations.
+pub(crate) fn of_combinations(
+    envelope: &Envelope,
+    solved: &[Numbered],
+    units: Units,
+) -> Vec<Extremes> {
+    let of = |field: Field| {
+        let range = envelope.range(field);
+        let ends = [range.min, range.max].map(|Governing { extreme, by }| {
+            let row = solved.get(by);
+            let extreme = row.map_or(extreme, |row| row.sizes.extreme(field, extreme));
+            let number = Some(row.map_or(0, |row| row.number));
+            End { value: extreme.value, x: extreme.x, first_axle: None, number }
+        });
+        Extremes::new(field, ends, units)
+    };
+    envelope.fields().map(of).collect()
+}
+
+/// Those of a single passage of a train.
+pub(crate) fn of_passage(passage: &Passage, units: Units) -> Vec<Extremes> {
+    let of = |field: Field| {
+        let ends = passage.range(field)?.map(|located| end(passage, field, located, None));
+        Some(Extremes::new(field, ends, units))
+    };
+    passage.fields().filter_map(of).collect()
+}
+
+/// Those of all passages.
+pub(crate) fn of_passages(passages: &Passages, units: Units) -> Vec<Extremes> {
+    let of = |field: Field| {
+        let ends = passages.range(field)?.map(|InPassage { located, passage: i }| {
+            let number = (passages.all.len() > 1).then_some(i + 1);
+            end(&passages.all[i], field, located, number)
+        });
+        Some(Extremes::new(field, ends, units))
+    };
+    passages.fields().filter_map(of).collect()
+}
+
+fn end(passage: &Passage, field: Field, located: Located, number: Option<usize>) -> End {
+    let Located { x, value, first_axle } = cleaned(passage, field, located);
+    End { value, x, first_axle: Some(first_axle), number }
+}
+
+/// Sets a value that is only rounding error to zero.
+pub(crate) fn cleaned(passage: &Passage, field: Field, located: Located) -> Located {
+    let Some((_, solution)) = passage.nearest(located.first_axle) else { return located };
+    let sizes = Sizes::of(solution);
+    let (x, value) = (sizes.position(located.x), sizes.value(field, located.value));
+    Located { x, value, ..located }
+}
