@@ -2,7 +2,9 @@
 //! of neighbouring models claimed for them.
 
 use groundbeam::proof::{Proof, Wide, prove};
-use groundbeam::{Extent, Field, Load, Model, Outcome, Solution, own_buckling_load, solve};
+use groundbeam::{
+    Extent, Field, Load, Model, Outcome, Solution, SupportKind, own_buckling_load, solve,
+};
 use groundbeam_verification::carried::model as carried;
 use groundbeam_verification::claims::{CHANGES, energy_of_error, over_bound};
 use groundbeam_verification::frozen;
