@@ -2,10 +2,39 @@
 //! to E.
 
 use groundbeam::proof::Proof;
-use groundbeam::{Field, Solution};
+use groundbeam::{Field, Model, Solution, SupportKind};
 
 /// Error of the true values, relative to the largest of their field.
 const ROUNDING: f64 = 1e-10;
+
+/// Changes of one kind of number of a model by a factor.
+pub const CHANGES: [fn(&mut Model, f64); 7] = [
+    |model, factor| {
+        let stiffness = &mut model.beam.shear_stiffness;
+        *stiffness = stiffness.map(|stiffness| stiffness * factor);
+        for segment in &mut model.beam.segments {
+            segment.shear_stiffness = segment.shear_stiffness.map(|s| s.scaled(factor));
+        }
+    },
+    |model, factor| {
+        model.beam.bending_stiffness *= factor;
+        for segment in &mut model.beam.segments {
+            segment.bending_stiffness = segment.bending_stiffness.scaled(factor);
+        }
+    },
+    |model, factor| model.foundation = model.foundation.clone().scaled(factor, 1.0),
+    |model, factor| model.foundation = model.foundation.clone().scaled(1.0, factor),
+    |model, factor| *model = model.clone().with_loads_scaled(factor),
+    |model, factor| {
+        for support in &mut model.supports {
+            support.settlement *= factor;
+            if let SupportKind::Spring { spring, rotational_spring } = &mut support.kind {
+                (*spring, *rotational_spring) = (*spring * factor, *rotational_spring * factor);
+            }
+        }
+    },
+    |model, factor| model.beam.axial_force *= factor,
+];
 
 /// The proven error bound of a field; `None` for the gap, which has no bound of its own.
 pub fn error_bound(proof: &Proof, field: Field) -> Option<f64> {

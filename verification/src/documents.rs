@@ -50,3 +50,23 @@ pub fn expect_by(path: &str, name: &str, made: &str, alike: impl Fn(&str, &str) 
         );
     }
 }
+
+/// Asserts that a file equals the generated text. If `UPDATE_EXPECTED` is set in the environment, writes the file.
+pub fn expect_file(path: &str, made: &str) {
+    expect_file_by(path, made, |recorded, made| recorded == made);
+}
+
+/// The same for text that may differ in ways that `alike` allows.
+pub fn expect_file_by(path: &str, made: &str, alike: impl Fn(&str, &str) -> bool) {
+    let file = repository().join(path);
+    let written = std::fs::read_to_string(&file).unwrap_or_default();
+    if alike(&written, made) {
+        return;
+    }
+    let update = std::env::var_os("UPDATE_EXPECTED").is_some();
+    assert!(
+        update,
+        "{path} differs from the generated text (UPDATE_EXPECTED=1 writes it):\n{made}"
+    );
+    std::fs::write(&file, made).expect("the file can be written");
+}

@@ -18,6 +18,7 @@ pub mod hostile;
 pub mod imports;
 pub mod linear;
 pub mod many;
+pub mod public_api;
 pub mod random;
 pub mod reference;
 pub mod second;

@@ -6,7 +6,7 @@ use groundbeam::{
     Extent, Field, Load, Model, Outcome, Solution, SupportKind, own_buckling_load, solve,
 };
 use groundbeam_verification::carried::model as carried;
-use groundbeam_verification::claims::{energy_of_error, over_bound};
+use groundbeam_verification::claims::{CHANGES, energy_of_error, over_bound};
 use groundbeam_verification::frozen;
 use rayon::prelude::*;
 
@@ -66,35 +66,6 @@ fn margin(model: &Model) -> f64 {
     let axial = model.beam.axial_force;
     if axial < 0.0 { 1.0 + axial / own_buckling_load(model) } else { 1.0 }
 }
-
-/// Changes of one kind of number of a model by a factor.
-const CHANGES: [fn(&mut Model, f64); 7] = [
-    |model, factor| {
-        let stiffness = &mut model.beam.shear_stiffness;
-        *stiffness = stiffness.map(|stiffness| stiffness * factor);
-        for segment in &mut model.beam.segments {
-            segment.shear_stiffness = segment.shear_stiffness.map(|s| s.scaled(factor));
-        }
-    },
-    |model, factor| {
-        model.beam.bending_stiffness *= factor;
-        for segment in &mut model.beam.segments {
-            segment.bending_stiffness = segment.bending_stiffness.scaled(factor);
-        }
-    },
-    |model, factor| model.foundation = model.foundation.clone().scaled(factor, 1.0),
-    |model, factor| model.foundation = model.foundation.clone().scaled(1.0, factor),
-    |model, factor| *model = model.clone().with_loads_scaled(factor),
-    |model, factor| {
-        for support in &mut model.supports {
-            support.settlement *= factor;
-            if let SupportKind::Spring { spring, rotational_spring } = &mut support.kind {
-                (*spring, *rotational_spring) = (*spring * factor, *rotational_spring * factor);
-            }
-        }
-    },
-    |model, factor| model.beam.axial_force *= factor,
-];
 
 /// The results of the claims of a family.
 struct Judged {
