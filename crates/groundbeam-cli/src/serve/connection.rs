@@ -57,7 +57,7 @@ async fn serve(stream: TcpStream, service: TowerToHyperService<Router>, limits: 
 
 #[cfg(test)]
 mod tests {
-    use super::super::routes;
+    use super::super::{Start, routes};
     use super::*;
     use std::io::{Read, Write};
     use std::net::{Ipv4Addr, SocketAddr};
@@ -74,7 +74,7 @@ mod tests {
             .unwrap();
         let listener = runtime.block_on(TcpListener::bind((Ipv4Addr::LOCALHOST, 0))).unwrap();
         let address = listener.local_addr().unwrap();
-        let router = routes::all(None, address.port(), Duration::from_millis(300));
+        let router = routes::all(Start::empty(), address.port(), Duration::from_millis(300));
         runtime.spawn(accept(listener, router, SHORT));
         (runtime, address)
     }

@@ -23,6 +23,16 @@ pub struct Start {
     pub printed: Printed,
 }
 
+#[cfg(test)]
+impl Start {
+    /// A page without a model.
+    fn empty() -> Self {
+        let asked = groundbeam_file::print::Asked::File;
+        let printed = Printed { asked, digits: groundbeam_file::print::RESULT_DIGITS };
+        Start { model: None, printed }
+    }
+}
+
 /// The initial model of the page.
 #[derive(Debug, Clone)]
 pub struct StartingModel {

@@ -205,7 +205,6 @@ async fn answer(
 mod tests {
     use super::super::connection::{LIMITS, accept};
     use super::*;
-    use crate::request::Printed;
     use std::io::{Read, Write};
     use std::net::{Ipv4Addr, SocketAddr, TcpStream};
     use std::sync::atomic::{AtomicUsize, Ordering};
@@ -252,9 +251,8 @@ mod tests {
         let listener = runtime.block_on(tokio::net::TcpListener::bind(listener)).unwrap();
         let address = listener.local_addr().unwrap();
         let permits = Arc::new(Semaphore::new(1));
-        let printed = Printed { asked: print::Asked::File, digits: print::RESULT_DIGITS };
         let desk = Desk {
-            start: Arc::new(Start { model: None, printed }),
+            start: Arc::new(Start::empty()),
             permits: Arc::clone(&permits),
             quick: Arc::new(Semaphore::new(1)),
             body: BODY,
