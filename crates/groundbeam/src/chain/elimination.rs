@@ -16,34 +16,35 @@ use crate::chain::mirror::mirror_cell;
 use crate::chain::node::{ChainCell, ChainNode, CondensedStiffness, NotDefinite, THETA, U, W};
 use crate::chain::node::{Tie, TiedTwoPort};
 use crate::element::element::{Basis, Element, mirror_shape};
+use crate::numeric::real::{Real, sum};
 
 #[derive(Debug, Clone, Default)]
-pub(crate) struct Chain {
-    pub nodes: Vec<ChainNode>,
-    pub cells: Vec<ChainCell>,
+pub(crate) struct Chain<R = f64> {
+    pub nodes: Vec<ChainNode<R>>,
+    pub cells: Vec<ChainCell<R>>,
     /// The node at which the two sweeps meet. A well supported node gives the best accuracy.
     pub meeting: usize,
 }
 
 /// Back-substitution across a cell: the unknowns at the end passed first, from those at the other end.
 #[derive(Debug, Clone, Copy, Default)]
-struct BackSubstitution {
+struct BackSubstitution<R> {
     /// (v₁, v₂, u_left) = constant − gain·(w_right, θ_right, u_right).
-    gain: [[f64; 3]; 3],
-    constant: [f64; 3],
+    gain: [[R; 3]; 3],
+    constant: [R; 3],
     /// v = C (w_right, θ_right, v₁, v₂).
     by_left: [bool; 2],
     /// Whether the third unknown is u_right − u_left.
     rise: bool,
     /// u of the left node if the surface ends there: u = constant − gain·(w, θ).
-    ended: [f64; 3],
+    ended: [R; 3],
     /// The rotation behind a hinge at the left node, from the one ahead of it.
-    turned: Option<HingeRotation>,
+    turned: Option<HingeRotation<R>>,
 }
 
-impl Chain {
+impl<R: Real> Chain<R> {
     /// Solves for the four unknowns of every element.
-    pub fn solve(&self) -> Result<Vec<[f64; 4]>, NotDefinite> {
+    pub fn solve(&self) -> Result<Vec<[R; 4]>, NotDefinite> {
         let last = self.nodes.len() - 1;
         let meet = self.meeting.min(last);
         let (left, back_left) = self.sweep::<false>(0, meet)?;
@@ -53,15 +54,15 @@ impl Chain {
         // The right sweep sees slopes with the other sign.
         let sign = [1.0, -1.0, 1.0];
         for i in 0..3 {
-            both.r[i] += sign[i] * right.r[i];
+            both.r[i] += right.r[i] * sign[i];
             for j in 0..3 {
-                both.s[i][j] += sign[i] * sign[j] * right.s[i][j];
+                both.s[i][j] += right.s[i][j] * (sign[i] * sign[j]);
             }
         }
         let node = &self.nodes[meet];
         apply(node, &mut both, 1.0);
         let at_meeting = solve_node(node, &both)?;
-        let mut shapes = vec![[0.0; 4]; self.cells.len()];
+        let mut shapes = vec![[R::ZERO; 4]; self.cells.len()];
         let mut y = HingeRotation::beyond_hinge(turned, at_meeting);
         for (i, back) in (0..meet).zip(&back_left).rev() {
             let Element { length, basis, .. } = self.cells[i].element;
@@ -72,7 +73,7 @@ impl Chain {
         y[THETA] = -y[THETA];
         for (i, back) in (meet..last).rev().zip(&back_right).rev() {
             let Element { length, basis, .. } = self.cells[i].element;
-            let mut v = [0.0; 4];
+            let mut v = [R::ZERO; 4];
             y = back.cross(length, basis, y, &mut v);
             shapes[i] = mirror_shape(&v, length, basis);
             y = HingeRotation::beyond_hinge(back.turned, back.end(&self.nodes[i + 1], y, false));
@@ -85,7 +86,7 @@ impl Chain {
         &self,
         start: usize,
         meet: usize,
-    ) -> Result<(CondensedStiffness, Vec<BackSubstitution>), NotDefinite> {
+    ) -> Result<(CondensedStiffness<R>, Vec<BackSubstitution<R>>), NotDefinite> {
         let count = start.abs_diff(meet);
         let mut returns = Vec::with_capacity(count);
         let mut state = CondensedStiffness::default();
@@ -115,12 +116,12 @@ impl Chain {
 
 /// Adds the loads and supports of one node. A sweep from the right has slopes and moments of the other
 /// `sign`.
-fn apply(node: &ChainNode, state: &mut CondensedStiffness, sign: f64) {
+fn apply<R: Real>(node: &ChainNode<R>, state: &mut CondensedStiffness<R>, sign: f64) {
     state.s[W][W] += node.spring + node.ground_spring;
     state.s[THETA][THETA] += node.rotational_spring;
     state.s[U][U] += node.surface_spring;
     state.r[W] += node.force + node.ground_spring * node.gap + node.spring * node.settlement;
-    state.r[THETA] += sign * node.moment;
+    state.r[THETA] += node.moment * sign;
     if node.from_beam {
         // The spring of the surface itself, with u = w − g₀ + r.
         state.s[U][W] += node.surface_spring;
@@ -132,22 +133,23 @@ fn apply(node: &ChainNode, state: &mut CondensedStiffness, sign: f64) {
 }
 
 /// Eliminates u at a node where the shear layer's own surface ends.
-fn end_surface(state: &mut CondensedStiffness) -> Result<[f64; 3], NotDefinite> {
+fn end_surface<R: Real>(state: &mut CondensedStiffness<R>) -> Result<[R; 3], NotDefinite> {
     let pivot = state.s[U][U];
-    if pivot <= 0.0 {
+    if pivot.value() <= 0.0 {
         return Err(NotDefinite);
     }
     let gain = [state.s[U][W] / pivot, state.s[U][THETA] / pivot, state.r[U] / pivot];
     for i in [W, THETA] {
+        let across = state.s[i][U];
         for j in [W, THETA] {
-            state.s[i][j] -= state.s[i][U] * gain[j];
+            state.s[i][j] -= across * gain[j];
         }
-        state.r[i] -= state.s[i][U] * gain[2];
+        state.r[i] -= across * gain[2];
     }
     for i in 0..3 {
-        (state.s[i][U], state.s[U][i]) = (0.0, 0.0);
+        (state.s[i][U], state.s[U][i]) = (R::ZERO, R::ZERO);
     }
-    state.r[U] = 0.0;
+    state.r[U] = R::ZERO;
     Ok(gain)
 }
 
@@ -173,10 +175,10 @@ fn transform(h: f64, basis: Basis, by_left: [bool; 2]) -> [[f64; 4]; 4] {
 const ORDER: [usize; 6] = [0, 1, 3, 4, 5, 2];
 
 /// Coefficients of those six unknowns, from the coefficients of the element's own v and of the surfaces.
-fn in_order(row: &[f64; 6], c: &[[f64; 4]; 4]) -> [f64; 6] {
-    let mut ordered = [0.0; 6];
+fn in_order<R: Real>(row: &[R; 6], c: &[[f64; 4]; 4]) -> [R; 6] {
+    let mut ordered = [R::ZERO; 6];
     for j in 0..4 {
-        ordered[ORDER[j]] = (0..4).map(|n| row[n] * c[n][j]).sum();
+        ordered[ORDER[j]] = sum::<R, 4>(|n| row[n] * c[n][j]);
     }
     for j in [4, 5] {
         ordered[ORDER[j]] = row[j];
@@ -184,20 +186,20 @@ fn in_order(row: &[f64; 6], c: &[[f64; 4]; 4]) -> [f64; 6] {
     ordered
 }
 
-fn cross(
-    element: &Element,
-    links: &[TiedTwoPort],
-    [node, next]: [&ChainNode; 2],
-    state: &CondensedStiffness,
-    back: &mut BackSubstitution,
-) -> Result<CondensedStiffness, NotDefinite> {
+fn cross<R: Real>(
+    element: &Element<R>,
+    links: &[TiedTwoPort<R>],
+    [node, next]: [&ChainNode<R>; 2],
+    state: &CondensedStiffness<R>,
+    back: &mut BackSubstitution<R>,
+) -> Result<CondensedStiffness<R>, NotDefinite> {
     // The stiffness condensed to the right node, in (w_l, θ_l, d₁, d₂ | u_l, u_r). In short open ground the
     // coupling of the two ends is much stiffer than their supports. Then δ = u_r − u_l replaces u_l, so that
     // rounding of the coupling does not hide the supports.
-    let stiff = |tied: &TiedTwoPort| {
+    let stiff = |tied: &TiedTwoPort<R>| {
         tied.left == Tie::SurfaceLeft
             && tied.right == Tie::SurfaceRight
-            && tied.two_port.series > state.s[U][U]
+            && tied.two_port.series.value() > state.s[U][U].value()
     };
     back.rise = links.iter().any(stiff);
     let surface_left =
@@ -206,8 +208,8 @@ fn cross(
         left: counted(surface_left, node, element.end_row(false)),
         right: counted([0.0, 0.0, 0.0, 0.0, 0.0, 1.0], next, element.end_row(true)),
     };
-    let mut k = [[0.0; 6]; 6];
-    let mut q = [0.0; 6];
+    let mut k = [[R::ZERO; 6]; 6];
+    let mut q = [R::ZERO; 6];
     for i in 0..4 {
         k[i][..4].copy_from_slice(&element.stiffness[i]);
         q[i] = element.load[i];
@@ -230,24 +232,24 @@ fn cross(
     }
 
     back.by_left = [
-        node.pinned || state.s[W][W] > element.stiffness[2][2],
-        node.clamped || state.s[THETA][THETA] > element.stiffness[3][3],
+        node.pinned || state.s[W][W].value() > element.stiffness[2][2].value(),
+        node.clamped || state.s[THETA][THETA].value() > element.stiffness[3][3].value(),
     ];
     let c = transform(element.length, element.basis, back.by_left);
     // Congruence for the four beam unknowns, then reordering to (w_r, θ_r, u_r | v₁, v₂, u_l).
-    let mut half = [[0.0; 4]; 6];
+    let mut half = [[R::ZERO; 4]; 6];
     for i in 0..6 {
         for j in 0..4 {
-            half[i][j] = (0..4).map(|m| k[i][m] * c[m][j]).sum();
+            half[i][j] = sum::<R, 4>(|m| k[i][m] * c[m][j]);
         }
     }
-    let mut m = [[0.0; 6]; 6];
-    let mut f = [0.0; 6];
+    let mut m = [[R::ZERO; 6]; 6];
+    let mut f = [R::ZERO; 6];
     for i in 0..4 {
         let a = ORDER[i];
-        f[a] = (0..4).map(|n| c[n][i] * q[n]).sum();
+        f[a] = sum::<R, 4>(|n| q[n] * c[n][i]);
         for j in 0..4 {
-            m[a][ORDER[j]] = (0..4).map(|n| c[n][i] * half[n][j]).sum();
+            m[a][ORDER[j]] = sum::<R, 4>(|n| half[n][j] * c[n][i]);
         }
         for surface in [4, 5] {
             let at = ORDER[surface];
@@ -272,16 +274,16 @@ fn cross(
 
 /// Eliminates those of the last three unknowns of (w_r, θ_r, u_r | v₁, v₂, u_l) that are `free`. The others
 /// are zero, except that the first is the settlement of a support.
-fn condense(
-    m: &[[f64; 6]; 6],
-    f: &[f64; 6],
+fn condense<R: Real>(
+    m: &[[R; 6]; 6],
+    f: &[R; 6],
     free: [bool; 3],
-    settlement: f64,
-    back: &mut BackSubstitution,
-) -> Result<CondensedStiffness, NotDefinite> {
+    settlement: R,
+    back: &mut BackSubstitution<R>,
+) -> Result<CondensedStiffness<R>, NotDefinite> {
     // LDLᵀ of the eliminated block with the six right-hand sides: three columns and the load.
-    let mut a = [[0.0; 3]; 3];
-    let mut b = [[0.0; 4]; 3];
+    let mut a = [[R::ZERO; 3]; 3];
+    let mut b = [[R::ZERO; 4]; 3];
     for i in 0..3 {
         for j in 0..3 {
             a[i][j] = m[3 + i][3 + j];
@@ -289,7 +291,7 @@ fn condense(
         }
         b[i][3] = f[3 + i];
     }
-    let given = if free[0] { 0.0 } else { settlement };
+    let given = if free[0] { R::ZERO } else { settlement };
     if given != 0.0 {
         for i in 1..3 {
             b[i][3] -= a[i][0] * given;
@@ -297,35 +299,40 @@ fn condense(
     }
     for i in 0..3 {
         if !free[i] || (i == 2 && a[2][2] == 0.0 && m[5].iter().all(|&x| x == 0.0)) {
-            a[i] = [0.0; 3];
+            a[i] = [R::ZERO; 3];
             for row in &mut a {
-                row[i] = 0.0;
+                row[i] = R::ZERO;
             }
-            a[i][i] = 1.0;
-            b[i] = [0.0; 4];
+            a[i][i] = R::ONE;
+            b[i] = [R::ZERO; 4];
         }
     }
     b[0][3] += given;
-    let size = [0, 1, 2].map(|i| a[i][i].abs());
+    let size = [0, 1, 2].map(|i| a[i][i].value().abs());
     for p in 0..3 {
         let pivot = a[p][p];
-        if pivot.is_nan() || pivot <= 1e-15 * size[p] {
+        if pivot.value().is_nan() || pivot.value() <= 1e-15 * size[p] {
             return Err(NotDefinite);
         }
         for i in p + 1..3 {
             let factor = a[i][p] / pivot;
             for j in p + 1..3 {
-                a[i][j] -= factor * a[p][j];
+                let less = factor * a[p][j];
+                a[i][j] -= less;
             }
             for j in 0..4 {
-                b[i][j] -= factor * b[p][j];
+                let less = factor * b[p][j];
+                b[i][j] -= less;
             }
         }
     }
     for p in (0..3).rev() {
         for j in 0..4 {
-            let sum: f64 = (p + 1..3).map(|i| a[p][i] * b[i][j]).sum();
-            b[p][j] = (b[p][j] - sum) / a[p][p];
+            let mut known = R::ZERO;
+            for i in p + 1..3 {
+                known += a[p][i] * b[i][j];
+            }
+            b[p][j] = (b[p][j] - known) / a[p][p];
         }
     }
     for i in 0..3 {
@@ -334,10 +341,9 @@ fn condense(
     }
     let mut ahead = CondensedStiffness::default();
     for i in 0..3 {
-        ahead.r[i] = f[i] - (0..3).map(|e| m[3 + e][i] * b[e][3]).sum::<f64>();
+        ahead.r[i] = f[i] - sum::<R, 3>(|e| m[3 + e][i] * b[e][3]);
         for j in i..3 {
-            let less: f64 = (0..3).map(|e| m[3 + e][i] * b[e][j]).sum();
-            ahead.s[i][j] = m[i][j] - less;
+            ahead.s[i][j] = m[i][j] - sum::<R, 3>(|e| m[3 + e][i] * b[e][j]);
             ahead.s[j][i] = ahead.s[i][j];
         }
     }
@@ -345,9 +351,12 @@ fn condense(
 }
 
 /// Solves S y = r at the meeting node.
-fn solve_node(node: &ChainNode, both: &CondensedStiffness) -> Result<[f64; 3], NotDefinite> {
-    let mut m = [[0.0; 6]; 6];
-    let mut f = [0.0; 6];
+fn solve_node<R: Real>(
+    node: &ChainNode<R>,
+    both: &CondensedStiffness<R>,
+) -> Result<[R; 3], NotDefinite> {
+    let mut m = [[R::ZERO; 6]; 6];
+    let mut f = [R::ZERO; 6];
     for i in 0..3 {
         f[3 + i] = both.r[i];
         for j in 0..3 {
@@ -360,21 +369,20 @@ fn solve_node(node: &ChainNode, both: &CondensedStiffness) -> Result<[f64; 3], N
     Ok(back.constant)
 }
 
-impl BackSubstitution {
+impl<R: Real> BackSubstitution<R> {
     /// Back-substitution: from (w, θ, u) of the right node, computes those of the left node and the cell's
     /// own v.
-    fn cross(&self, h: f64, basis: Basis, y: [f64; 3], v: &mut [f64; 4]) -> [f64; 3] {
-        let e: [f64; 3] = std::array::from_fn(|i| {
-            self.constant[i] - (0..3).map(|j| self.gain[i][j] * y[j]).sum::<f64>()
-        });
+    fn cross(&self, h: f64, basis: Basis, y: [R; 3], v: &mut [R; 4]) -> [R; 3] {
+        let e: [R; 3] =
+            std::array::from_fn(|i| self.constant[i] - sum::<R, 3>(|j| self.gain[i][j] * y[j]));
         let c = transform(h, basis, self.by_left);
         let z = [y[W], y[THETA], e[0], e[1]];
-        *v = std::array::from_fn(|i| (0..4).map(|j| c[i][j] * z[j]).sum());
+        *v = std::array::from_fn(|i| sum::<R, 4>(|j| z[j] * c[i][j]));
         [v[0], v[1], if self.rise { y[U] - e[2] } else { e[2] }]
     }
 
     /// u at a node where the unknown surface ends, as needed in the cell just crossed.
-    fn end(&self, node: &ChainNode, mut y: [f64; 3], forward: bool) -> [f64; 3] {
+    fn end(&self, node: &ChainNode<R>, mut y: [R; 3], forward: bool) -> [R; 3] {
         let [behind, ahead] = if forward { [0, 1] } else { [1, 0] };
         if node.surface[behind] && !node.surface[ahead] {
             let [by_w, by_theta, constant] = self.ended;

@@ -5,25 +5,26 @@
 //! of θ vanish.
 
 use crate::chain::node::{ChainNode, CondensedStiffness, NotDefinite, THETA};
+use crate::numeric::real::{Real, sum};
 
 /// Back-substitution across a hinge: θ_behind = constant − gain·(w, θ_ahead, u).
 #[derive(Debug, Clone, Copy)]
-pub(super) struct HingeRotation {
-    gain: [f64; 3],
-    constant: f64,
+pub(super) struct HingeRotation<R> {
+    gain: [R; 3],
+    constant: R,
 }
 
-impl HingeRotation {
+impl<R: Real> HingeRotation<R> {
     /// Adds the hinge of a node, if there is one. No other load or support may act on θ there.
     pub fn condense(
-        node: &ChainNode,
-        state: &mut CondensedStiffness,
+        node: &ChainNode<R>,
+        state: &mut CondensedStiffness<R>,
     ) -> Result<Option<Self>, NotDefinite> {
         let Some(spring) = node.hinge else { return Ok(None) };
         let CondensedStiffness { s, r } = *state;
         let held = s[THETA][THETA] + spring;
         // Behind a free hinge only the ground and the supports there resist rotation.
-        if held.is_nan() || held <= 0.0 {
+        if held.value().is_nan() || held.value() <= 0.0 {
             return Err(NotDefinite);
         }
         let share = spring / held;
@@ -44,9 +45,9 @@ impl HingeRotation {
     }
 
     /// (w, θ, u) on the other side of the hinge, if there is one.
-    pub fn beyond_hinge(turned: Option<Self>, mut y: [f64; 3]) -> [f64; 3] {
+    pub fn beyond_hinge(turned: Option<Self>, mut y: [R; 3]) -> [R; 3] {
         if let Some(HingeRotation { gain, constant }) = turned {
-            y[THETA] = constant - gain.iter().zip(y).map(|(gain, y)| gain * y).sum::<f64>();
+            y[THETA] = constant - sum::<R, 3>(|i| gain[i] * y[i]);
         }
         y
     }

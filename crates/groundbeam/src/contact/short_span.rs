@@ -16,6 +16,7 @@ use crate::mesh::cell::Cell;
 use crate::mesh::deflection::{BeamPoint, Deflection};
 use crate::numeric::elementary::{cosh, sinh};
 use crate::numeric::polynomial::value;
+use crate::numeric::real::Real;
 
 /// The most cells of a short span; three are a gap and the cells beside it.
 const MOST_CELLS: usize = 4;
@@ -23,21 +24,21 @@ const MOST_CELLS: usize = 4;
 const LONGEST: f64 = 0.03;
 
 /// A part of a cell with what the ground needs there.
-struct SpanPart {
+struct SpanPart<R> {
     cell: usize,
     from: f64,
     to: f64,
     /// Half its length \[m\].
     half: f64,
     /// b·length.
-    length: f64,
-    stiffness: f64,
+    length: R,
+    stiffness: R,
     /// Where the ground varies: the part alone, and its ground as a two-port.
-    varying: Option<(Cell, TwoPort)>,
+    varying: Option<(Cell<R>, TwoPort<R>)>,
 }
 
-impl SpanPart {
-    fn of(cell: &Cell, i: usize, [from, to]: [f64; 2]) -> Option<Self> {
+impl<R: Real> SpanPart<R> {
+    fn of(cell: &Cell<R>, i: usize, [from, to]: [f64; 2]) -> Option<Self> {
         let half = half_length(cell, [from, to]);
         let length = decay(cell, half);
         let stiffness = (cell.subgrade * cell.shear_layer).sqrt();
@@ -55,7 +56,7 @@ impl SpanPart {
 
     /// The unloaded ground across the part, from its value and its flux at the left end, or with `turned`
     /// from those at the right end. Each step forward adds positive numbers only.
-    fn cross(&self, phi: f64, flux: f64, turned: bool) -> [f64; 2] {
+    fn cross(&self, phi: R, flux: R, turned: bool) -> [R; 2] {
         if let Some((_, link)) = &self.varying {
             let (behind, ahead) = if turned {
                 (link.shunt_right, link.shunt_left)
@@ -72,16 +73,16 @@ impl SpanPart {
     }
 
     /// ∫π over the part, its half length being 1, under the ground that is 1 at its left and at its right end.
-    fn under(&self, pi: &[f64]) -> [f64; 2] {
+    fn under(&self, pi: &[R]) -> [R; 2] {
         let at = |t: f64| value(pi, self.from + t * (self.to - self.from));
-        let mut under = [0.0; 2];
+        let mut under = [R::ZERO; 2];
         if let Some((cell, _)) = &self.varying {
             let (spring, shear) = (cell.subgrade_along(), cell.shear_layer_along());
-            let shapes =
-                [[1.0, 0.0], [0.0, 1.0]].map(|ends| settled(&spring, &shear, self.half, ends));
+            let shapes = [[R::ONE, R::ZERO], [R::ZERO, R::ONE]]
+                .map(|ends| settled(&spring, &shear, self.half, ends));
             for (x, weight) in GAUSS {
                 for s in [-x, x] {
-                    let p = weight * at(0.5 * (1.0 + s));
+                    let p = at(0.5 * (1.0 + s)) * weight;
                     under[0] += p * value(&shapes[0], s);
                     under[1] += p * value(&shapes[1], s);
                 }
@@ -90,30 +91,34 @@ impl SpanPart {
         }
         for (x, weight) in GAUSS {
             let t = 0.5 - 0.5 * x;
-            let near = between(0.0, 1.0, self.length, t);
-            let far = between(1.0, 0.0, self.length, t);
+            let near = between(R::ZERO, R::ONE, self.length, t);
+            let far = between(R::ONE, R::ZERO, self.length, t);
             let [p, q] = [t, 1.0 - t].map(at);
-            under[0] += weight * (p * far + q * near);
-            under[1] += weight * (p * near + q * far);
+            under[0] += (p * far + q * near) * weight;
+            under[1] += (p * near + q * far) * weight;
         }
         under
     }
 }
 
 /// Half the length of a part of a cell.
-fn half_length(cell: &Cell, [from, to]: [f64; 2]) -> f64 {
+fn half_length<R: Real>(cell: &Cell<R>, [from, to]: [f64; 2]) -> f64 {
     0.25 * (to - from) * cell.length()
 }
 
 /// b·length.
-fn decay(cell: &Cell, half: f64) -> f64 {
+fn decay<R: Real>(cell: &Cell<R>, half: f64) -> R {
     (cell.subgrade / cell.shear_layer).sqrt() * 2.0 * half
 }
 
 /// The fluxes of open ground into both ends of a span, where it is held at ψ; `link` is its two-port. A missing end is
 /// the ground beyond the run.
-pub(crate) fn fluxes(w: &Deflection, ends: [Option<BeamPoint>; 2], link: &TwoPort) -> [f64; 2] {
-    let of = |f: &dyn Fn(BeamPoint) -> f64| ends.map(|end| end.map_or(0.0, f));
+pub(crate) fn fluxes<R: Real>(
+    w: &Deflection<R>,
+    ends: [Option<BeamPoint>; 2],
+    link: &TwoPort<R>,
+) -> [R; 2] {
+    let of = |f: &dyn Fn(BeamPoint) -> R| ends.map(|end| end.map_or(R::ZERO, f));
     if let Some([a, b]) = end_forces(w, ends) {
         let [left, right] = of(&|point| w.flux(point));
         return [a - left, b + right];
@@ -123,13 +128,13 @@ pub(crate) fn fluxes(w: &Deflection, ends: [Option<BeamPoint>; 2], link: &TwoPor
 }
 
 /// The same between the edges on which a beam is bonded, with the kinks that the concentrated forces make there.
-pub(crate) fn bonded_fluxes(
-    w: &Deflection,
+pub(crate) fn bonded_fluxes<R: Real>(
+    w: &Deflection<R>,
     ends: [Option<BeamPoint>; 2],
-    link: &TwoPort,
-) -> [f64; 2] {
+    link: &TwoPort<R>,
+) -> [R; 2] {
     let kink = |end: Option<BeamPoint>| {
-        end.map_or(0.0, |point| w.flux(point) - w.flux(open_side(w, point)))
+        end.map_or(R::ZERO, |point| w.flux(point) - w.flux(open_side(w, point)))
     };
     let [left, right] = fluxes(w, ends, link);
     match end_forces(w, ends) {
@@ -140,7 +145,7 @@ pub(crate) fn bonded_fluxes(
 
 /// An end of a span as a point of the open cell beside it, where a beam that shears has a kink that the concentrated force of
 /// its bonded edge makes. Other kinks are corners: A and B include them.
-fn open_side(w: &Deflection, point: BeamPoint) -> BeamPoint {
+fn open_side<R: Real>(w: &Deflection<R>, point: BeamPoint) -> BeamPoint {
     let BeamPoint { cell, s } = point;
     let other = match s {
         1.0 if cell + 1 < w.mesh.cells.len() => BeamPoint { cell: cell + 1, s: -1.0 },
@@ -152,7 +157,10 @@ fn open_side(w: &Deflection, point: BeamPoint) -> BeamPoint {
 }
 
 /// A and B of a span, if it is short.
-pub(crate) fn end_forces(w: &Deflection, ends: [Option<BeamPoint>; 2]) -> Option<[f64; 2]> {
+pub(crate) fn end_forces<R: Real>(
+    w: &Deflection<R>,
+    ends: [Option<BeamPoint>; 2],
+) -> Option<[R; 2]> {
     let [a, b] = [ends[0]?, ends[1]?];
     if b.cell < a.cell || b.cell - a.cell >= MOST_CELLS {
         return None;
@@ -162,28 +170,31 @@ pub(crate) fn end_forces(w: &Deflection, ends: [Option<BeamPoint>; 2]) -> Option
         let to = if i == b.cell { b.s } else { 1.0 };
         [from, to]
     };
-    let length = |i: usize| decay(&w.mesh.cells[i], half_length(&w.mesh.cells[i], within(i)));
+    let length =
+        |i: usize| decay(&w.mesh.cells[i], half_length(&w.mesh.cells[i], within(i))).value();
     let whole: f64 = (a.cell..=b.cell).map(length).sum();
     if whole > LONGEST {
         return None;
     }
     let part = |i: usize| SpanPart::of(&w.mesh.cells[i], i, within(i));
-    let parts: Vec<SpanPart> = (a.cell..=b.cell).map(part).collect::<Option<_>>()?;
+    let parts: Vec<SpanPart<R>> = (a.cell..=b.cell).map(part).collect::<Option<_>>()?;
     if whole <= 0.0 {
         // Two arcs that meet at a corner: it opens if the corner pulls, at both alike.
-        let pull = parts.iter().skip(1).map(|part| 0.5 * w.corner(part.cell)).sum();
+        let pull = parts.iter().skip(1).map(|part| w.corner(part.cell) * 0.5).sum();
         return Some([pull; 2]);
     }
     let noise: f64 = parts.iter().map(|part| 2.0 * part.half * pressure_size(w, part.cell)).sum();
-    let soft: f64 =
-        parts.iter().map(|part| 2.0 * part.half / w.mesh.cells[part.cell].shear_layer).sum();
-    if noise * soft > w.obstacle_at(a).abs() + w.obstacle_at(b).abs() {
+    let soft: f64 = parts
+        .iter()
+        .map(|part| 2.0 * part.half / w.mesh.cells[part.cell].shear_layer.value())
+        .sum();
+    if noise * soft > w.obstacle_at(a).value().abs() + w.obstacle_at(b).value().abs() {
         return None;
     }
     let from_right = shape(parts.iter().rev(), true);
     let from_left = shape(parts.iter(), false);
     let count = parts.len();
-    let mut forces = [0.0; 2];
+    let mut forces = [R::ZERO; 2];
     for (i, part) in parts.iter().enumerate() {
         let phi_a = [from_right[count - i], from_right[count - i - 1]];
         let phi_b = [from_left[i], from_left[i + 1]];
@@ -194,8 +205,8 @@ pub(crate) fn end_forces(w: &Deflection, ends: [Option<BeamPoint>; 2]) -> Option
         }
         if part.to > part.from {
             let under = part.under(&w.pressure(part.cell));
-            forces[0] += part.half * (phi_a[0] * under[0] + phi_a[1] * under[1]);
-            forces[1] += part.half * (phi_b[0] * under[0] + phi_b[1] * under[1]);
+            forces[0] += (phi_a[0] * under[0] + phi_a[1] * under[1]) * part.half;
+            forces[1] += (phi_b[0] * under[0] + phi_b[1] * under[1]) * part.half;
         }
     }
     Some(forces)
@@ -221,24 +232,25 @@ pub(crate) fn opened(w: &Deflection, ends: [BeamPoint; 2]) -> Option<[BeamPoint;
 }
 
 /// What the terms of π in a cell add up to without their signs.
-fn pressure_size(w: &Deflection, i: usize) -> f64 {
+fn pressure_size<R: Real>(w: &Deflection<R>, i: usize) -> f64 {
     let cell = &w.mesh.cells[i];
-    let bend = 4.0 * cell.shear_layer / (cell.length() * cell.length());
+    let subgrade = cell.subgrade.value();
+    let bend = 4.0 * cell.shear_layer.value() / (cell.length() * cell.length());
     let terms = w.obstacle(i);
     let terms = terms.iter().enumerate();
-    terms.map(|(j, c)| c.abs() * (cell.subgrade + bend * (j * j.saturating_sub(1)) as f64)).sum()
+    terms.map(|(j, c)| c.value().abs() * (subgrade + bend * (j * j.saturating_sub(1)) as f64)).sum()
 }
 
 /// The unloaded ground over parts in a row, 0 where the first begins and 1 where the last ends, at every
 /// joint of two.
-fn shape<'a>(parts: impl Iterator<Item = &'a SpanPart>, turned: bool) -> Vec<f64> {
-    let mut values = vec![0.0];
-    let (mut phi, mut flux) = (0.0, 1.0);
+fn shape<'a, R: Real + 'a>(parts: impl Iterator<Item = &'a SpanPart<R>>, turned: bool) -> Vec<R> {
+    let mut values = vec![R::ZERO];
+    let (mut phi, mut flux) = (R::ZERO, R::ONE);
     for part in parts {
         [phi, flux] = part.cross(phi, flux, turned);
         values.push(phi);
     }
-    values.iter().map(|value| value / phi).collect()
+    values.iter().map(|value| *value / phi).collect()
 }
 
 /// Gauss's rule with sixteen points, \[−1, 1\]: exact to degree 31, a cell's series and the ground's shape.

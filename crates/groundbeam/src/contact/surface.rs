@@ -7,37 +7,38 @@ use crate::mesh::ground_runs::{GroundRun, ground_runs};
 use crate::mesh::mesh::Mesh;
 use crate::mesh::open_ground::cell_part;
 use crate::mesh::open_ground::{heights, open_link, open_links};
+use crate::numeric::real::Real;
 
 /// A part of a cell in which beam and ground touch all along or not at all.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct SurfacePart {
+pub(crate) struct SurfacePart<R = f64> {
     pub cell: usize,
     /// Its ends in the cell's coordinate.
     pub s: [f64; 2],
     /// Off contact: u at both ends.
-    pub open: Option<[f64; 2]>,
+    pub open: Option<[R; 2]>,
 }
 
 /// A concentrated contact force.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct PointForce {
+pub(crate) struct PointForce<R = f64> {
     pub point: BeamPoint,
-    pub force: f64,
+    pub force: R,
 }
 
 /// The ground's surface under a beam.
-#[derive(Debug, Clone, Default)]
-pub(crate) struct Surface {
+#[derive(Debug, Clone)]
+pub(crate) struct Surface<R = f64> {
     /// From left to right; every cell is covered.
-    pub parts: Vec<SurfacePart>,
+    pub parts: Vec<SurfacePart<R>>,
     /// Where a concentrated force can stand: ends of the beam and of the shear layer, corners, single
     /// points of contact.
-    pub point_forces: Vec<PointForce>,
+    pub point_forces: Vec<PointForce<R>>,
 }
 
-impl Surface {
-    pub fn of(w: &Deflection, zones: &[MeshZone]) -> Self {
-        let mut surface = Surface::default();
+impl<R: Real> Surface<R> {
+    pub fn of(w: &Deflection<R>, zones: &[MeshZone]) -> Self {
+        let mut surface = Surface { parts: Vec::new(), point_forces: Vec::new() };
         for run in ground_runs(w.mesh) {
             let cells = run.cells.clone();
             let own: Vec<MeshZone> =
@@ -51,18 +52,18 @@ impl Surface {
         surface
     }
 
-    fn add_winkler(&mut self, run: &GroundRun, zones: &[MeshZone]) {
+    fn add_winkler(&mut self, run: &GroundRun<R>, zones: &[MeshZone]) {
         let mut at = BeamPoint { cell: run.cells.start, s: -1.0 };
         let end = BeamPoint { cell: run.cells.end - 1, s: 1.0 };
         for zone in zones.iter().filter(|z| z.from != z.to) {
-            self.cover(at, zone.from, Some([0.0; 2]));
+            self.cover(at, zone.from, Some([R::ZERO; 2]));
             self.cover(zone.from, zone.to, None);
             at = zone.to;
         }
-        self.cover(at, end, Some([0.0; 2]));
+        self.cover(at, end, Some([R::ZERO; 2]));
     }
 
-    fn cover(&mut self, from: BeamPoint, to: BeamPoint, open: Option<[f64; 2]>) {
+    fn cover(&mut self, from: BeamPoint, to: BeamPoint, open: Option<[R; 2]>) {
         for cell in from.cell..=to.cell {
             let start = if cell == from.cell { from.s } else { -1.0 };
             let end = if cell == to.cell { to.s } else { 1.0 };
@@ -72,7 +73,7 @@ impl Surface {
         }
     }
 
-    fn add_pasternak(&mut self, w: &Deflection, run: &GroundRun, zones: &[MeshZone]) {
+    fn add_pasternak(&mut self, w: &Deflection<R>, run: &GroundRun<R>, zones: &[MeshZone]) {
         let end = BeamPoint { cell: run.cells.end - 1, s: 1.0 };
         let mut left: Option<BeamPoint> = None;
         // What the ground on the left of the zone takes at its left end.
@@ -81,7 +82,7 @@ impl Surface {
             let last = i + 1 == zones.len();
             let next = if last { None } else { Some(zones[i + 1].from) };
             let after = open_link(w.mesh, run, Some(zone.to), next);
-            let fluxes = |ends: [Option<BeamPoint>; 2], link: Option<TwoPort>| {
+            let fluxes = |ends: [Option<BeamPoint>; 2], link: Option<TwoPort<R>>| {
                 short_span::fluxes(w, ends, &link.unwrap_or_default())
             };
             let [_, flux_in] = fluxes([left, Some(zone.from)], before);
@@ -100,7 +101,7 @@ impl Surface {
     }
 
     /// Forces at the ends of a zone and at the corners within it.
-    fn add_zone_atoms(&mut self, w: &Deflection, zone: &MeshZone, flux_in: f64, flux_out: f64) {
+    fn add_zone_atoms(&mut self, w: &Deflection<R>, zone: &MeshZone, flux_in: R, flux_out: R) {
         if can_carry(w.mesh, zone.from) {
             let force = flux_in - w.flux(zone.from);
             self.point_forces.push(PointForce { point: zone.from, force });
@@ -120,15 +121,15 @@ impl Surface {
     /// Covers open ground between two points; returns the whole two-port.
     fn open(
         &mut self,
-        w: &Deflection,
-        run: &GroundRun,
+        w: &Deflection<R>,
+        run: &GroundRun<R>,
         from: Option<BeamPoint>,
         to: Option<BeamPoint>,
-    ) -> Option<TwoPort> {
+    ) -> Option<TwoPort<R>> {
         let links = open_links(w.mesh, run, from, to);
-        let start = from.map_or(0.0, |point| w.obstacle_at(point));
-        let end = to.map_or(0.0, |point| w.obstacle_at(point));
-        let row: Vec<TwoPort> = links.iter().map(|(_, link)| *link).collect();
+        let start = from.map_or(R::ZERO, |point| w.obstacle_at(point));
+        let end = to.map_or(R::ZERO, |point| w.obstacle_at(point));
+        let row: Vec<TwoPort<R>> = links.iter().map(|(_, link)| *link).collect();
         let (values, whole) = heights(&row, [start, end]);
         for (i, (part, _)) in links.iter().enumerate() {
             if let Some((cell, s)) = *part {
@@ -139,7 +140,7 @@ impl Surface {
     }
 
     /// The parts; where EI or the ground varies, each cut into short power series.
-    pub fn short_parts(&self, mesh: &Mesh) -> Vec<SurfacePart> {
+    pub fn short_parts(&self, mesh: &Mesh<R>) -> Vec<SurfacePart<R>> {
         let mut parts = Vec::with_capacity(self.parts.len());
         for part in &self.parts {
             let cell = &mesh.cells[part.cell];
@@ -157,8 +158,8 @@ impl Surface {
             cuts.push(part.s[1]);
             let runs = || cuts.windows(2).map(|s| [s[0], s[1]]);
             let values = match part.open {
-                Some(ends) if cuts.len() > 2 && cell.shear_layer > 0.0 => {
-                    let row: Vec<TwoPort> = runs().map(|[a, b]| cell_part(cell, a, b)).collect();
+                Some(ends) if cuts.len() > 2 && cell.shear_layer.value() > 0.0 => {
+                    let row: Vec<TwoPort<R>> = runs().map(|[a, b]| cell_part(cell, a, b)).collect();
                     heights(&row, ends).0
                 }
                 _ => Vec::new(),
@@ -174,10 +175,10 @@ impl Surface {
     }
 
     /// Concentrated force at the beam's left and right end.
-    pub fn end_forces(&self, mesh: &Mesh) -> [f64; 2] {
+    pub fn end_forces(&self, mesh: &Mesh<R>) -> [R; 2] {
         let last = mesh.cells.len() - 1;
         let at = |point: BeamPoint| {
-            self.point_forces.iter().filter(|a| a.point == point).map(|a| a.force).sum::<f64>()
+            self.point_forces.iter().filter(|a| a.point == point).map(|a| a.force).sum::<R>()
         };
         [at(BeamPoint { cell: 0, s: -1.0 }), at(BeamPoint { cell: last, s: 1.0 })]
     }
@@ -203,7 +204,7 @@ fn halved(
 
 /// Whether mechanics allows a concentrated force at the end of an interval of contact: at the ends of the
 /// beam and of the shear layer, at corners, at hinges and where a beam that shears has a kink. Elsewhere the ground leaves the beam tangentially.
-pub(crate) fn can_carry(mesh: &Mesh, point: BeamPoint) -> bool {
+pub(crate) fn can_carry<R: Real>(mesh: &Mesh<R>, point: BeamPoint) -> bool {
     let node = match point.s {
         -1.0 => point.cell,
         1.0 => point.cell + 1,

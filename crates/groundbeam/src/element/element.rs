@@ -7,6 +7,8 @@
 //! mesh is refined; this form keeps them. θ is the rotation of the sections: w' where the beam has no shear
 //! flexibility.
 
+use crate::numeric::real::{Real, sum};
+
 /// The meaning of the four unknowns v of an element.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(crate) enum Basis {
@@ -20,31 +22,32 @@ pub(crate) enum Basis {
 
 /// Energy ½ vᵀKv − qᵀv of an element.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(crate) struct Element {
+pub(crate) struct Element<R = f64> {
     /// Length \[m\].
     pub length: f64,
     /// What v is.
     pub basis: Basis,
     /// K.
-    pub stiffness: [[f64; 4]; 4],
+    pub stiffness: [[R; 4]; 4],
     /// q.
-    pub load: [f64; 4],
+    pub load: [R; 4],
 }
 
-impl Element {
+impl<R: Real> Element<R> {
     /// The coefficients of v in w at the element's left or right end.
-    pub fn end_row(&self, right: bool) -> [f64; 4] {
-        match (right, self.basis) {
+    pub fn end_row(&self, right: bool) -> [R; 4] {
+        let row: [f64; 4] = match (right, self.basis) {
             (false, _) => [1.0, 0.0, 0.0, 0.0],
             (true, Basis::Deformation) => [1.0, self.length, 1.0, 0.0],
             (true, Basis::Ends) => [0.0, 0.0, 1.0, 0.0],
-        }
+        };
+        row.map(R::from)
     }
 
     /// The element seen in a mirror, in its own four numbers there.
     pub fn mirrored(&self) -> Self {
         let (h, basis) = (self.length, self.basis);
-        let half: [[f64; 4]; 4] = self.stiffness.map(|row| mirror_row(&row, h, basis));
+        let half: [[R; 4]; 4] = self.stiffness.map(|row| mirror_row(&row, h, basis));
         let stiffness = std::array::from_fn(|j| {
             let column = [half[0][j], half[1][j], half[2][j], half[3][j]];
             mirror_row(&column, h, basis)
@@ -53,28 +56,25 @@ impl Element {
     }
 
     /// K v − q: the forces on the left end, and those that work on the deformation.
-    #[cfg(test)]
-    pub fn forces(&self, v: &[f64; 4]) -> [f64; 4] {
-        std::array::from_fn(|i| {
-            self.stiffness[i].iter().zip(v).map(|(k, v)| k * v).sum::<f64>() - self.load[i]
-        })
+    pub fn forces(&self, v: &[R; 4]) -> [R; 4] {
+        std::array::from_fn(|i| sum::<R, 4>(|j| self.stiffness[i][j] * v[j]) - self.load[i])
     }
 }
 
 /// The four numbers of an element from those of the element seen in a mirror, and back.
-pub(crate) fn mirror_shape(v: &[f64; 4], h: f64, basis: Basis) -> [f64; 4] {
+pub(crate) fn mirror_shape<R: Real>(v: &[R; 4], h: f64, basis: Basis) -> [R; 4] {
     let [w, theta, d1, d2] = *v;
     match basis {
-        Basis::Deformation => [w + h * theta + d1, -(theta + d2), h * d2 - d1, d2],
+        Basis::Deformation => [w + theta * h + d1, -(theta + d2), d2 * h - d1, d2],
         Basis::Ends => [d1, -d2, w, -theta],
     }
 }
 
 /// What multiplies the four numbers of the element seen in a mirror: row·v = row·(Q v') with Q of [`mirror_shape`].
-pub(crate) fn mirror_row(row: &[f64; 4], h: f64, basis: Basis) -> [f64; 4] {
+pub(crate) fn mirror_row<R: Real>(row: &[R; 4], h: f64, basis: Basis) -> [R; 4] {
     let [a, b, c, d] = *row;
     match basis {
-        Basis::Deformation => [a, h * a - b, a - c, d - b + h * c],
+        Basis::Deformation => [a, a * h - b, a - c, d - b + c * h],
         Basis::Ends => [c, -d, a, -b],
     }
 }

@@ -11,6 +11,7 @@ pub(crate) mod series;
 pub(crate) mod uniform;
 
 use crate::mesh::cell::Cell;
+use crate::numeric::real::Real;
 use element::{Element, REACH, TERMS};
 use operator::Operator;
 use series::Series;
@@ -43,9 +44,9 @@ pub(crate) fn count(operator: &Operator, length: f64) -> usize {
 }
 
 /// The number of equal elements into which a stretch of `length` must be cut.
-pub(crate) fn parts(operator: &Operator, length: f64) -> usize {
+pub(crate) fn parts<R: Real>(operator: &Operator<R>, length: f64) -> usize {
     let wave = match Layers::of(operator, length) {
-        Some(layers) => layers.slow_squared.sqrt(),
+        Some(layers) => layers.slow_squared.value().sqrt(),
         None => operator.wave_number(),
     };
     (wave * length / REACH).ceil().max(1.0) as usize
@@ -53,9 +54,9 @@ pub(crate) fn parts(operator: &Operator, length: f64) -> usize {
 
 /// The element and its functions, which give w(s) from the four unknowns.
 #[derive(Debug, Clone)]
-pub(crate) struct ExactElement {
-    pub element: Element,
-    functions: Functions,
+pub(crate) struct ExactElement<R = f64> {
+    pub element: Element<R>,
+    functions: Functions<R>,
 }
 
 #[derive(Debug, Clone)]
@@ -63,15 +64,15 @@ pub(crate) struct ExactElement {
     clippy::large_enum_variant,
     reason = "nearly all elements are uniform, so boxing them would cost time"
 )]
-enum Functions {
-    Uniform(Uniform),
+enum Functions<R> {
+    Uniform(Uniform<R>),
     /// The coefficients of w(s), whatever the four numbers are.
-    Quiet([f64; TERMS]),
-    Series(Box<Series>),
+    Quiet([R; TERMS]),
+    Series(Box<Series<R>>),
 }
 
-impl ExactElement {
-    pub fn new(operator: &Operator, length: f64) -> Self {
+impl<R: Real> ExactElement<R> {
+    pub fn new(operator: &Operator<R>, length: f64) -> Self {
         if let Some(polynomials) = &operator.polynomials {
             let (element, series) = Series::new(polynomials, length);
             return ExactElement { element, functions: Functions::Series(Box::new(series)) };
@@ -86,7 +87,7 @@ impl ExactElement {
     }
 
     /// The boundary layers that are part of w in addition to its series.
-    pub fn layers(&self) -> Option<&Layers> {
+    pub fn layers(&self) -> Option<&Layers<R>> {
         match &self.functions {
             Functions::Uniform(uniform) => uniform.layers.as_ref(),
             Functions::Quiet(_) | Functions::Series(_) => None,
@@ -94,7 +95,7 @@ impl ExactElement {
     }
 
     /// The coefficients of φ(s), the rotation of the sections, if the beam shears.
-    pub fn rotation(&self, v: &[f64; 4]) -> Option<[f64; TERMS]> {
+    pub fn rotation(&self, v: &[R; 4]) -> Option<[R; TERMS]> {
         match &self.functions {
             Functions::Uniform(_) | Functions::Quiet(_) => None,
             Functions::Series(series) => series.rotation(v),
@@ -103,13 +104,13 @@ impl ExactElement {
 
     /// w for the element's four unknowns: the coefficients of its series w(s), and the amplitudes of the
     /// boundary layers at the left and the right end, which are not part of the series.
-    pub fn unfold(&self, v: &[f64; 4]) -> ([f64; TERMS], [f64; 2]) {
+    pub fn unfold(&self, v: &[R; 4]) -> ([R; TERMS], [R; 2]) {
         match &self.functions {
             Functions::Uniform(uniform) => {
                 uniform.unfold(self.element.basis, self.element.length, v)
             }
-            Functions::Quiet(series) => (*series, [0.0; 2]),
-            Functions::Series(series) => (series.deflection(v), [0.0; 2]),
+            Functions::Quiet(series) => (*series, [R::ZERO; 2]),
+            Functions::Series(series) => (series.deflection(v), [R::ZERO; 2]),
         }
     }
 }

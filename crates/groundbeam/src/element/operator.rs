@@ -5,6 +5,7 @@ use crate::element::element::MOST;
 use crate::mesh::cell::{Cell, GROUND};
 use crate::model::Profile;
 use crate::numeric::polynomial::value;
+use crate::numeric::real::Real;
 
 /// Whether the beam is in contact with the ground along a whole cell.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -17,30 +18,30 @@ pub(crate) enum ZoneKind {
 
 /// The coefficients of (EI w″)″ − (N w')' + κ w = F − G' on a cell, with or without contact.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Operator {
+pub(crate) struct Operator<R = f64> {
     /// EI.
-    pub stiffness: f64,
+    pub stiffness: R,
     /// N: P, plus μ in contact.
-    pub tension: f64,
+    pub tension: R,
     /// κ: k in contact, otherwise 0.
-    pub subgrade: f64,
+    pub subgrade: R,
     /// F at both ends: f, plus k g₀ in contact.
-    pub load: [f64; 2],
+    pub load: [R; 2],
     /// G at both ends: g, plus μ g₀' in contact.
-    pub moment_load: [f64; 2],
+    pub moment_load: [R; 2],
     /// EI κ₀ at both ends, of an imposed curvature κ₀.
-    pub imposed_moments: [f64; 2],
+    pub imposed_moments: [R; 2],
     /// All coefficients as polynomials, if EI, N or κ varies or the beam shears. The fields above are then
     /// their values at the middle and at the ends.
-    pub polynomials: Option<Polynomials>,
+    pub polynomials: Option<Polynomials<R>>,
 }
 
-impl Operator {
-    pub fn of(cell: &Cell, axial_force: f64, touch: ZoneKind) -> Self {
+impl<R: Real> Operator<R> {
+    pub fn of(cell: &Cell<R>, axial_force: R, touch: ZoneKind) -> Self {
         let off = Operator {
             stiffness: cell.stiffness,
             tension: axial_force,
-            subgrade: 0.0,
+            subgrade: R::ZERO,
             load: cell.load,
             moment_load: cell.moment_load,
             imposed_moments: cell.curvature.map(|curvature| cell.stiffness * curvature),
@@ -70,7 +71,7 @@ impl Operator {
     /// give the bound. For a beam that shears the equation is EI (1 + N/S) r⁴ − (N + EI κ/S) r² + κ = 0.
     pub fn wave_number(&self) -> f64 {
         let [stiffness, tension, spring] = match &self.polynomials {
-            None => [self.stiffness, self.tension.abs(), self.subgrade],
+            None => [self.stiffness.value(), self.tension.value().abs(), self.subgrade.value()],
             Some(all) => all.extremes(),
         };
         wave_number(stiffness, tension, spring)
@@ -86,42 +87,42 @@ pub(crate) fn wave_number(stiffness: f64, tension: f64, spring: f64) -> f64 {
 
 /// The coefficients of the beam equation on a cell as polynomials of s ∈ \[−1, 1\], with or without contact.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Polynomials {
+pub(crate) struct Polynomials<R = f64> {
     /// EI.
-    pub stiffness: [f64; Profile::MOST],
+    pub stiffness: [R; Profile::MOST],
     /// S, if the beam shears.
-    pub shear: Option<[f64; Profile::MOST]>,
+    pub shear: Option<[R; Profile::MOST]>,
     /// N: P, plus μ in contact.
-    pub tension: [f64; GROUND],
+    pub tension: [R; GROUND],
     /// κ: k in contact, otherwise 0.
-    pub spring: [f64; GROUND],
+    pub spring: [R; GROUND],
     /// F: f, plus k g₀ in contact.
-    pub load: [f64; GROUND + 1],
+    pub load: [R; GROUND + 1],
     /// G, which works on w′: μ g₀′ in contact.
-    pub slope_load: [f64; GROUND],
+    pub slope_load: [R; GROUND],
     /// g, which works on φ.
-    pub moment_load: [f64; 2],
+    pub moment_load: [R; 2],
     /// κ₀.
-    pub curvature: [f64; 2],
+    pub curvature: [R; 2],
 }
 
-impl Polynomials {
+impl<R: Real> Polynomials<R> {
     /// `None` if EI, N and κ are constant and the beam does not shear.
-    pub fn of(cell: &Cell, axial_force: f64, touch: ZoneKind) -> Option<Self> {
+    pub fn of(cell: &Cell<R>, axial_force: R, touch: ZoneKind) -> Option<Self> {
         let ground_varies = touch == ZoneKind::Contact && cell.ground_varies();
         let needed = cell.beam_shear.is_some() || cell.beam_varies() || ground_varies;
         needed.then(|| Self::along(cell, axial_force, touch))
     }
 
-    fn along(cell: &Cell, axial_force: f64, touch: ZoneKind) -> Self {
-        let linear = |v: [f64; 2]| [0.5 * (v[0] + v[1]), 0.5 * (v[1] - v[0])];
+    fn along(cell: &Cell<R>, axial_force: R, touch: ZoneKind) -> Self {
+        let linear = |v: [R; 2]| [(v[0] + v[1]) * 0.5, (v[1] - v[0]) * 0.5];
         let mut all = Polynomials {
             stiffness: cell.stiffness_along(),
             shear: cell.beam_shear,
-            tension: [0.0; GROUND],
-            spring: [0.0; GROUND],
-            load: [0.0; GROUND + 1],
-            slope_load: [0.0; GROUND],
+            tension: [R::ZERO; GROUND],
+            spring: [R::ZERO; GROUND],
+            load: [R::ZERO; GROUND + 1],
+            slope_load: [R::ZERO; GROUND],
             moment_load: linear(cell.moment_load),
             curvature: linear(cell.curvature),
         };
@@ -138,8 +139,8 @@ impl Polynomials {
                 all.slope_load[i] = mu * cell.gap_slope;
             }
             for (i, k) in all.spring.iter().enumerate() {
-                all.load[i] += k * gap[0];
-                all.load[i + 1] += k * gap[1];
+                all.load[i] += *k * gap[0];
+                all.load[i + 1] += *k * gap[1];
             }
         }
         all
@@ -149,14 +150,14 @@ impl Polynomials {
     fn resists_shear(&self) -> bool {
         self.shear.as_ref().is_none_or(|shear| {
             let both = |s| value(shear, s) + value(&self.tension, s);
-            ENDS_AND_MIDDLE.into_iter().all(|s| both(s) > 0.0)
+            ENDS_AND_MIDDLE.into_iter().all(|s| both(s).value() > 0.0)
         })
     }
 
     /// EI, |N| and κ of a uniform element that only bends and has the shortest waves of this element, from
     /// the values at the ends and in the middle.
     fn extremes(&self) -> [f64; 3] {
-        let at = |c: &[f64]| ENDS_AND_MIDDLE.map(|s| value(c, s));
+        let at = |c: &[R]| ENDS_AND_MIDDLE.map(|s| value(c, s).value());
         let largest = |c: [f64; 3]| c.into_iter().map(f64::abs).fold(0.0, f64::max);
         let [stiffness, tension, spring] =
             [&self.stiffness[..], &self.tension, &self.spring].map(at);

@@ -8,6 +8,7 @@
 use crate::element::element::{Basis, Element, TERMS};
 use crate::element::operator::Operator;
 use crate::element::uniform::bend;
+use crate::numeric::real::{Real, sum as sum_of};
 
 /// The depth of the waves from an end, as a multiple of 1/λ.
 const DEPTH: f64 = 50.0;
@@ -17,13 +18,13 @@ const DEPTH: f64 = 50.0;
 const SHORTEST: f64 = 40.0;
 
 /// The depth of the waves from the ends of a stretch; `None` if the stretch is too short for a quiet element.
-pub(crate) fn depth(operator: &Operator, length: f64) -> Option<f64> {
+pub(crate) fn depth<R: Real>(operator: &Operator<R>, length: f64) -> Option<f64> {
     let loads = particular(operator, length);
-    let is_loaded = operator.subgrade > 0.0 && loads[0] * loads[1] > 0.0;
+    let is_loaded = operator.subgrade.value() > 0.0 && (loads[0] * loads[1]).value() > 0.0;
     if operator.polynomials.is_some() || !is_loaded {
         return None;
     }
-    let [sum, product] = roots(operator);
+    let [sum, product] = roots(operator).map(R::value);
     let apart = sum * sum - 4.0 * product;
     // The smaller of two real roots, without cancellation.
     let decay = if apart > 0.0 { 2.0 * product / (sum + apart.sqrt()) } else { 0.5 * sum };
@@ -32,38 +33,38 @@ pub(crate) fn depth(operator: &Operator, length: f64) -> Option<f64> {
 }
 
 /// σ and π.
-fn roots(operator: &Operator) -> [f64; 2] {
+fn roots<R: Real>(operator: &Operator<R>) -> [R; 2] {
     let product = (operator.subgrade / operator.stiffness).sqrt();
-    [(operator.tension / operator.stiffness + 2.0 * product).max(0.0).sqrt(), product]
+    let square = operator.tension / operator.stiffness + product * 2.0;
+    [if square.value() > 0.0 { square.sqrt() } else { R::ZERO }, product]
 }
 
 /// w_p at both ends.
-fn particular(operator: &Operator, length: f64) -> [f64; 2] {
+fn particular<R: Real>(operator: &Operator<R>, length: f64) -> [R; 2] {
     let [left, right] = operator.moment_load;
     let rise = (right - left) / length;
     operator.load.map(|load| (load - rise) / operator.subgrade)
 }
 
 /// The element and the coefficients of w(s).
-pub(crate) fn element(operator: &Operator, length: f64) -> (Element, [f64; TERMS]) {
+pub(crate) fn element<R: Real>(operator: &Operator<R>, length: f64) -> (Element<R>, [R; TERMS]) {
     let ends = particular(operator, length);
     let slope = (ends[1] - ends[0]) / length;
     let [sum, product] = roots(operator);
     let [ww, wt, tt] = [sum * product, product, sum].map(|k| operator.stiffness * k);
     let mut element = Element { length, basis: Basis::Ends, ..Element::default() };
+    let zero = R::ZERO;
     element.stiffness =
-        [[ww, wt, 0.0, 0.0], [wt, tt, 0.0, 0.0], [0.0, 0.0, ww, -wt], [0.0, 0.0, -wt, tt]];
+        [[ww, wt, zero, zero], [wt, tt, zero, zero], [zero, zero, ww, -wt], [zero, zero, -wt, tt]];
     // The end forces of the particular solution itself: −N w′ + G on the left.
     let [left, right] = operator.moment_load;
-    let own = [left - operator.tension * slope, 0.0, operator.tension * slope - right, 0.0];
+    let own = [left - operator.tension * slope, zero, operator.tension * slope - right, zero];
     let values = [ends[0], slope, ends[1], slope];
-    element.load = std::array::from_fn(|i| {
-        let row = element.stiffness[i].iter().zip(values);
-        row.map(|(k, v)| k * v).sum::<f64>() - own[i]
-    });
+    element.load =
+        std::array::from_fn(|i| sum_of::<R, 4>(|j| element.stiffness[i][j] * values[j]) - own[i]);
     bend(&mut element, operator.imposed_moments);
-    let mut series = [0.0; TERMS];
-    (series[0], series[1]) = (0.5 * (ends[0] + ends[1]), 0.5 * (ends[1] - ends[0]));
+    let mut series = [R::ZERO; TERMS];
+    (series[0], series[1]) = ((ends[0] + ends[1]) * 0.5, (ends[1] - ends[0]) * 0.5);
     (element, series)
 }
 

@@ -18,36 +18,37 @@
 
 use crate::element::element::{Basis, Element, TERMS};
 use crate::element::operator::Polynomials;
+use crate::numeric::real::{Real, sum};
 
 /// One number for each of the five solutions: four without load, and the one with load.
-type Five = [f64; 5];
+type Five<R> = [R; 5];
 
 /// The index of the solution with load.
 const LOADED: usize = 4;
 
 /// The functions of an element.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Series {
+pub(crate) struct Series<R = f64> {
     /// Coefficients of w of the five solutions.
-    deflection: [Five; TERMS],
+    deflection: [Five<R>; TERMS],
     /// Coefficients of φ, if the beam shears.
-    rotation: Option<[Five; TERMS]>,
+    rotation: Option<[Five<R>; TERMS]>,
     /// Amplitudes of the four solutions without load that make one of the element's four unknowns 1 and the
     /// others 0.
-    unit: [[f64; 4]; 4],
+    unit: [[R; 4]; 4],
     /// Amplitudes of the solutions without load that have the end values of the solution with load.
-    held: [f64; 4],
+    held: [R; 4],
 }
 
-impl Series {
-    pub fn new(of: &Polynomials, length: f64) -> (Element, Self) {
+impl<R: Real> Series<R> {
+    pub fn new(of: &Polynomials<R>, length: f64) -> (Element<R>, Self) {
         let a = 0.5 * length;
         let solutions = Solutions::new(of, a);
         let (ends, forces) = (solutions.ends(a), solutions.forces(a));
         let ([free @ .., loaded], [free_forces @ .., loaded_forces]) = (&ends, &forces);
         let unit = [0, 1, 2, 3].map(|i| {
-            let mut wanted = [0.0; 4];
-            wanted[i] = 1.0;
+            let mut wanted = [R::ZERO; 4];
+            wanted[i] = R::ONE;
             amplitudes(free, wanted)
         });
         let held = amplitudes(free, *loaded);
@@ -58,7 +59,7 @@ impl Series {
             element.load[i] = restraining[i] - loaded_forces[i];
             for j in 0..4 {
                 // Symmetric except for rounding.
-                element.stiffness[i][j] = 0.5 * (demanded[j][i] + demanded[i][j]);
+                element.stiffness[i][j] = (demanded[j][i] + demanded[i][j]) * 0.5;
             }
         }
         let rotation = of.shear.is_some().then_some(solutions.rotation);
@@ -66,42 +67,41 @@ impl Series {
     }
 
     /// The coefficients of w(s) for the element's four unknowns.
-    pub fn deflection(&self, v: &[f64; 4]) -> [f64; TERMS] {
+    pub fn deflection(&self, v: &[R; 4]) -> [R; TERMS] {
         self.unfold(v, &self.deflection)
     }
 
     /// The coefficients of φ(s), if the beam shears.
-    pub fn rotation(&self, v: &[f64; 4]) -> Option<[f64; TERMS]> {
+    pub fn rotation(&self, v: &[R; 4]) -> Option<[R; TERMS]> {
         self.rotation.as_ref().map(|rotation| self.unfold(v, rotation))
     }
 
-    fn unfold(&self, v: &[f64; 4], coefficients: &[Five; TERMS]) -> [f64; TERMS] {
-        let by: [f64; 4] = std::array::from_fn(|j| {
-            self.unit.iter().zip(v).map(|(unit, v)| unit[j] * v).sum::<f64>() - self.held[j]
-        });
+    fn unfold(&self, v: &[R; 4], coefficients: &[Five<R>; TERMS]) -> [R; TERMS] {
+        let by: [R; 4] =
+            std::array::from_fn(|j| sum::<R, 4>(|i| self.unit[i][j] * v[i]) - self.held[j]);
         coefficients
             .map(|[p, q, r, s, loaded]| loaded + (by[0] * p + by[1] * q + by[2] * r + by[3] * s))
     }
 }
 
 /// The five solutions.
-struct Solutions {
-    deflection: [Five; TERMS],
-    rotation: [Five; TERMS],
+struct Solutions<R> {
+    deflection: [Five<R>; TERMS],
+    rotation: [Five<R>; TERMS],
     /// γ.
-    strain: [Five; TERMS],
-    moment: [Five; TERMS],
+    strain: [Five<R>; TERMS],
+    moment: [Five<R>; TERMS],
     /// τ.
-    force: [Five; TERMS],
+    force: [Five<R>; TERMS],
     /// κ w − F, and N w′ − G − g, whose work on a rotation enters the virtual work.
-    pressure: [Five; TERMS],
-    turning: [Five; TERMS],
+    pressure: [Five<R>; TERMS],
+    turning: [Five<R>; TERMS],
 }
 
-impl Solutions {
+impl<R: Real> Solutions<R> {
     /// All coefficients, from the state in the middle.
-    fn new(of: &Polynomials, a: f64) -> Self {
-        let zero = [[0.0; 5]; TERMS];
+    fn new(of: &Polynomials<R>, a: f64) -> Self {
+        let zero = [[R::ZERO; 5]; TERMS];
         let mut all = Solutions {
             deflection: zero,
             rotation: zero,
@@ -115,12 +115,11 @@ impl Solutions {
         let [stiffness, tension] = [trimmed(&of.stiffness), trimmed(&of.tension)];
         let spring = trimmed(&of.spring);
         let shear = of.shear.as_ref().map(|shear| {
-            let tension = of.tension.iter().chain(std::iter::repeat(&0.0));
             let mut both = *shear;
-            both.iter_mut().zip(tension).for_each(|(both, n)| *both += n);
+            both.iter_mut().zip(of.tension).for_each(|(both, n)| *both += n);
             (trimmed(shear), both)
         });
-        let given = |c: &[f64], j: usize| c.get(j).copied().unwrap_or_default();
+        let given = |c: &[R], j: usize| c.get(j).copied().unwrap_or_default();
         let mut bend = zero;
         for j in 0..TERMS - 1 {
             let mut pull = product(tension, &all.rotation, j, 0);
@@ -145,10 +144,10 @@ impl Solutions {
 
             let next = a / (j + 1) as f64;
             for i in 0..5 {
-                all.deflection[j + 1][i] = next * (all.rotation[j][i] + all.strain[j][i]);
-                all.rotation[j + 1][i] = next * curvature[i];
-                all.moment[j + 1][i] = -next * shear_force[i];
-                all.force[j + 1][i] = next * all.pressure[j][i];
+                all.deflection[j + 1][i] = (all.rotation[j][i] + all.strain[j][i]) * next;
+                all.rotation[j + 1][i] = curvature[i] * next;
+                all.moment[j + 1][i] = shear_force[i] * -next;
+                all.force[j + 1][i] = all.pressure[j][i] * next;
             }
         }
         all
@@ -157,34 +156,35 @@ impl Solutions {
     /// The state in the middle. The free solutions have a unit deflection, a unit slope, a curvature, and a
     /// shear force with w′ = 0. The moment and the force of the loaded solution balance the constant parts of
     /// imposed curvature and moment loads, so only their variation bends the beam.
-    fn start(&mut self, of: &Polynomials, a: f64) {
+    fn start(&mut self, of: &Polynomials<R>, a: f64) {
         let [stiffness, tension] = [of.stiffness[0], of.tension[0]];
         let shear_force = -stiffness / (a * a * a);
-        let turned = of.shear.map_or(0.0, |shear| -shear_force / shear[0]);
+        let turned = of.shear.map_or(R::ZERO, |shear| -shear_force / shear[0]);
         let [kappa, rise] = of.curvature;
         let bent = -stiffness * kappa;
         let balance = (stiffness * rise + of.stiffness[1] * kappa) / a - of.moment_load[0];
-        self.deflection[0] = [1.0, 0.0, 0.0, 0.0, 0.0];
-        self.rotation[0] = [0.0, 1.0 / a, 0.0, turned, 0.0];
-        self.moment[0] = [0.0, 0.0, stiffness / (a * a), 0.0, bent];
-        self.force[0] = [0.0, tension / a, 0.0, shear_force, balance - of.slope_load[0]];
+        let zero = R::ZERO;
+        self.deflection[0] = [R::ONE, zero, zero, zero, zero];
+        self.rotation[0] = [zero, R::from(1.0 / a), zero, turned, zero];
+        self.moment[0] = [zero, zero, stiffness / (a * a), zero, bent];
+        self.force[0] = [zero, tension / a, zero, shear_force, balance - of.slope_load[0]];
     }
 
     /// w and φ at the left end, and the deformation: ∫γ + ∫(φ − φ_left) and φ_right − φ_left.
-    fn ends(&self, a: f64) -> [[f64; 4]; 5] {
-        let mut ends = [[0.0; 4]; 5];
+    fn ends(&self, a: f64) -> [[R; 4]; 5] {
+        let mut ends = [[R::ZERO; 4]; 5];
         for j in (0..TERMS).rev() {
             let mean = 1.0 / (j + 1) as f64;
             let sign = if j % 2 == 0 { 1.0 } else { -1.0 };
             for (i, [w, rotation, d1, d2]) in ends.iter_mut().enumerate() {
                 let turned = self.rotation[j][i];
-                *w += sign * self.deflection[j][i];
-                *rotation += sign * turned;
+                *w += self.deflection[j][i] * sign;
+                *rotation += turned * sign;
                 if j % 2 == 0 {
-                    *d1 += 2.0 * a * (self.strain[j][i] * mean - turned * (j as f64 * mean));
+                    *d1 += (self.strain[j][i] * mean - turned * (j as f64 * mean)) * (2.0 * a);
                 } else {
-                    *d1 += 2.0 * a * turned;
-                    *d2 += 2.0 * turned;
+                    *d1 += turned * (2.0 * a);
+                    *d2 += turned * 2.0;
                 }
             }
         }
@@ -193,17 +193,17 @@ impl Solutions {
 
     /// The forces on the element: the virtual work of a translation and of a rotation about the left end,
     /// which contains neither bending nor shear; then τ and m at the right end.
-    fn forces(&self, a: f64) -> [[f64; 4]; 5] {
-        let mut forces = [[0.0; 4]; 5];
+    fn forces(&self, a: f64) -> [[R; 4]; 5] {
+        let mut forces = [[R::ZERO; 4]; 5];
         for j in (0..TERMS).rev() {
             let [mean, first] = [1, 2].map(|power| 2.0 * a / (j + power) as f64);
             for (i, [rise, turn, force, moment]) in forces.iter_mut().enumerate() {
                 let pressure = self.pressure[j][i];
                 if j % 2 == 0 {
-                    *rise += mean * pressure;
-                    *turn += mean * (self.turning[j][i] + a * pressure);
+                    *rise += pressure * mean;
+                    *turn += (self.turning[j][i] + pressure * a) * mean;
                 } else {
-                    *turn += first * a * pressure;
+                    *turn += pressure * (first * a);
                 }
                 *force += self.force[j][i];
                 *moment += self.moment[j][i];
@@ -215,8 +215,8 @@ impl Solutions {
 
 /// Amplitudes of the free solutions for given boundary values. The third and fourth amplitudes depend mainly
 /// on the deformations; ground and tension couple them to the first two.
-fn amplitudes(ends: &[[f64; 4]; 4], wanted: [f64; 4]) -> [f64; 4] {
-    let solve = |m: [[f64; 2]; 2], r: [f64; 2]| {
+fn amplitudes<R: Real>(ends: &[[R; 4]; 4], wanted: [R; 4]) -> [R; 4] {
+    let solve = |m: [[R; 2]; 2], r: [R; 2]| {
         let determinant = m[0][0] * m[1][1] - m[0][1] * m[1][0];
         [
             (r[0] * m[1][1] - m[0][1] * r[1]) / determinant,
@@ -226,8 +226,8 @@ fn amplitudes(ends: &[[f64; 4]; 4], wanted: [f64; 4]) -> [f64; 4] {
     let block = |row: usize, column: usize| {
         [0, 1].map(|i| [0, 1].map(|j| ends[2 * column + j][2 * row + i]))
     };
-    let bend = |r: [f64; 2]| solve(block(1, 1), r);
-    let across = |m: [[f64; 2]; 2], x: [f64; 2]| m.map(|row| row[0] * x[0] + row[1] * x[1]);
+    let bend = |r: [R; 2]| solve(block(1, 1), r);
+    let across = |m: [[R; 2]; 2], x: [R; 2]| m.map(|row| row[0] * x[0] + row[1] * x[1]);
     let from_rigid = [0, 1].map(|j| bend(block(1, 0).map(|row| row[j])));
     let bent = bend([wanted[2], wanted[3]]);
     let felt = across(block(0, 1), bent);
@@ -244,28 +244,28 @@ fn amplitudes(ends: &[[f64; 4]; 4], wanted: [f64; 4]) -> [f64; 4] {
 }
 
 /// The forces of a sum of the free solutions.
-fn combined(forces: &[[f64; 4]; 4], by: &[f64; 4]) -> [f64; 4] {
-    std::array::from_fn(|i| by.iter().zip(forces).map(|(by, forces)| by * forces[i]).sum())
+fn combined<R: Real>(forces: &[[R; 4]; 4], by: &[R; 4]) -> [R; 4] {
+    std::array::from_fn(|i| sum::<R, 4>(|j| by[j] * forces[j][i]))
 }
 
 /// The polynomial without trailing zero coefficients.
-fn trimmed(c: &[f64]) -> &[f64] {
+fn trimmed<R: Real>(c: &[R]) -> &[R] {
     let count = c.iter().rposition(|c| *c != 0.0).map_or(0, |last| last + 1);
     &c[..count]
 }
 
 /// The coefficient of s^j in f g for each solution g, without the first `skipped` coefficients of f.
-fn product(f: &[f64], g: &[Five; TERMS], j: usize, skipped: usize) -> Five {
-    let mut sum = [0.0; 5];
+fn product<R: Real>(f: &[R], g: &[Five<R>; TERMS], j: usize, skipped: usize) -> Five<R> {
+    let mut sum = [R::ZERO; 5];
     for (i, f) in f.iter().enumerate().take(j + 1).skip(skipped) {
         for (sum, g) in sum.iter_mut().zip(&g[j - i]) {
-            *sum += f * g;
+            *sum += *f * *g;
         }
     }
     sum
 }
 
-fn minus(a: &Five, b: &Five) -> Five {
+fn minus<R: Real>(a: &Five<R>, b: &Five<R>) -> Five<R> {
     std::array::from_fn(|i| a[i] - b[i])
 }
 

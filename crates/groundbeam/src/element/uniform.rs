@@ -18,121 +18,123 @@ use crate::element::element::{Basis, Element};
 use crate::element::element::{REACH, TERMS};
 use crate::element::operator::Operator;
 use crate::numeric::elementary::{exp, power, tanh};
+use crate::numeric::real::{Real, sum};
 
 /// Real roots so far apart that the larger one gives boundary layers: r₂² ≥ `APART` r₁².
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Layers {
+pub(crate) struct Layers<R = f64> {
     /// r₁² \[1/m²\].
-    pub slow_squared: f64,
+    pub slow_squared: R,
     /// r₂ \[1/m\].
-    pub fast: f64,
+    pub fast: R,
 }
 
 const APART: f64 = 100.0;
 
-impl Layers {
+impl<R: Real> Layers<R> {
     /// `None` if one series is sufficient for the whole length, if the roots are close or complex, or if the
     /// element is a [series](crate::element::series).
-    pub fn of(operator: &Operator, length: f64) -> Option<Self> {
+    pub fn of(operator: &Operator<R>, length: f64) -> Option<Self> {
         let n = operator.tension / operator.stiffness;
         let k = operator.subgrade / operator.stiffness;
-        if operator.polynomials.is_some() || n <= 0.0 || n * n < 4.0 * k {
+        if operator.polynomials.is_some() || n.value() <= 0.0 || (n * n).value() < 4.0 * k.value() {
             return None;
         }
-        let fast_squared = 0.5 * (n + (n * n - 4.0 * k).sqrt());
+        let fast_squared = (n + (n * n - k * 4.0).sqrt()) * 0.5;
         let layers = Layers { slow_squared: k / fast_squared, fast: fast_squared.sqrt() };
-        let wanted = layers.fast * length > REACH && fast_squared >= APART * layers.slow_squared;
+        let wanted = layers.fast.value() * length > REACH
+            && fast_squared.value() >= APART * layers.slow_squared.value();
         wanted.then_some(layers)
     }
 }
 
 /// The functions of an element, even and odd ones.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Uniform {
-    pub layers: Option<Layers>,
-    halves: [Half; 2],
+pub(crate) struct Uniform<R = f64> {
+    pub layers: Option<Layers<R>>,
+    halves: [Half<R>; 2],
 }
 
 /// One parity: two solutions without load, one with load, and the map from their amplitudes to the two
 /// boundary values of this parity.
 #[derive(Debug, Clone, Copy)]
-struct Half {
+struct Half<R> {
     /// Coefficients c₀, c₂, … or c₁, c₃, … of the two free solutions and the loaded one. A boundary layer has
     /// none.
-    series: [[f64; TERMS / 2]; 3],
+    series: [[R; TERMS / 2]; 3],
     /// Boundary values of the three.
-    boundary: [[f64; 2]; 3],
+    boundary: [[R; 2]; 3],
     /// Boundary forces of the three.
-    force: [[f64; 2]; 3],
+    force: [[R; 2]; 3],
 }
 
-impl Uniform {
-    pub fn new(operator: &Operator, length: f64) -> (Element, Self) {
+impl<R: Real> Uniform<R> {
+    pub fn new(operator: &Operator<R>, length: f64) -> (Element<R>, Self) {
         let a = 0.5 * length;
         let ei = operator.stiffness;
         let alpha = operator.tension * a * a / ei;
         let beta = operator.subgrade * power(a, 4) / ei;
-        let mean = |v: [f64; 2]| 0.5 * (v[0] + v[1]);
-        let rise = |v: [f64; 2]| 0.5 * (v[1] - v[0]);
+        let mean = |v: [R; 2]| (v[0] + v[1]) * 0.5;
+        let rise = |v: [R; 2]| (v[1] - v[0]) * 0.5;
         let [force_even, force_odd] = [mean(operator.load), rise(operator.load)];
         let [moment_even, moment_odd] = [mean(operator.moment_load), rise(operator.moment_load)];
-        let unit = power(a, 4) / ei;
+        let unit = R::from(power(a, 4)) / ei;
         let layers = Layers::of(operator, length);
 
         // Even: rigid translation w̄ and bending φ = (θ_right − θ_left)/2.
-        let solve_even = |c0, c2, rho| series::<0>(c0, c2, alpha, beta, rho);
+        let solve_even = |c0, c2, rho| series::<0, R>(c0, c2, alpha, beta, rho);
         let push_even = force_even - moment_odd / a;
         let even = match layers {
             None => [
-                solve_even(1.0, 0.0, 0.0),
-                solve_even(0.0, 0.5, 0.0),
+                solve_even(1.0, 0.0, R::ZERO),
+                solve_even(0.0, 0.5, R::ZERO),
                 solve_even(0.0, 0.0, push_even * unit),
             ],
             Some(layers) => layers.slow::<0>(a, push_even / ei),
         };
         let even = Half::new(even, |c, loaded| {
             let [w, slope, bend, area] = sums(c, &EVEN_SUMS);
-            let push = if loaded { force_even } else { 0.0 };
-            let sink = 2.0 * a * (operator.subgrade * area - push);
-            ([w, slope / a], [sink, 2.0 * ei * bend / (a * a)])
+            let push = if loaded { force_even } else { R::ZERO };
+            let sink = (operator.subgrade * area - push) * (2.0 * a);
+            ([w, slope / a], [sink, ei * 2.0 * bend / (a * a)])
         });
         let even = match layers {
             None => even,
             Some(Layers { fast, .. }) => {
                 // cosh(r₂x)/cosh(r₂a).
                 let tanh = tanh(fast * a);
-                let sink = 2.0 * operator.subgrade * tanh / fast;
-                even.with_layer([1.0, fast * tanh], [sink, 2.0 * ei * fast * fast])
+                let sink = operator.subgrade * 2.0 * tanh / fast;
+                even.with_layer([R::ONE, fast * tanh], [sink, ei * 2.0 * fast * fast])
             }
         };
 
         // Odd: rigid rotation δ = (w_right − w_left)/2 and e = a θ̄ − δ.
-        let solve_odd = |c1, c3, rho| series::<1>(c1, c3, alpha, beta, rho);
+        let solve_odd = |c1, c3, rho| series::<1, R>(c1, c3, alpha, beta, rho);
         let odd = match layers {
             None => [
-                solve_odd(1.0, 0.0, 0.0),
-                solve_odd(0.0, 1.0 / 6.0, 0.0),
+                solve_odd(1.0, 0.0, R::ZERO),
+                solve_odd(0.0, 1.0 / 6.0, R::ZERO),
                 solve_odd(0.0, 0.0, force_odd * unit),
             ],
             Some(layers) => layers.slow::<1>(a, force_odd / ei),
         };
         let odd = Half::new(odd, |c, loaded| {
             let [w, excess, bend, first] = sums(c, &ODD_SUMS);
-            let (push, turn) = if loaded { (force_odd / 3.0, moment_even) } else { (0.0, 0.0) };
+            let [push, turn] = if loaded { [force_odd / 3.0, moment_even] } else { [R::ZERO; 2] };
             // Virtual work of a rigid rotation, so that the large bending terms cancel exactly.
             let turning =
-                2.0 * (operator.tension * w / a + operator.subgrade * first * a - push * a - turn);
-            ([w, excess], [turning, 2.0 * ei * bend / (a * a * a)])
+                (operator.tension * w / a + operator.subgrade * first * a - push * a - turn) * 2.0;
+            ([w, excess], [turning, ei * 2.0 * bend / (a * a * a)])
         });
         let odd = match layers {
             None => odd,
             Some(Layers { fast, .. }) => {
                 // sinh(r₂x)/sinh(r₂a).
                 let z = fast * a;
-                let coth = 1.0 / tanh(z);
+                let coth = R::ONE / tanh(z);
                 let turning =
-                    2.0 * (operator.tension / a + operator.subgrade * a * (coth - 1.0 / z) / z);
-                odd.with_layer([1.0, z * coth - 1.0], [turning, 2.0 * ei * fast * fast / a])
+                    (operator.tension / a + operator.subgrade * a * (coth - R::ONE / z) / z) * 2.0;
+                odd.with_layer([R::ONE, z * coth - 1.0], [turning, ei * 2.0 * fast * fast / a])
             }
         };
         let basis = if layers.is_some() { Basis::Ends } else { Basis::Deformation };
@@ -143,56 +145,56 @@ impl Uniform {
 
     /// The coefficients of w(s) for the element's four unknowns, and the amplitudes of the boundary layers at
     /// the left and the right end, which are not part of them.
-    pub fn unfold(&self, basis: Basis, length: f64, v: &[f64; 4]) -> ([f64; TERMS], [f64; 2]) {
+    pub fn unfold(&self, basis: Basis, length: f64, v: &[R; 4]) -> ([R; TERMS], [R; 2]) {
         let [even_half, odd_half] = &self.halves;
         let a = 0.5 * length;
         let [even, odd] = parities(a, basis).map(|map| map.map(|row| dot(&row, v)));
         let (even, cosh) = even_half.unfold(even);
         let (odd, sinh) = odd_half.unfold(odd);
         let series = std::array::from_fn(|j| if j % 2 == 0 { even[j / 2] } else { odd[j / 2] });
-        let Some(layers) = self.layers else { return (series, [0.0; 2]) };
+        let Some(layers) = self.layers else { return (series, [R::ZERO; 2]) };
         // cosh(zs)/cosh(z) = (e^(−z(1−s)) + e^(−z(1+s)))/(1 + e^(−2z)); sinh has minus signs.
         let decay = exp(-layers.fast * length);
-        let (cosh, sinh) = (cosh / (1.0 + decay), sinh / (1.0 - decay));
+        let (cosh, sinh) = (cosh / (decay + 1.0), sinh / (R::ONE - decay));
         // The part of the amplitudes that is rounding error.
-        let [w_left, left, w_right, right] = v.map(f64::abs);
+        let [w_left, left, w_right, right] = v.map(|v| v.value().abs());
         let turned = left + right;
-        let even = layers.slow_squared * a * (w_left + w_right);
-        let rounding = 4.0 * f64::EPSILON * (turned + even) / layers.fast;
-        let height = |h: f64| if h.abs() > rounding { h } else { 0.0 };
+        let even = layers.slow_squared.value() * a * (w_left + w_right);
+        let rounding = 4.0 * f64::EPSILON * (turned + even) / layers.fast.value();
+        let height = |h: R| if h.value().abs() > rounding { h } else { R::ZERO };
         (series, [height(cosh - sinh), height(cosh + sinh)])
     }
 }
 
-impl Layers {
+impl<R: Real> Layers<R> {
     /// The slow functions of one parity: one free, one zero, one under the load F − G' = EI `push` (s for the
     /// odd one), (D² − r₁²) w = −push/r₂².
-    fn slow<const PARITY: usize>(self, a: f64, push: f64) -> [[f64; TERMS / 2]; 3] {
+    fn slow<const PARITY: usize>(self, a: f64, push: R) -> [[R; TERMS / 2]; 3] {
         let ratio = self.slow_squared * a * a;
-        let series = |first: f64, load: f64| {
-            let mut c = [0.0; TERMS / 2];
+        let series = |first: R, load: R| {
+            let mut c = [R::ZERO; TERMS / 2];
             c[0] = first;
             for i in 0..TERMS / 2 - 1 {
                 let j = (2 * i + PARITY) as f64;
-                let load = if i == 0 { load } else { 0.0 };
+                let load = if i == 0 { load } else { R::ZERO };
                 c[i + 1] = (ratio * c[i] + load) / ((j + 2.0) * (j + 1.0));
             }
             c
         };
         let load = -push * a * a / (self.fast * self.fast);
-        [series(1.0, 0.0), [0.0; TERMS / 2], series(0.0, load)]
+        [series(R::ONE, R::ZERO), [R::ZERO; TERMS / 2], series(R::ZERO, load)]
     }
 
     /// Positions at which to cut an element with ends x, so that each piece of a boundary layer is a short
     /// series.
-    pub fn cuts(&self, x: [f64; 2], heights: [f64; 2]) -> Vec<f64> {
-        let length = x[1] - x[0];
+    pub fn cuts(&self, x: [f64; 2], heights: [R; 2]) -> Vec<f64> {
+        let (length, fast) = (x[1] - x[0], self.fast.value());
         let mut from_end = Vec::new();
         let mut depth = 0.0;
         while depth < LAYER {
             // A smaller amplitude needs fewer terms.
             depth += REACH * exp(depth / 24.0);
-            from_end.push(depth / self.fast);
+            from_end.push(depth / fast);
         }
         let mut cuts = Vec::new();
         if heights[0] != 0.0 {
@@ -202,24 +204,24 @@ impl Layers {
             cuts.extend(from_end.iter().filter(|d| **d < length).map(|d| x[1] - d));
         }
         cuts.sort_by(f64::total_cmp);
-        let near = 0.125 * REACH / self.fast;
+        let near = 0.125 * REACH / fast;
         cuts.dedup_by(|b, a| *b - *a < near);
         cuts
     }
 
     /// Adds the boundary layers on a piece of an element with ends x to the coefficients of w there.
-    pub fn add(&self, x: [f64; 2], heights: [f64; 2], piece: [f64; 2], c: &mut [f64]) {
+    pub fn add(&self, x: [f64; 2], heights: [R; 2], piece: [f64; 2], c: &mut [R]) {
         let half = 0.5 * (piece[1] - piece[0]);
         let ends = [piece[0] - x[0], x[1] - piece[1]];
         for (height, distance, sign) in [(heights[0], ends[0], -1.0), (heights[1], ends[1], 1.0)] {
             // Beyond its depth a layer is zero to rounding; pieces there may be long.
-            if height == 0.0 || self.fast * distance > LAYER {
+            if height == 0.0 || self.fast.value() * distance > LAYER {
                 continue;
             }
             let mut term = height * exp(-self.fast * (distance + half));
             for (j, c) in c.iter_mut().enumerate() {
                 *c += term;
-                term *= sign * self.fast * half / (j + 1) as f64;
+                term *= self.fast * sign * half / (j + 1) as f64;
             }
         }
     }
@@ -229,17 +231,17 @@ impl Layers {
 const LAYER: f64 = 40.0;
 
 /// The recurrence for one parity, from its first two coefficients.
-fn series<const PARITY: usize>(
+fn series<const PARITY: usize, R: Real>(
     first: f64,
     second: f64,
-    alpha: f64,
-    beta: f64,
-    rho: f64,
-) -> [f64; TERMS / 2] {
-    let mut c = [0.0; TERMS / 2];
-    (c[0], c[1]) = (first, second);
+    alpha: R,
+    beta: R,
+    rho: R,
+) -> [R; TERMS / 2] {
+    let mut c = [R::ZERO; TERMS / 2];
+    (c[0], c[1]) = (R::from(first), R::from(second));
     let [by_two, by_four] = &const { falling::<PARITY>() };
-    c[2] = alpha * by_two[0] * c[1] - by_four[0] * (beta * first - rho);
+    c[2] = alpha * by_two[0] * c[1] - (beta * first - rho) * by_four[0];
     for i in 1..TERMS / 2 - 2 {
         c[i + 2] = alpha * by_two[i] * c[i + 1] - beta * by_four[i] * c[i];
     }
@@ -284,33 +286,33 @@ const ODD_SUMS: [[f64; 4]; TERMS / 2] = {
 };
 
 /// Sums of coefficients with four sets of weights, the small coefficients first.
-fn sums(c: &[f64; TERMS / 2], weights: &[[f64; 4]; TERMS / 2]) -> [f64; 4] {
-    let mut sums = [0.0; 4];
+fn sums<R: Real>(c: &[R; TERMS / 2], weights: &[[f64; 4]; TERMS / 2]) -> [R; 4] {
+    let mut sums = [R::ZERO; 4];
     for (c, weights) in c.iter().zip(weights).rev() {
         for (sum, weight) in sums.iter_mut().zip(weights) {
-            *sum += weight * c;
+            *sum += *c * *weight;
         }
     }
     sums
 }
 
-impl Half {
+impl<R: Real> Half<R> {
     fn new(
-        series: [[f64; TERMS / 2]; 3],
-        ends: impl Fn(&[f64; TERMS / 2], bool) -> ([f64; 2], [f64; 2]),
+        series: [[R; TERMS / 2]; 3],
+        ends: impl Fn(&[R; TERMS / 2], bool) -> ([R; 2], [R; 2]),
     ) -> Self {
         let ends = [0, 1, 2].map(|i| ends(&series[i], i == 2));
         Half { series, boundary: ends.map(|e| e.0), force: ends.map(|e| e.1) }
     }
 
     /// The same with a boundary layer as the second free solution.
-    fn with_layer(mut self, boundary: [f64; 2], force: [f64; 2]) -> Self {
+    fn with_layer(mut self, boundary: [R; 2], force: [R; 2]) -> Self {
         (self.boundary[1], self.force[1]) = (boundary, force);
         self
     }
 
     /// Amplitudes of the two free solutions for given boundary values.
-    fn amplitudes(&self, value: [f64; 2]) -> [f64; 2] {
+    fn amplitudes(&self, value: [R; 2]) -> [R; 2] {
         let [p, q, _] = self.boundary;
         let determinant = p[0] * q[1] - q[0] * p[1];
         [
@@ -320,19 +322,19 @@ impl Half {
     }
 
     /// Stiffness and load of this parity in its boundary values.
-    fn condensed(&self) -> ([[f64; 2]; 2], [f64; 2]) {
-        let columns = [self.amplitudes([1.0, 0.0]), self.amplitudes([0.0, 1.0])];
+    fn condensed(&self) -> ([[R; 2]; 2], [R; 2]) {
+        let columns = [[R::ONE, R::ZERO], [R::ZERO, R::ONE]].map(|value| self.amplitudes(value));
         let loaded = self.amplitudes(self.boundary[2]);
-        let force = |amplitude: [f64; 2], i: usize| {
+        let force = |amplitude: [R; 2], i: usize| {
             amplitude[0] * self.force[0][i] + amplitude[1] * self.force[1][i]
         };
-        let cross = 0.5 * (force(columns[0], 1) + force(columns[1], 0));
+        let cross = (force(columns[0], 1) + force(columns[1], 0)) * 0.5;
         let stiffness = [[force(columns[0], 0), cross], [cross, force(columns[1], 1)]];
         (stiffness, [0, 1].map(|i| force(loaded, i) - self.force[2][i]))
     }
 
     /// The coefficients of the series, and separately the second amplitude.
-    fn unfold(&self, value: [f64; 2]) -> ([f64; TERMS / 2], f64) {
+    fn unfold(&self, value: [R; 2]) -> ([R; TERMS / 2], R) {
         let [x, y] = self.boundary[2];
         let [p, q] = self.amplitudes([value[0] - x, value[1] - y]);
         let sum = |i: usize| p * self.series[0][i] + q * self.series[1][i] + self.series[2][i];
@@ -356,14 +358,14 @@ fn parities(a: f64, basis: Basis) -> [[[f64; 4]; 2]; 2] {
 
 /// Adds to q the work on w″ of the moment EI κ₀ of the imposed curvature, linear between its values `moments`
 /// at both ends. Rigid motions do no work on it.
-pub(super) fn bend(element: &mut Element, moments: [f64; 2]) {
-    if moments == [0.0; 2] {
+pub(super) fn bend<R: Real>(element: &mut Element<R>, moments: [R; 2]) {
+    if moments == [R::ZERO; 2] {
         return;
     }
     let [left, right] = moments;
     let rise = (right - left) / element.length;
     let work = match element.basis {
-        Basis::Deformation => [0.0, 0.0, -rise, right],
+        Basis::Deformation => [R::ZERO, R::ZERO, -rise, right],
         Basis::Ends => [rise, -left, -rise, right],
     };
     for (load, work) in element.load.iter_mut().zip(work) {
@@ -371,24 +373,24 @@ pub(super) fn bend(element: &mut Element, moments: [f64; 2]) {
     }
 }
 
-fn dot(row: &[f64; 4], v: &[f64; 4]) -> f64 {
-    row.iter().zip(v).map(|(a, b)| a * b).sum()
+fn dot<R: Real>(row: &[f64; 4], v: &[R; 4]) -> R {
+    sum::<R, 4>(|i| v[i] * row[i])
 }
 
 /// Stiffness and load in the element's four unknowns.
-fn assemble(
+fn assemble<R: Real>(
     length: f64,
     basis: Basis,
-    even: &([[f64; 2]; 2], [f64; 2]),
-    odd: &([[f64; 2]; 2], [f64; 2]),
-) -> Element {
+    even: &([[R; 2]; 2], [R; 2]),
+    odd: &([[R; 2]; 2], [R; 2]),
+) -> Element<R> {
     let maps = parities(0.5 * length, basis);
     let mut element = Element { length, basis, ..Element::default() };
     for (map, (stiffness, load)) in maps.iter().zip([even, odd]) {
         for i in 0..4 {
             let [a, b] = [map[0][i], map[1][i]];
-            element.load[i] += a * load[0] + b * load[1];
-            let row = [0, 1].map(|n| a * stiffness[0][n] + b * stiffness[1][n]);
+            element.load[i] += load[0] * a + load[1] * b;
+            let row = [0, 1].map(|n| stiffness[0][n] * a + stiffness[1][n] * b);
             for j in 0..4 {
                 element.stiffness[i][j] += row[0] * map[0][j] + row[1] * map[1][j];
             }

@@ -10,32 +10,33 @@
 use crate::model::GroundOutside;
 use crate::numeric::elementary::{exp, expm1, power, sinh, tanh};
 use crate::numeric::polynomial::{Coefficients, jet, value};
+use crate::numeric::real::Real;
 
 /// A stretch of unloaded ground between two points of its surface.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(crate) struct TwoPort {
+pub(crate) struct TwoPort<R = f64> {
     /// Spring between the two points \[N/m\].
-    pub series: f64,
+    pub series: R,
     /// Spring under the left point \[N/m\].
-    pub shunt_left: f64,
+    pub shunt_left: R,
     /// Spring under the right point \[N/m\].
-    pub shunt_right: f64,
+    pub shunt_right: R,
 }
 
-impl TwoPort {
+impl<R: Real> TwoPort<R> {
     /// A uniform stretch of length h: k > 0, μ > 0.
-    pub fn uniform(k: f64, mu: f64, h: f64) -> Self {
+    pub fn uniform(k: R, mu: R, h: f64) -> Self {
         let stiffness = (k * mu).sqrt();
         let bh = (k / mu).sqrt() * h;
         // e^(−bh) instead of sinh, which would overflow.
         let decay = exp(-bh);
-        let series = stiffness * 2.0 * decay / -expm1(-2.0 * bh);
-        let shunt = stiffness * tanh(0.5 * bh);
+        let series = stiffness * 2.0 * decay / -expm1(bh * -2.0);
+        let shunt = stiffness * tanh(bh * 0.5);
         TwoPort { series, shunt_left: shunt, shunt_right: shunt }
     }
 
     /// A short stretch of length 2·`half` along which k and μ vary, from their coefficients in s ∈ \[−1, 1\].
-    pub fn varying(spring: &[f64], shear: &[f64], half: f64) -> Self {
+    pub fn varying(spring: &[R], shear: &[R], half: f64) -> Self {
         Pair::new(spring, shear, half).link(shear, half)
     }
 
@@ -46,11 +47,11 @@ impl TwoPort {
     }
 
     /// Two two-ports in series; the point between them is free.
-    pub fn then(self, next: TwoPort) -> Self {
+    pub fn then(self, next: TwoPort<R>) -> Self {
         let outer = self.shunt_right + next.shunt_left;
         let whole = self.series + next.series + outer;
-        if whole <= 0.0 {
-            return TwoPort { series: 0.0, ..self };
+        if whole.value() <= 0.0 {
+            return TwoPort { series: R::ZERO, ..self };
         }
         TwoPort {
             series: self.series * (next.series / whole),
@@ -60,12 +61,12 @@ impl TwoPort {
     }
 
     /// The force on the ground at the left point, for given settlements of both points.
-    pub fn force_left(&self, left: f64, right: f64) -> f64 {
+    pub fn force_left(&self, left: R, right: R) -> R {
         self.shunt_left * left + self.series * (left - right)
     }
 
     /// The force on the ground at the right point.
-    pub fn force_right(&self, left: f64, right: f64) -> f64 {
+    pub fn force_right(&self, left: R, right: R) -> R {
         self.shunt_right * right + self.series * (right - left)
     }
 }
@@ -74,64 +75,69 @@ impl TwoPort {
 const TERMS: usize = 20;
 
 /// The coefficients of u(s) on a short varying stretch, from its end values.
-pub(crate) fn settled(spring: &[f64], shear: &[f64], half: f64, ends: [f64; 2]) -> Coefficients {
+pub(crate) fn settled<R: Real>(
+    spring: &[R],
+    shear: &[R],
+    half: f64,
+    ends: [R; 2],
+) -> Coefficients<R> {
     Pair::new(spring, shear, half).between(ends)
 }
 
 /// Two solutions of −(μu')' + ku = 0 about the middle of a short stretch, with the first terms 1 and s.
-struct Pair {
-    one: [f64; TERMS],
-    rising: [f64; TERMS],
+struct Pair<R> {
+    one: [R; TERMS],
+    rising: [R; TERMS],
 }
 
-impl Pair {
-    fn new(spring: &[f64], shear: &[f64], half: f64) -> Self {
-        let solution = |first: [f64; 2]| {
-            let mut c = [0.0; TERMS];
+impl<R: Real> Pair<R> {
+    fn new(spring: &[R], shear: &[R], half: f64) -> Self {
+        let solution = |first: [R; 2]| {
+            let mut c = [R::ZERO; TERMS];
             c[..2].copy_from_slice(&first);
             for j in 0..TERMS - 2 {
                 // (j+1) [μu']_(j+1) = a² [ku]_j, solved for the newest coefficient of u.
-                let push: f64 = spring.iter().zip(c[..=j].iter().rev()).map(|(k, c)| k * c).sum();
-                let mut flux = half * half * push / (j + 1) as f64;
+                let push: R = spring.iter().zip(c[..=j].iter().rev()).map(|(k, c)| *k * *c).sum();
+                let mut flux = push * (half * half) / (j + 1) as f64;
                 for (i, mu) in shear.iter().enumerate().skip(1).take_while(|(i, _)| *i <= j + 1) {
-                    flux -= mu * (j + 2 - i) as f64 * c[j + 2 - i];
+                    flux -= *mu * (j + 2 - i) as f64 * c[j + 2 - i];
                 }
                 c[j + 2] = flux / (shear[0] * (j + 2) as f64);
             }
             c
         };
-        Pair { one: solution([1.0, 0.0]), rising: solution([0.0, 1.0]) }
+        Pair { one: solution([R::ONE, R::ZERO]), rising: solution([R::ZERO, R::ONE]) }
     }
 
     /// The two amplitudes for given end values, divided by their determinant; no cancellation.
-    fn amplitudes(&self, [left, right]: [f64; 2]) -> ([f64; 2], f64) {
-        let parts = |c: &[f64; TERMS]| {
-            let even: f64 = c.iter().step_by(2).sum();
-            let odd: f64 = c.iter().skip(1).step_by(2).sum();
+    fn amplitudes(&self, [left, right]: [R; 2]) -> ([R; 2], R) {
+        let parts = |c: &[R; TERMS]| {
+            let even: R = c.iter().copied().step_by(2).sum();
+            let odd: R = c.iter().copied().skip(1).step_by(2).sum();
             [even, odd]
         };
         let ([one, tilt], [lift, rising]) = (parts(&self.one), parts(&self.rising));
-        let determinant = 2.0 * (one * rising - tilt * lift);
+        let determinant = (one * rising - tilt * lift) * 2.0;
         let level = rising * (left + right) - lift * (right - left);
         let rise = one * (right - left) - tilt * (left + right);
         ([level / determinant, rise / determinant], determinant)
     }
 
-    fn between(&self, ends: [f64; 2]) -> Coefficients {
+    fn between(&self, ends: [R; 2]) -> Coefficients<R> {
         let ([level, rise], _) = self.amplitudes(ends);
-        self.one.iter().zip(&self.rising).map(|(a, b)| level * a + rise * b).collect()
+        self.one.iter().zip(&self.rising).map(|(a, b)| level * *a + rise * *b).collect()
     }
 
     /// μ (u₁u₂' − u₁'u₂) is constant; divided by the determinant it is the series stiffness.
-    fn link(&self, shear: &[f64], half: f64) -> TwoPort {
-        let ([level, rise], determinant) = self.amplitudes([1.0; 2]);
+    fn link(&self, shear: &[R], half: f64) -> TwoPort<R> {
+        let ([level, rise], determinant) = self.amplitudes([R::ONE; 2]);
         let slope = |end: f64| {
             let [_, one, ..] = jet(&self.one, end);
             let [_, rising, ..] = jet(&self.rising, end);
             (level * one + rise * rising) * value(shear, end) / half
         };
         TwoPort {
-            series: shear[0] / (half * determinant),
+            series: shear[0] / (determinant * half),
             shunt_left: -slope(-1.0),
             shunt_right: slope(1.0),
         }
@@ -140,20 +146,20 @@ impl Pair {
 
 /// The stiffness of the ground outside one end of the beam, condensed to this end: √(kμ) if it is uniform and
 /// infinite.
-pub(crate) fn outside(beyond: &GroundOutside) -> f64 {
+pub(crate) fn outside<R: Real>(beyond: &GroundOutside<R>) -> R {
     stiffnesses(beyond)[0]
 }
 
 /// The stiffness of the ground from each of the layers outward, and last the stiffness at the outer end.
-fn stiffnesses(beyond: &GroundOutside) -> Vec<f64> {
-    let mut springs = vec![if beyond.held { f64::INFINITY } else { 0.0 }];
+fn stiffnesses<R: Real>(beyond: &GroundOutside<R>) -> Vec<R> {
+    let mut springs = vec![R::from(if beyond.held { f64::INFINITY } else { 0.0 })];
     for layer in beyond.layers.iter().rev() {
         let behind = springs[springs.len() - 1];
         springs.push(if layer.length == f64::INFINITY {
             (layer.subgrade * layer.shear_layer).sqrt()
         } else {
             let link = TwoPort::uniform(layer.subgrade, layer.shear_layer, layer.length);
-            link.shunt_left + link.series * (1.0 - follows(&link, behind))
+            link.shunt_left + link.series * (R::ONE - follows(&link, behind))
         });
     }
     springs.reverse();
@@ -161,9 +167,9 @@ fn stiffnesses(beyond: &GroundOutside) -> Vec<f64> {
 }
 
 /// u at the right end of a two-port that ends on a spring, for u = 1 at its left end.
-fn follows(link: &TwoPort, spring: f64) -> f64 {
-    if spring == f64::INFINITY {
-        return 0.0;
+fn follows<R: Real>(link: &TwoPort<R>, spring: R) -> R {
+    if spring.value() == f64::INFINITY {
+        return R::ZERO;
     }
     link.series / (link.series + (link.shunt_right + spring))
 }
@@ -191,7 +197,7 @@ pub(crate) fn energies_beside(beyond: &GroundOutside) -> Vec<[f64; 2]> {
 }
 
 /// u at a distance from the beam's end, from its value `u` at the end.
-pub(crate) fn beside(beyond: &GroundOutside, mut u: f64, mut distance: f64) -> f64 {
+pub(crate) fn beside<R: Real>(beyond: &GroundOutside<R>, mut u: R, mut distance: f64) -> R {
     let springs = stiffnesses(beyond);
     for (layer, &spring) in beyond.layers.iter().zip(&springs[1..]) {
         let b = (layer.subgrade / layer.shear_layer).sqrt();
@@ -206,7 +212,7 @@ pub(crate) fn beside(beyond: &GroundOutside, mut u: f64, mut distance: f64) -> f
         }
         (u, distance) = (next, distance - layer.length);
     }
-    0.0
+    R::ZERO
 }
 
 /// Open ground is cut into pieces of this number of decay lengths: on one of them u is a polynomial to the
@@ -227,29 +233,29 @@ pub(crate) fn cut([from, to]: [f64; 2], decay: f64, cuts: &mut Vec<f64>) {
 }
 
 /// u at a fraction `t` of an unloaded uniform stretch with bh = `length`, from its end values.
-pub(crate) fn between(left: f64, right: f64, length: f64, t: f64) -> f64 {
+pub(crate) fn between<R: Real>(left: R, right: R, length: R, t: f64) -> R {
     sinh_ratio(length, 1.0 - t) * left + sinh_ratio(length, t) * right
 }
 
 /// du/dx·(1/b) at a fraction `t` of that stretch.
-pub(crate) fn slope_between(left: f64, right: f64, length: f64, t: f64) -> f64 {
+pub(crate) fn slope_between<R: Real>(left: R, right: R, length: R, t: f64) -> R {
     // (right cosh(t·bh) − left cosh((1−t)bh))/sinh(bh), in a form without cancellation for equal ends.
-    let series = 2.0 * exp(-length) / -expm1(-2.0 * length);
-    let cosh_less_one = |z: f64| 2.0 * power(sinh(0.5 * z), 2);
-    if length < 1.0 {
+    let series = exp(-length) * 2.0 / -expm1(length * -2.0);
+    let cosh_less_one = |z: R| power(sinh(z * 0.5), 2) * 2.0;
+    if length.value() < 1.0 {
         series
-            * ((right - left) + right * cosh_less_one(t * length)
-                - left * cosh_less_one((1.0 - t) * length))
+            * ((right - left) + right * cosh_less_one(length * t)
+                - left * cosh_less_one(length * (1.0 - t)))
     } else {
         let cosh_ratio =
-            |r: f64| (exp(-(1.0 - r) * length) + exp(-(1.0 + r) * length)) / -expm1(-2.0 * length);
+            |r: f64| (exp(length * -(1.0 - r)) + exp(length * -(1.0 + r))) / -expm1(length * -2.0);
         cosh_ratio(t) * right - cosh_ratio(1.0 - t) * left
     }
 }
 
 /// sinh(r·z)/sinh(z) for 0 ≤ r ≤ 1, for any z > 0 without overflow.
-fn sinh_ratio(z: f64, r: f64) -> f64 {
-    exp(-(1.0 - r) * z) * expm1(-2.0 * r * z) / expm1(-2.0 * z)
+fn sinh_ratio<R: Real>(z: R, r: f64) -> R {
+    exp(z * -(1.0 - r)) * expm1(z * (-2.0 * r)) / expm1(z * -2.0)
 }
 
 #[cfg(test)]

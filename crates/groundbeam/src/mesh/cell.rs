@@ -3,51 +3,52 @@
 use crate::ground::link::{between, settled, slope_between};
 use crate::model::{CellPolynomial, Foundation, Profile};
 use crate::numeric::polynomial::{Coefficients, jet, product, rescale, value};
+use crate::numeric::real::Real;
 use crate::numeric::roots::is_free_of_zeros;
 
 /// A stretch of beam and ground: EI, k and μ are constant or polynomials; f, g, κ₀, g₀ are linear.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Cell {
+pub(crate) struct Cell<R = f64> {
     /// Left and right end \[m\].
     pub x: [f64; 2],
     /// EI \[N·m²\]; at the middle if it varies.
-    pub stiffness: f64,
+    pub stiffness: R,
     /// k \[N/m²\]; at the middle if it varies.
-    pub subgrade: f64,
+    pub subgrade: R,
     /// μ \[N\]; at the middle if it varies.
-    pub shear_layer: f64,
+    pub shear_layer: R,
     /// The coefficients of the beam's own shear stiffness S(s) \[N\]; `None` if the beam does not shear.
-    pub beam_shear: Option<[f64; Profile::MOST]>,
+    pub beam_shear: Option<[R; Profile::MOST]>,
     /// The variation of EI, k and μ.
-    pub varies: Varies,
+    pub varies: Varies<R>,
     /// f at both ends \[N/m\].
-    pub load: [f64; 2],
+    pub load: [R; 2],
     /// g at both ends \[N·m/m\].
-    pub moment_load: [f64; 2],
+    pub moment_load: [R; 2],
     /// κ₀ at both ends \[1/m\].
-    pub curvature: [f64; 2],
+    pub curvature: [R; 2],
     /// g₀ at both ends \[m\].
-    pub gap: [f64; 2],
+    pub gap: [R; 2],
     /// g₀', with the same bits in all cells between two corners.
-    pub gap_slope: f64,
+    pub gap_slope: R,
     /// A load on the ground: q at both ends \[N/m\].
-    pub ground_load: [f64; 2],
+    pub ground_load: [R; 2],
     /// u₀ − q/k at both ends \[m\], where [u₀](crate::mesh::free_field) is the free-field settlement.
-    pub homogeneous_field: [f64; 2],
+    pub homogeneous_field: [R; 2],
     /// A force on the ground at the cell's left end \[N\].
-    pub ground_force: f64,
+    pub ground_force: R,
 }
 
 /// The variable parts of EI, k and μ: their differences from the values at the middle of a cell.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(crate) struct Varies {
+pub(crate) struct Varies<R = f64> {
     /// Coefficients of s, s², … in EI.
-    stiffness: [f64; Profile::MOST - 1],
+    stiffness: [R; Profile::MOST - 1],
     /// Coefficients of s, s², … in k and in μ.
-    subgrade: [f64; GROUND - 1],
-    shear_layer: [f64; GROUND - 1],
+    subgrade: [R; GROUND - 1],
+    shear_layer: [R; GROUND - 1],
     /// μ at both ends if it varies, with the same bits in neighbouring cells of a segment.
-    shear_layer_ends: Option<[f64; 2]>,
+    shear_layer_ends: Option<[R; 2]>,
 }
 
 /// Number of coefficients of k(s) and μ(s).
@@ -57,24 +58,24 @@ pub(crate) const GROUND: usize = Foundation::MOST_CONTROL_VALUES;
 /// their reciprocals then converge like the powers of 1/`FREE`.
 const FREE: f64 = 10.0;
 
-impl Cell {
+impl<R: Real> Cell<R> {
     /// The coefficients of w − g₀, which is u in contact, from those of w.
-    pub fn above_gap(&self, deflection: &[f64]) -> Coefficients {
+    pub fn above_gap(&self, deflection: &[R]) -> Coefficients<R> {
         let mut c = Coefficients::from(deflection);
         let [left, right] = self.gap;
-        c[0] -= 0.5 * (left + right);
-        c[1] -= 0.5 * (right - left);
+        c[0] -= (left + right) * 0.5;
+        c[1] -= (right - left) * 0.5;
         c
     }
 
     /// The coefficients of ψ = w − g₀ − u₀, from those of w.
-    pub fn obstacle(&self, deflection: &[f64]) -> Coefficients {
+    pub fn obstacle(&self, deflection: &[R]) -> Coefficients<R> {
         let mut c = self.above_gap(deflection);
         if self.has_free_field() {
             let settled = self.free_field();
             c = c.at_least(settled.len());
             for (c, u) in c.iter_mut().zip(settled.iter()) {
-                *c -= u;
+                *c -= *u;
             }
         }
         c
@@ -82,22 +83,22 @@ impl Cell {
 
     /// Whether loads on the ground act on this cell or cause a settlement of it.
     pub fn has_free_field(&self) -> bool {
-        self.ground_load != [0.0; 2] || self.homogeneous_field != [0.0; 2]
+        self.ground_load != [R::ZERO; 2] || self.homogeneous_field != [R::ZERO; 2]
     }
 
     /// The length of the cell in decay lengths of the ground, b·length.
-    fn fading(&self) -> f64 {
+    fn fading(&self) -> R {
         (self.subgrade / self.shear_layer).sqrt() * self.length()
     }
 
     /// u₀ and u₀′ at s.
-    pub fn free_field_at(&self, s: f64) -> [f64; 2] {
+    pub fn free_field_at(&self, s: f64) -> [R; 2] {
         if !self.has_free_field() {
-            return [0.0; 2];
+            return [R::ZERO; 2];
         }
         let [a, b] = self.ground_load.map(|q| q / self.subgrade);
-        let mut u = [0.5 * (a + b) + 0.5 * (b - a) * s, (b - a) / self.length()];
-        if self.shear_layer > 0.0 {
+        let mut u = [(a + b) * 0.5 + (b - a) * 0.5 * s, (b - a) / self.length()];
+        if self.shear_layer.value() > 0.0 {
             let ([left, right], bh, t) = (self.homogeneous_field, self.fading(), 0.5 * (1.0 + s));
             u[0] += between(left, right, bh, t);
             u[1] += bh / self.length() * slope_between(left, right, bh, t);
@@ -106,8 +107,8 @@ impl Cell {
     }
 
     /// The coefficients of u₀(s); cells with a free field are short.
-    pub fn free_field(&self) -> Coefficients {
-        let mut c = if self.shear_layer > 0.0 {
+    pub fn free_field(&self) -> Coefficients<R> {
+        let mut c = if self.shear_layer.value() > 0.0 {
             settled(
                 &[self.subgrade],
                 &[self.shear_layer],
@@ -118,8 +119,8 @@ impl Cell {
             Coefficients::zeros(2)
         };
         let [a, b] = self.ground_load.map(|q| q / self.subgrade);
-        c[0] += 0.5 * (a + b);
-        c[1] += 0.5 * (b - a);
+        c[0] += (a + b) * 0.5;
+        c[1] += (b - a) * 0.5;
         c
     }
 
@@ -140,7 +141,7 @@ impl Cell {
     }
 
     /// Whether another cell has the same ground, and both are constant.
-    pub fn shares_even_ground(&self, other: &Cell) -> bool {
+    pub fn shares_even_ground(&self, other: &Cell<R>) -> bool {
         self.subgrade == other.subgrade
             && self.shear_layer == other.shear_layer
             && !self.ground_varies()
@@ -149,13 +150,13 @@ impl Cell {
 
     /// Whether a curvature is imposed.
     pub fn has_imposed_curvature(&self) -> bool {
-        self.curvature != [0.0; 2]
+        self.curvature != [R::ZERO; 2]
     }
 
     /// The coefficients of EI κ₀, the moment that cancels the imposed curvature.
-    pub fn imposed_moment(&self) -> Coefficients {
+    pub fn imposed_moment(&self) -> Coefficients<R> {
         let [left, right] = self.curvature;
-        let curvature = [0.5 * (left + right), 0.5 * (right - left)];
+        let curvature = [(left + right) * 0.5, (right - left) * 0.5];
         if self.beam_varies() {
             return product(&self.stiffness_along(), &curvature);
         }
@@ -163,27 +164,27 @@ impl Cell {
     }
 
     /// The coefficients of EI(s).
-    pub fn stiffness_along(&self) -> [f64; Profile::MOST] {
+    pub fn stiffness_along(&self) -> [R; Profile::MOST] {
         with_first(self.stiffness, &self.varies.stiffness)
     }
 
     /// The coefficients of k(s).
-    pub fn subgrade_along(&self) -> [f64; GROUND] {
+    pub fn subgrade_along(&self) -> [R; GROUND] {
         with_first(self.subgrade, &self.varies.subgrade)
     }
 
     /// The coefficients of μ(s).
-    pub fn shear_layer_along(&self) -> [f64; GROUND] {
+    pub fn shear_layer_along(&self) -> [R; GROUND] {
         with_first(self.shear_layer, &self.varies.shear_layer)
     }
 
     /// μ at the left and the right end.
-    pub fn shear_layer_ends(&self) -> [f64; 2] {
+    pub fn shear_layer_ends(&self) -> [R; 2] {
         self.varies.shear_layer_ends.unwrap_or([self.shear_layer; 2])
     }
 
     /// k and μ at s.
-    pub fn ground_at(&self, s: f64) -> [f64; 2] {
+    pub fn ground_at(&self, s: f64) -> [R; 2] {
         if !self.ground_varies() {
             return [self.subgrade, self.shear_layer];
         }
@@ -191,9 +192,9 @@ impl Cell {
     }
 
     /// k, μ and dμ/ds at s.
-    pub fn ground_rising_at(&self, s: f64) -> [f64; 3] {
+    pub fn ground_rising_at(&self, s: f64) -> [R; 3] {
         if !self.ground_varies() {
-            return [self.subgrade, self.shear_layer, 0.0];
+            return [self.subgrade, self.shear_layer, R::ZERO];
         }
         let [shear, rise, ..] = jet(&self.shear_layer_along(), s);
         [value(&self.subgrade_along(), s), shear, rise]
@@ -202,29 +203,29 @@ impl Cell {
     /// Whether EI, k and μ vary little enough for short power series.
     pub fn is_smooth(&self) -> bool {
         let uneven_shear = self.beam_shear.filter(|_| self.beam_shear_varies());
-        (!self.beam_varies() || is_free_of_zeros(&self.stiffness_along(), FREE))
-            && uneven_shear.is_none_or(|shear| is_free_of_zeros(&shear, FREE))
+        let is_free = |c: &[R]| is_free_of_zeros(&values(c), FREE);
+        (!self.beam_varies() || is_free(&self.stiffness_along()))
+            && uneven_shear.is_none_or(|shear| is_free(&shear))
             && (!self.ground_varies()
-                || (is_free_of_zeros(&self.subgrade_along(), FREE)
-                    && (self.shear_layer == 0.0
-                        || is_free_of_zeros(&self.shear_layer_along(), FREE))))
+                || (is_free(&self.subgrade_along())
+                    && (self.shear_layer.value() == 0.0 || is_free(&self.shear_layer_along()))))
     }
 
     /// Whether open ground along the cell, of length 2·`half`, is one short power series.
     pub fn is_short_for_open_ground(&self, half: f64) -> bool {
-        if !self.ground_varies() || self.shear_layer == 0.0 {
+        if !self.ground_varies() || self.shear_layer.value() == 0.0 {
             return true;
         }
         let squared = [-1.0, 0.0, 1.0].map(|s| {
             let [k, mu] = self.ground_at(s);
-            k / mu * half * half
+            (k / mu).value() * half * half
         });
         squared.into_iter().fold(0.0, f64::max) <= 1.0
     }
 
     /// The part of the cell between two values of s.
     pub fn part(&self, s: [f64; 2]) -> Self {
-        let linear = |v: [f64; 2]| s.map(|s| 0.5 * (v[0] + v[1]) + 0.5 * (v[1] - v[0]) * s);
+        let linear = |v: [R; 2]| s.map(|s| initial(v, s));
         let mut part = Cell {
             x: s.map(|s| self.global(s)),
             load: linear(self.load),
@@ -232,17 +233,17 @@ impl Cell {
             curvature: linear(self.curvature),
             gap: linear(self.gap),
             ground_load: linear(self.ground_load),
-            ground_force: if s[0] == -1.0 { self.ground_force } else { 0.0 },
+            ground_force: if s[0] == -1.0 { self.ground_force } else { R::ZERO },
             ..*self
         };
-        if self.homogeneous_field != [0.0; 2] {
+        if self.homogeneous_field != [R::ZERO; 2] {
             let [left, right] = self.homogeneous_field;
             part.homogeneous_field =
                 s.map(|s| between(left, right, self.fading(), 0.5 * (1.0 + s)));
         }
         let (middle, half) = (0.5 * (s[0] + s[1]), 0.5 * (s[1] - s[0]));
-        let course = |c: &[f64]| {
-            let mut coefficients = [0.0; Profile::MOST];
+        let course = |c: &[R]| {
+            let mut coefficients = [R::ZERO; Profile::MOST];
             coefficients[..c.len()].copy_from_slice(&rescale(c, middle, half));
             coefficients
         };
@@ -266,40 +267,22 @@ impl Cell {
         part
     }
 
-    fn set_stiffness(&mut self, coefficients: &[f64; Profile::MOST]) {
+    fn set_stiffness(&mut self, coefficients: &[R; Profile::MOST]) {
         let [first, rest @ ..] = coefficients;
         (self.stiffness, self.varies.stiffness) = (*first, *rest);
     }
 
     fn set_ground(
         &mut self,
-        spring: &[f64; Profile::MOST],
-        shear: &[f64; Profile::MOST],
-        shear_ends: [f64; 2],
+        spring: &[R; Profile::MOST],
+        shear: &[R; Profile::MOST],
+        shear_ends: [R; 2],
     ) {
-        let first = |c: &[f64; Profile::MOST]| (c[0], std::array::from_fn(|i| c[i + 1]));
+        let first = |c: &[R; Profile::MOST]| (c[0], std::array::from_fn(|i| c[i + 1]));
         (self.subgrade, self.varies.subgrade) = first(spring);
         (self.shear_layer, self.varies.shear_layer) = first(shear);
         let varies = self.varies.shear_layer.iter().any(|c| *c != 0.0);
         self.varies.shear_layer_ends = varies.then_some(shear_ends);
-    }
-
-    /// Sets EI and S from a segment.
-    pub fn set_beam(&mut self, bending: &CellPolynomial, shear: Option<&CellPolynomial>) {
-        self.set_stiffness(&bending.coefficients);
-        self.beam_shear = shear.map(|course| course.coefficients);
-    }
-
-    /// Sets k and μ from a segment.
-    pub fn set_courses(&mut self, [spring, shear]: &[CellPolynomial; 2]) {
-        self.set_ground(&spring.coefficients, &shear.coefficients, shear.ends);
-    }
-
-    /// Multiplies EI and S by a number.
-    pub fn stiffen(&mut self, times: f64) {
-        self.stiffness *= times;
-        self.varies.stiffness = self.varies.stiffness.map(|c| c * times);
-        self.beam_shear = self.beam_shear.map(|shear| shear.map(|c| c * times));
     }
 
     pub fn length(&self) -> f64 {
@@ -330,23 +313,48 @@ impl Cell {
     }
 }
 
-fn with_first<const N: usize, const REST: usize>(first: f64, rest: &[f64; REST]) -> [f64; N] {
+impl Cell {
+    /// Sets EI and S from a segment.
+    pub fn set_beam(&mut self, bending: &CellPolynomial, shear: Option<&CellPolynomial>) {
+        self.set_stiffness(&bending.coefficients);
+        self.beam_shear = shear.map(|course| course.coefficients);
+    }
+
+    /// Sets k and μ from a segment.
+    pub fn set_courses(&mut self, [spring, shear]: &[CellPolynomial; 2]) {
+        self.set_ground(&spring.coefficients, &shear.coefficients, shear.ends);
+    }
+
+    /// Multiplies EI and S by a number.
+    pub fn stiffen(&mut self, times: f64) {
+        self.stiffness *= times;
+        self.varies.stiffness = self.varies.stiffness.map(|c| c * times);
+        self.beam_shear = self.beam_shear.map(|shear| shear.map(|c| c * times));
+    }
+}
+
+/// Numbers without their derivatives.
+fn values<R: Real>(c: &[R]) -> Coefficients {
+    c.iter().map(|c| c.value()).collect()
+}
+
+fn with_first<R: Real, const N: usize, const REST: usize>(first: R, rest: &[R; REST]) -> [R; N] {
     let mut all = [first; N];
     all[1..].copy_from_slice(rest);
     all
 }
 
 /// g₀ + u₀ at s of a cell.
-pub(crate) fn gap_at(cell: &Cell, s: f64) -> f64 {
+pub(crate) fn gap_at<R: Real>(cell: &Cell<R>, s: f64) -> R {
     initial_gap_at(cell, s) + cell.free_field_at(s)[0]
 }
 
 /// g₀ at s of a cell.
-pub(crate) fn initial_gap_at(cell: &Cell, s: f64) -> f64 {
+pub(crate) fn initial_gap_at<R: Real>(cell: &Cell<R>, s: f64) -> R {
     initial(cell.gap, s)
 }
 
 /// Linear between the values at both ends.
-pub(crate) fn initial([left, right]: [f64; 2], s: f64) -> f64 {
-    0.5 * (left + right) + 0.5 * (right - left) * s
+pub(crate) fn initial<R: Real>([left, right]: [R; 2], s: f64) -> R {
+    (left + right) * 0.5 + (right - left) * 0.5 * s
 }

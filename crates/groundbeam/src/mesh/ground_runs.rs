@@ -1,30 +1,31 @@
 //! Runs of consecutive cells with a shear layer, and runs without one.
 
 use crate::mesh::mesh::Mesh;
+use crate::numeric::real::Real;
 use std::ops::Range;
 
 /// Consecutive cells with a shear layer, or without one.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct GroundRun {
+pub(crate) struct GroundRun<R = f64> {
     pub cells: Range<usize>,
     /// μ > 0.
     pub pasternak: bool,
     /// The stiffness of the ground outside at the left and the right end of the shear layer: √(kμ) at the
     /// beam's ends, zero where the layer stops under the beam.
-    pub beyond: [f64; 2],
+    pub beyond: [R; 2],
 }
 
 /// The runs from left to right.
-pub(crate) fn ground_runs(mesh: &Mesh) -> Vec<GroundRun> {
-    let kind = |i: usize| mesh.cells[i].shear_layer > 0.0;
+pub(crate) fn ground_runs<R: Real>(mesh: &Mesh<R>) -> Vec<GroundRun<R>> {
+    let kind = |i: usize| mesh.cells[i].shear_layer.value() > 0.0;
     let n = mesh.cells.len();
     let mut found = Vec::new();
     let mut start = 0;
     for end in 1..=n {
         if end == n || kind(end) != kind(start) {
             let beyond = [
-                if start == 0 { mesh.outside[0] } else { 0.0 },
-                if end == n { mesh.outside[1] } else { 0.0 },
+                if start == 0 { mesh.outside[0] } else { R::ZERO },
+                if end == n { mesh.outside[1] } else { R::ZERO },
             ];
             found.push(GroundRun { cells: start..end, pasternak: kind(start), beyond });
             start = end;

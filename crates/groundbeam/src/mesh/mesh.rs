@@ -9,29 +9,30 @@ use crate::mesh::cell::Varies;
 use crate::mesh::free_field;
 use crate::model::{Action, CellPolynomial, Extent, Load, Model, SupportKind};
 use crate::numeric::polynomial::value;
+use crate::numeric::real::Real;
 use crate::numeric::tolerance::same_place;
 
 /// The loads and supports of the beam at one point.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(crate) struct Node {
+pub(crate) struct Node<R = f64> {
     /// Position \[m\].
     pub x: f64,
     /// Point force, down \[N\].
-    pub force: f64,
+    pub force: R,
     /// Point moment \[N·m\].
-    pub moment: f64,
+    pub moment: R,
     /// w is prescribed: the settlement of the support.
     pub pinned: bool,
     /// Settlement of the support \[m\].
-    pub settlement: f64,
+    pub settlement: R,
     /// The rotation of the sections is 0.
     pub clamped: bool,
     /// Stiffness of a translational spring \[N/m\], relative to the settlement.
-    pub spring: f64,
+    pub spring: R,
     /// Stiffness of a rotational spring \[N·m/rad\].
-    pub rotational_spring: f64,
+    pub rotational_spring: R,
     /// Rotational stiffness of a hinge \[N·m/rad\]; the rotation of the sections may jump.
-    pub hinge: Option<f64>,
+    pub hinge: Option<R>,
     /// Whether w' may jump without a hinge: on a beam that shears, at a force, and where its own shear
     /// stiffness or that of the ground jumps.
     pub kinked: bool,
@@ -39,14 +40,28 @@ pub(crate) struct Node {
 
 /// Nodes from left to right and the cells between them.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Mesh {
-    pub nodes: Vec<Node>,
-    pub cells: Vec<Cell>,
+pub(crate) struct Mesh<R = f64> {
+    pub nodes: Vec<Node<R>>,
+    pub cells: Vec<Cell<R>>,
     /// P \[N\].
-    pub axial_force: f64,
+    pub axial_force: R,
     /// Stiffness of the ground outside the left and the right end \[N/m\]; √(kμ) if it is uniform and
     /// infinite.
-    pub outside: [f64; 2],
+    pub outside: [R; 2],
+}
+
+impl<R: Real> Mesh<R> {
+    /// The cell that contains x; at a common node the right one.
+    pub fn cell_at(&self, x: f64) -> usize {
+        self.cells.partition_point(|cell| cell.x[1] <= x).min(self.cells.len() - 1)
+    }
+
+    /// The node nearest to x.
+    pub fn node_at(&self, x: f64) -> usize {
+        let right = self.nodes.partition_point(|node| node.x < x).min(self.nodes.len() - 1);
+        let left = right.saturating_sub(1);
+        if x - self.nodes[left].x < self.nodes[right].x - x { left } else { right }
+    }
 }
 
 impl Mesh {
@@ -103,18 +118,6 @@ impl Mesh {
         mesh.place_loads_and_supports(model);
         mesh.find_kinks();
         mesh
-    }
-
-    /// The cell that contains x; at a common node the right one.
-    pub fn cell_at(&self, x: f64) -> usize {
-        self.cells.partition_point(|cell| cell.x[1] <= x).min(self.cells.len() - 1)
-    }
-
-    /// The node nearest to x.
-    pub fn node_at(&self, x: f64) -> usize {
-        let right = self.nodes.partition_point(|node| node.x < x).min(self.nodes.len() - 1);
-        let left = right.saturating_sub(1);
-        if x - self.nodes[left].x < self.nodes[right].x - x { left } else { right }
     }
 
     /// Marks the nodes at which w' may jump because the beam's own shear force S(w' − φ) or S itself jumps.

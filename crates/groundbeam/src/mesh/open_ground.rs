@@ -6,19 +6,23 @@ use crate::mesh::deflection::BeamPoint;
 use crate::mesh::ground_runs::GroundRun;
 use crate::mesh::mesh::Mesh;
 use crate::mesh::varying::link;
+use crate::numeric::real::Real;
 
 /// u at the ends and the joints of two-ports in series, held at both ends; and the single two-port that is
 /// equivalent to all of them.
 ///
 /// Forward: the two-port from the start to each joint. Backward: u at each joint, from that two-port and the
 /// next part. Both use sums of positive numbers only.
-pub(crate) fn heights(links: &[TwoPort], [start, end]: [f64; 2]) -> (Vec<f64>, Option<TwoPort>) {
-    let mut so_far: Vec<TwoPort> = Vec::with_capacity(links.len());
+pub(crate) fn heights<R: Real>(
+    links: &[TwoPort<R>],
+    [start, end]: [R; 2],
+) -> (Vec<R>, Option<TwoPort<R>>) {
+    let mut so_far: Vec<TwoPort<R>> = Vec::with_capacity(links.len());
     for link in links {
         so_far.push(so_far.last().map_or(*link, |before| before.then(*link)));
     }
     let mut right = end;
-    let mut values = vec![0.0; links.len() + 1];
+    let mut values = vec![R::ZERO; links.len() + 1];
     values[0] = start;
     values[links.len()] = end;
     for i in (1..links.len()).rev() {
@@ -32,30 +36,30 @@ pub(crate) fn heights(links: &[TwoPort], [start, end]: [f64; 2]) -> (Vec<f64>, O
 }
 
 /// All of the open ground between two points as one two-port; `None` if the points coincide.
-pub(crate) fn open_link(
-    mesh: &Mesh,
-    run: &GroundRun,
+pub(crate) fn open_link<R: Real>(
+    mesh: &Mesh<R>,
+    run: &GroundRun<R>,
     from: Option<BeamPoint>,
     to: Option<BeamPoint>,
-) -> Option<TwoPort> {
+) -> Option<TwoPort<R>> {
     let links = open_links(mesh, run, from, to);
     links.into_iter().map(|(_, link)| link).reduce(TwoPort::then)
 }
 
 /// The two-ports of open ground between two points, cell by cell; a missing point means the ground outside
 /// the beam.
-pub(crate) fn open_links(
-    mesh: &Mesh,
-    run: &GroundRun,
+pub(crate) fn open_links<R: Real>(
+    mesh: &Mesh<R>,
+    run: &GroundRun<R>,
     from: Option<BeamPoint>,
     to: Option<BeamPoint>,
-) -> Vec<(Option<(usize, [f64; 2])>, TwoPort)> {
+) -> Vec<(Option<(usize, [f64; 2])>, TwoPort<R>)> {
     let mut links = Vec::new();
     let first = from.unwrap_or(BeamPoint { cell: run.cells.start, s: -1.0 });
     let last = to.unwrap_or(BeamPoint { cell: run.cells.end - 1, s: 1.0 });
     if from.is_none() {
         let shunt_right = run.beyond[0];
-        links.push((None, TwoPort { series: 0.0, shunt_left: 0.0, shunt_right }));
+        links.push((None, TwoPort { series: R::ZERO, shunt_left: R::ZERO, shunt_right }));
     }
     for cell in first.cell..=last.cell {
         let start = if cell == first.cell { first.s } else { -1.0 };
@@ -67,13 +71,13 @@ pub(crate) fn open_links(
     }
     if to.is_none() {
         let shunt_left = run.beyond[1];
-        links.push((None, TwoPort { series: 0.0, shunt_left, shunt_right: 0.0 }));
+        links.push((None, TwoPort { series: R::ZERO, shunt_left, shunt_right: R::ZERO }));
     }
     links
 }
 
 /// The open ground of a part of a cell.
-pub(crate) fn cell_part(cell: &Cell, from: f64, to: f64) -> TwoPort {
+pub(crate) fn cell_part<R: Real>(cell: &Cell<R>, from: f64, to: f64) -> TwoPort<R> {
     if cell.ground_varies() {
         return link(cell, [from, to]);
     }

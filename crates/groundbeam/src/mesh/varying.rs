@@ -4,18 +4,19 @@ use crate::ground::link::TwoPort;
 use crate::mesh::cell::Cell;
 use crate::numeric::polynomial::inner;
 use crate::numeric::polynomial::{Coefficients, derivative, product, rescale};
+use crate::numeric::real::Real;
 
 /// Maximum number of halvings of a stretch of ground.
 const MOST_HALVINGS: u32 = 40;
 
 /// The open ground of a part of a cell: a chain of short power series.
-pub(crate) fn link(cell: &Cell, part: [f64; 2]) -> TwoPort {
+pub(crate) fn link<R: Real>(cell: &Cell<R>, part: [f64; 2]) -> TwoPort<R> {
     // The length of the part's ends would contain their rounding.
     let half = 0.25 * (part[1] - part[0]) * cell.length();
     chain(&cell.part(part), half, MOST_HALVINGS)
 }
 
-fn chain(cell: &Cell, half: f64, halvings: u32) -> TwoPort {
+fn chain<R: Real>(cell: &Cell<R>, half: f64, halvings: u32) -> TwoPort<R> {
     if halvings == 0 || (cell.is_short_for_open_ground(half) && cell.is_smooth()) {
         return TwoPort::varying(&cell.subgrade_along(), &cell.shear_layer_along(), half);
     }
@@ -25,11 +26,11 @@ fn chain(cell: &Cell, half: f64, halvings: u32) -> TwoPort {
 }
 
 /// The coefficients of kψ − (μψ')' from those of ψ on a stretch of half length `half`.
-pub(crate) fn pressure(cell: &Cell, half: f64, obstacle: &[f64]) -> Coefficients {
+pub(crate) fn pressure<R: Real>(cell: &Cell<R>, half: f64, obstacle: &[R]) -> Coefficients<R> {
     let flux = product(&cell.shear_layer_along(), &derivative(obstacle));
     let mut pressure = product(&cell.subgrade_along(), obstacle);
     for (pressure, c) in pressure.iter_mut().zip(derivative(&flux).iter()) {
-        *pressure -= c / (half * half);
+        *pressure -= *c / (half * half);
     }
     pressure
 }

@@ -5,19 +5,19 @@ use crate::model::foundation::GroundEnd;
 
 /// A stretch of ground with constant k and μ > 0 outside the beam.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct OutsideLayer {
+pub(crate) struct OutsideLayer<R = f64> {
     /// Its length \[m\]; infinite for the last stretch of infinite ground.
     pub length: f64,
     /// k \[N/m²\].
-    pub subgrade: f64,
+    pub subgrade: R,
     /// μ \[N\], positive.
-    pub shear_layer: f64,
+    pub shear_layer: R,
 }
 
 /// The shear layer outside one end of the beam, listed outward; empty if it ends with the beam.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub(crate) struct GroundOutside {
-    pub layers: Vec<OutsideLayer>,
+pub(crate) struct GroundOutside<R = f64> {
+    pub layers: Vec<OutsideLayer<R>>,
     /// Whether the far end of the last stretch is held; otherwise it is free.
     pub held: bool,
 }

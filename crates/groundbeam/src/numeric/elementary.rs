@@ -3,12 +3,39 @@
 //! The functions of the standard library call the platform's library, whose last bits differ. `clippy.toml`
 //! forbids them in this crate.
 
-pub(crate) use libm::{asinh, cosh, exp, exp2, expm1, log2, pow, sinh, tanh};
+use crate::numeric::real::Real;
+pub(crate) use libm::{asinh, exp2, log2, pow};
 #[cfg(test)]
 pub(crate) use libm::{cos, tan};
 
+#[inline]
+pub(crate) fn exp<R: Real>(x: R) -> R {
+    x.exp()
+}
+
+/// eˣ − 1.
+#[inline]
+pub(crate) fn expm1<R: Real>(x: R) -> R {
+    x.expm1()
+}
+
+#[inline]
+pub(crate) fn sinh<R: Real>(x: R) -> R {
+    x.sinh()
+}
+
+#[inline]
+pub(crate) fn cosh<R: Real>(x: R) -> R {
+    x.cosh()
+}
+
+#[inline]
+pub(crate) fn tanh<R: Real>(x: R) -> R {
+    x.tanh()
+}
+
 /// xⁿ by n products.
 #[inline]
-pub(crate) fn power(x: f64, n: usize) -> f64 {
-    std::iter::repeat_n(x, n).product()
+pub(crate) fn power<R: Real>(x: R, n: usize) -> R {
+    (0..n).fold(R::ONE, |product, _| product * x)
 }

@@ -3,22 +3,29 @@
 //! A polynomial is a slice of coefficients, constant first. Centred coordinates keep the digits of each
 //! derivative: the curvature is never a difference of deflections.
 
+use crate::numeric::real::Real;
 use std::ops::{Deref, DerefMut};
 
 /// Maximum number of coefficients: a rotation of 20 times a shear stiffness of degree 5.
 pub(crate) const MOST: usize = 25;
 
 /// Coefficients stored without heap memory: each step creates a few of them for each cell.
-#[derive(Clone, Copy, PartialEq, Default)]
-pub(crate) struct Coefficients {
+#[derive(Clone, Copy, PartialEq)]
+pub(crate) struct Coefficients<R = f64> {
     count: usize,
-    held: [f64; MOST],
+    held: [R; MOST],
 }
 
-impl Coefficients {
+impl<R: Real> Default for Coefficients<R> {
+    fn default() -> Self {
+        Self::zeros(0)
+    }
+}
+
+impl<R: Real> Coefficients<R> {
     pub fn zeros(count: usize) -> Self {
         debug_assert!(count <= MOST);
-        Coefficients { count: count.min(MOST), held: [0.0; MOST] }
+        Coefficients { count: count.min(MOST), held: [R::ZERO; MOST] }
     }
 
     /// The same polynomial with at least `count` coefficients, padded with zeros.
@@ -29,28 +36,28 @@ impl Coefficients {
     }
 
     /// Removes and returns the highest coefficient.
-    pub fn pop(&mut self) -> Option<f64> {
+    pub fn pop(&mut self) -> Option<R> {
         self.count = self.count.checked_sub(1)?;
         Some(std::mem::take(&mut self.held[self.count]))
     }
 }
 
-impl Deref for Coefficients {
-    type Target = [f64];
+impl<R> Deref for Coefficients<R> {
+    type Target = [R];
 
-    fn deref(&self) -> &[f64] {
+    fn deref(&self) -> &[R] {
         &self.held[..self.count]
     }
 }
 
-impl DerefMut for Coefficients {
-    fn deref_mut(&mut self) -> &mut [f64] {
+impl<R> DerefMut for Coefficients<R> {
+    fn deref_mut(&mut self) -> &mut [R] {
         &mut self.held[..self.count]
     }
 }
 
-impl From<&[f64]> for Coefficients {
-    fn from(c: &[f64]) -> Self {
+impl<R: Real> From<&[R]> for Coefficients<R> {
+    fn from(c: &[R]) -> Self {
         let mut all = Self::zeros(c.len());
         let count = all.count;
         all.copy_from_slice(&c[..count]);
@@ -58,8 +65,8 @@ impl From<&[f64]> for Coefficients {
     }
 }
 
-impl FromIterator<f64> for Coefficients {
-    fn from_iter<T: IntoIterator<Item = f64>>(c: T) -> Self {
+impl<R: Real> FromIterator<R> for Coefficients<R> {
+    fn from_iter<T: IntoIterator<Item = R>>(c: T) -> Self {
         let mut all = Self::default();
         for c in c {
             debug_assert!(all.count < MOST);
@@ -72,25 +79,25 @@ impl FromIterator<f64> for Coefficients {
     }
 }
 
-impl std::fmt::Debug for Coefficients {
+impl<R: std::fmt::Debug> std::fmt::Debug for Coefficients<R> {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.debug_list().entries(self.iter()).finish()
     }
 }
 
 /// f(s).
-pub(crate) fn value(c: &[f64], s: f64) -> f64 {
-    c.iter().rev().fold(0.0, |sum, &a| sum * s + a)
+pub(crate) fn value<R: Real>(c: &[R], s: f64) -> R {
+    c.iter().rev().fold(R::ZERO, |sum, &a| sum * s + a)
 }
 
 /// f(s) and f'(s), the latter with respect to s.
-pub(crate) fn with_slope(c: &[f64], s: f64) -> [f64; 2] {
-    c.iter().rev().fold([0.0, 0.0], |[f, d1], &a| [f * s + a, d1 * s + f])
+pub(crate) fn with_slope<R: Real>(c: &[R], s: f64) -> [R; 2] {
+    c.iter().rev().fold([R::ZERO; 2], |[f, d1], &a| [f * s + a, d1 * s + f])
 }
 
 /// f(s), f'(s), f''(s), f'''(s), all with respect to s.
-pub(crate) fn jet(c: &[f64], s: f64) -> [f64; 4] {
-    let (mut f, mut d1, mut d2, mut d3) = (0.0, 0.0, 0.0, 0.0);
+pub(crate) fn jet<R: Real>(c: &[R], s: f64) -> [R; 4] {
+    let [mut f, mut d1, mut d2, mut d3] = [R::ZERO; 4];
     // The deflection of open cells has few nonzero coefficients.
     for &a in c.iter().rev().skip_while(|&&a| a == 0.0) {
         d3 = d3 * s + d2;
@@ -98,7 +105,7 @@ pub(crate) fn jet(c: &[f64], s: f64) -> [f64; 4] {
         d1 = d1 * s + f;
         f = f * s + a;
     }
-    [f, d1, 2.0 * d2, 6.0 * d3]
+    [f, d1, d2 * 2.0, d3 * 6.0]
 }
 
 /// f(−1) and f(1).
@@ -112,10 +119,10 @@ pub(crate) fn ends(c: &[f64]) -> [f64; 2] {
 }
 
 /// The coefficients of df/ds.
-pub(crate) fn derivative(c: &[f64]) -> Coefficients {
+pub(crate) fn derivative<R: Real>(c: &[R]) -> Coefficients<R> {
     let mut out = Coefficients::zeros(c.len().saturating_sub(1));
     for (j, (out, a)) in out.iter_mut().zip(c.iter().skip(1)).enumerate() {
-        *out = (j + 1) as f64 * a;
+        *out = *a * (j + 1) as f64;
     }
     out
 }
@@ -153,12 +160,13 @@ pub(crate) fn divided(c: &[f64], r: f64) -> Coefficients {
 }
 
 /// The coefficients, in t ∈ \[−1, 1\], of f(middle + half·t).
-pub(crate) fn rescale(c: &[f64], middle: f64, half: f64) -> Coefficients {
+pub(crate) fn rescale<R: Real>(c: &[R], middle: f64, half: f64) -> Coefficients<R> {
     let mut c = Coefficients::from(c);
     // Repeated synthetic division by (s − middle), then powers of `half`.
     for first in 0..c.len() {
         for j in (first..c.len().saturating_sub(1)).rev() {
-            c[j] += middle * c[j + 1];
+            let next = c[j + 1] * middle;
+            c[j] += next;
         }
     }
     let mut power = 1.0;
@@ -170,26 +178,26 @@ pub(crate) fn rescale(c: &[f64], middle: f64, half: f64) -> Coefficients {
 }
 
 /// The coefficients of f·g.
-pub(crate) fn product(f: &[f64], g: &[f64]) -> Coefficients {
+pub(crate) fn product<R: Real>(f: &[R], g: &[R]) -> Coefficients<R> {
     let mut out = Coefficients::zeros((f.len() + g.len()).saturating_sub(1));
     for (i, a) in f.iter().enumerate().filter(|(_, a)| **a != 0.0) {
         for (j, b) in g.iter().enumerate() {
-            out[i + j] += a * b;
+            out[i + j] += *a * *b;
         }
     }
     out
 }
 
 /// ∫ f⁽ⁿ⁾ g⁽ⁿ⁾ ds over \[−1, 1\] for the derivatives of order n ≤ 2.
-pub(crate) fn inner(f: &[f64], g: &[f64], order: usize) -> f64 {
-    let differentiated = |c: &[f64]| (0..order).fold(Coefficients::from(c), |c, _| derivative(&c));
+pub(crate) fn inner<R: Real>(f: &[R], g: &[R], order: usize) -> R {
+    let differentiated = |c: &[R]| (0..order).fold(Coefficients::from(c), |c, _| derivative(&c));
     let [f, g] = [f, g].map(differentiated);
-    let mut sum = 0.0;
+    let mut sum = R::ZERO;
     for (i, a) in f.iter().enumerate() {
         // ∫ s^(i+j) = 2/(i+j+1) for even i + j.
         let pairs =
             g.get(i % 2..).unwrap_or_default().chunks(2).zip(POWERS[(i + i % 2) / 2..].iter());
-        sum += a * pairs.map(|(pair, whole)| pair[0] * whole).sum::<f64>();
+        sum += *a * pairs.map(|(pair, whole)| pair[0] * *whole).sum::<R>();
     }
     sum
 }

@@ -2,11 +2,8 @@
 
 use crate::contact::state::ContactState;
 use crate::contact::surface::{PointForce, Surface};
-use crate::ground::link::settled;
-use crate::mesh::cell::Cell;
-use crate::mesh::deflection::{BeamPoint, pressure_under};
+use crate::mesh::deflection::BeamPoint;
 use crate::model::{Action, Model, Support, SupportKind};
-use crate::numeric::polynomial::{Coefficients, derivative, product, rescale};
 use crate::numeric::tolerance::same_place;
 use crate::solution::candidate::{Candidate, Workspace};
 use crate::solution::fields::{
@@ -69,68 +66,11 @@ fn pieces(found: &ContactState, surface: &Surface, pieces: &mut Vec<SolutionPiec
     let parts = surface.short_parts(&found.mesh);
     pieces.reserve(parts.len());
     for part in &parts {
-        let [from, to] = part.s;
-        let (middle, quarter) = (0.5 * (from + to), 0.5 * (to - from));
-        let half = 0.5 * found.mesh.cells[part.cell].length() * quarter;
-        let (cell, deflection) = if part.s == [-1.0, 1.0] {
-            (found.mesh.cells[part.cell], w.cell(part.cell).into())
-        } else {
-            let cell = found.mesh.cells[part.cell].part(part.s);
-            (cell, rescale(w.cell(part.cell), middle, quarter))
-        };
-        let touching = part.open.is_none() && !found.at_nodes;
-        let pressure = if touching {
-            pressure_under(&cell, half, &deflection)
-        } else {
-            Coefficients::default()
-        };
-        let rotation = match cell.beam_shear {
-            Some(_) if part.s == [-1.0, 1.0] => found.rotation(part.cell),
-            Some(_) => rescale(&found.rotation(part.cell), middle, quarter),
-            None => Coefficients::default(),
-        };
-        let moment = bent(&cell, half, &deflection, &rotation);
-        let settlement = match part.open {
-            Some(ends) if cell.ground_varies() && cell.shear_layer > 0.0 => {
-                settled(&cell.subgrade_along(), &cell.shear_layer_along(), half, ends)
-            }
-            _ => Coefficients::default(),
-        };
-        pieces.push(SolutionPiece {
-            half,
-            x: cell.x,
-            cell,
-            deflection,
-            rotation,
-            moment,
-            pressure,
-            open: part.open,
-            settlement,
-        });
+        let cell = &found.mesh.cells[part.cell];
+        let rotation = cell.beam_shear.map(|_| found.rotation(part.cell));
+        let w = w.cell(part.cell);
+        pieces.push(SolutionPiece::of(cell, part, w, rotation.as_deref(), !found.at_nodes));
     }
-}
-
-/// The coefficients of M = −EI (φ' − κ₀), with φ = w' where the beam does not shear.
-fn bent(cell: &Cell, half: f64, deflection: &[f64], rotation: &[f64]) -> Coefficients {
-    let times = if cell.beam_varies() { 1.0 } else { cell.stiffness };
-    let (factor, mut bend) = if rotation.is_empty() {
-        (-times / (half * half), derivative(&derivative(deflection)))
-    } else {
-        (-times / half, derivative(rotation))
-    };
-    for c in bend.iter_mut() {
-        *c *= factor;
-    }
-    let bent = if cell.beam_varies() { product(&cell.stiffness_along(), &bend) } else { bend };
-    if !cell.has_imposed_curvature() {
-        return bent;
-    }
-    let curling = cell.imposed_moment();
-    let mut moment = bent.at_least(curling.len());
-    for (moment, curling) in moment.iter_mut().zip(curling.iter()) {
-        *moment += curling;
-    }
-    moment
 }
 
 /// Zones and points of contact; adjacent ones are merged.

@@ -3,7 +3,7 @@
 //! Nothing is sampled. The coefficients of a polynomial give its roots and bounds of its values. Roots are
 //! computed only on pieces on which a field may exceed its end values.
 
-use crate::numeric::polynomial::{derivative, jet, value, with_slope};
+use crate::numeric::polynomial::{derivative, jet};
 use crate::numeric::roots::sign_changes;
 use crate::solution::candidate::Candidate;
 use crate::solution::field::Field;
@@ -113,20 +113,6 @@ impl FieldBounds {
 }
 
 impl SolutionPiece {
-    /// One field, with the same bits as in [`SolutionPiece::fields`].
-    fn one(&self, field: Field, s: f64) -> f64 {
-        let per_length = 1.0 / self.half;
-        match field {
-            Field::Deflection => value(&self.deflection, s),
-            Field::Rotation if !self.rotation.is_empty() => value(&self.rotation, s),
-            Field::Slope | Field::Rotation => with_slope(&self.deflection, s)[1] * per_length,
-            Field::Moment => value(&self.moment, s),
-            Field::ShearForce => with_slope(&self.moment, s)[1] * per_length,
-            Field::Pressure => value(&self.pressure, s),
-            Field::Settlement | Field::Gap => self.fields(s).get(field),
-        }
-    }
-
     fn field_bounds(&self, field: Field) -> FieldBounds {
         let per_length = 1.0 / self.half;
         match field {

@@ -1,8 +1,13 @@
 //! Fields, forces and contact zones of a solution, and the closed forms of the fields on a part of the beam.
 
+use crate::contact::surface::SurfacePart;
 use crate::ground::link;
 use crate::mesh::cell::Cell;
-use crate::numeric::polynomial::{Coefficients, jet, value};
+use crate::mesh::deflection::pressure_under;
+use crate::numeric::polynomial::{
+    Coefficients, derivative, jet, product, rescale, value, with_slope,
+};
+use crate::numeric::real::Real;
 use crate::solution::field::Field;
 
 /// A zone of contact between beam and ground; both ends of a single point are equal.
@@ -115,40 +120,100 @@ pub struct Range {
 
 /// A part of the beam on which every field has one closed form.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct SolutionPiece {
+pub(crate) struct SolutionPiece<R = f64> {
     /// Its ends \[m\].
     pub x: [f64; 2],
     /// Half its length \[m\]; more accurate than the difference of its ends, which are rounded.
     pub half: f64,
     /// The cell that contains it, cut to its ends: coefficients of ground, beam and loads.
-    pub cell: Cell,
+    pub cell: Cell<R>,
     /// Coefficients of w(s).
-    pub deflection: Coefficients,
+    pub deflection: Coefficients<R>,
     /// Coefficients of φ(s); empty if the beam does not shear.
-    pub rotation: Coefficients,
+    pub rotation: Coefficients<R>,
     /// Coefficients of M(s).
-    pub moment: Coefficients,
+    pub moment: Coefficients<R>,
     /// Coefficients of p(s).
-    pub pressure: Coefficients,
+    pub pressure: Coefficients<R>,
     /// On open ground: u at both ends.
-    pub open: Option<[f64; 2]>,
+    pub open: Option<[R; 2]>,
     /// On open varying ground: coefficients of u(s).
-    pub settlement: Coefficients,
+    pub settlement: Coefficients<R>,
 }
 
-impl SolutionPiece {
+impl<R: Real> SolutionPiece<R> {
+    /// A part of a cell, from the coefficients of w and of φ in this cell. `presses`: the contact pressure is
+    /// distributed.
+    pub fn of(
+        cell: &Cell<R>,
+        part: &SurfacePart<R>,
+        deflection: &[R],
+        rotation: Option<&[R]>,
+        presses: bool,
+    ) -> Self {
+        let [from, to] = part.s;
+        let (middle, quarter) = (0.5 * (from + to), 0.5 * (to - from));
+        let half = 0.5 * cell.length() * quarter;
+        let whole = part.s == [-1.0, 1.0];
+        let own = |c: &[R]| if whole { c.into() } else { rescale(c, middle, quarter) };
+        let cell = if whole { *cell } else { cell.part(part.s) };
+        let (deflection, rotation) = (own(deflection), rotation.map(own).unwrap_or_default());
+        let pressure = if part.open.is_none() && presses {
+            pressure_under(&cell, half, &deflection)
+        } else {
+            Coefficients::default()
+        };
+        let settlement = match part.open {
+            Some(ends) if cell.ground_varies() && cell.shear_layer.value() > 0.0 => {
+                link::settled(&cell.subgrade_along(), &cell.shear_layer_along(), half, ends)
+            }
+            _ => Coefficients::default(),
+        };
+        let moment = bent(&cell, half, &deflection, &rotation);
+        SolutionPiece {
+            half,
+            x: cell.x,
+            cell,
+            deflection,
+            rotation,
+            moment,
+            pressure,
+            open: part.open,
+            settlement,
+        }
+    }
+
     /// The length of the open ground in decay lengths, b·h.
-    fn decay(&self) -> f64 {
+    fn decay(&self) -> R {
         (self.cell.subgrade / self.cell.shear_layer).sqrt() * 2.0 * self.half
     }
 
-    fn gap_at(&self, s: f64) -> f64 {
+    fn gap_at(&self, s: f64) -> R {
         let [left, right] = self.cell.gap;
-        0.5 * (left + right) + 0.5 * (right - left) * s
+        (left + right) * 0.5 + (right - left) * 0.5 * s
+    }
+
+    /// One field, with the same bits as in [`SolutionPiece::fields`].
+    pub(crate) fn one(&self, field: Field, s: f64) -> R {
+        let per_length = 1.0 / self.half;
+        match field {
+            Field::Deflection => value(&self.deflection, s),
+            Field::Rotation if !self.rotation.is_empty() => value(&self.rotation, s),
+            Field::Slope | Field::Rotation => with_slope(&self.deflection, s)[1] * per_length,
+            Field::Moment => value(&self.moment, s),
+            Field::ShearForce => with_slope(&self.moment, s)[1] * per_length,
+            Field::Pressure => value(&self.pressure, s),
+            Field::Gap if self.open.is_none() => R::ZERO,
+            Field::Settlement | Field::Gap => {
+                let [w, dw] = with_slope(&self.deflection, s);
+                let [settlement, _] = self.settlement(s, w, dw * per_length);
+                if field == Field::Gap { settlement + self.gap_at(s) - w } else { settlement }
+            }
+        }
     }
 
     /// u and u'.
-    pub(crate) fn settlement(&self, s: f64, w: f64, slope: f64) -> [f64; 2] {
+    pub(crate) fn settlement(&self, s: f64, w: R, slope: R) -> [R; 2] {
         match self.open {
             None => [w - self.gap_at(s), slope - self.cell.gap_slope],
             Some(ends) => {
@@ -159,9 +224,9 @@ impl SolutionPiece {
     }
 
     /// The contribution of the beam's pressure elsewhere to u and u' of open ground.
-    pub(crate) fn pressed(&self, s: f64, [left, right]: [f64; 2]) -> [f64; 2] {
-        if [left, right] == [0.0; 2] {
-            return [0.0; 2];
+    pub(crate) fn pressed(&self, s: f64, [left, right]: [R; 2]) -> [R; 2] {
+        if [left, right] == [R::ZERO; 2] {
+            return [R::ZERO; 2];
         }
         if !self.settlement.is_empty() {
             let [u, du, ..] = jet(&self.settlement, s);
@@ -174,6 +239,23 @@ impl SolutionPiece {
         [link::between(left, right, bh, t), b * slope]
     }
 
+    pub(crate) fn local(&self, x: f64) -> f64 {
+        let [from, to] = self.x;
+        let s = if x - from <= to - x {
+            (x - from) / self.half - 1.0
+        } else {
+            1.0 - (to - x) / self.half
+        };
+        s.clamp(-1.0, 1.0)
+    }
+
+    pub(crate) fn global(&self, s: f64) -> f64 {
+        let [from, to] = self.x;
+        if s <= 0.0 { from + self.half * (1.0 + s) } else { to - self.half * (1.0 - s) }
+    }
+}
+
+impl SolutionPiece {
     pub(crate) fn fields(&self, s: f64) -> Fields {
         let per_length = 1.0 / self.half;
         let [w, dw, ..] = jet(&self.deflection, s);
@@ -195,19 +277,27 @@ impl SolutionPiece {
             pressure: value(&self.pressure, s),
         }
     }
+}
 
-    pub(crate) fn local(&self, x: f64) -> f64 {
-        let [from, to] = self.x;
-        let s = if x - from <= to - x {
-            (x - from) / self.half - 1.0
-        } else {
-            1.0 - (to - x) / self.half
-        };
-        s.clamp(-1.0, 1.0)
+/// The coefficients of M = −EI (φ' − κ₀), with φ = w' where the beam does not shear.
+fn bent<R: Real>(cell: &Cell<R>, half: f64, deflection: &[R], rotation: &[R]) -> Coefficients<R> {
+    let times = if cell.beam_varies() { R::ONE } else { cell.stiffness };
+    let (factor, mut bend) = if rotation.is_empty() {
+        (-times / (half * half), derivative(&derivative(deflection)))
+    } else {
+        (-times / half, derivative(rotation))
+    };
+    for c in bend.iter_mut() {
+        *c *= factor;
     }
-
-    pub(crate) fn global(&self, s: f64) -> f64 {
-        let [from, to] = self.x;
-        if s <= 0.0 { from + self.half * (1.0 + s) } else { to - self.half * (1.0 - s) }
+    let bent = if cell.beam_varies() { product(&cell.stiffness_along(), &bend) } else { bend };
+    if !cell.has_imposed_curvature() {
+        return bent;
     }
+    let curling = cell.imposed_moment();
+    let mut moment = bent.at_least(curling.len());
+    for (moment, curling) in moment.iter_mut().zip(curling.iter()) {
+        *moment += *curling;
+    }
+    moment
 }

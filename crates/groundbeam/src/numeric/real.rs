@@ -1,0 +1,104 @@
+//! The numbers of the mechanics: `f64`, or values that carry derivatives.
+//!
+//! A `Real` has no order. Every decision names the value on which it rests, so derivatives never change a decision. A
+//! comparison `==` covers the value and the derivatives: a zero that has a derivative is not zero.
+
+use std::fmt::Debug;
+use std::iter::Sum;
+use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
+
+/// A number of beam, ground or loads.
+pub(crate) trait Real:
+    Copy
+    + Default
+    + Debug
+    + PartialEq
+    + PartialEq<f64>
+    + From<f64>
+    + Sum
+    + Neg<Output = Self>
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Add<f64, Output = Self>
+    + Sub<f64, Output = Self>
+    + Mul<f64, Output = Self>
+    + Div<f64, Output = Self>
+    + AddAssign
+    + SubAssign
+    + MulAssign
+    + AddAssign<f64>
+    + SubAssign<f64>
+    + MulAssign<f64>
+{
+    const ZERO: Self;
+    const ONE: Self;
+
+    /// The number without its derivatives.
+    fn value(self) -> f64;
+
+    fn sqrt(self) -> Self;
+    fn exp(self) -> Self;
+    /// eˣ − 1.
+    fn expm1(self) -> Self;
+    fn sinh(self) -> Self;
+    fn cosh(self) -> Self;
+    fn tanh(self) -> Self;
+    fn is_finite(self) -> bool;
+}
+
+impl Real for f64 {
+    const ZERO: Self = 0.0;
+    const ONE: Self = 1.0;
+
+    #[inline]
+    fn value(self) -> f64 {
+        self
+    }
+
+    #[inline]
+    fn sqrt(self) -> Self {
+        f64::sqrt(self)
+    }
+
+    #[inline]
+    fn exp(self) -> Self {
+        libm::exp(self)
+    }
+
+    #[inline]
+    fn expm1(self) -> Self {
+        libm::expm1(self)
+    }
+
+    #[inline]
+    fn sinh(self) -> Self {
+        libm::sinh(self)
+    }
+
+    #[inline]
+    fn cosh(self) -> Self {
+        libm::cosh(self)
+    }
+
+    #[inline]
+    fn tanh(self) -> Self {
+        libm::tanh(self)
+    }
+
+    #[inline]
+    fn is_finite(self) -> bool {
+        f64::is_finite(self)
+    }
+}
+
+/// The sum of N terms, the first one first. The compiler unrolls it for every `Real`, unlike an iterator's `sum`.
+#[inline(always)]
+pub(crate) fn sum<R: Real, const N: usize>(term: impl Fn(usize) -> R) -> R {
+    let mut sum = term(0);
+    for i in 1..N {
+        sum += term(i);
+    }
+    sum
+}
