@@ -2,12 +2,12 @@
 
 use crate::cancel::Cancel;
 use crate::chain::elimination::Chain;
-use crate::chain::node::{ChainCell, ChainNode, NotDefinite};
+use crate::chain::node::{ChainNode, NotDefinite};
 use crate::contact::intervals::{Interval, zones_of};
 use crate::contact::layout::Layout;
 use crate::contact::state::{ContactState, turned};
 use crate::contact::stopping::{STIFFEST_TETHER, TIGHTEN};
-use crate::element::element::TERMS;
+use crate::element::element::{Element, TERMS};
 use crate::element::operator::{Operator, ZoneKind};
 use crate::element::{ExactElement, cut, cut_equally};
 use crate::mesh::cell::Cell;
@@ -15,8 +15,8 @@ use crate::mesh::deflection::MeshZone;
 use crate::mesh::mesh::{Mesh, Node};
 use crate::model::Model;
 use crate::numeric::elementary::power;
-use crate::numeric::polynomial::rescale;
 use crate::numeric::polynomial::value;
+use crate::numeric::real::Real;
 use std::borrow::Cow;
 
 /// The bonded problem of one beam, on contact intervals that change from step to step.
@@ -73,8 +73,22 @@ fn deflection_at(found: &ContactState, x: f64) -> f64 {
     value(found.deflection().cell(cell), found.mesh.cells[cell].local(x))
 }
 
+/// The chain of a mesh with its elements, bonded in given zones whose ends are nodes.
+pub(crate) fn chain_of<R: Real>(
+    mesh: &Mesh<R>,
+    zones: &[MeshZone],
+    elements: impl Iterator<Item = Element<R>>,
+) -> Chain<R> {
+    let layout = Layout::of(mesh, zones);
+    let cell = |(i, element): (usize, Element<R>)| {
+        layout.chain_cell(mesh, i, element, |s| element.end_row(s > 0.0))
+    };
+    let cells = elements.enumerate().map(cell).collect();
+    Chain { nodes: layout.nodes(mesh), cells, meeting: layout.meeting_node(mesh) }
+}
+
 /// The kind of zone in which a cell lies: contact within an interval, else open.
-fn zone_kind_of(intervals: &[Interval]) -> impl Fn(&Cell) -> ZoneKind + '_ {
+pub(crate) fn zone_kind_of(intervals: &[Interval]) -> impl Fn(&Cell) -> ZoneKind + '_ {
     |cell| {
         let x = 0.5 * (cell.x[0] + cell.x[1]);
         let next = intervals.partition_point(|s| s[1] <= x);
@@ -190,8 +204,8 @@ impl<'a> Bonded<'a> {
         Ok(ContactState::exact(mesh, coefficients, rotation, zones))
     }
 
-    /// The chain of beam and ground bonded together on given intervals, with nodes at `more` positions.
-    pub fn system_on(&mut self, intervals: &[Interval], more: &[f64]) -> BondedSystem {
+    /// The cells of the beam bonded on given intervals, with nodes at `more` positions, one element each; and its zones.
+    pub fn mesh_on(&self, intervals: &[Interval], more: &[f64]) -> (Mesh, Vec<MeshZone>) {
         let axial = self.model.beam.axial_force;
         let touch = zone_kind_of(intervals);
         let edges = intervals.as_flattened();
@@ -202,16 +216,14 @@ impl<'a> Bonded<'a> {
             cut(&Operator::of(cell, axial, touch(cell)), cell, x);
         });
         let zones = zones_of(&mesh, intervals, &touch);
-        let layout = Layout::of(&mesh, &zones);
-        self.make_elements(&mesh, &touch);
-        let cell = |(i, known): (usize, &Known)| {
-            // Only ends are tied.
-            let element = known.exact.element;
-            layout.chain_cell(&mesh, i, element, |s| element.end_row(s > 0.0))
-        };
-        let cells: Vec<ChainCell> = self.known.iter().enumerate().map(cell).collect();
-        let nodes = layout.nodes(&mesh);
-        let chain = Chain { nodes, cells, meeting: layout.meeting_node(&mesh) };
+        (mesh, zones)
+    }
+
+    /// The chain of beam and ground bonded together on given intervals, with nodes at `more` positions.
+    pub fn system_on(&mut self, intervals: &[Interval], more: &[f64]) -> BondedSystem {
+        let (mesh, zones) = self.mesh_on(intervals, more);
+        self.make_elements(&mesh, &zone_kind_of(intervals));
+        let chain = chain_of(&mesh, &zones, self.known.iter().map(|known| known.exact.element));
         BondedSystem { mesh, zones, chain }
     }
 
@@ -281,17 +293,7 @@ impl<'a> Bonded<'a> {
             while mesh.cells[i].x[1] < middle {
                 i += 1;
             }
-            let cell = &mesh.cells[i];
-            let (series, heights) = &parts[i];
-            let mut c = if run.x == cell.x {
-                series[..].into()
-            } else {
-                let [a, b] = run.x.map(|x| cell.local(x));
-                rescale(series, 0.5 * (a + b), run.length() / cell.length())
-            };
-            if let Some(layers) = self.known[i].exact.layers() {
-                layers.add(cell.x, *heights, run.x, &mut c);
-            }
+            let c = self.known[i].exact.deflection_on(&mesh.cells[i], run.x, &parts[i]);
             coefficients.extend_from_slice(&c);
         }
         (fine, coefficients)

@@ -55,6 +55,27 @@ impl<R: Real> Element<R> {
         Element { stiffness, load: mirror_row(&self.load, h, basis), ..*self }
     }
 
+    /// The coefficients of v in θ at the element's left or right end.
+    pub fn rotation_row(&self, right: bool) -> [f64; 4] {
+        match (right, self.basis) {
+            (false, _) => [0.0, 1.0, 0.0, 0.0],
+            (true, Basis::Deformation) => [0.0, 1.0, 0.0, 1.0],
+            (true, Basis::Ends) => [0.0, 0.0, 0.0, 1.0],
+        }
+    }
+
+    /// v if one end moves down by one, or rotates by one, while the other end stays.
+    pub fn moved_end(&self, right: bool, rotates: bool) -> [f64; 4] {
+        match (right, self.basis, rotates) {
+            (false, Basis::Deformation, false) => [1.0, 0.0, -1.0, 0.0],
+            (false, Basis::Deformation, true) => [0.0, 1.0, -self.length, -1.0],
+            (false, Basis::Ends, false) => [1.0, 0.0, 0.0, 0.0],
+            (false, Basis::Ends, true) => [0.0, 1.0, 0.0, 0.0],
+            (true, _, false) => [0.0, 0.0, 1.0, 0.0],
+            (true, _, true) => [0.0, 0.0, 0.0, 1.0],
+        }
+    }
+
     /// K v − q: the forces on the left end, and those that work on the deformation.
     pub fn forces(&self, v: &[R; 4]) -> [R; 4] {
         std::array::from_fn(|i| sum::<R, 4>(|j| self.stiffness[i][j] * v[j]) - self.load[i])

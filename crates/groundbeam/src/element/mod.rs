@@ -11,6 +11,7 @@ pub(crate) mod series;
 pub(crate) mod uniform;
 
 use crate::mesh::cell::Cell;
+use crate::numeric::polynomial::{Coefficients, rescale};
 use crate::numeric::real::Real;
 use element::{Element, REACH, TERMS};
 use operator::Operator;
@@ -92,6 +93,25 @@ impl<R: Real> ExactElement<R> {
             Functions::Uniform(uniform) => uniform.layers.as_ref(),
             Functions::Quiet(_) | Functions::Series(_) => None,
         }
+    }
+
+    /// The coefficients of w on a part of the element's cell with ends x, from [`Self::unfold`].
+    pub fn deflection_on<S: Real>(
+        &self,
+        cell: &Cell<S>,
+        x: [f64; 2],
+        (series, heights): &([R; TERMS], [R; 2]),
+    ) -> Coefficients<R> {
+        let mut c: Coefficients<R> = if x == cell.x {
+            series[..].into()
+        } else {
+            let [a, b] = x.map(|x| cell.local(x));
+            rescale(series, 0.5 * (a + b), (x[1] - x[0]) / cell.length())
+        };
+        if let Some(layers) = self.layers() {
+            layers.add(cell.x, *heights, x, &mut c);
+        }
+        c
     }
 
     /// The coefficients of φ(s), the rotation of the sections, if the beam shears.

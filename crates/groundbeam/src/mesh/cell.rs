@@ -2,6 +2,7 @@
 
 use crate::ground::link::{between, settled, slope_between};
 use crate::model::{CellPolynomial, Foundation, Profile};
+use crate::numeric::dual::Dual;
 use crate::numeric::polynomial::{Coefficients, jet, product, rescale, value};
 use crate::numeric::real::Real;
 use crate::numeric::roots::is_free_of_zeros;
@@ -323,6 +324,38 @@ impl Cell {
     /// Sets k and μ from a segment.
     pub fn set_courses(&mut self, [spring, shear]: &[CellPolynomial; 2]) {
         self.set_ground(&spring.coefficients, &shear.coefficients, shear.ends);
+    }
+
+    /// The same cell with derivatives, each from a cell of derivatives.
+    pub fn lifted<const N: usize>(&self, by: [Option<&Cell>; N]) -> Cell<Dual<N>> {
+        let dual = |number: &dyn Fn(&Cell) -> f64| Dual {
+            value: number(self),
+            by: by.map(|cell| cell.map_or(0.0, number)),
+        };
+        let ends = |pair: fn(&Cell) -> [f64; 2]| [0, 1].map(|end| dual(&|cell| pair(cell)[end]));
+        let varies = Varies {
+            stiffness: std::array::from_fn(|j| dual(&|cell| cell.varies.stiffness[j])),
+            subgrade: std::array::from_fn(|j| dual(&|cell| cell.varies.subgrade[j])),
+            shear_layer: std::array::from_fn(|j| dual(&|cell| cell.varies.shear_layer[j])),
+            shear_layer_ends: self.varies.shear_layer_ends.map(|_| ends(Cell::shear_layer_ends)),
+        };
+        let shear = |j: usize| dual(&|cell| cell.beam_shear.map_or(0.0, |shear| shear[j]));
+        Cell {
+            x: self.x,
+            stiffness: dual(&|cell| cell.stiffness),
+            subgrade: dual(&|cell| cell.subgrade),
+            shear_layer: dual(&|cell| cell.shear_layer),
+            beam_shear: self.beam_shear.map(|_| std::array::from_fn(shear)),
+            varies,
+            load: ends(|cell| cell.load),
+            moment_load: ends(|cell| cell.moment_load),
+            curvature: ends(|cell| cell.curvature),
+            gap: ends(|cell| cell.gap),
+            gap_slope: dual(&|cell| cell.gap_slope),
+            ground_load: ends(|cell| cell.ground_load),
+            homogeneous_field: ends(|cell| cell.homogeneous_field),
+            ground_force: dual(&|cell| cell.ground_force),
+        }
     }
 
     /// Multiplies EI and S by a number.

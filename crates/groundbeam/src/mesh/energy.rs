@@ -8,28 +8,29 @@ use crate::mesh::open_ground::open_link;
 use crate::mesh::varying;
 use crate::numeric::polynomial::inner;
 use crate::numeric::polynomial::{derivative, jet, product, rescale, value};
+use crate::numeric::real::Real;
 
 /// A field of deflections of the beam: `terms` coefficients for each cell.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Motion<'a> {
+pub(crate) struct Motion<'a, R = f64> {
     pub terms: usize,
-    pub deflection: &'a [f64],
+    pub deflection: &'a [R],
     /// The rotation of the sections; empty if it is w' everywhere.
-    pub rotation: &'a [f64],
+    pub rotation: &'a [R],
 }
 
-impl Motion<'_> {
-    fn deflection(&self, cell: usize) -> &[f64] {
+impl<R: Real> Motion<'_, R> {
+    fn deflection(&self, cell: usize) -> &[R] {
         &self.deflection[cell * self.terms..(cell + 1) * self.terms]
     }
 
     /// The rotation in a cell of a beam that shears.
-    fn rotation(&self, cell: usize) -> Option<&[f64]> {
+    fn rotation(&self, cell: usize) -> Option<&[R]> {
         self.rotation.get(cell * self.terms..(cell + 1) * self.terms)
     }
 
     /// w and φ at s of a cell.
-    fn at(&self, mesh: &Mesh, cell: usize, s: f64) -> [f64; 2] {
+    fn at(&self, mesh: &Mesh<R>, cell: usize, s: f64) -> [R; 2] {
         let [w, d, ..] = jet(self.deflection(cell), s);
         let slope = d * 2.0 / mesh.cells[cell].length();
         [w, self.rotation(cell).map_or(slope, |rotation| value(rotation, s))]
@@ -38,19 +39,19 @@ impl Motion<'_> {
 
 /// ∫(EI φ'ψ' + S (w' − φ)(z' − ψ) + P w'z') and the springs at supports and in hinges, for w with φ and z
 /// with ψ; ∫(EI w″z″ + P w'z') if the beam does not shear.
-pub(crate) fn beam_form(mesh: &Mesh, a: Motion, b: Motion) -> f64 {
-    let mut sum = 0.0;
+pub(crate) fn beam_form<R: Real>(mesh: &Mesh<R>, a: Motion<R>, b: Motion<R>) -> R {
+    let mut sum = R::ZERO;
     for (i, cell) in mesh.cells.iter().enumerate() {
         let [f, g] = [a.deflection(i), b.deflection(i)];
         let h = cell.length();
         sum += match (cell.beam_shear, a.rotation(i), b.rotation(i)) {
             (Some(shear), Some(p), Some(q)) => {
-                2.0 / h * turning(cell, p, q) + 0.5 * h * shearing(&shear, h, [f, p], [g, q])
+                turning(cell, p, q) * (2.0 / h) + shearing(&shear, h, [f, p], [g, q]) * (0.5 * h)
             }
             _ => bending(cell, f, g) * 8.0 / (h * h * h),
         };
         if mesh.axial_force != 0.0 {
-            sum += energy_form(h, (0.0, mesh.axial_force), [-1.0, 1.0], f, g);
+            sum += energy_form(h, (R::ZERO, mesh.axial_force), [-1.0, 1.0], f, g);
         }
     }
     for (i, node) in mesh.nodes.iter().enumerate() {
@@ -59,8 +60,8 @@ pub(crate) fn beam_form(mesh: &Mesh, a: Motion, b: Motion) -> f64 {
             let ([w, d], [z, e]) = (a.at(mesh, cell, s), b.at(mesh, cell, s));
             sum += node.spring * w * z + node.rotational_spring * d * e;
         }
-        if let Some(spring) = node.hinge.filter(|spring| *spring > 0.0) {
-            let turned = |c: Motion| c.at(mesh, i, -1.0)[1] - c.at(mesh, i - 1, 1.0)[1];
+        if let Some(spring) = node.hinge.filter(|spring| *spring != 0.0) {
+            let turned = |c: Motion<R>| c.at(mesh, i, -1.0)[1] - c.at(mesh, i - 1, 1.0)[1];
             sum += spring * turned(a) * turned(b);
         }
     }
@@ -68,14 +69,16 @@ pub(crate) fn beam_form(mesh: &Mesh, a: Motion, b: Motion) -> f64 {
 }
 
 /// F(w): the work of the loads of a mesh.
-pub(crate) fn work_of_loads(mesh: &Mesh, motion: Motion) -> f64 {
-    let mut work = 0.0;
+pub(crate) fn work_of_loads<R: Real>(mesh: &Mesh<R>, motion: Motion<R>) -> R {
+    let mut work = R::ZERO;
     for (i, cell) in mesh.cells.iter().enumerate() {
         let c = motion.deflection(i);
-        let line = |[left, right]: [f64; 2]| [0.5 * (left + right), 0.5 * (right - left)];
-        work += 0.5 * cell.length() * inner(&line(cell.load), c, 0);
+        let line = |[left, right]: [R; 2]| [(left + right) * 0.5, (right - left) * 0.5];
+        work += inner(&line(cell.load), c, 0) * (0.5 * cell.length());
         let turned = match motion.rotation(i) {
-            Some(rotation) => 0.5 * cell.length() * inner(&line(cell.moment_load), rotation, 0),
+            Some(rotation) => {
+                inner(&line(cell.moment_load), rotation, 0) * (0.5 * cell.length())
+            }
             None => inner(&line(cell.moment_load), &derivative(c), 0),
         };
         work += turned;
@@ -91,29 +94,29 @@ pub(crate) fn work_of_loads(mesh: &Mesh, motion: Motion) -> f64 {
 /// The work of the ground's forces under ψ (contact on `zones`) in a second field δ. If `zones` is the
 /// contact set of ψ, it is the first variation of ½ min_{u ≥ ψ} b(u, u); otherwise it is the bilinear form of
 /// the bonded ground. Both fields are polynomials on the same mesh; the gap is already subtracted from ψ.
-pub(crate) fn ground_work(
-    mesh: &Mesh,
+pub(crate) fn ground_work<R: Real>(
+    mesh: &Mesh<R>,
     terms: usize,
     zones: &[MeshZone],
-    psi: &[f64],
-    delta: &[f64],
-) -> f64 {
-    let of = |c: &'_ [f64], point: BeamPoint| {
+    psi: &[R],
+    delta: &[R],
+) -> R {
+    let of = |c: &'_ [R], point: BeamPoint| {
         value(&c[point.cell * terms..(point.cell + 1) * terms], point.s)
     };
-    let mut work = 0.0;
+    let mut work = R::ZERO;
     for run in ground_runs(mesh) {
         let mut left: Option<BeamPoint> = None;
         let own = zones.iter().filter(|z| run.cells.contains(&z.from.cell));
         let mut any = false;
         let mut across = |from: Option<BeamPoint>, to: Option<BeamPoint>| {
             if let Some(link) = open_link(mesh, &run, from, to) {
-                let [a, b] = [from, to].map(|point| point.map_or(0.0, |point| of(psi, point)));
-                let [da, db] = [from, to].map(|point| point.map_or(0.0, |point| of(delta, point)));
+                let [a, b] = [from, to].map(|point| point.map_or(R::ZERO, |point| of(psi, point)));
+                let [da, db] = [from, to].map(|point| point.map_or(R::ZERO, |point| of(delta, point)));
                 work += link.force_left(a, b) * da + link.force_right(a, b) * db;
             }
         };
-        let mut touching = 0.0;
+        let mut touching = R::ZERO;
         for zone in own {
             any = true;
             if run.pasternak {
@@ -145,17 +148,17 @@ pub(crate) fn ground_work(
 }
 
 /// ∫ (κ f g + N f' g') dx over a part of a cell of length h, for polynomials f and g.
-pub(crate) fn energy_form(
+pub(crate) fn energy_form<R: Real>(
     h: f64,
-    (kappa, tension): (f64, f64),
+    (kappa, tension): (R, R),
     [from, to]: [f64; 2],
-    f: &[f64],
-    g: &[f64],
-) -> f64 {
+    f: &[R],
+    g: &[R],
+) -> R {
     let (middle, quarter) = (0.5 * (from + to), 0.5 * (to - from));
     let half = 0.5 * h * quarter;
     let form =
-        |f: &[f64], g: &[f64]| kappa * half * inner(f, g, 0) + tension / half * inner(f, g, 1);
+        |f: &[R], g: &[R]| kappa * half * inner(f, g, 0) + tension / half * inner(f, g, 1);
     if [from, to] == [-1.0, 1.0] {
         return form(f, g);
     }
@@ -163,21 +166,21 @@ pub(crate) fn energy_form(
 }
 
 /// ∫ EI f″ g″ ds over \[−1, 1\], with derivatives with respect to s.
-fn bending(cell: &Cell, f: &[f64], g: &[f64]) -> f64 {
+fn bending<R: Real>(cell: &Cell<R>, f: &[R], g: &[R]) -> R {
     if cell.beam_varies() { varying::bending(cell, f, g) } else { cell.stiffness * inner(f, g, 2) }
 }
 
 /// ∫ EI φ'ψ' ds over \[−1, 1\], with derivatives with respect to s.
-fn turning(cell: &Cell, f: &[f64], g: &[f64]) -> f64 {
+fn turning<R: Real>(cell: &Cell<R>, f: &[R], g: &[R]) -> R {
     inner(&product(&cell.stiffness_along(), &derivative(f)), &derivative(g), 0)
 }
 
 /// ∫ S (w' − φ)(z' − ψ) ds over \[−1, 1\] in a cell of length h.
-fn shearing(shear: &[f64], h: f64, a: [&[f64]; 2], b: [&[f64]; 2]) -> f64 {
-    let strain = |[w, rotation]: [&[f64]; 2]| {
+fn shearing<R: Real>(shear: &[R], h: f64, a: [&[R]; 2], b: [&[R]; 2]) -> R {
+    let strain = |[w, rotation]: [&[R]; 2]| {
         let mut strain = derivative(w).at_least(rotation.len());
         for (c, turned) in strain.iter_mut().zip(rotation) {
-            *c = 2.0 / h * *c - turned;
+            *c = *c * (2.0 / h) - *turned;
         }
         strain
     };

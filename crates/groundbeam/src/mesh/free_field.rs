@@ -10,31 +10,69 @@
 
 use crate::ground::link::TwoPort;
 use crate::mesh::cell::Cell;
-use crate::model::{Extent, GroundOutside, Model};
+use crate::model::{GroundOutside, Model};
 use crate::numeric::elementary::{exp, expm1};
+use crate::numeric::real::Real;
 
 /// A stretch of constant ground with a linear load.
 #[derive(Debug, Clone, Copy)]
-struct Strip {
+struct Strip<R> {
     x: [f64; 2],
-    spring: f64,
-    shear: f64,
-    load: [f64; 2],
+    spring: R,
+    shear: R,
+    load: [R; 2],
+}
+
+/// A load on the ground: at a point, or linear between two.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct GroundLoad<R = f64> {
+    /// Both ends; equal for a point.
+    pub ends: [f64; 2],
+    /// The size at both ends.
+    pub sizes: [R; 2],
+}
+
+impl<R: Real> GroundLoad<R> {
+    fn is_point(&self) -> bool {
+        self.ends[0] == self.ends[1]
+    }
+
+    fn at(&self, x: f64) -> R {
+        let ([from, to], [start, end]) = (self.ends, self.sizes);
+        if start == end { start } else { (start * (to - x) + end * (x - from)) / (to - from) }
+    }
+}
+
+/// The loads on the ground of a model.
+pub(crate) fn ground_loads(model: &Model) -> Vec<GroundLoad> {
+    let load = |load: &crate::model::Load| GroundLoad {
+        ends: load.extent.ends(),
+        sizes: load.extent.sizes(),
+    };
+    model.ground_loads().map(load).collect()
+}
+
+/// The whole line: beam length, the ground outside both ends, and its loads.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Line<'a, R = f64> {
+    pub length: f64,
+    pub beyond: [&'a GroundOutside<R>; 2],
+    pub loads: &'a [GroundLoad<R>],
 }
 
 /// The end forces of a strip with both ends held: ∫q φ, where φ is the settlement of unloaded ground with φ =
 /// 1 at one end and 0 at the other.
-fn carried(strip: &Strip, link: &TwoPort) -> [f64; 2] {
+fn carried<R: Real>(strip: &Strip<R>, link: &TwoPort<R>) -> [R; 2] {
     let stiffness = (strip.spring * strip.shear).sqrt();
     let z = (strip.spring / strip.shear).sqrt() * (strip.x[1] - strip.x[0]);
     // 1/sinh z − 1/z.
-    let less = if z < 0.5 {
+    let less = if z.value() < 0.5 {
         let square = z * z;
         let terms =
             [-1.0 / 6.0, 7.0 / 360.0, -31.0 / 15120.0, 127.0 / 604_800.0, -73.0 / 3_421_440.0];
-        z * terms.iter().rev().fold(0.0, |sum, term| sum * square + term)
+        z * terms.iter().rev().fold(R::ZERO, |sum, term| sum * square + *term)
     } else {
-        2.0 * exp(-z) / -expm1(-2.0 * z) - 1.0 / z
+        exp(-z) * 2.0 / -expm1(z * -2.0) - R::ONE / z
     };
     let [a, b] = strip.load;
     [(a, b), (b, a)].map(|(here, there)| {
@@ -42,49 +80,36 @@ fn carried(strip: &Strip, link: &TwoPort) -> [f64; 2] {
     })
 }
 
-/// Computes u₀ of a model with loads on the ground, and stores it in every cell.
-pub(crate) fn settle(model: &Model, cells: &mut [Cell]) {
-    let l = model.beam.length;
-    let (Some(first), Some(last)) = (cells.first(), cells.last()) else { return };
-    let ground = &model.foundation;
-    let left = ground.beyond(false, l, first.ground_at(-1.0));
-    let right = ground.beyond(true, l, last.ground_at(1.0));
-    let (mut strips, held_left) = beside(model, &left, false);
+/// Computes u₀ on a line with loads on the ground, and stores it in every cell.
+pub(crate) fn settle<R: Real>(line: &Line<R>, cells: &mut [Cell<R>]) {
+    let (mut strips, held_left) = beside(line, false);
     strips.reverse();
     let begin = strips.len();
-    strips.extend(cells.iter().map(|cell| Strip {
-        x: cell.x,
-        spring: cell.subgrade,
-        shear: cell.shear_layer,
-        load: cell.ground_load,
-    }));
-    let (outer, held_right) = beside(model, &right, true);
+    strips.extend(cells.iter().map(under));
+    let (outer, held_right) = beside(line, true);
     strips.extend(outer);
-    let homogeneous = homogeneous(model, &strips, [held_left, held_right]);
+    let homogeneous = homogeneous(line, &strips, [held_left, held_right]);
     for (cell, homogeneous) in cells.iter_mut().zip(&homogeneous[begin..]) {
         cell.homogeneous_field = *homogeneous;
     }
 }
 
+fn under<R: Real>(cell: &Cell<R>) -> Strip<R> {
+    Strip { x: cell.x, spring: cell.subgrade, shear: cell.shear_layer, load: cell.ground_load }
+}
+
 /// u₀ at a position outside the beam.
-pub(crate) fn at(
-    model: &Model,
-    beyond: &GroundOutside,
-    right: bool,
-    cells: &[Cell],
-    distance: f64,
-) -> f64 {
-    let l = model.beam.length;
-    let (mut strips, held) = beside(model, beyond, right);
-    let x = if right { l + distance } else { -distance };
-    let Some(i) = strips.iter().position(|s| s.x[0] <= x && x <= s.x[1]) else { return 0.0 };
+pub(crate) fn at<R: Real>(line: &Line<R>, right: bool, cells: &[Cell<R>], distance: f64) -> R {
+    let (mut strips, held) = beside(line, right);
+    let x = if right { line.length + distance } else { -distance };
+    let Some(i) = strips.iter().position(|s| s.x[0] <= x && x <= s.x[1]) else { return R::ZERO };
     // The field outside, for its value at the beam's end.
     let strip = strips[i];
     if x > strip.x[0] && x < strip.x[1] {
         let value = |at: f64| {
             // An infinite strip has no load.
-            if strip.load == [0.0; 2] {
-                return 0.0;
+            if strip.load == [R::ZERO; 2] {
+                return R::ZERO;
             }
             let t = (at - strip.x[0]) / (strip.x[1] - strip.x[0]);
             strip.load[0] * (1.0 - t) + strip.load[1] * t
@@ -96,50 +121,46 @@ pub(crate) fn at(
         }
         strips.splice(i..=i, parts);
     }
-    let inner = |cell: &Cell| Strip {
-        x: cell.x,
-        spring: cell.subgrade,
-        shear: cell.shear_layer,
-        load: cell.ground_load,
-    };
-    let other = model.foundation.beyond(!right, l, {
-        let cell = if right { &cells[0] } else { &cells[cells.len() - 1] };
-        cell.ground_at(if right { -1.0 } else { 1.0 })
-    });
-    let (mut far, held_far) = beside(model, &other, !right);
+    let (mut far, held_far) = beside(line, !right);
     far.reverse();
     if right {
         let begin = far.len() + cells.len();
-        far.extend(cells.iter().map(inner));
+        far.extend(cells.iter().map(under));
         far.extend(strips);
-        value_at(model, &far, [held_far, held], x, begin)
+        value_at(line, &far, [held_far, held], x, begin)
     } else {
         strips.reverse();
-        strips.extend(cells.iter().map(inner));
+        strips.extend(cells.iter().map(under));
         far.reverse();
         strips.extend(far);
-        value_at(model, &strips, [held, held_far], x, 0)
+        value_at(line, &strips, [held, held_far], x, 0)
     }
 }
 
-fn value_at(model: &Model, strips: &[Strip], held: [bool; 2], x: f64, begin: usize) -> f64 {
-    let homogeneous = homogeneous(model, strips, held);
+fn value_at<R: Real>(
+    line: &Line<R>,
+    strips: &[Strip<R>],
+    held: [bool; 2],
+    x: f64,
+    begin: usize,
+) -> R {
+    let homogeneous = homogeneous(line, strips, held);
     let of = |i: usize, end: usize| homogeneous[i][end] + strips[i].load[end] / strips[i].spring;
     (begin..strips.len())
         .find_map(|i| {
             let ends = strips[i].x;
             if ends[1] == x { Some(of(i, 1)) } else { (ends[0] == x).then(|| of(i, 0)) }
         })
-        .unwrap_or(0.0)
+        .unwrap_or(R::ZERO)
 }
 
 /// The strips outside one end of the beam, listed outward and cut at the ends of loads; and whether the far
 /// end is held.
-fn beside(model: &Model, beyond: &GroundOutside, right: bool) -> (Vec<Strip>, bool) {
-    let l = model.beam.length;
+fn beside<R: Real>(line: &Line<R>, right: bool) -> (Vec<Strip<R>>, bool) {
+    let (l, beyond) = (line.length, line.beyond[usize::from(right)]);
     let outward = |x: f64| if right { x - l } else { -x };
-    let ends = model.ground_loads().flat_map(|load| load.extent.ends());
-    let mut cuts: Vec<f64> = ends.map(outward).collect();
+    let mut cuts: Vec<f64> =
+        line.loads.iter().flat_map(|load| load.ends).map(outward).collect();
     cuts.retain(|cut| *cut > 0.0);
     cuts.sort_by(f64::total_cmp);
     cuts.dedup();
@@ -158,20 +179,20 @@ fn beside(model: &Model, beyond: &GroundOutside, right: bool) -> (Vec<Strip>, bo
                 x,
                 spring: layer.subgrade,
                 shear: layer.shear_layer,
-                load: [0.0; 2],
+                load: [R::ZERO; 2],
             });
         }
         from = to;
     }
-    load_strips(model, &mut strips, right);
+    load_strips(line.loads, &mut strips, right);
     (strips, beyond.held)
 }
 
 /// Adds the distributed loads on the ground to strips that are ordered outward.
-fn load_strips(model: &Model, strips: &mut [Strip], right: bool) {
-    let middle = |strip: &Strip| 0.5 * (strip.x[0] + strip.x[1]);
-    for load in model.ground_loads() {
-        let Extent::Distributed { from, to, .. } = load.extent else { continue };
+fn load_strips<R: Real>(loads: &[GroundLoad<R>], strips: &mut [Strip<R>], right: bool) {
+    let middle = |strip: &Strip<R>| 0.5 * (strip.x[0] + strip.x[1]);
+    for load in loads.iter().filter(|load| !load.is_point()) {
+        let [from, to] = load.ends;
         let within = if right {
             let first = strips.partition_point(|strip| middle(strip) <= from);
             first..strips.partition_point(|strip| middle(strip) < to).max(first)
@@ -181,22 +202,25 @@ fn load_strips(model: &Model, strips: &mut [Strip], right: bool) {
         };
         // An infinite strip has no load.
         for strip in strips[within].iter_mut().filter(|s| s.x.iter().all(|x| x.is_finite())) {
-            load.extent.add_to(&mut strip.load, strip.x);
+            for (sum, x) in strip.load.iter_mut().zip(strip.x) {
+                *sum += load.at(x);
+            }
         }
     }
 }
 
 /// e at both ends of each strip.
-fn homogeneous(model: &Model, strips: &[Strip], held: [bool; 2]) -> Vec<[f64; 2]> {
-    let mut homogeneous = vec![[0.0; 2]; strips.len()];
+fn homogeneous<R: Real>(line: &Line<R>, strips: &[Strip<R>], held: [bool; 2]) -> Vec<[R; 2]> {
+    let mut homogeneous = vec![[R::ZERO; 2]; strips.len()];
     let mut from = 0;
     while from < strips.len() {
-        let layered = strips[from].shear > 0.0;
-        let run = strips[from..].iter().take_while(|s| (s.shear > 0.0) == layered).count();
+        let layered = strips[from].shear.value() > 0.0;
+        let same = |s: &&Strip<R>| (s.shear.value() > 0.0) == layered;
+        let run = strips[from..].iter().take_while(same).count();
         let to = from + run;
         if layered {
             let held = [held[0] && from == 0, held[1] && to == strips.len()];
-            let u = chain(model, &strips[from..to], held);
+            let u = chain(line, &strips[from..to], held);
             for (i, strip) in strips[from..to].iter().enumerate() {
                 let ends = [u[i], u[i + 1]];
                 homogeneous[from + i] = [0, 1].map(|e| ends[e] - strip.load[e] / strip.spring);
@@ -208,10 +232,11 @@ fn homogeneous(model: &Model, strips: &[Strip], held: [bool; 2]) -> Vec<[f64; 2]
 }
 
 /// u₀ at the nodes of consecutive strips.
-fn chain(model: &Model, strips: &[Strip], held: [bool; 2]) -> Vec<f64> {
+fn chain<R: Real>(line: &Line<R>, strips: &[Strip<R>], held: [bool; 2]) -> Vec<R> {
     let n = strips.len();
     // Stiffness to the ground at each node, series to the next, force.
-    let (mut own, mut series, mut force) = (vec![0.0; n + 1], vec![0.0; n], vec![0.0; n + 1]);
+    let (mut own, mut series, mut force) =
+        (vec![R::ZERO; n + 1], vec![R::ZERO; n], vec![R::ZERO; n + 1]);
     for (i, strip) in strips.iter().enumerate() {
         if strip.x[0] == f64::NEG_INFINITY {
             own[i + 1] += (strip.spring * strip.shear).sqrt();
@@ -228,16 +253,15 @@ fn chain(model: &Model, strips: &[Strip], held: [bool; 2]) -> Vec<f64> {
         }
     }
     if held[0] {
-        own[0] = f64::INFINITY;
+        own[0] = R::from(f64::INFINITY);
     }
     if held[1] {
-        own[n] = f64::INFINITY;
+        own[n] = R::from(f64::INFINITY);
     }
     let nodes: Vec<f64> = strips.iter().map(|s| s.x[0]).chain([strips[n - 1].x[1]]).collect();
-    let l = model.beam.length;
-    for load in model.ground_loads() {
-        let Extent::Point { at, size: load } = load.extent else { continue };
-        let near = 16.0 * f64::EPSILON * (at.abs() + l);
+    for load in line.loads.iter().filter(|load| load.is_point()) {
+        let (at, load) = (load.ends[0], load.sizes[0]);
+        let near = 16.0 * f64::EPSILON * (at.abs() + line.length);
         if at >= nodes[0] - near && at <= nodes[n] + near {
             let right = nodes.partition_point(|x| *x < at).min(n);
             let left = right.saturating_sub(1);
@@ -248,16 +272,17 @@ fn chain(model: &Model, strips: &[Strip], held: [bool; 2]) -> Vec<f64> {
     // The ground to the left of each node, condensed to one spring and one force.
     for i in 0..n {
         let (spring, c) = (own[i], series[i]);
-        if c > 0.0 {
-            own[i + 1] += c / (1.0 + c / spring);
-            force[i + 1] += force[i] * (c / (spring + c));
+        if c.value() > 0.0 {
+            own[i + 1] += c / (c / spring + 1.0);
+            let before = force[i] * (c / (spring + c));
+            force[i + 1] += before;
         }
     }
-    let mut u = vec![0.0; n + 1];
+    let mut u = vec![R::ZERO; n + 1];
     for i in (0..=n).rev() {
-        let (c, next) = if i < n { (series[i], u[i + 1]) } else { (0.0, 0.0) };
+        let (c, next) = if i < n { (series[i], u[i + 1]) } else { (R::ZERO, R::ZERO) };
         let spring = own[i] + c;
-        u[i] = if spring > 0.0 { (force[i] + c * next) / spring } else { 0.0 };
+        u[i] = if spring.value() > 0.0 { (force[i] + c * next) / spring } else { R::ZERO };
     }
     u
 }

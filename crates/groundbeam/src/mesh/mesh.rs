@@ -6,7 +6,7 @@
 use crate::ground::link;
 use crate::mesh::cell::Cell;
 use crate::mesh::cell::Varies;
-use crate::mesh::free_field;
+use crate::mesh::free_field::{self, Line};
 use crate::model::{Action, CellPolynomial, Extent, Load, Model, SupportKind};
 use crate::numeric::polynomial::value;
 use crate::numeric::real::Real;
@@ -139,7 +139,7 @@ impl Mesh {
         }
     }
 
-    fn place_loads_and_supports(&mut self, model: &Model) {
+    pub(super) fn place_loads_and_supports(&mut self, model: &Model) {
         for load in model.beam_loads() {
             let Extent::Point { at, size } = load.extent else { continue };
             let i = self.node_at(at);
@@ -255,6 +255,21 @@ fn nodes_of(cells: &[Cell]) -> Vec<Node> {
 }
 
 fn cells_between(model: &Model, x: &[f64]) -> Vec<Cell> {
+    let mut cells = cells_of(model, x);
+    if model.has_ground_loads() {
+        let ground = &model.foundation;
+        let (first, last) = (cells[0].ground_at(-1.0), cells[cells.len() - 1].ground_at(1.0));
+        let length = model.beam.length;
+        let [left, right] =
+            [ground.beyond(false, length, first), ground.beyond(true, length, last)];
+        let loads = free_field::ground_loads(model);
+        free_field::settle(&Line { length, beyond: [&left, &right], loads: &loads }, &mut cells);
+    }
+    cells
+}
+
+/// The data of all cells but the free field. They are linear in the model's numbers.
+pub(super) fn cells_of(model: &Model, x: &[f64]) -> Vec<Cell> {
     let even = |stiffness: f64| CellPolynomial::constant(stiffness).coefficients;
     let mut cells: Vec<Cell> = x
         .windows(2)
@@ -291,9 +306,7 @@ fn cells_between(model: &Model, x: &[f64]) -> Vec<Cell> {
         let [from, to] = load.extent.ends();
         within(&mut cells, from, to).iter_mut().for_each(|cell| add_distributed(cell, load));
     }
-    if model.has_ground_loads() {
-        load_ground(model, &mut cells);
-    }
+    load_ground(model, &mut cells);
     if !model.gap.is_empty() {
         for cell in &mut cells {
             cell.gap = cell.x.map(|x| initial_gap(model, x));
@@ -303,7 +316,7 @@ fn cells_between(model: &Model, x: &[f64]) -> Vec<Cell> {
     cells
 }
 
-/// Adds the loads on the ground, and the free-field settlement under them.
+/// Adds the loads on the ground.
 fn load_ground(model: &Model, cells: &mut [Cell]) {
     let middle = |cell: &Cell| 0.5 * (cell.x[0] + cell.x[1]);
     for load in model.ground_loads() {
@@ -328,7 +341,6 @@ fn load_ground(model: &Model, cells: &mut [Cell]) {
             }
         }
     }
-    free_field::settle(model, cells);
 }
 
 /// The cells between two positions.

@@ -5,6 +5,7 @@ pub(crate) mod deflection;
 pub(crate) mod energy;
 pub(crate) mod free_field;
 pub(crate) mod ground_runs;
+pub(crate) mod lifted;
 pub(crate) mod mesh;
 pub(crate) mod open_ground;
 pub(crate) mod varying;

@@ -36,17 +36,17 @@ pub(crate) fn pressure<R: Real>(cell: &Cell<R>, half: f64, obstacle: &[R]) -> Co
 }
 
 /// ∫ EI f″ g″ ds over \[−1, 1\], with derivatives with respect to s.
-pub(crate) fn bending(cell: &Cell, f: &[f64], g: &[f64]) -> f64 {
-    let bend = |c: &[f64]| derivative(&derivative(c));
+pub(crate) fn bending<R: Real>(cell: &Cell<R>, f: &[R], g: &[R]) -> R {
+    let bend = |c: &[R]| derivative(&derivative(c));
     inner(&product(&cell.stiffness_along(), &bend(f)), &bend(g), 0)
 }
 
 /// ∫ (k f g + μ f' g') dx over a part of a cell.
-pub(crate) fn energy_form(cell: &Cell, part: [f64; 2], f: &[f64], g: &[f64]) -> f64 {
+pub(crate) fn energy_form<R: Real>(cell: &Cell<R>, part: [f64; 2], f: &[R], g: &[R]) -> R {
     let (middle, quarter) = (0.5 * (part[0] + part[1]), 0.5 * (part[1] - part[0]));
     let half = 0.5 * cell.length() * quarter;
-    let [f, g, spring, shear] = [f, g, &cell.subgrade_along(), &cell.shear_layer_along()]
-        .map(|c| rescale(c, middle, quarter));
+    let (spring, shear) = (cell.subgrade_along(), cell.shear_layer_along());
+    let [f, g, spring, shear] = [f, g, &spring, &shear].map(|c| rescale(c, middle, quarter));
     let [df, dg] = [&f, &g].map(|c| derivative(c));
-    half * inner(&product(&spring, &f), &g, 0) + inner(&product(&shear, &df), &dg, 0) / half
+    inner(&product(&spring, &f), &g, 0) * half + inner(&product(&shear, &df), &dg, 0) / half
 }

@@ -2,6 +2,7 @@
 
 use crate::model::foundation::Foundation;
 use crate::model::foundation::GroundEnd;
+use crate::numeric::real::Real;
 
 /// A stretch of ground with constant k and μ > 0 outside the beam.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -26,23 +27,35 @@ impl Foundation {
     /// The ground to the left or to the right of a beam of length `l`, with k and μ of the beam's end. Its
     /// constants continue outward until a segment begins. It is empty next to Winkler ground under the beam's
     /// end, whose surface may jump there.
-    pub(crate) fn beyond(&self, right: bool, l: f64, [spring, shear]: [f64; 2]) -> GroundOutside {
-        if shear == 0.0 {
-            return GroundOutside::default();
+    pub(crate) fn beyond(&self, right: bool, l: f64, at_end: [f64; 2]) -> GroundOutside {
+        let own = |i: usize| {
+            let segment = &self.segments[i];
+            [segment.subgrade.start(), segment.shear_layer.start()]
+        };
+        self.beyond_with(right, l, at_end, own)
+    }
+
+    /// The same from numbers of any kind: `own` gives k and μ of a segment.
+    pub(crate) fn beyond_with<R: Real>(
+        &self,
+        right: bool,
+        l: f64,
+        [spring, shear]: [R; 2],
+        own: impl Fn(usize) -> [R; 2],
+    ) -> GroundOutside<R> {
+        if shear.value() == 0.0 {
+            return GroundOutside { layers: Vec::new(), held: false };
         }
         // 0.0 − x instead of −x, which would be −0 at the beam's end.
         let outward = |x: f64| if right { x - l } else { 0.0 - x };
         let mut stretches = vec![(0.0, spring, shear)];
-        for segment in &self.segments {
+        for (i, segment) in self.segments.iter().enumerate() {
             let (near, far) =
                 if right { (segment.from, segment.to) } else { (segment.to, segment.from) };
             // Ground that reaches under the beam continues the constants at its end.
             if outward(near) >= 0.0 && outward(far) > 0.0 {
-                stretches.push((
-                    outward(near),
-                    segment.subgrade.start(),
-                    segment.shear_layer.start(),
-                ));
+                let [spring, shear] = own(i);
+                stretches.push((outward(near), spring, shear));
             }
         }
         stretches.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -57,7 +70,7 @@ impl Foundation {
             if to <= from {
                 continue;
             }
-            if shear == 0.0 {
+            if shear.value() == 0.0 {
                 held = false;
                 break;
             }

@@ -4,7 +4,7 @@ use crate::Step;
 use crate::existence::verdict::Existence;
 use crate::ground::link;
 use crate::mesh::cell::Cell;
-use crate::mesh::free_field;
+use crate::mesh::free_field::{self, Line, ground_loads};
 use crate::model::{GroundOutside, Model};
 use crate::solution::certificate::Certificate;
 
@@ -198,8 +198,10 @@ impl Solution {
             return link::beside(&beyond, end.settlement, distance);
         }
         let cells: Vec<Cell> = self.pieces().iter().map(|piece| piece.cell).collect();
-        let own =
-            |distance: f64| free_field::at(&self.candidate.model, &beyond, right, &cells, distance);
+        let (other, loads) = (self.beyond(!right), ground_loads(self.model()));
+        let both = if right { [&other, &beyond] } else { [&beyond, &other] };
+        let line = Line { length: l, beyond: both, loads: &loads };
+        let own = |distance: f64| free_field::at(&line, right, &cells, distance);
         link::beside(&beyond, end.settlement - own(0.0), distance) + own(distance)
     }
 

@@ -1,0 +1,152 @@
+//! The derivatives of a model's numbers by one parameter.
+//!
+//! They are a model with the same parts at the same positions: every number is the derivative of the model's number. No
+//! position moves. A load that moves is a load or a step at the place where it stands ([`Moved`]).
+
+use super::parameter::{Domain, LoadNumber, Parameter, Property, SupportNumber, set_load, set_property};
+use crate::model::{Action, Extent, Load, Model, SupportKind};
+
+/// The derivatives of a model's numbers by one parameter.
+#[derive(Debug, Clone)]
+pub(super) struct Tangent {
+    pub model: Model,
+    /// The load that moves with the parameter.
+    pub moved: Option<Moved>,
+}
+
+/// A point load, or an end of a distributed load, that moves.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Moved {
+    /// Its position \[m\].
+    pub x: f64,
+    pub what: Motion,
+    /// Whether it is a point load.
+    pub is_point: bool,
+}
+
+/// What moves: the state to the left of the place follows it to the right.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Motion {
+    /// A point force: M changes by the jump of V, and w by the jump of w′.
+    Force(f64),
+    /// A point moment: the rotation changes by the jump of φ′.
+    Moment(f64),
+    /// A force per length: a point force, part of the tangent's loads.
+    ForcePerLength,
+    /// A moment per length: a point moment.
+    MomentPerLength(f64),
+    /// An imposed curvature: a kink of φ.
+    Curvature(f64),
+}
+
+impl Tangent {
+    /// By a parameter that the model has.
+    pub fn of(parameter: Parameter, model: &Model) -> Self {
+        let mut tangent = Tangent { model: without_numbers(model), moved: None };
+        let rates = &mut tangent.model;
+        match parameter {
+            Parameter::Value(property, domain) => set_property(rates, property, domain, 1.0),
+            Parameter::Factor(property, domain) => copy_property(rates, model, property, domain),
+            Parameter::AxialForce => rates.beam.axial_force = 1.0,
+            Parameter::LoadFactor => rates.loads.clone_from(&model.loads),
+            Parameter::Load(i, number) => tangent.add_load(i, &model.loads[i], number),
+            Parameter::Support(i, number) => {
+                let support = &mut rates.supports[i];
+                match (number, &mut support.kind) {
+                    (SupportNumber::Settlement, _) => support.settlement = 1.0,
+                    (SupportNumber::Spring, SupportKind::Spring { spring, .. }) => *spring = 1.0,
+                    (
+                        SupportNumber::RotationalSpring,
+                        SupportKind::Spring { rotational_spring, .. },
+                    ) => *rotational_spring = 1.0,
+                    _ => {}
+                }
+            }
+            Parameter::HingeSpring(i) => rates.hinges[i].rotational_spring = 1.0,
+            Parameter::Gap(i) => rates.gap[i].value = 1.0,
+        }
+        tangent
+    }
+
+    fn add_load(&mut self, i: usize, load: &Load, number: LoadNumber) {
+        let moves = matches!(number, LoadNumber::At | LoadNumber::From | LoadNumber::To);
+        if !moves {
+            return set_load(&mut self.model.loads[i], number, 1.0);
+        }
+        match load.extent {
+            Extent::Point { at, size } => {
+                let what = match load.action {
+                    Action::Moment => Motion::Moment(size),
+                    _ => Motion::Force(size),
+                };
+                self.moved = Some(Moved { x: at, what, is_point: true });
+            }
+            Extent::Distributed { from, to, start, end } => {
+                // (x − from)/(to − from) at a fixed x decreases if `from` or `to` moves to the right.
+                let rise = (end - start) / (to - from);
+                let (x, size) = if number == LoadNumber::From { (from, -start) } else { (to, end) };
+                let changed = if number == LoadNumber::From { LoadNumber::Start } else { LoadNumber::End };
+                set_load(&mut self.model.loads[i], changed, -rise);
+                let what = match load.action {
+                    Action::Force => {
+                        self.model.loads.push(Load::point_force(x, size));
+                        Motion::ForcePerLength
+                    }
+                    Action::Moment => Motion::MomentPerLength(size),
+                    Action::Curvature => Motion::Curvature(size),
+                };
+                self.moved = Some(Moved { x, what, is_point: false });
+            }
+        }
+    }
+}
+
+/// The model with all numbers 0 and all positions.
+fn without_numbers(model: &Model) -> Model {
+    let mut zero = model.clone().with_loads_scaled(0.0);
+    let beam = zero.beam.stiffened(0.0);
+    zero.beam = beam.with_axial_force(0.0);
+    zero.foundation = zero.foundation.scaled(0.0, 0.0);
+    for support in &mut zero.supports {
+        support.settlement = 0.0;
+        if let SupportKind::Spring { spring, rotational_spring } = &mut support.kind {
+            (*spring, *rotational_spring) = (0.0, 0.0);
+        }
+    }
+    zero.hinges.iter_mut().for_each(|hinge| hinge.rotational_spring = 0.0);
+    zero.gap.iter_mut().for_each(|corner| corner.value = 0.0);
+    zero
+}
+
+/// The numbers of a property in a domain: their derivatives by a factor on them.
+fn copy_property(rates: &mut Model, model: &Model, property: Property, domain: Domain) {
+    let is_own = !matches!(domain, Domain::Segment(_));
+    let is_meant = |i: usize| domain == Domain::Whole || domain == Domain::Segment(i);
+    match property {
+        Property::BendingStiffness if is_own => {
+            rates.beam.bending_stiffness = model.beam.bending_stiffness;
+        }
+        Property::ShearStiffness if is_own => {
+            rates.beam.shear_stiffness = model.beam.shear_stiffness;
+        }
+        Property::Spring if is_own => rates.foundation.subgrade = model.foundation.subgrade,
+        Property::Shear if is_own => rates.foundation.shear_layer = model.foundation.shear_layer,
+        _ => {}
+    }
+    let beam = rates.beam.segments.iter_mut().zip(&model.beam.segments).enumerate();
+    for (_, (segment, own)) in beam.filter(|(i, _)| is_meant(*i)) {
+        match property {
+            Property::BendingStiffness => segment.bending_stiffness = own.bending_stiffness,
+            Property::ShearStiffness => segment.shear_stiffness = own.shear_stiffness,
+            Property::Spring | Property::Shear => {}
+        }
+    }
+    let ground = rates.foundation.segments.iter_mut().zip(&model.foundation.segments).enumerate();
+    for (_, (segment, own)) in ground.filter(|(i, _)| is_meant(*i)) {
+        match property {
+            Property::Spring => segment.subgrade = own.subgrade,
+            Property::Shear => segment.shear_layer = own.shear_layer,
+            Property::BendingStiffness | Property::ShearStiffness => {}
+        }
+    }
+}

@@ -1,0 +1,143 @@
+//! A mesh in dual numbers, from the model and from the derivatives of its numbers.
+//!
+//! All data of cells and nodes are linear in the numbers of the model. So the derivatives of a model's numbers, written
+//! as a model, make a mesh of derivatives.
+
+use crate::ground::link;
+use crate::mesh::cell::Cell;
+use crate::mesh::free_field::{self, GroundLoad, Line, ground_loads};
+use crate::mesh::mesh::{Mesh, Node, cells_of};
+use crate::model::{GroundOutside, Model};
+use crate::numeric::dual::Dual;
+
+/// A model with the derivatives of its numbers by N parameters or fewer.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Rates<'a> {
+    pub model: &'a Model,
+    /// For each parameter a model with the same positions, whose numbers are the derivatives of the model's numbers.
+    pub by: &'a [&'a Model],
+}
+
+impl Rates<'_> {
+    fn dual<const N: usize>(&self, number: impl Fn(&Model) -> f64) -> Dual<N> {
+        Dual {
+            value: number(self.model),
+            by: std::array::from_fn(|i| self.by.get(i).map_or(0.0, |model| number(model))),
+        }
+    }
+
+    /// The ground outside one end of the beam, from k and μ at this end.
+    pub fn beyond<const N: usize>(&self, right: bool, at_end: [Dual<N>; 2]) -> GroundOutside<Dual<N>> {
+        let own = |i: usize| {
+            [
+                self.dual(|model| model.foundation.segments[i].subgrade.start()),
+                self.dual(|model| model.foundation.segments[i].shear_layer.start()),
+            ]
+        };
+        self.model.foundation.beyond_with(right, self.model.beam.length, at_end, own)
+    }
+
+    /// The loads on the ground.
+    pub fn ground_loads<const N: usize>(&self) -> Vec<GroundLoad<Dual<N>>> {
+        let own = ground_loads(self.model);
+        let by: Vec<Vec<GroundLoad>> = self.by.iter().map(|model| ground_loads(model)).collect();
+        let load = |(i, load): (usize, &GroundLoad)| GroundLoad {
+            ends: load.ends,
+            sizes: std::array::from_fn(|end| Dual {
+                value: load.sizes[end],
+                by: std::array::from_fn(|n| by.get(n).map_or(0.0, |by| by[i].sizes[end])),
+            }),
+        };
+        own.iter().enumerate().map(load).collect()
+    }
+}
+
+impl Mesh {
+    /// The same mesh with derivatives.
+    pub fn lifted<const N: usize>(&self, rates: &Rates) -> Mesh<Dual<N>> {
+        let x: Vec<f64> = self.nodes.iter().map(|node| node.x).collect();
+        let of = |model: &&Model| {
+            let cells = cells_of(model, &x);
+            let nodes = x.iter().map(|&x| Node { x, ..Node::default() }).collect();
+            let mut mesh = Mesh { nodes, cells, axial_force: 0.0, outside: [0.0; 2] };
+            mesh.place_loads_and_supports(model);
+            mesh
+        };
+        let by: Vec<Mesh> = rates.by.iter().map(of).collect();
+        let cell = |(i, cell): (usize, &Cell)| {
+            let by: [Option<&Cell>; N] = std::array::from_fn(|n| by.get(n).map(|mesh| &mesh.cells[i]));
+            cell.lifted(by)
+        };
+        let node = |(i, node): (usize, &Node)| {
+            let by: [Option<&Node>; N] = std::array::from_fn(|n| by.get(n).map(|mesh| &mesh.nodes[i]));
+            node.lifted(by)
+        };
+        let mut cells: Vec<Cell<Dual<N>>> = self.cells.iter().enumerate().map(cell).collect();
+        let beyond = [false, true].map(|right| {
+            let at_end = if right {
+                cells[cells.len() - 1].ground_at(1.0)
+            } else {
+                cells[0].ground_at(-1.0)
+            };
+            rates.beyond(right, at_end)
+        });
+        if rates.model.has_ground_loads() {
+            let loads = rates.ground_loads();
+            let length = rates.model.beam.length;
+            let line = Line { length, beyond: [&beyond[0], &beyond[1]], loads: &loads };
+            free_field::settle(&line, &mut cells);
+        }
+        Mesh {
+            nodes: self.nodes.iter().enumerate().map(node).collect(),
+            cells,
+            axial_force: rates.dual(|model| model.beam.axial_force),
+            outside: beyond.map(|beyond| link::outside(&beyond)),
+        }
+    }
+}
+
+impl Node {
+    fn lifted<const N: usize>(&self, by: [Option<&Node>; N]) -> Node<Dual<N>> {
+        let dual = |number: &dyn Fn(&Node) -> f64| Dual {
+            value: number(self),
+            by: by.map(|node| node.map_or(0.0, number)),
+        };
+        Node {
+            x: self.x,
+            force: dual(&|node| node.force),
+            moment: dual(&|node| node.moment),
+            pinned: self.pinned,
+            settlement: dual(&|node| node.settlement),
+            clamped: self.clamped,
+            spring: dual(&|node| node.spring),
+            rotational_spring: dual(&|node| node.rotational_spring),
+            hinge: self.hinge.map(|_| dual(&|node| node.hinge.unwrap_or(0.0))),
+            kinked: self.kinked,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::{Beam, Foundation, Load};
+
+    #[test]
+    fn cells_have_the_derivatives_of_the_models_numbers() {
+        let model = Model::new(Beam::uniform(4.0, 3.0), Foundation::pasternak(2.0, 8.0))
+            .with_load(Load::distributed_force(1.0, 3.0, 5.0, 7.0));
+        let mut by_k = model.clone().with_loads_scaled(0.0);
+        by_k.beam.bending_stiffness = 0.0;
+        by_k.foundation = Foundation::pasternak(1.0, 0.0);
+        let mut by_load = by_k.clone();
+        by_load.foundation = Foundation::pasternak(0.0, 0.0);
+        by_load.loads[0] = Load::distributed_force(1.0, 3.0, 0.0, 1.0);
+        let mesh = Mesh::build(&model, &[2.0], |_| 1);
+        let rates = Rates { model: &model, by: &[&by_k, &by_load] };
+        let lifted: Mesh<Dual<2>> = mesh.lifted(&rates);
+        assert_eq!(lifted.cells[1].subgrade, Dual { value: 2.0, by: [1.0, 0.0] });
+        assert_eq!(lifted.cells[1].load[1], Dual { value: 6.0, by: [0.0, 0.5] });
+        // √(kμ) by k is μ/(2√(kμ)).
+        assert_eq!(lifted.outside[0], Dual { value: 4.0, by: [1.0, 0.0] });
+    }
+}
