@@ -109,6 +109,48 @@ fn a_beam_on_two_supports_that_shears() {
     energy.iter().zip(exact).for_each(|(found, exact)| near(*found, exact));
 }
 
+/// A moment on a fixed support is carried by this support alone. A force turns the beam down on its left.
+#[test]
+fn a_moment_on_a_fixed_support() {
+    let model = Model::new(Beam::uniform(4.0, 3.0), Foundation::winkler(1.0))
+        .with_gap(0.0, 1e3)
+        .with_support(Support::fixed(4.0))
+        .with_load(Load::point_force(1.0, 2.0))
+        .with_load(Load::point_moment(4.0, 0.7));
+    let by = [1, 0].map(|i| Parameter::Load(i, LoadNumber::Size));
+    let moment = derivatives(&solved(&model), Output::SupportMoment(0), &by);
+    near(moment[0], -1.0);
+    near(moment[1], 3.0);
+}
+
+/// A force F on the ground at a distance d from a beam on a shear layer that does not touch: u = F e^(−b|x|)/(2√(kμ)).
+#[test]
+fn the_ground_beside_a_beam_under_a_force() {
+    let (k, mu, force, d) = (3.0, 0.75, 2.0, 0.4);
+    let model = Model::new(Beam::uniform(1.0, 1.0), Foundation::pasternak(k, mu))
+        .with_gap(0.0, 1e3)
+        .with_support(Support::fixed(0.0))
+        .with_load(Load::ground_force(-d, force));
+    let solution = solved(&model);
+    let by = [
+        Parameter::Value(Property::Spring, Domain::Whole),
+        Parameter::Value(Property::Shear, Domain::Whole),
+        Parameter::Load(0, LoadNumber::Size),
+    ];
+    let u = |x: f64| force * (-(k / mu).sqrt() * (x + d).abs()).exp() / (2.0 * (k * mu).sqrt());
+    for x in [-1.5, -d, 0.5, 2.0] {
+        let found = derivatives(&solution, Output::Value(Field::Settlement, x, Side::Right), &by);
+        let part = 0.5 * (k / mu).sqrt() * (x + d).abs();
+        near(found[0], -u(x) * (0.5 + part) / k);
+        near(found[1], -u(x) * (0.5 - part) / mu);
+        near(found[2], u(x) / force);
+    }
+    // Only the ground outside the beam, held at the beam's end, has energy without the beam's own end: −½F u(−d) + C.
+    let energy = derivatives(&solution, Output::PotentialEnergy, &by[2..]);
+    let held = force * (1.0 - (-2.0 * (k / mu).sqrt() * d).exp()) / (2.0 * (k * mu).sqrt());
+    near(energy[0], -(u(-d) - held));
+}
+
 /// A uniform load q on uniform ground: w = q/k for any beam; the energy is −q²l/2k.
 #[test]
 fn an_even_load_on_even_springs() {

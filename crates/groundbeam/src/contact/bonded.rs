@@ -227,11 +227,6 @@ impl<'a> Bonded<'a> {
         BondedSystem { mesh, zones, chain }
     }
 
-    /// The elements of the last chain, and whether each rests on the ground.
-    pub fn elements(&self) -> impl Iterator<Item = (&ExactElement, ZoneKind)> {
-        self.known.iter().map(|known| (&known.exact, known.touch))
-    }
-
     /// The elements of a mesh, of which those that were known are kept.
     fn make_elements(&mut self, mesh: &Mesh, touch: &impl Fn(&Cell) -> ZoneKind) {
         let axial = self.model.beam.axial_force;

@@ -143,33 +143,7 @@ impl<R: Real> Surface<R> {
     pub fn short_parts(&self, mesh: &Mesh<R>) -> Vec<SurfacePart<R>> {
         let mut parts = Vec::with_capacity(self.parts.len());
         for part in &self.parts {
-            let cell = &mesh.cells[part.cell];
-            if !cell.beam_varies() && !cell.beam_shear_varies() && !cell.ground_varies() {
-                parts.push(*part);
-                continue;
-            }
-            let short = |s: [f64; 2]| {
-                let within = cell.part(s);
-                let half = 0.25 * (s[1] - s[0]) * cell.length();
-                within.is_smooth() && (part.open.is_none() || within.is_short_for_open_ground(half))
-            };
-            let mut cuts = vec![part.s[0]];
-            halved(part.s, &short, MOST_HALVINGS, &mut cuts);
-            cuts.push(part.s[1]);
-            let runs = || cuts.windows(2).map(|s| [s[0], s[1]]);
-            let values = match part.open {
-                Some(ends) if cuts.len() > 2 && cell.shear_layer.value() > 0.0 => {
-                    let row: Vec<TwoPort<R>> = runs().map(|[a, b]| cell_part(cell, a, b)).collect();
-                    heights(&row, ends).0
-                }
-                _ => Vec::new(),
-            };
-            let at = |i: usize| values.get(i..i + 2).map(|u| [u[0], u[1]]);
-            parts.extend(runs().enumerate().map(|(i, s)| SurfacePart {
-                cell: part.cell,
-                s,
-                open: part.open.map(|ends| at(i).unwrap_or(ends)),
-            }));
+            short_parts_of(mesh, part, &mut parts);
         }
         parts
     }
@@ -182,6 +156,40 @@ impl<R: Real> Surface<R> {
         };
         [at(BeamPoint { cell: 0, s: -1.0 }), at(BeamPoint { cell: last, s: 1.0 })]
     }
+}
+
+/// Appends a part, cut into short power series if EI or the ground varies.
+pub(crate) fn short_parts_of<R: Real>(
+    mesh: &Mesh<R>,
+    part: &SurfacePart<R>,
+    parts: &mut Vec<SurfacePart<R>>,
+) {
+    let cell = &mesh.cells[part.cell];
+    if !cell.beam_varies() && !cell.beam_shear_varies() && !cell.ground_varies() {
+        return parts.push(*part);
+    }
+    let short = |s: [f64; 2]| {
+        let within = cell.part(s);
+        let half = 0.25 * (s[1] - s[0]) * cell.length();
+        within.is_smooth() && (part.open.is_none() || within.is_short_for_open_ground(half))
+    };
+    let mut cuts = vec![part.s[0]];
+    halved(part.s, &short, MOST_HALVINGS, &mut cuts);
+    cuts.push(part.s[1]);
+    let runs = || cuts.windows(2).map(|s| [s[0], s[1]]);
+    let values = match part.open {
+        Some(ends) if cuts.len() > 2 && cell.shear_layer.value() > 0.0 => {
+            let row: Vec<TwoPort<R>> = runs().map(|[a, b]| cell_part(cell, a, b)).collect();
+            heights(&row, ends).0
+        }
+        _ => Vec::new(),
+    };
+    let at = |i: usize| values.get(i..i + 2).map(|u| [u[0], u[1]]);
+    parts.extend(runs().enumerate().map(|(i, s)| SurfacePart {
+        cell: part.cell,
+        s,
+        open: part.open.map(|ends| at(i).unwrap_or(ends)),
+    }));
 }
 
 /// Halvings of a part.

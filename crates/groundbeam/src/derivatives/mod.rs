@@ -1,41 +1,30 @@
 //! Exact derivatives of results by the data of the model, from the contact problem linearised at its solution.
 //!
-//! With a(y, z; p) = F(z; p) for all z on the contact that the solution has, an output j(y; p) changes by
-//!
-//! dj/dp = ∂j/∂p − ∂a(y, λ)/∂p + ∂F(λ)/∂p,  where a(λ, z) = j(z) for all z:
-//!
-//! one solve of the same chain for each output, and then one integral of products of polynomials for each parameter.
-//! `docs/derivatives.md` derives it.
+//! The mechanics is written over any number. One solve of the beam bonded on its contact, in dual numbers, gives the
+//! derivatives of all outputs by up to eight parameters. `docs/derivatives.md` derives it.
 
-mod change;
+mod energy;
 mod extreme;
-mod field;
-mod forward;
-mod joint;
-mod linearised;
+mod frame;
+mod linear;
+mod moved;
 mod names;
 mod output;
 mod parameter;
-pub(crate) mod piece;
-mod point;
-mod product;
-mod push;
+mod tangent;
 mod topology;
 
+use crate::element::element::Element;
 use crate::existence::verdict::Verdict;
-use crate::model::Load;
 use crate::options::Method;
-use crate::solution::field::Field as Quantity;
-use crate::solution::fields::Side;
 use crate::solution::solution::Solution;
-use change::Change;
-use linearised::Linearised;
-use output::Functional;
+use frame::Frame;
+use linear::Linear;
 pub use output::Output;
+use output::{Read, Reading};
 pub use parameter::{Domain, LoadNumber, Parameter, Property, SupportNumber};
-use product::{Dual, Rate};
-use push::Push;
 use std::fmt;
+use tangent::Tangent;
 pub use topology::{Condition, Nearest};
 
 /// A value with its derivatives.
@@ -55,9 +44,9 @@ pub struct Gradient {
 pub enum OneSided {
     /// Beam and ground are about to touch or to part somewhere: all derivatives change there.
     Contact(Nearest),
-    /// What the parameter with this number moves stands where the output's dual field jumps: the output looks there,
-    /// or the beam's stiffness jumps there. The derivative is that of a move to the right, where nothing else is seen
-    /// from the output's side.
+    /// The load that the parameter with this number moves stands where the output is read, and the field or its slope
+    /// jumps there; or it stands at a hinge, or at a jump of the beam's stiffness. The derivative is that of a move to the
+    /// right.
     Place {
         /// The parameter, counted from 0.
         parameter: usize,
@@ -105,8 +94,6 @@ pub enum NotDifferentiable {
     NoSuchOutput,
     /// μ = 0: a shear layer, however weak, makes other ground.
     NoShearLayer,
-    /// Loads on the ground: how far it settles under them is not derived by its constants.
-    GroundUnderLoads,
 }
 
 impl fmt::Display for NotDifferentiable {
@@ -127,9 +114,6 @@ impl fmt::Display for NotDifferentiable {
             NotDifferentiable::NoShearLayer => f.write_str(
                 "the ground has no shear layer, and even a weak one changes it: derive by mu where it is positive",
             ),
-            NotDifferentiable::GroundUnderLoads => f.write_str(
-                "loads act on the ground: outputs are not derived by the ground's constants, energies by nothing",
-            ),
         }
     }
 }
@@ -140,8 +124,8 @@ impl std::error::Error for NotDifferentiable {}
 pub const CLOSE: f64 = 1e-6;
 
 impl Solution {
-    /// Derivatives of outputs by parameters: one gradient for each output. Each output costs about as much as a step of
-    /// the solver, each parameter hardly anything.
+    /// Derivatives of outputs by parameters: one gradient for each output. Eight parameters cost about as much as one
+    /// solve, each output hardly anything.
     ///
     /// ```
     /// use groundbeam::{Beam, Field, Foundation, Load, Model, Outcome, Side, solve};
@@ -166,24 +150,25 @@ impl Solution {
         outputs: &[Output],
         parameters: &[Parameter],
     ) -> Result<Vec<Gradient>, NotDifferentiable> {
-        let (lin, changes) = self.linearised(outputs, parameters)?;
-        let nearest = self.nearest_change_in(&lin);
-        let gradient = |output: &Output| {
-            let derived = self.derived(&lin, *output, &changes)?;
+        let frame = self.linearised()?;
+        let readings = readings(&frame, outputs)?;
+        let tangents = tangents(&frame, parameters)?;
+        let rows = derivatives(&frame, &readings, &tangents)?;
+        let nearest = self.nearest_change_in(&frame).filter(|near| near.margin < CLOSE);
+        let gradient = |(reading, derivatives): (&Reading, Vec<f64>)| {
             let mut one_sided = Vec::new();
-            one_sided.extend(nearest.filter(|near| near.margin < CLOSE).map(OneSided::Contact));
-            one_sided.extend(derived.rival.map(|at| OneSided::Rival { at }));
-            for (parameter, rate) in derived.rates.iter().enumerate() {
-                one_sided.extend(rate.jumps_at.map(|at| OneSided::Place { parameter, at }));
+            one_sided.extend(nearest.map(OneSided::Contact));
+            one_sided.extend(reading.rival.map(|at| OneSided::Rival { at }));
+            for (parameter, tangent) in tangents.iter().enumerate() {
+                let moved = tangent.moved.filter(|moved| frame.is_one_sided(&reading.of, moved));
+                one_sided.extend(moved.map(|moved| OneSided::Place { parameter, at: moved.x }));
             }
-            let derivatives = derived.rates.iter().map(|rate| rate.value + 0.0).collect();
-            Ok(Gradient { value: derived.value, derivatives, one_sided })
+            Gradient { value: reading.value, derivatives, one_sided }
         };
-        outputs.iter().map(gradient).collect()
+        Ok(readings.iter().zip(rows).map(gradient).collect())
     }
 
-    /// The same forward: the answer of beam and ground to one parameter at a time, read off at all outputs. It is the
-    /// way to go for many outputs and few parameters, and the check of [`Self::gradients`]. One row for each parameter.
+    /// The same derivatives, one row for each parameter.
     ///
     /// # Errors
     ///
@@ -193,8 +178,12 @@ impl Solution {
         outputs: &[Output],
         parameters: &[Parameter],
     ) -> Result<Vec<Vec<f64>>, NotDifferentiable> {
-        let (lin, changes) = self.linearised(outputs, parameters)?;
-        self.forward(&lin, outputs, &changes)
+        let frame = self.linearised()?;
+        let readings = readings(&frame, outputs)?;
+        let tangents = tangents(&frame, parameters)?;
+        let rows = derivatives(&frame, &readings, &tangents)?;
+        let of = |p: usize| rows.iter().map(|row| row[p]).collect();
+        Ok((0..parameters.len()).map(of).collect())
     }
 
     /// How near beam and ground are to touching or parting somewhere else: the least of all forces, pressures,
@@ -204,204 +193,92 @@ impl Solution {
     ///
     /// As [`Self::gradients`].
     pub fn nearest_change(&self) -> Result<Option<Nearest>, NotDifferentiable> {
-        let (lin, _) = self.linearised(&[], &[])?;
-        Ok(self.nearest_change_in(&lin))
+        let frame = self.linearised()?;
+        Ok(self.nearest_change_in(&frame))
     }
 
-    fn linearised(
-        &self,
-        outputs: &[Output],
-        parameters: &[Parameter],
-    ) -> Result<(Linearised, Vec<Change>), NotDifferentiable> {
+    fn linearised(&self) -> Result<Frame<'_>, NotDifferentiable> {
         if self.method() != Method::Exact {
             return Err(NotDifferentiable::Method(self.method()));
         }
-        let many = matches!(self.existence().verdict, Verdict::NotUnique(_));
-        let lin = Linearised::at(self, &self.places(outputs)).filter(|_| !many);
-        let lin = lin.ok_or(NotDifferentiable::NotUnique)?;
-        let change = |parameter: &Parameter| {
-            let value = parameter.value(self.model());
-            let value = value.ok_or(NotDifferentiable::NoSuchParameter(*parameter))?;
-            if matches!(parameter, Parameter::Value(Property::Shear, _)) && value == 0.0 {
-                return Err(NotDifferentiable::NoShearLayer);
-            }
-            let change = Change::of(&lin, self.acting(*parameter));
-            let energy = outputs.contains(&Output::PotentialEnergy);
-            if self.model().loads.iter().any(Load::is_on_ground)
-                && (change.is_of_ground() || energy)
-            {
-                return Err(NotDifferentiable::GroundUnderLoads);
-            }
-            Ok(change)
-        };
-        let changes = parameters.iter().map(change).collect::<Result<_, _>>()?;
-        Ok((lin, changes))
-    }
-
-    /// The parameter in the model on the supports that act.
-    fn acting(&self, parameter: Parameter) -> Parameter {
-        match parameter {
-            Parameter::Support(i, number) => {
-                Parameter::Support(self.number_among_acting(i).unwrap_or(usize::MAX), number)
-            }
-            other => other,
+        if matches!(self.existence().verdict, Verdict::NotUnique(_)) {
+            return Err(NotDifferentiable::NotUnique);
         }
-    }
-
-    fn number_among_acting(&self, i: usize) -> Option<usize> {
-        let acts =
-            |i: usize| !self.model().supports[i].is_one_way() || self.reactions()[i].force != 0.0;
-        acts(i).then(|| (0..i).filter(|i| acts(*i)).count())
-    }
-
-    /// Where outputs look at the beam.
-    fn places(&self, outputs: &[Output]) -> Vec<f64> {
-        let l = self.model().beam.length;
-        let place = |output: &Output| match *output {
-            Output::Value(_, x, _) => Some(x.clamp(0.0, l)),
-            Output::Smallest(field) => Some(self.extreme(field, false).x),
-            Output::Largest(field) => Some(self.extreme(field, true).x),
-            _ => None,
-        };
-        outputs.iter().filter_map(place).collect()
-    }
-
-    /// An output's value and its derivatives.
-    fn derived(
-        &self,
-        lin: &Linearised,
-        output: Output,
-        changes: &[Change],
-    ) -> Result<Derived, NotDifferentiable> {
-        if output == Output::PotentialEnergy {
-            return Ok(self.energy(lin, changes));
-        }
-        let (functional, value) = self.functional(lin, output)?;
-        let mut derived = Derived { value, ..Derived::default() };
-        derived.rates = self.rates(lin, &functional, changes)?;
-        if let Output::Edge(region, side) = output {
-            for (rate, change) in derived.rates.iter_mut().zip(changes) {
-                rate.value += self.edge_follows(lin, region, side, change);
-            }
-        }
-        if let Output::Smallest(field) | Output::Largest(field) = output {
-            let place = self.extreme(field, matches!(output, Output::Largest(_)));
-            derived.rival = place.rival;
-            for (i, moved) in self.moves(lin, &place, changes)?.into_iter().enumerate() {
-                let rate = &mut derived.rates[i];
-                rate.value += place.slope * moved;
-                // What the place follows it does not lose sight of.
-                if lin.follows(&place, &changes[i]) != 0.0 {
-                    rate.jumps_at = None;
-                } else if let Some(x) = lin.leaves_others(field, &place, &changes[i]) {
-                    rate.jumps_at = Some(x);
-                }
-            }
-        }
-        Ok(derived)
-    }
-
-    /// How far an edge of contact goes with a load that moves.
-    fn edge_follows(&self, lin: &Linearised, region: usize, side: Side, change: &Change) -> f64 {
-        let Some(region) = self.contact().get(region) else { return 0.0 };
-        let x = if side == Side::Left { region.from } else { region.to };
-        lin.zone_at(x, side).map_or(0.0, |zone| lin.edge_moves(zone, side, change))
-    }
-
-    /// An output as a functional, and its value.
-    fn functional(
-        &self,
-        lin: &Linearised,
-        output: Output,
-    ) -> Result<(Functional, f64), NotDifferentiable> {
-        let none = NotDifferentiable::NoSuchOutput;
-        let l = self.model().beam.length;
-        Ok(match output {
-            Output::Value(field, x, side) if (0.0..=l).contains(&x) => {
-                (lin.field_at(field, x, side), self.at(x, side).get(field))
-            }
-            Output::Value(..) => return Err(none),
-            Output::Smallest(field) | Output::Largest(field) => {
-                let place = self.extreme(field, matches!(output, Output::Largest(_)));
-                let functional = match place.always {
-                    true => Functional::default(),
-                    false => lin.field_at(field, place.x, place.side),
-                };
-                (functional, place.value)
-            }
-            Output::Edge(region, side) => {
-                let region = self.contact().get(region).ok_or(none)?;
-                let x = if side == Side::Left { region.from } else { region.to };
-                let zone = lin.zone_at(x, side).ok_or(none)?;
-                (lin.edge(zone, side), x)
-            }
-            Output::EndForce(side) => {
-                let ends = self.end_forces();
-                let value = if side == Side::Left { ends.left } else { ends.right };
-                (lin.end_force(side), value)
-            }
-            Output::SupportForce(i) | Output::SupportMoment(i) => {
-                let moment = matches!(output, Output::SupportMoment(_));
-                let reaction = self.reactions().get(i).ok_or(none)?;
-                let acting = self.number_among_acting(i);
-                let functional = acting.map(|i| lin.support(i, moment)).unwrap_or_default();
-                (functional, if moment { reaction.moment } else { reaction.force })
-            }
-            Output::PotentialEnergy => (Functional::default(), self.certificate().primal_energy()),
-        })
-    }
-
-    /// The derivatives of a functional.
-    fn rates(
-        &self,
-        lin: &Linearised,
-        functional: &Functional,
-        changes: &[Change],
-    ) -> Result<Vec<Rate>, NotDifferentiable> {
-        if functional.push.is_empty() {
-            let direct = |change| Rate { value: lin.direct(functional, change), jumps_at: None };
-            return Ok(changes.iter().map(direct).collect());
-        }
-        let field = lin.answer(&functional.push).map_err(|_| NotDifferentiable::NotUnique)?;
-        let dual =
-            Dual { field: &field, push: &functional.push, looks: functional.looks, energy: false };
-        let rate = |change: &Change| {
-            let mut rate = match lin.settlement_of_rigid(change) {
-                // The reaction of a dual field would be a difference of what the ends of two stiff elements bear.
-                Some(_) => Rate { value: lin.answer_of(functional, change)?, jumps_at: None },
-                None => lin.rate(change, &dual),
-            };
-            rate.value += lin.direct(functional, change);
-            Ok(rate)
-        };
-        changes.iter().map(rate).collect()
-    }
-
-    /// The envelope theorem: ∂ of the energy at the solution, which is minus its own dual field.
-    fn energy(&self, lin: &Linearised, changes: &[Change]) -> Derived {
-        let field = lin.state.negated();
-        let push = Push::default();
-        let dual = Dual { field: &field, push: &push, looks: None, energy: true };
-        let rate = |change: &Change| {
-            let mut rate = lin.rate(change, &dual);
-            if let Some(settled) = lin.settlement_of_rigid(change) {
-                let reaction = self.reactions().iter().find(|r| r.at == settled);
-                rate.value = -reaction.map_or(0.0, |reaction| reaction.force);
-            }
-            rate
-        };
-        Derived {
-            value: self.certificate().primal_energy(),
-            rates: changes.iter().map(rate).collect(),
-            rival: None,
-        }
+        Ok(Frame::at(self))
     }
 }
 
-/// An output's value, its derivatives, and where else it is as large.
-#[derive(Debug, Clone, Default)]
-struct Derived {
-    value: f64,
-    rates: Vec<Rate>,
-    rival: Option<f64>,
+fn readings(frame: &Frame, outputs: &[Output]) -> Result<Vec<Reading>, NotDifferentiable> {
+    let reading = |output: &Output| frame.reading(*output).ok_or(NotDifferentiable::NoSuchOutput);
+    outputs.iter().map(reading).collect()
+}
+
+/// The derivatives of the model's numbers by each parameter.
+fn tangents(frame: &Frame, parameters: &[Parameter]) -> Result<Vec<Tangent>, NotDifferentiable> {
+    let model = frame.solution.model();
+    let tangent = |parameter: &Parameter| {
+        let value = parameter.value(model);
+        let value = value.ok_or(NotDifferentiable::NoSuchParameter(*parameter))?;
+        if matches!(parameter, Parameter::Value(Property::Shear, _)) && value == 0.0 {
+            return Err(NotDifferentiable::NoShearLayer);
+        }
+        let mut tangent = Tangent::of(*parameter, model);
+        let kept = |i: usize| frame.number_among_acting(i).is_some();
+        tangent.model = tangent.model.with_supports_that(|i, _| kept(i));
+        Ok(tangent)
+    };
+    parameters.iter().map(tangent).collect()
+}
+
+/// The derivatives of each output by all parameters, from solves in dual numbers.
+fn derivatives(
+    frame: &Frame,
+    readings: &[Reading],
+    tangents: &[Tangent],
+) -> Result<Vec<Vec<f64>>, NotDifferentiable> {
+    let mut read = frame.cells_near(readings.iter().flat_map(Reading::positions));
+    if readings.iter().any(|reading| matches!(reading.of, Read::Energy)) {
+        read.fill(true);
+    }
+    let still = frame.elements();
+    let known = Known { still: &still, read: &read };
+    let mut rows = vec![Vec::with_capacity(tangents.len()); readings.len()];
+    let mut rest = tangents;
+    while !rest.is_empty() {
+        let (some, others) = rest.split_at(rest.len().min(MOST));
+        match some.len() {
+            1 => add_columns::<1>(frame, known, readings, some, &mut rows)?,
+            2..=4 => add_columns::<4>(frame, known, readings, some, &mut rows)?,
+            _ => add_columns::<MOST>(frame, known, readings, some, &mut rows)?,
+        }
+        rest = others;
+    }
+    Ok(rows)
+}
+
+/// The most parameters of one solve. With more, the memory of the numbers costs more than a second solve.
+const MOST: usize = 8;
+
+/// The elements without derivatives, and the cells in which outputs read w.
+#[derive(Clone, Copy)]
+struct Known<'a> {
+    still: &'a [Element],
+    read: &'a [bool],
+}
+
+fn add_columns<const N: usize>(
+    frame: &Frame,
+    known: Known,
+    readings: &[Reading],
+    tangents: &[Tangent],
+    rows: &mut [Vec<f64>],
+) -> Result<(), NotDifferentiable> {
+    let linear = Linear::<N>::solve(frame, known.still, known.read, tangents);
+    let linear = linear.ok_or(NotDifferentiable::NotUnique)?;
+    for (row, reading) in rows.iter_mut().zip(readings) {
+        // Adding zero turns −0 into 0.
+        let by = linear.read(reading, tangents);
+        row.extend(by[..tangents.len()].iter().map(|by| by + 0.0));
+    }
+    Ok(())
 }

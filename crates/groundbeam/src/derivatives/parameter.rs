@@ -202,7 +202,7 @@ fn constant(model: &Model, property: Property, domain: Domain) -> Option<f64> {
     }
 }
 
-fn set_property(model: &mut Model, property: Property, domain: Domain, to: f64) {
+pub(super) fn set_property(model: &mut Model, property: Property, domain: Domain, to: f64) {
     let (beam, ground) = (&mut model.beam, &mut model.foundation);
     match (property, domain) {
         (Property::BendingStiffness, Domain::Segment(i)) => {
@@ -286,7 +286,7 @@ pub(super) fn of_load(load: &Load, number: LoadNumber) -> Option<f64> {
     }
 }
 
-fn set_load(load: &mut Load, number: LoadNumber, value: f64) {
+pub(super) fn set_load(load: &mut Load, number: LoadNumber, value: f64) {
     match (&mut load.extent, number) {
         (Extent::Point { size, .. }, LoadNumber::Size) => *size = value,
         (Extent::Point { at, .. }, LoadNumber::At) if !load.on_ground => *at = value,

@@ -3,7 +3,9 @@
 //! They are a model with the same parts at the same positions: every number is the derivative of the model's number. No
 //! position moves. A load that moves is a load or a step at the place where it stands ([`Moved`]).
 
-use super::parameter::{Domain, LoadNumber, Parameter, Property, SupportNumber, set_load, set_property};
+use super::parameter::{
+    Domain, LoadNumber, Parameter, Property, SupportNumber, set_load, set_property,
+};
 use crate::model::{Action, Extent, Load, Model, SupportKind};
 
 /// The derivatives of a model's numbers by one parameter.
@@ -20,8 +22,6 @@ pub(super) struct Moved {
     /// Its position \[m\].
     pub x: f64,
     pub what: Motion,
-    /// Whether it is a point load.
-    pub is_point: bool,
 }
 
 /// What moves: the state to the left of the place follows it to the right.
@@ -32,7 +32,7 @@ pub(super) enum Motion {
     /// A point moment: the rotation changes by the jump of φ′.
     Moment(f64),
     /// A force per length: a point force, part of the tangent's loads.
-    ForcePerLength,
+    ForcePerLength(f64),
     /// A moment per length: a point moment.
     MomentPerLength(f64),
     /// An imposed curvature: a kink of φ.
@@ -79,23 +79,24 @@ impl Tangent {
                     Action::Moment => Motion::Moment(size),
                     _ => Motion::Force(size),
                 };
-                self.moved = Some(Moved { x: at, what, is_point: true });
+                self.moved = Some(Moved { x: at, what });
             }
             Extent::Distributed { from, to, start, end } => {
                 // (x − from)/(to − from) at a fixed x decreases if `from` or `to` moves to the right.
                 let rise = (end - start) / (to - from);
                 let (x, size) = if number == LoadNumber::From { (from, -start) } else { (to, end) };
-                let changed = if number == LoadNumber::From { LoadNumber::Start } else { LoadNumber::End };
+                let changed =
+                    if number == LoadNumber::From { LoadNumber::Start } else { LoadNumber::End };
                 set_load(&mut self.model.loads[i], changed, -rise);
                 let what = match load.action {
                     Action::Force => {
                         self.model.loads.push(Load::point_force(x, size));
-                        Motion::ForcePerLength
+                        Motion::ForcePerLength(size)
                     }
                     Action::Moment => Motion::MomentPerLength(size),
                     Action::Curvature => Motion::Curvature(size),
                 };
-                self.moved = Some(Moved { x, what, is_point: false });
+                self.moved = Some(Moved { x, what });
             }
         }
     }

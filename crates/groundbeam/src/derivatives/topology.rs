@@ -1,12 +1,13 @@
 //! The distance of a solution to the nearest change of contact, where its derivatives jump.
 
-use super::linearised::Linearised;
+use super::frame::Frame;
 use crate::contact::surface::can_carry;
-use crate::derivatives::{Side, Solution};
 use crate::numeric::polynomial::{derivative, value};
 use crate::numeric::roots::sign_changes;
 use crate::numeric::tolerance::TURNING_POINT;
 use crate::solution::field::Field as Quantity;
+use crate::solution::fields::Side;
+use crate::solution::solution::Solution;
 
 /// What a change of contact would bring to zero.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -80,10 +81,10 @@ fn deepest_between_peaks(places: &[(f64, f64)], ends: [f64; 2], least: f64) -> V
 
 impl Solution {
     /// The nearest change of contact.
-    pub(super) fn nearest_change_in(&self, lin: &Linearised) -> Option<Nearest> {
+    pub(super) fn nearest_change_in(&self, frame: &Frame) -> Option<Nearest> {
         let mut all: Vec<Nearest> = Vec::new();
-        self.pressures(lin, &mut all);
-        self.forces(lin, &mut all);
+        self.pressures(frame, &mut all);
+        self.forces(frame, &mut all);
         self.gaps(&mut all);
         self.lengths(&mut all);
         self.one_way(&mut all);
@@ -91,7 +92,7 @@ impl Solution {
     }
 
     /// Where the pressure is least within regions of contact, and at edges on a shear layer.
-    fn pressures(&self, lin: &Linearised, all: &mut Vec<Nearest>) {
+    fn pressures(&self, frame: &Frame, all: &mut Vec<Nearest>) {
         let largest = self.range(Quantity::Pressure).max.value;
         if largest <= 0.0 {
             return;
@@ -119,21 +120,25 @@ impl Solution {
         }
         // ψ' at edges on separate springs, against the largest ψ over the length.
         let l = self.model().beam.length;
-        for zone in &lin.zones {
-            for spot in [zone.from, zone.to] {
-                let cell = &lin.mesh.cells[spot.cell];
-                if cell.shear_layer > 0.0 || lin.stays(spot) {
+        for zone in 0..frame.zones.len() {
+            for side in [Side::Left, Side::Right] {
+                let spot = frame.end_of(zone, side);
+                let cell = &frame.mesh.cells[spot.cell];
+                if cell.shear_layer > 0.0 || frame.stays(zone, side) {
                     continue;
                 }
-                let point = lin.look(&lin.state, spot, true);
+                let x = frame.position(spot);
+                // From inside the zone.
+                let within = if side == Side::Left { Side::Right } else { Side::Left };
+                let rise = self.at(x, within).slope - cell.gap_slope;
                 let scale = largest / cell.subgrade / l;
-                add(Condition::Angle, cell.global(spot.s), point.rise.abs() / scale);
+                add(Condition::Angle, x, rise.abs() / scale);
             }
         }
     }
 
     /// Concentrated forces, where they may stand.
-    fn forces(&self, lin: &Linearised, all: &mut Vec<Nearest>) {
+    fn forces(&self, frame: &Frame, all: &mut Vec<Nearest>) {
         let l = self.model().beam.length;
         let ends = self.end_forces();
         let near = |a: f64, b: f64| (a - b).abs() <= 1e-12 * l;
@@ -147,17 +152,17 @@ impl Solution {
             self.concentrated_forces().iter().find(|c| near(c.at, x)).map_or(0.0, |c| c.force)
         };
         let mut places: Vec<f64> = Vec::new();
-        for zone in &lin.zones {
-            let layered = lin.mesh.cells[zone.from.cell].shear_layer > 0.0;
+        for zone in &frame.zones {
+            let layered = frame.mesh.cells[zone.from.cell].shear_layer > 0.0;
             if !layered {
                 continue;
             }
             let [from, to] = [zone.from, zone.to].map(|s| s.cell + usize::from(s.s > 0.0));
             for node in from..=to {
-                let cell = node.min(lin.mesh.cells.len() - 1);
+                let cell = node.min(frame.mesh.cells.len() - 1);
                 let s = if cell == node { -1.0 } else { 1.0 };
-                if can_carry(&lin.mesh, crate::mesh::deflection::BeamPoint { cell, s }) {
-                    places.push(lin.mesh.nodes[node].x);
+                if can_carry(&frame.mesh, crate::mesh::deflection::BeamPoint { cell, s }) {
+                    places.push(frame.mesh.nodes[node].x);
                 }
             }
         }

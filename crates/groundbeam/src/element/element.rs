@@ -76,6 +76,16 @@ impl<R: Real> Element<R> {
         }
     }
 
+    /// The same element in other numbers, without derivatives.
+    pub fn still<S: Real>(&self) -> Element<S> {
+        Element {
+            length: self.length,
+            basis: self.basis,
+            stiffness: self.stiffness.map(|row| row.map(|k| S::from(k.value()))),
+            load: self.load.map(|q| S::from(q.value())),
+        }
+    }
+
     /// K v − q: the forces on the left end, and those that work on the deformation.
     pub fn forces(&self, v: &[R; 4]) -> [R; 4] {
         std::array::from_fn(|i| sum::<R, 4>(|j| self.stiffness[i][j] * v[j]) - self.load[i])

@@ -61,10 +61,6 @@ pub(crate) struct ExactElement<R = f64> {
 }
 
 #[derive(Debug, Clone)]
-#[expect(
-    clippy::large_enum_variant,
-    reason = "nearly all elements are uniform, so boxing them would cost time"
-)]
 enum Functions<R> {
     Uniform(Uniform<R>),
     /// The coefficients of w(s), whatever the four numbers are.

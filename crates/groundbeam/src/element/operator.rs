@@ -59,6 +59,14 @@ impl<R: Real> Operator<R> {
         }
     }
 
+    /// Whether no coefficient has derivatives. `false` if coefficients are polynomials.
+    pub fn is_still(&self) -> bool {
+        let Operator { stiffness, tension, subgrade, load, moment_load, .. } = *self;
+        let pairs = [load, moment_load, self.imposed_moments];
+        let mut all = [stiffness, tension, subgrade].into_iter().chain(pairs.into_iter().flatten());
+        self.polynomials.is_none() && all.all(|c| c == c.value())
+    }
+
     /// Whether the shear stiffness is sufficient under the axial force, S + N > 0. Otherwise the beam buckles
     /// in waves of any length. The result is also `false` if the waves are too short for the elements.
     pub fn bears_shear(&self, length: f64) -> bool {

@@ -174,28 +174,6 @@ fn follows<R: Real>(link: &TwoPort<R>, spring: R) -> R {
     link.series / (link.series + (link.shunt_right + spring))
 }
 
-/// ∫ku² and ∫μu'² of each layer outside one end of the beam, listed outward, for u = 1 at the beam's end.
-pub(crate) fn energies_beside(beyond: &GroundOutside) -> Vec<[f64; 2]> {
-    let springs = stiffnesses(beyond);
-    let mut u = 1.0;
-    let energies = beyond.layers.iter().zip(&springs[1..]).map(|(layer, &spring)| {
-        let stiffness = (layer.subgrade * layer.shear_layer).sqrt();
-        if layer.length == f64::INFINITY {
-            return [0.5 * stiffness * u * u; 2];
-        }
-        let link = TwoPort::uniform(layer.subgrade, layer.shear_layer, layer.length);
-        let ends = [u, u * follows(&link, spring)];
-        u = ends[1];
-        // ∫(ku² + μu'²) is the work of the forces at both ends; μu'² − ku² is constant.
-        let forces = [link.force_left(ends[0], ends[1]), link.force_right(ends[0], ends[1])];
-        let sum = ends[0] * forces[0] + ends[1] * forces[1];
-        let difference = layer.length
-            * (forces[0] * (forces[0] / layer.shear_layer) - layer.subgrade * ends[0] * ends[0]);
-        [0.5 * (sum - difference), 0.5 * (sum + difference)]
-    });
-    energies.collect()
-}
-
 /// u at a distance from the beam's end, from its value `u` at the end.
 pub(crate) fn beside<R: Real>(beyond: &GroundOutside<R>, mut u: R, mut distance: f64) -> R {
     let springs = stiffnesses(beyond);

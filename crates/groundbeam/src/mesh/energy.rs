@@ -76,9 +76,7 @@ pub(crate) fn work_of_loads<R: Real>(mesh: &Mesh<R>, motion: Motion<R>) -> R {
         let line = |[left, right]: [R; 2]| [(left + right) * 0.5, (right - left) * 0.5];
         work += inner(&line(cell.load), c, 0) * (0.5 * cell.length());
         let turned = match motion.rotation(i) {
-            Some(rotation) => {
-                inner(&line(cell.moment_load), rotation, 0) * (0.5 * cell.length())
-            }
+            Some(rotation) => inner(&line(cell.moment_load), rotation, 0) * (0.5 * cell.length()),
             None => inner(&line(cell.moment_load), &derivative(c), 0),
         };
         work += turned;
@@ -112,7 +110,8 @@ pub(crate) fn ground_work<R: Real>(
         let mut across = |from: Option<BeamPoint>, to: Option<BeamPoint>| {
             if let Some(link) = open_link(mesh, &run, from, to) {
                 let [a, b] = [from, to].map(|point| point.map_or(R::ZERO, |point| of(psi, point)));
-                let [da, db] = [from, to].map(|point| point.map_or(R::ZERO, |point| of(delta, point)));
+                let [da, db] =
+                    [from, to].map(|point| point.map_or(R::ZERO, |point| of(delta, point)));
                 work += link.force_left(a, b) * da + link.force_right(a, b) * db;
             }
         };
@@ -157,8 +156,7 @@ pub(crate) fn energy_form<R: Real>(
 ) -> R {
     let (middle, quarter) = (0.5 * (from + to), 0.5 * (to - from));
     let half = 0.5 * h * quarter;
-    let form =
-        |f: &[R], g: &[R]| kappa * half * inner(f, g, 0) + tension / half * inner(f, g, 1);
+    let form = |f: &[R], g: &[R]| kappa * half * inner(f, g, 0) + tension / half * inner(f, g, 1);
     if [from, to] == [-1.0, 1.0] {
         return form(f, g);
     }

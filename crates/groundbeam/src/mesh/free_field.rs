@@ -94,6 +94,46 @@ pub(crate) fn settle<R: Real>(line: &Line<R>, cells: &mut [Cell<R>]) {
     }
 }
 
+/// ∫q u₀ with the forces, over the whole line; less the same outside the beam for ground that is held at the beam's ends.
+pub(crate) fn work_of_loads<R: Real>(line: &Line<R>, cells: &[Cell<R>]) -> R {
+    let [(mut strips, held_left), (right, held_right)] =
+        [false, true].map(|right| beside(line, right));
+    strips.reverse();
+    let held = work(line, &strips, [held_left, true]) + work(line, &right, [true, held_right]);
+    strips.extend(cells.iter().map(under));
+    strips.extend(right);
+    work(line, &strips, [held_left, held_right]) - held
+}
+
+fn work<R: Real>(line: &Line<R>, strips: &[Strip<R>], held: [bool; 2]) -> R {
+    let homogeneous = homogeneous(line, strips, held);
+    let mut work = R::ZERO;
+    for load in line.loads.iter().filter(|load| load.is_point()) {
+        let near = same_node(load.ends[0], line.length);
+        let at = |(strip, ends): (&Strip<R>, &[R; 2])| {
+            let end = (0..2).find(|end| (strip.x[*end] - load.ends[0]).abs() <= near)?;
+            (strip.shear.value() > 0.0).then(|| ends[end] + strip.load[end] / strip.spring)
+        };
+        let u = strips.iter().zip(&homogeneous).find_map(at);
+        work += load.sizes[0] * u.unwrap_or_default();
+    }
+    for (strip, ends) in strips.iter().zip(&homogeneous) {
+        let [a, b] = strip.load;
+        if strip.load == [R::ZERO; 2] {
+            continue;
+        }
+        // ∫q²/k of a linear q, and ∫q e by the work of e on the end forces.
+        let length = strip.x[1] - strip.x[0];
+        work += (a * a + a * b + b * b) * (length / 3.0) / strip.spring;
+        if strip.shear.value() > 0.0 {
+            let link = TwoPort::uniform(strip.spring, strip.shear, length);
+            let [left, right] = carried(strip, &link);
+            work += left * ends[0] + right * ends[1];
+        }
+    }
+    work
+}
+
 fn under<R: Real>(cell: &Cell<R>) -> Strip<R> {
     Strip { x: cell.x, spring: cell.subgrade, shear: cell.shear_layer, load: cell.ground_load }
 }
@@ -159,8 +199,7 @@ fn value_at<R: Real>(
 fn beside<R: Real>(line: &Line<R>, right: bool) -> (Vec<Strip<R>>, bool) {
     let (l, beyond) = (line.length, line.beyond[usize::from(right)]);
     let outward = |x: f64| if right { x - l } else { -x };
-    let mut cuts: Vec<f64> =
-        line.loads.iter().flat_map(|load| load.ends).map(outward).collect();
+    let mut cuts: Vec<f64> = line.loads.iter().flat_map(|load| load.ends).map(outward).collect();
     cuts.retain(|cut| *cut > 0.0);
     cuts.sort_by(f64::total_cmp);
     cuts.dedup();
@@ -231,6 +270,11 @@ fn homogeneous<R: Real>(line: &Line<R>, strips: &[Strip<R>], held: [bool; 2]) ->
     homogeneous
 }
 
+/// The largest distance of a force from its node.
+fn same_node(at: f64, length: f64) -> f64 {
+    16.0 * f64::EPSILON * (at.abs() + length)
+}
+
 /// u₀ at the nodes of consecutive strips.
 fn chain<R: Real>(line: &Line<R>, strips: &[Strip<R>], held: [bool; 2]) -> Vec<R> {
     let n = strips.len();
@@ -261,7 +305,7 @@ fn chain<R: Real>(line: &Line<R>, strips: &[Strip<R>], held: [bool; 2]) -> Vec<R
     let nodes: Vec<f64> = strips.iter().map(|s| s.x[0]).chain([strips[n - 1].x[1]]).collect();
     for load in line.loads.iter().filter(|load| load.is_point()) {
         let (at, load) = (load.ends[0], load.sizes[0]);
-        let near = 16.0 * f64::EPSILON * (at.abs() + line.length);
+        let near = same_node(at, line.length);
         if at >= nodes[0] - near && at <= nodes[n] + near {
             let right = nodes.partition_point(|x| *x < at).min(n);
             let left = right.saturating_sub(1);

@@ -27,7 +27,11 @@ impl Rates<'_> {
     }
 
     /// The ground outside one end of the beam, from k and μ at this end.
-    pub fn beyond<const N: usize>(&self, right: bool, at_end: [Dual<N>; 2]) -> GroundOutside<Dual<N>> {
+    pub fn beyond<const N: usize>(
+        &self,
+        right: bool,
+        at_end: [Dual<N>; 2],
+    ) -> GroundOutside<Dual<N>> {
         let own = |i: usize| {
             [
                 self.dual(|model| model.foundation.segments[i].subgrade.start()),
@@ -65,11 +69,13 @@ impl Mesh {
         };
         let by: Vec<Mesh> = rates.by.iter().map(of).collect();
         let cell = |(i, cell): (usize, &Cell)| {
-            let by: [Option<&Cell>; N] = std::array::from_fn(|n| by.get(n).map(|mesh| &mesh.cells[i]));
+            let by: [Option<&Cell>; N] =
+                std::array::from_fn(|n| by.get(n).map(|mesh| &mesh.cells[i]));
             cell.lifted(by)
         };
         let node = |(i, node): (usize, &Node)| {
-            let by: [Option<&Node>; N] = std::array::from_fn(|n| by.get(n).map(|mesh| &mesh.nodes[i]));
+            let by: [Option<&Node>; N] =
+                std::array::from_fn(|n| by.get(n).map(|mesh| &mesh.nodes[i]));
             node.lifted(by)
         };
         let mut cells: Vec<Cell<Dual<N>>> = self.cells.iter().enumerate().map(cell).collect();

@@ -17,11 +17,6 @@ impl<const N: usize> Dual<N> {
     fn chain(self, value: f64, slope: f64) -> Self {
         Dual { value, by: self.by.map(|by| slope * by) }
     }
-
-    /// The derivatives alone, with the value 0.
-    pub fn drift(self) -> Self {
-        Dual { value: 0.0, by: self.by }
-    }
 }
 
 impl<const N: usize> Default for Dual<N> {
@@ -78,8 +73,11 @@ impl<const N: usize> Mul for Dual<N> {
 
     #[inline]
     fn mul(self, other: Self) -> Self {
-        let by = |i: usize| self.by[i] * other.value + self.value * other.by[i];
-        Dual { value: self.value * other.value, by: std::array::from_fn(by) }
+        let mut product = self.chain(self.value * other.value, other.value);
+        for (by, other) in product.by.iter_mut().zip(other.by) {
+            *by += self.value * other;
+        }
+        product
     }
 }
 
@@ -219,10 +217,6 @@ impl<const N: usize> Real for Dual<N> {
     fn tanh(self) -> Self {
         let (value, cosh) = (Real::tanh(self.value), Real::cosh(self.value));
         self.chain(value, 1.0 / (cosh * cosh))
-    }
-
-    fn is_finite(self) -> bool {
-        self.value.is_finite() && self.by.iter().all(|by| by.is_finite())
     }
 }
 

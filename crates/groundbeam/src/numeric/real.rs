@@ -45,7 +45,6 @@ pub(crate) trait Real:
     fn sinh(self) -> Self;
     fn cosh(self) -> Self;
     fn tanh(self) -> Self;
-    fn is_finite(self) -> bool;
 }
 
 impl Real for f64 {
@@ -85,11 +84,6 @@ impl Real for f64 {
     #[inline]
     fn tanh(self) -> Self {
         libm::tanh(self)
-    }
-
-    #[inline]
-    fn is_finite(self) -> bool {
-        f64::is_finite(self)
     }
 }
 

@@ -33,7 +33,7 @@ impl Candidate {
         piece.fields(piece.local(x))
     }
 
-    fn piece_at(&self, x: f64, side: Side) -> &SolutionPiece {
+    pub fn piece_at(&self, x: f64, side: Side) -> &SolutionPiece {
         let i = match side {
             Side::Right => self.pieces.partition_point(|s| s.x[1] <= x),
             Side::Left => self.pieces.partition_point(|s| s.x[1] < x),

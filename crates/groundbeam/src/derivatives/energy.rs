@@ -1,0 +1,111 @@
+//! The derivatives of the potential energy: those of the energy of the solution's own w, φ and u, which stay as they are
+//! (envelope theorem).
+
+use super::linear::Linear;
+use super::tangent::{Motion, Moved, Tangent};
+use crate::element::element::TERMS;
+use crate::mesh::energy::{Motion as Field, beam_form, ground_work, work_of_loads};
+use crate::mesh::free_field::{self, Line};
+use crate::numeric::dual::Dual;
+use crate::numeric::polynomial::{Coefficients, derivative, inner, value};
+use crate::numeric::real::Real;
+use crate::solution::fields::Side;
+
+impl<const N: usize> Linear<'_, N> {
+    /// ½∫(EI (φ' − κ₀)² + S (w' − φ)² + P w'²) + ½b(u, u) + springs − F(w).
+    pub fn energy(&self, tangents: &[Tangent]) -> [f64; N] {
+        let still = |c: &[Dual<N>]| c.iter().map(|c| Dual::from(c.value)).collect::<Vec<Dual<N>>>();
+        let (deflection, rotation) = (still(&self.deflection), still(&self.rotation));
+        let own = Field { terms: TERMS, deflection: &deflection, rotation: &rotation };
+        let mut psi = Vec::with_capacity(deflection.len());
+        let mut energy = Dual::ZERO;
+        for (i, (cell, w)) in self.mesh.cells.iter().zip(deflection.chunks(TERMS)).enumerate() {
+            psi.extend_from_slice(&cell.obstacle(w)[..TERMS]);
+            if cell.has_imposed_curvature() {
+                let turned: Coefficients<Dual<N>> = match rotation.get(i * TERMS..(i + 1) * TERMS) {
+                    Some(rotation) => derivative(rotation),
+                    None => {
+                        let mut bend = derivative(&derivative(w));
+                        bend.iter_mut().for_each(|c| *c *= 2.0 / cell.length());
+                        bend
+                    }
+                };
+                let half = 0.5 * cell.length();
+                let [left, right] = cell.curvature;
+                let curvature = [(left + right) * 0.5, (right - left) * 0.5];
+                let moment = cell.imposed_moment();
+                energy += inner(&moment, &curvature, 0) * (0.5 * half) - inner(&moment, &turned, 0);
+            }
+        }
+        energy += (beam_form(&self.mesh, own, own)
+            + ground_work(&self.mesh, TERMS, self.zones, &psi, &psi))
+            * 0.5;
+        energy -= work_of_loads(&self.mesh, own);
+        // ½b(u, u) − ∫q u = ½b(u − u₀, u − u₀) − ½∫q u₀.
+        if self.frame.model.has_ground_loads() {
+            let work = |line: &Line<Dual<N>>| free_field::work_of_loads(line, &self.mesh.cells);
+            energy -= self.on_line(tangents, work) * 0.5;
+        }
+        let mut by = energy.by;
+        for (n, tangent) in tangents.iter().enumerate() {
+            by[n] += self.by_settlements(tangent)
+                + tangent.moved.map_or(0.0, |moved| self.by_motion(&moved));
+        }
+        by
+    }
+
+    /// What the settlements of supports change: ½k (w − δ)² instead of ½k w², and the work on a rigid support.
+    fn by_settlements(&self, tangent: &Tangent) -> f64 {
+        use crate::model::SupportKind::{Fixed, Pinned, Spring};
+        let supports = self.frame.model.supports.iter().zip(&tangent.model.supports);
+        let by = supports.map(|(support, rate)| {
+            let w = self.at_node(support.at)[0].value;
+            let settlement = support.settlement;
+            match (support.kind, rate.kind) {
+                (Spring { spring, .. }, Spring { spring: grows, .. }) => {
+                    grows * settlement * (0.5 * settlement - w)
+                        - spring * rate.settlement * (w - settlement)
+                }
+                (Pinned | Fixed, _) if rate.settlement != 0.0 => {
+                    -rate.settlement * self.reaction(support.at)[0].value
+                }
+                _ => 0.0,
+            }
+        });
+        by.sum()
+    }
+
+    /// A load that moves does its work on the mean of both sides.
+    fn by_motion(&self, moved: &Moved) -> f64 {
+        let (frame, x) = (self.frame, moved.x);
+        let solution = frame.solution;
+        let inside = frame.is_inside(x);
+        let ends = if inside { [Side::Left, Side::Right] } else { [Side::Right; 2] };
+        if frame.edge_at_force(moved).is_some() {
+            let [left, right] = ends.map(|side| frame.released(x, side));
+            return left - right;
+        }
+        let mean = |of: &dyn Fn(Side) -> f64| 0.5 * (of(ends[0]) + of(ends[1]));
+        match moved.what {
+            Motion::Force(force) => -force * frame.slope_with_half_kink(x, Side::Right, force),
+            Motion::Moment(moment) => {
+                let bend = |side: Side| {
+                    let piece = solution.candidate().piece_at(x, side);
+                    let s = piece.local(x);
+                    let stiffness = value(&piece.cell.stiffness_along(), s);
+                    let [left, right] = piece.cell.curvature;
+                    let imposed = 0.5 * (left + right) + 0.5 * (right - left) * s;
+                    imposed - value(&piece.moment, s) / stiffness
+                };
+                let part = if inside { 1.0 } else { 0.5 };
+                -moment * part * mean(&bend)
+            }
+            Motion::MomentPerLength(moment) => {
+                -moment * mean(&|side| solution.at(x, side).rotation)
+            }
+            Motion::Curvature(curvature) => curvature * mean(&|side| solution.at(x, side).moment),
+            // Part of the tangent's loads.
+            Motion::ForcePerLength(_) => 0.0,
+        }
+    }
+}

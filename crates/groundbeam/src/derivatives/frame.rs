@@ -1,0 +1,200 @@
+//! The beam bonded to the ground on the contact of a solution: cells, nodes and zones of the linearised problem.
+//!
+//! Moving an edge of contact changes the energy in third order only: no force stands there, and the pressure is finite.
+//! To first order a change of the model changes w as if beam and ground were bonded where they touch and nowhere
+//! else. The small force that the bonded edge then carries equals the pressure on the strip by which the edge moves.
+
+use crate::cancel::Cancel;
+use crate::contact::bonded::{Bonded, zone_kind_of};
+use crate::contact::intervals::{Interval, zones_of};
+use crate::contact::surface::can_carry;
+use crate::element::ExactElement;
+use crate::element::element::Element;
+use crate::element::operator::{Operator, ZoneKind};
+use crate::element::uniform::Layers;
+use crate::mesh::cell::Cell;
+use crate::mesh::deflection::{BeamPoint, MeshZone};
+use crate::mesh::mesh::Mesh;
+use crate::model::{Load, Model};
+use crate::numeric::tolerance::same_place;
+use crate::solution::fields::Side;
+use crate::solution::solution::Solution;
+
+/// No span of more cells is short.
+const SHORT: usize = 8;
+
+/// The linearised problem without its numbers.
+#[derive(Debug)]
+pub(super) struct Frame<'a> {
+    pub solution: &'a Solution,
+    /// The model with the supports that act.
+    pub model: Model,
+    /// A cell for each element, and the zones of contact.
+    pub mesh: Mesh,
+    pub zones: Vec<MeshZone>,
+    pub touch: Vec<ZoneKind>,
+    /// The same cut into short series, if elements have boundary layers.
+    pub fine: Option<(Mesh, Vec<MeshZone>)>,
+}
+
+impl<'a> Frame<'a> {
+    pub fn at(solution: &'a Solution) -> Self {
+        let intervals = contact_of(solution);
+        let acts = |i: usize| solution.reactions()[i].force != 0.0;
+        let model = solution.model().with_supports_that(|i, s| !s.is_one_way() || acts(i));
+        let (mesh, zones) = Bonded::fine(&model, &Cancel::default()).mesh_on(&intervals, &[]);
+        let kind = zone_kind_of(&intervals);
+        let touch: Vec<ZoneKind> = mesh.cells.iter().map(&kind).collect();
+        let mut x: Vec<f64> = Vec::new();
+        for (cell, touch) in mesh.cells.iter().zip(&touch) {
+            let operator = Operator::of(cell, mesh.axial_force, *touch);
+            if let Some(layers) = Layers::of(&operator, cell.length()) {
+                x.extend(layers.cuts(cell.x, [1.0; 2]));
+            }
+        }
+        let fine = (!x.is_empty()).then(|| {
+            x.extend(mesh.nodes.iter().map(|node| node.x));
+            let fine = Mesh::build(&model, &x, |_| 1);
+            let zones = zones_of(&fine, &intervals, &kind);
+            (fine, zones)
+        });
+        Frame { solution, model, mesh, zones, touch, fine }
+    }
+
+    /// The elements of all cells, without derivatives.
+    pub fn elements(&self) -> Vec<Element> {
+        let element = |(cell, touch): (&Cell, &ZoneKind)| {
+            let operator = Operator::of(cell, self.mesh.axial_force, *touch);
+            ExactElement::new(&operator, cell.length()).element
+        };
+        self.mesh.cells.iter().zip(&self.touch).map(element).collect()
+    }
+
+    /// Marks the cells on both sides of each position, and those at the edges of contact and in short spans between them.
+    pub fn cells_near(&self, positions: impl Iterator<Item = f64>) -> Vec<bool> {
+        let count = self.mesh.cells.len();
+        let mut near = vec![false; count];
+        let mut mark = |from: usize, to: usize| near[from.min(count)..to.min(count)].fill(true);
+        for x in positions {
+            let cell = self.mesh.cell_at(x);
+            mark(cell.saturating_sub(1), cell + 1);
+        }
+        let mut last: Option<usize> = None;
+        for zone in &self.zones {
+            for spot in [zone.from, zone.to] {
+                mark(spot.cell.saturating_sub(1), spot.cell + 2);
+            }
+            if let Some(last) = last.filter(|last| zone.from.cell <= last + SHORT) {
+                mark(last, zone.from.cell + 1);
+            }
+            last = Some(zone.to.cell);
+        }
+        near
+    }
+
+    /// The number of a support among those that act.
+    pub fn number_among_acting(&self, i: usize) -> Option<usize> {
+        let solution = self.solution;
+        let acts = |i: usize| {
+            !solution.model().supports[i].is_one_way() || solution.reactions()[i].force != 0.0
+        };
+        acts(i).then(|| (0..i).filter(|i| acts(*i)).count())
+    }
+
+    /// The end of a cell at a position at which there is a node. At the beam's ends there is one side only.
+    pub fn spot(&self, x: f64, side: Side) -> BeamPoint {
+        let node = self.mesh.node_at(x);
+        let left = node > 0 && (side == Side::Left || node == self.mesh.cells.len());
+        if left { BeamPoint { cell: node - 1, s: 1.0 } } else { BeamPoint { cell: node, s: -1.0 } }
+    }
+
+    /// Whether two positions are one node.
+    pub fn is_same_node(&self, a: f64, b: f64) -> bool {
+        self.mesh.node_at(a) == self.mesh.node_at(b)
+    }
+
+    /// Whether two positions differ by rounding at most.
+    pub fn is_same_place(&self, a: f64, b: f64) -> bool {
+        (a - b).abs() <= same_place(self.model.beam.length)
+    }
+
+    /// Whether a position lies between the beam's ends.
+    pub fn is_inside(&self, x: f64) -> bool {
+        x > 0.0 && x < self.model.beam.length
+    }
+
+    /// The end of a zone.
+    pub fn end_of(&self, zone: usize, side: Side) -> BeamPoint {
+        let zone = &self.zones[zone];
+        if side == Side::Left { zone.from } else { zone.to }
+    }
+
+    /// The position of a cell's end.
+    pub fn position(&self, spot: BeamPoint) -> f64 {
+        self.mesh.nodes[spot.cell + usize::from(spot.s > 0.0)].x
+    }
+
+    /// The zone that begins, or ends, at a position.
+    pub fn zone_at(&self, x: f64, side: Side) -> Option<usize> {
+        let node = self.mesh.node_at(x);
+        (0..self.zones.len()).find(|zone| {
+            let spot = self.end_of(*zone, side);
+            spot.cell + usize::from(spot.s > 0.0) == node
+        })
+    }
+
+    /// Whether an edge of contact cannot move: at a place that may carry a force, at the end of separate springs that
+    /// press, and at a single point of contact.
+    pub fn stays(&self, zone: usize, side: Side) -> bool {
+        let (spot, cells) = (self.end_of(zone, side), &self.mesh.cells);
+        if self.zones[zone].from == self.zones[zone].to {
+            return true;
+        }
+        if cells[spot.cell].shear_layer > 0.0 {
+            return can_carry(&self.mesh, spot);
+        }
+        let node = spot.cell + usize::from(spot.s > 0.0);
+        node == 0
+            || node == cells.len()
+            || cells[node - 1].shear_layer > 0.0
+            || cells[node].shear_layer > 0.0
+    }
+
+    /// Whether the beam shears on both sides of a position, or on one of them.
+    pub fn shears_at(&self, x: f64) -> [bool; 2] {
+        [Side::Left, Side::Right]
+            .map(|side| self.mesh.cells[self.spot(x, side).cell].beam_shear.is_some())
+    }
+
+    /// Whether one end of one load is the only part of the model at a place inside the beam.
+    pub fn stands_alone(&self, x: f64) -> bool {
+        let model = &self.model;
+        let here = |other: f64| self.is_same_node(x, other);
+        let begins_or_ends = |load: &&Load| load.extent.ends().into_iter().any(here);
+        let loads = model.loads.iter().filter(begins_or_ends).count();
+        let segments = model.beam.segments.iter().map(|s| [s.from, s.to]);
+        let segments = segments.chain(model.foundation.segments.iter().map(|s| [s.from, s.to]));
+        let others = segments.flatten().chain(model.supports.iter().map(|s| s.at));
+        let others = others.chain(model.hinges.iter().map(|h| h.at));
+        let mut others = others.chain(model.gap.iter().map(|g| g.at));
+        let l = model.beam.length;
+        loads == 1 && self.is_inside(x) && !others.any(|x| x >= 0.0 && x <= l && here(x))
+    }
+}
+
+/// The stretches that touch; and points that do, where a shear layer ends beside separate springs that touch as well.
+fn contact_of(solution: &Solution) -> Vec<Interval> {
+    let mut stretches = Vec::with_capacity(solution.contact().len());
+    let carries = |x: f64| solution.concentrated_forces().iter().any(|force| force.at == x);
+    for region in solution.contact() {
+        let [from, to] = [region.from, region.to];
+        if from < to && carries(from) {
+            stretches.push([from; 2]);
+        }
+        stretches.push([from, to]);
+        if from < to && carries(to) {
+            stretches.push([to; 2]);
+        }
+    }
+    stretches
+}
