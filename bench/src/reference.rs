@@ -5,7 +5,10 @@
 //! set, however it was found, because the problem is convex.
 
 use crate::quad::Quad;
-use groundbeam::{Action, Extent, Model};
+use groundbeam::{
+    Model,
+    model::{Action, Extent},
+};
 
 /// The result of a reference solve.
 pub struct Reference {

@@ -1,6 +1,6 @@
 //! The text of an answer and of its certificate: one line for each quantity, every number with all its bits.
 
-use groundbeam::{Certificate, Error, Existence, Field, Outcome, Side, Solution, Verdict};
+use groundbeam::{Certificate, Error, Existence, Field, Outcome, Solution, Verdict, solution::Side};
 use std::fmt::Write;
 
 /// Number of equal steps between the positions of the fields.

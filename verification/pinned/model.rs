@@ -1,9 +1,6 @@
 //! The text of a model: one line for each part, every number with all its bits.
 
-use groundbeam::{
-    Acts, Beam, BeamSegment, Foundation, FoundationSegment, GapPoint, GroundEnd, Hinge, Load,
-    Model, Profile, Support, SupportKind,
-};
+use groundbeam::{Beam, Foundation, Hinge, Load, Model, Support, SupportKind, model::{Acts, BeamSegment, FoundationSegment, GapPoint, GroundEnd, Profile}};
 
 /// The lines of a model.
 pub fn text(model: &Model) -> String {

@@ -1,8 +1,8 @@
 //! Convergence of the mesh methods to the exact solution: errors over the number of elements N, and their slopes.
 
 use groundbeam::{
-    Beam, Field, Foundation, Load, Method, Model, Options, Outcome, Side, Solution, solve,
-    solve_with,
+    Beam, Field, Foundation, Load, Method, Model, Options, Outcome, Solution, solution::Side,
+    solve, solve_with,
 };
 
 /// Numbers of elements.

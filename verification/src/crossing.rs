@@ -1,6 +1,6 @@
 //! An animated picture: a load crosses a footing, and the ends of the footing lift off the ground.
 
-use groundbeam::{Beam, Field, Foundation, Load, Model, Outcome, Side, Solution, solve};
+use groundbeam::{Beam, Field, Foundation, Load, Model, Outcome, Solution, solution::Side, solve};
 use std::fmt::Write;
 
 /// The beam's length \[m\], and the length of ground shown outside each end.

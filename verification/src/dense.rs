@@ -5,7 +5,10 @@
 //! exact beam in place of (5.2).
 
 use crate::element;
-use groundbeam::{Action, Extent, Model};
+use groundbeam::{
+    Model,
+    model::{Action, Extent},
+};
 
 /// The matrices of the Lagrangian (5.9): ½WᵀKW − FᵀW − ½pᵀGp + pᵀw. The deflection is (5.3), the settlement (5.6).
 #[derive(Debug, Clone)]

@@ -3,8 +3,11 @@
 
 use crate::documents::repository;
 use groundbeam::{
-    Acts, Beam, Error, Field, Foundation, GroundEnd, Hinge, Load, LoadFactors, Method, Model,
-    Options, Outcome, Profile, Solution, Support, exists, load_factors, memory_estimate,
+    Beam, Error, Field, Foundation, Hinge, Load, Method, Model, Options, Outcome, Solution,
+    Support, exists, load_factors,
+    load_factors::LoadFactors,
+    memory_estimate,
+    model::{Acts, GroundEnd, Profile},
     solve_with,
 };
 use groundbeam_file::UnitSystem;

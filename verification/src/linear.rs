@@ -1,7 +1,10 @@
 //! Beams that shear, by the simplest elements: w, φ and u linear between nodes, the shear strain at one point of each
 //! element (Hughes, Taylor and Kanoknukulchai 1977), nodal contact by trial.
 
-use groundbeam::{Action, Extent, Model, SupportKind};
+use groundbeam::{
+    Model, SupportKind,
+    model::{Action, Extent},
+};
 
 /// A deflection at equally spaced nodes.
 #[derive(Debug, Clone)]

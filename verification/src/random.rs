@@ -7,8 +7,8 @@ use features::{
     vary_ground,
 };
 use groundbeam::{
-    Beam, FirstLiftOff, Foundation, Load, LoadFactors, Model, Support, Verdict, exists,
-    load_factors,
+    Beam, Foundation, Load, Model, Support, Verdict, exists, load_factors,
+    load_factors::{FirstLiftOff, LoadFactors},
 };
 use rand::{Rng, RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;

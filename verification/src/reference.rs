@@ -1,6 +1,6 @@
 //! The multiprecision answers in `reference/answers`, and the distance of a solution from them.
 
-use groundbeam::{Extent, Field, Model, Side, Solution};
+use groundbeam::{Field, Model, Solution, model::Extent, solution::Side};
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::path::Path;

@@ -1,6 +1,9 @@
 //! Compares the model of the first reader with that of the second, number by number.
 
-use groundbeam::{Acts, Extent, Foundation, GroundEnd, Model, Profile, SupportKind};
+use groundbeam::{
+    Foundation, Model, SupportKind,
+    model::{Acts, Extent, GroundEnd, Profile},
+};
 use groundbeam_proof as proof;
 use groundbeam_proof::{Course, Scalar, Wide};
 

@@ -1,6 +1,6 @@
 //! Random models over settlement troughs, and the change of their results when the number of chords doubles.
 
-use groundbeam::{Field, GapPoint, Model, Outcome, Range, Solution, solve};
+use groundbeam::{Field, Model, Outcome, Solution, model::GapPoint, solution::Range, solve};
 use groundbeam_file::{Diagnostics, Document, parse};
 use rand::{Rng, RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;

@@ -6,7 +6,10 @@
 //! with an error of second order.
 
 use crate::element;
-use groundbeam::{Action, Acts, Extent, Model, SupportKind};
+use groundbeam::{
+    Model, SupportKind,
+    model::{Action, Acts, Extent},
+};
 
 /// Maximum number of Newton steps per compression.
 const MOST_STEPS: usize = 40;

@@ -1,7 +1,7 @@
 //! Checks every model file below `cases/`: its expectations, and two methods against each other.
 
 use groundbeam::{
-    Error, Field, Method, Options, Outcome, Side, Solution, Verdict, solve, solve_with,
+    Error, Field, Method, Options, Outcome, Solution, Verdict, solution::Side, solve, solve_with,
 };
 use groundbeam_verification::cases::answers::Answers;
 use groundbeam_verification::cases::{Case, all, folder, manual::manual};

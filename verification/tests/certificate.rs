@@ -1,8 +1,8 @@
 //! Checks the certificate: errors stay within their bounds, and the bounds are sharp.
 
 use groundbeam::{
-    Beam, Error, Field, Foundation, Load, Method, Model, NotConverged, Options, Outcome, Side,
-    Solution, Support, solve, solve_with,
+    Beam, Error, Field, Foundation, Load, Method, Model, NotConverged, Options, Outcome, Solution,
+    Support, solution::Side, solve, solve_with,
 };
 use groundbeam_verification::estimated::estimated_bounds;
 use groundbeam_verification::random::{Family, model};

@@ -1,8 +1,8 @@
 //! Compares compression that the ground helps to carry with closed forms and with a mesh by brute force.
 
 use groundbeam::{
-    Beam, Field, Foundation, Load, Local, Model, Outcome, Side, Solution, Support, Verdict, exists,
-    own_buckling_load, solve,
+    Beam, Field, Foundation, Load, Model, Outcome, Solution, Support, Verdict, existence::Local,
+    exists, own_buckling_load, solution::Side, solve,
 };
 use groundbeam_verification::random::{self, Family};
 use groundbeam_verification::upheaval::Meshed;

@@ -1,8 +1,8 @@
 //! Compression that the ground helps to carry, on beams that shear and with one-way supports.
 
 use groundbeam::{
-    Acts, Beam, Field, Foundation, Load, Local, Model, Outcome, Solution, Support, Verdict, exists,
-    own_buckling_load, solve,
+    Beam, Field, Foundation, Load, Model, Outcome, Solution, Support, Verdict, existence::Local,
+    exists, model::Acts, own_buckling_load, solve,
 };
 use groundbeam_verification::linear::Linear;
 use groundbeam_verification::random::{self, Family};

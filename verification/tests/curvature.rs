@@ -1,8 +1,8 @@
 //! Compares imposed curvature with closed forms of curling slabs, and with equivalent point moments.
 
 use groundbeam::{
-    Beam, Field, Foundation, Load, Method, Model, Options, Outcome, Profile, Side, Solution,
-    Support, load_factors, solve, solve_with,
+    Beam, Field, Foundation, Load, Method, Model, Options, Outcome, Solution, Support,
+    load_factors, model::Profile, solution::Side, solve, solve_with,
 };
 
 fn solved(model: &Model) -> Solution {
@@ -164,7 +164,7 @@ fn the_temperature_at_which_a_slab_first_lifts() {
         .with_load(Load::uniform_force(0.0, l, q))
         .with_load(Load::uniform_curvature(0.0, l, 1.0));
     let found = load_factors(&slab, |load| load == 1).expect("factors");
-    let groundbeam::FirstLiftOff::At { factor, .. } = found.first_lift_off else {
+    let groundbeam::load_factors::FirstLiftOff::At { factor, .. } = found.first_lift_off else {
         panic!("{found:?}")
     };
     // w has its minimum at λx = π/2: q/k = κ₀/(2λ²) e^(−π/2).

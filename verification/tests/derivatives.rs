@@ -3,7 +3,10 @@
 use groundbeam::derivatives::{
     Domain, Gradient, LoadNumber, OneSided, Output, Parameter, Property, SupportNumber,
 };
-use groundbeam::{Action, Field, Load, Model, Options, Outcome, Side, Solution, solve, solve_near};
+use groundbeam::{
+    Field, Load, Model, Options, Outcome, Solution, model::Action, solution::Side, solve,
+    solve_near,
+};
 use groundbeam_verification::random::{Family, model};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;

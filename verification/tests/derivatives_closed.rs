@@ -4,8 +4,8 @@ use groundbeam::derivatives::{
     Domain, LoadNumber, NotDifferentiable, OneSided, Output, Parameter, Property, SupportNumber,
 };
 use groundbeam::{
-    Action, Beam, Field, Foundation, Load, Method, Model, Options, Outcome, Side, Solution,
-    Support, solve, solve_with,
+    Beam, Field, Foundation, Load, Method, Model, Options, Outcome, Solution, Support,
+    model::Action, solution::Side, solve, solve_with,
 };
 use groundbeam_verification::random::{Family, model};
 

@@ -1,6 +1,11 @@
 //! Compares envelopes of random models with dense sampling of their solutions.
 
-use groundbeam::{Bound, Bounds, Change, Envelope, Field, Model, Outcome, Side, Solution, solve};
+use groundbeam::{
+    Field, Model, Outcome, Solution,
+    envelope::{Bound, Bounds, Change, Envelope},
+    solution::Side,
+    solve,
+};
 use groundbeam_verification::random::{Family, model};
 
 /// Number of positions at which every solution is evaluated.

@@ -1,8 +1,10 @@
 //! Checks load factors of random models: contact and equilibrium hold just below a factor, and are lost just above it.
 
 use groundbeam::{
-    Acts, Beam, Field, FirstLiftOff, Foundation, Load, LossOfEquilibrium, Model, Outcome, Support,
-    Verdict, exists, load_factors, solve,
+    Beam, Field, Foundation, Load, Model, Outcome, Support, Verdict, exists, load_factors,
+    load_factors::{FirstLiftOff, LossOfEquilibrium},
+    model::Acts,
+    solve,
 };
 use groundbeam_verification::random::{Family, model};
 
@@ -199,7 +201,9 @@ fn mirrored_and_scaled() {
             heavy.loads[last] = heavy.loads[last].scaled(8.0);
             let (found, mirror, heavy) =
                 (factors(&model), factors(&model.mirrored()), factors(&heavy));
-            let lift_off = |found: Option<groundbeam::LoadFactors>| match found?.first_lift_off {
+            let lift_off = |found: Option<groundbeam::load_factors::LoadFactors>| match found?
+                .first_lift_off
+            {
                 FirstLiftOff::At { factor, x } => Some((factor, x)),
                 _ => None,
             };
@@ -280,7 +284,7 @@ fn a_neighbour_that_grows() {
     let turned = load_factors(&model, |load| load == 2).expect("factors");
     let alone = Model { loads: vec![model.loads[0], model.loads[2]], ..model.clone() };
     let without = load_factors(&alone, |load| load == 1).expect("factors");
-    let at = |found: groundbeam::LoadFactors| match found.first_lift_off {
+    let at = |found: groundbeam::load_factors::LoadFactors| match found.first_lift_off {
         FirstLiftOff::At { factor, .. } => factor,
         other => panic!("{other:?}"),
     };

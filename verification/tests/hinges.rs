@@ -123,7 +123,8 @@ fn between_free_and_closed() {
         }
         let unit = model.beam.bending_stiffness / model.beam.length;
         // The rotational stiffness of the ground under the shortest piece.
-        let places: Vec<f64> = groundbeam::static_reactions(&model).iter().map(|r| r.0).collect();
+        let places: Vec<f64> =
+            groundbeam::existence::static_reactions(&model).iter().map(|r| r.0).collect();
         let shortest = places.windows(2).map(|x| x[1] - x[0]).fold(f64::INFINITY, f64::min);
         let soft = unit.min(model.foundation.subgrade * shortest.powi(3));
         let mut with = |spring: f64| {

@@ -1,8 +1,8 @@
 //! Well-posed models near a limit of the theory: each has a unique solution that rounding error must not hide.
 
 use groundbeam::{
-    Beam, EndForces, Field, Foundation, Hinge, Load, LossOfEquilibrium, Model, Outcome, Solution,
-    Support, Verdict, load_factors, solve,
+    Beam, Field, Foundation, Hinge, Load, Model, Outcome, Solution, Support, Verdict, load_factors,
+    load_factors::LossOfEquilibrium, solution::EndForces, solve,
 };
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;

@@ -2,7 +2,8 @@
 #![cfg(target_os = "linux")]
 
 use groundbeam::{
-    Beam, Foundation, Load, Method, Model, Options, Profile, Support, memory_estimate, solve_with,
+    Beam, Foundation, Load, Method, Model, Options, Support, memory_estimate, model::Profile,
+    solve_with,
 };
 use std::process::Command;
 

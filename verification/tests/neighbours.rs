@@ -1,7 +1,9 @@
 //! Loads on the ground outside the beam and under it: superposition, reciprocity, Green's function; and ground that
 //! ends outside the beam compared with infinite ground.
 
-use groundbeam::{Beam, Field, Foundation, GroundEnd, Load, Model, Outcome, Solution, solve};
+use groundbeam::{
+    Beam, Field, Foundation, Load, Model, Outcome, Solution, model::GroundEnd, solve,
+};
 use groundbeam_verification::estimated::estimated_bounds;
 
 const SPRING: f64 = 9.0;
@@ -102,7 +104,11 @@ fn the_surface_beside_the_beam_is_greens() {
             (to - from) / 6.0 * (at(from, true) + 4.0 * at(middle, true) + at(to, false))
         };
         let pressure = |x: f64, right: bool| {
-            let side = if right { groundbeam::Side::Right } else { groundbeam::Side::Left };
+            let side = if right {
+                groundbeam::solution::Side::Right
+            } else {
+                groundbeam::solution::Side::Left
+            };
             solution.at(x, side).pressure
         };
         u += places.windows(2).map(|x| simpson(x[0], x[1], &pressure)).sum::<f64>();

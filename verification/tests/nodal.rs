@@ -2,7 +2,7 @@
 
 use groundbeam::{
     Beam, Error, Field, Foundation, Hinge, Load, Method, Model, NodalSolution, NodalSolver,
-    Options, Outcome, Profile, Solution, Support, solve, solve_with,
+    Options, Outcome, Solution, Support, model::Profile, solve, solve_with,
 };
 use groundbeam_verification::cases;
 use groundbeam_verification::random::{Family, model};

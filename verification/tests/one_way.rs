@@ -1,8 +1,8 @@
 //! Compares one-way supports with a search over all sets of active supports, and with closed forms.
 
 use groundbeam::{
-    Acts, Beam, Error, Field, Foundation, Load, Method, Model, Options, Outcome, Side, Solution,
-    Support, Verdict, exists, solve, solve_with,
+    Beam, Error, Field, Foundation, Load, Method, Model, Options, Outcome, Solution, Support,
+    Verdict, exists, model::Acts, solution::Side, solve, solve_with,
 };
 use groundbeam_verification::random::{Family, model};
 

@@ -3,7 +3,7 @@
 
 use groundbeam::proof::{Proof, Wide, prove};
 use groundbeam::{
-    Extent, Field, Load, Model, Outcome, Solution, SupportKind, own_buckling_load, solve,
+    Field, Load, Model, Outcome, Solution, SupportKind, model::Extent, own_buckling_load, solve,
 };
 use groundbeam_verification::carried::model as carried;
 use groundbeam_verification::claims::{CHANGES, energy_of_error, over_bound};

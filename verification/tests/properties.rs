@@ -1,7 +1,7 @@
 //! Thousands of random models: each is solved, certified, and invariant under scaling and mirroring.
 
 use groundbeam::{
-    Error, Field, Method, Model, Options, Outcome, Side, Solution, solve, solve_with,
+    Error, Field, Method, Model, Options, Outcome, Solution, solution::Side, solve, solve_with,
 };
 use groundbeam_verification::estimated::estimated_bounds;
 use groundbeam_verification::random::{Family, model};

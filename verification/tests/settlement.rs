@@ -1,8 +1,8 @@
 //! Compares settled supports with closed forms.
 
 use groundbeam::{
-    Beam, Field, Foundation, Load, Method, Model, Options, Outcome, Side, Solution, Support,
-    solve_with,
+    Beam, Field, Foundation, Load, Method, Model, Options, Outcome, Solution, Support,
+    solution::Side, solve_with,
 };
 
 const METHODS: [Method; 2] = [Method::Exact, Method::ActiveSet];

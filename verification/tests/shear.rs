@@ -1,8 +1,9 @@
 //! Compares beams that shear with the simplest elements, with equivalent models, and with limits.
 
 use groundbeam::{
-    Beam, Error, Field, FirstLiftOff, Foundation, Hinge, Load, Method, Model, Options, Outcome,
-    Profile, Side, Solution, Support, load_factors, own_buckling_load, solve, solve_with,
+    Beam, Error, Field, Foundation, Hinge, Load, Method, Model, Options, Outcome, Solution,
+    Support, load_factors, load_factors::FirstLiftOff, model::Profile, own_buckling_load,
+    solution::Side, solve, solve_with,
 };
 use groundbeam_verification::linear::Linear;
 use groundbeam_verification::random::{Family, model};

@@ -1,7 +1,12 @@
 //! Compares passages of trains with closed forms, brute force and the mirrored model.
 
 use groundbeam::model::{Axle, Train};
-use groundbeam::{Action, Beam, Extent, Field, Foundation, Load, Model, Outcome, Side, solve};
+use groundbeam::{
+    Beam, Field, Foundation, Load, Model, Outcome,
+    model::{Action, Extent},
+    solution::Side,
+    solve,
+};
 use groundbeam_file::MovingTrain;
 use groundbeam_run::{Answers, OneThread, Run};
 use groundbeam_verification::random::{Family, model};

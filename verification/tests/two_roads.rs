@@ -4,8 +4,9 @@
 use clarabel::algebra::CscMatrix;
 use clarabel::solver::{DefaultSettings, DefaultSolver, IPSolver, SolverStatus, SupportedConeT};
 use groundbeam::{
-    Action, Beam, Extent, Field, Foundation, Load, Method, Model, Options, Outcome, Solution,
-    Verdict, exists, solve_with,
+    Beam, Field, Foundation, Load, Method, Model, Options, Outcome, Solution, Verdict, exists,
+    model::{Action, Extent},
+    solve_with,
 };
 use groundbeam_verification::dense::Dense;
 use rand::{RngExt, SeedableRng};

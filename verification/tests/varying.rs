@@ -3,7 +3,7 @@
 use groundbeam::model::Part;
 use groundbeam::{
     Beam, Error, Field, Foundation, Load, Method, Model, NodalSolution, NodalSolver, Options,
-    Outcome, Profile, Side, Solution, own_buckling_load, solve, solve_with,
+    Outcome, Solution, model::Profile, own_buckling_load, solution::Side, solve, solve_with,
 };
 use groundbeam_verification::estimated::estimated_bounds;
 

@@ -8,7 +8,7 @@ use crate::fault::Fault;
 use crate::moving::MovingTrain;
 use crate::source::Source;
 use crate::{case_names, sets, suggest};
-use groundbeam::{LimitStates, Load, Model};
+use groundbeam::{Load, Model, design::LimitStates};
 
 /// Maximum number of combinations in a file.
 pub(crate) const MOST: usize = 1000;

@@ -12,7 +12,7 @@ use crate::reader::Field;
 use crate::source::Source;
 use crate::units::UnitSystem;
 use groundbeam::model::{Part, Problem};
-use groundbeam::{Error, Limits, Model};
+use groundbeam::{Error, Model, design::Limits};
 use std::collections::HashMap;
 use std::ops::Range;
 use std::sync::Arc;

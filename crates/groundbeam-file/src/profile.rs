@@ -7,7 +7,7 @@ use crate::fault::Fault;
 use crate::keys::Value;
 use crate::reader::{Field, Reader};
 use crate::table::Section;
-use groundbeam::Profile;
+use groundbeam::model::Profile;
 use std::ops::Range;
 use toml::de::DeValue;
 

@@ -8,7 +8,7 @@ use crate::quantity::{
 };
 use crate::section::load::kind_of;
 use groundbeam::derivatives::{Domain, LoadNumber, Parameter, Property, SupportNumber};
-use groundbeam::{Beam, Foundation, Model, Profile};
+use groundbeam::{Beam, Foundation, Model, model::Profile};
 
 /// Interpolation of a quantity between equidistant points along the whole beam.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

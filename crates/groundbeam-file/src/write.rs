@@ -4,7 +4,10 @@ use crate::section::load::{LoadKind, kind_of};
 use crate::section::soil::method_name;
 use crate::units::UnitSystem;
 use groundbeam::soil::{LayeredSoil, Soil, SoilModel};
-use groundbeam::{Acts, Extent, GroundEnd, Load, Model, Profile, SupportKind};
+use groundbeam::{
+    Load, Model, SupportKind,
+    model::{Acts, Extent, GroundEnd, Profile},
+};
 use std::fmt::Write;
 
 /// The model as a model file. Reading it gives the same numbers bit for bit.

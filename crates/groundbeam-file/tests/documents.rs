@@ -1,7 +1,7 @@
 //! Tests of valid files in all their forms.
 
 use groundbeam::model::{Part, Problem};
-use groundbeam::{Acts, Load, Support, SupportKind};
+use groundbeam::{Load, Support, SupportKind, model::Acts};
 use groundbeam_file::{Document, UnitSystem, parse, write_toml};
 
 #[track_caller]

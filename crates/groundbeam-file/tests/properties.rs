@@ -5,7 +5,8 @@ mod common;
 use common::well_placed;
 use groundbeam::model::{Part, Problem};
 use groundbeam::{
-    Action, Acts, Beam, Foundation, Hinge, Load, Model, Profile, Support, SupportKind,
+    Beam, Foundation, Hinge, Load, Model, Support, SupportKind,
+    model::{Action, Acts, Profile},
 };
 use groundbeam_file::{UnitSystem, parse, parse_positions, text_of, write_toml};
 use proptest::prelude::*;

@@ -3,7 +3,7 @@
 use crate::question::Asked;
 use crate::written::Number;
 use groundbeam::model::Part;
-use groundbeam::{Action, Extent};
+use groundbeam::model::{Action, Extent};
 use groundbeam_file::{Combination, Document, UnitSystem};
 use groundbeam_report::svg::{self, Grip, Handle};
 use groundbeam_report::{Kind, Results, load_name, sentence, text};

@@ -4,7 +4,7 @@ use crate::failure::Failure;
 use crate::names::field;
 use crate::read::Read;
 use crate::solution::Solution;
-use groundbeam::{Envelope, LimitState};
+use groundbeam::{design::LimitState, envelope::Envelope};
 use groundbeam_report::{Context, Results, json};
 use groundbeam_run::{self as run, Answer, Errors, InPassage, Passage};
 use numpy::{PyArray1, PyReadonlyArray1};

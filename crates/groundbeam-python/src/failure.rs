@@ -1,6 +1,6 @@
 //! Converts failures to exceptions of `groundbeam._errors`.
 
-use groundbeam::{Error, Existence, Model, Stopped, Verdict, static_reactions};
+use groundbeam::{Error, Existence, Model, Stopped, Verdict, existence::static_reactions};
 use groundbeam_file::{Diagnostic, Diagnostics, Document};
 use groundbeam_report::{Units, sentence};
 use pyo3::prelude::*;

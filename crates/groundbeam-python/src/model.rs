@@ -225,7 +225,8 @@ impl Model {
         let motion = existence.verdict.motion().map(|[left, right, work]| (left, right, work));
         let verdict = verdict_name(existence.verdict);
         let sentence = sentence(model, &existence, self.read.units());
-        let reactions = groundbeam::static_reactions(model).iter().map(|(_, r)| *r).collect();
+        let reactions =
+            groundbeam::existence::static_reactions(model).iter().map(|(_, r)| *r).collect();
         Ok((verdict, reactions, motion, sentence))
     }
 

@@ -1,7 +1,7 @@
 //! Looks up fields and sides by name.
 
 use crate::failure::Failure;
-use groundbeam::{Field, Side};
+use groundbeam::{Field, solution::Side};
 
 /// The field with this name.
 pub fn field(name: &str) -> Result<Field, Failure> {

@@ -4,7 +4,10 @@ use crate::bound::Around;
 use crate::context::Context;
 use crate::quantity::Units;
 use crate::verified::Named;
-use groundbeam::{Check, Checked, Field, LimitState, LimitStates, Limits, Solution};
+use groundbeam::{
+    Field, Solution,
+    design::{Check, Checked, LimitState, LimitStates, Limits},
+};
 use groundbeam_run::{Answer, Answers, Found, Placed};
 use std::borrow::Cow;
 
@@ -289,7 +292,7 @@ pub(crate) fn rows_of<'a>(answers: &'a Answers, context: &Context<'a>) -> Vec<Ro
 #[cfg(test)]
 mod tests {
     use super::*;
-    use groundbeam::Beside;
+    use groundbeam::design::Beside;
 
     fn check(what: Checked, found: f64, limit: f64) -> Check {
         Check { what, found, limit, at: None, beside: Beside::Nothing }

@@ -6,7 +6,12 @@ use crate::numbers::Numbers;
 use crate::quantity::Units;
 use crate::size::Sizes;
 use crate::verified::Named;
-use groundbeam::{Extreme, Field, Governing, LimitState, Side, Solution};
+use groundbeam::{
+    Field, Solution,
+    design::LimitState,
+    envelope::Governing,
+    solution::{Extreme, Side},
+};
 use groundbeam_run::{Answers, BEST, Banded};
 
 /// A solution with the number of its combination, from 1.

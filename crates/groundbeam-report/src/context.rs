@@ -2,7 +2,7 @@
 
 use crate::quantity::Units;
 use crate::verified::Named;
-use groundbeam::{LimitStates, Limits};
+use groundbeam::design::{LimitStates, Limits};
 use groundbeam_file::{Diagnostic, Document, printable};
 use groundbeam_run::{Factors, Ground};
 

@@ -6,7 +6,10 @@ use crate::context::Context;
 use crate::curve::Jumps;
 use crate::quantity::{Kind, Unit, Units};
 use ::csv::{Writer, WriterBuilder};
-use groundbeam::{Bounds, Envelope, Field, Solution};
+use groundbeam::{
+    Field, Solution,
+    envelope::{Bounds, Envelope},
+};
 use groundbeam_file::printable;
 use groundbeam_run::{Answers, InPassage, Passage, Passages};
 

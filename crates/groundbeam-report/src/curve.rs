@@ -1,7 +1,10 @@
 //! Computes fields along the beam as a list of points, with both sides of every jump.
 
 use crate::size::Sizes;
-use groundbeam::{ByField, Field, Fields, Side, Solution};
+use groundbeam::{
+    Field, Solution,
+    solution::{ByField, Fields, Side},
+};
 
 /// A smaller jump, relative to the field's largest value, is rounding.
 const JUMP: f64 = 1e-9;

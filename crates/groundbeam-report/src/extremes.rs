@@ -3,7 +3,10 @@
 use crate::combinations::Numbered;
 use crate::quantity::{Kind, Unit, Units};
 use crate::size::Sizes;
-use groundbeam::{Envelope, Field, Governing};
+use groundbeam::{
+    Field,
+    envelope::{Envelope, Governing},
+};
 use groundbeam_run::{InPassage, Located, Passage, Passages};
 
 /// A field with its smallest and its largest value, in one unit.

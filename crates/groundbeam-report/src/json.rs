@@ -27,8 +27,12 @@ use existence::Proven;
 use factors::Grown;
 use ground::Ground;
 use groundbeam::{
-    Acts, Certificate, ConcentratedForce, ContactZone, EndForces, Existence, Field, Fields,
-    HingeTurn, LiftOff, Method, Model, Range, Reaction, Side, Solution, Stopped, Support,
+    Certificate, Existence, Field, Method, Model, Solution, Stopped, Support,
+    model::Acts,
+    solution::{
+        ConcentratedForce, ContactZone, EndForces, Fields, HingeTurn, LiftOff, Range, Reaction,
+        Side,
+    },
 };
 use groundbeam_file::is_unprintable;
 use pieces::Claimed;

@@ -2,7 +2,7 @@
 //! page.
 
 use crate::quantity::{Kind, Units};
-use groundbeam::{Action, Load};
+use groundbeam::{Load, model::Action};
 
 /// Name of the kind of a load.
 pub fn load_name(load: &Load) -> &'static str {

@@ -5,7 +5,7 @@ use crate::quantity::{Kind, Unit, Units};
 use crate::size::Sizes;
 use crate::verified::Named;
 use groundbeam::proof::{Bound, PlacedExtreme, ReactionBound, Verification};
-use groundbeam::{Extreme, Field, Solution};
+use groundbeam::{Field, Solution, solution::Extreme};
 
 /// Intervals of an extreme's position that are wider than this, relative to the length, are printed as
 /// intervals.

@@ -1,6 +1,6 @@
 //! Sets values to zero that are only rounding error.
 
-use groundbeam::{Action, Extreme, Field, Load, Model, Solution};
+use groundbeam::{Field, Load, Model, Solution, model::Action, solution::Extreme};
 
 /// Below this fraction of the natural size, a printed number is zero.
 const ROUNDING: f64 = 1e-12;

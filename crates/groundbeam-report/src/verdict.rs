@@ -5,7 +5,10 @@ mod wording;
 
 use crate::number::significant;
 use crate::quantity::{Kind, Units};
-use groundbeam::{Buckling, Existence, Hinge, Local, Model, RigidMotion, Verdict};
+use groundbeam::{
+    Existence, Hinge, Model, Verdict,
+    existence::{Buckling, Local, RigidMotion},
+};
 pub(crate) use hinged::falls;
 pub use wording::verdict_name;
 pub(crate) use wording::wording;

@@ -4,7 +4,7 @@
 mod common;
 
 use common::{context, document, solved};
-use groundbeam::Side;
+use groundbeam::solution::Side;
 use groundbeam_report::{Context, Units, csv};
 
 #[test]

@@ -3,7 +3,7 @@
 use crate::growing::Factors;
 use groundbeam::soil::{GroundConstants, SoilModel, SoilRounds};
 use groundbeam::{
-    Error, Existence, Foundation, LimitState, Method, Model, Outcome, Solution, Stopped,
+    Error, Existence, Foundation, Method, Model, Outcome, Solution, Stopped, design::LimitState,
 };
 use groundbeam_file::{Combination, MovingTrain};
 use std::borrow::Cow;

@@ -2,7 +2,12 @@
 
 use crate::answer::{Answer, Ground, Overall};
 use crate::trains::{Located, Passage, Swept};
-use groundbeam::{ByField, Envelope, Existence, Field, LimitState, LimitStates, Solution};
+use groundbeam::{
+    Existence, Field, Solution,
+    design::{LimitState, LimitStates},
+    envelope::Envelope,
+    solution::ByField,
+};
 use groundbeam_file::LoadCase;
 
 /// The kind of request. It determines the layout of the results.

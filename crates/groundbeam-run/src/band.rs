@@ -1,7 +1,7 @@
 //! Ranges of results over a band of grounds, from the solves with factors on k and μ.
 
 use crate::answers::Answers;
-use groundbeam::{ByField, Envelope, Field};
+use groundbeam::{Field, envelope::Envelope, solution::ByField};
 
 /// A value on the best ground, with its range over all solved grounds of a band.
 #[derive(Debug, Clone, Copy, PartialEq)]

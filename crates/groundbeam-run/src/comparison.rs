@@ -5,7 +5,7 @@ use crate::answers::{Answers, Asked};
 use crate::host::Host;
 use crate::run::Run;
 use crate::single::answered;
-use groundbeam::{Error, Field, Method, Options, Side, Solution};
+use groundbeam::{Error, Field, Method, Options, Solution, solution::Side};
 
 /// The methods that are compared with `exact`.
 const OTHERS: [Method; 3] = [Method::ActiveSet, Method::Psor, Method::Uzawa];

@@ -1,6 +1,10 @@
 //! Computes load factors at lift-off and at the loss of equilibrium.
 
-use groundbeam::{Action, Error, Load, LoadFactors, Model, Options, load_factors_with};
+use groundbeam::{
+    Error, Load, Model, Options,
+    load_factors::{LoadFactors, load_factors_with},
+    model::Action,
+};
 use groundbeam_file::Combination;
 
 /// The loads that a load factor multiplies.

@@ -1,6 +1,6 @@
 //! Converts one solution to a row of the table of results.
 
-use groundbeam::{Answer, Error, Existence, Field, Model, Side, Solution, Solver};
+use groundbeam::{Answer, Error, Existence, Field, Model, Solution, Solver, solution::Side};
 
 /// The values to be stored for every solution.
 #[derive(Debug, Clone, PartialEq, Default)]

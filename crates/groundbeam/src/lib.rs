@@ -29,21 +29,21 @@ mod cancel;
 mod chain;
 mod contact;
 pub mod derivatives;
-mod design;
+pub mod design;
 mod element;
-mod envelope;
+pub mod envelope;
 mod equilibrium;
 mod error;
-mod existence;
+pub mod existence;
 mod ground;
-mod load_factors;
+pub mod load_factors;
 mod mesh;
 mod nodal;
 mod nodal_solver;
 mod numeric;
 mod options;
 mod outcome;
-mod solution;
+pub mod solution;
 mod solve;
 mod solver;
 pub mod supported;
@@ -51,35 +51,20 @@ pub mod supported;
 pub mod model;
 pub mod soil;
 
-pub use crate::existence::verdict::{Buckling, Existence, Local, RigidMotion, Verdict};
-pub use crate::solution::certificate::Certificate;
-pub use crate::solution::field::{ByField, Dimension, Field};
-pub use crate::solution::fields::{
-    ConcentratedForce, ContactZone, EndForces, Extreme, Fields, Range, Reaction, Side,
-};
 pub use cancel::Cancel;
-pub use design::checks::{Beside, Check, Checked, Limits, overturning};
-pub use design::limit_states::{LimitState, LimitStates};
-pub use envelope::{Bound, Bounds, Change, Envelope, Governing};
 pub use equilibrium::buckling::own_buckling_load;
 pub use equilibrium::size::{check_memory, memory_estimate};
 pub use error::{Error, NotConverged, Stopped, TooLarge};
-pub use existence::existence::static_reactions_of as static_reactions;
-pub use load_factors::parts::{FirstLiftOff, LossOfEquilibrium};
-pub use load_factors::{LoadFactors, load_factors, load_factors_with};
-pub use model::{
-    Action, Acts, Beam, BeamSegment, Extent, Foundation, FoundationSegment, GapPoint, GroundEnd,
-    Hinge, Load, Model, Profile, Support, SupportKind,
-};
+pub use existence::{Existence, Verdict};
+pub use load_factors::load_factors;
+pub use model::{Beam, Foundation, Hinge, Load, Model, Support, SupportKind};
 pub use nodal::newton::Work;
 pub use nodal::solution::{NodalCheck, NodalSolution};
 pub use nodal_solver::NodalSolver;
 pub use numeric::step::Step;
 pub use options::{Method, Options, Start};
 pub use outcome::Outcome;
-pub use solution::hinges::HingeTurn;
-pub use solution::lift_off::LiftOff;
-pub use solution::solution::Solution;
+pub use solution::{Certificate, Field, Solution};
 pub use solve::{exists, solve, solve_near, solve_with};
 pub use solver::{Answer, Solver};
 

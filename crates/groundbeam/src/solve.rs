@@ -367,7 +367,7 @@ mod tests {
     use crate::equilibrium::branch;
     use crate::equilibrium::buckling::bonded_buckling_load;
     use crate::model::{Acts, Beam, Foundation, Load, Support};
-    use crate::{Solver, load_factors_with, nodal};
+    use crate::{Solver, load_factors::load_factors_with, nodal};
 
     /// A long beam that lifts off between its loads.
     fn long() -> Model {

@@ -2,7 +2,7 @@
 
 use super::quantity::Quantity;
 use super::scale::{Kind, scale};
-use groundbeam::{Envelope, Side, Verdict};
+use groundbeam::{Verdict, envelope::Envelope, solution::Side};
 use groundbeam_file::{Document, UnitSystem};
 use groundbeam_run::{Found, Passages};
 use serde_json::Value as Json;

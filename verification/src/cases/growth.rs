@@ -1,6 +1,9 @@
 //! Load factors as quantities that a case expects: `first_lift_off(Q)`, `loss_of_equilibrium(Q, W)`.
 
-use groundbeam::{FirstLiftOff, LoadFactors, LossOfEquilibrium, load_factors};
+use groundbeam::{
+    load_factors,
+    load_factors::{FirstLiftOff, LoadFactors, LossOfEquilibrium},
+};
 use groundbeam_file::{Document, parse_cases};
 
 /// The kind of factor.

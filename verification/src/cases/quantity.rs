@@ -2,7 +2,11 @@
 
 use super::growth::Growth;
 use super::scale::Kind;
-use groundbeam::{Checked, Dimension, Field, LimitState, Side, Solution};
+use groundbeam::{
+    Field, Solution,
+    design::{Checked, LimitState},
+    solution::{Dimension, Side},
+};
 use groundbeam_file::{UnitSystem, parse_positions};
 
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,6 +1,6 @@
 //! Units of expected values. Only the reader of the file format knows units, so it reads a small model with the unit.
 
-use groundbeam::Extent;
+use groundbeam::model::Extent;
 use groundbeam_file::UnitSystem;
 
 /// The dimension of a value.

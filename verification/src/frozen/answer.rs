@@ -1,7 +1,7 @@
 //! The text of an answer and of its certificate: one line for each quantity, every number with all its bits.
 
 use crate::estimated::estimated_bounds;
-use groundbeam::{Error, Existence, Field, Outcome, Side, Solution, Verdict};
+use groundbeam::{Error, Existence, Field, Outcome, Solution, Verdict, solution::Side};
 use std::fmt::Write;
 
 /// Number of equal steps between the positions of the fields.

@@ -23,7 +23,7 @@ use super::answer::STEPS;
 use super::bits::Difference;
 use super::record::Record;
 use crate::estimated::estimated_bounds;
-use groundbeam::{Error, Field, Outcome, Side, Solution};
+use groundbeam::{Error, Field, Outcome, Solution, solution::Side};
 
 /// The limit of an edge, as a fraction of the length.
 const EDGE: f64 = 1e-7;

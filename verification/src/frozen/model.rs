@@ -2,8 +2,8 @@
 
 use super::record::{Line, Record};
 use groundbeam::{
-    Action, Acts, Beam, BeamSegment, Extent, Foundation, FoundationSegment, GapPoint, GroundEnd,
-    Hinge, Load, Model, Profile, Support, SupportKind,
+    Beam, Foundation, Hinge, Load, Model, Support, SupportKind,
+    model::{Action, Acts, BeamSegment, Extent, FoundationSegment, GapPoint, GroundEnd, Profile},
 };
 
 /// The lines of a model.

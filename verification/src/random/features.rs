@@ -2,7 +2,8 @@
 
 use super::{Dice, size_of};
 use groundbeam::{
-    Acts, Beam, Foundation, GroundEnd, Hinge, Load, Model, Profile, Support, Verdict, exists,
+    Beam, Foundation, Hinge, Load, Model, Support, Verdict, exists,
+    model::{Acts, GroundEnd, Profile},
 };
 use rand::Rng;
 

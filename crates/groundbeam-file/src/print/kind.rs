@@ -1,6 +1,6 @@
 //! Kinds of printed quantities, and the metric units in which each kind is printed.
 
-use groundbeam::{Dimension, Field};
+use groundbeam::{Field, solution::Dimension};
 
 macro_rules! kinds {
     ($($(#[$doc:meta])* $name:ident,)*) => {

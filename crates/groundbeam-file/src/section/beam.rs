@@ -18,7 +18,10 @@ use crate::reader::Reader;
 use crate::stiffness::{Given, Keys};
 use crate::table::Section;
 use groundbeam::model::Part;
-use groundbeam::{Beam, BeamSegment, Load, Profile};
+use groundbeam::{
+    Beam, Load,
+    model::{BeamSegment, Profile},
+};
 use std::ops::Range;
 
 // Keys of the bending stiffness, in `[beam]` and in `[[beam.segment]]`.

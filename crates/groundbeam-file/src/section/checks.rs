@@ -7,7 +7,7 @@ use crate::keys::{ALSO_WIDTH, Key, Table, quantity, table, words};
 use crate::quantity::{RATIO, SETTLEMENT_LIMIT, STRESS_LIMIT, WIDTH};
 use crate::reader::{Field, Reader};
 use crate::table::Section;
-use groundbeam::{Checked, Limits};
+use groundbeam::design::{Checked, Limits};
 use toml::de::DeValue;
 
 pub(super) static TABLE: Table = Table {

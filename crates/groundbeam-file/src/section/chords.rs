@@ -115,7 +115,7 @@ impl Ranges {
         };
         let beam = &model.beam.segments;
         let ground = || model.foundation.segments.iter().filter(|s| s.from < length && s.to > 0.0);
-        let ends = |profile: groundbeam::Profile| [profile.smallest(), profile.largest()];
+        let ends = |profile: groundbeam::model::Profile| [profile.smallest(), profile.largest()];
         let times = |[low, high]: [f64; 2], [a, b]: [f64; 2]| [low * a, high * b];
         let shears = beam.iter().filter_map(|s| s.shear_stiffness).map(|s| s.smallest());
         Ranges {

@@ -11,7 +11,10 @@ use crate::quantity::{self, REACH};
 use crate::reader::Reader;
 use crate::sets::{self, Acting, Made, Practice, Set};
 use crate::table::Section;
-use groundbeam::{LimitState, LimitStates, Load};
+use groundbeam::{
+    Load,
+    design::{LimitState, LimitStates},
+};
 use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};

@@ -18,7 +18,10 @@ use crate::reader::{Field, Reader};
 use crate::stiffness::{Given, Keys};
 use crate::table::Section;
 use groundbeam::model::Part;
-use groundbeam::{Beam, Foundation, FoundationSegment, GroundEnd, Profile};
+use groundbeam::{
+    Beam, Foundation,
+    model::{FoundationSegment, GroundEnd, Profile},
+};
 
 // Keys of k and μ, in `[foundation]` and in `[[foundation.segment]]`. The model limits the number of control
 // values.

@@ -11,7 +11,7 @@ use crate::quantity::{CLEARANCE, POSITION};
 use crate::reader::{Field, Reader};
 use crate::table::Section;
 use groundbeam::model::Part;
-use groundbeam::{GapPoint, Model};
+use groundbeam::{Model, model::GapPoint};
 
 pub(super) static TABLE: Table =
     Table {

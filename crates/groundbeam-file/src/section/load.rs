@@ -12,7 +12,10 @@ use crate::quantity::{
 use crate::reader::{Field, Reader};
 use crate::table::Section;
 use groundbeam::model::Part;
-use groundbeam::{Action, Extent, Load};
+use groundbeam::{
+    Load,
+    model::{Action, Extent},
+};
 use toml::Spanned;
 use toml::de::DeValue;
 

@@ -9,7 +9,7 @@ use crate::reader::Reader;
 use crate::suggest;
 use crate::table::Section;
 use crate::units::Seen;
-use groundbeam::Profile;
+use groundbeam::model::Profile;
 
 /// E of the material that `table` names; otherwise the given E.
 pub(super) fn modulus(reader: &mut Reader, table: &Section, given: Option<Along>) -> Option<Along> {

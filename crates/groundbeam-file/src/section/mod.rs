@@ -28,7 +28,7 @@ use crate::reader::{Field, Reader};
 use crate::table::Section;
 use curl::Curls;
 use groundbeam::model::Part;
-use groundbeam::{Limits, Model};
+use groundbeam::{Model, design::Limits};
 
 /// Tables of a model file.
 pub(crate) static MODEL: Table = Table {

@@ -9,8 +9,8 @@ use crate::profile::{Along, left_out};
 use crate::reader::{Field, Reader};
 use crate::stiffness::{Given, Keys, Stiffness, cover};
 use crate::table::Section;
-use groundbeam::Profile;
 use groundbeam::model::Part;
+use groundbeam::model::Profile;
 
 /// Quantities of the beam or of the ground.
 pub(super) struct Body {

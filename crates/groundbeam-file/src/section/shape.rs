@@ -14,7 +14,7 @@ use crate::quantity::{SECOND_MOMENT_OF_AREA, WIDTH};
 use crate::reader::Reader;
 use crate::table::Section;
 use crate::units::Seen;
-use groundbeam::Profile;
+use groundbeam::model::Profile;
 use std::f64::consts::PI;
 use std::ops::Range;
 

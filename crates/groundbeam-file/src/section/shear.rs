@@ -9,7 +9,7 @@ use crate::quantity::{RATIO, SHEAR_AREA, SHEAR_MODULUS, SHEAR_STIFFNESS};
 use crate::reader::{Field, Reader};
 use crate::stiffness::{Given, Keys, Stiffness};
 use crate::table::Section;
-use groundbeam::Profile;
+use groundbeam::model::Profile;
 
 // Keys in `[beam]` and in `[[beam.segment]]`.
 const SHEARS: Value = Value::Along(&SHEAR_STIFFNESS, Profile::MOST);

@@ -5,7 +5,7 @@ use crate::quantity::{CLEARANCE, POSITION, ROTATIONAL_SPRING, SPRING};
 use crate::reader::{Field, Reader};
 use crate::table::Section;
 use groundbeam::model::Part;
-use groundbeam::{Acts, Support, SupportKind};
+use groundbeam::{Support, SupportKind, model::Acts};
 
 static TYPES: Words = Words {
     all: || vec!["pinned", "fixed"],

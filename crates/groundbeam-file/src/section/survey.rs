@@ -10,7 +10,7 @@ use crate::reader::Reader;
 use crate::suggest;
 use crate::table::Section;
 use crate::unit::{Dimension, Scale, Unit};
-use groundbeam::{GapPoint, Profile};
+use groundbeam::model::{GapPoint, Profile};
 use std::ops::Range;
 
 pub(super) static TABLE: Keys = Keys {

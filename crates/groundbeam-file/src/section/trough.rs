@@ -5,7 +5,7 @@ use crate::keys::{ALSO_AT, ALSO_WIDTH, Table, quantity};
 use crate::quantity::{CLEARANCE, GROUND_POSITION, WIDTH};
 use crate::reader::Reader;
 use crate::table::Section;
-use groundbeam::{GapPoint, Model};
+use groundbeam::{Model, model::GapPoint};
 
 pub(super) static TABLE: Table = Table {
     name: "[[gap_trough]]",

@@ -4,7 +4,7 @@
 //! cases are combined with all leading actions and all factors of the permanent cases.
 
 use super::{Action, Formula, Practice, Set, Share, states};
-use groundbeam::LimitStates;
+use groundbeam::design::LimitStates;
 use std::collections::BTreeMap;
 
 /// A load case and its action.

@@ -6,7 +6,7 @@ mod expand;
 pub(crate) use expand::{Acting, Made, TooMany, expand};
 
 use crate::catalogue::{self, Entry};
-use groundbeam::{LimitState, LimitStates};
+use groundbeam::design::{LimitState, LimitStates};
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::sync::LazyLock;

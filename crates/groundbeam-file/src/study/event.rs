@@ -7,7 +7,7 @@ use crate::keys::{Table, Value, key, text};
 use crate::quantity::{CLEARANCE, FORCE, Kind, LOAD_PER_LENGTH, MOMENT, RATIO};
 use crate::reader::Reader;
 use crate::table::Section;
-use groundbeam::{Dimension, Field};
+use groundbeam::{Field, solution::Dimension};
 
 pub(super) static TABLE: Table = Table {
     name: "[[event]]",

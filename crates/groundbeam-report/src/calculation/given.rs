@@ -9,7 +9,11 @@ use crate::load::{is_moment_per_length, load_name, load_size};
 use crate::quantity::{Kind, Units};
 use crate::svg::figures;
 use crate::text;
-use groundbeam::{Acts, Existence, Hinge, Method, Model, Profile, RigidMotion, SupportKind};
+use groundbeam::{
+    Existence, Hinge, Method, Model, SupportKind,
+    existence::RigidMotion,
+    model::{Acts, Profile},
+};
 
 /// The input, for the model of a file or for those of its combinations, with the existence check if it is
 /// known.
@@ -268,7 +272,7 @@ pub(super) fn statics(model: &Model, existence: &Existence, context: &Context) -
     );
     blocks.push(Block::Text { words });
     if model.hinges.iter().any(Hinge::is_free) {
-        let each: Vec<String> = groundbeam::static_reactions(model)
+        let each: Vec<String> = groundbeam::existence::static_reactions(model)
             .into_iter()
             .map(|(x, force)| {
                 let words = format!("{} at {}", units.write(Kind::Force, force), units.position(x));

@@ -15,7 +15,12 @@ use crate::svg::figures;
 use crate::text;
 use crate::text::sheet::Tone;
 use crate::verdict;
-use groundbeam::{Envelope, Existence, Extreme, Field, Governing, LimitState, Method};
+use groundbeam::{
+    Existence, Field, Method,
+    design::LimitState,
+    envelope::{Envelope, Governing},
+    solution::Extreme,
+};
 use groundbeam_file::Combination;
 use groundbeam_run::{Answers, Found, Overall};
 

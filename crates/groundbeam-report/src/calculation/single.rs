@@ -11,7 +11,9 @@ use crate::svg::figures;
 use crate::text;
 use crate::verdict;
 use crate::verified::Named;
-use groundbeam::{Existence, Extreme, Field, Model, Solution, Stopped, Verdict as Stands};
+use groundbeam::{
+    Existence, Field, Model, Solution, Stopped, Verdict as Stands, solution::Extreme,
+};
 
 /// The report of an equilibrium.
 pub(super) fn solved(solution: &Solution, context: &Context, source: &Source) -> Report {

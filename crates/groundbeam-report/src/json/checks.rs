@@ -2,7 +2,7 @@
 
 use crate::checked::{Governing, Row, Verdict, verdicts};
 use crate::context::Context;
-use groundbeam::{Beside, EndForces};
+use groundbeam::{design::Beside, solution::EndForces};
 use serde::Serialize;
 
 #[derive(Serialize)]

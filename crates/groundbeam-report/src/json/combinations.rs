@@ -8,7 +8,12 @@ use super::{
 };
 use crate::checked::rows_of;
 use crate::context::Context;
-use groundbeam::{Bound, Bounds, Change, Envelope, Extreme, Field, Governing, LimitState};
+use groundbeam::{
+    Field,
+    design::LimitState,
+    envelope::{Bound, Bounds, Change, Envelope, Governing},
+    solution::Extreme,
+};
 use groundbeam_run::{Alone, Answer, Answers, Banded, Found, Overall};
 use serde::Serialize;
 use std::collections::BTreeMap;

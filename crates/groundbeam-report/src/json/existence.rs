@@ -2,7 +2,10 @@
 
 use crate::context::Context;
 use crate::verdict::{sentence, wording};
-use groundbeam::{Buckling, Existence, Model, RigidMotion, Verdict};
+use groundbeam::{
+    Existence, Model, Verdict,
+    existence::{Buckling, RigidMotion},
+};
 use serde::Serialize;
 
 #[derive(Serialize)]
@@ -27,7 +30,10 @@ impl Proven {
     pub fn new(model: &Model, existence: &Existence, context: &Context) -> Self {
         let mut proven = Proven {
             verdict: wording(existence.verdict).name,
-            static_reactions: groundbeam::static_reactions(model).iter().map(|r| r.1).collect(),
+            static_reactions: groundbeam::existence::static_reactions(model)
+                .iter()
+                .map(|r| r.1)
+                .collect(),
             failing_motion: None,
             undetermined_motion: None,
             stability_margin: None,

@@ -1,7 +1,10 @@
 //! Writes load factors in the result document.
 
 use super::existence::Motion;
-use groundbeam::{FirstLiftOff, LossOfEquilibrium, Model};
+use groundbeam::{
+    Model,
+    load_factors::{FirstLiftOff, LossOfEquilibrium},
+};
 use groundbeam_run::Factors;
 use serde::Serialize;
 

@@ -8,7 +8,10 @@ use crate::quantity::Units;
 use crate::text::proof::reason;
 use crate::verified::Named;
 use groundbeam::proof::{Answer, Force, Piece, PlacedExtreme, Verification};
-use groundbeam::{Field, Fields, Side, Solution};
+use groundbeam::{
+    Field, Solution,
+    solution::{Fields, Side},
+};
 use groundbeam_file::{UnitSystem, write_toml};
 use serde::Serialize;
 use std::collections::BTreeMap;

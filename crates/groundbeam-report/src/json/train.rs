@@ -4,7 +4,7 @@ use super::{Along, ByName, Extremes, FreeSpan, Head, Lines, checks, text};
 use crate::context::Context;
 use crate::text::train::positions_of;
 use groundbeam::model::{Axle, UniformPart};
-use groundbeam::{ByField, Field, LimitState};
+use groundbeam::{Field, design::LimitState, solution::ByField};
 use groundbeam_file::MovingTrain;
 use groundbeam_run::{InPassage, Located, Opened, Overall, Passage, Passages, Uplift};
 use serde::Serialize;

@@ -9,7 +9,7 @@ use super::samples::simplified;
 use super::style::{NOTE, PANEL_TITLE, RIMMED, TICK};
 use crate::font::Metrics;
 use crate::quantity::{Kind, Unit, Units};
-use groundbeam::{Extreme, Field};
+use groundbeam::{Field, solution::Extreme};
 
 /// Distance from the baseline of the title to the top of the diagram.
 const TOP: f64 = 9.0;

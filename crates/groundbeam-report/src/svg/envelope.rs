@@ -8,7 +8,11 @@ use super::{PANEL_SPACE, axis_of_x, header, numbers, stacked};
 use crate::context::Context;
 use crate::font::Metrics;
 use crate::quantity::Units;
-use groundbeam::{ByField, Envelope, Field, Side, Solution};
+use groundbeam::{
+    Field, Solution,
+    envelope::Envelope,
+    solution::{ByField, Side},
+};
 use groundbeam_run::Answers;
 
 /// Equal steps along the beam, finer than a screen.

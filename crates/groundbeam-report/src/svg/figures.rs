@@ -9,7 +9,7 @@ use super::samples::Samples;
 use super::{PANEL_SPACE, axis_of_x, diagrams, edges, envelope, sketch, system, train};
 use crate::font::Metrics;
 use crate::quantity::Units;
-use groundbeam::{Field, Model, RigidMotion, Solution};
+use groundbeam::{Field, Model, Solution, existence::RigidMotion};
 use groundbeam_run::{Answers, Passages};
 
 /// The model as given; without equilibrium, with the motion that proves it.

@@ -8,7 +8,10 @@ use super::labels::{Labels, Place, Rect};
 use super::paint::{Colour, Fill, Stroke};
 use super::style::{DISTRIBUTED, LABEL, NOTE};
 use crate::quantity::{Kind, Units};
-use groundbeam::{Extent, FoundationSegment, GroundEnd, Load, Model, Profile};
+use groundbeam::{
+    Load, Model,
+    model::{Extent, FoundationSegment, GroundEnd, Profile},
+};
 
 /// Height of the largest point force on the ground.
 const FORCE: f64 = 34.0;

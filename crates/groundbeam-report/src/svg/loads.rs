@@ -8,7 +8,10 @@ use super::paint::{Colour, Fill, Stroke};
 use super::style::{DISTRIBUTED, LABEL};
 use crate::load::{is_moment_per_length, load_kind, load_size};
 use crate::quantity::Units;
-use groundbeam::{Action, Extent, Load};
+use groundbeam::{
+    Load,
+    model::{Action, Extent},
+};
 
 /// Height of an area of arrows.
 const LANE: f64 = 22.0;

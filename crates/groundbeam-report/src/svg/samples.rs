@@ -2,7 +2,7 @@
 
 use crate::curve::Jumps;
 use crate::size::Sizes;
-use groundbeam::{Field, Fields, Solution};
+use groundbeam::{Field, Solution, solution::Fields};
 
 /// Equal steps along the beam, finer than a screen.
 const EVEN_STEPS: usize = 1200;

@@ -10,7 +10,7 @@ use super::style::{LABEL, NOTE};
 use super::supports;
 use crate::font::Metrics;
 use crate::quantity::{Kind, Units};
-use groundbeam::{Model, RigidMotion};
+use groundbeam::{Model, existence::RigidMotion};
 
 /// Drawn thickness of the beam.
 const THICKNESS: f64 = 9.0;

@@ -2,7 +2,7 @@
 
 use super::canvas::Canvas;
 use super::paint::{Colour, Fill, Paint, Stroke};
-use groundbeam::{Acts, Support, SupportKind};
+use groundbeam::{Support, SupportKind, model::Acts};
 
 /// Height of a support below the beam.
 pub(super) const HEIGHT: f64 = 20.0;

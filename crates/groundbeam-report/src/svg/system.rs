@@ -13,7 +13,11 @@ use super::supports;
 use crate::font::Metrics;
 use crate::number::significant;
 use crate::quantity::{Kind, Units};
-use groundbeam::{Acts, Field, Fields, Model, Side, Solution, SupportKind};
+use groundbeam::{
+    Field, Model, Solution, SupportKind,
+    model::Acts,
+    solution::{Fields, Side},
+};
 
 /// Drawn height between the highest and the lowest point of beam and ground.
 const DEPTH: f64 = 92.0;

@@ -10,7 +10,7 @@ use crate::context::{Context, clean};
 use crate::font::Metrics;
 use crate::quantity::Units;
 use crate::size::Sizes;
-use groundbeam::{ByField, Extreme};
+use groundbeam::solution::{ByField, Extreme};
 use groundbeam_run::{InPassage, Passages};
 
 /// Equal steps along the beam.

@@ -7,7 +7,7 @@ use super::samples::Samples;
 use super::{PANEL_SPACE, axis_of_x, diagrams, edges, stacked, supports, system};
 use crate::context::Context;
 use crate::font::Metrics;
-use groundbeam::{Extent, Model, Side, Solution};
+use groundbeam::{Model, Solution, model::Extent, solution::Side};
 
 /// A picture with handles. Positions are in units of the picture, from its upper left corner.
 #[derive(Debug, Clone, PartialEq)]

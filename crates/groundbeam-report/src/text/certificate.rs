@@ -30,7 +30,9 @@ pub(crate) fn of_several(sheet: &mut Sheet, of: &str, gap: f64) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use groundbeam::{Beam, Foundation, Load, Local, Method, Model, Options, Outcome, solve_with};
+    use groundbeam::{
+        Beam, Foundation, Load, Method, Model, Options, Outcome, existence::Local, solve_with,
+    };
 
     /// The certificate of Kikuchi's case IV on two elements, whose error exceeds rounding.
     fn written(verdict: Verdict) -> String {

@@ -6,7 +6,10 @@ use crate::checked::{Governing, Judged, Judgement, Row, Verdict, verdicts};
 use crate::context::{Context, clean};
 use crate::numbers::Numbers;
 use crate::quantity::{Kind, Unit};
-use groundbeam::{Beside, Check, Checked, Field, Solution};
+use groundbeam::{
+    Field, Solution,
+    design::{Beside, Check, Checked},
+};
 
 /// The checks of one solution, followed by a blank line if there are any.
 pub(crate) fn rows(sheet: &mut Sheet, solution: &Solution, context: &Context) {

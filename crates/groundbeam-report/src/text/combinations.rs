@@ -13,7 +13,11 @@ use crate::context::{Context, clean};
 use crate::extremes::{End, of_combinations};
 use crate::quantity::{Kind, Unit, Units, duration};
 use crate::verdict::{self, falls, wording};
-use groundbeam::{Envelope, Governing, LimitState, Model, Verdict};
+use groundbeam::{
+    Model, Verdict,
+    design::LimitState,
+    envelope::{Envelope, Governing},
+};
 use groundbeam_run::{Answer, Answers, Banded, Found, Ground};
 
 /// The report of all combinations, solved or only checked. `colour` adds escape codes for a terminal.

@@ -2,7 +2,11 @@
 
 use crate::quantity::{Kind, Units};
 use crate::size::Sizes;
-use groundbeam::{Action, Extent, Side, Solution};
+use groundbeam::{
+    Solution,
+    model::{Action, Extent},
+    solution::Side,
+};
 
 /// Columns of the drawing.
 const WIDTH: usize = 78;

@@ -5,7 +5,7 @@ use crate::bound::not_proven;
 use crate::context::{Context, clean};
 use crate::quantity::Units;
 use crate::verdict::falls;
-use groundbeam::{FirstLiftOff, LossOfEquilibrium};
+use groundbeam::load_factors::{FirstLiftOff, LossOfEquilibrium};
 use groundbeam_run::Factors;
 
 /// The rows with load factors, if requested.
@@ -71,7 +71,7 @@ fn loss(found: LossOfEquilibrium, loads: &Grows, units: Units) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use groundbeam::{LoadFactors, RigidMotion};
+    use groundbeam::{existence::RigidMotion, load_factors::LoadFactors};
 
     fn said(first_lift_off: FirstLiftOff, loss: LossOfEquilibrium, cases: &[&str]) -> String {
         let found = LoadFactors { first_lift_off, loss_of_equilibrium: loss };

@@ -4,7 +4,7 @@ use super::MOST_ROWS;
 use super::sheet::Sheet;
 use crate::quantity::{Kind, Units};
 use crate::size::Sizes;
-use groundbeam::{Field, LiftOff};
+use groundbeam::{Field, solution::LiftOff};
 use groundbeam_run::{Opened, Passage};
 
 /// One row for each stretch; only the longest ones if there are many.
@@ -121,7 +121,7 @@ fn clean(passage: &Passage, opened: Opened) -> Opened {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use groundbeam::{Beam, Extreme, Foundation, Load, Model, Outcome, solve};
+    use groundbeam::{Beam, Foundation, Load, Model, Outcome, solution::Extreme, solve};
 
     #[test]
     fn columns_are_as_wide_as_their_numbers() {

@@ -30,7 +30,8 @@ pub use comparison::comparison;
 pub use drawing::drawing;
 pub(crate) use ground::of_each as ground_of_each;
 use groundbeam::{
-    Existence, Extent, Field, GroundEnd, Load, Model, Profile, Solution, Stopped, Verdict,
+    Existence, Field, Load, Model, Solution, Stopped, Verdict,
+    model::{Extent, GroundEnd, Profile},
 };
 pub(crate) use passages::used_models as used_by_trains;
 pub use passages::{checked_trains, trains};

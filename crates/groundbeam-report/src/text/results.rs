@@ -4,7 +4,11 @@ use super::sheet::Sheet;
 use super::{free_spans, listed};
 use crate::numbers::Numbers;
 use crate::quantity::{Kind, Units};
-use groundbeam::{Acts, ContactZone, Extreme, Field, Reaction, Solution, SupportKind};
+use groundbeam::{
+    Field, Solution, SupportKind,
+    model::Acts,
+    solution::{ContactZone, Extreme, Reaction},
+};
 
 /// Contact, forces and extremes.
 pub(crate) fn results(sheet: &mut Sheet, solution: &Solution, numbers: &Numbers) {

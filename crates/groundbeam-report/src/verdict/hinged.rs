@@ -1,7 +1,10 @@
 //! The verdict for beams with free hinges, of which one part may tip.
 
 use crate::quantity::Units;
-use groundbeam::{Existence, Model, RigidMotion, Verdict, static_reactions};
+use groundbeam::{
+    Existence, Model, Verdict,
+    existence::{RigidMotion, static_reactions},
+};
 
 /// The reason why there is one equilibrium, more than one, or none, without the effects of compression.
 pub(super) fn sentence(model: &Model, existence: &Existence, units: Units) -> String {

@@ -1,7 +1,7 @@
 //! Finds the longest free span and the one with the largest clearance, over all positions of a train.
 
 use super::passage::Passage;
-use groundbeam::LiftOff;
+use groundbeam::solution::LiftOff;
 
 /// A stretch of the beam without contact, and the position of the train.
 #[derive(Debug, Clone, Copy, PartialEq)]

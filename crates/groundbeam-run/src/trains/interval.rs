@@ -3,7 +3,7 @@
 
 use super::position::{Beside, Position, Section};
 use groundbeam::model::Train;
-use groundbeam::{ByField, Field};
+use groundbeam::{Field, solution::ByField};
 use std::borrow::Borrow;
 
 /// Fields beside an axle at the fraction t between two solved positions; `None` if the axle is off the beam.

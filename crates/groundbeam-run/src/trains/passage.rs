@@ -4,7 +4,11 @@ use super::interval::passing;
 use super::position::Section;
 use crate::answer::{Answer, Found, Overall};
 use groundbeam::model::Train;
-use groundbeam::{ByField, Field, LimitStates, Model, Side, Solution};
+use groundbeam::{
+    Field, Model, Solution,
+    design::LimitStates,
+    solution::{ByField, Side},
+};
 use groundbeam_file::{Combination, MovingTrain};
 use std::ops::Range;
 use std::sync::Arc;

@@ -2,7 +2,11 @@
 
 use crate::answer::Answer;
 use groundbeam::model::Train;
-use groundbeam::{Action, ByField, Field, Fields, Model, Range};
+use groundbeam::{
+    Field, Model,
+    model::Action,
+    solution::{ByField, Fields, Range},
+};
 use std::borrow::Borrow;
 
 /// A position of the train: its answer, and the values that envelopes compare.

@@ -9,7 +9,10 @@ use crate::answer::{Answer, Found, Label, Placed};
 use crate::host::{Failed, Host};
 use crate::single::answered;
 use groundbeam::model::Train;
-use groundbeam::{ByField, Error, Field, Model, Options, Side, Solution};
+use groundbeam::{
+    Error, Field, Model, Options, Solution,
+    solution::{ByField, Side},
+};
 use groundbeam_file::{Combination, MovingTrain};
 use std::sync::Arc;
 

@@ -128,7 +128,7 @@ impl Solution {
     /// solve, each output hardly anything.
     ///
     /// ```
-    /// use groundbeam::{Beam, Field, Foundation, Load, Model, Outcome, Side, solve};
+    /// use groundbeam::{Beam, Field, Foundation, Load, Model, Outcome, solve, solution::Side};
     /// use groundbeam::derivatives::{Domain, Output, Parameter, Property};
     ///
     /// let model = Model::new(Beam::uniform(1.0, 1.0), Foundation::pasternak(1.0, 1.0))

@@ -87,7 +87,7 @@ impl Output {
     /// The output that is called so; fields at a position are not among them.
     ///
     /// ```
-    /// use groundbeam::{Field, Side, derivatives::Output};
+    /// use groundbeam::{Field, derivatives::Output, solution::Side};
     ///
     /// assert_eq!(Output::named("largest moment"), Some(Output::Largest(Field::Moment)));
     /// assert_eq!(Output::named("edge[1].left"), Some(Output::Edge(1, Side::Left)));

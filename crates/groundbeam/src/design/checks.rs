@@ -177,7 +177,7 @@ impl Limits {
     /// The requested checks of a solution.
     ///
     /// ```
-    /// use groundbeam::{Beam, Checked, Foundation, Limits, Load, Model, Outcome, solve};
+    /// use groundbeam::{Beam, Foundation, Load, Model, Outcome, solve, design::{Checked, Limits}};
     ///
     /// let model = Model::new(Beam::uniform(6.0, 1e9), Foundation::pasternak(40e6, 9e6))
     ///     .with_load(Load::point_force(4.0, 600e3));

@@ -57,7 +57,7 @@ impl LimitState {
 /// Some of the limit states.
 ///
 /// ```
-/// use groundbeam::{LimitState, LimitStates};
+/// use groundbeam::design::{LimitState, LimitStates};
 ///
 /// let states = LimitStates::of(&[LimitState::Equ, LimitState::StrGeo]);
 /// assert!(states.contains(LimitState::Equ) && !states.contains(LimitState::Seismic));

@@ -24,7 +24,7 @@ const BOUNDS: [Bound; 2] = [Bound::Max, Bound::Min];
 /// 0, in the order given.
 ///
 /// ```
-/// use groundbeam::{Beam, Envelope, Field, Foundation, Load, Model, Outcome, solve};
+/// use groundbeam::{Beam, Field, Foundation, Load, Model, Outcome, solve, envelope::Envelope};
 ///
 /// let footing = || Model::new(Beam::uniform(12.0, 1.28e9), Foundation::pasternak(40e6, 9e6));
 /// let mut solutions = Vec::new();

@@ -29,7 +29,7 @@ pub fn existence(model: &Model) -> Existence {
 /// and stood on them alone: position \[m\] and force, up positive \[N\].
 ///
 /// ```
-/// use groundbeam::{Beam, Foundation, Hinge, Load, Model, static_reactions};
+/// use groundbeam::{Beam, Foundation, Hinge, Load, Model, existence::static_reactions};
 ///
 /// let model = Model::new(Beam::uniform(4.0, 1.0), Foundation::winkler(1.0))
 ///     .with_hinge(Hinge::free(2.0))

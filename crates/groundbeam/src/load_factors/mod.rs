@@ -19,11 +19,13 @@ pub(crate) mod parts;
 use crate::equilibrium::buckling::convexity;
 use crate::equilibrium::size;
 use crate::error::Error;
-use crate::load_factors::parts::{FirstLiftOff, LossOfEquilibrium, Parts};
+use crate::load_factors::parts::Parts;
 use crate::model::Model;
 use crate::options::{Method, Options};
 use crate::solve::refuse_invalid;
 use crate::supported::{self, Way};
+
+pub use parts::{FirstLiftOff, LossOfEquilibrium};
 
 /// The load factors of a model. See [`load_factors`].
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -39,7 +41,7 @@ pub struct LoadFactors {
 /// force are constant.
 ///
 /// ```
-/// use groundbeam::{Beam, FirstLiftOff, Foundation, Load, LossOfEquilibrium, Model, load_factors};
+/// use groundbeam::{Beam, Foundation, Load, Model, load_factors, load_factors::{FirstLiftOff, LossOfEquilibrium}};
 ///
 /// // Kikuchi's example: a constant force, and a moment that increases.
 /// let model = Model::new(Beam::uniform(1.0, 1.0), Foundation::pasternak(1.0, 1.0))

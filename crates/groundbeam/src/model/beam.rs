@@ -79,7 +79,7 @@ impl Beam {
     /// The same beam with a bending stiffness \[N·m²\] that varies between two positions.
     ///
     /// ```
-    /// use groundbeam::{Beam, Profile};
+    /// use groundbeam::{Beam, model::Profile};
     ///
     /// let beam = Beam::uniform(4.0, 1.0).with_varying_segment(0.0, 4.0, Profile::linear(1.0, 3.0));
     /// assert_eq!(beam.bending_stiffness_at(1.0), 1.5);

@@ -50,7 +50,7 @@ pub enum Extent {
 /// A load: its type, its position and size, and whether it acts on the ground instead of the beam.
 ///
 /// ```
-/// use groundbeam::{Action, Load};
+/// use groundbeam::{Load, model::Action};
 ///
 /// let load = Load::distributed_force(0.0, 6.0, 20e3, 35e3);
 /// assert_eq!(load.action(), Action::Force);

@@ -9,7 +9,7 @@
 /// A quantity along a segment from its left end to its right one.
 ///
 /// ```
-/// use groundbeam::Profile;
+/// use groundbeam::model::Profile;
 ///
 /// // A haunch: the depth is linear, and EI is proportional to its cube.
 /// let depth = Profile::linear(1.2, 0.8);

@@ -252,7 +252,7 @@ mod tests {
                 assert!(seen[0] - reached <= min.value && max.value <= seen[1] + reached);
                 for extreme in [min, max] {
                     let at = |side| solution.at(extreme.x, side).get(field);
-                    let near = [crate::Side::Left, crate::Side::Right]
+                    let near = [crate::solution::Side::Left, crate::solution::Side::Right]
                         .map(|side| (at(side) - extreme.value).abs());
                     assert!(near[0].min(near[1]) <= 1e-12 * size, "{field:?} at {}", extreme.x);
                 }

@@ -10,3 +10,12 @@ pub(crate) mod fields;
 pub(crate) mod hinges;
 pub(crate) mod lift_off;
 pub(crate) mod solution;
+
+pub use certificate::Certificate;
+pub use field::{ByField, Dimension, Field};
+pub use fields::{
+    ConcentratedForce, ContactZone, EndForces, Extreme, Fields, Range, Reaction, Side,
+};
+pub use hinges::HingeTurn;
+pub use lift_off::LiftOff;
+pub use solution::Solution;
