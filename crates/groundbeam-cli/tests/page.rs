@@ -264,7 +264,7 @@ fn sliders_and_text_are_in_step() {
         "{}",
         browser.text("#faults")
     );
-    assert!(browser.text("#verdict").starts_with("The model file is wrong: line 1: "));
+    assert!(browser.text("#verdict").starts_with("Error in the model file: line 1: "));
     assert!(browser.text("#behind .says").contains("xtitle"));
     assert_ne!(browser.text("#drawing"), "");
     // Repair the fault.

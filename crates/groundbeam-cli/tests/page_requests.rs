@@ -81,7 +81,7 @@ fn the_page_shows_the_words_of_a_refusal() {
     browser.eval("(window.fetch = window.real)");
     drop(server);
     type_in(&browser, FOOTING);
-    settled(&browser, "document.getElementById('verdict').textContent.startsWith('Nobody')");
+    settled(&browser, "document.getElementById('verdict').textContent.startsWith('No connection')");
 }
 
 /// A chosen train and combination are deselected when they are deleted from the text.

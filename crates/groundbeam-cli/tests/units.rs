@@ -35,7 +35,7 @@ fn the_command_line_chooses_units_and_digits() {
     let length = json["contact"][0]["to"].as_f64().unwrap();
     assert!((7.0..8.0).contains(&length), "{length} m");
     let plain = Folder::with(common::LIFTS);
-    plain.run(&["solve", "model.toml", "--units", "us"]).fails(2, "the file gives no units");
+    plain.run(&["solve", "model.toml", "--units", "us"]).fails(2, "the file has no units");
 }
 
 #[test]
