@@ -116,7 +116,7 @@ def test_several_kinds_and_unknown_loads(footing: gb.Model) -> None:
         ({"deflection": ([1.0], [1e-3])}, ["k", "mu"], "cannot determine 2 unknowns"),
         ({"deflection": (X, X)}, [], "names of one or more"),
         ({"deflection": (X, X)}, ["kk"], "unknown name"),
-        ({"largest moment": 1.0, "deflection": (X, X)}, ["k"], "give it"),
+        ({"largest moment": 1.0, "deflection": (X, X)}, ["k"], "need `noise`"),
     ],
 )
 def test_what_is_refused(

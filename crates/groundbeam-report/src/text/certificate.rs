@@ -50,7 +50,7 @@ mod tests {
     fn a_certificate_in_words() {
         let expected = "\
 Certificate  recomputed from model and result by independent code
-             energy gap  3e−6 of the strain energy, an estimate of the error
+             energy gap  3e−2 of the strain energy, an estimate of the error
 ";
         assert_eq!(written(Verdict::Unique), expected);
     }
