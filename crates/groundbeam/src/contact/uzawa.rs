@@ -193,8 +193,7 @@ fn newton(balance: &[f64; 2], slope: &[[f64; 2]; 2], free: usize, whole: f64) ->
     [(a * s[1][1] - b * s[0][1]) / d, (b * s[0][0] - a * s[1][0]) / d]
 }
 
-/// How far (5.10) is from holding: the change that a sweep with ρ = 1/Gᵢᵢ would make, relative to the
-/// largest pressure.
+/// Residual of (5.10): the change by a sweep with ρ = 1/Gᵢᵢ, relative to the largest pressure.
 fn change(before: &[f64], next: &[f64], rho: &[f64], diagonal: &[f64]) -> f64 {
     let largest = next.iter().fold(0.0, |m: f64, p| m.max(p.abs()));
     let mut worst: f64 = 0.0;
@@ -214,12 +213,11 @@ fn element(cell: &Cell, axial_force: f64) -> ExactElement {
     ExactElement::new(&Operator::of(cell, axial_force, ZoneKind::Open), cell.length())
 }
 
-/// The beam without ground, its free rigid motions taken out by pins that carry nothing once the pressure
-/// balances the loads.
+/// The beam without ground. Pins fix its free rigid motions; they carry no force when the pressure balances the loads.
 struct FreeBeam<'a> {
     mesh: &'a Mesh,
     chain: Chain,
-    /// How many rigid motions nothing but the ground holds.
+    /// Number of rigid motions that only the ground prevents.
     free: usize,
     /// These motions at the nodes.
     motions: Vec<[f64; 2]>,

@@ -81,7 +81,7 @@ impl Beam {
         [self.tension, self.tension, 0.0, e * c1, -e * c2, e * (c2 - c3)]
     }
 
-    /// q for (w, hθ, d₁, h d₂): what a beam clamped at both ends would not take up.
+    /// q for (w, hθ, d₁, h d₂): the load that clamped ends do not carry.
     pub fn load(&self) -> [f64; 4] {
         let [c0, c1, c2, c3, c4, c5] = self.c;
         let [f0, f1] = self.load;

@@ -43,7 +43,7 @@ pub(crate) struct Run {
     /// The ground, and all of it open from the first node to the last.
     pub layer: Layer,
     whole: TwoPort,
-    /// Open ground and what is beyond the beam, left of its first node and right of its last.
+    /// Open ground and the ground outside the beam, on the left of the first node and on the right of the last.
     beyond: [TwoPort; 2],
 }
 

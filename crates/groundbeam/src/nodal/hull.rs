@@ -97,7 +97,7 @@ impl Hull<'_> {
                     *presses = shunt * psi + c * ((w[1] - w[0]) - (w[2] - w[1])) > 0.0;
                     pressing += usize::from(*presses);
                 }
-                // Where all or none of a block press, as the node before did, nothing begins or ends.
+                // If a block touches everywhere or nowhere, like the previous node, no zone begins or ends in it.
                 let alike = if start.is_some() { end - at } else { 0 };
                 if pressing != alike {
                     for (i, presses) in presses[..end - at].iter().enumerate() {
@@ -120,7 +120,7 @@ impl Hull<'_> {
         self.push_from_left(node) + self.push_from_right(node)
     }
 
-    /// What glued ground to the left of a node presses on it.
+    /// Pressure of bonded ground on the left of a node on this node.
     fn push_from_left(&self, node: usize) -> f64 {
         if node == 0 {
             return self.grid.outside[0] * self.psi(0);
@@ -252,8 +252,8 @@ impl Opening {
     }
 }
 
-/// The least number up to `most` that holds, `most` where none before does; all that follow it hold too. By
-/// steps away from a guess that double, then by halves.
+/// The smallest number that satisfies a monotone condition, at most `most`; doubling steps from a guess, then
+/// bisection.
 fn first_holding(most: usize, guess: usize, mut holds: impl FnMut(usize) -> bool) -> usize {
     let (mut fails, mut found) = (None, most);
     let mut step = 1;

@@ -193,7 +193,7 @@ impl Layout {
     }
 }
 
-/// The node that has so many glued elements to its left.
+/// The node with this number of bonded elements on its left.
 fn middle(zones: &[Zone], mut count: usize) -> usize {
     for &[from, to] in zones {
         if count <= to - from {
