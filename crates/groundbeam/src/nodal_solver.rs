@@ -132,8 +132,8 @@ impl NodalSolver {
         if check.holds() { Ok(()) } else { Err(stalled(into.work.solves)) }
     }
 
-    /// Solves for the beam bonded to the ground at every node, also in tension, with one sweep from each end. Tensile
-    /// forces are not checked. `settlement` is not written, because the ground follows the beam.
+    /// Solves the problem of a beam bonded to the ground at every node, also in tension, by one sweep from each end.
+    /// Tensile forces are not checked. `settlement` is not written, because the ground follows the beam.
     ///
     /// # Errors
     ///

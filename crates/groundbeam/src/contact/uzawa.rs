@@ -4,9 +4,9 @@
 //! constraints are the equilibrium conditions (5.20) for the rigid motions that only the ground prevents. A sweep of
 //! (5.17) is a splitting step with B = R⁻¹ + L, where R = diag(ρᵢ) and L is the part of G below its diagonal. The two
 //! conditions (5.20) are solved as equations with two multipliers: the rigid motion of the beam for which the new
-//! pressure balances the loads. Such a step lowers the energy if B + Bᵀ − (G + C) is positive definite, that is if 2/ρᵢ
-//! > Gᵢᵢ + |C| for all i. A bound on |C| therefore determines ρ. No assumption about the nodes in contact is needed,
-//! and the iteration converges.
+//! pressure balances the loads. Such a step lowers the energy if B + Bᵀ − (G + C) is positive definite, that is if
+//! 2/ρᵢ > Gᵢᵢ + |C| for all i. A bound on |C| therefore determines ρ. No assumption about the nodes in contact is
+//! needed, and the iteration converges.
 //!
 //! G is never formed. Away from the diagonal a column of G decays by a factor from node to node, so that a sweep
 //! carries one number along and costs O(n).

@@ -36,16 +36,16 @@ pub(crate) struct Run {
     pub count: usize,
     /// Length of an element.
     pub h: f64,
-    /// Ground under one element, in contact at both ends only.
+    /// Two-port of the ground under one element.
     pub link: TwoPort,
     /// The first element that a sweep crosses, bonded at both ends: for the sweep from the left and for that from the
     /// right.
     pub glued: [Form; 2],
-    /// Ground of the run, and the same out of contact from the first node to the last.
+    /// Ground of the run, and its two-port over the whole run, out of contact.
     pub layer: Layer,
     whole: TwoPort,
-    /// Ground to the left of the first node and to the right of the last, out of contact, including that outside the
-    /// beam.
+    /// Two-ports of the ground to the left of the first node and to the right of the last, out of contact. They include
+    /// the ground outside the beam.
     beyond: [TwoPort; 2],
 }
 
@@ -143,7 +143,7 @@ impl Run {
         self.given.part([from, to].map(|node| (node - self.first) as f64 / self.count as f64))
     }
 
-    /// Ground between two nodes of this run, out of contact between them.
+    /// Two-port of the ground between two nodes of this run, out of contact.
     pub fn open(&self, from: usize, to: usize) -> TwoPort {
         if to - from == self.count || self.cell.shear_layer == 0.0 {
             return self.whole;
@@ -262,7 +262,7 @@ impl Grid {
         Self::cut(model, ground, |cell| (equal(cell, per_length), 0.0))
     }
 
-    /// As [`Grid::new`], but EI is raised where the elements are longer than the beam's waves.
+    /// As [`Grid::new`], but EI is raised where the elements are too long for the beam's waves.
     pub fn stiffened(model: &Model, elements: usize, ground: Ground) -> Self {
         let per_length = elements as f64 / model.beam.length;
         Self::cut(model, ground, |cell| (equal(cell, per_length), 1.0 / per_length))
@@ -305,7 +305,7 @@ impl Grid {
         grid
     }
 
-    /// Sets the ground to the left and to the right of each run.
+    /// Sets the two-ports of the ground to the left and to the right of each run.
     fn chain(&mut self) {
         let spring = TwoPort::default();
         let mut link = TwoPort { shunt_right: self.outside[0], ..spring };
@@ -389,20 +389,20 @@ impl Grid {
         parts.filter(|(_, from, to)| from < to)
     }
 
-    /// Ground between two nodes, out of contact between them; `None` if the nodes coincide.
+    /// Two-port of the ground between two nodes, out of contact; `None` if the nodes coincide.
     pub fn link(&self, from: usize, to: usize) -> Option<TwoPort> {
         let links = self.parts(from, to).map(|(run, from, to)| self.runs[run].open(from, to));
         links.reduce(TwoPort::then)
     }
 
-    /// Ground to the left of a node, out of contact, including that outside the beam.
+    /// Two-port of the ground to the left of a node, out of contact, including the ground outside the beam.
     pub fn left_of(&self, node: usize) -> TwoPort {
         let run = &self.runs[self.run_at(node)];
         let [before, _] = run.beyond;
         if node == run.first { before } else { before.then(run.open(run.first, node)) }
     }
 
-    /// Ground to the right of a node, out of contact, including that outside the beam.
+    /// Two-port of the ground to the right of a node, out of contact, including the ground outside the beam.
     pub fn right_of(&self, node: usize) -> TwoPort {
         let run = &self.runs[self.run_at(node.max(1) - 1)];
         let [_, after] = run.beyond;

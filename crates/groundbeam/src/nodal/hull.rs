@@ -117,12 +117,12 @@ impl Hull<'_> {
         }
     }
 
-    /// Force of the ground on a node, if it is bonded to this node and both neighbours.
+    /// Force that the ground exerts on a node if it is bonded to this node and both neighbours.
     fn glued_force(&self, node: usize) -> f64 {
         self.push_from_left(node) + self.push_from_right(node)
     }
 
-    /// Force on a node of the ground on its left, bonded to the node and its left neighbour.
+    /// Force that the ground to the left of a node exerts on it, if it is bonded to this node and its left neighbour.
     fn push_from_left(&self, node: usize) -> f64 {
         if node == 0 {
             return self.grid.outside[0] * self.psi(0);
@@ -139,7 +139,8 @@ impl Hull<'_> {
         link.force_left(self.psi(node), self.psi(node + 1))
     }
 
-    /// Force on a node of the ground on its right, out of contact up to the next zone or beyond the beam.
+    /// Force that the ground to the right of a node exerts on it, out of contact up to the next zone or beyond the
+    /// beam.
     fn open_right(&self, node: usize, next: Option<usize>) -> f64 {
         let psi = next.map_or(0.0, |next| self.psi(next));
         Opening::default().rightwards(self.grid, node, next).force_left(self.psi(node), psi)
@@ -211,11 +212,12 @@ struct Opening {
     rest: Option<Rest>,
 }
 
-/// Ground from the end of a run to the next zone or beyond the beam; `None` if that zone begins in the run.
+/// Two-port of the ground from the end of a run to the next zone or beyond the beam; `None` if that zone begins in the
+/// run.
 type Rest = Option<TwoPort>;
 
 impl Opening {
-    /// Ground from a node to the first node of the next zone, or beyond the beam.
+    /// Two-port of the ground from a node to the first node of the next zone, or beyond the beam.
     fn rightwards(&mut self, grid: &Grid, node: usize, next: Option<usize>) -> TwoPort {
         if next.is_none() && node == grid.last() {
             return grid.right_of(node);
@@ -234,7 +236,7 @@ impl Opening {
         rest.map_or(near, |rest| near.then(rest))
     }
 
-    /// Ground from the last node of the previous zone, or from beyond the beam, to a node.
+    /// Two-port of the ground from the last node of the previous zone, or from beyond the beam, to a node.
     fn leftwards(&mut self, grid: &Grid, node: usize, before: Option<usize>) -> TwoPort {
         if node == 0 {
             return grid.left_of(node);

@@ -30,8 +30,8 @@ impl Layer {
         Layer { stiffness, rate: 2.0 * asinh(half) / h }
     }
 
-    /// Ground of a given length, out of contact. As [`TwoPort::uniform`], but with one exponential: 1/sinh z =
-    /// 2e^(−z)/(1 − e^(−z))(1 + e^(−z)) and tanh(z/2) = (1 − e^(−z))/(1 + e^(−z)).
+    /// Ground of a given length, out of contact. As [`TwoPort::uniform`], but with one exponential:
+    /// 1/sinh z = 2e^(−z)/(1 − e^(−z))(1 + e^(−z)) and tanh(z/2) = (1 − e^(−z))/(1 + e^(−z)).
     pub fn open(&self, length: f64) -> TwoPort {
         if self.stiffness == 0.0 {
             return TwoPort::default();

@@ -118,9 +118,9 @@ impl Workspace {
         }
     }
 
-    /// Solves for the beam bonded to the ground on `zones`. Writes w, w' and the forces at the nodes in contact.
-    /// `tether` is the stiffness of the stabilising springs, which are at rest at the previous deflection. After an
-    /// error the fields are unchanged.
+    /// Solves the bonded problem on `zones`. Writes w, w' and the forces at the nodes in contact. `tether` is the
+    /// stiffness of the stabilising springs, which are at rest at the previous deflection. After an error the fields
+    /// are unchanged.
     pub fn glue(&mut self, grid: &Grid, tether: Option<f64>) -> Result<(), Loose> {
         let Workspace { layout, zones, deflection, slope, force, before, .. } = self;
         let tether = tether.map(|spring| Tether { spring, at: &before.deflection });

@@ -51,8 +51,7 @@ pub(crate) struct Span {
 const D: usize = 4;
 const T: usize = 5;
 
-/// Rotational stiffness at a hinge, relative to the bending stiffness of the next piece, at which the hinge turns
-/// freely.
+/// Rotational stiffness relative to the bending stiffness of the next piece, up to which a hinge turns freely.
 const FREE: f64 = 1e-14;
 
 const NONE: Row<6> = Row { by: [0.0; 6], constant: 0.0 };

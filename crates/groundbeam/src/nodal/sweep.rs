@@ -1,4 +1,4 @@
-//! Solves for the beam bonded to the ground at given nodes, with one sweep from each end to a meeting node.
+//! Solution for the beam bonded to the ground at given nodes, by one sweep from each end to a meeting node.
 //!
 //! S and r are the condensed stiffness and force of the part of the beam behind a node, for the motion x = (w, Lθ) of
 //! this node. To cross an element, the sweep minimises the sum of ½(y − e)ᵗS(y − e) − rᵗ(y − e) and the energy of the
