@@ -22,7 +22,7 @@ pub(crate) struct Form {
     pub dq: [f64; 6],
     /// Stiffness of the shunt springs under the left and the right end.
     pub shunt: [f64; 2],
-    /// Stiffness of the series spring between the ends, and the same times the rise of the gap from left to right.
+    /// Stiffness of the series spring between the ends, and its product with the rise of the gap from left to right.
     pub series: f64,
     pub rise: f64,
 }

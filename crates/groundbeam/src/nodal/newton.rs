@@ -275,8 +275,8 @@ impl Workspace {
     }
 
     /// Contact edge beside the end node of a zone that extends to the node `towards`. At the distance ξ beyond this end
-    /// node the pressure is p = p₀ + p₁ξ, and ground out of contact transfers p e^(−bξ) of it to the node. If the edge
-    /// is at ξ = s, the force at the node is F = p₀(h/2 + s) − p₁h²/6 + (p₁ − b p₀)s²/2.
+    /// node the pressure is p = p₀ + p₁ξ. Through ground out of contact, a pressure p at ξ acts on the end node as p
+    /// e^(−bξ). If the edge is at ξ = s, the force at the end node is F = p₀(h/2 + s) − p₁h²/6 + (p₁ − b p₀)s²/2.
     fn edge(&self, grid: &Grid, node: usize, towards: usize) -> f64 {
         let x = grid.x(node);
         // The slope jump at a hinge carries a point force.

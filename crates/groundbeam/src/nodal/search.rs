@@ -10,10 +10,9 @@ use crate::numeric::line_search;
 const LEAST: f64 = 1e-28;
 
 impl Workspace {
-    /// Line search between the deflection before the step and the current one. Both are bonded solutions or linear
-    /// combinations of such, and satisfy K w = F − f with the ground forces f of these solves. With the ground forces p
-    /// of the obstacle problem, the slope of the energy along δ is Σ (p − f) δ. Returns the step fraction; `None` if
-    /// the energy does not fall.
+    /// Line search between the deflection before the step and the current one. Both satisfy K w = F − f with the forces
+    /// f of bonded solves. With the ground forces p of the obstacle problem, the slope of the energy along the step δ
+    /// is Σ (p − f) δ. Returns the step fraction; `None` if the energy does not fall.
     pub(crate) fn shorten(&mut self, grid: &Grid) -> Option<f64> {
         let Line { deflection: w0, force: f0, trial, arcs, zones } = &mut self.before;
         let (w1, f1) = (&self.deflection, &self.force);

@@ -109,7 +109,7 @@ impl Side {
         self.stretches.iter().map(|stretch| stretch.count).sum()
     }
 
-    /// Calls `each` with the motion (w, θ, d₁, d₂) of every element, in the direction of the sweep. It begins at the
+    /// Calls `each` with the motion (w, θ, d₁, d₂) of every element, in the coordinates of the sweep. Begins at the
     /// meeting node, where w and the rotation are given.
     pub fn each_element(
         &self,
