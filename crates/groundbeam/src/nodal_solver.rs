@@ -1,4 +1,4 @@
-//! Long beams on meshes of up to millions of elements: the solver, and its solution at the nodes.
+//! Solver for long beams: the solution at the nodes of meshes of up to millions of elements.
 
 use crate::equilibrium::size;
 use crate::error::{Error, NotConverged, Stopped};
@@ -14,7 +14,7 @@ use crate::options::{Method, Options};
 use crate::solve::exists;
 use crate::supported::{self, Way};
 
-/// A solver on meshes that reuses its memory.
+/// Solver for models on meshes. It reuses its memory from one solve to the next.
 #[derive(Debug, Clone, Default)]
 pub struct NodalSolver {
     workspace: Workspace,
@@ -27,8 +27,8 @@ impl NodalSolver {
         Self::default()
     }
 
-    /// Solves the contact problem on about `elements` elements, equal between any two places of the model. If
-    /// no equilibrium exists, nothing is written; after an error the content of `into` is undefined.
+    /// Solves the contact problem on about `elements` elements, of equal length between any two places of the model. If
+    /// no equilibrium exists, `into` is unchanged; after an error its content is undefined.
     ///
     /// # Errors
     ///
@@ -57,7 +57,7 @@ impl NodalSolver {
         Ok(existence)
     }
 
-    /// Solves on grids from coarse ones to the required one.
+    /// Solves on grids from coarse to the required one.
     fn search(
         &mut self,
         model: &Model,
@@ -66,14 +66,14 @@ impl NodalSolver {
     ) -> Result<(), Error> {
         levels::grids(model, elements.max(1), Ground::Nodal, &mut self.grids);
         let (workspace, grids) = (&mut self.workspace, &self.grids);
-        // Coarse grids use separate memory, so the memory of the result keeps its length.
+        // Coarse grids use the arrays of the workspace, so those of the result keep their length.
         let found = workspace.approach(grids, newton::ANSWER);
         found.map_err(|Loose| stalled(workspace.work.solves))?;
         self.finish(model, into)
     }
 
-    /// Solves from a neighbouring solution: `into` holds the solution of a similar model. If the number of
-    /// nodes is the same, its contact is the start, and no coarser grid is needed.
+    /// Solves from the solution of a similar model in `into`. If the number of nodes is the same, its contact zones are
+    /// the initial guess, and no coarser grid is needed.
     ///
     /// # Errors
     ///
@@ -87,7 +87,7 @@ impl NodalSolver {
         self.where_it_stands(model, elements, |solver| solver.search_near(model, elements, into))
     }
 
-    /// Starts from the contact in `into`, or otherwise from coarse grids.
+    /// Starts from the contact zones in `into`; if this is impossible or fails, starts from coarse grids.
     fn search_near(
         &mut self,
         model: &Model,
@@ -105,7 +105,7 @@ impl NodalSolver {
         self.finish(model, into).or_else(|_| self.search(model, elements, into))
     }
 
-    /// The solution on the last grid, from an initial guess of its contact.
+    /// Solves on the last grid from an initial guess of its contact zones, and checks the solution.
     fn finish(&mut self, model: &Model, into: &mut NodalSolution) -> Result<(), Error> {
         let workspace = &mut self.workspace;
         let swapped = |workspace: &mut Workspace, into: &mut NodalSolution| {
@@ -132,8 +132,8 @@ impl NodalSolver {
         if check.holds() { Ok(()) } else { Err(stalled(into.work.solves)) }
     }
 
-    /// The beam bonded to the ground at every node, also in tension: one sweep from each end. Tensile forces
-    /// are not checked, and the settlement is that of the beam.
+    /// Solves the problem of a beam bonded to the ground at every node, also in tension, by one sweep from each end.
+    /// Tensile forces are not checked. `settlement` is not written, because the ground follows the beam.
     ///
     /// # Errors
     ///

@@ -26,7 +26,7 @@ pub(crate) struct Bonded<'a> {
     cancel: &'a Cancel,
     /// Whether long stretches have no quiet elements.
     is_fine: bool,
-    /// The elements of the step before: most cells meet no edge, and are what they were.
+    /// Elements of the previous step, reused for cells without edges.
     known: Vec<Known>,
 }
 
@@ -97,8 +97,7 @@ pub(crate) fn zone_kind_of(intervals: &[Interval]) -> impl Fn(&Cell) -> ZoneKind
     }
 }
 
-/// Whether compression takes all stiffness against shear from a beam with nodes at given places somewhere, so that it
-/// folds in waves however short.
+/// Whether compression removes all shear stiffness somewhere, so that the beam buckles in arbitrarily short waves.
 pub(crate) fn folds(model: &Model, places: &[f64], touch: &impl Fn(&Cell) -> ZoneKind) -> bool {
     let axial = model.beam.axial_force;
     if axial >= 0.0 || !model.beam.shears() {
@@ -124,7 +123,7 @@ impl<'a> Bonded<'a> {
         self.solve_with(intervals, &[], |_, _| ())
     }
 
-    /// The same with rotations given.
+    /// The bonded beam with prescribed rotations.
     pub fn solve_held(
         &mut self,
         intervals: &[Interval],

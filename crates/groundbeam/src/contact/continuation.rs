@@ -123,7 +123,7 @@ pub(crate) fn correct(bonded: &mut Bonded, mut contact: Vec<Interval>) -> Option
     None
 }
 
-/// The contact that a deflection asks for.
+/// Contact set of the deflection.
 fn asked(found: &ContactState) -> Vec<Interval> {
     positions(&found.mesh, &found.zones, &[])
 }

@@ -19,7 +19,7 @@ use crate::numeric::polynomial::{Coefficients, rescale};
 /// A step on the way from a deflection to the beam bonded to the ground on its contact.
 #[derive(Debug, Clone)]
 pub(crate) struct Shortened {
-    /// The part of the way taken.
+    /// Fraction of the full step.
     pub part: f64,
     /// The deflection there unless it is the whole way.
     pub between: Option<ContactState>,
@@ -58,7 +58,7 @@ pub(crate) fn shorten(
     // Newton's estimate of what the energy has left to fall, relative to twice the strain energy.
     let decrement = if fall == 0.0 { 0.0 } else { fall / energy.abs() };
     let whole = Shortened { part: 1.0, between: None };
-    // A fall that rounding made has no direction.
+    // A decrease of the size of rounding error gives no search direction.
     if decrement.is_nan() || decrement <= LEAST_FALL {
         return whole;
     }

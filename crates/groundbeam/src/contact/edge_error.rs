@@ -1,4 +1,4 @@
-//! How well the edges of contact are known, from the last trial contacts.
+//! Error of the contact edges, estimated from the last trial contacts.
 
 use crate::contact::intervals::{Interval, differences};
 use crate::contact::stopping::JITTER;

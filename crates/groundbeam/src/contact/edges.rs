@@ -30,7 +30,7 @@ use std::rc::Rc;
 /// A trial contact from which the iteration starts.
 pub(crate) struct Start {
     pub contact: Vec<Interval>,
-    /// The deflection that asks for this contact, if it is known.
+    /// The deflection whose contact set this is, if known.
     pub now: Option<ContactState>,
     /// Whether the first step may be edge Newton.
     pub near: bool,
@@ -164,7 +164,7 @@ impl Search<'_, '_> {
         edges_not_converged(self.history.len(), self.moved)
     }
 
-    /// Bonds the beam on a trial contact. A mechanism is tethered to the deflection before.
+    /// Bonds the beam on a trial contact. A mechanism is stabilised by springs at the previous deflection.
     fn bond(&mut self, contact: &[Interval]) -> Result<Bond, Unconverged> {
         if !self.is_loose
             && let Ok(found) = self.bonded.solve_on(contact)
@@ -247,7 +247,7 @@ impl Search<'_, '_> {
         if moved <= SAME {
             return None;
         }
-        // Rounding error decides between the contacts of a cycle. Fewest zones are the least claim.
+        // Rounding error decides between the contacts of a cycle; the one with the fewest zones is taken.
         let first = self.visited.iter().position(returns)?;
         let mut cycle: Vec<Visited> = self.visited.drain(first..).collect();
         let trials: Vec<&[Interval]> = cycle.iter().map(|one| &one.contact[..]).collect();

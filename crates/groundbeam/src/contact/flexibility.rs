@@ -1,12 +1,12 @@
 //! The flexibility G of the ground at the nodes of a mesh, (5.8), without forming the matrix.
 //!
-//! Beyond a node a column of G decays by a factor from node to node, so products with G cost O(n).
+//! Away from the diagonal a column of G decays by a factor from node to node, so products with G cost O(n).
 
 use crate::ground::link::TwoPort;
 use crate::mesh::mesh::Mesh;
 use crate::mesh::open_ground::cell_part;
 
-/// The matrix G of (5.8), in three numbers a node.
+/// The matrix G of (5.8), stored as three numbers per node.
 #[derive(Debug)]
 pub(crate) struct Flexibility {
     /// Gᵢᵢ.
@@ -22,7 +22,7 @@ impl Flexibility {
         let links: Vec<TwoPort> =
             mesh.cells.iter().map(|cell| cell_part(cell, -1.0, 1.0)).collect();
         let n = mesh.nodes.len();
-        // The stiffness of the ground on either side of each node.
+        // Stiffness of the ground to the left and to the right of each node.
         let mut from_left = vec![mesh.outside[0]; n];
         for i in 1..n {
             let link = links[i - 1];

@@ -14,7 +14,7 @@ pub(crate) type Interval = [f64; 2];
 pub(crate) fn positions(mesh: &Mesh, zones: &[MeshZone], places: &[f64]) -> Vec<Interval> {
     let l = mesh.cells[mesh.cells.len() - 1].x[1];
     let at = |point: BeamPoint| snapped(mesh.cells[point.cell].global(point.s), places, l);
-    // Without a shear layer an interval that rounding made is no point of contact: it carries nothing.
+    // Without a shear layer, an interval of rounding size carries no force and is not a contact point.
     let carries = |zone: &MeshZone| mesh.cells[zone.from.cell].shear_layer > 0.0;
     let kept = |(zone, [from, to]): &(&MeshZone, Interval)| from < to || carries(zone);
     let all = zones.iter().map(|zone| (zone, [at(zone.from), at(zone.to)]));

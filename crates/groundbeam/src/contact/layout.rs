@@ -38,7 +38,7 @@ impl Layout {
                 (cell + 1, 0, Some(cell + 1).filter(|&i| i < mesh.cells.len()))
             };
             touched[node][side] = true;
-            // Beyond a joint of ground with and without a shear layer, the other side is on its own.
+            // At a change between ground with and without a shear layer, each side has its own surface.
             let kind = |i: usize| mesh.cells[i].shear_layer.value() > 0.0;
             if next.is_none_or(|next| kind(next) == kind(cell)) {
                 touched[node][1 - side] = true;

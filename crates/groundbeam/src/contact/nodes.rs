@@ -1,6 +1,7 @@
-//! The discrete problem (5.5), (5.10), (5.11): forces at nodes, and the exact beam between them in place of (5.2).
+//! Solves the discrete problem (5.5), (5.10), (5.11): forces at nodes, and the exact beam between them in place of
+//! (5.2).
 //!
-//! The nodes that touch are found by Newton's method on meshes from coarse to fine ([`newton`](crate::nodal::newton)).
+//! Newton's method finds the nodes in contact on meshes from coarse to fine ([`newton`](crate::nodal::newton)).
 
 use crate::cancel::Cancel;
 use crate::contact::edge_error::EdgeError;
@@ -37,7 +38,7 @@ pub(crate) fn solve(
     }
 }
 
-/// The mesh of a grid: a cell for each element.
+/// The mesh of a grid, with one cell per element.
 pub(crate) fn mesh(grid: &Grid) -> Mesh {
     let mut cells = Vec::with_capacity(grid.last());
     let mut nodes = Vec::with_capacity(grid.last() + 1);
@@ -53,7 +54,7 @@ pub(crate) fn mesh(grid: &Grid) -> Mesh {
     Mesh { nodes, cells, axial_force: grid.axial_force, outside: grid.outside }
 }
 
-/// A node of a mesh of so many cells as a point of the beam.
+/// The point of the beam at a node of a mesh with `cells` cells.
 pub(crate) fn point(node: usize, cells: usize) -> BeamPoint {
     if node == cells {
         BeamPoint { cell: node - 1, s: 1.0 }
@@ -62,7 +63,7 @@ pub(crate) fn point(node: usize, cells: usize) -> BeamPoint {
     }
 }
 
-/// The deflection, the ground's surface and its forces of a solved grid.
+/// Deflection, ground surface and ground forces on a solved grid.
 pub(crate) fn state(grid: &Grid, mut workspace: Workspace) -> ContactState {
     workspace.clear_open(grid);
     let mesh = mesh(grid);
@@ -81,7 +82,8 @@ pub(crate) fn state(grid: &Grid, mut workspace: Workspace) -> ContactState {
     let mut parts = Vec::with_capacity(last);
     for (cell, own) in mesh.cells.iter().enumerate() {
         if own.shear_layer == 0.0 {
-            // The certificate takes the springs' pressure under the deflection: a force at a node has no finite energy there.
+            // The certificate uses the pressure of the springs under the deflection: a point force on Winkler ground
+            // has infinite energy.
             springs::cover(&w, cell, &mut parts);
         } else {
             let open = Some([settlement[cell], settlement[cell + 1]]);
@@ -101,7 +103,7 @@ pub(crate) fn state(grid: &Grid, mut workspace: Workspace) -> ContactState {
     }
 }
 
-/// The coefficients of w in each cell, and of the rotation of the sections if the beam shears.
+/// Coefficients of w in each cell, and of the rotation of the cross-sections if the beam has shear flexibility.
 fn deflections(grid: &Grid, mesh: &Mesh, workspace: &Workspace) -> (Vec<f64>, Vec<f64>) {
     let shears = mesh.cells.iter().any(|cell| cell.beam_shear.is_some());
     let mut w = vec![0.0; mesh.cells.len() * TERMS];
@@ -117,7 +119,7 @@ fn deflections(grid: &Grid, mesh: &Mesh, workspace: &Workspace) -> (Vec<f64>, Ve
             turns[i * TERMS..(i + 1) * TERMS].copy_from_slice(&rotation);
         }
     };
-    // Elements that are loaded alike have the same functions.
+    // Elements of a run with uniform loads have the same shape functions.
     let mut shared: Option<(usize, ExactElement)> = None;
     workspace.layout.each_element(grid, |i, v| {
         let run = grid.run_at(i);
@@ -150,7 +152,7 @@ fn deflections(grid: &Grid, mesh: &Mesh, workspace: &Workspace) -> (Vec<f64>, Ve
             }
         });
     }
-    // Beside a beam that shears.
+    // Rotation in the cells without shear flexibility.
     let unset = turns.chunks_exact_mut(TERMS).zip(w.chunks_exact(TERMS)).zip(&mesh.cells);
     for ((turns, w), cell) in unset.filter(|(_, cell)| cell.beam_shear.is_none()) {
         let rotation = turned(cell, w);

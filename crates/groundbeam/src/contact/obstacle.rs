@@ -334,7 +334,7 @@ impl Scan<'_> {
             let good = f.abs() < 0.5 * before && newton > low && newton < high;
             let next = if good { newton } else { 0.5 * (low + high) };
             before = f.abs();
-            // At a corner the force jumps: to its side without a pull.
+            // At a corner the force jumps; the side without tension is taken.
             if high - low <= 2.0 * f64::EPSILON {
                 return if sense > 0.0 { high } else { low };
             }

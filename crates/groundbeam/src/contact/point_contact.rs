@@ -10,7 +10,7 @@ use crate::numeric::polynomial::value;
 use crate::numeric::step::Step;
 use crate::numeric::tolerance::GAP;
 
-/// How far from an end the resultant stands whose limit is taken, as a part of the length.
+/// Distance of the resultant from the end in the limit process, relative to the length.
 const ALMOST: f64 = 1e-6;
 
 /// How far beyond the limit the beam is turned, relative to the limit's slope: the first that is clear of the ground is taken.

@@ -231,7 +231,7 @@ pub(crate) fn opened(w: &Deflection, ends: [BeamPoint; 2]) -> Option<[BeamPoint;
     (forces[0] < 0.0 && forces[1] < 0.0).then_some(points)
 }
 
-/// What the terms of π in a cell add up to without their signs.
+/// Sum of the magnitudes of the terms of π in a cell.
 fn pressure_size<R: Real>(w: &Deflection<R>, i: usize) -> f64 {
     let cell = &w.mesh.cells[i];
     let subgrade = cell.subgrade.value();

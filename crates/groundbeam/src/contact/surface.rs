@@ -76,7 +76,7 @@ impl<R: Real> Surface<R> {
     fn add_pasternak(&mut self, w: &Deflection<R>, run: &GroundRun<R>, zones: &[MeshZone]) {
         let end = BeamPoint { cell: run.cells.end - 1, s: 1.0 };
         let mut left: Option<BeamPoint> = None;
-        // What the ground on the left of the zone takes at its left end.
+        // Force of the ground on the left of the zone at the zone's left end.
         for (i, zone) in zones.iter().enumerate() {
             let before = self.open(w, run, left, Some(zone.from));
             let last = i + 1 == zones.len();

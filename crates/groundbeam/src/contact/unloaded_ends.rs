@@ -13,7 +13,7 @@ use crate::existence::rigid_motions::Mechanism;
 use crate::model::{Action, Model, SupportKind};
 use crate::numeric::polynomial::{ends, value};
 
-/// Slopes that are tried, in units of the largest deflection and slope of the rest.
+/// Trial slopes, in units of the largest deflection and slope of the rest.
 const STEEPER: [f64; 6] = [1.5, 1e1, 1e3, 1e6, 1e9, 1e11];
 
 /// The stretch of the beam between its unloaded end parts, if it has such parts.

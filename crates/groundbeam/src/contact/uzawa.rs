@@ -1,15 +1,15 @@
 //! Uzawa's iteration of the paper, (5.14)–(5.18), and its successive over-relaxation.
 //!
-//! With nodal pressures (5.5) the pressure p ≥ 0 minimises ½pᵀ(G + C)p − …, where C is the beam's
-//! flexibility, subject to the equilibrium (5.20) in the rigid motions that nothing but the ground holds.
-//! A sweep of (5.17) is a splitting step with B = R⁻¹ + L, R = diag(ρᵢ) and L the part of G below its
-//! diagonal, and the two conditions (5.20) enter as what they are, equations with two multipliers: the
-//! rigid motion of the beam that makes the new pressure balance the loads. Such a step lowers the energy
-//! if B + Bᵀ − (G + C) is positive definite, that is if 2/ρᵢ > Gᵢᵢ + |C| for all i. So ρ follows from a
-//! bound on |C| and is no guess, no nodes have to be assumed to touch, and the iteration converges.
+//! With nodal pressures (5.5) the pressure p ≥ 0 minimises ½pᵀ(G + C)p − …, where C is the flexibility of the beam. The
+//! constraints are the equilibrium conditions (5.20) for the rigid motions that only the ground prevents. A sweep of
+//! (5.17) is a splitting step with B = R⁻¹ + L, where R = diag(ρᵢ) and L is the part of G below its diagonal. The two
+//! conditions (5.20) are solved as equations with two multipliers: the rigid motion of the beam for which the new
+//! pressure balances the loads. Such a step lowers the energy if B + Bᵀ − (G + C) is positive definite, that is if
+//! 2/ρᵢ > Gᵢᵢ + |C| for all i. A bound on |C| therefore determines ρ. No assumption about the nodes in contact is
+//! needed, and the iteration converges.
 //!
-//! G is never formed. Beyond a node its column decays by a factor from node to node, so that a sweep
-//! carries one number along, and costs O(n).
+//! G is never formed. Away from the diagonal a column of G decays by a factor from node to node, so that a sweep
+//! carries one number along and costs O(n).
 
 use super::surface::{PointForce, Surface, SurfacePart};
 use crate::cancel::Cancel;
@@ -31,22 +31,22 @@ use crate::nodal::quadratic::Loose;
 use crate::numeric::step::Step;
 use crate::numeric::tolerance::SWEEPS;
 
-/// How much of the greatest safe ρ is used.
+/// Fraction of the largest safe ρ that is used.
 const SAFE: f64 = 0.95;
 
-/// Newton's steps for the two multipliers of a sweep; two or three are common.
+/// Maximum number of Newton steps for the two multipliers of a sweep; two or three are common.
 const MOST_NEWTON: usize = 200;
 
-/// Which ρ a sweep uses.
+/// Relaxation parameters ρᵢ of a sweep.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Relaxation {
-    /// One ρ for all nodes, (5.17).
+    /// The same ρ at all nodes, (5.17).
     Uniform,
     /// ρᵢ = ω/Gᵢᵢ, (5.18).
     Diagonal,
 }
 
-/// Iterates from the pressure of the bilateral problem or from none.
+/// Iterates from the pressure of the bilateral problem or from zero pressure.
 pub(crate) fn solve(
     grid: &Grid,
     relaxation: Relaxation,
@@ -87,7 +87,7 @@ pub(crate) fn solve(
     Ok(found(mesh.clone(), &ground, &beam, &pressure, rigid, history))
 }
 
-/// The nodal pressures (5.5) of the bilateral problem, its pulls left out: a start for (5.15).
+/// The nodal pressures (5.5) of the bilateral problem, with tension set to zero: a start for (5.15).
 fn bilateral_pressure(grid: &Grid) -> Vec<f64> {
     let mut workspace = Workspace::default();
     workspace.bond(grid);
@@ -98,7 +98,7 @@ fn bilateral_pressure(grid: &Grid) -> Vec<f64> {
     }
 }
 
-/// The greatest safe ρ: 2/ρᵢ > Gᵢᵢ + |C| everywhere.
+/// Largest safe ρ: 2/ρᵢ > Gᵢᵢ + |C| for all i.
 fn relaxed(diagonal: &[f64], flexibility: f64, relaxation: Relaxation) -> Vec<f64> {
     let safe = diagonal.iter().map(|g| SAFE * 2.0 / (g + flexibility));
     match relaxation {
@@ -113,7 +113,8 @@ fn relaxed(diagonal: &[f64], flexibility: f64, relaxation: Relaxation) -> Vec<f6
     }
 }
 
-/// (5.17), with the rigid motion that makes the new pressure satisfy (5.20), the balances (5.19) at the nodes.
+/// A sweep of (5.17), with the rigid motion for which the new pressure satisfies (5.20), the balances (5.19) at the
+/// nodes.
 fn sweep(
     ground: &Flexibility,
     beam: &FreeBeam,
@@ -132,7 +133,7 @@ fn sweep(
     }
     let mut next = vec![0.0; n];
     for _ in 0..MOST_NEWTON {
-        // The new pressure and its derivatives by the two rigid motions.
+        // The new pressure and its derivatives with respect to the two rigid motions.
         let mut ahead = [0.0; 3];
         let mut balance = beam.wanted;
         let mut slope = [[0.0; 2]; 2];
@@ -175,8 +176,9 @@ fn sweep(
     next
 }
 
-/// Solves slope·step = balance. One touching node cannot balance a moment, and no touching node balances
-/// anything. A fraction of the slope at full contact then regularises it, and the step goes on until other nodes touch.
+/// Solves slope·step = balance for the step of the rigid motions. The slope is singular if fewer than two nodes are in
+/// contact. A fraction of the slope at full contact is then added, and the steps go on until other nodes are in
+/// contact.
 fn newton(balance: &[f64; 2], slope: &[[f64; 2]; 2], free: usize, whole: f64) -> [f64; 2] {
     let [a, b] = *balance;
     if free == 1 {
@@ -193,8 +195,7 @@ fn newton(balance: &[f64; 2], slope: &[[f64; 2]; 2], free: usize, whole: f64) ->
     [(a * s[1][1] - b * s[0][1]) / d, (b * s[0][0] - a * s[1][0]) / d]
 }
 
-/// How far (5.10) is from holding: the change that a sweep with ρ = 1/Gᵢᵢ would make, relative to the
-/// largest pressure.
+/// Residual of (5.10): the change in a sweep with ρ = 1/Gᵢᵢ, relative to the largest pressure.
 fn change(before: &[f64], next: &[f64], rho: &[f64], diagonal: &[f64]) -> f64 {
     let largest = next.iter().fold(0.0, |m: f64, p| m.max(p.abs()));
     let mut worst: f64 = 0.0;
@@ -209,21 +210,21 @@ fn initial_gap(mesh: &Mesh, node: usize) -> f64 {
     if node == 0 { mesh.cells[0].gap[0] } else { mesh.cells[node - 1].gap[1] }
 }
 
-/// The beam on a cell, off the ground.
+/// The beam element of a cell, off the ground.
 fn element(cell: &Cell, axial_force: f64) -> ExactElement {
     ExactElement::new(&Operator::of(cell, axial_force, ZoneKind::Open), cell.length())
 }
 
-/// The beam without ground, its free rigid motions taken out by pins that carry nothing once the pressure
-/// balances the loads.
+/// The beam without ground. Pins prevent its free rigid motions; they carry no force when the pressure balances the
+/// loads.
 struct FreeBeam<'a> {
     mesh: &'a Mesh,
     chain: Chain,
-    /// How many rigid motions nothing but the ground holds.
+    /// Number of rigid motions that only the ground prevents.
     free: usize,
-    /// These motions at the nodes.
+    /// Deflections of these motions at the nodes.
     motions: Vec<[f64; 2]>,
-    /// F(r) for them, and the size of the loads.
+    /// F(r) for these motions r, and the sum of the sizes of the loads.
     wanted: [f64; 2],
     size: f64,
 }
@@ -237,7 +238,7 @@ impl<'a> FreeBeam<'a> {
         let held: Vec<f64> =
             mesh.nodes.iter().filter(|n| n.pinned || n.spring > 0.0).map(|n| n.x).collect();
         type Motion = Box<dyn Fn(f64) -> [f64; 2]>;
-        // The motions and the nodes that pin them.
+        // Number of free rigid motions, nodes that are pinned to prevent them, and the motions as functions of x.
         let (free, pins, motion): (usize, Vec<usize>, Motion) =
             match (held.as_slice(), turning_held) {
                 ([], false) => (2, vec![0, last], Box::new(move |x| [1.0 - x / l, x / l])),
@@ -281,7 +282,7 @@ impl<'a> FreeBeam<'a> {
         chain.solve().unwrap_or(nothing)
     }
 
-    /// (5.16): w at the nodes, but for the free rigid motions.
+    /// (5.16): w at the nodes, without the free rigid motions.
     fn deflection(&self, pressure: &[f64]) -> Vec<f64> {
         let shapes = self.shapes(pressure);
         let mut w: Vec<f64> = shapes.iter().map(|v| v[0]).collect();
@@ -290,8 +291,7 @@ impl<'a> FreeBeam<'a> {
         w
     }
 
-    /// A bound of |C|: its greatest row sum where all its entries are positive (a beam held by no more than
-    /// two pins at its ends), else its trace.
+    /// A bound of |C|: the largest row sum if all entries of C are positive (a beam without supports), else the trace.
     fn largest_flexibility(&self) -> f64 {
         let mut unloaded = self.chain.clone();
         for node in &mut unloaded.nodes {
@@ -317,7 +317,7 @@ impl<'a> FreeBeam<'a> {
     }
 }
 
-/// F(r) for each free motion, from the elements' own load vectors.
+/// F(r) for each free motion, from the load vectors of the elements.
 fn work_of_loads(mesh: &Mesh, chain: &Chain, motions: &[[f64; 2]]) -> ([f64; 2], f64) {
     let mut work = [0.0; 2];
     let mut size = 0.0;
@@ -341,7 +341,7 @@ fn work_of_loads(mesh: &Mesh, chain: &Chain, motions: &[[f64; 2]]) -> ([f64; 2],
     (work, size)
 }
 
-/// The result as every method gives it.
+/// The converged state, in the form that every method returns.
 fn found(
     mesh: Mesh,
     ground: &Flexibility,

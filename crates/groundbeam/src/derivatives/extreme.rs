@@ -16,13 +16,13 @@ pub(super) struct Place {
     pub value: f64,
     /// The field's derivative by x there; 0 where it is stationary.
     pub slope: f64,
-    /// Whether it is so whatever changes: the gap where they touch, the pressure where they do not.
+    /// Whether the value is constant under all changes: the gap in contact, the pressure outside contact.
     pub always: bool,
     /// Another place at which it is as large.
     pub rival: Option<f64>,
 }
 
-/// A field is as large elsewhere if it differs by no more than this part of its size.
+/// Relative difference below which another extreme counts as equally large.
 const SAME: f64 = 1e-7;
 
 impl Solution {

@@ -84,7 +84,7 @@ impl Parameter {
         matches!(self, Parameter::Value(Spring | Shear, _) | Parameter::Factor(Spring | Shear, _))
     }
 
-    /// The number itself, as the model has it; none where it has none such.
+    /// Value of the number in the model; `None` if the model does not have it.
     pub fn value(self, model: &Model) -> Option<f64> {
         match self {
             Parameter::Value(property, domain) => constant(model, property, domain),

@@ -1,10 +1,11 @@
-//! The way back of both sweeps, from the meeting node to the ends: w, w′ and the forces of the ground at all nodes.
+//! Back-substitution of both sweeps, from the meeting node to the ends of the beam: w, w′ and the ground forces at the
+//! nodes of the rows and at the ends of the spans.
 
 use super::form::Form;
 use super::lanes::Lanes;
 use super::stretch::{Gain, Side, Stretch};
 
-/// Where w, w' and the ground's forces go; these are added.
+/// Arrays for w, w' and the ground forces. Back-substitution overwrites w and w', and adds to the forces.
 #[derive(Debug)]
 pub(crate) struct Fields<'a> {
     pub deflection: &'a mut [f64],
@@ -12,28 +13,28 @@ pub(crate) struct Fields<'a> {
     pub force: &'a mut [f64],
 }
 
-/// Which way a sweep goes back. A mirror turns slopes.
+/// Direction of back-substitution along the beam. The right sweep is reflected, so its slopes change sign.
 const LEFT: f64 = -1.0;
 const RIGHT: f64 = 1.0;
 
-/// A sweep on its way back.
+/// State of one sweep during back-substitution.
 #[derive(Debug, Clone, Copy)]
 struct Back {
     node: usize,
     w: f64,
-    /// θ, or Lθ within a stretch.
+    /// θ at the ends of a stretch; Lθ within it, L being the element length.
     turn: f64,
-    /// What the element crossed last takes at the node reached.
+    /// Force at the current node from the ground under the element crossed last and from the springs at the node.
     taken: f64,
     /// The deformation of the element crossed last.
     e: [f64; 2],
-    /// Stretches left, elements left of the last of them, and in all.
+    /// Number of stretches left, of elements left in the current one, and of elements left in all.
     stretches: usize,
     within: usize,
     elements: usize,
 }
 
-/// From the meeting node to both ends: w, w' and forces at all nodes that touch.
+/// Back-substitutes from the meeting node to both ends: w, w' and forces at all nodes in contact.
 pub(super) fn unfold(
     sides: &mut [Side; 2],
     w: f64,
@@ -99,7 +100,7 @@ pub(super) fn unfold(
     }
 }
 
-/// Back over as many elements, each sweep within one stretch; `towards` its end, LEFT or RIGHT.
+/// Back-substitutes over `steps` elements of one stretch in each sweep. `towards` is the direction, LEFT or RIGHT.
 #[inline(always)]
 fn recross<const SWEEPS: usize>(
     backs: [&mut Back; SWEEPS],
@@ -149,7 +150,7 @@ fn recross<const SWEEPS: usize>(
         let slope = turn * per_length;
         for lane in 0..SWEEPS {
             fields.force[node[lane]] += force.0[lane];
-            // A span is one element over many nodes.
+            // The last element leads to the first node of the stretch: a span is one element over many nodes.
             node[lane] = match (within[lane], towards[lane] == LEFT) {
                 (0, _) => stretches[lane].node,
                 (_, true) => node[lane] - 1,

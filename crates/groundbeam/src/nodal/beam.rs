@@ -1,31 +1,31 @@
-//! The beam between two nodes, off the ground, in closed form.
+//! Stiffness, load vector and deflection of a uniform beam element off the ground, in closed form.
 //!
 //! With x = h s and t = P h²/EI, EI w⁗ − P w″ = f − g' has the solutions
 //!
-//! w = w₀ + hθ₀ s + A s²c₂ + B s³c₃ + F₀ s⁴c₄ + F₁ s⁵c₅, cₙ = Σ (t s²)ⁱ/(2i + n)!,
+//! w = w₀ + hθ₀ s + A s²c₂ + B s³c₃ + F₀ s⁴c₄ + F₁ s⁵c₅, cₙ = Σ (t s²)ⁱ/(2i + n)!.
 //!
-//! F₀ and F₁ those of (f − g')h⁴/EI at the left end and its rise. The same series serve tension and none.
+//! F₀ is (f − g')h⁴/EI at the left end, F₁ its change over the element. The series holds for P = 0 and for tension.
 
 use crate::element::element::Element;
 use crate::mesh::cell::Cell;
 
-/// How long a beam may be for the series, as a part of 1/√(P/EI).
+/// Maximum length of an element relative to √(EI/P).
 pub(crate) const REACH: f64 = 1.0;
 
-/// Coefficients of w(s): the first one left out is below 1/18! of the sum.
+/// Number of coefficients of w(s). The first omitted term is below 1/18! of the sum.
 pub(crate) const TERMS: usize = 18;
 
-/// A term that does not matter, as a part of those that bend most.
+/// Coefficients of w(s) below this fraction of the larger of those of s² and s³ are omitted.
 const LEAST: f64 = 1e-17;
 
-/// A beam, and what acts on it.
+/// A uniform beam element and the loads on it.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Beam {
-    /// h.
+    /// Length h.
     pub length: f64,
     /// EI/h³.
     stiffness: f64,
-    /// P h²/EI, and P/h.
+    /// t = P h²/EI, and the tension P/h.
     t: f64,
     tension: f64,
     /// c₀ … c₅ at s = 1, and c₂² − c₁c₃.
@@ -37,12 +37,12 @@ pub(crate) struct Beam {
     force: f64,
     turn: f64,
     moment_right: f64,
-    /// What EI κ₀ of an imposed curvature does to d₁ and to h d₂.
+    /// Contribution of the imposed curvature κ₀ to the load vector, for d₁ and for h d₂.
     curling: [f64; 2],
 }
 
 impl Beam {
-    /// The beam of a bending stiffness and a length, with what acts there.
+    /// An element from its bending stiffness EI, its imposed loads and curvature, P, and its length h.
     pub fn new(bending: f64, given: &Given, axial_force: f64, h: f64) -> Self {
         let stiffness = bending / (h * h * h);
         let tension = axial_force / h;
@@ -74,14 +74,14 @@ impl Beam {
         }
     }
 
-    /// K for (hθ, d₁, h d₂): its entries θθ, θ1, θ2, 11, 12, 22.
+    /// Stiffness matrix K for (hθ, d₁, h d₂): entries θθ, θ1, θ2, 11, 12, 22.
     pub fn stiffness(&self) -> [f64; 6] {
         let e = self.stiffness / self.determinant;
         let [_, c1, c2, c3, ..] = self.c;
         [self.tension, self.tension, 0.0, e * c1, -e * c2, e * (c2 - c3)]
     }
 
-    /// q for (w, hθ, d₁, h d₂): what a beam clamped at both ends would not take up.
+    /// Load vector q for v = (w, hθ, d₁, h d₂): the energy of the element is ½vᵀKv − qᵀv.
     pub fn load(&self) -> [f64; 4] {
         let [c0, c1, c2, c3, c4, c5] = self.c;
         let [f0, f1] = self.load;
@@ -94,7 +94,7 @@ impl Beam {
         [self.force, self.turn, shear, -e * bend + second]
     }
 
-    /// K and q in (w, θ, d₁, d₂).
+    /// Stiffness matrix K and load vector q for (w, θ, d₁, d₂).
     pub fn element(&self) -> Element {
         let h = self.length;
         let [tt, t1, t2, k11, k12, k22] = self.stiffness();
@@ -112,13 +112,13 @@ impl Beam {
         }
     }
 
-    /// A and B of A c₂ + B c₃ = x, A c₁ + B c₂ = y.
+    /// Solves A c₂ + B c₃ = x, A c₁ + B c₂ = y for A and B.
     fn bends(&self, x: f64, y: f64) -> [f64; 2] {
         let [_, c1, c2, c3, ..] = self.c;
         [(x * c2 - y * c3) / self.determinant, (y * c2 - x * c1) / self.determinant]
     }
 
-    /// The coefficients of w(s), s ∈ \[0, 1\], for (w, θ, d₁, d₂), and how many of them matter.
+    /// Coefficients of w(s), s ∈ \[0, 1\], from (w, θ, d₁, d₂), and the number of significant ones.
     pub fn unfold(&self, [w, theta, d1, d2]: [f64; 4]) -> ([f64; TERMS], usize) {
         let [_, _, _, c3, c4, c5] = self.c;
         let ([f0, f1], h) = (self.load, self.length);
@@ -141,10 +141,10 @@ impl Beam {
     }
 }
 
-/// What is given along a stretch, linear between its two ends.
+/// Imposed loads and curvature along a stretch, linear between its two ends.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Given {
-    /// f, g and κ₀.
+    /// Distributed force f, distributed moment g and imposed curvature κ₀, each at both ends.
     pub load: [f64; 2],
     pub moment_load: [f64; 2],
     pub curvature: [f64; 2],
@@ -160,7 +160,7 @@ impl Given {
         all.iter().all(|v| v[0] == v[1])
     }
 
-    /// From one fraction of the length to another.
+    /// The part between two fractions of the length.
     pub fn part(&self, [a, b]: [f64; 2]) -> Self {
         let linear = |v: [f64; 2]| [a, b].map(|t| v[0] + (v[1] - v[0]) * t);
         Given {
@@ -170,7 +170,7 @@ impl Given {
         }
     }
 
-    /// Seen in a mirror.
+    /// The reflected stretch: the ends are exchanged and g changes sign.
     pub fn mirrored(&self) -> Self {
         let turned = |[a, b]: [f64; 2]| [b, a];
         Given {
@@ -190,7 +190,7 @@ mod tests {
     use crate::mesh::cell::Varies;
     use crate::numeric::polynomial::value;
 
-    /// The same beam by the power series about its middle.
+    /// The closed form agrees with the power series about the middle of the element.
     #[test]
     fn two_series_are_one_beam() {
         let h = 0.7;

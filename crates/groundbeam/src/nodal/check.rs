@@ -1,13 +1,14 @@
-//! What holds at the nodes of a nodal solution, from its numbers and the model's own.
+//! Check of a nodal solution: balance of forces and moments, signs of the ground forces, and penetration, from the
+//! nodal values and the loads of the model.
 
 use crate::model::{Extent, Model, triangles};
 use crate::nodal::solution::NodalCheck;
 use crate::nodal::solution::NodalSolution;
 
-/// Nodes that are summed side by side: one sum would wait for itself.
+/// Number of independent partial sums: the additions of a single sum would wait for each other.
 const WIDTH: usize = 4;
 
-/// Sums and extremes over nodes: one of every [`WIDTH`] each.
+/// Partial sums and extremes. Each entry covers one of every [`WIDTH`] nodes.
 #[derive(Debug, Clone, Copy, Default)]
 struct Sums {
     sum: [f64; WIDTH],
@@ -20,7 +21,8 @@ struct Sums {
 }
 
 impl Sums {
-    /// Nodes from one on, whose g₀ and its rise from node to node are given.
+    /// Adds nodes, the first of which is number `from` of its row. `gap` is g₀ + u₀ at the first node of the row, and
+    /// its change from node to node.
     #[inline(always)]
     fn add(&mut self, from: usize, gap: [f64; 2], f: &[f64], w: &[f64], u: &[f64]) {
         let most = |a: f64, b: f64| if b > a { b } else { a };
@@ -58,11 +60,11 @@ pub(crate) fn check(model: &Model, solution: &NodalSolution) -> NodalCheck {
             (1, Extent::Distributed { from, to, start, end }) => {
                 turns += 0.5 * (start + end) * (to - from);
             }
-            // Without work on rigid motions.
+            // Does no work on rigid motions.
             _ => {}
         }
     }
-    // The axial force has a lever too.
+    // Moment of the axial force, from the difference of the end deflections.
     let last = solution.deflection.len() - 1;
     turns += model.beam.axial_force * (solution.deflection[0] - solution.deflection[last]);
     let (mut smallest, mut largest) = (0.0_f64, 0.0_f64);

@@ -9,14 +9,16 @@ use crate::nodal::grid::{Grid, Ground};
 use crate::nodal::newton::Workspace;
 use crate::nodal::{levels, newton};
 
-/// Where a free beam touches, to the accuracy of a mesh fine enough for its waves; none if it has supports or
-/// hinges, is too long and soft for a mesh, or anything varies along a segment.
+/// Contact edges of a free beam, as accurate as a mesh that resolves its waves. `None` if the beam has supports or
+/// hinges, if it is too long and soft for a mesh, if anything varies along a segment, or if the contact does not
+/// converge.
 pub(crate) fn edges(model: &Model, cancel: &Cancel) -> Option<Vec<[f64; 2]>> {
     let held = !(model.supports.is_empty() && model.hinges.is_empty());
     if held || model.varying_part().is_some() {
         return None;
     }
-    // Elements that shear are series, which take ten times as long and more memory.
+    // The guess neglects beam shear: elements with shear are power series, which take ten times as long and more
+    // memory.
     let model = &Model { beam: model.beam.clone().without_shear(), ..model.clone() };
     let grid = Grid::new(model, 1, Ground::Spread);
     let waves = grid.wave_number() * model.beam.length;
@@ -38,8 +40,8 @@ pub(crate) struct Coarse {
     pub edges: Vec<[f64; 2]>,
 }
 
-/// Phase A of a beam of few waves, on a coarse mesh. Every interval between two places of the model has two elements or
-/// more, and `per_wave` to each 1/wave number. `None` if the contact does not settle.
+/// Phase A of a beam of few waves: its contact on a coarse mesh. Every interval between two places of the model has at
+/// least two elements, and `per_wave` elements per 1/(wave number). `None` if the contact does not converge.
 pub(crate) fn coarse(model: &Model, per_wave: f64, cancel: &Cancel) -> Option<Coarse> {
     let axial_force = model.beam.axial_force;
     let wanted = |cell: &Cell| {
@@ -62,11 +64,11 @@ pub(crate) fn coarse(model: &Model, per_wave: f64, cancel: &Cancel) -> Option<Co
     Some(Coarse { grid, workspace, edges })
 }
 
-/// The most elements between two places of the model on a coarse mesh, for one per 1/wave number.
+/// Maximum number of elements between two places of the model on a coarse mesh, divided by `per_wave`.
 const MOST_COARSE: f64 = 64.0;
 
-/// Elements per 1/wave number of a mesh whose edges are a start for the exact ones.
+/// Elements per 1/(wave number) on a mesh whose contact edges are the initial guess of the exact method.
 pub(crate) const PER_WAVE: f64 = 4.0;
 
-/// The most 1/wave numbers of a beam that starts from a mesh.
+/// Maximum length of a beam, in units of 1/(wave number), for which a mesh provides the initial guess.
 pub(crate) const MOST_WAVES: f64 = 1e5;

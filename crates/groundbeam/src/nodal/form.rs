@@ -1,33 +1,34 @@
-//! How an element looks from its right end: what the sweep crosses.
+//! Energy of an element and its ground, in the variables (y, e) of a sweep.
 //!
-//! With θ times the element's length L as second unknown, x' = T x + d, T = \[\[1, 1\], \[0, 1\]\]. Seen
-//! from the right end, y = T⁻¹x' = (w' − Lθ', Lθ') is where the left end would be if the element were
-//! rigid, and e = y − x what its deformation makes of that: w = y₁ − e₁, Lθ = y₂ − e₂, w' − w = y₂ + e₁.
+//! The motion of the left end is x = (w, Lθ), L being the length of the element. That of the right end is x' = T x + d,
+//! T = \[\[1, 1\], \[0, 1\]\], where d is the deformation. y = T⁻¹x' = (w' − Lθ', Lθ') is the motion that the left end
+//! would have if the element were rigid, and e = y − x is the effect of the deformation. Hence w = y₁ − e₁, Lθ = y₂ −
+//! e₂ and w' − w = y₂ + e₁.
 
 use crate::element::element::Element;
 use crate::ground::link::TwoPort;
 
-/// An element's energy ½ᵗ(y₂, e) M (y₂, e) − q·(y₁, y₂, e₁, e₂), and the ground's springs under its ends.
+/// Energy ½(y₂, e)ᵗ M (y₂, e) − q·(y₁, y₂, e₁, e₂) of an element, and the shunt springs of the ground under its ends.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Form {
-    /// L.
+    /// Length L.
     pub length: f64,
-    /// M: of y₂ with itself, with e₁, with e₂; and of e₁e₁, e₁e₂, e₂e₂.
+    /// Entries of M: y₂y₂, y₂e₁, y₂e₂ in `m`, and e₁e₁, e₁e₂, e₂e₂ in `e`.
     pub m: [f64; 3],
     pub e: [f64; 3],
-    /// q on the first element of a run, and what it grows by from one to the next. The fifth is the force
-    /// of the springs at the left end, the sixth that at the right end.
+    /// q of the first element of a run, and its increment from one element to the next. The fifth and the sixth entry
+    /// are stiffness times gap of the shunt springs under the left and the right end.
     pub q: [f64; 6],
     pub dq: [f64; 6],
-    /// Springs under the left and the right end.
+    /// Stiffness of the shunt springs under the left and the right end.
     pub shunt: [f64; 2],
-    /// The spring between them, and the force in it while w' = w.
+    /// Stiffness of the series spring between the ends, and its product with the rise of the gap from left to right.
     pub series: f64,
     pub rise: f64,
 }
 
 impl Form {
-    /// A beam without its ground, of its length, its K for (Lθ, d₁, L d₂) and its q for (w, Lθ, d₁, L d₂).
+    /// A beam without ground, from its length, its K for (Lθ, d₁, L d₂) and its q for (w, Lθ, d₁, L d₂).
     pub fn beam(length: f64, stiffness: [f64; 6], load: [f64; 4]) -> Self {
         let [tt, t1, t2, d11, d12, d22] = stiffness;
         let [qw, qt, q1, q2] = load;
@@ -40,7 +41,7 @@ impl Form {
         }
     }
 
-    /// The same of an element whose rigid translation does no work.
+    /// As [`Form::beam`], from an element that has no stiffness against rigid translation.
     pub fn of(element: &Element) -> Self {
         let Element { length, stiffness: k, load: [qw, qt, q1, q2], .. } = element;
         let per = 1.0 / length;
@@ -56,7 +57,7 @@ impl Form {
         Form::beam(*length, stiffness, [*qw, qt * per, *q1, q2 * per])
     }
 
-    /// Adds ground under it that is open between its ends, where g₀ is `gap`.
+    /// Adds ground that is out of contact between the two ends, at which g₀ + u₀ is `gap`.
     pub fn on(mut self, link: TwoPort, gap: [f64; 2]) -> Self {
         // ½ c (w' − w − rise)².
         let (c, rise) = (link.series, gap[1] - gap[0]);
@@ -71,7 +72,7 @@ impl Form {
         self
     }
 
-    /// The first of `count` elements, the last of which is `last`.
+    /// The form of a run of `count` elements, of which `self` is the first and `last` the last.
     pub fn towards(mut self, last: &Form, count: usize) -> Self {
         if count > 1 {
             let steps = (count - 1) as f64;
@@ -80,7 +81,7 @@ impl Form {
         self
     }
 
-    /// The one so many elements on.
+    /// The form of the run that begins `elements` elements later.
     pub fn after(mut self, elements: usize) -> Self {
         if elements > 0 && !self.is_even() {
             self.q = self.load(elements as f64);
@@ -88,12 +89,12 @@ impl Form {
         self
     }
 
-    /// Whether all elements of its row are loaded alike.
+    /// Whether all elements of the run have the same load.
     pub fn is_even(&self) -> bool {
         self.dq == [0.0; 6]
     }
 
-    /// The load on the element number i.
+    /// q of element i.
     pub fn load(&self, i: f64) -> [f64; 6] {
         std::array::from_fn(|j| self.q[j] + i * self.dq[j])
     }

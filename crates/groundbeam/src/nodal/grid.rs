@@ -1,7 +1,7 @@
-//! Nodes and elements of the discrete problem, from a model: runs of equal elements between its places.
+//! Nodes and elements of the discrete problem, from a model.
 //!
-//! Runs, not elements, are what is stored. Where EI, k or μ varies, the beam shears, or loads act on the ground, each
-//! element is a run of its own.
+//! The grid stores runs of equal elements between the places of the model, not single elements. Each element is a run
+//! of its own where EI, k or μ varies, where the beam has shear flexibility, and where loads act on the ground.
 
 use super::beam::{Beam, REACH};
 use super::form::Form;
@@ -17,38 +17,40 @@ use crate::model::Model;
 use crate::nodal::beam::Given;
 use crate::numeric::polynomial::integral;
 
-/// EI over h²(N + kh²) of a stiffened beam: no more than its own where its waves are longer than h.
+/// Minimum EI of a stiffened beam relative to h²(P + μ + kh²). It only raises EI if the waves are shorter than h.
 const STIFF: f64 = 0.5;
 
-/// Equal elements in a row.
+/// A run of equal elements.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Run {
-    /// The whole run of beam and ground.
+    /// Beam and ground of the whole run.
     pub cell: Cell,
-    /// What is given along it.
+    /// Imposed loads and curvature along the run.
     pub given: Given,
-    /// g₀ + u₀ at its first and its last node; linear between them.
+    /// g₀ + u₀ at the first and the last node; linear between them.
     pub gap: [f64; 2],
-    /// The element of a run of one, off the ground, where the closed form of even beams does not serve.
+    /// The element, off the ground, of a run that consists of one element and is not uniform; otherwise `None`.
     pub element: Option<Element>,
-    /// Its first node, and how many elements follow.
+    /// First node, and number of elements.
     pub first: usize,
     pub count: usize,
-    /// Their length.
+    /// Length of an element.
     pub h: f64,
-    /// The ground under one of them, bonded at both ends.
+    /// Two-port of the ground under one element.
     pub link: TwoPort,
-    /// What a sweep crosses there: the first element in its direction, from the left and from the right.
+    /// The first element that a sweep crosses, bonded at both ends: for the sweep from the left and for that from the
+    /// right.
     pub glued: [Form; 2],
-    /// The ground, and all of it open from the first node to the last.
+    /// Ground of the run, and its two-port over the whole run, out of contact.
     pub layer: Layer,
     whole: TwoPort,
-    /// Open ground and what is beyond the beam, left of its first node and right of its last.
+    /// Two-ports of the ground to the left of the first node and to the right of the last, out of contact. They include
+    /// the ground outside the beam.
     beyond: [TwoPort; 2],
 }
 
 impl Run {
-    /// Cuts a cell into so many elements, the first of which begins at a node.
+    /// Divides a cell into `count` elements, the first of which begins at the node `first`.
     fn new(cell: &Cell, first: usize, count: usize, axial_force: f64, ground: Ground) -> Self {
         let h = cell.length() / count as f64;
         let layer = match ground {
@@ -109,7 +111,7 @@ impl Run {
         if self.is_alike() { first } else { first.towards(&form(last), self.count) }
     }
 
-    /// Whether the same is given along all its elements.
+    /// Whether loads, curvature and gap are constant along the run.
     fn is_alike(&self) -> bool {
         self.given.is_even() && self.gap[0] == self.gap[1]
     }
@@ -118,7 +120,7 @@ impl Run {
         self.cell.length()
     }
 
-    /// g₀ + u₀ at one of its nodes.
+    /// g₀ + u₀ at a node of the run.
     pub fn gap_at(&self, node: usize) -> f64 {
         let [left, right] = self.gap;
         match node - self.first {
@@ -133,7 +135,7 @@ impl Run {
         self.first + self.count
     }
 
-    /// What is given on the elements from one node to another, both of this run.
+    /// Imposed loads and curvature between two nodes of this run.
     pub fn part(&self, from: usize, to: usize) -> Given {
         if self.given.is_even() {
             return self.given;
@@ -141,7 +143,7 @@ impl Run {
         self.given.part([from, to].map(|node| (node - self.first) as f64 / self.count as f64))
     }
 
-    /// Open ground from one node to another, both of this run.
+    /// Two-port of the ground between two nodes of this run, out of contact.
     pub fn open(&self, from: usize, to: usize) -> TwoPort {
         if to - from == self.count || self.cell.shear_layer == 0.0 {
             return self.whole;
@@ -149,7 +151,7 @@ impl Run {
         self.layer.open(self.h * (to - from) as f64)
     }
 
-    /// The position of a node, from the nearer end.
+    /// Position of a node, computed from the nearer end of the run.
     pub fn x(&self, node: usize) -> f64 {
         let ([left, right], count) = (self.cell.x, self.count as f64);
         let (before, after) = ((node - self.first) as f64, (self.end() - node) as f64);
@@ -160,7 +162,7 @@ impl Run {
         }
     }
 
-    /// One of its elements as a cell.
+    /// The element to the right of a node, as a cell.
     pub fn element_cell(&self, node: usize) -> Cell {
         if self.count == 1 {
             return self.cell;
@@ -169,31 +171,31 @@ impl Run {
         let at = |node: usize| match node - self.first {
             0 => -1.0,
             steps if steps == self.count => 1.0,
-            // From the nearer end.
+            // Computed from the nearer end.
             steps if 2 * steps <= self.count => 2.0 * steps as f64 / count - 1.0,
             steps => 1.0 - 2.0 * (self.count - steps) as f64 / count,
         };
         self.cell.part([at(node), at(node + 1)])
     }
 
-    /// Into how many pieces an open part of it must be cut for one series to serve each.
+    /// Number of pieces into which a part off the ground is divided, so that one series describes each.
     pub fn pieces(&self, axial_force: f64, length: f64) -> usize {
         pieces(&self.cell, axial_force, length)
     }
 }
 
-/// The elements of a cell with so many per length.
+/// Number of elements of a cell, at `per_length` elements per unit length.
 fn equal(cell: &Cell, per_length: f64) -> usize {
     (cell.length() * per_length).round() as usize
 }
 
-/// Whether equal elements can be cut from a cell.
+/// Whether a cell is uniform and so can be divided into equal elements.
 fn is_even(cell: &Cell) -> bool {
     let varies = cell.beam_varies() || cell.ground_varies() || cell.beam_shear.is_some();
     !varies && !cell.has_free_field()
 }
 
-/// Into how many pieces a beam off the ground must be cut for one series to serve each.
+/// Number of pieces into which a beam off the ground is divided, so that one series describes each.
 fn pieces(cell: &Cell, axial_force: f64, length: f64) -> usize {
     let operator = Operator::of(cell, axial_force, ZoneKind::Open);
     if operator.polynomials.is_some() {
@@ -203,7 +205,7 @@ fn pieces(cell: &Cell, axial_force: f64, length: f64) -> usize {
     (wave * length / REACH).ceil().max(1.0) as usize
 }
 
-/// Separate springs, μ = 0: each end of an element holds its half.
+/// Winkler springs (μ = 0): each end of an element carries the springs of its half.
 fn springs(cell: &Cell, h: f64) -> TwoPort {
     let mean = 0.5 * h * cell.subgrade;
     let [left, right] = if cell.ground_varies() {
@@ -216,7 +218,7 @@ fn springs(cell: &Cell, h: f64) -> TwoPort {
     TwoPort { series: 0.0, shunt_left: left, shunt_right: right }
 }
 
-/// Makes the beam's waves on the ground no shorter than an element.
+/// Raises EI until the waves of the beam on its ground are no shorter than an element.
 fn stiffen(cell: &mut Cell, axial_force: f64, h: f64) {
     let tension = axial_force.max(0.0) + cell.shear_layer;
     let least = STIFF * h * h * (tension + cell.subgrade * h * h);
@@ -225,47 +227,49 @@ fn stiffen(cell: &mut Cell, axial_force: f64, h: f64) {
     }
 }
 
-/// Where the ground presses.
+/// Discretisation of the ground. Its forces act at the nodes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Ground {
-    /// On the nodes alone, (5.5).
+    /// Point forces at the nodes, (5.5), with exact ground between the nodes.
     Nodal,
-    /// The same, with a shear layer that is straight between nodes and springs by the trapezoidal rule: where an element is
-    /// longer than √(μ/k), a node still has the springs of half of it.
+    /// Point forces at the nodes, with a shear layer that is linear between nodes and springs that are lumped at the
+    /// nodes by the trapezoidal rule. Where an element is longer than √(μ/k), a node still carries the springs of half
+    /// the element.
     Spread,
 }
 
-/// The runs from left to right, and what acts at the nodes between them.
+/// Runs from left to right, and the loads, supports and hinges at the nodes between them.
 #[derive(Debug, Clone)]
 pub(crate) struct Grid {
     pub runs: Vec<Run>,
-    /// At the first node of each run, and at the last node of all.
+    /// Loads, supports and hinges at the first node of each run, and at the last node of the grid.
     pub nodes: Vec<Node>,
     pub axial_force: f64,
-    /// √(kμ) beyond the left and the right end.
+    /// Stiffness √(kμ) of the ground outside the left and the right end.
     pub outside: [f64; 2],
-    /// Whether its contact may be off by a node: the next grid is hardly finer.
+    /// Whether each contact zone may be wrong by one node, because the next grid is only a few times finer.
     pub rough: bool,
     /// Whether g₀ + u₀ is zero everywhere.
     pub flat: bool,
-    /// Nodes on rigid supports, and where these have settled.
+    /// Nodes on rigid supports, and the settlement of each.
     pub pins: Vec<(usize, f64)>,
 }
 
 impl Grid {
-    /// About `elements` equal elements, and a node at every place of the model.
+    /// A grid of about `elements` equal elements, with a node at every place of the model.
     pub fn new(model: &Model, elements: usize, ground: Ground) -> Self {
         let per_length = elements as f64 / model.beam.length;
         Self::cut(model, ground, |cell| (equal(cell, per_length), 0.0))
     }
 
-    /// The same; where its elements are too long for the beam's waves, the beam is made as stiff as they are long.
+    /// As [`Grid::new`], but EI is raised where the elements are too long for the beam's waves.
     pub fn stiffened(model: &Model, elements: usize, ground: Ground) -> Self {
         let per_length = elements as f64 / model.beam.length;
         Self::cut(model, ground, |cell| (equal(cell, per_length), 1.0 / per_length))
     }
 
-    /// A mesh with the elements that `divide` wants of each cell, for a beam whose waves are no shorter than its lengths.
+    /// A grid from `divide`, which gives the minimum number of elements of a cell and a length h. EI is raised where
+    /// the waves of the beam are shorter than h.
     pub fn cut(model: &Model, ground: Ground, divide: impl Fn(&Cell) -> (usize, f64)) -> Self {
         let axial_force = model.beam.axial_force;
         let count = |cell: &Cell| {
@@ -301,7 +305,7 @@ impl Grid {
         grid
     }
 
-    /// The ground beyond each run, from both ends.
+    /// Sets the two-ports of the ground to the left and to the right of each run.
     fn chain(&mut self) {
         let spring = TwoPort::default();
         let mut link = TwoPort { shunt_right: self.outside[0], ..spring };
@@ -323,7 +327,7 @@ impl Grid {
         self.runs.iter().map(of).fold(0.0, f64::max)
     }
 
-    /// The fewest elements of a model: those into which an open beam must be cut.
+    /// Minimum number of elements of a model: the pieces into which a beam off the ground is divided.
     pub fn fewest(model: &Model) -> usize {
         let axial_force = model.beam.axial_force;
         let mut fewest = 0_usize;
@@ -334,7 +338,7 @@ impl Grid {
         fewest
     }
 
-    /// What lifting the whole ground by one takes.
+    /// Force needed to raise the whole ground by one unit.
     pub fn stiffness(&self) -> f64 {
         let springs = self.runs.iter().map(|run| run.cell.subgrade * run.length());
         springs.sum::<f64>() + self.outside[0] + self.outside[1]
@@ -350,7 +354,7 @@ impl Grid {
         self.runs.iter().map(|run| run.first).chain([self.last()])
     }
 
-    /// The run of the element to the right of a node; of the last node the last run.
+    /// Index of the run that contains the element to the right of a node; for the last node, the last run.
     pub fn run_at(&self, node: usize) -> usize {
         self.runs.partition_point(|run| run.end() <= node).min(self.runs.len() - 1)
     }
@@ -375,7 +379,7 @@ impl Grid {
         run.first + steps.min(run.count)
     }
 
-    /// Parts of runs from one node to another: the run and its nodes.
+    /// The parts of runs between two nodes: index of the run, first and last node of the part.
     pub fn parts(&self, from: usize, to: usize) -> impl Iterator<Item = (usize, usize, usize)> {
         let first = self.run_at(from);
         let ends = self.runs[first..].iter().take_while(move |run| run.first < to);
@@ -385,27 +389,27 @@ impl Grid {
         parts.filter(|(_, from, to)| from < to)
     }
 
-    /// Open ground from one node to another.
+    /// Two-port of the ground between two nodes, out of contact; `None` if the nodes coincide.
     pub fn link(&self, from: usize, to: usize) -> Option<TwoPort> {
         let links = self.parts(from, to).map(|(run, from, to)| self.runs[run].open(from, to));
         links.reduce(TwoPort::then)
     }
 
-    /// The ground from beyond the left end up to a node.
+    /// Two-port of the ground to the left of a node, out of contact, including the ground outside the beam.
     pub fn left_of(&self, node: usize) -> TwoPort {
         let run = &self.runs[self.run_at(node)];
         let [before, _] = run.beyond;
         if node == run.first { before } else { before.then(run.open(run.first, node)) }
     }
 
-    /// The ground from a node to beyond the right end.
+    /// Two-port of the ground to the right of a node, out of contact, including the ground outside the beam.
     pub fn right_of(&self, node: usize) -> TwoPort {
         let run = &self.runs[self.run_at(node.max(1) - 1)];
         let [_, after] = run.beyond;
         if node == run.end() { after } else { run.open(node, run.end()).then(after) }
     }
 
-    /// The place of the model at a node, if it has one.
+    /// Loads, supports and hinge at a node; `None` if no place of the model is there.
     pub fn place(&self, node: usize) -> Option<&Node> {
         let run = self.run_at(node);
         if self.runs[run].first == node {

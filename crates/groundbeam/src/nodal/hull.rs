@@ -1,31 +1,32 @@
-//! The ground under given deflections of the nodes: which of them it touches.
+//! Nodes in contact with the ground, from the deflections of all nodes.
 //!
-//! As in the [obstacle problem](crate::contact::obstacle) of exact contact, with nodes in place of points: only where the forces of
-//! glued ground press can a row of nodes touch (an *arc*), and the scan joins arcs from left to right.
-//! Forces at the ends of an arc are monotone along it, so each end is found by bisection.
+//! This is the [obstacle problem](crate::contact::obstacle) of exact contact with nodes in place of points. A node can
+//! be in contact only where ground bonded to all nodes would press on it; a row of such nodes is an *arc*. A scan joins
+//! arcs from left to right. The force at the end of a zone is monotone in the position of this end, so each end is
+//! found by bisection.
 
 use super::grid::Grid;
 use crate::ground::link::TwoPort;
 
-/// Nodes that touch, first and last.
+/// A contact zone: its first and its last node.
 pub(crate) type Zone = [usize; 2];
 
-/// ψ = w − g₀ at the nodes, and how the ground answers.
+/// The obstacle problem for ψ = w − (g₀ + u₀) at the nodes.
 pub(crate) struct Hull<'a> {
     pub grid: &'a Grid,
     pub deflection: &'a [f64],
-    /// Zones that may be near the right ones: where the search for each end begins.
+    /// Initial guess of the contact zones. The search for each end of a zone starts there.
     pub near: &'a [Zone],
 }
 
-/// Nodes looked at in one go.
+/// Number of nodes tested in one block.
 const BLOCK: usize = 32;
 
-/// Zones, each with the node on which the one before it ended when they were joined.
+/// Contact zones of the part scanned so far.
 type Stack = Vec<Zone>;
 
 impl Hull<'_> {
-    /// The zones of contact; `arcs` is scratch.
+    /// Writes the contact zones to `zones`; `arcs` is scratch memory.
     pub fn zones(&self, arcs: &mut Vec<Zone>, zones: &mut Stack) {
         self.arcs(arcs);
         zones.clear();
@@ -36,7 +37,7 @@ impl Hull<'_> {
                     new[0] = self.first_that_presses(new, None);
                     break;
                 };
-                // Each end in turn until neither moves.
+                // Move each end in turn until neither moves.
                 loop {
                     let before = new[0];
                     last[1] = self.last_that_presses(*last, Some(new[0]));
@@ -67,7 +68,8 @@ impl Hull<'_> {
         if self.grid.flat { w } else { w - self.grid.gap(node) }
     }
 
-    /// Rows of nodes under which glued ground would press, and the two ends of the beam.
+    /// Writes the arcs: the rows of nodes on which bonded ground would press. The end nodes of the beam always belong
+    /// to one.
     fn arcs(&self, arcs: &mut Vec<Zone>) {
         arcs.clear();
         let last = self.grid.last();
@@ -92,12 +94,12 @@ impl Hull<'_> {
                 let end = (at + BLOCK).min(run.count);
                 let mut pressing = 0;
                 for ((i, w), presses) in w[at - 1..=end].windows(3).enumerate().zip(&mut presses) {
-                    // −c ψ″ of linear g₀ is that of w.
+                    // g₀ + u₀ is linear, so ψ and w have the same second difference.
                     let psi = w[1] - (g + dg * (at + i) as f64);
                     *presses = shunt * psi + c * ((w[1] - w[0]) - (w[2] - w[1])) > 0.0;
                     pressing += usize::from(*presses);
                 }
-                // Where all or none of a block press, as the node before did, nothing begins or ends.
+                // If the whole block is in the same state as the previous node, no arc begins or ends in it.
                 let alike = if start.is_some() { end - at } else { 0 };
                 if pressing != alike {
                     for (i, presses) in presses[..end - at].iter().enumerate() {
@@ -115,12 +117,12 @@ impl Hull<'_> {
         }
     }
 
-    /// The force of ground glued to a node and both its neighbours.
+    /// Force that the ground exerts on a node if it is bonded to this node and both neighbours.
     fn glued_force(&self, node: usize) -> f64 {
         self.push_from_left(node) + self.push_from_right(node)
     }
 
-    /// What glued ground to the left of a node presses on it.
+    /// Force that the ground to the left of a node exerts on it, if it is bonded to this node and its left neighbour.
     fn push_from_left(&self, node: usize) -> f64 {
         if node == 0 {
             return self.grid.outside[0] * self.psi(0);
@@ -137,7 +139,8 @@ impl Hull<'_> {
         link.force_left(self.psi(node), self.psi(node + 1))
     }
 
-    /// What open ground between a node and the next zone, or beyond, presses on it.
+    /// Force that the ground to the right of a node exerts on it, out of contact up to the next zone or beyond the
+    /// beam.
     fn open_right(&self, node: usize, next: Option<usize>) -> f64 {
         let psi = next.map_or(0.0, |next| self.psi(next));
         Opening::default().rightwards(self.grid, node, next).force_left(self.psi(node), psi)
@@ -148,7 +151,7 @@ impl Hull<'_> {
         Opening::default().leftwards(self.grid, node, before).force_right(psi, self.psi(node))
     }
 
-    /// Where a zone that goes on to the left ends, if open ground follows up to `next`.
+    /// The last node of a zone on which the ground presses, if the ground beyond it is out of contact up to `next`.
     fn last_that_presses(&self, [from, to]: Zone, next: Option<usize>) -> usize {
         let (mut opening, psi_next) = (Opening::default(), next.map_or(0.0, |next| self.psi(next)));
         let presses = |back: usize| {
@@ -174,14 +177,14 @@ impl Hull<'_> {
         from + first_holding(to - from, guess - from, presses)
     }
 
-    /// Whether the last zone is one node that open ground on both sides does not press on.
+    /// Whether the last zone is a single node on which the ground, out of contact on both sides, does not press.
     fn pulls(&self, zones: &[Zone], next: Option<usize>) -> bool {
         let Some(&[from, to]) = zones.last() else { return false };
         let before = zones.len().checked_sub(2).map(|i| zones[i][1]);
         from == to && self.open_left(from, before) + self.open_right(from, next) <= 0.0
     }
 
-    /// The ground's forces on zones of contact, node by node.
+    /// Calls `each` with every contribution to the ground force at a node in contact.
     pub fn forces(&self, zones: &[Zone], mut each: impl FnMut(usize, f64)) {
         for (i, &[from, to]) in zones.iter().enumerate() {
             let before = i.checked_sub(1).map(|i| zones[i][1]);
@@ -202,18 +205,19 @@ impl Hull<'_> {
     }
 }
 
-/// Open ground beside a node that moves: what lies beyond the run that it moves in is kept.
+/// Ground out of contact beside a trial node. The part outside the run of this node is stored for the next trial.
 #[derive(Default)]
 struct Opening {
     run: usize,
     rest: Option<Rest>,
 }
 
-/// The ground from a run's end to a zone or beyond the beam; none if the zone begins in that run.
+/// Two-port of the ground from the end of a run to the next zone or beyond the beam; `None` if that zone begins in the
+/// run.
 type Rest = Option<TwoPort>;
 
 impl Opening {
-    /// From a node to the first node of the next zone, or beyond the beam.
+    /// Two-port of the ground from a node to the first node of the next zone, or beyond the beam.
     fn rightwards(&mut self, grid: &Grid, node: usize, next: Option<usize>) -> TwoPort {
         if next.is_none() && node == grid.last() {
             return grid.right_of(node);
@@ -232,7 +236,7 @@ impl Opening {
         rest.map_or(near, |rest| near.then(rest))
     }
 
-    /// From the last node of the zone before, or from beyond the beam, to a node.
+    /// Two-port of the ground from the last node of the previous zone, or from beyond the beam, to a node.
     fn leftwards(&mut self, grid: &Grid, node: usize, before: Option<usize>) -> TwoPort {
         if node == 0 {
             return grid.left_of(node);
@@ -252,8 +256,8 @@ impl Opening {
     }
 }
 
-/// The least number up to `most` that holds, `most` where none before does; all that follow it hold too. By
-/// steps away from a guess that double, then by halves.
+/// The smallest number that satisfies a monotone condition; `most` if no smaller one does. Doubles its steps from a
+/// guess, then bisects.
 fn first_holding(most: usize, guess: usize, mut holds: impl FnMut(usize) -> bool) -> usize {
     let (mut fails, mut found) = (None, most);
     let mut step = 1;

@@ -1,13 +1,13 @@
-//! The same arithmetic for one sweep or two at once, so that a processor can do both in one instruction.
+//! Arithmetic on one number per sweep, so that a processor handles one or two sweeps in one instruction.
 
 use std::ops::{Add, Mul, Sub};
 
-/// One number for each sweep.
+/// One number per sweep.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Lanes<const N: usize>(pub [f64; N]);
 
 impl<const N: usize> Lanes<N> {
-    /// One number each.
+    /// The number of each sweep, from its index.
     pub fn of(number: impl FnMut(usize) -> f64) -> Self {
         Lanes(std::array::from_fn(number))
     }

@@ -1,9 +1,9 @@
-//! The ground under one run: springs and a shear layer that do not vary.
+//! Two-port of uniform ground out of contact, from k, μ and its length.
 
 use crate::ground::link::TwoPort;
 use crate::numeric::elementary::{asinh, exp, expm1};
 
-/// √(kμ) and √(k/μ).
+/// Uniform ground: its stiffness √(kμ) and its rate of decay √(k/μ), or the discrete equivalents.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Layer {
     stiffness: f64,
@@ -18,19 +18,19 @@ impl Layer {
         Layer { stiffness: (spring * shear).sqrt(), rate: (spring / shear).sqrt() }
     }
 
-    /// The same on nodes a distance h apart, between which the shear layer is straight and to which the springs go by the
-    /// trapezoidal rule: u at the nodes is e^(±βi) with sinh(β/2) = h√(k/μ)/2.
+    /// Uniform ground with nodes a distance h apart: the shear layer is linear between nodes, and the springs are
+    /// lumped at the nodes by the trapezoidal rule. u at node i is then e^(±βi) with sinh(β/2) = h√(k/μ)/2.
     pub fn at_nodes(spring: f64, shear: f64, h: f64) -> Self {
         if shear == 0.0 {
             return Layer::default();
         }
         let half = 0.5 * h * (spring / shear).sqrt();
-        // sinh β = 2 sinh(β/2) cosh(β/2).
+        // The stiffness is μ/h sinh β, with sinh β = 2 sinh(β/2) cosh(β/2).
         let stiffness = (spring * shear).sqrt() * (1.0 + half * half).sqrt();
         Layer { stiffness, rate: 2.0 * asinh(half) / h }
     }
 
-    /// Open ground of a length, as [`TwoPort::uniform`] with one exponential:
+    /// Ground of a given length, out of contact. As [`TwoPort::uniform`], but with one exponential:
     /// 1/sinh z = 2e^(−z)/(1 − e^(−z))(1 + e^(−z)) and tanh(z/2) = (1 − e^(−z))/(1 + e^(−z)).
     pub fn open(&self, length: f64) -> TwoPort {
         if self.stiffness == 0.0 {
@@ -64,7 +64,7 @@ mod tests {
         }
     }
 
-    /// Open ground at nodes is the links of its elements in series: the discrete energy is one function.
+    /// The two-port of several elements equals the two-ports of the elements in series.
     #[test]
     fn open_ground_at_nodes_is_its_links_in_series() {
         for h in [1e-3, 0.1, 1.0, 30.0] {

@@ -1,4 +1,4 @@
-//! The stretches of both sweeps: rows of elements that touch, and spans off the ground.
+//! Stretches of both sweeps, from the contact zones: rows of bonded elements, and spans off the ground.
 
 use super::form::Form;
 use super::grid::Grid;
@@ -10,7 +10,7 @@ use super::stretch::{Side, Stretch};
 use crate::element::element::{Basis, mirror_shape};
 use crate::ground::link::TwoPort;
 
-/// A span, the side that sweeps over it and the number of its stretch.
+/// A span, the side of the sweep that crosses it, and the index of its stretch on this side.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Placed {
     pub span: Span,
@@ -18,18 +18,18 @@ pub(crate) struct Placed {
     pub stretch: usize,
 }
 
-/// The beam cut up for two sweeps that meet.
+/// The beam, divided into stretches for two sweeps that meet at a node.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Layout {
     pub sides: [Side; 2],
-    /// The node where they meet, and what stands there.
+    /// Node where the sweeps meet, and the loads, supports and springs there.
     pub meeting: usize,
     pub stand: Stand,
-    /// w there and the rotations to its left and to its right, of the last solve.
+    /// w at the meeting node and the rotations to its left and to its right, from the last solve.
     pub middle: [f64; 3],
     /// Whether the beam touches the ground anywhere.
     touches: bool,
-    /// Those not used now keep their memory.
+    /// The first `used` spans are valid; the others keep their memory for the next solve.
     spans: Vec<Placed>,
     used: usize,
 }
@@ -59,7 +59,7 @@ impl Layout {
         self.set_right(grid, zones, tether)
     }
 
-    /// The motion of each element of a row in its own four numbers, by its left node.
+    /// Calls `each` with the left node and the motion (w, θ, d₁, d₂) of every bonded element.
     pub fn each_element(&self, grid: &Grid, mut each: impl FnMut(usize, [f64; 4])) {
         let [w, behind, ahead] = self.middle;
         let (mut left, mut right) = (self.meeting, self.meeting);
@@ -120,7 +120,8 @@ impl Layout {
         Ok(())
     }
 
-    /// The span from a zone's end, or else from the end of the beam, to the first node of the next.
+    /// Adds the beam from the end of a zone, or else from the end of the beam, to the node `to` where the next zone
+    /// begins.
     fn open(
         &mut self,
         grid: &Grid,
@@ -137,7 +138,7 @@ impl Layout {
             let stand = Stand::on_ground(grid, node, mirrored, tether);
             return self.add_span(grid, side, [node, to], form, stand, tether);
         }
-        // No ground connects the nodes of an overhang: it is cut where anything holds it.
+        // No ground connects the nodes of an overhang. It is divided at supports, hinges and stabilising springs.
         let mut node = if mirrored { grid.last() } else { 0 };
         let holds = |at: &usize| Stand::at(grid, *at, mirrored, tether).is_joint();
         let mut cuts: Vec<usize> = grid.firsts().filter(holds).collect();
@@ -152,7 +153,8 @@ impl Layout {
             }
             let mut form = Form::default();
             if next == to && self.touches {
-                // The ground beyond the end and under it is one spring; the end itself does not touch.
+                // The end of the overhang is not in contact, so the ground under and beyond the overhang acts as one
+                // spring at `to`.
                 let ground = if mirrored { grid.right_of(to).mirrored() } else { grid.left_of(to) };
                 let shunt_right = ground.shunt_right;
                 let spring = TwoPort { shunt_right, ..TwoPort::default() };
@@ -165,7 +167,7 @@ impl Layout {
         Ok(())
     }
 
-    /// The beam from one node to another in the direction of a sweep, with the ground beside it.
+    /// Adds the beam between two nodes as one stretch of a sweep, with the ground under it.
     fn add_span(
         &mut self,
         grid: &Grid,
@@ -193,7 +195,7 @@ impl Layout {
     }
 }
 
-/// The node that has so many glued elements to its left.
+/// The node with this number of bonded elements on its left.
 fn middle(zones: &[Zone], mut count: usize) -> usize {
     for &[from, to] in zones {
         if count <= to - from {
@@ -204,7 +206,7 @@ fn middle(zones: &[Zone], mut count: usize) -> usize {
     0
 }
 
-/// Elements of a run, each bonded at both ends.
+/// A stretch of elements of one run, each bonded at both ends.
 fn row(
     grid: &Grid,
     run: usize,

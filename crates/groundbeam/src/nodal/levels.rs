@@ -1,25 +1,26 @@
-//! The grids on which contact is looked for, one after the other.
+//! Sequence of grids, from coarse to fine, on which the contact zones are found.
 
 use super::grid::{Grid, Ground};
 use crate::model::Model;
 
-/// Elements per 1/wave number on the coarsest grid that shows every wave of the beam.
+/// Elements per 1/(wave number) on the coarsest grid that resolves every wave of the beam.
 const COARSEST: f64 = 1.5;
-/// By how much a grid of a beam that is too soft for it is coarser than the next, and the fewest elements it has.
+/// If the required grid hardly resolves the waves of the beam or does not: ratio between the element counts of
+/// successive grids, and minimum number of elements of a grid.
 const STEP: f64 = 4.0;
 const FEWEST: f64 = 20.0;
-/// The part of the wanted grid's elements that one may have which tells where contact ends to a part of a
-/// node, and how much finer than √(h/wave) it is at most.
+/// The grid before the required one may be refined to locate the contact edges to a fraction of a node. Upper limits of
+/// its element count: relative to that of the required grid, and relative to the count for √(h/wave).
 const SHARE: f64 = 0.3;
 const SHARPEST: f64 = 6.0;
-/// How much finer it must be to be worth its solves.
+/// Minimum factor on the element count for which this refinement is worth its solves.
 const SHARP: f64 = 4.0;
-/// How much finer than a rough grid the next is at most.
+/// Maximum ratio of the element count of the next grid to that of a rough grid.
 const FEW: f64 = 3.5;
 
-/// Grids from one on which every wave of the beam is a few elements long to the wanted one; each finer
-/// one is as much finer as Newton's method, which squares errors, can make good in a step or two. Where the
-/// wanted one itself is too coarse for the beam, those before it are of stiffer beams.
+/// Writes the grids from the coarsest, on which a few elements resolve every wave of the beam, to the required one.
+/// Newton's method converges quadratically, and the refinement is such that it needs one or two steps per grid. Where
+/// the required grid itself is too coarse for the beam, EI is raised on the grids before it.
 pub(crate) fn grids(model: &Model, elements: usize, ground: Ground, grids: &mut Vec<Grid>) {
     grids.clear();
     let fine = Grid::new(model, elements, ground);
@@ -33,14 +34,14 @@ pub(crate) fn grids(model: &Model, elements: usize, ground: Ground, grids: &mut 
     }
 }
 
-/// How many elements each has, from fine to coarse.
+/// Element counts of the grids before the required one, from fine to coarse.
 fn coarser(wanted: f64, waves: f64) -> Vec<f64> {
     let coarsest = (waves * COARSEST).ceil().max(8.0);
     let mut coarser = Vec::new();
     let mut last = wanted;
     loop {
-        // h → √(h/wave). Contact then ends within a node or two of where that grid says; a few times finer, at
-        // that very node, and one solve is enough.
+        // h → √(h/wave): on the finer grid the contact edges are then off by one or two nodes. If the coarser grid has
+        // a few times more elements, they are at the right nodes, and one solve is enough.
         let mut next = (last * waves).sqrt();
         let sharper = (SHARE * last / next).min(SHARPEST);
         if coarser.is_empty() && sharper > SHARP {
@@ -64,7 +65,7 @@ fn coarser(wanted: f64, waves: f64) -> Vec<f64> {
     coarser
 }
 
-/// Whether a node of a grid that shows all waves is but a few of the next.
+/// Whether a grid resolves all waves and the next one is only a few times finer.
 fn is_rough(grid: &Grid, next: &Grid, waves: f64) -> bool {
     let [elements, finer] = [grid, next].map(|grid| grid.last() as f64);
     elements >= waves * COARSEST && finer < FEW * elements

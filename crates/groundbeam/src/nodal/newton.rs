@@ -1,4 +1,4 @@
-//! Newton's method on the nodes that touch, from coarse grids to the wanted one.
+//! Newton's method for the set of nodes in contact, on grids from coarse to the required one.
 
 use super::back_sweep::Fields;
 use super::grid::Grid;
@@ -11,48 +11,49 @@ use super::sweep;
 use crate::cancel::Cancel;
 use crate::numeric::step::Step;
 
-/// Steps on one grid that are taken whole; later ones are shortened where the energy asks for it.
+/// Number of full steps on one grid. Later steps use a line search on the energy.
 const WHOLE_STEPS: usize = 8;
-/// The tether's part of the ground's stiffness, by how much it grows until it holds, and how often.
+/// Stiffness of the stabilising springs relative to that of the ground, factor by which it grows until the system is
+/// positive definite, and maximum number of trials.
 const TETHER: f64 = 1e-6;
 const STIFFER: f64 = 1e3;
 const TETHERS: usize = 3;
-/// The part of the ground's forces that a tether may take of an answer.
+/// Maximum force in a stabilising spring at convergence, relative to the sum of the ground forces.
 const SLACK: f64 = 1e-14;
 
-/// What was done, in units that no clock disturbs.
+/// Work of a solve, in counts that do not depend on timing.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct Work {
-    /// Glued solves, on all grids.
+    /// Bonded solves on all grids.
     pub solves: usize,
-    /// Glued solves on the wanted grid.
+    /// Bonded solves on the required grid.
     pub fine_solves: usize,
-    /// Elements that were swept over, in all of them; a stretch off the ground is one.
+    /// Elements swept in all solves. A stretch off the ground counts as one.
     pub elements: usize,
-    /// Grids.
+    /// Number of grids.
     pub grids: usize,
 }
 
-/// What ends the steps on one grid.
+/// Stopping rule of the iteration on one grid.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Goal {
-    /// Steps before it is given up.
+    /// Maximum number of steps.
     pub steps: usize,
-    /// The finest grid on which steps are shortened, which takes dozens of scans each.
+    /// Maximum number of elements for which a line search is used: each search takes dozens of scans.
     pub searched: usize,
-    /// How many nodes a zone may still want to gain or lose: none of an answer.
+    /// Number of nodes per zone that the next step may still change; none for a final result.
     pub moves: usize,
 }
 
-/// An answer: nothing moves.
+/// Final result: the contact set no longer changes.
 pub(crate) const ANSWER: Goal = Goal { steps: 200, searched: usize::MAX, moves: 0 };
-/// A start for another method.
+/// Initial guess for another method.
 pub(crate) const START: Goal = Goal { steps: 40, searched: 20_000, moves: 1 };
 
-/// The part of 1/√(k/μ) that an element must not exceed for its pressure to be a straight line.
+/// Maximum element length relative to √(μ/k) for which the pressure is taken as linear.
 const FINE: f64 = 0.2;
 
-/// Everything that a solve needs and the next one can use again.
+/// Memory of a solve, reused by the next one.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Workspace {
     pub(crate) layout: Layout,
@@ -64,20 +65,20 @@ pub(crate) struct Workspace {
     pub force: Vec<f64>,
     pub(crate) before: Line,
     pub work: Work,
-    /// The steps, on all grids.
+    /// Newton steps on all grids.
     pub history: Vec<Step>,
-    /// Stops the steps.
+    /// Cancels the iteration.
     pub cancel: Cancel,
 }
 
 impl Workspace {
-    /// The nodes that touch on the last grid, from coarser ones.
+    /// Finds the contact zones on the last grid, starting from coarser ones.
     pub fn contact(&mut self, grids: &[Grid], goal: Goal) -> Result<(), Loose> {
         self.approach(grids, goal)?;
         self.level(&grids[grids.len() - 1], goal)
     }
 
-    /// A guess at the nodes that touch on the last grid, from coarser ones.
+    /// Finds an initial guess of the contact zones on the last grid, from coarser ones.
     pub fn approach(&mut self, grids: &[Grid], goal: Goal) -> Result<(), Loose> {
         self.work = Work::default();
         self.history.clear();
@@ -89,7 +90,7 @@ impl Workspace {
         Ok(())
     }
 
-    /// The nodes that touch on one grid, from a guess.
+    /// Finds the contact zones on one grid, from the initial guess in `zones`.
     pub fn level(&mut self, grid: &Grid, mut goal: Goal) -> Result<(), Loose> {
         self.room(grid);
         if grid.rough {
@@ -105,7 +106,7 @@ impl Workspace {
         Ok(())
     }
 
-    /// Contact everywhere.
+    /// Sets contact at all nodes.
     pub fn bond(&mut self, grid: &Grid) {
         self.zones.clear();
         self.zones.push([0, grid.last()]);
@@ -117,8 +118,9 @@ impl Workspace {
         }
     }
 
-    /// The beam glued to the ground on `zones` and held by a tether to the deflection before, if any: w on all nodes, w'
-    /// and forces where they touch. Nothing is written if it is loose.
+    /// Solves the bonded problem on `zones`. Writes w, w' and the forces at the nodes in contact. `tether` is the
+    /// stiffness of the stabilising springs, which are at rest at the previous deflection. After an error the fields
+    /// are unchanged.
     pub fn glue(&mut self, grid: &Grid, tether: Option<f64>) -> Result<(), Loose> {
         let Workspace { layout, zones, deflection, slope, force, before, .. } = self;
         let tether = tether.map(|spring| Tether { spring, at: &before.deflection });
@@ -138,8 +140,8 @@ impl Workspace {
         Ok(())
     }
 
-    /// The same where the ground does not hold the beam: springs that stretch by no more than it moves keep the step
-    /// one on which the energy falls. Returns their stiffness.
+    /// Bonded solve with stabilising springs, where the ground does not hold the beam. The springs are at rest at the
+    /// previous deflection, so the energy falls along the step. Returns their stiffness.
     fn glue_loose(&mut self, grid: &Grid) -> Result<f64, Loose> {
         let mut spring = TETHER * grid.stiffness();
         for _ in 0..TETHERS {
@@ -151,7 +153,7 @@ impl Workspace {
         Err(Loose)
     }
 
-    /// w between the zones, or w'.
+    /// Writes w, or w' if `derivative`, between the zones.
     pub fn fill(&mut self, grid: &Grid, derivative: bool) {
         let Workspace { layout, deflection, slope, .. } = self;
         let into = if derivative { slope } else { deflection };
@@ -166,12 +168,12 @@ impl Workspace {
         }
     }
 
-    /// No forces between the zones.
+    /// Sets the forces between the zones to zero.
     pub fn clear_open(&mut self, grid: &Grid) {
         clear(&mut self.force[..=grid.last()], &self.zones);
     }
 
-    /// How many nodes touch now or in the next step, not both.
+    /// Number of nodes in contact either now or in the next step, but not in both.
     fn moved(&self) -> usize {
         let count = |zones: &[Zone]| zones.iter().map(|[from, to]| to - from + 1).sum::<usize>();
         let (mut both, mut next) = (0, self.next.iter().peekable());
@@ -189,8 +191,8 @@ impl Workspace {
         count(&self.zones) + count(&self.next) - 2 * both
     }
 
-    /// Before a step that may be shortened; on the first one, what is left at open nodes of the solves before
-    /// the last is no force.
+    /// Stores the deflection and the forces before a step with line search. Before the first of these steps, it clears
+    /// the forces that earlier solves left at nodes out of contact.
     fn remember(&mut self, grid: &Grid, first: bool) {
         if first {
             clear(&mut self.force[..=grid.last()], &self.next);
@@ -207,7 +209,7 @@ impl Workspace {
         tether.forces(grid, &self.deflection).all(|(_, force)| force.abs() <= SLACK * all)
     }
 
-    /// Steps until the contact asked for is the contact assumed, the first few taken whole.
+    /// Iterates until the contact set of the deflection is the assumed one. The first `whole` steps are full steps.
     fn settle(&mut self, grid: &Grid, goal: Goal, whole: usize) -> Result<(), Loose> {
         let mut whole = whole;
         for step in 0..goal.steps {
@@ -252,7 +254,7 @@ impl Workspace {
         Err(Loose)
     }
 
-    /// The zones of a coarser grid on this one.
+    /// Transfers the zones of a coarser grid to this one.
     fn refine(&mut self, coarse: &Grid, grid: &Grid) {
         self.next.clear();
         for [from, to] in self.edges(coarse) {
@@ -266,18 +268,18 @@ impl Workspace {
         std::mem::swap(&mut self.zones, &mut self.next);
     }
 
-    /// Where the contact ends.
+    /// Contact edges of all zones, interpolated between nodes.
     pub fn edges(&self, grid: &Grid) -> Vec<[f64; 2]> {
         let ends = |&[from, to]: &Zone| [self.edge(grid, from, to), self.edge(grid, to, from)];
         self.zones.iter().map(ends).collect()
     }
 
-    /// Where contact ends beside the last node of a zone that goes on towards another. There p = p₀ + p₁ξ,
-    /// and open ground brings p e^(−bξ) of what lies ξ beyond the node to it: up to an edge at ξ = s,
-    /// F = p₀(h/2 + s) − p₁h²/6 + (p₁ − b p₀)s²/2.
+    /// Contact edge beside the end node of a zone that extends to the node `towards`. At the distance ξ beyond this end
+    /// node the pressure is p = p₀ + p₁ξ. Through ground out of contact, a pressure p at ξ acts on the end node as p
+    /// e^(−bξ). If the edge is at ξ = s, the force at the end node is F = p₀(h/2 + s) − p₁h²/6 + (p₁ − b p₀)s²/2.
     fn edge(&self, grid: &Grid, node: usize, towards: usize) -> f64 {
         let x = grid.x(node);
-        // A corner at a hinge takes a point force.
+        // The slope jump at a hinge carries a point force.
         let is_corner = grid.place(node).is_some_and(|place| place.hinge.is_some());
         if node == towards || node == 0 || node == grid.last() || is_corner {
             return x;
@@ -306,7 +308,7 @@ impl Workspace {
     }
 }
 
-/// No forces but on zones.
+/// Sets the forces outside the zones to zero.
 fn clear(force: &mut [f64], zones: &[Zone]) {
     let mut open = 0;
     for &[from, to] in zones {
@@ -316,7 +318,7 @@ fn clear(force: &mut [f64], zones: &[Zone]) {
     force[open..].fill(0.0);
 }
 
-/// The deflections and forces before a step, and room for those on the way.
+/// Deflection and forces before a step, and memory for the trials of the line search.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Line {
     pub deflection: Vec<f64>,

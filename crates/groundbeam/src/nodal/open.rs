@@ -1,4 +1,4 @@
-//! Between zones of contact: w, w' and the ground's surface at every node, in closed form.
+//! w, w' and the settlement of the ground at the nodes between contact zones, in closed form.
 
 use super::beam::TERMS;
 use super::grid::{Grid, Run};
@@ -7,17 +7,18 @@ use super::span::Span;
 use crate::ground::link::TwoPort;
 use crate::numeric::elementary::{exp, expm1};
 
-/// Writes w or w' at the nodes of a span but its ends that touch.
+/// Writes w or w' at the nodes of a span, except at ends in contact.
 pub(crate) fn beam(grid: &Grid, span: &Span, v: &[f64; 4], derivative: bool, into: &mut [f64]) {
     let last = grid.last();
     span.unfold(v, |piece, own| {
-        // Every piece writes its left end unless that touches; the last one its right end too.
+        // Each piece writes its left end unless this end is in contact. The piece at the right end of the beam writes
+        // that end too.
         let ([from, to], length) = (piece.nodes, piece.length);
         let first = usize::from(from == span.from && from > 0);
         let nodes = from + first..to + usize::from(to == last);
         let sign = if span.mirrored { -1.0 } else { 1.0 };
         let Some((series, terms)) = piece.series(own) else {
-            // An element that is a run of its own.
+            // An element without a series, which is a run of its own.
             let [w, theta, d1, d2] = own;
             let ends = if derivative {
                 [sign * theta, sign * (theta + d2)]
@@ -43,7 +44,7 @@ pub(crate) fn beam(grid: &Grid, span: &Span, v: &[f64; 4], derivative: bool, int
     });
 }
 
-/// A series at many places, with as many terms as matter.
+/// Evaluates a series at many places, with its significant terms only.
 fn values(c: &[f64; TERMS], terms: usize, s: impl Fn(usize) -> f64, into: &mut [f64]) {
     match terms {
         0..=4 => horner::<4>(c, s, into),
@@ -54,7 +55,7 @@ fn values(c: &[f64; TERMS], terms: usize, s: impl Fn(usize) -> f64, into: &mut [
     }
 }
 
-/// Places side by side: one sum would wait for itself.
+/// Number of places evaluated side by side: the additions of a single sum would wait for each other.
 const WIDTH: usize = 4;
 
 fn horner<const N: usize>(c: &[f64; TERMS], s: impl Fn(usize) -> f64, into: &mut [f64]) {
@@ -70,7 +71,7 @@ fn horner<const N: usize>(c: &[f64; TERMS], s: impl Fn(usize) -> f64, into: &mut
     }
 }
 
-/// u − u₀ at every node: ψ where the beam touches, the open ground's own elsewhere.
+/// u − u₀ at every node: ψ in contact, the closed form of the unloaded ground elsewhere.
 pub(crate) fn settlement(
     grid: &Grid,
     deflection: &[f64],
@@ -97,15 +98,15 @@ pub(crate) fn settlement(
     }
 }
 
-/// Writes the settlement at the nodes strictly between two, of which those that touch are given by their
-/// ψ; a missing one is the ground beyond the beam.
+/// Writes the settlement at the nodes strictly between two. `left` and `right` are ψ at these two if they are in
+/// contact. `None` means the end of the beam, with ground outside; the settlement there is written too.
 fn ground(
     grid: &Grid,
     [from, to]: [usize; 2],
     [left, right]: [Option<f64>; 2],
     settlement: &mut [f64],
 ) {
-    // u at the ends of each part: the ground from the start forwards, the values backwards.
+    // u at the ends of each part: joins the two-ports from left to right, then computes u from right to left.
     let parts: Vec<_> = grid.parts(from, to).collect();
     let beyond = TwoPort { shunt_right: grid.outside[0], ..TwoPort::default() };
     let mut before: Vec<TwoPort> = Vec::with_capacity(parts.len());
@@ -117,7 +118,8 @@ fn ground(
         so_far = Some(link);
     }
     let start = left.unwrap_or(0.0);
-    // u where the ground up to it pulls, and the ground beyond it.
+    // u of a node in equilibrium between the ground on its left, `link`, and that on its right: its force `pull` while
+    // the node does not move, and its stiffness `hold`.
     let held = |link: &TwoPort, pull: f64, hold: f64| {
         let all = link.series + link.shunt_right + hold;
         if all > 0.0 { (link.series * start + pull) / all } else { 0.0 }
@@ -152,7 +154,7 @@ fn between(run: &Run, left: f64, right: f64, into: &mut [f64]) {
     let count = into.len() + 1;
     let length = b * run.h * count as f64;
     if length < 0.5 {
-        // cosh and sinh about the middle, each over its value at the ends.
+        // cosh and sinh about the middle, divided by their values at the ends.
         let z = 0.5 * length;
         let (even, odd) = series(z);
         let mean = 0.5 * (left + right) / value(&even, 1.0);
@@ -166,7 +168,7 @@ fn between(run: &Run, left: f64, right: f64, into: &mut [f64]) {
     let faded = exp(-length);
     let whole = -expm1(-2.0 * length);
     let amplitudes = [(left - right * faded) / whole, (right - left * faded) / whole];
-    // Both exponentials by steps, anew after every few.
+    // Both exponentials by recurrence, recomputed once per block.
     const STEPS: usize = 32;
     let step = b * run.h;
     let decay = exp(-step);
@@ -185,7 +187,7 @@ fn between(run: &Run, left: f64, right: f64, into: &mut [f64]) {
 
 const SERIES: usize = 7;
 
-/// cosh(zs) and sinh(zs)/s by powers of s².
+/// Coefficients of cosh(zs) and sinh(zs)/s in powers of s².
 fn series(z: f64) -> ([f64; SERIES], [f64; SERIES]) {
     let (mut even, mut odd) = ([0.0; SERIES], [0.0; SERIES]);
     let mut term = 1.0;

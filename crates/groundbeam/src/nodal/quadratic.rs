@@ -1,6 +1,7 @@
-//! Elimination of unknowns from a small quadratic form: the energy of a few degrees of freedom.
+//! Elimination of unknowns from a small quadratic form, the energy of a few degrees of freedom.
 
-/// The elimination met a pivot that is not positive: the contact cannot hold the beam.
+/// The bonded system is not positive definite because the contact does not hold the beam, or the iteration did not
+/// converge.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Loose;
 
@@ -11,14 +12,14 @@ pub(super) struct Quadratic<const N: usize> {
     pub g: [f64; N],
 }
 
-/// An eliminated unknown from the others: row·z + constant.
+/// An eliminated unknown as a function of the others: by·z + constant.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Row<const N: usize> {
     pub by: [f64; N],
     pub constant: f64,
 }
 
-/// A pivot this small beside what it was summed from is rounding error.
+/// A pivot below this fraction of the quantities that it was summed from is rounding error.
 const ROUNDING: f64 = 1e-15;
 
 impl<const N: usize> Quadratic<N> {
@@ -43,7 +44,7 @@ impl<const N: usize> Quadratic<N> {
         }
     }
 
-    /// Puts row·z + constant for the unknown e; the row has no part of e.
+    /// Substitutes row·z + constant for the unknown e. The row has no coefficient of e.
     pub fn hold(&mut self, e: usize, row: Row<N>) {
         let Row { by, constant } = row;
         for j in 0..N {
@@ -63,7 +64,7 @@ impl<const N: usize> Quadratic<N> {
         self.clear(e);
     }
 
-    /// Eliminates the unknown e, at which the energy is least. `size` is what its pivot was summed from.
+    /// Minimises the energy over the unknown e and eliminates it. `size` is the size of the terms in its pivot.
     pub fn eliminate(&mut self, e: usize, size: f64) -> Result<Row<N>, Loose> {
         let pivot = self.h[e][e];
         if pivot.is_nan() || pivot <= ROUNDING * size || pivot <= 0.0 {
@@ -96,7 +97,7 @@ impl<const N: usize> Row<N> {
         self.by.iter().zip(z).map(|(by, z)| by * z).sum::<f64>() + self.constant
     }
 
-    /// The same with another eliminated unknown put in.
+    /// The same row after substitution of another eliminated unknown.
     pub fn with(mut self, e: usize, other: &Row<N>) -> Self {
         let part = std::mem::take(&mut self.by[e]);
         for (by, other) in self.by.iter_mut().zip(&other.by) {

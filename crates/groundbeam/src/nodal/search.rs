@@ -1,4 +1,4 @@
-//! How far along a step the energy falls.
+//! Line search on the energy along a step of Newton's method.
 
 use super::grid::Grid;
 use super::hull::Hull;
@@ -6,14 +6,13 @@ use super::newton::Workspace;
 use crate::nodal::newton::Line;
 use crate::numeric::line_search;
 
-/// The fall of the energy, relative to the work of the forces, that rounding leaves.
+/// Rounding level of the energy's slope at the start of a step, relative to the work of the forces.
 const LEAST: f64 = 1e-28;
 
 impl Workspace {
-    /// Goes back on the way from the deflection before as far as the energy asks for. With K w = F − f for
-    /// the forces f that a glued solve finds, and for mixtures of such w, the energy's slope along δ is
-    /// Σ (p − f) δ with the ground's own answer p. Returns the part of the way; none if
-    /// nothing is left to fall.
+    /// Line search between the deflection before the step and the current one. Both satisfy K w = F − f with the forces
+    /// f of bonded solves. With the ground forces p of the obstacle problem, the slope of the energy along the step δ
+    /// is Σ (p − f) δ. Returns the step fraction; `None` if the energy does not fall.
     pub(crate) fn shorten(&mut self, grid: &Grid) -> Option<f64> {
         let Line { deflection: w0, force: f0, trial, arcs, zones } = &mut self.before;
         let (w1, f1) = (&self.deflection, &self.force);

@@ -1,10 +1,10 @@
-//! The solution of a long beam at the nodes of its mesh, and what holds of it there.
+//! Solution of a long beam at the nodes of its mesh, and the result of its check.
 
 use crate::nodal::grid::Grid;
 use crate::nodal::newton::Work;
 use crate::numeric::tolerance::NODES;
 
-/// A beam whose ground presses at nodes alone: values at every node.
+/// Solution with ground forces at the nodes only: values at every node.
 #[derive(Debug, Clone, Default)]
 pub struct NodalSolution {
     /// w at every node \[m\].
@@ -13,13 +13,13 @@ pub struct NodalSolution {
     pub slope: Vec<f64>,
     /// u at every node \[m\].
     pub settlement: Vec<f64>,
-    /// What the ground presses at every node, up positive \[N\].
+    /// Force of the ground on the beam at every node, positive upwards \[N\].
     pub force: Vec<f64>,
-    /// The nodes that touch: the first and the last of each row.
+    /// Contact zones: the first and the last node of each.
     pub contact: Vec<[usize; 2]>,
-    /// What was done to find it.
+    /// Work of the solve.
     pub work: Work,
-    /// Balance and signs at the nodes; `None` of a beam that is bonded to the ground, and before a solve.
+    /// Check of equilibrium and signs at the nodes; `None` for a beam bonded to the ground and before a solve.
     pub check: Option<NodalCheck>,
     pub(crate) grid: Option<Grid>,
 }
@@ -30,28 +30,28 @@ impl NodalSolution {
         self.grid.as_ref().map_or(0.0, |grid| grid.x(node))
     }
 
-    /// Rows of equal elements: position of the first node, its number, elements, their length.
+    /// Rows of equal elements: position and index of the first node, number of elements, length of an element.
     pub fn rows(&self) -> Vec<(f64, usize, usize, f64)> {
         let runs = self.grid.iter().flat_map(|grid| &grid.runs);
         runs.map(|run| (run.cell.x[0], run.first, run.count, run.h)).collect()
     }
 }
 
-/// Balance and signs of a [`NodalSolution`].
+/// Check of equilibrium and signs of a [`NodalSolution`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct NodalCheck {
-    /// |ΣF| relative to the sum of all forces' sizes.
+    /// |ΣF| relative to Σ|F|.
     pub force_balance: f64,
-    /// |ΣM| about the middle, relative to that sum times the length.
+    /// |ΣM| about the middle, relative to Σ|F| times the length of the beam.
     pub moment_balance: f64,
-    /// The smallest force of the ground relative to the largest: a pull would be negative.
+    /// The smallest ground force relative to the largest: negative in tension, otherwise zero.
     pub smallest_force: f64,
-    /// The deepest w − u − g₀ relative to the largest deflection.
+    /// The largest w − u − g₀ relative to the largest deflection.
     pub deepest_penetration: f64,
 }
 
 impl NodalCheck {
-    /// Whether every figure is at most 1e-7.
+    /// Whether no error of equilibrium, tension or penetration exceeds 1e-7.
     pub fn holds(&self) -> bool {
         let NodalCheck { force_balance, moment_balance, smallest_force, deepest_penetration } =
             *self;

@@ -1,8 +1,9 @@
-//! The beam between two nodes that touch: all its pieces off the ground, condensed to one element.
+//! Condenses the pieces of the beam between two nodes, off the ground, to one element.
 //!
-//! Two pieces and what stands between them have the energy of the motion (w, θ) of the left end, the deformation
-//! (D₁, D₂) of the whole, and that of the left piece, (d₁, t): t includes the jump of a hinge. The last two are
-//! eliminated. On the way back they follow from the others, so that a long span does not amplify rounding error.
+//! The energy of two pieces joined at a node depends on the motion (w, θ) of the left end, the deformation (D₁, D₂) of
+//! the whole, and the deformation (d₁, t) of the left piece, where t includes the rotation jump of a hinge. The last
+//! two are eliminated. Back-substitution computes them from the other four, so that a long span does not amplify
+//! rounding error.
 
 use super::beam::{Beam, TERMS};
 use super::grid::Grid;
@@ -10,33 +11,33 @@ use super::quadratic::{Loose, Quadratic, Row};
 use super::stand::Stand;
 use crate::element::element::{Basis, Element, mirror_shape};
 
-/// A piece of the beam, and how all up to its left end follows from all up to its right end.
+/// A piece of the beam, and the rows that give the part before it in back-substitution.
 #[derive(Debug, Clone)]
 pub(crate) struct Piece {
-    /// Its nodes in the grid, the left one first.
+    /// Its end nodes in the grid, the left one first.
     pub nodes: [usize; 2],
     pub length: f64,
-    /// The closed form of an even beam; a run of one element has none.
+    /// Closed form of a uniform beam; `None` for an element that is a run of its own.
     beam: Option<Beam>,
-    /// d₁ and t before this piece, from the w, θ, D₁, D₂ of all up to its end.
+    /// d₁ and t of the part before this piece, from w, θ, D₁, D₂ of the part up to its end.
     before: [Row<6>; 2],
-    /// d₂ of what is left of a hinge, from its w, θ, d₁ and t.
+    /// d₂ of the part before a hinge, from w, θ, d₁ and t of this part.
     hinge: Option<Row<4>>,
 }
 
 impl Piece {
-    /// Its motion seen in a mirror.
+    /// The reflected motion.
     pub fn mirrored(&self, own: [f64; 4]) -> [f64; 4] {
         mirror_shape(&own, self.length, Basis::Deformation)
     }
 
-    /// The series of w(s), s ∈ [0, 1], and how many of its terms matter.
+    /// Coefficients of w(s), s ∈ [0, 1], and the number of significant ones.
     pub fn series(&self, own: [f64; 4]) -> Option<([f64; TERMS], usize)> {
         self.beam.as_ref().map(|beam| beam.unfold(own))
     }
 }
 
-/// The beam from one node to another, in the direction of its sweep.
+/// The beam between two nodes, condensed in the direction of its sweep.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Span {
     pub from: usize,
@@ -46,18 +47,18 @@ pub(crate) struct Span {
     pub whole: Element,
 }
 
-/// Indices into (w, θ, D₁, D₂, d₁, t).
+/// Indices of d₁ and t in (w, θ, D₁, D₂, d₁, t).
 const D: usize = 4;
 const T: usize = 5;
 
-/// A hinge that nothing keeps from turning, relative to the bending stiffness beside it.
+/// Rotational stiffness relative to the bending stiffness of the next piece, up to which a hinge turns freely.
 const FREE: f64 = 1e-14;
 
 const NONE: Row<6> = Row { by: [0.0; 6], constant: 0.0 };
 
 impl Span {
-    /// Makes it the beam between two nodes; in a mirror for the sweep from the right. `stand` tells what stands at a
-    /// node within.
+    /// Sets the span to the beam between two nodes, reflected for the sweep from the right. `stand` gives the loads,
+    /// supports and hinge at a node within.
     pub fn set(
         &mut self,
         grid: &Grid,
@@ -76,7 +77,7 @@ impl Span {
         Ok(())
     }
 
-    /// A part of a run, cut into pieces that a short series describes.
+    /// Adds a part of a run, divided into pieces that a short series describes.
     fn add_run(
         &mut self,
         grid: &Grid,
@@ -107,7 +108,7 @@ impl Span {
         Ok(())
     }
 
-    /// Adds a piece at the end of those so far, and what stands at the node between.
+    /// Adds a piece at the end of the previous ones, with the loads, supports and hinge at the node between.
     fn add(
         &mut self,
         next: Element,
@@ -127,7 +128,8 @@ impl Span {
         Ok(())
     }
 
-    /// Each piece with the w and θ of its first end and its deformation, from those of the span; the last one first.
+    /// Calls `each` for every piece, the last one first, with w and θ of its first end and its deformation, from those
+    /// of the span.
     pub fn unfold(&self, v: &[f64; 4], mut each: impl FnMut(&Piece, [f64; 4])) {
         let [w, theta, mut d1, mut d2] = *v;
         let mut length = self.whole.length;
@@ -147,7 +149,7 @@ impl Span {
     }
 }
 
-/// Two elements with what stands between them as one; how the left one follows from it goes into `piece`.
+/// Joins two elements at a node with its loads, supports and hinge. Writes the rows that give the left one to `piece`.
 fn join(
     left: &Element,
     stand: &Stand,
@@ -157,7 +159,7 @@ fn join(
     let (h, l) = (left.length, next.length);
     let mut own = Quadratic { h: left.stiffness, g: left.load };
     if let Some(spring) = stand.hinge {
-        // d₂ gives way to t = d₂ and the hinge's jump.
+        // Replaces d₂ by t, the sum of d₂ and the rotation jump of the hinge.
         let bending = own.h[3][3];
         if bending + spring <= FREE * next.stiffness[3][3] {
             return Err(Loose);
@@ -170,7 +172,7 @@ fn join(
         let mut by = [row.by[0], row.by[1], row.by[2], row.by[3]];
         own.g = [0, 1, 2, 3].map(|i| with_jump.g[i]);
         own.h = std::array::from_fn(|i| std::array::from_fn(|j| with_jump.h[i][j]));
-        // Nothing is transmitted by a free hinge, to the last bit; else its share of the bending.
+        // A free hinge transmits exactly zero moment, any other hinge the fraction `share`.
         let share = spring / (bending + spring);
         for j in 0..4 {
             own.h[3][j] = share * if j == 3 { bending } else { left.stiffness[3][j] };
@@ -180,8 +182,8 @@ fn join(
         by[3] = share;
         piece.hinge = Some(Row { by, constant: row.constant });
     }
-    // Of the left piece's motion and the right one's deformation the softer is eliminated: the stiffness of the other
-    // then stands in no difference.
+    // In each component, the deformation of the stiffer piece is eliminated, so that its stiffness does not enter a
+    // difference.
     let by_left = [
         stand.pinned || own.h[2][2] + stand.support > next.stiffness[2][2],
         stand.clamped || own.h[3][3] + stand.turning > next.stiffness[3][3],

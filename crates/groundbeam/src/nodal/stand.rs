@@ -1,28 +1,29 @@
-//! What stands at a node: loads, supports, a hinge, and the springs of the ground beyond an end of the beam.
+//! Loads, supports, hinge and springs at a node, from the grid.
 
 use super::grid::Grid;
 
-/// What acts on and holds the beam at one node.
+/// Loads, supports, hinge and springs at a node.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Stand {
     pub force: f64,
     pub moment: f64,
-    /// Springs of the ground beyond an end and of a tether, and their sum times where they rest.
+    /// Stiffness of the ground outside an end plus that of a stabilising spring, and the sum of their stiffness times
+    /// rest position.
     pub spring: f64,
     pub push: f64,
-    /// Springs of a support against w and against the rotation.
+    /// Translational and rotational stiffness of a support.
     pub support: f64,
     pub turning: f64,
-    /// Where the support has settled.
+    /// Settlement of the support.
     pub settlement: f64,
     pub pinned: bool,
     pub clamped: bool,
-    /// The rotation may jump, against this spring.
+    /// Rotational stiffness of a hinge; `None` without a hinge.
     pub hinge: Option<f64>,
 }
 
 impl Stand {
-    /// At a node of a grid, seen from the left or in a mirror; without the ground.
+    /// At a node of a grid, without the ground; reflected for the sweep from the right.
     pub fn at(grid: &Grid, node: usize, mirrored: bool, tether: Option<&Tether>) -> Self {
         let Some(place) = grid.place(node) else { return Stand::default() };
         let mut stand = Stand {
@@ -45,7 +46,7 @@ impl Stand {
         stand
     }
 
-    /// The same on the ground.
+    /// As [`Stand::at`], with the ground outside the ends of the beam.
     pub fn on_ground(grid: &Grid, node: usize, mirrored: bool, tether: Option<&Tether>) -> Self {
         let mut stand = Self::at(grid, node, mirrored, tether);
         let beyond = |end: usize, side: usize| if node == end { grid.outside[side] } else { 0.0 };
@@ -57,27 +58,27 @@ impl Stand {
         stand
     }
 
-    /// All forces that do not depend on the motion.
+    /// Sum of the forces that do not depend on w.
     pub fn load(&self) -> f64 {
         self.force + self.push + self.support * self.settlement
     }
 
-    /// Whether a support stands here.
+    /// Whether there is a support.
     pub fn holds(&self) -> bool {
         self.pinned || self.clamped || self.support != 0.0 || self.turning != 0.0
     }
 
-    /// Whether a support, a hinge or a tether stands here.
+    /// Whether there is a support, a hinge or a spring.
     pub fn is_joint(&self) -> bool {
         self.holds() || self.hinge.is_some() || self.spring != 0.0
     }
 }
 
-/// Springs at both ends of every hinged piece of the beam, at rest at some deflection: what the ground does not hold.
+/// Stabilising springs at both ends of the beam and at its hinges, for a beam that the ground does not hold.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Tether<'a> {
     pub spring: f64,
-    /// w at all nodes.
+    /// Deflection at which the springs are at rest, at all nodes.
     pub at: &'a [f64],
 }
 
@@ -89,7 +90,7 @@ impl Tether<'_> {
             || grid.place(node).is_some_and(|place| place.hinge.is_some())
     }
 
-    /// The springs' forces on the beam with another deflection, up positive.
+    /// Forces of the springs on the beam at another deflection, positive upwards.
     pub fn forces<'a>(
         &'a self,
         grid: &'a Grid,

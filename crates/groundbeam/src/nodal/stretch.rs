@@ -1,34 +1,35 @@
-//! Stretches of the beam between nodes that touch: rows of equal elements, and single elements off the ground.
+//! Stretches of the beam that a sweep crosses: rows of bonded elements, and spans off the ground condensed to one
+//! element.
 
 use super::form::Form;
 use super::quadratic::Quadratic;
 use super::stand::Stand;
 use crate::element::element::Element;
 
-/// How far a sweep has come.
+/// Progress of a sweep.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Reached {
     pub stretch: usize,
-    /// Elements crossed of this stretch, and in all.
+    /// Number of elements crossed in this stretch, and in all.
     pub within: usize,
     pub elements: usize,
 }
 
-/// e = gain·y + constant: gain by columns, then the constant.
+/// Coefficients of e = gain·y + constant: the columns of the gain, then the constant.
 pub(super) type Gain = [f64; 6];
 
-/// Elements of one form in a row, in the direction of their sweep.
+/// A row of elements of one form, in the direction of the sweep.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Stretch {
     pub form: Form,
     pub count: usize,
-    /// The first node.
+    /// First node in the direction of the sweep.
     pub node: usize,
-    /// What stands there.
+    /// Loads, supports, hinge and springs at the first node.
     pub stand: Stand,
-    /// The energy of the first element, in (y₁, y₂, e₁, e₂), where its form does not tell all or its first node is held.
+    /// Energy of the first element in (y₁, y₂, e₁, e₂), for a span and for a row whose first node has a support.
     pub(super) first: Option<Quadratic<4>>,
-    /// The rotation behind a hinge at the first node, from w and the rotation ahead of it.
+    /// Rotation behind a hinge at the first node: its coefficients of w and of the rotation ahead, and its constant.
     pub(super) turned: Option<[f64; 3]>,
     is_span: bool,
 }
@@ -40,7 +41,7 @@ impl Stretch {
         Stretch { form, count, node, stand, first, turned: None, is_span: false }
     }
 
-    /// One element off the ground; `form` is the ground beside it.
+    /// One element off the ground; `form` is the ground under it.
     pub fn span(element: &Element, form: Form, node: usize, stand: Stand) -> Self {
         let length = element.length;
         let ground = Form { length, ..form };
@@ -58,12 +59,12 @@ impl Stretch {
     }
 }
 
-/// (w, Lθ, d₁, L d₂) of an element from (y₁, y₂, e₁, e₂).
+/// Matrix that gives (w, Lθ, d₁, L d₂) of an element from (y₁, y₂, e₁, e₂).
 const LEFT_AND_DEFORMATION: [[f64; 4]; 4] =
     [[1.0, 0.0, -1.0, 0.0], [0.0, 1.0, 0.0, -1.0], [0.0, 0.0, 1.0, 1.0], [0.0, 0.0, 0.0, 1.0]];
 
 impl Quadratic<4> {
-    /// The energy of the first element of a form, but for the springs under its ends.
+    /// Energy of the first element of a form, without the shunt springs under its ends.
     fn of(form: &Form) -> Self {
         let [yy, y1, y2] = form.m;
         let [e11, e12, e22] = form.e;
@@ -73,19 +74,19 @@ impl Quadratic<4> {
     }
 }
 
-/// Elements of one form that are crossed in one go: the number of the first, and where their gains go.
+/// Elements of one form that are crossed together: index of the first, and memory for their gains.
 pub(super) struct Elements<'a> {
     pub form: &'a Form,
     pub first: usize,
     pub gains: &'a mut [Gain],
 }
 
-/// All that is behind the meeting node on one side.
+/// All stretches on one side of the meeting node.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Side {
     pub stretches: Vec<Stretch>,
     pub(super) gains: Vec<Gain>,
-    /// (w, θ) at the first node of each stretch and its deformation (d₁, d₂): of the last of its elements.
+    /// For each stretch, (w, θ) at its first node and the deformation (d₁, d₂) of its first element.
     pub shapes: Vec<[f64; 4]>,
 }
 
@@ -95,7 +96,7 @@ impl Side {
         self.shapes.clear();
     }
 
-    /// The next elements to cross.
+    /// The next `steps` elements to cross.
     pub(super) fn next(&mut self, reached: Reached, steps: usize) -> Elements<'_> {
         Elements {
             form: &self.stretches[reached.stretch].form,
@@ -108,8 +109,8 @@ impl Side {
         self.stretches.iter().map(|stretch| stretch.count).sum()
     }
 
-    /// The motion (w, θ, d₁, d₂) of each element in the direction of the sweep, from the meeting node on, where w and the
-    /// rotation are given.
+    /// Calls `each` with the motion (w, θ, d₁, d₂) of every element, in the coordinates of the sweep. Begins at the
+    /// meeting node, where w and the rotation are given.
     pub fn each_element(
         &self,
         mut w: f64,

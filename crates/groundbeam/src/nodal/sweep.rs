@@ -1,10 +1,10 @@
-//! The beam glued to the ground at given nodes: one sweep from each end to a meeting node, both at once.
+//! Solution for the beam bonded to the ground at given nodes, by one sweep from each end to a meeting node.
 //!
-//! S (with r) is the stiffness (and force) that everything behind a node offers to its x = (w, Lθ).
-//! Crossing an element, ½(y − e)ᵗS(y − e) − rᵗ(y − e) and the element's own [form](super::form) are
-//! least at e = gain·y + constant, and what is left is S and r in y. On the way back e comes out, the
-//! element's deformation, and never a difference of deflections. The two sweeps do not wait for each
-//! other: a processor works on both at the same time.
+//! S and r are the condensed stiffness and force of the part of the beam behind a node, for the motion x = (w, Lθ) of
+//! this node. To cross an element, the sweep minimises the sum of ½(y − e)ᵗS(y − e) − rᵗ(y − e) and the energy of the
+//! [element](super::form) over e. The minimum is at e = gain·y + constant and gives the next S and r, for y.
+//! Back-substitution yields the deformation e of each element, without differences of deflections. The two sweeps are
+//! independent, so that a processor works on both at the same time.
 
 use super::back_sweep::{Fields, unfold};
 use super::form::Form;
@@ -13,11 +13,11 @@ use super::quadratic::{Loose, Quadratic, Row};
 use super::stand::Stand;
 use super::stretch::{Elements, Gain, Reached, Side, Stretch};
 
-/// ½ xᵀSx − rᵀx for x = (w, Lθ): S₁₁, S₁₂, S₂₂, r₁, r₂.
+/// Condensed energy ½ xᵀSx − rᵀx for x = (w, Lθ): S₁₁, S₁₂, S₂₂, r₁, r₂.
 type Behind = [f64; 5];
 
-/// Both sweeps towards the meeting node; w there and the rotations to the left and to the right of it. `stand` is what
-/// stands there.
+/// Sweeps from both ends to the meeting node. Returns w there and the rotations to its left and to its right. `stand`
+/// gives the loads, supports and springs at this node.
 pub(crate) fn inward(sides: &mut [Side; 2], stand: Stand) -> Result<[f64; 3], Loose> {
     for side in sides.iter_mut() {
         side.gains.resize(side.elements(), [0.0; 6]);
@@ -49,7 +49,7 @@ pub(crate) fn inward(sides: &mut [Side; 2], stand: Stand) -> Result<[f64; 3], Lo
     Ok([w, behind, theta])
 }
 
-/// Eliminates the rotation behind a hinge: what comes back of it is (by w, by the rotation ahead, constant).
+/// Eliminates the rotation behind a hinge. Returns its coefficients of w and of the rotation ahead, and its constant.
 fn turn(state: &mut Behind, stand: &Stand) -> Result<Option<[f64; 3]>, Loose> {
     let Some(spring) = stand.hinge else { return Ok(None) };
     let [a, b, c, r1, r2] = *state;
@@ -62,7 +62,7 @@ fn turn(state: &mut Behind, stand: &Stand) -> Result<Option<[f64; 3]>, Loose> {
     Ok(Some([-b / held, share, r2 / held]))
 }
 
-/// From the meeting node to both ends. Returns the elements crossed.
+/// Back-substitutes from the meeting node to both ends. Returns the number of elements crossed.
 pub(crate) fn outward(
     sides: &mut [Side; 2],
     meeting: usize,
@@ -77,7 +77,7 @@ pub(crate) fn outward(
     sides.iter().map(|side| side.gains.len()).sum()
 }
 
-/// Both sweeps towards the meeting node, as far as possible at once. Returns what they offer to (w, θ).
+/// Sweeps from both ends to the meeting node, in parallel as far as possible. Returns S and r of both sides for (w, θ).
 fn offers(sides: &mut [Side; 2]) -> Result<[Behind; 2], Loose> {
     let mut states = [[0.0; 5]; 2];
     let mut reached = [Reached::default(); 2];
@@ -106,7 +106,8 @@ fn offers(sides: &mut [Side; 2]) -> Result<[Behind; 2], Loose> {
     }
 }
 
-/// At the beginning of a stretch: over all elements that no form tells, up to the next row. Returns the elements left of it.
+/// Crosses the elements whose energy is not given by their form alone, up to the next row. Returns the number of
+/// elements left in this row, or 0 at the meeting node.
 fn arrive(side: &mut Side, state: &mut Behind, reached: &mut Reached) -> Result<usize, Loose> {
     while let Some(stretch) = side.stretches.get_mut(reached.stretch) {
         if reached.within == 0 {
@@ -125,7 +126,7 @@ fn arrive(side: &mut Side, state: &mut Behind, reached: &mut Reached) -> Result<
     Ok(0)
 }
 
-/// What acts at a stretch's first node, and from θ to Lθ.
+/// Adds the loads and springs at the first node of a stretch, and changes the unknown θ to Lθ.
 fn enter(state: &mut Behind, stretch: &mut Stretch) -> Result<(), Loose> {
     let per_length = 1.0 / stretch.form.length;
     let stand = &stretch.stand;
@@ -140,8 +141,9 @@ fn enter(state: &mut Behind, stretch: &mut Stretch) -> Result<(), Loose> {
     Ok(())
 }
 
-/// Over one element whose energy is given in (y₁, y₂, e₁, e₂), from a node that may be held. Of the motion x = y − e of its
-/// left end and of its deformation e, the softer is eliminated.
+/// Crosses one element whose energy is given in (y₁, y₂, e₁, e₂), from a node that may have a support. In each
+/// component, either the motion x = y − e of its left end or its deformation e is eliminated: the one with the larger
+/// stiffness, so that this stiffness does not enter a difference.
 fn cross_first(
     state: &mut Behind,
     stretch: &Stretch,
@@ -187,7 +189,7 @@ fn leave(state: &mut Behind, stretch: &Stretch) {
     state[4] *= length;
 }
 
-/// Over elements, as many in each sweep.
+/// Crosses elements of one form, the same number in each sweep.
 #[inline(always)]
 fn cross<const SWEEPS: usize>(
     states: [&mut Behind; SWEEPS],
@@ -219,7 +221,7 @@ fn cross<const SWEEPS: usize>(
         let (b_less, c_less) = (b - m[1], c - m[2]);
         let (g11, g12, g22) = (a + e[0], b + e[1], c + e[2]);
         let determinant = g11 * g22 - g12 * g12;
-        // The division takes longest: everything that does not need it comes before.
+        // The division takes longest, so everything that does not depend on it is computed first.
         let (n11, n21) = (g22 * a - g12 * b, g11 * b - g12 * a);
         let (n12, n22) = (g22 * b_less - g12 * c_less, g11 * c_less - g12 * b_less);
         let (s11, s12) = (a * n11 + b * n21, a * n12 + b * n22);
