@@ -65,7 +65,7 @@ impl Frame<'_> {
         steps
     }
 
-    /// S and S + N at the end of a cell, if the beam shears.
+    /// S and S + N at the end of a cell, where N is P, in contact P + μ; `None` without shear deformation.
     fn shear_and_pull(&self, spot: BeamPoint) -> Option<[f64; 2]> {
         let cell = &self.mesh.cells[spot.cell];
         let shear = value(&cell.beam_shear?, spot.s);

@@ -30,7 +30,8 @@ pub enum Domain {
 /// A number of a load.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum LoadNumber {
-    /// Its force, moment or curvature; for a distributed load, the value at both ends if they are equal.
+    /// Force \[N, N/m\], moment \[N·m, N·m/m\] or curvature \[1/m\]; for a distributed load, the value at both ends if
+    /// they are equal.
     Size,
     /// The position of a point load \[m\].
     At,
