@@ -7,7 +7,7 @@
 //!
 //! In a narrow gap, and near the edge of a wide one, a short two-port of stiffness μ/h couples the surface to the beam.
 //! There the third unknown of x is r = u − ψ instead of u. Differences of neighbouring r do not contain the common
-//! settlement of beam and ground. So μ/h is not added to the much smaller support stiffness.
+//! settlement of beam and ground, and μ/h is not added to the much smaller support stiffness.
 
 use crate::chain::hinge::HingeRotation;
 use crate::chain::links::{Surfaces, add_link, counted};

@@ -53,8 +53,8 @@ impl<const N: usize> Linear<'_, N> {
         by
     }
 
-    /// Derivative of the energy with respect to the settlements δ of supports: of ½k (w − δ)² − ½k w² on a spring, and
-    /// of the work on a rigid support.
+    /// Contribution of the settlements δ of supports to the derivative: from ½k (w − δ)² − ½k w² on a spring, and from
+    /// the work on a rigid support.
     fn by_settlements(&self, tangent: &Tangent) -> f64 {
         use crate::model::SupportKind::{Fixed, Pinned, Spring};
         let supports = self.frame.model.supports.iter().zip(&tangent.model.supports);

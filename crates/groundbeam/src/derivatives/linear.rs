@@ -53,7 +53,7 @@ struct MovedEnd<const N: usize> {
 /// Open ground between two contact zones, or between a zone and the ground outside the beam.
 #[derive(Debug)]
 struct Span<const N: usize> {
-    /// Points at which the span ends at a contact zone; `None` outside the beam.
+    /// Points at which the span ends at a contact zone; `None` if it includes the ground beyond the run.
     ends: [Option<BeamPoint>; 2],
     /// The two-ports of the span; for a two-port under the beam also its cell and the part of the cell.
     links: Vec<(Option<(usize, [f64; 2])>, TwoPort<Dual<N>>)>,
@@ -98,7 +98,7 @@ impl<'a, const N: usize> Linear<'a, N> {
                 element.load[j].by[n] += row[j] * steps.moment;
                 jump[j].by[n] = sinks[j] * steps.jump[0] + turns[j] * steps.jump[1];
             }
-            // Loads q of the element for the unknowns v of the nodes: forces are K (v + jump) − q.
+            // The forces are K (v + jump) − q, so the load for the unknowns v of the nodes is q − K jump.
             for (load, row) in element.load.iter_mut().zip(&element.stiffness) {
                 for (k, jump) in row.iter().zip(&jump) {
                     *load -= *k * *jump;

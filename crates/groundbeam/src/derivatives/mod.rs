@@ -145,8 +145,8 @@ impl Solution {
     ///
     /// # Errors
     ///
-    /// [`NotDifferentiable`] if the solution is not one of [`Method::Exact`], if the equilibrium is not unique, or if
-    /// the model does not have a parameter or an output.
+    /// [`NotDifferentiable`] if the solution is not one of [`Method::Exact`] or not unique, if a parameter or an output
+    /// does not exist, or if μ is a parameter and μ = 0.
     pub fn gradients(
         &self,
         outputs: &[Output],

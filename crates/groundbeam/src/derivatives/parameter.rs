@@ -10,7 +10,7 @@ pub enum Property {
     BendingStiffness,
     /// Shear stiffness S = κGA of a beam with shear deformation \[N\].
     ShearStiffness,
-    /// Subgrade modulus k of the ground per length of the beam \[N/m²\].
+    /// Subgrade stiffness k of the ground \[N/m²\].
     Spring,
     /// Shear-layer stiffness μ of the ground \[N\].
     Shear,
@@ -60,7 +60,7 @@ pub enum SupportNumber {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Parameter {
-    /// The value of a property where it is constant. `Whole` needs a beam or ground without segments.
+    /// The value of a property where it is constant. With `Whole`, no segment may define it.
     Value(Property, Domain),
     /// A factor on a property; its current value is 1.
     Factor(Property, Domain),

@@ -21,7 +21,7 @@ pub enum Condition {
     Gap,
     /// The angle between beam and ground at a contact edge on ground without a shear layer.
     Angle,
-    /// The length of a contact zone, or of a span between contact zones.
+    /// The length of a contact zone, or of a span out of contact.
     Length,
     /// The force of a support that acts in one direction only.
     SupportForce,
@@ -55,7 +55,7 @@ pub struct Nearest {
     pub margin: f64,
 }
 
-/// Relative change of the gap, in units of the largest deflection, below which a minimum is due to rounding error.
+/// Change of the gap, relative to the largest deflection or gap, below which a minimum is due to rounding error.
 const ROUNDING: f64 = 1e-8;
 
 /// Indices of the local minima that are lower by more than `least` than the highest place on each side. At an end of
@@ -222,7 +222,7 @@ impl Solution {
         add(&mut open);
     }
 
-    /// Lengths of contact zones and of the spans between them.
+    /// Lengths of contact zones and of the spans out of contact.
     fn lengths(&self, all: &mut Vec<Nearest>) {
         let l = self.model().beam.length;
         let mut at = None;
