@@ -77,8 +77,8 @@ fn with_free_field_as_gap(model: &Model) -> Cow<'_, Model> {
     Cow::Owned(nearly)
 }
 
-/// Refines the contact of a stable equilibrium that is known to a few digits. Fails if the iteration leads to another
-/// equilibrium.
+/// Refines the contact of a stable equilibrium that is known except for its last digits. Fails if the iteration leads
+/// to another equilibrium.
 pub(crate) fn from_stable(
     model: &Model,
     contact: &[Interval],

@@ -10,7 +10,7 @@ use crate::numeric::tolerance::same_place;
 /// A contact zone from one position to another; equal positions are a point contact.
 pub(crate) type Interval = [f64; 2];
 
-/// Zones as positions. An edge within rounding error of one of the model's `places` is moved there.
+/// Zones as positions. An edge within rounding error of one of the model's `places` is set to it.
 pub(crate) fn positions(mesh: &Mesh, zones: &[MeshZone], places: &[f64]) -> Vec<Interval> {
     let l = mesh.cells[mesh.cells.len() - 1].x[1];
     let at = |point: BeamPoint| snapped(mesh.cells[point.cell].global(point.s), places, l);

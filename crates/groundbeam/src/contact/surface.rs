@@ -15,7 +15,7 @@ pub(crate) struct SurfacePart<R = f64> {
     pub cell: usize,
     /// Ends of the part in the coordinate s of the cell.
     pub s: [f64; 2],
-    /// u at both ends if the part is not in contact.
+    /// u − u₀ at both ends; `None` if the part is in contact.
     pub open: Option<[R; 2]>,
 }
 

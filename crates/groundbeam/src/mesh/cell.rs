@@ -154,7 +154,7 @@ impl<R: Real> Cell<R> {
         self.curvature != [R::ZERO; 2]
     }
 
-    /// The coefficients of EI κ₀, the moment of the imposed curvature.
+    /// The coefficients of EI κ₀, where κ₀ is the imposed curvature.
     pub fn imposed_moment(&self) -> Coefficients<R> {
         let [left, right] = self.curvature;
         let curvature = [(left + right) * 0.5, (right - left) * 0.5];

@@ -143,7 +143,7 @@ pub(crate) fn at<R: Real>(line: &Line<R>, right: bool, cells: &[Cell<R>], distan
     let (mut strips, held) = beside(line, right);
     let x = if right { line.length + distance } else { -distance };
     let Some(i) = strips.iter().position(|s| s.x[0] <= x && x <= s.x[1]) else { return R::ZERO };
-    // The field outside the beam, as a function of its value at the end of the beam.
+    // Cuts the strip at x, so that x is a node.
     let strip = strips[i];
     if x > strip.x[0] && x < strip.x[1] {
         let value = |at: f64| {

@@ -34,8 +34,8 @@ pub(crate) struct Node<R = f64> {
     /// Rotational stiffness of a hinge \[N·m/rad\]; `None` without a hinge. At a hinge the rotation of the sections may
     /// jump.
     pub hinge: Option<R>,
-    /// Whether w' may jump without a hinge: on a beam with shear deformation, at a force or
-    /// support, at a corner of the initial gap, and where S or μ jumps.
+    /// Whether w' may jump without a hinge: on a beam with shear deformation, at a force or support,
+    /// at a corner of the initial gap, and where S or μ jumps.
     pub kinked: bool,
 }
 
