@@ -1,8 +1,8 @@
 //! A step of Newton's method on the edges, shortened by a line search so that the energy does not increase.
 //!
-//! Near the solution each bonded solve squares the error of the edges. Far from it, a bonded solve may give a
-//! weakly supported beam very large deflections. Then the step is shortened to the point where the slope of the convex
-//! energy Φ along it is nearly zero. Both deflections are polynomials on a common mesh, so the slope of Φ on the line between
+//! Near the solution each bonded solve squares the error of the edges. Far from it, a bonded solve may give a weakly
+//! supported beam very large deflections. Then the step is shortened to the point where the slope of the convex energy
+//! Φ along it is nearly zero. Both deflections are polynomials on a common mesh, so the slope of Φ on the line between
 //! them is computed exactly.
 
 use crate::contact::obstacle;

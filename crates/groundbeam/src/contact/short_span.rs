@@ -7,9 +7,9 @@
 //! > A = ∫ π φ_a dx,  B = ∫ π φ_b dx,
 //!
 //! where φ_a is the surface of unloaded ground that is 1 at a and 0 at b, φ_b the same with a and b exchanged, and π
-//! includes the point forces −\[μψ'\] of corners. π is computed from the coefficients of ψ, and its sign
-//! determines whether the span opens. The rounding error is ε μψ/h in the differences and ε h (kψ + μψ″) in the
-//! integrals. The formula with the smaller one is used.
+//! includes the point forces −\[μψ'\] of corners. π is computed from the coefficients of ψ, and its sign determines
+//! whether the span opens. The rounding error is ε μψ/h in the differences and ε h (kψ + μψ″) in the integrals. The
+//! formula with the smaller one is used.
 
 use crate::ground::link::{TwoPort, between, settled};
 use crate::mesh::cell::Cell;
