@@ -183,9 +183,9 @@ pub fn positions(input: &Input, list: &str) -> Result<Vec<f64>, Failure> {
             let at = start + entry.len() - entry.trim_start().len();
             let span = at..at + entry.trim().len();
             let (message, hint) = (
-                format!("{} lies off the beam", units.position(x)),
+                format!("{} lies outside the beam", units.position(x)),
                 format!(
-                    "the beam goes from 0 to {}, measured from its left end",
+                    "the beam extends from 0 to {}, measured from its left end",
                     units.position(length)
                 ),
             );

@@ -47,9 +47,9 @@ fn positions_follow_the_rule_of_the_file() {
     done.is_clean(0);
     assert_eq!(done.json()["stations"]["x"], json!([0.0, 0.5, 12.0]));
     at("0 m, 0.5").fails(2, "`0.5` has no unit");
-    at("0 m, 13 m").fails(2, "13 m lies off the beam");
+    at("0 m, 13 m").fails(2, "13 m lies outside the beam");
     at("0 m, 13 m").fails(2, "--> --at:1:6");
-    at("-1 m").fails(2, "−1 m lies off the beam");
+    at("-1 m").fails(2, "−1 m lies outside the beam");
     at("x").fails(2, "error[GB0");
     at("").fails(2, "a position is missing");
 }

@@ -1,14 +1,13 @@
-//! One linear solve: elimination of beam and ground from both ends to a meeting node.
+//! The linear solve: elimination of beam and ground from both ends to a meeting node.
 //!
-//! A sweep condenses everything it has passed to the node's x = (w, θ) and, in open ground, u: stiffness S
-//! and force r. Across an element, x' = T x + d. In each of its two directions either x or d is eliminated,
-//! whichever has the larger stiffness. No stiffness is a small difference of large numbers. The sweep crosses
-//! each element once inward and once in back-substitution: the cost is linear in the number of elements.
+//! A sweep condenses all cells that it has passed to the unknowns x = (w, θ) of the node and, in open ground, u. The
+//! result is a stiffness S and a force r. Across an element, x' = T x + d. For each of w and θ, either x or d is
+//! eliminated, whichever has the larger stiffness. So no stiffness is a small difference of large numbers. Each element
+//! is crossed once in the sweep and once in back-substitution, so the cost is linear in the number of elements.
 //!
-//! In a narrow gap, or near the edge of a wide one, a short two-port of stiffness μ/h couples the surface to
-//! the beam. There the third unknown of x is r = u − ψ instead of u. Differences of neighbouring r do not
-//! contain the common settlement of beam and ground, and μ/h is not added to the much smaller support
-//! stiffness.
+//! In a narrow gap, and near the edge of a wide one, a short two-port of stiffness μ/h couples the surface to the beam.
+//! There the third unknown of x is r = u − ψ instead of u. Differences of neighbouring r do not contain the common
+//! settlement of beam and ground, and μ/h is not added to the much smaller support stiffness.
 
 use crate::chain::hinge::HingeRotation;
 use crate::chain::links::{Surfaces, add_link, counted};
@@ -26,7 +25,7 @@ pub(crate) struct Chain<R = f64> {
     pub meeting: usize,
 }
 
-/// Back-substitution across a cell: the unknowns at the end passed first, from those at the other end.
+/// Back-substitution across a cell: the unknowns at the end that the sweep passed first, from those at the other end.
 #[derive(Debug, Clone, Copy, Default)]
 struct BackSubstitution<R> {
     /// (v₁, v₂, u_left) = constant − gain·(w_right, θ_right, u_right).
@@ -34,11 +33,11 @@ struct BackSubstitution<R> {
     constant: [R; 3],
     /// v = C (w_right, θ_right, v₁, v₂).
     by_left: [bool; 2],
-    /// Whether the third unknown is u_right − u_left.
+    /// Whether the third eliminated unknown is u_right − u_left.
     rise: bool,
-    /// u of the left node if the surface ends there: u = constant − gain·(w, θ).
+    /// (a, b, c) with u = c − a w − b θ at the left node, if the surface ends there.
     ended: [R; 3],
-    /// The rotation behind a hinge at the left node, from the one ahead of it.
+    /// The hinge at the left node.
     turned: Option<HingeRotation<R>>,
 }
 
@@ -51,7 +50,7 @@ impl<R: Real> Chain<R> {
         let (right, back_right) = self.sweep::<true>(last, meet)?;
         let mut both = left;
         let turned = HingeRotation::condense(&self.nodes[meet], &mut both)?;
-        // The right sweep sees slopes with the other sign.
+        // In the sweep from the right, rotations have the opposite sign.
         let sign = [1.0, -1.0, 1.0];
         for i in 0..3 {
             both.r[i] += right.r[i] * sign[i];
@@ -81,7 +80,7 @@ impl<R: Real> Chain<R> {
         Ok(shapes)
     }
 
-    /// Condenses all cells from one end to the meeting node, whose own terms are not included.
+    /// Condenses all cells from one end to the meeting node, without the loads and supports of the meeting node.
     fn sweep<const MIRRORED: bool>(
         &self,
         start: usize,
@@ -114,8 +113,8 @@ impl<R: Real> Chain<R> {
     }
 }
 
-/// Adds the loads and supports of one node. A sweep from the right has slopes and moments of the other
-/// `sign`.
+/// Adds the loads and supports of one node. `sign` is −1 in a sweep from the right, in which rotations and moments have
+/// the opposite sign.
 fn apply<R: Real>(node: &ChainNode<R>, state: &mut CondensedStiffness<R>, sign: f64) {
     state.s[W][W] += node.spring + node.ground_spring;
     state.s[THETA][THETA] += node.rotational_spring;
@@ -123,7 +122,7 @@ fn apply<R: Real>(node: &ChainNode<R>, state: &mut CondensedStiffness<R>, sign: 
     state.r[W] += node.force + node.ground_spring * node.gap + node.spring * node.settlement;
     state.r[THETA] += node.moment * sign;
     if node.from_beam {
-        // The spring of the surface itself, with u = w − g₀ + r.
+        // The surface spring acts on u = ψ + r.
         state.s[U][W] += node.surface_spring;
         state.s[W][U] += node.surface_spring;
         state.s[W][W] += node.surface_spring;
@@ -132,7 +131,7 @@ fn apply<R: Real>(node: &ChainNode<R>, state: &mut CondensedStiffness<R>, sign: 
     }
 }
 
-/// Eliminates u at a node where the shear layer's own surface ends.
+/// Eliminates u at a node where the free surface ends.
 fn end_surface<R: Real>(state: &mut CondensedStiffness<R>) -> Result<[R; 3], NotDefinite> {
     let pivot = state.s[U][U];
     if pivot.value() <= 0.0 {
@@ -153,7 +152,8 @@ fn end_surface<R: Real>(state: &mut CondensedStiffness<R>) -> Result<[R; 3], Not
     Ok(gain)
 }
 
-/// The element's four unknowns from w_right, θ_right, v₁, v₂, where vᵢ is either the left value or dᵢ.
+/// The four unknowns of the element as linear combinations of w_right, θ_right, v₁ and v₂, where vᵢ is either the left
+/// value or dᵢ.
 fn transform(h: f64, basis: Basis, by_left: [bool; 2]) -> [[f64; 4]; 4] {
     if basis == Basis::Ends {
         return [
@@ -171,10 +171,10 @@ fn transform(h: f64, basis: Basis, by_left: [bool; 2]) -> [[f64; 4]; 4] {
     if w_known { [own, theta, other, d2] } else { [other, theta, own, d2] }
 }
 
-/// Positions of the four beam unknowns and the two surface unknowns in (w_r, θ_r, u_r | v₁, v₂, u_l).
+/// Indices of the four beam unknowns and the two surface unknowns in (w_r, θ_r, u_r | v₁, v₂, u_l).
 const ORDER: [usize; 6] = [0, 1, 3, 4, 5, 2];
 
-/// Coefficients of those six unknowns, from the coefficients of the element's own v and of the surfaces.
+/// Coefficients of these six unknowns, from the coefficients of the element's unknowns v and of the surfaces.
 fn in_order<R: Real>(row: &[R; 6], c: &[[f64; 4]; 4]) -> [R; 6] {
     let mut ordered = [R::ZERO; 6];
     for j in 0..4 {
@@ -193,9 +193,9 @@ fn cross<R: Real>(
     state: &CondensedStiffness<R>,
     back: &mut BackSubstitution<R>,
 ) -> Result<CondensedStiffness<R>, NotDefinite> {
-    // The stiffness condensed to the right node, in (w_l, θ_l, d₁, d₂ | u_l, u_r). In short open ground the
-    // coupling of the two ends is much stiffer than their supports. Then δ = u_r − u_l replaces u_l, so that
-    // rounding of the coupling does not hide the supports.
+    // The stiffness to be condensed to the right node, in (w_l, θ_l, d₁, d₂ | u_l, u_r). In short open ground the
+    // coupling of the two ends is much stiffer than their supports. Then δ = u_r − u_l replaces u_l, so that the
+    // rounding error of the coupling does not mask the supports.
     let stiff = |tied: &TiedTwoPort<R>| {
         tied.left == Tie::SurfaceLeft
             && tied.right == Tie::SurfaceRight
@@ -263,8 +263,8 @@ fn cross<R: Real>(
             m[ORDER[i]][ORDER[j]] = k[i][j];
         }
     }
-    // A two-port between the surface and the right end depends on w_r alone. Added before the congruence, its
-    // rounding would restrain the slope of a free beam.
+    // A two-port between the surface and the beam's right end depends on w_r alone. It is added after the congruence,
+    // because rounding error of the congruence would otherwise restrain the rotation of a free beam.
     for tied in links {
         add_link(tied, &surfaces, |row| in_order(row, &c), &mut m, &mut f);
     }
@@ -272,8 +272,8 @@ fn cross<R: Real>(
     condense(&m, &f, free, node.settlement, back)
 }
 
-/// Eliminates those of the last three unknowns of (w_r, θ_r, u_r | v₁, v₂, u_l) that are `free`. The others
-/// are zero, except that the first is the settlement of a support.
+/// Eliminates those of the last three unknowns of (w_r, θ_r, u_r | v₁, v₂, u_l) that are `free`. The others are 0,
+/// except that a fixed v₁ is the settlement of the support.
 fn condense<R: Real>(
     m: &[[R; 6]; 6],
     f: &[R; 6],
@@ -370,8 +370,7 @@ fn solve_node<R: Real>(
 }
 
 impl<R: Real> BackSubstitution<R> {
-    /// Back-substitution: from (w, θ, u) of the right node, computes those of the left node and the cell's
-    /// own v.
+    /// Computes (w, θ, u) of the left node and the unknowns v of the cell from (w, θ, u) of the right node.
     fn cross(&self, h: f64, basis: Basis, y: [R; 3], v: &mut [R; 4]) -> [R; 3] {
         let e: [R; 3] =
             std::array::from_fn(|i| self.constant[i] - sum::<R, 3>(|j| self.gain[i][j] * y[j]));
@@ -381,7 +380,7 @@ impl<R: Real> BackSubstitution<R> {
         [v[0], v[1], if self.rise { y[U] - e[2] } else { e[2] }]
     }
 
-    /// u at a node where the unknown surface ends, as needed in the cell just crossed.
+    /// u in the cell just crossed, at a node where the free surface ends.
     fn end(&self, node: &ChainNode<R>, mut y: [R; 3], forward: bool) -> [R; 3] {
         let [behind, ahead] = if forward { [0, 1] } else { [1, 0] };
         if node.surface[behind] && !node.surface[ahead] {
@@ -400,8 +399,8 @@ mod tests {
     use crate::mesh::mesh::Mesh;
     use crate::model::{Beam, Foundation, Load, Model};
 
-    /// The slope of a beam that leaves the ground and ends free has no restraint, not even by rounding: the
-    /// free end may rise by a million times the settlement of the ground.
+    /// The rotation of a beam with a free end on open ground has no restraint, not even by rounding error: the free end
+    /// may rise by a million times the settlement of the ground.
     #[test]
     fn a_free_beam_offers_no_stiffness() {
         for i in 1..200 {

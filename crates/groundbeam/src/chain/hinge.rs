@@ -1,13 +1,14 @@
 //! Hinges: nodes at which θ jumps.
 //!
-//! A hinge is an element of no length, x' = x + (0, δ), whose deformation δ costs ½ k_φ δ². Eliminating θ it
-//! gives S' = S − S e (eᵀS e + k_φ)⁻¹ eᵀS with e the unit vector of θ. At a free hinge the row and the column
-//! of θ vanish.
+//! A hinge is an element of length zero, x' = x + (0, δ), with the energy ½ k_φ δ² of its rotation δ. Elimination of θ
+//! gives S' = S − S e (eᵀS e + k_φ)⁻¹ eᵀS with e the unit vector of θ. At a hinge without a spring the row and the
+//! column of θ vanish.
 
 use crate::chain::node::{ChainNode, CondensedStiffness, NotDefinite, THETA};
 use crate::numeric::real::{Real, sum};
 
-/// Back-substitution across a hinge: θ_behind = constant − gain·(w, θ_ahead, u).
+/// Back-substitution across a hinge: θ_behind = constant − gain·(w, θ_ahead, u), where the sweep goes from behind to
+/// ahead.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct HingeRotation<R> {
     gain: [R; 3],
@@ -15,7 +16,7 @@ pub(super) struct HingeRotation<R> {
 }
 
 impl<R: Real> HingeRotation<R> {
-    /// Adds the hinge of a node, if there is one. No other load or support may act on θ there.
+    /// Condenses the hinge of a node, if there is one. No other load or support may act on θ at the node.
     pub fn condense(
         node: &ChainNode<R>,
         state: &mut CondensedStiffness<R>,
@@ -23,7 +24,7 @@ impl<R: Real> HingeRotation<R> {
         let Some(spring) = node.hinge else { return Ok(None) };
         let CondensedStiffness { s, r } = *state;
         let held = s[THETA][THETA] + spring;
-        // Behind a free hinge only the ground and the supports there resist rotation.
+        // Only the ground and the supports behind a hinge without a spring resist the rotation.
         if held.value().is_nan() || held.value() <= 0.0 {
             return Err(NotDefinite);
         }
@@ -44,7 +45,7 @@ impl<R: Real> HingeRotation<R> {
         Ok(Some(HingeRotation { gain, constant: r[THETA] / held }))
     }
 
-    /// (w, θ, u) on the other side of the hinge, if there is one.
+    /// (w, θ, u) behind the hinge, if there is one, from those ahead of it.
     pub fn beyond_hinge(turned: Option<Self>, mut y: [R; 3]) -> [R; 3] {
         if let Some(HingeRotation { gain, constant }) = turned {
             y[THETA] = constant - sum::<R, 3>(|i| gain[i] * y[i]);

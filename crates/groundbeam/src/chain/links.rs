@@ -1,17 +1,17 @@
-//! Adds the two-ports of open ground within a cell to its stiffness: between the surface and the surface, or
-//! the beam.
+//! Adds the two-ports of open ground within a cell to the stiffness of the cell. Each end of a two-port is connected to
+//! the surface of the ground at a node or to the beam.
 
 use crate::chain::node::ChainNode;
 use crate::chain::node::{Tie, TiedTwoPort};
 use crate::numeric::real::Real;
 
-/// u at both ends of a cell: the coefficients of its six unknowns, and the gap to subtract.
+/// u at both ends of a cell: the coefficients of the six unknowns of the cell, and the gap to subtract.
 pub(super) struct Surfaces<R> {
     pub left: ([R; 6], R),
     pub right: ([R; 6], R),
 }
 
-/// u at a node, from the unknown that represents it there.
+/// u at a node, from the unknown that represents it there: u itself or r = u − ψ.
 pub(super) fn counted<R: Real>(row: [f64; 6], node: &ChainNode<R>, beam: [R; 4]) -> ([R; 6], R) {
     let mut row = row.map(R::from);
     if !node.from_beam {
@@ -21,8 +21,8 @@ pub(super) fn counted<R: Real>(row: [f64; 6], node: &ChainNode<R>, beam: [R; 4])
     (row, node.gap)
 }
 
-/// Adds a two-port to the stiffness and the force of six unknowns; `turned` transforms the unknowns of the
-/// cell to these.
+/// Adds a two-port to the stiffness and the force of six unknowns. `turned` transforms coefficients of the cell's
+/// unknowns to coefficients of these unknowns.
 pub(super) fn add_link<R: Real>(
     tied: &TiedTwoPort<R>,
     surfaces: &Surfaces<R>,

@@ -1,4 +1,4 @@
-//! Reflected cell: the left-to-right elimination also runs right to left.
+//! Reflects a cell, so that the left-to-right elimination also runs from right to left.
 
 use crate::chain::node::ChainCell;
 use crate::chain::node::{Tie, TiedTwoPort};

@@ -1,4 +1,4 @@
-//! Elimination of the discrete beam and ground at a given contact.
+//! Elimination of the discrete beam and ground for given contact zones.
 
 pub(crate) mod elimination;
 pub(crate) mod hinge;

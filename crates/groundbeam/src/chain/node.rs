@@ -1,4 +1,4 @@
-//! A node and a cell of the chain: loads, springs, supports, and the ground outside the beam.
+//! A node and a cell of the chain: loads, springs, supports and open ground.
 
 use crate::element::element::Element;
 use crate::ground::link::TwoPort;
@@ -15,22 +15,22 @@ pub(crate) struct ChainCell<R = f64> {
 pub(crate) struct ChainNode<R = f64> {
     pub force: R,
     pub moment: R,
-    /// w is prescribed: the settlement of the support.
+    /// Whether w is prescribed, as the settlement of the support.
     pub pinned: bool,
     pub settlement: R,
     pub clamped: bool,
     pub spring: R,
     pub rotational_spring: R,
-    /// Stiffness of a hinge, at which θ may jump. No other load or support then acts on θ at the node.
+    /// Rotational stiffness of a hinge, at which θ may jump. No other load or support then acts on θ at the node.
     pub hinge: Option<R>,
-    /// Stiffness of the ground under the beam at this node, and the initial gap there.
+    /// Stiffness of the ground outside if the beam is in contact at this node, and g₀ + u₀ there.
     pub ground_spring: R,
     pub gap: R,
-    /// Stiffness of the ground under its own surface at this node.
+    /// Stiffness of the ground outside if its surface is free at this node.
     pub surface_spring: R,
     /// Whether u is an unknown of the cell to the left, and of the cell to the right.
     pub surface: [bool; 2],
-    /// Whether this unknown is r = u − ψ instead of u.
+    /// Whether the unknown of the surface is r = u − ψ instead of u.
     pub from_beam: bool,
 }
 
@@ -38,14 +38,14 @@ pub(crate) struct ChainNode<R = f64> {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct NotDefinite;
 
-/// Indices into (w, θ, u), where u may stand for r.
+/// Indices into (w, θ, u), where the third entry is u or r.
 pub(crate) const W: usize = 0;
 
 pub(crate) const THETA: usize = 1;
 
 pub(crate) const U: usize = 2;
 
-/// ½ yᵀSy − rᵀy for y = (w, θ, u) of a node: the condensed energy of everything on one side of it.
+/// ½ yᵀSy − rᵀy for y = (w, θ, u) of a node: the condensed energy of all cells on one side of it.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct CondensedStiffness<R = f64> {
     pub s: [[R; 3]; 3],
@@ -55,15 +55,15 @@ pub(crate) struct CondensedStiffness<R = f64> {
 /// The point to which one end of a two-port is connected.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Tie<R = f64> {
-    /// The ground's own surface at the cell's left node.
+    /// The free surface of the ground at the left node of the cell.
     SurfaceLeft,
-    /// The ground's own surface at the cell's right node.
+    /// The free surface of the ground at the right node of the cell.
     SurfaceRight,
     /// The beam at a point of the cell: u = row·v − gap.
     Beam {
-        /// The coefficients of the element's v.
+        /// The coefficients of the element's unknowns v.
         row: [R; 4],
-        /// g₀ there.
+        /// g₀ + u₀ at this point.
         gap: R,
     },
 }

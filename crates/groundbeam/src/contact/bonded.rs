@@ -24,13 +24,13 @@ use std::borrow::Cow;
 pub(crate) struct Bonded<'a> {
     pub model: &'a Model,
     cancel: &'a Cancel,
-    /// Whether long stretches have no quiet elements.
+    /// Whether all elements are as short as the waves, without quiet elements.
     is_fine: bool,
     /// Elements of the previous step, reused for cells without edges.
     known: Vec<Known>,
 }
 
-/// An element, and the cell it was made for.
+/// An element, and the cell for which it was computed.
 #[derive(Debug)]
 struct Known {
     x: [f64; 2],
@@ -38,7 +38,7 @@ struct Known {
     exact: ExactElement,
 }
 
-/// Beam and ground bonded together, ready to be solved.
+/// The linear system of the beam bonded to the ground.
 #[derive(Debug)]
 pub(crate) struct BondedSystem {
     pub mesh: Mesh,
@@ -46,16 +46,16 @@ pub(crate) struct BondedSystem {
     pub chain: Chain,
 }
 
-/// A spring of the tether.
+/// A stabilising spring.
 struct TetherSpring {
     at: f64,
     stiffness: f64,
-    /// The deflection at which it has no force.
+    /// The deflection at which the spring has no force.
     rest: f64,
 }
 
-/// Springs at the nodes of a mesh, at rest in a deflection: a part ε of the ground's springs, each gathered from half
-/// of the cells beside its node.
+/// Stabilising springs at the nodes of a mesh, without force in the deflection `now`. Their stiffness is ε times that
+/// of the ground, lumped from half of each adjoining cell.
 fn tether(mesh: &Mesh, now: &ContactState, epsilon: f64) -> Vec<TetherSpring> {
     let spring =
         |node: &Node| TetherSpring { at: node.x, stiffness: 0.0, rest: deflection_at(now, node.x) };
@@ -73,7 +73,7 @@ fn deflection_at(found: &ContactState, x: f64) -> f64 {
     value(found.deflection().cell(cell), found.mesh.cells[cell].local(x))
 }
 
-/// The chain of a mesh with its elements, bonded in given zones whose ends are nodes.
+/// The chain of a mesh and its elements, bonded on the given zones. The ends of zones must be nodes.
 pub(crate) fn chain_of<R: Real>(
     mesh: &Mesh<R>,
     zones: &[MeshZone],
@@ -87,7 +87,7 @@ pub(crate) fn chain_of<R: Real>(
     Chain { nodes: layout.nodes(mesh), cells, meeting: layout.meeting_node(mesh) }
 }
 
-/// The kind of zone in which a cell lies: contact within an interval, else open.
+/// The kind of zone in which a cell lies: contact within an interval, open elsewhere.
 pub(crate) fn zone_kind_of(intervals: &[Interval]) -> impl Fn(&Cell) -> ZoneKind + '_ {
     |cell| {
         let x = 0.5 * (cell.x[0] + cell.x[1]);
@@ -113,12 +113,12 @@ impl<'a> Bonded<'a> {
         Bonded { model, cancel, is_fine: false, known: Vec::new() }
     }
 
-    /// The same with elements as short as the waves everywhere, which take up any load.
+    /// The bonded problem with elements as short as the waves everywhere, which represent the response to any load.
     pub fn fine(model: &'a Model, cancel: &'a Cancel) -> Self {
         Bonded { is_fine: true, ..Bonded::new(model, cancel) }
     }
 
-    /// The beam bonded to the ground on given intervals. A cancelled solve has none: its steps end here.
+    /// Solves the beam bonded to the ground on given intervals. If the solve is cancelled, it returns [`NotDefinite`].
     pub fn solve_on(&mut self, intervals: &[Interval]) -> Result<ContactState, NotDefinite> {
         self.solve_with(intervals, &[], |_, _| ())
     }
@@ -140,9 +140,9 @@ impl<'a> Bonded<'a> {
         })
     }
 
-    /// The same with springs at all nodes that are at rest in the deflection `now`, for a beam that is a mechanism on
-    /// its trial contact. `epsilon` is their stiffness as a part of the ground's. It grows until the beam is held.
-    /// Also returns the work ε|w̃ − w|² of the springs.
+    /// The bonded beam with stabilising springs at all nodes, for a beam that is a mechanism on its trial contact. The
+    /// springs have no force in the deflection `now`. `epsilon` is their stiffness relative to that of the ground; it
+    /// grows until the system is positive definite. Also returns the work ε|w̃ − w|² of the springs.
     pub fn solve_tethered(
         &mut self,
         intervals: &[Interval],
@@ -173,7 +173,7 @@ impl<'a> Bonded<'a> {
         None
     }
 
-    /// The bonded beam with nodes at `more` positions; `hold` changes the nodes of its chain.
+    /// The bonded beam with additional nodes at `more` positions. `hold` changes the nodes of its chain.
     fn solve_with(
         &mut self,
         intervals: &[Interval],
@@ -203,7 +203,8 @@ impl<'a> Bonded<'a> {
         Ok(ContactState::exact(mesh, coefficients, rotation, zones))
     }
 
-    /// The cells of the beam bonded on given intervals, with nodes at `more` positions, one element each; and its zones.
+    /// The mesh of the beam bonded on given intervals, one cell for each element, and its zones. `more` has positions
+    /// of additional nodes.
     pub fn mesh_on(&self, intervals: &[Interval], more: &[f64]) -> (Mesh, Vec<MeshZone>) {
         let axial = self.model.beam.axial_force;
         let touch = zone_kind_of(intervals);
@@ -218,7 +219,7 @@ impl<'a> Bonded<'a> {
         (mesh, zones)
     }
 
-    /// The chain of beam and ground bonded together on given intervals, with nodes at `more` positions.
+    /// The system of beam and ground bonded on given intervals, with additional nodes at `more` positions.
     pub fn system_on(&mut self, intervals: &[Interval], more: &[f64]) -> BondedSystem {
         let (mesh, zones) = self.mesh_on(intervals, more);
         self.make_elements(&mesh, &zone_kind_of(intervals));
@@ -226,7 +227,7 @@ impl<'a> Bonded<'a> {
         BondedSystem { mesh, zones, chain }
     }
 
-    /// The elements of a mesh, of which those that were known are kept.
+    /// Computes the elements of a mesh. Known elements are reused.
     fn make_elements(&mut self, mesh: &Mesh, touch: &impl Fn(&Cell) -> ZoneKind) {
         let axial = self.model.beam.axial_force;
         let before = std::mem::replace(&mut self.known, Vec::with_capacity(mesh.cells.len()));
@@ -242,7 +243,7 @@ impl<'a> Bonded<'a> {
         }
     }
 
-    /// φ on the cells of w, on which a beam that does not shear everywhere may have cut its boundary layers.
+    /// φ on the cells of w. Elements with boundary layers may have several cells.
     fn rotations(&self, mesh: &Mesh, coefficients: &[f64], shapes: &[[f64; 4]]) -> Vec<f64> {
         if !self.model.beam.shears() {
             return Vec::new();
@@ -259,7 +260,7 @@ impl<'a> Bonded<'a> {
         rotations
     }
 
-    /// w as short series, one for each element.
+    /// w as power series, one for each element.
     fn unfolded(&self, shapes: &[[f64; 4]]) -> Vec<f64> {
         let mut coefficients = Vec::with_capacity(self.known.len() * TERMS);
         for (known, v) in self.known.iter().zip(shapes) {
@@ -268,7 +269,7 @@ impl<'a> Bonded<'a> {
         coefficients
     }
 
-    /// The same where there are boundary layers: elements that have them are cut into parts.
+    /// w as power series if there are boundary layers. Elements with boundary layers are cut into parts.
     fn in_layers(&self, mesh: &Mesh, shapes: &[[f64; 4]]) -> (Mesh, Vec<f64>) {
         let parts = self.known.iter().zip(shapes).map(|(known, v)| known.exact.unfold(v));
         let parts: Vec<([f64; TERMS], [f64; 2])> = parts.collect();
@@ -294,7 +295,7 @@ impl<'a> Bonded<'a> {
     }
 }
 
-/// A rotation given at a position, by a spring that equilibrium leaves without a moment.
+/// A prescribed rotation. It is enforced by a spring whose moment is zero in equilibrium.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct GivenRotation {
     pub at: f64,
@@ -302,7 +303,7 @@ pub(crate) struct GivenRotation {
 }
 
 impl GivenRotation {
-    /// The rotation that a deflection has at the left end.
+    /// The rotation of a deflection at the left end of the beam.
     pub fn as_in(found: &ContactState) -> GivenRotation {
         GivenRotation { at: 0.0, slope: value(&found.rotation(0), -1.0) }
     }
@@ -314,8 +315,8 @@ mod tests {
     use crate::model::{Beam, Foundation, Load};
     use crate::numeric::polynomial::jet;
 
-    /// A gap of length h takes −π h off the ground's force and changes w by O(h), however short it is and
-    /// wherever a node stands in it: 10⁻¹³ of w is left for rounding.
+    /// A gap of length h reduces the ground's force by π h and changes w by O(h), for every h and every position of a
+    /// node in the gap. Rounding error contributes 10⁻¹³ of w.
     #[test]
     fn a_short_gap_keeps_the_digits_beside_it() {
         let model = Model::new(Beam::uniform(1.0, 10.0), Foundation::pasternak(1.0, 3.4))

@@ -1,9 +1,9 @@
 //! Continuation in the bending stiffness: the start of phase B on a long soft beam.
 //!
-//! The beam is stiffened until it is at most a few waves long between two nodes of the model; 1/wave number is a wave.
-//! Phase A finds the contact of this stiff beam, and phase B its edges. The stiffness then falls to its own value in
-//! steps. Each step predicts the edges by the secant of the two beams before and corrects them by Newton's method
-//! without a line search. A step that does not settle is halved.
+//! The beam is stiffened until it is at most a few waves long between two nodes of the model, where a wave is 1/wave
+//! number. Phase A finds the contact of this stiff beam, and phase B its edges. The stiffness then falls to its own
+//! value in steps. Each step predicts the edges by the secant of the two preceding beams and corrects them by Newton's
+//! method without a line search. A step that does not converge is halved.
 
 use crate::cancel::Cancel;
 use crate::contact::bonded::Bonded;
@@ -25,8 +25,8 @@ use crate::model::Model;
 use crate::nodal::edges::{Coarse, coarse};
 use crate::numeric::elementary::{exp2, log2, power};
 
-/// A deflection of the beam whose contact is a start of phase B. Each `level` has a finer mesh and shorter steps than the one before; level
-/// 1 does not stiffen the beam.
+/// Computes a start for phase B: a deflection of the beam and its contact. Each `level` has a finer mesh and shorter
+/// steps than the one before. Level 1 does not stiffen the beam.
 pub(crate) fn follow(model: &Model, level: u32, cancel: &Cancel) -> Result<Start, Unconverged> {
     let longest = LONGEST_STEP / f64::from(level + 1);
     let mut doublings = if level == 1 { 0.0 } else { stiffening(model) };
@@ -37,14 +37,14 @@ pub(crate) fn follow(model: &Model, level: u32, cancel: &Cancel) -> Result<Start
     let stiff = softened(doublings);
     let start = phase_a(&stiff, power(3.0, level as usize), cancel);
     if doublings == 0.0 {
-        // A zone far shorter than an element has no nodes: phase B shortens the whole beam's contact to it.
+        // A zone much shorter than an element may have no nodes. Phase B then starts from contact along the whole beam.
         let whole = |_| Start::on(vec![[0.0, model.beam.length]]);
         return Ok(start.unwrap_or_else(whole));
     }
     let mut found = edges(&mut Bonded::new(&stiff, cancel), start?, MOST_STEPS, &mut |_| 0.0)?;
     let mut contact = asked(&found);
     let mut step = longest;
-    // The stiffening and the contact of the beam before.
+    // The stiffening and the contact of the preceding beam.
     let mut before: Option<(f64, Vec<Interval>)> = None;
     let mut beams = 0;
     while doublings > 0.0 {
@@ -52,7 +52,7 @@ pub(crate) fn follow(model: &Model, level: u32, cancel: &Cancel) -> Result<Start
         if beams > MOST_BEAMS {
             return Err(edges_not_converged(beams, step));
         }
-        // The last step leaves no rounding error to follow.
+        // A remainder of the size of rounding error is added to the last step.
         let next = if doublings > 1.001 * step { doublings - step } else { 0.0 };
         let predicted = before.as_ref().and_then(|(stiffer, edges)| {
             let part = (doublings - next) / (stiffer - doublings);
@@ -79,17 +79,17 @@ pub(crate) fn follow(model: &Model, level: u32, cancel: &Cancel) -> Result<Start
     Ok(Start { contact, now: Some(found), near: false })
 }
 
-/// Phase A: the contact of forces at nodes, on meshes from coarse to fine.
+/// Phase A: the contact set of forces at nodes, on meshes from coarse to fine.
 fn phase_a(model: &Model, per_wave: f64, cancel: &Cancel) -> Result<Start, Unconverged> {
-    // Elements that shear are series, which take ten times as long.
+    // Elements with shear deformation are power series, which cost ten times as much.
     let bending = Model { beam: model.beam.clone().without_shear(), ..model.clone() };
     let unsettled = Unconverged { iterations: 0, why: NotConverged::Nodes };
     let Coarse { grid, workspace, edges } = coarse(&bending, per_wave, cancel).ok_or(unsettled)?;
     Ok(Start { contact: edges, now: Some(nodes::state(&grid, workspace)), near: false })
 }
 
-/// log₂ of the factor on EI that leaves [`STIFF_WAVES`] between two nodes of the model. The wave number falls at least
-/// like EI^(−1/4).
+/// log₂ of the factor on EI with which at most [`STIFF_WAVES`] waves fit between two nodes of the model. The wave
+/// number falls at least like EI^(−1/4).
 fn stiffening(model: &Model) -> f64 {
     let axial = model.beam.axial_force;
     let waves = |cell: &Cell| {
@@ -100,7 +100,7 @@ fn stiffening(model: &Model) -> f64 {
     4.0 * log2(cells.iter().map(waves).fold(1.0, f64::max))
 }
 
-/// Newton's method on the edges without a line search. `None` unless it settles in a few steps.
+/// Newton's method on the edges without a line search. `None` if it does not converge in a few steps.
 pub(crate) fn correct(bonded: &mut Bonded, mut contact: Vec<Interval>) -> Option<ContactState> {
     let mut least = f64::INFINITY;
     let mut stale = 0;
@@ -128,8 +128,8 @@ fn asked(found: &ContactState) -> Vec<Interval> {
     positions(&found.mesh, &found.zones, &[])
 }
 
-/// Extrapolates the edges from `before` to `here` by a `part` of this move, on a beam of length l. `None` if the number of
-/// zones changed or two zones would meet.
+/// Extrapolates the edges from `before` to `here` by a fraction `part` of this move, on a beam of length l. `None` if
+/// the number of zones changed or two zones would meet.
 pub(crate) fn secant(
     before: &[Interval],
     here: &[Interval],

@@ -1,9 +1,9 @@
-//! A step of Newton's method on the edges that must not raise the energy.
+//! A step of Newton's method on the edges, shortened by a line search so that the energy does not increase.
 //!
-//! Close to the answer each bonded solve squares the error of the edges. Far from it a solve may throw a lightly held
-//! beam across its length. Then the step is shortened to where the slope of the convex energy Φ along it
-//! has nearly vanished: both deflections are polynomials on the cells of both, and on a line between two
-//! deflections the slope of Φ is known exactly.
+//! Near the solution each bonded solve squares the error of the edges. Far from it, a bonded solve may give a weakly
+//! supported beam very large deflections. Then the step is shortened to the point where the slope of the convex energy
+//! Φ along it is nearly zero. Both deflections are polynomials on a common mesh, so the slope of Φ on the line between
+//! them is computed exactly.
 
 use crate::contact::obstacle;
 use crate::contact::state::ContactState;
@@ -16,17 +16,17 @@ use crate::model::Model;
 use crate::numeric::line_search::settle;
 use crate::numeric::polynomial::{Coefficients, rescale};
 
-/// A step on the way from a deflection to the beam bonded to the ground on its contact.
+/// A step from a deflection towards the beam bonded to the ground on its contact.
 #[derive(Debug, Clone)]
 pub(crate) struct Shortened {
     /// Fraction of the full step.
     pub part: f64,
-    /// The deflection there unless it is the whole way.
+    /// The deflection after the step; `None` if the step is full or negligible.
     pub between: Option<ContactState>,
 }
 
-/// How far to go from the deflection `now` towards the beam `bonded` to the ground on its contact. `tether` is the work
-/// ε|w̃ − w|² of springs that hold the bonded beam.
+/// Fraction of the step from the deflection `now` to the beam `bonded` to the ground on its contact. `tether` is the
+/// work ε|w̃ − w|² of the stabilising springs.
 pub(crate) fn shorten(
     model: &Model,
     now: &ContactState,
@@ -55,7 +55,7 @@ pub(crate) fn shorten(
     let fall = beam + ground_work(&mesh, TERMS, &zones, &delta, &delta) + tether;
     let psi = obstacle(&mesh, &to);
     let energy = form(&to, &turned_to) + ground_work(&mesh, TERMS, &zones, &psi, &psi);
-    // Newton's estimate of what the energy has left to fall, relative to twice the strain energy.
+    // Newton's estimate of twice the remaining decrease of the energy, relative to twice the strain energy.
     let decrement = if fall == 0.0 { 0.0 } else { fall / energy.abs() };
     let whole = Shortened { part: 1.0, between: None };
     // A decrease of the size of rounding error gives no search direction.
@@ -84,7 +84,7 @@ pub(crate) fn shorten(
     Shortened { part: t, between: Some(ContactState::exact(mesh, coefficients, rotation, zones)) }
 }
 
-/// The coefficients of what a deflection has in each of its cells on a finer mesh.
+/// The coefficients of a field of a deflection on a finer mesh. `own` gives them in each cell of the deflection.
 fn on(mesh: &Mesh, found: &ContactState, own: impl Fn(usize) -> Coefficients) -> Vec<f64> {
     let mut coefficients = Vec::with_capacity(mesh.cells.len() * TERMS);
     for cell in &mesh.cells {
@@ -101,12 +101,12 @@ fn on(mesh: &Mesh, found: &ContactState, own: impl Fn(usize) -> Coefficients) ->
     coefficients
 }
 
-/// The zones of a deflection, whose ends are nodes of both meshes, on a finer mesh.
+/// The zones of a deflection on a finer mesh. Their ends are nodes of both meshes.
 fn moved(mesh: &Mesh, found: &ContactState) -> Vec<MeshZone> {
     let last = mesh.cells.len() - 1;
     let point = |point: BeamPoint| {
         let cell = &found.mesh.cells[point.cell];
-        // From within the cell, so that an end stays on its own side of a node.
+        // Found from inside the cell, so that an end stays on its side of a node.
         if point.s < 0.0 {
             let inside = cell.x[0] + f64::EPSILON * cell.x[1];
             BeamPoint { cell: mesh.cell_at(inside.min(cell.x[1])), s: -1.0 }

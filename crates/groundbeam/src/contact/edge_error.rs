@@ -3,17 +3,17 @@
 use crate::contact::intervals::{Interval, differences};
 use crate::contact::stopping::JITTER;
 
-/// How well the edges of contact are known.
+/// The error of the contact edges.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(crate) struct EdgeError {
-    /// The last move of an edge that was no progress \[m\].
+    /// The largest move of an edge that is due to rounding error \[m\].
     pub moved: f64,
-    /// Intervals of which rounding error decides whether they touch.
+    /// Intervals on which rounding error decides whether beam and ground touch.
     pub undecided: Vec<Interval>,
 }
 
 impl EdgeError {
-    /// The error of the edges, from trial contacts of which rounding error chooses, on a beam of length l.
+    /// The error of the edges, from trial contacts that differ by rounding error, on a beam of length l.
     pub fn of(trials: &[&[Interval]], l: f64) -> Self {
         let mut error = EdgeError::default();
         for [from, to] in differences(trials) {

@@ -1,10 +1,10 @@
 //! Edge Newton: the next position of each contact edge, from the concentrated force at it.
 //!
-//! An edge inside the beam can carry no concentrated force. Where one of a bonded beam's edges is off, the
-//! ground leaves it at an angle, and a force A stands there that is known exactly. Near the answer a step
-//! of Newton's method on each A, for the deflection found, squares the error of the edge, as the
-//! [scan](crate::contact::obstacle) of the whole beam does, for a small part of its work. What only the scan sees
-//! (zones that split, appear or vanish) the certificate tells from an answer.
+//! An edge inside the beam carries no concentrated force. If an edge of the bonded beam is in the wrong position, the
+//! slope of the ground jumps there, and a known concentrated force A acts. Near the solution, a Newton step on each A
+//! at fixed deflection squares the error of the edge. The [scan](crate::contact::obstacle) of the whole beam does the
+//! same at much higher cost. Zones that split, appear or vanish are found by the scan only; the certificate rejects a
+//! solution that misses them.
 
 use super::surface::can_carry;
 use crate::contact::intervals::Interval;
@@ -15,7 +15,7 @@ use crate::mesh::deflection::{BeamPoint, Deflection, MeshZone};
 use crate::mesh::ground_runs::{GroundRun, ground_runs};
 use crate::mesh::open_ground::open_link;
 
-/// Open ground on one side of a zone, and what it takes at its two ends.
+/// Open ground beside a zone, and the forces on the ground at its two ends.
 pub(super) struct OpenSpan {
     link: TwoPort,
     pub fluxes: [f64; 2],
@@ -32,8 +32,8 @@ impl OpenSpan {
     }
 }
 
-/// The intervals after a step on every edge of the given zones, whose ends are nodes. `None` if edge
-/// Newton does not apply: on separate springs, if an end or a point of contact pulls, or if a step is too long.
+/// The intervals after a Newton step on every edge of the given zones, whose ends are nodes. `None` if edge Newton does
+/// not apply: on Winkler ground, if an end or a point contact is in tension, or if a step is too long.
 pub(crate) fn next_intervals(w: &Deflection, zones: &[MeshZone]) -> Option<Vec<Interval>> {
     let runs = ground_runs(w.mesh);
     let [run] = runs.as_slice() else { return None };
@@ -64,8 +64,9 @@ pub(crate) fn next_intervals(w: &Deflection, zones: &[MeshZone]) -> Option<Vec<I
     zones.iter().enumerate().map(interval).collect()
 }
 
-/// How far an edge moves out of its zone: dA = (π − S A/μ) times that, where S is the stiffness of the open
-/// ground seen from there. The end of the ground's layer or of the beam, or a corner, may carry its force.
+/// Outward move of an edge, from dA = (π − S A/μ) times the move, where S is the stiffness of the open ground at the
+/// edge. The move is 0 at positions that can carry a force: an end of the shear layer or of the beam, or a corner;
+/// `None` if the force there is tension.
 fn outward(w: &Deflection, edge: BeamPoint, force: f64, stiffness: f64) -> Option<f64> {
     if can_carry(w.mesh, edge) {
         return (force >= 0.0).then_some(0.0);

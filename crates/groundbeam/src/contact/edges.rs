@@ -1,12 +1,12 @@
 //! Phase B of the contact iteration: Newton's method on the contact edges.
 //!
-//! Each step bonds the beam to the ground on the trial contact Z and asks the bonded deflection for its own contact:
-//! edge Newton near the answer, else the obstacle problem. The move of the contact is the longest interval of the
-//! symmetric difference. A step that halves the least move so far is taken whole. Every other step is shortened by a
-//! line search, so that the energy Φ falls.
+//! Each step bonds the beam to the ground on the trial contact Z and computes the contact set of the bonded deflection:
+//! by edge Newton near the solution, otherwise by the obstacle problem. The move of the contact is the longest interval
+//! of the symmetric difference. A step whose move is at most half of the least move so far is a full step. Every other
+//! step is shortened by a line search, so that the energy Φ falls.
 //!
-//! The iteration stops by the edges, never by the energy. A zone that presses with 10⁻¹² of the rest has 10⁻²⁴ of
-//! the energy, so the energy cannot tell whether it touches.
+//! The iteration stops by the edges, not by the energy. A zone with 10⁻¹² of the contact force has 10⁻²⁴ of the energy,
+//! so the energy cannot show whether it touches.
 
 use crate::contact::bonded::{Bonded, GivenRotation};
 use crate::contact::descent::shorten;
@@ -42,14 +42,14 @@ impl Start {
         Start { contact, now: None, near: false }
     }
 
-    /// The contact that a deflection asks for.
+    /// The contact set of a deflection.
     pub fn of(found: ContactState) -> Self {
         let contact = positions(&found.mesh, &found.zones, &[]);
         Start { contact, now: Some(found), near: false }
     }
 }
 
-/// Newton's method on the edges of contact, from a start. `judge` gives the relative gap of an answer.
+/// Newton's method on the contact edges from a start. `judge` computes the relative energy gap of a solution.
 pub(crate) fn edges(
     bonded: &mut Bonded,
     start: Start,
@@ -91,24 +91,24 @@ pub(crate) fn edges(
 struct Search<'a, 'm> {
     bonded: &'a mut Bonded<'m>,
     judge: &'a mut dyn FnMut(&ContactState) -> f64,
-    /// The positions of the model's own nodes.
+    /// The positions of the nodes required by the model.
     places: Vec<f64>,
     history: Vec<Step>,
-    /// The trial contacts since the last searched step.
+    /// The trial contacts since the last shortened step.
     visited: Vec<Visited>,
     /// The deflection from which the next step starts.
     now: Option<Rc<ContactState>>,
-    /// The last two moves of the contact and the least one, relative to the length.
+    /// The last two moves of the contact and the least move, relative to the length.
     before: f64,
     moved: f64,
     least: f64,
-    /// The last move, also of a searched step.
+    /// The last move, including shortened steps.
     last: f64,
     /// Steps in a row without progress.
     stale: usize,
-    /// Stiffness of the next tether.
+    /// Relative stiffness of the next stabilising springs.
     epsilon: f64,
-    /// Whether the last line search met rounding error: the next trial is tethered.
+    /// Whether the last line search reached rounding error: the next trial then has stabilising springs.
     is_loose: bool,
 }
 
@@ -120,7 +120,7 @@ struct Visited {
 
 /// The bonded solve of one step.
 enum Bond {
-    /// An answer: the beam is balanced on one point and may rotate about it until another point touches.
+    /// A solution: the beam is balanced on one point and may rotate about it until another point touches.
     OnOnePoint(Box<ContactState>),
     Trial(Trial),
 }
@@ -128,7 +128,7 @@ enum Bond {
 /// The beam bonded on a trial contact.
 struct Trial {
     found: Rc<ContactState>,
-    /// The tether's work ε|w̃ − w|² if the bonded beam is a mechanism.
+    /// Work ε|w̃ − w|² of the stabilising springs if the bonded beam is a mechanism.
     tether: Option<f64>,
 }
 
@@ -142,12 +142,12 @@ impl Search<'_, '_> {
         contact.into_iter().map(|ends| ends.map(|x| snapped(x, &self.places, l))).collect()
     }
 
-    /// The contact of a deflection by the obstacle problem.
+    /// The contact set of a deflection, from the obstacle problem.
     fn scan(&self, found: &ContactState) -> Vec<Interval> {
         positions(&found.mesh, &obstacle::contact(&found.deflection()), &self.places)
     }
 
-    /// Whether the obstacle problem of a deflection has this contact.
+    /// Whether the contact set of a deflection is this contact.
     fn confirms(&self, contact: &[Interval], found: &ContactState) -> bool {
         longest_difference(contact, &self.scan(found)) <= ROUNDED * self.length()
     }
@@ -180,15 +180,15 @@ impl Search<'_, '_> {
         Ok(Bond::Trial(Trial { found: Rc::new(found), tether: Some(work) }))
     }
 
-    /// The beam balanced on one point, with the rotation of another deflection.
+    /// The beam balanced on one point, with the rotation of the deflection `like`.
     fn balanced(&mut self, contact: &[Interval], like: &ContactState) -> Option<ContactState> {
         let found = self.bonded.solve_held(contact, &[GivenRotation::as_in(like)]).ok()?;
         let holds = self.confirms(contact, &found) && (self.judge)(&found) <= ON_ONE_POINT;
         holds.then_some(found)
     }
 
-    /// The contact that the bonded beam asks for, by edge Newton where the last move was short, else by the scan. The
-    /// scan also decides where edge Newton finds nothing to move.
+    /// The contact set of the bonded beam: by edge Newton if the last move was short, otherwise by the scan. The scan
+    /// also decides if edge Newton moves no edge.
     fn next_contact(&mut self, contact: &[Interval], trial: &Trial) -> Vec<Interval> {
         let found = &trial.found;
         let l = self.length();
@@ -201,7 +201,7 @@ impl Search<'_, '_> {
         let next = by_edges.unwrap_or_else(|| self.scan(found));
         self.before = self.moved;
         self.moved = longest_difference(contact, &next) / l;
-        // Moves of the size of rounding error go up and down: only a new least move is progress.
+        // Moves of the size of rounding error fluctuate, so only a new least move counts as progress.
         let goal = if self.moved > JITTER { self.last } else { self.least };
         self.stale = if self.moved <= 0.5 * goal { 0 } else { self.stale + 1 };
         self.last = self.moved;
@@ -209,8 +209,8 @@ impl Search<'_, '_> {
         next
     }
 
-    /// The answer, if the trial contact is settled, if only rounding error moves it, or if the iteration returns to a
-    /// contact that it has visited.
+    /// The solution, if the trial contact has converged, if only rounding error moves it, or if the iteration returns
+    /// to an earlier contact.
     fn answer(
         &mut self,
         contact: &[Interval],
@@ -257,14 +257,14 @@ impl Search<'_, '_> {
         Some(ContactState { edge_error, ..Rc::unwrap_or_clone(one.found) })
     }
 
-    /// Whether rounding error alone moves the contact.
+    /// Whether only rounding error moves the contact.
     fn jitters(&self, contact: &[Interval], found: &ContactState) -> bool {
         let asked = || obstacle::contact(&found.deflection());
         self.stale >= PATIENCE
             && (self.moved <= JITTER || differ_by_rounding(found, contact, &asked(), &self.places))
     }
 
-    /// The beam bonded without the zones that press with rounding error alone, if it has the other zones as its contact.
+    /// The beam bonded without the zones whose force is rounding error, if the other zones are its contact set.
     fn without_weightless(
         &mut self,
         contact: &[Interval],
@@ -287,7 +287,8 @@ impl Search<'_, '_> {
         let [strong, undecided]: [Vec<Interval>; 2] = [strong, weightless].map(zones);
         let edge_error = EdgeError { moved: self.moved * self.length(), undecided };
         let rest = self.bonded.solve_on(&strong).ok()?;
-        // Zones that pull are left open, even if the rest asks for them again: rounding error decides.
+        // Zones in tension stay open even if they are in the contact set of the rest, since this is due to rounding
+        // error.
         let own = self.scan(&rest);
         let same = |zones: &[Interval]| longest_difference(zones, &own) <= ROUNDED * self.length();
         let is_own = same(&strong) || pull && same(contact);
@@ -301,7 +302,7 @@ impl Search<'_, '_> {
         is_short.then(|| [from, to].into_iter().find_map(|at| self.balanced(&[[at; 2]], found)))?
     }
 
-    /// The next trial contact: the one that was asked for, or the one of a shortened step.
+    /// The next trial contact: `asked` after a full step, or that of the shortened step.
     fn step(
         &mut self,
         contact: Vec<Interval>,
@@ -326,7 +327,8 @@ impl Search<'_, '_> {
         let change = if shortened.part < NOT_SHORTENED { TIGHTEN } else { RELAX };
         self.epsilon = (self.epsilon * change).max(TETHER);
         if shortened.part < LEAST_PART {
-            // Only the scan of a deflection gives a contact along which Φ falls; edge Newton need not.
+            // The energy is certain to fall only along the contact set from the scan of a deflection, not from edge
+            // Newton.
             let own = self.scan(&from);
             self.is_loose = longest_difference(&contact, &own) <= ROUNDED * self.length();
             self.moved = f64::INFINITY;

@@ -1,12 +1,12 @@
-//! The contact problem without a mesh: the edges of contact as unknowns.
+//! The exact contact problem: the positions of the contact edges are the unknowns.
 //!
-//! Between loads, supports, hinges and edges of contact the deflection solves (2.11) in closed form. The unknowns are
-//! the number of contact zones and their edges. [Phase B](super::edges) finds them by Newton's method from the first
-//! start that leads to an answer:
+//! Between loads, supports, hinges and contact edges, (2.11) has a closed-form solution w. The unknowns are the number
+//! of contact zones and their edges. [Phase B](super::edges) finds them by Newton's method. The following starts are
+//! tried until one leads to a solution:
 //!
-//! 1. the contact of a neighbouring model, if it is given;
+//! 1. the contact of a neighbouring model, if given;
 //! 2. the whole length of a short beam, or the active nodes of a nodal solve of a long one ([`start`](super::start));
-//! 3. the contact of a stiffer beam, followed to the beam's own stiffness ([`continuation`](super::continuation)).
+//! 3. the contact of a stiffer beam, followed down to the actual stiffness ([`continuation`](super::continuation)).
 
 use crate::cancel::Cancel;
 use crate::contact::bonded::Bonded;
@@ -22,8 +22,8 @@ use crate::model::{GapPoint, Model};
 use crate::numeric::tolerance::GAP;
 use std::borrow::Cow;
 
-/// Solves a model. `judge` computes the relative gap of a deflection with its contact. Returns the state that was
-/// judged last. `likely` is the contact of a neighbouring model, a warm start.
+/// Solves a model. `judge` computes the relative energy gap of a deflection with its contact. Returns the state that
+/// was judged last. `likely` is the contact of a neighbouring model (warm start).
 pub(crate) fn solve(
     model: &Model,
     likely: Option<&[Interval]>,
@@ -77,7 +77,8 @@ fn with_free_field_as_gap(model: &Model) -> Cow<'_, Model> {
     Cow::Owned(nearly)
 }
 
-/// Solves from the contact of a stable equilibrium whose last digits are missing. Refuses another equilibrium.
+/// Refines the contact of a stable equilibrium that is known except for its last digits. Fails if the iteration leads
+/// to another equilibrium.
 pub(crate) fn from_stable(
     model: &Model,
     contact: &[Interval],
@@ -97,7 +98,7 @@ pub(crate) fn from_stable(
         }
         Err(stalled) => stalled.why.reached().unwrap_or(f64::NAN),
     };
-    // Close to a limit point a Newton step leads away from the equilibrium: keep the given contact.
+    // Near a limit point a Newton step leads away from the equilibrium. Then the given contact is kept.
     match bonded.solve_on(contact) {
         Ok(found) if judge(&found) <= GAP => Ok(found),
         _ => Err(edges_not_converged(0, moved)),
@@ -116,7 +117,7 @@ mod tests {
     use crate::contact::obstacle;
     use crate::model::{Beam, Foundation, Load};
 
-    /// Kikuchi's case IV: the edge from 60-digit arithmetic, and how fast it is reached.
+    /// Kikuchi's case IV: the edge from 60-digit arithmetic, and the rate of convergence.
     #[test]
     fn edges_converge_quadratically() {
         let model = Model::new(Beam::uniform(1.0, 1.0), Foundation::pasternak(1.0, 1.0))

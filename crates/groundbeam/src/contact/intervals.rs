@@ -1,4 +1,4 @@
-//! Contact as positions, and as zones of a mesh with a node at each of them.
+//! Contact zones as intervals of positions, and conversion to zones of a mesh.
 
 use crate::contact::stopping::SLIT;
 use crate::element::operator::ZoneKind;
@@ -7,10 +7,10 @@ use crate::mesh::deflection::{BeamPoint, MeshZone};
 use crate::mesh::mesh::Mesh;
 use crate::numeric::tolerance::same_place;
 
-/// A contact zone as two positions; a point has both equal.
+/// A contact zone from one position to another; equal positions are a point contact.
 pub(crate) type Interval = [f64; 2];
 
-/// Zones as positions. An edge within rounding of a place of the model's own is there.
+/// Zones as positions. An edge within rounding error of one of the model's `places` is set to it.
 pub(crate) fn positions(mesh: &Mesh, zones: &[MeshZone], places: &[f64]) -> Vec<Interval> {
     let l = mesh.cells[mesh.cells.len() - 1].x[1];
     let at = |point: BeamPoint| snapped(mesh.cells[point.cell].global(point.s), places, l);
@@ -21,8 +21,8 @@ pub(crate) fn positions(mesh: &Mesh, zones: &[MeshZone], places: &[f64]) -> Vec<
     all.filter(kept).map(|(_, interval)| interval).collect()
 }
 
-/// Stretches without the slits that rounding leaves between them, on a beam of length l. A point stays: it may be
-/// the end of a shear layer beside separate springs.
+/// Joins intervals separated by slits of the size of rounding error, on a beam of length l. Point contacts are kept:
+/// they may be the end of a shear layer beside Winkler ground.
 pub(crate) fn joined(intervals: Vec<Interval>, l: f64) -> Vec<Interval> {
     let mut joined: Vec<Interval> = Vec::with_capacity(intervals.len());
     for interval in intervals {
@@ -40,14 +40,14 @@ pub(crate) fn joined(intervals: Vec<Interval>, l: f64) -> Vec<Interval> {
     joined
 }
 
-/// A position on a beam of length l; within rounding of a place of the model's own that place.
+/// A position x on a beam of length l; the nearest of the model's `places` if it is within rounding error of x.
 pub(crate) fn snapped(x: f64, places: &[f64], l: f64) -> f64 {
     let near = same_place(l);
     let next = places.partition_point(|place| *place < x - near);
     places.get(next).copied().filter(|place| *place <= x + near).unwrap_or(x)
 }
 
-/// Stretches as zones of a mesh that has a node at each of their ends.
+/// Intervals as zones of a mesh that has nodes at the ends of the intervals.
 pub(crate) fn zones_of(
     mesh: &Mesh,
     intervals: &[Interval],
@@ -65,7 +65,7 @@ pub(crate) fn zones_of(
             _ => zones.push(MeshZone { from: BeamPoint { cell: i, s: -1.0 }, to: end }),
         }
     }
-    // Points: the node nearest to them, if no zone holds it already.
+    // Point contacts: the nearest node, unless a zone contains it.
     let count = mesh.cells.len();
     for x in intervals.iter().filter(|s| s[1] <= s[0]).map(|s| s[0]) {
         let right = mesh.nodes.partition_point(|n| n.x < x).min(count);
@@ -78,7 +78,7 @@ pub(crate) fn zones_of(
         if zones.iter().any(held) {
             continue;
         }
-        // A point can carry a force only on a shear layer: of two cells that meet, the one that has it.
+        // Only a shear layer carries a force at a point: of two adjoining cells, the one with a shear layer is taken.
         let cell = if node == count || (node > 0 && !kind(node)) { node - 1 } else { node };
         let point = BeamPoint { cell, s: if cell == node { -1.0 } else { 1.0 } };
         zones.push(MeshZone { from: point, to: point });
@@ -99,7 +99,7 @@ pub(crate) fn longest_difference(a: &[Interval], b: &[Interval]) -> f64 {
     longest.max(points(a, b)).max(points(b, a))
 }
 
-/// The intervals on which some of several contacts touch and others do not.
+/// The intervals that belong to some but not all of several contacts.
 pub(crate) fn differences(contacts: &[&[Interval]]) -> Vec<Interval> {
     let mut ends: Vec<f64> =
         contacts.iter().flat_map(|contact| contact.as_flattened()).copied().collect();
@@ -119,13 +119,13 @@ pub(crate) fn differences(contacts: &[&[Interval]]) -> Vec<Interval> {
     differences
 }
 
-/// Whether a position lies within a contact.
+/// Whether a position is inside a contact zone.
 pub(crate) fn covers(contact: &[Interval], x: f64) -> bool {
     let next = contact.partition_point(|interval| interval[1] <= x);
     contact.get(next).is_some_and(|interval| interval[0] < x)
 }
 
-/// How far a position is from the nearest zone of a contact.
+/// Distance of a position from the nearest contact zone.
 fn distance_to(contact: &[Interval], x: f64) -> f64 {
     let apart = |[from, to]: &Interval| (from - x).max(x - to).max(0.0);
     contact.iter().map(apart).fold(f64::INFINITY, f64::min)

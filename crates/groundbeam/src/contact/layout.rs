@@ -1,4 +1,4 @@
-//! Contact zones cell by cell: which parts of a cell touch, which nodes touch, and the two-ports between them.
+//! Contact zones cell by cell: the parts of cells in contact, the nodes in contact, and the two-ports between them.
 
 use crate::chain::node::{ChainCell, ChainNode};
 use crate::chain::node::{Tie, TiedTwoPort};
@@ -12,15 +12,16 @@ use crate::mesh::open_ground::cell_part;
 use crate::numeric::real::Real;
 use std::ops::Range;
 
-/// How near a point of contact is to a node that counts the surface from the beam, in wave lengths.
+/// Distance of a node to a point of contact, in units of 1/wave number, below which r = u − ψ is the unknown of the
+/// surface.
 const NEAR: f64 = 1e-2;
 
-/// Where beam and ground touch, seen from the cells.
+/// Contact of the cells and nodes of a mesh.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Layout {
-    /// The parts \[s_from, s_to\] of cells that touch, cell by cell; a point has both equal.
+    /// Parts \[s_from, s_to\] of cells in contact, ordered by cell. Equal ends are a point contact.
     parts: Vec<(usize, [f64; 2])>,
-    /// Whether each node touches, as the end of the cell to its left and to its right.
+    /// Whether each node is in contact, as an end of the cell on its left and on its right.
     pub touched: Vec<[bool; 2]>,
 }
 
@@ -63,14 +64,14 @@ impl Layout {
         Layout { parts, touched }
     }
 
-    /// The parts of cell i that touch.
+    /// The parts of cell i in contact.
     pub fn parts(&self, i: usize) -> impl DoubleEndedIterator<Item = [f64; 2]> + '_ {
         let first = self.parts.partition_point(|(cell, _)| *cell < i);
         let end = first + self.parts[first..].partition_point(|(cell, _)| *cell == i);
         self.parts[first..end].iter().map(|(_, part)| *part)
     }
 
-    /// A node where the contact or a support holds the beam best: the middle of the longest interval.
+    /// The node at which the sweeps meet: the middle of the longest contact interval, otherwise a rigid support.
     pub fn meeting_node<R: Real>(&self, mesh: &Mesh<R>) -> usize {
         let mut best = (0.0, mesh.nodes.len() / 2);
         let mut start: Option<usize> = None;
@@ -116,7 +117,7 @@ impl Layout {
                 ..ChainNode::default()
             })
             .collect();
-        // ∫(k u₀z + μu₀′z′) over a cell that touches is ∫q z, and μu₀′z at its ends.
+        // In contact, ∫(k u₀z + μu₀′z′) over a cell is ∫q z plus μu₀′z at its ends.
         for &(i, part) in self.parts.iter().filter(|(i, _)| mesh.cells[*i].has_free_field()) {
             let cell = &mesh.cells[i];
             let [from, to] = part.map(|s| cell.shear_layer * cell.free_field_at(s)[1]);
@@ -166,8 +167,8 @@ impl Layout {
         nodes
     }
 
-    /// How far each node of a run is from the next point of contact: near one the ground between is hardly
-    /// more than a stiff two-port.
+    /// Distance of each node of a run to the nearest point of contact. Near such a point the open ground is a very
+    /// stiff two-port.
     fn distances_to_contact<R: Real>(&self, mesh: &Mesh<R>, cells: &Range<usize>) -> Vec<f64> {
         let x = |node: usize| mesh.nodes[node].x;
         let at = |cell: usize, s: f64| mesh.cells[cell].global(s);
@@ -196,7 +197,8 @@ impl Layout {
         distance
     }
 
-    /// The two-ports of open ground in cell i. `row` gives w at s as a combination of the element's four.
+    /// The two-ports of open ground in cell i. `row` gives w at s as a linear combination of the element's four
+    /// unknowns.
     pub fn links<R: Real>(
         &self,
         mesh: &Mesh<R>,
@@ -225,7 +227,7 @@ impl Layout {
         links
     }
 
-    /// A chain cell from its element and this contact's two-ports.
+    /// A chain cell: its element and the two-ports of open ground.
     pub fn chain_cell<R: Real>(
         &self,
         mesh: &Mesh<R>,

@@ -1,4 +1,4 @@
-//! The contact iterations, section 5 of the paper: exact, active set, Uzawa; and the parts that they share.
+//! The contact iterations of section 5 of the paper (exact, active set, Uzawa) and their common parts.
 
 pub(crate) mod bonded;
 pub(crate) mod continuation;

@@ -1,19 +1,18 @@
 //! The obstacle problem: the contact set of the ground under a given deflection, (2.10) for a fixed w.
 //!
-//! For a fixed ψ = w − g₀ − u₀ the ground's surface is the least u ≥ ψ with −(μu')' + ku ≥ 0. One scan from left
-//! to right finds it, as the scan for a convex hull does: solutions of −(μu')' + ku = 0 take the place of
-//! straight lines.
+//! For fixed ψ = w − g₀ − u₀, the surface of the ground is the least u ≥ ψ with −(μu')' + ku ≥ 0. One scan from left to
+//! right finds it. The scan is that of a convex hull, with solutions of −(μu')' + ku = 0 in place of straight lines.
 //!
-//! * Beam and ground touch along an interval only where π = kψ − (μψ')' ≥ 0. These candidate intervals, the
-//!   *arcs*, follow from the sign changes of the polynomial π.
-//! * The stack holds the contact intervals of the arcs read so far. A span of unloaded ground, tangent to both,
-//!   joins a new arc to the last one and trims both. An arc on which the ground would pull is dropped, and the
-//!   span runs on to the arc before.
-//! * At the span's ends a and b the concentrated forces A = μψ'(a) − μu'(a) and B = μu'(b) − μψ'(b) vanish.
-//!   There dA/da = −π(a) and dB/db = π(b), and neither depends on the other end to first order: Newton's method
-//!   on each in turn converges quadratically.
+//! * Beam and ground can touch along an interval only where π = kψ − (μψ')' ≥ 0. These candidate intervals, the *arcs*,
+//!   follow from the sign changes of the polynomial π.
+//! * The stack holds the contact intervals of the arcs read so far. A span of unloaded ground, tangent to both, joins a
+//!   new arc to the last one and trims both. An arc on which the ground would be in tension is dropped, and the span is
+//!   extended to the arc before.
+//! * At the ends a and b of the span the concentrated forces A = μψ'(a) − μu'(a) and B = μu'(b) − μψ'(b) are zero.
+//!   There dA/da = −π(a) and dB/db = π(b), and neither depends on the other end to first order. So Newton's method on
+//!   each in turn converges quadratically.
 //!
-//! The scan trims each arc from its ends only and passes each cell once: it is O(n).
+//! The scan trims each arc only from its ends and passes each cell once, so its cost is O(n).
 
 use crate::contact::short_span;
 use crate::contact::springs::{join, positive_parts, winkler_contact};
@@ -23,7 +22,7 @@ use crate::mesh::ground_runs::{GroundRun, ground_runs};
 use crate::mesh::mesh::Mesh;
 use crate::mesh::open_ground::cell_part;
 
-/// The intervals of contact, from left to right.
+/// The contact zones under a deflection, from left to right.
 pub(crate) fn contact(w: &Deflection) -> Vec<MeshZone> {
     let mut zones = Vec::new();
     for run in ground_runs(w.mesh) {
@@ -36,16 +35,16 @@ pub(crate) fn contact(w: &Deflection) -> Vec<MeshZone> {
     zones
 }
 
-/// Open ground between two points; a missing one is the ground beyond the run.
+/// Open ground between two points. A missing point means that the span includes the ground beyond that end of the run.
 #[derive(Debug, Clone, Copy)]
 struct OpenSpan {
     left: Option<BeamPoint>,
     right: Option<BeamPoint>,
-    /// The whole cells strictly between, and the ground beyond where a point is missing.
+    /// The whole cells strictly between the points, with the ground beyond the run if a point is missing.
     middle: Option<TwoPort>,
 }
 
-/// A zone with the span to its left.
+/// A zone, and the open span on its left.
 #[derive(Debug, Clone, Copy)]
 struct KeptZone {
     zone: MeshZone,
@@ -94,8 +93,8 @@ impl Scan<'_> {
         stack.into_iter().map(|kept| kept.zone).collect()
     }
 
-    /// Ends the last zone where the span begins. If the rest of it would pull, drops the zone and lets the span run
-    /// on to the zone before.
+    /// Ends the last zone where the span begins. If the rest of the zone would be in tension, drops the zone and
+    /// extends the span to the zone before.
     fn drops_last(&self, stack: &mut Vec<KeptZone>, span: &mut OpenSpan) -> bool {
         let (Some(last), Some(touch)) = (stack.last_mut(), span.left) else { return false };
         last.zone.to = touch;
@@ -107,7 +106,7 @@ impl Scan<'_> {
         dropped
     }
 
-    /// The ground beyond the right end trims the last zones.
+    /// Trims the last zones by the open span at the right end of the run.
     fn close(&self, stack: &mut Vec<KeptZone>) {
         let end = self.run.cells.end;
         let Some(last) = stack.last() else { return };
@@ -128,8 +127,8 @@ impl Scan<'_> {
         }
     }
 
-    /// Where π ≥ 0, joined over cells unless a corner of ψ opens the ground; and single points that may
-    /// carry a force: the ends of the shear layer and corners that press into the ground.
+    /// The arcs: intervals with π ≥ 0, joined over cells unless a corner of ψ separates them, and single points that
+    /// may carry a force (ends of the shear layer, and corners that press into the ground).
     fn arcs(&self) -> Vec<MeshZone> {
         let cells = self.run.cells.clone();
         let mut arcs: Vec<MeshZone> = Vec::new();
@@ -176,18 +175,18 @@ impl Scan<'_> {
         let tail = span.right.filter(|b| b.s > -1.0).map(|b| part(b.cell, -1.0, b.s));
         let parts = [head, span.middle, tail];
         let whole = parts.into_iter().flatten().reduce(TwoPort::then);
-        // A span without length between two points at one node: a rigid two-port.
+        // A span of length zero between two points at one node: a rigid two-port.
         whole.unwrap_or(TwoPort { series: f64::MAX, shunt_left: 0.0, shunt_right: 0.0 })
     }
 
-    /// The contact force at a single point between two spans; not positive where the ground would have to pull.
+    /// The contact force at a single point between two spans; negative in tension.
     fn pull(&self, before: &OpenSpan, after: &OpenSpan) -> f64 {
         let fluxes =
             |span: &OpenSpan| short_span::fluxes(self.w, [span.left, span.right], &self.link(span));
         fluxes(before)[1] + fluxes(after)[0]
     }
 
-    /// One span over a dropped zone.
+    /// The union of two spans and the dropped zone between them.
     fn merged(&self, before: &OpenSpan, zone: &MeshZone, after: &OpenSpan) -> OpenSpan {
         let first = before.left.map_or(self.run.cells.start, |a| a.cell + 1);
         let last = after.right.map_or(self.run.cells.end, |b| b.cell);
@@ -217,8 +216,8 @@ impl Scan<'_> {
         }
     }
 
-    /// The concentrated force at the span's left end, which ends an interval of contact, and its slope
-    /// dA/da = −π + (S/μ) A, where S is the stiffness of the open ground seen from there.
+    /// The concentrated force A at the left end of the span, and dA/da = −π + (S/μ) A, where S is the stiffness of the
+    /// open ground at this end.
     fn force_at_left(&self, span: &OpenSpan, point: BeamPoint) -> [f64; 2] {
         let trial = OpenSpan { left: Some(point), ..*span };
         let [psi, slope, pressure] = self.w.obstacle_and_pressure(point);
@@ -232,7 +231,7 @@ impl Scan<'_> {
         [force, (link.shunt_left + link.series) / shear * force - pressure]
     }
 
-    /// The same at its right end, dB/db = π − (S/μ) B.
+    /// The concentrated force B at the right end of the span, and dB/db = π − (S/μ) B.
     fn force_at_right(&self, span: &OpenSpan, point: BeamPoint) -> [f64; 2] {
         let trial = OpenSpan { right: Some(point), ..*span };
         let [psi, slope, pressure] = self.w.obstacle_and_pressure(point);
@@ -246,12 +245,12 @@ impl Scan<'_> {
         [force, pressure - (link.shunt_right + link.series) / shear * force]
     }
 
-    /// The forces at both ends of a short span.
+    /// The forces at both ends of a short span; `None` if the span is not short.
     fn short(&self, span: &OpenSpan) -> Option<[f64; 2]> {
         short_span::end_forces(self.w, [span.left, span.right])
     }
 
-    /// Moves the span's left end to the left until nothing pulls there.
+    /// Moves the left end of the span to the left until there is no tension at it.
     fn trim_left(&self, span: &mut OpenSpan, limit: BeamPoint) {
         let Some(mut point) = span.left else { return };
         if point == limit || self.force_at_left(span, point)[0] >= 0.0 {
@@ -269,7 +268,7 @@ impl Scan<'_> {
                 point = limit;
                 break;
             }
-            // The whole cell opens; it lies between the points unless the right one is in it.
+            // The whole cell opens. It lies between the points unless the right point is in it.
             if span.right.is_none_or(|b| b.cell != point.cell) {
                 let opened = self.whole_cells(point.cell, point.cell + 1, None);
                 span.middle = chained(opened, span.middle);
@@ -280,7 +279,7 @@ impl Scan<'_> {
         span.left = Some(point);
     }
 
-    /// Moves the span's right end to the right until nothing pulls there.
+    /// Moves the right end of the span to the right until there is no tension at it.
     fn trim_right(&self, span: &mut OpenSpan, limit: BeamPoint) {
         let Some(mut point) = span.right else { return };
         if point == limit || self.force_at_right(span, point)[0] >= 0.0 {
@@ -307,8 +306,8 @@ impl Scan<'_> {
         span.right = Some(point);
     }
 
-    /// The root of a concentrated force between two points of one cell, where it changes sign in the given
-    /// `sense`: Newton's method, halving where it leaves the bracket or does not halve the force.
+    /// The position at which a concentrated force changes sign in the given `sense`, between two points of one cell.
+    /// Newton's method is used, with bisection if a step leaves the bracket or does not halve the force.
     fn tangent(
         &self,
         cell: usize,
@@ -319,7 +318,7 @@ impl Scan<'_> {
         let half = 0.5 * self.w.mesh.cells[cell].length();
         let mut s = if sense > 0.0 { low } else { high };
         let mut before = f64::INFINITY;
-        // Twice the halvings that a double has.
+        // Twice the number of bisections that double precision allows.
         for _ in 0..128 {
             let [f, slope] = force(s);
             if f == 0.0 {
@@ -358,7 +357,8 @@ fn point_zone(point: BeamPoint) -> MeshZone {
     MeshZone { from: point, to: point }
 }
 
-/// `before`, then the whole cells of a range. Runs of equal ground are one two-port.
+/// Two-port of `before` followed by the whole cells of a range. Consecutive cells of equal uniform ground are one
+/// two-port.
 fn whole_cells(mesh: &Mesh, from: usize, to: usize, before: Option<TwoPort>) -> Option<TwoPort> {
     let mut link = before;
     let mut i = from;

@@ -1,4 +1,4 @@
-//! Equilibrium of a beam that stands on one point and may rotate about it.
+//! Equilibrium of a beam that is balanced on one point and may rotate about it.
 
 use crate::cancel::Cancel;
 use crate::contact::bonded::{Bonded, GivenRotation};
@@ -13,12 +13,13 @@ use crate::numeric::tolerance::GAP;
 /// Distance of the resultant from the end in the limit process, relative to the length.
 const ALMOST: f64 = 1e-6;
 
-/// How far beyond the limit the beam is turned, relative to the limit's slope: the first that is clear of the ground is taken.
+/// Trial rotations beyond the limit, relative to the slope in the limit. The first one for which the beam is clear of
+/// the ground is taken.
 const BEYOND: [f64; 4] = [0.01, 0.1, 1.0, 10.0];
 
-/// Solves a free beam whose resultant stands exactly over one of its ends. That end alone carries it, and
-/// the beam may stand on it at any angle beyond the one at which it leaves the ground tangentially, which
-/// is the limit of resultants that move towards the end. One such angle is taken.
+/// Solves a free beam whose resultant is exactly over one of its ends. Only that end is in contact. The beam is in
+/// equilibrium at every rotation beyond the one at which it leaves the ground tangentially, which is the limit as the
+/// resultant tends to the end. One such rotation is taken.
 pub(crate) fn solve_over_an_end(
     model: &Model,
     resultant: f64,
@@ -35,8 +36,9 @@ pub(crate) fn solve_over_an_end(
     let w = value(limit.deflection().cell(cell), s);
     let tangent = value(&limit.rotation(cell), s);
     let at = if over_left { 0.0 } else { l };
-    // Beyond the limit, clear of the ground: the limit's last interval of contact has a length of order
-    // √ALMOST, and its slope an error of that order, times the decay of the ground's surface over the length.
+    // The rotation exceeds the limit, so that the beam is clear of the ground. In the limit process the last contact
+    // interval has a length of order √ALMOST, and the slope has an error of that order, times the decay of the surface
+    // over the length.
     let turns = BEYOND.into_iter().map(|more| {
         let beyond = more * tangent.abs().max(w.abs() / l);
         vec![GivenRotation {
@@ -47,7 +49,7 @@ pub(crate) fn solve_over_an_end(
     turned_clear(&mut Bonded::new(model, cancel), &[[at, at]], turns, limit.history, judge)
 }
 
-/// The beam bonded on a contact, with the first of the given rotations at which the certificate holds.
+/// The beam bonded on a contact, with the first of the given rotations that the certificate confirms.
 pub(crate) fn turned_clear(
     bonded: &mut Bonded,
     contact: &[Interval],

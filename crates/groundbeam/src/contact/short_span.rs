@@ -1,15 +1,15 @@
 //! The contact forces at the ends of a short open span, from the pressure that would close it.
 //!
-//! Where a gap is just born, u and ψ differ in the last digits only, and so do their slopes: the
-//! concentrated forces A = μψ'(a) − μu'(a) and B = μu'(b) − μψ'(b) are small differences of large numbers.
-//! With e = u − ψ, −(μe')' + ke = −π between a and b and e = 0 at both, Green's identity gives them without:
+//! In a gap that has just opened, u and ψ differ only in the last digits, and so do their slopes. The concentrated
+//! forces A = μψ'(a) − μu'(a) and B = μu'(b) − μψ'(b) are then small differences of large numbers. With e = u − ψ,
+//! −(μe')' + ke = −π between a and b, and e = 0 at both ends, Green's identity avoids these differences:
 //!
 //! > A = ∫ π φ_a dx,  B = ∫ π φ_b dx,
 //!
-//! where φ_a is the unloaded ground that is 1 at a and 0 at b, φ_b the same from the other end, and π
-//! includes the point forces −\[μψ'\] of corners. π is a polynomial with its own digits, and its sign decides
-//! about the span. Rounding leaves ε μψ/h of the differences and ε h (kψ + μψ″) of the integrals: whichever
-//! is less decides.
+//! where φ_a is the surface of unloaded ground that is 1 at a and 0 at b, φ_b the same with a and b exchanged, and π
+//! includes the point forces −\[μψ'\] of corners. π is computed from the coefficients of ψ, and its sign determines
+//! whether the span opens. The rounding error is ε μψ/h in the differences and ε h (kψ + μψ″) in the integrals. The
+//! formula with the smaller one is used.
 
 use crate::ground::link::{TwoPort, between, settled};
 use crate::mesh::cell::Cell;
@@ -18,22 +18,23 @@ use crate::numeric::elementary::{cosh, sinh};
 use crate::numeric::polynomial::value;
 use crate::numeric::real::Real;
 
-/// The most cells of a short span; three are a gap and the cells beside it.
+/// Maximum number of cells of a short span; three are a gap and the cells beside it.
 const MOST_CELLS: usize = 4;
-/// The longest short span in wave lengths √(μ/k) of the ground: beyond, the differences keep twelve digits.
+/// Maximum length of a short span in decay lengths √(μ/k) of the ground. In longer spans the differences keep twelve
+/// digits.
 const LONGEST: f64 = 0.03;
 
-/// A part of a cell with what the ground needs there.
+/// A part of a cell within a short span, and the data of its ground.
 struct SpanPart<R> {
     cell: usize,
     from: f64,
     to: f64,
-    /// Half its length \[m\].
+    /// Half the length of the part \[m\].
     half: f64,
-    /// b·length.
+    /// b times the length of the part.
     length: R,
     stiffness: R,
-    /// Where the ground varies: the part alone, and its ground as a two-port.
+    /// If the ground varies: the part as a cell, and its two-port.
     varying: Option<(Cell<R>, TwoPort<R>)>,
 }
 
@@ -54,8 +55,8 @@ impl<R: Real> SpanPart<R> {
         Some(part)
     }
 
-    /// The unloaded ground across the part, from its value and its flux at the left end, or with `turned`
-    /// from those at the right end. Each step forward adds positive numbers only.
+    /// Value and flux of unloaded ground at the right end of the part, from those at the left end. With `turned`, from
+    /// right to left. Each step adds positive numbers only.
     fn cross(&self, phi: R, flux: R, turned: bool) -> [R; 2] {
         if let Some((_, link)) = &self.varying {
             let (behind, ahead) = if turned {
@@ -72,7 +73,8 @@ impl<R: Real> SpanPart<R> {
         [cosh * phi + sinh / stiffness * flux, stiffness * sinh * phi + cosh * flux]
     }
 
-    /// ∫π over the part, its half length being 1, under the ground that is 1 at its left and at its right end.
+    /// ∫π φ over the part, in units of its half length, for the two φ that are 1 at its left or right end and 0 at the
+    /// other.
     fn under(&self, pi: &[R]) -> [R; 2] {
         let at = |t: f64| value(pi, self.from + t * (self.to - self.from));
         let mut under = [R::ZERO; 2];
@@ -106,13 +108,13 @@ fn half_length<R: Real>(cell: &Cell<R>, [from, to]: [f64; 2]) -> f64 {
     0.25 * (to - from) * cell.length()
 }
 
-/// b·length.
+/// b times the length of a part, for b² = k/μ.
 fn decay<R: Real>(cell: &Cell<R>, half: f64) -> R {
     (cell.subgrade / cell.shear_layer).sqrt() * 2.0 * half
 }
 
-/// The fluxes of open ground into both ends of a span, where it is held at ψ; `link` is its two-port. A missing end is
-/// the ground beyond the run.
+/// Forces on open ground at both ends of a span, where its surface is at ψ. `link` is the two-port of the span. A
+/// missing end means that the span includes the ground beyond the run.
 pub(crate) fn fluxes<R: Real>(
     w: &Deflection<R>,
     ends: [Option<BeamPoint>; 2],
@@ -127,7 +129,8 @@ pub(crate) fn fluxes<R: Real>(
     [link.force_left(left, right), link.force_right(left, right)]
 }
 
-/// The same between the edges on which a beam is bonded, with the kinks that the concentrated forces make there.
+/// The forces on open ground between edges at which the beam is bonded, with the kinks of the beam that the
+/// concentrated forces cause there.
 pub(crate) fn bonded_fluxes<R: Real>(
     w: &Deflection<R>,
     ends: [Option<BeamPoint>; 2],
@@ -143,8 +146,8 @@ pub(crate) fn bonded_fluxes<R: Real>(
     }
 }
 
-/// An end of a span as a point of the open cell beside it, where a beam that shears has a kink that the concentrated force of
-/// its bonded edge makes. Other kinks are corners: A and B include them.
+/// The end of a span as a point of the open cell beside it, if the beam has a kink there due to the concentrated force
+/// at its bonded edge. Other kinks are corners, which are contained in A and B.
 fn open_side<R: Real>(w: &Deflection<R>, point: BeamPoint) -> BeamPoint {
     let BeamPoint { cell, s } = point;
     let other = match s {
@@ -156,7 +159,7 @@ fn open_side<R: Real>(w: &Deflection<R>, point: BeamPoint) -> BeamPoint {
     if shears && w.corner(cell.max(other.cell)) == 0.0 { other } else { point }
 }
 
-/// A and B of a span, if it is short.
+/// A and B of a span; `None` if the span is not short.
 pub(crate) fn end_forces<R: Real>(
     w: &Deflection<R>,
     ends: [Option<BeamPoint>; 2],
@@ -179,7 +182,7 @@ pub(crate) fn end_forces<R: Real>(
     let part = |i: usize| SpanPart::of(&w.mesh.cells[i], i, within(i));
     let parts: Vec<SpanPart<R>> = (a.cell..=b.cell).map(part).collect::<Option<_>>()?;
     if whole <= 0.0 {
-        // Two arcs that meet at a corner: it opens if the corner pulls, at both alike.
+        // Two arcs that meet at a corner: the corner opens if it is in tension, equally on both sides.
         let pull = parts.iter().skip(1).map(|part| w.corner(part.cell) * 0.5).sum();
         return Some([pull; 2]);
     }
@@ -212,9 +215,10 @@ pub(crate) fn end_forces<R: Real>(
     Some(forces)
 }
 
-/// A part of the span that a corner opens between two arcs that meet there. On short even ground with a constant π
-/// both forces vanish where the span reaches |c|/2π to each side of a corner that pulls with c; half of this still
-/// pulls at both ends, and the tangents are two or three steps away. None if the forces say otherwise.
+/// The initial span at a corner between two arcs that is in tension. On uniform ground with constant π, both forces
+/// vanish where the span reaches |c|/2π to each side of a corner with the tension c. Half of this length still has
+/// tension at both ends, and the tangent points are two or three steps away. `None` if the computed forces are not in
+/// tension.
 pub(crate) fn opened(w: &Deflection, ends: [BeamPoint; 2]) -> Option<[BeamPoint; 2]> {
     let [a, b] = ends;
     if a.cell + 1 != b.cell || a.s < 1.0 || b.s > -1.0 {
@@ -241,8 +245,8 @@ fn pressure_size<R: Real>(w: &Deflection<R>, i: usize) -> f64 {
     terms.map(|(j, c)| c.value().abs() * (subgrade + bend * (j * j.saturating_sub(1)) as f64)).sum()
 }
 
-/// The unloaded ground over parts in a row, 0 where the first begins and 1 where the last ends, at every
-/// joint of two.
+/// The surface of unloaded ground over consecutive parts, 0 at the start of the first part and 1 at the end of the
+/// last: its values at all ends of parts.
 fn shape<'a, R: Real + 'a>(parts: impl Iterator<Item = &'a SpanPart<R>>, turned: bool) -> Vec<R> {
     let mut values = vec![R::ZERO];
     let (mut phi, mut flux) = (R::ZERO, R::ONE);
@@ -253,8 +257,8 @@ fn shape<'a, R: Real + 'a>(parts: impl Iterator<Item = &'a SpanPart<R>>, turned:
     values.iter().map(|value| *value / phi).collect()
 }
 
-/// Gauss's rule with sixteen points, \[−1, 1\]: exact to degree 31, a cell's series and the ground's shape.
-/// Abramowitz and Stegun (1964), table 25.4.
+/// Gauss's rule with sixteen points on \[−1, 1\], exact to degree 31: the power series of a cell times the ground's
+/// shape function. Abramowitz and Stegun (1964), table 25.4.
 const GAUSS: [(f64, f64); 8] = [
     (0.095_012_509_837_637_44, 0.189_450_610_455_068_5),
     (0.281_603_550_779_258_9, 0.182_603_415_044_923_58),

@@ -1,5 +1,5 @@
-//! The contact set on separate springs, where ψ = w − g₀ − u₀ ≥ 0; and the intervals of a cell on which a polynomial is not
-//! negative.
+//! The contact set on Winkler ground, where ψ = w − g₀ − u₀ ≥ 0, and the intervals of a cell on which a polynomial is
+//! not negative.
 
 use crate::contact::surface::SurfacePart;
 use crate::mesh::deflection::{BeamPoint, Deflection, MeshZone};
@@ -7,7 +7,7 @@ use crate::mesh::ground_runs::GroundRun;
 use crate::numeric::polynomial::{Coefficients, divided, value};
 use crate::numeric::roots::sign_changes;
 
-/// Without a shear layer, contact is where ψ ≥ 0.
+/// The contact zones on ground without a shear layer, where ψ ≥ 0.
 pub(super) fn winkler_contact(w: &Deflection, run: &GroundRun) -> Vec<MeshZone> {
     let mut zones: Vec<MeshZone> = Vec::new();
     let mut knots = Vec::new();
@@ -20,7 +20,7 @@ pub(super) fn winkler_contact(w: &Deflection, run: &GroundRun) -> Vec<MeshZone> 
     zones
 }
 
-/// Covers a cell of separate springs with its parts in contact and off it.
+/// Divides a cell on Winkler ground into its parts in contact and out of contact.
 pub(super) fn cover(w: &Deflection, cell: usize, parts: &mut Vec<SurfacePart>) {
     let mut knots = Vec::new();
     let mut from = -1.0;
@@ -36,8 +36,9 @@ pub(super) fn cover(w: &Deflection, cell: usize, parts: &mut Vec<SurfacePart>) {
     }
 }
 
-/// A polynomial with the sign of ψ inside a cell. ψ is divided by its zeros at supports that hold the beam on the ground's
-/// surface: one at a pin, two at a clamp. Rounding error would split these zeros and make open ground of their distance.
+/// A polynomial with the sign of ψ inside a cell. ψ is divided by its zeros at supports that hold the beam on the
+/// surface of the ground: one zero at a pinned support, two at a fixed one. Otherwise rounding error would split these
+/// zeros and create open ground between them.
 fn without_held_zeros(w: &Deflection, cell: usize) -> Coefficients {
     let mut obstacle = w.obstacle(cell);
     for (s, count) in [-1.0, 1.0].into_iter().zip(w.held_zeros(cell)) {
@@ -51,7 +52,7 @@ fn without_held_zeros(w: &Deflection, cell: usize) -> Coefficients {
     obstacle
 }
 
-/// The intervals of \[−1, 1\] on which a polynomial is not negative; `knots` is room for their ends.
+/// The intervals of \[−1, 1\] on which a polynomial is not negative. `knots` is a buffer for their ends.
 pub(super) fn positive_parts<'a>(
     c: &'a [f64],
     knots: &'a mut Vec<f64>,
@@ -64,7 +65,7 @@ pub(super) fn positive_parts<'a>(
     parts.filter(|[a, b]| b > a && value(c, 0.5 * (a + b)) >= 0.0)
 }
 
-/// Appends a part of a cell to the last zone if the two meet and may be one.
+/// Appends a part of a cell to the last zone if they adjoin and `may_join` is set; otherwise starts a new zone.
 pub(super) fn join(zones: &mut Vec<MeshZone>, cell: usize, [from, to]: [f64; 2], may_join: bool) {
     if let Some(last) = zones.last_mut() {
         let meets = last.to.cell + 1 == cell && last.to.s == 1.0 && from == -1.0;

@@ -11,26 +11,27 @@ use crate::mesh::mesh::Mesh;
 use crate::numeric::polynomial::{Coefficients, derivative};
 use crate::numeric::step::Step;
 
-/// A beam's deflection on a mesh and where it touches.
+/// The deflection of a beam on a mesh, and its contact zones.
 #[derive(Debug, Clone)]
 pub(crate) struct ContactState {
     pub mesh: Mesh,
     pub terms: usize,
     /// `terms` coefficients of w(s) for each cell.
     pub coefficients: Vec<f64>,
-    /// The same of φ(s), the rotation of the sections, if the beam shears anywhere; else none.
+    /// `terms` coefficients of φ(s), the rotation of the sections, for each cell; empty if the beam has no shear
+    /// deformation.
     pub rotation: Vec<f64>,
     pub zones: Vec<MeshZone>,
     pub history: Vec<Step>,
-    /// Whether the ground presses on nodes alone, (5.5).
+    /// Whether the ground acts only at nodes, (5.5).
     pub at_nodes: bool,
-    /// The ground's surface where it differs from the obstacle problem of this deflection in the last digits.
+    /// The surface of the ground, if it differs from the obstacle problem of this deflection in the last digits.
     pub surface: Option<Surface>,
     pub edge_error: EdgeError,
 }
 
 impl ContactState {
-    /// A deflection of exact elements, with the ground's pressure spread.
+    /// A deflection of exact elements, with distributed ground pressure.
     pub fn exact(
         mesh: Mesh,
         coefficients: Vec<f64>,
@@ -54,13 +55,13 @@ impl ContactState {
         Deflection { mesh: &self.mesh, terms: self.terms, coefficients: &self.coefficients }
     }
 
-    /// The whole motion of the beam.
+    /// The deflection and the rotation of the beam.
     pub fn motion(&self) -> Motion<'_> {
         let ContactState { terms, coefficients, rotation, .. } = self;
         Motion { terms: *terms, deflection: coefficients, rotation }
     }
 
-    /// The coefficients of φ(s) in cell i: of w' where the beam does not shear.
+    /// The coefficients of φ(s) in cell i; those of w' if the beam has no shear deformation.
     pub fn rotation(&self, i: usize) -> Coefficients {
         match self.rotation.get(i * self.terms..(i + 1) * self.terms) {
             Some(rotation) => rotation.into(),
@@ -89,7 +90,7 @@ impl Unconverged {
     pub const SINGULAR: Unconverged = Unconverged { iterations: 0, why: NotConverged::Singular };
 }
 
-/// Contact edges that still move, by `moved` relative to the beam's length.
+/// The error for contact edges whose last move is `moved`, relative to the length of the beam.
 pub(crate) fn edges_not_converged(iterations: usize, moved: f64) -> Unconverged {
     Unconverged { iterations, why: NotConverged::Edges(moved) }
 }

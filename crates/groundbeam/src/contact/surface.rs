@@ -1,4 +1,4 @@
-//! The ground's surface, the pressure and the point forces, from a deflection and its contact zones.
+//! The surface of the ground, the contact pressure and the point forces, from a deflection and its contact zones.
 
 use crate::contact::short_span;
 use crate::ground::link::TwoPort;
@@ -9,13 +9,13 @@ use crate::mesh::open_ground::cell_part;
 use crate::mesh::open_ground::{heights, open_link, open_links};
 use crate::numeric::real::Real;
 
-/// A part of a cell in which beam and ground touch all along or not at all.
+/// A part of a cell that is in contact everywhere or nowhere.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct SurfacePart<R = f64> {
     pub cell: usize,
-    /// Its ends in the cell's coordinate.
+    /// Ends of the part in the coordinate s of the cell.
     pub s: [f64; 2],
-    /// Off contact: u at both ends.
+    /// u − u₀ at both ends; `None` if the part is in contact.
     pub open: Option<[R; 2]>,
 }
 
@@ -26,13 +26,13 @@ pub(crate) struct PointForce<R = f64> {
     pub force: R,
 }
 
-/// The ground's surface under a beam.
+/// The surface of the ground under the beam.
 #[derive(Debug, Clone)]
 pub(crate) struct Surface<R = f64> {
-    /// From left to right; every cell is covered.
+    /// Parts from left to right. They cover all cells.
     pub parts: Vec<SurfacePart<R>>,
-    /// Where a concentrated force can stand: ends of the beam and of the shear layer, corners, single
-    /// points of contact.
+    /// Concentrated forces at all positions that can carry one: ends of the beam and of the shear layer, corners, point
+    /// contacts.
     pub point_forces: Vec<PointForce<R>>,
 }
 
@@ -76,7 +76,8 @@ impl<R: Real> Surface<R> {
     fn add_pasternak(&mut self, w: &Deflection<R>, run: &GroundRun<R>, zones: &[MeshZone]) {
         let end = BeamPoint { cell: run.cells.end - 1, s: 1.0 };
         let mut left: Option<BeamPoint> = None;
-        // Force of the ground on the left of the zone at the zone's left end.
+        // The two-ports of the open ground on both sides of a zone give the forces on the ground at the ends of the
+        // zone.
         for (i, zone) in zones.iter().enumerate() {
             let before = self.open(w, run, left, Some(zone.from));
             let last = i + 1 == zones.len();
@@ -100,7 +101,7 @@ impl<R: Real> Surface<R> {
         }
     }
 
-    /// Forces at the ends of a zone and at the corners within it.
+    /// Adds the forces at the ends of a zone and at the corners within it.
     fn add_zone_atoms(&mut self, w: &Deflection<R>, zone: &MeshZone, flux_in: R, flux_out: R) {
         if can_carry(w.mesh, zone.from) {
             let force = flux_in - w.flux(zone.from);
@@ -118,7 +119,7 @@ impl<R: Real> Surface<R> {
         }
     }
 
-    /// Covers open ground between two points; returns the whole two-port.
+    /// Adds the parts of open ground between two points. Returns the two-port of the whole span.
     fn open(
         &mut self,
         w: &Deflection<R>,
@@ -139,7 +140,7 @@ impl<R: Real> Surface<R> {
         whole
     }
 
-    /// The parts; where EI or the ground varies, each cut into short power series.
+    /// The parts, each cut into short power series if EI, S or the ground varies.
     pub fn short_parts(&self, mesh: &Mesh<R>) -> Vec<SurfacePart<R>> {
         let mut parts = Vec::with_capacity(self.parts.len());
         for part in &self.parts {
@@ -148,7 +149,7 @@ impl<R: Real> Surface<R> {
         parts
     }
 
-    /// Concentrated force at the beam's left and right end.
+    /// Concentrated forces at the left and right end of the beam.
     pub fn end_forces(&self, mesh: &Mesh<R>) -> [R; 2] {
         let last = mesh.cells.len() - 1;
         let at = |point: BeamPoint| {
@@ -158,7 +159,7 @@ impl<R: Real> Surface<R> {
     }
 }
 
-/// Appends a part, cut into short power series if EI or the ground varies.
+/// Appends a part, cut into short power series if EI, S or the ground varies.
 pub(crate) fn short_parts_of<R: Real>(
     mesh: &Mesh<R>,
     part: &SurfacePart<R>,
@@ -192,7 +193,7 @@ pub(crate) fn short_parts_of<R: Real>(
     }));
 }
 
-/// Halvings of a part.
+/// Maximum number of halvings of a part.
 const MOST_HALVINGS: u32 = 40;
 
 fn halved(
@@ -210,8 +211,9 @@ fn halved(
     halved([middle, to], short, halvings - 1, cuts);
 }
 
-/// Whether mechanics allows a concentrated force at the end of an interval of contact: at the ends of the
-/// beam and of the shear layer, at corners, at hinges and where a beam that shears has a kink. Elsewhere the ground leaves the beam tangentially.
+/// Whether a concentrated force can act at an end of a contact interval: at the ends of the beam and of the shear
+/// layer, at corners, at hinges, and at kinks of a beam with shear deformation. Elsewhere the ground leaves the beam
+/// tangentially.
 pub(crate) fn can_carry<R: Real>(mesh: &Mesh<R>, point: BeamPoint) -> bool {
     let node = match point.s {
         -1.0 => point.cell,

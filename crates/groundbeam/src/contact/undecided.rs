@@ -1,8 +1,8 @@
-//! Whether two contacts of one deflection differ by rounding error.
+//! Whether two contact sets of one deflection differ only by rounding error.
 //!
-//! Newton's method moves the edges until rounding error does. Where two trial contacts of one deflection differ, beam and
-//! ground are then apart by rounding error of the deflection alone: the computed deflection does not tell whether they
-//! touch.
+//! Newton's method moves the edges down to rounding error. Where two trial contacts of one deflection then differ, the
+//! distance between beam and ground is of the size of the rounding error of the deflection. The deflection does not
+//! determine whether they touch.
 
 use crate::contact::intervals::{Interval, covers, differences, positions};
 use crate::contact::state::ContactState;
@@ -13,11 +13,11 @@ use crate::mesh::cell::Cell;
 use crate::mesh::deflection::{BeamPoint, MeshZone};
 use crate::numeric::polynomial::value;
 
-/// Points of an open part in which the distance of beam and ground is computed.
+/// Number of intervals between the points of an open part at which the distance of beam and ground is computed.
 const POINTS: usize = 8;
 
-/// Whether the contact of a bonded beam and the contact `asked` for by its deflection differ by rounding error: wherever one
-/// touches and the other does not, the distance of beam and ground is that of rounding.
+/// Whether the contact of a bonded beam and the contact set `asked` of its deflection differ only by rounding error:
+/// wherever only one of them touches, the distance of beam and ground is rounding error.
 pub(crate) fn differ_by_rounding(
     found: &ContactState,
     contact: &[Interval],
@@ -49,7 +49,7 @@ pub(crate) fn differ_by_rounding(
     is_rounding(&found.zones) && is_rounding(asked)
 }
 
-/// The open ground's surface at a part t of an open part of a cell, from its values at both ends.
+/// The surface of open ground at the fraction t of an open part of a cell, from its values at both ends.
 fn surface_at(cell: &Cell, half: f64, ends: [f64; 2], t: f64) -> f64 {
     if cell.shear_layer == 0.0 {
         return 0.0;

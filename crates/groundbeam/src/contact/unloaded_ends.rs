@@ -1,8 +1,9 @@
-//! Equilibrium of a beam with end parts that carry nothing: they hang on free hinges, without loads and supports.
+//! Equilibrium of a beam with unloaded end parts: parts on free hinges, without loads and supports.
 //!
-//! The contact pressure of such a part balances its moment about the hinge, so it is zero: the part turns out of the way of the
-//! ground, at any slope that is steep enough. The rest of the beam is solved without it. On separate springs the part touches over
-//! a length that tends to zero as it turns; one slope is taken at which the certificate holds.
+//! The contact pressure on such a part has no moment about the hinge, so it is zero: the part rotates clear of the
+//! ground, at any slope that is steep enough. The rest of the beam is solved without it. On Winkler ground the part
+//! touches over a length that tends to zero as the slope grows. The first trial slope that the certificate confirms is
+//! taken.
 
 use crate::cancel::Cancel;
 use crate::contact::bonded::{Bonded, GivenRotation};
@@ -16,7 +17,7 @@ use crate::numeric::polynomial::{ends, value};
 /// Trial slopes, in units of the largest deflection and slope of the rest.
 const STEEPER: [f64; 6] = [1.5, 1e1, 1e3, 1e6, 1e9, 1e11];
 
-/// The stretch of the beam between its unloaded end parts, if it has such parts.
+/// The interval of the beam between its unloaded end parts; `None` without such parts.
 pub(crate) fn loaded_stretch(model: &Model) -> Option<Interval> {
     let nodes = Mechanism::of(model).nodes;
     let last = nodes.len() - 1;
@@ -28,7 +29,8 @@ pub(crate) fn loaded_stretch(model: &Model) -> Option<Interval> {
     (to - from < last).then(|| [nodes[from], nodes[to]])
 }
 
-/// Whether nothing acts on the beam from an end to a hinge. A force at the hinge acts on the other side of it, a pin as well.
+/// Whether nothing acts on the beam between an end and a hinge. A force or a pinned support at the hinge acts on the
+/// other part.
 fn is_unloaded(model: &Model, end: f64, hinge: f64) -> bool {
     let [from, to] = [end.min(hinge), end.max(hinge)];
     let reaches = |ends: [f64; 2]| ends[0] < to && from < ends[1];
@@ -43,13 +45,13 @@ fn is_unloaded(model: &Model, end: f64, hinge: f64) -> bool {
     let held = model.supports.iter().any(|support| {
         beyond(support.at) || support.at == hinge && support.kind != SupportKind::Pinned
     });
-    // The ground beside a part goes on as it is at the part's end.
+    // The ground outside the beam continues the ground at the end of the part.
     let (_, layer) = model.foundation.largest();
     let changes = layer > 0.0 && model.foundation.segments.iter().any(|s| reaches([s.from, s.to]));
     !(loaded || held || changes)
 }
 
-/// Solves the stretch without its unloaded end parts by `solve`, and turns the parts until they are clear of the ground.
+/// Solves the beam without its unloaded end parts by `solve`, and rotates the parts until they are clear of the ground.
 pub(crate) fn solve_stretch(
     model: &Model,
     [from, to]: Interval,
@@ -73,7 +75,7 @@ pub(crate) fn solve_stretch(
     turned_clear(&mut Bonded::new(model, cancel), &contact, turns, rest.history, judge)
 }
 
-/// The larger of both slopes at the ends of a beam, and of its deflections there over its length.
+/// The largest slope at the two ends of a beam, or the largest deflection there divided by the length.
 fn steepness(rest: &ContactState) -> f64 {
     let w = rest.deflection();
     let last = rest.mesh.cells.len() - 1;
@@ -85,7 +87,7 @@ fn steepness(rest: &ContactState) -> f64 {
     of_end(0, 0).max(of_end(last, 1)).max(f64::MIN_POSITIVE)
 }
 
-/// The rotation of a beam that is balanced on one point, in its middle.
+/// The rotation at the middle of a beam that is balanced on one point; `None` otherwise.
 fn balanced(rest: &ContactState, contact: &[Interval], from: f64) -> Option<GivenRotation> {
     let [[left, right]] = contact else { return None };
     let middle = 0.5 * rest.mesh.cells[rest.mesh.cells.len() - 1].x[1];

@@ -1,11 +1,11 @@
-//! The contact force of each interval of contact, from a bonded deflection: its pressure, corners and ends.
+//! The contact force of each contact interval, from a bonded deflection: pressure, corners and ends.
 
 use crate::contact::edge_step::OpenSpan;
 use crate::contact::intervals::Interval;
 use crate::mesh::deflection::{Deflection, MeshZone};
 use crate::mesh::ground_runs::{GroundRun, ground_runs};
 
-/// The forces of the intervals \[N\], positive where the ground pushes. Every end of the zones is a node.
+/// The contact forces of the intervals \[N\], positive in compression. All ends of zones must be nodes.
 pub(crate) fn zone_forces(w: &Deflection, contact: &[Interval], zones: &[MeshZone]) -> Vec<f64> {
     let mut forces = vec![0.0; contact.len()];
     for run in ground_runs(w.mesh) {
@@ -26,7 +26,7 @@ pub(crate) fn zone_forces(w: &Deflection, contact: &[Interval], zones: &[MeshZon
     forces
 }
 
-/// ∫p over a zone, with the forces of the corners inside.
+/// ∫p over a zone, with the forces at corners inside the zone.
 fn spread_force(w: &Deflection, zone: &MeshZone) -> f64 {
     if zone.from == zone.to {
         return 0.0;

@@ -1,5 +1,4 @@
-//! The derivatives of the potential energy: those of the energy of the solution's own w, φ and u, which stay as they are
-//! (envelope theorem).
+//! Derivatives of the potential energy: partial derivatives at fixed w, φ and u of the solution (envelope theorem).
 
 use super::linear::Linear;
 use super::tangent::{Motion, Moved, Tangent};
@@ -54,7 +53,8 @@ impl<const N: usize> Linear<'_, N> {
         by
     }
 
-    /// What the settlements of supports change: ½k (w − δ)² instead of ½k w², and the work on a rigid support.
+    /// Contribution of the settlements δ of supports to the derivative: from ½k (w − δ)² − ½k w² on a spring, and from
+    /// the work on a rigid support.
     fn by_settlements(&self, tangent: &Tangent) -> f64 {
         use crate::model::SupportKind::{Fixed, Pinned, Spring};
         let supports = self.frame.model.supports.iter().zip(&tangent.model.supports);
@@ -75,7 +75,7 @@ impl<const N: usize> Linear<'_, N> {
         by.sum()
     }
 
-    /// A load that moves does its work on the mean of both sides.
+    /// Derivative of the energy with respect to the position of a load. The load does work on the mean of both sides.
     fn by_motion(&self, moved: &Moved) -> f64 {
         let (frame, x) = (self.frame, moved.x);
         let solution = frame.solution;
@@ -104,7 +104,7 @@ impl<const N: usize> Linear<'_, N> {
                 -moment * mean(&|side| solution.at(x, side).rotation)
             }
             Motion::Curvature(curvature) => curvature * mean(&|side| solution.at(x, side).moment),
-            // Part of the tangent's loads.
+            // Contained in the tangent's loads.
             Motion::ForcePerLength(_) => 0.0,
         }
     }

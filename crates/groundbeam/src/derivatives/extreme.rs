@@ -1,4 +1,4 @@
-//! The place of a field's extreme, and the field's slope there.
+//! Position of the extreme of a field, and the slope of the field there.
 
 use crate::numeric::elementary::power;
 use crate::numeric::polynomial::{derivative, jet, value};
@@ -7,18 +7,18 @@ use crate::solution::field::Field as Quantity;
 use crate::solution::fields::Side;
 use crate::solution::solution::Solution;
 
-/// The place of an extreme.
+/// The position of an extreme.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Place {
     pub x: f64,
-    /// The side from which the field has the value there.
+    /// The side of x on which the field has this value.
     pub side: Side,
     pub value: f64,
-    /// The field's derivative by x there; 0 where it is stationary.
+    /// Derivative of the field with respect to x at the extreme; 0 if the field is stationary.
     pub slope: f64,
     /// Whether the value is constant under all changes: the gap in contact, the pressure outside contact.
     pub always: bool,
-    /// Another place at which it is as large.
+    /// Another position with an equal extreme.
     pub rival: Option<f64>,
 }
 
@@ -26,7 +26,7 @@ pub(super) struct Place {
 const SAME: f64 = 1e-7;
 
 impl Solution {
-    /// Where a field is largest, or smallest.
+    /// Position of the largest or smallest value of a field.
     pub(super) fn extreme(&self, field: Quantity, largest: bool) -> Place {
         let sign = if largest { 1.0 } else { -1.0 };
         let mut best: Option<(usize, f64, f64)> = None;
@@ -46,7 +46,7 @@ impl Solution {
         };
         let (x, l) = (self.pieces()[i].global(s), self.model().beam.length);
         let size = all.iter().map(|(_, value)| value.abs()).fold(0.0, f64::max);
-        // Where they touch the gap is zero and where they do not the pressure is, whatever the parameters are.
+        // In contact the gap is zero for all parameters; outside contact the pressure is zero.
         let touches = self.contact().iter().any(|region| region.from <= x && x <= region.to);
         let closed = field == Quantity::Gap && !largest && touches;
         let always = closed || value == 0.0 && matches!(field, Quantity::Gap | Quantity::Pressure);
@@ -58,7 +58,7 @@ impl Solution {
             })
             .map(|(at, _)| *at)
             .next();
-        // A turning point may be an end but for rounding.
+        // Rounding error can separate a turning point from the end of its piece.
         let end = self.pieces()[i].x[usize::from(s > 0.0)];
         let x = if (x - end).abs() <= TURNING_POINT * l { end } else { x };
         let side = if s > 0.0 { Side::Left } else { Side::Right };
@@ -66,7 +66,7 @@ impl Solution {
         Place { x, side, value, slope, always, rival }
     }
 
-    /// The derivative of a field by x on a piece.
+    /// The derivative of a field with respect to x on a piece.
     fn rise(&self, i: usize, s: f64, field: Quantity) -> f64 {
         let piece = &self.pieces()[i];
         let half = piece.half;

@@ -1,8 +1,9 @@
 //! The beam bonded to the ground on the contact of a solution: cells, nodes and zones of the linearised problem.
 //!
-//! Moving an edge of contact changes the energy in third order only: no force stands there, and the pressure is finite.
-//! To first order a change of the model changes w as if beam and ground were bonded where they touch and nowhere
-//! else. The small force that the bonded edge then carries equals the pressure on the strip by which the edge moves.
+//! The energy changes only to third order when a contact edge moves, because no point force acts there and the pressure
+//! is finite. To first order, a change of the model therefore changes w as if beam and ground were bonded on the
+//! contact zones and nowhere else. The small force of the bond at an edge equals the pressure on the strip by which the
+//! edge moves.
 
 use crate::cancel::Cancel;
 use crate::contact::bonded::{Bonded, zone_kind_of};
@@ -20,20 +21,20 @@ use crate::numeric::tolerance::same_place;
 use crate::solution::fields::Side;
 use crate::solution::solution::Solution;
 
-/// No span of more cells is short.
+/// Maximum number of cells in a short span.
 const SHORT: usize = 8;
 
-/// The linearised problem without its numbers.
+/// The linearised problem without derivatives: model, cells and contact zones.
 #[derive(Debug)]
 pub(super) struct Frame<'a> {
     pub solution: &'a Solution,
     /// The model with the supports that act.
     pub model: Model,
-    /// A cell for each element, and the zones of contact.
+    /// One cell for each element, and the contact zones.
     pub mesh: Mesh,
     pub zones: Vec<MeshZone>,
     pub touch: Vec<ZoneKind>,
-    /// The same cut into short series, if elements have boundary layers.
+    /// Mesh and zones cut into short power series, if elements have boundary layers.
     pub fine: Option<(Mesh, Vec<MeshZone>)>,
 }
 
@@ -70,7 +71,7 @@ impl<'a> Frame<'a> {
         self.mesh.cells.iter().zip(&self.touch).map(element).collect()
     }
 
-    /// Marks the cells on both sides of each position, and those at the edges of contact and in short spans between them.
+    /// Marks the cells on both sides of each position, at contact edges, and in short spans between contact zones.
     pub fn cells_near(&self, positions: impl Iterator<Item = f64>) -> Vec<bool> {
         let count = self.mesh.cells.len();
         let mut near = vec![false; count];
@@ -92,7 +93,7 @@ impl<'a> Frame<'a> {
         near
     }
 
-    /// The number of a support among those that act.
+    /// Index of a support among the supports that act.
     pub fn number_among_acting(&self, i: usize) -> Option<usize> {
         let solution = self.solution;
         let acts = |i: usize| {
@@ -101,19 +102,19 @@ impl<'a> Frame<'a> {
         acts(i).then(|| (0..i).filter(|i| acts(*i)).count())
     }
 
-    /// The end of a cell at a position at which there is a node. At the beam's ends there is one side only.
+    /// The cell end on one side of a node at x. At an end of the beam only one side exists.
     pub fn spot(&self, x: f64, side: Side) -> BeamPoint {
         let node = self.mesh.node_at(x);
         let left = node > 0 && (side == Side::Left || node == self.mesh.cells.len());
         if left { BeamPoint { cell: node - 1, s: 1.0 } } else { BeamPoint { cell: node, s: -1.0 } }
     }
 
-    /// Whether two positions are one node.
+    /// Whether two positions have the same node.
     pub fn is_same_node(&self, a: f64, b: f64) -> bool {
         self.mesh.node_at(a) == self.mesh.node_at(b)
     }
 
-    /// Whether two positions differ by rounding at most.
+    /// Whether two positions are equal within rounding error.
     pub fn is_same_place(&self, a: f64, b: f64) -> bool {
         (a - b).abs() <= same_place(self.model.beam.length)
     }
@@ -129,12 +130,12 @@ impl<'a> Frame<'a> {
         if side == Side::Left { zone.from } else { zone.to }
     }
 
-    /// The position of a cell's end.
+    /// Position of a cell end.
     pub fn position(&self, spot: BeamPoint) -> f64 {
         self.mesh.nodes[spot.cell + usize::from(spot.s > 0.0)].x
     }
 
-    /// The zone that begins, or ends, at a position.
+    /// The zone that begins (left) or ends (right) at a position.
     pub fn zone_at(&self, x: f64, side: Side) -> Option<usize> {
         let node = self.mesh.node_at(x);
         (0..self.zones.len()).find(|zone| {
@@ -143,8 +144,8 @@ impl<'a> Frame<'a> {
         })
     }
 
-    /// Whether an edge of contact cannot move: at a place that may carry a force, at the end of separate springs that
-    /// press, and at a single point of contact.
+    /// Whether a contact edge cannot move: at a position that can carry a point force, at an end of Winkler ground, and
+    /// at a point contact.
     pub fn stays(&self, zone: usize, side: Side) -> bool {
         let (spot, cells) = (self.end_of(zone, side), &self.mesh.cells);
         if self.zones[zone].from == self.zones[zone].to {
@@ -160,13 +161,14 @@ impl<'a> Frame<'a> {
             || cells[node].shear_layer > 0.0
     }
 
-    /// Whether the beam shears on both sides of a position, or on one of them.
+    /// Whether the beam has shear deformation, on the left and on the right of a position.
     pub fn shears_at(&self, x: f64) -> [bool; 2] {
         [Side::Left, Side::Right]
             .map(|side| self.mesh.cells[self.spot(x, side).cell].beam_shear.is_some())
     }
 
-    /// Whether one end of one load is the only part of the model at a place inside the beam.
+    /// Whether exactly one load acts, begins or ends at a position inside the beam, and no other part of the model has
+    /// an end there.
     pub fn stands_alone(&self, x: f64) -> bool {
         let model = &self.model;
         let here = |other: f64| self.is_same_node(x, other);
@@ -182,7 +184,8 @@ impl<'a> Frame<'a> {
     }
 }
 
-/// The stretches that touch; and points that do, where a shear layer ends beside separate springs that touch as well.
+/// The contact zones of a solution, with a point contact at each zone end that carries a concentrated force. The point
+/// is needed where a shear layer ends beside Winkler ground in contact.
 fn contact_of(solution: &Solution) -> Vec<Interval> {
     let mut stretches = Vec::with_capacity(solution.contact().len());
     let carries = |x: f64| solution.concentrated_forces().iter().any(|force| force.at == x);

@@ -1,4 +1,4 @@
-//! The bonded beam in dual numbers: one solve gives w, φ and u with their derivatives by N parameters.
+//! The bonded beam in dual numbers: one solve gives w, φ and u with their derivatives with respect to N parameters.
 
 use super::frame::Frame;
 use super::tangent::Tangent;
@@ -29,19 +29,19 @@ use crate::solution::fields::{Side, SolutionPiece};
 pub(super) struct Linear<'a, const N: usize> {
     pub frame: &'a Frame<'a>,
     chain: Chain<Dual<N>>,
-    /// The unknowns of each element from those of the nodes.
+    /// The four unknowns of each element.
     shapes: Vec<[Dual<N>; 4]>,
-    /// The cells on which w is a short series, and the zones of contact.
+    /// The cells on which w is a power series, and the contact zones.
     pub mesh: Mesh<Dual<N>>,
     pub zones: &'a [MeshZone],
-    /// The coefficients of w, and those of φ if the beam shears.
+    /// Coefficients of w, and of φ if the beam has shear deformation.
     pub deflection: Vec<Dual<N>>,
     pub rotation: Vec<Dual<N>>,
     spans: Vec<Span<N>>,
     moved: Vec<MovedEnd<N>>,
 }
 
-/// The steps of a load that moves, at the end of a cell.
+/// Steps at the end of a cell, caused by a load that moves with a parameter.
 #[derive(Debug, Clone, Copy)]
 struct MovedEnd<const N: usize> {
     x: f64,
@@ -50,21 +50,21 @@ struct MovedEnd<const N: usize> {
     drift: Dual<N>,
 }
 
-/// Open ground between two zones of contact, or between a zone and the ground outside the beam.
+/// Open ground between two contact zones, or between a zone and the ground outside the beam.
 #[derive(Debug)]
 struct Span<const N: usize> {
-    /// Where the beam holds it.
+    /// Points at which the span ends at a contact zone; `None` if it includes the ground beyond the run.
     ends: [Option<BeamPoint>; 2],
-    /// Its two-ports, and the part of a cell of each one under the beam.
+    /// The two-ports of the span; for a two-port under the beam also its cell and the part of the cell.
     links: Vec<(Option<(usize, [f64; 2])>, TwoPort<Dual<N>>)>,
-    /// u − u₀ at both ends, and the forces on the ground there.
+    /// u − u₀ at both ends, and the forces on the ground at both ends.
     held: [Dual<N>; 2],
     fluxes: [Dual<N>; 2],
 }
 
 impl<'a, const N: usize> Linear<'a, N> {
-    /// By N parameters or fewer, from the elements without derivatives. w is known in the cells that are `read` and in those
-    /// with derivatives. `None` if the beam is a mechanism on its contact.
+    /// Solves for at most N parameters. `still` has the elements without derivatives. w is computed in the cells marked
+    /// in `read` and in the cells whose data have derivatives. `None` if the beam is a mechanism on its contact.
     pub fn solve(
         frame: &'a Frame<'a>,
         still: &[Element],
@@ -98,7 +98,7 @@ impl<'a, const N: usize> Linear<'a, N> {
                 element.load[j].by[n] += row[j] * steps.moment;
                 jump[j].by[n] = sinks[j] * steps.jump[0] + turns[j] * steps.jump[1];
             }
-            // K (v + jump) − q.
+            // The forces are K (v + jump) − q, so the load for the unknowns v of the nodes is q − K jump.
             for (load, row) in element.load.iter_mut().zip(&element.stiffness) {
                 for (k, jump) in row.iter().zip(&jump) {
                     *load -= *k * *jump;
@@ -180,7 +180,7 @@ impl<'a, const N: usize> Linear<'a, N> {
         Span { ends, links, held, fluxes }
     }
 
-    /// A field at a position.
+    /// A field at a position x, on one side of x.
     pub fn field(&self, field: Field, x: f64, side: Side) -> Dual<N> {
         let cells = &self.mesh.cells;
         let i = match side {
@@ -207,7 +207,7 @@ impl<'a, const N: usize> Linear<'a, N> {
         piece.one(field, piece.local(x))
     }
 
-    /// u at a position beside the beam.
+    /// u at a position x outside the beam.
     pub fn settlement_beside(&self, x: f64, tangents: &[Tangent]) -> Dual<N> {
         let l = self.frame.model.beam.length;
         let right = x > l;
@@ -236,7 +236,7 @@ impl<'a, const N: usize> Linear<'a, N> {
         of(&Line { length, beyond: [&left, &right], loads: &rates.ground_loads() })
     }
 
-    /// u − u₀ at both ends of a cell, if it does not touch.
+    /// u − u₀ at both ends of a cell; `None` if the cell is in contact.
     fn open(&self, cell: usize) -> Option<[Dual<N>; 2]> {
         let holds = |zone: &MeshZone| zone.from.cell <= cell && cell <= zone.to.cell;
         if self.zones.iter().any(|zone| zone.from != zone.to && holds(zone)) {
@@ -252,7 +252,7 @@ impl<'a, const N: usize> Linear<'a, N> {
         Some(self.spans.iter().find_map(under).unwrap_or([Dual::ZERO; 2]))
     }
 
-    /// The force that the bond carries at an end of a zone.
+    /// Force of the bond at an end of a zone.
     pub fn force_at_edge(&self, zone: usize, side: Side) -> Dual<N> {
         let MeshZone { from, to } = self.zones[zone];
         let taken = |point: BeamPoint, end: usize| -> Dual<N> {
@@ -266,7 +266,7 @@ impl<'a, const N: usize> Linear<'a, N> {
         }
     }
 
-    /// μψ' at the end of a zone; at the beam's end that of the end itself, which what moves leaves free.
+    /// μψ' at the end of a zone, without the step of w' that a moving load causes there.
     fn flux(&self, point: BeamPoint) -> Dual<N> {
         let x = self.w().position(point);
         let own = |end: &&MovedEnd<N>| self.frame.is_same_node(end.x, x);
@@ -274,16 +274,16 @@ impl<'a, const N: usize> Linear<'a, N> {
         self.w().flux(point) - self.mesh.cells[point.cell].ground_at(point.s)[1] * steps
     }
 
-    /// The derivatives of the position of an edge that can move.
+    /// Derivatives of the position of an edge that can move.
     pub fn edge(&self, zone: usize, side: Side) -> [f64; N] {
         let MeshZone { from, to } = self.zones[zone];
         let spot = if side == Side::Left { from } else { to };
         let [psi, slope, pressure] = self.w().obstacle_and_pressure(spot);
         if self.mesh.cells[spot.cell].shear_layer.value() == 0.0 {
-            // ψ = 0 there: δx = −δψ/ψ'.
+            // ψ = 0 at the edge: δx = −δψ/ψ'.
             return psi.by.map(|by| -by / slope.value);
         }
-        // A = 0 there, and dA = π dx out of the zone.
+        // The point force A is 0 at the edge, and dA = π dx for dx out of the zone.
         let outward = if side == Side::Left { -1.0 } else { 1.0 };
         self.force_at_edge(zone, side).by.map(|by| outward * by / pressure.value)
     }
@@ -298,8 +298,8 @@ impl<'a, const N: usize> Linear<'a, N> {
         [dot(&|j| row[j] * v[j]), dot(&|j| v[j] * turned[j])]
     }
 
-    /// The force, up, and the moment of what holds the beam at a node: the loads there without those that elements and
-    /// ground take.
+    /// Force (positive up) and moment of the constraints at a node: the loads at the node minus the forces taken by
+    /// elements and ground.
     pub fn reaction(&self, x: f64) -> [Dual<N>; 2] {
         let node = self.frame.mesh.node_at(x);
         let loads = &self.chain.nodes[node];
@@ -327,7 +327,7 @@ impl<'a, const N: usize> Linear<'a, N> {
     }
 }
 
-/// The coefficients of w and of φ on the cells of a mesh that may be finer than the elements; zeros where they are not read.
+/// Coefficients of w and φ on a mesh that may be finer than the elements; 0 in cells that are not evaluated.
 fn curves<const N: usize>(
     coarse: &Mesh<Dual<N>>,
     fine: Option<&Mesh<Dual<N>>>,

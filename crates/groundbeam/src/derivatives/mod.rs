@@ -1,7 +1,8 @@
-//! Exact derivatives of results by the data of the model, from the contact problem linearised at its solution.
+//! Exact derivatives of results with respect to the data of the model, from the contact problem linearised at its
+//! solution.
 //!
-//! The mechanics is written over any number. One solve of the beam bonded on its contact, in dual numbers, gives the
-//! derivatives of all outputs by up to eight parameters. `docs/derivatives.md` derives it.
+//! The equations are generic over the number type. One solve of the beam bonded on its contact, in dual numbers, gives
+//! the derivatives of all outputs with respect to up to eight parameters. The derivation is in `docs/derivatives.md`.
 
 mod energy;
 mod extreme;
@@ -30,11 +31,12 @@ pub use topology::{Condition, Nearest};
 /// A value with its derivatives.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Gradient {
-    /// The output.
+    /// The value of the output, in its unit.
     pub value: f64,
-    /// Its derivative by each parameter, in their order; the unit is the output's over the parameter's.
+    /// Derivatives of the output with respect to the parameters, in the order of the parameters. The unit is that of
+    /// the output divided by that of the parameter.
     pub derivatives: Vec<f64>,
-    /// Why these hold for small changes in one direction only, if they do.
+    /// Reasons why derivatives hold for small changes in one direction only; empty if they hold in both.
     pub one_sided: Vec<OneSided>,
 }
 
@@ -42,26 +44,25 @@ pub struct Gradient {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum OneSided {
-    /// Beam and ground are about to touch or to part somewhere: all derivatives change there.
+    /// Beam and ground are about to touch or to separate. All derivatives jump there.
     Contact(Nearest),
-    /// The load that the parameter with this number moves stands where the output is read, and the field or its slope
-    /// jumps there; or it stands at a hinge, or at a jump of the beam's stiffness. The derivative is that of a move to the
-    /// right.
+    /// The parameter moves a load to a point where the output is evaluated and its field or slope jumps, where a hinge
+    /// is, or where the stiffness of the beam jumps. The derivative holds for a move to the right.
     Place {
-        /// The parameter, counted from 0.
+        /// Index of the parameter, from 0.
         parameter: usize,
         /// The position \[m\].
         at: f64,
     },
-    /// The field is as large elsewhere.
+    /// The field has an equal extreme elsewhere.
     Rival {
-        /// The other position \[m\].
+        /// Position of the other extreme \[m\].
         at: f64,
     },
 }
 
 impl OneSided {
-    /// In words, positions with a unit behind them.
+    /// The reason as text. `unit` follows each position.
     pub fn in_words(&self, unit: &str) -> String {
         match *self {
             OneSided::Contact(Nearest { condition, at, margin }) => {
@@ -72,10 +73,10 @@ impl OneSided {
             }
             OneSided::Place { at, .. } => {
                 format!(
-                    "what moves stands at x = {at}{unit}, where the output tells the sides apart"
+                    "a load moves at x = {at}{unit}, where the left and right derivatives of the output differ"
                 )
             }
-            OneSided::Rival { at } => format!("the field is as large at x = {at}{unit}"),
+            OneSided::Rival { at } => format!("the field has an equal extreme at x = {at}{unit}"),
         }
     }
 }
@@ -84,15 +85,15 @@ impl OneSided {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum NotDifferentiable {
-    /// The solution is one of a method with a mesh.
+    /// The solution is not one of [`Method::Exact`].
     Method(Method),
-    /// The solution is one of many.
+    /// The equilibrium is not unique.
     NotUnique,
-    /// The model has no such number, or it is none that can be changed by itself.
+    /// The model has no such number, or the number cannot be changed alone.
     NoSuchParameter(Parameter),
-    /// There is no such output.
+    /// The solution has no such output.
     NoSuchOutput,
-    /// μ = 0: a shear layer, however weak, makes other ground.
+    /// μ = 0: even a weak shear layer changes the type of the ground.
     NoShearLayer,
 }
 
@@ -101,18 +102,18 @@ impl fmt::Display for NotDifferentiable {
         match self {
             NotDifferentiable::Method(method) => write!(
                 f,
-                "derivatives are those of the exact method's solutions, and this one is of `{}`",
+                "derivatives need a solution of the exact method, but this one is of `{}`",
                 method.name()
             ),
             NotDifferentiable::NotUnique => {
-                f.write_str("the equilibrium is one of many, and has no derivatives")
+                f.write_str("the equilibrium is not unique, so it has no derivatives")
             }
             NotDifferentiable::NoSuchParameter(parameter) => {
-                write!(f, "the model has no number {parameter:?} of its own")
+                write!(f, "the model has no parameter {parameter:?}")
             }
             NotDifferentiable::NoSuchOutput => f.write_str("the solution has no such output"),
             NotDifferentiable::NoShearLayer => f.write_str(
-                "the ground has no shear layer, and even a weak one changes it: derive by mu where it is positive",
+                "the ground has no shear layer: differentiate with respect to mu only where mu is positive",
             ),
         }
     }
@@ -120,12 +121,12 @@ impl fmt::Display for NotDifferentiable {
 
 impl std::error::Error for NotDifferentiable {}
 
-/// Parameters closer to a change of contact than this have one-sided derivatives.
+/// Relative margin to a change of contact below which derivatives are reported as one-sided.
 pub const CLOSE: f64 = 1e-6;
 
 impl Solution {
-    /// Derivatives of outputs by parameters: one gradient for each output. Eight parameters cost about as much as one
-    /// solve, each output hardly anything.
+    /// Derivatives of outputs with respect to parameters: one gradient for each output. Eight parameters cost about as
+    /// much as one solve. The cost of an output is small.
     ///
     /// ```
     /// use groundbeam::{Beam, Field, Foundation, Load, Model, Outcome, solve, solution::Side};
@@ -144,7 +145,8 @@ impl Solution {
     ///
     /// # Errors
     ///
-    /// [`NotDifferentiable`], for solutions of other methods than [`Method::Exact`] and for what the model does not have.
+    /// [`NotDifferentiable`] if the solution is not one of [`Method::Exact`] or not unique, if a parameter or an output
+    /// does not exist, or if μ is a parameter and μ = 0.
     pub fn gradients(
         &self,
         outputs: &[Output],
@@ -168,7 +170,7 @@ impl Solution {
         Ok(readings.iter().zip(rows).map(gradient).collect())
     }
 
-    /// The same derivatives, one row for each parameter.
+    /// The derivatives of [`Self::gradients`] in the other order: one row for each parameter.
     ///
     /// # Errors
     ///
@@ -186,8 +188,8 @@ impl Solution {
         Ok((0..parameters.len()).map(of).collect())
     }
 
-    /// How near beam and ground are to touching or parting somewhere else: the least of all forces, pressures,
-    /// clearances and lengths that a change of contact would bring to zero. None of a beam that has none.
+    /// The nearest change of contact: the smallest relative margin of all pressures, forces, gaps, angles and lengths
+    /// that are zero at a change of contact. `None` if there is no such quantity.
     ///
     /// # Errors
     ///
@@ -213,7 +215,7 @@ fn readings(frame: &Frame, outputs: &[Output]) -> Result<Vec<Reading>, NotDiffer
     outputs.iter().map(reading).collect()
 }
 
-/// The derivatives of the model's numbers by each parameter.
+/// The derivatives of the model's numbers with respect to each parameter.
 fn tangents(frame: &Frame, parameters: &[Parameter]) -> Result<Vec<Tangent>, NotDifferentiable> {
     let model = frame.solution.model();
     let tangent = |parameter: &Parameter| {
@@ -230,7 +232,7 @@ fn tangents(frame: &Frame, parameters: &[Parameter]) -> Result<Vec<Tangent>, Not
     parameters.iter().map(tangent).collect()
 }
 
-/// The derivatives of each output by all parameters, from solves in dual numbers.
+/// The derivatives of each output with respect to all parameters, from solves in dual numbers.
 fn derivatives(
     frame: &Frame,
     readings: &[Reading],
@@ -256,10 +258,10 @@ fn derivatives(
     Ok(rows)
 }
 
-/// The most parameters of one solve. With more, the memory of the numbers costs more than a second solve.
+/// Maximum number of parameters in one solve. With more, the larger dual numbers cost more than a second solve.
 const MOST: usize = 8;
 
-/// The elements without derivatives, and the cells in which outputs read w.
+/// The elements without derivatives, and the cells in which outputs evaluate w.
 #[derive(Clone, Copy)]
 struct Known<'a> {
     still: &'a [Element],

@@ -1,8 +1,8 @@
-//! A load that moves, as a moment and steps at the node where it stands.
+//! A load that moves, represented by a moment and steps at its node.
 //!
-//! If a load moves to the right by δ, the state to its left continues over the length δ. Seen from the right cell, w, φ
-//! and M are then larger by their jumps of slope times δ. Cells and nodes stay where they are: lengths of cells
-//! have no derivatives, and things at one place need no cell of length δ between them.
+//! If a load moves to the right by δ, the state on its left extends over the length δ. In the cell on the right, w, φ
+//! and M then change by δ times the jumps of their slopes. Cells and nodes keep their positions: cell lengths have no
+//! derivatives, and parts of the model at one position need no cell of length δ between them.
 
 use super::frame::Frame;
 use super::tangent::{Motion, Moved};
@@ -12,20 +12,20 @@ use crate::numeric::polynomial::value;
 use crate::solution::field::Field;
 use crate::solution::fields::Side;
 
-/// Relative difference of two stiffnesses that is no jump.
+/// Relative difference below which two stiffnesses count as equal.
 const SAME: f64 = 1e-9;
 
-/// The effect of a unit of motion at the end of one cell.
+/// Effect of a unit of motion at the end of one cell.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Steps {
     pub spot: BeamPoint,
-    /// A moment on the end of the element.
+    /// Moment on the end of the element.
     pub moment: f64,
-    /// By how much the element's own w and φ exceed those of the node.
+    /// Excess of w and φ at the end of the element over w and φ of the node.
     pub jump: [f64; 2],
-    /// By how much w' of the element's end exceeds that of the beam's own end, where what moves leaves the end free.
+    /// Excess of w' at the end of the element over w' of the beam there.
     pub slope: f64,
-    /// By how much the surface of open ground in the cell exceeds its value at the node.
+    /// Excess of the surface of open ground in the cell over the surface at the node.
     pub drift: f64,
 }
 
@@ -53,7 +53,8 @@ impl Frame<'_> {
             (Motion::Moment(moment), _) => steps.jump[1] = sign * moment / self.stiffness_at(spot),
             (Motion::MomentPerLength(moment), _) => steps.moment = moment,
             (Motion::Curvature(curvature), _) => steps.jump[1] = sign * curvature,
-            // The point force at the node is a force along the strip, so its kink is none of the beam's own end.
+            // The tangent's point force is a force per length on the strip, so the kink under it is not a kink of the
+            // beam.
             (Motion::ForcePerLength(force), Some([_, whole])) => {
                 steps.slope = -sign * force / whole
             }
@@ -64,7 +65,7 @@ impl Frame<'_> {
         steps
     }
 
-    /// S and S + N at the end of a cell, if the beam shears.
+    /// S and S + N at the end of a cell, where N is P, in contact P + μ; `None` without shear deformation.
     fn shear_and_pull(&self, spot: BeamPoint) -> Option<[f64; 2]> {
         let cell = &self.mesh.cells[spot.cell];
         let shear = value(&cell.beam_shear?, spot.s);
@@ -86,15 +87,15 @@ impl Frame<'_> {
         piece.settlement(s, fields.deflection, fields.slope)[1]
     }
 
-    /// w' on one side of a force that moves, with half of the kink that the force takes along.
+    /// w' on one side of a moving point force, shifted to the mean of both sides by half of the kink at the force.
     pub fn slope_with_half_kink(&self, x: f64, side: Side, force: f64) -> f64 {
         let spot = self.spot(x, side);
         let half = self.shear_and_pull(spot).map_or(0.0, |[_, whole]| 0.5 * force / whole);
         self.solution.at(x, side).slope + if spot.s > 0.0 { -half } else { half }
     }
 
-    /// Minus the energy of a strip and the work on it, −½(S + P) w'² − ½μ((u' + g₀')² − g₀'²), on one side of a force that an
-    /// edge of contact follows (Eshelby's force on the interface).
+    /// Configurational force on one side of a point force with which a contact edge moves (Eshelby): −½(S + P) w'² −
+    /// ½μ((u' + g₀')² − g₀'²), minus the energy per length and the work on it.
     pub fn released(&self, x: f64, side: Side) -> f64 {
         let spot = self.spot(x, side);
         let cell = &self.mesh.cells[spot.cell];
@@ -105,8 +106,8 @@ impl Frame<'_> {
         -0.5 * ((shear + self.mesh.axial_force) * slope * slope + layer * (lies * lies - own * own))
     }
 
-    /// The open side of a point force on a beam that shears, if an edge of contact stands at its kink. The edge moves with
-    /// the force.
+    /// The side without contact of a point force on a beam with shear deformation, if a contact edge lies at the kink
+    /// under the force. The edge moves with the force.
     pub fn edge_at_force(&self, moved: &Moved) -> Option<Side> {
         let is_force = matches!(moved.what, Motion::Force(_));
         if !is_force || !self.is_inside(moved.x) || self.shears_at(moved.x) != [true; 2] {
@@ -120,13 +121,13 @@ impl Frame<'_> {
         }
     }
 
-    /// Whether a motion to the left differs from one to the right for every output: at a hinge, or at a jump of the stiffness
-    /// on which it depends.
+    /// Whether the derivatives of every output for a move to the left and to the right differ: at a hinge, or at a jump
+    /// of the stiffness that determines the effect of the motion.
     pub fn differs_by_side(&self, moved: &Moved) -> bool {
         let x = moved.x;
         let is_force = matches!(moved.what, Motion::Force(_));
         if !self.is_inside(x) {
-            // The contact force at the end stays there, without the force above it.
+            // The contact force stays at the end of the beam when the point force above it moves.
             let touches = self.touch[self.spot(x, Side::Right).cell] == ZoneKind::Contact
                 || [Side::Left, Side::Right].iter().any(|side| self.zone_at(x, *side).is_some());
             return is_force && touches && self.shears_at(x).contains(&true);
@@ -150,10 +151,10 @@ impl Frame<'_> {
         jumps || turns && self.mesh.nodes[self.mesh.node_at(x)].hinge.is_some()
     }
 
-    /// Whether a field or its slope jumps at a load that moves.
+    /// Whether a field or its slope jumps at a moving load.
     pub fn is_rough(&self, field: Field, moved: &Moved) -> bool {
         let shears = self.shears_at(moved.x).contains(&true);
-        // The first derivative of w, and of φ, that jumps.
+        // Order of the lowest derivative of w, and of φ, that jumps.
         let [by_w, by_rotation] = match moved.what {
             Motion::Force(_) => [if shears { 1 } else { 3 }, 3],
             Motion::Moment(_) | Motion::Curvature(_) => [2, 2],
@@ -170,7 +171,7 @@ impl Frame<'_> {
         }
     }
 
-    /// Whether a field jumps at a load that moves.
+    /// Whether a field jumps at a moving load.
     pub fn jumps(&self, field: Field, moved: &Moved) -> bool {
         let shears = self.shears_at(moved.x).contains(&true);
         match moved.what {

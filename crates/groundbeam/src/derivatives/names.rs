@@ -1,17 +1,17 @@
-//! Names of parameters and outputs.
+//! Names of parameters and outputs, and the parsers of the names.
 
 use super::{Domain, LoadNumber, Output, Parameter, Property, SupportNumber};
 use crate::solution::field::Field;
 use crate::solution::fields::Side;
 
 impl Parameter {
-    /// How names are written: `k`, `mu_factor`, `EI[0]`, `load[1].at`, …
+    /// Syntax of the names: `k`, `mu_factor`, `EI[0]`, `load[1].at`, …
     pub const NAMES: &str = "k, mu, EI, GA, axial_force, k_factor, mu_factor, EI_factor, GA_factor, load_factor; of segments k[0], \
                              k_factor[0] and so on, of what is outside them k[]; of loads load[0], load[0].at, \
                              load[0].from, load[0].to, load[0].start, load[0].end; support[0].settlement, \
                              support[0].spring, support[0].rotational_spring, hinge[0], gap[0]";
 
-    /// The parameter that is called so.
+    /// The parameter with this name.
     ///
     /// ```
     /// use groundbeam::derivatives::{Domain, Parameter, Property};
@@ -80,11 +80,11 @@ impl Parameter {
 }
 
 impl Output {
-    /// How names are written, besides those of fields at a position.
+    /// Names of all outputs except fields at a position.
     pub const NAMES: &str = "largest moment, smallest gap and so on, edge[0].left, edge[0].right, end_force.left, \
                              end_force.right, support[0].force, support[0].moment, potential_energy";
 
-    /// The output that is called so; fields at a position are not among them.
+    /// The output with this name, except fields at a position.
     ///
     /// ```
     /// use groundbeam::{Field, derivatives::Output, solution::Side};
@@ -119,7 +119,7 @@ impl Output {
     }
 }
 
-/// `word[number].part`: the number and the part may be left out.
+/// Splits `word[number].part`. The number and the part are optional.
 fn parts(name: &str) -> Option<(&str, Option<&str>, &str)> {
     let Some((word, rest)) = name.split_once('[') else {
         let (word, part) = name.split_once('.').unwrap_or((name, ""));

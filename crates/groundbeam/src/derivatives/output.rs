@@ -1,4 +1,4 @@
-//! Outputs: numbers of a solution, and how each is read from the linearised problem.
+//! Outputs: results of a solution, and how each is evaluated in the linearised problem.
 
 use super::extreme::Place;
 use super::frame::Frame;
@@ -8,45 +8,46 @@ use crate::model::{Support, SupportKind};
 use crate::solution::field::Field as Quantity;
 use crate::solution::fields::Side;
 
-/// A number of a solution.
+/// A result of a solution.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum Output {
-    /// A field at a position of the beam \[m\], seen from a side; the position stays where it is. The settlement also
-    /// beside the beam.
+    /// A field on one side of a fixed position x \[m\]. x is on the beam; for the settlement, x may also be outside the
+    /// beam.
     Value(Quantity, f64, Side),
-    /// The smallest value of a field on the beam, wherever that is.
+    /// The smallest value of a field on the beam.
     Smallest(Quantity),
-    /// The largest.
+    /// The largest value of a field on the beam.
     Largest(Quantity),
-    /// The position of an end of a region of contact \[m\], counted from 0 as in
+    /// The position of an end of a contact zone \[m\]; zones are numbered from 0 as in
     /// [`Solution::contact`](crate::Solution::contact).
     Edge(usize, Side),
-    /// p₀ or p_l \[N\].
+    /// Concentrated contact force at an end of the beam, p₀ or p_l \[N\].
     EndForce(Side),
-    /// The force of a support, up \[N\].
+    /// Force of a support, positive up \[N\].
     SupportForce(usize),
-    /// The moment of a support, as it turns the beam's right side down \[N·m\].
+    /// Moment of a support \[N·m\], positive if it rotates the right side of the beam down.
     SupportMoment(usize),
-    /// The energy that is least: ½∫(EI (w″ − κ₀)² + P w'²) + ½b(u, u) + springs − F(w) \[N·m\].
+    /// The potential energy \[N·m\], which the solution minimises: ½∫(EI (w″ − κ₀)² + P w'²) + ½b(u, u) + springs −
+    /// F(w).
     PotentialEnergy,
 }
 
-/// An output at a solution.
+/// The value of an output, and how its derivatives are computed.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Reading {
     pub value: f64,
     pub of: Read,
-    /// Another position at which the field is as large.
+    /// Another position with an equal extreme.
     pub rival: Option<f64>,
 }
 
 impl Reading {
-    /// The positions of the beam at which w is read.
+    /// Positions on the beam at which w is evaluated.
     pub fn positions(&self) -> impl Iterator<Item = f64> {
         let x = match self.of {
             Read::Field { x, .. } => Some(x),
-            // That of the nearer end.
+            // The nearest end of the beam.
             Read::Beside { x } => Some(x.max(0.0)),
             _ => None,
         };
@@ -54,33 +55,33 @@ impl Reading {
     }
 }
 
-/// What to read.
+/// How an output is evaluated.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Read {
-    /// A value that no parameter changes.
+    /// A value that is constant for all parameters.
     Constant,
-    /// A field at a position, and how this position moves.
+    /// A field at a position, and how the position moves.
     Field {
         field: Quantity,
         x: f64,
         side: Side,
         follows: Follows,
     },
-    /// The settlement at a position beside the beam.
+    /// The settlement at a position outside the beam.
     Beside {
         x: f64,
     },
-    /// The position of an end of a zone.
+    /// The position of an end of a contact zone.
     Edge {
         zone: usize,
         side: Side,
     },
-    /// A concentrated force at an end of a zone.
+    /// A concentrated force at an end of a contact zone.
     EdgeForce {
         zone: usize,
         side: Side,
     },
-    /// The force, or the moment, of a support among those that act.
+    /// The force or moment of a support; `number` counts the supports that act.
     Support {
         number: usize,
         moment: bool,
@@ -88,23 +89,23 @@ pub(super) enum Read {
     Energy,
 }
 
-/// What moves the position of a field's value, which has a slope there.
+/// How the position of an evaluated field moves. `slope` is the derivative of the field with respect to x there.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Follows {
-    /// Nothing: the position is given.
+    /// The position is fixed by the caller.
     Given,
-    /// Nothing: the field is stationary there.
+    /// The field is stationary, so a move of the position has no effect.
     Nothing,
-    /// An edge of contact, where the field has its kink.
+    /// The position is a contact edge, at a kink of the field.
     Edge { zone: usize, side: Side, slope: f64 },
-    /// A load that stands alone there, if it moves.
+    /// The position is that of a load, and nothing else is there.
     Load { slope: f64 },
-    /// The position is that of an extreme between parts that stay.
+    /// The position is a kink at parts of the model that do not move.
     Kink,
 }
 
 impl Frame<'_> {
-    /// An output, if the solution has it.
+    /// The evaluation of an output; `None` if the solution does not have the output.
     pub fn reading(&self, output: Output) -> Option<Reading> {
         let solution = self.solution;
         let l = self.model.beam.length;
@@ -150,13 +151,13 @@ impl Frame<'_> {
         Some(Reading { value, of, rival })
     }
 
-    /// What moves the place of an extreme.
+    /// How the position of an extreme moves.
     fn follows(&self, place: &Place) -> Follows {
         let (x, slope) = (place.x, place.slope);
         if slope == 0.0 {
             return Follows::Nothing;
         }
-        // At a load, a support or a hinge the field has a kink without an edge.
+        // At a load, a support or a hinge the field has a kink that is not due to a contact edge.
         let node = &self.mesh.nodes[self.mesh.node_at(x)];
         let loaded = node.force != 0.0 || node.moment != 0.0;
         let held = node.pinned || node.spring != 0.0 || node.rotational_spring != 0.0;
@@ -171,7 +172,7 @@ impl Frame<'_> {
         if self.stands_alone(x) { Follows::Load { slope } } else { Follows::Kink }
     }
 
-    /// Why the derivative of an output by the position of a load holds in one direction only, if it does.
+    /// Whether the derivative of an output with respect to the position of a load holds in one direction only.
     pub fn is_one_sided(&self, read: &Read, moved: &Moved) -> bool {
         if matches!(read, Read::Constant) {
             return false;
@@ -187,7 +188,7 @@ impl Frame<'_> {
         let here = |x: f64| self.is_same_place(x, moved.x);
         match *read {
             Read::Field { field, x, follows, .. } => {
-                // Between the load and what it leaves behind is a new piece of the field.
+                // Between the moved load and the parts that stay there is a new piece of the field.
                 let leaves = follows != Follows::Given
                     && !self.stands_alone(moved.x)
                     && self.jumps(field, moved);
@@ -204,7 +205,7 @@ impl Frame<'_> {
         }
     }
 
-    /// Whether an edge of contact stands at the kink of a force and moves with it.
+    /// Whether a contact edge lies at the kink under a point force and moves with the force.
     fn edge_follows(&self, zone: usize, side: Side, moved: &Moved) -> bool {
         let spot = self.end_of(zone, side);
         let held = self.mesh.cells[spot.cell].beam_shear.is_some() && self.stays(zone, side);
@@ -215,7 +216,7 @@ impl Frame<'_> {
 }
 
 impl<const N: usize> Linear<'_, N> {
-    /// The derivatives of an output by each parameter.
+    /// The derivatives of an output with respect to each parameter.
     pub fn read(&self, reading: &Reading, tangents: &[Tangent]) -> [f64; N] {
         let frame = self.frame;
         match reading.of {

@@ -1,18 +1,18 @@
-//! Parameters: the numbers of a model by which outputs are derived.
+//! Parameters: the numbers of a model with respect to which outputs are differentiated.
 
 use crate::model::Extent;
 use crate::model::{Load, Model};
 
-/// A property of beam or ground.
+/// A stiffness of the beam or the ground.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Property {
-    /// EI \[N·m²\].
+    /// Bending stiffness EI \[N·m²\].
     BendingStiffness,
-    /// S = κGA of a beam that shears \[N\].
+    /// Shear stiffness S = κGA of a beam with shear deformation \[N\].
     ShearStiffness,
-    /// k \[N/m²\].
+    /// Subgrade stiffness k of the ground \[N/m²\].
     Spring,
-    /// μ \[N\].
+    /// Shear-layer stiffness μ of the ground \[N\].
     Shear,
 }
 
@@ -21,16 +21,17 @@ pub enum Property {
 pub enum Domain {
     /// On all segments and outside them.
     Whole,
-    /// Wherever no segment says otherwise: the model's own value.
+    /// Outside all segments: the model's own value.
     OutsideSegments,
-    /// On one segment, counted from 0; of the ground with what goes on from it beside the beam.
+    /// On one segment, counted from 0. A ground segment at an end of the beam continues outside the beam.
     Segment(usize),
 }
 
 /// A number of a load.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum LoadNumber {
-    /// Its force, moment or curvature; of a spread one the same all along, both ends at once.
+    /// Force \[N, N/m\], moment \[N·m, N·m/m\] or curvature \[1/m\]; for a distributed load, the value at both ends if
+    /// they are equal.
     Size,
     /// The position of a point load \[m\].
     At,
@@ -38,9 +39,9 @@ pub enum LoadNumber {
     From,
     /// The right end of a distributed load \[m\].
     To,
-    /// The intensity at the left end.
+    /// The value of a distributed load at its left end.
     Start,
-    /// The intensity at the right end.
+    /// The value of a distributed load at its right end.
     End,
 }
 
@@ -55,30 +56,30 @@ pub enum SupportNumber {
     RotationalSpring,
 }
 
-/// A number of a model. Parts are counted from 0, in the model's own order.
+/// A number of a model. Parts are counted from 0, in the order of the model.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Parameter {
-    /// A property's value, where it does not vary. On the `Whole` only where no segment gives it.
+    /// The value of a property where it is constant. With `Whole`, no segment may define it.
     Value(Property, Domain),
-    /// A factor on a property, at 1.
+    /// A factor on a property; its current value is 1.
     Factor(Property, Domain),
-    /// P \[N\].
+    /// Axial force P \[N\], positive in tension.
     AxialForce,
     /// A number of one load.
     Load(usize, LoadNumber),
-    /// A factor on all loads, at 1.
+    /// A factor on all loads; its current value is 1.
     LoadFactor,
     /// A number of one support.
     Support(usize, SupportNumber),
     /// The rotational spring constant of one hinge \[N·m/rad\].
     HingeSpring(usize),
-    /// The initial clearance at one point of the gap's profile \[m\].
+    /// The initial gap at one point of the gap profile \[m\].
     Gap(usize),
 }
 
 impl Parameter {
-    /// Whether it is one of k and μ.
+    /// Whether the parameter is the value of k or μ, or a factor on k or μ.
     pub fn is_of_ground(self) -> bool {
         use Property::{Shear, Spring};
         matches!(self, Parameter::Value(Spring | Shear, _) | Parameter::Factor(Spring | Shear, _))
@@ -111,13 +112,13 @@ impl Parameter {
         }
     }
 
-    /// The model with another number; none where it has none such.
+    /// The model with the number set to `to`; `None` if the model does not have the number.
     pub fn set(self, model: &Model, to: f64) -> Option<Model> {
         let mut model = model.clone();
         self.assign(&mut model, to).then_some(model)
     }
 
-    /// Changes the number in a model, and tells whether the model has it.
+    /// Sets the number in a model. Returns whether the model has the number.
     pub fn assign(self, model: &mut Model, to: f64) -> bool {
         self.value(model).is_some() && self.assigned(model, to).is_some()
     }
@@ -154,7 +155,7 @@ impl Parameter {
     }
 }
 
-/// Whether there is any of a property.
+/// Whether the model has a property on a domain.
 fn has(model: &Model, property: Property, domain: Domain) -> bool {
     let beam = &model.beam;
     match (property, domain) {
@@ -169,7 +170,7 @@ fn has(model: &Model, property: Property, domain: Domain) -> bool {
     }
 }
 
-/// A property's value where it is constant.
+/// The value of a property on a domain; `None` if it varies there.
 fn constant(model: &Model, property: Property, domain: Domain) -> Option<f64> {
     let (beam, ground) = (&model.beam, &model.foundation);
     let (own, profile) = match property {
@@ -268,11 +269,11 @@ fn scale(model: &mut Model, property: Property, domain: Domain, factor: f64) {
     }
 }
 
-/// A number of a load, if it has it.
+/// A number of a load; `None` if the load does not have it.
 pub(super) fn of_load(load: &Load, number: LoadNumber) -> Option<f64> {
     match (load.extent, number) {
         (Extent::Point { size, .. }, LoadNumber::Size) => Some(size),
-        // A distributed load on the ground, and the place of any load on it, are no parameters.
+        // Distributed loads on the ground and the positions of loads on the ground are not parameters.
         (Extent::Point { at, .. }, LoadNumber::At) if !load.on_ground => Some(at),
         (Extent::Distributed { from, to, start, end }, number) if !load.on_ground => match number {
             LoadNumber::Size => (start == end).then_some(start),

@@ -1,22 +1,23 @@
-//! The derivatives of a model's numbers by one parameter.
+//! The derivatives of a model's numbers with respect to one parameter.
 //!
-//! They are a model with the same parts at the same positions: every number is the derivative of the model's number. No
-//! position moves. A load that moves is a load or a step at the place where it stands ([`Moved`]).
+//! The derivatives are stored as a model with the same parts at the same positions: every number is the derivative of
+//! the number in the model. Positions are fixed. A moving load is represented by a load or a step at its position
+//! ([`Moved`]).
 
 use super::parameter::{
     Domain, LoadNumber, Parameter, Property, SupportNumber, set_load, set_property,
 };
 use crate::model::{Action, Extent, Load, Model, SupportKind};
 
-/// The derivatives of a model's numbers by one parameter.
+/// The derivatives of a model's numbers with respect to one parameter.
 #[derive(Debug, Clone)]
 pub(super) struct Tangent {
     pub model: Model,
-    /// The load that moves with the parameter.
+    /// The load whose position is the parameter.
     pub moved: Option<Moved>,
 }
 
-/// A point load, or an end of a distributed load, that moves.
+/// A point load, or an end of a distributed load, whose position is the parameter.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Moved {
     /// Its position \[m\].
@@ -24,23 +25,23 @@ pub(super) struct Moved {
     pub what: Motion,
 }
 
-/// What moves: the state to the left of the place follows it to the right.
+/// The quantity that moves. As it moves to the right, the state on its left extends to the right.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Motion {
-    /// A point force: M changes by the jump of V, and w by the jump of w′.
+    /// A point force: M changes by the jump of V, and w by the jump of w'.
     Force(f64),
     /// A point moment: the rotation changes by the jump of φ′.
     Moment(f64),
-    /// A force per length: a point force, part of the tangent's loads.
+    /// A force per length: its change is a point force, which is one of the tangent's loads.
     ForcePerLength(f64),
-    /// A moment per length: a point moment.
+    /// A moment per length: its change is a point moment.
     MomentPerLength(f64),
-    /// An imposed curvature: a kink of φ.
+    /// An imposed curvature: its change is a kink of φ.
     Curvature(f64),
 }
 
 impl Tangent {
-    /// By a parameter that the model has.
+    /// The derivatives with respect to a parameter that the model has.
     pub fn of(parameter: Parameter, model: &Model) -> Self {
         let mut tangent = Tangent { model: without_numbers(model), moved: None };
         let rates = &mut tangent.model;
@@ -102,7 +103,7 @@ impl Tangent {
     }
 }
 
-/// The model with all numbers 0 and all positions.
+/// A model with the same parts and positions, and all numbers 0.
 fn without_numbers(model: &Model) -> Model {
     let mut zero = model.clone().with_loads_scaled(0.0);
     let beam = zero.beam.stiffened(0.0);
@@ -119,7 +120,7 @@ fn without_numbers(model: &Model) -> Model {
     zero
 }
 
-/// The numbers of a property in a domain: their derivatives by a factor on them.
+/// Copies the numbers of a property in a domain: these are the derivatives with respect to a factor on the property.
 fn copy_property(rates: &mut Model, model: &Model, property: Property, domain: Domain) {
     let is_own = !matches!(domain, Domain::Segment(_));
     let is_meant = |i: usize| domain == Domain::Whole || domain == Domain::Segment(i);

@@ -1,4 +1,4 @@
-//! The distance of a solution to the nearest change of contact, where its derivatives jump.
+//! The relative margin of a solution to the nearest change of contact, at which its derivatives jump.
 
 use super::frame::Frame;
 use crate::contact::surface::can_carry;
@@ -9,28 +9,28 @@ use crate::solution::field::Field as Quantity;
 use crate::solution::fields::Side;
 use crate::solution::solution::Solution;
 
-/// What a change of contact would bring to zero.
+/// The quantity that is zero at a change of contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Condition {
-    /// The pressure, inside a region of contact or at its edge.
+    /// The pressure inside a contact zone or at its edge.
     Pressure,
-    /// A concentrated force, at an end of the beam, a corner, a hinge or a single point of contact.
+    /// A concentrated force at an end of the beam, a corner, a hinge or a point contact.
     Force,
-    /// The gap, where beam and ground do not touch.
+    /// The gap outside contact.
     Gap,
-    /// The angle at which the beam leaves ground without a shear layer.
+    /// The angle between beam and ground at a contact edge on ground without a shear layer.
     Angle,
-    /// The length of a region of contact, or of one without.
+    /// The length of a contact zone, or of a span out of contact.
     Length,
-    /// The force of a support that acts in one direction alone.
+    /// The force of a support that acts in one direction only.
     SupportForce,
-    /// The clearance of such a support.
+    /// The clearance of a support that acts in one direction only.
     SupportClearance,
 }
 
 impl Condition {
-    /// In words.
+    /// The quantity as text.
     pub fn in_words(self) -> &'static str {
         match self {
             Condition::Pressure => "the pressure",
@@ -44,22 +44,22 @@ impl Condition {
     }
 }
 
-/// The nearest change of contact.
+/// The nearest change of contact: the quantity with the smallest relative margin.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Nearest {
-    /// What is nearly zero.
+    /// The quantity that is nearly zero.
     pub condition: Condition,
-    /// Where \[m\].
+    /// Its position \[m\].
     pub at: f64,
-    /// How large it is, as a part of the largest of its kind; of a length, of the beam's.
+    /// Its size relative to the largest of its kind; for a length, relative to the length of the beam.
     pub margin: f64,
 }
 
-/// A gap that turns by less than this part of all deflections does so by rounding.
+/// Change of the gap, relative to the largest deflection or gap, below which a minimum is due to rounding error.
 const ROUNDING: f64 = 1e-8;
 
-/// Which of some places are lower than the highest on both sides by more than `least`, and are lowest between those;
-/// at an end of the beam one side is enough.
+/// Indices of the local minima that are lower by more than `least` than the highest place on each side. At an end of
+/// the beam, one side is enough.
 fn deepest_between_peaks(places: &[(f64, f64)], ends: [f64; 2], least: f64) -> Vec<usize> {
     let count = places.len();
     let mut before = vec![f64::NEG_INFINITY; count];
@@ -70,7 +70,7 @@ fn deepest_between_peaks(places: &[(f64, f64)], ends: [f64; 2], least: f64) -> V
     }
     let lowest = |i: usize| {
         let (x, gap) = places[i];
-        // No neighbour is lower, and there is a peak on both sides, or the beam's end.
+        // No neighbour is lower, and on each side there is a peak or the end of the beam.
         let beside = [i.checked_sub(1), Some(i + 1).filter(|next| *next < count)];
         let turns = beside.into_iter().flatten().all(|j| places[j].1 >= gap);
         let peaks = [(before[i], ends[0]), (after[i], ends[1])];
@@ -80,7 +80,7 @@ fn deepest_between_peaks(places: &[(f64, f64)], ends: [f64; 2], least: f64) -> V
 }
 
 impl Solution {
-    /// The nearest change of contact.
+    /// The nearest change of contact; `None` if there are no candidates.
     pub(super) fn nearest_change_in(&self, frame: &Frame) -> Option<Nearest> {
         let mut all: Vec<Nearest> = Vec::new();
         self.pressures(frame, &mut all);
@@ -91,7 +91,8 @@ impl Solution {
         all.into_iter().min_by(|a, b| a.margin.total_cmp(&b.margin))
     }
 
-    /// Where the pressure is least within regions of contact, and at edges on a shear layer.
+    /// Minima of the pressure within contact zones, the pressure at edges on a shear layer, and the angle at edges on
+    /// Winkler ground.
     fn pressures(&self, frame: &Frame, all: &mut Vec<Nearest>) {
         let largest = self.range(Quantity::Pressure).max.value;
         if largest <= 0.0 {
@@ -118,7 +119,7 @@ impl Solution {
                 }
             }
         }
-        // ψ' at edges on separate springs, against the largest ψ over the length.
+        // ψ' at edges on Winkler ground, relative to the largest ψ divided by the length of the beam.
         let l = self.model().beam.length;
         for zone in 0..frame.zones.len() {
             for side in [Side::Left, Side::Right] {
@@ -128,7 +129,7 @@ impl Solution {
                     continue;
                 }
                 let x = frame.position(spot);
-                // From inside the zone.
+                // The slope on the inner side of the edge.
                 let within = if side == Side::Left { Side::Right } else { Side::Left };
                 let rise = self.at(x, within).slope - cell.gap_slope;
                 let scale = largest / cell.subgrade / l;
@@ -137,7 +138,7 @@ impl Solution {
         }
     }
 
-    /// Concentrated forces, where they may stand.
+    /// Concentrated forces, at all positions that can carry one.
     fn forces(&self, frame: &Frame, all: &mut Vec<Nearest>) {
         let l = self.model().beam.length;
         let ends = self.end_forces();
@@ -175,7 +176,7 @@ impl Solution {
             })
             .sum();
         let forces: f64 = places.iter().map(|x| force_at(*x).abs()).sum();
-        // Where hardly anything is on the ground, against what the beam carries.
+        // If the ground carries little, the scale is the largest shear force of the beam.
         let carried = self.range(Quantity::ShearForce);
         let carried = carried.max.value.abs().max(carried.min.value.abs());
         let total = (contact.abs() + forces).max(carried);
@@ -185,7 +186,7 @@ impl Solution {
         }
     }
 
-    /// Where the gap is least between regions of contact, and at the ends that are in the air.
+    /// Minima of the gap between contact zones and at ends of the beam that are not in contact.
     fn gaps(&self, all: &mut Vec<Nearest>) {
         let l = self.model().beam.length;
         let deflections = self.range(Quantity::Deflection);
@@ -194,7 +195,7 @@ impl Solution {
         if scale <= 0.0 {
             return;
         }
-        // From left to right where the gap may turn, each open length for itself.
+        // Candidate minima of each open span, from left to right.
         let mut open: Vec<(f64, f64)> = Vec::new();
         let mut add = |open: &mut Vec<(f64, f64)>| {
             let touches = |x: f64| {
@@ -221,7 +222,7 @@ impl Solution {
         add(&mut open);
     }
 
-    /// Regions of contact and those between.
+    /// Lengths of contact zones and of the spans out of contact.
     fn lengths(&self, all: &mut Vec<Nearest>) {
         let l = self.model().beam.length;
         let mut at = None;
@@ -243,7 +244,7 @@ impl Solution {
         }
     }
 
-    /// Supports that act in one direction alone.
+    /// Forces and clearances of supports that act in one direction only.
     fn one_way(&self, all: &mut Vec<Nearest>) {
         let supports = || self.model().supports.iter().zip(self.reactions());
         let forces: f64 = supports().map(|(_, reaction)| reaction.force.abs()).sum();

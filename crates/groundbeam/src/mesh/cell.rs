@@ -7,7 +7,7 @@ use crate::numeric::polynomial::{Coefficients, jet, product, rescale, value};
 use crate::numeric::real::Real;
 use crate::numeric::roots::is_free_of_zeros;
 
-/// A stretch of beam and ground: EI, k and μ are constant or polynomials; f, g, κ₀, g₀ are linear.
+/// A part of beam and ground in which EI, k and μ are constant or polynomials, and f, g, κ₀ and g₀ are linear.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Cell<R = f64> {
     /// Left and right end \[m\].
@@ -18,7 +18,7 @@ pub(crate) struct Cell<R = f64> {
     pub subgrade: R,
     /// μ \[N\]; at the middle if it varies.
     pub shear_layer: R,
-    /// The coefficients of the beam's own shear stiffness S(s) \[N\]; `None` if the beam does not shear.
+    /// Coefficients of the beam's shear stiffness S(s) \[N\]; `None` without shear deformation.
     pub beam_shear: Option<[R; Profile::MOST]>,
     /// The variation of EI, k and μ.
     pub varies: Varies<R>,
@@ -30,22 +30,22 @@ pub(crate) struct Cell<R = f64> {
     pub curvature: [R; 2],
     /// g₀ at both ends \[m\].
     pub gap: [R; 2],
-    /// g₀', with the same bits in all cells between two corners.
+    /// g₀', with the same bits in all cells between two corners of the initial gap.
     pub gap_slope: R,
-    /// A load on the ground: q at both ends \[N/m\].
+    /// Distributed load q on the ground, at both ends \[N/m\].
     pub ground_load: [R; 2],
     /// u₀ − q/k at both ends \[m\], where [u₀](crate::mesh::free_field) is the free-field settlement.
     pub homogeneous_field: [R; 2],
-    /// A force on the ground at the cell's left end \[N\].
+    /// Point force on the ground at the left end of the cell \[N\].
     pub ground_force: R,
 }
 
-/// The variable parts of EI, k and μ: their differences from the values at the middle of a cell.
+/// Differences of EI, k and μ from their values at the middle of a cell.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct Varies<R = f64> {
-    /// Coefficients of s, s², … in EI.
+    /// Coefficients of s, s², … in EI(s).
     stiffness: [R; Profile::MOST - 1],
-    /// Coefficients of s, s², … in k and in μ.
+    /// Coefficients of s, s², … in k(s) and μ(s).
     subgrade: [R; GROUND - 1],
     shear_layer: [R; GROUND - 1],
     /// μ at both ends if it varies, with the same bits in neighbouring cells of a segment.
@@ -82,7 +82,7 @@ impl<R: Real> Cell<R> {
         c
     }
 
-    /// Whether loads on the ground act on this cell or cause a settlement of it.
+    /// Whether loads on the ground act on this cell or cause a free-field settlement in it.
     pub fn has_free_field(&self) -> bool {
         self.ground_load != [R::ZERO; 2] || self.homogeneous_field != [R::ZERO; 2]
     }
@@ -107,7 +107,7 @@ impl<R: Real> Cell<R> {
         u
     }
 
-    /// The coefficients of u₀(s); cells with a free field are short.
+    /// The coefficients of u₀(s). Cells with a free field are short enough for this series.
     pub fn free_field(&self) -> Coefficients<R> {
         let mut c = if self.shear_layer.value() > 0.0 {
             settled(
@@ -141,7 +141,7 @@ impl<R: Real> Cell<R> {
         spring.iter().chain(shear).any(|c| *c != 0.0)
     }
 
-    /// Whether another cell has the same ground, and both are constant.
+    /// Whether this and another cell have the same ground, constant in both.
     pub fn shares_even_ground(&self, other: &Cell<R>) -> bool {
         self.subgrade == other.subgrade
             && self.shear_layer == other.shear_layer
@@ -154,7 +154,7 @@ impl<R: Real> Cell<R> {
         self.curvature != [R::ZERO; 2]
     }
 
-    /// The coefficients of EI κ₀, the moment that cancels the imposed curvature.
+    /// The coefficients of EI κ₀, where κ₀ is the imposed curvature.
     pub fn imposed_moment(&self) -> Coefficients<R> {
         let [left, right] = self.curvature;
         let curvature = [(left + right) * 0.5, (right - left) * 0.5];
@@ -212,7 +212,7 @@ impl<R: Real> Cell<R> {
                     && (self.shear_layer.value() == 0.0 || is_free(&self.shear_layer_along()))))
     }
 
-    /// Whether open ground along the cell, of length 2·`half`, is one short power series.
+    /// Whether open ground on a length of 2·`half` in the cell is one short power series.
     pub fn is_short_for_open_ground(&self, half: f64) -> bool {
         if !self.ground_varies() || self.shear_layer.value() == 0.0 {
             return true;
@@ -290,7 +290,7 @@ impl<R: Real> Cell<R> {
         self.x[1] - self.x[0]
     }
 
-    /// The cell's own coordinate s ∈ \[−1, 1\] of a position x.
+    /// The coordinate s ∈ \[−1, 1\] of a position x.
     pub fn local(&self, x: f64) -> f64 {
         let [from, to] = self.x;
         // Measured from the nearer end, so that both ends map to ±1 exactly.
@@ -302,7 +302,7 @@ impl<R: Real> Cell<R> {
         s.clamp(-1.0, 1.0)
     }
 
-    /// The position x of s ∈ \[−1, 1\].
+    /// The position x of a coordinate s ∈ \[−1, 1\].
     pub fn global(&self, s: f64) -> f64 {
         let half = 0.5 * self.length();
         if s <= 0.0 { self.x[0] + half * (1.0 + s) } else { self.x[1] - half * (1.0 - s) }
@@ -326,7 +326,7 @@ impl Cell {
         self.set_ground(&spring.coefficients, &shear.coefficients, shear.ends);
     }
 
-    /// The same cell with derivatives, each from a cell of derivatives.
+    /// The cell in dual numbers. Each derivative comes from a cell whose data are derivatives; `None` stands for zeros.
     pub fn lifted<const N: usize>(&self, by: [Option<&Cell>; N]) -> Cell<Dual<N>> {
         let dual = |number: &dyn Fn(&Cell) -> f64| Dual {
             value: number(self),
@@ -358,7 +358,7 @@ impl Cell {
         }
     }
 
-    /// Multiplies EI and S by a number.
+    /// Multiplies EI and S by a factor.
     pub fn stiffen(&mut self, times: f64) {
         self.stiffness *= times;
         self.varies.stiffness = self.varies.stiffness.map(|c| c * times);
@@ -366,7 +366,7 @@ impl Cell {
     }
 }
 
-/// Numbers without their derivatives.
+/// The values, without derivatives.
 fn values<R: Real>(c: &[R]) -> Coefficients {
     c.iter().map(|c| c.value()).collect()
 }
@@ -377,17 +377,17 @@ fn with_first<R: Real, const N: usize, const REST: usize>(first: R, rest: &[R; R
     all
 }
 
-/// g₀ + u₀ at s of a cell.
+/// g₀ + u₀ at s in a cell.
 pub(crate) fn gap_at<R: Real>(cell: &Cell<R>, s: f64) -> R {
     initial_gap_at(cell, s) + cell.free_field_at(s)[0]
 }
 
-/// g₀ at s of a cell.
+/// g₀ at s in a cell.
 pub(crate) fn initial_gap_at<R: Real>(cell: &Cell<R>, s: f64) -> R {
     initial(cell.gap, s)
 }
 
-/// Linear between the values at both ends.
+/// The value at s of a linear function with the given values at both ends.
 pub(crate) fn initial<R: Real>([left, right]: [R; 2], s: f64) -> R {
     (left + right) * 0.5 + (right - left) * 0.5 * s
 }

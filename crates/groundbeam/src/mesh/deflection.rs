@@ -15,7 +15,7 @@ pub(crate) struct BeamPoint {
     pub s: f64,
 }
 
-/// A stretch of contact, or a point of it.
+/// A contact zone from one point to another; equal points are a point contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct MeshZone {
     pub from: BeamPoint,
@@ -35,7 +35,7 @@ impl<R: Real> Deflection<'_, R> {
         &self.coefficients[i * self.terms..(i + 1) * self.terms]
     }
 
-    /// The coefficients of ψ = w − g₀ in cell i.
+    /// The coefficients of ψ in cell i.
     pub fn obstacle(&self, i: usize) -> Coefficients<R> {
         self.mesh.cells[i].obstacle(self.cell(i))
     }

@@ -1,4 +1,4 @@
-//! The energy's bilinear forms for deflections that are polynomials in each cell of a mesh.
+//! Bilinear forms of the energy, for deflections that are polynomials in each cell of a mesh.
 
 use crate::mesh::cell::Cell;
 use crate::mesh::deflection::{BeamPoint, MeshZone};
@@ -10,12 +10,12 @@ use crate::numeric::polynomial::inner;
 use crate::numeric::polynomial::{derivative, jet, product, rescale, value};
 use crate::numeric::real::Real;
 
-/// A field of deflections of the beam: `terms` coefficients for each cell.
+/// Deflection and rotation of the beam, with `terms` coefficients for each cell.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Motion<'a, R = f64> {
     pub terms: usize,
     pub deflection: &'a [R],
-    /// The rotation of the sections; empty if it is w' everywhere.
+    /// Coefficients of the rotation of the sections; empty if it is w' everywhere.
     pub rotation: &'a [R],
 }
 
@@ -24,12 +24,12 @@ impl<R: Real> Motion<'_, R> {
         &self.deflection[cell * self.terms..(cell + 1) * self.terms]
     }
 
-    /// The rotation in a cell of a beam that shears.
+    /// The rotation in a cell; `None` if the beam has no shear deformation.
     fn rotation(&self, cell: usize) -> Option<&[R]> {
         self.rotation.get(cell * self.terms..(cell + 1) * self.terms)
     }
 
-    /// w and φ at s of a cell.
+    /// w and φ at s in a cell.
     fn at(&self, mesh: &Mesh<R>, cell: usize, s: f64) -> [R; 2] {
         let [w, d, ..] = jet(self.deflection(cell), s);
         let slope = d * 2.0 / mesh.cells[cell].length();
@@ -37,8 +37,8 @@ impl<R: Real> Motion<'_, R> {
     }
 }
 
-/// ∫(EI φ'ψ' + S (w' − φ)(z' − ψ) + P w'z') and the springs at supports and in hinges, for w with φ and z
-/// with ψ; ∫(EI w″z″ + P w'z') if the beam does not shear.
+/// ∫(EI φ'ψ' + S (w' − φ)(z' − ψ) + P w'z') plus the springs at supports and in hinges, for w with φ and z with ψ.
+/// Without shear deformation the integral is ∫(EI w″z″ + P w'z').
 pub(crate) fn beam_form<R: Real>(mesh: &Mesh<R>, a: Motion<R>, b: Motion<R>) -> R {
     let mut sum = R::ZERO;
     for (i, cell) in mesh.cells.iter().enumerate() {
@@ -68,7 +68,7 @@ pub(crate) fn beam_form<R: Real>(mesh: &Mesh<R>, a: Motion<R>, b: Motion<R>) -> 
     sum
 }
 
-/// F(w): the work of the loads of a mesh.
+/// F(w): the work of the loads in a deflection w.
 pub(crate) fn work_of_loads<R: Real>(mesh: &Mesh<R>, motion: Motion<R>) -> R {
     let mut work = R::ZERO;
     for (i, cell) in mesh.cells.iter().enumerate() {
@@ -89,9 +89,9 @@ pub(crate) fn work_of_loads<R: Real>(mesh: &Mesh<R>, motion: Motion<R>) -> R {
     work
 }
 
-/// The work of the ground's forces under ψ (contact on `zones`) in a second field δ. If `zones` is the
-/// contact set of ψ, it is the first variation of ½ min_{u ≥ ψ} b(u, u); otherwise it is the bilinear form of
-/// the bonded ground. Both fields are polynomials on the same mesh; the gap is already subtracted from ψ.
+/// The work of the ground's forces at ψ in a field δ, with contact on `zones`. If `zones` is the contact set of ψ, it
+/// is the first variation of ½ min_{u ≥ ψ} b(u, u); otherwise it is the bilinear form of the bonded ground. Both fields
+/// are polynomials on the same mesh, and the gap is already subtracted from ψ.
 pub(crate) fn ground_work<R: Real>(
     mesh: &Mesh<R>,
     terms: usize,

@@ -1,12 +1,11 @@
-//! The free-field settlement u₀, under the beam and outside it, from the loads on the ground.
+//! The free-field settlement u₀ under the beam and outside it, from the loads on the ground.
 //!
-//! u₀ solves −(μu₀′)′ + ku₀ = q on the whole line, without a beam. The beam adds the settlement G p, and G p
-//! = w − g₀ − u₀ in contact: for the beam u₀ is a clearance that is not piecewise linear. On ground with
-//! constant k and μ, u₀ = q/k + e, where q is linear. The homogeneous part e is known from its values at both
-//! ends.
+//! u₀ solves −(μu₀′)′ + ku₀ = q on the whole line, without a beam. The contact pressure p adds the settlement G p, and
+//! G p = w − g₀ − u₀ in contact. So u₀ acts on the beam like an initial gap that is not piecewise linear. On ground
+//! with constant k and μ, and for linear q, u₀ = q/k + e. The homogeneous part e follows from its values at both ends.
 //!
-//! The line is a chain of [two-ports](TwoPort) that carry the loads between their nodes to the nodes. The
-//! chain uses sums and products of positive numbers only.
+//! The line is a chain of [two-ports](TwoPort), with the loads on each strip transferred to its ends. The chain uses
+//! only sums and products of positive numbers.
 
 use crate::ground::link::TwoPort;
 use crate::mesh::cell::Cell;
@@ -14,7 +13,7 @@ use crate::model::{GroundOutside, Model};
 use crate::numeric::elementary::{exp, expm1};
 use crate::numeric::real::Real;
 
-/// A stretch of constant ground with a linear load.
+/// A stretch of constant ground with a linear distributed load.
 #[derive(Debug, Clone, Copy)]
 struct Strip<R> {
     x: [f64; 2],
@@ -23,12 +22,12 @@ struct Strip<R> {
     load: [R; 2],
 }
 
-/// A load on the ground: at a point, or linear between two.
+/// A load on the ground: a point force, or a linear distributed load.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct GroundLoad<R = f64> {
-    /// Both ends; equal for a point.
+    /// Both ends \[m\]; equal for a point force.
     pub ends: [f64; 2],
-    /// The size at both ends.
+    /// The values at both ends: \[N/m\], or \[N\] for a point force.
     pub sizes: [R; 2],
 }
 
@@ -43,7 +42,7 @@ impl<R: Real> GroundLoad<R> {
     }
 }
 
-/// The loads on the ground of a model.
+/// The loads on the ground in a model.
 pub(crate) fn ground_loads(model: &Model) -> Vec<GroundLoad> {
     let load = |load: &crate::model::Load| GroundLoad {
         ends: load.extent.ends(),
@@ -52,7 +51,7 @@ pub(crate) fn ground_loads(model: &Model) -> Vec<GroundLoad> {
     model.ground_loads().map(load).collect()
 }
 
-/// The whole line: beam length, the ground outside both ends, and its loads.
+/// The whole line: the length of the beam, the ground outside both ends, and the loads on the ground.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Line<'a, R = f64> {
     pub length: f64,
@@ -60,8 +59,8 @@ pub(crate) struct Line<'a, R = f64> {
     pub loads: &'a [GroundLoad<R>],
 }
 
-/// The end forces of a strip with both ends held: ∫q φ, where φ is the settlement of unloaded ground with φ =
-/// 1 at one end and 0 at the other.
+/// The forces at both ends of a strip that is held there: ∫q φ, where φ is the settlement of unloaded ground that is 1
+/// at one end and 0 at the other.
 fn carried<R: Real>(strip: &Strip<R>, link: &TwoPort<R>) -> [R; 2] {
     let stiffness = (strip.spring * strip.shear).sqrt();
     let z = (strip.spring / strip.shear).sqrt() * (strip.x[1] - strip.x[0]);
@@ -94,7 +93,8 @@ pub(crate) fn settle<R: Real>(line: &Line<R>, cells: &mut [Cell<R>]) {
     }
 }
 
-/// ∫q u₀ with the forces, over the whole line; less the same outside the beam for ground that is held at the beam's ends.
+/// Work of the loads on the ground, ∫q u₀ plus point forces, over the whole line. The same work outside the beam for
+/// ground held at the beam's ends is subtracted.
 pub(crate) fn work_of_loads<R: Real>(line: &Line<R>, cells: &[Cell<R>]) -> R {
     let [(mut strips, held_left), (right, held_right)] =
         [false, true].map(|right| beside(line, right));
@@ -122,7 +122,7 @@ fn work<R: Real>(line: &Line<R>, strips: &[Strip<R>], held: [bool; 2]) -> R {
         if strip.load == [R::ZERO; 2] {
             continue;
         }
-        // ∫q²/k of a linear q, and ∫q e by the work of e on the end forces.
+        // ∫q²/k for linear q, and ∫q e as the work of the end forces in e.
         let length = strip.x[1] - strip.x[0];
         work += (a * a + a * b + b * b) * (length / 3.0) / strip.spring;
         if strip.shear.value() > 0.0 {
@@ -143,7 +143,7 @@ pub(crate) fn at<R: Real>(line: &Line<R>, right: bool, cells: &[Cell<R>], distan
     let (mut strips, held) = beside(line, right);
     let x = if right { line.length + distance } else { -distance };
     let Some(i) = strips.iter().position(|s| s.x[0] <= x && x <= s.x[1]) else { return R::ZERO };
-    // The field outside, for its value at the beam's end.
+    // Cuts the strip at x, so that x is a node.
     let strip = strips[i];
     if x > strip.x[0] && x < strip.x[1] {
         let value = |at: f64| {
@@ -194,7 +194,7 @@ fn value_at<R: Real>(
         .unwrap_or(R::ZERO)
 }
 
-/// The strips outside one end of the beam, listed outward and cut at the ends of loads; and whether the far
+/// The strips outside one end of the beam, ordered outward and cut at the ends of loads. Also returns whether the far
 /// end is held.
 fn beside<R: Real>(line: &Line<R>, right: bool) -> (Vec<Strip<R>>, bool) {
     let (l, beyond) = (line.length, line.beyond[usize::from(right)]);
@@ -270,15 +270,15 @@ fn homogeneous<R: Real>(line: &Line<R>, strips: &[Strip<R>], held: [bool; 2]) ->
     homogeneous
 }
 
-/// The largest distance of a force from its node.
+/// Maximum distance between a point force and its node.
 fn same_node(at: f64, length: f64) -> f64 {
     16.0 * f64::EPSILON * (at.abs() + length)
 }
 
-/// u₀ at the nodes of consecutive strips.
+/// u₀ at the nodes of consecutive strips with a shear layer.
 fn chain<R: Real>(line: &Line<R>, strips: &[Strip<R>], held: [bool; 2]) -> Vec<R> {
     let n = strips.len();
-    // Stiffness to the ground at each node, series to the next, force.
+    // Stiffness of the ground at each node, series stiffness to the next node, and force.
     let (mut own, mut series, mut force) =
         (vec![R::ZERO; n + 1], vec![R::ZERO; n], vec![R::ZERO; n + 1]);
     for (i, strip) in strips.iter().enumerate() {
@@ -313,7 +313,7 @@ fn chain<R: Real>(line: &Line<R>, strips: &[Strip<R>], held: [bool; 2]) -> Vec<R
             force[node] += load;
         }
     }
-    // The ground to the left of each node, condensed to one spring and one force.
+    // The ground on the left of each node, condensed to one spring and one force.
     for i in 0..n {
         let (spring, c) = (own[i], series[i]);
         if c.value() > 0.0 {

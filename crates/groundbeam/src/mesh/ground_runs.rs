@@ -1,21 +1,21 @@
-//! Runs of consecutive cells with a shear layer, and runs without one.
+//! Runs of consecutive cells that all have a shear layer, or all have none.
 
 use crate::mesh::mesh::Mesh;
 use crate::numeric::real::Real;
 use std::ops::Range;
 
-/// Consecutive cells with a shear layer, or without one.
+/// Consecutive cells that all have a shear layer, or all have none.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct GroundRun<R = f64> {
     pub cells: Range<usize>,
-    /// μ > 0.
+    /// Whether μ > 0.
     pub pasternak: bool,
-    /// The stiffness of the ground outside at the left and the right end of the shear layer: √(kμ) at the
-    /// beam's ends, zero where the layer stops under the beam.
+    /// Stiffness of the ground beyond the left and right end of the shear layer \[N/m\]: that of the ground outside the
+    /// beam at the ends of the beam, 0 where the layer ends under the beam.
     pub beyond: [R; 2],
 }
 
-/// The runs from left to right.
+/// The runs of a mesh, from left to right.
 pub(crate) fn ground_runs<R: Real>(mesh: &Mesh<R>) -> Vec<GroundRun<R>> {
     let kind = |i: usize| mesh.cells[i].shear_layer.value() > 0.0;
     let n = mesh.cells.len();

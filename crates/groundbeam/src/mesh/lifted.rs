@@ -1,7 +1,7 @@
 //! A mesh in dual numbers, from the model and from the derivatives of its numbers.
 //!
-//! All data of cells and nodes are linear in the numbers of the model. So the derivatives of a model's numbers, written
-//! as a model, make a mesh of derivatives.
+//! All data of cells and nodes are linear in the numbers of the model. So a model whose numbers are derivatives gives a
+//! mesh of derivatives.
 
 use crate::ground::link;
 use crate::mesh::cell::Cell;
@@ -10,7 +10,7 @@ use crate::mesh::mesh::{Mesh, Node, cells_of};
 use crate::model::{GroundOutside, Model};
 use crate::numeric::dual::Dual;
 
-/// A model with the derivatives of its numbers by N parameters or fewer.
+/// A model, and the derivatives of its numbers with respect to at most N parameters.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Rates<'a> {
     pub model: &'a Model,
@@ -57,7 +57,7 @@ impl Rates<'_> {
 }
 
 impl Mesh {
-    /// The same mesh with derivatives.
+    /// The mesh in dual numbers.
     pub fn lifted<const N: usize>(&self, rates: &Rates) -> Mesh<Dual<N>> {
         let x: Vec<f64> = self.nodes.iter().map(|node| node.x).collect();
         let of = |model: &&Model| {
@@ -143,7 +143,7 @@ mod tests {
         let lifted: Mesh<Dual<2>> = mesh.lifted(&rates);
         assert_eq!(lifted.cells[1].subgrade, Dual { value: 2.0, by: [1.0, 0.0] });
         assert_eq!(lifted.cells[1].load[1], Dual { value: 6.0, by: [0.0, 0.5] });
-        // √(kμ) by k is μ/(2√(kμ)).
+        // The derivative of √(kμ) with respect to k is μ/(2√(kμ)).
         assert_eq!(lifted.outside[0], Dual { value: 4.0, by: [1.0, 0.0] });
     }
 }

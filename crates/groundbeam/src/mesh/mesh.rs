@@ -1,7 +1,7 @@
-//! The model cut into cells in which all data are polynomials, most of them constant or linear.
+//! The mesh of a model: cells in which all data are polynomials, most of them constant or linear.
 //!
-//! Nodes are required at loads, supports, hinges, the ends of segments and of distributed loads, and the
-//! corners of the initial gap. A method adds its own nodes.
+//! Nodes are required at loads, supports, hinges, ends of segments and of distributed loads, and corners of the initial
+//! gap. Each method adds its own nodes.
 
 use crate::ground::link;
 use crate::mesh::cell::Cell;
@@ -21,20 +21,21 @@ pub(crate) struct Node<R = f64> {
     pub force: R,
     /// Point moment \[N·m\].
     pub moment: R,
-    /// w is prescribed: the settlement of the support.
+    /// Whether w is prescribed, as the settlement of the support.
     pub pinned: bool,
     /// Settlement of the support \[m\].
     pub settlement: R,
-    /// The rotation of the sections is 0.
+    /// Whether the rotation of the sections is 0.
     pub clamped: bool,
     /// Stiffness of a translational spring \[N/m\], relative to the settlement.
     pub spring: R,
     /// Stiffness of a rotational spring \[N·m/rad\].
     pub rotational_spring: R,
-    /// Rotational stiffness of a hinge \[N·m/rad\]; the rotation of the sections may jump.
+    /// Rotational stiffness of a hinge \[N·m/rad\]; `None` without a hinge. At a hinge the rotation of the sections may
+    /// jump.
     pub hinge: Option<R>,
-    /// Whether w' may jump without a hinge: on a beam that shears, at a force, and where its own shear
-    /// stiffness or that of the ground jumps.
+    /// Whether w' may jump without a hinge: on a beam with shear deformation, at a force or support,
+    /// at a corner of the initial gap, and where S or μ jumps.
     pub kinked: bool,
 }
 
@@ -43,7 +44,7 @@ pub(crate) struct Node<R = f64> {
 pub(crate) struct Mesh<R = f64> {
     pub nodes: Vec<Node<R>>,
     pub cells: Vec<Cell<R>>,
-    /// P \[N\].
+    /// Axial force P \[N\], positive in tension.
     pub axial_force: R,
     /// Stiffness of the ground outside the left and the right end \[N/m\]; √(kμ) if it is uniform and
     /// infinite.
@@ -51,7 +52,7 @@ pub(crate) struct Mesh<R = f64> {
 }
 
 impl<R: Real> Mesh<R> {
-    /// The cell that contains x; at a common node the right one.
+    /// The cell that contains x; at a node, the cell on its right.
     pub fn cell_at(&self, x: f64) -> usize {
         self.cells.partition_point(|cell| cell.x[1] <= x).min(self.cells.len() - 1)
     }
@@ -71,8 +72,8 @@ impl Mesh {
         Self::cut(model, more, |cell, x| x.extend(cell.cuts(parts(cell))))
     }
 
-    /// The same, and what varies so much that it is no short power series is halved before it is cut. `cut` appends positions
-    /// within a cell.
+    /// Like [`Self::build`], except that cells whose data are not short power series are halved first. `cut` appends
+    /// positions within a cell.
     pub fn graded(model: &Model, more: &[f64], cut: impl Fn(&Cell, &mut Vec<f64>)) -> Self {
         Self::cut(model, more, |cell, x| graded(cell, &cut, x))
     }
@@ -120,7 +121,7 @@ impl Mesh {
         mesh
     }
 
-    /// Marks the nodes at which w' may jump because the beam's own shear force S(w' − φ) or S itself jumps.
+    /// Marks the nodes at which w' may jump because the shear force S(w' − φ) or S jumps.
     fn find_kinks(&mut self) {
         for i in 1..self.cells.len() {
             let [left, right] = [&self.cells[i - 1], &self.cells[i]];
@@ -146,7 +147,7 @@ impl Mesh {
             match load.action {
                 Action::Force => self.nodes[i].force += size,
                 Action::Moment => self.nodes[i].moment += size,
-                // Curvature acts on stretches only.
+                // Curvature is a distributed load only.
                 Action::Curvature => {}
             }
         }
@@ -186,7 +187,7 @@ fn graded(cell: &Cell, cut: &impl Fn(&Cell, &mut Vec<f64>), x: &mut Vec<f64>) {
     });
 }
 
-/// Calls `each` with the smooth parts of a cell, from left to right; halves the cell as often as needed.
+/// Calls `each` with the smooth parts of a cell, from left to right. Halves the cell as often as needed.
 fn each_smooth(cell: &Cell, halvings: u32, each: &mut impl FnMut(&Cell)) {
     if halvings == 0 || cell.is_smooth() {
         return each(cell);
@@ -195,7 +196,7 @@ fn each_smooth(cell: &Cell, halvings: u32, each: &mut impl FnMut(&Cell)) {
     each_smooth(&cell.part([0.0, 1.0]), halvings - 1, each);
 }
 
-/// The number of parts of a cell under a free field, such that u₀ is a short power series in each.
+/// Number of equal parts of a cell such that u₀ is a short power series in each part.
 fn pieces_of_settled(cell: &Cell) -> usize {
     if !cell.has_free_field() || cell.shear_layer == 0.0 {
         return 1;
@@ -213,7 +214,7 @@ fn positions(model: &Model, more: &[f64]) -> Vec<f64> {
         + model.hinges.len()
         + model.gap.len()
         + more.len();
-    // Each with a flag: the position belongs to the model.
+    // The flag marks positions of the model.
     let mut places: Vec<(f64, bool)> = Vec::with_capacity(most);
     let mut own = |x: f64| places.push((x, true));
     [0.0, l].into_iter().for_each(&mut own);
@@ -235,7 +236,7 @@ fn positions(model: &Model, more: &[f64]) -> Vec<f64> {
     let near = same_place(l);
     places.dedup_by(|next, last| {
         let same = next.0 - last.0 <= near;
-        // Of two nearly equal positions, the one of the model is kept.
+        // Of two nearly equal positions, that of the model is kept.
         if same && next.1 && !last.1 {
             *last = *next;
         }
@@ -268,7 +269,7 @@ fn cells_between(model: &Model, x: &[f64]) -> Vec<Cell> {
     cells
 }
 
-/// The data of all cells but the free field. They are linear in the model's numbers.
+/// The data of all cells except the free field. They are linear in the numbers of the model.
 pub(super) fn cells_of(model: &Model, x: &[f64]) -> Vec<Cell> {
     let even = |stiffness: f64| CellPolynomial::constant(stiffness).coefficients;
     let mut cells: Vec<Cell> = x
@@ -329,7 +330,7 @@ fn load_ground(model: &Model, cells: &mut [Cell]) {
                 }
             }
             Extent::Point { at, size: force } => {
-                // The nearest left end inside the beam; of two equally near ones the left one.
+                // The node inside the beam that is nearest to the force; of two equally near ones, the left one.
                 let right = cells.partition_point(|cell| cell.x[0] < at).max(1);
                 let distance =
                     |i: usize| cells.get(i).map_or(f64::INFINITY, |c| (c.x[0] - at).abs());

@@ -8,11 +8,11 @@ use crate::mesh::mesh::Mesh;
 use crate::mesh::varying::link;
 use crate::numeric::real::Real;
 
-/// u at the ends and the joints of two-ports in series, held at both ends; and the single two-port that is
-/// equivalent to all of them.
+/// u at the ends of all two-ports in series, for given values at both ends of the series; and the equivalent two-port
+/// of the series.
 ///
-/// Forward: the two-port from the start to each joint. Backward: u at each joint, from that two-port and the
-/// next part. Both use sums of positive numbers only.
+/// The forward pass computes the two-port from the start to each junction. The backward pass computes u at each
+/// junction from that two-port and the next one. Both use only sums of positive numbers.
 pub(crate) fn heights<R: Real>(
     links: &[TwoPort<R>],
     [start, end]: [R; 2],
@@ -35,7 +35,7 @@ pub(crate) fn heights<R: Real>(
     (values, so_far.last().copied())
 }
 
-/// All of the open ground between two points as one two-port; `None` if the points coincide.
+/// The open ground between two points as one two-port; `None` if the points coincide.
 pub(crate) fn open_link<R: Real>(
     mesh: &Mesh<R>,
     run: &GroundRun<R>,
@@ -46,8 +46,8 @@ pub(crate) fn open_link<R: Real>(
     links.into_iter().map(|(_, link)| link).reduce(TwoPort::then)
 }
 
-/// The two-ports of open ground between two points, cell by cell; a missing point means the ground outside
-/// the beam.
+/// The two-ports of open ground between two points, cell by cell. A missing point stands for the ground beyond that end
+/// of the run.
 pub(crate) fn open_links<R: Real>(
     mesh: &Mesh<R>,
     run: &GroundRun<R>,
@@ -76,7 +76,7 @@ pub(crate) fn open_links<R: Real>(
     links
 }
 
-/// The open ground of a part of a cell.
+/// The two-port of open ground on a part of a cell.
 pub(crate) fn cell_part<R: Real>(cell: &Cell<R>, from: f64, to: f64) -> TwoPort<R> {
     if cell.ground_varies() {
         return link(cell, [from, to]);

@@ -9,9 +9,9 @@ use crate::numeric::real::Real;
 /// Maximum number of halvings of a stretch of ground.
 const MOST_HALVINGS: u32 = 40;
 
-/// The open ground of a part of a cell: a chain of short power series.
+/// The two-port of open ground on a part of a cell, as a chain of short power series.
 pub(crate) fn link<R: Real>(cell: &Cell<R>, part: [f64; 2]) -> TwoPort<R> {
-    // The length of the part's ends would contain their rounding.
+    // The length is computed from s, since the rounded ends of the part would give a less accurate one.
     let half = 0.25 * (part[1] - part[0]) * cell.length();
     chain(&cell.part(part), half, MOST_HALVINGS)
 }

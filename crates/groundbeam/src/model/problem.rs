@@ -107,7 +107,7 @@ pub(crate) fn describe(value: f64) -> String {
 /// The remedy: the rule, or the range of numbers if only the range is violated.
 pub(crate) fn remedy(value: f64, rule: &str) -> String {
     if value.is_finite() && !in_range(value) {
-        "numbers between 1e-60 and 1e60, their negatives and 0 can be computed with".into()
+        "allowed values are 0 and magnitudes between 1e-60 and 1e60".into()
     } else {
         rule.into()
     }

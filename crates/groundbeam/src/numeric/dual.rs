@@ -1,4 +1,4 @@
-//! Dual numbers: a value with its first derivatives by N parameters.
+//! Dual numbers: a value with its first derivatives with respect to N parameters.
 
 use crate::numeric::real::Real;
 use std::iter::Sum;
@@ -12,7 +12,7 @@ pub(crate) struct Dual<const N: usize> {
 }
 
 impl<const N: usize> Dual<N> {
-    /// A function of this number, from its value and its derivative there.
+    /// A function of this number, from the value and the derivative of the function.
     #[inline]
     fn chain(self, value: f64, slope: f64) -> Self {
         Dual { value, by: self.by.map(|by| slope * by) }
@@ -191,7 +191,7 @@ impl<const N: usize> Real for Dual<N> {
         self.value
     }
 
-    /// The root of an exact zero has no derivative.
+    /// At an exact zero the derivative is set to 0.
     fn sqrt(self) -> Self {
         let root = self.value.sqrt();
         self.chain(root, if root > 0.0 { 0.5 / root } else { 0.0 })

@@ -1,13 +1,13 @@
-//! The numbers of the mechanics: `f64`, or values that carry derivatives.
+//! The numbers of the mechanical equations: `f64`, or a value with derivatives.
 //!
-//! A `Real` has no order. Every decision names the value on which it rests, so derivatives never change a decision. A
-//! comparison `==` covers the value and the derivatives: a zero that has a derivative is not zero.
+//! A `Real` has no order. Every decision uses the value explicitly, so derivatives cannot change a decision. The
+//! comparison `==` covers the value and the derivatives: a zero with a nonzero derivative is not equal to zero.
 
 use std::fmt::Debug;
 use std::iter::Sum;
 use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 
-/// A number of beam, ground or loads.
+/// A number in the data or the solution of a model.
 pub(crate) trait Real:
     Copy
     + Default
@@ -35,7 +35,7 @@ pub(crate) trait Real:
     const ZERO: Self;
     const ONE: Self;
 
-    /// The number without its derivatives.
+    /// The value without derivatives.
     fn value(self) -> f64;
 
     fn sqrt(self) -> Self;
@@ -87,7 +87,8 @@ impl Real for f64 {
     }
 }
 
-/// The sum of N terms, the first one first. The compiler unrolls it for every `Real`, unlike an iterator's `sum`.
+/// The sum of N terms, from the first to the last. The compiler unrolls it for every `Real`, unlike an iterator's
+/// `sum`.
 #[inline(always)]
 pub(crate) fn sum<R: Real, const N: usize>(term: impl Fn(usize) -> R) -> R {
     let mut sum = term(0);

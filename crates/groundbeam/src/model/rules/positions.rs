@@ -21,9 +21,12 @@ impl Model {
         let length_is_right = in_range(self.beam.length) && self.beam.length > 0.0;
         if length_is_right && !(x >= 0.0 && x <= self.beam.length) {
             let (message, hint) = if x.is_finite() {
-                ("{0} lies off the beam", "the beam goes from 0 to {1}, measured from its left end")
+                (
+                    "{0} lies outside the beam",
+                    "the beam extends from 0 to {1}, measured from its left end",
+                )
             } else {
-                ("the position is not a finite number", "the beam goes from 0 to {1}")
+                ("the position is not a finite number", "the beam extends from 0 to {1}")
             };
             let problem = Problem::new("GB301", part, field, message, hint);
             found.push(problem.with_numbers(&[x, self.beam.length]));
