@@ -100,17 +100,18 @@ fn printed(area: &str, inertia: &str) -> Option<[f64; 2]> {
     Some([area.parse::<f64>().ok()? * 1e-4, inertia.parse::<f64>().ok()? * 1e-8])
 }
 
-/// Distance of a fillet's centroid from its corner, (10 − 3π)/(12 − 3π) r.
-const CENTROID: f64 = (10.0 - 3.0 * PI) / (12.0 - 3.0 * PI);
-/// Second moment of a fillet about its own centroid, divided by r⁴; from two integrals over the quarter
-/// circle.
-const OWN: f64 = 0.007_545_115_6;
+/// Area of a fillet divided by r²: a square without a quarter of a disc.
+const AREA: f64 = 1.0 - 0.25 * PI;
+/// Its first moment about a side of that square, divided by r³.
+const FIRST: f64 = 5.0 / 6.0 - 0.25 * PI;
+/// Its second moment about its own centroid, divided by r⁴.
+const OWN: f64 = 1.0 - 0.3125 * PI - FIRST * FIRST / AREA;
 
 /// Area and second moment of four fillets of radius `r` whose corners lie at the height `corner` above the
 /// middle; `towards` is −1 if the fillet lies below its corner, 1 if it lies above.
 pub(crate) fn fillets(r: f64, corner: f64, towards: f64) -> [f64; 2] {
-    let area = (1.0 - 0.25 * PI) * r * r;
-    let lever = corner + towards * CENTROID * r;
+    let area = AREA * r * r;
+    let lever = corner + towards * FIRST / AREA * r;
     [4.0 * area, 4.0 * (OWN * r.powi(4) + area * lever * lever)]
 }
 

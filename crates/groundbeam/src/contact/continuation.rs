@@ -13,7 +13,7 @@ use crate::contact::nodes;
 use crate::contact::obstacle;
 use crate::contact::state::{ContactState, Unconverged, edges_not_converged};
 use crate::contact::stopping::{
-    CORRECTOR_STEPS, LONGEST_STEP, MOST_BEAMS, MOST_STEPS, PATIENCE, ROUGH, SHORTEST_STEP,
+    CORRECTOR_STEPS, LEVELS, LONGEST_STEP, MOST_BEAMS, MOST_STEPS, PATIENCE, ROUGH, SHORTEST_STEP,
     STIFF_WAVES,
 };
 use crate::contact::undecided::differ_by_rounding;
@@ -35,7 +35,7 @@ pub(crate) fn follow(model: &Model, level: u32, cancel: &Cancel) -> Result<Start
         Model { beam, ..model.clone() }
     };
     let stiff = softened(doublings);
-    let start = phase_a(&stiff, power(3.0, level as usize), cancel);
+    let start = phase_a(&stiff, level, cancel);
     if doublings == 0.0 {
         // A zone much shorter than an element may have no nodes. Phase B then starts from contact along the whole beam.
         let whole = |_| Start::on(vec![[0.0, model.beam.length]]);
@@ -79,13 +79,20 @@ pub(crate) fn follow(model: &Model, level: u32, cancel: &Cancel) -> Result<Start
     Ok(Start { contact, now: Some(found), near: false })
 }
 
-/// Phase A: the contact set of forces at nodes, on meshes from coarse to fine.
-fn phase_a(model: &Model, per_wave: f64, cancel: &Cancel) -> Result<Start, Unconverged> {
+/// Phase A: the contact set of forces at nodes, on meshes from coarse to fine. Its edges follow from the forces; at the last
+/// level the scan of the deflection gives them, which may leave a hinge.
+fn phase_a(model: &Model, level: u32, cancel: &Cancel) -> Result<Start, Unconverged> {
     // Elements with shear deformation are power series, which cost ten times as much.
     let bending = Model { beam: model.beam.clone().without_shear(), ..model.clone() };
     let unsettled = Unconverged { iterations: 0, why: NotConverged::Nodes };
+    let per_wave = power(3.0, level as usize);
     let Coarse { grid, workspace, edges } = coarse(&bending, per_wave, cancel).ok_or(unsettled)?;
-    Ok(Start { contact: edges, now: Some(nodes::state(&grid, workspace)), near: false })
+    let found = nodes::state(&grid, workspace);
+    let contact = match level + 1 < LEVELS {
+        true => edges,
+        false => positions(&found.mesh, &obstacle::contact(&found.deflection()), &[]),
+    };
+    Ok(Start { contact, now: Some(found), near: false })
 }
 
 /// log₂ of the factor on EI with which at most [`STIFF_WAVES`] waves fit between two nodes of the model. The wave

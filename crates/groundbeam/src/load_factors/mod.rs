@@ -92,6 +92,10 @@ fn factors(
     let exact = Options { method: Method::Exact, ..options.clone() };
     size::check(model, &exact)?;
     let parts = Parts::of(model, grows);
+    // A part without loads on a long stretch has more elements than the whole model.
+    for part in [parts.staying(), parts.growing()] {
+        size::check(&part, &exact)?;
+    }
     let loss_of_equilibrium = parts.loss_of_equilibrium();
     let first_lift_off = match loss_of_equilibrium {
         LossOfEquilibrium::AtOnce(_) => FirstLiftOff::AtOnce,
@@ -326,6 +330,13 @@ mod tests {
         assert_eq!(last(&deep).first_lift_off, FirstLiftOff::AtOnce);
         // If all loads increase, the gap is open at first.
         assert_eq!(all(&footing).first_lift_off, FirstLiftOff::AtOnce);
+    }
+
+    #[test]
+    fn a_long_part_without_loads_is_refused_by_its_size() {
+        let model = Model::new(Beam::uniform(1e16, 1.0), Foundation::winkler(4.0))
+            .with_load(Load::uniform_force(0.0, 1e16, 1.0));
+        assert!(matches!(load_factors(&model, |_| true), Err(Error::TooLarge(_))));
     }
 
     #[test]
