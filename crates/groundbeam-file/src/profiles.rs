@@ -245,8 +245,8 @@ mod tests {
             first += width * y;
             second += width * y * y;
         }
-        assert!((area - (1.0 - 0.25 * PI)).abs() < 1e-7, "{area}");
-        assert!((first / area - CENTROID).abs() < 1e-6, "{}", first / area);
+        assert!((area - AREA).abs() < 1e-7, "{area}");
+        assert!((first / area - FIRST / AREA).abs() < 1e-6, "{}", first / area);
         assert!((second - first * first / area - OWN).abs() < 1e-7);
     }
 }
