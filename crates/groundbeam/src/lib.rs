@@ -5,7 +5,7 @@
 #![doc = include_str!("../problem.md")]
 //!
 //! [`solve()`] takes a [`Model`] and returns an [`Outcome`]: a [`Solution`] with its [`Certificate`], or no
-//! equilibrium, with the [`RigidMotion`] that proves it. An invalid model gives an [`Error`].
+//! equilibrium, with the [`RigidMotion`](existence::RigidMotion) that proves it. An invalid model gives an [`Error`].
 //!
 //! ```
 //! use groundbeam::{Beam, Field, Foundation, Load, Model, Outcome, solve};

@@ -3,13 +3,13 @@
 //! Some loads are constant, D; the others increase, λG. Both factors follow in closed form.
 //!
 //! * *First lift-off.* With contact along the whole length the problem is linear: pressure and concentrated
-//!   forces are p_D + λ p_G, with the initial gap in p_D ([`bonded`]). Full contact holds exactly while none
+//!   forces are p_D + λ p_G, with the initial gap in p_D (`bonded.rs`). Full contact holds exactly while none
 //!   of them is negative: they are then the multiplier of the contact problem, whose solution is unique. The
 //!   minimum of p_D + λ p_G over the beam is a concave function of λ. So the factors without tensile pressure
 //!   form an interval, and Newton's method from above decreases to its upper end without passing it
-//!   ([`bonded::LiftOffCandidate`]). With one-way supports the problem is piecewise linear ([`pieces`]).
+//!   (`LiftOffCandidate`). With one-way supports the problem is piecewise linear (`one_way.rs`).
 //! * *Loss of equilibrium.* Each free rigid motion must cost work
-//!   ([`existence`](crate::existence::existence)), and the work of the loads is linear in λ: the factor is
+//!   ([`existence`](crate::existence)), and the work of the loads is linear in λ: the factor is
 //!   the first root of a few linear functions.
 
 mod bonded;
