@@ -4,8 +4,8 @@
 use crate::documents::repository;
 use groundbeam::{
     Beam, Error, Field, Foundation, Hinge, Load, Method, Model, Options, Outcome, Solution,
-    Support, exists, load_factors,
-    load_factors::LoadFactors,
+    Support, exists,
+    load_factors::{LoadFactors, load_factors_with},
     memory_estimate,
     model::{Acts, GroundEnd, Profile},
     solve_with,
@@ -44,7 +44,9 @@ pub fn exercise(model: &Model) {
         }
     }
     if memory_estimate(model, &Options::default()) < MEMORY {
-        let found: Result<LoadFactors, Error> = load_factors(model, |load| load % 2 == 0);
+        let options = Options { memory_limit: MEMORY, ..Options::default() };
+        let found: Result<LoadFactors, Error> =
+            load_factors_with(model, &options, |load| load % 2 == 0);
         drop(found);
     }
 }

@@ -13,6 +13,7 @@ use crate::error::{Error, TooLarge};
 use crate::mesh::mesh::Mesh;
 use crate::model::problem::Bytes;
 use crate::model::{Model, Part, Problem};
+use crate::nodal::grid::Grid;
 use crate::options::{Method, Options};
 
 /// Maximum number of series elements.
@@ -32,6 +33,8 @@ struct Count {
     cells: usize,
     /// Elements of the exact method.
     elements: usize,
+    /// Elements into which a mesh must cut the open beam.
+    fewest: usize,
     /// Number of series elements.
     series: usize,
 }
@@ -53,6 +56,7 @@ impl Count {
                 count.series = count.series.saturating_add(needed);
             }
         });
+        count.fewest = Grid::fewest(model);
         count
     }
 
@@ -64,7 +68,7 @@ impl Count {
     fn elements_of(&self, options: &Options) -> usize {
         match options.method {
             Method::Exact => self.elements,
-            _ => options.elements.saturating_add(self.cells),
+            _ => options.elements.saturating_add(self.cells).saturating_add(self.fewest),
         }
     }
 }
@@ -84,7 +88,7 @@ fn few(model: &Model) -> Option<Count> {
     let cells = 1 + ends + supports.len() + hinges.len() + gap.len();
     // One element for each cell.
     let elements = cells.saturating_add((waves / REACH).ceil() as usize);
-    Some(Count { cells, elements, series: 0 })
+    Some(Count { cells, elements, fewest: elements, series: 0 })
 }
 
 /// An upper estimate of the memory of a solve of a valid model \[bytes\], from the number of elements.
