@@ -20,9 +20,11 @@ pub(crate) fn edges(model: &Model, cancel: &Cancel) -> Option<Vec<[f64; 2]>> {
     // The guess neglects beam shear: elements with shear are power series, which take ten times as long and more
     // memory.
     let model = &Model { beam: model.beam.clone().without_shear(), ..model.clone() };
-    let grid = Grid::new(model, 1, Ground::Spread);
-    let waves = grid.wave_number() * model.beam.length;
-    if waves.is_nan() || waves > MOST_WAVES || Grid::fewest(model) as f64 > PER_WAVE * MOST_WAVES {
+    if Grid::fewest(model) as f64 > PER_WAVE * MOST_WAVES {
+        return None;
+    }
+    let waves = Grid::new(model, 1, Ground::Spread).wave_number() * model.beam.length;
+    if waves.is_nan() || waves > MOST_WAVES {
         return None;
     }
     let mut grids = Vec::new();
