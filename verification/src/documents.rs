@@ -33,21 +33,10 @@ pub fn expect_by(path: &str, name: &str, made: &str, alike: impl Fn(&str, &str) 
     let text = read(path);
     let (range, written) =
         part(&text, name).unwrap_or_else(|| panic!("{path} has no part `{name}`"));
-    if std::env::var_os("UPDATE_EXPECTED").is_some() {
-        // One atomic write, only if needed: other tests may be reading the document.
-        if !alike(written, made) {
-            let mut text = text.clone();
-            text.replace_range(range, made);
-            let (whole, new) = (repository().join(path), repository().join(format!("{path}.new")));
-            std::fs::write(&new, text).expect("the document can be written");
-            std::fs::rename(new, whole).expect("the document can be replaced");
-        }
-    } else {
-        let how = "UPDATE_EXPECTED=1 cargo test --workspace";
-        assert!(
-            alike(written, made),
-            "`{name}` in {path} differs from the generated text ({how}):\n{made}"
-        );
+    if !alike(written, made) {
+        let mut whole = text.clone();
+        whole.replace_range(range, made);
+        update(path, &whole, &format!("`{name}` in {path}"), made);
     }
 }
 
@@ -58,15 +47,19 @@ pub fn expect_file(path: &str, made: &str) {
 
 /// The same for text that may differ in ways that `alike` allows.
 pub fn expect_file_by(path: &str, made: &str, alike: impl Fn(&str, &str) -> bool) {
-    let file = repository().join(path);
-    let written = std::fs::read_to_string(&file).unwrap_or_default();
-    if alike(&written, made) {
-        return;
+    let written = std::fs::read_to_string(repository().join(path)).unwrap_or_default();
+    if !alike(&written, made) {
+        update(path, made, path, made);
     }
-    let update = std::env::var_os("UPDATE_EXPECTED").is_some();
-    assert!(
-        update,
-        "{path} differs from the generated text (UPDATE_EXPECTED=1 writes it):\n{made}"
-    );
-    std::fs::write(&file, made).expect("the file can be written");
+}
+
+/// Writes a file that differs from the generated text; panics if `UPDATE_EXPECTED` is not set.
+fn update(path: &str, whole: &str, name: &str, made: &str) {
+    let how = "UPDATE_EXPECTED=1 cargo test --workspace";
+    let is_asked = std::env::var_os("UPDATE_EXPECTED").is_some();
+    assert!(is_asked, "{name} differs from the generated text ({how}):\n{made}");
+    // One atomic write: other tests may be reading the file.
+    let (file, new) = (repository().join(path), repository().join(format!("{path}.new")));
+    std::fs::write(&new, whole).expect("the file can be written");
+    std::fs::rename(new, file).expect("the file can be replaced");
 }

@@ -24,15 +24,12 @@ impl PublicApi {
         let mut api = PublicApi::default();
         let files: Vec<(String, Vec<Item>)> = sources(FOLDER).iter().map(parsed).collect();
         let root = files.iter().find(|(name, _)| name == "lib.rs").expect("lib.rs");
-        for item in root.1.iter().filter(|item| is_public(item)) {
-            api.root.extend(names(item));
-        }
+        api.root.extend(root.1.iter().flat_map(public_names));
         for (name, items) in &files {
             let module = name.split(['/', '.']).next().unwrap_or_default();
             let is_entrance = name.ends_with("/mod.rs") || !name.contains('/');
             if name == "lib.rs" || is_entrance && api.root.contains(module) {
-                let public = items.iter().filter(|item| is_public(item));
-                api.exported.extend(public.flat_map(names));
+                api.exported.extend(items.iter().flat_map(public_names));
             }
             items.iter().for_each(|item| api.add(item));
         }
@@ -98,33 +95,20 @@ fn is_plain(visibility: &Visibility) -> bool {
     matches!(visibility, Visibility::Public(_))
 }
 
-fn is_public(item: &Item) -> bool {
-    match item {
-        Item::Use(item) => is_plain(&item.vis),
-        Item::Mod(item) => is_plain(&item.vis),
-        Item::Struct(item) => is_plain(&item.vis),
-        Item::Enum(item) => is_plain(&item.vis),
-        Item::Trait(item) => is_plain(&item.vis),
-        Item::Fn(item) => is_plain(&item.vis),
-        Item::Const(item) => is_plain(&item.vis),
-        Item::Type(item) => is_plain(&item.vis),
-        _ => false,
-    }
-}
-
-/// The names that a public item adds to its module.
-fn names(item: &Item) -> Vec<String> {
-    match item {
-        Item::Use(item) => leaves(&item.tree),
-        Item::Mod(item) => vec![item.ident.to_string()],
-        Item::Struct(item) => vec![item.ident.to_string()],
-        Item::Enum(item) => vec![item.ident.to_string()],
-        Item::Trait(item) => vec![item.ident.to_string()],
-        Item::Fn(item) => vec![item.sig.ident.to_string()],
-        Item::Const(item) => vec![item.ident.to_string()],
-        Item::Type(item) => vec![item.ident.to_string()],
-        _ => Vec::new(),
-    }
+/// The names that an item adds to its module, if it is public.
+fn public_names(item: &Item) -> Vec<String> {
+    let (visibility, names) = match item {
+        Item::Use(item) => (&item.vis, leaves(&item.tree)),
+        Item::Mod(item) => (&item.vis, vec![item.ident.to_string()]),
+        Item::Struct(item) => (&item.vis, vec![item.ident.to_string()]),
+        Item::Enum(item) => (&item.vis, vec![item.ident.to_string()]),
+        Item::Trait(item) => (&item.vis, vec![item.ident.to_string()]),
+        Item::Fn(item) => (&item.vis, vec![item.sig.ident.to_string()]),
+        Item::Const(item) => (&item.vis, vec![item.ident.to_string()]),
+        Item::Type(item) => (&item.vis, vec![item.ident.to_string()]),
+        _ => return Vec::new(),
+    };
+    if is_plain(visibility) { names } else { Vec::new() }
 }
 
 fn leaves(tree: &UseTree) -> Vec<String> {

@@ -245,7 +245,7 @@ impl Document {
         Err(unknown(name, format!("the file does not ask for the set `{wanted}`"), hint))
     }
 
-    /// Each load case by itself, in the order in which the loads name them.
+    /// One combination for each load case alone, in the order of the loads.
     pub fn load_cases(&self) -> Vec<LoadCase> {
         if self.recipes.is_empty() {
             return Vec::new();

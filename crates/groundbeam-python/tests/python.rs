@@ -55,7 +55,7 @@ fn workplace() -> PathBuf {
     Path::new(env!("CARGO_TARGET_TMPDIR")).join("python")
 }
 
-/// Builds the wheel, reusing what `cargo test` has compiled as far as possible, and installs it.
+/// Builds the wheel from the crates that `cargo test` has compiled, and installs it.
 fn install(python: &Path) {
     let wheels = workplace().join("wheels");
     let _ = std::fs::remove_dir_all(&wheels);

@@ -69,7 +69,7 @@ pub(crate) static MODEL: Table = Table {
     ],
 };
 
-/// Contents of the whole file, as far as readable.
+/// The readable contents of the whole file.
 pub(crate) struct Contents {
     pub title: Option<String>,
     pub model: Model,

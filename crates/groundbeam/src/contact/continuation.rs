@@ -79,8 +79,8 @@ pub(crate) fn follow(model: &Model, level: u32, cancel: &Cancel) -> Result<Start
     Ok(Start { contact, now: Some(found), near: false })
 }
 
-/// Phase A: the contact set of forces at nodes, on meshes from coarse to fine. Its edges follow from the forces; at the last
-/// level the scan of the deflection gives them, which may leave a hinge.
+/// Phase A: the contact set of forces at nodes, on meshes from coarse to fine. The forces determine its edges. At the
+/// last level the scan of the deflection determines them: edges from forces stay at a hinge, edges from the scan do not.
 fn phase_a(model: &Model, level: u32, cancel: &Cancel) -> Result<Start, Unconverged> {
     // Elements with shear deformation are power series, which cost ten times as much.
     let bending = Model { beam: model.beam.clone().without_shear(), ..model.clone() };
@@ -88,9 +88,10 @@ fn phase_a(model: &Model, level: u32, cancel: &Cancel) -> Result<Start, Unconver
     let per_wave = power(3.0, level as usize);
     let Coarse { grid, workspace, edges } = coarse(&bending, per_wave, cancel).ok_or(unsettled)?;
     let found = nodes::state(&grid, workspace);
-    let contact = match level + 1 < LEVELS {
-        true => edges,
-        false => positions(&found.mesh, &obstacle::contact(&found.deflection()), &[]),
+    let contact = if level + 1 < LEVELS {
+        edges
+    } else {
+        positions(&found.mesh, &obstacle::contact(&found.deflection()), &[])
     };
     Ok(Start { contact, now: Some(found), near: false })
 }

@@ -13,7 +13,7 @@ use crate::error::{Error, TooLarge};
 use crate::mesh::mesh::Mesh;
 use crate::model::problem::Bytes;
 use crate::model::{Model, Part, Problem};
-use crate::nodal::grid::Grid;
+use crate::nodal::grid::fewest_in;
 use crate::options::{Method, Options};
 
 /// Maximum number of series elements.
@@ -52,11 +52,11 @@ impl Count {
             let needed =
                 needed(ZoneKind::Contact).max(needed(ZoneKind::Open)).saturating_add(settles - 1);
             count.elements = count.elements.saturating_add(needed);
+            count.fewest = count.fewest.saturating_add(fewest_in(cell, axial, settles));
             if cell.beam_shear.is_some() || cell.beam_varies() || cell.ground_varies() {
                 count.series = count.series.saturating_add(needed);
             }
         });
-        count.fewest = Grid::fewest(model);
         count
     }
 

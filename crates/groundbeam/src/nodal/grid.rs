@@ -195,6 +195,11 @@ fn is_even(cell: &Cell) -> bool {
     !varies && !cell.has_free_field()
 }
 
+/// Minimum number of elements of a cell in which u₀ needs `settles` elements.
+pub(crate) fn fewest_in(cell: &Cell, axial_force: f64, settles: usize) -> usize {
+    pieces(cell, axial_force, cell.length()).max(settles)
+}
+
 /// Number of pieces into which a beam off the ground is divided, so that one series describes each.
 fn pieces(cell: &Cell, axial_force: f64, length: f64) -> usize {
     let operator = Operator::of(cell, axial_force, ZoneKind::Open);
@@ -332,8 +337,7 @@ impl Grid {
         let axial_force = model.beam.axial_force;
         let mut fewest = 0_usize;
         Mesh::each_graded(model, |cell, settles| {
-            let own = pieces(cell, axial_force, cell.length()).max(settles);
-            fewest = fewest.saturating_add(own);
+            fewest = fewest.saturating_add(fewest_in(cell, axial_force, settles));
         });
         fewest
     }
