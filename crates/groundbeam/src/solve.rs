@@ -291,7 +291,11 @@ fn find(
         Method::Exact => {
             find_exactly(model, existence, likely, cancel, &mut judge).map_err(stalled)
         }
-        Method::ActiveSet => nodes::solve(model, elements, cancel).map_err(stalled),
+        Method::ActiveSet => {
+            let solved = nodes::solve(model, elements, cancel).map_err(stalled)?;
+            size::check_cells(solved.cells(), options)?;
+            Ok(solved.state())
+        }
         Method::Psor | Method::Uzawa => {
             let relaxation = match method {
                 Method::Psor => Relaxation::Diagonal,

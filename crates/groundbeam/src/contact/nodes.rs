@@ -12,44 +12,66 @@ use crate::element::ExactElement;
 use crate::element::element::TERMS;
 use crate::element::operator::{Operator, ZoneKind};
 use crate::error::NotConverged;
+use crate::mesh::cell::Cell;
 use crate::mesh::deflection::{BeamPoint, Deflection, MeshZone};
 use crate::mesh::mesh::{Mesh, Node};
 use crate::model::Model;
 use crate::nodal::grid::{Grid, Ground};
+use crate::nodal::hull::Zone;
 use crate::nodal::newton::Workspace;
 use crate::nodal::quadratic::Loose;
 use crate::nodal::{levels, newton, open};
 use crate::numeric::polynomial::rescale;
+
+/// The nodes in contact on a grid, and the motion of the beam on them.
+pub(crate) struct Solved {
+    grid: Grid,
+    workspace: Workspace,
+}
+
+impl Solved {
+    /// Number of closed forms that describe the beam: one per element between nodes in contact, a few per stretch off
+    /// the ground.
+    pub fn cells(&self) -> usize {
+        ends(&self.grid, &self.workspace).len() - 1
+    }
+
+    /// Deflection, ground surface and ground forces.
+    pub fn state(self) -> ContactState {
+        state(&self.grid, self.workspace)
+    }
+}
 
 /// Solves on about `elements` equal elements.
 pub(crate) fn solve(
     model: &Model,
     elements: usize,
     cancel: &Cancel,
-) -> Result<ContactState, Unconverged> {
+) -> Result<Solved, Unconverged> {
     let mut grids = Vec::new();
     levels::grids(model, elements, Ground::Nodal, &mut grids);
     let mut workspace = Workspace { cancel: cancel.clone(), ..Workspace::default() };
     let found = workspace.contact(&grids, newton::ANSWER);
     let iterations = workspace.history.len();
-    match (found, grids.last()) {
-        (Ok(()), Some(grid)) => Ok(state(grid, workspace)),
+    match (found, grids.pop()) {
+        (Ok(()), Some(grid)) => Ok(Solved { grid, workspace }),
         (Err(Loose), _) | (_, None) => Err(Unconverged { iterations, why: NotConverged::Nodes }),
     }
 }
 
-/// The mesh of a grid, with one cell per element.
-pub(crate) fn mesh(grid: &Grid) -> Mesh {
-    let mut cells = Vec::with_capacity(grid.last());
-    let mut nodes = Vec::with_capacity(grid.last() + 1);
-    for (run, place) in grid.runs.iter().zip(&grid.nodes) {
-        for node in run.first..run.end() {
-            let cell = run.element_cell(node);
-            let place = if node == run.first { *place } else { Node::default() };
-            nodes.push(Node { x: cell.x[0], ..place });
-            cells.push(cell);
-        }
-    }
+/// The mesh of a grid with a cell between each two successive ones of the given nodes. They include all nodes at the
+/// ends of runs.
+pub(crate) fn mesh(grid: &Grid, ends: &[usize]) -> Mesh {
+    let cells = ends.windows(2).map(|ends| {
+        let run = &grid.runs[grid.run_at(ends[0])];
+        run.between([ends[0], ends[1]])
+    });
+    let cells: Vec<Cell> = cells.collect();
+    let place = |(node, cell): (&usize, &Cell)| {
+        let place = grid.place(*node).copied().unwrap_or_default();
+        Node { x: cell.x[0], ..place }
+    };
+    let mut nodes: Vec<Node> = ends.iter().zip(&cells).map(place).collect();
     nodes.extend(grid.nodes.last());
     Mesh { nodes, cells, axial_force: grid.axial_force, outside: grid.outside }
 }
@@ -63,21 +85,39 @@ pub(crate) fn point(node: usize, cells: usize) -> BeamPoint {
     }
 }
 
+/// The nodes at which the beam is divided into closed forms: those in contact and their neighbours, and the ends of
+/// pieces off the ground. Beside a zone the beam may sink into the ground by less than an element; a short cell there
+/// keeps the estimate of the error sharp.
+fn ends(grid: &Grid, workspace: &Workspace) -> Vec<usize> {
+    let last = grid.last();
+    let near = |&[from, to]: &Zone| from.saturating_sub(1)..=(to + 1).min(last);
+    let mut ends: Vec<usize> = workspace.zones.iter().flat_map(near).collect();
+    for placed in workspace.layout.spans() {
+        ends.extend(placed.span.ends());
+    }
+    ends.sort_unstable();
+    ends.dedup();
+    ends
+}
+
 /// Deflection, ground surface and ground forces on a solved grid.
 pub(crate) fn state(grid: &Grid, mut workspace: Workspace) -> ContactState {
     workspace.clear_open(grid);
-    let mesh = mesh(grid);
+    let ends = ends(grid, &workspace);
+    let mesh = mesh(grid, &ends);
     let mut settlement = Vec::new();
     open::settlement(grid, &workspace.deflection, &workspace.zones, &mut settlement);
     let mut zones = Vec::new();
     let mut point_forces = Vec::new();
     let last = mesh.cells.len();
-    for node in workspace.zones.iter().flat_map(|&[from, to]| from..=to) {
-        let (point, force) = (point(node, last), workspace.force[node]);
-        zones.push(MeshZone { from: point, to: point });
-        point_forces.push(PointForce { point, force });
+    for &[from, to] in &workspace.zones {
+        let first = index(&ends, from);
+        let at = |node: usize| point(first + node - from, last);
+        zones.push(MeshZone { from: at(from), to: at(to) });
+        let force = |node: usize| PointForce { point: at(node), force: workspace.force[node] };
+        point_forces.extend((from..=to).map(force));
     }
-    let (coefficients, rotation) = deflections(grid, &mesh, &workspace);
+    let (coefficients, rotation) = deflections(grid, &mesh, &ends, &workspace);
     let w = Deflection { mesh: &mesh, terms: TERMS, coefficients: &coefficients };
     let mut parts = Vec::with_capacity(last);
     for (cell, own) in mesh.cells.iter().enumerate() {
@@ -86,7 +126,7 @@ pub(crate) fn state(grid: &Grid, mut workspace: Workspace) -> ContactState {
             // has infinite energy.
             springs::cover(&w, cell, &mut parts);
         } else {
-            let open = Some([settlement[cell], settlement[cell + 1]]);
+            let open = Some([cell, cell + 1].map(|i| settlement[ends[i]]));
             parts.push(SurfacePart { cell, s: [-1.0, 1.0], open });
         }
     }
@@ -95,7 +135,7 @@ pub(crate) fn state(grid: &Grid, mut workspace: Workspace) -> ContactState {
         rotation,
         zones,
         history: workspace.history,
-        at_nodes: true,
+        nodal_elements: Some(grid.last()),
         surface: Some(Surface { parts, point_forces }),
         edge_error: EdgeError::default(),
         coefficients,
@@ -103,14 +143,24 @@ pub(crate) fn state(grid: &Grid, mut workspace: Workspace) -> ContactState {
     }
 }
 
+/// The place of a node in a sorted list that contains it.
+fn index(ends: &[usize], node: usize) -> usize {
+    ends.partition_point(|end| *end < node)
+}
+
 /// Coefficients of w in each cell, and of the rotation of the cross-sections if the beam has shear flexibility.
-fn deflections(grid: &Grid, mesh: &Mesh, workspace: &Workspace) -> (Vec<f64>, Vec<f64>) {
+fn deflections(
+    grid: &Grid,
+    mesh: &Mesh,
+    ends: &[usize],
+    workspace: &Workspace,
+) -> (Vec<f64>, Vec<f64>) {
     let shears = mesh.cells.iter().any(|cell| cell.beam_shear.is_some());
     let mut w = vec![0.0; mesh.cells.len() * TERMS];
     let mut turns = vec![0.0; if shears { w.len() } else { 0 }];
     let element = |i: usize| {
         let operator = Operator::of(&mesh.cells[i], grid.axial_force, ZoneKind::Open);
-        ExactElement::new(&operator, grid.runs[grid.run_at(i)].h)
+        ExactElement::new(&operator, mesh.cells[i].length())
     };
     let mut write = |i: usize, w: &mut [f64], element: &ExactElement, v: &[f64; 4]| {
         let own = &mut w[i * TERMS..(i + 1) * TERMS];
@@ -121,8 +171,8 @@ fn deflections(grid: &Grid, mesh: &Mesh, workspace: &Workspace) -> (Vec<f64>, Ve
     };
     // Elements of a run with uniform loads have the same shape functions.
     let mut shared: Option<(usize, ExactElement)> = None;
-    workspace.layout.each_element(grid, |i, v| {
-        let run = grid.run_at(i);
+    workspace.layout.each_element(grid, |node, v| {
+        let (i, run) = (index(ends, node), grid.run_at(node));
         if !grid.runs[run].given.is_even() {
             return write(i, &mut w, &element(i), &v);
         }
@@ -137,14 +187,17 @@ fn deflections(grid: &Grid, mesh: &Mesh, workspace: &Workspace) -> (Vec<f64>, Ve
         let shape = &workspace.layout.sides[placed.side].shapes[placed.stretch];
         let is_mirrored = placed.span.mirrored;
         placed.span.unfold(shape, |piece, own| {
-            let [from, to] = piece.nodes;
+            let [first, end] = piece.nodes.map(|node| index(ends, node));
             let Some((series, terms)) = piece.series(own) else {
                 let own = if is_mirrored { piece.mirrored(own) } else { own };
-                return write(from, &mut w, &element(from), &own);
+                return write(first, &mut w, &element(first), &own);
             };
-            let half = 0.5 / (to - from) as f64;
-            for i in from..to {
-                let middle = (2 * (i - from) + 1) as f64 * half;
+            // Each cell's middle and half length in the coordinate of the piece, in the direction of the sweep.
+            let [from, to] = piece.nodes;
+            let share = |nodes: usize| 0.5 * nodes as f64 / (to - from) as f64;
+            for i in first..end {
+                let (middle, half) =
+                    (share(ends[i] + ends[i + 1] - 2 * from), share(ends[i + 1] - ends[i]));
                 let [middle, half] =
                     if is_mirrored { [1.0 - middle, -half] } else { [middle, half] };
                 let own = rescale(&series[..terms], middle, half);

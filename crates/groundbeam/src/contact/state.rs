@@ -21,10 +21,12 @@ pub(crate) struct ContactState {
     /// `terms` coefficients of φ(s), the rotation of the sections, for each cell; empty if the beam has no shear
     /// deformation.
     pub rotation: Vec<f64>,
+    /// From the first to the last point of each zone; every node of a zone is in contact if the ground acts at nodes.
     pub zones: Vec<MeshZone>,
     pub history: Vec<Step>,
-    /// Whether the ground acts only at nodes, (5.5).
-    pub at_nodes: bool,
+    /// Number of elements of the discrete problem (5.5), in which the ground acts only at nodes; `None` if the ground
+    /// pressure is distributed.
+    pub nodal_elements: Option<usize>,
     /// The surface of the ground, if it differs from the obstacle problem of this deflection in the last digits.
     pub surface: Option<Surface>,
     pub edge_error: EdgeError,
@@ -45,7 +47,7 @@ impl ContactState {
             rotation,
             zones,
             history: Vec::new(),
-            at_nodes: false,
+            nodal_elements: None,
             surface: None,
             edge_error: EdgeError::default(),
         }

@@ -54,7 +54,8 @@ pub(crate) fn solve(
     most_sweeps: usize,
     cancel: &Cancel,
 ) -> Result<ContactState, Unconverged> {
-    let mesh = nodes::mesh(grid);
+    let all: Vec<usize> = (0..=grid.last()).collect();
+    let mesh = nodes::mesh(grid, &all);
     let ground = Flexibility::of(&mesh);
     let beam = FreeBeam::of(&mesh);
     let flexibility = beam.largest_flexibility();
@@ -366,16 +367,19 @@ fn found(
         .map(|cell| SurfacePart { cell, s: [-1.0, 1.0], open: Some([u[cell], u[cell + 1]]) })
         .collect();
     let last = mesh.cells.len();
-    let zone = |(node, force): (usize, &f64)| {
-        let point = nodes::point(node, last);
-        (MeshZone { from: point, to: point }, *force)
-    };
-    let touching: Vec<(MeshZone, f64)> =
-        pressure.iter().enumerate().filter(|(_, p)| **p > 0.0).map(zone).collect();
-    let point_forces =
-        touching.iter().map(|(zone, force)| PointForce { point: zone.from, force: *force });
-    let surface = Surface { parts, point_forces: point_forces.collect() };
-    let zones: Vec<MeshZone> = touching.iter().map(|(zone, _)| *zone).collect();
+    let at = |node: usize| nodes::point(node, last);
+    let touching = pressure.iter().enumerate().filter(|(_, force)| **force > 0.0);
+    let (mut point_forces, mut zones) = (Vec::new(), Vec::<MeshZone>::new());
+    let mut before = None;
+    for (node, force) in touching {
+        point_forces.push(PointForce { point: at(node), force: *force });
+        match zones.last_mut() {
+            Some(zone) if before == node.checked_sub(1) => zone.to = at(node),
+            _ => zones.push(MeshZone { from: at(node), to: at(node) }),
+        }
+        before = Some(node);
+    }
+    let surface = Surface { parts, point_forces };
     ContactState {
         rotation: Vec::new(),
         mesh,
@@ -383,7 +387,7 @@ fn found(
         coefficients,
         zones,
         history,
-        at_nodes: true,
+        nodal_elements: Some(last),
         surface: Some(surface),
         edge_error: Default::default(),
     }

@@ -162,9 +162,9 @@ impl Run {
         }
     }
 
-    /// The element to the right of a node, as a cell.
-    pub fn element_cell(&self, node: usize) -> Cell {
-        if self.count == 1 {
+    /// Beam and ground between two nodes of this run.
+    pub fn between(&self, [from, to]: [usize; 2]) -> Cell {
+        if to - from == self.count {
             return self.cell;
         }
         let count = self.count as f64;
@@ -175,7 +175,7 @@ impl Run {
             steps if 2 * steps <= self.count => 2.0 * steps as f64 / count - 1.0,
             steps => 1.0 - 2.0 * (self.count - steps) as f64 / count,
         };
-        self.cell.part([at(node), at(node + 1)])
+        self.cell.part([at(from), at(to)])
     }
 
     /// Number of pieces into which a part off the ground is divided, so that one series describes each.
@@ -190,7 +190,7 @@ fn equal(cell: &Cell, per_length: f64) -> usize {
 }
 
 /// Whether a cell is uniform and so can be divided into equal elements.
-fn is_even(cell: &Cell) -> bool {
+pub(crate) fn is_even(cell: &Cell) -> bool {
     let varies = cell.beam_varies() || cell.ground_varies() || cell.beam_shear.is_some();
     !varies && !cell.has_free_field()
 }

@@ -128,6 +128,11 @@ impl Span {
         Ok(())
     }
 
+    /// The end nodes of all pieces; a node between two pieces occurs twice.
+    pub fn ends(&self) -> impl Iterator<Item = usize> {
+        self.pieces.iter().flat_map(|piece| piece.nodes)
+    }
+
     /// Calls `each` for every piece, the last one first, with w and θ of its first end and its deformation, from those
     /// of the span.
     pub fn unfold(&self, v: &[f64; 4], mut each: impl FnMut(&Piece, [f64; 4])) {

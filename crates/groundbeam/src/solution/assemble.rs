@@ -39,7 +39,7 @@ impl Candidate {
         pieces(found, surface, &mut candidate.pieces);
         candidate.end_forces = EndForces { left, right };
         candidate.edge_error.clone_from(&found.edge_error);
-        candidate.elements = mesh.cells.len();
+        candidate.elements = found.nodal_elements.unwrap_or(mesh.cells.len());
         candidate.reactions = reactions(&candidate);
         candidate
     }
@@ -69,7 +69,13 @@ fn pieces(found: &ContactState, surface: &Surface, pieces: &mut Vec<SolutionPiec
         let cell = &found.mesh.cells[part.cell];
         let rotation = cell.beam_shear.map(|_| found.rotation(part.cell));
         let w = w.cell(part.cell);
-        pieces.push(SolutionPiece::of(cell, part, w, rotation.as_deref(), !found.at_nodes));
+        pieces.push(SolutionPiece::of(
+            cell,
+            part,
+            w,
+            rotation.as_deref(),
+            found.nodal_elements.is_none(),
+        ));
     }
 }
 
@@ -77,16 +83,10 @@ fn pieces(found: &ContactState, surface: &Surface, pieces: &mut Vec<SolutionPiec
 fn regions(found: &ContactState, regions: &mut Vec<ContactZone>) {
     let mesh = &found.mesh;
     let position = |point: BeamPoint| mesh.cells[point.cell].global(point.s);
-    let mut last_node = None;
     for zone in &found.zones {
         let (from, to) = (position(zone.from), position(zone.to));
-        // Nodal contact: consecutive nodes form one zone.
-        let node = zone.from.cell + usize::from(zone.from.s == 1.0);
-        let nodal = found.at_nodes;
-        let follows = nodal && last_node.is_some_and(|last: usize| last + 1 == node);
-        last_node = Some(node);
         match regions.last_mut() {
-            Some(last) if last.to == from || follows => last.to = to,
+            Some(last) if last.to == from => last.to = to,
             _ => regions.push(ContactZone { from, to }),
         }
     }
