@@ -51,6 +51,10 @@ struct KeptZone {
     span: OpenSpan,
 }
 
+/// Ratio of two successive forces below which a step of the size of rounding error shows that Newton's method has
+/// converged. A large force on a very short span also gives such a step.
+const CONVERGED: f64 = 0.01;
+
 struct Scan<'a> {
     w: &'a Deflection<'a>,
     run: &'a GroundRun,
@@ -318,6 +322,8 @@ impl Scan<'_> {
         let half = 0.5 * self.w.mesh.cells[cell].length();
         let mut s = if sense > 0.0 { low } else { high };
         let mut before = f64::INFINITY;
+        // After convergence: the next distance at which the force is expected to have the other sign.
+        let mut reach = 0.0;
         // Twice the number of bisections that double precision allows.
         for _ in 0..128 {
             let [f, slope] = force(s);
@@ -330,17 +336,28 @@ impl Scan<'_> {
                 low = s;
             }
             let newton = s - f / (slope * half);
+            let is_rounding = (newton - s).abs() <= 2.0 * f64::EPSILON;
             let good = f.abs() < 0.5 * before && newton > low && newton < high;
-            let next = if good { newton } else { 0.5 * (low + high) };
-            before = f.abs();
+            if good && is_rounding {
+                return newton;
+            }
             // At a corner the force jumps; the side without tension is taken.
             if high - low <= 2.0 * f64::EPSILON {
                 return if sense > 0.0 { high } else { low };
             }
-            if (next - s).abs() <= 2.0 * f64::EPSILON {
-                return next;
+            if is_rounding && before.is_finite() && f.abs() < CONVERGED * before {
+                reach = f64::EPSILON;
             }
-            s = next;
+            let middle = 0.5 * (low + high);
+            before = f.abs();
+            s = if reach > 0.0 {
+                reach *= 4.0;
+                if s == high { (s - reach).max(middle) } else { (s + reach).min(middle) }
+            } else if good {
+                newton
+            } else {
+                middle
+            };
         }
         s
     }
