@@ -12,8 +12,8 @@ use rand_chacha::ChaCha8Rng;
 /// Number of kinds of random model that are tested.
 pub const KINDS: u64 = Family::ALL.len() as u64 + 2;
 
-/// A random model of a kind, with the kind's name: a model of a family, a beam that shears, or a beam that its tension
-/// balances.
+/// A random model of a kind, with the kind's name: a model of a family, a beam with shear deformation, or a
+/// beam that its tension balances.
 pub fn random(kind: u64, number: u64) -> (String, Model) {
     let families = Family::ALL.into_iter().chain([Family::Shearing]);
     match families.into_iter().nth(kind as usize) {

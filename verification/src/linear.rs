@@ -1,5 +1,5 @@
-//! Beams that shear, by the simplest elements: w, φ and u linear between nodes, the shear strain at one point of each
-//! element (Hughes, Taylor and Kanoknukulchai 1977), nodal contact by trial.
+//! Beams with shear deformation, by the simplest elements: w, φ and u linear between nodes, the shear strain
+//! at one point of each element (Hughes, Taylor and Kanoknukulchai 1977), nodal contact by trial.
 
 use groundbeam::{
     Model, SupportKind,

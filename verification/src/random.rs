@@ -52,7 +52,8 @@ pub enum Family {
     Shearing = 30,
     /// All features except tension, under compression that the ground helps to carry.
     Compressed = 21,
-    /// As `Compressed`, on beams that shear or with one-way supports, or both, sometimes with hinges.
+    /// As `Compressed`, on beams with shear deformation or with one-way supports, or both, sometimes with
+    /// hinges.
     CompressedToo = 22,
     /// All features at their extremes: λl up to 10⁴, up to a hundred loads, some upward, resultants near an end.
     Extreme = 20,
@@ -205,7 +206,7 @@ fn draw(family: Family, rng: &mut impl Rng) -> Model {
         beam = vary_beam(beam, stiffness, dice);
         ground = vary_ground(ground, length, dice);
     }
-    // A beam that shears, one-way supports, or both.
+    // A beam with shear deformation, one-way supports, or both.
     let kind = if too { 1 + dice.up_to(2) } else { 0 };
     if shearing || kind & 1 > 0 {
         beam = shear_beam(beam, lambda_l, dice);

@@ -1,4 +1,4 @@
-//! Compression that the ground helps to carry, on beams that shear and with one-way supports.
+//! Compression that the ground helps to carry, on beams with shear deformation and with one-way supports.
 
 use groundbeam::{
     Beam, Field, Foundation, Load, Model, Outcome, Solution, Support, Verdict, existence::Local,
@@ -105,9 +105,10 @@ fn root(z: Complex) -> Complex {
     [size * angle.cos(), size * angle.sin()]
 }
 
-/// Free beams that shear, under their weight on Winkler ground. With z = r² of EI (1 + N/S) z² − (N + EI k/S) z + k =
-/// 0, N = −P, even modes are w = cosh rx, φ = ((S + N) r − k/r)/S sinh rx, and odd ones with sinh and cosh changed; at
-/// both ends φ′ = 0 and S (w′ − φ) + N w′ = ∫k w = 0. A limit S → ∞ gives Hetényi's.
+/// Free beams with shear deformation, under their weight on Winkler ground. With z = r² of EI (1 + N/S) z² −
+/// (N + EI k/S) z + k = 0, N = −P, even modes are w = cosh rx, φ = ((S + N) r − k/r)/S sinh rx, and odd ones
+/// with sinh and cosh changed; at both ends φ′ = 0 and S (w′ − φ) + N w′ = ∫k w = 0. A limit S → ∞ gives
+/// Hetényi's.
 #[test]
 fn free_beams_that_shear() {
     let (ei, k) = (2.0, 3.0_f64);
@@ -325,7 +326,8 @@ fn a_bearing_holds_no_beam_from_rising() {
     assert!(found < 1.2 * euler, "{found}");
 }
 
-/// Random beams that shear, with one-way supports, hinges, loads on the ground and other features.
+/// Random beams with shear deformation, with one-way supports, hinges, loads on the ground and other
+/// features.
 #[test]
 fn random_models() {
     let (mut sheared, mut borne) = (0, 0);

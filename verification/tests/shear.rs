@@ -1,4 +1,4 @@
-//! Compares beams that shear with the simplest elements, with equivalent models, and with limits.
+//! Compares beams with shear deformation with the simplest elements, with equivalent models, and with limits.
 
 use groundbeam::{
     Beam, Error, Field, Foundation, Hinge, Load, Method, Model, Options, Outcome, Solution,
@@ -214,7 +214,7 @@ fn load_factors_and_other_methods() {
     }
 }
 
-/// An elastic hinge equals a short soft stretch of the beam that bends and does not shear.
+/// An elastic hinge equals a short soft stretch of the beam without shear deformation.
 #[test]
 fn a_hinge_turns_the_sections() {
     let beam = Beam::uniform(3.0, 1.0).with_shear_stiffness(1.5);

@@ -71,8 +71,8 @@ impl<S: Scalar> Pointwise<'_, S> {
         parts
     }
 
-    /// s = s₂/√EI_min and s_γ = s₂/√S_min of a part: e′ = e_φ + γ with (∫e_φ′²)^½ ≤ s and (∫γ²)^½ ≤ s_γ, where γ = 0 and
-    /// s_γ = 0 if the part does not shear.
+    /// s = s₂/√EI_min and s_γ = s₂/√S_min of a part: e′ = e_φ + γ with (∫e_φ′²)^½ ≤ s and (∫γ²)^½ ≤ s_γ,
+    /// where γ = 0 and s_γ = 0 if the part has no shear deformation.
     pub(crate) fn flexure(&self, part: &Range<usize>) -> [Size; 2] {
         let spans = &self.fields.frame.spans[part.clone()];
         let most = |of: &dyn Fn(&Span<S>) -> Option<&Coefficient<S>>| {

@@ -22,7 +22,8 @@ pub struct Piece {
     pub touches: bool,
     /// Coefficients of w(t) \[m\], the constant one first.
     pub deflection: Vec<f64>,
-    /// Coefficients of the rotation φ(t) of the sections \[rad\]. Empty: φ = w′, the piece does not shear.
+    /// Coefficients of the rotation φ(t) of the sections \[rad\]. Empty on a piece without shear deformation:
+    /// φ = w′.
     pub rotation: Vec<f64>,
     /// Coefficients of the contact pressure p(t) \[N/m\]. Empty: none is stored.
     pub pressure: Vec<f64>,

@@ -166,7 +166,8 @@ impl<S: Scalar> Contact<'_, S> {
         // The piece of the region at this end.
         let i = if side == 0 { node } else { node - 1 };
         let span = &self.fields.frame.spans[i];
-        // On a beam that shears, the slope's error may exceed the bound that is known without the contact set.
+        // On a beam with shear deformation, the slope's error may exceed the bound that is known without the
+        // contact set.
         let shears = self.fields.frame.shears();
         let rough = if shears { self.opened_at(i, side) } else { None };
         let mut most = rough.unwrap_or(Size::INFINITE);

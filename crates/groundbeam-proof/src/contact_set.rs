@@ -57,7 +57,8 @@ pub(crate) struct Zone {
     pub theta: Size,
 }
 
-/// One iteration for a beam that shears: the bounds on the pieces, and the edges that follow from them.
+/// One iteration for a beam with shear deformation: the bounds on the pieces, and the edges that follow from
+/// them.
 #[derive(Debug)]
 pub(crate) struct Round {
     pub shown: bool,
@@ -85,7 +86,7 @@ pub(crate) struct Shown {
     /// Lengths on which w* − g₀ is monotone: next to an edge on each piece of Winkler ground, and beside a support that
     /// stands on open ground.
     pub zones: Vec<Zone>,
-    /// All rounds of a beam that shears, the last one included.
+    /// All rounds of a beam with shear deformation, the last one included.
     pub rounds: Vec<Round>,
     /// The first step that fails in a layer, and the first that fails on Winkler ground.
     pub failed: [Option<NotProven>; 2],
@@ -121,14 +122,14 @@ pub(crate) struct Contact<'a, S> {
     pub bounds: &'a [PieceBounds],
 }
 
-/// Number of iterations between contact set and slope for a beam that shears.
+/// Number of iterations between contact set and slope for a beam with shear deformation.
 const ROUNDS: usize = 3;
 
 impl<S: Scalar> Pointwise<'_, S> {
     /// Proves the contact set, and with it the bounds of the shear force.
     ///
-    /// On a beam that shears, the contact set needs the slope, and the slope needs the shear force. The iteration
-    /// starts with the contact that is proven without a slope.
+    /// On a beam with shear deformation, the contact set needs the slope, and the slope needs the shear
+    /// force. The iteration starts with the contact that is proven without a slope.
     pub fn contact(&self, pieces: &mut [PieceBounds]) -> Shown {
         let (fields, frame) = (self.fields, self.fields.frame);
         let (mut rounds, mut past) = (1, Vec::new());

@@ -1,10 +1,10 @@
 //! The admissible deflection w̄ = w + c and rotation φ̄ = φ + c′. Both satisfy the supports; w̄ is continuous, φ̄ is
 //! continuous except at hinges.
 //!
-//! Where the beam does not shear, φ = w′. c closes the jumps of the claimed fields. A piece shorter than a wave length
-//! (4EI/k)^¼ is moved rigidly: c is linear and continues the correction of its neighbour. A longer piece, and the
-//! longest piece between two rigid supports, bends: c is the cubic with given values a and slopes b at both ends. With
-//! A the largest |a| and B the largest |b|
+//! Where the beam has no shear deformation, φ = w′. c closes the jumps of the claimed fields. A piece shorter
+//! than a wave length (4EI/k)^¼ is moved rigidly: c is linear and continues the correction of its neighbour.
+//! A longer piece, and the longest piece between two rigid supports, bends: c is the cubic with given values
+//! a and slopes b at both ends. With A the largest |a| and B the largest |b|
 //!
 //! ```text
 //! bend: |c| ≤ A + 0.3Bh, |c′| ≤ 3A/h + B, |c″| ≤ 12A/h² + 6B/h;   rigid: |c| ≤ A + Bh, |c′| ≤ B, c″ = 0.
@@ -34,7 +34,7 @@ pub(crate) struct Claimed<S> {
     pub value: [S; 2],
     /// w′.
     pub slope: [S; 2],
-    /// φ; equal to w′ where the piece does not shear.
+    /// φ; equal to w′ on a piece without shear deformation.
     pub rotation: [S; 2],
 }
 

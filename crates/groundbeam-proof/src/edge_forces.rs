@@ -1,5 +1,5 @@
-//! Bound of the shear force of a beam that shears beside an edge of contact, in closed form instead of an iteration
-//! with the slope.
+//! Bound of the shear force of a beam with shear deformation beside an edge of contact, in closed form
+//! instead of an iteration with the slope.
 //!
 //! Where only one of the two solutions is in contact, the difference of their forces follows from the error e_θ of the
 //! slope at the edge. With g = μ/(S + P), and Φ₀ the part of the flux jump that does not depend on the slope,

@@ -33,11 +33,11 @@ pub(crate) struct Span<S> {
     pub touches: bool,
     /// w(t).
     pub deflection: Polynomial<S>,
-    /// φ(t) of a piece that shears; otherwise φ = w′.
+    /// φ(t) of a piece with shear deformation; otherwise φ = w′.
     pub rotation: Option<Box<Polynomial<S>>>,
     /// EI.
     pub bending: Coefficient<S>,
-    /// The shear stiffness of a beam that shears, S.
+    /// The shear stiffness of a beam with shear deformation, S.
     pub stiffness: Option<Coefficient<S>>,
     /// k.
     pub spring: Coefficient<S>,
@@ -396,7 +396,8 @@ impl<S: Scalar> Frame<S> {
             && !self.nodes[node].is_hinged()
     }
 
-    /// Whether a force causes a jump of the slope at a node: a load or a reaction on a beam that shears.
+    /// Whether a force causes a jump of the slope at a node: a load or a reaction on a beam with shear
+    /// deformation.
     pub fn kinks(&self, node: usize) -> bool {
         let here = &self.nodes[node];
         let forced = here.force != S::zero() || here.rigid.is_some() || here.spring.is_some();
@@ -405,13 +406,13 @@ impl<S: Scalar> Frame<S> {
         forced && beside.into_iter().any(shears)
     }
 
-    /// Whether a node lies inside the layer and has no hinge, no force on the ground, no corner of g₀, no jump of μ or
-    /// S, and, on a beam that shears, no force.
+    /// Whether a node lies inside the layer and has no hinge, no force on the ground, no corner of g₀, no
+    /// jump of μ or S, and, on a beam with shear deformation, no force.
     pub fn smooth(&self, node: usize) -> bool {
         self.even(node) && !self.nodes[node].corner && !self.kinks(node)
     }
 
-    /// Whether a piece shears.
+    /// Whether a piece has shear deformation.
     pub fn shears(&self) -> bool {
         self.spans.iter().any(|span| span.stiffness.is_some())
     }

@@ -29,7 +29,7 @@ pub struct Beam<S> {
     pub length: S,
     /// Bending stiffness EI \[N·m²\] outside the segments, positive.
     pub bending_stiffness: S,
-    /// Shear stiffness S \[N\] outside the segments, positive. `None`: the beam does not shear.
+    /// Shear stiffness S \[N\] outside the segments, positive. `None`: the beam has no shear deformation.
     pub shear_stiffness: Option<S>,
     /// Stretches with other stiffnesses. They may adjoin, but not overlap.
     pub segments: Vec<BeamSegment<S>>,

@@ -1,5 +1,6 @@
-//! Bounds of the contact on each piece of a layer before the slope has a bound. On a beam that shears, the slope needs the
-//! shear force, and the shear force needs the lengths where only one of the two solutions is in contact.
+//! Bounds of the contact on each piece of a layer before the slope has a bound. On a beam with shear
+//! deformation, the slope needs the shear force, and the shear force needs the lengths where only one of the
+//! two solutions is in contact.
 //!
 //! With |C − C*| ≤ ε_C = ε_u + ε_w the exact beam is in contact on an open piece only where C ≤ ε_C, near its touching
 //! ends. On a touching piece with p > ε_p the exact clearance is convex wherever it is positive, μC*″ ≥ m = min(p − ε_p),

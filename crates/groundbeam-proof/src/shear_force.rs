@@ -9,8 +9,8 @@
 //! ε_V = |δ′| + Pε_φ + |β| + ε_T,   q = max(ε_p + γp + (1 + γ)η).
 //! ```
 //!
-//! Where a beam that does not shear has no hinge in the window, T̃ − Pe′ takes the place of T̃. It bounds V itself, from the error
-//! of the curvature in place of those of deflection and slope:
+//! Where a beam without shear deformation has no hinge in the window, T̃ − Pe′ takes the place of T̃. It
+//! bounds V itself, from the error of the curvature in place of those of deflection and slope:
 //!
 //! ```text
 //! ε_V = |δ′| + |β| + min_h {(2s₂K + Σs₂√κ_θ)/h + ½h(q + P max|e″|)} + 2P max|c′| + max|β| + forces,   |e″| ≤ ε_M/EI + |c″|.
@@ -66,8 +66,8 @@ struct LoadError {
 }
 
 impl<S: Scalar> Pointwise<'_, S> {
-    /// Lowers the bounds of the shear force on all pieces, and of the slope where the beam shears. Needs the contact set of
-    /// all layers, or its rough bounds.
+    /// Lowers the bounds of the shear force on all pieces, and of the slope where the beam has shear
+    /// deformation. Needs the contact set of all layers, or its rough bounds.
     pub fn shear_forces(&self, shown: &Shown, bounds: &mut [PieceBounds]) {
         if shown.failed[0].is_some() {
             return;
@@ -103,7 +103,8 @@ impl<S: Scalar> Pointwise<'_, S> {
         }
     }
 
-    /// The bounds of V, and of w′ where the beam shears, from a bound of ε_T + |δ′| + |P|ε_φ: with η = S(w′ − φ) − V
+    /// The bounds of V, and of w′ where the beam has shear deformation, from a bound of ε_T + |δ′| + |P|ε_φ:
+    /// with η = S(w′ − φ) − V
     ///
     /// ```text
     /// ε_V = (ε_T + |δ′| + |P|ε_φ + |P||η|/S)/(1 + P/S),   ε_θ = ε_φ + (ε_V + |η|)/S.
@@ -159,8 +160,8 @@ impl<S: Scalar> Pointwise<'_, S> {
         self.steady(window, 1.0, bounds, loads, couples) + forces
     }
 
-    /// The bound of V minus |δ′| + |β| from the error of the curvature, under an axial force, in windows without hinges on
-    /// a beam that does not shear.
+    /// The bound of V minus |δ′| + |β| from the error of the curvature, under an axial force, in windows
+    /// without hinges on a beam without shear deformation.
     fn directly(
         &self,
         window: Range<usize>,

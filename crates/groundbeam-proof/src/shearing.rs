@@ -1,4 +1,4 @@
-//! The error of the shear force of a beam that shears, V − S(w′ − φ), in the energy norm.
+//! The error of the shear force of a beam with shear deformation, V − S(w′ − φ), in the energy norm.
 //!
 //! With V = M′ − g, η = S(w′ − φ) − V and the balancing moment δ, its contribution to E is
 //!
@@ -12,7 +12,7 @@ use crate::residual::Residual;
 use crate::scalar::Scalar;
 use crate::size::Size;
 
-/// (‖η‖ + ‖δ′‖)² over the pieces that shear.
+/// (‖η‖ + ‖δ′‖)² over the pieces with shear deformation.
 pub(crate) fn shearing_energy<S: Scalar>(
     frame: &Frame<S>,
     residual: &Residual<S>,

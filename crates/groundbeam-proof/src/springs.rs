@@ -88,7 +88,8 @@ impl<S: Scalar> Contact<'_, S> {
         node.rigid == Some(gap) && node.acts == Acts::Both
     }
 
-    /// Whether the slope of w* − g₀ is zero there too: at a clamp of a beam that does not shear, above level ground.
+    /// Whether the slope of w* − g₀ is zero there too: at a clamp of a beam without shear deformation, above
+    /// level ground.
     fn lies(&self, i: usize, side: usize) -> bool {
         let (span, node) = (&self.fields.frame.spans[i], &self.fields.frame.nodes[i + side]);
         let shears = span.stiffness.is_some();

@@ -1,4 +1,4 @@
-//! Errors of a solve: an invalid model, an unsupported one, an iteration without convergence.
+//! Errors of a solve: an invalid model, an unsupported model, or an iteration without convergence.
 
 use crate::model::Problem;
 use crate::numeric::tolerance;
@@ -26,8 +26,7 @@ pub enum Error {
 pub struct TooLarge {
     /// The problem as text, with a remedy.
     pub problem: Problem,
-    /// Number of elements of the mesh; for the exact method an upper bound of the elements between edges of
-    /// contact.
+    /// Number of elements of the mesh; for the exact method, an upper bound of its number of elements.
     pub elements: usize,
     /// The estimated memory \[bytes\].
     pub needed: u64,
@@ -46,7 +45,7 @@ pub struct Stopped {
     pub why: NotConverged,
 }
 
-/// Reason why a method stopped without an accepted solution. All figures are relative.
+/// Reason why a method stopped without an accepted solution. All numbers are relative.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum NotConverged {

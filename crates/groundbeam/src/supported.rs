@@ -50,7 +50,7 @@ pub enum Feature {
     LocalEquilibrium,
     /// Ground without a shear layer somewhere under the beam, μ = 0.
     NoShearLayer,
-    /// A beam that shears.
+    /// A beam with shear deformation.
     BeamShear,
     /// Loads on the ground.
     GroundLoads,

@@ -188,7 +188,7 @@ impl Frame<'_> {
         let here = |x: f64| self.is_same_place(x, moved.x);
         match *read {
             Read::Field { field, x, follows, .. } => {
-                // Between the moved load and the parts that stay there is a new piece of the field.
+                // The move creates a new piece of the field between the load and the parts that do not move.
                 let leaves = follows != Follows::Given
                     && !self.stands_alone(moved.x)
                     && self.jumps(field, moved);

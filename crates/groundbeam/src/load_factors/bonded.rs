@@ -208,7 +208,7 @@ fn forces(staying: &ContactState, growing: &ContactState) -> Vec<LiftOffCandidat
         let growing = find(&grows, *x);
         LiftOffCandidate { x: [*x; 2], staying: side.clone(), growing }
     });
-    // On a beam that shears, increasing forces cause kinks.
+    // On a beam with shear deformation, increasing forces cause kinks.
     let kinks = grows.iter().filter(|(x, _)| stays.iter().all(|(at, _)| at != x));
     let kinks = kinks.map(|(x, side)| {
         let staying = find(&stays, *x);

@@ -10,7 +10,7 @@ pub enum Field {
     Deflection,
     /// w'.
     Slope,
-    /// φ of the sections; w' where the beam does not shear.
+    /// φ of the sections; w' where the beam has no shear deformation.
     Rotation,
     /// M.
     Moment,
@@ -66,8 +66,8 @@ impl Field {
         Field::Pressure,
     ];
 
-    /// The fields that results of a beam list, in their order. The rotation is omitted if the beam does not
-    /// shear, because it equals the slope.
+    /// The fields that results of a beam list, in their order. The rotation is omitted if the beam has no
+    /// shear deformation, because it equals the slope.
     pub fn of(beam: &Beam) -> impl Iterator<Item = Field> + Clone + use<> {
         Field::listed(beam.shears())
     }

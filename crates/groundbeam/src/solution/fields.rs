@@ -68,9 +68,10 @@ pub struct Fields {
     pub deflection: f64,
     /// w' \[rad\].
     pub slope: f64,
-    /// φ, the rotation of the sections: w' where the beam does not shear \[rad\].
+    /// φ, the rotation of the sections: w' where the beam has no shear deformation \[rad\].
     pub rotation: f64,
-    /// M = −EI (φ' − κ₀), sagging positive, κ₀ the imposed curvature; φ' = w″ where the beam does not shear \[N·m\].
+    /// M = −EI (φ' − κ₀), sagging positive, κ₀ the imposed curvature; φ' = w″ where the beam has no shear
+    /// deformation \[N·m\].
     pub moment: f64,
     /// V = M' \[N\].
     pub shear_force: f64,
@@ -129,7 +130,7 @@ pub(crate) struct SolutionPiece<R = f64> {
     pub cell: Cell<R>,
     /// Coefficients of w(s).
     pub deflection: Coefficients<R>,
-    /// Coefficients of φ(s); empty if the beam does not shear.
+    /// Coefficients of φ(s); empty if the beam has no shear deformation.
     pub rotation: Coefficients<R>,
     /// Coefficients of M(s).
     pub moment: Coefficients<R>,
@@ -279,7 +280,7 @@ impl SolutionPiece {
     }
 }
 
-/// The coefficients of M = −EI (φ' − κ₀), with φ = w' where the beam does not shear.
+/// The coefficients of M = −EI (φ' − κ₀), with φ = w' where the beam has no shear deformation.
 fn bent<R: Real>(cell: &Cell<R>, half: f64, deflection: &[R], rotation: &[R]) -> Coefficients<R> {
     let times = if cell.beam_varies() { R::ONE } else { cell.stiffness };
     let (factor, mut bend) = if rotation.is_empty() {
