@@ -10,8 +10,8 @@ pub struct Beam {
     /// Bending stiffness EI \[N·m²\] outside the segments, positive.
     pub bending_stiffness: f64,
     /// Shear stiffness S = κGA \[N\] outside the segments, positive. `None`: sections stay normal to the axis
-    /// (Euler–Bernoulli). Otherwise they rotate by φ and the beam has the shear strain w' − φ = Q/S
-    /// (Timoshenko).
+    /// (Euler–Bernoulli). With a value, the sections rotate by φ and the beam has the shear strain w' − φ =
+    /// Q/S (Timoshenko).
     pub shear_stiffness: Option<f64>,
     /// Stretches with other stiffnesses. They may adjoin, but not overlap.
     pub segments: Vec<BeamSegment>,

@@ -82,7 +82,7 @@ impl Model {
         begins
     }
 
-    /// Whether the ground at and left of a position under the beam has no shear layer.
+    /// Whether the ground under the beam has no shear layer at a position and to the left of it.
     pub(crate) fn ground_has_no_layer(&self, begins: &Places, at: f64) -> bool {
         let ground = &self.foundation;
         let shear = |x: f64| {
@@ -94,7 +94,7 @@ impl Model {
         on_beam && [at, at - f64::EPSILON * self.beam.length].into_iter().all(|x| shear(x) == 0.0)
     }
 
-    /// A load on the ground must lie on the ground.
+    /// Requires that a load on the ground lies between the ends of the ground.
     pub(crate) fn check_on_ground(
         &self,
         found: &mut Vec<Problem>,
@@ -112,7 +112,8 @@ impl Model {
     }
 }
 
-/// μ must be zero everywhere or positive everywhere: a shear layer whose μ falls to zero has no defined end.
+/// Requires that μ is zero everywhere or positive everywhere. A shear layer whose μ decreases to zero has no
+/// defined end.
 fn check_shear(found: &mut Vec<Problem>, part: Part, shear: &Profile) {
     let values = shear.control_values();
     let wrong = values.iter().find(|value| !(in_range(**value) && **value >= 0.0));

@@ -13,8 +13,8 @@ use crate::model::problem::{Part, Problem, finite};
 impl Model {
     /// Every violation of the rules; empty if the model can be solved.
     ///
-    /// It also refuses a beam so soft or ground so stiff that products of the given numbers leave the range
-    /// of a 64-bit number. So no later step meets an infinity.
+    /// The rules also refuse a beam so soft or ground so stiff that products of the given numbers overflow
+    /// the range of doubles. So no later step computes with infinite numbers.
     pub fn problems(&self) -> Vec<Problem> {
         let mut found = Vec::new();
         self.check_beam(&mut found);

@@ -79,7 +79,7 @@ impl Model {
         }
     }
 
-    /// Only a force can act in one direction.
+    /// Requires that a one-way support has no rotational restraint.
     pub(crate) fn check_one_way(&self, found: &mut Vec<Problem>) {
         for (i, support) in self.supports.iter().enumerate().filter(|(_, s)| s.is_one_way()) {
             let what = match support.kind {

@@ -1,4 +1,4 @@
-//! The ground's two constants k and μ from data of the soil.
+//! The constants k and μ of the ground, from soil data.
 
 pub(crate) mod correlations;
 pub(crate) mod layers;
@@ -9,7 +9,7 @@ use crate::model::soil::correlations::{Elastic, PlateTest};
 use crate::numeric::elementary::pow;
 pub use layers::{GroundConstants, LayeredSoil, SoilLayer};
 
-/// Data of the soil, with the method that gives the ground's constants.
+/// Soil data, with the method that computes the ground's constants.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Soil {
     /// Vlasov and Leontiev (1966): layers on rock, and γ.
@@ -30,24 +30,24 @@ pub enum Soil {
     TerzaghiSand(PlateTest),
 }
 
-/// Soil under a beam that bears on a given width: k and μ follow from it.
+/// Soil under a beam that bears on a given width. k and μ follow from these data.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SoilModel {
     /// The soil.
     pub soil: Soil,
     /// The width on which the beam bears \[m\].
     pub width: f64,
-    /// Factors on k and μ: `[1, 1]` for the values of the method, other numbers for uncertain soil.
+    /// Factors on k and μ, for uncertain soil; `[1, 1]` leaves the values of the method unchanged.
     pub factors: [f64; 2],
 }
 
 /// βl below which a beam is too short for correlations that were derived for long ones.
 const LONG: f64 = 2.25;
-/// From this Poisson's ratio on, E₀ depends on ν much more than on the soil's modulus.
+/// At this Poisson's ratio and above, E₀ depends on ν much more than on Young's modulus.
 const NEARLY_INCOMPRESSIBLE: f64 = 0.45;
 
 impl SoilModel {
-    /// Soil under a beam that bears on a `width` \[m\] of it.
+    /// Soil under a beam that bears on a `width` \[m\].
     pub fn new(soil: Soil, width: f64) -> Self {
         SoilModel { soil, width, factors: [1.0; 2] }
     }
@@ -97,7 +97,7 @@ impl SoilModel {
         }
     }
 
-    /// Warnings about the method's range of validity: a sentence each, without a full stop.
+    /// Warnings about the range of validity of the method. Each is a sentence without a full stop.
     pub fn doubts(&self, beam: &Beam) -> Vec<String> {
         let mut doubts = Vec::new();
         let spring = self.subgrade(beam).subgrade;
@@ -130,7 +130,7 @@ impl SoilModel {
 }
 
 impl GroundConstants {
-    /// The same soil with k and μ multiplied.
+    /// The same soil with k and μ multiplied by factors.
     pub fn times(self, [spring, shear]: [f64; 2]) -> Self {
         GroundConstants { subgrade: self.subgrade * spring, shear_layer: self.shear_layer * shear }
     }
