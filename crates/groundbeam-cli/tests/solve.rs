@@ -119,7 +119,7 @@ fn a_model_that_is_not_solved_is_shown_at_its_line() {
     // Boundary layers of a millionth of the length, which varying ground would have to resolve with elements.
     let folder = Folder::with(&LIFTS.replace("mu = 1", "mu = [1e12, 2e12]"));
     let done = folder.run(&["solve", "model.toml"]);
-    done.fails(2, "error[GB616]: where beam or ground vary");
+    done.fails(2, "error[GB616]: where the beam or the ground varies");
     done.fails(2, "mu = [1e12, 2e12]");
     let folder = Folder::with(FOOTING);
     let arguments = ["solve", "model.toml", "--method", "uzawa"];

@@ -100,7 +100,7 @@ pub(crate) fn describe(value: f64) -> String {
     } else if value == 0.0 {
         "zero".into()
     } else {
-        format!("{value:e}, beyond what can be computed with")
+        format!("{value:e}, outside the range of computable numbers")
     }
 }
 

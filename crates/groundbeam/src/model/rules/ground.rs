@@ -28,16 +28,16 @@ impl Model {
             check_order(found, part, s.from, s.to);
             let beside = s.to <= 0.0 || s.from >= self.beam.length;
             if beside && !(s.subgrade.is_constant() && s.shear_layer.is_constant()) {
-                let message = "ground beside the beam cannot vary along a segment";
-                let hint = "give it in segments with a constant each; the beam is {0} long";
+                let message = "ground outside the beam cannot vary along a segment";
+                let hint = "give it as several segments with constant values; the beam is {0} long";
                 let problem = Problem::new("GB203", part, "from", message, hint);
                 found.push(problem.with_numbers(&[self.beam.length]));
             }
         }
         let endless = ground.ends.iter().all(|end| *end == GroundEnd::Endless);
         if ground.soil.is_some() && !(ground.segments.is_empty() && endless) {
-            let message = "ground made of soil is uniform and endless";
-            let hint = "leave out the segments and the ends of the ground, or give its constants";
+            let message = "ground defined by soil data is uniform and infinite";
+            let hint = "remove the segments and the ends of the ground, or give k and mu instead of soil data";
             found.push(Problem::new("GB212", Part::Foundation, "soil", message, hint));
         }
         self.check_ground_ends(found);
@@ -106,7 +106,7 @@ impl Model {
         let off = left.at().is_some_and(|end| from < end) || right.at().is_some_and(|end| to > end);
         if off {
             let message = "the ground does not reach as far as this load";
-            let hint = "it ends where `left` and `right` say";
+            let hint = "`left` and `right` of the foundation give the ends of the ground";
             found.push(Problem::new("GB208", part, field, message, hint));
         }
     }

@@ -34,7 +34,7 @@ impl Model {
             if i > 0 && corner.at <= self.gap[i - 1].at {
                 let hint =
                     "list the gap's corners from left to right, each at a different position";
-                let message = "this corner at {0} does not lie to the right of the one before";
+                let message = "this corner at {0} does not lie to the right of the previous corner";
                 let problem = Problem::new("GB501", Part::Gap(i), "at", message, hint);
                 found.push(problem.with_numbers(&[corner.at]));
             }

@@ -91,8 +91,8 @@ impl Model {
             };
             let message =
                 format!("{what} restrains the slope, so it cannot act in one direction only");
-            let hint = "only a pinned support or a spring against deflection can act up or down alone; \
-                        give the rest in a support of its own beside it";
+            let hint = "a one-way support is pinned or has a translational spring only; \
+                        give the rotational restraint as a second support beside it";
             found.push(Problem::new("GB408", Part::Support(i), "acts", message, hint));
         }
     }

@@ -104,12 +104,12 @@ impl SoilModel {
         let waves = beam.length * pow(0.25 * spring / beam.bending_stiffness, 0.25);
         match &self.soil {
             Soil::Vesic(_) | Soil::Biot(_) if waves < LONG => doubts.push(format!(
-                "{} is made for long beams, βl > {LONG}, and this one has βl = {waves:.2}",
+                "{} is valid for long beams, βl > {LONG}; this beam has βl = {waves:.2}",
                 self.source()
             )),
             Soil::TerzaghiClay(plate) | Soil::TerzaghiSand(plate) if self.width < plate.width => {
                 doubts.push(format!(
-                    "{} goes from a plate to a wider beam, and this one is narrower",
+                    "{} is valid for beams wider than the plate of the test; this beam is narrower",
                     self.source()
                 ));
             }
@@ -121,8 +121,8 @@ impl SoilModel {
         if matches!(&self.soil, Soil::Vlasov(layers, _) | Soil::ModifiedVlasov(layers) if nearly(layers))
         {
             doubts.push(format!(
-                "soil with a Poisson's ratio of {NEARLY_INCOMPRESSIBLE} or more hardly gives way downwards \
-                 alone, as Vlasov's model has it: k grows without end as the ratio nears 0.5"
+                "Vlasov's model overestimates k of soil with a Poisson's ratio of {NEARLY_INCOMPRESSIBLE} or more: \
+                 it has no horizontal displacements, so k tends to infinity as the ratio tends to 0.5"
             ));
         }
         doubts
