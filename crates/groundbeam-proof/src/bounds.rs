@@ -1,9 +1,9 @@
-//! Bounds of the errors of an answer, each with the scale to which it is compared.
+//! Bounds of the errors of an answer, each with the scale with which it is compared.
 
 /// An error is small if it is at most this fraction of its scale.
 const SMALL: f64 = 1e-6;
 
-/// A bound of the error of one quantity: |claimed − exact| ≤ `error`. Infinite: no bound is proven.
+/// A bound of the error of one quantity: |claimed − exact| ≤ `error`. It is infinite if no bound is proven.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bound {
     /// The bound, in the unit of the quantity.
@@ -24,7 +24,7 @@ impl Bound {
 pub struct Bounds {
     /// Of w \[m\].
     pub deflection: Bound,
-    /// Of w′ \[rad\], on both sides of hinges.
+    /// Of w′ \[rad\], also on both sides of hinges.
     pub slope: Bound,
     /// Of the rotation of the sections \[rad\].
     pub rotation: Bound,
@@ -34,7 +34,7 @@ pub struct Bounds {
     pub shear_force: Bound,
     /// Of u \[m\].
     pub settlement: Bound,
-    /// Of p \[N/m\], outside the intervals that hold the edges of contact.
+    /// Of p \[N/m\], outside the intervals that contain the edges of contact.
     pub pressure: Bound,
 }
 

@@ -1,5 +1,5 @@
-//! The residual of equilibrium (3.12) of the claimed deflection and pressures: forces along the pieces and at the nodes,
-//! and jumps of the moment.
+//! The residual of equilibrium (3.12) of the claimed deflection and pressures: forces along the pieces,
+//! forces at the nodes, and jumps of the moment.
 //!
 //! With M = −EI(φ′ − κ₀), V = M′ − g and T = V + Pw′, φ = w′ where the beam has no shear deformation,
 //!
@@ -59,8 +59,8 @@ pub(crate) fn residual<S: Scalar>(
     Residual { pieces, nodes, pushing }
 }
 
-/// The force of a one-way support in its direction: for a rigid one the claimed force, for a spring κ times the positive
-/// part of w̄ − δ.
+/// The force of a one-way support in its direction: the claimed force of a rigid support, or κ times the
+/// positive part of w̄ − δ for a spring.
 fn pushes<S: Scalar>(frame: &Frame<S>, deflection: &Deflection<S>, i: usize) -> S {
     let node = &frame.nodes[i];
     match (node.acts, node.spring) {

@@ -73,8 +73,8 @@ impl<S: Scalar> Contact<'_, S> {
         Ok([0, 1].map(|side| self.opened_at(i, side).unwrap_or(length)))
     }
 
-    /// (2ε_Cμ/m)^½ with the smallest p − ε_p on a part of the piece of this length, if there is one. Requires p > ε_p on
-    /// the whole piece.
+    /// (2ε_Cμ/m)^½, with m the smallest p − ε_p on a part of the piece of this length; `None` if no such part
+    /// is found. It requires p > ε_p on the whole piece.
     pub(crate) fn opened_at(&self, i: usize, side: usize) -> Option<Size> {
         let span = &self.fields.frame.spans[i];
         let (field, error) = (self.fields.pressures[i].field.coarse(), self.bounds[i].pressure);

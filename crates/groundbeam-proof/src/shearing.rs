@@ -30,8 +30,9 @@ pub(crate) fn shearing_energy<S: Scalar>(
     (misfit.root() + balancing.root()).square()
 }
 
-/// (∫δ′²)^½ on a piece of length h with δ′ = a and b at its ends, δ″ = −r, r within R of a constant, and a further shear
-/// force of at most Δ′: the chord, a part below ½hR, and Δ′,
+/// (∫δ′²)^½ on a piece of length h. δ′ is a and b at the ends, and δ″ = −r, where r differs from a constant
+/// by at most R; a further shear force is at most Δ′. δ′ is the sum of a chord, a part of at most ½hR and Δ′,
+/// so the bound is
 ///
 /// ```text
 /// |h(a² + ab + b²)/3|^½ + ½h^{3/2} R + h^½ Δ′.
