@@ -1,4 +1,4 @@
-"""The gap C̄ = ū + g₀ − w̄ over open ground: the amount by which the ground is raised, and its cost (10)."""
+"""The gap C̄ = ū + g₀ − w̄ over open ground: the height by which the ground is raised, and the energy of this correction (10)."""
 
 from flint import arb
 
@@ -34,7 +34,7 @@ def check(r):
 
 
 def stretch(r, first, end):
-    """‖v‖_b² of the open pieces between two touching nodes, or to the end of the layer; C̄ ≥ −D min(x/d, 1) is shown."""
+    """‖v‖_b² of the open pieces between two touching nodes, or to the end of the layer. Also proves C̄ ≥ −D min(x/d, 1)."""
     depth = min(r.raised[first:end], key=float) * (1 + r.ROUNDING)
     touching = [r.touches[first], r.touches[end]]
     stiffness = arb(0)

@@ -130,7 +130,7 @@ class Node:
             raise NotReplayed("a load on the ground that lifts it")
 
     def towards(self, x):
-        """The component in the direction in which a one-way support acts."""
+        """The component of a force or deflection in the direction in which a one-way support acts."""
         return -x if self.acts < 0 else x
 
     def stiff(self):
@@ -159,7 +159,7 @@ class Problem(Checks):
         if (self.force < 0) != (self.sigma is not None):
             raise NotReplayed("a compression without a critical load")
         if self.sigma is not None and not 0 < self.sigma < 1:
-            raise NotReplayed("a part of the convexity that is not between 0 and 1")
+            raise NotReplayed("the remaining convexity is not between 0 and 1")
         self.outside, self.pushed = ([ball(x) for x in problem[key]] for key in ("outside", "pushed"))
         self.cuts, self.carrier = problem["cuts"], exact(problem["carrier"])
         self.units = problem["units"]

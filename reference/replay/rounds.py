@@ -48,7 +48,7 @@ def in_rounds(r):
     """The first round uses rough bounds of the contact; the bounds of each further round follow from the previous one."""
     rounds, errors, before = r.all("round"), first_slopes(r), None
     if len(rounds) < 2:
-        raise NotReplayed("the rounds of a beam that shears are not in the log")
+        raise NotReplayed("the rounds of a beam with shear deformation are not in the log")
     for number, line in enumerate(rounds):
         if before is not None and before.shown:
             for error, (force, slope) in zip(errors, bounds(r, before)):

@@ -17,7 +17,7 @@ struct Case {
     name: String,
     kind: String,
     change: &'static str,
-    /// `None` if nothing is proven of it.
+    /// The result; `None` if nothing is proven about the answer.
     found: Option<Found>,
 }
 
@@ -87,8 +87,8 @@ fn exact(each: u64) -> Vec<Case> {
     Answer::all().into_par_iter().enumerate().flat_map_iter(of_model).collect()
 }
 
-/// Counts of documents, of those with bounds and of those that are proven, and the largest ratio of error to bound, by
-/// name.
+/// Prints by name the numbers of all documents, of documents with bounds and of proven documents, and the
+/// largest ratio of error to bound.
 fn documents(cases: &[Case], title: &str, name: impl Fn(&Case) -> String) {
     let mut table: BTreeMap<String, (usize, usize, usize, f64)> = BTreeMap::new();
     for case in cases {
@@ -105,7 +105,7 @@ fn documents(cases: &[Case], title: &str, name: impl Fn(&Case) -> String) {
     }
 }
 
-/// The largest ratio of error to bound of each quantity, and the number of comparisons.
+/// Prints the largest ratio of error to bound for each quantity, and the number of comparisons.
 fn quantities(cases: &[Case]) {
     let mut table: BTreeMap<&str, (usize, f64)> = BTreeMap::new();
     for (quantity, ratio) in cases.iter().flat_map(|case| &case.found).flat_map(|f| &f.ratios) {

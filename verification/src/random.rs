@@ -30,7 +30,7 @@ pub enum Family {
     Gap,
     /// Resultants close to an end, stiffness over sixteen decades, λl up to 10³.
     Hard,
-    /// A long beam with upward loads at several places: many zones.
+    /// A long beam with upward loads at several places, which has many contact zones.
     Long,
     /// All features of the families above.
     Mixed,
@@ -50,7 +50,7 @@ pub enum Family {
     Neighbours = 17,
     /// Beams with shear flexibility from negligible to dominant, with features of all others.
     Shearing = 30,
-    /// All features except tension, under compression that the ground helps to carry.
+    /// All features except tension, under a compression at which the beam is stable only with the ground.
     Compressed = 21,
     /// As `Compressed`, on beams with shear deformation or with one-way supports, or both, sometimes with
     /// hinges.
@@ -60,8 +60,9 @@ pub enum Family {
 }
 
 impl Family {
-    /// Every family that takes milliseconds per model and that every method solves. Not in it: `Extreme`, which can
-    /// take seconds, and `Compressed`, `CompressedToo` and `Shearing`, which only the exact method solves.
+    /// Every family that takes milliseconds per model and that every method solves. It excludes `Extreme`,
+    /// which can take seconds, and `Compressed`, `CompressedToo` and `Shearing`, which only the exact method
+    /// solves.
     pub const ALL: [Family; 16] = [
         Family::Plain,
         Family::Tension,
@@ -108,7 +109,7 @@ impl<R: Rng> Dice<'_, R> {
         self.0.random_range(low..high)
     }
 
-    /// Uniform in the logarithm.
+    /// A number whose logarithm is uniformly distributed.
     fn decades(&mut self, low: f64, high: f64) -> f64 {
         10_f64.powf(self.even(low, high))
     }

@@ -157,7 +157,7 @@ impl Meshed {
         cholesky(self.glued(compression, &touching).0).is_some()
     }
 
-    /// w and θ at rest without loads: the start without compression.
+    /// w and θ of the unloaded beam at rest, from which the path without compression starts.
     pub fn at_rest(&self) -> Vec<f64> {
         let deepest = self.springs.iter().map(|spring| spring.place).fold(0.0, f64::max);
         (0..self.load.len()).map(|i| if i % 2 == 0 { deepest + 1.0 } else { 0.0 }).collect()

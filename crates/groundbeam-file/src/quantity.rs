@@ -379,7 +379,7 @@ impl Kind {
 /// A value, and whether it had a unit.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Written {
-    /// In SI units if it had a unit, otherwise the number as written.
+    /// The value in SI units if it had a unit; otherwise the number as written.
     pub value: f64,
     pub has_unit: bool,
     pub marks: Marks,

@@ -193,7 +193,7 @@ impl<S: Scalar> Balance<'_, S> {
         }
         let no_lever = || {
             NotProven::new(
-                "no lever arm: contact pressure and supports cannot balance the loads about every point",
+                "contact pressure and supports cannot balance the moment of the loads",
             )
         };
         let factors = system.solved().ok_or_else(no_lever)?;

@@ -210,7 +210,7 @@ fn stiffness<S: Scalar>(
         }
         span.stiffness = shear;
         if span.stiffness.is_some() != span.rotation.is_some() {
-            let what = "a rotation is given where the beam does not shear, or none where it does";
+            let what = "a rotation is given on a piece without shear deformation, or is missing on a piece with it";
             return Err(NotProven::new(what).at(units.restored(span.x[0].middle(), 0, 1)));
         }
     }

@@ -26,7 +26,7 @@ pub trait Host: Sync {
     fn done(&self) {}
 }
 
-/// One thread, no clock, no progress.
+/// A host with one thread, without a clock and without a display of progress.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct OneThread;
 

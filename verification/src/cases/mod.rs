@@ -34,7 +34,7 @@ pub struct Case {
 pub struct Misread {
     /// Line of the file, counted from 1; 0 if the fault concerns the whole file.
     pub line: usize,
-    /// What is wrong.
+    /// The fault as text.
     pub what: String,
 }
 

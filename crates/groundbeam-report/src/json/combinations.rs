@@ -54,8 +54,8 @@ pub fn combinations(answers: &Answers, stations: Option<&[f64]>, context: &Conte
     })
 }
 
-/// Default positions of an envelope: those of all solutions, and the positions where another combination
-/// begins to govern.
+/// Default positions of an envelope: the default positions of all solutions, and the positions where another
+/// combination begins to govern.
 pub fn envelope_stations(answers: &Answers) -> Vec<f64> {
     answers.envelope().stations(EVEN_STEPS)
 }

@@ -72,7 +72,7 @@ pub(crate) fn of_trains(sheet: &mut Sheet, all: &[Passage], units: Units) {
             is_open.then(|| (i + 1, cleaned(found.longest), highest))
         })
     };
-    // Of equal values the first is kept.
+    // Of equal values, the first one is kept.
     let longest = each().map(|(number, longest, _)| (number, longest)).reduce(|most, other| {
         if other.1.stretch.length() > most.1.stretch.length() { other } else { most }
     });

@@ -4,7 +4,7 @@ use super::position::first_positions;
 use groundbeam::model::Train;
 use groundbeam::{Error, Model, exists};
 
-/// Halvings of an interval: one for each bit of a double.
+/// Number of halvings of an interval: one for each bit of a double.
 const HALVINGS: usize = 52;
 
 /// Ranges of the first axle's position without equilibrium, from left to right, from positions with a known
@@ -31,7 +31,7 @@ pub(super) fn without_equilibrium(
     ranges
 }
 
-/// Parts of each interval between first positions at which the existence check runs.
+/// Number of parts into which the existence check divides each interval between first positions.
 const PARTS: usize = 8;
 
 /// Ranges of the first axle's position without equilibrium, from existence checks alone. The checks run where
