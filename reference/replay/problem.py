@@ -1,4 +1,5 @@
-"""The problem of a proof from its log: pieces with their polynomials, nodes with loads and supports, and the claimed bounds."""
+"""The problem of a proof from its log: pieces with their polynomials, nodes with loads and supports, and the claimed
+bounds."""
 
 from math import comb
 
@@ -242,7 +243,8 @@ class Problem(Checks):
         return right.ends(right.d(right.g0))[0] - left.ends(left.d(left.g0))[1]
 
     def even(self, node):
-        """Whether μ and S are the same on both sides of a node inside a layer, without hinge and force on the ground."""
+        """Whether μ and S are the same on both sides of a node inside a layer, without hinge and force on the
+        ground."""
         if self.layered(node) != [True, True] or self.nodes[node].hinged or self.nodes[node].ground_force != 0:
             return False
         left, right = self.pieces[node - 1], self.pieces[node]

@@ -45,7 +45,8 @@ def final(r, errors):
 
 
 def in_rounds(r):
-    """The first round uses rough bounds of the contact; the bounds of each further round follow from the previous one."""
+    """The first round uses rough bounds of the contact; the bounds of each further round follow from the previous
+    one."""
     rounds, errors, before = r.all("round"), first_slopes(r), None
     if len(rounds) < 2:
         raise NotReplayed("the rounds of a beam with shear deformation are not in the log")

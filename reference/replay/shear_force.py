@@ -40,7 +40,8 @@ def bounds(r, contact):
 
 
 def directly(r, errors, spread, first, end, couples):
-    """min_h {(2s₂K + Σs₂√κ_θ)/h + ½h(q + |P| max|e″|)} + 2|P| max|c′| + max|β|, on a beam without shear deformation, in windows without hinges."""
+    """min_h {(2s₂K + Σs₂√κ_θ)/h + ½h(q + |P| max|e″|)} + 2|P| max|c′| + max|β|, on a beam without shear deformation,
+    in windows without hinges."""
     window = range(first, end)
     hinged = any(r.nodes[node].hinged for node in range(first + 1, end))
     if r.force == 0 or hinged or any(r.pieces[i].stiffness is not None for i in window):

@@ -192,9 +192,7 @@ impl<S: Scalar> Balance<'_, S> {
             self.masses(&cell, j, &mut system);
         }
         let no_lever = || {
-            NotProven::new(
-                "contact pressure and supports cannot balance the moment of the loads",
-            )
+            NotProven::new("contact pressure and supports cannot balance the moment of the loads")
         };
         let factors = system.solved().ok_or_else(no_lever)?;
         for j in 0..self.cuts.len() - 1 {

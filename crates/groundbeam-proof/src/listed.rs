@@ -37,15 +37,16 @@ pub struct Checked {
 /// Bounds of the errors of single listed numbers. All are infinite if the contact set is not proven.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct ListedErrors {
-    /// Of both ends of each listed region of contact \[m\]. If no regions are listed, of the proven regions.
+    /// Errors of both ends of each listed region of contact \[m\]. If no regions are listed, the errors of
+    /// the proven regions.
     pub edges: Vec<[f64; 2]>,
-    /// Of each of the `forces` \[N\].
+    /// Errors of each of the `forces` \[N\].
     pub forces: Vec<f64>,
-    /// Of the `end_forces`, left and right \[N\], if they are listed.
+    /// Errors of the `end_forces`, left and right \[N\], if they are listed.
     pub end_forces: Option<[f64; 2]>,
     /// The largest exact force that is not listed, that is, listed as zero \[N\].
     pub unlisted: f64,
-    /// Of rotation \[rad\] and moment \[N·m\] of each of the `hinges`.
+    /// Errors of rotation \[rad\] and moment \[N·m\] of each of the `hinges`.
     pub hinges: Vec<[f64; 2]>,
 }
 
@@ -81,7 +82,7 @@ fn largest<'a>(errors: impl Iterator<Item = &'a f64>) -> f64 {
 /// Bounds of the differences between listed numbers and the pieces of the answer.
 #[derive(Debug, Default)]
 pub(crate) struct Differences {
-    /// Of each field, in the order of [`FIELDS`].
+    /// Differences of each field, in the order of [`FIELDS`].
     pub fields: [f64; 8],
     /// Distances of edges and concentrated forces from the exact ones.
     pub contact: ListedErrors,

@@ -179,8 +179,8 @@ impl Verdict {
     }
 }
 
-/// All requested checks in each of their limit states that has an answer. Answers without a limit state are
-/// judged by every check.
+/// The verdicts on all requested checks: one for each limit state of a check that has an answer. Every check
+/// also judges the answers without a limit state.
 pub(crate) fn verdicts(limits: Option<&Limits>, rows: &[Row]) -> Vec<Verdict> {
     let Some(limits) = limits else { return Vec::new() };
     let judged: Vec<Vec<Judged>> = rows

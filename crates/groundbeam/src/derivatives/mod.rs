@@ -103,7 +103,7 @@ impl fmt::Display for NotDifferentiable {
         match self {
             NotDifferentiable::Method(method) => write!(
                 f,
-                "derivatives need a solution of the exact method, but this one is of `{}`",
+                "derivatives need a solution of the exact method; this solution is of the method `{}`",
                 method.name()
             ),
             NotDifferentiable::NotUnique => {

@@ -38,7 +38,7 @@ impl<'a> Parts<'a> {
         Parts { model, grows: (0..model.loads.len()).map(grows).collect() }
     }
 
-    /// The whole model with the increasing loads at a factor.
+    /// The whole model, with the increasing loads multiplied by a factor.
     pub fn at(&self, factor: f64) -> Model {
         let mut model = self.model.clone();
         model.loads = self.loads(|grows| if grows { factor } else { 1.0 });
