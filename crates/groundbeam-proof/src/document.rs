@@ -241,7 +241,7 @@ impl Document {
 }
 
 impl Answer {
-    /// The answer of a document of one result.
+    /// Reads the answer from a document with one result.
     ///
     /// # Errors
     ///
@@ -289,7 +289,9 @@ fn agreed(
     key: &str,
 ) -> Result<Option<String>, JsonError> {
     match (&own, other) {
-        (Some(a), Some(b)) if a != b => wrong(format!("`{key}` says `{b}`, and elsewhere `{a}`")),
+        (Some(a), Some(b)) if a != b => {
+            wrong(format!("the document gives two values of `{key}`, `{a}` and `{b}`"))
+        }
         (None, Some(b)) => Ok(Some(b.clone())),
         _ => Ok(own),
     }

@@ -72,7 +72,8 @@ pub(crate) struct Node<S> {
     pub clamped: bool,
     /// The directions in which the support acts. A one-way support is the only support of its node.
     pub acts: Acts,
-    /// Stiffness of the translational springs, with the sum of κδ, and of the rotational springs.
+    /// The sum of the stiffnesses κ of the translational springs, and the sum of κδ with the settlements δ;
+    /// `turning`: the sum of the rotational stiffnesses.
     pub spring: Option<[S; 2]>,
     pub turning: Option<S>,
     /// k_φ of a hinge; exactly 0 for a free hinge.

@@ -267,7 +267,7 @@ pub(crate) fn below<C: Scalar>(
             if depth.value() > 0.0 {
                 let reach = |t: f64| Size::of(if rising { t - a } else { b - t }.next_up());
                 let mut width = Size::of((b - a).next_up()).least(depth.over(least));
-                // The function is monotone, so it is nonnegative beyond every place where it is nonnegative.
+                // The function is monotone, so bisection bounds the length on which it is negative.
                 let (mut t, mut step) = (m, 0.5 * (b - a));
                 for _ in 0..30 {
                     step *= 0.5;

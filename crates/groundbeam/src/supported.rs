@@ -33,7 +33,7 @@ impl Way {
     pub const ALL: [Way; 5] =
         [Way::Exact, Way::ActiveSet, Way::Iteration, Way::Nodes, Way::LoadFactors];
 
-    /// The way for these options.
+    /// The way that the method of these options selects.
     pub(crate) fn of(options: &Options) -> Self {
         match options.method {
             Method::Exact => Way::Exact,

@@ -28,10 +28,11 @@ pub(crate) const SAME: f64 = 1e-9;
 /// Number of consecutive steps without progress after which rounding error is considered.
 pub(crate) const PATIENCE: usize = 4;
 
-/// Move below which the next step is edge Newton.
+/// The next step is a Newton step of the edges only if the last move is smaller than this.
 pub(crate) const NEAR: f64 = 0.1;
 
-/// Largest move by edge Newton, relative to the length of the zone and of the open ground beside it.
+/// Largest move in a Newton step of an edge, relative to the length of the zone and of the open ground beside
+/// it.
 pub(crate) const NEAR_EDGE: f64 = 0.25;
 
 /// Limit on Newton steps from the start that the continuation gives.

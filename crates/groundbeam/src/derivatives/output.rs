@@ -100,7 +100,7 @@ pub(super) enum Follows {
     Edge { zone: usize, side: Side, slope: f64 },
     /// The position is that of a load, and nothing else is there.
     Load { slope: f64 },
-    /// The position is a kink at parts of the model that do not move.
+    /// The field has a kink at the position, caused by a part of the model that does not move.
     Kink,
 }
 

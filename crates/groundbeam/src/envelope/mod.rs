@@ -56,8 +56,8 @@ pub struct Envelope<'a> {
 pub struct Governing {
     /// The value and its position.
     pub extreme: Extreme,
-    /// The index of the solution; the first one if several attain the value to rounding. The position is that
-    /// of this solution.
+    /// The index of the solution; the first one if several attain the value to rounding. The position belongs
+    /// to this solution.
     pub by: usize,
 }
 

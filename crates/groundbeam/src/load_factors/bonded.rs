@@ -476,9 +476,9 @@ mod tests {
         assert_eq!(forces_of(&found(&on(Foundation::winkler(4.0)), &[], &[1.0])).len(), 0);
     }
 
-    /// The deflection under the constant loads has a force at a corner of the gap; that under the increasing
-    /// loads has none. The same holds with the roles exchanged. At the corner g₀′ jumps from 0 to 1, so its
-    /// force is μ.
+    /// The deflection under the constant loads has a force at a corner of the gap; the deflection under the
+    /// increasing loads has none. The same holds with the roles exchanged. At the corner g₀′ jumps from 0 to
+    /// 1, so its force is μ.
     #[test]
     fn forces_of_one_deflection_alone() {
         let even = on(Foundation::pasternak(4.0, 9.0));

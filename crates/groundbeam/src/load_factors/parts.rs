@@ -1,4 +1,4 @@
-//! The loads split into constant and increasing ones.
+//! The loads split into constant loads and increasing loads.
 
 use crate::existence::existence::{existence, rays};
 use crate::existence::verdict::{RigidMotion, Verdict};

@@ -154,7 +154,8 @@ impl Span {
     }
 }
 
-/// Joins two elements at a node with its loads, supports and hinge. Writes the rows that give the left one to `piece`.
+/// Joins two elements at a node with its loads, supports and hinge. Writes to `piece` the rows from which the
+/// unknowns of the left element follow.
 fn join(
     left: &Element,
     stand: &Stand,

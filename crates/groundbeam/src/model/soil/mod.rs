@@ -52,7 +52,7 @@ impl SoilModel {
         SoilModel { soil, width, factors: [1.0; 2] }
     }
 
-    /// k and μ under a beam before the solve: for [`Soil::ModifiedVlasov`] those of γ = 1.
+    /// k and μ under a beam before the solve; for [`Soil::ModifiedVlasov`] with γ = 1.
     pub fn subgrade(&self, beam: &Beam) -> GroundConstants {
         let (width, length, stiffness) = (self.width, beam.length, beam.bending_stiffness);
         let springs = |spring: f64| GroundConstants { subgrade: spring, shear_layer: 0.0 };
