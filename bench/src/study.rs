@@ -19,7 +19,7 @@ fn draws(samples: u64, kept: Option<&[Field]>) -> Draws {
     Draws::new(study, plan).expect("a study that can be drawn")
 }
 
-/// Runs only the solver, on models that are drawn before.
+/// Runs only the solver, on models that are drawn beforehand.
 fn bare(models: &[Model], threads: usize) {
     let part = models.len().div_ceil(threads);
     std::thread::scope(|scope| {

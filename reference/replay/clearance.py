@@ -36,8 +36,8 @@ def check(r):
 
 
 def stretch(r, first, end):
-    """‖v‖_b² of the open pieces between two touching nodes, or to the end of the layer. Also proves C̄ ≥ −D min(x/d,
-    1)."""
+    """‖v‖_b² of the open pieces between two touching nodes, or to the end of the layer.
+    Also proves C̄ ≥ −D min(x/d, 1)."""
     depth = min(r.raised[first:end], key=float) * (1 + r.ROUNDING)
     touching = [r.touches[first], r.touches[end]]
     stiffness = arb(0)

@@ -78,7 +78,7 @@ def in_rounds(r):
 
 
 def compared(r, number, i, error, claimed):
-    """The bounds of a round with the logged ones in place of the recomputed ones, if these are not larger."""
+    """The bounds of a round. A logged bound replaces the recomputed bound if the recomputed bound is not larger."""
     found = dict(error)
     for key, logged in zip(("slope", "V", "p"), map(exact, claimed)):
         r.holds(f"eps_{key} on piece {i} in round {number}", error[key], logged)

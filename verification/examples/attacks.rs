@@ -1,7 +1,7 @@
-//! Claims wrong answers and compares every proven bound with the true solution. For random models, `… --example attacks
-//! -- 10000`, it is the solver's solution; the number of the first model may follow the number of models. For the
-//! models of `reference/answers`, `… --example attacks -- exact 10`, it is known in 60 digits; the number of wrong
-//! answers for each model follows.
+//! Claims wrong answers and compares every proven bound with the true solution. For random models, `…
+//! --example attacks -- 10000`, the solver's solution is taken as the true solution; the number of the first
+//! model may follow the number of models. For the models of `reference/answers`, `… --example attacks --
+//! exact 10`, the true solution is known in 60 digits; 10 is the number of wrong answers for each model.
 
 use groundbeam_verification::attack::{KINDS, Target, random};
 use groundbeam_verification::exact_attack::judge;

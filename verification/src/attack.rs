@@ -1,4 +1,4 @@
-//! Wrong answers: documents that random changes make from right ones, and their distance from the true
+//! Makes wrong answers from right documents by random changes, and measures their distance from the true
 //! solution.
 
 use crate::carried;
@@ -147,7 +147,7 @@ impl Target {
                 [turned[0], turned[1], turned[2]]
             }
         };
-        // The imposed curvature and the distributed moment are those of the right answer.
+        // The imposed curvature and the distributed moment are taken from the right answer.
         let right = self.right.pieces.iter().find(|piece| x <= piece.x[1]);
         let right = right.expect("a piece at every position of the beam");
         let exact = match right.rotation.is_empty() {

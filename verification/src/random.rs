@@ -34,21 +34,21 @@ pub enum Family {
     Long,
     /// All features of the families above.
     Mixed,
-    /// Stiffness and ground that vary along segments, with features of all others.
+    /// Stiffness and ground that vary along segments, with features of all other families.
     Varying,
-    /// Imposed curvatures in addition to loads, with features of all others.
+    /// Imposed curvatures in addition to loads, with features of all other families.
     Curled = 12,
-    /// Settled supports, with features of all others.
+    /// Settled supports, with features of all other families.
     Settled = 13,
-    /// Free and elastic hinges, with features of all others.
+    /// Free and elastic hinges, with features of all other families.
     Hinged = 10,
-    /// One-way supports, with features of all others.
+    /// One-way supports, with features of all other families.
     OneWay = 11,
     /// Ground that ends or changes outside the beam.
     Beside = 16,
     /// As `Beside`, with loads on the ground, under the beam and outside it.
     Neighbours = 17,
-    /// Beams with shear flexibility from negligible to dominant, with features of all others.
+    /// Beams with shear flexibility from negligible to dominant, with features of all other families.
     Shearing = 30,
     /// All features except tension, under a compression at which the beam is stable only with the ground.
     Compressed = 21,

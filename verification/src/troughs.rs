@@ -152,7 +152,8 @@ pub fn doubled(model: &Model, troughs: &[Trough]) -> Model {
 pub struct Changed {
     /// The changes of deflection, moment and pressure.
     pub fields: [f64; 3],
-    /// The largest distance of an edge of contact of one solution from the next edge of the other.
+    /// The largest distance of a contact edge of one solution from the next contact edge of the other
+    /// solution.
     pub edges: f64,
 }
 

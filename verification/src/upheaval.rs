@@ -37,7 +37,7 @@ impl Spring {
 /// The spring constant of a rigid support, as a multiple of EI/h³.
 const RIGID: f64 = 1e4;
 
-/// A uniform beam on springs at its nodes: first those of the ground, then those of the supports.
+/// A uniform beam on springs at its nodes: first the springs of the ground, then the springs of the supports.
 #[derive(Debug, Clone)]
 pub struct Meshed {
     length: f64,

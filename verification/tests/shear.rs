@@ -90,7 +90,8 @@ fn sheared(rng: &mut ChaCha8Rng) -> Model {
     model
 }
 
-/// With increasing shear stiffness the solution approaches that without shear, with an error proportional to 1/S.
+/// With increasing shear stiffness S the solution approaches the solution without shear deformation. The
+/// error is proportional to 1/S.
 #[test]
 fn without_shear_it_only_bends() {
     for number in 0..60 {

@@ -368,7 +368,7 @@ fn a_train_under_a_combination() {
             (&json!("SLS"), &json!("bogie"))
         )
     );
-    // The envelope of all is the largest of the single envelopes.
+    // The envelope of all combinations is the largest of the single envelopes.
     let largest =
         |document: &serde_json::Value| document["envelope"]["moment"]["max"][0].as_f64().unwrap();
     let most = passages.iter().map(largest).fold(f64::MIN, f64::max);

@@ -268,8 +268,6 @@ impl Kind {
 
     /// Value in SI units of a number with a unit, or the number itself without one. `plain` selects the hint
     /// for a file without units.
-    ///
-    /// `plain` tells what advice fits the file.
     pub fn read(&self, key: &str, text: &str, plain: bool) -> Result<Written, Fault> {
         let start = text.len() - text.trim_start().len();
         let trimmed = text.trim();

@@ -90,7 +90,7 @@ pub(crate) struct Row<'a> {
 }
 
 impl<'a> Row<'a> {
-    /// The row of one answer; a train has its position in the name.
+    /// The row of one answer. The name of an answer with a train contains the train's position.
     pub fn of(answer: &'a Answer, proof: Option<&'a Named>, units: Units) -> Self {
         let combination = &answer.label.combination;
         let mut name = Cow::Borrowed(&*combination.name);
@@ -143,8 +143,8 @@ pub(crate) struct Verdict {
 /// Reason for a verdict.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Governing {
-    /// Index of the answer with the largest utilization of the limit. The error is that of the largest value
-    /// of all.
+    /// Index of the answer with the largest utilization of the limit. The error belongs to the largest of all
+    /// values.
     Judged(usize, Judged),
     /// An answer without equilibrium.
     Falls(usize),
@@ -239,7 +239,7 @@ fn governing(
     worst.map(|(i, judged)| Governing::Judged(i, judged))
 }
 
-/// The value with the largest utilization, with the error of the largest value of all.
+/// The value with the largest utilization, with the error of the largest of all values.
 fn worst(found: &[(usize, Judged)]) -> Option<(usize, Judged)> {
     // Of equal values, the first one is kept.
     let most = |a: &&(usize, Judged), b: &&(usize, Judged)| {

@@ -22,7 +22,7 @@ pub struct Verified {
 pub struct LeftOut {
     /// Number of combinations of the file.
     pub all: usize,
-    /// Names of the missing ones.
+    /// Names of the missing combinations.
     pub names: Vec<String>,
 }
 

@@ -56,7 +56,7 @@ pub enum Failed<Stop> {
 }
 
 impl Failed<Infallible> {
-    /// The rejection, for a host that never stops.
+    /// The error of the rejected model, if the host never stops the work.
     pub fn refusal(self) -> Error {
         match self {
             Failed::Refused(error) => error,

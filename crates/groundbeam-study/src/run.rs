@@ -38,7 +38,7 @@ impl Shard {
     /// The whole study.
     pub const WHOLE: Shard = Shard { number: 1, of: 1 };
 
-    /// Its samples: consecutive ones, with the same number in every shard, or one more or less.
+    /// Its consecutive samples. The numbers of samples of two shards differ by at most one.
     pub fn samples(self, of: u64) -> Range<u64> {
         let start = |number: u64| {
             let start = u128::from(of) * u128::from(number) / u128::from(self.of);
@@ -51,7 +51,7 @@ impl Shard {
 /// The result of a run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Finished {
-    /// All samples are in the file. The number is that of samples solved in this run.
+    /// All samples are in the file. The number counts the samples that this run solved.
     Whole(u64),
     /// The run was stopped; the results so far are stored in parts.
     Stopped(Progress),

@@ -257,7 +257,7 @@ impl<'a> File<'a> {
         Some((name.to_owned(), factor))
     }
 
-    /// Combinations of a set, in its limit states or in those of the file.
+    /// Combinations of a set, in the limit states of the set or of the file.
     fn make(
         &mut self,
         reader: &mut Reader,

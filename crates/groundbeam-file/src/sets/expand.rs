@@ -134,7 +134,7 @@ struct Expansion<'a> {
     /// Whether an action of the first term must act.
     leads: bool,
     made: Vec<Made>,
-    /// Index of each generated combination, by the bits of the factors of all cases.
+    /// Index of each generated combination; the key has the bits of the factors of all cases.
     seen: BTreeMap<Vec<u64>, usize>,
 }
 

@@ -102,7 +102,7 @@ pub enum Block {
     },
     /// A file, with numbered lines.
     Code {
-        /// The lines without line ends.
+        /// The lines of the file, without line ends.
         lines: Vec<String>,
     },
 }

@@ -263,7 +263,7 @@ fn envelope(all: &Answers, solved: &[Numbered], units: Units) -> Section {
     Section::new("Envelope", blocks)
 }
 
-/// A sentence that takes the place of the envelope of a limit state, if it equals the envelope of all
+/// A sentence that replaces the envelope of a limit state if this envelope equals the envelope of all
 /// combinations.
 pub(super) fn all_of(state: LimitState) -> Block {
     Block::Text { words: text::all_of(state) }

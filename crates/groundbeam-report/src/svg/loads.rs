@@ -274,7 +274,7 @@ fn turning_arrow(canvas: &mut Canvas, [x, y]: [f64; 2], radius: f64, clockwise: 
     };
     let ends = [point(200.0, radius), point(22.0, radius)];
     let width = if radius > 10.0 { 2.0 } else { 1.2 };
-    // A pale line underneath makes it visible on arrows and on the beam.
+    // A pale line underneath makes the arc visible on arrows and on the beam.
     for stroke in [Stroke::new(Colour::Paper, 4.5), Stroke::new(Colour::Load, width)] {
         canvas.arc(ends, radius, clockwise, Fill::NONE.and(stroke));
     }

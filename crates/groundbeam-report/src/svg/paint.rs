@@ -15,8 +15,8 @@ pub(crate) fn rounded(value: f64) -> f64 {
     number(value).parse().unwrap_or(value)
 }
 
-/// A colour of the pictures. Those of fields and loads can be distinguished with any kind of colour vision
-/// (Okabe and Ito).
+/// A colour of the pictures. The colours of fields and loads can be distinguished with any kind of colour
+/// vision (Okabe and Ito).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Colour {
     Paper,

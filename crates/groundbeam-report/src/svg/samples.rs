@@ -57,7 +57,7 @@ pub(super) fn simplified(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
     points.iter().zip(kept).filter(|(_, kept)| *kept).map(|(point, _)| *point).collect()
 }
 
-/// Marks the necessary points between two points, and these two.
+/// Marks the two end points and the necessary points between them.
 fn keep(points: &[[f64; 2]], first: usize, last: usize, kept: &mut [bool]) {
     kept[first] = true;
     kept[last] = true;

@@ -210,7 +210,7 @@ fn outcome(answer: &Answer, units: Units) -> String {
     }
 }
 
-/// Reasons why combinations have no result, or more than one.
+/// Reasons why combinations have no result or several results.
 fn failures(sheet: &mut Sheet, answers: &Answers, units: Units) {
     let mut begun = false;
     for (i, answer) in answers.list.iter().enumerate() {
@@ -252,7 +252,7 @@ fn alone(sheet: &mut Sheet, answers: &Answers, units: Units) {
     }
 }
 
-/// A sentence that takes the place of the envelope of a limit state, if it equals the envelope of all
+/// A sentence that replaces the envelope of a limit state if this envelope equals the envelope of all
 /// combinations.
 pub(crate) fn all_of(state: LimitState) -> String {
     format!("all of these combinations are of {}", state.name())

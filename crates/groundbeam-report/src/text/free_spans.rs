@@ -59,8 +59,8 @@ fn ends(open: &LiftOff) -> &'static str {
     }
 }
 
-/// The longest free span and the largest clearance over all positions of trains; with several trains, with
-/// their numbers.
+/// The longest free span and the largest clearance over all positions of trains. If there are several trains,
+/// their numbers are added.
 pub(crate) fn of_trains(sheet: &mut Sheet, all: &[Passage], units: Units) {
     let each = || {
         all.iter().enumerate().filter_map(|(i, passage)| {

@@ -58,7 +58,7 @@ pub(crate) fn checked(
     Ok(without_equilibrium(model, train, found.into_iter()))
 }
 
-/// The boundary between a position with and one without an equilibrium.
+/// The boundary between the positions with an equilibrium and the positions without one.
 fn edge(model: &Model, train: &Train, mut stands: f64, mut falls: f64) -> f64 {
     for _ in 0..HALVINGS {
         let middle = 0.5 * (stands + falls);

@@ -156,7 +156,7 @@ impl Sweep {
         (answers, swept)
     }
 
-    /// Inserts the middles of all open intervals and checks each one.
+    /// Inserts the middle of each open interval, and computes the amount by which it exceeds the envelope.
     fn halve(&mut self, new: Vec<Position>) {
         let table = Table::of(&self.found, self.train(), &self.stations);
         let scale = scale(self.found.iter().chain(&new));
@@ -230,7 +230,8 @@ fn is_edge(a: &Position, b: &Position) -> bool {
     a.section.ranges.is_some() != b.section.ranges.is_some()
 }
 
-/// The largest absolute value of each field. The scale of gap and settlement is at least that of the deflection.
+/// The largest absolute value of each field. The scale of gap and settlement is at least the scale of the
+/// deflection.
 fn scale<'p>(positions: impl Iterator<Item = &'p Position>) -> ByField<f64> {
     /// A field smaller than this fraction of the deflection counts as zero.
     const NOTHING: f64 = 1e-6;
