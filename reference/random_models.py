@@ -356,4 +356,4 @@ def make(family, index):
         if stands(model, 1e-7 if family == "hard" else 0.02):
             model.title = f"{family} {index:03d}"
             return model, seed, thrown
-    raise RuntimeError(f"no standing model in {family} {index}")
+    raise RuntimeError(f"no model with an equilibrium in {family} {index}")

@@ -136,7 +136,7 @@ fn neighbour(model: &Model) -> Model {
     model
 }
 
-/// Times neighbouring models: each solved from scratch, and from the contact of the previous one.
+/// Times neighbouring models. Each model is solved from scratch, and from the contact of the previous model.
 fn followed() -> String {
     let mut table = Table::new(
         "A neighbouring model, its first load 2 % larger: from the contact of the previous model, or from scratch",
@@ -145,7 +145,7 @@ fn followed() -> String {
     for (name, models) in [("footings", footings(2000)), ("case C", random_beams(300))] {
         let neighbours: Vec<Model> = models.iter().map(neighbour).collect();
         let mut solver = Solver::new();
-        // Both times exclude the previous model.
+        // Neither time includes the solve of the previous model.
         let mut timed = |followed: bool| {
             let (mut seconds, mut steps) = (0.0, 0);
             for (model, neighbour) in models.iter().zip(&neighbours) {

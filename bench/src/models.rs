@@ -15,8 +15,8 @@ pub fn long_beam(axial_force: f64) -> Model {
     model
 }
 
-/// Case C: beams of 50 m under up to twelve downward loads, four upward loads and two moments, with stiffness and shear
-/// layer over three decades.
+/// Case C: beams 50 m long under up to twelve downward loads, four upward loads and two moments. Stiffness
+/// and shear layer vary over three decades.
 pub fn random_beams(count: usize) -> Vec<Model> {
     drawn(count, 1, |rng| {
         let l = 50.0;

@@ -19,7 +19,7 @@ fn draws(samples: u64, kept: Option<&[Field]>) -> Draws {
     Draws::new(study, plan).expect("a study that can be drawn")
 }
 
-/// The solver only, on models drawn before.
+/// Runs only the solver, on models that are drawn beforehand.
 fn bare(models: &[Model], threads: usize) {
     let part = models.len().div_ceil(threads);
     std::thread::scope(|scope| {
@@ -34,7 +34,7 @@ fn bare(models: &[Model], threads: usize) {
     });
 }
 
-/// Samples drawn, solved, certified and written, compared with the solver only.
+/// Times samples that are drawn, solved, certified and written, in comparison with the solver only.
 pub fn table(samples: u64) -> String {
     let (all, least) = (draws(samples, None), draws(samples, Some(&[Field::Pressure])));
     let models: Vec<Model> = (0..samples).map(|sample| all.model(&all.draw(sample))).collect();

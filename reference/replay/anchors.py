@@ -17,7 +17,7 @@ class Anchor:
 
 
 def flexure(r, part):
-    """s = s₂/√EI_min and s_γ = s₂/√S_min of a part; s_γ = 0 if it does not shear."""
+    """s = s₂/√EI_min and s_γ = s₂/√S_min of a part; s_γ = 0 without shear deformation."""
     spans = [r.pieces[i] for i in part]
     bent = min((low(piece.bending.low) for piece in spans), key=float)
     stiff = [low(piece.stiffness.low) for piece in spans if piece.stiffness is not None]
@@ -63,7 +63,8 @@ def held_slopes(r, part):
 
 
 def pushed(r, i):
-    """At an active one-way support: E/ρ̄ for a rigid one, (2E/κ)^½ for a spring with κv̄ > (2κE)^½."""
+    """The bound of |e| at an active one-way support: E/ρ̄ for a rigid support, (2E/κ)^½ for a spring with κv̄ >
+    (2κE)^½."""
     pushing, node = r.pushing[i], r.nodes[i]
     if node.spring is not None:
         acts = pushing > (2 * high(node.spring[0]) * r.energy).sqrt()
@@ -73,7 +74,7 @@ def pushed(r, i):
 
 
 def pressing(r, i, flexible):
-    """Both ends of an interval of a touching piece with p̄ ≥ p_m > 0, (12)."""
+    """The anchors (12) at both ends of an interval of a touching piece with p̄ ≥ p_m > 0."""
     piece, (s, slid), best = r.pieces[i], flexible, None
     for reach in REACHES:
         least = least_pressure(r, i, reach)

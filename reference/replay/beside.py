@@ -6,7 +6,7 @@ from balls import ball, optional
 
 
 def check(r):
-    """The logged K and T agree with those of the stretches, which replace them."""
+    """K and T computed from the stretches agree with the logged K and T, and replace them."""
     for line in r.all("ground beside the beam"):
         side = line["side"]
         stiffness, pushed = seen(line["stretches"], line["held"])

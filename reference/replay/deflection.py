@@ -6,7 +6,7 @@ from balls import ball, exact, largest, upper
 
 
 def check(r):
-    """c closes the jumps and satisfies the supports, and |c|, |c′|, |c″| are at most the logged bounds."""
+    """w + c has no jumps and satisfies the support conditions, and |c|, |c′|, |c″| are at most the logged bounds."""
     lines = r.all("closing")
     r.c = [[exact(b) for b in line["bounds"]] for line in lines]
     r.c_slope = [[ball(s) for s in line["slopes"]] for line in lines]

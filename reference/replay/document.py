@@ -37,18 +37,18 @@ def check(r, document):
     pieces = document.get("pieces") or []
     r.shows("the document has other pieces than the log", len(pieces) == len(r.pieces))
     for i, (piece, claimed) in enumerate(zip(r.pieces, pieces)):
-        r.shows(f"the ends of piece {i} are not those of the document", all(
+        r.shows(f"the ends of piece {i} differ from the document", all(
             upper(end - in_log(x, 0, 1)) <= NEAR * high(r.x[-1]) for end, x in zip(piece.x, claimed["x"])
         ))
-        r.shows(f"the half length of piece {i} is not that of the document", piece.half == in_log(claimed["half"], 0, 1))
+        r.shows(f"the half length of piece {i} differs from the document", piece.half == in_log(claimed["half"], 0, 1))
         middle = (in_log(claimed["x"][0], 0, 1) + in_log(claimed["x"][1], 0, 1)) / 2
         r.meets(f"the middle of piece {i}", piece.middle - middle)
-        r.shows(f"the contact of piece {i} is not that of the document", piece.touches == claimed["touches"])
+        r.shows(f"the contact of piece {i} differs from the document", piece.touches == claimed["touches"])
         fields = [("deflection", piece.w, 1), ("rotation", piece.phi, 0), ("settlement", piece.settlement, 1)]
         for name, field, exponent in fields:
             coefficients = [in_log(c, 0, exponent) for c in claimed.get(name) or []]
             same = field is None and not coefficients or field is not None and is_same(field, coefficients)
-            r.shows(f"the {name} of piece {i} is not that of the document", same)
+            r.shows(f"the {name} of piece {i} differs from the document", same)
     for force_claimed in document.get("forces") or []:
         x = in_log(force_claimed["x"], 0, 1)
         nearest = min(range(len(r.x)), key=lambda i: float(upper(r.x[i] - x)))
@@ -70,7 +70,7 @@ def reactions(r, claimed, in_log):
         reaction = listed.get(i) or {}
         force, moment = in_log(reaction.get("force", 0), 1, 0), in_log(reaction.get("moment") or 0, 1, 1)
         same = support.claimed[0] == force and support.claimed[1] == moment
-        r.shows(f"the reaction of support {i} is not that of the document", same)
+        r.shows(f"the reaction of support {i} differs from the document", same)
 
 
 def bounds(r, claimed, in_log):

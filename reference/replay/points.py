@@ -63,7 +63,7 @@ def pressure(r, i, error):
 
 
 def parts_of_pressure(r, i, error):
-    """Of (14b): kε_u + α[|S′|ε_φ + Sε_κ + |r| + |η′|], and |α′|(S + P) = |μ′ − αS′|."""
+    """The two parts of (14b): kε_u + α[|S′|ε_φ + Sε_κ + |r| + |η′|], and |α′|(S + P) = |μ′ − αS′|."""
     piece = r.pieces[i]
     least = piece.stiffness.low + r.force
     if not least > 0:

@@ -1,4 +1,5 @@
-"""The problem of a proof from its log: pieces with their polynomials, nodes with loads and supports, and the claimed bounds."""
+"""The problem of a proof from its log: pieces with their polynomials, nodes with loads and supports, and the claimed
+bounds."""
 
 from math import comb
 
@@ -130,7 +131,7 @@ class Node:
             raise NotReplayed("a load on the ground that lifts it")
 
     def towards(self, x):
-        """The component in the direction in which a one-way support acts."""
+        """The component of a force or deflection in the direction in which a one-way support acts."""
         return -x if self.acts < 0 else x
 
     def stiff(self):
@@ -159,7 +160,7 @@ class Problem(Checks):
         if (self.force < 0) != (self.sigma is not None):
             raise NotReplayed("a compression without a critical load")
         if self.sigma is not None and not 0 < self.sigma < 1:
-            raise NotReplayed("a part of the convexity that is not between 0 and 1")
+            raise NotReplayed("the remaining convexity is not between 0 and 1")
         self.outside, self.pushed = ([ball(x) for x in problem[key]] for key in ("outside", "pushed"))
         self.cuts, self.carrier = problem["cuts"], exact(problem["carrier"])
         self.units = problem["units"]
@@ -242,7 +243,8 @@ class Problem(Checks):
         return right.ends(right.d(right.g0))[0] - left.ends(left.d(left.g0))[1]
 
     def even(self, node):
-        """Whether μ and S are the same on both sides of a node inside a layer, without hinge and force on the ground."""
+        """Whether μ and S are the same on both sides of a node inside a layer, without hinge and force on the
+        ground."""
         if self.layered(node) != [True, True] or self.nodes[node].hinged or self.nodes[node].ground_force != 0:
             return False
         left, right = self.pieces[node - 1], self.pieces[node]

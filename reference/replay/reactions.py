@@ -40,7 +40,7 @@ def check(r):
 
 
 def sums(r):
-    """The stiffness and the claimed reactions of the supports are those of the nodes."""
+    """The sums of the supports' stiffnesses and claimed reactions equal the values at the nodes."""
     for i, node in enumerate(r.nodes):
         here = [support for support in r.supports if support.node == i]
         springs = [support for support in here if support.springs is not None]
@@ -101,7 +101,7 @@ def of_rigid_support(r, node):
 
 
 def tilted(r, node):
-    """K² of the linear function that is 1 at a support and 0 at the only other one, if neither is a clamp."""
+    """K² of the linear function that is 1 at a support and 0 at the only other support, if neither is a clamp."""
     rigid = [i for i, other in enumerate(r.nodes) if other.rigid is not None]
     if len(rigid) != 2 or any(r.nodes[i].clamped for i in rigid):
         return INFINITE

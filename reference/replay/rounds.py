@@ -45,10 +45,11 @@ def final(r, errors):
 
 
 def in_rounds(r):
-    """The first round uses rough bounds of the contact; the bounds of each further round follow from the previous one."""
+    """The first round uses rough bounds of the contact; the bounds of each further round follow from the previous
+    one."""
     rounds, errors, before = r.all("round"), first_slopes(r), None
     if len(rounds) < 2:
-        raise NotReplayed("the rounds of a beam that shears are not in the log")
+        raise NotReplayed("the rounds of a beam with shear deformation are not in the log")
     for number, line in enumerate(rounds):
         if before is not None and before.shown:
             for error, (force, slope) in zip(errors, bounds(r, before)):
@@ -77,7 +78,7 @@ def in_rounds(r):
 
 
 def compared(r, number, i, error, claimed):
-    """The bounds of a round with the logged ones in place of the recomputed ones, if these are not larger."""
+    """The bounds of a round. A logged bound replaces the recomputed bound if the recomputed bound is not larger."""
     found = dict(error)
     for key, logged in zip(("slope", "V", "p"), map(exact, claimed)):
         r.holds(f"eps_{key} on piece {i} in round {number}", error[key], logged)

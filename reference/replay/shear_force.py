@@ -40,7 +40,8 @@ def bounds(r, contact):
 
 
 def directly(r, errors, spread, first, end, couples):
-    """min_h {(2s₂K + Σs₂√κ_θ)/h + ½h(q + |P| max|e″|)} + 2|P| max|c′| + max|β|, on a beam that does not shear without hinges inside."""
+    """min_h {(2s₂K + Σs₂√κ_θ)/h + ½h(q + |P| max|e″|)} + 2|P| max|c′| + max|β|, on a beam without shear deformation,
+    in windows without hinges."""
     window = range(first, end)
     hinged = any(r.nodes[node].hinged for node in range(first + 1, end))
     if r.force == 0 or hinged or any(r.pieces[i].stiffness is not None for i in window):
@@ -55,7 +56,7 @@ def directly(r, errors, spread, first, end, couples):
 
 
 def on_piece(r, error, i, total):
-    """ε_V, and ε_θ = ε_φ + (ε_V + |η|)/S where the beam shears, from ε_T + |δ′| + |P|ε_φ + |β|."""
+    """ε_V, and ε_θ = ε_φ + (ε_V + |η|)/S on a beam with shear deformation, from ε_T + |δ′| + |P|ε_φ + |β|."""
     piece = r.pieces[i]
     if piece.stiffness is None:
         return error["V"].min(total), error["slope"]
@@ -136,7 +137,7 @@ def size_beside(piece, p, side, distance):
 
 
 def open_pressure_beside(r, i, side, distance):
-    """The same as open_pressure within a distance of one end: u − q/k changes by at most its largest slope times
+    """As open_pressure, within a distance of one end: u − q/k changes by at most its largest slope times
     the distance."""
     piece = r.pieces[i]
     if r.along[i] is not None:

@@ -28,7 +28,8 @@ def is_rigid(node):
 
 
 def of_spans(r, compression):
-    """σ = 1 − N max(L²/(π²EI) + 1/S) over the spans; 2L for L, without shear, for a beam held by one clamp at an end."""
+    """σ = 1 − N max(L²/(π²EI) + 1/S) over the spans. For a beam held by one clamp at an end, 2L takes the place of L,
+    and shear deformation is not covered."""
     last = len(r.pieces)
     rigid = [i for i, node in enumerate(r.nodes) if is_rigid(node)]
     if any(node.hinged for node in r.nodes) or not rigid:
@@ -50,7 +51,8 @@ def of_spans(r, compression):
 
 
 def elements(r, count):
-    """Lengths and smallest EI of elements between supports, hinges and jumps of EI, and the node at the right end of each."""
+    """Lengths and smallest EI of elements between supports, hinges and jumps of EI, and the node at the right end of
+    each."""
     first = 0
     for i in range(1, len(r.nodes)):
         node = r.nodes[i]

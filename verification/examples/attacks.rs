@@ -1,7 +1,7 @@
-//! Claims wrong answers and compares every proven bound with the true solution. For random models, `… --example attacks
-//! -- 10000`, it is the solver's solution; the number of the first model may follow the number of models. For the
-//! models of `reference/answers`, `… --example attacks -- exact 10`, it is known in 60 digits; the number of wrong
-//! answers for each model follows.
+//! Claims wrong answers and compares every proven bound with the true solution. For random models, `…
+//! --example attacks -- 10000`, the solver's solution is taken as the true solution; the number of the first
+//! model may follow the number of models. For the models of `reference/answers`, `… --example attacks --
+//! exact 10`, the true solution is known in 60 digits; 10 is the number of wrong answers for each model.
 
 use groundbeam_verification::attack::{KINDS, Target, random};
 use groundbeam_verification::exact_attack::judge;
@@ -17,7 +17,7 @@ struct Case {
     name: String,
     kind: String,
     change: &'static str,
-    /// `None` if nothing is proven of it.
+    /// The result; `None` if nothing is proven about the answer.
     found: Option<Found>,
 }
 
@@ -87,8 +87,8 @@ fn exact(each: u64) -> Vec<Case> {
     Answer::all().into_par_iter().enumerate().flat_map_iter(of_model).collect()
 }
 
-/// Counts of documents, of those with bounds and of those that are proven, and the largest ratio of error to bound, by
-/// name.
+/// Prints by name the numbers of all documents, of documents with bounds and of proven documents, and the
+/// largest ratio of error to bound.
 fn documents(cases: &[Case], title: &str, name: impl Fn(&Case) -> String) {
     let mut table: BTreeMap<String, (usize, usize, usize, f64)> = BTreeMap::new();
     for case in cases {
@@ -105,7 +105,7 @@ fn documents(cases: &[Case], title: &str, name: impl Fn(&Case) -> String) {
     }
 }
 
-/// The largest ratio of error to bound of each quantity, and the number of comparisons.
+/// Prints the largest ratio of error to bound for each quantity, and the number of comparisons.
 fn quantities(cases: &[Case]) {
     let mut table: BTreeMap<&str, (usize, f64)> = BTreeMap::new();
     for (quantity, ratio) in cases.iter().flat_map(|case| &case.found).flat_map(|f| &f.ratios) {

@@ -1,4 +1,4 @@
-//! Compares the present program with the frozen answers, or writes them anew.
+//! Compares the results of the present program with the frozen answers, or replaces the frozen answers.
 //!
 //! ```text
 //! … --example frozen -- compare [--bits] [--folder FOLDER] [FAMILY …]

@@ -4,15 +4,17 @@
 //! … --example random_models -- [COUNT] [exact | active-set] [FAMILY] [FIRST]
 //! ```
 //!
-//! COUNT models of each family, from the number FIRST on; of the families that take seconds a model at most 2000. `active-set`
-//! solves on 1 to 10 000 elements, and leaves out the families that only the exact method solves.
+//! COUNT models of each family, from the number FIRST on; at most 2000 of families that take seconds for each
+//! model. `active-set` solves on 1 to 10 000 elements, and leaves out the families that only the exact method
+//! solves.
 
 use groundbeam::{Method, Options, Outcome, solve_with};
 use groundbeam_verification::random::{Family, model};
 use rayon::prelude::*;
 use std::time::{Duration, Instant};
 
-/// Families that take long or that only the exact method solves, with the maximum number of models of each.
+/// Families that take a long time or that only the exact method solves, with the maximum number of models of
+/// each family.
 const OTHERS: [(Family, u64); 4] = [
     (Family::Shearing, u64::MAX),
     (Family::Extreme, 2000),

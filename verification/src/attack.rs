@@ -1,4 +1,5 @@
-//! Wrong answers: documents made from right ones by random changes, with their distance from the true solution.
+//! Makes wrong answers from right documents by random changes, and measures their distance from the true
+//! solution.
 
 use crate::carried;
 use crate::claims::{error_bound, holds_at};
@@ -12,8 +13,8 @@ use rand_chacha::ChaCha8Rng;
 /// Number of kinds of random model that are tested.
 pub const KINDS: u64 = Family::ALL.len() as u64 + 2;
 
-/// A random model of a kind, with the kind's name: a model of a family, a beam that shears, or a beam that its tension
-/// balances.
+/// A random model of a kind, with the kind's name: a model of a family, a beam with shear deformation, or a
+/// beam that its tension balances.
 pub fn random(kind: u64, number: u64) -> (String, Model) {
     let families = Family::ALL.into_iter().chain([Family::Shearing]);
     match families.into_iter().nth(kind as usize) {
@@ -45,9 +46,9 @@ pub struct Attack {
 pub struct Verdict {
     /// Whether the answer is proven.
     pub proven: bool,
-    /// The largest error over its bound.
+    /// The largest error divided by its bound.
     pub ratio: f64,
-    /// Error over bound, by quantity.
+    /// Error divided by bound, by quantity.
     pub ratios: Vec<(&'static str, f64)>,
     /// A false statement, if there is one.
     pub fault: Option<String>,
@@ -91,7 +92,7 @@ impl Target {
         Some(Verdict { proven: proof.shortfall().is_none(), ratio, ratios, fault })
     }
 
-    /// Error over bound of all fields and reactions, and the last one that is above 1.
+    /// Error divided by bound for all fields and reactions, and the last one whose ratio exceeds 1.
     fn errors(&self, answer: &Answer, proof: &Proof) -> (Vec<(&'static str, f64)>, Option<String>) {
         let (mut ratios, mut fault) = (Vec::new(), None);
         let mut judge = |name: &'static str, error: f64, bound: f64| {
@@ -130,7 +131,7 @@ impl Target {
     pub(crate) fn fields(&self, piece: &Piece, x: f64, proof: &Proof) -> Vec<(Field, f64, f64)> {
         let (model, bounds) = (self.solution.model(), &proof.bounds);
         let w = derivatives(piece, &piece.deflection, x);
-        // At a joint of two segments the stiffness of the one in which the piece lies.
+        // At a joint of two segments, the stiffness of the segment that contains the piece is taken.
         let inside = x.min(piece.x[1] - 1e-12 * model.beam.length);
         let stiffness = model.beam.bending_stiffness_at(inside);
         let truth = |field| self.solution.value(field, x);
@@ -146,7 +147,7 @@ impl Target {
                 [turned[0], turned[1], turned[2]]
             }
         };
-        // The right answer has the same imposed curvature and distributed moment.
+        // The imposed curvature and the distributed moment are taken from the right answer.
         let right = self.right.pieces.iter().find(|piece| x <= piece.x[1]);
         let right = right.expect("a piece at every position of the beam");
         let exact = match right.rotation.is_empty() {
@@ -355,7 +356,7 @@ const CHANGES: [Change; 14] = [
     }),
 ];
 
-/// Moves an end of contact; both functions are continued beyond their ends.
+/// Moves an end of contact. The functions of both pieces are continued beyond their ends.
 fn move_edge(answer: &mut Answer, rng: &mut ChaCha8Rng, target: &Target) {
     let pieces = &answer.pieces;
     let is_edge = |i: &usize| pieces[*i].touches != pieces[*i - 1].touches;

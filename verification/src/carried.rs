@@ -1,4 +1,5 @@
-//! Random beams under tension that touch one end or one corner of the ground only: the tension balances the loads.
+//! Random beams under tension that are in contact only at one end or at one corner of the ground, so that the
+//! tension balances the loads.
 
 use groundbeam::{Beam, Foundation, Load, Model, Verdict, exists};
 use rand::{RngExt, SeedableRng};

@@ -1,5 +1,5 @@
-//! Compares claimed answers with the true one: errors relative to proven bounds, and the energy of the error relative
-//! to E.
+//! Compares claimed answers with the true answer: errors relative to proven bounds, and the energy of the
+//! error relative to E.
 
 use groundbeam::proof::Proof;
 use groundbeam::{Field, Model, Solution, SupportKind};
@@ -7,7 +7,7 @@ use groundbeam::{Field, Model, Solution, SupportKind};
 /// Error of the true values, relative to the largest of their field.
 const ROUNDING: f64 = 1e-10;
 
-/// Changes of one kind of number of a model by a factor.
+/// Each function multiplies one kind of number of a model by a factor.
 pub const CHANGES: [fn(&mut Model, f64); 7] = [
     |model, factor| {
         let stiffness = &mut model.beam.shear_stiffness;
@@ -72,8 +72,8 @@ pub fn over_bound(claimed: &Solution, truth: &Solution, proof: &Proof, ground: b
     worst
 }
 
-/// A part of the energy of the error: ½∫(ΔM)²/EI, and ½∫k(Δu)² along the beam if the grounds are equal. By Gauss's rule
-/// with two points between the stations of both answers.
+/// A part of the energy of the error: ½∫(ΔM)²/EI, and ½∫k(Δu)² along the beam if the grounds are equal.
+/// Integrated by Gauss's rule with two points between the stations of both answers.
 pub fn energy_of_error(claimed: &Solution, truth: &Solution, ground: bool) -> f64 {
     let model = truth.model();
     let density = |x: f64| {

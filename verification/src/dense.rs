@@ -1,8 +1,8 @@
 //! The paper's discrete problem (5.10)–(5.11) with dense matrices.
 //!
-//! Only for beams with loads at the nodes of a uniform mesh. It shares nothing with the library: stiffness in the
-//! deflections and slopes of both ends as in textbooks, G by its formula (2.4). Under tension the elements are those of the
-//! exact beam in place of (5.2).
+//! Only for beams with loads at the nodes of a uniform mesh. It shares nothing with the library: stiffness in
+//! the deflections and slopes of both ends as in textbooks, G by its formula (2.4). Under tension exact beam
+//! elements replace (5.2).
 
 use crate::element;
 use groundbeam::{
@@ -15,7 +15,8 @@ use groundbeam::{
 pub struct Dense {
     /// Number of nodes.
     pub nodes: usize,
-    /// K of (5.4): w₁, θ₁, w₂, θ₂, …, followed by an additional slope for each hinge, that of the element to its right.
+    /// K of (5.4): w₁, θ₁, w₂, θ₂, …, followed by one additional slope for each hinge, the slope of the
+    /// element to the right of the hinge.
     pub stiffness: Vec<Vec<f64>>,
     /// F, of the same length.
     pub load: Vec<f64>,

@@ -28,7 +28,7 @@ pub fn expect(path: &str, name: &str, made: &str) {
     expect_by(path, name, made, |a, b| a == b);
 }
 
-/// The same for text that may differ in ways that `alike` allows.
+/// As [`expect`], for text that may differ in the ways that `alike` permits.
 pub fn expect_by(path: &str, name: &str, made: &str, alike: impl Fn(&str, &str) -> bool) {
     let text = read(path);
     let (range, written) =
@@ -45,7 +45,7 @@ pub fn expect_file(path: &str, made: &str) {
     expect_file_by(path, made, |recorded, made| recorded == made);
 }
 
-/// The same for text that may differ in ways that `alike` allows.
+/// As [`expect_file`], for text that may differ in the ways that `alike` permits.
 pub fn expect_file_by(path: &str, made: &str, alike: impl Fn(&str, &str) -> bool) {
     let written = std::fs::read_to_string(repository().join(path)).unwrap_or_default();
     if !alike(&written, made) {

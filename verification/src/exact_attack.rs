@@ -12,7 +12,7 @@ const ROUNDING: f64 = 1e-12;
 pub struct Judged {
     /// Whether the answer is proven.
     pub proven: bool,
-    /// Error over bound, by quantity.
+    /// Error divided by bound, by quantity.
     pub ratios: Vec<(&'static str, f64)>,
     /// A proven contact set that differs from the exact one.
     pub fault: Option<String>,
@@ -75,8 +75,8 @@ fn reactions(
     ratios
 }
 
-/// The distances of the exact concentrated forces from the middles of their intervals, relative to the half lengths of
-/// these.
+/// The distances of the exact concentrated forces from the middles of their intervals, relative to half the
+/// lengths of the intervals.
 fn forces(contact: &ContactSet, exact: &Exact, length: f64) -> Vec<(&'static str, f64)> {
     let mut truth = vec![(0.0, exact.end_forces["left"]), (length, exact.end_forces["right"])];
     truth.extend(exact.inner_forces.iter().map(|force| (force.x, force.force)));

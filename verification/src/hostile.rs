@@ -16,7 +16,7 @@ use rand::seq::IndexedRandom;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
-/// Memory limit for such models: it refuses most of them, and none takes minutes.
+/// Memory limit for such models. It refuses most of them, so that no solve takes minutes.
 const MEMORY: u64 = 3_000_000;
 
 /// Applies every function of the library to a model. None of them may panic.
@@ -95,7 +95,7 @@ impl Dice {
         *all.choose(&mut self.0).expect("not empty")
     }
 
-    /// A positive number, with probability one third an extreme one.
+    /// A positive number, which is extreme with a probability of one third.
     fn size(&mut self) -> f64 {
         match self.up_to(5) {
             0 => 1.0,
@@ -110,7 +110,8 @@ impl Dice {
         if self.happens(12) { sign * 0.0 } else { sign * self.size() }
     }
 
-    /// A place on a beam: an end, a round fraction, an earlier place, or a few roundings from one of these.
+    /// A place on a beam: an end, a round fraction, an earlier place, or a place that differs from one of
+    /// these by a few rounding errors.
     fn place(&mut self, places: &mut Vec<f64>) -> f64 {
         let length = places[1];
         let at = match self.up_to(3) {
@@ -149,7 +150,7 @@ pub fn model(number: u64) -> Model {
     let dice = &mut Dice::of(number, 1);
     let length = dice.size();
     let places = &mut vec![0.0, length];
-    // With comparable numbers, the model is more than a rigid body or a membrane.
+    // With numbers of comparable size, the model is neither a rigid body nor a membrane.
     let tame = dice.happens(2);
     let k = dice.size();
     let stiffness = if tame {

@@ -28,7 +28,7 @@ struct File {
 pub struct Imports {
     files: Vec<File>,
     modules: BTreeMap<Path, usize>,
-    /// For a pair of files: the names that the first uses of the second.
+    /// For a pair of files: the names of the second file that the first file uses.
     edges: BTreeMap<(usize, usize), BTreeSet<String>>,
 }
 
@@ -213,7 +213,7 @@ impl File {
         alias == "*" || self.paths.iter().any(|(_, path)| path[0] == alias)
     }
 
-    /// The paths among tokens, including those in macro calls. A single name is a path of one part.
+    /// The paths among tokens, including those in macro calls. A single name is a path with one part.
     fn paths_in(&mut self, tokens: TokenStream, module: &Path) {
         let mut path: Path = Vec::new();
         let mut colons = 0;

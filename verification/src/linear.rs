@@ -1,5 +1,5 @@
-//! Beams that shear, by the simplest elements: w, φ and u linear between nodes, the shear strain at one point of each
-//! element (Hughes, Taylor and Kanoknukulchai 1977), nodal contact by trial.
+//! Beams with shear deformation, by the simplest elements: w, φ and u linear between nodes, the shear strain
+//! at one point of each element (Hughes, Taylor and Kanoknukulchai 1977), nodal contact by trial.
 
 use groundbeam::{
     Model, SupportKind,
@@ -28,7 +28,8 @@ const U: usize = 2;
 const MOST_SWEEPS: usize = 4000;
 
 impl Linear {
-    /// Solves a uniform beam on uniform ground with loads and supports at nodes; the gap is given at both ends.
+    /// Solves a uniform beam on uniform ground with loads and supports at nodes. The gap is given at both
+    /// ends of the beam.
     pub fn solve(model: &Model, elements: usize) -> Self {
         let coarse = elements / 4;
         let start = if coarse.is_multiple_of(40) && coarse > 40 {
@@ -76,7 +77,7 @@ impl Mesh {
             held: vec![[false; 2]; count],
             constants: [
                 model.beam.bending_stiffness,
-                model.beam.shear_stiffness.expect("a beam that shears"),
+                model.beam.shear_stiffness.expect("a beam with shear deformation"),
                 model.beam.axial_force,
                 model.foundation.subgrade,
                 model.foundation.shear_layer,
@@ -138,7 +139,7 @@ impl Mesh {
         around.iter().zip(row).map(|(at, k)| at.map_or(0.0, |at| k * found[at][U])).sum()
     }
 
-    /// A row of the ground's stiffness: the node before, the node itself, the next node.
+    /// A row of the ground's stiffness: its entries for the previous node, the node itself and the next node.
     fn ground_row(&self, i: usize) -> [f64; 3] {
         let [.., k, mu] = self.constants;
         let h = self.h;

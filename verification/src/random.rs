@@ -30,37 +30,39 @@ pub enum Family {
     Gap,
     /// Resultants close to an end, stiffness over sixteen decades, λl up to 10³.
     Hard,
-    /// A long beam with upward loads at several places: many zones.
+    /// A long beam with upward loads at several places, which has many contact zones.
     Long,
     /// All features of the families above.
     Mixed,
-    /// Stiffness and ground that vary along segments, with features of all others.
+    /// Stiffness and ground that vary along segments, with features of all other families.
     Varying,
-    /// Imposed curvatures in addition to loads, with features of all others.
+    /// Imposed curvatures in addition to loads, with features of all other families.
     Curled = 12,
-    /// Settled supports, with features of all others.
+    /// Settled supports, with features of all other families.
     Settled = 13,
-    /// Free and elastic hinges, with features of all others.
+    /// Free and elastic hinges, with features of all other families.
     Hinged = 10,
-    /// One-way supports, with features of all others.
+    /// One-way supports, with features of all other families.
     OneWay = 11,
     /// Ground that ends or changes outside the beam.
     Beside = 16,
     /// As `Beside`, with loads on the ground, under the beam and outside it.
     Neighbours = 17,
-    /// Beams with shear flexibility from negligible to dominant, with features of all others.
+    /// Beams with shear flexibility from negligible to dominant, with features of all other families.
     Shearing = 30,
-    /// All features except tension, under compression that the ground helps to carry.
+    /// All features except tension, under a compression at which the beam is stable only with the ground.
     Compressed = 21,
-    /// As `Compressed`, on beams that shear or with one-way supports, or both, sometimes with hinges.
+    /// As `Compressed`, on beams with shear deformation or with one-way supports, or both, sometimes with
+    /// hinges.
     CompressedToo = 22,
     /// All features at their extremes: λl up to 10⁴, up to a hundred loads, some upward, resultants near an end.
     Extreme = 20,
 }
 
 impl Family {
-    /// Every family that takes milliseconds per model and that every method solves. Not in it: `Extreme`, which can
-    /// take seconds, and `Compressed`, `CompressedToo` and `Shearing`, which only the exact method solves.
+    /// Every family that takes milliseconds per model and that every method solves. It excludes `Extreme`,
+    /// which can take seconds, and `Compressed`, `CompressedToo` and `Shearing`, which only the exact method
+    /// solves.
     pub const ALL: [Family; 16] = [
         Family::Plain,
         Family::Tension,
@@ -107,7 +109,7 @@ impl<R: Rng> Dice<'_, R> {
         self.0.random_range(low..high)
     }
 
-    /// Uniform in the logarithm.
+    /// A number whose logarithm is uniformly distributed.
     fn decades(&mut self, low: f64, high: f64) -> f64 {
         10_f64.powf(self.even(low, high))
     }
@@ -205,7 +207,7 @@ fn draw(family: Family, rng: &mut impl Rng) -> Model {
         beam = vary_beam(beam, stiffness, dice);
         ground = vary_ground(ground, length, dice);
     }
-    // A beam that shears, one-way supports, or both.
+    // A beam with shear deformation, one-way supports, or both.
     let kind = if too { 1 + dice.up_to(2) } else { 0 };
     if shearing || kind & 1 > 0 {
         beam = shear_beam(beam, lambda_l, dice);

@@ -63,7 +63,7 @@ pub struct Distance {
 }
 
 impl Distance {
-    /// The largest of them.
+    /// The largest of the three distances.
     pub fn worst(&self) -> f64 {
         self.fields.max(self.edges).max(self.forces)
     }

@@ -1,4 +1,4 @@
-//! Compares the model of the first reader with that of the second, number by number.
+//! Compares the models of the first and the second reader, number by number.
 
 use groundbeam::{
     Foundation, Model, SupportKind,

@@ -150,9 +150,10 @@ pub fn doubled(model: &Model, troughs: &[Trough]) -> Model {
 /// the length.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Changed {
-    /// Of deflection, moment and pressure.
+    /// The changes of deflection, moment and pressure.
     pub fields: [f64; 3],
-    /// The largest distance of an edge of contact of one solution from the next edge of the other.
+    /// The largest distance of a contact edge of one solution from the next contact edge of the other
+    /// solution.
     pub edges: f64,
 }
 
@@ -172,7 +173,7 @@ pub fn changed(coarse: &Solution, fine: &Solution) -> Changed {
 /// An end of a contact zone.
 struct Edge {
     at: f64,
-    /// The length of the open span on its other side.
+    /// The length of the open span at this edge.
     opening: f64,
 }
 

@@ -37,7 +37,7 @@ impl Spring {
 /// The spring constant of a rigid support, as a multiple of EI/h³.
 const RIGID: f64 = 1e4;
 
-/// A uniform beam on springs at its nodes: first those of the ground, then those of the supports.
+/// A uniform beam on springs at its nodes: first the springs of the ground, then the springs of the supports.
 #[derive(Debug, Clone)]
 pub struct Meshed {
     length: f64,
@@ -157,7 +157,7 @@ impl Meshed {
         cholesky(self.glued(compression, &touching).0).is_some()
     }
 
-    /// w and θ at rest without loads: the start without compression.
+    /// w and θ of the unloaded beam at rest, from which the path without compression starts.
     pub fn at_rest(&self) -> Vec<f64> {
         let deepest = self.springs.iter().map(|spring| spring.place).fold(0.0, f64::max);
         (0..self.load.len()).map(|i| if i % 2 == 0 { deepest + 1.0 } else { 0.0 }).collect()

@@ -52,7 +52,8 @@ fn moment_error(coarse: &Solution, exact: &Solution) -> f64 {
     sum.sqrt()
 }
 
-/// Two moments of 10¹³ N·m cancel each other beside a force of 1 N. The beam is rigid: its pressure is that of the force.
+/// Two moments of 10¹³ N·m cancel each other beside a force of 1 N. The beam is rigid, so its pressure comes
+/// from the force alone.
 #[test]
 fn moments_that_cancel_leave_the_pressure() {
     let model = Model::new(Beam::uniform(1.0, 1e30), Foundation::winkler(1.0))

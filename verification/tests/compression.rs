@@ -278,9 +278,9 @@ fn apart(a: &Solution, b: &Solution, place: impl Fn(f64) -> f64) -> f64 {
     (0..=64).map(difference).fold(0.0, f64::max) / size(a)
 }
 
-/// For two hundred models: the solution is a stable equilibrium of its path, the mirrored and the scaled model give the
-/// same, a slightly larger compression gives a neighbouring solution, and the end of the path is also found from
-/// beyond.
+/// For two hundred models: the solution is a stable equilibrium of its path, the mirrored and the scaled
+/// model give the same result, a slightly larger compression gives a neighbouring solution, and an existence
+/// check beyond the end of the path finds the same end.
 #[test]
 fn random_models() {
     for number in 0..200_u64 {

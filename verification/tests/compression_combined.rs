@@ -1,4 +1,4 @@
-//! Compression that the ground helps to carry, on beams that shear and with one-way supports.
+//! Compression that the ground helps to carry, on beams with shear deformation and with one-way supports.
 
 use groundbeam::{
     Beam, Field, Foundation, Load, Model, Outcome, Solution, Support, Verdict, existence::Local,
@@ -105,9 +105,10 @@ fn root(z: Complex) -> Complex {
     [size * angle.cos(), size * angle.sin()]
 }
 
-/// Free beams that shear, under their weight on Winkler ground. With z = r² of EI (1 + N/S) z² − (N + EI k/S) z + k =
-/// 0, N = −P, even modes are w = cosh rx, φ = ((S + N) r − k/r)/S sinh rx, and odd ones with sinh and cosh changed; at
-/// both ends φ′ = 0 and S (w′ − φ) + N w′ = ∫k w = 0. A limit S → ∞ gives Hetényi's.
+/// Free beams with shear deformation, under their weight on Winkler ground. With z = r² of EI (1 + N/S) z² −
+/// (N + EI k/S) z + k = 0, N = −P, even modes are w = cosh rx, φ = ((S + N) r − k/r)/S sinh rx, and odd modes
+/// have sinh and cosh exchanged; at both ends φ′ = 0 and S (w′ − φ) + N w′ = ∫k w = 0. The limit S → ∞ gives
+/// Hetényi's modes.
 #[test]
 fn free_beams_that_shear() {
     let (ei, k) = (2.0, 3.0_f64);
@@ -186,8 +187,8 @@ fn with_lift_off() -> Vec<Model> {
     ]
 }
 
-/// With increasing shear stiffness the path approaches that of the beam without shear, with an error proportional to
-/// 1/S.
+/// With increasing shear stiffness S the path approaches the path of the beam without shear deformation. The
+/// error is proportional to 1/S.
 #[test]
 fn without_shear_the_branch_is_that_of_bending() {
     for model in with_lift_off() {
@@ -259,7 +260,7 @@ fn on_bearings() -> Vec<Model> {
             .with_gap(7.5, 0.0)
             .with_support(Support::spring(6.0, 3.0, 0.0).settled(0.81).acting(Acts::Down))
             .with_support(Support::spring(3.0, 2.0, 0.0).settled(1.03).acting(Acts::Up)),
-        // A pipe over a prop that only pushes up, and one whose end a force lifts off a bearing.
+        // A pipe over a prop that only pushes up, and a pipe with a force that lifts its end off a bearing.
         beam(16.0).with_support(Support::pinned(8.0).settled(-0.6).acting(Acts::Up)),
         beam(8.0)
             .with_load(Load::point_force(6.0, 4.0))
@@ -325,7 +326,8 @@ fn a_bearing_holds_no_beam_from_rising() {
     assert!(found < 1.2 * euler, "{found}");
 }
 
-/// Random beams that shear, with one-way supports, hinges, loads on the ground and other features.
+/// Random beams with shear deformation, with one-way supports, hinges, loads on the ground and other
+/// features.
 #[test]
 fn random_models() {
     let (mut sheared, mut borne) = (0, 0);

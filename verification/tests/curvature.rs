@@ -17,7 +17,8 @@ fn close(a: f64, b: f64, tolerance: f64) {
     assert!((a - b).abs() <= tolerance, "{a} {b}: off by {:e}", (a - b).abs());
 }
 
-/// Every field of one solution equals that of the other, plus `more` of moment and shear force.
+/// Every field of one solution equals the field of the other solution, plus `more` for moment and shear
+/// force.
 #[track_caller]
 fn alike(curled: &Solution, bent: &Solution, more: impl Fn(f64) -> [f64; 2]) {
     let l = curled.model().beam.length;

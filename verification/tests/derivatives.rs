@@ -82,7 +82,7 @@ fn outputs(solution: &Solution, rng: &mut ChaCha8Rng) -> Vec<(Output, f64)> {
     let size_of = |field: Field| largest(solution, field).max(rounding(field));
     let mut place = (0.0, Side::Left);
     for field in Field::ALL {
-        // The rotation is compared where the slope is.
+        // The rotation is compared at the position of the slope.
         if field != Field::Rotation {
             let at = rng.random_range(0.0..1.0) * l;
             place = (at, if rng.random_bool(0.5) { Side::Left } else { Side::Right });
@@ -232,8 +232,9 @@ impl Comparison {
     }
 }
 
-/// A model whose largest gap, a hundred thousandth of its deflection, changes with a load's place by another number than
-/// differences tell, which do not agree among themselves either. Not yet understood.
+/// Beside 68: the largest gap is a hundred-thousandth of the deflection. Its derivative with respect to the
+/// position of a load differs from the difference quotients, which also differ from each other. The reason is
+/// not known.
 ///
 /// Mixed 73 has no answer where the ground outside its segments is stiffer or softer by a thousandth to a ten-millionth.
 const UNRESOLVED: [(Family, u64); 2] = [(Family::Beside, 68), (Family::Mixed, 73)];

@@ -58,8 +58,9 @@ fn influence_lines_of_a_beam_on_two_supports() {
     reaction.iter().zip(exact).for_each(|(found, exact)| near(*found, exact));
 }
 
-/// The same of a beam that shears: the force adds F a b/(S l) times a function that is 1 at its place and linear to the
-/// supports, and w' decreases by F/S there (Timoshenko and Gere, *Mechanics of Materials*, 1972, sec. 12.12).
+/// The same for a beam with shear deformation: the force adds F a b/(S l) times a function that is 1 at its
+/// place and linear to the supports, and w' decreases by F/S there (Timoshenko and Gere, *Mechanics of
+/// Materials*, 1972, sec. 12.12).
 #[test]
 fn a_beam_on_two_supports_that_shears() {
     let (l, ei, s, a, force, x) = (6.0, 7.0, 3.0, 2.0, 1.5, 4.0);

@@ -15,7 +15,7 @@ fn named(feature: Feature) -> &'static str {
     match feature {
         Feature::LocalEquilibrium => "compression beyond the beam's own buckling load",
         Feature::NoShearLayer => "μ = 0 somewhere under the beam",
-        Feature::BeamShear => "a beam that shears",
+        Feature::BeamShear => "a beam with shear deformation",
         Feature::GroundLoads => "loads on the ground",
         Feature::Supports => "supports, also those that act in one direction",
         Feature::Hinges => "hinges",

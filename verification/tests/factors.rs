@@ -42,8 +42,8 @@ fn at(model: &Model, factor: f64) -> Model {
     model
 }
 
-/// Whether the beam is in contact along its whole length without tensile pressure, and whether it is except for short
-/// gaps.
+/// Whether the beam is in contact along its whole length without tensile pressure, and whether this holds
+/// apart from short gaps.
 fn touches_all_along(model: &Model) -> Result<[bool; 2], String> {
     match solve(model) {
         Ok(Outcome::Equilibrium(found)) => {

@@ -173,7 +173,8 @@ fn a_gap_without_load() {
     assert_eq!(found.range(Field::Pressure).max.value, 0.0);
 }
 
-/// Zones with ends between corners of the clearance and a hinge, on a beam that shears and a stiff layer.
+/// Zones with ends between corners of the clearance and a hinge, on a beam with shear deformation and a stiff
+/// layer.
 #[test]
 fn a_hinged_beam_that_shears_over_corners_of_the_clearance() {
     let mut model = beam(0.71, 0.59, 240.0, 3700.0)

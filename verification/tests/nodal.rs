@@ -72,7 +72,7 @@ fn every_feature_converges_to_the_exact_answer() {
     let mut shearing = varied();
     shearing.beam.shear_stiffness = Some(4.0);
     let lifted = Model { loads: vec![Load::point_force(1.0, -3.0)], ..varied() };
-    // Loads on the ground need ground that is even along each segment.
+    // Loads on the ground need ground that is uniform along each segment.
     let foundation = Foundation::pasternak(1.0, 0.3).with_segment(-1.0, 1.5, 4.0, 1.0);
     let neighbour = Load::distributed_ground_force(0.5, 2.0, 0.3, 0.1);
     let loaded = Model { foundation, ..varied() }.with_load(neighbour);
@@ -137,7 +137,7 @@ fn random_beams_balance_press_and_lie_on_the_ground() {
     }
 }
 
-/// With loads times two all fields are times two, bit for bit; reused memory does not change the result.
+/// With doubled loads all fields are doubled, bit for bit; reused memory does not change the result.
 #[test]
 fn bits_scale_and_repeat() {
     let model = long_beam(0.0);
@@ -180,8 +180,8 @@ fn a_neighbour_is_a_start() {
     assert_eq!(found.contact, nodal(&kikuchi(0.4), 3000).contact);
 }
 
-/// The guard of speed: work is counted, so that no clock decides. A change that makes a number larger
-/// makes every long beam slower by as much.
+/// Counts the work as a test of speed that needs no clock. A change that increases one of the numbers makes
+/// the solve of every long beam slower in proportion.
 #[test]
 fn the_work_on_a_long_beam() {
     for axial_force in [0.0, 0.5] {
@@ -196,14 +196,14 @@ fn the_work_on_a_long_beam() {
     }
 }
 
-/// The same of the exact method: a few steps, and pieces in proportion to what is given.
+/// The same for the exact method: few steps, and a number of pieces proportional to the parts of the model.
 #[test]
 fn the_work_of_the_exact_method() {
     let steps = |model: &Model| equilibrium(solve(model).expect("an answer")).iterations();
     assert_eq!(steps(&kikuchi(0.1)), 1, "a beam pressed everywhere is solved once");
     assert!(steps(&kikuchi(0.49)) <= 9);
     assert!(steps(&long_beam(0.0)) <= 6);
-    // Wagons in a row on a rail, no two alike: four times as many cost four times as much.
+    // Different wagons in a row on a rail: four times as many wagons need four times as many pieces.
     let rail = |wagons: usize| {
         let l = 30.0 * wagons as f64;
         let mut model = Model::new(Beam::uniform(l, 6.4e6), Foundation::pasternak(30e6, 2e6))

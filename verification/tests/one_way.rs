@@ -146,7 +146,7 @@ fn a_bearing_that_is_left_does_nothing() {
         assert_eq!(a.value(Field::Deflection, x), b.value(Field::Deflection, x));
     }
     assert_eq!(b.reactions()[0].force, 0.0);
-    // The mirrored model gives the same.
+    // The mirrored model gives the same result.
     let mirrored = solved(&over.mirrored());
     let difference = mirrored.value(Field::Deflection, 0.3) - b.value(Field::Deflection, 0.7);
     assert!(difference.abs() < 1e-15);

@@ -21,7 +21,8 @@ fn solutions(family: &str) -> Vec<(String, Solution)> {
     solved.collect()
 }
 
-/// The same under a compression of a tenth to nine tenths of the critical load of each beam alone, if it has one.
+/// The same models under a compression between a tenth and nine tenths of the critical load of the beam
+/// alone, if it has a critical load.
 fn compressed(family: &str) -> Vec<(String, Solution)> {
     let all = frozen::family(&frozen::folder(), family).expect("a family");
     let solved = all.par_iter().enumerate().take(150).filter_map(|(i, one)| {
@@ -128,8 +129,8 @@ fn judge(family: &str, solutions: &[(String, Solution)]) -> Judged {
             let Ok(Outcome::Equilibrium(claimed)) = solve(&neighbour) else { return None };
             let (_, answer) = claimed.claim::<Wide>();
             let proof = prove(&truth.model().to_prove::<Wide>(), &answer).ok()?;
-            // The proof solves the open ground with the model's own numbers, but the claimed surface has the
-            // neighbour's.
+            // The proof solves the open ground with the model's own numbers, but the claimed surface belongs
+            // to the neighbour's numbers.
             let ground = same_ground(&neighbour, truth.model());
             let energy = margin(truth.model()) * energy_of_error(&claimed, truth, ground);
             let missed = missed_edges(truth, &proof);

@@ -101,7 +101,7 @@ fn active_set_stays_within_its_certificate() {
     report(&faults);
 }
 
-/// With loads times 2ᵏ every field is times 2ᵏ, bit for bit, with the same contact.
+/// Multiplying the loads by 2ᵏ multiplies every field by 2ᵏ, bit for bit, with the same contact.
 #[test]
 fn scaling_by_a_power_of_two_is_bit_identical() {
     let families = [
@@ -190,8 +190,8 @@ fn mirror_images_mirror() {
                 Field::ShearForce => largest(f).max(largest(Field::Moment) / l),
                 _ => largest(f),
             };
-            // A stiff beam that a settled pin holds deep in the ground: its bending is in the last digits of its
-            // deflection, so its accuracy is that of the certificate.
+            // A stiff beam that a settled pin holds deep in the ground: its bending is in the last digits of
+            // its deflection, so only the accuracy of the certificate is reached.
             let bounds = match family {
                 Family::Settled => [&a, &b].map(estimated_bounds),
                 _ => [[0.0; 3]; 2],

@@ -1,4 +1,5 @@
-//! Compares the public items of the library with the recorded ones, so that a change of the interface is seen.
+//! Compares the public items of the library with the recorded items, so that a change of the interface is
+//! detected.
 
 use groundbeam_verification::documents::expect_file;
 use groundbeam_verification::public_api::PublicApi;

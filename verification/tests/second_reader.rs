@@ -1,4 +1,5 @@
-//! Checks that the second reader of model files gives the same model as the first one, or refuses the file.
+//! Checks that the second reader of model files gives the same model as the first reader, or refuses the
+//! file.
 
 use groundbeam::{Outcome, solve};
 use groundbeam_file::{Document, parse_beside, write_toml};

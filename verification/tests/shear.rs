@@ -1,4 +1,4 @@
-//! Compares beams that shear with the simplest elements, with equivalent models, and with limits.
+//! Compares beams with shear deformation with the simplest elements, with equivalent models, and with limits.
 
 use groundbeam::{
     Beam, Error, Field, Foundation, Hinge, Load, Method, Model, Options, Outcome, Solution,
@@ -90,7 +90,8 @@ fn sheared(rng: &mut ChaCha8Rng) -> Model {
     model
 }
 
-/// With increasing shear stiffness the solution approaches that without shear, with an error proportional to 1/S.
+/// With increasing shear stiffness S the solution approaches the solution without shear deformation. The
+/// error is proportional to 1/S.
 #[test]
 fn without_shear_it_only_bends() {
     for number in 0..60 {
@@ -214,7 +215,7 @@ fn load_factors_and_other_methods() {
     }
 }
 
-/// An elastic hinge equals a short soft stretch of the beam that bends and does not shear.
+/// An elastic hinge equals a short soft stretch of the beam without shear deformation.
 #[test]
 fn a_hinge_turns_the_sections() {
     let beam = Beam::uniform(3.0, 1.0).with_shear_stiffness(1.5);

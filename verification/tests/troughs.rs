@@ -36,7 +36,8 @@ fn twice_as_many_chords_change_nothing_above_a_shear_layer() {
 const SHEAR: [u64; 23] =
     [1, 9, 11, 13, 15, 23, 27, 29, 33, 45, 47, 53, 57, 59, 69, 77, 79, 81, 83, 91, 99, 101, 103];
 
-/// A pipe over a trough of 20 m: contact at two places on the curve. The pressure is that of 40 000 equal chords.
+/// A pipe over a trough of 20 m: contact at two places on the curve. The expected pressure comes from 40 000
+/// equal chords.
 #[test]
 fn a_light_pipe_rests_on_both_sides_of_a_trough() {
     let text = "[beam]\nlength = '120 m'\nEI = '150 MN m^2'\n[foundation]\nk = '20 MN/m^2'\n

@@ -99,7 +99,7 @@ pub struct Report {
 /// Format and paper of a report.
 #[derive(Debug, Clone, Copy)]
 pub enum Setting {
-    /// `None`: the paper of the user's printer.
+    /// HTML for a paper size; `None` for the paper of the user's printer.
     #[cfg(feature = "html")]
     Html(Option<Paper>),
     Pdf(Paper),
@@ -169,7 +169,7 @@ pub struct New {
 pub struct Serve {
     /// The initial model file.
     pub file: Option<PathBuf>,
-    /// 0 selects a free port.
+    /// Port to listen on; 0 selects a free port.
     pub port: u16,
     pub opens_browser: bool,
     pub printed: Printed,
@@ -183,7 +183,7 @@ pub struct Study {
     pub samples: Option<u64>,
     pub seed: Option<u64>,
     pub shard: Shard,
-    /// 0: the number of processors.
+    /// 0: Number of threads; 0 for the number of processors.
     pub threads: usize,
     pub restart: bool,
     pub plot: Option<Plot>,

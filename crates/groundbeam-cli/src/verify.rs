@@ -131,8 +131,8 @@ impl ModelFile {
     }
 }
 
-/// Proves one result. The model is that of the file; if the second reader does not know one of its keys, the
-/// model in the document.
+/// Proves one result. The model is read from the file, or from the document if the second reader does not
+/// know a key of the file.
 pub fn prove(text: &str, name: &str, document: &Document) -> Result<Named, Failure> {
     prove_and_log(text, name, document, None)
 }

@@ -190,7 +190,7 @@ fn strict_makes_a_failed_or_missing_verdict_the_exit_status() {
     folder.run(&["solve", "model.toml", "--strict"]).is_clean(1);
 }
 
-/// The file has a combination of the limit state of the check, and another one is selected.
+/// The file has a combination of the check's limit state, but another combination is selected.
 #[test]
 fn a_verdict_on_selected_combinations_says_so() {
     let folder = Folder::with(&judged());
@@ -210,7 +210,7 @@ fn an_eccentricity_that_does_not_exist_is_not_judged() {
     let done = folder.run(&["solve", "model.toml"]);
     done.is_clean(0);
     assert!(done.stdout.contains("eccentricity not judged: the loads have no resultant"));
-    // The beam is pinned at the end about which nothing turns it.
+    // The beam is pinned at one end, and no load turns it about this end.
     let expected = "no load overturns the beam, a factor of 1.5 required: passes";
     assert!(done.stdout.contains(expected), "{}", done.stdout);
     let checks = folder.run(&["solve", "model.toml", "--json"]).json()["checks"].clone();

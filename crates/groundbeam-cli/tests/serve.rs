@@ -289,7 +289,8 @@ fn a_view_tells_where_every_number_stands() {
     );
 }
 
-/// A view, a file and a report have the units and digits of their query, as those of the command line.
+/// A view, a file and a report have the units and digits of their query, as the output of the command line
+/// does.
 #[test]
 fn units_and_digits_are_those_of_the_query() {
     let server = Server::start(None);

@@ -119,7 +119,7 @@ fn a_model_that_is_not_solved_is_shown_at_its_line() {
     // Boundary layers of a millionth of the length, which varying ground would have to resolve with elements.
     let folder = Folder::with(&LIFTS.replace("mu = 1", "mu = [1e12, 2e12]"));
     let done = folder.run(&["solve", "model.toml"]);
-    done.fails(2, "error[GB616]: where beam or ground vary");
+    done.fails(2, "error[GB616]: where the beam or the ground varies");
     done.fails(2, "mu = [1e12, 2e12]");
     let folder = Folder::with(FOOTING);
     let arguments = ["solve", "model.toml", "--method", "uzawa"];
@@ -368,7 +368,7 @@ fn a_train_under_a_combination() {
             (&json!("SLS"), &json!("bogie"))
         )
     );
-    // The envelope of all is the largest of the single envelopes.
+    // The envelope of all combinations is the largest of the single envelopes.
     let largest =
         |document: &serde_json::Value| document["envelope"]["moment"]["max"][0].as_f64().unwrap();
     let most = passages.iter().map(largest).fold(f64::MIN, f64::max);

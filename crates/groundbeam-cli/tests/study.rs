@@ -130,7 +130,8 @@ fn damage_is_told_and_standard_output_holds_the_file_alone() {
         .fails(2, "one of the files that are merged");
 }
 
-/// The same without fields: thousands of samples in a moment, and more rows than one page of the file.
+/// The same without fields: thousands of samples in a short time, and more rows than one page of the file
+/// holds.
 fn many() -> Folder {
     let folder = folder();
     let (before, rest) = STUDY.split_once("[field]").unwrap();

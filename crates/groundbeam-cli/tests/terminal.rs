@@ -94,7 +94,7 @@ fn a_study() {
     }
 }
 
-/// In messages, hints, lines of the file and its name.
+/// Characters are escaped in messages, in hints, in lines of the file and in the file name.
 #[test]
 fn diagnostics() {
     let folder = Folder::with(&model());

@@ -30,7 +30,8 @@ point = -2
 at = 2.5
 ";
 
-/// The extreme of the pressure lies one double beside the force, where the shear force jumps.
+/// The position of the extreme pressure is the floating-point number next to the position of the force, where
+/// the shear force jumps.
 const CENTRAL: &str = "\
 [beam]
 length = 2

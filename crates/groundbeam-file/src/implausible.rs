@@ -12,7 +12,7 @@ use std::ops::Range;
 /// times h have ratios in this range.
 const SHEAR: [f64; 2] = [1e-2, 3e2];
 
-/// Warnings about a file with units. Without units no size can be judged.
+/// Warnings about a file with units. Without units, no size can be judged.
 pub(crate) fn warnings(reader: &Reader, contents: &Contents, units: Units) -> Vec<Diagnostic> {
     let sized = reader.quantities.iter().filter(|seen| seen.has_unit && !units.is_plain());
     let sizes = sized.filter_map(|seen| {

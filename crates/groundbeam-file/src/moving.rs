@@ -114,7 +114,7 @@ impl MovingTrain {
         (MovingTrain { train, spread, ..self.clone() }, fixed)
     }
 
-    /// Its name, followed by the placement of its unbounded loads unless that is everywhere.
+    /// The name of the train, followed by the placement of its unbounded loads unless they act everywhere.
     pub fn placed_name(&self) -> String {
         match self.spread {
             Spread::Everywhere => self.name.clone(),
@@ -128,7 +128,7 @@ impl MovingTrain {
         MovingTrain { train, factor: factor * self.factor, ..self.clone() }
     }
 
-    /// No train: the beam under the other loads.
+    /// A passage without a train: the beam under the other loads.
     pub fn absent() -> MovingTrain {
         MovingTrain {
             name: "no train".to_owned(),

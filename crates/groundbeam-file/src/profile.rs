@@ -28,7 +28,7 @@ impl Along {
         !self.profile.control_values().iter().any(|value| value.is_nan())
     }
 
-    /// One number for the whole list, which carries its location; NaN if the list could not be read.
+    /// One number that stands for the whole list and has its location; NaN if the list could not be read.
     pub fn field(&self) -> Field {
         let value = if self.is_readable() { self.profile.start() } else { f64::NAN };
         Field::new(value, self.span.clone())
@@ -39,9 +39,10 @@ impl Along {
         Along { profile: self.profile.part(from, to), span: self.span.clone() }
     }
 
-    /// The product with another quantity, with a location of its own.
+    /// The product with another quantity. The product has its own location.
     pub fn times(&self, other: &Along, span: &Range<usize>) -> Self {
-        // Only lists of control values can become too long, and products exclude them.
+        // The product has few enough control values: only lists of control values could exceed the maximum,
+        // and such lists are not multiplied.
         let profile = self.profile.times(&other.profile);
         Along { profile: profile.unwrap_or(Profile::constant(f64::NAN)), span: span.clone() }
     }

@@ -22,7 +22,7 @@ pub struct RolledSection {
     pub height: Option<f64>,
     /// The standard or table it comes from.
     pub source: String,
-    /// `one source` if a value is not confirmed by a second source.
+    /// `one source` if no second source confirms a value; otherwise `None`.
     pub remark: Option<String>,
     /// Area and second moment as printed in the table, if given there.
     printed: Option<[f64; 2]>,
@@ -102,9 +102,9 @@ fn printed(area: &str, inertia: &str) -> Option<[f64; 2]> {
 
 /// Area of a fillet divided by r²: a square without a quarter of a disc.
 const AREA: f64 = 1.0 - 0.25 * PI;
-/// Its first moment about a side of that square, divided by r³.
+/// First moment of area of a fillet about a side of the square, divided by r³.
 const FIRST: f64 = 5.0 / 6.0 - 0.25 * PI;
-/// Its second moment about its own centroid, divided by r⁴.
+/// Second moment of area of a fillet about its own centroid, divided by r⁴.
 const OWN: f64 = 1.0 - 0.3125 * PI - FIRST * FIRST / AREA;
 
 /// Area and second moment of four fillets of radius `r` whose corners lie at the height `corner` above the

@@ -268,8 +268,6 @@ impl Kind {
 
     /// Value in SI units of a number with a unit, or the number itself without one. `plain` selects the hint
     /// for a file without units.
-    ///
-    /// `plain` tells what advice fits the file.
     pub fn read(&self, key: &str, text: &str, plain: bool) -> Result<Written, Fault> {
         let start = text.len() - text.trim_start().len();
         let trimmed = text.trim();
@@ -379,7 +377,7 @@ impl Kind {
 /// A value, and whether it had a unit.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Written {
-    /// In SI units if it had a unit, otherwise the number as written.
+    /// The value in SI units if it had a unit; otherwise the number as written.
     pub value: f64,
     pub has_unit: bool,
     pub marks: Marks,

@@ -11,7 +11,7 @@ use crate::table::Section;
 pub(crate) struct Keys {
     pub product: &'static str,
     pub factors: [&'static str; 2],
-    /// Another way to give the second factor, as in " or …"; may be empty.
+    /// Text that names another way to give the second factor, such as " or …"; may be empty.
     pub instead: &'static str,
 }
 

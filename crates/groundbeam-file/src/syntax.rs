@@ -82,7 +82,7 @@ fn fault(source: &Source, span: Range<usize>, said: &str, keys: &Table) -> (Faul
         };
     }
     if said.contains("expected `inf`") || said.contains("expected `nan`") {
-        // An unquoted word that begins like one of these two.
+        // The word has no quotes and begins like `inf` or `nan`.
         let hint = "write it in quotes, as in \"pinned\" or \"1.5 kN\"".to_owned();
         return (new("write text, and numbers with a unit, in quotes", "no quotes", hint), false);
     }

@@ -33,7 +33,7 @@ impl<'a> Section<'a> {
         self.keys.key(name)
     }
 
-    /// Whether this table and those below have numbers without quotes, and none in quotes.
+    /// Whether this table and the tables below contain numbers, all without quotes.
     pub fn has_bare_numbers_only(&self) -> bool {
         let mut bare = false;
         let mut waiting: Vec<&DeValue> =

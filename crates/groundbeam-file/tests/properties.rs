@@ -280,7 +280,7 @@ proptest! {
         };
         prop_assert_eq!(document.title.as_ref(), title.as_ref());
         prop_assert_eq!(document.units, units);
-        // Debug tells 0 from −0 and is the shortest text of the same bits.
+        // `{:?}` distinguishes 0 from −0 and gives the shortest text of the same bits.
         prop_assert_eq!(format!("{:?}", &document.model), format!("{model:?}"));
         prop_assert_eq!(write_toml(&document.model, title.as_deref(), units), text);
     }
@@ -301,7 +301,7 @@ proptest! {
         never_panics(&text);
     }
 
-    /// Every field a problem can name has a place, also in a file where most is left out.
+    /// Every field that a problem can name has a location, also in a file that leaves out most values.
     #[test]
     fn every_problem_has_a_place(model in model(), units in units(), field in "[a-z_]{1,20}", i in 0..3_usize) {
         let text = write_toml(&model, None, units);
@@ -324,7 +324,7 @@ proptest! {
     }
 }
 
-/// The nearest 64-bit number to a decimal is what Rust reads; a prefix only moves its point.
+/// Rust reads a decimal as the nearest 64-bit number; a prefix only moves the decimal point.
 #[test]
 fn prefixes_never_cost_a_bit() {
     let mut runner = proptest::test_runner::TestRunner::deterministic();

@@ -1,8 +1,9 @@
-//! The JSON Schema of model files and study files against a validator for Python: it accepts every file of the
-//! repository that is right, and refuses those of `cases/errors` with an unknown key or a value of a wrong type.
+//! Tests the JSON Schema of model files and study files with a validator for Python: it accepts every valid
+//! file of the repository, and refuses the files of `cases/errors` with an unknown key or a value of a wrong
+//! type.
 //!
-//! Needs Python from 3.10 on and packages from its index. Without them this test says that it was skipped, or fails
-//! where the variable `GROUNDBEAM_DEMAND_PYTHON` is set.
+//! Needs Python from 3.10 on and packages from its index. Without them this test reports that it was skipped,
+//! or fails if the variable `GROUNDBEAM_DEMAND_PYTHON` is set.
 
 #[path = "../../groundbeam-python/tests/environment/mod.rs"]
 mod environment;
@@ -19,7 +20,7 @@ fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").canonicalize().expect("the repository")
 }
 
-/// Every TOML file of a folder and of those below it.
+/// Every TOML file of a folder and of the folders below it.
 fn files(folder: &Path) -> Vec<PathBuf> {
     let mut found = Vec::new();
     for entry in fs::read_dir(folder).expect("a folder") {
@@ -34,7 +35,7 @@ fn files(folder: &Path) -> Vec<PathBuf> {
     found
 }
 
-/// What the validator says of each file.
+/// The validator's verdict on each file.
 fn judge(python: &Path, workplace: &Path, files: &[PathBuf]) -> Vec<String> {
     let schemas = [
         ("model.json", groundbeam_file::model_schema()),
@@ -80,7 +81,7 @@ fn the_schema_accepts_right_files_and_refuses_wrong_keys_and_types() {
         }
         let text = String::from_utf8_lossy(&fs::read(path).expect("a file")).into_owned();
         if ["error: GB003", "error: GB005"].iter().any(|code| text.contains(code)) {
-            // A file with wrong syntax is no TOML that a validator could read.
+            // A validator cannot read a file with wrong TOML syntax.
             let expected = if text.contains("error: GB001") { "unreadable: " } else { "refused: " };
             assert!(judged.starts_with(expected), "{name}: {judged}");
             refused += 1;

@@ -1,5 +1,5 @@
-//! Segments of beam and ground against their rule: a factor that a segment leaves out has the value that `[beam]` or
-//! `[foundation]` gives it at the same position.
+//! Tests the rule for segments of beam and ground: a factor that a segment leaves out has the value that
+//! `[beam]` or `[foundation]` gives it at the same position.
 
 use groundbeam::Model;
 use proptest::prelude::*;
@@ -57,20 +57,20 @@ impl Given {
         }
     }
 
-    /// The segment at x, and how far x lies along it.
+    /// The segment at x, and the relative position of x in the segment.
     fn segment(&self, x: f64) -> Option<(&Said, f64)> {
         let found = self.segments.iter().find(|s| s.from < x && x < s.to)?;
         Some((&found.said, (x - found.from) / (found.to - found.from)))
     }
 
-    /// The value of a key at x: that of the segment, else that of the whole beam.
+    /// The value of a key at x: the value of the segment, or of the whole beam if the segment gives none.
     fn value(&self, key: &str, x: f64) -> Option<f64> {
         let own = self.segment(x).and_then(|(said, t)| Some(value_of(said, key)?.at(t)));
         own.or_else(|| Some(value_of(&self.whole, key)?.at(x / LENGTH)))
     }
 
-    /// A stiffness at x: the segment's product, the product of the factors if the segment gives one of them, else the
-    /// same of the whole beam.
+    /// A stiffness at x: the segment's product, or the product of the factors if the segment gives one of
+    /// them; otherwise the stiffness of the whole beam.
     fn stiffness(&self, [product, a, b]: [&str; 3], x: f64) -> f64 {
         let factors = || self.value(a, x).unwrap() * self.value(b, x).unwrap();
         if let Some((said, t)) = self.segment(x) {
@@ -84,8 +84,8 @@ impl Given {
         value_of(&self.whole, product).map_or_else(factors, |whole| whole.at(x / LENGTH))
     }
 
-    /// μ at x: `mu` or the product of `C2` and `width` of the segment; a segment that gives none of them has the
-    /// whole beam's. A new width is a new product with the C2 of the whole beam.
+    /// μ at x: `mu` of the segment, or the product of its `C2` and `width`; a segment that gives none of the
+    /// three has the μ of the whole beam. A width of the segment is multiplied by the C2 of the whole beam.
     fn shear_constant(&self, x: f64) -> f64 {
         let product = || Some(self.value("C2", x)? * self.value("width", x)?);
         if let Some((said, t)) = self.segment(x) {
@@ -182,7 +182,7 @@ fn close(found: f64, wanted: f64, text: &str, x: f64) {
     assert!((found - wanted).abs() <= 1e-12 * wanted, "{found} {wanted} at {x} of\n{text}");
 }
 
-/// Places inside every half of a metre, where no corner lies.
+/// Two positions in every half metre, away from the corners.
 fn places() -> impl Iterator<Item = f64> {
     (0..24).flat_map(|half| [0.1, 0.37].map(|inside| 0.5 * f64::from(half) + inside))
 }
@@ -209,7 +209,7 @@ proptest! {
         }
     }
 
-    /// Beyond its ends the beam lies on what is at its ends, unless a constant segment says otherwise.
+    /// Outside the beam the ground has the values at the beam's ends, unless a constant segment lies there.
     #[test]
     fn ground_beside_the_beam_goes_on_as_at_the_ends(
         ground in ground(),
@@ -232,7 +232,7 @@ proptest! {
         close(mu, ground.shear_constant(0.5), &text, 0.5);
     }
 
-    /// Segments from end to end need no values of the whole beam, and a gap between them is told.
+    /// Segments from end to end need no values of the whole beam, and a gap between them is reported.
     #[test]
     fn segments_alone_cover_the_beam_or_something_is_missing(
         joint in 1.0..11.0_f64,

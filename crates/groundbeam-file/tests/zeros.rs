@@ -1,4 +1,4 @@
-//! A bare 0 needs no unit, whatever key it stands under.
+//! Tests that a bare 0 needs no unit, for any key.
 
 #[allow(dead_code)]
 #[path = "mutations/corpus.rs"]
@@ -137,7 +137,7 @@ fn among_positions() {
     assert!(parse_positions("0 m", UnitSystem::Plain).is_err());
 }
 
-/// A 0 with a unit is a quantity with a unit, and only zeros are a file without units.
+/// A bare 0 is allowed in a file without units; a 0 with a unit is not.
 #[test]
 fn a_zero_is_of_both_kinds() {
     let read = |at: &str, length: &str| {
@@ -157,7 +157,7 @@ fn with_zero(text: &str, span: Range<usize>) -> String {
     [&text[..span.start], "0", &text[span.end..]].concat()
 }
 
-/// Every key that can stand in one of the tables of a text, as messages tell.
+/// Every key that messages list for one of the tables of a text.
 fn keys(text: &str, wrong: impl Fn(&str) -> Option<Diagnostics>) -> BTreeSet<String> {
     let mut keys = BTreeSet::new();
     let places = text.match_indices("]\n").map(|(i, _)| (i + 2, "\n"));

@@ -131,7 +131,7 @@ fn number(value: &str) -> Option<f64> {
 }
 
 impl Asked {
-    /// The units and the digits for a file; `None` of other units than those of a file without units.
+    /// The units and the digits for a file; `None` if the question asks for units in a file without units.
     pub(crate) fn printed(&self, file: &Document) -> Option<print::Units> {
         let units = file.printed.in_system(self.units)?;
         Some(units.with_digits(self.digits.unwrap_or(print::RESULT_DIGITS)))

@@ -8,10 +8,10 @@ use crate::scalar::Scalar;
 use crate::size::Size;
 use std::ops::Range;
 
-/// Parts |t| ≤ … of a piece for which a lower bound of the pressure is computed.
+/// Fractions c such that a lower bound of the pressure is computed on the part |t| ≤ c of a piece.
 const PARTS: [f64; 4] = [0.9, 0.5, 0.25, 0.0625];
 
-/// The `PARTS` that fit into the piece: `half` may be less than half of its length.
+/// The `PARTS` that lie within the piece; `half` may be less than half the length.
 pub(crate) fn parts_of<S: Scalar>(span: &Span<S>) -> impl Iterator<Item = f64> {
     let [left, right] = [-span.t[0].high(), span.t[1].low()];
     PARTS.into_iter().filter(move |part| *part <= left && *part <= right)
@@ -43,7 +43,7 @@ impl Anchors {
 /// A part of the beam without free hinges.
 struct Part {
     pieces: Range<usize>,
-    /// A bound of Σ|[e_φ]| at the elastic hinges inside.
+    /// A bound of Σ|[e_φ]| over the elastic hinges inside the part.
     kinks: Size,
 }
 
@@ -71,8 +71,8 @@ impl<S: Scalar> Pointwise<'_, S> {
         parts
     }
 
-    /// s = s₂/√EI_min and s_γ = s₂/√S_min of a part: e′ = e_φ + γ with (∫e_φ′²)^½ ≤ s and (∫γ²)^½ ≤ s_γ, where γ = 0 and
-    /// s_γ = 0 if the part does not shear.
+    /// s = s₂/√EI_min and s_γ = s₂/√S_min of a part: e′ = e_φ + γ with (∫e_φ′²)^½ ≤ s and (∫γ²)^½ ≤ s_γ,
+    /// where γ = 0 and s_γ = 0 if the part has no shear deformation.
     pub(crate) fn flexure(&self, part: &Range<usize>) -> [Size; 2] {
         let spans = &self.fields.frame.spans[part.clone()];
         let most = |of: &dyn Fn(&Span<S>) -> Option<&Coefficient<S>>| {
@@ -83,14 +83,15 @@ impl<S: Scalar> Pointwise<'_, S> {
         [most(&|span| Some(&span.bending)), most(&|span| span.stiffness.as_ref())]
     }
 
-    /// sup|e| on each part between hinges. A part needs two anchors, or one and a bound of its slope, and hands its bound on
-    /// at hinges. Parts joined by elastic hinges are also bounded together, with a kink of at most (2E/k_φ)^½ at each. Under
-    /// tension one anchor anywhere is enough: |e(x)| ≤ |e(y)| + (2E/P)^½|x − y|^½.
+    /// sup|e| on each part between hinges. A part needs two anchors, or one anchor and a bound of its slope.
+    /// Its bound then gives anchors of the neighbours at the common hinges. Parts joined by elastic hinges
+    /// also have a common bound, with a kink of at most (2E/k_φ)^½ at each hinge. Under tension, one anchor
+    /// is sufficient: |e(x)| ≤ |e(y)| + (2E/P)^½|x − y|^½.
     pub(crate) fn deflections(&self, parts: &[Range<usize>]) -> Vec<Size> {
         let frame = self.fields.frame;
         let mut anchors: Vec<Anchors> = parts.iter().map(|part| self.anchors(part)).collect();
         let mut found = vec![Size::INFINITE; parts.len()];
-        // Number of anchors of each part when its bound was last computed.
+        // Number of anchors with which the bound of each part was last computed.
         let mut used = vec![0; parts.len()];
         for _ in 0..2 {
             let order: Vec<usize> = (0..parts.len()).chain((0..parts.len()).rev()).collect();
@@ -197,8 +198,8 @@ impl<S: Scalar> Pointwise<'_, S> {
             .then(|| self.s2() * surface.flexibility_at(node) + self.energy.over(force.next_down()))
     }
 
-    /// Bound of |e| at an active one-way support. A rigid one with ρ̄ ≥ (1 − |λ|)|R|: ρ̄ς(w̄ − w*) ≤ E. A spring with
-    /// κv̄ > (2κE)^½ is also active in the exact solution, and ½κe² ≤ E.
+    /// Bound of |e| at an active one-way support. For a rigid support with ρ̄ ≥ (1 − |λ|)|R|, ρ̄ς(w̄ − w*) ≤
+    /// E. A spring with κv̄ > (2κE)^½ is also active in the exact solution, so ½κe² ≤ E.
     fn pushed(&self, node: usize) -> Option<Size> {
         let pushing = self.fields.residual.pushing[node].low();
         if let Some([spring, _]) = self.fields.frame.nodes[node].spring {
@@ -222,8 +223,9 @@ impl<S: Scalar> Pointwise<'_, S> {
         (least.next_down() * self.kept(self.balanced.factor(i).value())).next_down()
     }
 
-    /// On an interval of length h with p̄ ≥ p_m > 0 the mean of |d + C*| is at most d₁ + E/(p_m h), and e differs from a
-    /// straight line by little. Both ends of the interval are anchors with
+    /// On an interval of length h with p̄ ≥ p_m > 0 the mean of |d + C*| is at most d₁ + E/(p_m h). The
+    /// difference of e and a linear function is bounded by s and s_γ. So both ends of the interval are
+    /// anchors with
     ///
     /// ```text
     /// |e| ≤ (1 + √2)(d₁ + E/(p_m h) + (2/(5√3)) s(h/2)^{3/2} + ⅔s_γ(h/2)^½) + s(h/2)^{3/2}/√3 + s_γ(h/2)^½,
@@ -277,9 +279,10 @@ impl<S: Scalar> Pointwise<'_, S> {
         least
     }
 
-    /// sup|e| on a part with kinks of at most j in all. Between anchors at distance h: the larger bound +
-    /// s(h³/48)^½ + ½s_γh^½ + ¼jh. On an overhang o beyond anchors b₁ (nearer) and b₂ at distance h:
-    /// b₁ + (b₁ + b₂)o/h + s(o²(h + o)/3)^½ + s_γ(o(h + o)/h)^½ + jo. Where |e_φ| ≤ θ at a distance d from the anchor: b₁ + θo + so(d + o/3)^½ + s_γo^½ + jo.
+    /// sup|e| on a part whose kinks have a sum of at most j. Between anchors at distance h: the larger bound
+    /// + s(h³/48)^½ + ½s_γh^½ + ¼jh. On an overhang o beyond anchors b₁ (nearer) and b₂ at distance h: b₁ +
+    /// (b₁ + b₂)o/h + s(o²(h + o)/3)^½ + s_γ(o(h + o)/h)^½ + jo. Where |e_φ| ≤ θ at a distance d from the
+    /// anchor: b₁ + θo + so(d + o/3)^½ + s_γo^½ + jo.
     fn along(&self, part: &Part, anchors: &[Anchor], slopes: &[Anchor]) -> Size {
         let frame = self.fields.frame;
         let [s, sheared] = self.flexure(&part.pieces);
@@ -325,9 +328,9 @@ impl<S: Scalar> Pointwise<'_, S> {
     }
 }
 
-/// A bound of |e| on an interval from a bound of its mean there, s(h/2)^{3/2} and s_γ(h/2)^½: the difference of e and
-/// its tangent in the middle is at most their parts below, and a straight line is at most 1 + √2 times the mean of its
-/// absolute value.
+/// A bound of |e| on an interval, from a bound of the mean of |e|, from `curved` = s(h/2)^{3/2} and from
+/// `slid` = s_γ(h/2)^½. These two bound the difference of e and its tangent in the middle. The absolute value
+/// of a linear function is at most 1 + √2 times its mean.
 pub(crate) fn from_mean(mean: Size, curved: Size, slid: Size) -> Size {
     let mean = mean + 0.2310 * curved + 0.6667 * slid;
     2.4143 * mean + 0.5774 * curved + slid
@@ -338,7 +341,8 @@ pub(crate) fn between(h: Size, [s, sheared]: [Size; 2]) -> Size {
     s * (h.square() * h).over(48.0).root() + 0.5 * (sheared * h.root())
 }
 
-/// A bound of |e| on an overhang o beyond two places, the nearer first. Their distance lies between two given bounds.
+/// A bound of |e| on an overhang o beyond two places, the nearer one first. `distance` bounds the distance of
+/// the two places from below and above.
 pub(crate) fn beyond(
     [near, far]: [Size; 2],
     over: Size,
@@ -378,7 +382,7 @@ mod tests {
     use crate::units::Units;
     use crate::wide::Wide;
 
-    /// With half = 1 a piece of the length 1.6 runs over |t| ≤ 0.8.
+    /// A piece of length 1.6 with half = 1 covers |t| ≤ 0.8.
     #[test]
     fn the_least_pressure_is_that_of_the_piece_alone() {
         for (half, wanted) in [(1.0, &[0.5, 0.25, 0.0625][..]), (0.8, &[0.9, 0.5, 0.25, 0.0625])] {

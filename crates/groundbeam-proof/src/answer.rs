@@ -3,7 +3,8 @@
 /// The answer to be proven, as a program or a document states it. Its numbers are exact doubles.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Answer {
-    /// Pieces from left to right. They cover the beam: each begins with the double at which the one before ends.
+    /// Pieces from left to right. They cover the beam: each piece begins with the double at which the
+    /// previous piece ends.
     pub pieces: Vec<Piece>,
     /// Concentrated contact forces, including those under the ends of the beam.
     pub forces: Vec<Force>,
@@ -16,19 +17,21 @@ pub struct Answer {
 pub struct Piece {
     /// Left and right end \[m\].
     pub x: [f64; 2],
-    /// Half its length \[m\] as the coefficients use it; it can differ from (x₁ − x₀)/2 by rounding.
+    /// The half length \[m\] for which the coefficients are given; it can differ from (x₁ − x₀)/2 by rounding
+    /// error.
     pub half: f64,
     /// Whether beam and ground are in contact on the piece.
     pub touches: bool,
     /// Coefficients of w(t) \[m\], the constant one first.
     pub deflection: Vec<f64>,
-    /// Coefficients of the rotation φ(t) of the sections \[rad\]. Empty: φ = w′, the piece does not shear.
+    /// Coefficients of the rotation φ(t) of the sections \[rad\]. Empty on a piece without shear deformation:
+    /// φ = w′.
     pub rotation: Vec<f64>,
-    /// Coefficients of the contact pressure p(t) \[N/m\]. Empty: none is stored.
+    /// Coefficients of the contact pressure p(t) \[N/m\]; empty if the pressure is not stored.
     pub pressure: Vec<f64>,
-    /// On an open piece: the settlement u of the ground at both ends \[m\]. `None`: not stored.
+    /// On an open piece: the settlement u of the ground at both ends \[m\]; `None` if it is not stored.
     pub open: Option<[f64; 2]>,
-    /// On an open piece over varying ground: the coefficients of u(t) \[m\]. Empty: not stored.
+    /// On an open piece over varying ground: the coefficients of u(t) \[m\]; empty if they are not stored.
     pub settlement: Vec<f64>,
 }
 
@@ -48,6 +51,6 @@ pub struct Reaction {
     pub support: usize,
     /// Force \[N\], positive where it pushes the beam up.
     pub force: f64,
-    /// Moment \[N·m\], positive where it turns the right side down.
+    /// Moment \[N·m\], positive if it rotates the right side down.
     pub moment: f64,
 }

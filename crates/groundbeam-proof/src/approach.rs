@@ -19,16 +19,18 @@ pub(crate) struct Approach {
     pub flux: Size,
     /// μ|C′| at the node.
     pub steep: Size,
-    /// t of the place up to which the clearance itself must be shown to be positive.
+    /// t of the place up to which the clearance is proven to be positive by its value.
     reach: f64,
 }
 
 impl<S: Scalar> Contact<'_, S> {
-    /// Shows that a stretch of open pieces is open in the exact solution. Returns the approaches to its touching ends.
+    /// Proves that a stretch of open pieces is open in the exact solution. Returns the [`Approach`] at each
+    /// touching end.
     ///
-    /// Between the reaches C > ε_u + ε_w. From a reach to the touching node, except on the last θ, C decreases faster
-    /// than the bound of its slope's error. Beside a rigid support that stands on the ground, g₀ − w grows from zero;
-    /// such zones are listed. No pressure acts where the beam rests without load.
+    /// Between the reaches C > ε_u + ε_w. From a reach to the touching node, except on the last θ, C
+    /// decreases faster than the bound of its slope's error. Next to a rigid support on the surface of the
+    /// ground, g₀ − w increases from zero; the result lists such zones. No pressure acts where the beam rests
+    /// without load.
     pub(crate) fn stretch(
         &self,
         first: usize,
@@ -82,7 +84,8 @@ impl<S: Scalar> Contact<'_, S> {
         let [from, to] = piece.interval;
         let (end, wide) = (piece.interval[side], to - from);
         let inward = if side == 0 { 1.0 } else { -1.0 };
-        // The exact beam is open from `far` to the reach. This length gives the bound of the error of u′.
+        // The exact beam is open from `far` to the reach. The bound of the error of u′ follows from the
+        // length of this open ground.
         let far = end + inward * wide * if both { 0.75 } else { 1.0 - 1e-9 };
         let mut part = if both { 0.25 } else { 0.5 };
         for _ in 0..40 {
@@ -101,8 +104,9 @@ impl<S: Scalar> Contact<'_, S> {
 
     /// A bound of μ|u − u*|′ at the end of a length L of open ground on which |u − u*| ≤ ε_u.
     ///
-    /// If k and μ are constant, u − u* is a sum of exponentials: μb coth(bL/2) ε_u. Otherwise (μ(u − u*)′)′ = k(u − u*)
-    /// − ρ, and by the mean value theorem |u − u*|′ ≤ 2ε_u/h somewhere on a length h ≤ L: 2με_u/h + h(kε_u + max|ρ|).
+    /// If k and μ are constant, u − u* is a sum of exponentials: μb coth(bL/2) ε_u. Otherwise (μ(u − u*)′)′ =
+    /// k(u − u*) − ρ, and by the mean value theorem |u − u*|′ ≤ 2ε_u/h at some point of a length h ≤ L. The
+    /// bound is then 2με_u/h + h(kε_u + max|ρ|).
     fn settlement_flux(&self, i: usize, length: f64) -> Size {
         if !(length > 0.0) {
             return Size::INFINITE;
@@ -136,8 +140,9 @@ impl<S: Scalar> Contact<'_, S> {
         }
     }
 
-    /// The smallest θ found such that C decreases faster than `limit` from the reach to distance θ from the node. Where
-    /// θ > 0 the node is smooth and (μC′)′ > ε_p on the last θ, with (μC′)′ = ku − q − (μψ′)′ except for ρ.
+    /// The smallest θ found such that C decreases faster than `limit` from the reach to the distance θ from
+    /// the node. If θ > 0, the node is smooth and (μC′)′ > ε_p over the last length θ, with (μC′)′ = ku − q −
+    /// (μψ′)′ except for ρ.
     fn theta(
         &self,
         i: usize,
@@ -184,7 +189,7 @@ fn varying_flux(stiff: Size, load: Size, length: f64) -> Size {
 
 /// C′ at t, positive where C grows towards the touching end.
 fn fall<C: Scalar>(piece: &OpenPiece<C>, side: usize, t: f64) -> C {
-    // The end of the interval stands for the exact end of the piece; it may lie beyond it by a rounding error.
+    // The end of the interval may lie outside the piece by rounding error. The exact end takes its place.
     let t = if t == piece.interval[side] { piece.ends[side] } else { C::of(t) };
     let [_, settling] = piece.arc.at((t - piece.ends[0]) * piece.half);
     let slope = settling - piece.obstacle[1].value(t);
@@ -254,7 +259,7 @@ mod tests {
 
     const COUNT: usize = 2000;
 
-    /// Varying ground on one length: k, μ and a load as parabolas through their values at both ends and in the middle.
+    /// A length of varying ground: k, μ and a load as parabolas, given by Bernstein coefficients.
     struct Ground {
         length: f64,
         k: [f64; 3],
@@ -282,8 +287,8 @@ mod tests {
             sign * (0..=COUNT).map(at).fold(f64::NEG_INFINITY, f64::max)
         }
 
-        /// Solves −(μy′)′ + ky = load with linear elements. Given: y at both ends, or free ends. Returns y at the nodes
-        /// and −μy′ at the left end.
+        /// Solves −(μy′)′ + ky = load with linear elements. `ends` has y at both ends; without it the ends
+        /// are free. Returns y at the nodes and −μy′ at the left end.
         fn solve(&self, ends: Option<[f64; 2]>) -> (Vec<f64>, f64) {
             let h = self.length / COUNT as f64;
             let mut own = vec![0.0; COUNT + 1];
@@ -319,7 +324,7 @@ mod tests {
         }
     }
 
-    /// (13a) of docs/proof.md.
+    /// Checks (13a) of docs/proof.md.
     #[test]
     fn the_flux_at_the_end_of_varying_ground_is_bounded() {
         let mut random = numbers();
@@ -338,7 +343,7 @@ mod tests {
         assert!(largest > 0.3, "{largest}");
     }
 
-    /// (4a) of docs/proof.md: ‖Gρ‖_b² = ∫ρGρ.
+    /// Checks (4a) of docs/proof.md: ‖Gρ‖_b² = ∫ρGρ.
     #[test]
     fn a_pressure_that_is_left_unclaimed_costs_no_more_than_its_norm() {
         let mut random = numbers();

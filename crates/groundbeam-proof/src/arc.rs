@@ -33,7 +33,7 @@ impl<C: Scalar> Arc<C> {
         self.decay.square()
     }
 
-    /// A lower bound of u: u has no negative minimum inside.
+    /// A lower bound of u: the smaller end value or zero, because u has no negative minimum inside.
     pub fn least(&self) -> f64 {
         let lows = self.ends.map(|u| u.low());
         let least = if lows[0] <= lows[1] { lows[0] } else { lows[1] };
@@ -60,7 +60,7 @@ impl<C: Scalar> Arc<C> {
         let (fallen, double) = (exponential(a - self.z), (-a.scaled(1)).expm1());
         let sinh = (fallen * double).div(self.divisors[0]);
         let cosh = -(fallen * (double + two)).div(self.divisors[0]);
-        // The same for a = b(h/2 − x), divided by cosh(z/2).
+        // Here a = b(h/2 − x), and the divisor is cosh(z/2).
         let c = self.decay * (self.length.scaled(-1) - x);
         let negative = c.middle() < 0.0;
         let size = if negative { -c } else { c };

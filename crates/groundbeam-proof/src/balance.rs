@@ -1,9 +1,10 @@
 //! Exact balance: a moment in equilibrium with the loads, after pressures and reactions change by small factors.
 //!
-//! The beam is cut at its ends, at free hinges and at chosen nodes. In each cell a moment δ balances the residual. δ
-//! vanishes at the cuts (at a free hinge M + δ vanishes). A force E_j remains at cut j. It is distributed over the
-//! bearing forces: pressures and concentrated forces are multiplied by 1 + λ, with λ continuous and linear between the
-//! cuts. Supports take part with weights W_i for force and W_θi for rotation. With φ_j the hat functions of the cuts
+//! The beam is cut at its ends, at free hinges and at chosen nodes. In each cell a moment δ balances the
+//! residual. δ vanishes at the cuts (at a free hinge M + δ vanishes). A force E_j remains at cut j. It is
+//! distributed over the forces that carry the beam. Pressures and concentrated forces are multiplied by 1 +
+//! λ, with λ continuous and linear between the cuts. Supports carry a share by their weights W_i for force
+//! and W_θi for rotation. With φ_j the hat functions of the cuts
 //!
 //! ```text
 //! Σ_k M_jk λ_k = E_j,   M_jk = ∫φ_jφ_k p + Σ a_i φ_jφ_k + Σ W_i φ_jφ_k + Σ W_θi φ_j′φ_k′.
@@ -11,9 +12,9 @@
 //!
 //! Tensile pressures are omitted; the intervals of E_j and M_jk grow by at most their resultant ηω.
 //!
-//! Under tension the axial force can carry a part: with any B > 0 it adds ∫Bφ_j′φ_k′ to M_jk and the transverse force β
-//! = Bλ′ to each cell. One bearing force then makes the system positive definite. The tension is used only where
-//! pressures and supports alone cannot balance the loads, because it adds ∫β²/P to the bound.
+//! The tension can also carry a share: with any B > 0 it adds ∫Bφ_j′φ_k′ to M_jk and the transverse force β =
+//! Bλ′ to each cell. A single pressure, force or support then makes the system positive definite. The tension
+//! is used only if pressures and supports alone cannot balance the loads, because it adds ∫β²/P to the bound.
 
 use crate::deflection::Deflection;
 use crate::frame::{Frame, Span};
@@ -32,7 +33,7 @@ pub(crate) struct Balance<'a, S> {
     pub residual: &'a Residual<S>,
     /// Indices of the nodes, including the first and the last one.
     pub cuts: Vec<usize>,
-    /// B; 0: the tension carries no load.
+    /// B; 0 if the tension carries no load.
     pub carrier: f64,
 }
 
@@ -41,7 +42,7 @@ pub(crate) struct Balance<'a, S> {
 pub(crate) struct Balanced<S> {
     /// The nodes at which the beam is cut.
     pub cuts: Vec<usize>,
-    /// B; 0: the tension carries no load.
+    /// B; 0 if the tension carries no load.
     pub carrier: f64,
     /// λ at the nodes.
     pub factors: Vec<S>,
@@ -76,8 +77,9 @@ pub(crate) fn fewest_cuts<S: Scalar>(frame: &Frame<S>) -> Vec<usize> {
     (0..=last).filter(|i| *i == 0 || *i == last || frame.nodes[*i].is_free_hinge()).collect()
 }
 
-/// As [`fewest_cuts`], with additional nodes: the beam has been in contact for more than two wave lengths since the
-/// last cut (for one where contact ends) and stays in contact for another one.
+/// As [`fewest_cuts`], with additional cuts. A cut is added after more than two wave lengths of contact since
+/// the last cut (one wave length at the end of a contact zone), if more than one wave length of contact
+/// follows.
 pub(crate) fn more_cuts<S: Scalar>(frame: &Frame<S>) -> Vec<usize> {
     let last = frame.spans.len();
     let waves: Vec<f64> = frame
@@ -190,9 +192,7 @@ impl<S: Scalar> Balance<'_, S> {
             self.masses(&cell, j, &mut system);
         }
         let no_lever = || {
-            NotProven::new(
-                "no lever arm: contact pressure and supports cannot balance the loads about every point",
-            )
+            NotProven::new("contact pressure and supports cannot balance the moment of the loads")
         };
         let factors = system.solved().ok_or_else(no_lever)?;
         for j in 0..self.cuts.len() - 1 {
@@ -282,7 +282,8 @@ impl<S: Scalar> Balance<'_, S> {
         [first, shear]
     }
 
-    /// Adds ∫φ_jφ_k p, the forces at inner nodes and the clamps to the system, and widens it for tensile pressures.
+    /// Adds ∫φ_jφ_k p, the forces at inner nodes and the clamps to the system. Widens the intervals for
+    /// tensile pressures.
     fn masses(&self, cell: &Cell<S>, j: usize, system: &mut System<S>) {
         let per_length = S::one().div(cell.length);
         let mut add = |mass: S, [a, b]: [S; 2]| {
@@ -324,15 +325,16 @@ impl<S: Scalar> Balance<'_, S> {
         system.rows[j].beside = system.rows[j].beside.widened(pulls.value());
     }
 
-    /// λ on a cell, and bounds of the moment and shear force that the redistributed forces add there. On a simply
-    /// supported cell a load causes a moment of at most load times length over 4 and a shear force of at most the load.
-    /// A couple causes a moment of at most itself and a shear force of at most couple over length.
+    /// λ on a cell, and bounds of the moment and shear force that the redistributed forces add there. On a
+    /// simply supported cell of length h, a load F causes a moment of at most Fh/4 and a shear force of at
+    /// most F. A couple C causes a moment of at most C and a shear force of at most C/h.
     fn give_back(&self, cell: &Cell<S>, ends: [S; 2], balanced: &mut Balanced<S>) {
         let per_length = S::one().div(cell.length);
         let slope = (ends[1] - ends[0]) * per_length;
         for i in cell.pieces.start..=cell.pieces.end {
             let x = self.frame.nodes[i].x;
-            // Each hat function is computed separately: 1 − φ would add its radius near an end.
+            // Each hat function is computed separately, because 1 − φ has a large relative radius near an
+            // end.
             let hats = [(cell.ends[1] - x) * per_length, (x - cell.ends[0]) * per_length];
             balanced.factors[i] = match i {
                 _ if i == cell.pieces.start => ends[0],
@@ -415,8 +417,8 @@ impl<S: Scalar> Balance<'_, S> {
     }
 }
 
-/// (∫δ²)^½ on a piece of length h with δ = A and B at its ends and δ″ = −r, r = r₀ + a rest of at most R, and a further
-/// moment of at most |Δδ|: chord, parabola, and a part below x(h − x)/2 times R,
+/// (∫δ²)^½ on a piece of length h. δ is A and B at the ends, and δ″ = −r with |r − r₀| ≤ R; a further moment
+/// is at most |Δδ|. δ is the sum of a chord, a parabola and a part of at most Rx(h − x)/2, so the bound is
 ///
 /// ```text
 /// |h(A² + AB + B²)/3 + r₀h³(A + B)/12 + r₀²h⁵/120|^½ + (h⁵/120)^½ R + h^½ |Δδ|.

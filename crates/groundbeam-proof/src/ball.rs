@@ -1,12 +1,13 @@
-//! A real number enclosed by a midpoint and a radius, both doubles.
+//! An interval that encloses a real number, as a midpoint and a radius, both doubles.
 
 use crate::float::{ABOVE, HUGE, TINY, magnitude, magnitude_scaled, times_power_of_two};
 use crate::scalar::{Scalar, expm1_by_series};
 use std::ops::{Add, Mul, Neg, Sub};
 
-/// All numbers x with |x − m| ≤ r.
+/// The interval of all numbers x with |x − m| ≤ r.
 ///
-/// The rounding mode is never changed: each operation adds a bound of its own rounding error to the radius.
+/// Each operation adds a bound of its own rounding error to the radius, so the rounding mode is never
+/// changed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Ball {
     m: f64,
@@ -17,7 +18,7 @@ impl Ball {
     /// The ball of all numbers.
     pub(crate) const ALL: Ball = Ball { m: 0.0, r: f64::INFINITY };
 
-    /// The ball of this midpoint and this radius. All balls are made here.
+    /// The ball with this midpoint and this radius. All balls are created by this function.
     pub(crate) fn new(m: f64, r: f64) -> Self {
         let size = magnitude(m);
         // A comparison with NaN is false, so NaN takes the first branch.

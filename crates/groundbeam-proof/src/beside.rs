@@ -3,13 +3,13 @@
 /// A stretch of ground with constant k and μ outside the beam, with its loads.
 #[derive(Debug, Clone)]
 pub(crate) struct LoadedStretch<S> {
-    /// `None`: the stretch is infinite and has no loads.
+    /// Length of the stretch; `None` for an infinite stretch, which has no loads.
     pub length: Option<S>,
     /// k and μ.
     pub ground: [S; 2],
     /// q at the near and at the far end.
     pub spread: [S; 2],
-    /// The force at its far end.
+    /// The point force at the far end of the stretch.
     pub force: S,
 }
 

@@ -1,9 +1,9 @@
-//! Bounds of the errors of an answer, each with the scale to which it is compared.
+//! Bounds of the errors of an answer, each with the scale with which it is compared.
 
 /// An error is small if it is at most this fraction of its scale.
 const SMALL: f64 = 1e-6;
 
-/// A bound of the error of one quantity: |claimed − exact| ≤ `error`. Infinite: no bound is proven.
+/// A bound of the error of one quantity: |claimed − exact| ≤ `error`. It is infinite if no bound is proven.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bound {
     /// The bound, in the unit of the quantity.
@@ -22,19 +22,19 @@ impl Bound {
 /// Bounds of the errors of the fields, each the largest over the beam.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bounds {
-    /// Of w \[m\].
+    /// Bound of w \[m\].
     pub deflection: Bound,
-    /// Of w′ \[rad\], on both sides of hinges.
+    /// Bound of w′ \[rad\], also on both sides of hinges.
     pub slope: Bound,
-    /// Of the rotation of the sections \[rad\].
+    /// Bound of the rotation of the sections \[rad\].
     pub rotation: Bound,
-    /// Of M \[N·m\].
+    /// Bound of M \[N·m\].
     pub moment: Bound,
-    /// Of V \[N\].
+    /// Bound of V \[N\].
     pub shear_force: Bound,
-    /// Of u \[m\].
+    /// Bound of u \[m\].
     pub settlement: Bound,
-    /// Of p \[N/m\], outside the intervals that hold the edges of contact.
+    /// Bound of p \[N/m\], outside the intervals that contain the edges of contact.
     pub pressure: Bound,
 }
 
@@ -56,9 +56,9 @@ impl Bounds {
 /// Bounds of the errors of the reactions of one support.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ReactionBound {
-    /// Of the force \[N\].
+    /// Bound of the force \[N\].
     pub force: Bound,
-    /// Of the moment \[N·m\].
+    /// Bound of the moment \[N·m\].
     pub moment: Bound,
 }
 

@@ -1,17 +1,17 @@
-//! The clearance C̄ = ū + g₀ − w̄ over open ground: bounds of its negative part, and the cost of repairing the
-//! penetration.
+//! The clearance C̄ = ū + g₀ − w̄ over open ground: bounds of its negative part, and the energy of a
+//! correction of the surface that removes the penetration.
 //!
-//! A stretch of open layer runs between neighbouring touching nodes, or to the end of the layer. At touching nodes C̄ =
-//! 0 by construction. Within a distance d of a touching node C̄ ≥ −τx, elsewhere C̄ ≥ −(deepest). With D = max(τd,
-//! deepest) the ground is raised by v = D min(x/d, 1). v vanishes at every touching node, so the pressures do no work
-//! on it. Its cost is
+//! A stretch of open layer runs between neighbouring touching nodes, or to the end of the layer. At touching
+//! nodes C̄ = 0 by construction. Within a distance d of a touching node C̄ ≥ −τx, elsewhere C̄ ≥ −(deepest).
+//! With D = max(τd, deepest) the ground is raised by v = D min(x/d, 1). v vanishes at every touching node, so
+//! the pressures do no work on it. Its energy is
 //!
 //! ```text
 //! ‖v‖_b² ≤ D²(Σ kh + Σ_touching ends μ/d + K₀ or K_l where the stretch reaches an end of the beam).
 //! ```
 //!
-//! On Winkler ground ū = max(w̄ − g₀, 0) costs (Σ k η²ω)^½, where η bounds w̄ − g₀ on an open piece and ω is the length
-//! on which w̄ − g₀ is positive.
+//! On Winkler ground the correction is ū = max(w̄ − g₀, 0), with the norm (Σ k η²ω)^½, where η bounds w̄ − g₀
+//! on an open piece and ω is the length on which w̄ − g₀ is positive.
 
 use crate::arc::Arc;
 use crate::deflection::Deflection;
@@ -21,7 +21,7 @@ use crate::polynomial::{Below, Budget, Polynomial, below, half_width};
 use crate::scalar::Scalar;
 use crate::size::Size;
 
-/// The cost of a nonnegative clearance.
+/// The corrections that make the clearance nonnegative, and their norms.
 #[derive(Debug)]
 pub(crate) struct Clearance {
     /// (Σ‖v‖_b²)^½ over the stretches of open layers. Each v vanishes at touching nodes, so their energies add.
@@ -82,14 +82,14 @@ fn above_springs<S: Scalar>(
         let clear = span.above_free_field().times(-S::one()).coarse();
         return below(&clear, closed, negligible, span.interval(), budget);
     };
-    // Where k varies, q/k is no polynomial; q − k(w̄ − g₀) has the same sign.
+    // Where k varies, q/k is not a polynomial. q − k(w̄ − g₀) has the same sign and is used instead.
     let stiff = Size::of(span.spring.high());
     let clear = (span.spring.times(span.obstacle()).times(-S::one()) + load).coarse();
     let found = below(&clear, stiff * closed, stiff * negligible, span.interval(), budget);
     Below { depth: found.depth.over(span.spring.low()), ..found }
 }
 
-/// Open pieces of a layer between two nodes that touch, or to the end of the layer.
+/// Open pieces of a layer between two touching nodes, or from a touching node to the end of the layer.
 struct Stretch<'a, S> {
     frame: &'a Frame<S>,
     deflection: &'a Deflection<S>,
@@ -101,7 +101,7 @@ struct Stretch<'a, S> {
 
 /// The neighbourhood of a touching node in which C̄ ≥ −τx is shown.
 struct Ramp {
-    /// Its end, as a value of t.
+    /// The far end, as a value of t.
     reach: f64,
     /// A lower bound of the distance d from the node.
     distance: f64,
@@ -162,7 +162,8 @@ impl<S: Scalar> Stretch<'_, S> {
     }
 }
 
-/// An open piece of a layer in low precision. Under a load on the ground, v = u − q/k and ψ − q/k stand for u and ψ.
+/// An open piece of a layer in low precision. Under a load on the ground, v = u − q/k and ψ − q/k take the
+/// place of u and ψ.
 pub(crate) struct OpenPiece<C> {
     pub arc: Arc<C>,
     /// ψ = w − g₀, ψ′ and ψ″ with respect to x, as polynomials of t.
@@ -175,7 +176,7 @@ pub(crate) struct OpenPiece<C> {
 }
 
 impl<C: Scalar> OpenPiece<C> {
-    /// `along` is u on varying ground: there ψ − u and 0 stand for ψ and u.
+    /// `along` is u on varying ground. There ψ − u and 0 take the place of ψ and u.
     pub fn of<S: Scalar<Coarse = C>>(
         span: &Span<S>,
         ends: [S; 2],
@@ -226,8 +227,8 @@ impl<C: Scalar> OpenPiece<C> {
         let [from, to] = self.interval;
         let end = self.interval[side];
         let mut reach = if alone { self.interval[1 - side] } else { 0.5 * (from + to) };
-        // The rounding error of C̄. A ramp of this depth is not halved: on a short piece it is a better bound than
-        // values of C̄.
+        // The rounding error of C̄. A ramp of this depth is not halved, because on a short piece it gives a
+        // smaller bound than values of C̄.
         let blurred = Size::of(f64::EPSILON * self.arc.size());
         loop {
             let [a, b] = if side == 0 { [end, reach] } else { [reach, end] };
@@ -246,7 +247,8 @@ impl<C: Scalar> OpenPiece<C> {
                 return ramp(Size::ZERO);
             }
             let depth = (steep + fall) * long;
-            // The value at the far end is as deep as half of the ramp: a shorter ramp would not make D much smaller.
+            // The depth at the far end is at least half of the ramp's depth, so a shorter ramp would not
+            // reduce D much.
             let at_reach = self.settlement(reach)[0] - self.obstacle[0].value(C::of(reach));
             let deep = depth.value() <= 2.0 * Size::below_zero(at_reach.high()).value();
             if deep || depth <= blurred || !(b - a > 1e-12) || !budget.take() {
@@ -281,8 +283,8 @@ impl<C: Scalar> OpenPiece<C> {
             }
             let here = Size::below_zero(value.low());
             let depth = here + lost;
-            // Accept a depth found already, a depth that halving would not change much, a depth below the rounding
-            // error of C̄, or a negligible one.
+            // Accept the depth if it is at most the largest depth so far, if halving would not change it
+            // much, if it is below the rounding error of C̄, or if it is negligible.
             let found = depth <= deepest || depth <= negligible;
             let blurred = Size::of(0.25 * (value.high() - value.low()));
             let enough = found || depth <= blurred + 1.25 * (here + self.closed[0]);

@@ -17,15 +17,16 @@ pub(crate) enum Coefficient<S> {
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Varying<S> {
     along: Polynomial<S>,
-    /// Its least and largest value on the piece.
+    /// Bounds of its values on the piece.
     bounds: [f64; 2],
     /// Its values at the ends of the piece.
     ends: [S; 2],
 }
 
 impl<S: Scalar> Coefficient<S> {
-    /// A profile along a segment from `s` = 0 to 1, restricted to a piece with s = `line`(t), which runs from s =
-    /// `ends[0]` to `ends[1]`. `scaled` converts the control values to the units of the proof.
+    /// The part of a profile on a piece. The profile is defined along a segment from `s` = 0 to 1; the piece
+    /// extends from s = `ends[0]` to `ends[1]`, with s = `line`(t). `scaled` converts the control values to
+    /// the units of the proof.
     pub fn of(course: &Course<S>, line: &Line<S>, ends: [S; 2], scaled: impl Fn(S) -> S) -> Self {
         let values: Vec<S> = match course {
             Course::Constant(value) => return Coefficient::Even(scaled(*value)),

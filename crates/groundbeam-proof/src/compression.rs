@@ -1,4 +1,4 @@
-//! The axial compression, and the part of the energy's convexity that remains under it.
+//! The axial compression, and the fraction of the energy's convexity that remains under it.
 
 use crate::scalar::Scalar;
 use crate::size::Size;
@@ -8,7 +8,7 @@ use crate::size::Size;
 pub(crate) struct Compression<S> {
     /// N = −P.
     pub force: S,
-    /// A lower bound of σ, the part of the energy's convexity that remains.
+    /// A lower bound of σ, the fraction of the energy's convexity that remains.
     pub margin: f64,
 }
 

@@ -1,7 +1,8 @@
 //! The exact contact set: intervals that contain the edges of every region, and the concentrated forces of a layer.
 //!
-//! It follows from the bounds of w, w′, M and u on each piece. In a layer, the open stretches come first, then the
-//! regions. On Winkler ground, the sign of w − g₀ decides. If a step fails, its name and position are returned.
+//! It follows from the bounds of w, w′, M and u on each piece. In a layer, the open stretches are proven
+//! first, then the regions. On Winkler ground, the sign of w − g₀ decides. If a step fails, its name and
+//! position are returned.
 
 use crate::approach::Approach;
 use crate::contact_set::{Contact, ContactForce, ContactRegion, EdgeShift, Shown, more};
@@ -10,7 +11,7 @@ use crate::refusal::NotProven;
 use crate::scalar::Scalar;
 use crate::size::Size;
 
-/// The shortest part of a piece, in units of t, on which the pressure beside an edge is bounded.
+/// The shortest part of a piece next to an edge, in units of t, on which the pressure is bounded.
 const SHORTEST_PART: f64 = 4e-12;
 
 impl<S: Scalar> Contact<'_, S> {
@@ -38,7 +39,7 @@ impl<S: Scalar> Contact<'_, S> {
         shown
     }
 
-    /// A layer: first its open stretches, then its regions and points.
+    /// Proves the contact of a layer: first the open stretches, then the regions and points.
     fn layer(&self, first: usize, end: usize, shown: &mut Shown) -> Result<(), NotProven> {
         let (spans, touches) = (&self.fields.frame.spans, &self.fields.surface.touches);
         // The contact on the left and on the right of each node of the layer, where it is proven.
@@ -83,7 +84,8 @@ impl<S: Scalar> Contact<'_, S> {
         Ok(())
     }
 
-    /// Shows that a point is the only contact in its neighbourhood, if its force exceeds its tolerance.
+    /// Proves that a point is the only contact in its neighbourhood, if its force exceeds the error bound of
+    /// the force.
     fn point(
         &self,
         node: usize,
@@ -101,7 +103,7 @@ impl<S: Scalar> Contact<'_, S> {
         Ok(())
     }
 
-    /// A region between two nodes.
+    /// Proves a contact region between two nodes.
     fn region(
         &self,
         [a, b]: [usize; 2],
@@ -154,7 +156,8 @@ impl<S: Scalar> Contact<'_, S> {
         Ok(())
     }
 
-    /// Bounds of the shift of a region's exact end: θ outward, and θ′ inward with ∫(p − ε_p) ≥ ε_a − a over θ′.
+    /// Bounds of the distance of a region's exact end from the claimed end: θ outward, and θ′ inward with ∫(p
+    /// − ε_p) ≥ ε_a − a over the length θ′.
     fn edge(
         &self,
         node: usize,
@@ -166,7 +169,8 @@ impl<S: Scalar> Contact<'_, S> {
         // The piece of the region at this end.
         let i = if side == 0 { node } else { node - 1 };
         let span = &self.fields.frame.spans[i];
-        // On a beam that shears, the slope's error may exceed the bound that is known without the contact set.
+        // On a beam with shear deformation, the error of the slope may exceed the bound that holds without
+        // the contact set.
         let shears = self.fields.frame.shears();
         let rough = if shears { self.opened_at(i, side) } else { None };
         let mut most = rough.unwrap_or(Size::INFINITE);
@@ -184,8 +188,8 @@ impl<S: Scalar> Contact<'_, S> {
         let (field, error) = (self.fields.pressures[i].field.coarse(), self.bounds[i].pressure);
         let end = span.interval()[side];
         let at_end = (field.value(S::Coarse::of(end)).low() - error.value()).next_down();
-        // The part from the end inward on which p − ε_p is bounded. Four times the needed length if p changes little,
-        // otherwise more.
+        // The length from the end inward on which p − ε_p is bounded: four times the required length if p
+        // changes little, otherwise more.
         let first = (4.0 * missing.over(at_end).over(span.half.low())).value();
         let mut part = if at_end > 0.0 && first > SHORTEST_PART { first } else { SHORTEST_PART };
         loop {
@@ -237,8 +241,9 @@ impl<S: Scalar> Contact<'_, S> {
         Size::of(frame.outside[side].high()) * self.bounds[i].settlement
     }
 
-    /// Whether the slope of the exact clearance cannot decrease at a node if the beam is open there: a corner of g₀
-    /// points up, a force bends a shear-flexible beam down, [C*′] = F/(S + P), and no other cause makes the flux jump.
+    /// Whether the slope of the exact clearance cannot decrease at a node where the beam is open. The node
+    /// must not cause a jump of the flux, a corner of g₀ must increase the slope, and a force on a beam with
+    /// shear deformation, [C*′] = F/(S + P), must act downward.
     fn bends_open(&self, node: usize) -> bool {
         let frame = self.fields.frame;
         let corner = || (frame.spans[node].gap_slope() - frame.spans[node - 1].gap_slope()).low();

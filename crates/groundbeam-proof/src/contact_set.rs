@@ -1,4 +1,4 @@
-//! The exact contact set, and the fields and bounds from which it is shown.
+//! The exact contact set, and the fields and bounds from which it is proven.
 
 use crate::fields::Fields;
 use crate::pointwise::{PieceBounds, Pointwise};
@@ -34,7 +34,7 @@ pub struct ContactForce {
     pub force: [f64; 2],
 }
 
-/// Bounds of the distance between the end of a claimed region and the exact one.
+/// Bounds of the distance between the ends of a claimed and an exact region.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct EdgeShift {
     pub node: usize,
@@ -44,12 +44,12 @@ pub(crate) struct EdgeShift {
     pub outside: Size,
     /// θ′, inward.
     pub inside: Size,
-    /// Φ₀ of the flux outside and inside: the bound of its jump if the slope is exact.
+    /// Φ₀ outside and inside: the bound of the jump of the flux for an exact slope.
     pub beyond: [Size; 2],
 }
 
-/// The neighbourhood of an edge on one piece of Winkler ground, or of a support that stands on open ground: its length,
-/// and the end of the piece where it lies.
+/// The neighbourhood of an edge on one piece of Winkler ground, or of a support on the surface of open
+/// ground: its length, and the end of the piece at which it lies.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Zone {
     pub piece: usize,
@@ -57,7 +57,8 @@ pub(crate) struct Zone {
     pub theta: Size,
 }
 
-/// One iteration for a beam that shears: the bounds on the pieces, and the edges that follow from them.
+/// One iteration for a beam with shear deformation: the bounds on the pieces, and the edges that follow from
+/// them.
 #[derive(Debug)]
 pub(crate) struct Round {
     pub shown: bool,
@@ -72,7 +73,7 @@ impl Round {
     }
 }
 
-/// The regions, forces and edges that are proven, and the steps that fail.
+/// The proven regions, forces and edges, and the steps that fail.
 #[derive(Debug)]
 pub(crate) struct Shown {
     pub set: ContactSet,
@@ -82,10 +83,10 @@ pub(crate) struct Shown {
     pub tolerances: Vec<Size>,
     /// Whether the exact contact force at a node is proven to be positive.
     pub pressed: Vec<bool>,
-    /// Lengths on which w* − g₀ is monotone: next to an edge on each piece of Winkler ground, and beside a support that
-    /// stands on open ground.
+    /// Lengths on which w* − g₀ is monotone: next to an edge on each piece of Winkler ground, and next to a
+    /// support on the surface of open ground.
     pub zones: Vec<Zone>,
-    /// All rounds of a beam that shears, the last one included.
+    /// All iterations for a beam with shear deformation, including the last one.
     pub rounds: Vec<Round>,
     /// The first step that fails in a layer, and the first that fails on Winkler ground.
     pub failed: [Option<NotProven>; 2],
@@ -121,14 +122,14 @@ pub(crate) struct Contact<'a, S> {
     pub bounds: &'a [PieceBounds],
 }
 
-/// Number of iterations between contact set and slope for a beam that shears.
+/// Number of iterations between contact set and slope for a beam with shear deformation.
 const ROUNDS: usize = 3;
 
 impl<S: Scalar> Pointwise<'_, S> {
     /// Proves the contact set, and with it the bounds of the shear force.
     ///
-    /// On a beam that shears, the contact set needs the slope, and the slope needs the shear force. The iteration
-    /// starts with the contact that is proven without a slope.
+    /// On a beam with shear deformation, the contact set needs the slope, and the slope needs the shear
+    /// force. The iteration starts with the contact that is proven without a slope.
     pub fn contact(&self, pieces: &mut [PieceBounds]) -> Shown {
         let (fields, frame) = (self.fields, self.fields.frame);
         let (mut rounds, mut past) = (1, Vec::new());
@@ -161,7 +162,7 @@ impl<S: Scalar> Contact<'_, S> {
             .at(self.fields.frame.place(node))
     }
 
-    /// An interval about a node, in the units of the model, cut to the beam.
+    /// An interval about a node, in the units of the model, clipped to the beam.
     pub fn interval(&self, node: usize, [before, after]: [Size; 2]) -> [f64; 2] {
         let frame = self.fields.frame;
         let x = frame.nodes[node].x;
@@ -175,7 +176,7 @@ impl<S: Scalar> Contact<'_, S> {
     }
 }
 
-/// A strictly larger size.
+/// A size that is strictly larger than a given one.
 pub(crate) fn more(size: Size) -> Size {
     1.0001 * size + Size::of(1e-250)
 }

@@ -7,7 +7,7 @@ pub(crate) struct Decimal {
     pub digits: u128,
     /// Power of ten of the last digit.
     pub exponent: i32,
-    /// Whether nonzero digits were cut off after the last one.
+    /// Whether nonzero digits after the stored ones were omitted.
     pub cut: bool,
 }
 
@@ -38,7 +38,7 @@ impl Decimal {
         Some(read)
     }
 
-    /// Adds a digit that changes the power of ten of the last digit by `step`.
+    /// Appends a digit. `step` is the change of the power of ten of the last digit.
     fn add(&mut self, digit: u8, step: i32) -> Option<()> {
         if !digit.is_ascii_digit() {
             return None;

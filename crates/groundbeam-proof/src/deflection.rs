@@ -1,10 +1,11 @@
 //! The admissible deflection w̄ = w + c and rotation φ̄ = φ + c′. Both satisfy the supports; w̄ is continuous, φ̄ is
 //! continuous except at hinges.
 //!
-//! Where the beam does not shear, φ = w′. c closes the jumps of the claimed fields. A piece shorter than a wave length
-//! (4EI/k)^¼ is moved rigidly: c is linear and continues the correction of its neighbour. A longer piece, and the
-//! longest piece between two rigid supports, bends: c is the cubic with given values a and slopes b at both ends. With
-//! A the largest |a| and B the largest |b|
+//! Where the beam has no shear deformation, φ = w′. c closes the jumps of the claimed fields. On a piece
+//! shorter than a wave length (4EI/k)^¼, the correction is rigid: c is linear and continues the correction of
+//! the neighbour. On a longer piece, and on the longest piece between two rigid supports, the correction
+//! bends the piece: c is the cubic with given values a and slopes b at both ends. With A the largest |a| and
+//! B the largest |b|
 //!
 //! ```text
 //! bend: |c| ≤ A + 0.3Bh, |c′| ≤ 3A/h + B, |c″| ≤ 12A/h² + 6B/h;   rigid: |c| ≤ A + Bh, |c′| ≤ B, c″ = 0.
@@ -34,7 +35,7 @@ pub(crate) struct Claimed<S> {
     pub value: [S; 2],
     /// w′.
     pub slope: [S; 2],
-    /// φ; equal to w′ where the piece does not shear.
+    /// φ; equal to w′ on a piece without shear deformation.
     pub rotation: [S; 2],
 }
 
@@ -54,8 +55,8 @@ pub(crate) struct Deflection<S> {
     pub claimed: Vec<Claimed<S>>,
     /// w̄ at the nodes.
     pub values: Vec<S>,
-    /// For each node, the piece and its end whose claimed values act on the springs of the node. It is the neighbour
-    /// with the smaller coefficients, because its values have less rounding error.
+    /// For each node, the piece whose claimed values act on the springs of the node, and the end of this
+    /// piece. It is the neighbour with the smaller coefficients, because its values have less rounding error.
     pub felt: Vec<[usize; 2]>,
 }
 
@@ -68,7 +69,7 @@ impl<S: Scalar> Deflection<S> {
     }
 }
 
-/// Decides which pieces bend, then computes the corrections from left to right.
+/// Selects the pieces with a bending correction, then computes the corrections from left to right.
 pub(crate) fn admissible<S: Scalar>(frame: &Frame<S>) -> Result<Deflection<S>, NotProven> {
     let claimed: Vec<_> = frame.spans.iter().map(Claimed::of).collect();
     let bends = bending(frame);
@@ -94,7 +95,7 @@ pub(crate) fn admissible<S: Scalar>(frame: &Frame<S>) -> Result<Deflection<S>, N
     Ok(Deflection { pieces, claimed, values, felt })
 }
 
-/// The piece beside a node with the smaller coefficients of w, and its end at the node.
+/// The piece next to a node with the smaller coefficients of w, and its end at the node.
 fn felt<S: Scalar>(frame: &Frame<S>, node: usize) -> [usize; 2] {
     let size = |piece: usize| frame.spans[piece].deflection.size(1.0);
     match (node.checked_sub(1), node < frame.spans.len()) {
@@ -104,8 +105,8 @@ fn felt<S: Scalar>(frame: &Frame<S>, node: usize) -> [usize; 2] {
     }
 }
 
-/// Selects the pieces that bend: those of a wave length or more, and the longest one between two neighbouring rigid
-/// supports.
+/// Selects the pieces with a bending correction: pieces of a wave length or more, and the longest piece
+/// between two neighbouring rigid supports.
 fn bending<S: Scalar>(frame: &Frame<S>) -> Vec<bool> {
     let length = |i: usize| frame.spans[i].h.middle();
     let mut bends: Vec<bool> = frame
@@ -141,7 +142,8 @@ struct Walk<'a, S> {
 }
 
 impl<S: Scalar> Walk<'_, S> {
-    /// Sets the values of every chain: a run of rigid pieces, or a single node between two pieces that bend.
+    /// Sets the values of every chain. A chain is a run of pieces with rigid corrections, or a single node
+    /// between two pieces with bending corrections.
     fn chains(&mut self) {
         let last = self.frame.spans.len();
         let mut first = 0;
@@ -155,13 +157,13 @@ impl<S: Scalar> Walk<'_, S> {
         }
     }
 
-    /// Sets the values of one chain between two nodes, with rigid pieces between them.
+    /// Sets the values of one chain between two nodes.
     fn chain(&mut self, first: usize, end: usize) {
         let nodes = &self.frame.nodes;
         let support = (first..=end).find(|i| nodes[*i].rigid.is_some());
         let start = support.unwrap_or(first);
-        // The piece whose claimed values are kept: within a chain the one right of its start, otherwise the shorter
-        // neighbour.
+        // The piece whose claimed values are kept: the first piece of a chain, or the shorter neighbour of a
+        // single node.
         let length = |i: usize| self.frame.spans[i].h.middle();
         let keeps = match (start > 0, start < self.frame.spans.len()) {
             (true, true) if start < end => (start, 0),
@@ -191,7 +193,8 @@ impl<S: Scalar> Walk<'_, S> {
         }
     }
 
-    /// The slope on one side of a node: the given slope, or at a hinge the slope that the piece on this side claims.
+    /// The slope on one side of a node: the given slope; at a hinge, the claimed slope of the piece on this
+    /// side.
     fn handed_on(&self, node: usize, side: usize, slope: S) -> S {
         let piece = (node + side).checked_sub(1).and_then(|piece| self.claimed.get(piece));
         match piece {

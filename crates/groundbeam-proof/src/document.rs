@@ -9,7 +9,7 @@ const MOST_PIECES: usize = 100_000;
 /// Maximum number of coefficients of a polynomial.
 const MOST_COEFFICIENTS: usize = 26;
 
-/// The answer of a document to one model.
+/// The data of a document about one model.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Document {
     /// `status`: `solved`, `no-equilibrium`, …
@@ -18,13 +18,15 @@ pub struct Document {
     pub units: Option<String>,
     /// `model_digest`: the digest of the model file and of the tables that it names.
     pub model_digest: Option<String>,
-    /// `model`: the text of a model file, for a model that does not follow from its own file in closed form.
+    /// `model`: the solved model as the text of a model file, if the model does not follow from the original
+    /// file in closed form.
     pub model: Option<String>,
     /// Name of the combination of load cases.
     pub combination: Option<String>,
     /// Pieces, concentrated forces and reactions.
     pub answer: Answer,
-    /// Listed regions of contact as (from, to); for a point both are equal. `None`: none are listed.
+    /// Listed regions of contact as (from, to); both are equal for a point. `None` if the document lists no
+    /// regions.
     pub contact: Option<Vec<[f64; 2]>>,
     /// Listed contact forces under the beam's left and right end.
     pub end_forces: Option<[f64; 2]>,
@@ -44,7 +46,7 @@ pub struct Document {
     /// Intervals that are claimed to contain all places of an extreme: field, whether it is the largest value,
     /// intervals.
     pub places: Vec<(String, bool, Vec<[f64; 2]>)>,
-    /// Other keys that hold numbers; the proof does not cover them.
+    /// Other keys with numbers. The proof does not cover them.
     pub not_covered: BTreeSet<String>,
 }
 
@@ -64,7 +66,7 @@ pub struct Extreme {
     pub field: String,
     /// `true`: the largest value; `false`: the smallest one.
     pub is_max: bool,
-    /// Where it is \[m\].
+    /// The listed place \[m\].
     pub x: f64,
     /// The value.
     pub value: f64,
@@ -77,7 +79,7 @@ impl Document {
     ///
     /// # Errors
     ///
-    /// The text is not JSON, has a key twice, or does not have the form of a result.
+    /// The text is not JSON, contains a key twice, or does not have the form of a result.
     pub fn read(text: &str) -> Result<Vec<Document>, JsonError> {
         let mut root = object(json::read(text)?, "the document")?;
         let Some(combinations) = root.remove("combinations") else {
@@ -140,7 +142,7 @@ impl Document {
         }
         let mut seen = BTreeSet::new();
         for (i, mut reaction) in elements(root, "reactions")?.into_iter().enumerate() {
-            // Supports without numbers are the complete list, in the order of the model.
+            // If reactions have no `support`, they are a complete list in the order of the model.
             let support = match reaction.remove("support") {
                 None => i,
                 Some(support) => index(support)?,
@@ -239,11 +241,11 @@ impl Document {
 }
 
 impl Answer {
-    /// The answer of a document of one result.
+    /// Reads the answer from a document with one result.
     ///
     /// # Errors
     ///
-    /// As [`Document::read`]; a document of several results.
+    /// As [`Document::read`]; also for a document with several results.
     pub fn from_json(text: &str) -> Result<Answer, JsonError> {
         let mut read = Document::read(text)?;
         match (read.pop(), read.len()) {
@@ -280,20 +282,22 @@ fn piece(mut piece: Object) -> Result<Piece, JsonError> {
     }
 }
 
-/// A text that may be given in two places; both must agree.
+/// A text that a document may contain in two places. Both must be equal.
 fn agreed(
     own: Option<String>,
     other: &Option<String>,
     key: &str,
 ) -> Result<Option<String>, JsonError> {
     match (&own, other) {
-        (Some(a), Some(b)) if a != b => wrong(format!("`{key}` says `{b}`, and elsewhere `{a}`")),
+        (Some(a), Some(b)) if a != b => {
+            wrong(format!("the document gives two values of `{key}`, `{a}` and `{b}`"))
+        }
         (None, Some(b)) => Ok(Some(b.clone())),
         _ => Ok(own),
     }
 }
 
-/// Adds the remaining keys of an object that hold numbers.
+/// Adds the remaining keys of an object that contain numbers.
 fn rest(path: &str, object: &Object, not_covered: &mut BTreeSet<String>) {
     for (key, _) in object.iter().filter(|(_, value)| value.has_number()) {
         let name = if path.is_empty() { key.clone() } else { format!("{path}.{key}") };

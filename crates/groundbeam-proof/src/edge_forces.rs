@@ -1,5 +1,5 @@
-//! Bound of the shear force of a beam that shears beside an edge of contact, in closed form instead of an iteration
-//! with the slope.
+//! Bound of the error of the shear force next to an edge of contact, on a beam with shear deformation, in
+//! closed form instead of an iteration with the slope.
 //!
 //! Where only one of the two solutions is in contact, the difference of their forces follows from the error e_θ of the
 //! slope at the edge. With g = μ/(S + P), and Φ₀ the part of the flux jump that does not depend on the slope,
@@ -26,7 +26,7 @@ pub(crate) fn edges_of_pieces(edges: &[EdgeShift], count: usize) -> Vec<EdgesOfP
             0 => (edge.node.checked_sub(1), Some(edge.node)),
             _ => (Some(edge.node), edge.node.checked_sub(1)),
         };
-        // Seen from the region, the edge lies at the far end of the outer piece.
+        // The left end of a region is the right end of the piece outside it, and vice versa.
         let places = [(outer, 1 - edge.side, edge.outside), (inner, edge.side, edge.inside)];
         for ((piece, end, theta), force) in places.into_iter().zip(edge.beyond) {
             if let Some(place) = piece.filter(|piece| *piece < count && theta > Size::ZERO) {
@@ -38,8 +38,8 @@ pub(crate) fn edges_of_pieces(edges: &[EdgeShift], count: usize) -> Vec<EdgesOfP
 }
 
 impl<S: Scalar> Pointwise<'_, S> {
-    /// ε_T on a piece with edges at its ends. `steady` bounds all other contributions on half of the piece, `rest`
-    /// those to ε_V(1 + P/S). Each edge lies within one half.
+    /// ε_T on a piece with edges at its ends. `steady` bounds all other contributions to ε_T on half of the
+    /// piece, and `rest` those to ε_V(1 + P/S). Each edge lies within one half.
     pub(crate) fn beside_edges(
         &self,
         i: usize,

@@ -1,6 +1,7 @@
 //! The energies of a claimed deflection with its ground: strain energy and potential energy, in doubles.
 //!
-//! E is compared with these figures. They are not bounds: they contain the rounding errors of the sums.
+//! E is compared with these energies. They are not bounds, because they contain the rounding errors of the
+//! sums.
 
 use crate::coefficient::Coefficient;
 use crate::deflection::Deflection;
@@ -79,7 +80,8 @@ impl Sums {
         self.work += half * Series::of(&span.moment).times(rotation);
     }
 
-    /// ∫(ku² + μu′²) and ∫qu. On open ground of a layer the former is the flux times u at both ends and ∫qu.
+    /// ∫(ku² + μu′²) and ∫qu. On open ground of a layer the first integral is the flux times u at both ends,
+    /// plus ∫qu.
     fn ground<S: Scalar>(
         &mut self,
         fields: &Fields<S>,

@@ -1,4 +1,4 @@
-//! The energies of an answer in doubles: an error estimate for every solve, without proof.
+//! The energies of an answer in doubles: an error estimate without proof, computed in every solve.
 
 use crate::answer::Answer;
 use crate::energies::Energies;
@@ -9,13 +9,14 @@ use crate::idle;
 use crate::model::Model;
 use crate::refusal::NotProven;
 
-/// The largest energy of loads that nothing balances, relative to the strain energy: rounding error.
+/// The largest energy of unbalanced loads, relative to the strain energy, that counts as rounding error.
 const ROUNDING: f64 = 1e-8;
 
 /// The energies of an answer, in plain doubles.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Estimate {
-    /// E \[N·m\]: the difference of the potential and the reciprocal energy of the fields made from the answer.
+    /// E \[N·m\]: the difference between the potential energy and the reciprocal energy of the fields that
+    /// are constructed from the answer.
     pub energy: f64,
     /// The strain energy of beam, ground and springs \[N·m\].
     pub strain_energy: f64,
@@ -23,12 +24,13 @@ pub struct Estimate {
     pub potential_energy: f64,
 }
 
-/// Estimates the energies of an answer. Under compression `stability` is the part of the energy's convexity that remains:
-/// 1 less the compression over its critical value. `None`: it is computed from supports and stiffness alone.
+/// Estimates the energies of an answer. Under compression, `stability` is the fraction of the energy's
+/// convexity that remains: 1 minus the compression divided by its critical value. If it is `None`, it is
+/// computed from supports and stiffness alone.
 ///
 /// # Errors
 ///
-/// The reason why no balanced pressure or no admissible deflection can be made from the answer.
+/// The reason why no balanced pressure or no admissible deflection can be constructed from the answer.
 pub fn estimate(
     model: &Model<f64>,
     answer: &Answer,

@@ -1,7 +1,8 @@
 //! Intervals that contain every place where an exact field has its largest or smallest value.
 //!
-//! With |f − f*| ≤ ε, a place of the largest value has f ≥ f(x₀) − 2ε, for any x₀. Inside a piece f*′ is zero there, so
-//! parts with |f′| > ε′ are excluded, where |f′ − f*′| ≤ ε′. At the ends of pieces only the values count.
+//! With |f − f*| ≤ ε, a place of the largest value has f ≥ f(x₀) − 2ε, for any x₀. Inside a piece, f*′ is
+//! zero at such a place. So parts with |f′| > ε′ are excluded, where |f′ − f*′| ≤ ε′. At the ends of pieces
+//! only the values are compared.
 
 use crate::bounds::Bounds;
 use crate::document::Extreme;
@@ -11,10 +12,10 @@ use crate::polynomial::{Budget, Polynomial, half_width};
 use crate::scalar::Scalar;
 use crate::size::Size;
 
-/// The shortest interval of t that is halved, with and without a bound of the slope's error.
+/// The shortest intervals of t that are halved: with a bound of the error of the derivative, and without one.
 const SHORTEST: [f64; 2] = [1e-13, 1e-9];
 
-/// Where a listed extreme is in the exact solution.
+/// The proven places of a listed extreme in the exact solution.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlacedExtreme {
     /// Name of the field.
@@ -23,18 +24,20 @@ pub struct PlacedExtreme {
     pub is_max: bool,
     /// The listed place \[m\].
     pub listed: f64,
-    /// Intervals that contain all places of the exact extreme \[m\], from left to right. Empty: no interval is proven.
+    /// Intervals that contain all places of the exact extreme \[m\], from left to right; empty if no interval
+    /// is proven.
     pub places: Vec<[f64; 2]>,
 }
 
 impl PlacedExtreme {
-    /// The interval that contains the listed place, or the nearest one.
+    /// The interval that contains the listed place; otherwise the nearest interval.
     pub fn nearest(&self) -> Option<[f64; 2]> {
         let off = |place: &[f64; 2]| self.distance_from(*place);
         self.places.iter().copied().min_by(|a, b| off(a).total_cmp(&off(b)))
     }
 
-    /// The distance of the listed place from the nearest interval; zero inside an interval, and if none is proven.
+    /// The distance of the listed place from the nearest interval; zero inside an interval, and also if no
+    /// interval is proven.
     pub fn distance(&self) -> f64 {
         self.nearest().map_or(0.0, |place| self.distance_from(place))
     }
@@ -43,7 +46,7 @@ impl PlacedExtreme {
         (low - self.listed).max(self.listed - high).max(0.0)
     }
 
-    /// A bound of the distance of the listed place from the exact one, or from the nearest of several.
+    /// A bound of the distance of the listed place from the nearest exact place.
     pub fn error(&self) -> f64 {
         let [low, high] = self.nearest().unwrap_or([-f64::INFINITY, f64::INFINITY]);
         let [below, above] = [self.listed - low, high - self.listed].map(|d| d.abs().next_up());
@@ -61,7 +64,7 @@ impl PlacedExtreme {
 struct Search<'a, S: Scalar> {
     fields: &'a Fields<'a, S>,
     field: usize,
-    /// 1 or −1: the search maximises this times the field.
+    /// 1 for the largest value, −1 for the smallest value: the search maximises `sign` times the field.
     sign: f64,
     /// Places with a smaller value are excluded.
     level: f64,
@@ -99,7 +102,7 @@ fn search<'a, S: Scalar>(
         Size::of(frame.units.scaled(S::of(error), force, length).high())
     };
     let error = match extreme.field.as_str() {
-        // The pressure has no error bound within the interval of an edge.
+        // The pressure has no error bound in an interval that contains an edge.
         "pressure" => return None,
         "gap" => scaled(bounds.deflection.error, 0, 1) + scaled(bounds.settlement.error, 0, 1),
         name => scaled(error(name)?, force, length),
@@ -171,7 +174,7 @@ impl<S: Scalar> Search<'_, S> {
         found
     }
 
-    /// The parts of a stretch that may hold an extreme, from left to right.
+    /// The parts of a stretch that may contain an extreme, from left to right.
     fn on_patch(&self, patch: &Patch<S>, piece: usize, budget: &mut Budget) -> Vec<[f64; 2]> {
         let field = patch.fields[self.field].times(S::of(self.sign)).coarse();
         let span = &self.fields.frame.spans[piece];

@@ -1,4 +1,5 @@
-//! The admissible and balanced fields made from an answer, and the bound E of the difference of their energies.
+//! The admissible and balanced fields that are constructed from an answer, and the bound E of the difference
+//! of their energies.
 
 use crate::balance::{Balance, Balanced, fewest_cuts, more_cuts};
 use crate::clearance::{Clearance, clearance};
@@ -14,7 +15,7 @@ use crate::scalar::Scalar;
 use crate::shearing::shearing_energy;
 use crate::size::Size;
 
-/// The fields that are made from an answer.
+/// The fields that are constructed from an answer.
 pub(crate) struct Fields<'a, S> {
     pub frame: &'a Frame<S>,
     pub deflection: Deflection<S>,
@@ -42,8 +43,8 @@ impl<'a, S: Scalar> Fields<'a, S> {
         Ok(Fields { frame, deflection, surface, pressures, residual, clearance, closing, missed })
     }
 
-    /// E and the balance that gives it. The tension takes part in the balance if pressures and supports alone do not
-    /// suffice.
+    /// E and the balance from which it follows. The tension carries loads only if pressures and supports
+    /// alone are not sufficient.
     pub fn energy(&self) -> Result<(Size, Balanced<S>), NotProven> {
         match (self.least_energy(0.0), self.frame.tension) {
             (Err(_), Some(_)) => self.least_energy(self.frame.carrier),
@@ -51,8 +52,9 @@ impl<'a, S: Scalar> Fields<'a, S> {
         }
     }
 
-    /// An estimate of E for a beam without tension that is held at one point. In each cell a transverse force β carries the
-    /// remaining loads; its work on the slope is added. No theorem covers this case, so it must not exceed a rounding error.
+    /// An estimate of E for a beam without tension that is held at one point. In each cell a transverse force
+    /// β carries the remaining loads, and its work on the slope is added. No theorem covers this case, so the
+    /// energy must not exceed `rounding`.
     pub fn nearly_balanced_energy(&self, rounding: f64) -> Result<Size, NotProven> {
         let (energy, balanced) = self.least_energy(self.frame.carrier)?;
         let work = |i: usize| {
@@ -66,7 +68,7 @@ impl<'a, S: Scalar> Fields<'a, S> {
         Err(NotProven::new("the contact pressure does not balance the loads"))
     }
 
-    /// The smaller E of two balances: with few cuts and with more.
+    /// E and the balance: the smaller E of a balance with few cuts and one with more cuts.
     fn least_energy(&self, carrier: f64) -> Result<(Size, Balanced<S>), NotProven> {
         let (few, more) = (fewest_cuts(self.frame), more_cuts(self.frame));
         let with_more = (more.len() > few.len()).then(|| self.energy_with(more, carrier));
@@ -78,9 +80,9 @@ impl<'a, S: Scalar> Fields<'a, S> {
         }
     }
 
-    /// E ≤ ½[(‖δ‖ + ‖c‖_beam)² + (‖η‖ + ‖δ′‖)² + ‖hinges‖² + (‖c‖_P + (Σβ²h/P)^½)² + Σκc² + Σκ_θc′² + Ḡ²], with Ḡ =
-    /// ‖c‖_b + Σ|r|√g + Ση(ω/k)^½ + ‖Gδp‖ + (Σ‖v‖²)^½ + (Σkη_o²ω_o)^½. Under a compression the beam terms without
-    /// ‖c‖_P² become (their root + N_c)²/σ.
+    /// E ≤ ½[(‖δ‖ + ‖c‖_beam)² + (‖η‖ + ‖δ′‖)² + ‖hinges‖² + (‖c‖_P + (Σβ²h/P)^½)² + Σκc² + Σκ_θc′² + Ḡ²],
+    /// with Ḡ = ‖c‖_b + Σ|r|√g + Ση(ω/k)^½ + ‖Gδp‖ + (Σ‖v‖²)^½ + (Σkη_o²ω_o)^½. Under a compression, the sum
+    /// X of the beam terms without ‖c‖_P² is replaced by (√X + N_c)²/σ.
     fn energy_with(
         &self,
         cuts: Vec<usize>,
@@ -109,7 +111,8 @@ impl<'a, S: Scalar> Fields<'a, S> {
         Ok((energy, balanced))
     }
 
-    /// Σ(κ(w̄ − δ) − R̄)²/κ + Σ(κ_θw̄′ − R̄_θ)²/κ_θ at the springs: κc, and the force given back.
+    /// Σ(κ(w̄ − δ) − R̄)²/κ + Σ(κ_θw̄′ − R̄_θ)²/κ_θ over the springs. The differences consist of κc and the
+    /// redistributed forces.
     fn supports(&self, balanced: &Balanced<S>) -> Size {
         let mut sum = Size::ZERO;
         let missed = |stiffness: S, change: S, added: Size| {

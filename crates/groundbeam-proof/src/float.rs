@@ -1,18 +1,19 @@
 //! Doubles: the limits of balls, and exact scaling by powers of two.
 
-/// 1 + 16u, u = 2⁻⁵³: larger than (1 + u)¹², the rounding of a radius that is made of at most ten operations.
+/// 1 + 16u, u = 2⁻⁵³: larger than (1 + u)¹², the rounding error of a radius from at most ten operations.
 pub(crate) const ABOVE: f64 = 1.0 + 8.0 * f64::EPSILON;
 /// Smaller midpoints are replaced by 0, so that no rounding error is lost among subnormal numbers.
 pub(crate) const TINY: f64 = 1e-290;
-/// Larger midpoints and radii are replaced by an infinite radius, so that no operation overflows unnoticed.
+/// Larger midpoints and radii are replaced by an infinite radius, so that every overflow gives an infinite
+/// radius.
 pub(crate) const HUGE: f64 = 1e290;
 
-/// |x|; of −0 that is 0. NaN stays NaN.
+/// |x|; 0 for −0, and NaN for NaN.
 pub(crate) fn magnitude(x: f64) -> f64 {
     x.abs()
 }
 
-/// x·2ⁿ if it is exact or below the smallest midpoint. `None` if it overflows.
+/// x·2ⁿ, which is exact or below the smallest midpoint; `None` if it overflows.
 pub(crate) fn times_power_of_two(x: f64, exponent: i32) -> Option<f64> {
     let scaled = scale(x, exponent);
     if !(magnitude(scaled) <= HUGE) {
@@ -27,7 +28,7 @@ pub(crate) fn magnitude_scaled(r: f64, exponent: i32) -> f64 {
     if r == 0.0 { 0.0 } else { scale(r, exponent) * ABOVE + f64::MIN_POSITIVE }
 }
 
-/// x·2ⁿ in steps whose factors are powers of two in range.
+/// x·2ⁿ by several factors, each of which is a power of two in the range of doubles.
 pub(crate) fn scale(mut x: f64, mut exponent: i32) -> f64 {
     while exponent > 500 && x != 0.0 && magnitude(x) <= HUGE {
         (x, exponent) = (x * power_of_two(500), exponent - 500);

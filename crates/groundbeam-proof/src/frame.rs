@@ -22,7 +22,7 @@ pub(crate) struct Span<S> {
     /// x_mid, the middle of the stored ends.
     pub middle: S,
     pub half: S,
-    /// 1/half, which turns a derivative by t into one with respect to x.
+    /// 1/half, the factor from a derivative with respect to t to one with respect to x.
     pub per_length: S,
     /// t at both ends.
     pub t: [S; 2],
@@ -33,11 +33,11 @@ pub(crate) struct Span<S> {
     pub touches: bool,
     /// w(t).
     pub deflection: Polynomial<S>,
-    /// φ(t) of a piece that shears; otherwise φ = w′.
+    /// φ(t) of a piece with shear deformation; otherwise φ = w′.
     pub rotation: Option<Box<Polynomial<S>>>,
     /// EI.
     pub bending: Coefficient<S>,
-    /// The shear stiffness of a beam that shears, S.
+    /// The shear stiffness of a beam with shear deformation, S.
     pub stiffness: Option<Coefficient<S>>,
     /// k.
     pub spring: Coefficient<S>,
@@ -57,7 +57,7 @@ pub(crate) struct Span<S> {
     pub settlement: Option<Box<Polynomial<S>>>,
 }
 
-/// A place between pieces, or an end of the beam.
+/// A node: a place between two pieces, or an end of the beam.
 #[derive(Debug, Clone)]
 pub(crate) struct Node<S> {
     pub x: S,
@@ -70,23 +70,24 @@ pub(crate) struct Node<S> {
     pub rigid: Option<S>,
     /// Whether a clamp holds the slope.
     pub clamped: bool,
-    /// The directions in which its support acts. A one-way support is the only support of its node.
+    /// The directions in which the support acts. A one-way support is the only support of its node.
     pub acts: Acts,
-    /// Stiffness of the translational springs, with the sum of κδ, and of the rotational springs.
+    /// The sum of the stiffnesses κ of the translational springs, and the sum of κδ with the settlements δ;
+    /// `turning`: the sum of the rotational stiffnesses.
     pub spring: Option<[S; 2]>,
     pub turning: Option<S>,
-    /// k_φ of a hinge; exactly 0 if it is free.
+    /// k_φ of a hinge; exactly 0 for a free hinge.
     pub hinge: Option<S>,
     /// The stored reaction of rigid supports: force up, and moment with the sign of the left side of the equilibrium
     /// equation.
     pub reaction: [S; 2],
-    /// Weights of its supports in the redistribution of forces.
+    /// Weights of the supports at the node in the redistribution of forces.
     pub weights: Weights,
     /// Whether a positive concentrated contact force is stored.
     pub pressed: bool,
     /// Whether g₀ has a corner.
     pub corner: bool,
-    /// Whether μ or S differs on its two sides.
+    /// Whether μ or S jumps at the node.
     pub stepped: bool,
 }
 
@@ -108,9 +109,10 @@ pub(crate) struct Weights {
 pub(crate) struct Held<S> {
     pub x: S,
     pub acts: Acts,
-    /// `None` if it is inactive: a one-way support without reaction. No piece must end there.
+    /// The node of the support; `None` for an inactive support, which is a one-way support without reaction.
+    /// No piece needs to end at an inactive support.
     pub node: Option<usize>,
-    /// κ and κ_θ; `None` if it is rigid.
+    /// κ and κ_θ; `None` for a rigid support.
     pub springs: Option<[S; 2]>,
     /// δ.
     pub settlement: S,
@@ -177,7 +179,7 @@ impl<S: Scalar> Node<S> {
 impl<S: Scalar> Span<S> {
     /// The geometry of a piece and its claimed deflection.
     ///
-    /// Requires |t_L + 1| ≤ ¼ and |t_R − 1| ≤ ¼. With another `half` the sum of the coefficients would not bound the
+    /// Requires |t_L + 1| ≤ ¼ and |t_R − 1| ≤ ¼. Otherwise the sum of the coefficients would not bound the
     /// function.
     pub fn of(piece: &Piece, x: [S; 2], units: Units) -> Result<Self, NotProven> {
         let wrong = |what: &str| NotProven::new(what).at(piece.x[0]);
@@ -214,7 +216,7 @@ impl<S: Scalar> Span<S> {
         let middle = (ends[0] + ends[1]).scaled(-1);
         let t = match S::ENCLOSES {
             true => x.map(|x| (x - middle).div(half)),
-            // In doubles, differences of near positions keep the digits of a short piece far from zero.
+            // In doubles, differences of nearby positions keep the digits of a short piece far from zero.
             false => {
                 let stretch = (ends[1] - ends[0]).scaled(-1);
                 [(x[0] - ends[0]) - stretch, (x[1] - ends[1]) + stretch].map(|x| x.div(half))
@@ -322,7 +324,7 @@ impl<S: Scalar> Span<S> {
         self.deflection - &self.gap
     }
 
-    /// ku − q − (μ(w − g₀)′)′: the pressure if the beam were in contact with ground of the settlement u.
+    /// ku − q − (μ(w − g₀)′)′: the pressure on a beam in contact, with the settlement u in the first term.
     pub fn pressure_under(&self, settlement: &Polynomial<S>) -> Polynomial<S> {
         let mut pressure = self.spring.times(*settlement);
         if self.layered {
@@ -336,7 +338,7 @@ impl<S: Scalar> Span<S> {
         }
     }
 
-    /// An upper bound of the absolute slope of a coefficient along the piece.
+    /// An upper bound of the absolute derivative of a coefficient with respect to x on the piece.
     pub fn steepness(&self, coefficient: &Coefficient<S>) -> Size {
         coefficient.along().map_or(Size::ZERO, |along| self.derivative(along).size(self.tau))
     }
@@ -369,7 +371,7 @@ fn powers<S: Scalar>(ends: [S; 2], count: usize) -> Vec<S> {
 }
 
 impl<S: Scalar> Frame<S> {
-    /// A negligible depth of penetration: 10⁻²⁴ of the deflection.
+    /// The depth of penetration that is negligible: 10⁻²⁴ of the deflection.
     pub fn negligible(&self) -> Size {
         let sizes = self.spans.iter().map(|span| span.deflection.coefficient(0).size());
         let largest = sizes.fold(0.0, |most, size| if size > most { size } else { most });
@@ -396,7 +398,8 @@ impl<S: Scalar> Frame<S> {
             && !self.nodes[node].is_hinged()
     }
 
-    /// Whether a force causes a jump of the slope at a node: a load or a reaction on a beam that shears.
+    /// Whether a force causes a jump of the slope at a node: a load or a reaction on a beam with shear
+    /// deformation.
     pub fn kinks(&self, node: usize) -> bool {
         let here = &self.nodes[node];
         let forced = here.force != S::zero() || here.rigid.is_some() || here.spring.is_some();
@@ -405,13 +408,13 @@ impl<S: Scalar> Frame<S> {
         forced && beside.into_iter().any(shears)
     }
 
-    /// Whether a node lies inside the layer and has no hinge, no force on the ground, no corner of g₀, no jump of μ or
-    /// S, and, on a beam that shears, no force.
+    /// Whether a node lies inside the layer and has no hinge, no force on the ground, no corner of g₀, no
+    /// jump of μ or S, and, on a beam with shear deformation, no force.
     pub fn smooth(&self, node: usize) -> bool {
         self.even(node) && !self.nodes[node].corner && !self.kinks(node)
     }
 
-    /// Whether a piece shears.
+    /// Whether a piece has shear deformation.
     pub fn shears(&self) -> bool {
         self.spans.iter().any(|span| span.stiffness.is_some())
     }

@@ -1,4 +1,5 @@
-//! Builds the problem on the pieces from model and answer: checks ranges, and assigns loads and supports to nodes.
+//! Builds the problem on the pieces from model and answer. It checks ranges, and assigns loads and supports
+//! to nodes.
 
 use crate::answer::{Answer, Reaction};
 use crate::beside::Row;
@@ -22,9 +23,9 @@ use crate::values::{in_range, positive};
 struct Places {
     beam: Vec<[usize; 2]>,
     ground: Vec<[usize; 2]>,
-    /// `None`: a load outside the beam.
+    /// The nodes of each load; `None` for a load outside the beam.
     loads: Vec<Option<[usize; 2]>>,
-    /// `None`: an inactive support.
+    /// The node of each support; `None` for an inactive support.
     supports: Vec<Option<usize>>,
     hinges: Vec<usize>,
     gap: Vec<usize>,
@@ -32,8 +33,8 @@ struct Places {
 
 /// The problem on the pieces of the answer, in the units of the proof.
 ///
-/// Under compression, `None` for the given σ means that a lower bound of σ is proven: σ is the part of the energy's
-/// convexity that remains. The supports in `placed` get nodes although they have no reaction.
+/// σ is the fraction of the energy's convexity that remains under compression. If it is not given, a lower
+/// bound of σ is proven. The supports in `placed` have nodes although they have no reaction.
 pub(crate) fn frame<S: Scalar>(
     model: &Model<S>,
     answer: &Answer,
@@ -209,7 +210,7 @@ fn stiffness<S: Scalar>(
         }
         span.stiffness = shear;
         if span.stiffness.is_some() != span.rotation.is_some() {
-            let what = "a rotation is given where the beam does not shear, or none where it does";
+            let what = "a rotation is given on a piece without shear deformation, or is missing on a piece with it";
             return Err(NotProven::new(what).at(units.restored(span.x[0].middle(), 0, 1)));
         }
     }
@@ -231,7 +232,7 @@ fn steps<S: Scalar>(model: &Model<S>, courses: &[[Option<&Course<S>>; 2]], frame
     }
 }
 
-/// The pieces of segments, each with the index of its segment. Segments do not overlap.
+/// The pieces that lie in segments, each with the index of its segment. Segments do not overlap.
 fn pieces_of(
     segments: impl Iterator<Item = [usize; 2]>,
     pieces: usize,
@@ -250,7 +251,8 @@ fn pieces_of(
     Ok(found)
 }
 
-/// A piece as a part of a segment: s = line(t) runs from 0 to 1 along the segment, and over `ends` on the piece.
+/// A piece as a part of a segment. s = line(t) increases from 0 to 1 along the segment, and between the two
+/// `ends` along the piece.
 struct Part<S> {
     line: Line<S>,
     ends: [S; 2],
@@ -279,7 +281,7 @@ impl<S: Scalar> Part<S> {
     }
 }
 
-/// Whether a load on the ground may lift it: under such a load the settlement is not an upper bound of Gp.
+/// Whether a load on the ground may act upward. Under such a load the settlement is not an upper bound of Gp.
 fn lifts<S: Scalar>(load: &Load<S>) -> bool {
     let sizes = match load.extent {
         Extent::Point { size, .. } => [size; 2],

@@ -8,9 +8,9 @@
 //! s₁ = r/sinh z, s₂ = r tanh(z/2),   flux = μu′,
 //! ```
 //!
-//! and beside the beam flux = K₀u on the left, −K_lu on the right. At a touching node the jump of the flux,
-//! a = flux(x−) − flux(x+), is a concentrated force. Its negative part r is left unclaimed, which costs at most
-//! |r|√g, with g = 1/(S₋ + S₊), S₋ and S₊ the stiffness of the layer on both sides of the node.
+//! and outside the beam flux = K₀u on the left, −K_lu on the right. At a touching node the jump of the flux,
+//! a = flux(x−) − flux(x+), is a concentrated force. Its negative part r is omitted. This adds at most |r|√g
+//! to the bound, with g = 1/(S₋ + S₊), S₋ and S₊ the stiffness of the layer on both sides of the node.
 
 use crate::deflection::Deflection;
 use crate::frame::{Frame, Span};
@@ -114,13 +114,13 @@ pub(crate) struct Behind<S> {
 }
 
 impl<S: Scalar> Behind<S> {
-    /// The same with an additional force on the surface at the node.
+    /// The ground with an additional force on the surface at the node.
     fn loaded(self, force: S) -> Self {
         Behind { pushed: self.pushed + force, ..self }
     }
 }
 
-/// q/k at both ends of an open piece, its rise from left to right, and μq′/k.
+/// q/k at both ends of an open piece, its increase from left to right, and μq′/k.
 #[derive(Clone, Copy)]
 struct FreeField<S> {
     ends: [S; 2],
@@ -128,12 +128,12 @@ struct FreeField<S> {
     slope: S,
 }
 
-/// An open piece with u = q/k + v. If k or μ varies, the piece with the smallest k and μ.
+/// An open piece with u = q/k + v. If k or μ varies, the smallest values are used.
 pub(crate) struct Link<S> {
     /// s₁ and s₂.
     across: S,
     own: S,
-    /// Zero without a load on the piece.
+    /// The free field; zero without a load on the piece.
     free: FreeField<S>,
 }
 
@@ -163,7 +163,7 @@ impl<S: Scalar> Link<S> {
         behind.stiffness + self.own + self.across
     }
 
-    /// The same piece with u measured from another height. Without this shift, small differences of u would lose digits.
+    /// The same piece with u measured from another height, so that small differences of u keep their digits.
     fn above(&self, height: S) -> Self {
         let ends = self.free.ends.map(|free| free - height);
         Link { free: FreeField { ends, ..self.free }, ..*self }
@@ -186,7 +186,7 @@ impl<S: Scalar> Link<S> {
         (self.across * far + self.source(behind, near)).div(self.divisor(behind))
     }
 
-    /// The ground beyond the far end, this piece included. Its stiffness is a sum of positive terms.
+    /// This piece and all ground behind it, condensed to the near end by sums of positive terms.
     fn behind(&self, behind: Behind<S>, near: usize) -> Behind<S> {
         let part = self.across.div(self.divisor(behind));
         Behind {
@@ -195,7 +195,7 @@ impl<S: Scalar> Link<S> {
         }
     }
 
-    /// The same if the surface is held at u = 0 at the near end.
+    /// As `behind`, with the surface held at u = 0.
     fn behind_held(&self, near: usize) -> Behind<S> {
         Behind { stiffness: self.across + self.own, pushed: self.own_push(near) }
     }
@@ -378,8 +378,8 @@ impl<'a, S: Scalar> Layer<'a, S> {
         }
     }
 
-    /// Solves between two touching nodes: condensation from the left, then back-substitution from the right. Heights are
-    /// measured from the left node, because over a short run the difference of two settlements has few digits.
+    /// Solves between two touching nodes: condensation from the left, then back-substitution from the right.
+    /// Heights are measured from the left node, so that short runs keep the digits of differences.
     fn between(&self, from: usize, to: usize, surface: &mut Surface<S>) {
         let start = self.held(from);
         let link = |piece: usize| self.links[piece - self.first].above(start);
@@ -406,7 +406,7 @@ impl<'a, S: Scalar> Layer<'a, S> {
         }
     }
 
-    /// The increase of w̄ − g₀ along a piece from left to right, computed without the common part.
+    /// The increase of w̄ − g₀ along a piece from left to right, computed without the common constant.
     fn rise(&self, piece: usize) -> S {
         let span = &self.frame.spans[piece];
         span.obstacle().rise(span.t) + self.deflection.pieces[piece].rise

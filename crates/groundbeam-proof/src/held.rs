@@ -1,4 +1,5 @@
-//! Supports with their stored reactions, and hinges, at the nodes; the weights of the supports in the balance.
+//! Assigns supports with their stored reactions, and hinges, to the nodes; computes the weights of the
+//! supports in the balance.
 
 use crate::answer::{Answer, Reaction};
 use crate::frame::{Frame, Held};
@@ -24,12 +25,13 @@ pub(crate) fn reactions<S: Scalar>(
     Ok(all)
 }
 
-/// Whether a one-way support has no reaction. It then needs no node.
+/// Whether a one-way support has no reaction, and so needs no node.
 pub(crate) fn is_idle<S: Scalar>(support: &Support<S>, reaction: &Option<Reaction>) -> bool {
     support.acts != Acts::Both && reaction.is_none_or(|reaction| reaction.force == 0.0)
 }
 
-/// Assigns the supports to nodes, and reads the stored reactions of the rigid ones. Inactive ones have no node.
+/// Assigns the supports to nodes, and reads the stored reactions of the rigid ones. Inactive supports have no
+/// node.
 pub(crate) fn supports<S: Scalar>(
     model: &Model<S>,
     reactions: &[Option<Reaction>],
@@ -131,7 +133,8 @@ pub(crate) fn hinges<S: Scalar>(
         if node.hinge.replace(spring).is_some() {
             return refused("two hinges have the same position");
         }
-        // The slope has two values at a hinge, so no support can hold it there: such a model is invalid.
+        // The slope has two values at a hinge, so a support that restrains the slope there makes the model
+        // invalid.
         if node.clamped || node.turning.is_some() {
             return refused("a hinge is at a support that restrains the slope");
         }
@@ -142,8 +145,8 @@ pub(crate) fn hinges<S: Scalar>(
     Ok(())
 }
 
-/// Weights of the supports: W = 10 max(Σ|F|, Σ|R|, EI max|κ₀|/l, κ|δ|) for a rigid one, Wl² for a clamp, Wl for the
-/// tension. The weight of a spring is its force at the largest deflection, at most W.
+/// Weights in the balance: W = 10 max(Σ|F|, Σ|R|, EI max|κ₀|/l, κ|δ|) for a rigid support, Wl² for a clamp,
+/// and Wl for the tension. The weight of a spring is its force at the largest deflection, but at most W.
 pub(crate) fn weights<S: Scalar>(frame: &mut Frame<S>) {
     let (mut forces, mut reactions, mut largest) = (0.0, 0.0, 0.0);
     let mut moved = 0.0;
@@ -161,7 +164,7 @@ pub(crate) fn weights<S: Scalar>(frame: &mut Frame<S>) {
         moved = larger(moved, span.deflection.coefficient(0).size());
     }
     let all = 10.0 * larger(larger(forces, reactions), largest);
-    // Without loads any weight is valid: the unit of force.
+    // Without loads every weight is valid. The unit of force is taken.
     let rigid = if all > 0.0 && all < 1e60 { all } else { 1.0 };
     let clamp = rigid * frame.length.square().middle();
     frame.carrier = rigid * frame.length.middle();

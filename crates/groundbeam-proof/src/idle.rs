@@ -1,9 +1,9 @@
-//! One-way supports: shows which are active, and from which the exact beam is separated.
+//! One-way supports: proves which are active, and from which the exact beam is separated.
 //!
-//! Let ς = 1 for a support that pushes up and −1 for one that pulls down. A support without reaction must
-//! satisfy −ς(w − δ) > ε_w. Then the corrected deflection w̄ is admissible, and the exact reaction is zero, because |w̄ − w| and |w − w*| are
-//! at most ε_w. A support that is closer gets a node of its own: a rigid one with w̄ = δ and R̄ = 0, a spring with R̄ =
-//! κv̄⁺. Then all bounds hold whether it is active or not.
+//! Let ς = 1 for a support that pushes up, and −1 for a support that pulls down. A support without reaction
+//! must satisfy −ς(w − δ) > ε_w. Then the corrected deflection w̄ is admissible, and the exact reaction is
+//! zero, because |w̄ − w| and |w − w*| are at most ε_w. A closer support has its own node: a rigid support
+//! with w̄ = δ and R̄ = 0, a spring with R̄ = κv̄⁺. Then all bounds hold for both states of the support.
 
 use crate::frame::{Frame, Held};
 use crate::model::Acts;
@@ -20,8 +20,8 @@ pub(crate) fn close<S: Scalar>(frame: &Frame<S>, bounds: &[PieceBounds]) -> Vec<
     idle.filter(|(_, support)| !is_clear(frame, &within, support)).map(|(i, _)| i).collect()
 }
 
-/// Fails at the first one-way support whose state is not proven: its reaction does not exceed the bound of its error, and
-/// the beam is not separated from it.
+/// Fails at the first one-way support whose state is not proven. The state is proven if the reaction exceeds
+/// its error bound, or if the beam is separated from the support.
 pub(crate) fn decided<S: Scalar>(
     frame: &Frame<S>,
     bounds: &[PieceBounds],
@@ -42,8 +42,8 @@ pub(crate) fn too_close() -> NotProven {
     NotProven::new("the beam is too close to a one-way support to decide whether it is active")
 }
 
-/// Fails at the first inactive support that the claimed deflection penetrates by more than rounding error. Used for an
-/// estimate.
+/// Fails at the first inactive support that the claimed deflection penetrates by more than rounding error. An
+/// estimate uses this check.
 pub(crate) fn nearly_clear<S: Scalar>(frame: &Frame<S>) -> Result<(), NotProven> {
     let sizes = frame.spans.iter().map(|span| Size::of(span.deflection.coefficient(0).size()));
     let rounding = ROUNDING * sizes.fold(Size::ZERO, Size::worst).value();
@@ -60,7 +60,8 @@ pub(crate) fn nearly_clear<S: Scalar>(frame: &Frame<S>) -> Result<(), NotProven>
 /// Rounding error of a deflection, relative to the largest one.
 const ROUNDING: f64 = 1e-9;
 
-/// Whether the distance between claimed deflection and support exceeds the required distance on its piece.
+/// Whether the distance between the claimed deflection and a support exceeds the required distance on every
+/// piece that contains the support.
 fn is_clear<S: Scalar>(
     frame: &Frame<S>,
     wanted: &impl Fn(usize) -> f64,

@@ -1,4 +1,5 @@
-//! A strict reader of JSON. It accepts one value, unique keys and finite doubles, and nothing after the value.
+//! A strict reader of JSON. It accepts a single value with unique keys and finite doubles, without text after
+//! the value.
 
 use std::collections::BTreeMap;
 use std::fmt;
@@ -10,7 +11,7 @@ const MOST: usize = 10_000_000;
 /// Maximum depth of nested lists and objects.
 const DEEPEST: usize = 32;
 
-/// Why a document is not read.
+/// The reason why a document cannot be read.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct JsonError {
     /// Line in the document, from 1; 0 if the fault has no single position.
@@ -44,7 +45,7 @@ pub(crate) enum Json {
 }
 
 impl Json {
-    /// Whether it is a number or holds one.
+    /// Whether the value is a number or contains one.
     pub fn has_number(&self) -> bool {
         match self {
             Json::Number(_) => true,
@@ -183,7 +184,7 @@ impl Reader<'_> {
         }
     }
 
-    /// Skips digits; returns whether there was one.
+    /// Skips digits. Returns whether there was at least one.
     fn digits(&mut self) -> bool {
         let start = self.at;
         while self.peek().is_some_and(|byte| byte.is_ascii_digit()) {

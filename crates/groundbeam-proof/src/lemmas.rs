@@ -30,7 +30,7 @@ const COUNT: usize = 2000;
 /// A stretch of ground: its length, k and μ.
 type Stretch = [f64; 3];
 
-/// A beam of the bending stiffness EI on infinite ground that consists of stretches.
+/// A beam with the bending stiffness EI on infinite ground that consists of stretches.
 fn beam(bending: f64, ground: &[Stretch]) -> Model<Ball> {
     let mut to = 0.0;
     let segment = |[length, k, mu]: &Stretch| {
@@ -73,7 +73,8 @@ fn force(at: f64, size: f64) -> Load<Ball> {
     Load { action: Action::Force, extent, on_ground: false }
 }
 
-/// A claim with one piece for each stretch: whether it is in contact, and w as a polynomial of t.
+/// An answer with one piece for each stretch. For each piece: whether it is in contact, and w as a polynomial
+/// of t.
 fn claim(ground: &[Stretch], pieces: &[(bool, Vec<f64>)], forces: &[f64]) -> Answer {
     let mut to = 0.0;
     let piece = |([length, ..], (touches, deflection)): (&Stretch, &(bool, Vec<f64>))| {
@@ -122,7 +123,8 @@ fn integral(length: f64, of: impl Fn(f64) -> f64) -> f64 {
     (0..COUNT).map(|i| h * of((i as f64 + 0.5) * h)).sum()
 }
 
-/// An upper bound of the stiffness of ground at the far end of a stretch, from that at the near end, by linear elements.
+/// An upper bound of the stiffness of the ground at the far end of a stretch, from the stiffness at the near
+/// end, by linear elements.
 fn behind(stiffness: f64, [length, k, mu]: Stretch) -> f64 {
     let h = length / COUNT as f64;
     let [own, across] = [k * h / 3.0 + mu / h, k * h / 6.0 - mu / h];
@@ -137,8 +139,8 @@ fn flexibility(frame: &Frame<Ball>, ground: &[Stretch], node: usize) -> f64 {
     1.0 / (left + right)
 }
 
-/// A residual force r has the energy r²g on open ground. A node that is held above the ground pulls with r = w/g. (5) of
-/// the design, √g of the construction.
+/// Checks (5) of docs/proof.md: a residual force r has the energy r²g on open ground. A node that is held
+/// above the ground needs the tensile force r = w/g.
 #[test]
 fn a_force_that_is_left_unclaimed_costs_its_energy() {
     let mut random = numbers();
@@ -185,7 +187,7 @@ fn energy_of_load(length: f64, [k, mu]: [f64; 2], load: impl Fn(f64) -> f64) -> 
     sum / (2.0 * (k * mu).sqrt())
 }
 
-/// The tensile part max(−p, 0) of random polynomials has at most the energy η²ω/k and the resultant ηω.
+/// For random polynomials p, the tensile part max(−p, 0) has at most the energy η²ω/k and the resultant ηω.
 #[test]
 fn pulls_cost_their_energy() {
     let mut random = numbers();
@@ -223,9 +225,9 @@ fn pulls_cost_their_energy() {
     assert!(sharpest > 0.9, "{sharpest}");
 }
 
-/// A stiff beam between two supports above the ground, with contact claimed everywhere: the pressure is tensile, and the
-/// forces at the ends are √(kμ)w. No pressure is compressive, so E is at least ½b(u, u) of the claimed surface, ½w²(kl +
-/// 2√(kμ)).
+/// A stiff beam between two supports above the ground. The answer claims contact everywhere, so the pressure
+/// is tensile, and the forces at the ends are √(kμ)w. No pressure is compressive, so E is at least ½b(u, u)
+/// of the claimed surface, ½w²(kl + 2√(kμ)).
 #[test]
 fn the_energy_of_a_surface_that_only_pulls_is_charged() {
     for [k, mu] in [[1.0, 1.0], [30.0, 0.02], [0.02, 30.0]] {
@@ -247,9 +249,9 @@ fn the_energy_of_a_surface_that_only_pulls_is_charged() {
     }
 }
 
-/// (10): random open stretches that the beam penetrates, up to an end of the beam or to a second contact. A surface v that
-/// is zero at the contacts and c at a distance y from one of them has at least the energy c²(√(kμ) coth(by) + the stiffness
-/// beyond).
+/// Checks (10) on random open stretches that the beam penetrates, between a contact and an end of the beam or
+/// a second contact. Let v be a surface that is zero at the contacts and c at a distance y from one of them.
+/// Its energy is at least c²(√(kμ) coth(by) + S), S being the stiffness of the ground beyond this point.
 #[test]
 fn a_lift_costs_its_energy() {
     let mut random = numbers();
@@ -263,7 +265,8 @@ fn a_lift_costs_its_energy() {
         if both {
             ground.push([0.5, k, mu]);
         }
-        // A linear function, plus a part on the open stretch that vanishes with its slope at the contacts.
+        // A linear function, plus a function on the open stretch that is zero with zero slope at the
+        // contacts.
         let (start, slope) = (2.0 + random(), 2.0 * random() * rate);
         let (a, b) = (10.0 * random(), 10.0 * random());
         let sunk = |y: f64| {
@@ -321,7 +324,7 @@ fn a_lift_costs_its_energy() {
     assert!(ratios.len() > 200 && ratios[ratios.len() / 2] > 0.1, "{ratios:?}");
 }
 
-/// K² of (11) for z = t(1 − t/h)² with springs where z and z′ are largest.
+/// Checks K² of (11) for z = t(1 − t/h)² with springs where z and z′ are largest.
 #[test]
 fn the_test_functions_have_their_energy() {
     let mut random = numbers();
@@ -344,7 +347,7 @@ fn the_test_functions_have_their_energy() {
     }
 }
 
-/// K² of (11) for z = the distance to one side of a place, at the inner end of each piece.
+/// Checks K² of (11) for z = the distance to one side of a place, at the inner end of each piece.
 #[test]
 fn long_test_functions_have_their_energy() {
     let mut random = numbers();
@@ -358,7 +361,7 @@ fn long_test_functions_have_their_energy() {
         let support =
             Support { at: Ball::of(0.4), kind, settlement: Ball::zero(), acts: Acts::Both };
         model.supports = vec![support];
-        // Loads that press the beam down by 1 everywhere.
+        // These loads cause a deflection of 1 everywhere.
         let outside = (k * mu).sqrt();
         model.loads = vec![
             load([0.0, 1.5], [k; 2]),
@@ -393,7 +396,7 @@ fn long_test_functions_have_their_energy() {
     }
 }
 
-/// A random error e = ∫e_φ + ∫γ on 0 ≤ x ≤ h: its values on a grid, s and s_γ.
+/// A random error e = ∫e_φ + ∫γ on 0 ≤ x ≤ h: its values on a grid, and s and s_γ.
 fn random_error(random: &mut impl FnMut() -> f64, h: f64, slides: bool) -> (Vec<f64>, [f64; 2]) {
     let step = h / COUNT as f64;
     let bent = [random(), random(), random(), random()].map(|c| c * 3.0);
@@ -412,7 +415,8 @@ fn random_error(random: &mut impl FnMut() -> f64, h: f64, slides: bool) -> (Vec<
     (values, [s.sqrt(), sheared.sqrt()])
 }
 
-/// (12): e on an interval, from the mean of |e|; between and beyond two places, from its values there.
+/// Checks (12): bounds of e on an interval from the mean of |e|, and between and beyond two places from its
+/// values at these places.
 #[test]
 fn errors_of_the_deflection_are_bounded_by_their_anchors() {
     let mut random = numbers();
@@ -446,15 +450,15 @@ fn errors_of_the_deflection_are_bounded_by_their_anchors() {
     assert!(sharpest.iter().all(|ratio| *ratio > 0.6), "{sharpest:?}");
 }
 
-/// (7): a load on a simply supported cell causes a moment of at most a quarter of load times length. Compares the bound for
-/// the redistributed loads with their exact moment.
+/// Checks (7): a load on a simply supported cell causes a moment of at most a quarter of load times length.
+/// Compares the bound for the redistributed loads with their exact moment.
 #[test]
 fn loads_given_back_bend_a_cell_by_what_is_charged() {
     let mut random = numbers();
     let mut sharpest = 0.0_f64;
     for _ in 0..100 {
         let ground = [[0.7, 2.0, 0.0], [0.8, 2.0, 0.0]];
-        // Linear pressures that the loads do not balance: their whole resultant is redistributed.
+        // No load balances these linear pressures, so their whole resultant is redistributed.
         let [a, b] = [1.0 + 0.3 * random(), 0.4 * random()];
         let pieces = [(true, vec![a, 0.35 * b]), (true, vec![a + 0.75 * b, 0.4 * b])];
         let mut model = beam(1.0, &ground);

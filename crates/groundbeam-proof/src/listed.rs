@@ -1,4 +1,4 @@
-//! Compares the numbers that a document lists besides its answer with the fields of the answer.
+//! Compares the other numbers of a document with the fields of its answer.
 
 use crate::contact_set::ContactSet;
 use crate::document::{Document, Extreme, Stations};
@@ -12,7 +12,7 @@ use crate::scalar::Scalar;
 use crate::size::Size;
 use std::ops::Range;
 
-/// Places count as different if their distance exceeds this fraction of the length.
+/// Two places are different if their distance exceeds this fraction of the length.
 const NEAR: f64 = 16.0 * f64::EPSILON;
 
 /// Number of listed numbers that were compared, by kind.
@@ -22,7 +22,7 @@ pub struct Checked {
     pub stations: usize,
     /// Values at all stations.
     pub values: usize,
-    /// Pressures within the interval of an edge, where no bound is proven.
+    /// Pressures in intervals that contain an edge, where no bound is proven.
     pub at_edges: usize,
     /// Extremes.
     pub extremes: usize,
@@ -37,15 +37,16 @@ pub struct Checked {
 /// Bounds of the errors of single listed numbers. All are infinite if the contact set is not proven.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct ListedErrors {
-    /// Of both ends of each listed region of contact \[m\]. If none are listed: of the proven regions.
+    /// Errors of both ends of each listed region of contact \[m\]. If no regions are listed, the errors of
+    /// the proven regions.
     pub edges: Vec<[f64; 2]>,
-    /// Of each of the `forces` \[N\].
+    /// Errors of each of the `forces` \[N\].
     pub forces: Vec<f64>,
-    /// Of the `end_forces`, left and right \[N\], if they are listed.
+    /// Errors of the `end_forces`, left and right \[N\], if they are listed.
     pub end_forces: Option<[f64; 2]>,
     /// The largest exact force that is not listed, that is, listed as zero \[N\].
     pub unlisted: f64,
-    /// Of rotation \[rad\] and moment \[N·m\] of each of the `hinges`.
+    /// Errors of rotation \[rad\] and moment \[N·m\] of each of the `hinges`.
     pub hinges: Vec<[f64; 2]>,
 }
 
@@ -81,9 +82,9 @@ fn largest<'a>(errors: impl Iterator<Item = &'a f64>) -> f64 {
 /// Bounds of the differences between listed numbers and the pieces of the answer.
 #[derive(Debug, Default)]
 pub(crate) struct Differences {
-    /// Of each field, in the order of [`FIELDS`].
+    /// Differences of each field, in the order of [`FIELDS`].
     pub fields: [f64; 8],
-    /// Of edges and concentrated forces: the distance from the exact ones.
+    /// Distances of edges and concentrated forces from the exact ones.
     pub contact: ListedErrors,
     /// The places of the listed extremes.
     pub extremes: Vec<PlacedExtreme>,
@@ -142,8 +143,9 @@ pub(crate) fn differences<S: Scalar>(
     found
 }
 
-/// Intervals on which the pressure has no bound \[m\]. On Winkler ground it is bounded everywhere. On a shear layer the
-/// exact pressure jumps somewhere in the interval of an edge of contact, and anywhere if the contact set is not proven.
+/// Intervals on which the pressure has no bound \[m\]. On Winkler ground it is bounded everywhere. On a shear
+/// layer the exact pressure jumps at an edge of contact, so an interval that contains an edge has no bound.
+/// If the contact set is not proven, the whole beam has no bound.
 fn without_pressure<S: Scalar>(fields: &Fields<S>, proof: &Proof) -> Vec<[f64; 2]> {
     let (frame, length) = (fields.frame, proof.scales.length);
     if !frame.spans.iter().any(|span| span.layered) {
@@ -198,7 +200,8 @@ impl<S: Scalar> Comparison<'_, S> {
         units.restored(off.size(), force, length)
     }
 
-    /// The fields at listed places, on the left or on the right of each. At the right end of the beam, always on the left.
+    /// Compares the fields at listed places, on the left or on the right of each place. At the right end of
+    /// the beam, the value on the left is used.
     fn stations(
         &self,
         listed: &Stations,
@@ -235,8 +238,8 @@ impl<S: Scalar> Comparison<'_, S> {
         Ok(())
     }
 
-    /// The distance of a pressure at an edge from the interval spanned by zero and the pressures of the pieces on both
-    /// sides.
+    /// The distance of a pressure at an edge from the smallest interval that contains zero and the pressures
+    /// on both sides.
     fn off_an_edge(&self, listed: f64, (piece, t): (usize, S)) -> f64 {
         let units = self.fields.frame.units;
         let listed = units.scaled(S::of(listed), 1, -1);
@@ -262,8 +265,8 @@ impl<S: Scalar> Comparison<'_, S> {
 
     /// The larger of |listed − the largest value of the field| and |listed − the field at the listed place|.
     ///
-    /// The largest value is at least the one at the place, on either side, and exceeds the listed one by at most the depth
-    /// of listed − field below zero.
+    /// The largest value is at least the value at the place, on both sides. It exceeds the listed value by at
+    /// most the largest value of field − listed.
     fn extreme(&self, extreme: &Extreme, found: &mut Differences) -> Result<(), NotProven> {
         let Some(field) = field_named(&extreme.field) else {
             found.unknown.push(format!("extremes.{}", extreme.field));
@@ -360,7 +363,8 @@ impl<S: Scalar> Comparison<'_, S> {
         }
     }
 
-    /// Refuses two listed forces at one place: a reader would add them, but each is compared with the exact force.
+    /// Refuses two listed forces at one place. A reader would add them, but each is compared with the exact
+    /// force.
     fn forces_at_one_place(&self) -> Option<NotProven> {
         let mut places: Vec<f64> = self.document.answer.forces.iter().map(|f| f.x).collect();
         places.sort_by(f64::total_cmp);
@@ -407,7 +411,7 @@ fn edges(document: &Document, contact: &ContactSet) -> Result<Vec<[f64; 2]>, Not
     let mut shown: Vec<[[f64; 2]; 2]> = Vec::new();
     for region in &contact.regions {
         match shown.last_mut() {
-            // A region that continues beyond the end of a layer is listed as one region.
+            // A region that continues beyond the end of a shear layer is listed as one region.
             Some(last) if last[1] == region.from => last[1] = region.to,
             _ => shown.push([region.from, region.to]),
         }

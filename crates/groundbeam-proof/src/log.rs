@@ -1,7 +1,9 @@
-//! The log of a proof: its inputs and its inequalities, one JSON object a line. An independent program can recompute them.
+//! The log of a proof: its inputs and its inequalities, with one JSON object in each line. An independent
+//! program can recompute them.
 //!
-//! Numbers are in the units of the proof. A double is written as the shortest decimal that reads back as it. A ball is
-//! written as the list of its middle, a correction of the middle, and its radius. `docs/verify.md` describes the lines.
+//! Numbers are in the units of the proof. A double is written as the shortest decimal that is read back as
+//! the same double. A ball is written as a list: its middle, a correction of the middle, and its radius.
+//! `docs/verify.md` describes the lines.
 
 use crate::beside::Row;
 use crate::coefficient::Coefficient;
@@ -256,7 +258,7 @@ impl Log {
     }
 }
 
-/// 0 for both directions, 1 for a support that only pushes up, −1 for one that only pulls down.
+/// 0 for a support that acts in both directions, 1 if it only pushes up, −1 if it only pulls down.
 fn acts(acts: Acts) -> String {
     let sign = match acts {
         Acts::Both => 0,

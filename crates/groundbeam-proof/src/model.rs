@@ -29,7 +29,7 @@ pub struct Beam<S> {
     pub length: S,
     /// Bending stiffness EI \[N·m²\] outside the segments, positive.
     pub bending_stiffness: S,
-    /// Shear stiffness S \[N\] outside the segments, positive. `None`: the beam does not shear.
+    /// Shear stiffness S \[N\] outside the segments, positive; `None` for a beam without shear deformation.
     pub shear_stiffness: Option<S>,
     /// Stretches with other stiffnesses. They may adjoin, but not overlap.
     pub segments: Vec<BeamSegment<S>>,
@@ -46,11 +46,11 @@ pub struct BeamSegment<S> {
     pub to: S,
     /// Bending stiffness EI \[N·m²\] along the segment.
     pub bending_stiffness: Course<S>,
-    /// Shear stiffness S \[N\] along the segment. `None`: that of the beam.
+    /// Shear stiffness S \[N\] along the segment; `None` for the stiffness of the beam.
     pub shear_stiffness: Option<Course<S>>,
 }
 
-/// The ground: springs, joined by a shear layer where μ > 0.
+/// The ground: springs, connected by a shear layer where μ > 0.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Ground<S> {
     /// Spring constant k \[N/m²\] outside the segments: force per length of beam and per settlement; positive.
@@ -98,15 +98,15 @@ impl<S: Copy> Course<S> {
     }
 }
 
-/// How the ground ends beyond an end of the beam.
+/// The end of the ground outside one end of the beam.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum GroundEnd<S> {
-    /// It is infinite.
+    /// The ground is infinite.
     Endless,
-    /// Its surface ends at this position \[m\] and is free there: μu′ = 0. The position is the beam's end or outside the
-    /// beam.
+    /// The surface ends at this position \[m\] and is free there: μu′ = 0. The position is the beam's end or
+    /// outside the beam.
     Free(S),
-    /// Its surface is held at this position \[m\], outside the beam: u = 0.
+    /// The surface is held at this position \[m\], outside the beam: u = 0.
     Held(S),
 }
 
@@ -115,7 +115,7 @@ pub enum GroundEnd<S> {
 pub enum Action {
     /// A force \[N\] or \[N/m\], positive down.
     Force,
-    /// A moment \[N·m\] or \[N\], positive where it turns the right side down: it does the work M₀·w′.
+    /// A moment \[N·m\] or \[N\], positive if it rotates the right side down: it does the work M₀·w′.
     Moment,
     /// An imposed curvature κ₀ \[1/m\] along a stretch of the beam: M = −EI (w″ − κ₀).
     Curvature,
@@ -151,7 +151,7 @@ pub struct Load<S> {
     pub action: Action,
     /// Its position and size.
     pub extent: Extent<S>,
-    /// Whether it acts on the ground's surface instead of the beam.
+    /// Whether the load acts on the ground's surface instead of the beam.
     pub on_ground: bool,
 }
 
@@ -160,22 +160,22 @@ pub struct Load<S> {
 pub struct Support<S> {
     /// Position \[m\].
     pub at: S,
-    /// The motions that it restrains.
+    /// The motions that the support restrains.
     pub kind: SupportKind<S>,
     /// Settlement δ \[m\], positive down.
     pub settlement: S,
-    /// The directions in which it acts.
+    /// The directions in which the support acts.
     pub acts: Acts,
 }
 
 /// The motions that a support restrains.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum SupportKind<S> {
-    /// w = δ; the beam may turn.
+    /// A rigid support without rotational restraint: w = δ.
     Pinned,
-    /// w = δ and w′ = 0.
+    /// A rigid support that also prevents rotation: w = δ and w′ = 0.
     Fixed,
-    /// A force κ(w − δ) and a moment κ_θ w′ oppose the motion.
+    /// An elastic support: a force κ(w − δ) and a moment κ_θ w′ oppose the motion.
     Spring {
         /// κ \[N/m\], not negative.
         spring: S,
@@ -187,17 +187,16 @@ pub enum SupportKind<S> {
 /// The directions in which a support acts on the beam.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Acts {
-    /// Both.
+    /// The support acts in both directions.
     Both,
-    /// It only pushes the beam up.
+    /// The support only pushes the beam up.
     Up,
-    /// It only pulls the beam down.
+    /// The support only pulls the beam down.
     Down,
 }
 
 impl Acts {
-    /// The component of a deflection or of an upward force in the direction in which a support acts. Positive: the support
-    /// pushes.
+    /// The component of a deflection or of an upward force in the direction in which a one-way support acts.
     pub(crate) fn towards<S: Scalar>(self, x: S) -> S {
         match self {
             Acts::Both | Acts::Up => x,
@@ -211,7 +210,7 @@ impl Acts {
 pub struct Hinge<S> {
     /// Position \[m\].
     pub at: S,
-    /// Rotational spring k_φ \[N·m/rad\]: the hinge carries M = −k_φ\[w′\]. 0: the hinge turns freely.
+    /// Rotational spring k_φ \[N·m/rad\]: the hinge transmits M = −k_φ\[w′\]. It is 0 for a free hinge.
     pub rotational_spring: S,
 }
 

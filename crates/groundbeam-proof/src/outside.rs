@@ -36,7 +36,8 @@ pub(crate) fn beside<S: Scalar>(model: &Model<S>, frame: &mut Frame<S>) -> Resul
     Ok(())
 }
 
-/// A part of the ground between two distances from the beam's end. `None` as second distance: infinite.
+/// A part of the ground between two distances from the beam's end. The second distance is `None` for an
+/// infinite part.
 #[derive(Clone, Copy)]
 struct Stretch<S> {
     from: S,
@@ -71,7 +72,7 @@ impl<S: Scalar> Beside<'_, S> {
     /// The distance of a position from the beam's end, positive outside the beam.
     fn outward(&self, at: S) -> S {
         let at = self.units.metres(at);
-        // The end of the beam becomes exactly 0: −0 would be sorted before it.
+        // The distance of the beam's end must be exactly 0, because −0 is sorted before 0.
         match self.side {
             _ if at == [S::zero(), self.length][self.side] => S::zero(),
             0 => -at,
@@ -171,7 +172,7 @@ impl<S: Scalar> Beside<'_, S> {
                 if at == x {
                     sum = sum + self.units.scaled(size, 1, 0);
                 } else {
-                    // Fails unless the order of the two is certain.
+                    // This call fails unless the order of the two positions is certain.
                     is_before(at, x)?;
                 }
             }
@@ -315,14 +316,14 @@ mod tests {
         }
     }
 
-    /// K and T by linear elements of the length h up to a distance `far`: −(μu′)′ + ku = q, and K u − T is the flux at the
+    /// K and T by linear elements up to a distance `far`, from −(μu′)′ + ku = q. K u − T is the flux at the
     /// beam's end. At `far` the ground is held or free.
     fn by_elements(model: &Model<f64>, side: usize, far: f64, held: bool) -> [f64; 2] {
         let h = 1.0 / 4000.0;
         let count = (far / h).round() as usize;
         let place = |distance: f64| if side == 0 { -distance } else { 2.0 + distance };
         let ground = |x: f64| {
-            // Outside the beam a segment continues outward until the next one.
+            // Outside the beam a segment continues outward until the next segment begins.
             let outward = |at: f64| if side == 0 { -at } else { at - 2.0 };
             let mut best = (-1.0, [model.ground.spring, model.ground.shear]);
             for s in &model.ground.segments {

@@ -33,8 +33,9 @@ pub(crate) fn field_named(name: &str) -> Option<usize> {
     FIELDS.iter().position(|(known, ..)| *known == name)
 }
 
-/// Maximum number of stretches of one piece of open ground, and of all pieces beyond the first stretch of each. If the
-/// decay requires more, the remainder of the series is large and nothing is proven.
+/// Maximum number of stretches of one piece of open ground, and maximum number of additional stretches of all
+/// pieces. If the decay of the ground requires more, the remainder of the series is large and nothing is
+/// proven.
 const MOST: usize = 2000;
 const MOST_OF_ALL: usize = 20_000;
 /// Maximum number of decay lengths √(μ/k) in half a stretch of open ground.
@@ -49,7 +50,7 @@ pub(crate) struct Patch<S> {
     pub middle: f64,
     /// An interval of s that contains the stretch.
     pub interval: [f64; 2],
-    /// In the order of [`FIELDS`], as polynomials of s = t − m.
+    /// The fields in the order of [`FIELDS`], as polynomials of s = t − m.
     pub fields: [Polynomial<S>; 8],
 }
 
@@ -105,7 +106,7 @@ fn patches<S: Scalar>(fields: &Fields<S>, i: usize) -> Vec<Patch<S>> {
         let ends = [end(n), if n == last { to } else { end(n + 1) }];
         let middle = 0.5 * (ends[0] + ends[1]);
         let interval = [(ends[0] - middle).next_down(), (ends[1] - middle).next_up()];
-        // A place outside the stretch by a rounding error counts as inside.
+        // A place that is outside the stretch only by rounding error counts as inside.
         let r = interval[1] * (1.0 + 1e-9);
         let above = surface.taylor(middle, r);
         let own = span.free_field().map_or(above, |free| above + &free.shifted(middle));
@@ -114,7 +115,7 @@ fn patches<S: Scalar>(fields: &Fields<S>, i: usize) -> Vec<Patch<S>> {
     (0..=last).map(on_stretch).collect()
 }
 
-/// All fields about m. `own` is the settlement: a polynomial of s on open ground of a layer, otherwise of t with m = 0.
+/// All fields as polynomials of s = t − m. `own` is the settlement as a polynomial of s.
 fn patch<S: Scalar>(
     fields: &Fields<S>,
     i: usize,
@@ -140,8 +141,8 @@ fn patch<S: Scalar>(
     Patch { middle, interval, fields }
 }
 
-/// The surface of an open piece with constant k and μ, measured from its free field: μv″ = kv between given values at both
-/// ends.
+/// The surface of an open piece with constant k and μ, measured from its free field: μv″ = kv with given
+/// values at both ends.
 struct Surface<'a, S> {
     span: &'a Span<S>,
     ends: [S; 2],

@@ -12,12 +12,12 @@ pub(crate) struct PieceBounds {
     pub deflection: Size,
     pub slope: Size,
     pub rotation: Size,
-    /// Of the moment m in equilibrium, M = m − δ.
+    /// Error of the moment m in equilibrium, M = m − δ.
     pub balanced_moment: Size,
     pub moment: Size,
     pub shear_force: Size,
     pub settlement: Size,
-    /// Where both solutions are in contact.
+    /// Error of the pressure where both solutions are in contact.
     pub pressure: Size,
 }
 
@@ -55,7 +55,7 @@ pub(crate) struct Pointwise<'a, S> {
 }
 
 impl<S: Scalar> Pointwise<'_, S> {
-    /// The bounds on all pieces, except that of the shear force.
+    /// The bounds on all pieces, except the bound of the shear force.
     pub fn bounds(&self) -> Vec<PieceBounds> {
         let mut bounds = vec![PieceBounds::NOTHING; self.fields.frame.spans.len()];
         self.moments(&mut bounds);
@@ -134,7 +134,7 @@ impl<S: Scalar> Pointwise<'_, S> {
 
     /// |p − p*| where both are in contact: kε_u + |μ′|ε_θ + με_w″ in a layer, kε_u on Winkler ground.
     ///
-    /// On a beam that shears w″(1 + P/S) = φ′ + (p − f + r + η′)/S, so that in a layer
+    /// On a beam with shear deformation w″(1 + P/S) = φ′ + (p − f + r + η′)/S, so that in a layer
     ///
     /// ```text
     /// ε_p = {kε_u + μS/(S + P)·[ε_κ + (|r| + |η′|)/S]}/(1 + μ/(S + P)).
@@ -165,8 +165,8 @@ impl<S: Scalar> Pointwise<'_, S> {
         }
     }
 
-    /// ε_w = sup|e| + max|c|, and ε_φ = min_h {2 sup|e|/h + s_γ/h^½ + min(½h max(ε_κ + |c″|), s(h/3)^½)} + max|c′| with
-    /// ε_κ = ε_M/EI. Where the beam does not shear ε_θ = ε_φ.
+    /// ε_w = sup|e| + max|c|, and ε_φ = min_h {2 sup|e|/h + s_γ/h^½ + min(½h max(ε_κ + |c″|), s(h/3)^½)} +
+    /// max|c′| with ε_κ = ε_M/EI. Where the beam has no shear deformation ε_θ = ε_φ.
     fn on_part(&self, part: &Range<usize>, error: Size, bounds: &mut [PieceBounds]) {
         let frame = self.fields.frame;
         let closed = &self.fields.deflection.pieces;
@@ -219,8 +219,8 @@ mod tests {
     use crate::scalar::Scalar;
     use crate::size::Size;
 
-    /// Errors of u, φ′ and of the balance of a beam that shears, and the resulting error of w″ and p. The bound holds and
-    /// is attained where both are in contact, and for μC″ where neither is.
+    /// Errors of u, φ′ and of the balance of a beam with shear deformation, and the resulting error of w″ and
+    /// p. The bound holds, and it is attained, for p where both are in contact and for μC″ where neither is.
     #[test]
     fn the_pressure_of_a_beam_that_shears_is_bounded_and_the_bound_is_sharp() {
         let mut random = numbers();
@@ -231,7 +231,8 @@ mod tests {
             for touches in [true, false] {
                 for signs in [[1.0, 1.0, 1.0], [1.0, -1.0, -1.0]] {
                     let [u, bent, r] = [settled * signs[0], turned * signs[1], load * signs[2]];
-                    // (S + P)w″ = Sφ′ + p + r, and p = u − μw″ where both touch, p = 0 and μC″ = u − μw″ where open.
+                    // (S + P)w″ = Sφ′ + p + r. In contact p = u − μw″; on open ground p = 0 and μC″ = u −
+                    // μw″.
                     let whole = stiffness + axial;
                     let curved = match touches {
                         true => (stiffness * bent + u + r) / (whole + shear),

@@ -23,7 +23,8 @@ const NUMBERS: [f64; ROOM] = {
     numbers
 };
 
-/// Σ cⱼ tʲ with at most N coefficients, stored without heap memory: most polynomials are used in one formula only.
+/// Σ cⱼ tʲ with at most N coefficients, stored without heap memory, because most polynomials are used in one
+/// formula only.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Polynomial<S, const N: usize = ROOM> {
     len: usize,
@@ -39,7 +40,7 @@ impl<S: Scalar, const N: usize> Polynomial<S, N> {
         Polynomial { len: 0, c: [S::zero(); N] }
     }
 
-    /// Stops compilation for more coefficients than there is room for.
+    /// Stops compilation if the number of coefficients exceeds the capacity.
     const fn has_room_for<const M: usize>() {
         let _ = const { N - M };
     }
@@ -91,7 +92,7 @@ impl<S: Scalar, const N: usize> Polynomial<S, N> {
         from_top.fold(*top, |sum, c| sum * t + *c)
     }
 
-    /// The difference of p at two positions, computed without the common constant.
+    /// The difference of the polynomial's values at two positions, computed without the constant coefficient.
     pub fn rise(&self, [from, to]: [S; 2]) -> S {
         let above = |t: S| {
             let terms = self.coefficients().iter().skip(1).rev();
@@ -105,7 +106,7 @@ impl<S: Scalar, const N: usize> Polynomial<S, N> {
         Size::of(raised(self.coefficients(), tau, S::size))
     }
 
-    /// The same without the constant coefficient.
+    /// As [`Self::size`], without the constant coefficient.
     pub fn tail(&self, tau: f64) -> Size {
         match self.coefficients() {
             [] => Size::ZERO,
@@ -132,7 +133,8 @@ impl<S: Scalar, const N: usize> Polynomial<S, N> {
     }
 }
 
-/// Σ size(cⱼ)τʲ, rounded up once: 2n roundings of 2⁻⁵³ each and at most n underflows.
+/// Σ size(cⱼ)τʲ, rounded up once at the end to cover 2n rounding errors of 2⁻⁵³ each and at most n
+/// underflows.
 fn raised<S: Copy>(coefficients: &[S], tau: f64, size: impl Fn(S) -> f64) -> f64 {
     let sum = coefficients.iter().rev().fold(0.0, |sum, c| sum * tau + size(*c));
     if sum == 0.0 { 0.0 } else { sum * (1.0 + 64.0 * f64::EPSILON) + f64::MIN_POSITIVE }
@@ -176,7 +178,7 @@ impl<S: Scalar> Mul for &Polynomial<S> {
     }
 }
 
-/// The number of halvings left: on one piece, and on all pieces together.
+/// The number of remaining halvings, on one piece and on all pieces together.
 #[derive(Debug)]
 pub(crate) struct Budget {
     piece: usize,
@@ -223,10 +225,10 @@ impl Below {
 
 /// Bounds the negative part of a polynomial minus a size on an interval.
 ///
-/// On an interval about m of half width r the value is at least c₀ − Σ_{j≥1}|cⱼ|rʲ, cⱼ the coefficients about m. Where the
-/// derivative has one sign, |p′| ≥ σ > 0, the smallest value v is at an end, and p < 0 on at most −v/σ. Otherwise the
-/// interval is halved, unless its middle is already as deep or the depth is negligible. When the budget is spent, the
-/// interval counts with its bound and its whole width.
+/// On an interval about m of half width r, the value is at least c₀ − Σ_{j≥1}|cⱼ|rʲ with the coefficients cⱼ
+/// about m. If the derivative has one sign, |p′| ≥ σ > 0, the smallest value v is at an end, and p < 0 on a
+/// length of at most −v/σ. Otherwise the interval is halved, unless its middle is nearly as deep as the bound
+/// or the depth is negligible. If no halvings remain, the interval counts with its bound and its whole width.
 pub(crate) fn below<C: Scalar>(
     p: &Polynomial<C>,
     less: Size,
@@ -265,7 +267,7 @@ pub(crate) fn below<C: Scalar>(
             if depth.value() > 0.0 {
                 let reach = |t: f64| Size::of(if rising { t - a } else { b - t }.next_up());
                 let mut width = Size::of((b - a).next_up()).least(depth.over(least));
-                // Beyond a place where the function is nonnegative, it stays nonnegative.
+                // The function is monotone, so bisection bounds the length on which it is negative.
                 let (mut t, mut step) = (m, 0.5 * (b - a));
                 for _ in 0..30 {
                     step *= 0.5;
@@ -286,7 +288,8 @@ pub(crate) fn below<C: Scalar>(
         }
         let here = Size::below_zero((about.coefficient(0) - C::of(less.value())).low());
         let depth = Size::below_zero(low) + lost;
-        // Accept a depth that halving would not change much, a depth below the rounding error, or a negligible one.
+        // Accept a depth that halving would not change much, that is below the rounding error, or that is
+        // negligible.
         let c0 = about.coefficient(0);
         let blurred = Size::of(0.25 * (c0.high() - c0.low()));
         let enough = depth <= blurred + 1.25 * here || depth <= negligible;
@@ -300,7 +303,7 @@ pub(crate) fn below<C: Scalar>(
     found
 }
 
-/// The larger distance of m from the two ends, rounded up.
+/// The larger of the two distances of m from the ends, rounded up.
 pub(crate) fn half_width(a: f64, m: f64, b: f64) -> f64 {
     let (left, right) = ((m - a).next_up(), (b - m).next_up());
     if left >= right { left } else { right }

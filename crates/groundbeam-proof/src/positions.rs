@@ -1,4 +1,4 @@
-//! Nodes of the answer and positions of the model, matched one to one.
+//! Assigns the positions of the model to the nodes of the answer, one to one.
 
 use crate::answer::Answer;
 use crate::refusal::NotProven;
@@ -12,7 +12,7 @@ const APART: f64 = 32.0 * f64::EPSILON;
 /// The shortest piece, as a fraction of the length.
 const SHORTEST: f64 = 1e-20;
 
-/// The ends of the pieces, each with the position of the model that it represents, if any.
+/// The ends of the pieces. An end may represent an exact position of the model.
 #[derive(Debug)]
 pub(crate) struct Positions<S> {
     /// The doubles of the answer, in the units of the proof.
@@ -67,8 +67,8 @@ impl<S: Scalar> Positions<S> {
         (at - self.stored[node]).size() <= NEAR * self.length.low()
     }
 
-    /// The node of a position of the model; the node then takes this exact position. In an estimate, positions that differ
-    /// by a rounding error share a node and the position of the first one.
+    /// The node of a position of the model. The node then represents this exact position. In an estimate,
+    /// positions that differ by rounding error share a node, which represents the first of them.
     pub fn find(&mut self, at: S) -> Result<usize, NotProven> {
         let node = self.nearest(at);
         let place = self.units.restored(at.middle(), 0, 1);
@@ -113,7 +113,7 @@ impl<S: Scalar> Positions<S> {
         self.reached(node, at).then_some(node)
     }
 
-    /// The exact positions of the nodes, which increase.
+    /// The exact positions of the nodes, checked to increase.
     pub fn exact(self) -> Result<Vec<S>, NotProven> {
         let stored = self.stored.iter().zip(&self.given);
         let exact: Vec<S> = stored.map(|(stored, given)| given.unwrap_or(*stored)).collect();

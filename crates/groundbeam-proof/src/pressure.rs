@@ -7,7 +7,7 @@ use crate::polynomial::{Budget, Polynomial, below};
 use crate::scalar::Scalar;
 use crate::size::Size;
 
-/// The pressure of one piece; zero where it is open.
+/// The pressure on one piece; zero on an open piece.
 #[derive(Debug)]
 pub(crate) struct Pressure<S> {
     pub field: Polynomial<S>,
@@ -17,7 +17,7 @@ pub(crate) struct Pressure<S> {
     pub masses: [S; 3],
     /// p ≥ −η.
     pub depth: Size,
-    /// p < 0 on at most this length ω: the tensile part max(−p, 0) has a resultant of at most ηω.
+    /// p < 0 on a length of at most ω. So the tensile part max(−p, 0) has a resultant of at most ηω.
     pub width: Size,
 }
 

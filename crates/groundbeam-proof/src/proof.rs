@@ -20,17 +20,17 @@ use crate::size::Size;
 /// The proven quantities of an answer, with their bounds.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Proof {
-    /// E \[N·m\]: a bound of the sum of two energies, that of the error of deflection and settlement, and that of the error
-    /// of moment and pressure.
+    /// E \[N·m\]: a bound of the sum of two energies: the energy of the error of deflection and settlement,
+    /// and the energy of the error of moment and pressure.
     pub energy: f64,
-    /// The strain energy of beam, ground and springs \[N·m\]: an estimate, for comparison with E.
+    /// The strain energy of beam, ground and springs \[N·m\]. It is an estimate, for comparison with E.
     pub strain_energy: f64,
     /// Error bounds of the fields that hold at every point of the beam. A finite bound of w proves that a solution exists.
     pub bounds: Bounds,
     /// Error bounds of the reactions, for each support of the model.
     pub reactions: Vec<ReactionBound>,
-    /// The exact contact set: an interval for every edge and concentrated force, or the name of the step that fails. The
-    /// other bounds hold in both cases.
+    /// The exact contact set, with an interval for every edge and every concentrated force; otherwise the
+    /// step that fails. The other bounds hold in both cases.
     pub contact: Result<ContactSet, NotProven>,
     /// `Ok` if the solution is unique.
     pub unique: Result<(), NotProven>,
@@ -41,10 +41,10 @@ pub struct Proof {
 }
 
 impl Proof {
-    /// The first reason why the answer is not proven; `None` if it is.
+    /// The first reason why the answer is not proven; `None` if it is proven.
     ///
-    /// Proven means: a solution exists and is unique, the contact set is proven, the active supports are known, and every
-    /// error is at most 10⁻⁶ of its scale.
+    /// An answer is proven if a solution exists and is unique, if the contact set and the active supports are
+    /// proven, and if every error is at most 10⁻⁶ of its scale.
     pub fn shortfall(&self) -> Option<NotProven> {
         if !(self.bounds.deflection.error < f64::INFINITY) {
             return Some(NotProven::new("no equilibrium is proven: the deflection has no bound"));
@@ -68,7 +68,7 @@ impl Proof {
         set.or_else(fields).or_else(|| self.intervals(too_large)).or_else(supports)
     }
 
-    /// The same for the intervals of edges and concentrated forces.
+    /// The first interval of an edge or of a concentrated force that is too wide.
     fn intervals(&self, too_large: impl Fn(&str, Bound) -> Option<NotProven>) -> Option<NotProven> {
         let set = self.contact.as_ref().ok()?;
         let width = |[low, high]: [f64; 2]| (high - low).next_up();
@@ -89,7 +89,8 @@ pub fn prove<S: Scalar>(model: &Model<S>, answer: &Answer) -> Result<Proof, NotP
     proven(model, answer, None, |_, proof| proof)
 }
 
-/// Proves an answer and passes the proof with the fields made from the answer to `conclude`. Writes a log if one is given.
+/// Proves an answer. Passes the proof and the fields that are constructed from the answer to `conclude`.
+/// Writes a log if one is given.
 pub(crate) fn proven<S: Scalar, T>(
     model: &Model<S>,
     answer: &Answer,
@@ -114,7 +115,7 @@ enum Attempt {
     Close(Vec<usize>),
 }
 
-/// The proof of the answer from which the fields were made.
+/// The proof of the answer from which the fields were constructed.
 fn of_fields<S: Scalar>(
     fields: &Fields<S>,
     answer: &Answer,
@@ -184,8 +185,8 @@ fn add_stored<S: Scalar>(answer: &Answer, fields: &Fields<S>, bounds: &mut [Piec
             bounds.settlement += match &fields.surface.pieces[i].along {
                 Some(along) => (*stored - along).size(span.tau),
                 None if span.touches => (*stored - &span.obstacle()).size(span.tau),
-                // y = stored − u satisfies ky − (μy′)′ = ρ, so |y| is at most the larger of max|ρ|/k and its absolute
-                // values at the ends.
+                // y = stored − u satisfies ky − (μy′)′ = ρ. So |y| is at most the largest of max|ρ|/k and its
+                // absolute values at both ends.
                 None => {
                     let missed = span.missed_by(stored).size(span.tau);
                     off_the_ends(span.t.map(|t| stored.value(t))) + missed.over(span.spring.low())

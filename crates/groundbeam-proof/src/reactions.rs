@@ -1,8 +1,8 @@
 //! Bounds of the error of the reactions of supports.
 //!
-//! The error of a spring's reaction is at most κ|w − w*|, and at most s₂√κ + κ|c|. The error of a rigid support's reaction
-//! is at most s₂K + W|λ|, with K of a test function z with z = 1 at the support and z = 0 at all others. The error of a
-//! clamp's moment is at most s₂K + W_θ|λ′|, with z′ = 1.
+//! The error of a spring's reaction is at most κ|w − w*|, and also at most s₂√κ + κ|c|. The error of a rigid
+//! support's reaction is at most s₂K + W|λ|, with K of a test function z with z = 1 at the support and z = 0
+//! at all others. The error of a clamp's moment is at most s₂K + W_θ|λ′|, with z′ = 1.
 
 use crate::frame::Held;
 use crate::model::Acts;
@@ -30,7 +30,8 @@ impl<S: Scalar> Pointwise<'_, S> {
         frame.supports.iter().map(of).collect()
     }
 
-    /// min(κε_w, s₂√κ + κ|c|) plus the difference of the claimed reaction from κ(w − δ), likewise for rotation.
+    /// min(κε_w, s₂√κ + κ|c|) plus the difference between the claimed reaction and κ(w − δ); for rotation
+    /// with κ_θ.
     fn of_springs(
         &self,
         held: &Held<S>,
@@ -80,7 +81,7 @@ impl<S: Scalar> Pointwise<'_, S> {
     fn of_clamp(&self, node: usize) -> Size {
         let here = &self.fields.frame.nodes[node];
         if !here.clamped {
-            // A pin claims no moment; another claim is refused.
+            // A pin has no moment. A claimed moment of a pin has already been refused.
             return Size::ZERO;
         }
         let own = here.turning.map_or(Size::ZERO, |turning| Size::of(turning.high()));
@@ -92,7 +93,8 @@ impl<S: Scalar> Pointwise<'_, S> {
         self.test_factor() * stiffness.root() + steep * Size::of(here.weights.clamp)
     }
 
-    /// The next rigid support on one side of a node, or the end of the beam, and whether it is a support.
+    /// The node of the next rigid support on one side of a node; otherwise the end of the beam. Also returns
+    /// whether it is a support.
     fn next(&self, node: usize, side: usize) -> (usize, bool) {
         let nodes = &self.fields.frame.nodes;
         let mut next = node;
@@ -119,7 +121,9 @@ impl<S: Scalar> Pointwise<'_, S> {
         (self.largest(from..to), frame.nodes[to].x - frame.nodes[from].x, springs)
     }
 
-    /// K² on one side: z is linear from 1 to 0 on a length, or z = 1 up to the end of the beam, with kL + K_e + Σκ.
+    /// K² on one side: the smaller of two bounds. Either z decreases from 1 to 0 over a length that ends
+    /// before the next support. Or z = 1 up to the end of the beam, if no support lies on this side: K² = kL
+    /// + K_e + Σκ.
     fn lifted_side(&self, node: usize, side: usize) -> Size {
         let (next, held) = self.next(node, side);
         let ([bending, layer, ground], room, [springs, turning]) = self.beside(node, next);
@@ -144,7 +148,8 @@ impl<S: Scalar> Pointwise<'_, S> {
         kink(largest, springs, room.low())
     }
 
-    /// K² for the linear function that is 1 at a support and 0 at the only other one; requires that neither is a clamp.
+    /// K² for the linear function that is 1 at a support and 0 at the only other support. Neither may be a
+    /// clamp.
     fn tilted(&self, node: usize) -> Size {
         let nodes = &self.fields.frame.nodes;
         let rigid: Vec<usize> = (0..nodes.len()).filter(|i| nodes[*i].rigid.is_some()).collect();
@@ -208,7 +213,7 @@ mod tests {
     use crate::size::Size;
     use crate::test_functions::tests::integral;
 
-    /// K² by integration, with the springs where |z| and |z′| are largest.
+    /// K² by integration, with the springs at the places where |z| and |z′| are largest.
     fn exact([bending, layer, ground]: [f64; 3], [springs, turning]: [f64; 2], h: f64) -> f64 {
         let z = |t: f64| 1.0 - 3.0 * (t / h).powi(2) + 2.0 * (t / h).powi(3);
         let slope = |t: f64| 6.0 * (t / h) * (t / h - 1.0) / h;

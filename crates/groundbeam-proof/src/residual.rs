@@ -1,7 +1,7 @@
-//! The residual of equilibrium (3.12) of the claimed deflection and pressures: forces along the pieces and at the nodes,
-//! and jumps of the moment.
+//! The residual of equilibrium (3.12) of the claimed deflection and pressures: forces along the pieces,
+//! forces at the nodes, and jumps of the moment.
 //!
-//! With M = −EI(φ′ − κ₀), V = M′ − g and T = V + Pw′, φ = w′ where the beam does not shear,
+//! With M = −EI(φ′ − κ₀), V = M′ − g and T = V + Pw′, φ = w′ where the beam has no shear deformation,
 //!
 //! ```text
 //! r(x) = f − p + T′ on pieces,   r_i = F_i − a_i − R_i + [T]_i,   q_i = M₀_i − R_θi − [M]_i at nodes.
@@ -32,7 +32,7 @@ pub(crate) struct PieceResidual<S> {
     pub bending: [S; 2],
     /// T at both ends.
     pub shear: [S; 2],
-    /// On a piece that shears, bounds of η = S(w′ − φ) − V and of η′.
+    /// On a piece with shear deformation, bounds of η = S(w′ − φ) − V and of η′.
     pub misfit: [Size; 2],
 }
 
@@ -59,8 +59,8 @@ pub(crate) fn residual<S: Scalar>(
     Residual { pieces, nodes, pushing }
 }
 
-/// The force of a one-way support in its direction: for a rigid one the claimed force, for a spring κ times the positive
-/// part of w̄ − δ.
+/// The force of a one-way support in its direction: the claimed force of a rigid support, or κ times the
+/// positive part of w̄ − δ for a spring.
 fn pushes<S: Scalar>(frame: &Frame<S>, deflection: &Deflection<S>, i: usize) -> S {
     let node = &frame.nodes[i];
     match (node.acts, node.spring) {
@@ -95,7 +95,7 @@ fn on_piece<S: Scalar>(frame: &Frame<S>, pressures: &[Pressure<S>], i: usize) ->
     }
 }
 
-/// Bounds of η = S(w′ − φ) − V and of η′ on a piece that shears.
+/// Bounds of η = S(w′ − φ) − V and of η′ on a piece with shear deformation.
 fn misfit<S: Scalar>(
     span: &Span<S>,
     slope: &Polynomial<S>,

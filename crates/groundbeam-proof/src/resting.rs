@@ -27,7 +27,7 @@ impl<S: Scalar> Contact<'_, S> {
     }
 }
 
-/// Whether a piece has no loads, over ground of this constant height.
+/// Whether a piece has no loads and lies over ground of this constant height.
 fn is_bare<S: Scalar>(frame: &Frame<S>, piece: usize, height: S) -> bool {
     let span = &frame.spans[piece];
     let none = |line: &Line<S>| line.size(span.tau) == Size::ZERO;
@@ -35,7 +35,8 @@ fn is_bare<S: Scalar>(frame: &Frame<S>, piece: usize, height: S) -> bool {
     level && none(&span.force) && none(&span.moment) && none(&span.curvature)
 }
 
-/// Whether a part ends here at this height: at a two-way clamp, or at a free end without load.
+/// Whether a resting part at this height ends at this node: at a two-way clamp at the same height, or at a
+/// free end without load.
 fn ends<S: Scalar>(node: &Node<S>, height: S) -> bool {
     match node.clamped {
         true => node.rigid == Some(height) && node.acts == Acts::Both,

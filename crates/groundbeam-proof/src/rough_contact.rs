@@ -1,5 +1,6 @@
-//! Bounds of the contact on each piece of a layer before the slope has a bound. On a beam that shears, the slope needs the
-//! shear force, and the shear force needs the lengths where only one of the two solutions is in contact.
+//! Bounds of the contact on each piece of a layer before the slope has a bound. On a beam with shear
+//! deformation, the slope needs the shear force, and the shear force needs the lengths where only one of the
+//! two solutions is in contact.
 //!
 //! With |C − C*| ≤ ε_C = ε_u + ε_w the exact beam is in contact on an open piece only where C ≤ ε_C, near its touching
 //! ends. On a touching piece with p > ε_p the exact clearance is convex wherever it is positive, μC*″ ≥ m = min(p − ε_p),
@@ -72,8 +73,8 @@ impl<S: Scalar> Contact<'_, S> {
         Ok([0, 1].map(|side| self.opened_at(i, side).unwrap_or(length)))
     }
 
-    /// (2ε_Cμ/m)^½ with the smallest p − ε_p on a part of the piece of this length, if there is one. Requires p > ε_p on
-    /// the whole piece.
+    /// (2ε_Cμ/m)^½, with m the smallest p − ε_p on a part of the piece of this length; `None` if no such part
+    /// is found. It requires p > ε_p on the whole piece.
     pub(crate) fn opened_at(&self, i: usize, side: usize) -> Option<Size> {
         let span = &self.fields.frame.spans[i];
         let (field, error) = (self.fields.pressures[i].field.coarse(), self.bounds[i].pressure);

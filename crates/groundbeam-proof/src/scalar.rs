@@ -5,11 +5,10 @@ use crate::float::{ABOVE, HUGE, scale};
 use std::fmt::Debug;
 use std::ops::{Add, Mul, Neg, Sub};
 
-/// A real number, or an interval that holds it.
+/// A real number, or an interval that contains it.
 ///
-/// Every function of this crate is written once over this trait. With `Ball` or
-/// `Wide` each operation encloses all exact results, so that a proven inequality is a theorem.
-/// With `f64` the same formulas give an estimate.
+/// Every function of this crate is generic over this trait. With `Ball` or `Wide` each operation encloses all
+/// exact results, so that a proven inequality is a theorem. With `f64` the same formulas give an estimate.
 pub trait Scalar:
     Copy
     + Debug
@@ -22,7 +21,7 @@ pub trait Scalar:
     /// A type with fewer digits, sufficient for the signs of clearances.
     type Coarse: Scalar;
 
-    /// Whether values enclose their rounding error. Plain doubles do not: they give estimates.
+    /// Whether values enclose their rounding error. Doubles do not, so they give estimates.
     const ENCLOSES: bool;
 
     /// The exact value of a double. A value that is not finite gives a ball of infinite radius.
@@ -63,10 +62,10 @@ pub trait Scalar:
     /// The middle of the ball, as a double: used for trial decisions, never as a bound.
     fn middle(self) -> f64;
 
-    /// Middle, correction of the middle and radius of the ball; they represent it exactly.
+    /// Middle, correction of the middle and radius of the ball. They represent the ball exactly.
     fn parts(self) -> [f64; 3];
 
-    /// The same number in the type for clearances.
+    /// The same number in the type with fewer digits.
     fn coarse(self) -> Self::Coarse;
 
     /// The same ball with a radius larger by a size. An `f64` is returned unchanged.
@@ -90,8 +89,9 @@ pub trait Scalar:
 
 /// exp(x) − 1 for x ≤ 0 by the first terms of its series, at most 18.
 ///
-/// x is halved until |x| ≤ 2⁻⁴; e(e + 2) doubles the argument again. Σ xʲ/j! up to n is x/n! times a polynomial with the
-/// integer coefficients n!/j!, exact in a double for n ≤ 18. The remainder is at most 2|x|ⁿ⁺¹/(n+1)!.
+/// x is halved until |x| ≤ 2⁻⁴; e(e + 2) doubles the argument again. Σ xʲ/j! up to n is x/n! times a
+/// polynomial with the integer coefficients n!/j!, which are exact doubles for n ≤ 18. The remainder is at
+/// most 2|x|ⁿ⁺¹/(n+1)!.
 pub(crate) fn expm1_by_series<S: Scalar>(x: S, terms: u32) -> S {
     if !(x.high() <= 1.0) {
         return S::of(f64::INFINITY);
@@ -121,14 +121,14 @@ pub(crate) fn expm1_by_series<S: Scalar>(x: S, terms: u32) -> S {
     }
     let mut e = (y * sum).div(S::of(coefficient)).widened(rest / coefficient * ABOVE);
     for _ in 0..halvings {
-        // (e + 1)² − 1 keeps the radius small near e = −1, e(e + 2) keeps the digits near e = 0.
+        // (e + 1)² − 1 has a small radius near e = −1; e(e + 2) keeps the digits near e = 0.
         let square = (e + S::one()).square() - S::one();
         e = if e.size() > 0.5 { square } else { e * (e + S::of(2.0)) };
     }
     e
 }
 
-/// A ball that contains max(x, 0) for all x of a ball.
+/// A ball that contains max(x, 0) for every x in a ball.
 pub(crate) fn positive_part<S: Scalar>(x: S) -> S {
     if x.low() >= 0.0 {
         x
@@ -162,7 +162,7 @@ fn power_of_five<S: Scalar>(n: u32) -> S {
     }
 }
 
-/// digits·10ⁿ, exact where the number type can represent it.
+/// digits·10ⁿ, exact if the number type can represent it.
 fn of_digits<S: Scalar>(mut digits: u128, mut exponent: i32) -> Option<S> {
     if digits == 0 {
         return Some(S::zero());

@@ -7,7 +7,7 @@ use crate::polynomial::{Line, Polynomial};
 use crate::scalar::Scalar;
 use crate::size::Size;
 
-/// The scale of every quantity, in the units of the proof: a lower bound.
+/// The scale of every quantity: a lower bound in the units of the proof.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct FieldScales {
     /// U, the larger of the largest |w| and |u|.
@@ -20,7 +20,7 @@ pub(crate) struct FieldScales {
     pub shear_force: f64,
     /// The larger of the largest p and k_max U.
     pub pressure: f64,
-    /// The larger of the sum of all loads as forces and the largest reaction.
+    /// The larger of two forces: the sum of all loads, converted to forces, and the largest reaction.
     pub force: f64,
     /// `force` times λ, for moments of supports.
     pub turning: f64,
@@ -39,7 +39,8 @@ struct Largest {
 }
 
 impl FieldScales {
-    /// λ is the smaller of the length and the largest (4EI/k)^¼; F₀ the largest single load, as a force.
+    /// Computes the scales. λ is the smaller of the length and the largest (4EI/k)^¼; F₀ is the largest
+    /// single load, converted to a force.
     pub fn of<S: Scalar>(fields: &Fields<S>, bounds: &[PieceBounds]) -> Self {
         let most = Largest::of(fields, bounds);
         let wave = wave(fields);
@@ -109,7 +110,7 @@ impl Largest {
     }
 }
 
-/// A lower bound of the exact absolute value, from the claimed value and its error bound.
+/// A lower bound of the absolute value of an exact number, from the claimed number and its error bound.
 fn shown<S: Scalar>(claimed: S, error: Size) -> f64 {
     let value = if claimed.low() > 0.0 { claimed.low() } else { (-claimed).low() };
     (value - error.value()).next_down()
@@ -123,7 +124,7 @@ fn wave<S: Scalar>(fields: &Fields<S>) -> f64 {
     slightly_less(if wave < length { wave } else { length })
 }
 
-/// The largest load or reaction and the sum of all loads, as forces.
+/// The largest load or reaction, and the sum of all loads, converted to forces.
 fn loads<S: Scalar>(fields: &Fields<S>, wave: f64) -> (f64, f64) {
     let (mut most, mut sum) = (0.0, 0.0);
     for span in &fields.frame.spans {
@@ -153,7 +154,7 @@ fn larger(a: f64, b: f64) -> f64 {
     if b > a { b } else { a }
 }
 
-/// A slightly smaller number, to allow for the rounding of a few operations.
+/// A slightly smaller number, which covers the rounding error of a few operations.
 fn slightly_less(x: f64) -> f64 {
     x * (1.0 - 1e-12)
 }

@@ -1,16 +1,19 @@
-//! Bounds of the error of the shear force, from the change of moment over a window and the load errors inside it.
+//! Bounds of the error of the shear force, from the change of moment over a window and the errors of the
+//! loads in the window.
 //!
-//! T̃ = (m − M*)′ + P(e′ − c′) + β is the error of the transverse force, β the part of the balance that the tension carries. On a
-//! window of length h without rigid support its mean is at most (2s₂K + 2P sup|e|)/h + P max|c′| + max|β|, and it differs
-//! from its mean by the errors of pressure, concentrated forces and springs inside:
+//! T̃ = (m − M*)′ + P(e′ − c′) + β is the error of the transverse force, and β is the transverse force that
+//! the tension carries in the balance. On a window of length h without rigid support its mean is at most
+//! (2s₂K + 2P sup|e|)/h + P max|c′| + max|β|, and it differs from its mean by the errors of pressure,
+//! concentrated forces and springs inside:
 //!
 //! ```text
 //! ε_T = min_h {(2s₂K + 2P sup|e| + Σs₂√κ_θ)/h + ½hq} + P max|c′| + max|β| + Σmax(θp_o, θ′p_i) + Σ(ε_a + |λ|a) + Σs₂√κ,
 //! ε_V = |δ′| + Pε_φ + |β| + ε_T,   q = max(ε_p + γp + (1 + γ)η).
 //! ```
 //!
-//! Where a beam that does not shear has no hinge in the window, T̃ − Pe′ takes the place of T̃. It bounds V itself, from the error
-//! of the curvature in place of those of deflection and slope:
+//! Where a beam without shear deformation has no hinge in the window, T̃ − Pe′ takes the place of T̃. This
+//! gives a bound of the error of V from the error of the curvature, without the errors of deflection and
+//! slope:
 //!
 //! ```text
 //! ε_V = |δ′| + |β| + min_h {(2s₂K + Σs₂√κ_θ)/h + ½h(q + P max|e″|)} + 2P max|c′| + max|β| + forces,   |e″| ≤ ε_M/EI + |c″|.
@@ -27,7 +30,7 @@ use crate::size::Size;
 use crate::test_functions::least_of_halves;
 use std::ops::Range;
 
-/// The errors of the forces inside a window, and those of rotational springs.
+/// The errors of the forces inside a window, and the errors of its rotational springs.
 fn inside(window: &Range<usize>, loads: &[LoadError], nodes: &[[Size; 2]]) -> [Size; 2] {
     let [mut forces, mut couples] = [Size::ZERO; 2];
     for i in window.clone() {
@@ -66,8 +69,8 @@ struct LoadError {
 }
 
 impl<S: Scalar> Pointwise<'_, S> {
-    /// Lowers the bounds of the shear force on all pieces, and of the slope where the beam shears. Needs the contact set of
-    /// all layers, or its rough bounds.
+    /// Lowers the bounds of the shear force on all pieces, and of the slope on a beam with shear deformation.
+    /// It needs the contact set of all layers, or rough bounds of it.
     pub fn shear_forces(&self, shown: &Shown, bounds: &mut [PieceBounds]) {
         if shown.failed[0].is_some() {
             return;
@@ -103,7 +106,8 @@ impl<S: Scalar> Pointwise<'_, S> {
         }
     }
 
-    /// The bounds of V, and of w′ where the beam shears, from a bound of ε_T + |δ′| + |P|ε_φ: with η = S(w′ − φ) − V
+    /// The bounds of V, and of w′ where the beam has shear deformation, from a bound of ε_T + |δ′| + |P|ε_φ:
+    /// with η = S(w′ − φ) − V
     ///
     /// ```text
     /// ε_V = (ε_T + |δ′| + |P|ε_φ + |P||η|/S)/(1 + P/S),   ε_θ = ε_φ + (ε_V + |η|)/S.
@@ -159,8 +163,8 @@ impl<S: Scalar> Pointwise<'_, S> {
         self.steady(window, 1.0, bounds, loads, couples) + forces
     }
 
-    /// The bound of V minus |δ′| + |β| from the error of the curvature, under an axial force, in windows without hinges on
-    /// a beam that does not shear.
+    /// The bound of V minus |δ′| + |β| from the error of the curvature, under an axial force, in windows
+    /// without hinges on a beam without shear deformation.
     fn directly(
         &self,
         window: Range<usize>,
@@ -252,7 +256,8 @@ impl<S: Scalar> Pointwise<'_, S> {
         errors
     }
 
-    /// A bound of |ku − q − (μψ′)′| on an open piece of a layer: the pressure in case of contact at the present settlement.
+    /// A bound of |ku − q − (μψ′)′| on an open piece of a layer: the pressure if the exact beam is in contact
+    /// there.
     pub(crate) fn open_pressure(&self, i: usize) -> Size {
         let span = &self.fields.frame.spans[i];
         if let Some(along) = &self.fields.surface.pieces[i].along {
@@ -265,8 +270,8 @@ impl<S: Scalar> Pointwise<'_, S> {
         Size::of(span.spring.high()) * settled + Size::of(span.shear.high()) * bent
     }
 
-    /// The same within a distance of one end of the piece. v = u − q/k changes by at most the distance times its largest
-    /// slope, which occurs at an end.
+    /// As `open_pressure`, within a distance of one end of the piece. v = u − q/k changes by at most the
+    /// distance times its largest slope, which occurs at an end.
     fn open_pressure_beside(&self, i: usize, side: usize, distance: Size) -> Size {
         let (span, surface) = (&self.fields.frame.spans[i], &self.fields.surface.pieces[i]);
         if let Some(along) = &surface.along {
@@ -287,7 +292,7 @@ impl<S: Scalar> Pointwise<'_, S> {
         whole.least(self.open_pressure(i))
     }
 
-    /// The error of the forces at a node, and that of its rotational spring.
+    /// The error of the forces at a node, and the error of its rotational spring.
     fn node_error(&self, node: usize, shown: &Shown) -> [Size; 2] {
         let (frame, surface) = (self.fields.frame, &self.fields.surface);
         let here = &frame.nodes[node];

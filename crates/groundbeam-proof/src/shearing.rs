@@ -1,4 +1,4 @@
-//! The error of the shear force of a beam that shears, V − S(w′ − φ), in the energy norm.
+//! The error of the shear force of a beam with shear deformation, V − S(w′ − φ), in the energy norm.
 //!
 //! With V = M′ − g, η = S(w′ − φ) − V and the balancing moment δ, its contribution to E is
 //!
@@ -12,7 +12,7 @@ use crate::residual::Residual;
 use crate::scalar::Scalar;
 use crate::size::Size;
 
-/// (‖η‖ + ‖δ′‖)² over the pieces that shear.
+/// (‖η‖ + ‖δ′‖)² over the pieces with shear deformation.
 pub(crate) fn shearing_energy<S: Scalar>(
     frame: &Frame<S>,
     residual: &Residual<S>,
@@ -30,8 +30,9 @@ pub(crate) fn shearing_energy<S: Scalar>(
     (misfit.root() + balancing.root()).square()
 }
 
-/// (∫δ′²)^½ on a piece of length h with δ′ = a and b at its ends, δ″ = −r, r within R of a constant, and a further shear
-/// force of at most Δ′: the chord, a part below ½hR, and Δ′,
+/// (∫δ′²)^½ on a piece of length h. δ′ is a and b at the ends, and δ″ = −r, where r differs from a constant
+/// by at most R; a further shear force is at most Δ′. δ′ is the sum of a chord, a part of at most ½hR and Δ′,
+/// so the bound is
 ///
 /// ```text
 /// |h(a² + ab + b²)/3|^½ + ½h^{3/2} R + h^½ Δ′.

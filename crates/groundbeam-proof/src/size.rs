@@ -1,4 +1,4 @@
-//! Sizes: nonnegative upper bounds of norms, each operation rounded up.
+//! Sizes: nonnegative upper bounds of norms. Each operation is rounded up.
 
 use std::ops::{Add, AddAssign, Mul};
 
@@ -15,7 +15,7 @@ impl Size {
         if x >= 0.0 { Size(x) } else { Size::INFINITE }
     }
 
-    /// The part of a lower bound that lies below zero.
+    /// The absolute value of a lower bound below zero; otherwise zero.
     pub fn below_zero(low: f64) -> Self {
         if low >= 0.0 { Size::ZERO } else { Size::of(-low) }
     }

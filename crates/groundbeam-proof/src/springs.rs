@@ -8,7 +8,8 @@ use crate::scalar::Scalar;
 use crate::size::Size;
 
 impl<S: Scalar> Contact<'_, S> {
-    /// Winkler ground between two nodes. Every edge has a zone on both sides; elsewhere the sign of w* − g₀ is proven.
+    /// Proves the contact on Winkler ground between two nodes. Every edge has a zone on both sides. Outside
+    /// these zones, the sign of w* − g₀ is proven.
     pub(crate) fn springs(
         &self,
         first: usize,
@@ -18,15 +19,16 @@ impl<S: Scalar> Contact<'_, S> {
         let spans = &self.fields.frame.spans;
         let differs = |i: usize, j: usize| spans[i].touches != spans[j].touches;
         let mut zones = vec![[Size::ZERO; 2]; end - first];
-        // Where the beam rests without load it is in contact without pressure, whatever the answer claims.
+        // Where the beam rests without load, it is in contact without pressure. The claim of the answer is
+        // not needed there.
         for i in (first..end).filter(|i| !self.rests(*i)) {
             let field = self.signed(i);
             let edges = [i > first && differs(i - 1, i), i + 1 < end && differs(i, i + 1)];
             let mut interval = spans[i].interval();
             for side in [0, 1] {
-                // Under a load on the ground w* − g₀ − q/k is not zero there.
+                // Under a load on the ground, w* − g₀ − q/k is not zero at such a support.
                 let stands = self.stands(i, side) && spans[i].ground_load.is_none();
-                // At a jump of a load on the ground, or of g₀, the sign changes without a zero.
+                // At a jump of a load on the ground or of g₀, the sign may change without a zero.
                 let at_end = field.value(S::Coarse::of(interval[side])).low();
                 let steps = at_end > more(self.bounds[i].deflection).value();
                 if (!edges[side] || steps) && !stands {
@@ -74,7 +76,7 @@ impl<S: Scalar> Contact<'_, S> {
         Ok(())
     }
 
-    /// w − g₀ − q/k where the piece touches, its negative where it is open.
+    /// w − g₀ − q/k on a touching piece, and its negative on an open piece.
     fn signed(&self, i: usize) -> Polynomial<S::Coarse> {
         let span = &self.fields.frame.spans[i];
         let field = span.above_free_field();
@@ -88,15 +90,17 @@ impl<S: Scalar> Contact<'_, S> {
         node.rigid == Some(gap) && node.acts == Acts::Both
     }
 
-    /// Whether the slope of w* − g₀ is zero there too: at a clamp of a beam that does not shear, above level ground.
+    /// Whether the slope of w* − g₀ is also zero at this end: at a clamp of a beam without shear deformation,
+    /// above level ground.
     fn lies(&self, i: usize, side: usize) -> bool {
         let (span, node) = (&self.fields.frame.spans[i], &self.fields.frame.nodes[i + side]);
         let shears = span.stiffness.is_some();
         self.stands(i, side) && node.clamped && !shears && span.gap.tail(1.0) == Size::ZERO
     }
 
-    /// The shortest zone in which g₀ − w* grows from zero, beside a rigid support that stands on open ground of a layer.
-    /// There the exact beam is above the ground, because u* ≥ 0: loads on the ground act downward.
+    /// The shortest zone in which g₀ − w* increases from zero, next to a rigid support on the surface of open
+    /// ground of a layer. In this zone the exact beam is above the ground, because u* ≥ 0: loads on the
+    /// ground act downward.
     pub(crate) fn leaves_support(&self, i: usize, side: usize) -> Option<(Size, f64)> {
         let bounds = &self.bounds[i];
         let field = self.fields.frame.spans[i].obstacle().times(-S::one()).coarse();
@@ -119,7 +123,8 @@ impl<S: Scalar> Contact<'_, S> {
         let end = span.interval()[side];
         let inward = if side == 0 { 1.0 } else { -1.0 };
         let lies = self.lies(i, side);
-        // Derivatives with respect to t: `half` or its square times those with respect to x.
+        // The derivatives are with respect to t: `half`, or its square, times the derivatives with respect to
+        // x.
         let (growth, error) = if lies {
             let bent = bounds.moment.over(span.bending.low());
             (field.derivative().derivative(), more(bent) * half.square())

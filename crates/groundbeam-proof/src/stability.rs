@@ -1,7 +1,7 @@
-//! The part of the convexity of the beam's energy that remains under an axial compression.
+//! The fraction of the convexity of the beam's energy that remains under an axial compression.
 //!
-//! With N = |P| and a₀ = ∫EI z″² + Σκz² + Σκ_θz′² + Σk_φ[z′]² over the two-way supports, one of two ways proves a number
-//! σ > 0 with N∫z′² ≤ (1 − σ)a₀(z, z) for all z.
+//! With N = |P| and a₀ = ∫EI z″² + Σκz² + Σκ_θz′² + Σk_φ[z′]² over the two-way supports, one of two methods
+//! proves a number σ > 0 with N∫z′² ≤ (1 − σ)a₀(z, z) for all z.
 //!
 //! 1. Spans between rigid supports, without hinges. With L, EI and S of each span, ∫z′ = 0 on a span, so
 //!
@@ -21,7 +21,8 @@ use crate::size::Size;
 /// Lower bounds of π² and 4π².
 const PI_SQUARED: f64 = 9.869_604;
 const FOUR_PI_SQUARED: f64 = 39.478_417;
-/// Numbers of elements per length of the beam, in the order of the trials. Fewer elements keep more digits of a stiff beam.
+/// Numbers of elements per length of the beam, in the order of the trials. With fewer elements, the result
+/// for a stiff beam has more digits.
 const ELEMENTS: [f64; 3] = [16.0, 4.0, 1.0];
 /// The largest N₁/N that is tried.
 const MOST: f64 = 64.0;
@@ -188,8 +189,8 @@ struct Left<C> {
 }
 
 impl<C: Scalar> Left<C> {
-    /// Adds the supports of a node, and passes to the right side of its hinge. `None` if the stiffness is not proven
-    /// positive.
+    /// Adds the supports of a node and eliminates its hinge. Returns the stiffness on the right side of the
+    /// node; `None` if it is not proven to be positive.
     fn at(self, joint: &Joint<C>) -> Option<Left<C>> {
         let [mut a, mut b, mut c] = self.stiffness;
         (a, c) = (a + joint.spring, c + joint.turning);
@@ -231,7 +232,8 @@ impl<C: Scalar> Left<C> {
         let turned = entry(6.0, 3.0) * h1;
         let steep = entry(4.0, 4.0) * h2;
         let across = entry(2.0, -1.0) * h2;
-        // Left end: z and z′; the coupling with the right end is −own, turned; −turned, across.
+        // The stiffness of z and z′ at the left end. The coupling with the right end is (−own, turned;
+        // −turned, across).
         let [a, b, c] = self.stiffness;
         let joined = Left { stiffness: [a + own, b + turned, c + steep], held: self.held };
         if !joined.is_positive() {
@@ -392,7 +394,7 @@ mod tests {
             ),
             // A column with a free end on a rotational spring: z tan z = k_θ.
             (vec![(0.0, Pinned), (0.0, spring(0.0, 2.0))], None, held * held),
-            // Half the column has the rotational spring 2k_φ at its end.
+            // By symmetry, half the column has the rotational spring 2k_φ at its end.
             (vec![(0.0, Pinned), (1.0, Pinned)], Some(1.0), 4.0 * held_by_hinge()),
         ] {
             let model = beam(&supports, None, hinge);
@@ -404,13 +406,15 @@ mod tests {
         }
     }
 
-    /// z² with z tan z = 2k_φ·½ = 1: half the column, pinned at its end, on a rotational spring 2k_φ in the middle.
+    /// z² with z tan z = 2k_φ·½ = 1, for half the column, pinned at its end, with a rotational spring 2k_φ in
+    /// the middle of the column.
     fn held_by_hinge() -> f64 {
         let z: f64 = 0.860_333_589_019_379_8;
         z * z
     }
 
-    /// A stiff beam on soft springs, in balls: Pl/4 from the equilibrium of two rigid bars with a rotational spring.
+    /// A stiff beam on soft springs, computed in balls. The critical load follows from the equilibrium of
+    /// rigid bars.
     #[test]
     fn a_stiff_beam_on_soft_springs_keeps_its_digits() {
         let ends = [(0.0, SupportKind::Pinned), (1.0, SupportKind::Pinned)];

@@ -20,8 +20,9 @@ impl<S: Scalar> Span<S> {
 }
 
 impl<S: Scalar> Layer<'_, S> {
-    /// A stretch in which k or μ varies: the stored settlement with the values of the nodes. Its residual, ρ = kû − (μû′)′
-    /// − q along the pieces and the jumps r of the flux at open nodes, costs at most (Σ∫ρ²/k)^½ + Σ|r|√g (K10).
+    /// Sets ū on a stretch in which k or μ varies: the stored settlement û with the values at the nodes. Its
+    /// residual is ρ = kû − (μû′)′ − q along the pieces, and the jump r of the flux at open nodes. It adds at
+    /// most (Σ∫ρ²/k)^½ + Σ|r|√g to the bound (K10).
     pub(crate) fn as_stored(&self, pieces: Range<usize>, surface: &mut Surface<S>) {
         let mut missed = Size::ZERO;
         for i in pieces.clone() {
@@ -49,7 +50,7 @@ impl<S: Scalar> Layer<'_, S> {
         }
     }
 
-    /// ū at a node: that of the beam in case of contact, otherwise the value stored on one side.
+    /// ū at a node: w̄ − g₀ in contact, otherwise the stored value on one side.
     pub(crate) fn stored_at(&self, node: usize, surface: &Surface<S>) -> S {
         if surface.touches[node] {
             return self.held(node);

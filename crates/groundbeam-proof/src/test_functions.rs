@@ -9,7 +9,7 @@ use crate::scalar::Scalar;
 use crate::size::Size;
 use std::ops::Range;
 
-/// Maximum number of halvings of a length in search of the smallest bound.
+/// Maximum number of halvings of a length in the search for the smallest bound.
 const HALVINGS: usize = 24;
 
 /// The smallest bound over a length and its halves.
@@ -53,8 +53,8 @@ impl<S: Scalar> Pointwise<'_, S> {
         kink([bending, layer, springs], [supports, turning], room.low())
     }
 
-    /// P, or under a compression the number (((1 − σ)N)^½ + N(σΣhc′²)^½/s₂)² that takes its place. With the factor of
-    /// `test_factor` K² then bounds the contribution of the misfit s − Pw*′: by Cauchy,
+    /// P; under a compression, the number (((1 − σ)N)^½ + N(σΣhc′²)^½/s₂)² takes its place. With the factor
+    /// of `test_factor`, K² then bounds the contribution of the misfit s − Pw*′. By Cauchy's inequality,
     ///
     /// ```text
     /// (s₂ + N_c)K₁/√σ + s₂((1 − σ)NZ/σ)^½ + N(ZΣhc′²)^½ ≤ (((s₂ + N_c)² + s₂²)/σ)^½ (K₁² + PZ)^½,   Z = ∫z′².
@@ -101,8 +101,9 @@ impl<S: Scalar> Pointwise<'_, S> {
         largest
     }
 
-    /// K² for z = the distance from x to one side, up to the end of the beam, if there is no rigid support there:
-    /// (P + μ)L + kL³/3 + K_eL² + Σ(κ(x − x_j)² + κ_θ). It does not contain EI: the bound for stiff beams.
+    /// K² for z = the distance from x to one side, up to the end of the beam, if there is no rigid support
+    /// there: (P + μ)L + kL³/3 + K_eL² + Σ(κ(x − x_j)² + κ_θ). It does not contain EI, so it is the smaller
+    /// bound for stiff beams.
     pub(crate) fn long_kinks(&self, side: usize, stiffness: &mut [Size]) {
         let frame = self.fields.frame;
         let count = frame.spans.len();
@@ -110,7 +111,7 @@ impl<S: Scalar> Pointwise<'_, S> {
         let mut held: Vec<usize> = Vec::new();
         for step in 0..count {
             let i = if side == 0 { step } else { count - 1 - step };
-            // The outer and the inner node of the piece: x is anywhere on the piece.
+            // The outer and the inner node of the piece. x may be anywhere on the piece.
             let (outer, inner) = (i + side, i + 1 - side);
             let node = &frame.nodes[outer];
             if node.rigid.is_some() {
@@ -151,7 +152,7 @@ pub(crate) mod tests {
         points.iter().map(|(x, w)| 0.5 * h * w * f(0.5 * h * (1.0 + x))).sum()
     }
 
-    /// K² of z = t(1 − t/h)² by integration, springs where |z| and |z′| are largest.
+    /// K² of z = t(1 − t/h)² by integration, with the springs at the places where |z| and |z′| are largest.
     fn exact([bending, layer, ground]: [f64; 3], [springs, turning]: [f64; 2], h: f64) -> f64 {
         let z = |t: f64| t * (1.0 - t / h).powi(2);
         let slope = |t: f64| (1.0 - t / h) * (1.0 - 3.0 * t / h);

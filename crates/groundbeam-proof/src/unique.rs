@@ -1,6 +1,7 @@
-//! Uniqueness of the solution. Two solutions have the same u and p. They differ by a rigid motion that vanishes at
-//! all supports and wherever p* > 0. It does not rotate an elastic hinge, because both solutions have the same M. The solution is
-//! unique if every part between free hinges is held in two places, or in one place and against rotation.
+//! Uniqueness of the solution. Two solutions have the same u and p. They differ by a rigid motion that
+//! vanishes at all supports and wherever p* > 0. It does not rotate an elastic hinge, because both solutions
+//! have the same M. The solution is unique if every part between free hinges is held in two places, or in one
+//! place with its rotation prevented.
 
 use crate::anchors::parts_of;
 use crate::contact_set::Shown;
@@ -16,7 +17,7 @@ use std::ops::Range;
 struct Holds {
     places: usize,
     turning: bool,
-    /// Whether its left and its right end are among the places.
+    /// Whether the left and the right end of the part are held places.
     ends: [bool; 2],
 }
 
@@ -26,7 +27,8 @@ impl Holds {
     }
 }
 
-/// The first part that may move. A restrained part restrains its neighbours at their hinges; such a place counts once.
+/// The first part that may move. A restrained part holds the neighbours at the common hinges; such a hinge
+/// counts as one place.
 fn loose(holds: &[Holds]) -> Option<usize> {
     let mut held = vec![false; holds.len()];
     let next = |held: &[bool]| {
@@ -145,7 +147,8 @@ mod tests {
         // A part between two restrained parts.
         assert_eq!(loose(&[clamped, alone(0, [false, false]), clamped]), None);
         assert_eq!(loose(&[clamped, alone(1, [true, false]), clamped]), None);
-        // Rotation is held nowhere, or without a place.
+        // A prevented rotation without a held place is not sufficient, nor is a held place without a
+        // prevented rotation.
         let turning = Holds { places: 0, turning: true, ends: [false; 2] };
         assert_eq!(loose(&[turning]), Some(0));
         assert_eq!(loose(&[Holds { places: 1, ..turning }]), None);

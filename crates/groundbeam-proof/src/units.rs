@@ -6,7 +6,7 @@ use crate::model::{Action, Extent, Load, Model, SupportKind};
 use crate::refusal::NotProven;
 use crate::scalar::Scalar;
 
-/// 2ⁿ metres and 2ⁿ newtons are the units in which the proof computes.
+/// The units of the proof: a power of two of metres and a power of two of newtons.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Units {
     pub length: i32,
@@ -14,7 +14,7 @@ pub(crate) struct Units {
 }
 
 impl Units {
-    /// The units in which the length and the largest load lie in [1, 2).
+    /// Units such that the length and the largest load lie in [1, 2).
     pub fn of<S: Scalar>(model: &Model<S>) -> Result<Self, NotProven> {
         let length = exponent(model.beam.length)
             .ok_or_else(|| NotProven::new("the length is not a positive number in range"))?;
@@ -51,22 +51,22 @@ impl Units {
         }
     }
 
-    /// A number of unit mⁿ.
+    /// A number with the unit mⁿ, converted to these units.
     fn of_power<S: Scalar>(self, x: S, length: i32) -> S {
         x.scaled(-length * self.length)
     }
 
-    /// A number of unit Nᶠ mⁿ in these units.
+    /// A number with the unit Nᶠ mⁿ, converted to these units.
     pub fn scaled<S: Scalar>(self, x: S, force: i32, length: i32) -> S {
         x.scaled(-force * self.force - length * self.length)
     }
 
-    /// A length in these units.
+    /// A length, converted to these units.
     pub fn metres<S: Scalar>(self, x: S) -> S {
         self.scaled(x, 0, 1)
     }
 
-    /// A bound of unit Nᶠ mⁿ in the units of the model, rounded up.
+    /// A bound with the unit Nᶠ mⁿ, converted to the units of the model and rounded up.
     pub fn restored(self, x: f64, force: i32, length: i32) -> f64 {
         let shift = force * self.force + length * self.length;
         let back = f64::scaled(x, shift);

@@ -1,4 +1,5 @@
-//! The pressure and a first bound of the slope of a beam that shears on a shear layer where S or μ varies.
+//! The pressure and a first bound of the slope of a beam with shear deformation on a shear layer where S or μ
+//! varies.
 //!
 //! With a = μ/(S + P) the slope w′ = (Sφ + T + η)/(S + P) and T′ = p − f + r give, where both answers touch,
 //!
@@ -6,9 +7,9 @@
 //! (1 + a)(p − p*) = k(u − u*) − a[S′(φ − φ*) + S(φ′ − φ*′) + r + η′] − a′(S + P)(w′ − w*′).
 //! ```
 //!
-//! So the pressure needs the slope, the slope needs the shear force, and the shear force needs the pressure. On a length h of one
-//! piece ε_T ≤ A/h + B + ½h(p₀ + C + Dε_T), with C + Dε_T the right side above and p₀ the pressure where only one of the two solutions
-//! is in contact. For h < 2/D
+//! So the bound of the pressure needs that of the slope, this needs that of the shear force, and this needs
+//! that of the pressure. On a length h of one piece ε_T ≤ A/h + B + ½h(p₀ + C + Dε_T), with C + Dε_T the
+//! right side above and p₀ the pressure where only one of the two solutions is in contact. For h < 2/D
 //!
 //! ```text
 //! ε_T ≤ (A/h + B + ½h(p₀ + C))/(1 − ½hD).
@@ -21,7 +22,7 @@ use crate::scalar::Scalar;
 use crate::size::Size;
 use crate::test_functions::least_of_halves;
 
-/// S of a piece that shears on a shear layer where S or μ varies.
+/// S of a piece with shear deformation on a shear layer where S or μ varies.
 fn varying<S>(span: &Span<S>) -> Option<&Coefficient<S>>
 where
     S: Scalar,
@@ -66,8 +67,8 @@ impl<S: Scalar> Pointwise<'_, S> {
         [settled + factor * forces, span.steepness(&span.shear) + factor * steep]
     }
 
-    /// A bound of the slope, and with it of the pressure, on pieces that shear where S or μ varies. It uses only the change
-    /// of moment within the piece.
+    /// Bounds of the slope and of the pressure on pieces with shear deformation where S or μ varies. They use
+    /// only the change of moment within the piece.
     pub(crate) fn first_slopes(&self, bounds: &mut [PieceBounds]) {
         for (i, piece) in bounds.iter_mut().enumerate() {
             let span = &self.fields.frame.spans[i];

@@ -1,4 +1,5 @@
-//! The proof of a whole document: proves its answer, and compares every other listed number with enclosures.
+//! The proof of a whole document: proves its answer, and compares every other listed number with proven
+//! intervals.
 
 use crate::bounds::Bound;
 use crate::document::Document;
@@ -18,7 +19,7 @@ use std::collections::BTreeSet;
 /// The proven parts of a document.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Verification {
-    /// The proof of its answer. The errors of fields and reactions hold for the listed numbers too.
+    /// The proof of the answer. The errors of fields and reactions include those of the listed numbers.
     pub proof: Proof,
     /// The errors of the gap u + g₀ − w.
     pub gap: Bound,
@@ -30,14 +31,14 @@ pub struct Verification {
     pub listed: ListedErrors,
     /// The places of the listed extremes.
     pub extremes: Vec<PlacedExtreme>,
-    /// Intervals on which the pressure has no bound \[m\]: those that contain the edges of contact of a shear layer; the
-    /// whole beam if the contact set is not proven.
+    /// Intervals on which the pressure has no bound \[m\]: intervals that contain edges of contact on a shear
+    /// layer, or the whole beam if the contact set is not proven.
     pub without_pressure: Vec<[f64; 2]>,
     /// Number of listed numbers that were compared.
     pub checked: Checked,
     /// Keys whose numbers the proof does not cover.
     pub not_covered: BTreeSet<String>,
-    /// The first reason why the document is not proven; `None` if it is.
+    /// The first reason why the document is not proven; `None` if it is proven.
     pub shortfall: Option<NotProven>,
 }
 
@@ -69,7 +70,7 @@ pub fn verify_and_log<S: Scalar>(
     proven(model, &document.answer, log, |fields, proof| compared(document, fields, proof))
 }
 
-/// Compares the numbers that a document lists besides its answer with the fields and the proof of the answer.
+/// Compares the other numbers of a document with the fields and the proof of its answer.
 fn compared<S: Scalar>(document: &Document, fields: &Fields<S>, mut proof: Proof) -> Verification {
     let found = differences(document, fields, &proof);
     let (edges, forces) = (
@@ -118,7 +119,8 @@ fn compared<S: Scalar>(document: &Document, fields: &Fields<S>, mut proof: Proof
 }
 
 impl Verification {
-    /// All bounds with the names that documents use. For edges, forces and reactions: the largest.
+    /// All bounds with the names that documents use. Edges, forces and reactions have the largest bound of
+    /// each kind.
     pub fn named(&self) -> Vec<(&'static str, Bound)> {
         let mut named = self.proof.bounds.named().to_vec();
         named.push(("gap", self.gap));
@@ -141,7 +143,7 @@ impl Verification {
         named.map_or(f64::INFINITY, |(_, bound)| bound.error)
     }
 
-    /// The bound of the error of a field at one place; a pressure may have none.
+    /// The bound of the error of a field at one place; infinite for a pressure without a bound.
     pub fn error_at(&self, field: &str, x: f64) -> f64 {
         let has_none = field == "pressure" && holds(&self.without_pressure, x);
         if has_none { f64::INFINITY } else { self.error_of(field) }
@@ -169,14 +171,15 @@ impl Verification {
         errors
     }
 
-    /// The errors of the fields, one each, and those of edges, forces and reactions.
+    /// The errors of the fields, one number for each field, and the errors of edges, forces and reactions.
     pub fn errors(&self) -> Vec<(&'static str, Vec<f64>)> {
         let one = |(name, bound): (&'static str, Bound)| (name, vec![bound.error]);
         let fields = self.proof.bounds.named().into_iter().chain([("gap", self.gap)]);
         fields.map(one).chain(self.errors_of_numbers()).collect()
     }
 
-    /// The first bound of the document that is smaller than the proven error. Unknown names are not covered.
+    /// The first bound of the document that is smaller than the proven error. Bounds with unknown names are
+    /// recorded as not covered.
     fn claimed(&mut self, document: &Document) -> Option<NotProven> {
         let errors = self.errors();
         let mut first = None;
@@ -228,8 +231,8 @@ impl Verification {
         first
     }
 
-    /// The first extreme whose listed place has a distance of more than 10⁻⁶ of the length from every place of the exact
-    /// one.
+    /// The first extreme whose listed place is farther than 10⁻⁶ of the length from every place of the exact
+    /// extreme.
     fn misplaced(&self) -> Option<NotProven> {
         let far = 1e-6 * self.proof.scales.length;
         let extreme = self.extremes.iter().find(|extreme| extreme.distance() > far)?;
@@ -254,8 +257,9 @@ impl Verification {
     }
 }
 
-/// The first field with a listed number that differs from the answer by more than 10⁻⁶ of the field's own largest value,
-/// and by more than rounding. The scale of a field may be much larger than its values.
+/// The first field with a listed number that differs from the answer by more than 10⁻⁶ of the field's own
+/// largest value and by more than rounding error. The scale of the field is not used, because it may be much
+/// larger than the field's values.
 fn far<S: Scalar>(
     fields: &Fields<S>,
     differences: &[f64; 8],

@@ -1,15 +1,17 @@
-//! A real number enclosed by a midpoint of two doubles and a radius: 106 bits.
+//! An interval that encloses a real number, as a midpoint of two doubles (106 bits) and a radius.
 //!
-//! M. Joldes, J.-M. Muller, V. Popescu, *Tight and rigorous error bounds for basic building blocks of double-word
-//! arithmetic*, ACM Transactions on Mathematical Software 44 (2017): the relative error of sums here is at most 3·2⁻¹⁰⁶,
-//! that of products 5·2⁻¹⁰⁶. The radius grows by 16·2⁻¹⁰⁶ for each of them.
+//! M. Joldes, J.-M. Muller, V. Popescu, *Tight and rigorous error bounds for basic building blocks of
+//! double-word arithmetic*, ACM Transactions on Mathematical Software 44 (2017): the relative error of a sum
+//! in this file is at most 3·2⁻¹⁰⁶, that of a product 5·2⁻¹⁰⁶. Each operation increases the radius by
+//! 16·2⁻¹⁰⁶ times the result.
 
 use crate::ball::Ball;
 use crate::float::{ABOVE, HUGE, TINY, magnitude, magnitude_scaled, times_power_of_two};
 use crate::scalar::{Scalar, expm1_by_series};
 use std::ops::{Add, Mul, Neg, Sub};
 
-/// All numbers x with |x − (h + l)| ≤ r, where |l| is at most half a unit in the last place of h.
+/// The interval of all numbers x with |x − (h + l)| ≤ r, where |l| is at most half a unit in the last place
+/// of h.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Wide {
     h: f64,
@@ -27,13 +29,13 @@ fn two_sum(a: f64, b: f64) -> (f64, f64) {
     (s, (a - (s - bb)) + (b - bb))
 }
 
-/// The same for |a| ≥ |b|.
+/// As [`two_sum`], for |a| ≥ |b|.
 fn fast_two_sum(a: f64, b: f64) -> (f64, f64) {
     let s = a + b;
     (s, b - (s - a))
 }
 
-/// A double as a sum of two with half the digits each, exactly.
+/// A double as the exact sum of two doubles, each with half the digits.
 fn split(a: f64) -> (f64, f64) {
     let c = 134_217_729.0 * a;
     let high = c - (c - a);
@@ -51,7 +53,7 @@ impl Wide {
     /// The ball of all numbers.
     pub(crate) const ALL: Wide = Wide { h: 0.0, l: 0.0, r: f64::INFINITY };
 
-    /// The ball of this midpoint and this radius. All balls are made here.
+    /// The ball with this midpoint and this radius. All balls are created by this function.
     fn new(h: f64, l: f64, r: f64) -> Self {
         let size = magnitude(h);
         // A comparison with NaN is false, so NaN takes the first branch.
@@ -180,7 +182,7 @@ impl Scalar for Wide {
         let (Some(h), Some(l)) = (h, l) else { return Wide::ALL };
         let mut r = magnitude_scaled(self.r, exponent);
         if l != 0.0 && magnitude(l) < TINY {
-            // The smaller half may have been rounded among subnormal numbers.
+            // The smaller double may have been rounded to a subnormal number.
             r = (r + f64::MIN_POSITIVE) * ABOVE;
         }
         Wide::new(h, l, r)

@@ -21,7 +21,7 @@ pub struct Answers {
 }
 
 impl Answers {
-    /// The solution of the only answer.
+    /// The solution, if there is exactly one answer.
     pub fn only(&self) -> PyResult<Solution> {
         let answer = self.answers.list.first();
         let answer = answer.ok_or_else(|| Failure::Asked("nothing was solved".to_owned()))?;
@@ -54,7 +54,7 @@ type Line<'py> = (Bound<'py, PyArray1<f64>>, Vec<usize>);
 /// A bound of an envelope of passages: its values, positions of the first axle, and indices of the passages.
 type Moving<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>, Vec<usize>);
 
-/// Values on the best ground, and the smallest and the largest over all grounds.
+/// Values on the ground with the best estimates, and the smallest and the largest over all grounds.
 type Banded = (f64, f64, f64);
 
 /// Errors of deflection, moment, settlement and end forces.
@@ -104,8 +104,8 @@ impl Answers {
         self.answers.limit_states().iter().map(LimitState::name).collect()
     }
 
-    /// The smallest and the largest value of a field on the best ground of a band, each with its range over
-    /// all grounds.
+    /// The smallest and the largest value of a field on the ground with the best estimates of a band, each
+    /// with its range over all grounds.
     fn band(&self, name: &str) -> Result<Option<(Banded, Banded)>, Failure> {
         let field = field(name)?;
         let of = |band: run::Banded| (band.best, band.low, band.high);

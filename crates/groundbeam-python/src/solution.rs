@@ -50,7 +50,7 @@ impl Solution {
     }
 }
 
-/// Values, derivatives row by row, and the reasons why they are one-sided.
+/// The values of outputs, their derivatives row by row, and the reasons why the derivatives are one-sided.
 type GradientArrays<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>, Vec<Vec<String>>);
 
 #[pymethods]
@@ -126,7 +126,7 @@ impl Solution {
         self.found.contact().iter().map(|region| (region.from, region.to)).collect()
     }
 
-    /// Start, end, position of the largest gap, largest gap.
+    /// Each stretch without contact: start, end, position of the largest gap, and largest gap.
     #[getter]
     fn lift_off(&self) -> Vec<(f64, f64, f64, f64)> {
         let each = self.found.lift_off().into_iter();
@@ -177,7 +177,7 @@ impl Solution {
         Ok((PyArray1::from_vec(py, values), PyArray1::from_vec(py, derivatives), one_sided))
     }
 
-    /// Position and value of the minimum, position and value of the maximum.
+    /// The minimum and the maximum of a field, each as position and value.
     fn range(&self, name: &str) -> Result<(f64, f64, f64, f64), Failure> {
         let range = self.found.range(field(name)?);
         Ok((range.min.x, range.min.value, range.max.x, range.max.value))

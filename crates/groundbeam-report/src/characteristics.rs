@@ -20,9 +20,9 @@ pub struct Characteristics {
 /// The resultant of the loads.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Resultant {
-    /// Its magnitude, positive downward \[N\].
+    /// The force \[N\], positive downward.
     pub force: f64,
-    /// Its position \[m\]; `None` if the force is zero.
+    /// The position of the resultant \[m\]; `None` if the force is zero.
     pub at: Option<f64>,
 }
 
@@ -111,7 +111,7 @@ fn widened([low, high]: [f64; 2], value: f64) -> [f64; 2] {
     [low.min(value), high.max(value)]
 }
 
-/// Integration steps along a varying segment.
+/// Number of integration steps along a varying segment.
 const STEPS: usize = 256;
 
 /// Whether any segment varies.

@@ -11,7 +11,7 @@ use groundbeam::{
 use groundbeam_run::{Answer, Answers, Found, Placed};
 use std::borrow::Cow;
 
-/// A check with the knowledge about its value.
+/// A check, with the error bound of its value.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Judged {
     pub check: Check,
@@ -24,7 +24,7 @@ pub(crate) struct Judged {
 pub(crate) enum Judgement {
     /// Judged by the computed value only.
     Passes(bool),
-    /// All values within the bound lie on one side of the limit.
+    /// All values within the error bound lie on the same side of the limit.
     Proven(bool),
     /// The limit lies within the bound.
     Undecided,
@@ -57,8 +57,8 @@ pub(crate) fn judged(
     checks.into_iter().map(of).collect()
 }
 
-/// Error bound of a value. The proof does not cover values that follow from statics: eccentricity,
-/// overturning, force on the effective area.
+/// Error bound of the value of a check. The proof does not cover values that follow from statics:
+/// eccentricity, overturning, force on the effective area.
 fn error(check: &Check, solution: &Solution, named: &Named, limits: Option<&Limits>) -> f64 {
     match check.what {
         Checked::BearingPressure => {
@@ -78,19 +78,19 @@ fn error(check: &Check, solution: &Solution, named: &Named, limits: Option<&Limi
 #[derive(Debug, Clone)]
 pub(crate) struct Row<'a> {
     pub name: Cow<'a, str>,
-    /// Its limit states; empty for loads as given.
+    /// The limit states of the answer; empty if the loads act as given.
     pub states: LimitStates,
     pub solution: Option<&'a Solution>,
     /// Whether no equilibrium exists.
     pub falls: bool,
-    /// Whether the loads act as given.
+    /// Whether the loads act as given, without factors.
     pub as_given: bool,
-    /// Its proof; `None` if no proof is requested.
+    /// The proof of the answer; `None` if no proof is requested.
     pub proof: Option<&'a Named>,
 }
 
 impl<'a> Row<'a> {
-    /// The row of one answer; a train has its position in the name.
+    /// The row of one answer. The name of an answer with a train contains the train's position.
     pub fn of(answer: &'a Answer, proof: Option<&'a Named>, units: Units) -> Self {
         let combination = &answer.label.combination;
         let mut name = Cow::Borrowed(&*combination.name);
@@ -135,7 +135,7 @@ impl<'a> Row<'a> {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Verdict {
     pub what: Checked,
-    /// `None` for answers without a limit state.
+    /// The limit state; `None` for answers without a limit state.
     pub state: Option<LimitState>,
     pub of: Governing,
 }
@@ -143,8 +143,8 @@ pub(crate) struct Verdict {
 /// Reason for a verdict.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Governing {
-    /// Index of the answer with the largest utilization of the limit. The error is that of the largest value
-    /// of all.
+    /// Index of the answer with the largest utilization of the limit. The error belongs to the largest of all
+    /// values.
     Judged(usize, Judged),
     /// An answer without equilibrium.
     Falls(usize),
@@ -179,8 +179,8 @@ impl Verdict {
     }
 }
 
-/// All requested checks in each of their limit states that has an answer. Answers without a limit state are
-/// judged by every check.
+/// The verdicts on all requested checks: one for each limit state of a check that has an answer. Every check
+/// also judges the answers without a limit state.
 pub(crate) fn verdicts(limits: Option<&Limits>, rows: &[Row]) -> Vec<Verdict> {
     let Some(limits) = limits else { return Vec::new() };
     let judged: Vec<Vec<Judged>> = rows
@@ -229,7 +229,7 @@ fn governing(
     if let Some(&unsolved) = of_state.iter().find(|&&i| rows[i].solution.is_none()) {
         return Some(Governing::Unsolved(unsolved));
     }
-    // An answer without any load leaves a check to the others.
+    // An answer without loads does not take part in a check if another answer has a value.
     let is_loaded =
         |i: usize| rows[i].solution.is_some_and(|of| of.existence().static_reactions != [0.0; 2]);
     let lacks = |&&i: &&usize| of_kind(i).is_none() && (worst.is_none() || is_loaded(i));
@@ -239,9 +239,9 @@ fn governing(
     worst.map(|(i, judged)| Governing::Judged(i, judged))
 }
 
-/// The value with the largest utilization, with the error of the largest value of all.
+/// The value with the largest utilization, with the error of the largest of all values.
 fn worst(found: &[(usize, Judged)]) -> Option<(usize, Judged)> {
-    // Of equal values the first is kept.
+    // Of equal values, the first one is kept.
     let most = |a: &&(usize, Judged), b: &&(usize, Judged)| {
         a.1.check.utilisation().total_cmp(&b.1.check.utilisation())
     };

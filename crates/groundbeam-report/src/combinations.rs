@@ -20,9 +20,9 @@ pub(crate) struct Numbered<'a> {
     pub number: usize,
     pub solution: &'a Solution,
     pub sizes: Sizes,
-    /// Factors on k and μ of its ground; `None` without a band.
+    /// Factors on k and μ of the ground; `None` without a band.
     pub ground: Option<[f64; 2]>,
-    /// Its proof; `None` if no proof is requested.
+    /// The proof of the solution; `None` if no proof is requested.
     pub proof: Option<&'a Named>,
 }
 
@@ -120,8 +120,8 @@ pub(crate) fn largest_end_force<'s, 'a>(
     Some((row, most, Around::extreme(all, true)?.error()))
 }
 
-/// Bounds of an extreme on the best ground, and of the smallest and the largest of this extreme over all
-/// grounds.
+/// Bounds of an extreme on the ground with the best estimates, and bounds of the smallest and the largest
+/// value of this extreme over all grounds.
 pub(crate) fn bounds_of_band(
     solved: &[Numbered],
     field: Field,

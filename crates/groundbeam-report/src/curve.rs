@@ -6,7 +6,7 @@ use groundbeam::{
     solution::{ByField, Fields, Side},
 };
 
-/// A smaller jump, relative to the field's largest value, is rounding.
+/// Jumps below this size, relative to the largest value of the field, are rounding error.
 const JUMP: f64 = 1e-9;
 
 /// Largest magnitudes of the fields, which distinguish jumps from rounding.

@@ -24,7 +24,7 @@ pub(crate) struct End {
     pub x: f64,
     /// The position of the first axle; `None` without a train.
     pub first_axle: Option<f64>,
-    /// The number of the combination or passage that has it, from 1; `None` of a single one.
+    /// The number of the combination or passage with this value, from 1; `None` if there is only one.
     pub number: Option<usize>,
 }
 
@@ -34,20 +34,20 @@ impl Extremes {
         Extremes { field, unit: units.unit(Kind::of(field), most), ends }
     }
 
-    /// The value everywhere, if the field does not vary.
+    /// The constant value of the field; `None` if the field varies.
     pub fn everywhere(&self) -> Option<f64> {
         let [min, max] = self.ends.map(|end| end.value);
         (min == max).then_some(min)
     }
 
-    /// The value that is larger without its sign.
+    /// The extreme with the larger absolute value.
     pub fn largest(&self) -> End {
         let [min, max] = self.ends;
         if -min.value > max.value { min } else { max }
     }
 }
 
-/// Those of an envelope of combinations.
+/// The extremes of an envelope of combinations.
 pub(crate) fn of_combinations(
     envelope: &Envelope,
     solved: &[Numbered],
@@ -66,7 +66,7 @@ pub(crate) fn of_combinations(
     envelope.fields().map(of).collect()
 }
 
-/// Those of a single passage of a train.
+/// The extremes of a single passage of a train.
 pub(crate) fn of_passage(passage: &Passage, units: Units) -> Vec<Extremes> {
     let of = |field: Field| {
         let ends = passage.range(field)?.map(|located| end(passage, field, located, None));
@@ -75,7 +75,7 @@ pub(crate) fn of_passage(passage: &Passage, units: Units) -> Vec<Extremes> {
     passage.fields().filter_map(of).collect()
 }
 
-/// Those of all passages.
+/// The extremes of all passages.
 pub(crate) fn of_passages(passages: &Passages, units: Units) -> Vec<Extremes> {
     let of = |field: Field| {
         let ends = passages.range(field)?.map(|InPassage { located, passage: i }| {

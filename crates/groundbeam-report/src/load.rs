@@ -29,7 +29,7 @@ pub fn load_kind(load: &Load) -> Kind {
     }
 }
 
-/// Whether the load is a moment per length, whose unit is that of a force.
+/// Whether the load is a moment per length, which has the unit of a force.
 pub(crate) fn is_moment_per_length(load: &Load, units: Units) -> bool {
     !units.is_plain() && load.action() == Action::Moment && load.extent().is_distributed()
 }

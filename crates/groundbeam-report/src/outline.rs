@@ -153,7 +153,7 @@ mod tests {
         let apart = words.data().iter().zip(shapes.data()).map(|(a, b)| a.abs_diff(*b));
         let (most, dark) = (apart.max().unwrap(), words.data().iter().min().unwrap());
         assert!(*dark < 60, "nothing is drawn");
-        // Two of the sixteen steps in the coverage of an edge pixel.
+        // The coverage of an edge pixel has sixteen steps; a difference of two steps is allowed.
         assert!(most <= 32, "{most} of 255 apart");
     }
 }

@@ -22,7 +22,7 @@ impl fmt::Display for Error {
 impl std::error::Error for Error {}
 
 impl Picture {
-    /// The picture as the bytes of a PNG file, twice as many pixels wide.
+    /// The picture as the bytes of a PNG file. The width in pixels is twice the width of the picture.
     ///
     /// # Errors
     ///

@@ -2,7 +2,7 @@
 
 use groundbeam::{Field, Load, Model, Solution, model::Action, solution::Extreme};
 
-/// Below this fraction of the natural size, a printed number is zero.
+/// Values below this fraction of the natural size are printed as zero.
 const ROUNDING: f64 = 1e-12;
 
 /// Natural sizes of a solution's fields, from loads and lengths.

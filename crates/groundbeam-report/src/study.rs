@@ -42,7 +42,7 @@ pub struct Study {
 pub struct Estimate {
     /// Name of the event.
     pub name: String,
-    /// The limit that a number exceeds in the event; `None` for the events that are always listed.
+    /// The limit that decides the event; `None` for events that are always listed and have no limit.
     #[serde(flatten)]
     pub limit: Option<Limit>,
     /// Number of samples in which it occurs.

@@ -11,7 +11,7 @@ pub struct Verified {
     pub units: Units,
     /// Reason why the document does not belong to the model file; `None` if it does.
     pub other_model: Option<String>,
-    /// Number of combinations of the model file, and the names of those that the document leaves out.
+    /// Number of combinations of the model file, and the names of the combinations that the document omits.
     pub left_out: Option<LeftOut>,
     /// The proof of each result.
     pub results: Vec<Named>,
@@ -22,7 +22,7 @@ pub struct Verified {
 pub struct LeftOut {
     /// Number of combinations of the file.
     pub all: usize,
-    /// Names of the missing ones.
+    /// Names of the missing combinations.
     pub names: Vec<String>,
 }
 
@@ -47,7 +47,7 @@ pub enum ModelOf {
 }
 
 impl Named {
-    /// Whether all is proven.
+    /// Whether the result is proven completely.
     pub fn is_proven(&self) -> bool {
         self.found.as_ref().is_ok_and(|found| found.shortfall.is_none())
     }

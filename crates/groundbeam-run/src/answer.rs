@@ -78,11 +78,11 @@ pub enum Found {
 /// Joint status of several answers, from the best to the worst.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Overall {
-    /// All are solved, or all are known to have an equilibrium.
+    /// All answers are solved, or all models are known to have an equilibrium.
     Solved,
-    /// All have an equilibrium, but at least one answer was not certified.
+    /// All models have an equilibrium, but at least one answer was not certified.
     NotConverged,
-    /// At least one has no equilibrium.
+    /// At least one model has no equilibrium.
     NoEquilibrium,
 }
 

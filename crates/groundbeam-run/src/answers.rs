@@ -17,9 +17,9 @@ pub enum Asked {
     One,
     /// All combinations of load cases on all grounds of a band.
     Combinations,
-    /// All positions of every train over every combination.
+    /// All positions of every train under every combination.
     Trains,
-    /// One model by every method.
+    /// One model, solved by every method.
     Methods,
 }
 
@@ -89,7 +89,7 @@ impl Answers {
     }
 }
 
-/// Equal steps of the envelope in documents and tables.
+/// Number of equal steps of the envelope in documents and tables.
 const EVEN_STEPS: usize = 100;
 
 /// Several passages: each train under each combination.
@@ -193,7 +193,7 @@ impl<'a> Passages<'a> {
     }
 }
 
-/// Widens a range to include another one. Of equal values the first is kept.
+/// Widens a range to include another one. Of equal values, the first one is kept.
 fn widen(both: &mut [InPassage; 2], [min, max]: [InPassage; 2]) {
     if min.located.value < both[0].located.value {
         both[0] = min;

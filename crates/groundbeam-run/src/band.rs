@@ -3,11 +3,12 @@
 use crate::answers::Answers;
 use groundbeam::{Field, envelope::Envelope, solution::ByField};
 
-/// A value on the best ground, with its range over all solved grounds of a band.
+/// A value on the ground with the best estimates of k and μ, with its range over all solved grounds of a
+/// band.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Banded {
-    /// Value on the best ground.
+    /// Value on the ground with the best estimates.
     pub best: f64,
     /// Smallest value on any ground.
     pub low: f64,
@@ -15,7 +16,7 @@ pub struct Banded {
     pub high: f64,
 }
 
-/// Factors on k and μ of the best ground.
+/// Factors on k and μ of the ground with the best estimates.
 pub const BEST: [f64; 2] = [1.0, 1.0];
 
 impl Answers {

@@ -13,9 +13,9 @@ const OTHERS: [Method; 3] = [Method::ActiveSet, Method::Psor, Method::Uzawa];
 /// The options of a comparison.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Compare {
-    /// Elements of the mesh.
+    /// Number of elements of the mesh.
     pub elements: usize,
-    /// Sweeps after which an iteration stops.
+    /// Maximum number of sweeps of an iteration.
     pub most_sweeps: usize,
     /// Memory limit of a solve, in bytes.
     pub memory_limit: u64,
@@ -86,7 +86,7 @@ pub struct Errors {
     pub end_forces: f64,
 }
 
-/// Equal steps along the beam at which answers are compared.
+/// Number of equal steps along the beam at whose ends answers are compared.
 const EVEN_STEPS: usize = 1000;
 
 impl Errors {

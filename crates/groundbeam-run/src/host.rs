@@ -26,7 +26,7 @@ pub trait Host: Sync {
     fn done(&self) {}
 }
 
-/// One thread, no clock, no progress.
+/// A host with one thread, without a clock and without a display of progress.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct OneThread;
 
@@ -56,7 +56,7 @@ pub enum Failed<Stop> {
 }
 
 impl Failed<Infallible> {
-    /// The rejection, for a host that never stops.
+    /// The error of the rejected model, if the host never stops the work.
     pub fn refusal(self) -> Error {
         match self {
             Failed::Refused(error) => error,

@@ -1,4 +1,4 @@
-//! The answer to one label, from one solve.
+//! Solves the model of one label, and returns the answer.
 
 use crate::answer::{Answer, Found, Ground, Label};
 use crate::host::Host;

@@ -40,7 +40,7 @@ pub fn of_normal(distribution: &Distribution, z: f64) -> f64 {
             mean - scale * (EULER + exponent.ln())
         }
         Distribution::Uniform { from, to } => {
-            // Measured from the nearer end, which keeps the digits.
+            // The result is measured from the nearer end, so that it keeps its digits.
             let width = to - from;
             if z < 0.0 { from + width * probability(z) } else { to - width * probability(-z) }
         }

@@ -61,7 +61,8 @@ pub struct Draw {
 }
 
 impl Draws {
-    /// The samples of a study under a plan: that of the file, or one with another number or seed.
+    /// The samples of a study under a plan: the plan of the file, or a plan with another number of samples or
+    /// another seed.
     ///
     /// # Errors
     ///

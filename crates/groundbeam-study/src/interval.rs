@@ -6,8 +6,8 @@ use statrs::distribution::{ContinuousCDF, StudentsT};
 /// The confidence level of an interval.
 const CONFIDENCE: f64 = 0.95;
 
-/// Clopper and Pearson's interval (*Biometrika* 26 (1934)), whose coverage is at least the confidence level: its
-/// lower end for `low` of `total` samples, its upper end for `high` of them.
+/// Clopper and Pearson's interval (*Biometrika* 26 (1934)), whose coverage is at least the confidence level:
+/// the lower end for `low` events in `total` samples, and the upper end for `high` events.
 pub fn of_counts(low: u64, high: u64, total: u64) -> Interval {
     // A probability x is too low if `low` or more events are too improbable under x, and too high if `high` or fewer
     // are.
@@ -17,7 +17,7 @@ pub fn of_counts(low: u64, high: u64, total: u64) -> Interval {
 }
 
 /// The odds x/(1 − x) at which at least `count` events in `total` samples have the probability of a one-sided
-/// error of the interval; `None` if even zero samples satisfy this.
+/// error of the interval; `None` for `count` = 0.
 ///
 /// It is a quantile of the beta distribution, found by bisection. The tails of the binomial distribution are
 /// sums of positive terms for any numbers; continued fractions fail from about 10⁹ samples on.

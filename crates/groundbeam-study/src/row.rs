@@ -76,8 +76,8 @@ pub struct Row {
 }
 
 impl Row {
-    /// Solves a model derived from that of the file, with the workspace of the previous solve. The result
-    /// does not depend on previous solves.
+    /// Solves a model that is derived from the model of the file, in the workspace of the previous solve. The
+    /// result does not depend on previous solves.
     pub fn solve(model: &Model, wanted: &Wanted, solver: &mut Solver) -> Self {
         match solver.solve(model) {
             Ok(Answer::Equilibrium(solution)) => Row::of(solution, wanted),

@@ -18,7 +18,7 @@ use std::time::{Duration, Instant};
 const MOST_IN_A_PART: u64 = 16_384;
 /// Minimum number of samples of a part.
 const FEWEST_IN_A_PART: u64 = 16;
-/// Maximum computing time of a part; it is then written with the samples that it has.
+/// Maximum computing time of a part. After this time the part is written with the samples solved so far.
 const LONGEST: Duration = Duration::from_secs(2);
 /// Number of rows that are converted to columns together.
 const ROWS_AT_ONCE: usize = 64;
@@ -38,7 +38,7 @@ impl Shard {
     /// The whole study.
     pub const WHOLE: Shard = Shard { number: 1, of: 1 };
 
-    /// Its samples: consecutive ones, with the same number in every shard, or one more or less.
+    /// Its consecutive samples. The numbers of samples of two shards differ by at most one.
     pub fn samples(self, of: u64) -> Range<u64> {
         let start = |number: u64| {
             let start = u128::from(of) * u128::from(number) / u128::from(self.of);
@@ -51,7 +51,7 @@ impl Shard {
 /// The result of a run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Finished {
-    /// All samples are in the file; the number of samples solved in this run.
+    /// All samples are in the file. The number counts the samples that this run solved.
     Whole(u64),
     /// The run was stopped; the results so far are stored in parts.
     Stopped(Progress),

@@ -101,7 +101,8 @@ impl Counted {
         Ranked { counted: self, kept }
     }
 
-    /// The two ranks between which a quantile lies, and its fraction of the way: Hyndman and Fan's type 7.
+    /// The two ranks between which a quantile lies, and its relative position between them: Hyndman and Fan's
+    /// type 7.
     fn ranks(&self, part: f64) -> ([u64; 2], f64) {
         let last = self.moments.count - 1;
         let place = part * last as f64;

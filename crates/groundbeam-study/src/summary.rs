@@ -12,7 +12,7 @@ use groundbeam_file::study::{Exceeds, Judged, Plan, Sampling};
 use groundbeam_report::{Estimate, Interval, Kind, Limit, Spread, Study, Way, load_kind};
 use std::path::Path;
 
-/// From this number of events on, the error is estimated from the scatter of the replicates.
+/// Minimum number of events for which the error is estimated from the scatter of the replicates.
 const ENOUGH: u64 = 10;
 
 /// Reads all results of a study.
@@ -96,7 +96,7 @@ impl Columns {
     }
 }
 
-/// The numbers of the summary, and those that decide events.
+/// The numbers of the summary, and the numbers that decide events.
 fn numbers(draws: &Draws, table: &Table) -> Vec<Number> {
     let one = |name: &str, kind| Number {
         name: name.to_owned(),
@@ -176,7 +176,7 @@ struct Tally {
 struct Happening {
     name: String,
     limit: Option<Limit>,
-    /// Index of the number that decides it; `None` for the loss of equilibrium.
+    /// Index of the number that decides the event; `None` for the loss of equilibrium.
     by: Option<usize>,
     /// For each replicate, the number of samples with the event and the number with unknown outcome.
     counts: Vec<[u64; 2]>,

@@ -3,10 +3,11 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// A flag that stops the solves that look at it. All clones share one flag; the default flag cannot be set.
+/// A flag that stops a solve. All clones share one flag; the default flag cannot be set.
 ///
-/// A solve looks at it in each of its steps. If it is set when a solve ends, the solve gives
-/// [`Error::Cancelled`](crate::Error::Cancelled) and no answer. A flag that is not set changes no bit of an answer.
+/// A solve checks the flag in every step. If the flag is set when a solve ends, the solve returns
+/// [`Error::Cancelled`](crate::Error::Cancelled) and no solution. A flag that is not set changes no bit of a
+/// solution.
 ///
 /// ```
 /// use groundbeam::{Beam, Cancel, Error, Foundation, Load, Model, Options, solve_with};
@@ -41,7 +42,7 @@ impl Cancel {
     }
 }
 
-/// Two are equal if they share one flag.
+/// Two values are equal if they share one flag.
 impl PartialEq for Cancel {
     fn eq(&self, other: &Self) -> bool {
         match (&self.0, &other.0) {

@@ -1,4 +1,4 @@
-//! Errors of a solve: an invalid model, an unsupported one, an iteration without convergence.
+//! Errors of a solve: an invalid model, an unsupported model, or an iteration without convergence.
 
 use crate::model::Problem;
 use crate::numeric::tolerance;
@@ -26,8 +26,7 @@ pub enum Error {
 pub struct TooLarge {
     /// The problem as text, with a remedy.
     pub problem: Problem,
-    /// Number of elements of the mesh; for the exact method an upper bound of the elements between edges of
-    /// contact.
+    /// Number of elements of the mesh; for the exact method, an upper bound of its number of elements.
     pub elements: usize,
     /// The estimated memory \[bytes\].
     pub needed: u64,
@@ -46,7 +45,7 @@ pub struct Stopped {
     pub why: NotConverged,
 }
 
-/// Reason why a method stopped without an accepted solution. All figures are relative.
+/// Reason why a method stopped without an accepted solution. All numbers are relative.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum NotConverged {
@@ -253,16 +252,16 @@ the method `uzawa` stopped after 7 iterations: the certificate's relative gap is
         assert_eq!(invalid, expected);
         let too_fine = Error::Unsupported(Problem::too_fine(Part::Beam, 123_456));
         let expected = "\
-[GB616] Beam, bending_stiffness: where beam or ground vary, or the beam shears, its shortest waves would need 1e5 \
-elements (the bending stiffness is very small beside the shear layer, the springs or the tension: make it larger, or \
-leave out what varies or shears)";
+[GB616] Beam, bending_stiffness: where the beam or the ground varies, or the beam has shear deformation, the shortest \
+waves would need 1e5 elements (the bending stiffness is very small compared with the shear layer, the springs or the \
+tension: increase it, or give constant stiffnesses and no shear stiffness)";
         assert_eq!(too_fine.to_string(), expected);
         let problem = Problem::too_large("exact", 5, [Bytes(7_000_000_000), Bytes(4_000_000_000)]);
         let refused = TooLarge { problem, elements: 5, needed: 7, limit: 4 };
         let expected = "\
 [GB617] Beam, length: the method `exact` would need about 7 GB of memory for 5 elements, more than the limit of 4 GB \
-(the beam is very long beside its waves, or has very many parts: shorten it, or raise the limit, as in --memory-limit \
-\"8 GB\")";
+(the beam is very long compared with its waves, or has very many parts: shorten it, or raise the limit, as in \
+--memory-limit \"8 GB\")";
         assert_eq!(Error::TooLarge(Box::new(refused)).to_string(), expected);
         assert_eq!(Error::Cancelled.to_string(), "the solve was cancelled");
     }

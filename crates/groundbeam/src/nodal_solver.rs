@@ -1,4 +1,4 @@
-//! Solver for long beams: the solution at the nodes of meshes of up to millions of elements.
+//! Solver for long beams: computes the solution at the nodes of meshes of up to millions of elements.
 
 use crate::equilibrium::size;
 use crate::error::{Error, NotConverged, Stopped};
@@ -87,7 +87,8 @@ impl NodalSolver {
         self.where_it_stands(model, elements, |solver| solver.search_near(model, elements, into))
     }
 
-    /// Starts from the contact zones in `into`; if this is impossible or fails, starts from coarse grids.
+    /// Starts from the contact zones in `into`. If this is impossible or does not converge, starts from
+    /// coarse grids.
     fn search_near(
         &mut self,
         model: &Model,

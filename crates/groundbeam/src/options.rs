@@ -5,14 +5,14 @@ use crate::cancel::Cancel;
 /// The method of solution.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Method {
-    /// Closed forms between the edges of contact, which are the unknowns. No mesh.
+    /// Closed forms between the contact edges, which are the unknowns; without a mesh.
     #[default]
     Exact,
     /// The discrete problem (5.10), (5.11) with forces at the nodes, (5.5): Newton's method on the convex energy.
     ActiveSet,
-    /// The paper's (5.17) with (5.18), projected successive over-relaxation.
+    /// Projected successive over-relaxation: (5.17) with (5.18) of the paper.
     Psor,
-    /// The paper's iteration (5.14)–(5.17), after Uzawa.
+    /// Uzawa's iteration of the paper, (5.14)–(5.17).
     Uzawa,
 }
 
@@ -31,14 +31,14 @@ impl Method {
     }
 }
 
-/// Options of [`solve_with`](crate::solve_with), with defaults for all.
+/// Options of [`solve_with`](crate::solve_with). Every option has a default.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Options {
     /// The method.
     pub method: Method,
-    /// Number of equal elements along the beam for the methods with a mesh; the model adds nodes where it
-    /// needs them. On separate springs [`Method::ActiveSet`] doubles the number until the energy gap is no
-    /// larger than the strain energy. [`Method::Exact`] ignores it.
+    /// Number of equal elements along the beam for the methods with a mesh. Loads, supports and other parts
+    /// of the model add nodes. On Winkler ground [`Method::ActiveSet`] doubles the number until the energy
+    /// gap is no larger than the strain energy. [`Method::Exact`] ignores the number.
     pub elements: usize,
     /// The start of `Uzawa` and `Psor`.
     pub start: Start,
@@ -69,6 +69,6 @@ pub enum Start {
     /// The pressure of the bilateral problem, without its tensile part.
     #[default]
     Bilateral,
-    /// Zero.
+    /// Zero pressure.
     Zero,
 }

@@ -8,7 +8,7 @@ use crate::solution::solution::Solution;
 pub enum Outcome {
     /// An equilibrium with its certificate.
     Equilibrium(Box<Solution>),
-    /// No equilibrium exists, or in compression none next to the unloaded state. The verdict contains the
-    /// motion that proves it.
+    /// No equilibrium exists. Under compression: no stable equilibrium exists on the path from the unloaded
+    /// state. The verdict contains the motion that proves this.
     NoEquilibrium(Existence),
 }

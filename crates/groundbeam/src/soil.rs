@@ -1,4 +1,4 @@
-//! The ground's two constants from what is known of the soil.
+//! The constants k and μ of the ground from soil data.
 //!
 //! | [`Soil`] | takes | gives |
 //! |---|---|---|
@@ -7,7 +7,7 @@
 //! | `Vesic`, `Biot`, `MeyerhofBaike`, `Selvadurai` | a modulus and Poisson's ratio | k |
 //! | `TerzaghiClay`, `TerzaghiSand` | a plate load test | k |
 //!
-//! Both constants are per length of *beam*: an area's values times the width on which the beam bears.
+//! Both constants are per length of *beam*: values per area times the width on which the beam bears.
 //!
 //! ```
 //! use groundbeam::soil::{LayeredSoil, Soil, SoilLayer, SoilModel};

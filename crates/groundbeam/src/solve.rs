@@ -29,8 +29,9 @@ use crate::supported::{self, Way};
 ///
 /// # Errors
 ///
-/// [`Error::Invalid`] for a model that breaks a rule, [`Error::TooLarge`] for one that needs more memory than
-/// [`Options::memory_limit`] and [`Error::NotConverged`] if no certified answer was reached.
+/// [`Error::Invalid`] for a model that breaks a rule, [`Error::TooLarge`] for a model that needs more memory
+/// than [`Options::memory_limit`], and [`Error::NotConverged`] if no solution with a valid certificate was
+/// found.
 pub fn solve(model: &Model) -> Result<Outcome, Error> {
     solve_with(model, &Options::default())
 }
@@ -45,9 +46,9 @@ pub fn solve_with(model: &Model, options: &Options) -> Result<Outcome, Error> {
     solve_near(model, options, None)
 }
 
-/// Solves a model from the solution of a similar one: a load has moved or increased, or the ground has
-/// changed. The exact method starts from the contact of the similar model, and needs fewer steps. The same is
-/// proven of the solution, but its last digits may differ.
+/// Solves a model from the solution of a similar model: a load has moved or increased, or the ground has
+/// changed. The exact method starts from the contact of the similar model and needs fewer steps. The
+/// certificate is checked as in [`solve_with`]; the last digits of the solution may differ.
 ///
 /// # Errors
 ///
@@ -83,8 +84,8 @@ pub(crate) fn solve_in(
 /// Maximum number of times that the elements of the method `active-set` are halved.
 const MOST_HALVINGS: usize = 12;
 
-/// Solves; by the method `active-set` on elements that are halved until the energy gap is no larger than the strain energy.
-/// On separate springs a zone of contact may be shorter than an element.
+/// Solves by the chosen method. The method `active-set` halves its elements until the energy gap is no larger
+/// than the strain energy, because on Winkler ground a contact zone may be shorter than an element.
 fn uncancelled(
     model: &Model,
     options: &Options,
@@ -157,7 +158,7 @@ fn solve_convex(
     Ok(Solution::new(candidate, certificate, existence, options.method, found.history))
 }
 
-/// The same with one-way supports.
+/// The equilibrium of a convex energy, with one-way supports.
 fn solve_one_way(
     model: &Model,
     options: &Options,
@@ -180,7 +181,7 @@ fn solve_one_way(
     Ok(Solution::new(candidate, certificate, checked.existence, options.method, history))
 }
 
-/// The local equilibrium found on the path of increasing compression, solved to its last digits.
+/// The local equilibrium that the path of increasing compression has found, with all digits.
 fn solve_local(
     model: &Model,
     options: &Options,
@@ -240,11 +241,13 @@ impl<'a> Judged<'a> {
     }
 }
 
-/// Decides whether an equilibrium exists. It solves only in compression that makes the equilibrium local.
+/// Decides whether an equilibrium exists. It solves the model only if the compression makes the equilibrium
+/// local.
 ///
 /// # Errors
 ///
-/// As [`solve`], but [`Error::NotConverged`] only for compression that the ground helps to carry.
+/// As [`solve`], but [`Error::NotConverged`] only if the beam is stable under its compression only with the
+/// ground.
 pub fn exists(model: &Model) -> Result<Existence, Error> {
     Ok(check(model, &Options::default())?.existence)
 }
@@ -373,7 +376,7 @@ mod tests {
     use crate::model::{Acts, Beam, Foundation, Load, Support};
     use crate::{Solver, load_factors::load_factors_with, nodal};
 
-    /// A long beam that lifts off between its loads.
+    /// A long beam with lift-off between its loads.
     fn long() -> Model {
         Model::new(Beam::uniform(60.0, 1.0), Foundation::pasternak(1.0, 0.1))
             .with_load(Load::point_force(10.0, 1.0))
@@ -428,7 +431,7 @@ mod tests {
         }
     }
 
-    /// Each loop stops at once, long before the solve would end and discard its result.
+    /// Each loop stops within one step, long before the end of the solve.
     #[test]
     fn every_loop_looks_at_the_flag() {
         let (model, never, now) = (long(), Cancel::default(), cancelled());

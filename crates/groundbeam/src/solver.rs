@@ -9,7 +9,7 @@ use crate::solution::candidate::{Candidate, Workspace};
 use crate::solution::solution::Solution;
 use crate::solve::solve_in;
 
-/// Solves a series of models by the exact method, with reuse of memory.
+/// Solves a series of models by the exact method. All solves use the same memory.
 ///
 /// ```
 /// use groundbeam::{Answer, Beam, Foundation, Load, Model, Solver};
@@ -69,8 +69,8 @@ impl Solver {
     }
 
     /// Solves a model that is similar to the previous one: a load has moved or increased, or the ground has
-    /// changed. The iteration starts from the previous contact and needs fewer steps. The same is proven of
-    /// the solution, but its last digits may differ.
+    /// changed. The iteration starts from the previous contact and needs fewer steps. The certificate is
+    /// checked as in [`Solver::solve`]; the last digits of the solution may differ.
     ///
     /// # Errors
     ///

@@ -1,4 +1,4 @@
-//! The table of features and ways of solving: the only source of "not supported".
+//! The table that states which way of solving supports which feature of a model.
 //!
 //! ```
 //! use groundbeam::supported::{Feature, Way, refusal};
@@ -33,7 +33,7 @@ impl Way {
     pub const ALL: [Way; 5] =
         [Way::Exact, Way::ActiveSet, Way::Iteration, Way::Nodes, Way::LoadFactors];
 
-    /// The way for these options.
+    /// The way that the method of these options selects.
     pub(crate) fn of(options: &Options) -> Self {
         match options.method {
             Method::Exact => Way::Exact,
@@ -46,11 +46,11 @@ impl Way {
 /// A feature of a model that not every way supports.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Feature {
-    /// Compression beyond the beam's own buckling load: the equilibrium is a local one.
+    /// Compression beyond the beam's own buckling load, so that the equilibrium is local.
     LocalEquilibrium,
     /// Ground without a shear layer somewhere under the beam, μ = 0.
     NoShearLayer,
-    /// A beam that shears.
+    /// A beam with shear deformation.
     BeamShear,
     /// Loads on the ground.
     GroundLoads,
@@ -148,7 +148,7 @@ pub(crate) fn check(model: &Model, way: Way, is_local: bool) -> Result<(), Error
     Ok(())
 }
 
-/// The part of the model that gives ground without a shear layer under the beam.
+/// The foundation or the foundation segment without a shear layer under the beam.
 fn without_shear_layer(model: &Model) -> Option<Part> {
     let ground = &model.foundation;
     let mesh = Mesh::build(model, &[], |_| 1);
@@ -162,7 +162,7 @@ fn without_shear_layer(model: &Model) -> Option<Part> {
 mod tests {
     use super::*;
 
-    /// Each way has its own column, and the exact method supports everything.
+    /// Each way has its own column. The exact method supports every feature.
     #[test]
     fn the_table_has_a_column_for_each_way() {
         for (column, way) in Way::ALL.into_iter().enumerate() {

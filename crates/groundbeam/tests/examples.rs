@@ -1,4 +1,4 @@
-//! Every example prints what the file beside it says. `UPDATE_EXPECTED=1` writes that file.
+//! Tests that every example prints the text of the file beside it. `UPDATE_EXPECTED=1` writes this file.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;

@@ -36,7 +36,7 @@ impl Answers {
     ///
     /// # Errors
     ///
-    /// The result has no such quantity, or the file no such combination.
+    /// The result does not contain the quantity, or the file does not contain the combination.
     pub fn found(&self, expectation: &Expectation, document: &Document) -> Result<Value, String> {
         let Answers(answers) = self;
         if expectation.of == Of::Envelope {

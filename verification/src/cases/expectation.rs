@@ -144,7 +144,7 @@ impl Expectation {
     ///
     /// # Errors
     ///
-    /// The result has no such quantity.
+    /// The result does not contain the quantity.
     pub fn found(&self, document: &Document, found: &Found) -> Result<Value, String> {
         let existence = found.existence().ok_or("there is no certified answer")?;
         let numbers = match (self.quantity, found) {
@@ -194,7 +194,7 @@ impl Expectation {
     ///
     /// # Errors
     ///
-    /// An envelope has no such quantity.
+    /// The envelope does not contain the quantity.
     pub fn found_in_envelope(&self, envelope: &Envelope, names: &[&str]) -> Result<Value, String> {
         let of = |field, largest| {
             let range = envelope.range(field);
@@ -251,7 +251,7 @@ impl Expectation {
     ///
     /// # Errors
     ///
-    /// Such an envelope has no such quantity.
+    /// The envelope of passages does not contain the quantity.
     pub fn found_in_passages(&self, passages: &Passages) -> Result<Value, String> {
         let Quantity::Extreme { field, largest, position } = self.quantity else {
             return Err("the envelope of a train has only extremes".to_owned());

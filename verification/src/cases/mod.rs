@@ -34,7 +34,7 @@ pub struct Case {
 pub struct Misread {
     /// Line of the file, counted from 1; 0 if the fault concerns the whole file.
     pub line: usize,
-    /// What is wrong.
+    /// The fault as text.
     pub what: String,
 }
 
@@ -48,7 +48,7 @@ impl fmt::Display for Misread {
 }
 
 impl Case {
-    /// The models to be solved: that of the file, or those of its combinations.
+    /// The models to be solved: the model of the file, or the models of its combinations.
     pub fn models(&self) -> Vec<Model> {
         self.document.wanted().into_iter().map(|combination| combination.model).collect()
     }

@@ -35,7 +35,7 @@ pub(super) enum Quantity {
         field: Field,
         largest: bool,
     },
-    /// The used part of the limit of a check.
+    /// The utilisation of the limit of a check.
     Used(Checked, Option<LimitState>),
     /// Whether a check passes.
     Judged(Checked, Option<LimitState>),

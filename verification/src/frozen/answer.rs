@@ -9,7 +9,7 @@ pub const STEPS: usize = 40;
 /// Steps between the written positions, if the fields are not written in full.
 const COARSE: usize = 10;
 
-/// The lines of an answer: the fields at all positions, or at five with a digest of all.
+/// The lines of an answer: the fields at all positions, or at five positions with a digest of all.
 pub fn text(outcome: &Result<Outcome, Error>, in_full: bool) -> String {
     match outcome {
         Ok(Outcome::Equilibrium(solution)) => {

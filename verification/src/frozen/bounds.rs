@@ -29,7 +29,7 @@ use groundbeam::{Error, Field, Outcome, Solution, solution::Side};
 const EDGE: f64 = 1e-7;
 /// The limit where the bounds are smaller than rounding.
 const FLOOR: f64 = 1e-9;
-/// The same for V at supports and where zones are shorter than the limit of an edge.
+/// As `FLOOR`, for V at supports and where zones are shorter than the limit of an edge.
 const FLOOR_AT_SUPPORTS: f64 = 1e-5;
 /// Limits of fields and of their derivatives, in e.
 const SHARES: [f64; 2] = [3.0, 100.0];

@@ -7,8 +7,8 @@ use groundbeam::{
 };
 use rand::Rng;
 
-/// A compression between the beam's own buckling load (0 if it is unsupported) and the one at which the ground no
-/// longer stabilises it.
+/// A compression between the beam's own buckling load (0 for an unsupported beam) and the buckling load of
+/// the beam on its ground.
 pub(super) fn compress<R: Rng>(model: &mut Model, dice: &mut Dice<R>) {
     let own = groundbeam::own_buckling_load(model);
     let unit = model.beam.bending_stiffness / (model.beam.length * model.beam.length);
@@ -75,7 +75,7 @@ pub(super) fn shear_beam<R: Rng>(mut beam: Beam, lambda_l: f64, dice: &mut Dice<
     beam
 }
 
-/// One to five one-way supports, rigid or elastic, and loads that lift the beam off some of them.
+/// Adds one to five one-way supports, rigid or elastic, and loads that lift the beam off some of them.
 pub(super) fn bearings<R: Rng>(mut model: Model, dice: &mut Dice<R>) -> Model {
     let (length, k) = (model.beam.length, model.foundation.subgrade);
     // A weight, so that the position of every piece is determined.
@@ -99,7 +99,7 @@ pub(super) fn bearings<R: Rng>(mut model: Model, dice: &mut Dice<R>) -> Model {
     model
 }
 
-/// One to four hinges, one in three of them elastic; sometimes ground without a shear layer.
+/// Adds one to four hinges, one in three of them elastic. Sometimes the ground has no shear layer.
 pub(super) fn hinge<R: Rng>(mut model: Model, dice: &mut Dice<R>) -> Model {
     let (length, stiffness) = (model.beam.length, model.beam.bending_stiffness);
     if dice.happens(0.25) {
@@ -116,7 +116,7 @@ pub(super) fn hinge<R: Rng>(mut model: Model, dice: &mut Dice<R>) -> Model {
     model
 }
 
-/// The same for the ground, one in ten without a shear layer.
+/// As [`vary_beam`], for the ground. One ground in ten has no shear layer.
 pub(super) fn vary_ground<R: Rng>(
     mut ground: Foundation,
     length: f64,
@@ -198,7 +198,7 @@ pub(super) fn add_neighbours<R: Rng>(model: &mut Model, dice: &mut Dice<R>) {
     }
 }
 
-/// One to three stretches of a beam; in one of three cases the whole beam.
+/// One to three stretches of a beam. In one of three cases the stretch is the whole beam.
 fn stretches<R: Rng>(length: f64, dice: &mut Dice<R>) -> Vec<[f64; 2]> {
     if dice.up_to(2) == 0 {
         return vec![[0.0, length]];

@@ -39,8 +39,8 @@ struct Desk {
     start: Arc<Start>,
     /// One permit per processor, which limits the number of simultaneous solves for results and files.
     permits: Arc<Semaphore>,
-    /// The same number of permits for views of the page. Views follow every keystroke and must not wait for a
-    /// long solve.
+    /// Separate permits for views of the page, one per processor. A view follows every keystroke and must not
+    /// wait for a long solve.
     quick: Arc<Semaphore>,
     /// Time limit for the arrival of a model file.
     body: Duration,
@@ -115,7 +115,7 @@ async fn download(
     answer(&desk.permits, pairs.read(keys), model, work).await
 }
 
-/// All processors, without progress; the page shows it.
+/// A host with all processors and without a display of progress, because the page shows progress.
 fn host() -> Threads<'static> {
     Threads::new(&|| ())
 }
@@ -219,7 +219,7 @@ mod tests {
     }
 
     impl Works {
-        /// Works until it is cancelled, and for a short time afterwards.
+        /// A request that works until it is cancelled, and for a short time afterwards.
         fn slow(&self, asked: &Asked) -> Reply {
             self.begun.fetch_add(1, Ordering::SeqCst);
             while !asked.cancel.is_cancelled() {

@@ -46,7 +46,7 @@ kinds! {
     PerLength,
 }
 
-/// Value whose unit is used for zero, among the technical units.
+/// A zero has the technical unit of this value.
 pub(super) const TECHNICAL: f64 = 1e4;
 
 /// One tonne-force, 1000 × 9.806 65 N.
@@ -79,7 +79,7 @@ impl Kind {
         }
     }
 
-    /// A typical value of this kind; its unit is used for zero.
+    /// A typical value of this kind; a zero has the unit of this value.
     pub(super) fn usual(self) -> f64 {
         match self {
             Kind::Deflection | Kind::Slope => 1e-3,

@@ -136,7 +136,7 @@ pub(super) fn read(reader: &mut Reader, root: &Section) -> Read {
     if let Some(along) = &shear_stiffness {
         reader.place(&table, "shear_stiffness", &along.field());
     }
-    // A segment without a shear stiffness has the beam's constant one.
+    // A segment without a shear stiffness has the constant shear stiffness of the beam.
     let varying = shear_stiffness.clone().filter(|along| !along.profile.is_constant());
     let whole = Whole::new(reader, length, own, varying, &BODY);
     let mut areas = Vec::new();

@@ -61,7 +61,7 @@ static JUDGED_IN: Table = Table {
     ],
 };
 
-/// Reads the limits of the file. The bearing width is `width`, unless the table gives another one.
+/// Reads the limits of the file. The bearing width is `width`, unless the table gives a bearing width.
 pub(super) fn read(reader: &mut Reader, root: &Section, width: Option<f64>) -> Limits {
     let Some(table) = reader.table(root, "checks") else { return Limits::default() };
     let mut limit = |key| {

@@ -23,15 +23,15 @@ pub(super) struct Spacing<'a> {
     troughs: &'a [Trough],
     /// For deflection and moment, by trough.
     even: Vec<Even>,
-    /// 1/h² per |g″|, for the pressure.
+    /// For the pressure: 1/h² divided by |g″|.
     by_curvature: f64,
-    /// 1/h per |g″|, for the contact edges.
+    /// For the contact edges: 1/h divided by |g″|.
     by_corner: f64,
     /// Upper limit of 1/h for the contact edges.
     most_for_corners: f64,
 }
 
-/// Chords of equal length near a trough.
+/// Chords of equal length near a trough, for the deflection and the moment.
 struct Even {
     /// 1/h².
     density: f64,

@@ -211,7 +211,7 @@ fn unknown_case(reader: &mut Reader, name: &str, span: Range<usize>, names: &[&s
     reader.unknown_word((name, span), NO_LOAD, names, case_names::otherwise(names));
 }
 
-/// Data for building combinations.
+/// Data of a file from which combinations are made.
 struct File<'a> {
     loads: &'a [Load],
     cases: &'a [Option<String>],
@@ -257,7 +257,7 @@ impl<'a> File<'a> {
         Some((name.to_owned(), factor))
     }
 
-    /// Combinations of a set, in its limit states or in those of the file.
+    /// Combinations of a set, in the limit states of the set or of the file.
     fn make(
         &mut self,
         reader: &mut Reader,

@@ -23,7 +23,7 @@ pub(super) struct Curls {
     pub expansion: Option<f64>,
 }
 
-/// Depths along the beam: those of its segments, and of its own section elsewhere.
+/// Depths along the beam: the depths of its segments, and the depth of its own section outside them.
 pub(super) fn all(length: f64, base: Option<Along>, mut segments: Vec<Depth>) -> Vec<Depth> {
     for [from, to] in left_out(length, segments.iter().map(|s| (s.from, s.to))) {
         let depth = base.as_ref().map(|base| base.between([from / length, to / length]));

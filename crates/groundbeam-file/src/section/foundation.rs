@@ -233,7 +233,7 @@ fn read_segment(
     let (ends, way) = whole.ends(reader, table);
     let own = given(reader, table);
     let [own_width, width] = [&own, &whole.given(way)].map(|given| given.factors[1].clone());
-    // A segment with its own width has another μ = C2 × width.
+    // A segment with its own width has its own μ = C2 × width.
     let inherits = own_width.is_some() && table.value("mu").is_none();
     let inherited = of_area.filter(|_| inherits).map(|along| along.between(way));
     let of_area = reader.along(table, "C2").or(inherited);

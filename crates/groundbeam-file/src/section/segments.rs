@@ -27,7 +27,7 @@ pub(super) struct Segment {
     pub to: f64,
     /// EI or k.
     pub stiffness: Profile,
-    /// S or μ; `None`: that of the whole beam.
+    /// S or μ; `None` if the value of the whole beam applies.
     pub second: Option<Profile>,
 }
 

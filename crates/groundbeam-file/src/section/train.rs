@@ -124,7 +124,7 @@ fn read_one(reader: &mut Reader, table: &Section, beam_length: f64) -> MovingTra
     MovingTrain { name, set, case, factor, dynamic, spread, train, range }
 }
 
-/// Axles and distributed loads: those of a set, or as written.
+/// Axles and distributed loads, from a set or as written in the file.
 fn parts(reader: &mut Reader, table: &Section) -> (Option<&'static TrainSet>, Train) {
     let mut train = Train::default();
     let Some(set) = table.value("set") else {

@@ -16,7 +16,7 @@ pub(super) struct Area {
     pub area: Option<Along>,
 }
 
-/// Reads `unit_weight`: a quantity, or "material" for that of the beam's material.
+/// Reads `unit_weight`: a quantity, or "material" for the unit weight of the beam's material.
 fn unit_weight(reader: &mut Reader, table: &Section, material: Option<&Material>) -> Option<Field> {
     let value = table.value("unit_weight")?;
     if value.get_ref().as_str().is_none_or(|text| text.trim() != "material") {

@@ -12,9 +12,9 @@ use std::collections::BTreeMap;
 pub(crate) struct Acting<'a> {
     pub case: &'a str,
     pub action: &'a str,
-    /// Cases of one group never act together.
+    /// Cases of the same group never act together.
     pub group: Option<&'a str>,
-    /// Permanent cases of one source share the choice of their factor.
+    /// Permanent cases from the same source have the same factor.
     pub source: Option<&'a str>,
 }
 
@@ -126,7 +126,7 @@ struct Expansion<'a> {
     cases: &'a [Acting<'a>],
     /// Alternative factors of each case; empty for a case that is not permanent.
     always: &'a [Vec<f64>],
-    /// Whether permanent cases of one source have independent factors.
+    /// Whether permanent cases from the same source have independent factors.
     by_parts: bool,
     most: usize,
     label: &'a str,
@@ -134,7 +134,7 @@ struct Expansion<'a> {
     /// Whether an action of the first term must act.
     leads: bool,
     made: Vec<Made>,
-    /// Index of each generated combination, by the bits of the factors of all cases.
+    /// Index of each generated combination; the key has the bits of the factors of all cases.
     seen: BTreeMap<Vec<u64>, usize>,
 }
 
@@ -385,7 +385,8 @@ mod tests {
         assert_eq!(states("LRFD 4: 1.2 D + W"), "STR/GEO");
     }
 
-    /// EN 1990, annex A2: 1.35 of road traffic, 1.45 of rail traffic, 1.5 of wind; in set C 1.15 and 1.3.
+    /// EN 1990, annex A2: the partial factor is 1.35 for road traffic, 1.45 for rail traffic and 1.5 for
+    /// wind. In set C, it is 1.15 for road traffic and 1.3 for wind.
     #[test]
     fn a_partial_factor_belongs_to_the_action() {
         let cases =

@@ -30,7 +30,8 @@ struct Action {
     name: String,
     /// ψ₀, ψ₁, ψ₂ of a variable action; `None` for other actions and in codes without them.
     psi: Option<[f64; 3]>,
-    /// Partial factors by the letter of the set: unfavourable, and favourable if it differs.
+    /// Partial factors by the letter of the set: the unfavourable factor, and the favourable factor if it
+    /// differs.
     #[serde(default)]
     gamma: BTreeMap<String, Vec<f64>>,
     /// Whether the action is permanent.

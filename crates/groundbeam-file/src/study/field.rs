@@ -44,7 +44,7 @@ pub struct FieldOf {
 /// Correlation of the logarithms at two points a distance d apart, with the correlation length L.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Correlation {
-    /// `exponential`: exp(−d/L); Matérn's with ν = 1/2.
+    /// `exponential`: exp(−d/L), Matérn's function with ν = 1/2.
     Exponential,
     /// `matern-3/2`: (1 + a) exp(−a) with a = √3 d/L.
     Matern3,

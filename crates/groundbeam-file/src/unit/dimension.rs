@@ -22,7 +22,7 @@ impl Dimension {
     }
 
     /// This dimension times a power of `other`. Exponents saturate at the limits of their type, far beyond
-    /// those of any unit.
+    /// the exponents of any unit.
     pub fn times(self, other: Dimension, power: i32) -> Self {
         let add = |mine: i32, its: i32| mine.saturating_add(its.saturating_mul(power));
         Dimension {

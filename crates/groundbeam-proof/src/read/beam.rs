@@ -1,4 +1,4 @@
-//! Reads `[beam]` and its segments: EI, shear stiffness, and the quantities of the section: own weight and depth.
+//! Reads `[beam]` and its segments: EI, shear stiffness, own weight and depth of the section.
 
 use super::case::{Cased, case};
 use super::error::{Read, wrong};
@@ -35,13 +35,13 @@ pub(crate) struct ReadBeam<S> {
     pub beam: Beam<S>,
     /// Own weight and camber.
     pub loads: Vec<Cased<S>>,
-    /// The depth of the section from the left end to the right one.
+    /// The depths of the section, from the left end to the right end.
     pub depths: Vec<Depth<S>>,
     /// The thermal expansion of the material, if it is constant along the beam.
     pub expansion: Option<S>,
 }
 
-/// A quantity of the section on a stretch, if it is known there.
+/// A quantity of the section on a stretch; `None` if it is not known there.
 pub(crate) struct Stretch<S> {
     pub ends: [S; 2],
     pub of: Option<Along<S>>,
@@ -182,7 +182,7 @@ impl<S: Scalar> Whole<S> {
         let above = self.shear.between(way);
         let shear = Shear::read(fields, table, modulus, shape.as_ref(), &above)?;
         let shear = shear.settle(table, &above)?;
-        // A segment that gives only its shear stiffness takes the bending stiffness of the beam.
+        // A segment with only a shear stiffness has the bending stiffness of the beam.
         let bends = if shear.is_some() && own.is_nothing() { parent.clone() } else { own };
         let bending = bends.resolve(&parent, NAMES)?.known(table, "EI")?;
         let shear = shear.or_else(|| self.shear_between(way));
@@ -195,7 +195,7 @@ impl<S: Scalar> Whole<S> {
         Ok((segment, shape))
     }
 
-    /// A stiffness that varies along the whole beam is used outside the segments.
+    /// Adds segments for a stiffness that varies along the whole beam: it applies outside the given segments.
     fn add_where_it_varies(
         &self,
         bending: &Along<S>,
@@ -216,7 +216,7 @@ impl<S: Scalar> Whole<S> {
     }
 }
 
-/// Whether a table gives EI or I directly. Then the section of the beam does not apply there.
+/// Whether a table gives EI or I directly, so that the section of the beam does not apply.
 fn gives_stiffness(section: Section) -> bool {
     section.table.get("EI").is_some() || section.table.get("I").is_some()
 }
@@ -229,7 +229,7 @@ fn bending<S: Scalar>(fields: &mut Fields, section: Section) -> Read<Bending<S>>
     let mut modulus = fields.along(section, "E", MODULUS, Values::Linear)?;
     let named = material::named(section)?;
     if let Some((material, at)) = named {
-        // The numbers of the section have units.
+        // The listed numbers of the section have units.
         fields.note(at, true)?;
         let Quantity { value, .. } = material.modulus().map_err(|fault| fault.moved(at))?;
         modulus = Some(Along::constant(value, at));

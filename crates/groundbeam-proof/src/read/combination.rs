@@ -1,4 +1,5 @@
-//! Reads `[[combination]]`: factors of load cases, given in the file or made by a set of a code of practice.
+//! Reads `[[combination]]`: factors of load cases, given in the file or by a set of combinations of a code of
+//! practice.
 
 use super::case::Cased;
 use super::error::{Read, Reason, fault, out_of_range, wrong};
@@ -18,7 +19,8 @@ struct Recipe {
     factors: BTreeMap<String, String>,
 }
 
-/// The loads of a combination, without those of factor 0. Without a combination: all loads with the values of the file.
+/// The loads of a combination, without loads that have the factor 0. Without a combination: all loads with
+/// the values of the file.
 pub(crate) fn loads<S: Scalar>(
     root: Section,
     loads: Vec<Cased<S>>,

@@ -18,7 +18,7 @@ pub struct ReadError {
 pub enum Reason {
     /// The file is longer, or more deeply nested, than this reader accepts.
     TooLarge,
-    /// The text is not TOML, or TOML that model files do not use.
+    /// The text is not TOML, or it uses a part of TOML that model files do not need.
     Syntax(&'static str),
     /// A key or a table occurs twice.
     Twice(String),
@@ -32,7 +32,8 @@ pub enum Reason {
     Value(String),
     /// A number of the model that is outside the range of the computation.
     OutOfRange(String),
-    /// A key that this reader does not support: with it, the model does not follow from the file alone in closed form.
+    /// A key that this reader does not support, because with it the model does not follow from the file alone
+    /// in closed form.
     NotRead(&'static str),
     /// The file has no combination with the requested name.
     NoCombination(String),

@@ -1,9 +1,9 @@
 //! Lengths in feet and inches, or with fractions, as a decimal number of inches: `12'-6"`, `12 ft 6 1/2 in`, `6 1/2 in`.
 
-/// Inches are counted in millionths: 64ths and six decimals are whole.
+/// Inches are counted in millionths, so that 64ths and six decimals are integers.
 const MILLION: u128 = 1_000_000;
 
-/// The inches of a text with feet and inches, or with a fraction; `None` for another text.
+/// The number of inches of a text with feet and inches, or with a fraction; `None` for every other text.
 pub(crate) fn inches(text: &str) -> Option<String> {
     let one_sign = |text: String, names: [&str; 5], sign: &str| {
         names.iter().fold(text, |text, name| text.replace(name, sign))

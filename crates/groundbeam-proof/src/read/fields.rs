@@ -82,7 +82,7 @@ pub(crate) enum Values {
     Curve(usize),
 }
 
-/// A quantity along a stretch; exactly the value of the file where it is constant.
+/// A quantity along a stretch. A constant quantity has exactly the value of the file.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Along<S> {
     pub course: Course<S>,
@@ -90,7 +90,8 @@ pub(crate) struct Along<S> {
     pub at: usize,
 }
 
-/// Either every quantity of a file except 0 has a unit, or none has. The first quantity read decides.
+/// Reads quantities. Either every quantity of a file except 0 has a unit, or none has one. The first quantity
+/// decides.
 #[derive(Default)]
 pub(crate) struct Fields {
     has_units: Option<bool>,
@@ -263,7 +264,7 @@ impl Fields {
     }
 }
 
-/// Reads a text of a number and, if the file has units, a unit.
+/// Reads a text that consists of a number and, if the file has units, a unit.
 fn written(text: &str, kind: Kind, key: &str, at: usize) -> Read<(Exact, bool)> {
     let is_length = kind.dimension == Dimension::of(0, 1);
     let inches = feet::inches(text).filter(|_| is_length);

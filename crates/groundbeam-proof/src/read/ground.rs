@@ -12,7 +12,8 @@ use crate::{Course, Ground, GroundEnd, GroundSegment, Scalar};
 const KEYS: &[&str] =
     &["k", "subgrade_modulus", "C1", "width", "mu", "C2", "segment", "left", "right"];
 const SEGMENT_KEYS: &[&str] = &["from", "to", "k", "subgrade_modulus", "C1", "width", "mu", "C2"];
-/// Keys that this reader does not support: `soil` needs correlations or the solution, `band` describes several grounds.
+/// Keys that this reader does not support. `soil` needs correlations or the solution, and `band` describes
+/// several grounds.
 const FOREIGN: &[&str] = &["soil", "band"];
 const NAMES: [&str; 3] = ["k", "subgrade_modulus", "width"];
 const CURVE: Values = Values::Curve(3);
@@ -61,7 +62,7 @@ pub(crate) fn read<S: Scalar>(fields: &mut Fields, root: Section, length: S) -> 
     Ok(Ground { spring, shear, segments, ends: [left, right] })
 }
 
-/// Refuses a varying shear layer whose μ falls to zero.
+/// Refuses a varying shear layer whose μ decreases to zero.
 fn never_thins_out<S: Scalar>(shear: &Course<S>, at: usize) -> Read<()> {
     match shear {
         Course::Varying(values) if !values.iter().all(|value| value.low() > 0.0) => {
@@ -71,7 +72,8 @@ fn never_thins_out<S: Scalar>(shear: &Course<S>, at: usize) -> Read<()> {
     }
 }
 
-/// `left = { ends = "-2 m", as = "free" }`; `beyond` is the distance of the ground's end from the beam's end.
+/// Reads an end of the ground, such as `left = { ends = "-2 m", as = "free" }`; `beyond` is the distance of
+/// the ground's end from the beam's end.
 fn end<S: Scalar>(
     fields: &mut Fields,
     table: Section,
@@ -138,7 +140,7 @@ impl<S: Scalar> Whole<S> {
         given.chain([&self.shear]).any(|along| !along.is_constant())
     }
 
-    /// The fraction of the beam's length at a position: 0 left of the beam, 1 right of it.
+    /// A position as a fraction of the beam's length; 0 to the left of the beam, and 1 to the right of it.
     fn way(&self, x: S) -> S {
         if x.high() <= 0.0 {
             return S::zero();
@@ -204,7 +206,7 @@ impl<S: Scalar> Whole<S> {
         shear(fields, table, of_area.or(inherited).as_ref(), width.as_ref())
     }
 
-    /// Ground that varies along the whole beam is used outside the segments.
+    /// Adds segments for ground that varies along the whole beam: it applies outside the given segments.
     fn add_where_it_varies(
         &self,
         spring: &Along<S>,

@@ -1,4 +1,4 @@
-//! `[[load]]` and `[[ground_load]]`: forces, moments and imposed curvatures, each with its load case.
+//! Reads `[[load]]` and `[[ground_load]]`: forces, moments and imposed curvatures, each with its load case.
 
 use super::beam::Depth;
 use super::case::{Cased, case};
@@ -123,8 +123,9 @@ fn place<S: Scalar>(fields: &mut Fields, table: Section) -> Read<Quantity<S>> {
     fields.required(table, "at", POSITION)
 }
 
-/// The curvature per unit of a difference between top and bottom: expansion/depth for a temperature, −1/depth for a
-/// shrinkage; `None` for other loads. A warmer top is longer, so the ends go down, which is positive.
+/// The curvature per unit of a difference between top and bottom: expansion/depth for a temperature, −1/depth
+/// for a shrinkage; `None` for other loads. A warmer top bends the ends of the beam down, which is a positive
+/// curvature.
 fn curvature_per<S: Scalar>(
     fields: &mut Fields,
     table: Section,

@@ -8,7 +8,8 @@ use super::error::{Read, wrong};
 use super::fields::{EXPANSION, Kind, MODULUS, Quantity, Section, UNIT_WEIGHT, listed};
 use crate::Scalar;
 
-/// A family of materials: unit weight \[kN/m³\] if all have the same, expansion \[10⁻⁶/K\], and the members.
+/// A family of materials: the unit weight \[kN/m³\] if it is common to all, the expansion \[10⁻⁶/K\], and the
+/// members.
 struct Family {
     unit_weight: &'static str,
     expansion: &'static str,
@@ -118,12 +119,12 @@ const FAMILIES: [Family; 4] = [
     },
 ];
 
-/// `D24`: no class of another material begins with this letter.
+/// Whether a name such as `D24` is a class of hardwood. No class of another material begins with this letter.
 fn is_hardwood(name: &str) -> bool {
     name.strip_prefix('D').is_some_and(|class| class.bytes().all(|byte| byte.is_ascii_digit()))
 }
 
-/// Classes of softwood with numbers that no class of concrete uses: the name may omit `timber`.
+/// Classes of softwood whose names may omit `timber`, because no class of concrete has the same number.
 const SHORT: [&str; 5] = ["C14", "C18", "C22", "C24", "C27"];
 
 /// The material that a table names.

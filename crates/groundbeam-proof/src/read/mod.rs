@@ -1,9 +1,9 @@
 //! The second reader of model files: TOML, units and sections read into exact numbers or balls.
 //!
-//! It shares no code with the crate that reads model files for the solver. It accepts fewer files. It refuses with
-//! [`Reason::NotRead`]: ground from soil and troughs, which need approximations or the solution; surveys, which are other
-//! files; bands and trains, which describe several models. Reading ends at the first fault. `title` and `[checks]` do not
-//! change the model and are not read.
+//! It shares no code with the crate that reads model files for the solver. It accepts fewer files. It refuses
+//! four kinds of data with [`Reason::NotRead`]. Soil data and troughs need approximations or the solution,
+//! surveys are other files, and bands and trains describe several models. Reading ends at the first fault.
+//! `title` and `[checks]` do not change the model and are not read.
 
 mod beam;
 mod case;
@@ -48,10 +48,11 @@ const KEYS: &[&str] = &[
 ];
 const FOREIGN: &[&str] = &["gap_survey", "gap_trough", "train"];
 
-/// Reads a model file: the model under the loads of a combination, or under all loads as they are written.
+/// Reads a model file. Returns the model under the loads of a combination, or under all loads with their
+/// values in the file.
 ///
-/// Numbers are in m, N, rad where the file has units, else as they are written. Decimals and unit factors are exact; a
-/// scalar that cannot hold a number encloses it.
+/// Numbers are converted to m, N and rad if the file has units; otherwise they are unchanged. Decimals and
+/// unit factors are exact. A scalar that cannot represent a number exactly encloses it.
 ///
 /// ```
 /// use groundbeam_proof::{Wide, Scalar, read_model};
@@ -66,7 +67,7 @@ const FOREIGN: &[&str] = &["gap_survey", "gap_trough", "train"];
 ///
 /// # Errors
 ///
-/// The first fault of the file, with its place.
+/// The first fault of the file, with its position.
 pub fn read_model<S: Scalar>(text: &str, combination: Option<&str>) -> Result<Model<S>, ReadError> {
     read(text, combination).map_err(|fault: Fault| fault.placed(text))
 }

@@ -1,6 +1,6 @@
 //! Decimal numbers as text: numbers of TOML, and numbers at the beginning of a quantity.
 
-/// A number of TOML as digits with an optional sign, point and exponent.
+/// Converts a number of TOML to digits with an optional sign, point and exponent.
 pub(crate) fn of_toml(word: &str) -> Result<String, &'static str> {
     const NO_NUMBER: &str =
         "a value is expected here; write text, and a number with its unit, in quotes";
@@ -45,7 +45,7 @@ pub(crate) fn of_toml(word: &str) -> Result<String, &'static str> {
     Ok(number)
 }
 
-/// Digits with single `_` between them; returns the digits without `_`.
+/// Removes the single `_` between digits; `None` if the text has another form.
 fn grouped(text: &str, is_digit: impl Fn(u8) -> bool) -> Option<String> {
     let bytes = text.as_bytes();
     let digit_at = |i: usize| bytes.get(i).is_some_and(|b| is_digit(*b));
@@ -85,7 +85,7 @@ impl Decimal {
             let (below, mut after) = signed(exponent);
             let written = take_digits(&mut after);
             if !written.is_empty() {
-                // A power above 10⁵ exceeds every range.
+                // Powers are limited to 10⁵, which exceeds every range.
                 let size = written.parse::<i32>().unwrap_or(100_000).min(100_000);
                 power = power.saturating_add(if below { -size } else { size });
                 rest = after;
@@ -94,7 +94,7 @@ impl Decimal {
         Some((Decimal::of(negative, &digits, power), rest))
     }
 
-    /// The number of a text that contains nothing else.
+    /// The number of a text that consists of a number only.
     pub fn whole(text: &str) -> Option<Decimal> {
         Decimal::head(text).filter(|(_, rest)| rest.is_empty()).map(|(number, _)| number)
     }

@@ -1,4 +1,4 @@
-//! Positions: their order, stretches of the beam, and the gaps between stretches.
+//! Positions: their order, stretches of the beam, and the parts between stretches.
 
 use super::error::{Read, wrong};
 use super::fields::{Fields, POSITION, Quantity, Section};
@@ -9,8 +9,8 @@ pub(crate) fn is_left<S: Scalar>(a: S, b: S) -> bool {
     (b - a).low() > 0.0
 }
 
-/// The parts of 0 to `length` that no stretch covers, from left to right, each with its fractions of the length. Without
-/// stretches it is the whole length, exactly from 0 to 1.
+/// The parts of 0 to `length` that no stretch covers, from left to right, each with its fractions of the
+/// length. Without stretches the result is the whole length, with the exact fractions 0 and 1.
 pub(crate) fn left_out<S: Scalar>(length: S, stretches: &[[S; 2]]) -> Vec<([S; 2], [S; 2])> {
     if stretches.is_empty() {
         return vec![([S::zero(), length], [S::zero(), S::one()])];
@@ -39,7 +39,7 @@ pub(crate) fn covers<S: Scalar>(length: S, stretches: &[[S; 2]]) -> bool {
     left_out(length, stretches).is_empty()
 }
 
-/// Whether two of the stretches certainly overlap: the index of one of them.
+/// The index of a stretch that certainly overlaps another one; `None` if there is none.
 pub(crate) fn overlapping<S: Scalar>(stretches: &[[S; 2]]) -> Option<usize> {
     let mut order: Vec<usize> = (0..stretches.len()).collect();
     order.sort_by(|a, b| stretches[*a][0].middle().total_cmp(&stretches[*b][0].middle()));

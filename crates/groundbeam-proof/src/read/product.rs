@@ -38,8 +38,8 @@ impl<S: Scalar> Given<S> {
         }
     }
 
-    /// The stiffness. A table with one factor takes the other factor from `parent`. `names` are the keys of the stiffness
-    /// and of its factors.
+    /// The stiffness. If a table has only one factor, the other factor is taken from `parent`. `names` are
+    /// the keys of the stiffness and of its factors.
     pub fn resolve(&self, parent: &Given<S>, names: [&'static str; 3]) -> Read<Found<S>> {
         let own = self.factors.iter().position(Option::is_some);
         match (&self.whole, own) {

@@ -1,7 +1,8 @@
 //! Cross sections: area, second moment of area and shear area, as polynomials of the dimensions.
 //!
-//! The shear area is the area divided by the form factor of Roark's Formulas, 8th ed., 8.10: 5/6 of the area of a
-//! rectangle, 9/10 of a circle, half of a tube; of a box, an I or a T the webs between the flanges.
+//! The shear area is the area divided by the form factor of Roark's Formulas, 8th ed., 8.10: 5/6 of the area
+//! of a rectangle, 9/10 of that of a circle, and half of that of a tube. For a box, an I or a T it is the
+//! area of the webs between the flanges.
 
 use super::course::{plus, scaled, times};
 use super::error::{Read, Reason, fault, wrong};
@@ -108,7 +109,7 @@ fn rail<S: Scalar>(fields: &mut Fields, section: Section) -> Read<Shape<S>> {
     else {
         return wrong(at, format!("the rail `{name}` is not known"));
     };
-    // The numbers of the section have units.
+    // The listed numbers of the section have units.
     fields.note(at, true)?;
     let of = |text, kind| {
         let quantity = super::fields::listed::<S>(text, kind)?;
@@ -134,7 +135,8 @@ fn less<S: Scalar>(a: &Course<S>, b: &Course<S>) -> Course<S> {
     plus(a, &scaled(b, S::of(-1.0)))
 }
 
-/// a − times·b, which must be positive at both ends; the dimensions are linear along the stretch.
+/// a − times·b for dimensions a and b that are linear along the stretch. The result must be positive at both
+/// ends.
 fn inside<S: Scalar>(a: &Course<S>, b: &Course<S>, times: f64) -> Result<Course<S>, &'static str> {
     let rest = less(a, &scaled(b, S::of(times)));
     let has_room = super::course::values(&rest).iter().all(|value| value.low() > 0.0);
@@ -199,9 +201,9 @@ fn i_shape<S: Scalar>(
     Ok([area, by(&second_moment, 1.0, 12.0), shear])
 }
 
-/// An I with a radius r in its four corners. A corner has the area (1 − π/4) r², and about the face of its flange the first
-/// and second moments (5/6 − π/4) r³ and (1 − 5π/16) r⁴: a square less a quarter of a disc. The face is H = h/2 − f from the
-/// axis.
+/// An I with a radius r in its four corners. A corner is a square minus a quarter of a disc. It has the area
+/// (1 − π/4) r², and the first and second moments (5/6 − π/4) r³ and (1 − 5π/16) r⁴ about the face of its
+/// flange. The face is at the distance H = h/2 − f from the axis.
 fn filled<S: Scalar>(
     [area, second_moment, shear]: [Course<S>; 3],
     [b, h, flange, web]: [&Course<S>; 4],

@@ -10,22 +10,22 @@ pub(crate) struct Acting<'a> {
     pub action: &'a str,
     /// At most one case of a group is present at a time.
     pub group: Option<&'a str>,
-    /// Permanent cases of one source have one factor.
+    /// Permanent cases from the same source have the same factor.
     pub source: Option<&'a str>,
 }
 
-/// A combination that a set makes: its name, and decimal factors by the number of the case.
+/// A combination of a set: its name, and the decimal factor of each case by its index.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Made {
     pub name: String,
     pub factors: Vec<(usize, String)>,
 }
 
-/// A factor in millionths: the product of two decimals with three places is an integer.
+/// A factor in millionths, so that the product of two decimals with three places is an integer.
 type Micro = i64;
 const UNIT: Micro = 1_000_000;
 
-/// Actions that may be present, each with its factor. Of each list one action is present at a time, or none.
+/// Actions that may be present, each with its factor. At most one action of a list is present at a time.
 type Term = &'static [(&'static str, Micro)];
 
 /// An expression of a code: the actions and factors of its combinations.
@@ -36,9 +36,9 @@ struct Formula {
     terms: &'static [Term],
     /// The factor of the leading action, and the index of the ψ that multiplies it.
     leading: Option<(Micro, Option<usize>)>,
-    /// The same for the accompanying actions.
+    /// The factor of the accompanying actions, and the index of the ψ that multiplies it.
     accompanying: Option<(Micro, Option<usize>)>,
-    /// Whether permanent cases of one source may have different factors, as in the limit state EQU.
+    /// Whether permanent cases from the same source may have different factors, as in the limit state EQU.
     by_parts: bool,
 }
 
@@ -111,7 +111,7 @@ const fn american(
 const ONE: &[(&str, &[Micro])] = &[("permanent", &[m(1000)])];
 const SOIL: &[Micro] = &[m(1600), m(900)];
 const SOIL_ASD: &[Micro] = &[m(1000), m(600)];
-/// Soil that is not permanent is absent where it resists.
+/// Factors of soil loads that are not permanent; 0 where they resist the other loads.
 const PASSING: &[Micro] = &[m(1600), 0];
 const PASSING_ASD: &[Micro] = &[m(1000), 0];
 const LRFD_12: &[(&str, &[Micro])] =
@@ -304,8 +304,8 @@ fn decimal(factor: Micro) -> String {
     }
 }
 
-/// Lists of variable actions; one action of each list is present, or none. If an action leads, one of the first list must
-/// be present.
+/// Lists of variable actions. At most one action of each list is present. If a combination has a leading
+/// action, it is an action of the first list.
 fn variable_terms(
     formula: &Formula,
     actions: &'static [(&'static str, Option<[Micro; 3]>)],
@@ -346,7 +346,7 @@ struct Expansion<'a> {
     most: usize,
     made: Vec<(&'static str, Vec<(usize, Micro)>)>,
     chosen: Vec<(usize, Micro)>,
-    /// The source of each permanent case, and the place of its factor among its factors.
+    /// The source of each permanent case, and the index of its factor in the list of factors.
     rows: Vec<(Option<&'a str>, usize)>,
 }
 
@@ -386,7 +386,8 @@ impl Expansion<'_> {
         Ok(())
     }
 
-    /// Tries each action of the first list, and none unless it must lead; then the other lists.
+    /// Tries each action of the first list, and also no action unless one must lead. Then continues with the
+    /// other lists.
     fn variable(
         &mut self,
         label: &'static str,
@@ -425,7 +426,7 @@ impl Expansion<'_> {
         self.subsets(label, others, factor, rest, before)
     }
 
-    /// Stores the present choice unless it is a duplicate.
+    /// Stores the current combination unless it is a duplicate.
     fn keep(&mut self, label: &'static str) -> Result<(), &'static str> {
         let mut sorted = self.chosen.clone();
         sorted.sort_unstable();

@@ -1,4 +1,4 @@
-//! The shear stiffness of a beam: one number, or G and the shear area.
+//! Reads the shear stiffness of a beam: one number, or G and the shear area.
 
 use super::error::{Read, wrong};
 use super::fields::{
@@ -32,8 +32,8 @@ impl<S: Scalar> Shear<S> {
         Shear { given: self.given.between(way), ..self.clone() }
     }
 
-    /// The shear stiffness of a table. `modulus` holds E of the table and of the whole beam there, `shape` the section of
-    /// the table.
+    /// The shear stiffness of a table. `modulus` has E of the table and of the whole beam on the table's
+    /// stretch, and `shape` is the section of the table.
     pub fn read(
         fields: &mut Fields,
         section: Section,
@@ -51,7 +51,7 @@ impl<S: Scalar> Shear<S> {
         let own_modulus = fields.along(section, "G", MODULUS, Values::Linear)?;
         let poisson: Option<Quantity<S>> = fields.quantity(section, "nu", NUMBER)?;
         let [own, beams] = modulus;
-        // A table with its own E inherits Poisson's ratio, so it has its own G.
+        // A table with its own E uses Poisson's ratio of the beam, so it has its own G.
         let inherits = own.is_some() && own_modulus.is_none();
         let inherited = parent.poisson.as_ref().filter(|_| inherits);
         let by_poisson = match (poisson.as_ref().or(inherited), own.or(beams)) {
@@ -82,7 +82,7 @@ impl<S: Scalar> Shear<S> {
         let says_modulus = given.factors[0].is_some();
         match given.resolve(&parent.given, NAMES)? {
             Found::Nothing => Ok(None),
-            // A section alone does not make the beam shear.
+            // A section alone does not add shear deformation.
             Found::Half(_) if !self.says_area && !says_modulus => Ok(None),
             found => found.known(section, "shear_stiffness").map(Some),
         }

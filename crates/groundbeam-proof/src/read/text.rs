@@ -10,7 +10,7 @@ pub(crate) struct Scanner<'t> {
 }
 
 impl<'t> Scanner<'t> {
-    /// At the start of a text, after a byte order mark.
+    /// A scanner at the start of a text, after a byte order mark if there is one.
     pub fn new(text: &'t str) -> Self {
         let at = if text.starts_with('\u{feff}') { 3 } else { 0 };
         Scanner { text, at }
@@ -25,7 +25,7 @@ impl<'t> Scanner<'t> {
         self.text.as_bytes().get(self.at).copied()
     }
 
-    /// Skips `wanted` if it comes next; returns whether it did.
+    /// Skips `wanted` if the text continues with it. Returns whether it did.
     pub fn take(&mut self, wanted: &str) -> bool {
         let stands = self.rest().starts_with(wanted);
         if stands {
@@ -156,7 +156,7 @@ impl<'t> Scanner<'t> {
         }
     }
 
-    /// `\n` and the like; in long strings also an escaped end of line.
+    /// Reads an escape such as `\n`; in long strings also an escaped end of line.
     fn escape(&mut self, found: &mut String, long: bool) -> Read<()> {
         let start = self.at;
         self.at += 1;

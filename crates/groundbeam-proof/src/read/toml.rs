@@ -1,7 +1,8 @@
 //! Reads the TOML of model files into a tree of values with their positions. Numbers remain decimal text.
 //!
-//! It reads tables, arrays of tables, inline tables, arrays, strings of all four kinds, numbers, booleans and comments. It
-//! refuses dates, infinities and NaN, because no model needs them, and keys that occur twice.
+//! It reads tables, arrays of tables, inline tables, arrays, strings of all four kinds, numbers, booleans and
+//! comments. It refuses dates, infinities and NaN, because no model needs them. It also refuses duplicate
+//! keys.
 
 use super::error::{Fault, Read, Reason, fault};
 use super::text::Scanner;
@@ -41,7 +42,7 @@ pub(crate) struct Table {
     origin: Origin,
 }
 
-/// How a table was created; decides which keys may still be added to it.
+/// How a table was created. It determines which keys may still be added.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 enum Origin {
     /// Created by the heading of a subtable.

@@ -1,7 +1,7 @@
 //! Units: symbols, their products and powers, their exact factors to N, m, rad and K, and their dimensions.
 //!
-//! A factor is a product of powers of ten and of a few definitions (inch, pound, standard gravity, …). Powers are integers,
-//! so equal powers cancel exactly, and a number times a power of ten remains a decimal.
+//! A factor is a product of powers of ten and of a few definitions (inch, pound, standard gravity, …). Powers
+//! are integers, so equal powers cancel exactly. A number times a power of ten remains a decimal number.
 
 use super::number::Decimal;
 use crate::Scalar;
@@ -23,12 +23,12 @@ impl Dimension {
         Dimension { force, length, angle: 0, temperature: 0 }
     }
 
-    /// The same times an angle to a power.
+    /// This dimension times a power of an angle.
     pub const fn with_angle(self, angle: i32) -> Self {
         Dimension { angle, ..self }
     }
 
-    /// The same times a temperature to a power.
+    /// This dimension times a power of a temperature difference.
     pub const fn with_temperature(self, temperature: i32) -> Self {
         Dimension { temperature, ..self }
     }
@@ -43,8 +43,8 @@ impl Dimension {
         })
     }
 
-    /// Whether a quantity of this dimension may have a unit of the other one. A radian has the value 1: a quantity per
-    /// angle may omit it.
+    /// Whether a quantity of this dimension may have a unit of another dimension. A radian has the value 1,
+    /// so the unit of a quantity per angle may omit it.
     pub fn accepts(self, unit: Dimension) -> bool {
         unit == self || unit == self.with_angle(0)
     }
@@ -88,11 +88,11 @@ impl Factor {
     }
 }
 
-/// A number with its unit, with the digits of the file. Equal quantities compare as equal.
+/// A number with its unit and with the digits of the file. Equal quantities compare as equal.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Exact {
     number: Decimal,
-    /// Powers of the unit, without the power of ten, which is part of the number.
+    /// Powers of the bases in the unit. The power of ten is part of the number.
     powers: Powers,
 }
 
@@ -162,7 +162,7 @@ const fn per(length: Powers, power: i32) -> Powers {
     [-power * length[0], -power * length[1], 0, 1, 0, 0, 0, 0]
 }
 
-/// The same twice: a ton of 2000 pounds.
+/// Twice a force of 1000 pounds: a ton of 2000 pounds.
 const fn twice(powers: Powers) -> Powers {
     let mut powers = powers;
     powers[6] = 1;
@@ -234,7 +234,7 @@ impl Unit {
         Some(Unit { factor, dimension: self.dimension.times(other.dimension, power)? })
     }
 
-    /// A unit as engineers write it: `kN/m^2`, `kN m`, `kNm`, `kip-ft`, `kN/(m rad)`, `1/m`.
+    /// Reads a unit as engineers write it: `kN/m^2`, `kN m`, `kNm`, `kip-ft`, `kN/(m rad)`, `1/m`.
     pub fn read(text: &str) -> Option<Unit> {
         let mut reader = Reader { rest: text.trim() };
         let unit = reader.product(0)?;
@@ -355,7 +355,8 @@ impl Reader<'_> {
         if let Some(unit) = in_words {
             return Unit::ONE.times(unit, power);
         }
-        // `kNm`: a force and a length; the power is that of the length. `k` is a symbol of its own alone.
+        // `kNm` is a force and a length; a power applies to the length. `k` is a symbol only if it stands
+        // alone.
         word.char_indices().skip(1).find_map(|(i, _)| {
             let (force, length) = word.split_at_checked(i).filter(|(force, _)| *force != "k")?;
             let (force, length) = (symbol(force)?, symbol(length)?);
@@ -385,7 +386,7 @@ impl Reader<'_> {
             rest = rest.get(c.len_utf8()..)?;
         }
         let Some(power) = power else {
-            // A minus sign between two symbols.
+            // The minus sign is a separator between two symbols.
             return if marked.is_some() || is_raised { None } else { Some(1) };
         };
         let fraction =
@@ -395,7 +396,7 @@ impl Reader<'_> {
     }
 }
 
-/// The power of a length behind this word.
+/// The power of the length that follows a word such as `sq`.
 fn power_in_words(word: &str) -> Option<i32> {
     match word {
         "sq" => Some(2),
@@ -422,7 +423,7 @@ mod tests {
         Exact::new(number, unit.factor).value::<Wide>().unwrap().middle()
     }
 
-    /// Compared with NIST Special Publication 811 (2008), appendix B.8, to seven figures.
+    /// Compares factors with NIST Special Publication 811 (2008), appendix B.8, to seven digits.
     #[test]
     fn factors_are_as_published() {
         let published = [

@@ -1,4 +1,4 @@
-"""Parameters along the beam: the meaning of several values in a row."""
+"""Parameters along the beam: how a row of values becomes a function of the position."""
 
 from __future__ import annotations
 

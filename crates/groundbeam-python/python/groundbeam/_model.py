@@ -144,7 +144,7 @@ class Model:
         return self._with("train", train)
 
     def with_checks(self, checks: _parts.Checks) -> Model:
-        """The same model with limits to check, of a model that has none."""
+        """The model with limits to check; it must not have limits already."""
         return self._joined({"checks": checks.table})
 
     def to_toml(self) -> str:

@@ -224,7 +224,7 @@ class GroundLoad(Part):
     def distributed(
         cls, intensity: Course, start: Quantity, end: Quantity, *, case: Optional[str] = None
     ) -> GroundLoad:
-        """A force per length between two positions, even or linear."""
+        """A force per length between two positions, uniform or linear."""
         return cls(distributed=intensity, **_between(start, end), case=case)
 
 
@@ -253,7 +253,7 @@ class Train(Part):
         case: Optional[str] = None,
     ) -> None:
         """``axles`` are distances behind the first axle with their forces, or a ``set`` gives them. The first axle goes
-        from ``start`` to ``end``. ``factor`` multiplies all loads, ``dynamic`` the axles besides."""
+        from ``start`` to ``end``. ``factor`` multiplies all loads; ``dynamic`` also multiplies the axles."""
         super().__init__(
             name=name,
             set=set,
@@ -285,7 +285,7 @@ class Checks(Part):
         overturning: Optional[SupportsFloat] = None,
         limit_states: Mapping[str, LimitStates] = {},
     ) -> None:
-        """``limit_states`` names those of a check in place of the usual ones; ``eccentricity`` may be ``"l/6"``."""
+        """``limit_states`` replaces the default limit states of a check; ``eccentricity`` may be ``"l/6"``."""
         super().__init__(
             bearing_pressure=bearing_pressure,
             bearing_resistance=bearing_resistance,

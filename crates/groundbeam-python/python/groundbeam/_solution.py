@@ -208,7 +208,7 @@ class Solution:
     def settlement(
         self, x: Union[Position, Positions], side: str = "right"
     ) -> Union[float, Array]:
-        """The settlement u of the ground's surface, down positive, also beside the beam [m]."""
+        """The settlement u of the ground's surface, down positive, also outside the beam [m]."""
         return self._field("settlement", x, side)
 
     @overload

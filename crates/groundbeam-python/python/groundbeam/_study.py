@@ -147,7 +147,7 @@ class Study:
     def parameters(
         self, first: int = 0, count: Optional[int] = None
     ) -> dict[str, Union[Array, Along]]:
-        """The result of ``draw`` in the form that ``solve_many`` takes; fields have a shape."""
+        """The result of ``draw`` as parameters of ``solve_many``; random fields become ``Points`` or ``Steps``."""
         shape: type[Along] = {"Points": Points, "Steps": Steps}[self._inner.shape]
         drawn = self.draw(first, count)
         return {name: shape(each) if each.ndim == 2 else each for name, each in drawn.items()}

@@ -18,7 +18,7 @@ use run::{Answered, Task, run};
 /// A parameter: its name, the shape of a row if given, and its rows.
 type Given<'py> = (String, Option<String>, PyReadonlyArray2<'py, f64>);
 
-/// Solves `count` models: the given ones, or one under as many sets of parameters.
+/// Solves `count` models, or one model with `count` sets of parameters.
 ///
 /// `parameters` have arrays with one row, or with one row for each model. The result is a dictionary of
 /// arrays with one row for each model.

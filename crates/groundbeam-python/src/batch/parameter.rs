@@ -17,7 +17,7 @@ pub struct Parameter {
     shape: Shape,
     /// Values, row by row.
     values: Vec<f64>,
-    /// Numbers per row: one, or several along the beam.
+    /// Number of values per row: one, or several along the beam.
     width: usize,
 }
 
@@ -42,7 +42,7 @@ impl Parameter {
             Some("Steps") => Shape::Even(Course::Steps),
             Some("ControlValues") => Shape::Curve,
             Some(other) => return wrong(format!("`{other}` is not a shape")),
-            // For two values both meanings agree.
+            // For two values, both meanings define the same linear variation.
             None if width <= 2 => Shape::Even(Course::Lines),
             None => {
                 return wrong(format!(

@@ -102,7 +102,7 @@ pub enum Block {
     },
     /// A file, with numbered lines.
     Code {
-        /// The lines without line ends.
+        /// The lines of the file, without line ends.
         lines: Vec<String>,
     },
 }
@@ -152,9 +152,9 @@ pub struct Equation {
     /// The formula.
     #[serde(flatten)]
     pub formula: Formula,
-    /// Its domain or meaning; may be empty.
+    /// The domain or the meaning of the formula; may be empty.
     pub words: &'static str,
-    /// Its number in the source; empty if it has none.
+    /// The number of the formula in the source; empty if it has none.
     pub number: &'static str,
 }
 

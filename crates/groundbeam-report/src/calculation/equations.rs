@@ -3,7 +3,7 @@
 use super::content::{Block, Equation};
 use super::formulas::{self, Formula};
 
-/// The problem in the equations of Kikuchi; with shear deformation in those of Timoshenko.
+/// The problem in the equations of Kikuchi, or of Timoshenko for a beam with shear deformation.
 pub(super) fn problem(shears: bool) -> Block {
     let (beam, number, ends) = match shears {
         true => (formulas::SHEARING_BEAM, "", formulas::SHEARING_ENDS),

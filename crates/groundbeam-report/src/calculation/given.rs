@@ -15,8 +15,8 @@ use groundbeam::{
     model::{Acts, Profile},
 };
 
-/// The input, for the model of a file or for those of its combinations, with the existence check if it is
-/// known.
+/// The section on the input, for the model of a file or for the models of its combinations, with the
+/// existence check if it is known.
 pub(super) fn section(
     models: &[&Model],
     existence: Option<&Existence>,
@@ -100,8 +100,8 @@ fn supports(model: &Model, units: Units) -> Option<Block> {
             SupportKind::Pinned => "pinned".to_owned(),
             SupportKind::Fixed => "fixed".to_owned(),
             SupportKind::Spring { spring, rotational_spring } => {
-                // k has the unit force per length of beam and deflection, a spring force per deflection,
-                // which is the unit of k times m.
+                // The unit of k is a force per length of beam and per deflection. The unit of a spring, force
+                // per deflection, is the unit of k times m.
                 let linear = units.write(Kind::Pressure, spring);
                 let turning = units.write(Kind::Moment, rotational_spring);
                 let per = units.per_radian();
@@ -135,7 +135,7 @@ fn hinges(model: &Model, units: Units) -> Option<Block> {
     (!table.rows.is_empty()).then_some(Block::Table(table))
 }
 
-/// The points of the gap. Those of chords are omitted because they follow from the troughs in the input file.
+/// The points of the gap. Ends of chords are omitted because they follow from the troughs in the input file.
 fn gap(model: &Model, context: &Context) -> Option<Block> {
     if context.chords.is_some() {
         return None;

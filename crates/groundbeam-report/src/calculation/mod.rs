@@ -27,7 +27,7 @@ pub struct Source<'a> {
     pub name: &'a str,
     /// Text of the file, which the report contains with its digest.
     pub text: &'a str,
-    /// The model under all of its loads as written.
+    /// The model under all of its loads, with the values of the file.
     pub model: &'a Model,
     /// Load case of each load, in order; `None` for a load without a case.
     pub cases: &'a [Option<String>],
@@ -87,7 +87,7 @@ pub fn report(answers: &Answers, context: &Context, source: &Source) -> Report {
 /// Maximum number of rows of a table in its own section.
 const LONGEST: usize = 24;
 
-/// The sections, with their long tables moved to a last section.
+/// The sections of a report. Long tables are moved to a last section.
 fn long_tables_last(mut sections: Vec<Section>) -> Vec<Section> {
     let mut tables = Vec::new();
     for block in sections.iter_mut().flat_map(|section| &mut section.blocks) {

@@ -81,7 +81,7 @@ fn overall(passages: &Passages) -> Verdict {
     Verdict { tone, head: head.to_owned(), words }
 }
 
-/// The solved positions, and those without equilibrium.
+/// The solved positions, and the positions without equilibrium.
 fn ways(all: &[Passage], context: &Context) -> Section {
     let blocks = facts(|sheet| {
         for (i, passage) in all.iter().enumerate() {
@@ -95,7 +95,7 @@ fn ways(all: &[Passage], context: &Context) -> Section {
     Section::new("Positions and equilibrium", blocks.into_iter().collect())
 }
 
-/// The extremes over all passages, and those for each limit state.
+/// The extremes over all passages, and the extremes for each limit state.
 fn envelope(passages: &Passages, units: Units) -> Section {
     let caption = "Envelope of all positions, with the position of the first axle";
     let mut blocks = vec![Block::Table(extremes(caption, passages, units))];

@@ -237,7 +237,7 @@ fn bounded(all: &Answers, solved: &[Numbered], units: Units) -> Section {
     Section::new("Every combination", blocks)
 }
 
-/// The extremes over all combinations with error bounds, and the band of grounds.
+/// The extremes over all combinations and the results for the band of grounds, with error bounds.
 fn bounded_envelope(all: &Answers, solved: &[Numbered], context: &Context) -> Section {
     let block = facts(|sheet| {
         text::bounded_envelope(sheet, &all.envelope(), solved, context.units);
@@ -263,7 +263,8 @@ fn envelope(all: &Answers, solved: &[Numbered], units: Units) -> Section {
     Section::new("Envelope", blocks)
 }
 
-/// In place of the envelope of a limit state that is the envelope of all.
+/// A sentence that replaces the envelope of a limit state if this envelope equals the envelope of all
+/// combinations.
 pub(super) fn all_of(state: LimitState) -> Block {
     Block::Text { words: text::all_of(state) }
 }
@@ -279,7 +280,7 @@ fn extremes(caption: &str, all: &Answers, solved: &[Numbered], units: Units) -> 
     )
 }
 
-/// A table of extremes with their places, those of the first axle, and the numbers of the answers.
+/// A table of extremes with their positions, the positions of the first axle, and the numbers of the answers.
 pub(super) fn table_of(caption: &str, all: &[Extremes], x: Unit) -> Table {
     let ends = || all.iter().flat_map(|of| of.ends);
     let has_axle = ends().any(|end| end.first_axle.is_some());
@@ -307,7 +308,7 @@ pub(super) fn table_of(caption: &str, all: &[Extremes], x: Unit) -> Table {
     table
 }
 
-/// An extreme with rounding errors set to zero, and the number of its combination.
+/// An extreme, with rounding errors set to zero, and the number of its combination.
 fn known(governing: Governing, field: Field, solved: &[Numbered]) -> (Extreme, usize) {
     let Governing { extreme, by } = governing;
     match solved.get(by) {

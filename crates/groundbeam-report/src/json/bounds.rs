@@ -11,7 +11,7 @@ use groundbeam::Field;
 use groundbeam_run::Answers;
 use serde::Serialize;
 
-/// Bounds in a document of combinations; `null` where there is none.
+/// Bounds in a document of combinations; `null` if there is no bound.
 #[derive(Serialize)]
 pub(super) struct Together {
     envelope: ByName<Ends<Vec<f64>>>,

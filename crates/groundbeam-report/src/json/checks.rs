@@ -8,7 +8,7 @@ use serde::Serialize;
 #[derive(Serialize)]
 pub(super) struct Checked {
     name: &'static str,
-    /// `null` for loads as given, and for combinations without a limit state.
+    /// The limit state; `null` for loads as given, and for combinations without a limit state.
     limit_state: Option<&'static str>,
     /// The governing combination, if there are several.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -23,9 +23,9 @@ pub(super) struct Checked {
     #[serde(skip_serializing_if = "Option::is_none")]
     effective_area: Option<Area>,
     clause: Option<&'static str>,
-    /// `null` if it is not judged.
+    /// Whether the check passes; `null` if it is not judged.
     passes: Option<bool>,
-    /// Reason why it has no value.
+    /// Reason why the check has no value.
     #[serde(skip_serializing_if = "Option::is_none")]
     reason: Option<String>,
 }

@@ -1,4 +1,4 @@
-//! Writes the document of a file with combinations: the result of each one, and the envelope.
+//! Writes the document of a file with combinations: the result of each combination, and the envelope.
 
 use super::bounds::Together;
 use super::existence::Proven;
@@ -54,8 +54,8 @@ pub fn combinations(answers: &Answers, stations: Option<&[f64]>, context: &Conte
     })
 }
 
-/// Default positions of an envelope: those of all solutions, and the positions where another combination
-/// begins to govern.
+/// Default positions of an envelope: the default positions of all solutions, and the positions where another
+/// combination begins to govern.
 pub fn envelope_stations(answers: &Answers) -> Vec<f64> {
     answers.envelope().stations(EVEN_STEPS)
 }

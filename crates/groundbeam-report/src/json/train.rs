@@ -142,7 +142,7 @@ struct One<'a> {
     extremes: Option<ByName<Option<Extremes<Located>>>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     uplift: Option<Uplift>,
-    /// Left out if nothing was solved.
+    /// The longest and the highest free span; omitted if no position was solved.
     #[serde(skip_serializing_if = "Option::is_none")]
     free_spans: Option<FreeSpans>,
 }

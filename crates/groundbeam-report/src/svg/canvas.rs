@@ -175,13 +175,14 @@ impl Canvas {
         self.shape(Shape::Circle { centre, radius }, paint);
     }
 
-    /// Straight lines between points.
+    /// Draws straight lines between points.
     pub fn polyline(&mut self, points: &[[f64; 2]], closed: bool, paint: impl Into<Paint>) {
         points.iter().for_each(|point| self.reserve(point[1]));
         self.shape(Shape::Polyline { points: points.to_vec(), closed }, paint);
     }
 
-    /// The shorter arc of a circle between two points. It does not count for the extent.
+    /// Draws the shorter arc of a circle between two points. The extent of the drawing does not include the
+    /// arc.
     pub fn arc(
         &mut self,
         ends: [[f64; 2]; 2],

@@ -70,7 +70,8 @@ impl Diagram<'static> {
     }
 }
 
-/// Extremes to be labelled. For the contact pressure only the largest: the smallest is zero or irrelevant.
+/// Extremes to be labelled. For the contact pressure only the largest value is labelled, because the smallest
+/// is zero or irrelevant.
 pub(super) fn worth_naming(field: Field, mut extremes: Vec<Extreme>) -> Vec<Extreme> {
     if field == Field::Pressure {
         extremes.truncate(1);

@@ -15,7 +15,7 @@ use groundbeam::{
 };
 use groundbeam_run::Answers;
 
-/// Equal steps along the beam, finer than a screen.
+/// Number of equal steps along the beam, finer than the pixels of a screen.
 const EVEN_STEPS: usize = 1200;
 
 /// Envelopes of all solved combinations; each combination is a thin line.

@@ -15,7 +15,7 @@ use groundbeam::{
 
 /// Height of an area of arrows.
 const LANE: f64 = 22.0;
-/// Height reserved above it for its label.
+/// Height reserved above the area for its label.
 const LANE_LABEL: f64 = 18.0;
 /// Maximum number of lanes; further loads share the last lane.
 const MOST_LANES: usize = 3;
@@ -176,7 +176,7 @@ impl Loads<'_> {
         let mut places = Vec::new();
         for rise in [5.0, 18.0, 31.0, 44.0] {
             for step in 0..40 {
-                // From the middle outward, alternately to the left and to the right.
+                // Candidates from the middle outward, alternately to the left and to the right.
                 let side = if step % 2 == 0 { 0.5 } else { -0.5 };
                 let t = 0.5 + side * f64::from(step) / 41.0;
                 let x = from + (to - from) * t;
@@ -185,7 +185,7 @@ impl Loads<'_> {
                 places.push(Place { x: left, baseline: top - rise });
             }
         }
-        // Beside its ends, if arrows leave no room above.
+        // Candidates beside the ends of the load, if arrows leave no room above it.
         let level = |x: f64| (self.top)(x) - base - 4.0;
         places.push(Place { x: self.frame.x(to) + 6.0, baseline: level(to) });
         places.push(Place { x: self.frame.x(from) - 6.0 - width, baseline: level(from) });
@@ -274,7 +274,7 @@ fn turning_arrow(canvas: &mut Canvas, [x, y]: [f64; 2], radius: f64, clockwise: 
     };
     let ends = [point(200.0, radius), point(22.0, radius)];
     let width = if radius > 10.0 { 2.0 } else { 1.2 };
-    // A pale line underneath makes it visible on arrows and on the beam.
+    // A pale line underneath makes the arc visible on arrows and on the beam.
     for stroke in [Stroke::new(Colour::Paper, 4.5), Stroke::new(Colour::Load, width)] {
         canvas.arc(ends, radius, clockwise, Fill::NONE.and(stroke));
     }

@@ -15,8 +15,8 @@ pub(crate) fn rounded(value: f64) -> f64 {
     number(value).parse().unwrap_or(value)
 }
 
-/// A colour of the pictures. Those of fields and loads can be distinguished with any kind of colour vision
-/// (Okabe and Ito).
+/// A colour of the pictures. The colours of fields and loads can be distinguished with any kind of colour
+/// vision (Okabe and Ito).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Colour {
     Paper,
@@ -37,7 +37,7 @@ pub(super) enum Colour {
     Force,
 }
 
-/// Each colour on white paper and on a dark page.
+/// For each colour, its value on white paper and its value on a dark page.
 const SHADES: [(Colour, &str, &str); 14] = [
     (Colour::Paper, "#ffffff", "#171b20"),
     (Colour::Ink, "#1f2328", "#e4e8ec"),
@@ -161,7 +161,7 @@ fn write_opacity(f: &mut Formatter<'_>, name: &str, value: f64) -> fmt::Result {
     if value == 1.0 { Ok(()) } else { write!(f, " {name}=\"{value}\"") }
 }
 
-/// Fill and outline of a shape; SVG's default if left out.
+/// Fill and outline of a shape. The default of SVG applies if one is omitted.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Paint {
     fill: Option<Fill>,

@@ -4,7 +4,7 @@ use crate::curve::Jumps;
 use crate::size::Sizes;
 use groundbeam::{Field, Solution, solution::Fields};
 
-/// Equal steps along the beam, finer than a screen.
+/// Number of equal steps along the beam, finer than the pixels of a screen.
 const EVEN_STEPS: usize = 1200;
 /// Maximum number of points that are simplified together, because the time may grow with the square of this
 /// number.
@@ -36,7 +36,7 @@ impl Samples {
         self.rows.iter().map(|(x, fields)| (*x, value(fields))).collect()
     }
 
-    /// A function of the fields between two positions.
+    /// The values of a function of the fields between two positions.
     pub fn between(&self, from: f64, to: f64, value: impl Fn(&Fields) -> f64) -> Vec<(f64, f64)> {
         let inside = self.rows.iter().filter(|(x, _)| *x >= from && *x <= to);
         inside.map(|(x, fields)| (*x, value(fields))).collect()
@@ -57,7 +57,7 @@ pub(super) fn simplified(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
     points.iter().zip(kept).filter(|(_, kept)| *kept).map(|(point, _)| *point).collect()
 }
 
-/// Marks the necessary points between two points, and these two.
+/// Marks the two end points and the necessary points between them.
 fn keep(points: &[[f64; 2]], first: usize, last: usize, kept: &mut [bool]) {
     kept[first] = true;
     kept[last] = true;

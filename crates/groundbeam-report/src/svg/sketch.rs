@@ -16,7 +16,7 @@ use groundbeam::{Model, existence::RigidMotion};
 const THICKNESS: f64 = 9.0;
 /// Drawn depth of the largest initial gap.
 const DEEPEST: f64 = 22.0;
-/// Ground drawn below its lowest point.
+/// Height of the ground drawn below the lowest point of its surface.
 const BELOW: f64 = 30.0;
 /// Drawn rise of a tipping end.
 const RISE: f64 = 52.0;

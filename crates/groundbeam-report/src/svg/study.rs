@@ -88,7 +88,7 @@ fn events(study: &Study, metrics: &Metrics) -> Canvas {
             let dot = Fill::new(Colour::Load).and(Stroke::new(Colour::Paper, 1.0));
             canvas.dot([x(*probability), y], 3.6, dot);
         }
-        // There is no room for more digits.
+        // The column is too narrow for more digits.
         let digits = interval.digits().min(4);
         let [low, high] = interval.bounds.map(|bound| significant(100.0 * bound, digits));
         let words = format!("{} ({low} to {high})", percent(*probability, digits));

@@ -23,7 +23,7 @@ use groundbeam::{
 const DEPTH: f64 = 92.0;
 /// Drawn thickness of the beam.
 pub(super) const THICKNESS: f64 = 8.0;
-/// Ground drawn below its lowest point.
+/// Height of the ground drawn below the lowest point of its surface.
 pub(super) const BELOW: f64 = 40.0;
 /// Width of a picture below which labels are shortened.
 const PHONE: f64 = 520.0;

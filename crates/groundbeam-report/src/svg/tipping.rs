@@ -144,7 +144,7 @@ mod tests {
         let left = at(at(beam(), 0.0), 4.0).with_load(Load::point_moment(2.0, -9.0));
         let view = drawn(&left);
         assert!((heights(&view)[0] - heights(&view)[1] - RISE).abs() < 1e-9);
-        // Halfway between them.
+        // The handle of the load halfway between the other two.
         let middle = heights(&view)[2];
         assert!((2.0 * middle - heights(&view)[0] - heights(&view)[1]).abs() < 1e-9);
         let right = at(at(beam(), 0.0), 4.0).with_load(Load::point_moment(2.0, 9.0));

@@ -106,7 +106,8 @@ pub(super) fn handles(
         place: [frame.x(at), underside(at) - rise],
         range: [0.0, frame.length],
     };
-    // Only as far as the ground is drawn, so that the picture does not move away from a dragged object.
+    // The range ends where the drawn ground ends, so that the picture does not move away from a dragged
+    // object.
     let [left, right] = ground::margins(model, frame);
     let most = frame.margin / ROOM;
     let reach = [-left.min(most), frame.length + right.min(most)];

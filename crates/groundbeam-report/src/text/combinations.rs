@@ -75,7 +75,7 @@ fn follows_solution(answer: &Answer) -> bool {
     answer.ground.as_ref().is_some_and(Ground::follows_solution)
 }
 
-/// The models of all solutions, if the ground of each depends on its solution.
+/// The models of all solutions, if each ground depends on its solution.
 pub(crate) fn used_models(answers: &Answers) -> Option<Vec<&Model>> {
     let models: Vec<&Model> = answers.solved().map(|(_, solution)| solution.model()).collect();
     (!models.is_empty() && answers.list.iter().any(follows_solution)).then_some(models)
@@ -89,7 +89,8 @@ fn names(sheet: &mut Sheet, answers: &Answers) {
     }
 }
 
-/// The governing quantities on the best ground, and their ranges over all grounds.
+/// The governing quantities on the ground with the best estimates of k and μ, and their ranges over all
+/// grounds.
 fn band(sheet: &mut Sheet, answers: &Answers, units: Units) {
     let Some(bands) = answers.bands() else { return };
     let heading = format!("{:<31}{:>14}{:>18}", "Band of grounds", "best ground", "all of them");
@@ -106,7 +107,8 @@ fn band(sheet: &mut Sheet, answers: &Answers, units: Units) {
     sheet.blank();
 }
 
-/// The governing quantities with bounds: on the best ground, and their ranges over all grounds.
+/// The governing quantities with bounds: on the ground with the best estimates of k and μ, and their ranges
+/// over all grounds.
 pub(crate) fn bounded_band(
     sheet: &mut Sheet,
     answers: &Answers,
@@ -129,7 +131,7 @@ pub(crate) fn bounded_band(
     sheet.blank();
 }
 
-/// Numbers, verdicts and names, for reports with nothing else.
+/// Numbers, verdicts and names, for reports that contain nothing else.
 fn verdicts(sheet: &mut Sheet, answers: &Answers, units: Units) {
     sheet.heading("   #  equilibrium  combination");
     for (i, answer) in answers.list.iter().enumerate() {
@@ -208,7 +210,7 @@ fn outcome(answer: &Answer, units: Units) -> String {
     }
 }
 
-/// Reasons why combinations have no result, or more than one.
+/// Reasons why combinations have no result or several results.
 fn failures(sheet: &mut Sheet, answers: &Answers, units: Units) {
     let mut begun = false;
     for (i, answer) in answers.list.iter().enumerate() {
@@ -250,7 +252,8 @@ fn alone(sheet: &mut Sheet, answers: &Answers, units: Units) {
     }
 }
 
-/// In place of the envelope of a limit state that is the envelope of all.
+/// A sentence that replaces the envelope of a limit state if this envelope equals the envelope of all
+/// combinations.
 pub(crate) fn all_of(state: LimitState) -> String {
     format!("all of these combinations are of {}", state.name())
 }
@@ -307,7 +310,7 @@ fn envelope(
     end_forces(sheet, solved, units);
 }
 
-/// The extremes over all combinations, each with its bound and its combination. The position is given if this
+/// The extremes over all combinations, each with its bound and its combination. The position is added if the
 /// combination is proven to govern.
 pub(crate) fn bounded_envelope(
     sheet: &mut Sheet,

@@ -14,7 +14,7 @@ const WIDTH: usize = 78;
 const BEYOND: usize = 5;
 /// Rows for the deflections of beam and ground.
 const DEPTH: usize = 7;
-/// Rows of ground below its lowest point.
+/// Rows of ground below the lowest point of the surface.
 const BELOW: usize = 1;
 
 const LOAD: &str = "33";
@@ -82,7 +82,7 @@ impl Picture<'_> {
         row.into_iter().collect()
     }
 
-    /// Rows with beam and ground.
+    /// The rows of the drawing that show beam and ground.
     fn bent(&self) -> Vec<String> {
         let solution = self.solution;
         let beam: Vec<Option<f64>> = (0..WIDTH)
@@ -142,7 +142,7 @@ impl Picture<'_> {
         row.into_iter().collect()
     }
 
-    /// The positions of contact edges, as far as there is room.
+    /// The positions of the contact edges that fit into the row.
     fn positions(&self, units: Units) -> String {
         let sizes = Sizes::of(self.solution);
         let mut row = vec![' '; WIDTH];

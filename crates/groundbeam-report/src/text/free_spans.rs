@@ -59,8 +59,8 @@ fn ends(open: &LiftOff) -> &'static str {
     }
 }
 
-/// The longest free span and the largest clearance over all positions of trains; with several trains, with
-/// their numbers.
+/// The longest free span and the largest clearance over all positions of trains. If there are several trains,
+/// their numbers are added.
 pub(crate) fn of_trains(sheet: &mut Sheet, all: &[Passage], units: Units) {
     let each = || {
         all.iter().enumerate().filter_map(|(i, passage)| {
@@ -72,7 +72,7 @@ pub(crate) fn of_trains(sheet: &mut Sheet, all: &[Passage], units: Units) {
             is_open.then(|| (i + 1, cleaned(found.longest), highest))
         })
     };
-    // Of equal values the first is kept.
+    // Of equal values, the first one is kept.
     let longest = each().map(|(number, longest, _)| (number, longest)).reduce(|most, other| {
         if other.1.stretch.length() > most.1.stretch.length() { other } else { most }
     });

@@ -41,8 +41,8 @@ fn areas(width: f64, subgrade: [f64; 2], shear_layer: [f64; 2], units: Units) ->
     words
 }
 
-/// The ground of several models, each of which has its own k and μ; `what` is one of the solutions, none of which there is
-/// if `models` is empty.
+/// The ground of several models, each with its own k and μ. `models` is empty if there is no solution. `what`
+/// names one solution.
 pub(crate) fn of_each(
     sheet: &mut Sheet,
     what: &str,

@@ -126,7 +126,7 @@ pub fn not_converged(reached: &Stopped, colour: bool) -> String {
     sheet.finish()
 }
 
-/// The load factors for a report without another place for them; empty if not requested.
+/// The load factors as a separate report; empty if they are not requested.
 pub fn load_factors(context: &Context, colour: bool) -> String {
     let mut sheet = Sheet::new(colour);
     factors::rows(&mut sheet, context);
@@ -172,7 +172,7 @@ fn title(sheet: &mut Sheet, context: &Context) {
     }
 }
 
-/// Beam and ground; for several models the ranges of values. All models have one beam.
+/// Rows on beam and ground; for several models with the ranges of values. All models have the same beam.
 pub(crate) fn structure(
     sheet: &mut Sheet,
     models: &[&Model],

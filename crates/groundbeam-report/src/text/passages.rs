@@ -126,7 +126,7 @@ fn table(sheet: &mut Sheet, all: &[Passage], units: Units) {
     }
 }
 
-/// The envelopes of the limit states, if they differ from the joint one.
+/// The envelopes of the limit states, if they differ from the joint envelope.
 fn of_limit_states(sheet: &mut Sheet, passages: &Passages, units: Units) {
     for state in passages.limit_states().iter() {
         if passages.all.iter().all(|passage| passage.limit_states().contains(state)) {
@@ -148,7 +148,7 @@ fn uplift(sheet: &mut Sheet, all: &[Passage], units: Units) {
             let gap = [uplift.ahead, uplift.between, uplift.behind][i]?;
             Some((number, cleaned(passage, Field::Gap, gap)))
         });
-        // Of equal values the first is kept.
+        // Of equal values, the first one is kept.
         let most =
             each.reduce(|most, other| if other.1.value > most.1.value { other } else { most });
         let words = match most {

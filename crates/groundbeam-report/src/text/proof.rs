@@ -72,7 +72,7 @@ pub fn proofs<'a>(
 }
 
 /// The statement, existence, uniqueness, contact set and energy, and the quantities without a bound or with a
-/// large one.
+/// large bound.
 pub(crate) fn proven(sheet: &mut Sheet, named: &Named, units: Units) {
     let found = match &named.found {
         Err(why) => return sheet.toned_row("Not proven", &reason(why), Tone::Bad),

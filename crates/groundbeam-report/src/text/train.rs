@@ -141,8 +141,8 @@ pub(crate) fn failures(sheet: &mut Sheet, passage: &Passage, whose: &str, units:
     }
 }
 
-/// Extremes with their positions on the beam and the positions of the first axle; of several passages with the number of
-/// the passage.
+/// Extremes with their positions on the beam and the positions of the first axle. If there are several
+/// passages, the number of the passage is added.
 pub(crate) fn envelope(sheet: &mut Sheet, heading: &str, all: &[Extremes], units: Units) {
     let numbers = all.iter().flat_map(|of| of.ends).filter_map(|end| end.number);
     let digits = numbers.max().map(|most| most.to_string().len());

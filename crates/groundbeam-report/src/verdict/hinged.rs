@@ -40,7 +40,7 @@ pub(super) fn sentence(model: &Model, existence: &Existence, units: Units) -> St
     }
 }
 
-/// A motion about a single point, where only the moving part is known.
+/// Whether the motion lifts a part of the beam of nonzero length, and the loads do no work.
 fn is_at_rest(motion: RigidMotion) -> bool {
     motion.lifted.is_some_and(|[from, to]| from < to) && motion.work == 0.0
 }

@@ -4,7 +4,7 @@ use super::position::first_positions;
 use groundbeam::model::Train;
 use groundbeam::{Error, Model, exists};
 
-/// Halvings of an interval: one for each bit of a double.
+/// Number of halvings of an interval: one for each bit of a double.
 const HALVINGS: usize = 52;
 
 /// Ranges of the first axle's position without equilibrium, from left to right, from positions with a known
@@ -31,7 +31,7 @@ pub(super) fn without_equilibrium(
     ranges
 }
 
-/// Parts of each interval between first positions at which the existence check runs.
+/// Number of parts into which the existence check divides each interval between first positions.
 const PARTS: usize = 8;
 
 /// Ranges of the first axle's position without equilibrium, from existence checks alone. The checks run where
@@ -58,7 +58,7 @@ pub(crate) fn checked(
     Ok(without_equilibrium(model, train, found.into_iter()))
 }
 
-/// The boundary between a position with and one without an equilibrium.
+/// The boundary between the positions with an equilibrium and the positions without one.
 fn edge(model: &Model, train: &Train, mut stands: f64, mut falls: f64) -> f64 {
     for _ in 0..HALVINGS {
         let middle = 0.5 * (stands + falls);

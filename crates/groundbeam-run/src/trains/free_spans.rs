@@ -23,7 +23,7 @@ pub struct FreeSpans {
 
 impl Passage<'_> {
     /// The longest free span and the one with the largest clearance over all solved positions, including
-    /// lifted ends. Of equal spans the first is taken. `None` if the beam touches everywhere at all
+    /// lifted ends. Of equal spans, the first one is taken. `None` if the beam touches everywhere at all
     /// positions.
     pub fn free_spans(&self) -> Option<FreeSpans> {
         let mut found: Option<FreeSpans> = None;

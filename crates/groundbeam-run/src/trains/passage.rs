@@ -48,7 +48,7 @@ impl Reach {
     }
 }
 
-/// Largest gaps under the beam during the passage; `None` where nothing lifts.
+/// Largest gaps under the beam during the passage; `None` if the beam does not lift off there.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Uplift {
@@ -87,7 +87,7 @@ pub struct Passage<'a> {
     answers: &'a [Answer],
 }
 
-/// Equal steps of the envelope in documents and tables.
+/// Number of equal steps of the envelope in documents and tables.
 const EVEN_STEPS: usize = 100;
 
 impl<'a> Passage<'a> {
@@ -125,7 +125,7 @@ impl<'a> Passage<'a> {
         }
     }
 
-    /// Whether this is the beam without a train.
+    /// Whether the passage has no train.
     pub fn is_without_train(&self) -> bool {
         self.train().axles.is_empty() && self.train().uniform.is_empty()
     }
@@ -269,7 +269,7 @@ impl<'a> Passage<'a> {
     }
 }
 
-/// Widens a range to include another one. Of equal values the first is kept.
+/// Widens a range to include another one. Of equal values, the first one is kept.
 fn widen(bounds: &mut [Located; 2], [low, high]: [Located; 2]) {
     if low.value < bounds[0].value {
         bounds[0] = low;

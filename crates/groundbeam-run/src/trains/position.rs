@@ -90,7 +90,7 @@ impl Under {
     }
 }
 
-/// Equal steps of the range in the first round.
+/// Number of equal steps of the range in the first round.
 pub(crate) const EVEN_STEPS: usize = 32;
 
 /// First positions: equal steps, and positions where an axle or the end of a distributed load meets a mark of

@@ -16,12 +16,12 @@ use groundbeam::{
 use groundbeam_file::{Combination, MovingTrain};
 use std::sync::Arc;
 
-/// Equal steps of the beam at whose ends envelopes are compared, in addition to marks of the model.
+/// Number of equal steps of the beam at whose ends envelopes are compared, in addition to marks of the model.
 const EVEN_STATIONS: usize = 96;
 /// Intervals shorter than this fraction of the beam's length are not bisected.
 const SHORTEST: f64 = 1e-5;
-/// The same limit if one end has no equilibrium: fields may grow without limit near the position at which the
-/// beam tips.
+/// As `SHORTEST`, for an interval with an end without equilibrium: fields may grow without limit near the
+/// position at which the beam tips.
 const SHORTEST_AT_EDGE: f64 = 1e-3;
 /// Largest number of positions.
 const MOST: usize = 20_000;
@@ -123,8 +123,8 @@ impl Sweep {
         }
     }
 
-    /// The solution at the nearest solved position, which starts the iteration; of two equally near ones the
-    /// left.
+    /// The solution at the nearest solved position, from which the iteration starts. Of two equally near
+    /// positions, the left one is taken.
     fn near(&self, wanted: f64) -> Option<&Solution> {
         let next = self.found.partition_point(|position| position.section.first_axle <= wanted);
         let sides = [next.checked_sub(1), Some(next)];
@@ -156,7 +156,7 @@ impl Sweep {
         (answers, swept)
     }
 
-    /// Inserts the middles of all open intervals and checks each one.
+    /// Inserts the middle of each open interval, and computes the amount by which it exceeds the envelope.
     fn halve(&mut self, new: Vec<Position>) {
         let table = Table::of(&self.found, self.train(), &self.stations);
         let scale = scale(self.found.iter().chain(&new));
@@ -230,7 +230,8 @@ fn is_edge(a: &Position, b: &Position) -> bool {
     a.section.ranges.is_some() != b.section.ranges.is_some()
 }
 
-/// The largest absolute value of each field. The scale of gap and settlement is at least that of the deflection.
+/// The largest absolute value of each field. The scale of gap and settlement is at least the scale of the
+/// deflection.
 fn scale<'p>(positions: impl Iterator<Item = &'p Position>) -> ByField<f64> {
     /// A field smaller than this fraction of the deflection counts as zero.
     const NOTHING: f64 = 1e-6;

@@ -101,7 +101,8 @@ mod tests {
     }
 
     /// Tests that the fields have the required covariance. z = A ξ with independent ξ has the covariance A
-    /// Aᵀ; the columns of A are the fields of single numbers. The covariance is exact if no term is dropped.
+    /// Aᵀ; the columns of A are the fields of single numbers. The covariance is exact if the expansion has
+    /// all terms.
     #[test]
     fn fields_have_the_covariance_they_were_given() {
         for which in [

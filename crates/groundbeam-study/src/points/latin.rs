@@ -6,11 +6,12 @@ use super::mixed;
 /// Number of rounds of a network on wide numbers. With four or more rounds it is a pseudorandom permutation
 /// (Luby and Rackoff 1988).
 const ROUNDS: u32 = 6;
-/// Additional rounds on narrow numbers, where one round mixes little: this number divided by the bits of a
-/// half.
+/// Additional rounds for narrow numbers, where one round mixes few bits: `MORE_ROUNDS` divided by the number
+/// of bits of a half.
 const MORE_ROUNDS: u32 = 24;
 
-/// The coordinate of sample `index` of `count`: in its own interval, at the fraction `uniform` of it.
+/// The coordinate of sample `index` of `count` samples: the point at the fraction `uniform` of the sample's
+/// own interval.
 pub fn coordinate(index: u64, count: u64, key: u64, uniform: f64) -> f64 {
     let part = permuted(index, count, key);
     ((part as f64 + uniform) / count as f64).min(1.0 - f64::EPSILON)

@@ -22,7 +22,7 @@ pub const KEY: &str = "groundbeam.checksum";
 const METHOD: &str = "sha-256";
 /// Characters of a digest.
 const DIGITS: usize = 64;
-/// The last bytes of a Parquet file: the length of the metadata in four bytes, and this.
+/// The last four bytes of a Parquet file. The length of the metadata in four bytes precedes them.
 const MAGIC: &[u8; 4] = b"PAR1";
 /// Number of bytes that are read at once.
 const AT_ONCE: usize = 1 << 16;

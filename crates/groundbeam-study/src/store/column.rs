@@ -180,7 +180,7 @@ impl Column {
         if rows == count {
             Ok(())
         } else {
-            Err(ParquetError::EOF(format!("{count} rows are stated, {rows} are there")))
+            Err(ParquetError::EOF(format!("the column has {rows} rows instead of {count}")))
         }
     }
 

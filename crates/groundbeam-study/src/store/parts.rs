@@ -12,7 +12,7 @@ use std::fs::{self, File, TryLockError};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-/// The folder of the parts of a file of results.
+/// The folder that holds the parts of the results file `out`.
 fn folder(out: &Path) -> PathBuf {
     let mut name = out.as_os_str().to_owned();
     name.push(".parts");

@@ -169,7 +169,7 @@ impl Whole {
         if results.first()? != Some(samples.start) || results.rows() != samples.end - samples.start
         {
             return Err(StoreError::Unlike(format!(
-                "{}: it contains other samples of the study than {} to {}; name another file, or use --restart",
+                "{}: its samples of the study are not {} to {}; name another file, or use --restart",
                 path.display(),
                 samples.start,
                 samples.end - 1

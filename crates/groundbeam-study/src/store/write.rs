@@ -135,7 +135,7 @@ fn properties(head: &Head, packing: Packing) -> WriterProperties {
     };
     WriterProperties::builder()
         .set_compression(compression)
-        // Nearly all numbers differ; nearly all texts agree.
+        // Nearly all numbers are different, and nearly all texts are equal.
         .set_dictionary_enabled(false)
         .set_column_dictionary_enabled(ColumnPath::from("status"), true)
         .set_column_dictionary_enabled(ColumnPath::from("message"), true)

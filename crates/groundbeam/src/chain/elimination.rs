@@ -236,7 +236,7 @@ fn cross<R: Real>(
         node.clamped || state.s[THETA][THETA].value() > element.stiffness[3][3].value(),
     ];
     let c = transform(element.length, element.basis, back.by_left);
-    // Congruence for the four beam unknowns, then reordering to (w_r, θ_r, u_r | v₁, v₂, u_l).
+    // Congruence transformation for the four beam unknowns, then reordering to (w_r, θ_r, u_r | v₁, v₂, u_l).
     let mut half = [[R::ZERO; 4]; 6];
     for i in 0..6 {
         for j in 0..4 {

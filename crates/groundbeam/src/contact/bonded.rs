@@ -24,7 +24,8 @@ use std::borrow::Cow;
 pub(crate) struct Bonded<'a> {
     pub model: &'a Model,
     cancel: &'a Cancel,
-    /// Whether all elements are as short as the waves, without quiet elements.
+    /// Whether all elements are short relative to the waves of the beam, without [quiet](crate::element)
+    /// elements.
     is_fine: bool,
     /// Elements of the previous step, reused for cells without edges.
     known: Vec<Known>,
@@ -54,8 +55,8 @@ struct TetherSpring {
     rest: f64,
 }
 
-/// Stabilising springs at the nodes of a mesh, without force in the deflection `now`. Their stiffness is ε times that
-/// of the ground, lumped from half of each adjoining cell.
+/// Stabilising springs at the nodes of a mesh. They have no force in the deflection `now`. Their stiffness is
+/// ε times that of the ground, lumped from half of each adjoining cell.
 fn tether(mesh: &Mesh, now: &ContactState, epsilon: f64) -> Vec<TetherSpring> {
     let spring =
         |node: &Node| TetherSpring { at: node.x, stiffness: 0.0, rest: deflection_at(now, node.x) };
@@ -113,7 +114,8 @@ impl<'a> Bonded<'a> {
         Bonded { model, cancel, is_fine: false, known: Vec::new() }
     }
 
-    /// The bonded problem with elements as short as the waves everywhere, which represent the response to any load.
+    /// The bonded problem with elements that are short relative to the waves of the beam everywhere. Such
+    /// elements represent the response to any load.
     pub fn fine(model: &'a Model, cancel: &'a Cancel) -> Self {
         Bonded { is_fine: true, ..Bonded::new(model, cancel) }
     }

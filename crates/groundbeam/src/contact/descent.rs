@@ -106,7 +106,7 @@ fn moved(mesh: &Mesh, found: &ContactState) -> Vec<MeshZone> {
     let last = mesh.cells.len() - 1;
     let point = |point: BeamPoint| {
         let cell = &found.mesh.cells[point.cell];
-        // Found from inside the cell, so that an end stays on its side of a node.
+        // The search starts inside the cell, so that the point stays on its side of a node.
         if point.s < 0.0 {
             let inside = cell.x[0] + f64::EPSILON * cell.x[1];
             BeamPoint { cell: mesh.cell_at(inside.min(cell.x[1])), s: -1.0 }

@@ -302,7 +302,7 @@ impl Search<'_, '_> {
         is_short.then(|| [from, to].into_iter().find_map(|at| self.balanced(&[[at; 2]], found)))?
     }
 
-    /// The next trial contact: `asked` after a full step, or that of the shortened step.
+    /// The next trial contact: `asked` after a full step, otherwise the contact of the shortened step.
     fn step(
         &mut self,
         contact: Vec<Interval>,

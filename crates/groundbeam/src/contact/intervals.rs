@@ -99,7 +99,7 @@ pub(crate) fn longest_difference(a: &[Interval], b: &[Interval]) -> f64 {
     longest.max(points(a, b)).max(points(b, a))
 }
 
-/// The intervals that belong to some but not all of several contacts.
+/// The intervals that belong to at least one, but not to all, of the given contacts.
 pub(crate) fn differences(contacts: &[&[Interval]]) -> Vec<Interval> {
     let mut ends: Vec<f64> =
         contacts.iter().flat_map(|contact| contact.as_flattened()).copied().collect();

@@ -17,9 +17,9 @@ const ALMOST: f64 = 1e-6;
 /// the ground is taken.
 const BEYOND: [f64; 4] = [0.01, 0.1, 1.0, 10.0];
 
-/// Solves a free beam whose resultant is exactly over one of its ends. Only that end is in contact. The beam is in
-/// equilibrium at every rotation beyond the one at which it leaves the ground tangentially, which is the limit as the
-/// resultant tends to the end. One such rotation is taken.
+/// Solves a free beam whose resultant is exactly over one of its ends. Only that end is in contact. As the
+/// resultant tends to the end, the rotation tends to a limit at which the beam leaves the ground
+/// tangentially. The beam is in equilibrium at every larger rotation. One such rotation is taken.
 pub(crate) fn solve_over_an_end(
     model: &Model,
     resultant: f64,

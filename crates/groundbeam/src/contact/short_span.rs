@@ -182,7 +182,8 @@ pub(crate) fn end_forces<R: Real>(
     let part = |i: usize| SpanPart::of(&w.mesh.cells[i], i, within(i));
     let parts: Vec<SpanPart<R>> = (a.cell..=b.cell).map(part).collect::<Option<_>>()?;
     if whole <= 0.0 {
-        // Two arcs that meet at a corner: the corner opens if it is in tension, equally on both sides.
+        // The two arcs meet at a corner. Each side takes half of the corner's force; the corner opens if this
+        // force is tensile.
         let pull = parts.iter().skip(1).map(|part| w.corner(part.cell) * 0.5).sum();
         return Some([pull; 2]);
     }

@@ -28,10 +28,11 @@ pub(crate) const SAME: f64 = 1e-9;
 /// Number of consecutive steps without progress after which rounding error is considered.
 pub(crate) const PATIENCE: usize = 4;
 
-/// Move below which the next step is edge Newton.
+/// The next step is a Newton step of the edges only if the last move is smaller than this.
 pub(crate) const NEAR: f64 = 0.1;
 
-/// Largest move by edge Newton, relative to the length of the zone and of the open ground beside it.
+/// Largest move in a Newton step of an edge, relative to the length of the zone and of the open ground beside
+/// it.
 pub(crate) const NEAR_EDGE: f64 = 0.25;
 
 /// Limit on Newton steps from the start that the continuation gives.
@@ -61,7 +62,7 @@ pub(crate) const ON_ONE_POINT: f64 = 1e-18;
 /// Relative decrement below which a decrease of the energy is rounding error.
 pub(crate) const LEAST_FALL: f64 = 1e-26;
 
-/// Length of open ground between two zones below which it is due to rounding error.
+/// Open ground between two zones is due to rounding error if it is shorter than this.
 pub(crate) const SLIT: f64 = 1e-10;
 
 /// Force of a zone, relative to the whole contact force, below which the zone may be left open. Supported 973 has such
@@ -80,8 +81,8 @@ pub(crate) const STIFF_WAVES: f64 = 4.0;
 pub(crate) const LONGEST_STEP: f64 = 2.0;
 pub(crate) const SHORTEST_STEP: f64 = 1e-7;
 
-/// Limit on beams of the continuation, including those without convergence. Without it a model with soft hinges takes
-/// minutes.
+/// Maximum number of beams that the continuation solves, including those that do not converge. Without this
+/// limit a model with soft hinges takes minutes.
 pub(crate) const MOST_BEAMS: usize = 500;
 
 /// Limit on Newton steps of the corrector in the continuation, and the move below which it has converged.

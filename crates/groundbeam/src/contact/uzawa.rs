@@ -342,7 +342,7 @@ fn work_of_loads(mesh: &Mesh, chain: &Chain, motions: &[[f64; 2]]) -> ([f64; 2],
     (work, size)
 }
 
-/// The converged state, in the form that every method returns.
+/// The converged state as a [`ContactState`].
 fn found(
     mesh: Mesh,
     ground: &Flexibility,

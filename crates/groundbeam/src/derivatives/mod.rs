@@ -46,8 +46,9 @@ pub struct Gradient {
 pub enum OneSided {
     /// Beam and ground are about to touch or to separate. All derivatives jump there.
     Contact(Nearest),
-    /// The parameter moves a load to a point where the output is evaluated and its field or slope jumps, where a hinge
-    /// is, or where the stiffness of the beam jumps. The derivative holds for a move to the right.
+    /// The parameter moves a load. The load acts at a hinge, at a jump of the beam's stiffness, or at the
+    /// position of the output, where the load causes a jump of the field or of its slope. The derivative
+    /// holds for a move to the right.
     Place {
         /// Index of the parameter, from 0.
         parameter: usize,
@@ -102,7 +103,7 @@ impl fmt::Display for NotDifferentiable {
         match self {
             NotDifferentiable::Method(method) => write!(
                 f,
-                "derivatives need a solution of the exact method, but this one is of `{}`",
+                "derivatives need a solution of the exact method; this solution is of the method `{}`",
                 method.name()
             ),
             NotDifferentiable::NotUnique => {

@@ -100,7 +100,7 @@ pub(super) enum Follows {
     Edge { zone: usize, side: Side, slope: f64 },
     /// The position is that of a load, and nothing else is there.
     Load { slope: f64 },
-    /// The position is a kink at parts of the model that do not move.
+    /// The field has a kink at the position, caused by a part of the model that does not move.
     Kink,
 }
 
@@ -188,7 +188,7 @@ impl Frame<'_> {
         let here = |x: f64| self.is_same_place(x, moved.x);
         match *read {
             Read::Field { field, x, follows, .. } => {
-                // Between the moved load and the parts that stay there is a new piece of the field.
+                // The move creates a new piece of the field between the load and the parts that do not move.
                 let leaves = follows != Follows::Given
                     && !self.stands_alone(moved.x)
                     && self.jumps(field, moved);

@@ -13,7 +13,8 @@ use crate::solution::solution::Solution;
 pub struct Limits {
     /// The allowable bearing pressure \[Pa\], and the width on which the beam bears \[m\].
     pub bearing_pressure: Option<(f64, f64)>,
-    /// The design resistance of the ground per effective area r_d \[Pa\], and the width of the effective area \[m\].
+    /// The design resistance r_d of the ground per unit of effective area \[Pa\], and the width of the
+    /// effective area \[m\].
     pub bearing_resistance: Option<(f64, f64)>,
     /// The limit of the downward deflection \[m\].
     pub settlement: Option<f64>,
@@ -44,8 +45,8 @@ pub enum Checked {
     LiftedShare,
     /// |x − l/2|/l of the resultant.
     Eccentricity,
-    /// The ratio of the works of the holding and the lifting loads, in the motion where it is smallest. Without
-    /// supports, these are the moments about an end.
+    /// The work of the holding loads divided by the work of the lifting loads, in the motion with the
+    /// smallest ratio. Without supports, the works are moments about an end.
     Overturning,
 }
 
@@ -54,13 +55,13 @@ pub enum Checked {
 pub struct Check {
     /// The checked quantity.
     pub what: Checked,
-    /// The value; infinite if no load overturns.
+    /// The value; infinite if no load overturns the beam.
     pub found: f64,
     /// The limit.
     pub limit: f64,
     /// The position of the value \[m\].
     pub at: Option<f64>,
-    /// A quantity that the value omits or follows from.
+    /// A quantity reported in addition to the value.
     pub beside: Beside,
 }
 
@@ -71,7 +72,7 @@ pub enum Beside {
     Nothing,
     /// The concentrated forces under both ends, which the pressure excludes.
     EndForces(EndForces),
-    /// The effective area.
+    /// The dimensions of the effective area.
     EffectiveArea {
         /// B' \[m\].
         width: f64,
@@ -96,9 +97,9 @@ impl Checked {
         self as usize
     }
 
-    /// The default limit states of the check: ultimate ones for resistance and eccentricity (EN 1997-1,
-    /// 2.4.7.1), equilibrium for overturning (EN 1990, 6.4.1(1)a), serviceability for deformations (EN
-    /// 1997-1, 2.4.8) and allowable values; each with its counterpart in allowable stress design.
+    /// The default limit states of the check. Resistance and eccentricity: ultimate limit states (EN 1997-1,
+    /// 2.4.7.1). Overturning: equilibrium (EN 1990, 6.4.1(1)a). Deformations (EN 1997-1, 2.4.8) and allowable
+    /// values: serviceability. All except overturning are also judged in allowable stress design.
     pub const fn limit_states(self) -> LimitStates {
         use LimitState::{AllowableStress, Characteristic, Equ, Frequent, QuasiPermanent, StrGeo};
         LimitStates::of(match self {
@@ -109,7 +110,7 @@ impl Checked {
         })
     }
 
-    /// The name in results.
+    /// The name of the check in results.
     pub fn name(self) -> &'static str {
         match self {
             Checked::BearingPressure => "bearing-pressure",
@@ -121,7 +122,7 @@ impl Checked {
         }
     }
 
-    /// The clause that requires the check; `None` for a check by the engineer's choice.
+    /// The clause that requires the check; `None` if no clause requires it.
     pub fn clause(self) -> Option<&'static str> {
         match self {
             // EN 1997-1 has no clause for an allowable elastic pressure; the file gives the limit.
@@ -230,8 +231,8 @@ impl Limits {
     }
 }
 
-/// The contact force under the beam and its position, if there is a force. Both follow from equilibrium:
-/// loads minus supports, and for an axial force N the moment N (w(l) - w(0)).
+/// The contact force under the beam, and its position if the force is not zero. Both follow from equilibrium
+/// of loads, reactions of supports and the moment N (w(l) - w(0)) of the axial force N.
 fn ground_reaction(solution: &Solution) -> (f64, Option<f64>) {
     let model = solution.model();
     let l = model.beam.length;
@@ -253,9 +254,9 @@ fn ground_reaction(solution: &Solution) -> (f64, Option<f64>) {
 
 const ROUNDED: f64 = 8.0 * f64::EPSILON;
 
-/// The factor on all overturning loads at which a beam tips. In each motion that lifts a part of the beam and
-/// that no support prevents, it is the ratio of the works of the holding loads and the lifting loads. Infinite
-/// if no load lifts.
+/// The factor on all overturning loads at which a beam tips; infinite if no load lifts the beam. For each
+/// motion that lifts a part of the beam and that no support prevents, the factor is the work of the holding
+/// loads divided by the work of the lifting loads. The smallest one is returned.
 pub fn overturning(model: &Model) -> f64 {
     let mechanism = Mechanism::of(model);
     let groups = mechanism.free_groups();
@@ -284,7 +285,7 @@ mod tests {
     use crate::outcome::Outcome;
     use crate::solve::solve;
 
-    /// Kikuchi's beam: (5.21), it tips as soon as M₀ reaches ½ f₀ l.
+    /// Kikuchi's beam, (5.21): it tips if M₀ ≥ ½ f₀ l.
     #[test]
     fn the_margin_is_the_factor_on_the_moment() {
         let beam = || Model::new(Beam::uniform(1.0, 1.0), Foundation::pasternak(1.0, 1.0));
@@ -296,7 +297,8 @@ mod tests {
         assert_eq!(overturning(&beam().with_load(Load::point_force(0.9, 1.0))), f64::INFINITY);
     }
 
-    /// A beam pinned at 0 turns about the pin alone; one that is clamped does not tip; tension lets it rise, not turn.
+    /// A beam pinned at 0 rotates only about the pin. A clamped beam does not tip. Tension permits
+    /// translation and no rotation.
     #[test]
     fn a_beam_tips_only_in_motions_that_its_supports_allow() {
         let beam = |m: f64| {
@@ -333,14 +335,14 @@ mod tests {
         let checks = limits.check(&solution);
         let passed: Vec<bool> = checks.iter().map(Check::passes).collect();
         assert_eq!(passed, [true, true, false, true, false, true]);
-        // The resultant at 0.99 l; the largest pressure twice over half the width.
+        // The resultant is at 0.99 l. Half the width doubles the pressure.
         assert!((checks[4].found - 0.49).abs() < 1e-14);
         let largest = solution.range(Field::Pressure).max.value;
         assert_eq!(checks[0].found, 2.0 * largest);
     }
 
-    /// V and e from equilibrium against the integrals of the pressure, on a beam with a support, an axial force and a
-    /// gap.
+    /// Compares V and e from equilibrium with integrals of the pressure, on a beam with a support, an axial
+    /// force and a gap.
     #[test]
     fn the_reaction_of_the_ground_is_that_of_its_pressure() {
         let mut beam = Beam::uniform(10.0, 5e7);
@@ -373,7 +375,7 @@ mod tests {
         }
     }
 
-    /// EN 1997-1, annex D.3: L' = l - 2 e; a resultant on the edge leaves no area.
+    /// EN 1997-1, annex D.3: L' = l - 2 e; it is 0 for a resultant at an end of the beam.
     #[test]
     fn the_resistance_is_that_of_the_effective_area() {
         let model = |x| {

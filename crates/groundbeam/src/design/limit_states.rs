@@ -54,7 +54,7 @@ impl LimitState {
     }
 }
 
-/// Some of the limit states.
+/// A set of limit states.
 ///
 /// ```
 /// use groundbeam::design::{LimitState, LimitStates};
@@ -70,7 +70,7 @@ impl LimitStates {
     /// No limit state.
     pub const NONE: LimitStates = LimitStates(0);
 
-    /// The limit states of a list.
+    /// The set of the limit states in a list.
     pub const fn of(states: &[LimitState]) -> Self {
         let mut bits = 0;
         let mut i = 0;
@@ -81,12 +81,12 @@ impl LimitStates {
         LimitStates(bits)
     }
 
-    /// Whether there are none.
+    /// Whether the set is empty.
     pub fn is_empty(self) -> bool {
         self.0 == 0
     }
 
-    /// Whether a limit state is one of them.
+    /// Whether a limit state belongs to the set.
     pub fn contains(self, state: LimitState) -> bool {
         self.0 & (1 << state as u8) != 0
     }
@@ -96,12 +96,12 @@ impl LimitStates {
         LimitStates(self.0 | others.0)
     }
 
-    /// Each of them, in the order of [`LimitState::ALL`].
+    /// The limit states of the set, in the order of [`LimitState::ALL`].
     pub fn iter(self) -> impl Iterator<Item = LimitState> {
         LimitState::ALL.into_iter().filter(move |state| self.contains(*state))
     }
 
-    /// `SLS frequent, SLS characteristic or EQU`
+    /// The names as text, such as `SLS frequent, SLS characteristic or EQU`.
     pub fn names(self) -> String {
         let names: Vec<&str> = self.iter().map(LimitState::name).collect();
         match names.split_last() {

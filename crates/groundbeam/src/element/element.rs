@@ -2,9 +2,9 @@
 //!
 //! The four unknowns of an element are the deflection and slope of its left end, and the *deformation* d =
 //! x_right − T x_left, with x = (w, θ) and T = \[\[1, h\], \[0, 1\]\]: the displacement of the right end
-//! relative to the rigid motion of the left end. Bending depends on d alone, and the ground mainly on the
-//! rigid motion, so their stiffnesses are never added in one number. Adding EI/h³ to kh loses digits as the
-//! mesh is refined; this form keeps them. θ is the rotation of the sections: w' where the beam has no shear
+//! relative to the rigid motion of the left end. The bending energy depends on d alone, and the energy of the
+//! ground mainly on the rigid motion, so the two stiffnesses are never added. A sum of EI/h³ and kh loses
+//! digits as the mesh is refined. θ is the rotation of the sections: w' where the beam has no shear
 //! flexibility.
 
 use crate::numeric::real::{Real, sum};
@@ -15,8 +15,8 @@ pub(crate) enum Basis {
     /// (w_left, θ_left, d₁, d₂).
     #[default]
     Deformation,
-    /// (w_left, θ_left, w_right, θ_right), for elements with boundary layers: rotations of the ends are
-    /// flexible there, while the extension of the whole is stiff.
+    /// (w_left, θ_left, w_right, θ_right), for elements with boundary layers. Such an element is flexible
+    /// against rotations of its ends and stiff against a difference of their deflections.
     Ends,
 }
 
@@ -25,11 +25,11 @@ pub(crate) enum Basis {
 pub(crate) struct Element<R = f64> {
     /// Length \[m\].
     pub length: f64,
-    /// What v is.
+    /// The meaning of the unknowns v.
     pub basis: Basis,
-    /// K.
+    /// The stiffness matrix K.
     pub stiffness: [[R; 4]; 4],
-    /// q.
+    /// The load vector q.
     pub load: [R; 4],
 }
 
@@ -44,7 +44,7 @@ impl<R: Real> Element<R> {
         row.map(R::from)
     }
 
-    /// The element seen in a mirror, in its own four numbers there.
+    /// The mirrored element, in the unknowns of the mirrored element.
     pub fn mirrored(&self) -> Self {
         let (h, basis) = (self.length, self.basis);
         let half: [[R; 4]; 4] = self.stiffness.map(|row| mirror_row(&row, h, basis));
@@ -64,7 +64,7 @@ impl<R: Real> Element<R> {
         }
     }
 
-    /// v if one end moves down by one, or rotates by one, while the other end stays.
+    /// v for a unit deflection or a unit rotation of one end, with the other end fixed.
     pub fn moved_end(&self, right: bool, rotates: bool) -> [f64; 4] {
         match (right, self.basis, rotates) {
             (false, Basis::Deformation, false) => [1.0, 0.0, -1.0, 0.0],
@@ -76,7 +76,7 @@ impl<R: Real> Element<R> {
         }
     }
 
-    /// The same element in other numbers, without derivatives.
+    /// The same element in another number type, without derivatives.
     pub fn still<S: Real>(&self) -> Element<S> {
         Element {
             length: self.length,
@@ -86,13 +86,13 @@ impl<R: Real> Element<R> {
         }
     }
 
-    /// K v − q: the forces on the left end, and those that work on the deformation.
+    /// K v − q: the forces that do work on the four unknowns v.
     pub fn forces(&self, v: &[R; 4]) -> [R; 4] {
         std::array::from_fn(|i| sum::<R, 4>(|j| self.stiffness[i][j] * v[j]) - self.load[i])
     }
 }
 
-/// The four numbers of an element from those of the element seen in a mirror, and back.
+/// The four unknowns of an element from those of the mirrored element. The same transformation leads back.
 pub(crate) fn mirror_shape<R: Real>(v: &[R; 4], h: f64, basis: Basis) -> [R; 4] {
     let [w, theta, d1, d2] = *v;
     match basis {
@@ -101,7 +101,7 @@ pub(crate) fn mirror_shape<R: Real>(v: &[R; 4], h: f64, basis: Basis) -> [R; 4] 
     }
 }
 
-/// What multiplies the four numbers of the element seen in a mirror: row·v = row·(Q v') with Q of [`mirror_shape`].
+/// Coefficients of the mirrored element's unknowns v': row·v = row·(Q v') with Q of [`mirror_shape`].
 pub(crate) fn mirror_row<R: Real>(row: &[R; 4], h: f64, basis: Basis) -> [R; 4] {
     let [a, b, c, d] = *row;
     match basis {

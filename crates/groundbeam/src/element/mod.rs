@@ -1,8 +1,8 @@
 //! The beam between two nodes: stiffness and load of one element, (2.11), (5.1).
 //!
-//! An element is exact: its functions solve (2.11). The [closed form](uniform) is used for cells with
-//! constant EI, N and κ, the [series](series) for all others and for beams that shear. A long
-//! loaded stretch has one [quiet element](quiet) in its middle.
+//! An element is exact: its functions solve (2.11). Cells with constant EI, N and κ use the [closed
+//! form](uniform). All other cells, and beams with shear deformation, use the [series](series). The middle of
+//! a long loaded stretch is one [quiet element](quiet).
 
 pub(crate) mod element;
 pub(crate) mod operator;
@@ -23,8 +23,8 @@ pub(crate) fn cut_equally(operator: &Operator, cell: &Cell, x: &mut Vec<f64>) {
     x.extend(cell.cuts(parts(operator, cell.length())));
 }
 
-/// Appends the positions at which a cell is cut into elements: equal ones, or equal ones at both ends and a quiet one between
-/// them.
+/// Appends the positions at which a cell is cut into elements: equal elements, or a quiet element with equal
+/// elements on both sides of it.
 pub(crate) fn cut(operator: &Operator, cell: &Cell, x: &mut Vec<f64>) {
     let Some(depth) = quiet::depth(operator, cell.length()) else {
         return cut_equally(operator, cell, x);
@@ -36,7 +36,7 @@ pub(crate) fn cut(operator: &Operator, cell: &Cell, x: &mut Vec<f64>) {
     x.extend((1..=count).rev().map(|i| to - distance(i)));
 }
 
-/// How many elements [`cut`] makes of a stretch of `length`.
+/// Number of elements into which [`cut`] divides a stretch of `length`.
 pub(crate) fn count(operator: &Operator, length: f64) -> usize {
     match quiet::depth(operator, length) {
         Some(depth) => 2 * parts(operator, depth) + 1,
@@ -63,7 +63,7 @@ pub(crate) struct ExactElement<R = f64> {
 #[derive(Debug, Clone)]
 enum Functions<R> {
     Uniform(Uniform<R>),
-    /// The coefficients of w(s), whatever the four numbers are.
+    /// The coefficients of w(s); they do not depend on the four unknowns.
     Quiet([R; TERMS]),
     Series(Box<Series<R>>),
 }
@@ -74,7 +74,7 @@ impl<R: Real> ExactElement<R> {
             let (element, series) = Series::new(polynomials, length);
             return ExactElement { element, functions: Functions::Series(Box::new(series)) };
         }
-        // Only a quiet element is longer than its waves.
+        // Only a quiet element is longer than two ordinary elements.
         if parts(operator, length) > 2 {
             let (element, series) = quiet::element(operator, length);
             return ExactElement { element, functions: Functions::Quiet(series) };
@@ -91,7 +91,7 @@ impl<R: Real> ExactElement<R> {
         }
     }
 
-    /// The coefficients of w on a part of the element's cell with ends x, from [`Self::unfold`].
+    /// The coefficients of w on a part of the element's cell, from the results of [`Self::unfold`].
     pub fn deflection_on<S: Real>(
         &self,
         cell: &Cell<S>,
@@ -110,7 +110,7 @@ impl<R: Real> ExactElement<R> {
         c
     }
 
-    /// The coefficients of φ(s), the rotation of the sections, if the beam shears.
+    /// The coefficients of φ(s), the rotation of the sections, if the beam has shear deformation.
     pub fn rotation(&self, v: &[R; 4]) -> Option<[R; TERMS]> {
         match &self.functions {
             Functions::Uniform(_) | Functions::Quiet(_) => None,
@@ -118,8 +118,8 @@ impl<R: Real> ExactElement<R> {
         }
     }
 
-    /// w for the element's four unknowns: the coefficients of its series w(s), and the amplitudes of the
-    /// boundary layers at the left and the right end, which are not part of the series.
+    /// w for the element's four unknowns: the coefficients of its series w(s), and separately the amplitudes
+    /// of the boundary layers at the left and the right end.
     pub fn unfold(&self, v: &[R; 4]) -> ([R; TERMS], [R; 2]) {
         match &self.functions {
             Functions::Uniform(uniform) => {

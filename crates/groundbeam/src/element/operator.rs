@@ -31,8 +31,8 @@ pub(crate) struct Operator<R = f64> {
     pub moment_load: [R; 2],
     /// EI κ₀ at both ends, of an imposed curvature κ₀.
     pub imposed_moments: [R; 2],
-    /// All coefficients as polynomials, if EI, N or κ varies or the beam shears. The fields above are then
-    /// their values at the middle and at the ends.
+    /// All coefficients as polynomials, if EI, N or κ varies or the beam has shear deformation. The fields
+    /// above are then their values at the middle and at the ends.
     pub polynomials: Option<Polynomials<R>>,
 }
 
@@ -68,7 +68,7 @@ impl<R: Real> Operator<R> {
     }
 
     /// Whether the shear stiffness is sufficient under the axial force, S + N > 0. Otherwise the beam buckles
-    /// in waves of any length. The result is also `false` if the waves are too short for the elements.
+    /// in arbitrarily short waves. The result is also `false` if the waves are too short for the elements.
     pub fn bears_shear(&self, length: f64) -> bool {
         let shears = self.polynomials.as_ref().filter(|all| all.shear.is_some());
         let shortest = MOST.sqrt();
@@ -76,7 +76,8 @@ impl<R: Real> Operator<R> {
     }
 
     /// A bound of the largest |r| with EI r⁴ − N r² + κ = 0 \[1/m\]. If EI, N or κ varies, their extremes
-    /// give the bound. For a beam that shears the equation is EI (1 + N/S) r⁴ − (N + EI κ/S) r² + κ = 0.
+    /// give the bound. For a beam with shear deformation the equation is EI (1 + N/S) r⁴ − (N + EI κ/S) r² +
+    /// κ = 0.
     pub fn wave_number(&self) -> f64 {
         let [stiffness, tension, spring] = match &self.polynomials {
             None => [self.stiffness.value(), self.tension.value().abs(), self.subgrade.value()],
@@ -98,7 +99,7 @@ pub(crate) fn wave_number(stiffness: f64, tension: f64, spring: f64) -> f64 {
 pub(crate) struct Polynomials<R = f64> {
     /// EI.
     pub stiffness: [R; Profile::MOST],
-    /// S, if the beam shears.
+    /// S, if the beam has shear deformation.
     pub shear: Option<[R; Profile::MOST]>,
     /// N: P, plus μ in contact.
     pub tension: [R; GROUND],
@@ -115,7 +116,7 @@ pub(crate) struct Polynomials<R = f64> {
 }
 
 impl<R: Real> Polynomials<R> {
-    /// `None` if EI, N and κ are constant and the beam does not shear.
+    /// `None` if EI, N and κ are constant and the beam has no shear deformation.
     pub fn of(cell: &Cell<R>, axial_force: R, touch: ZoneKind) -> Option<Self> {
         let ground_varies = touch == ZoneKind::Contact && cell.ground_varies();
         let needed = cell.beam_shear.is_some() || cell.beam_varies() || ground_varies;
@@ -154,7 +155,7 @@ impl<R: Real> Polynomials<R> {
         all
     }
 
-    /// Whether S + N > 0 at the ends and in the middle, if the beam shears.
+    /// Whether S + N > 0 at the ends and in the middle, if the beam has shear deformation.
     fn resists_shear(&self) -> bool {
         self.shear.as_ref().is_none_or(|shear| {
             let both = |s| value(shear, s) + value(&self.tension, s);
@@ -162,8 +163,8 @@ impl<R: Real> Polynomials<R> {
         })
     }
 
-    /// EI, |N| and κ of a uniform element that only bends and has the shortest waves of this element, from
-    /// the values at the ends and in the middle.
+    /// EI, |N| and κ of a uniform element without shear deformation whose waves are at most as long as those
+    /// of this element. They follow from the values at the ends and at the middle.
     fn extremes(&self) -> [f64; 3] {
         let at = |c: &[R]| ENDS_AND_MIDDLE.map(|s| value(c, s).value());
         let largest = |c: [f64; 3]| c.into_iter().map(f64::abs).fold(0.0, f64::max);

@@ -10,14 +10,15 @@ use crate::element::operator::Operator;
 use crate::element::uniform::bend;
 use crate::numeric::real::{Real, sum as sum_of};
 
-/// The depth of the waves from an end, as a multiple of 1/λ.
+/// The length over which the waves from an end decay, as a multiple of 1/λ.
 const DEPTH: f64 = 50.0;
 
-/// The shortest stretch with a quiet element, in depths. The error of a moment grows with the length of an element. On shorter
-/// stretches short elements give more digits.
+/// The shortest stretch with a quiet element, as a multiple of the decay length of the waves. The error of a
+/// moment grows with the length of an element. On shorter stretches, short elements are more accurate.
 const SHORTEST: f64 = 40.0;
 
-/// The depth of the waves from the ends of a stretch; `None` if the stretch is too short for a quiet element.
+/// The length over which the waves from the ends of a stretch decay; `None` if the stretch is too short for a
+/// quiet element.
 pub(crate) fn depth<R: Real>(operator: &Operator<R>, length: f64) -> Option<f64> {
     let loads = particular(operator, length);
     let is_loaded = operator.subgrade.value() > 0.0 && (loads[0] * loads[1]).value() > 0.0;
@@ -56,7 +57,7 @@ pub(crate) fn element<R: Real>(operator: &Operator<R>, length: f64) -> (Element<
     let zero = R::ZERO;
     element.stiffness =
         [[ww, wt, zero, zero], [wt, tt, zero, zero], [zero, zero, ww, -wt], [zero, zero, -wt, tt]];
-    // The end forces of the particular solution itself: −N w′ + G on the left.
+    // The end forces of the particular solution: −N w′ + G on the left.
     let [left, right] = operator.moment_load;
     let own = [left - operator.tension * slope, zero, operator.tension * slope - right, zero];
     let values = [ends[0], slope, ends[1], slope];

@@ -1,5 +1,4 @@
-//! The element with varying coefficients, for beams that bend and for beams that shear: power series of w, φ,
-//! m and τ.
+//! The element with varying coefficients, with or without shear deformation: power series of w, φ, m and τ.
 //!
 //! About the middle of the element, x = x_middle + a s. The state is the deflection w, the rotation φ of the
 //! sections, the moment m = EI (φ′ − κ₀) and the vertical force τ = Q + N w′ − G, with the shear force Q = S
@@ -7,14 +6,14 @@
 //!
 //! > w′ = φ + γ,  φ′ = m/EI + κ₀,  m′ = −(Q + g),  τ′ = κ w − F,  (S + N) γ = τ + G − N φ.
 //!
-//! A beam that does not shear has γ = 0 and Q = τ + G − N φ. Moment loads g act on φ. The slope load G = μ
-//! g₀′ acts on w′. EI, S, N, κ and the loads are polynomials of s, so each coefficient of the state follows
-//! from those before it.
+//! A beam without shear deformation has γ = 0 and Q = τ + G − N φ. Moment loads g act on φ. The slope load G
+//! = μ g₀′ acts on w′. EI, S, N, κ and the loads are polynomials of s, so each coefficient of the state
+//! follows from those before it.
 //!
 //! The series converges up to the nearest zero of EI or S + N in the complex plane. This zero is at least ten
 //! half lengths away ([`Cell::is_smooth`](crate::mesh::cell::Cell::is_smooth)). One recurrence gives four
-//! solutions without load and one with load. Rigid motions and deformations are separate unknowns, and so is
-//! γ. So no stiffness is a difference of large numbers.
+//! solutions without load and one with load. Rigid motions, deformations and γ are separate unknowns, so no
+//! stiffness is a difference of large numbers.
 
 use crate::element::element::{Basis, Element, TERMS};
 use crate::element::operator::Polynomials;
@@ -31,12 +30,12 @@ const LOADED: usize = 4;
 pub(crate) struct Series<R = f64> {
     /// Coefficients of w of the five solutions.
     deflection: [Five<R>; TERMS],
-    /// Coefficients of φ, if the beam shears.
+    /// Coefficients of φ, if the beam has shear deformation.
     rotation: Option<[Five<R>; TERMS]>,
     /// Amplitudes of the four solutions without load that make one of the element's four unknowns 1 and the
     /// others 0.
     unit: [[R; 4]; 4],
-    /// Amplitudes of the solutions without load that have the end values of the solution with load.
+    /// Amplitudes of the solutions without load whose sum has the end values of the solution with load.
     held: [R; 4],
 }
 
@@ -71,7 +70,7 @@ impl<R: Real> Series<R> {
         self.unfold(v, &self.deflection)
     }
 
-    /// The coefficients of φ(s), if the beam shears.
+    /// The coefficients of φ(s), if the beam has shear deformation.
     pub fn rotation(&self, v: &[R; 4]) -> Option<[R; TERMS]> {
         self.rotation.as_ref().map(|rotation| self.unfold(v, rotation))
     }
@@ -93,7 +92,7 @@ struct Solutions<R> {
     moment: [Five<R>; TERMS],
     /// τ.
     force: [Five<R>; TERMS],
-    /// κ w − F, and N w′ − G − g, whose work on a rotation enters the virtual work.
+    /// κ w − F, and N w′ − G − g (`turning`). Both enter the virtual work of a rigid rotation.
     pressure: [Five<R>; TERMS],
     turning: [Five<R>; TERMS],
 }
@@ -191,8 +190,8 @@ impl<R: Real> Solutions<R> {
         ends
     }
 
-    /// The forces on the element: the virtual work of a translation and of a rotation about the left end,
-    /// which contains neither bending nor shear; then τ and m at the right end.
+    /// The forces on the element: the virtual work of a rigid translation and of a rigid rotation about the
+    /// left end, then τ and m at the right end. Rigid motions have no bending and shear terms.
     fn forces(&self, a: f64) -> [[R; 4]; 5] {
         let mut forces = [[R::ZERO; 4]; 5];
         for j in (0..TERMS).rev() {
@@ -294,7 +293,7 @@ mod tests {
 
     const SHEAR: [f64; Profile::MOST] = [3.0, 0.2, 0.01, 0.0, 0.0, 0.0];
 
-    /// The same numbers along the whole element.
+    /// The coefficients of an element with constant data.
     fn uniform(stiffness: f64, tension: f64, spring: f64) -> Polynomials {
         Polynomials {
             stiffness: [stiffness, 0.0, 0.0, 0.0, 0.0, 0.0],
@@ -343,7 +342,7 @@ mod tests {
         }
     }
 
-    /// The shear force Q from w, φ and m: S (w′ − φ), or −m′ − g if the beam does not shear.
+    /// The shear force Q from w, φ and m: S (w′ − φ), or −m′ − g if the beam has no shear deformation.
     fn shear_force(of: &Polynomials, slope: &[f64], rotation: &[f64], rise: &[f64]) -> Vec<f64> {
         if let Some(shear) = &of.shear {
             let strain: Vec<f64> =
@@ -397,8 +396,8 @@ mod tests {
         }
     }
 
-    /// K follows from reciprocal theorems, not from a symmetric formula: the difference between its two
-    /// halves is its error.
+    /// The formula for K is not symmetric; K is symmetric by the reciprocal theorem. So the difference of K
+    /// and its transpose is the error.
     #[test]
     fn the_stiffness_is_symmetric_to_rounding() {
         for all in [varying(None), varying(Some(SHEAR))] {
@@ -446,7 +445,7 @@ mod tests {
         }
     }
 
-    /// A beam with a very large S behaves as one that does not shear.
+    /// A beam with a very large S behaves as a beam without shear deformation.
     #[test]
     fn with_a_large_shear_stiffness_it_only_bends() {
         let stiff = varying(Some([1e18, 0.0, 0.0, 0.0, 0.0, 0.0]));

@@ -48,7 +48,7 @@ impl<R: Real> Layers<R> {
     }
 }
 
-/// The functions of an element, even and odd ones.
+/// The even and odd functions of an element.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Uniform<R = f64> {
     pub layers: Option<Layers<R>>,
@@ -59,12 +59,12 @@ pub(crate) struct Uniform<R = f64> {
 /// boundary values of this parity.
 #[derive(Debug, Clone, Copy)]
 struct Half<R> {
-    /// Coefficients c₀, c₂, … or c₁, c₃, … of the two free solutions and the loaded one. A boundary layer has
-    /// none.
+    /// Coefficients c₀, c₂, … or c₁, c₃, … of the two solutions without load and of the one with load; zero
+    /// for a boundary layer.
     series: [[R; TERMS / 2]; 3],
-    /// Boundary values of the three.
+    /// Boundary values of the three solutions.
     boundary: [[R; 2]; 3],
-    /// Boundary forces of the three.
+    /// Boundary forces of the three solutions.
     force: [[R; 2]; 3],
 }
 
@@ -143,8 +143,8 @@ impl<R: Real> Uniform<R> {
         (element, Uniform { layers, halves: [even, odd] })
     }
 
-    /// The coefficients of w(s) for the element's four unknowns, and the amplitudes of the boundary layers at
-    /// the left and the right end, which are not part of them.
+    /// The coefficients of w(s) for the element's four unknowns, and separately the amplitudes of the
+    /// boundary layers at the left and the right end.
     pub fn unfold(&self, basis: Basis, length: f64, v: &[R; 4]) -> ([R; TERMS], [R; 2]) {
         let [even_half, odd_half] = &self.halves;
         let a = 0.5 * length;
@@ -167,8 +167,8 @@ impl<R: Real> Uniform<R> {
 }
 
 impl<R: Real> Layers<R> {
-    /// The slow functions of one parity: one free, one zero, one under the load F − G' = EI `push` (s for the
-    /// odd one), (D² − r₁²) w = −push/r₂².
+    /// The slow functions of one parity: one without load, a zero in place of the boundary layer, and one
+    /// under the load F − G' = EI `push` (times s for odd parity), (D² − r₁²) w = −push/r₂².
     fn slow<const PARITY: usize>(self, a: f64, push: R) -> [[R; TERMS / 2]; 3] {
         let ratio = self.slow_squared * a * a;
         let series = |first: R, load: R| {
@@ -185,7 +185,7 @@ impl<R: Real> Layers<R> {
         [series(R::ONE, R::ZERO), [R::ZERO; TERMS / 2], series(R::ZERO, load)]
     }
 
-    /// Positions at which to cut an element with ends x, so that each piece of a boundary layer is a short
+    /// Positions at which an element with ends x is cut, so that each piece of a boundary layer is a short
     /// series.
     pub fn cuts(&self, x: [f64; 2], heights: [R; 2]) -> Vec<f64> {
         let (length, fast) = (x[1] - x[0], self.fast.value());
@@ -214,7 +214,7 @@ impl<R: Real> Layers<R> {
         let half = 0.5 * (piece[1] - piece[0]);
         let ends = [piece[0] - x[0], x[1] - piece[1]];
         for (height, distance, sign) in [(heights[0], ends[0], -1.0), (heights[1], ends[1], 1.0)] {
-            // Beyond its depth a layer is zero to rounding; pieces there may be long.
+            // Beyond its depth a boundary layer is rounding error, so pieces there may be long.
             if height == 0.0 || self.fast.value() * distance > LAYER {
                 continue;
             }
@@ -273,7 +273,7 @@ const EVEN_SUMS: [[f64; 4]; TERMS / 2] = {
     all
 };
 
-/// The same for odd j, with w' − w instead of w' and ∫ws instead of ∫w.
+/// Weights for odd j, with w' − w instead of w' and ∫ws instead of ∫w.
 const ODD_SUMS: [[f64; 4]; TERMS / 2] = {
     let mut all = [[0.0; 4]; TERMS / 2];
     let mut i = 0;
@@ -305,13 +305,13 @@ impl<R: Real> Half<R> {
         Half { series, boundary: ends.map(|e| e.0), force: ends.map(|e| e.1) }
     }
 
-    /// The same with a boundary layer as the second free solution.
+    /// The same functions with a boundary layer as the second solution without load.
     fn with_layer(mut self, boundary: [R; 2], force: [R; 2]) -> Self {
         (self.boundary[1], self.force[1]) = (boundary, force);
         self
     }
 
-    /// Amplitudes of the two free solutions for given boundary values.
+    /// Amplitudes of the two solutions without load for given boundary values.
     fn amplitudes(&self, value: [R; 2]) -> [R; 2] {
         let [p, q, _] = self.boundary;
         let determinant = p[0] * q[1] - q[0] * p[1];
@@ -417,7 +417,7 @@ mod tests {
         }
     }
 
-    /// K in the deflections and slopes of both ends, as in textbooks.
+    /// K for the deflections and slopes of both ends, as in textbooks.
     fn by_ends(e: &Element) -> [[f64; 4]; 4] {
         let h = e.length;
         // v = C (w_l, θ_l, w_r, θ_r): d₁ = w_r − w_l − h θ_l, d₂ = θ_r − θ_l.

@@ -56,7 +56,7 @@ pub(super) fn position([from, to]: [f64; 2], s: f64) -> f64 {
     if s <= 0.0 { from + half * (1.0 + s) } else { to - half * (1.0 - s) }
 }
 
-/// Whether u is here a sum of exponentials instead of a polynomial.
+/// Whether u is a sum of exponentials on this piece instead of a polynomial.
 fn is_exponential(piece: &SolutionPiece) -> bool {
     let moves = piece.open.is_some_and(|ends| ends != [0.0, 0.0]);
     moves && piece.settlement.is_empty() && piece.cell.shear_layer > 0.0
@@ -99,7 +99,7 @@ fn open_ground(piece: &SolutionPiece, ends: [f64; 2]) -> Coefficients {
     sum(&pressed, &rescale(&piece.cell.free_field(), 0.5 * (a + b), 0.5 * (b - a)), 1.0)
 }
 
-/// The contribution of the beam's pressure elsewhere.
+/// u of open ground without its own loads: the contribution of the contact pressure outside the piece.
 fn pressed_ground(piece: &SolutionPiece, [a, b]: [f64; 2]) -> Coefficients {
     if !piece.settlement.is_empty() {
         return rescale(&piece.settlement, 0.5 * (a + b), 0.5 * (b - a));

@@ -8,13 +8,14 @@ use crate::solution::fields::{Extreme, Fields, Range, Side};
 use crate::solution::solution::Solution;
 use forms::Forms;
 
-/// Relative to the field's largest value in all solutions, smaller differences are rounding. The first
-/// solution then governs.
+/// Difference of two solutions, relative to the largest value of the field, below which it is rounding error.
+/// The first of the two solutions then governs.
 const ROUNDING: f64 = 1e-12;
 
-/// The shortest part of the beam on which a solution governs. On a shorter one its lead is rounding error.
+/// The shortest part of the beam on which a solution governs, as a fraction of the length. On shorter parts
+/// the difference of the solutions may be rounding error.
 const SHORT: f64 = 1e-6;
-/// The order of the search: smallest values are largest values of the negative field.
+/// Smallest values are computed as largest values of the negative field.
 const BOUNDS: [Bound; 2] = [Bound::Max, Bound::Min];
 
 /// The envelope of several solutions of one beam.
@@ -55,8 +56,8 @@ pub struct Envelope<'a> {
 pub struct Governing {
     /// The value and its position.
     pub extreme: Extreme,
-    /// The index of the solution; the first one if several attain the value to rounding. The position is that
-    /// of this solution.
+    /// The index of the solution; the first one if several attain the value to rounding. The position belongs
+    /// to this solution.
     pub by: usize,
 }
 
@@ -117,7 +118,8 @@ impl<'a> Envelope<'a> {
         Envelope { solutions, ranges, rounding }
     }
 
-    /// The fields to list, in the order of [`Field::ALL`]; without the rotation if no beam shears.
+    /// The fields to list, in the order of [`Field::ALL`]; without the rotation if no beam has shear
+    /// deformation.
     pub fn fields(&self) -> impl Iterator<Item = Field> + Clone + use<> {
         Field::listed(self.solutions.iter().any(|solution| solution.model().beam.shears()))
     }
@@ -137,7 +139,7 @@ impl<'a> Envelope<'a> {
         self.bounds(x, [Side::Left, Side::Right])
     }
 
-    /// The smallest and largest values of all fields from one side only.
+    /// The smallest and largest values of all fields on one side of a position.
     pub fn all_beside(&self, x: f64, side: Side) -> ByField<Bounds> {
         self.bounds(x, [side, side])
     }
@@ -168,9 +170,9 @@ impl<'a> Envelope<'a> {
 
     /// Positions at which the governing solution changes, from left to right.
     ///
-    /// Between two joints of any of the solutions every field has one closed form in each solution. The
-    /// changes are the roots of their differences, isolated from the coefficients without sampling, and the
-    /// joints at which a field jumps.
+    /// Each solution consists of pieces with closed forms. Between neighbouring ends of the pieces of all
+    /// solutions, the changes are the roots of the differences of the closed forms, isolated from the
+    /// coefficients without sampling. A change can also be at an end of a piece, where a field jumps.
     pub fn changes(&self, field: Field) -> Vec<Change> {
         let forms = Forms::of(&self.solutions, field);
         let rounding = self.rounding(field);
@@ -199,8 +201,9 @@ impl<'a> Envelope<'a> {
         changes
     }
 
-    /// Appends a run to those left of it. A short run whose lead is rounding error is merged with its
-    /// neighbour: where all solutions are zero, as the moment at a free end, any of them could lead.
+    /// Appends a part to the parts on its left. A short part is merged with its neighbour if the two
+    /// solutions differ only by rounding error there. Example: at a free end the moments of all solutions are
+    /// zero, so rounding error decides which one is the largest.
     fn lengthen(&self, runs: &mut Vec<GovernedPart>, next: GovernedPart, field: Field) {
         let Some(last) = runs.last_mut() else { return runs.push(next) };
         let is_nothing = |run: &GovernedPart, other: usize| {
@@ -221,8 +224,8 @@ impl<'a> Envelope<'a> {
         }
     }
 
-    /// The positions at which to list the envelope: `even` equal steps; the loads, supports, joints, edges of
-    /// contact and extremes of every solution; and the changes of every field.
+    /// The positions at which the envelope is listed: `even` equal steps; the loads, supports, ends of
+    /// pieces, contact edges and extremes of every solution; and the changes of every field.
     pub fn stations(&self, even: usize) -> Vec<f64> {
         let Some(first) = self.solutions.first() else { return Vec::new() };
         let mut x = first.stations(even);
@@ -239,14 +242,15 @@ impl<'a> Envelope<'a> {
     }
 }
 
-/// The smallest of the first and the largest of the second values.
+/// The smallest of the first and the largest of the second values, each with the solution that governs.
 fn governing(each: impl Iterator<Item = [Extreme; 2]>, rounding: f64) -> Bounds {
     let nothing = Governing { extreme: Extreme { x: 0.0, value: 0.0 }, by: 0 };
     let mut found: Option<Bounds> = None;
     for (by, [low, high]) in each.enumerate() {
         let [min, max] = [low, high].map(|extreme| Governing { extreme, by });
         let found = found.get_or_insert(Bounds { min, max });
-        // The value is exact; the governing solution changes only for a difference above rounding.
+        // The value is always updated. The governing solution changes only for a difference above rounding
+        // error.
         if low.value < found.min.extreme.value - rounding {
             found.min = min;
         } else if low.value < found.min.extreme.value {

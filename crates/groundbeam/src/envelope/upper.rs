@@ -29,7 +29,7 @@ pub(super) fn parts(curves: &[Coefficients], rounding: f64) -> Vec<Part> {
     parts
 }
 
-/// A part after one more polynomial: the larger of the two on each piece.
+/// Divides a part between its polynomial and one more, and appends the larger of the two on each piece.
 fn over(part: Part, by: usize, curves: &[Coefficients], rounding: f64, mut push: impl FnMut(Part)) {
     let rise = difference(&curves[by], &curves[part.by]);
     let whole = part.from == -1.0 && part.to == 1.0;

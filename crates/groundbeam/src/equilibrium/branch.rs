@@ -2,8 +2,8 @@
 //!
 //! Let Φ be the energy of a deflection, minimised over the ground. Φ has a continuous derivative. Its second
 //! variation at an equilibrium is that of the beam *bonded* to the ground in its contact zones: at an edge of
-//! contact the ground leaves the beam tangentially, so a move of the edge changes the energy in the third
-//! order only. A [bonded solve](crate::contact::bonded) is therefore a Newton step for Φ, and its elimination
+//! contact the ground leaves the beam tangentially, so a move of the edge changes the energy only to third
+//! order. A [bonded solve](crate::contact::bonded) is therefore a Newton step for Φ, and its elimination
 //! shows whether the second variation is positive. As long as it is, the equilibria under increasing
 //! compression form one path. The path of stable equilibria ends at a limit point, where it turns back, or at
 //! a bifurcation.
@@ -25,17 +25,17 @@ use std::borrow::Cow;
 
 /// The first step, as a fraction of the required compression.
 const FIRST: f64 = 0.25;
-/// The last step, as a fraction of the compression reached: the accuracy of the end of the path.
+/// The smallest step, as a fraction of the compression reached: the accuracy of the end of the path.
 const LAST: f64 = 1e-10;
 /// Maximum number of Newton steps per step in compression.
 const MOST_STEPS: usize = 10;
 /// Maximum number of changes of the active supports per step in compression.
 const MOST_CHANGES: usize = 10;
-/// Moves of the edges, relative to the beam's length: one that is rounding, and one that is accepted if
-/// further steps do not reduce it.
+/// Moves of the edges, relative to the beam's length. `STILL`: the move is rounding error. `ROUNDING`: the
+/// move is accepted if further steps do not reduce it.
 const STILL: f64 = 1e-13;
 const ROUNDING: f64 = 1e-9;
-/// The tolerance for equal states: when the way back must reach its starting point, and when equilibria are
+/// Distances of equilibria. `SAME`: the way back has reached its starting point. `NEXT`: two equilibria are
 /// neighbours.
 const SAME: f64 = 1e-7;
 const NEXT: f64 = 1e-3;
@@ -135,8 +135,8 @@ fn predicted(before: Option<&PathPoint>, last: &PathPoint, compression: f64, l: 
     PathPoint { contact: edges.unwrap_or_else(|| last.contact.clone()), ..last.clone() }
 }
 
-/// The next equilibrium on the path. Two equilibria are on one path if each is found from the other;
-/// neighbours need no such check.
+/// The next equilibrium on the path. Two equilibria are on the same path if Newton's method finds each one
+/// from the other. Neighbours need no such check.
 fn next(
     model: &Model,
     places: &[f64],
@@ -197,7 +197,8 @@ fn settled(
     Err(PathEnd::NotConverged)
 }
 
-/// The same state with the active supports that follow from it, if these differ.
+/// The state with the active supports that follow from its forces and clearances, if these supports differ
+/// from its own.
 fn other_supports(
     model: &Model,
     held: &Model,

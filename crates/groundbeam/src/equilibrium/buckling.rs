@@ -1,5 +1,5 @@
-//! Buckling loads: of the beam alone, below which its energy is convex, and of the beam bonded to the ground
-//! in given contact zones.
+//! Buckling loads of the beam without ground, below which the energy is convex, and of the beam bonded to the
+//! ground in given contact zones.
 
 use crate::cancel::Cancel;
 use crate::chain::elimination::Chain;
@@ -14,11 +14,11 @@ use crate::mesh::mesh::Mesh;
 use crate::model::Model;
 use crate::model::compressed;
 
-/// The smallest compression \[N\] at which the beam on its supports, without ground, has a deflected state
-/// without stiffness. A lower bound, accurate to twelve digits; infinite if there is none.
+/// The buckling load of the beam on its supports, without ground \[N\]: a lower bound, accurate to twelve
+/// digits; infinite if the beam does not buckle.
 ///
-/// Below it the energy of bending, springs and compression is positive definite. The elimination of a chain
-/// shows this: all its pivots are positive.
+/// Below this load the energy of bending, springs and compression is positive definite. The elimination of a
+/// chain decides this: the energy is positive definite if all pivots are positive.
 pub fn own_buckling_load(model: &Model) -> f64 {
     unsupported_buckling_load(model, &Cancel::default())
 }
@@ -28,8 +28,8 @@ fn unsupported_buckling_load(model: &Model, cancel: &Cancel) -> f64 {
     least_unstable(model, |compression| !cancel.is_cancelled() && is_stable(model, compression))
 }
 
-/// The part of the energy's convexity that remains under compression, for any contact: 1 + P/P_cr with the
-/// beam's own buckling load, 1 without compression. `None` if the energy is not convex.
+/// The fraction of the energy's convexity that remains under compression, for any contact: 1 + P/P_cr with
+/// the beam's own buckling load P_cr, and 1 without compression. `None` if the energy is not convex.
 pub(crate) fn convexity(model: &Model, cancel: &Cancel) -> Option<f64> {
     let axial = model.beam.axial_force;
     if axial >= 0.0 {
@@ -44,15 +44,15 @@ pub(crate) fn convexity(model: &Model, cancel: &Cancel) -> Option<f64> {
     (left > 0.0).then_some(left)
 }
 
-/// The smallest compression \[N\] at which the beam bonded to the ground on given stretches has a deflected
-/// state without stiffness: a lower bound, accurate to twelve digits.
+/// The buckling load of the beam bonded to the ground on given intervals \[N\]: a lower bound, accurate to
+/// twelve digits.
 pub(crate) fn bonded_buckling_load(model: &Model, contact: &[Interval], cancel: &Cancel) -> f64 {
     least_unstable(model, |compression| {
         Bonded::new(&compressed(model, compression), cancel).solve_on(contact).is_ok()
     })
 }
 
-/// The largest compression below which the beam is stable, from below.
+/// A lower bound of the compression at which the beam becomes unstable.
 fn least_unstable(model: &Model, is_stable: impl Fn(f64) -> bool) -> f64 {
     let l = model.beam.length;
     let unit = model.beam.stiffest() / (l * l);

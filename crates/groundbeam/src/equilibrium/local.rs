@@ -1,8 +1,8 @@
 //! Compression that the ground helps to carry: the stable equilibrium next to the unloaded state.
 //!
 //! The ground prevents buckling only while the beam is in contact with it. The energy is not convex, and has
-//! no minimum if the beam may rise. The result is therefore the equilibrium on the path that starts without
-//! compression ([`branch`]), if this path reaches the given compression.
+//! no minimum if the supports permit the beam to rise. The result is therefore the equilibrium on the path
+//! that starts without compression ([`branch`]), if this path reaches the given compression.
 
 use crate::cancel::Cancel;
 use crate::contact::bonded::Bonded;
@@ -57,7 +57,8 @@ pub(crate) fn check(
     let acts = one_way::acting(model, solution.candidate());
     let EquilibriumPath { wanted, last, end } =
         follow(model, PathPoint { compression: 0.0, contact, active: acts }, cancel);
-    // Towards its end the path becomes less and less stable, or it ends where a contact point lifts off.
+    // At a limit point the stability margin is zero. If the iteration stops at a larger margin, the end of
+    // the path is not known.
     if end == PathEnd::NotConverged {
         let margin = 1.0
             - last.compression
@@ -87,7 +88,7 @@ impl Buckling {
     }
 }
 
-/// The buckling at the end of the path; if a support lifts off there, without this support.
+/// The buckling mode at the end of the path, without a support that lifts off there.
 fn buckling(model: &Model, last: PathPoint, end: PathEnd, cancel: &Cancel) -> Buckling {
     let critical_compression = last.compression;
     let acts = if let PathEnd::NotStable(acts) = end { acts } else { last.active };
@@ -98,7 +99,8 @@ fn buckling(model: &Model, last: PathPoint, end: PathEnd, cancel: &Cancel) -> Bu
 }
 
 /// The buckling mode of the beam bonded to the ground on given intervals: the position of its largest value,
-/// its values at both ends, and the work of the loads in it; upward, of size 1.
+/// its values at both ends, and the work of the loads in the mode. The mode is scaled to −1, upward, at its
+/// largest value.
 ///
 /// Near its buckling load a beam deflects in the shape of its mode under any load that is not orthogonal to
 /// it.
@@ -143,8 +145,8 @@ fn mode(model: &Model, contact: &[Interval], cancel: &Cancel) -> Option<(f64, [f
 /// The result of the checks before the solve.
 pub(crate) struct Assessment {
     pub existence: Existence,
-    /// The part of the energy's convexity that remains under compression, for a local equilibrium with its
-    /// own contact: 1 + P/P_cr; 1 without compression.
+    /// The fraction of the energy's convexity that remains under compression: 1 + P/P_cr, for a local
+    /// equilibrium with the buckling load P_cr of its contact; 1 without compression.
     pub stability: f64,
     /// The contact and the active supports of a local equilibrium.
     pub local: Option<PathPoint>,

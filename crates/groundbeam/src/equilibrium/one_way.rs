@@ -1,9 +1,9 @@
 //! The set of active one-way supports, by solves with fixed sets.
 //!
-//! A rigid support that only pushes up requires w ≤ 0 and a reaction R ≥ 0 with R w = 0; a hold-down the same
-//! with opposite signs; an elastic one the same for the clearance between the beam and its spring. These are
-//! constraints of a convex energy. They are satisfied by the active-set method for quadratic programs
-//! (Nocedal and Wright, *Numerical Optimization*, 2nd ed., section 16.5):
+//! A rigid support that only pushes up requires w ≤ 0 and a reaction R ≥ 0 with R w = 0. A hold-down requires
+//! the same with opposite signs. For an elastic support, the clearance between the beam and its spring takes
+//! the place of w. These are constraints of a convex energy. They are satisfied by the active-set method for
+//! quadratic programs (Nocedal and Wright, *Numerical Optimization*, 2nd ed., section 16.5):
 //!
 //! 1. Solve beam and ground with the active supports, as if these were two-way.
 //! 2. On the straight path from the previous deflection to the new one, stop where the beam first meets an
@@ -12,10 +12,10 @@
 //! 4. Otherwise this is the solution: all conditions hold, and they are sufficient.
 //!
 //! The energy never increases: it is convex along the path, and the end of the path is its minimum for the
-//! active supports. It has decreased strictly before step 3 occurs again with other supports. So no set
-//! occurs twice, and there are finitely many. Step 2 repeats at most as often as there are supports. If the
-//! active supports allow no equilibrium, the path is the motion that proves it. It ends at a hold-down,
-//! unless all supports together allow no equilibrium.
+//! active supports. It has strictly decreased when step 3 occurs again with other supports. So no set occurs
+//! twice, and the number of sets is finite. Step 2 repeats at most as often as there are supports. If no
+//! equilibrium exists on the active supports, the path is the rigid motion that proves this. The path ends at
+//! a hold-down, unless no equilibrium exists on all supports together.
 
 use crate::existence::verdict::{Existence, Verdict};
 use crate::model::{Model, Support};
@@ -24,17 +24,17 @@ use crate::solution::candidate::Candidate;
 use crate::solution::fields::Side;
 use crate::solution::solution::Solution;
 
-/// Maximum number of solves; a guard against cycling by rounding.
+/// Maximum number of solves; it ends cycles that rounding error causes.
 const MOST_SOLVES: usize = 1000;
-/// After this number of solves the first of several supports changes instead of the worst one. This ends
-/// cycles of steps of zero length.
+/// After this number of solves, the first support that violates its condition changes instead of the worst
+/// one. This ends cycles of steps of zero length.
 const PATIENCE: usize = 50;
 /// Rounding error of a force, relative to the sum of all reactions, and of a clearance, relative to the
 /// largest deflection.
 const ROUNDING: f64 = 1e-13;
 
-/// Solves a model with one-way supports by a method for models without them. Returns the solution on the
-/// active supports, the set of these, and the number of solves; no solution if the search does not end.
+/// Solves a model with one-way supports by a method for models without them. Returns the solution, the set of
+/// active supports, and the number of solves; no solution if the search does not end.
 pub(crate) fn solve<E>(
     model: &Model,
     mut solve: impl FnMut(&Model) -> Result<Outcome, E>,
@@ -98,13 +98,13 @@ pub(crate) fn solve<E>(
 
 /// The result of the search.
 pub(crate) struct SupportSearch {
-    /// The solution and its active supports; `None` if they still change.
+    /// The solution and its active supports; `None` if the set of active supports still changes.
     pub found: Option<(Box<Solution>, Vec<bool>)>,
     /// Number of solves with fixed supports.
     pub solves: usize,
 }
 
-/// The clearance of each support, 0 where it is rounding, and the largest deflection.
+/// The clearance of each support, 0 where it is rounding error, and the largest deflection.
 pub(crate) fn clearances(model: &Model, candidate: &Candidate) -> (Vec<f64>, f64) {
     let range = candidate.range(crate::Field::Deflection);
     let size = range.min.value.abs().max(range.max.value.abs());
@@ -135,8 +135,8 @@ pub(crate) fn acting(model: &Model, candidate: &Candidate) -> Vec<bool> {
     model.supports.iter().zip(pushes).map(|(s, pushes)| pushes || !s.is_one_way()).collect()
 }
 
-/// The active supports that follow from the solution with a given active set: of these the ones with a
-/// positive force, of the others those that the beam penetrates. A support without force is inactive.
+/// The active supports that follow from the solution with a given active set: the active supports with a
+/// positive force, and the inactive ones that the beam penetrates. A support without force is inactive.
 pub(crate) fn asked_for(model: &Model, acts: &[bool], candidate: &Candidate) -> Vec<bool> {
     let (forces, all) = forces(model, acts, candidate);
     let (clear, _) = clearances(model, candidate);

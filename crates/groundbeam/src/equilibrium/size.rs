@@ -2,9 +2,9 @@
 //!
 //! Two limits refuse a model. The memory of all elements must stay below [`Options::memory_limit`]. The
 //! number of series elements must stay below a fixed limit, because their computing time is large compared
-//! with their memory. Series elements occur where stiffness or ground vary and where the beam shears. A shear
-//! layer a billion times as stiff as the beam has boundary layers of 10⁻⁴ of the length, and every series
-//! element on it is as short as they are.
+//! with their memory. Series elements occur where stiffness or ground vary and where the beam has shear
+//! deformation. Example: under a shear layer a billion times as stiff as the beam, boundary layers have a
+//! length of 10⁻⁴ l, and series elements must be as short as these layers.
 
 use crate::element;
 use crate::element::element::REACH;
@@ -86,8 +86,8 @@ impl Count {
     }
 }
 
-/// An upper bound for a beam that does not shear and has no varying segments, from its shortest wave. It
-/// avoids cutting the model into cells, which would be a large part of the time of a small solve.
+/// An upper bound for a beam without shear deformation and without varying segments, from its shortest wave.
+/// It needs no division of the model into cells, which would take a large part of the time of a small solve.
 fn few(model: &Model) -> Option<Count> {
     let Model { beam, foundation, loads, supports, hinges, gap } = model;
     if beam.shears() || model.varying_part().is_some() || model.has_ground_loads() {
@@ -120,8 +120,8 @@ pub fn memory_estimate(model: &Model, options: &Options) -> u64 {
     Count::of(model).memory(options)
 }
 
-/// The part of a solve's memory that its solution keeps, as a divisor: measured 0.18 in 100 combinations of
-/// 10⁴ loads.
+/// A stored solution takes 1/`KEPT` of the memory of its solve: measured 0.18 in 100 combinations of 10⁴
+/// loads.
 const KEPT: u64 = 5;
 
 /// Refuses models with stored solutions if all solutions and one solve exceed the memory limit.
@@ -187,7 +187,7 @@ mod tests {
     use crate::model::{Beam, Foundation};
     use crate::{solve, solve_with};
 
-    /// Waves of length 1 on 10¹⁵ of them, without a load along the beam that makes it quiet.
+    /// A beam 10¹⁵ waves long without a distributed load, so without quiet elements.
     fn endless() -> Model {
         Model::new(Beam::uniform(1e15, 1.0), Foundation::winkler(4.0))
             .with_load(crate::Load::point_force(5e14, 1.0))

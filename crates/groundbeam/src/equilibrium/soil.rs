@@ -77,7 +77,8 @@ fn iterate(
     }))
 }
 
-/// The secant through two rounds if it stays positive and near, otherwise the plain iteration.
+/// The next r: by the secant through the last two iterations if it is positive and close to the last values,
+/// otherwise r of the last solution.
 fn accelerated(before: Option<[f64; 2]>, [rate, found]: [f64; 2]) -> f64 {
     let Some([rate_0, found_0]) = before else { return found };
     let slope = (found - found_0) / (rate - rate_0);
@@ -86,7 +87,7 @@ fn accelerated(before: Option<[f64; 2]>, [rate, found]: [f64; 2]) -> f64 {
     if near { next } else { found }
 }
 
-/// r = ∫u'²/∫u² over the whole line; `None` if the ground does not move.
+/// r = ∫u'²/∫u² over the whole line; `None` if u = 0 everywhere.
 fn rate_of(solution: &Solution) -> Option<f64> {
     let neighbours = solution.model().has_ground_loads();
     let mut sums = [0.0; 2];
@@ -103,8 +104,8 @@ fn rate_of(solution: &Solution) -> Option<f64> {
     (sums[0] > 0.0).then(|| sums[1] / sums[0])
 }
 
-/// ∫u² and ∫u'² outside one end of the beam. Ground made of soil is infinite. Between loads u is the sum of
-/// two exponentials and q/k; beyond the last load it decays as e^(−bx).
+/// ∫u² and ∫u'² outside one end of the beam. Ground defined by soil data is infinite. Between loads u is the
+/// sum of two exponentials and q/k; beyond the last load it decays as e^(−bx).
 fn beyond(solution: &Solution, right: bool) -> [f64; 2] {
     let piece = if right { solution.pieces().last() } else { solution.pieces().first() };
     let Some(piece) = piece else { return [0.0; 2] };
@@ -149,7 +150,7 @@ fn pressure(model: &Model, x: f64, within: f64) -> f64 {
     each.sum()
 }
 
-/// ∫u² and ∫u'² of open ground under the beam with loads on it.
+/// ∫u² and ∫u'² of open ground with loads under the beam.
 fn on_loaded(piece: &SolutionPiece) -> [f64; 2] {
     let b = (piece.cell.subgrade / piece.cell.shear_layer).sqrt();
     quadrature(2.0 * piece.half, b, |s| {
@@ -225,7 +226,7 @@ mod tests {
     }
 
     /// Compares ∫u² and ∫u'² with linear interpolation between very many points: in contact, in open ground
-    /// and outside the beam; without loads on the ground, and with some outside the beam and under it.
+    /// and outside the beam, with and without loads on the ground.
     #[test]
     fn the_rate_by_brute_force() {
         let model = Model::new(Beam::uniform(1.0, 1.0), Foundation::pasternak(1.0, 1.0))

@@ -1,11 +1,11 @@
 //! Existence of an equilibrium, from loads and supports alone. Section 4, sharpened.
 //!
-//! The energy is coercive, and so has a minimum, exactly if F(r) < 0 for every free rigid motion r = a x + b
-//! ≤ 0 of the beam, where F(r) is the work of the loads. A motion is free if it presses nowhere on the
-//! ground, and neither the supports nor the tension resist it. For a free beam without tension these are all
-//! r with r(0) ≤ 0 and r(l) ≤ 0. Since F(r) = R₀ r(0) + R_l r(l) with the *static reactions* R₀ and R_l of
-//! the loads, both must be positive: (4.24)/(4.25), necessary and sufficient. Tension and supports reduce the
-//! set of free motions. Free hinges enlarge it: r may have a kink at each.
+//! The energy is coercive, and therefore has a minimum, if and only if F(r) < 0 for every free rigid motion r
+//! = a x + b ≤ 0 of the beam, where F(r) is the work of the loads. A motion is free if it presses nowhere on
+//! the ground and if neither supports nor tension resist it. For a free beam without tension these are all r
+//! with r(0) ≤ 0 and r(l) ≤ 0. Since F(r) = R₀ r(0) + R_l r(l) with the *static reactions* R₀ and R_l of the
+//! loads, both must be positive: (4.24)/(4.25), necessary and sufficient. Tension and supports reduce the set
+//! of free motions. Free hinges enlarge it: r may have a kink at each.
 
 use crate::existence::rigid_motions::Mechanism;
 use crate::existence::statics::static_reactions;
@@ -25,8 +25,8 @@ pub fn existence(model: &Model) -> Existence {
     Existence { verdict, static_reactions: [whole[0].sum, whole[1].sum] }
 }
 
-/// The reactions of supports under the ends and the free hinges of a beam, if it were rigid between them
-/// and stood on them alone: position \[m\] and force, up positive \[N\].
+/// The static reactions: position \[m\] and force, up positive \[N\]. They are the forces of supports under
+/// the ends and the free hinges of a beam that is rigid between them and has no other supports.
 ///
 /// ```
 /// use groundbeam::{Beam, Foundation, Hinge, Load, Model, existence::static_reactions};
@@ -77,9 +77,10 @@ fn judge(rays: &[(Sum, RigidMotion)]) -> Verdict {
     }
 }
 
-/// A piece that lifts without work can press on the ground only under a node that stays at rest. If no
-/// neighbouring piece can press, the load of this node must be a concentrated contact force. It needs a shear
-/// layer, or a support that only pushes up; on Winkler ground the beam would sink and rotate without limit.
+/// The verdict for a piece that may lift without work. Such a piece can press on the ground only under a node
+/// that stays at rest. If no neighbouring piece can press there, the load of this node needs a concentrated
+/// contact force. Only a shear layer or a support that pushes up can carry it; on Winkler ground the beam
+/// would sink and rotate without limit.
 fn balanced_without_a_layer(model: &Model, motion: RigidMotion) -> Verdict {
     let mechanism = Mechanism::of(model);
     let (nodes, groups) = (&mechanism.nodes, mechanism.free_groups());
@@ -140,7 +141,7 @@ mod tests {
 
     #[test]
     fn kikuchi_figure_2() {
-        // (a) a uniform load f₀ on a stretch of length a about the middle and a total moment 2M₀.
+        // (a) A uniform load f₀ over a length a about the middle, and a total moment 2M₀.
         let (f0, a, l) = (3.0, 2.0, 4.0);
         for m0 in [2.9, 3.1] {
             let model = beam()
@@ -151,7 +152,7 @@ mod tests {
                 f0 * a > 0.5 * f0 * a + 2.0 * m0 / l && 0.5 * f0 * a + 2.0 * m0 / l > 0.0;
             assert_eq!(exists(&model), condition, "(a) {m0}");
         }
-        // (b) the load on [0, a] and one moment M₀.
+        // (b) A uniform load on [0, a] and a moment M₀.
         for m0 in [-7.0, -5.0, 17.0, 19.0] {
             let model = beam()
                 .with_load(Load::uniform_force(0.0, a, f0))
@@ -159,7 +160,7 @@ mod tests {
             let middle = a / (2.0 * l) * f0 * a + m0 / l;
             assert_eq!(exists(&model), f0 * a > middle && middle > 0.0, "(b) {m0}");
         }
-        // (c) f₁ at the left end, f₂ upward a moment −f₂ a, f₃ at the right end.
+        // (c) f₁ at the left end, a moment −f₂ a by f₂ upward, f₃ at the right end.
         for (f2, f3) in [(1.0, 0.3), (1.0, 0.2), (-1.0, 0.1)] {
             let (f1, a) = (2.0, 1.0);
             let model = beam()
@@ -274,7 +275,7 @@ mod tests {
         assert!(!exists(&pulled(slab().with_support(Support::pinned(0.5)), 3.0)));
         assert!(exists(&pulled(slab().with_support(Support::pinned(1.0)), 1.0)));
         assert!(!exists(&pulled(slab().with_support(Support::pinned(1.0)), 0.0)));
-        // A piece that cannot rotate lifts as a whole: 4 of load against 2. Tension keeps the whole beam
+        // A piece that cannot rotate lifts as a whole: a load of 4 against 2. Tension keeps the whole beam
         // straight.
         let turned = |at: f64| slab().with_support(Support::spring(at, 0.0, 1.0));
         assert!(exists(&pulled(turned(0.5), 1.0)) && !exists(&pulled(turned(3.5), 1.0)));
@@ -343,7 +344,7 @@ mod tests {
         assert_eq!(at([4.0, 4.0]), [0.0, 0.0, 0.0, 0.0, 0.0, -0.75, -1.0]);
     }
 
-    /// F acts at a of a beam of length 4: R₀ = F (1 − a/4) and R_l = F a/4.
+    /// For a force F at the distance a on a beam of length 4, R₀ = F (1 − a/4) and R_l = F a/4.
     #[test]
     fn the_resultant_and_its_position_follow_from_the_static_reactions() {
         let found = existence(&beam().with_load(Load::point_force(1.0, 4.0)));
@@ -355,7 +356,8 @@ mod tests {
         assert_eq!((couple.resultant(), couple.resultant_position(4.0)), (0.0, None));
     }
 
-    /// A rigid piece from a to b takes F (b − x)/(b − a) to a; a moment M takes −M/(b − a) there and M/(b − a) to b.
+    /// On a rigid piece from a to b, a force F at x gives the reaction F (b − x)/(b − a) at a. A moment M
+    /// gives −M/(b − a) at a and M/(b − a) at b.
     #[test]
     fn each_end_and_hinge_has_its_static_reaction() {
         let hinged = beam().with_hinge(Hinge::free(2.0));
@@ -431,7 +433,7 @@ mod tests {
         assert_eq!(with_contact(&tied, &[[1.0; 2]]), Verdict::Unique);
         // Without a point of contact there is no rotation about it.
         assert_eq!(with_contact(&beam, &[]), Verdict::Unique);
-        // A beam without equilibrium has none on a point either.
+        // If no equilibrium exists, contact at one point does not change the verdict.
         let falls = existence(&beam.clone().with_load(Load::point_force(2.0, -1.0)));
         assert_eq!(falls.with_contact(&beam, &[[1.0; 2]]), falls);
     }
@@ -446,7 +448,7 @@ mod tests {
         assert_eq!(with_contact(&hinged, &[[0.5, 1.0]]), mechanism(2.0, 4.0));
         assert_eq!(with_contact(&hinged, &[[2.0, 3.0]]), mechanism(0.0, 2.0));
         assert_eq!(with_contact(&hinged, &[]), mechanism(0.0, 2.0));
-        // Contact over the hinge holds the hinge, and so both pieces.
+        // Contact on both sides of the hinge holds the hinge, and therefore both pieces.
         assert_eq!(with_contact(&hinged, &[[1.0, 3.0]]), Verdict::Unique);
         assert_eq!(with_contact(&hinged, &[[1.0, 2.0], [3.0; 2]]), Verdict::Unique);
     }
@@ -480,7 +482,7 @@ mod tests {
                 (4.0, [3.0, 4.0], true, false),
                 (4.0, [0.0, 3.0], false, true),
             ] {
-                // A layer along the segment only, and everywhere else only.
+                // A shear layer only along the segment, and only outside it.
                 for (shear, carried) in [([1.0, 0.0], layered), ([0.0, 1.0], bare)] {
                     let verdict = existence(&over(unit, x, shear, segment)).verdict;
                     let stands = matches!(verdict, Verdict::NotUnique(_));

@@ -2,7 +2,7 @@
 //!
 //! The ends and free hinges are *nodes*; a *piece* lies between two of them. A rigid motion r is given by its
 //! values at the nodes. An elastic hinge resists a kink, so it is not a node. Since r is linear between
-//! nodes, r ≤ 0 everywhere exactly if r ≤ 0 at every node.
+//! nodes, r ≤ 0 everywhere if and only if r ≤ 0 at every node.
 
 use crate::model::{Acts, Model, SupportKind};
 use crate::numeric::tolerance::same_place;
@@ -30,7 +30,7 @@ impl Mechanism {
         mechanism
     }
 
-    /// The constraints by some of the supports only.
+    /// The constraints by the supports that `counts` selects.
     fn on_supports(model: &Model, counts: impl Fn(Acts) -> bool) -> Self {
         let l = model.beam.length;
         let free = model.hinges.iter().filter(|hinge| hinge.is_free());
@@ -68,8 +68,8 @@ impl Mechanism {
         (x - self.nodes[node]).abs() <= same_place(l)
     }
 
-    /// The groups of nodes that may lift together, r < 0, without work against supports or tension and
-    /// without pressure on the ground. Any free motion r ≤ 0 is a sum of such lifts.
+    /// The groups of nodes that may lift together, r < 0, while supports and tension do no work and nothing
+    /// presses on the ground. Every free motion r ≤ 0 is a sum of such lifts.
     ///
     /// If r ≤ 0 vanishes inside a piece, it vanishes on the whole piece. A piece that cannot rotate lifts
     /// both of its nodes equally.
@@ -99,7 +99,7 @@ impl Mechanism {
         groups
     }
 
-    /// A position at which the beam is held, if any.
+    /// The first position at which the beam is held; `None` if there is none.
     pub fn point_held(&self, more: &[f64]) -> Option<f64> {
         self.held.iter().chain(more).next().copied()
     }
@@ -107,9 +107,9 @@ impl Mechanism {
     /// The first piece that may still move, in either direction, if the beam is also held at the places in
     /// `more`; `None` if all pieces are held.
     ///
-    /// A piece is held at two places, or at one where it cannot rotate. It then holds its nodes for its
-    /// neighbours. This procedure finds all held pieces: n connected pieces have n + 1 degrees of freedom, so
-    /// if none can move, one of them has two constraints of its own.
+    /// A piece is held if it has two held places, or one held place and no free rotation. A held piece holds
+    /// its nodes for its neighbours. This procedure finds all held pieces: n connected pieces have n + 1
+    /// degrees of freedom, so if none can move, one of them has two constraints of its own.
     pub fn first_free_piece(&self, more: &[f64]) -> Option<[f64; 2]> {
         let places: Vec<f64> = self.held.iter().chain(more).copied().collect();
         let nodes = 0..self.nodes.len();
@@ -162,7 +162,7 @@ mod tests {
         model
     }
 
-    /// The first node of each free group, and the one after its last.
+    /// The first node of each free group, and the node after its last one.
     fn groups(of: &Mechanism) -> Vec<[usize; 2]> {
         of.free_groups().into_iter().map(|group| [group.start, group.end]).collect()
     }
@@ -202,15 +202,15 @@ mod tests {
         model.beam.axial_force = 1.0;
         let found = Mechanism::of(&model);
         assert_eq!(found.straight, [true; 3]);
-        // The whole beam still lifts as one, unless one place of it is held.
+        // The whole beam may still lift as one group, unless one place is held.
         assert_eq!(groups(&found), [[0, 4]]);
         let held = Mechanism::of(&model.with_support(Support::pinned(7.0)));
         assert!(held.free_groups().is_empty());
         assert_eq!(held.first_free_piece(&[]), None);
     }
 
-    /// All mechanisms of up to three pieces with supports at a few places and any pieces prevented from
-    /// rotating.
+    /// All mechanisms of up to three pieces with supports at a few places, for every set of pieces that
+    /// cannot rotate.
     fn mechanisms() -> Vec<Mechanism> {
         let mut all = Vec::new();
         for hinges in [vec![], vec![4.0], vec![2.0, 4.0]] {
@@ -271,8 +271,8 @@ mod tests {
         rank
     }
 
-    /// A piece cannot move exactly if the constraints imply r = 0 at both of its nodes: these two conditions
-    /// as further rows do not raise the rank.
+    /// A piece cannot move if and only if the constraints imply r = 0 at both of its nodes: these two
+    /// conditions as further rows then do not raise the rank.
     #[test]
     fn the_first_mechanism_piece_is_the_first_whose_nodes_the_constraints_leave_free() {
         for of in mechanisms() {
@@ -316,7 +316,7 @@ mod tests {
         }
     }
 
-    /// A support within rounding of a hinge holds the hinge; one farther away holds the piece.
+    /// A support within rounding error of a hinge holds the hinge. A support farther away holds the piece.
     #[test]
     fn a_support_at_a_hinge_holds_the_hinge_alone() {
         for x in [4.0 - 2.0 * f64::EPSILON, 4.0, 4.0 + 4.0 * f64::EPSILON] {

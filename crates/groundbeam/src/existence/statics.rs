@@ -3,9 +3,9 @@
 use crate::model::{Extent, Load, triangles};
 use crate::numeric::sum::Sum;
 
-/// The work F(φ) of the loads in the hat function of each node (1 at the node, 0 at all others, linear
-/// between): the reaction of a support under each node if the pieces were rigid. Without hinges these are R₀
-/// = F(1 − x/l) and R_l = F(x/l).
+/// The work F(φ) of the loads in the hat function φ of each node (1 at the node, 0 at all others, linear
+/// between). It is the reaction of a support under the node if the pieces are rigid. Without hinges these are
+/// R₀ = F(1 − x/l) and R_l = F(x/l).
 pub(crate) fn static_reactions(loads: &[Load], nodes: &[f64]) -> Vec<Sum> {
     let pieces = nodes.len() - 1;
     let mut reactions = vec![Sum::default(); nodes.len()];
@@ -107,7 +107,8 @@ mod tests {
         }
     }
 
-    /// R at each node is F(φ) of its hat function, and the moments of all R about 0 equal those of the load.
+    /// R at each node is F(φ) for its hat function φ, and the moment of all R about 0 equals that of the
+    /// load.
     #[test]
     fn static_reactions_are_the_work_of_the_loads_in_the_hat_functions() {
         let spread = |from: f64, to: f64, start: f64, end: f64| {

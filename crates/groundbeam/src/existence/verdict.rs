@@ -8,13 +8,14 @@ use crate::model::Model;
 pub enum Verdict {
     /// There is exactly one equilibrium.
     Unique,
-    /// A static reaction is zero, or the beam rests on one point only: equilibria may exist, but are not
-    /// unique. The motion does not change the energy.
+    /// A static reaction is zero, or the beam rests on one point only. An equilibrium is then not unique: the
+    /// motion does not change the energy.
     NotUnique(RigidMotion),
     /// There is no equilibrium: the motion never presses on the ground, and the loads do positive work in it.
     None(RigidMotion),
-    /// Compression that the ground helps to carry: a stable equilibrium exists on the path that starts at the
-    /// solution without compression. It is local: other equilibria far from it are possible.
+    /// The beam is stable under its compression only with the ground. A stable equilibrium exists on the path
+    /// that starts at the solution without compression. It is local: other equilibria far from it are
+    /// possible.
     Local(Local),
     /// The path of stable equilibria that starts without compression ends below the given compression: the
     /// beam buckles.
@@ -25,8 +26,8 @@ pub enum Verdict {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Local {
     /// The smallest eigenvalue of the second variation ∫(EI z″² + P z'²) + springs + ground in contact,
-    /// relative to the same form without P: between 0, where the beam buckles, and 1, without compression. It
-    /// is 1 + P/P_b with the buckling load P_b of the beam bonded to the ground in the contact zones.
+    /// relative to the same form without P. It is 0 if the beam buckles, and 1 without compression. It is 1 +
+    /// P/P_b with the buckling load P_b of the beam bonded to the ground in the contact zones.
     pub stability_margin: f64,
     /// The compression at which the path of stable equilibria ends, at constant loads \[N\].
     pub critical_compression: f64,
@@ -39,9 +40,9 @@ pub struct Buckling {
     pub critical_compression: f64,
     /// Position of the largest value of the buckling mode r \[m\].
     pub at: f64,
-    /// r(0), for r(`at`) = −1: up.
+    /// r(0), with r scaled to −1 (up) at the position `at`.
     pub left: f64,
-    /// r(l).
+    /// r(l), in the same scale.
     pub right: f64,
     /// F(r), the work of the loads in the mode \[N·m per m\].
     pub work: f64,
@@ -69,7 +70,8 @@ impl Verdict {
 }
 
 /// A rigid motion of the beam, r(x) = a x + b between its free hinges, scaled so that its largest absolute
-/// value is one. r ≤ 0, so it presses nowhere, unless the beam stands on one point inside and rotates about it.
+/// value is one. r ≤ 0, so the motion presses nowhere on the ground. The exception is the rotation of a beam
+/// about a single contact point inside.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct RigidMotion {
@@ -77,7 +79,7 @@ pub struct RigidMotion {
     pub left: f64,
     /// r(l): 0 or −1; for rotation about a point inside, between 0 and 1.
     pub right: f64,
-    /// F(r), the work of the loads in it \[N·m per m of lift\].
+    /// F(r), the work of the loads in this motion \[N·m per m of lift\].
     pub work: f64,
     /// For a beam with free hinges: the first and the last of its ends and free hinges at which r = −1 \[m\].
     /// r is 0 at all others, and linear between them. `None` for a beam without free hinges.
@@ -113,7 +115,7 @@ impl RigidMotion {
     }
 }
 
-/// The verdict and the static reactions that it follows from.
+/// The verdict and the static reactions from which it follows.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Existence {
     /// Whether an equilibrium exists and is unique.

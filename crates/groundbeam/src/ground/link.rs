@@ -24,7 +24,7 @@ pub(crate) struct TwoPort<R = f64> {
 }
 
 impl<R: Real> TwoPort<R> {
-    /// A uniform stretch of length h: k > 0, μ > 0.
+    /// The two-port of a uniform stretch of length h, with k > 0 and μ > 0.
     pub fn uniform(k: R, mu: R, h: f64) -> Self {
         let stiffness = (k * mu).sqrt();
         let bh = (k / mu).sqrt() * h;
@@ -35,12 +35,13 @@ impl<R: Real> TwoPort<R> {
         TwoPort { series, shunt_left: shunt, shunt_right: shunt }
     }
 
-    /// A short stretch of length 2·`half` along which k and μ vary, from their coefficients in s ∈ \[−1, 1\].
+    /// The two-port of a short stretch of length 2·`half` with varying k and μ, given by their coefficients
+    /// in s ∈ \[−1, 1\].
     pub fn varying(spring: &[R], shear: &[R], half: f64) -> Self {
         Pair::new(spring, shear, half).link(shear, half)
     }
 
-    /// The same seen in a mirror.
+    /// The mirrored two-port.
     pub fn mirrored(self) -> Self {
         let TwoPort { series, shunt_left, shunt_right } = self;
         TwoPort { series, shunt_left: shunt_right, shunt_right: shunt_left }
@@ -84,7 +85,8 @@ pub(crate) fn settled<R: Real>(
     Pair::new(spring, shear, half).between(ends)
 }
 
-/// Two solutions of −(μu')' + ku = 0 about the middle of a short stretch, with the first terms 1 and s.
+/// Two solutions of −(μu')' + ku = 0 as power series about the middle of a short stretch. Their first terms
+/// are 1 and s.
 struct Pair<R> {
     one: [R; TERMS],
     rising: [R; TERMS],
@@ -150,7 +152,7 @@ pub(crate) fn outside<R: Real>(beyond: &GroundOutside<R>) -> R {
     stiffnesses(beyond)[0]
 }
 
-/// The stiffness of the ground from each of the layers outward, and last the stiffness at the outer end.
+/// For each layer, the stiffness of the ground from this layer outward; last, the stiffness at the outer end.
 fn stiffnesses<R: Real>(beyond: &GroundOutside<R>) -> Vec<R> {
     let mut springs = vec![R::from(if beyond.held { f64::INFINITY } else { 0.0 })];
     for layer in beyond.layers.iter().rev() {
@@ -193,10 +195,10 @@ pub(crate) fn beside<R: Real>(beyond: &GroundOutside<R>, mut u: R, mut distance:
     R::ZERO
 }
 
-/// Open ground is cut into pieces of this number of decay lengths: on one of them u is a polynomial to the
-/// last digit.
+/// Length of the pieces into which open ground is cut, in decay lengths. On such a piece a polynomial
+/// represents u to rounding error.
 pub(crate) const PIECE: f64 = 2.0;
-/// Number of decay lengths beyond which open ground is at rest: e⁻⁴⁰ is below rounding.
+/// Distance, in decay lengths, at which u of open ground is zero: e⁻⁴⁰ is below rounding error.
 const FAR: f64 = 40.0;
 
 /// Cuts open ground near both ends, where it is curved.
@@ -303,7 +305,7 @@ mod tests {
         let near = |a: f64, b: f64| assert!((a / b - 1.0).abs() < 1e-15, "{a} {b}");
         near(spring(&[layer(h, k, mu)], false), stiffness * tanh(bh));
         near(spring(&[layer(h, k, mu)], true), stiffness / tanh(bh));
-        // The same ground cut in two.
+        // The same ground divided into two layers.
         let cut = [layer(0.3, k, mu), layer(f64::INFINITY, k, mu)];
         near(spring(&cut, false), stiffness);
         let cut = [layer(0.3, k, mu), layer(0.6, k, mu)];

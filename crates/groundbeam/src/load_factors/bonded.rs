@@ -20,8 +20,8 @@ pub(super) fn bonded_everywhere(
     Bonded::new(model, cancel).solve_on(&[[0.0, model.beam.length]])
 }
 
-/// A contact pressure on a stretch of the beam, or a concentrated contact force, which must not be negative.
-/// It is the polynomial staying + λ·growing in s ∈ \[−1, 1\].
+/// A contact pressure on a stretch of the beam, or a concentrated contact force: the polynomial staying +
+/// λ·growing in s ∈ \[−1, 1\]. First lift-off occurs when it becomes negative.
 #[derive(Debug, Clone)]
 pub(super) struct LiftOffCandidate {
     x: [f64; 2],
@@ -48,11 +48,12 @@ impl LiftOffCandidate {
         lowest(&self.staying.coefficients).1 < -ROUNDING * self.staying.size
     }
 
-    /// The largest factor below `factor` up to which the pressure here is not negative, and the position of
-    /// its zero then; `None` if it is not negative at `factor` itself, which may be infinite.
+    /// The largest factor below `factor` at which the pressure of this candidate is not negative, and the
+    /// position of its zero at that factor; `None` if the pressure is not negative at `factor` itself.
+    /// `factor` may be infinite.
     ///
-    /// Newton's method on the minimum over s, which is a concave function of the factor. The iterates
-    /// decrease and never pass the root.
+    /// Newton's method finds the root of the minimum over s, which is a concave function of the factor. The
+    /// iterates decrease and never pass the root.
     pub fn first_pull_below(&self, factor: f64) -> Option<(f64, f64)> {
         let (mut factor, mut found) = (factor, None);
         for _ in 0..MOST_STEPS {
@@ -69,7 +70,7 @@ impl LiftOffCandidate {
         found
     }
 
-    /// Whether a factor of this candidate is zero to rounding.
+    /// Whether a factor is so small that the increasing loads change the candidate only by rounding error.
     pub fn is_nothing(&self, factor: f64) -> bool {
         factor * self.growing.size <= ROUNDING * self.staying.size
     }
@@ -95,8 +96,8 @@ impl LiftOffCandidate {
     }
 }
 
-/// The position in \[−1, 1\] of the minimum of a polynomial, and the minimum; a lower bound, if that is not
-/// negative.
+/// The minimum of a polynomial on \[−1, 1\] and its position. If a lower bound of the minimum is not
+/// negative, this bound takes the place of the minimum.
 fn lowest(c: &[f64]) -> (f64, f64) {
     let spread: f64 = c.iter().skip(1).map(|a| a.abs()).sum();
     let bound = c.first().map_or(0.0, |constant| constant - spread);
@@ -162,9 +163,9 @@ fn pressure(found: &ContactState, i: usize, x: [f64; 2]) -> Side {
     Side { coefficients, size }
 }
 
-/// Where a support holds the beam at the undeformed Winkler ground, the pressure is zero for all loads. Near
-/// a pin its rate of increase decides, near a clamp its curvature. Returns the ends s = ∓1 of a part of a
-/// cell where this holds, and the order of the root.
+/// The ends s = ∓1 of a part of a cell at which the pressure is zero for all loads, with the order of the
+/// root: where a support holds the beam at the undeformed surface of Winkler ground. The slope of the
+/// pressure decides the first lift-off near a pin, its curvature near a clamp.
 fn known_roots(found: &ContactState, x: [f64; 2], cell: &Cell) -> Vec<(f64, usize)> {
     if cell.shear_layer > 0.0 {
         return Vec::new();
@@ -184,9 +185,9 @@ fn known_roots(found: &ContactState, x: [f64; 2], cell: &Cell) -> Vec<(f64, usiz
     roots
 }
 
-/// Divides c(s) by 1 + s if `end` is −1, by 1 − s if it is 1; both are positive inside.
+/// Divides c(s) by 1 + s if `end` is −1, and by 1 − s if `end` is 1. Both factors are positive inside.
 fn without_root(c: &mut Coefficients, end: f64) {
-    // From the highest power down; the remainder is the rounding error of a zero.
+    // Division from the highest power down. The remainder is rounding error, because c is zero at this end.
     let mut carried = 0.0;
     for a in c.iter_mut().rev() {
         let quotient = if end < 0.0 { *a - carried } else { carried - *a };
@@ -196,19 +197,19 @@ fn without_root(c: &mut Coefficients, end: f64) {
     c.pop();
 }
 
-/// The concentrated forces: under the ends of the beam and of the shear layer, at corners and at kinks.
+/// The concentrated forces under the ends of the beam and of the shear layer, at corners and at kinks.
 fn forces(staying: &ContactState, growing: &ContactState) -> Vec<LiftOffCandidate> {
     let [stays, grows] = [staying, growing].map(forces_of);
     let find = |all: &[(f64, Side)], x: f64| {
         let nothing = Side { coefficients: Coefficients::zeros(1), size: 0.0 };
         all.iter().find(|(at, _)| *at == x).map_or(nothing, |(_, side)| side.clone())
     };
-    // Corners of the gap count where the gap acts: with the constant loads.
+    // The gap belongs to the constant loads, so only their deflection has forces at corners of the gap.
     let all = stays.iter().map(|(x, side)| {
         let growing = find(&grows, *x);
         LiftOffCandidate { x: [*x; 2], staying: side.clone(), growing }
     });
-    // On a beam that shears, increasing forces cause kinks.
+    // On a beam with shear deformation, increasing forces cause kinks.
     let kinks = grows.iter().filter(|(x, _)| stays.iter().all(|(at, _)| at != x));
     let kinks = kinks.map(|(x, side)| {
         let staying = find(&stays, *x);
@@ -272,8 +273,8 @@ mod tests {
         assert_eq!(lowest(&[]), (-1.0, 0.0));
     }
 
-    /// 2 − λ (1 + s) is first zero at s = 1, for λ = 1. 1 + s² − λ (1 + s) is least at s = λ/2, where it is
-    /// 1 − λ − λ²/4: zero for λ = 2√2 − 2.
+    /// 2 − λ (1 + s) is first zero at s = 1, for λ = 1. 1 + s² − λ (1 + s) has its minimum 1 − λ − λ²/4 at s
+    /// = λ/2. The minimum is zero for λ = 2√2 − 2.
     #[test]
     fn the_first_pull_is_a_root_in_closed_form() {
         let at = |of: &LiftOffCandidate, from: f64| of.first_pull_below(from).expect("a pull");
@@ -286,14 +287,14 @@ mod tests {
                 let root = 2.0 * 2.0_f64.sqrt() - 2.0;
                 let (factor, x) = at(&parabola, from);
                 near(factor, root);
-                // Newton's method finds the position to the square root of its precision.
+                // The position of a minimum is known to the square root of the machine precision.
                 assert!((x - (3.0 + mirror * root)).abs() < 1e-7, "{x}");
             }
         }
-        // The pressure is not tensile up to λ = 1/2, nor ever if both parts are compressive.
+        // The pressure is not tensile up to λ = 1/2. It is never tensile if both parts are compressive.
         assert_eq!(falling.first_pull_below(0.5), None);
         assert_eq!(between_1_and_5(&[1.0], &[1.0]).first_pull_below(f64::INFINITY), None);
-        // −1 + 2λ is negative below λ = 1/2: at no smaller factor is it compressive.
+        // −1 + 2λ is negative at every factor below λ = 1/2.
         assert_eq!(between_1_and_5(&[-1.0], &[2.0]).first_pull_below(0.25), None);
         // If both parts are tensile, the factor is 0.
         assert_eq!(at(&between_1_and_5(&[-1.0], &[-1.0]), 3.0), (0.0, 1.0));
@@ -329,7 +330,8 @@ mod tests {
         assert_eq!([1.0, f64::INFINITY].map(|factor| nothing.pulled_at(factor)), [None; 2]);
     }
 
-    /// The ends of a part have the exact bits of its own ends, however half its length is rounded.
+    /// Positions at the ends of a part have the bits of these ends, independent of the rounding of half its
+    /// length.
     #[test]
     fn positions_keep_the_ends() {
         let x = [0.2, 0.9];
@@ -367,8 +369,9 @@ mod tests {
         Model::new(Beam::uniform(4.0, 1.0), ground)
     }
 
-    /// w = 1 + x + x² on ground with k = 3, μ = 5: p = 3w − 10. From 1 to 4 w = 9.75 + 9 s + 2.25 s², and the size of the terms
-    /// is 3 (9.75 + 9 + 2.25) and 5/1.5² · 2 · 2.25, and that of the gap and of the load on the ground with them.
+    /// w = 1 + x + x² on ground with k = 3, μ = 5: p = 3w − 10. From 1 to 4, w = 9.75 + 9 s + 2.25 s². The
+    /// sum of the sizes of the terms is 3 (9.75 + 9 + 2.25) + 5/1.5² · 2 · 2.25, plus those of the gap and of
+    /// the load on the ground.
     #[test]
     fn the_pressure_on_a_part_of_a_cell_and_its_size() {
         let model = on(Foundation::pasternak(3.0, 5.0));
@@ -418,8 +421,8 @@ mod tests {
         assert_eq!(merged(&[1.0], &[1.0 + 17.0 * unit]).len(), 3);
     }
 
-    /// On Winkler ground the pressure is zero at a pin; at a clamp its slope is zero too. This does not hold
-    /// if the height of the ground differs there, or with a shear layer.
+    /// On Winkler ground the pressure is zero at a pin, and its slope is also zero at a clamp. Neither holds
+    /// if the support and the ground have different heights, or on a shear layer.
     #[test]
     fn supports_at_undeformed_ground_are_roots_of_the_pressure() {
         let roots = |model: &Model, x: [f64; 2]| {
@@ -457,8 +460,8 @@ mod tests {
         assert_eq!(roots(&layer, left), []);
     }
 
-    /// The forces under the ends of a beam on ground with √(kμ) = 6 and μ = 9 are √(kμ) w ∓ μ w′. The size of
-    /// their terms is 6 |c| for each coefficient and j μ/half more for that of sʲ.
+    /// The forces under the ends of a beam on ground with √(kμ) = 6 and μ = 9 are √(kμ) w ∓ μ w′. The sizes
+    /// of the terms are 6 |c| for each coefficient, plus j |c| μ/half for the coefficient c of sʲ.
     #[test]
     fn forces_under_the_ends_and_their_sizes() {
         // w = 3 + x = 5 + 2 s.
@@ -473,9 +476,9 @@ mod tests {
         assert_eq!(forces_of(&found(&on(Foundation::winkler(4.0)), &[], &[1.0])).len(), 0);
     }
 
-    /// A corner of the ground carries a force from the gap, together with the constant loads, and none with
-    /// the increasing loads. The same holds with the roles exchanged. The corner opens by g₀′ = 1 after 0:
-    /// its force is μ.
+    /// The deflection under the constant loads has a force at a corner of the gap; the deflection under the
+    /// increasing loads has none. The same holds with the roles exchanged. At the corner g₀′ jumps from 0 to
+    /// 1, so its force is μ.
     #[test]
     fn forces_of_one_deflection_alone() {
         let even = on(Foundation::pasternak(4.0, 9.0));

@@ -3,14 +3,15 @@
 //! Some loads are constant, D; the others increase, λG. Both factors follow in closed form.
 //!
 //! * *First lift-off.* With contact along the whole length the problem is linear: pressure and concentrated
-//!   forces are p_D + λ p_G, with the initial gap in p_D (`bonded.rs`). Full contact holds exactly while none
-//!   of them is negative: they are then the multiplier of the contact problem, whose solution is unique. The
-//!   minimum of p_D + λ p_G over the beam is a concave function of λ. So the factors without tensile pressure
-//!   form an interval, and Newton's method from above decreases to its upper end without passing it
-//!   (`LiftOffCandidate`). With one-way supports the problem is piecewise linear (`one_way.rs`).
-//! * *Loss of equilibrium.* Each free rigid motion must cost work
-//!   ([`existence`](crate::existence)), and the work of the loads is linear in λ: the factor is
-//!   the first root of a few linear functions.
+//!   forces are p_D + λ p_G, with the initial gap in p_D (`bonded.rs`). The beam is in full contact if and
+//!   only if none of them is negative: they are then the multiplier of the contact problem, whose solution is
+//!   unique. The minimum of p_D + λ p_G over the beam is a concave function of λ. So the factors without
+//!   tensile pressure form an interval. Newton's method from above decreases to the upper end of this
+//!   interval without passing it (`LiftOffCandidate`). With one-way supports the problem is piecewise linear
+//!   (`one_way.rs`).
+//! * *Loss of equilibrium.* The loads must do negative work in each free rigid motion
+//!   ([`existence`](crate::existence)). This work is linear in λ, so the factor is the first root of a few
+//!   linear functions.
 
 mod bonded;
 pub(crate) mod one_way;
@@ -86,13 +87,13 @@ fn factors(
     let model = &*model.on_given_ground();
     let convexity = convexity(model, &options.cancel);
     supported::check(model, Way::LoadFactors, convexity.is_none())?;
-    // `None` only if the table does not refuse the model. A stability of zero then makes the certificate
-    // fail.
+    // The energy is convex for every model that the table accepts. If it were not, a stability of zero would
+    // make the certificate fail.
     let stability = convexity.unwrap_or(0.0);
     let exact = Options { method: Method::Exact, ..options.clone() };
     size::check(model, &exact)?;
     let parts = Parts::of(model, grows);
-    // A part without loads on a long stretch has more elements than the whole model.
+    // A model with only a part of the loads may have more elements than the whole model.
     for part in [parts.staying(), parts.growing()] {
         size::check(&part, &exact)?;
     }
@@ -234,14 +235,15 @@ mod tests {
 
     #[test]
     fn a_pressure_that_is_zero_at_an_end_is_no_pull() {
-        // On Winkler ground a triangular load has a triangular pressure, which is zero at one end.
+        // On Winkler ground a triangular load causes a triangular pressure, which is zero at one end.
         for (start, end) in [(0.0, 2.0), (2.0, 0.0)] {
             for (l, ei) in [(1.0, 1.0), (7.3, 1e-3), (0.1, 1e6)] {
                 let triangle = Load::distributed_force(0.0, l, start, end);
                 let model =
                     Model::new(Beam::uniform(l, ei), Foundation::winkler(3.0)).with_load(triangle);
                 assert_eq!(all(&model).first_lift_off, FirstLiftOff::Never, "{l} {ei}");
-                // More of this load changes nothing; −1 times it lifts the whole beam.
+                // A larger factor on the same load never lifts the beam. The load times −1 lifts the whole
+                // beam.
                 let less = model.clone().with_load(triangle.scaled(-0.25));
                 near(lift_off(last(&less)).0, 4.0, 1e-12);
                 near(loss(last(&less)), 4.0, 1e-14);
@@ -270,7 +272,7 @@ mod tests {
         };
         assert!(slope(factor).abs() < 1e-14 * slope(0.0).abs(), "{:e}", slope(factor));
         assert_eq!(last(&model).loss_of_equilibrium, LossOfEquilibrium::Never);
-        // A clamp prevents rotation; then the curvature decides.
+        // A clamp prevents rotation, so the curvature of the pressure decides.
         let mut clamped = model.clone();
         clamped.supports[0] = Support::fixed(0.0);
         clamped.loads[1] = Load::point_force(0.5, -1.0);
@@ -290,8 +292,8 @@ mod tests {
         assert_eq!((motion.left, motion.right), (-1.0, 0.0));
         near(motion.work, 0.1, 1e-14);
         assert_eq!(found.first_lift_off, FirstLiftOff::AtOnce);
-        // Tension resists rotation: an equilibrium exists, and under a larger moment with contact on part of
-        // the length.
+        // Tension resists rotation: an equilibrium exists for every moment. Under a larger moment the beam is
+        // in contact on part of its length.
         let mut tied = held;
         tied.beam.axial_force = 2.0;
         assert_eq!(last(&tied).loss_of_equilibrium, LossOfEquilibrium::Never);
@@ -353,7 +355,8 @@ mod tests {
         assert!(matches!(load_factors(&pushed, |_| true), Err(Error::Unsupported(_))));
     }
 
-    /// Both static reactions of a uniform load vanish at one factor: the first of the two motions is named.
+    /// Both static reactions of a uniform load vanish at the same factor. The result names the first of the
+    /// two motions.
     #[test]
     fn of_two_motions_lost_together_the_first_is_named() {
         let model =
@@ -365,8 +368,9 @@ mod tests {
         assert_eq!(motion.work.to_bits(), 0);
     }
 
-    /// The right piece has no load and may lift without work, so the left piece decides. It is in equilibrium
-    /// up to the factor at which the load at its left end becomes zero: ql/4 for q on [0, l/2].
+    /// The right piece has no load and may lift without work, so the left piece decides. The left piece is in
+    /// equilibrium up to the factor at which the reaction at its left end becomes zero: ql/4 for q on [0,
+    /// l/2].
     #[test]
     fn a_piece_that_is_never_loaded_does_not_decide() {
         for q in [0.125, 1.0, 8.0, 64.0] {

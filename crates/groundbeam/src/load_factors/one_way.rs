@@ -4,9 +4,10 @@
 //! active supports, the force of each active support and the clearance of each inactive one are linear in λ.
 //! Together they form a linear complementarity problem with a positive definite matrix, because the ground
 //! alone supports the beam. Murty's principal pivoting finds the supports that are active just beyond a
-//! factor: the first support that violates its condition, at the factor or else by its rate, changes (K. G.
-//! Murty, *Note on a Bard-type scheme for solving the complementarity problem*, Opsearch 11 (1974) 123–130).
-//! This set is valid until the first of these numbers becomes zero, where the next range begins.
+//! factor. In each step, the first support changes that violates its condition, at the factor or, if its
+//! margin is zero there, by its rate (K. G. Murty, *Note on a Bard-type scheme for solving the
+//! complementarity problem*, Opsearch 11 (1974) 123–130). This set is valid up to the factor at which the
+//! first force or clearance becomes zero. There the next range begins.
 
 use crate::cancel::Cancel;
 use crate::contact::state::ContactState;
@@ -24,18 +25,17 @@ use crate::solution::certificate::Certificate;
 /// Maximum number of ranges, and of changes of supports at the beginning of one.
 const MOST_PIECES: usize = 200;
 const MOST_CHANGES: usize = 2000;
-/// Tolerance for zero of a force, relative to all forces and loads, and of a clearance, relative to the
-/// deflections: the accuracy of the factor at which a range begins.
+/// Tolerance below which a force is zero, relative to all forces and loads, or a clearance, relative to the
+/// deflections. It is the accuracy of the factor at which a range begins.
 const ZERO: f64 = 1e-11;
 
 /// At the loss of equilibrium no certificate exists, because nothing supports the beam. The fields are
 /// computed at this fraction of the factor.
 const NEARLY: f64 = 1.0 - 1e-6;
 
-/// A range of factors from `from` on with the same active supports.
+/// A range of factors with the same active supports.
 struct FactorRange {
-    /// The model at the first factor of the range, the fields there and their rates, with the active
-    /// supports.
+    /// The deflection at the first factor of the range, and its rate, both on the active supports.
     staying: ContactState,
     growing: ContactState,
     /// The length of the range of factors, and the support whose condition fails at its end.
@@ -69,8 +69,8 @@ pub(crate) fn first_lift_off(
             (least, found) = (growth, Some(x));
         }
         if let Some(x) = found {
-            // A beam in equilibrium under compressive pressure has a pressure; only rounding can contradict
-            // this.
+            // The beam cannot lift off beyond the factor of the loss of equilibrium, except by rounding
+            // error.
             let factor = (from + least).min(loss);
             prove(parts, factor.min(NEARLY * loss), &acts, stability, cancel)?;
             return Ok(FirstLiftOff::At { factor, x });
@@ -85,8 +85,8 @@ pub(crate) fn first_lift_off(
 }
 
 impl FactorRange {
-    /// The range that begins at a factor, from the active supports of the range before. The support in
-    /// `ended` has reached zero, whatever rounding shows.
+    /// The range that begins at a factor, from the active supports of the previous range. The margin of the
+    /// support in `ended` counts as zero in spite of rounding error.
     fn beginning(
         parts: &Parts,
         factor: f64,
@@ -152,8 +152,8 @@ impl Room {
     }
 }
 
-/// Checks the certificate of the fields at the factor: the beam is in contact along its whole length up to
-/// there.
+/// Checks the certificate of the fields at the factor. It shows that the beam is in contact along its whole
+/// length up to this factor.
 fn prove(
     parts: &Parts,
     factor: f64,
@@ -185,7 +185,7 @@ mod tests {
 
     const LENGTH: f64 = 2.0;
     const WEIGHT: f64 = 6.0;
-    /// A beam so stiff that the formulas for a rigid one hold to 10⁻⁶.
+    /// Bending stiffness with which the formulas for a rigid beam hold to 10⁻⁶.
     const RIGID: f64 = 1e8;
 
     /// A beam of length 2 under q = 3 on Winkler ground with k = 5: w = 0.6.
@@ -208,7 +208,7 @@ mod tests {
         model.supports = supports.to_vec();
         let found = load_factors(&model, |load| load == 1).expect("factors");
         assert_eq!(found.loss_of_equilibrium, LossOfEquilibrium::Never);
-        // The same for the mirrored model.
+        // The mirrored model has the mirrored result.
         let mirrored = load_factors(&model.mirrored(), |load| load == 1).expect("factors");
         match (found.first_lift_off, mirrored.first_lift_off) {
             (FirstLiftOff::At { factor, x }, FirstLiftOff::At { factor: other, x: y }) => {
@@ -232,8 +232,9 @@ mod tests {
         assert_eq!(x, 0.0);
     }
 
-    /// A force F at the right end lowers that end by 4F/(kl) and raises the left one by 2F/(kl). The left end
-    /// lifts off at F = ql/2, with a bearing at depth δ under it at F = (q − kδ) l/2, which is earlier.
+    /// A force F at the right end lowers that end by 4F/(kl) and raises the left end by 2F/(kl). The left end
+    /// lifts off at F = ql/2. With a bearing at depth δ under it, it leaves the bearing earlier, at F = (q −
+    /// kδ) l/2.
     #[test]
     fn a_bearing_that_is_left_does_not_change_what_follows() {
         for supports in [
@@ -248,8 +249,8 @@ mod tests {
         }
     }
 
-    /// The strap allows the left end to rise up to δ. From then on it holds this end, and the bearing under
-    /// the right end carries the force alone.
+    /// The strap allows the left end to rise to δ. Then the strap holds this end, and only the bearing under
+    /// the right end carries the increase of the force.
     #[test]
     fn a_support_that_is_met_may_hold_the_beam_down() {
         for supports in [
@@ -263,8 +264,8 @@ mod tests {
         }
     }
 
-    /// A support that touches the beam initially carries no force at factor 0. The rate decides then: the
-    /// beam presses on it, or leaves it.
+    /// A support that touches the beam initially carries no force at factor 0. The rate decides whether the
+    /// beam presses on the support or leaves it.
     #[test]
     fn a_support_that_just_touches_acts_by_its_rate() {
         let free = lift_off(1e3, &[]);
@@ -277,18 +278,18 @@ mod tests {
         }
     }
 
-    /// The beam meets a bearing at depth δ under the middle, where w = 0.6 + F/(kl), at F = kδl − ql. Then it
-    /// rotates about the bearing, by 6F/(kl²): the left end lifts off at F = kδl/3.
+    /// Under the middle, w = 0.6 + F/(kl). The beam meets a bearing there at depth δ at F = kδl − ql. Then it
+    /// rotates about the bearing by 6F/(kl²), and the left end lifts off at F = kδl/3.
     #[test]
     fn a_support_that_is_met_may_lift_the_beam_off_earlier() {
         for (down, at) in [(0.7, 7.0 / 3.0), (0.8, 8.0 / 3.0), (0.85, 8.5 / 3.0)] {
             let middle = bearing(0.5 * LENGTH, down);
             leaves_the_left_end(lift_off(RIGID, &[middle]), at);
-            // It leaves the bearing under the left end earlier, at F = (0.6 − 0.58) kl/2.
+            // The beam leaves the bearing under the left end earlier, at F = (0.6 − 0.58) kl/2.
             leaves_the_left_end(lift_off(RIGID, &[bearing(0.0, 0.58), middle]), at);
             leaves_the_left_end(lift_off(RIGID, &[middle, bearing(0.0, 0.58)]), at);
         }
-        // The beam would meet it at F = ql/2 + 0.1 only, which is too late.
+        // The beam would meet the bearing only at F = ql/2 + 0.1, after the first lift-off.
         leaves_the_left_end(lift_off(RIGID, &[bearing(0.5 * LENGTH, 0.91)]), 0.5 * WEIGHT);
     }
 
@@ -341,7 +342,7 @@ mod tests {
             panic!("it pulls")
         };
         assert!(found.why.reached() > found.why.tolerance());
-        // Below F = 1 the bearing carries; beyond, it does not hold the beam.
+        // Below F = 1 the bearing carries a force. Beyond it, the bearing cannot hold the beam.
         assert_eq!(proves(0.9, true), Ok(()));
         assert!(proves(0.9, false).is_err() && proves(1.1, true).is_err());
     }

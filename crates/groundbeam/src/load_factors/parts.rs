@@ -1,4 +1,4 @@
-//! The loads split into constant and increasing ones.
+//! The loads split into constant loads and increasing loads.
 
 use crate::existence::existence::{existence, rays};
 use crate::existence::verdict::{RigidMotion, Verdict};
@@ -9,24 +9,25 @@ use crate::model::{Load, Model};
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(tag = "when", rename_all = "kebab-case"))]
 pub enum FirstLiftOff {
-    /// At every factor, however small, the beam is not in contact along its whole length. Without constant
-    /// loads and without a gap the fields are proportional to the factor, so only this and [`Self::Never`]
-    /// are possible.
+    /// At every factor, however small, a part of the beam is out of contact. Without constant loads and
+    /// without a gap the fields are proportional to the factor, so only this variant and [`Self::Never`] are
+    /// possible.
     AtOnce,
     /// The beam is in contact along its whole length up to this factor, and not beyond.
     #[cfg_attr(feature = "serde", serde(rename = "at-factor"))]
     At {
         /// λ > 0.
         factor: f64,
-        /// The position at which the pressure or the concentrated force is then zero \[m\].
+        /// The position at which the pressure or a concentrated force is zero at this factor \[m\].
         x: f64,
     },
     /// The beam is in contact along its whole length at every factor.
     Never,
 }
 
-/// A model under the constant loads, and one under the increasing loads. Both have all positions of the whole
-/// model, and so the same cells. The gap and the settlements of supports belong to the constant loads.
+/// A model whose loads are split into constant and increasing ones. The models under each part keep all
+/// positions of the whole model, and so have the same cells. The gap and the settlements of supports belong
+/// to the constant loads.
 pub(crate) struct Parts<'a> {
     pub model: &'a Model,
     pub grows: Vec<bool>,
@@ -37,7 +38,7 @@ impl<'a> Parts<'a> {
         Parts { model, grows: (0..model.loads.len()).map(grows).collect() }
     }
 
-    /// The whole model with the increasing loads at a factor.
+    /// The whole model, with the increasing loads multiplied by a factor.
     pub fn at(&self, factor: f64) -> Model {
         let mut model = self.model.clone();
         model.loads = self.loads(|grows| if grows { factor } else { 1.0 });
@@ -85,7 +86,8 @@ impl<'a> Parts<'a> {
                     LossOfEquilibrium::At { factor, motion: RigidMotion { work: 0.0, ..motion } };
             }
         }
-        // If no motion ever costs work, the forces under the ends decide.
+        // If the loads do no work in a motion at any factor, concentrated forces under the nodes decide: a
+        // shear layer or a support must carry them.
         let within = if least.is_finite() { 0.5 * least } else { 1.0 };
         match existence(&self.at(within)).verdict {
             Verdict::None(motion) if undecided => LossOfEquilibrium::AtOnce(motion),
@@ -97,9 +99,9 @@ impl<'a> Parts<'a> {
 /// The factor beyond which no equilibrium exists.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum LossOfEquilibrium {
-    /// No equilibrium exists at any factor, however small: the motion never presses on the ground and the
-    /// loads do positive work in it. The work is that of the constant loads or, where these do none, of the
-    /// increasing loads at factor 1.
+    /// No equilibrium exists at any factor, however small: the motion never presses on the ground, and the
+    /// loads do positive work in it. The work is that of the constant loads. If this is zero, it is that of
+    /// the increasing loads at factor 1.
     AtOnce(RigidMotion),
     /// An equilibrium exists for every smaller factor, and for none slightly larger.
     At {

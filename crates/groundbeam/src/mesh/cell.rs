@@ -55,8 +55,8 @@ pub(crate) struct Varies<R = f64> {
 /// Number of coefficients of k(s) and μ(s).
 pub(crate) const GROUND: usize = Foundation::MOST_CONTROL_VALUES;
 
-/// Radius around a cell's middle, in half lengths, in which EI and μ have no complex zero. The series of
-/// their reciprocals then converge like the powers of 1/`FREE`.
+/// Radius of a circle around a cell's middle, in half lengths, inside which EI and μ must have no complex
+/// zero. The series of their reciprocals then converge like the powers of 1/`FREE`.
 const FREE: f64 = 10.0;
 
 impl<R: Real> Cell<R> {
@@ -87,7 +87,7 @@ impl<R: Real> Cell<R> {
         self.ground_load != [R::ZERO; 2] || self.homogeneous_field != [R::ZERO; 2]
     }
 
-    /// The length of the cell in decay lengths of the ground, b·length.
+    /// The length of the cell in decay lengths of the ground: b times the length, b = √(k/μ).
     fn fading(&self) -> R {
         (self.subgrade / self.shear_layer).sqrt() * self.length()
     }
@@ -141,7 +141,7 @@ impl<R: Real> Cell<R> {
         spring.iter().chain(shear).any(|c| *c != 0.0)
     }
 
-    /// Whether this and another cell have the same ground, constant in both.
+    /// Whether two cells have the same constant ground.
     pub fn shares_even_ground(&self, other: &Cell<R>) -> bool {
         self.subgrade == other.subgrade
             && self.shear_layer == other.shear_layer
@@ -293,7 +293,7 @@ impl<R: Real> Cell<R> {
     /// The coordinate s ∈ \[−1, 1\] of a position x.
     pub fn local(&self, x: f64) -> f64 {
         let [from, to] = self.x;
-        // Measured from the nearer end, so that both ends map to ±1 exactly.
+        // The distance is measured from the nearer end, so that both ends map exactly to ±1.
         let s = if x - from <= to - x {
             2.0 * ((x - from) / (to - from)) - 1.0
         } else {

@@ -97,7 +97,7 @@ impl<R: Real> Deflection<'_, R> {
 
 impl Deflection<'_> {
     /// Whether a zone is one point at which a rigid support holds the beam on the ground. The support carries
-    /// the load there, so the sign of a rounding error must not make it a contact.
+    /// the load there, so a rounding error of the ground's force must not count as contact.
     pub fn is_held(&self, zone: &MeshZone) -> bool {
         let BeamPoint { cell, s } = zone.from;
         zone.from == zone.to && s.abs() == 1.0 && self.held_zeros(cell)[usize::from(s > 0.0)] > 0

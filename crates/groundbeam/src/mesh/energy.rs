@@ -24,7 +24,7 @@ impl<R: Real> Motion<'_, R> {
         &self.deflection[cell * self.terms..(cell + 1) * self.terms]
     }
 
-    /// The rotation in a cell; `None` if the beam has no shear deformation.
+    /// The coefficients of the rotation in a cell; `None` if the beam has no shear deformation.
     fn rotation(&self, cell: usize) -> Option<&[R]> {
         self.rotation.get(cell * self.terms..(cell + 1) * self.terms)
     }

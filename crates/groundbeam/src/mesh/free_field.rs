@@ -59,8 +59,8 @@ pub(crate) struct Line<'a, R = f64> {
     pub loads: &'a [GroundLoad<R>],
 }
 
-/// The forces at both ends of a strip that is held there: ∫q φ, where φ is the settlement of unloaded ground that is 1
-/// at one end and 0 at the other.
+/// The forces at both ends of a strip whose ends are held: ∫q φ, where φ is the settlement of unloaded ground
+/// that is 1 at one end and 0 at the other.
 fn carried<R: Real>(strip: &Strip<R>, link: &TwoPort<R>) -> [R; 2] {
     let stiffness = (strip.spring * strip.shear).sqrt();
     let z = (strip.spring / strip.shear).sqrt() * (strip.x[1] - strip.x[0]);
@@ -93,8 +93,8 @@ pub(crate) fn settle<R: Real>(line: &Line<R>, cells: &mut [Cell<R>]) {
     }
 }
 
-/// Work of the loads on the ground, ∫q u₀ plus point forces, over the whole line. The same work outside the beam for
-/// ground held at the beam's ends is subtracted.
+/// Work of the loads on the ground, ∫q u₀ plus point forces, over the whole line, minus the work of the loads
+/// outside the beam on ground that is held at the beam's ends.
 pub(crate) fn work_of_loads<R: Real>(line: &Line<R>, cells: &[Cell<R>]) -> R {
     let [(mut strips, held_left), (right, held_right)] =
         [false, true].map(|right| beside(line, right));
@@ -313,7 +313,7 @@ fn chain<R: Real>(line: &Line<R>, strips: &[Strip<R>], held: [bool; 2]) -> Vec<R
             force[node] += load;
         }
     }
-    // The ground on the left of each node, condensed to one spring and one force.
+    // Condenses the ground on the left of each node to one spring and one force.
     for i in 0..n {
         let (spring, c) = (own[i], series[i]);
         if c.value() > 0.0 {

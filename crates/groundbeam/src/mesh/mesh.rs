@@ -66,8 +66,8 @@ impl<R: Real> Mesh<R> {
 }
 
 impl Mesh {
-    /// A mesh of the required nodes and those in `more`. Every interval between them is cut into `parts`
-    /// equal cells.
+    /// A mesh with the required nodes and the nodes in `more`. Every interval between them is cut into
+    /// `parts` equal cells.
     pub fn build(model: &Model, more: &[f64], parts: impl Fn(&Cell) -> usize) -> Self {
         Self::cut(model, more, |cell, x| x.extend(cell.cuts(parts(cell))))
     }
@@ -147,7 +147,7 @@ impl Mesh {
             match load.action {
                 Action::Force => self.nodes[i].force += size,
                 Action::Moment => self.nodes[i].moment += size,
-                // Curvature is a distributed load only.
+                // A curvature is always distributed.
                 Action::Curvature => {}
             }
         }
@@ -330,7 +330,8 @@ fn load_ground(model: &Model, cells: &mut [Cell]) {
                 }
             }
             Extent::Point { at, size: force } => {
-                // The node inside the beam that is nearest to the force; of two equally near ones, the left one.
+                // The node inside the beam that is nearest to the force. Of two equally near nodes, the left
+                // one is taken.
                 let right = cells.partition_point(|cell| cell.x[0] < at).max(1);
                 let distance =
                     |i: usize| cells.get(i).map_or(f64::INFINITY, |c| (c.x[0] - at).abs());

@@ -10,8 +10,8 @@ pub struct Beam {
     /// Bending stiffness EI \[N·m²\] outside the segments, positive.
     pub bending_stiffness: f64,
     /// Shear stiffness S = κGA \[N\] outside the segments, positive. `None`: sections stay normal to the axis
-    /// (Euler–Bernoulli). Otherwise they rotate by φ and the beam has the shear strain w' − φ = Q/S
-    /// (Timoshenko).
+    /// (Euler–Bernoulli). With a value, the sections rotate by φ and the beam has the shear strain w' − φ =
+    /// Q/S (Timoshenko).
     pub shear_stiffness: Option<f64>,
     /// Stretches with other stiffnesses. They may adjoin, but not overlap.
     pub segments: Vec<BeamSegment>,
@@ -33,7 +33,7 @@ pub struct BeamSegment {
 }
 
 impl Beam {
-    /// A uniform beam without axial force that does not shear.
+    /// A uniform beam without axial force and without shear deformation.
     pub fn uniform(length: f64, bending_stiffness: f64) -> Self {
         Beam {
             length,
@@ -110,13 +110,13 @@ impl Beam {
         segment.map_or(self.bending_stiffness, |s| s.bending_stiffness_at(x))
     }
 
-    /// Whether the beam shears anywhere.
+    /// Whether the beam has shear deformation anywhere.
     pub fn shears(&self) -> bool {
         self.shear_stiffness.is_some() || self.segments.iter().any(|s| s.shear_stiffness.is_some())
     }
 
-    /// Shear stiffness S \[N\] at `x`, `None` where the beam does not shear; at a joint of two segments, that
-    /// of the right one.
+    /// Shear stiffness S \[N\] at `x`, `None` where the beam has no shear deformation; at a joint of two
+    /// segments, that of the right one.
     pub fn shear_stiffness_at(&self, x: f64) -> Option<f64> {
         let segment = self.segments.iter().find(|s| s.from <= x && x < s.to);
         let own = segment.and_then(|s| Some(s.shear_stiffness?.at_position([s.from, s.to], x)));

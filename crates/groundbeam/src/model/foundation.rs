@@ -15,13 +15,13 @@ pub struct Foundation {
     /// Shear constant μ \[N\], not negative.
     pub shear_layer: f64,
     /// Stretches with other constants, under the beam and outside it. They may adjoin, but not overlap.
-    /// Outside the beam each continues outward until another one begins.
+    /// Outside the beam each segment continues outward until the next one begins.
     pub segments: Vec<FoundationSegment>,
     /// How the ground ends on the left and on the right.
     pub ends: [GroundEnd; 2],
     /// The soil from which k and μ follow; `None` if they are given. A solve on soil sets `subgrade` and
-    /// `shear_layer`: for the modified Vlasov model from its own solution, otherwise from the method. Such
-    /// ground is uniform and infinite.
+    /// `shear_layer`. For the modified Vlasov model they follow from the solution, otherwise from the soil
+    /// data alone. Such ground is uniform and infinite.
     pub soil: Option<SoilModel>,
 }
 
@@ -53,7 +53,7 @@ impl Foundation {
         Self::pasternak(spring, 0.0)
     }
 
-    /// Uniform ground made of soil, with the constants for this beam before the solve.
+    /// Uniform ground defined by soil data, with the constants for this beam before the solve.
     pub fn on_soil(soil: SoilModel, beam: &Beam) -> Self {
         let GroundConstants { subgrade: spring, shear_layer: shear } = soil.subgrade(beam);
         Foundation { soil: Some(soil), ..Self::pasternak(spring, shear) }
@@ -142,15 +142,15 @@ impl FoundationSegment {
 /// The end of the ground outside one end of the beam.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum GroundEnd {
-    /// It is infinite.
+    /// The ground is infinite.
     #[default]
     Endless,
-    /// Its surface ends at `at` \[m\] and is free there, as beside a trench: μu' = 0.
+    /// The surface of the ground ends at `at` \[m\] and is free there, as beside a trench: μu' = 0.
     Free {
         /// Position \[m\], at the beam's end or outside it.
         at: f64,
     },
-    /// Its surface is held at `at` \[m\], as by a wall: u = 0.
+    /// The surface of the ground is held at `at` \[m\], as by a wall: u = 0.
     Held {
         /// Position \[m\], outside the beam.
         at: f64,

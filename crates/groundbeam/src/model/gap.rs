@@ -2,7 +2,7 @@
 
 /// One corner of the piecewise linear profile of the initial clearance.
 ///
-/// Between two corners the clearance is linear, beyond the outermost ones constant.
+/// Between two corners the clearance is linear. Beyond the outermost corners it is constant.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct GapPoint {
     /// Position x \[m\]. Corners are listed from left to right.

@@ -23,7 +23,7 @@ impl Hinge {
         Hinge { at, rotational_spring }
     }
 
-    /// Whether it transmits no moment.
+    /// Whether the hinge transmits no moment.
     pub fn is_free(&self) -> bool {
         self.rotational_spring == 0.0
     }

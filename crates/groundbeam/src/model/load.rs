@@ -5,8 +5,8 @@
 pub enum Action {
     /// A force \[N\], or \[N/m\] along a stretch: fᵢ and f(x) of (4.7), or the load on the ground's surface. Positive down.
     Force,
-    /// A moment \[N·m\], or \[N·m/m\] along a stretch: gᵢ and g(x) of (4.7). Positive where it turns the right side down: it
-    /// does the work M₀·w'(x).
+    /// A moment \[N·m\], or \[N·m/m\] along a stretch: gᵢ and g(x) of (4.7). Positive if it rotates the right
+    /// side down: it does the work M₀·w'(x).
     Moment,
     /// An imposed curvature κ₀ \[1/m\]: a temperature gradient, shrinkage or a camber. M = −EI (w″ − κ₀). It
     /// is positive, like w″, if it bends the ends of the beam down. It does no work on rigid motions.
@@ -64,7 +64,7 @@ pub struct Load {
 }
 
 impl Extent {
-    /// Left and right end \[m\]; equal for a point.
+    /// Left and right end \[m\]; equal for a point load.
     pub fn ends(&self) -> [f64; 2] {
         match *self {
             Extent::Point { at, .. } => [at; 2],
@@ -72,7 +72,7 @@ impl Extent {
         }
     }
 
-    /// The size at both ends; equal for a point.
+    /// The size at both ends; equal for a point load.
     pub fn sizes(&self) -> [f64; 2] {
         match *self {
             Extent::Point { size, .. } => [size; 2],
@@ -86,7 +86,8 @@ impl Extent {
         start.abs().max(end.abs())
     }
 
-    /// The integral of the size over the stretch, without its sign. Assumes that the sign is constant.
+    /// The absolute value of the integral of the size over the stretch. It assumes a constant sign of the
+    /// size.
     pub fn total(&self) -> f64 {
         match *self {
             Extent::Point { size, .. } => size.abs(),
@@ -101,7 +102,7 @@ impl Extent {
         match *self {
             Extent::Point { size, .. } => size,
             Extent::Distributed { start, end, .. } if start == end => start,
-            // Each sum has terms of one kind, so that a mirrored load has mirrored bits.
+            // The formula is symmetric in both ends, so that a mirrored load has the same bits.
             Extent::Distributed { from, to, start, end } => {
                 (start * (to - x) + end * (x - from)) / (to - from)
             }
@@ -115,7 +116,7 @@ impl Extent {
         }
     }
 
-    /// Whether it acts along a stretch.
+    /// Whether the load acts along a stretch.
     pub fn is_distributed(&self) -> bool {
         matches!(self, Extent::Distributed { .. })
     }
@@ -198,17 +199,18 @@ impl Load {
         self.action
     }
 
-    /// Its position and size.
+    /// The position and size of the load.
     pub fn extent(&self) -> Extent {
         self.extent
     }
 
-    /// Whether it acts on the ground instead of the beam.
+    /// Whether the load acts on the ground instead of the beam.
     pub fn is_on_ground(&self) -> bool {
         self.on_ground
     }
 
-    /// Its position and size, if it has the given type and acts at a point of the beam.
+    /// Position and size of a point load on the beam; `None` if the load has another type, is distributed or
+    /// acts on the ground.
     pub fn at_point(&self, action: Action) -> Option<(f64, f64)> {
         match self.extent {
             Extent::Point { at, size } if self.action == action && !self.on_ground => {
@@ -218,8 +220,8 @@ impl Load {
         }
     }
 
-    /// Its absolute size as a force \[N\]; a moment is divided by the length. Zero for a curvature, which
-    /// does no work on rigid motions.
+    /// The absolute size of the load as a force \[N\]. A moment is divided by the length. The result is zero
+    /// for a curvature, which does no work on rigid motions.
     pub fn as_force(&self, length: f64) -> f64 {
         match self.action.derivative() {
             0 => self.extent.total(),

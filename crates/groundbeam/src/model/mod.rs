@@ -128,7 +128,7 @@ impl Model {
         beam.map(Part::BeamSegment).or(below.map(Part::FoundationSegment))
     }
 
-    /// The same model on ground of these constants.
+    /// The same model on ground with these constants.
     pub(crate) fn on_ground(&self, ground: GroundConstants) -> Self {
         let foundation = Foundation::pasternak(ground.subgrade, ground.shear_layer);
         Model { foundation, ..self.clone() }

@@ -7,7 +7,7 @@ use crate::numeric::real::Real;
 /// A stretch of ground with constant k and μ > 0 outside the beam.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct OutsideLayer<R = f64> {
-    /// Its length \[m\]; infinite for the last stretch of infinite ground.
+    /// Length \[m\]; infinite for the last stretch of infinite ground.
     pub length: f64,
     /// k \[N/m²\].
     pub subgrade: R,
@@ -35,7 +35,7 @@ impl Foundation {
         self.beyond_with(right, l, at_end, own)
     }
 
-    /// The same from numbers of any kind: `own` gives k and μ of a segment.
+    /// As [`Self::beyond`], for any number type: `own` gives k and μ of a segment.
     pub(crate) fn beyond_with<R: Real>(
         &self,
         right: bool,
@@ -52,7 +52,8 @@ impl Foundation {
         for (i, segment) in self.segments.iter().enumerate() {
             let (near, far) =
                 if right { (segment.from, segment.to) } else { (segment.to, segment.from) };
-            // Ground that reaches under the beam continues the constants at its end.
+            // A segment that reaches under the beam gives the constants at the beam's end, which are already
+            // in the list.
             if outward(near) >= 0.0 && outward(far) > 0.0 {
                 let [spring, shear] = own(i);
                 stretches.push((outward(near), spring, shear));

@@ -1,4 +1,4 @@
-//! A part of a model: the beam between two positions, with the ground as it is.
+//! A part of a model: the beam between two positions, with the ground unchanged.
 
 use super::foundation::GroundEnd;
 use super::{Extent, FoundationSegment, GapPoint, Hinge, Load, Model, Support};
@@ -6,8 +6,8 @@ use crate::model::beam::BeamSegment;
 
 impl Model {
     /// The part of the model between `from` and `to`, with x measured from `from`. Segments and loads are
-    /// shifted but not cut: a mesh ignores what lies outside the part. The caller ensures that no load on the
-    /// beam lies outside.
+    /// shifted but not cut, because a mesh ignores everything outside the part. The caller ensures that no
+    /// load on the beam lies outside.
     pub(crate) fn part(&self, [from, to]: [f64; 2]) -> Model {
         let shift = |x: f64| x - from;
         let mut part = self.clone();

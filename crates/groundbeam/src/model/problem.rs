@@ -1,4 +1,4 @@
-//! A fault of a model: the part, what is wrong, and the remedy.
+//! A fault of a model: the part, the fault as text, and the remedy.
 
 use super::Profile;
 use std::fmt;
@@ -26,8 +26,8 @@ pub enum Part {
 
 /// One violation of the rules of a model.
 ///
-/// Positions are in `numbers`, so that the caller can choose their unit. They stand in `message` and `hint`
-/// as `{0}`, `{1}`, …; [`Problem::fill`] inserts them.
+/// Positions are stored in `numbers`, so that the caller can choose their unit. `message` and `hint` refer to
+/// them as `{0}`, `{1}`, …; [`Problem::fill`] inserts them.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Problem {
     /// A fixed code, one for each rule, such as `GB101`.
@@ -36,7 +36,7 @@ pub struct Problem {
     pub part: Part,
     /// The field of that part, as the model names it: `length`, `at`, `from`, `spring`, …
     pub field: &'static str,
-    /// What is wrong.
+    /// The fault as text.
     pub message: String,
     /// The remedy.
     pub hint: String,
@@ -60,7 +60,7 @@ impl Problem {
         self
     }
 
-    /// `text` with `{0}`, `{1}`, … replaced by the numbers, each written by `write`.
+    /// Replaces `{0}`, `{1}`, … in `text` by the numbers. `write` formats each number.
     pub fn fill(&self, text: &str, write: impl Fn(f64) -> String) -> String {
         let mut filled = text.to_owned();
         for (i, &number) in self.numbers.iter().enumerate() {
@@ -85,7 +85,7 @@ impl fmt::Display for Problem {
     }
 }
 
-/// Whether the number's squares and cubes are in the range of a double.
+/// Whether the squares and cubes of a number are in the range of a double.
 pub(crate) fn in_range(value: f64) -> bool {
     value == 0.0 || (value.is_finite() && (1e-60..=1e60).contains(&value.abs()))
 }
@@ -100,7 +100,7 @@ pub(crate) fn describe(value: f64) -> String {
     } else if value == 0.0 {
         "zero".into()
     } else {
-        format!("{value:e}, beyond what can be computed with")
+        format!("{value:e}, outside the range of computable numbers")
     }
 }
 
@@ -128,7 +128,7 @@ pub(crate) fn positive(
     }
 }
 
-/// The control values must be positive; then all values between them are positive too.
+/// Requires positive control values. Then the profile is positive everywhere.
 pub(crate) fn positive_along(
     found: &mut Vec<Problem>,
     code: &'static str,
@@ -151,7 +151,7 @@ pub(crate) fn finite(found: &mut Vec<Problem>, part: Part, field: &'static str, 
     }
 }
 
-/// A load on the ground must act downward.
+/// Requires that a load on the ground acts downward.
 pub(crate) fn down(found: &mut Vec<Problem>, part: Part, field: &'static str, value: f64) {
     finite(found, part, field, value);
     if value < 0.0 {

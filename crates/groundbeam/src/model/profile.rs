@@ -2,11 +2,11 @@
 //!
 //! A polynomial of degree n is given by n + 1 control values (its Bernstein coefficients, those of a Bézier
 //! curve). The first and the last are its values at the segment's ends. The polynomial lies between the
-//! smallest and the largest control value, so positive control values make a positive quantity, without
-//! sampling. Mirroring reverses their order. The control values of a part of the curve are sums of given ones
-//! with positive weights.
+//! smallest and the largest control value, so positive control values are sufficient for a positive quantity.
+//! Mirroring reverses their order. The control values of a part of the curve are sums of given ones with
+//! positive weights.
 
-/// A quantity along a segment from its left end to its right one.
+/// A quantity along a segment, from the left end to the right end.
 ///
 /// ```
 /// use groundbeam::model::Profile;
@@ -24,7 +24,7 @@ pub struct Profile {
 }
 
 impl Profile {
-    /// Maximum number of control values: E, width and depth may all be linear, E b d³/12.
+    /// Maximum number of control values: six for E b d³/12 with linear E, width b and depth d.
     pub const MOST: usize = 6;
 
     /// A constant quantity.
@@ -152,7 +152,7 @@ impl Profile {
         CellPolynomial { coefficients, ends: [values[0], values[degree]], bounds }
     }
 
-    /// The control values between two places; each place is given by its weights of both ends.
+    /// The control values of the part between two places. Each place is given by its weights for both ends.
     fn between(&self, a: [f64; 2], b: [f64; 2]) -> [f64; Self::MOST] {
         let degree = self.count - 1;
         let mut values = [0.0; Self::MOST];
@@ -200,8 +200,8 @@ impl CellPolynomial {
     }
 }
 
-/// The weights of the right and of the left end at x: its distances from the other end, as fractions of the
-/// length.
+/// The weights of both ends in a linear interpolation at x: the distance of x from one end, as a fraction of
+/// the length, is the weight of the other end.
 fn weights([from, to]: [f64; 2], x: f64) -> [f64; 2] {
     let length = to - from;
     [(to - x) / length, (x - from) / length]

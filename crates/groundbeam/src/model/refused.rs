@@ -19,14 +19,14 @@ pub(crate) const NODAL_FORCES_ON_SPRINGS: Refusal = Refusal {
 
 pub(crate) const NODAL_WITH_SUPPORTS: Refusal = Refusal {
     code: "GB604",
-    message: "the nodal method does not support supports of the beam",
+    message: "the nodal method does not support beams with supports",
     hint: "use the method `exact` or `active-set`",
 };
 
 pub(crate) const NODAL_WHERE_IT_VARIES: Refusal = Refusal {
     code: "GB605",
     message: "the nodal method does not support data that vary along a segment",
-    hint: "use the method `exact` or `active-set`, or many segments with a constant each",
+    hint: "use the method `exact` or `active-set`, or many segments with constant values",
 };
 
 pub(crate) const NODAL_WITH_HINGES: Refusal = Refusal {
@@ -43,7 +43,7 @@ pub(crate) const ITERATION_WITH_HINGES: Refusal = Refusal {
 
 pub(crate) const ONLY_EXACTLY: Refusal = Refusal {
     code: "GB609",
-    message: "loads on the ground are solved by the methods `exact` and `active-set` alone",
+    message: "only the methods `exact` and `active-set` solve loads on the ground",
     hint: "use the method `exact` or `active-set`",
 };
 
@@ -61,8 +61,8 @@ pub(crate) const FACTORS_OF_A_LOCAL_EQUILIBRIUM: Refusal = Refusal {
 
 pub(crate) const SHEAR_BY_ANOTHER_METHOD: Refusal = Refusal {
     code: "GB614",
-    message: "a beam that shears is solved by the methods `exact` and `active-set` alone",
-    hint: "use the method `exact` or `active-set`, or leave the shear stiffness out",
+    message: "only the methods `exact` and `active-set` solve a beam with shear deformation",
+    hint: "use the method `exact` or `active-set`, or omit the shear stiffness",
 };
 
 impl Problem {
@@ -83,11 +83,11 @@ impl Problem {
             part,
             field,
             format!(
-                "where beam or ground vary, or the beam shears, its shortest waves would need {needed:.0e} \
-                 elements"
+                "where the beam or the ground varies, or the beam has shear deformation, the shortest waves \
+                 would need {needed:.0e} elements"
             ),
-            "the bending stiffness is very small beside the shear layer, the springs or the tension: make it larger, \
-             or leave out what varies or shears",
+            "the bending stiffness is very small compared with the shear layer, the springs or the tension: \
+             increase it, or give constant stiffnesses and no shear stiffness",
         )
     }
 
@@ -99,8 +99,8 @@ impl Problem {
         );
         let hint = match method {
             "exact" => {
-                "the beam is very long beside its waves, or has very many parts: shorten it, or raise the limit, as in \
-                 --memory-limit \"8 GB\""
+                "the beam is very long compared with its waves, or has very many parts: shorten it, or raise the \
+                 limit, as in --memory-limit \"8 GB\""
             }
             _ => "use fewer elements, or raise the limit, as in --memory-limit \"8 GB\"",
         };

@@ -17,17 +17,18 @@ pub struct Support {
 /// The directions in which a support acts on the beam.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Acts {
-    /// Both.
+    /// The support acts in both directions.
     #[default]
     Both,
-    /// It only pushes the beam up: a bearing from which the beam may lift. w ≤ 0 where it is rigid.
+    /// The support only pushes the beam up: a bearing from which the beam may lift. A rigid one requires w ≤
+    /// 0.
     Up,
-    /// It only pulls the beam down: a hold-down. w ≥ 0 where it is rigid.
+    /// The support only pulls the beam down: a hold-down. A rigid one requires w ≥ 0.
     Down,
 }
 
 impl Acts {
-    /// 1 if it only pushes up, −1 if it only pulls down, 0 for both.
+    /// 1 if the support only pushes up, −1 if it only pulls down, 0 if it acts in both directions.
     pub(crate) fn sign(self) -> f64 {
         match self {
             Acts::Both => 0.0,
@@ -40,11 +41,12 @@ impl Acts {
 /// The motions that a support restrains.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum SupportKind {
-    /// w = δ, the support's settlement; the beam may rotate.
+    /// A rigid support without rotational restraint: w = δ, the settlement of the support.
     Pinned,
-    /// w = δ and w' = 0.
+    /// A rigid support that also prevents rotation: w = δ and w' = 0.
     Fixed,
-    /// Elastic: the force `spring`·(w − δ) and the moment `rotational_spring`·w' oppose the motion.
+    /// An elastic support: the force `spring`·(w − δ) and the moment `rotational_spring`·w' oppose the
+    /// motion.
     Spring {
         /// Spring constant \[N/m\], not negative.
         spring: f64,
@@ -54,17 +56,18 @@ pub enum SupportKind {
 }
 
 impl Support {
-    /// w = 0 at `at` \[m\].
+    /// A pinned support at `at` \[m\]: w = 0.
     pub fn pinned(at: f64) -> Self {
         Support { at, kind: SupportKind::Pinned, settlement: 0.0, acts: Acts::Both }
     }
 
-    /// w = w' = 0 at `at` \[m\].
+    /// A fixed support at `at` \[m\]: w = w' = 0.
     pub fn fixed(at: f64) -> Self {
         Support { at, kind: SupportKind::Fixed, settlement: 0.0, acts: Acts::Both }
     }
 
-    /// Springs at `at` \[m\]: translational stiffness \[N/m\] and rotational stiffness \[N·m/rad\].
+    /// An elastic support at `at` \[m\], with translational stiffness \[N/m\] and rotational stiffness
+    /// \[N·m/rad\].
     pub fn spring(at: f64, spring: f64, rotational_spring: f64) -> Self {
         let kind = SupportKind::Spring { spring, rotational_spring };
         Support { at, kind, settlement: 0.0, acts: Acts::Both }
@@ -80,7 +83,7 @@ impl Support {
         Support { acts, ..self }
     }
 
-    /// Whether it is a one-way support.
+    /// Whether the support acts in one direction only.
     pub fn is_one_way(&self) -> bool {
         self.acts != Acts::Both
     }

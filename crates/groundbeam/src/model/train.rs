@@ -5,7 +5,8 @@ use crate::numeric::tolerance;
 
 /// Axles and distributed loads at fixed distances, which move along the beam together.
 ///
-/// Its position is that of its first axle, the one farthest to the right; distances are measured backward.
+/// The position of a train is that of its first axle, which is the axle farthest to the right. Distances are
+/// measured backward from the first axle.
 ///
 /// ```
 /// use groundbeam::model::{Axle, Train};
@@ -41,9 +42,10 @@ pub struct Axle {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct UniformPart {
-    /// Its beginning, as a distance behind the first axle \[m\]; negative ahead of it, −∞ without end.
+    /// Front end, as a distance behind the first axle \[m\]; negative if it lies ahead of the axle, −∞ for an
+    /// infinite load.
     pub from: f64,
-    /// Its end, as a distance behind the first axle \[m\]; ∞ without end.
+    /// Rear end, as a distance behind the first axle \[m\]; ∞ for an infinite load.
     pub to: f64,
     /// Intensity, down \[N/m\].
     #[cfg_attr(feature = "serde", serde(rename = "load"))]
@@ -51,10 +53,10 @@ pub struct UniformPart {
 }
 
 impl Train {
-    /// The distance within which two positions count as equal: an axle this close to a load, a support or an
-    /// end is placed there.
+    /// The distance within which two positions count as equal. An axle this close to a load, a support or an
+    /// end of the beam is placed there.
     ///
-    /// Positions of axles are differences of lengths up to that of the passage.
+    /// It follows from the length of the passage, because positions of axles are differences of such lengths.
     pub fn same_place(&self, beam_length: f64) -> f64 {
         let [from, to] = self.passage(beam_length);
         tolerance::same_place(to - from)
@@ -65,8 +67,9 @@ impl Train {
         self.axles.iter().fold(0.0, |length, axle| length.max(axle.behind))
     }
 
-    /// From the first axle's arrival at the left end to the last axle's departure at the right end; finite
-    /// distributed loads count too. Positions of the first axle \[m\].
+    /// First and last position of the first axle in a passage over the beam \[m\]. The passage begins when
+    /// the first axle reaches the left end. It ends when the last axle, or the rear end of the last finite
+    /// distributed load, leaves the right end.
     pub fn passage(&self, beam_length: f64) -> [f64; 2] {
         let ends = self.uniform.iter().map(|part| part.to).filter(|to| to.is_finite());
         [0.0, beam_length + ends.fold(self.length(), f64::max)]
@@ -129,7 +132,8 @@ impl Train {
 }
 
 impl Model {
-    /// Positions at which fields of a solution have corners or jump: ends, loads, supports, hinges, gap and segments.
+    /// Positions at which fields of a solution have corners or jumps: the ends of the beam, loads, supports,
+    /// hinges, corners of the gap, and ends of segments.
     pub fn marks(&self) -> Vec<f64> {
         let l = self.beam.length;
         let mut x = vec![0.0, l];
@@ -146,7 +150,7 @@ impl Model {
     }
 }
 
-/// A mark that counts as equal, or the position itself.
+/// The mark that counts as equal to a position; the position itself if there is none.
 fn snapped(x: f64, marks: &[f64], same_place: f64) -> f64 {
     marks.iter().copied().find(|mark| (x - mark).abs() <= same_place).unwrap_or(x)
 }

@@ -15,7 +15,8 @@ pub(crate) const REACH: f64 = 1.0;
 /// Number of coefficients of w(s). The first omitted term is below 1/18! of the sum.
 pub(crate) const TERMS: usize = 18;
 
-/// Coefficients of w(s) below this fraction of the larger of those of s² and s³ are omitted.
+/// Coefficients of w(s) are omitted if they are below this fraction of the larger of the coefficients of s²
+/// and s³.
 const LEAST: f64 = 1e-17;
 
 /// A uniform beam element and the loads on it.

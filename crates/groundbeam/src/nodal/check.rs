@@ -5,7 +5,7 @@ use crate::model::{Extent, Model, triangles};
 use crate::nodal::solution::NodalCheck;
 use crate::nodal::solution::NodalSolution;
 
-/// Number of independent partial sums: the additions of a single sum would wait for each other.
+/// Number of independent partial sums. In a single sum each addition would have to wait for the one before.
 const WIDTH: usize = 4;
 
 /// Partial sums and extremes. Each entry covers one of every [`WIDTH`] nodes.
@@ -21,8 +21,8 @@ struct Sums {
 }
 
 impl Sums {
-    /// Adds nodes, the first of which is number `from` of its row. `gap` is g₀ + u₀ at the first node of the row, and
-    /// its change from node to node.
+    /// Adds consecutive nodes of a row, beginning with number `from`. `gap` has g₀ + u₀ at the first node of
+    /// the row, and its change from node to node.
     #[inline(always)]
     fn add(&mut self, from: usize, gap: [f64; 2], f: &[f64], w: &[f64], u: &[f64]) {
         let most = |a: f64, b: f64| if b > a { b } else { a };
@@ -60,7 +60,7 @@ pub(crate) fn check(model: &Model, solution: &NodalSolution) -> NodalCheck {
             (1, Extent::Distributed { from, to, start, end }) => {
                 turns += 0.5 * (start + end) * (to - from);
             }
-            // Does no work on rigid motions.
+            // An imposed curvature has no force and no moment.
             _ => {}
         }
     }

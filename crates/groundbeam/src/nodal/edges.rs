@@ -9,9 +9,9 @@ use crate::nodal::grid::{Grid, Ground};
 use crate::nodal::newton::Workspace;
 use crate::nodal::{levels, newton};
 
-/// Contact edges of a free beam, as accurate as a mesh that resolves its waves. `None` if the beam has supports or
-/// hinges, if it is too long and soft for a mesh, if anything varies along a segment, or if the contact does not
-/// converge.
+/// Contact edges of a free beam, from a mesh that resolves its waves. `None` if the beam has supports or
+/// hinges, if it is too long and soft for a mesh, if stiffness or ground varies along a segment, or if the
+/// contact does not converge.
 pub(crate) fn edges(model: &Model, cancel: &Cancel) -> Option<Vec<[f64; 2]>> {
     let held = !(model.supports.is_empty() && model.hinges.is_empty());
     if held || model.varying_part().is_some() {

@@ -13,7 +13,7 @@ use crate::ground::link::TwoPort;
 pub(crate) struct Form {
     /// Length L.
     pub length: f64,
-    /// Entries of M: y₂y₂, y₂e₁, y₂e₂ in `m`, and e₁e₁, e₁e₂, e₂e₂ in `e`.
+    /// Entries of M: `m` has y₂y₂, y₂e₁ and y₂e₂; `e` has e₁e₁, e₁e₂ and e₂e₂.
     pub m: [f64; 3],
     pub e: [f64; 3],
     /// q of the first element of a run, and its increment from one element to the next. The fifth and the sixth entry

@@ -17,7 +17,8 @@ use crate::model::Model;
 use crate::nodal::beam::Given;
 use crate::numeric::polynomial::integral;
 
-/// Minimum EI of a stiffened beam relative to h²(P + μ + kh²). It only raises EI if the waves are shorter than h.
+/// Minimum EI of a stiffened beam relative to h²(P + μ + kh²). EI is raised only if the waves are shorter
+/// than h.
 const STIFF: f64 = 0.5;
 
 /// A run of equal elements.
@@ -29,7 +30,7 @@ pub(crate) struct Run {
     pub given: Given,
     /// g₀ + u₀ at the first and the last node; linear between them.
     pub gap: [f64; 2],
-    /// The element, off the ground, of a run that consists of one element and is not uniform; otherwise `None`.
+    /// The element, off the ground, of a run that is not uniform and has one element; otherwise `None`.
     pub element: Option<Element>,
     /// First node, and number of elements.
     pub first: usize,
@@ -38,8 +39,8 @@ pub(crate) struct Run {
     pub h: f64,
     /// Two-port of the ground under one element.
     pub link: TwoPort,
-    /// The first element that a sweep crosses, bonded at both ends: for the sweep from the left and for that from the
-    /// right.
+    /// The first element that each sweep crosses, bonded at both ends: for the sweep from the left, and for
+    /// the sweep from the right.
     pub glued: [Form; 2],
     /// Ground of the run, and its two-port over the whole run, out of contact.
     pub layer: Layer,
@@ -171,7 +172,7 @@ impl Run {
         let at = |node: usize| match node - self.first {
             0 => -1.0,
             steps if steps == self.count => 1.0,
-            // Computed from the nearer end.
+            // The position is computed from the nearer end.
             steps if 2 * steps <= self.count => 2.0 * steps as f64 / count - 1.0,
             steps => 1.0 - 2.0 * (self.count - steps) as f64 / count,
         };
@@ -184,7 +185,7 @@ impl Run {
     }
 }
 
-/// Number of elements of a cell, at `per_length` elements per unit length.
+/// Number of elements of a cell, for `per_length` elements per unit length.
 fn equal(cell: &Cell, per_length: f64) -> usize {
     (cell.length() * per_length).round() as usize
 }
@@ -210,7 +211,7 @@ fn pieces(cell: &Cell, axial_force: f64, length: f64) -> usize {
     (wave * length / REACH).ceil().max(1.0) as usize
 }
 
-/// Winkler springs (μ = 0): each end of an element carries the springs of its half.
+/// The two-port of Winkler springs (μ = 0): each end of an element carries the springs of half the element.
 fn springs(cell: &Cell, h: f64) -> TwoPort {
     let mean = 0.5 * h * cell.subgrade;
     let [left, right] = if cell.ground_varies() {

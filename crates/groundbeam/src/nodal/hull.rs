@@ -122,7 +122,8 @@ impl Hull<'_> {
         self.push_from_left(node) + self.push_from_right(node)
     }
 
-    /// Force that the ground to the left of a node exerts on it, if it is bonded to this node and its left neighbour.
+    /// Force on a node from the ground to the left of it, if the ground is bonded to this node and to its
+    /// left neighbour.
     fn push_from_left(&self, node: usize) -> f64 {
         if node == 0 {
             return self.grid.outside[0] * self.psi(0);
@@ -139,8 +140,8 @@ impl Hull<'_> {
         link.force_left(self.psi(node), self.psi(node + 1))
     }
 
-    /// Force that the ground to the right of a node exerts on it, out of contact up to the next zone or beyond the
-    /// beam.
+    /// Force on a node from the ground to the right of it, which is out of contact up to the next zone or
+    /// beyond the beam.
     fn open_right(&self, node: usize, next: Option<usize>) -> f64 {
         let psi = next.map_or(0.0, |next| self.psi(next));
         Opening::default().rightwards(self.grid, node, next).force_left(self.psi(node), psi)
@@ -177,7 +178,8 @@ impl Hull<'_> {
         from + first_holding(to - from, guess - from, presses)
     }
 
-    /// Whether the last zone is a single node on which the ground, out of contact on both sides, does not press.
+    /// Whether the last zone is a single node on which the ground does not press. The ground is out of
+    /// contact on both sides.
     fn pulls(&self, zones: &[Zone], next: Option<usize>) -> bool {
         let Some(&[from, to]) = zones.last() else { return false };
         let before = zones.len().checked_sub(2).map(|i| zones[i][1]);
@@ -256,8 +258,8 @@ impl Opening {
     }
 }
 
-/// The smallest number that satisfies a monotone condition; `most` if no smaller one does. Doubles its steps from a
-/// guess, then bisects.
+/// The smallest number that satisfies a monotone condition; `most` if no smaller number does. The search
+/// doubles its steps from a guess, then bisects.
 fn first_holding(most: usize, guess: usize, mut holds: impl FnMut(usize) -> bool) -> usize {
     let (mut fails, mut found) = (None, most);
     let mut step = 1;

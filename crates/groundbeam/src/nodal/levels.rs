@@ -5,8 +5,8 @@ use crate::model::Model;
 
 /// Elements per 1/(wave number) on the coarsest grid that resolves every wave of the beam.
 const COARSEST: f64 = 1.5;
-/// If the required grid hardly resolves the waves of the beam or does not: ratio between the element counts of
-/// successive grids, and minimum number of elements of a grid.
+/// Grids for a required grid that barely resolves the waves of the beam, or does not resolve them: ratio
+/// between the element counts of successive grids, and minimum number of elements of a grid.
 const STEP: f64 = 4.0;
 const FEWEST: f64 = 20.0;
 /// The grid before the required one may be refined to locate the contact edges to a fraction of a node. Upper limits of
@@ -18,9 +18,10 @@ const SHARP: f64 = 4.0;
 /// Maximum ratio of the element count of the next grid to that of a rough grid.
 const FEW: f64 = 3.5;
 
-/// Writes the grids from the coarsest, on which a few elements resolve every wave of the beam, to the required one.
-/// Newton's method converges quadratically, and the refinement is such that it needs one or two steps per grid. Where
-/// the required grid itself is too coarse for the beam, EI is raised on the grids before it.
+/// Writes the grids from the coarsest, on which a few elements resolve every wave of the beam, to the
+/// required one. Newton's method converges quadratically. The refinement is chosen so that it needs one or
+/// two steps per grid. Where the required grid itself is too coarse for the beam, EI is raised on the grids
+/// before it.
 pub(crate) fn grids(model: &Model, elements: usize, ground: Ground, grids: &mut Vec<Grid>) {
     grids.clear();
     let fine = Grid::new(model, elements, ground);
@@ -40,8 +41,8 @@ fn coarser(wanted: f64, waves: f64) -> Vec<f64> {
     let mut coarser = Vec::new();
     let mut last = wanted;
     loop {
-        // h → √(h/wave): on the finer grid the contact edges are then off by one or two nodes. If the coarser grid has
-        // a few times more elements, they are at the right nodes, and one solve is enough.
+        // h → √(h/wave): on the finer grid the contact edges are then off by one or two nodes. If the coarser
+        // grid has a few times more elements, the edges are at the right nodes, and one solve is sufficient.
         let mut next = (last * waves).sqrt();
         let sharper = (SHARE * last / next).min(SHARPEST);
         if coarser.is_empty() && sharper > SHARP {

@@ -1,10 +1,10 @@
-//! Solver of the discrete problem (5.5), (5.10), (5.11): ground forces at the nodes of meshes of up to millions of
-//! elements.
+//! Solver of the discrete problem (5.5), (5.10), (5.11), with ground forces at the nodes, for meshes of up to
+//! millions of elements.
 //!
-//! The beam between nodes is exact, in place of (5.2). The methods with a mesh, long beams and the first phase of the
-//! exact method use this kernel. [Sweeps](sweep) in deformation variables eliminate rows of equal elements. Each
-//! stretch off the ground is condensed to [one element](span). Newton's method finds the contact zones, on [coarse
-//! meshes first](newton). Memory is a few numbers per node.
+//! The beam between nodes is exact, in place of (5.2). The methods with a mesh, long beams and the first
+//! phase of the exact method use this kernel. [Sweeps](sweep) in deformation variables eliminate rows of
+//! equal elements. Each stretch off the ground is condensed to [one element](span). Newton's method finds the
+//! contact zones, on [coarse meshes first](newton). A solve stores a few numbers per node.
 
 pub(crate) mod back_sweep;
 pub(crate) mod beam;

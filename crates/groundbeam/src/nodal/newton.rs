@@ -39,7 +39,7 @@ pub struct Work {
 pub(crate) struct Goal {
     /// Maximum number of steps.
     pub steps: usize,
-    /// Maximum number of elements for which a line search is used: each search takes dozens of scans.
+    /// Maximum number of elements for which a line search is used. Each line search needs dozens of scans.
     pub searched: usize,
     /// Number of nodes per zone that the next step may still change; none for a final result.
     pub moves: usize,

@@ -18,7 +18,7 @@ pub(crate) fn beam(grid: &Grid, span: &Span, v: &[f64; 4], derivative: bool, int
         let nodes = from + first..to + usize::from(to == last);
         let sign = if span.mirrored { -1.0 } else { 1.0 };
         let Some((series, terms)) = piece.series(own) else {
-            // An element without a series, which is a run of its own.
+            // The element is a run of its own and has no closed form.
             let [w, theta, d1, d2] = own;
             let ends = if derivative {
                 [sign * theta, sign * (theta + d2)]
@@ -55,7 +55,8 @@ fn values(c: &[f64; TERMS], terms: usize, s: impl Fn(usize) -> f64, into: &mut [
     }
 }
 
-/// Number of places evaluated side by side: the additions of a single sum would wait for each other.
+/// Number of places evaluated together. In a single evaluation each addition would have to wait for the one
+/// before.
 const WIDTH: usize = 4;
 
 fn horner<const N: usize>(c: &[f64; TERMS], s: impl Fn(usize) -> f64, into: &mut [f64]) {
@@ -98,8 +99,9 @@ pub(crate) fn settlement(
     }
 }
 
-/// Writes the settlement at the nodes strictly between two. `left` and `right` are ψ at these two if they are in
-/// contact. `None` means the end of the beam, with ground outside; the settlement there is written too.
+/// Writes the settlement at the nodes strictly between two nodes. `left` and `right` are ψ at these two nodes
+/// if they are in contact. `None` means an end of the beam, with ground outside; then the settlement at this
+/// node is also written.
 fn ground(
     grid: &Grid,
     [from, to]: [usize; 2],
@@ -118,8 +120,8 @@ fn ground(
         so_far = Some(link);
     }
     let start = left.unwrap_or(0.0);
-    // u of a node in equilibrium between the ground on its left, `link`, and that on its right: its force `pull` while
-    // the node does not move, and its stiffness `hold`.
+    // u of a node in equilibrium between the two-port `link` on its left and the ground on its right. The
+    // ground on the right has the stiffness `hold`, and the force `pull` for u = 0.
     let held = |link: &TwoPort, pull: f64, hold: f64| {
         let all = link.series + link.shunt_right + hold;
         if all > 0.0 { (link.series * start + pull) / all } else { 0.0 }

@@ -19,7 +19,7 @@ pub(super) struct Row<const N: usize> {
     pub constant: f64,
 }
 
-/// A pivot below this fraction of the quantities that it was summed from is rounding error.
+/// A pivot is rounding error if it is below this fraction of its terms.
 const ROUNDING: f64 = 1e-15;
 
 impl<const N: usize> Quadratic<N> {
@@ -64,7 +64,8 @@ impl<const N: usize> Quadratic<N> {
         self.clear(e);
     }
 
-    /// Minimises the energy over the unknown e and eliminates it. `size` is the size of the terms in its pivot.
+    /// Minimises the energy over the unknown e and eliminates e. `size` is the magnitude of the terms in the
+    /// pivot.
     pub fn eliminate(&mut self, e: usize, size: f64) -> Result<Row<N>, Loose> {
         let pivot = self.h[e][e];
         if pivot.is_nan() || pivot <= ROUNDING * size || pivot <= 0.0 {
@@ -97,7 +98,7 @@ impl<const N: usize> Row<N> {
         self.by.iter().zip(z).map(|(by, z)| by * z).sum::<f64>() + self.constant
     }
 
-    /// The same row after substitution of another eliminated unknown.
+    /// Substitutes another eliminated unknown into the row.
     pub fn with(mut self, e: usize, other: &Row<N>) -> Self {
         let part = std::mem::take(&mut self.by[e]);
         for (by, other) in self.by.iter_mut().zip(&other.by) {

@@ -11,10 +11,10 @@ use super::quadratic::{Loose, Quadratic, Row};
 use super::stand::Stand;
 use crate::element::element::{Basis, Element, mirror_shape};
 
-/// A piece of the beam, and the rows that give the part before it in back-substitution.
+/// A piece of the beam, and the rows with which back-substitution computes the part before it.
 #[derive(Debug, Clone)]
 pub(crate) struct Piece {
-    /// Its end nodes in the grid, the left one first.
+    /// End nodes in the grid, the left one first.
     pub nodes: [usize; 2],
     pub length: f64,
     /// Closed form of a uniform beam; `None` for an element that is a run of its own.
@@ -51,14 +51,14 @@ pub(crate) struct Span {
 const D: usize = 4;
 const T: usize = 5;
 
-/// Rotational stiffness relative to the bending stiffness of the next piece, up to which a hinge turns freely.
+/// Largest rotational stiffness of a free hinge, relative to the bending stiffness of the next piece.
 const FREE: f64 = 1e-14;
 
 const NONE: Row<6> = Row { by: [0.0; 6], constant: 0.0 };
 
 impl Span {
-    /// Sets the span to the beam between two nodes, reflected for the sweep from the right. `stand` gives the loads,
-    /// supports and hinge at a node within.
+    /// Sets the span to the beam between two nodes, reflected for the sweep from the right. `stand` gives the
+    /// loads, supports and hinge at a node within the span.
     pub fn set(
         &mut self,
         grid: &Grid,
@@ -154,7 +154,8 @@ impl Span {
     }
 }
 
-/// Joins two elements at a node with its loads, supports and hinge. Writes the rows that give the left one to `piece`.
+/// Joins two elements at a node with its loads, supports and hinge. Writes to `piece` the rows from which the
+/// unknowns of the left element follow.
 fn join(
     left: &Element,
     stand: &Stand,
@@ -177,7 +178,7 @@ fn join(
         let mut by = [row.by[0], row.by[1], row.by[2], row.by[3]];
         own.g = [0, 1, 2, 3].map(|i| with_jump.g[i]);
         own.h = std::array::from_fn(|i| std::array::from_fn(|j| with_jump.h[i][j]));
-        // A free hinge transmits exactly zero moment, any other hinge the fraction `share`.
+        // A free hinge transmits exactly zero moment. Any other hinge transmits the fraction `share`.
         let share = spring / (bending + spring);
         for j in 0..4 {
             own.h[3][j] = share * if j == 3 { bending } else { left.stiffness[3][j] };

@@ -7,8 +7,8 @@ use super::grid::Grid;
 pub(crate) struct Stand {
     pub force: f64,
     pub moment: f64,
-    /// Stiffness of the ground outside an end plus that of a stabilising spring, and the sum of their stiffness times
-    /// rest position.
+    /// Sum of the stiffness of the ground outside an end and of a stabilising spring, and the sum of
+    /// stiffness times rest position.
     pub spring: f64,
     pub push: f64,
     /// Translational and rotational stiffness of a support.
@@ -23,7 +23,8 @@ pub(crate) struct Stand {
 }
 
 impl Stand {
-    /// At a node of a grid, without the ground; reflected for the sweep from the right.
+    /// The loads, supports, hinge and springs at a node of a grid, without the ground; reflected for the
+    /// sweep from the right.
     pub fn at(grid: &Grid, node: usize, mirrored: bool, tether: Option<&Tether>) -> Self {
         let Some(place) = grid.place(node) else { return Stand::default() };
         let mut stand = Stand {

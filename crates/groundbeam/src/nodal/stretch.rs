@@ -53,7 +53,7 @@ impl Stretch {
         Stretch { form: ground, count: 1, node, stand, first, turned: None, is_span: true }
     }
 
-    /// Whether it is one element off the ground.
+    /// Whether the stretch is one element off the ground.
     pub fn is_span(&self) -> bool {
         self.is_span
     }

@@ -106,8 +106,8 @@ fn offers(sides: &mut [Side; 2]) -> Result<[Behind; 2], Loose> {
     }
 }
 
-/// Crosses the elements whose energy is not given by their form alone, up to the next row. Returns the number of
-/// elements left in this row, or 0 at the meeting node.
+/// Crosses the spans and the first elements at supports up to the next row. Returns the number of elements
+/// left in this row, or 0 at the meeting node.
 fn arrive(side: &mut Side, state: &mut Behind, reached: &mut Reached) -> Result<usize, Loose> {
     while let Some(stretch) = side.stretches.get_mut(reached.stretch) {
         if reached.within == 0 {
@@ -141,9 +141,9 @@ fn enter(state: &mut Behind, stretch: &mut Stretch) -> Result<(), Loose> {
     Ok(())
 }
 
-/// Crosses one element whose energy is given in (y₁, y₂, e₁, e₂), from a node that may have a support. In each
-/// component, either the motion x = y − e of its left end or its deformation e is eliminated: the one with the larger
-/// stiffness, so that this stiffness does not enter a difference.
+/// Crosses one element whose energy is given in (y₁, y₂, e₁, e₂), from a node that may have a support. In
+/// each component, either the motion x = y − e of the left end or the deformation e is eliminated, whichever
+/// has the larger stiffness. So this stiffness does not enter a difference.
 fn cross_first(
     state: &mut Behind,
     stretch: &Stretch,

@@ -25,7 +25,7 @@ pub(crate) fn settle(fall: f64, slope: impl Fn(f64) -> f64) -> f64 {
         if at_t <= 0.0 && -at_t <= small {
             break;
         }
-        // Regula falsi; the weight of an end that stays is halved (Illinois).
+        // Regula falsi; the slope at an end that stays is halved (Illinois variant).
         t = low + (high - low) * (low_slope / (low_slope - high_slope));
         at_t = slope(t);
         if at_t < 0.0 {

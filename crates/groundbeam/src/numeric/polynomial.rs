@@ -6,10 +6,11 @@
 use crate::numeric::real::Real;
 use std::ops::{Deref, DerefMut};
 
-/// Maximum number of coefficients: a rotation of 20 times a shear stiffness of degree 5.
+/// Maximum number of coefficients: that of a rotation with 20 coefficients times a shear stiffness of degree
+/// 5.
 pub(crate) const MOST: usize = 25;
 
-/// Coefficients stored without heap memory: each step creates a few of them for each cell.
+/// Coefficients stored without heap memory, because each step creates a few such lists for each cell.
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) struct Coefficients<R = f64> {
     count: usize,

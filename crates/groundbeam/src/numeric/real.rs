@@ -1,7 +1,7 @@
 //! The numbers of the mechanical equations: `f64`, or a value with derivatives.
 //!
-//! A `Real` has no order. Every decision uses the value explicitly, so derivatives cannot change a decision. The
-//! comparison `==` covers the value and the derivatives: a zero with a nonzero derivative is not equal to zero.
+//! A `Real` has no order. Every decision uses the value explicitly, so derivatives cannot change a decision.
+//! The comparison `==` includes the derivatives: a zero with a nonzero derivative is not equal to zero.
 
 use std::fmt::Debug;
 use std::iter::Sum;

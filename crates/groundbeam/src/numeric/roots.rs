@@ -2,8 +2,8 @@
 
 use super::polynomial::{Coefficients, rescale, value, with_slope};
 
-/// Whether f has no complex zero closer to s = 0 than `radius`, by the test of Schur and Cohn. It lowers the
-/// degree step by step, and no zero crosses the circle.
+/// Whether f has no complex zero closer to s = 0 than `radius`, by the test of Schur and Cohn. The test
+/// lowers the degree step by step. No step moves a zero across the circle.
 pub(crate) fn is_free_of_zeros(c: &[f64], radius: f64) -> bool {
     let mut power = 1.0;
     let mut c: Coefficients = c
@@ -47,7 +47,7 @@ pub(crate) fn sign_changes(c: &[f64], roots: &mut Vec<f64>) {
     isolate(&c[..count], [-1.0, 1.0], None, 0, roots);
 }
 
-/// Maximum number of halvings; the interval is then a point.
+/// Maximum number of halvings, after which an interval is a point.
 pub(crate) const DEEPEST: u32 = 40;
 
 /// Finds the sign changes on an interval from the values at its ends, computed if they are not given. Neighbouring intervals
@@ -149,7 +149,8 @@ mod tests {
         assert!(is_free_of_zeros(&[2.0, 0.0], 1e9) && !is_free_of_zeros(&[0.0, 1.0], 1e-9));
     }
 
-    /// The slope of the pressure of a beam between pins on soft springs. Rounding hid its root at the middle.
+    /// The slope of the pressure of a beam between pins on soft springs. Its root is at the middle, where two
+    /// halves meet.
     #[test]
     fn a_root_between_two_halves() {
         let w = [9.130750818000197e-5, 0.0, -1.0956900980259498e-4, 0.0, 1.826150161472349e-5];

@@ -1,13 +1,14 @@
-//! One step of a contact iteration, as an answer reports it.
+//! One step of a contact iteration, as stored in a solution.
 
 /// One step of an iteration.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Step {
-    /// Zones of contact after the step.
+    /// Number of contact zones after the step.
     pub zones: usize,
-    /// The part of Newton's step that was taken; for Uzawa's iteration the parameter ρ.
+    /// The fraction of the full Newton step; for Uzawa's iteration, the parameter ρ.
     pub step: f64,
-    /// The move of the contact relative to the beam's length; on a mesh the part of all nodes that touch before or after the
-    /// step alone; for Uzawa's iteration the relative change of the pressure.
+    /// Exact method: the move of the contact edges relative to the beam's length. Newton's method on a mesh:
+    /// the fraction of the nodes whose contact changes in the step. Uzawa's iteration: the relative change of
+    /// the pressure.
     pub decrement: f64,
 }

@@ -1,4 +1,5 @@
-//! Compensated sums with the sum of the absolute values of their terms, which separates zero from rounding.
+//! Compensated sums, with the sum of the absolute values of their terms, which distinguishes zero from
+//! rounding error.
 
 /// A sum with the sum of the absolute values of its terms, so that zero can be distinguished from rounding.
 #[derive(Debug, Clone, Copy, Default)]
@@ -11,7 +12,7 @@ pub(crate) struct Sum {
 
 impl Sum {
     pub fn add(&mut self, term: f64) {
-        // Neumaier's summation: the sum of the given numbers is accurate to the last bit or two.
+        // Neumaier's summation: the sum is accurate to one or two units in the last place.
         let sum = self.sum + term;
         self.compensation += if self.sum.abs() >= term.abs() {
             (self.sum - sum) + term
@@ -54,8 +55,8 @@ mod tests {
         sum.finished()
     }
 
-    /// Neumaier's sum keeps terms that a plain sum loses. A hundredth of 2⁻⁵² is lost beside 1 in each
-    /// addition.
+    /// Neumaier's sum keeps terms that a plain sum loses. A plain sum loses a hundredth of 2⁻⁵² in each
+    /// addition to 1.
     #[test]
     fn sums_are_right_to_the_last_bit() {
         let small = 0.01 * f64::EPSILON;
@@ -71,7 +72,7 @@ mod tests {
         assert_eq!(sum(&[3.0, -4.0]).size, 7.0);
     }
 
-    /// A sum below 8 ε times the absolute values is rounding and becomes 0.
+    /// A sum below 8 ε times the absolute values is rounding error and becomes 0.
     #[test]
     fn zero_is_told_from_rounding_by_the_sizes() {
         let eps = f64::EPSILON;

@@ -12,15 +12,15 @@ pub(crate) fn same_place(l: f64) -> f64 {
 /// that rounding of values moves the point by more than rounding of positions.
 pub(crate) const TURNING_POINT: f64 = 1e-9;
 /// The smallest distance, as a fraction of the beam's length, at which two extremes of equal size are
-/// distinct. Both are turning points; a closer pair is one flat crest.
+/// distinct. Two turning points closer than this are one extreme.
 pub(crate) const OTHER_EXTREME: f64 = 1e-6;
 
 /// The residual of the contact condition (5.10) at which Uzawa's iteration and PSOR stop.
 pub(crate) const SWEEPS: f64 = 1e-11;
 /// The displacement of a contact edge that is rounding error, as a fraction of the beam's length.
 pub(crate) const EDGES: f64 = 1e-12;
-/// The stability margin below which a path of equilibria has ended at a limit point: such a point is known to ten
-/// digits, and the margin falls with the square root of the distance.
+/// The stability margin below which a path of equilibria has ended at a limit point. A limit point is known
+/// to ten digits, and the margin decreases with the square root of the distance from it.
 pub(crate) const BRANCH: f64 = 1e-3;
 /// The tolerated change of the soil's rate r from one solution to the next.
 pub(crate) const SOIL: f64 = 1e-12;

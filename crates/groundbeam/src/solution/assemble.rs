@@ -79,7 +79,7 @@ fn pieces(found: &ContactState, surface: &Surface, pieces: &mut Vec<SolutionPiec
     }
 }
 
-/// Zones and points of contact; adjacent ones are merged.
+/// Contact zones and contact points. Adjacent ones are merged.
 fn regions(found: &ContactState, regions: &mut Vec<ContactZone>) {
     let mesh = &found.mesh;
     let position = |point: BeamPoint| mesh.cells[point.cell].global(point.s);
@@ -112,7 +112,7 @@ fn reactions(candidate: &Candidate) -> Vec<Reaction> {
 }
 
 /// The force of a support at x, from equilibrium of the beam between the middles of the two adjacent spans.
-/// Near a pin the shear force of an element has lost its digits; half a span away it has not.
+/// Near a pin the shear force of an element is inaccurate. It is accurate half a span away.
 fn lift(candidate: &Candidate, x: f64) -> f64 {
     let model = &candidate.model;
     let (axial, l) = (model.beam.axial_force, model.beam.length);

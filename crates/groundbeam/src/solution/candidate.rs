@@ -1,4 +1,5 @@
-//! The fields, contact zones and forces of an equilibrium before its certificate, and the memory for the next.
+//! The fields, contact zones and forces of an equilibrium before its certificate, and reusable memory for
+//! them.
 
 use crate::contact::edge_error::EdgeError;
 use crate::existence::verdict::Existence;
@@ -7,7 +8,7 @@ use crate::solution::fields::{
     ConcentratedForce, ContactZone, EndForces, Fields, Reaction, Side, SolutionPiece,
 };
 
-/// The quantities that a certificate checks.
+/// The fields, contact zones and forces that a certificate checks.
 #[derive(Debug, Clone)]
 pub(crate) struct Candidate {
     pub model: Model,
@@ -41,7 +42,8 @@ impl Candidate {
         &self.pieces[i.min(self.pieces.len() - 1)]
     }
 
-    /// Existence and uniqueness, with the contact known. One-way supports count only where they carry force.
+    /// The verdict on existence and uniqueness for the known contact. One-way supports count only if they
+    /// carry force.
     pub fn settled_existence(&self, existence: Existence) -> Existence {
         let contact = self.contact_positions();
         if !self.model.has_one_way_supports() {

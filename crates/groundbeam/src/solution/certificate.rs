@@ -1,5 +1,5 @@
-//! The certificate of a solution: energies of the problem, and an estimate of the energy of its error, from
-//! model and solution only.
+//! The certificate of a solution: energies of the problem, and an estimate of the energy of the solution's
+//! error, from model and solution only.
 
 use crate::model::{Action, Model};
 use crate::numeric::tolerance::GAP;
@@ -20,7 +20,8 @@ pub struct Certificate {
 }
 
 impl Certificate {
-    /// The certificate of a candidate. Under compression `stability` is the part of the energy's convexity that remains.
+    /// The certificate of a candidate. Under compression, `stability` is the fraction of the energy's
+    /// convexity that remains.
     pub(crate) fn of(candidate: &Candidate, stability: f64) -> Self {
         let model = candidate.model.to_prove();
         let stability = (candidate.model.beam.axial_force < 0.0).then_some(stability);
@@ -33,18 +34,20 @@ impl Certificate {
         Certificate { primal_energy: potential_energy, gap, relative_gap }
     }
 
-    /// ½∫(EI (w″ − κ₀)² + P w'²) + ½b(u, u) − F(w): (3.8) and the ground's own energy \[N·m\].
+    /// The primal energy ½∫(EI (w″ − κ₀)² + P w'²) + ½b(u, u) − F(w): (3.8) plus the energy of the ground
+    /// \[N·m\].
     pub fn primal_energy(&self) -> f64 {
         self.primal_energy
     }
 
-    /// The reciprocal energy of the balanced moments and pressures: the primal energy minus the gap \[N·m\].
+    /// The dual energy, which is the reciprocal energy of moments and pressures in equilibrium: the primal
+    /// energy minus the gap \[N·m\].
     pub fn dual_energy(&self) -> f64 {
         self.primal_energy - self.gap
     }
 
-    /// E, the primal minus the dual energy \[N·m\]: a bound of the sum of the energies of the errors of (w,
-    /// u) and of (M, p).
+    /// The energy gap E: the primal minus the dual energy \[N·m\]. It bounds the sum of the energies of the
+    /// errors of (w, u) and of (M, p).
     pub fn gap(&self) -> f64 {
         self.gap
     }
@@ -56,12 +59,12 @@ impl Certificate {
     }
 
     /// Whether the gap is within the rounding error of loads that cancel each other or that rigid supports
-    /// carry: of the energy that each of them alone would cause in ground and beam.
+    /// carry. The scale is the energy that each load alone would cause in ground and beam.
     pub(crate) fn is_rounding_of_loads(&self, model: &Model) -> bool {
         self.gap <= GAP * f64::EPSILON * energy_of_single_loads(model)
     }
 
-    /// All figures with their names, in the order of results.
+    /// All numbers of the certificate with their names, in the order of results.
     pub fn figures(&self) -> [(&'static str, f64); 4] {
         [
             ("primal_energy", self.primal_energy),
@@ -72,8 +75,9 @@ impl Certificate {
     }
 }
 
-/// The sum of the energies of the single loads: F²/(kl) + M²/(kl³) of a rigid beam that translates and
-/// rotates, (M + Fa)²a/EI of one that bends over a wave length a, and EI(δ/a)²/a of settling supports.
+/// The sum of the energies that single loads would cause: F²/(kl) + M²/(kl³) for a rigid beam that translates
+/// and rotates, (M + Fa)²a/EI for a beam that bends over a wave length a, and EI(δ/a)²/a for settlements of
+/// supports.
 fn energy_of_single_loads(model: &Model) -> f64 {
     let (l, k, ei) = (model.beam.length, model.foundation.subgrade, model.beam.bending_stiffness);
     let wave = (4.0 * ei / k).sqrt().sqrt().min(l);

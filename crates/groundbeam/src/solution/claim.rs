@@ -1,4 +1,4 @@
-//! Model and solution as input of the proof: its numbers are exact doubles.
+//! Converts model and solution to the input of the proof. The proof takes their doubles as exact numbers.
 
 use crate::model::{Action, Acts, Extent, GapPoint, GroundEnd, Hinge, Load, Model, Profile};
 use crate::model::{Support, SupportKind};
@@ -15,8 +15,8 @@ pub(super) fn prove<S: Scalar>(candidate: &Candidate) -> Result<Proof, NotProven
 }
 
 impl Model {
-    /// The model as input of the proof, its doubles taken as exact numbers. On soil k and μ are those of the
-    /// model's fields: in a solution's model the ones that the solve computed.
+    /// The model as input of the proof, with its doubles as exact numbers. On soil, k and μ are the fields of
+    /// the foundation. The model of a solution has the values that the solve computed.
     pub fn to_prove<S: Scalar>(&self) -> proof::Model<S> {
         let hinge = |hinge: &Hinge| proof::Hinge {
             at: S::of(hinge.at),
@@ -150,7 +150,8 @@ pub(super) fn answer(candidate: &Candidate) -> Answer {
     let mut forces = vec![force(0.0, ends.left)];
     forces.extend(candidate.concentrated.iter().map(|c| force(c.at, c.force)));
     forces.push(force(candidate.model.beam.length, ends.right));
-    // Separate springs press along the beam. Their forces at the nodes of a mesh are not claimed.
+    // Winkler ground has a distributed pressure. So the forces at the nodes of a mesh are not part of the
+    // input.
     let layered = |x: f64| {
         let after = candidate.pieces.partition_point(|piece| piece.x[1] < x);
         let mut beside = candidate.pieces[after..].iter().take(2);
@@ -163,15 +164,15 @@ pub(super) fn answer(candidate: &Candidate) -> Answer {
     Answer { pieces, forces, reactions: reactions.collect() }
 }
 
-/// Whether there is a double between the ends of a piece. An edge of contact next to the end of a cell can
-/// leave an empty piece; its neighbours then meet there.
+/// Whether a double lies between the ends of a piece. If a contact edge is next to the end of a cell, the
+/// piece between them is empty, and its neighbours adjoin.
 fn has_inside([from, to]: [f64; 2]) -> bool {
     let middle = 0.5 * (from + to);
     from < middle && middle < to
 }
 
-/// Ends a piece at an inactive one-way support that the beam nearly reaches. The proof can then leave open
-/// whether it is active.
+/// Ends a piece at an inactive one-way support that the beam nearly reaches. The proof can then treat the
+/// support as undecided.
 fn end_at_support(
     candidate: &Candidate,
     (support, reaction): (&Support, &Reaction),
@@ -184,7 +185,7 @@ fn end_at_support(
     if !(support.is_one_way() && reaction.force == 0.0 && close) {
         return;
     }
-    // Within rounding of an end of a piece the support is already there.
+    // A support within rounding error of an end of a piece needs no new end.
     let apart = 64.0 * f64::EPSILON * candidate.model.beam.length;
     let inside = |piece: &proof::Piece| piece.x[0] + apart < at && at + apart < piece.x[1];
     let Some(i) = pieces.iter().position(inside) else { return };

@@ -1,4 +1,4 @@
-//! Extremes of the fields: at the ends of pieces, and where derivatives vanish.
+//! Extremes of the fields, at the ends of pieces and where derivatives vanish.
 //!
 //! Nothing is sampled. The coefficients of a polynomial give its roots and bounds of its values. Roots are
 //! computed only on pieces on which a field may exceed its end values.
@@ -22,7 +22,8 @@ impl Candidate {
         let mut found: Option<[ValueAt; 2]> = None;
         for (i, (of_piece, piece)) in bounds_of.iter().zip(&self.pieces).enumerate() {
             for (s, end) in [-1.0, 1.0].into_iter().zip(of_piece.ends) {
-                // All values that may be extreme within rounding are computed exactly.
+                // Values that may be extreme within rounding error are evaluated again, as results evaluate
+                // them.
                 if end <= least + 2.0 * rounding || end >= most - 2.0 * rounding {
                     widen(&mut found, ValueAt { piece: i, s, value: piece.one(field, s) });
                 }
@@ -64,7 +65,7 @@ struct ValueAt {
     value: f64,
 }
 
-/// Includes another value in the range. Of equal ones the leftmost counts.
+/// Includes another value in the range. Of equal values, the leftmost counts.
 fn widen(found: &mut Option<[ValueAt; 2]>, here: ValueAt) {
     let [min, max] = found.get_or_insert([here; 2]);
     let is_left = |of: &ValueAt| here.value == of.value && (here.piece, here.s) < (of.piece, of.s);
@@ -76,11 +77,11 @@ fn widen(found: &mut Option<[ValueAt; 2]>, here: ValueAt) {
     }
 }
 
-/// A field at the ends of a piece, to rounding, and bounds of its values on the whole piece.
+/// Approximate values of a field at the ends of a piece, and bounds of its values on the whole piece.
 struct FieldBounds {
     ends: [f64; 2],
     bounds: [f64; 2],
-    /// The error of the values at the ends.
+    /// Bound of the rounding error of the values at the ends.
     rounding: f64,
 }
 
@@ -182,8 +183,9 @@ impl SolutionPiece {
         }
     }
 
-    /// Sign changes of a derivative that is not a polynomial, between points so close that each interval has
-    /// at most one. A zero at such a point is a sign change if the signs beside it differ.
+    /// Appends the sign changes of a derivative that is not a polynomial. It compares signs at points so
+    /// close that each interval has at most one sign change. A zero at such a point is a sign change if the
+    /// signs on both sides differ.
     fn turns(&self, slope: impl Fn(f64) -> f64, found: &mut Vec<f64>) {
         const CUTS: usize = 16;
         // −1, 0 or 1. The product of two small slopes would underflow.
@@ -221,7 +223,8 @@ mod tests {
     use crate::solution::candidate::Workspace;
     use crate::{Answer, Beam, Foundation, Load, Model, Solver};
 
-    /// All fields on a thousand points of each piece, for a beam with loads, an open part and a stiff part.
+    /// Compares the ranges of all fields with values at a thousand points of each piece, for a beam with
+    /// loads, an open part and a stiff part.
     #[test]
     fn nothing_exceeds_a_range_and_ranges_are_reached() {
         let (mut solver, mut solved) = (Solver::new(), 0);
@@ -300,8 +303,8 @@ mod tests {
         assert!(all && close, "{found:?} {wanted:?}");
     }
 
-    /// The powers s² and s⁴ with 3 and −5 lower the line between the ends by at most 3 and raise it by at most 5; s³ and s⁵
-    /// with −4 and 6 change it by at most 10.
+    /// The terms 3s² and −5s⁴ lower the line between the end values by at most 3 and raise it by at most 5.
+    /// The terms −4s³ and 6s⁵ change it by at most 10.
     #[test]
     fn a_hull_is_the_line_between_the_ends_and_what_the_powers_add() {
         let FieldBounds { ends, bounds, rounding } =
@@ -324,8 +327,8 @@ mod tests {
         assert_eq!((zero.ends, zero.bounds, zero.rounding), ([0.0; 2], [0.0; 2], 0.0));
     }
 
-    /// Slope and shear force are derivatives with respect to x: those in s over half the length. The
-    /// settlement in contact is w − g₀.
+    /// Slope and shear force are derivatives with respect to x: derivatives with respect to s divided by half
+    /// the length. The settlement in contact is w − g₀.
     #[test]
     fn the_hull_of_each_field() {
         let mut of = piece([0.0, 4.0]);
@@ -395,14 +398,14 @@ mod tests {
             let lowest = candidate(vec![of]).range(Field::Settlement).min;
             near(&[lowest.x, lowest.value], &[a, 1.0]);
         }
-        // Monotone ground has no turning point.
+        // Open ground with a monotone u has no turning point.
         let mut falling = piece([0.0, 4.0]);
         falling.open = Some([1.0, exp(-4.0)]);
         near(&turning_points(&falling, Field::Settlement), &[]);
     }
 
-    /// A beam pressed down at its ends and open between them: the ground is lowest in the middle. There the
-    /// derivative of the surface is exactly zero if both edges of contact have the same bits.
+    /// A beam in contact at its ends and open between them: u of the ground is smallest in the middle. There
+    /// the derivative of u is exactly zero if both contact edges have the same bits.
     #[test]
     fn symmetric_open_ground_is_lowest_in_its_middle() {
         let mut of = piece([0.0, 4.0]);
@@ -445,7 +448,7 @@ mod tests {
         near(&turns(&|_| 0.0), &[]);
     }
 
-    /// Of equal values the leftmost counts, in any order of the search.
+    /// Of equal values, the leftmost counts, for every order of the search.
     #[test]
     fn the_leftmost_of_equal_values_counts() {
         let places = [
@@ -466,7 +469,7 @@ mod tests {
                 assert_eq!((min, max), ((1, 0.5, 1.0), (0, 1.0, 2.0)));
             }
         }
-        // The same within one piece.
+        // The leftmost also counts within one piece.
         let mut found = None;
         for s in [0.5, -0.5, 0.0] {
             widen(&mut found, ValueAt { piece: 0, s, value: 1.0 });
@@ -474,7 +477,7 @@ mod tests {
         assert_eq!(found.expect("places").map(|place| place.s), [-0.5; 2]);
     }
 
-    /// The field's value at all ends and turning points of all pieces, one by one.
+    /// Compares a range with the field's values at all ends and turning points of all pieces.
     #[test]
     fn a_range_is_the_least_and_the_largest_of_all_candidates() {
         let mut seed = 7_u64;
@@ -487,7 +490,7 @@ mod tests {
             let mut all: Vec<SolutionPiece> =
                 (0..1 + round % 5).map(|i| piece([i as f64, i as f64 + 1.0])).collect();
             for of in &mut all {
-                // Every few pieces one is far below the others: its roots are not needed.
+                // Some pieces have much smaller values than the others, so their roots are not needed.
                 let size = if digit() > 1.0 { 1.0 } else { 0.0625 };
                 let mut some = |least: usize| -> crate::numeric::polynomial::Coefficients {
                     let count = least + (digit() + 4.0) as usize / 2;
@@ -514,7 +517,7 @@ mod tests {
         }
     }
 
-    /// Ends that differ in their last bits only are compared by their exact values.
+    /// Ends whose values differ only in the last bits are compared by the values in results.
     #[test]
     fn ends_within_rounding_of_the_least_are_seen_exactly() {
         // 0.1 + 0.2 + 0.3 has another rounding than 0.3 + 0.2 + 0.1.
@@ -550,12 +553,12 @@ mod tests {
     #[test]
     fn rotations_of_a_beam_that_shears_are_its_own() {
         let mut bends = piece([0.0, 4.0]);
-        // w′ = s + s²: least −1/4 at s = −1/2, largest 2 at the right end.
+        // w′ = s + s² has its minimum −1/4 at s = −1/2 and its maximum 2 at the right end.
         bends.deflection = [0.0, 0.0, 1.0, 2.0 / 3.0][..].into();
         let Range { min, max } = candidate(vec![bends.clone()]).range(Field::Rotation);
         near(&[min.x, min.value, max.x, max.value], &[1.0, -0.25, 4.0, 2.0]);
         let mut shears = piece([4.0, 6.0]);
-        // φ = 3 − 12 s²: largest 3 at the middle, least −9 at both ends.
+        // φ = 3 − 12 s² has its maximum 3 at the middle and its minimum −9 at both ends.
         shears.rotation = [3.0, 0.0, -12.0][..].into();
         shears.deflection = [0.0, 100.0][..].into();
         let Range { min, max } = candidate(vec![bends, shears]).range(Field::Rotation);

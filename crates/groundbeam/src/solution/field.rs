@@ -6,21 +6,21 @@ use crate::model::Beam;
 /// A quantity that has a value at every position of the beam.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Field {
-    /// w.
+    /// The deflection w.
     Deflection,
-    /// w'.
+    /// The slope w'.
     Slope,
-    /// φ of the sections; w' where the beam does not shear.
+    /// φ, the rotation of the sections; w' where the beam has no shear deformation.
     Rotation,
-    /// M.
+    /// The bending moment M.
     Moment,
-    /// V.
+    /// The shear force V.
     ShearForce,
-    /// u.
+    /// The settlement u of the ground's surface.
     Settlement,
-    /// u + g₀ − w.
+    /// The gap u + g₀ − w between beam and ground.
     Gap,
-    /// p.
+    /// The contact pressure p.
     Pressure,
 }
 
@@ -66,8 +66,8 @@ impl Field {
         Field::Pressure,
     ];
 
-    /// The fields that results of a beam list, in their order. The rotation is omitted if the beam does not
-    /// shear, because it equals the slope.
+    /// The fields that results of a beam list, in their order. The rotation is omitted if the beam has no
+    /// shear deformation, because it equals the slope.
     pub fn of(beam: &Beam) -> impl Iterator<Item = Field> + Clone + use<> {
         Field::listed(beam.shears())
     }
@@ -117,7 +117,7 @@ impl Field {
         self.dimension().unit()
     }
 
-    /// The meaning of a positive value: `sagging`. Empty if no text is shorter than the definition.
+    /// The meaning of a positive value, such as `sagging`. Empty if the definition is the shortest text.
     pub const fn positive(self) -> &'static str {
         self.facts().positive
     }
@@ -127,8 +127,8 @@ impl Field {
         self.facts().drawn_down
     }
 
-    /// The magnitude of the field in a solution with the given length of the beam, sum of forces, largest
-    /// deflection and natural pressure. Much smaller values are rounding error.
+    /// The magnitude of the field in a solution, from the length of the beam, the sum of the forces, the
+    /// largest deflection and the natural pressure. Much smaller values are rounding error.
     pub fn natural_size(self, length: f64, force: f64, deflection: f64, pressure: f64) -> f64 {
         match self.dimension() {
             Dimension::Length => deflection,

@@ -10,7 +10,7 @@ use crate::numeric::polynomial::{
 use crate::numeric::real::Real;
 use crate::solution::field::Field;
 
-/// A zone of contact between beam and ground; both ends of a single point are equal.
+/// A contact zone between beam and ground. The ends of a point contact are equal.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ContactZone {
@@ -68,9 +68,10 @@ pub struct Fields {
     pub deflection: f64,
     /// w' \[rad\].
     pub slope: f64,
-    /// φ, the rotation of the sections: w' where the beam does not shear \[rad\].
+    /// φ, the rotation of the sections: w' where the beam has no shear deformation \[rad\].
     pub rotation: f64,
-    /// M = −EI (φ' − κ₀), sagging positive, κ₀ the imposed curvature; φ' = w″ where the beam does not shear \[N·m\].
+    /// M = −EI (φ' − κ₀), sagging positive, κ₀ the imposed curvature; φ' = w″ where the beam has no shear
+    /// deformation \[N·m\].
     pub moment: f64,
     /// V = M' \[N\].
     pub shear_force: f64,
@@ -98,11 +99,11 @@ impl Fields {
     }
 }
 
-/// The position and value of a field's largest or smallest value.
+/// The largest or the smallest value of a field, and its position.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Extreme {
-    /// Position \[m\]; the leftmost of several.
+    /// Position \[m\]; the leftmost one of several equal extremes.
     pub x: f64,
     /// Value of the field there.
     pub value: f64,
@@ -121,15 +122,16 @@ pub struct Range {
 /// A part of the beam on which every field has one closed form.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct SolutionPiece<R = f64> {
-    /// Its ends \[m\].
+    /// Ends of the piece \[m\].
     pub x: [f64; 2],
-    /// Half its length \[m\]; more accurate than the difference of its ends, which are rounded.
+    /// Half the length \[m\]. It is more accurate than the difference of the rounded ends.
     pub half: f64,
-    /// The cell that contains it, cut to its ends: coefficients of ground, beam and loads.
+    /// The cell that contains the piece, cut to the ends of the piece: coefficients of ground, beam and
+    /// loads.
     pub cell: Cell<R>,
     /// Coefficients of w(s).
     pub deflection: Coefficients<R>,
-    /// Coefficients of φ(s); empty if the beam does not shear.
+    /// Coefficients of φ(s); empty if the beam has no shear deformation.
     pub rotation: Coefficients<R>,
     /// Coefficients of M(s).
     pub moment: Coefficients<R>,
@@ -142,8 +144,8 @@ pub(crate) struct SolutionPiece<R = f64> {
 }
 
 impl<R: Real> SolutionPiece<R> {
-    /// A part of a cell, from the coefficients of w and of φ in this cell. `presses`: the contact pressure is
-    /// distributed.
+    /// A part of a cell, from the coefficients of w and of φ in this cell. `presses` means that the contact
+    /// pressure is distributed.
     pub fn of(
         cell: &Cell<R>,
         part: &SurfacePart<R>,
@@ -223,7 +225,7 @@ impl<R: Real> SolutionPiece<R> {
         }
     }
 
-    /// The contribution of the beam's pressure elsewhere to u and u' of open ground.
+    /// u and u' of open ground due to the contact pressure outside the open part, without the free field.
     pub(crate) fn pressed(&self, s: f64, [left, right]: [R; 2]) -> [R; 2] {
         if [left, right] == [R::ZERO; 2] {
             return [R::ZERO; 2];
@@ -279,7 +281,7 @@ impl SolutionPiece {
     }
 }
 
-/// The coefficients of M = −EI (φ' − κ₀), with φ = w' where the beam does not shear.
+/// The coefficients of M = −EI (φ' − κ₀), with φ = w' where the beam has no shear deformation.
 fn bent<R: Real>(cell: &Cell<R>, half: f64, deflection: &[R], rotation: &[R]) -> Coefficients<R> {
     let times = if cell.beam_varies() { R::ONE } else { cell.stiffness };
     let (factor, mut bend) = if rotation.is_empty() {

@@ -10,8 +10,8 @@ use crate::solution::solution::Solution;
 pub struct HingeTurn {
     /// Position \[m\].
     pub at: f64,
-    /// The jump of the rotation of the sections, right minus left: positive where the beam opens downward
-    /// \[rad\].
+    /// The jump of the rotation of the sections, right minus left \[rad\]. It is positive if the parts rotate
+    /// as under a hogging moment.
     pub rotation: f64,
     /// The transmitted moment, M = −k_φ·rotation, sagging positive; zero at a free hinge \[N·m\].
     pub moment: f64,

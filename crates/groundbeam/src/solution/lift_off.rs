@@ -14,13 +14,13 @@ pub struct LiftOff {
     pub to: f64,
     /// The largest distance between beam and ground, and its position.
     pub largest_gap: Extreme,
-    /// Whether it reaches the beam's left end, and whether it reaches the right end.
+    /// Whether the part reaches the left end of the beam, and whether it reaches the right end.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub reaches: [bool; 2],
 }
 
 impl LiftOff {
-    /// Its length \[m\].
+    /// The length of the part \[m\].
     pub fn length(&self) -> f64 {
         self.to - self.from
     }
@@ -30,7 +30,8 @@ impl Solution {
     /// The open parts, each with its largest gap.
     pub fn lift_off(&self) -> Vec<LiftOff> {
         let mut found: Vec<LiftOff> = Vec::new();
-        // Nodal contact leaves narrow gaps between touching nodes: within a region they are not a lift-off.
+        // With nodal contact there are narrow gaps between neighbouring nodes. Within a contact zone they do
+        // not count as lift-off.
         let inside = |x: [f64; 2]| self.contact().iter().any(|c| c.from <= x[0] && x[1] <= c.to);
         for piece in self.pieces() {
             if piece.open.is_none() || inside(piece.x) {

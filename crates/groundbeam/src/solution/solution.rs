@@ -19,7 +19,7 @@ use groundbeam_proof::{NotProven, Proof, Scalar, Wide};
 
 /// An equilibrium with its certificate.
 ///
-/// Only [`solve`](crate::solve()) and related functions make one, from a certificate that holds.
+/// Only [`solve`](crate::solve()) and related functions create a solution, and only if its certificate holds.
 #[derive(Debug, Clone)]
 pub struct Solution {
     candidate: Candidate,
@@ -35,7 +35,7 @@ pub struct Solution {
 pub struct SoilRounds {
     /// γ, for soil layers.
     pub gamma: Option<f64>,
-    /// Number of solutions: one, unless γ follows from the solution.
+    /// Number of iterations: one, unless γ follows from the solution.
     pub rounds: usize,
 }
 
@@ -83,7 +83,7 @@ impl Solution {
         self.soil
     }
 
-    /// The method that found it.
+    /// The method that computed the solution.
     pub fn method(&self) -> Method {
         self.method
     }
@@ -115,8 +115,8 @@ impl Solution {
         self.candidate.end_forces
     }
 
-    /// Concentrated contact forces elsewhere: where μ jumps, at corners of the ground, and at single points
-    /// of contact; with nodal pressures (5.5), all of these.
+    /// Concentrated contact forces inside the beam: where μ jumps, at corners of the ground, and at point
+    /// contacts. With nodal pressures (5.5), all contact forces inside the beam are concentrated.
     pub fn concentrated_forces(&self) -> &[ConcentratedForce] {
         &self.candidate.concentrated
     }
@@ -131,8 +131,9 @@ impl Solution {
         &self.certificate
     }
 
-    /// A proof of this solution, computed on request in numbers of 106 bits that enclose all rounding: a
-    /// theorem about the model whose numbers are exactly these doubles.
+    /// A proof of this solution, computed on request with intervals of 106-bit numbers that enclose all
+    /// rounding error. The proof is a theorem about the model whose numbers are exactly the doubles of this
+    /// model.
     pub fn prove(&self) -> Result<Proof, NotProven> {
         claim::prove::<Wide>(&self.candidate)
     }
@@ -215,8 +216,8 @@ impl Solution {
         self.candidate.model.foundation.beyond(right, self.candidate.model.beam.length, at_end)
     }
 
-    /// Positions at which to list the fields: `even` equal steps, every load, support, joint and edge of
-    /// contact, and the extremes of every field.
+    /// Positions at which the fields are listed: `even` equal steps, every load, support, end of a piece and
+    /// contact edge, and the extremes of every field.
     pub fn stations(&self, even: usize) -> Vec<f64> {
         let l = self.candidate.model.beam.length;
         let mut x: Vec<f64> = (0..=even).map(|i| l * (i as f64 / even.max(1) as f64)).collect();

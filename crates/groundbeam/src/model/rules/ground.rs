@@ -28,16 +28,16 @@ impl Model {
             check_order(found, part, s.from, s.to);
             let beside = s.to <= 0.0 || s.from >= self.beam.length;
             if beside && !(s.subgrade.is_constant() && s.shear_layer.is_constant()) {
-                let message = "ground beside the beam cannot vary along a segment";
-                let hint = "give it in segments with a constant each; the beam is {0} long";
+                let message = "ground outside the beam cannot vary along a segment";
+                let hint = "give it as several segments with constant values; the beam is {0} long";
                 let problem = Problem::new("GB203", part, "from", message, hint);
                 found.push(problem.with_numbers(&[self.beam.length]));
             }
         }
         let endless = ground.ends.iter().all(|end| *end == GroundEnd::Endless);
         if ground.soil.is_some() && !(ground.segments.is_empty() && endless) {
-            let message = "ground made of soil is uniform and endless";
-            let hint = "leave out the segments and the ends of the ground, or give its constants";
+            let message = "ground defined by soil data is uniform and infinite";
+            let hint = "remove the segments and the ends of the ground, or give k and mu instead of soil data";
             found.push(Problem::new("GB212", Part::Foundation, "soil", message, hint));
         }
         self.check_ground_ends(found);
@@ -82,7 +82,7 @@ impl Model {
         begins
     }
 
-    /// Whether the ground at and left of a position under the beam has no shear layer.
+    /// Whether the ground under the beam has no shear layer at a position and to the left of it.
     pub(crate) fn ground_has_no_layer(&self, begins: &Places, at: f64) -> bool {
         let ground = &self.foundation;
         let shear = |x: f64| {
@@ -94,7 +94,7 @@ impl Model {
         on_beam && [at, at - f64::EPSILON * self.beam.length].into_iter().all(|x| shear(x) == 0.0)
     }
 
-    /// A load on the ground must lie on the ground.
+    /// Requires that a load on the ground lies between the ends of the ground.
     pub(crate) fn check_on_ground(
         &self,
         found: &mut Vec<Problem>,
@@ -106,13 +106,14 @@ impl Model {
         let off = left.at().is_some_and(|end| from < end) || right.at().is_some_and(|end| to > end);
         if off {
             let message = "the ground does not reach as far as this load";
-            let hint = "it ends where `left` and `right` say";
+            let hint = "`left` and `right` of the foundation give the ends of the ground";
             found.push(Problem::new("GB208", part, field, message, hint));
         }
     }
 }
 
-/// μ must be zero everywhere or positive everywhere: a shear layer whose μ falls to zero has no defined end.
+/// Requires that μ is zero everywhere or positive everywhere. A shear layer whose μ decreases to zero has no
+/// defined end.
 fn check_shear(found: &mut Vec<Problem>, part: Part, shear: &Profile) {
     let values = shear.control_values();
     let wrong = values.iter().find(|value| !(in_range(**value) && **value >= 0.0));

@@ -16,7 +16,7 @@ impl Model {
                     down(found, part, "force", size);
                     if self.ground_has_no_layer(&begins, at) {
                         let message = "a force at a point of the ground needs a shear layer";
-                        let hint = "spread it: distributed with from and to";
+                        let hint = "distribute it: give `distributed`, `from` and `to`";
                         found.push(Problem::new("GB209", part, "at", message, hint));
                     }
                 }
@@ -41,8 +41,11 @@ impl Model {
         if let (Some(load), Some(Part::FoundationSegment(i))) =
             (self.loads.iter().position(Load::is_on_ground), self.varying_ground())
         {
-            let message = "loads on the ground need ground that is even along each segment";
-            let hint = format!("segment {} varies: give it in several with a constant each", i + 1);
+            let message = "loads on the ground need segments of the ground with constant values";
+            let hint = format!(
+                "segment {} varies: divide it into several segments with constant values",
+                i + 1
+            );
             found.push(Problem::new("GB210", Part::Load(load), "at", message, hint));
         }
     }

@@ -13,8 +13,8 @@ use crate::model::problem::{Part, Problem, finite};
 impl Model {
     /// Every violation of the rules; empty if the model can be solved.
     ///
-    /// It also refuses a beam so soft or ground so stiff that products of the given numbers leave the range
-    /// of a 64-bit number. So no later step meets an infinity.
+    /// The rules also refuse a beam so soft or ground so stiff that products of the given numbers overflow
+    /// the range of doubles. So no later step computes with infinite numbers.
     pub fn problems(&self) -> Vec<Problem> {
         let mut found = Vec::new();
         self.check_beam(&mut found);
@@ -34,7 +34,7 @@ impl Model {
             if i > 0 && corner.at <= self.gap[i - 1].at {
                 let hint =
                     "list the gap's corners from left to right, each at a different position";
-                let message = "this corner at {0} does not lie to the right of the one before";
+                let message = "this corner at {0} does not lie to the right of the previous corner";
                 let problem = Problem::new("GB501", Part::Gap(i), "at", message, hint);
                 found.push(problem.with_numbers(&[corner.at]));
             }

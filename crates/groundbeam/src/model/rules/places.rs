@@ -64,15 +64,15 @@ pub(crate) fn repeated(
     })
 }
 
-/// Pairs of overlapping stretches, the larger index first, in the order of the indices. Each stretch that
-/// begins within others is paired with one of them.
+/// Pairs of overlapping stretches, with the larger index first, sorted by index. A stretch that begins within
+/// several others is paired with one of them.
 pub(crate) fn overlapping(stretches: &[(f64, f64)]) -> Vec<(usize, usize)> {
     let mut order: Vec<usize> = (0..stretches.len()).collect();
     // Stretches without length are reported elsewhere.
     order.retain(|&i| stretches[i].0 < stretches[i].1);
     order.sort_by(|&a, &b| stretches[a].0.total_cmp(&stretches[b].0));
     let mut found = Vec::new();
-    // The stretch so far whose right end is farthest to the right.
+    // Index of the visited stretch whose right end is farthest to the right.
     let mut farthest: Option<usize> = None;
     for i in order {
         let (from, to) = stretches[i];

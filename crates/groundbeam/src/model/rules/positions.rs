@@ -5,7 +5,7 @@ use crate::model::Model;
 use crate::model::problem::{Part, Problem, in_range};
 
 impl Model {
-    /// A position must be a number on the beam.
+    /// Requires that a position is a finite number between the ends of the beam.
     pub(super) fn check_position(&self, found: &mut Vec<Problem>, part: Part, at: f64) {
         self.check_on_beam(found, part, "at", at);
     }
@@ -17,7 +17,7 @@ impl Model {
         field: &'static str,
         x: f64,
     ) {
-        // With an invalid length, positions are not checked.
+        // If the length is invalid, positions are not checked.
         let length_is_right = in_range(self.beam.length) && self.beam.length > 0.0;
         if length_is_right && !(x >= 0.0 && x <= self.beam.length) {
             let (message, hint) = if x.is_finite() {

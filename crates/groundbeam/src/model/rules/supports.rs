@@ -79,7 +79,7 @@ impl Model {
         }
     }
 
-    /// Only a force can act in one direction.
+    /// Requires that a one-way support has no rotational restraint.
     pub(crate) fn check_one_way(&self, found: &mut Vec<Problem>) {
         for (i, support) in self.supports.iter().enumerate().filter(|(_, s)| s.is_one_way()) {
             let what = match support.kind {
@@ -91,8 +91,8 @@ impl Model {
             };
             let message =
                 format!("{what} restrains the slope, so it cannot act in one direction only");
-            let hint = "only a pinned support or a spring against deflection can act up or down alone; \
-                        give the rest in a support of its own beside it";
+            let hint = "a one-way support is pinned or has a translational spring only; \
+                        give the rotational restraint as a second support beside it";
             found.push(Problem::new("GB408", Part::Support(i), "acts", message, hint));
         }
     }

@@ -1,18 +1,18 @@
-//! k alone, from a modulus of the soil or from a plate load test.
+//! The subgrade stiffness k from a modulus of the soil or from a plate load test.
 //!
-//! All are correlations for beams on deep soil, per length of beam: the subgrade modulus k_s of the source
-//! times the width b. `stiffness` is the beam's EI.
+//! All formulas are correlations for beams on deep soil. k is per length of beam: the subgrade modulus k_s of
+//! the source times the width b. `stiffness` is the beam's EI.
 
 use crate::numeric::elementary::{pow, power};
 
 /// Vesić (1961), *Bending of beams resting on isotropic elastic solid*: k = 0.65 (E b⁴/EI)^(1/12) E/(1 − ν²).
-/// Derived for beams with l (k/4EI)^(1/4) > 2.25; approximate for moments of shorter ones.
+/// Derived for beams with l (k/4EI)^(1/4) > 2.25; the moments of shorter beams are approximate.
 pub(crate) fn vesic(soil: &Elastic, width: f64, stiffness: f64) -> f64 {
     0.65 * pow(soil.modulus * power(width, 4) / stiffness, 1.0 / 12.0) * plane(soil)
 }
 
 /// Biot (1937), *Bending of an infinite beam on an elastic foundation*: k = 0.95 (E b⁴/(1 − ν²)EI)^0.108 E/(1
-/// − ν²). Gives the largest moment of an infinite beam under one force.
+/// − ν²). It reproduces the largest moment of an infinite beam under one force.
 pub(crate) fn biot(soil: &Elastic, width: f64, stiffness: f64) -> f64 {
     let plane = plane(soil);
     0.95 * pow(plane * power(width, 4) / stiffness, 0.108) * plane
@@ -36,7 +36,7 @@ pub(crate) fn terzaghi_clay(plate: &PlateTest, width: f64, length: f64) -> f64 {
     plate.modulus * plate.width * (m + 0.5) / (1.5 * m)
 }
 
-/// The same for sand, whose stiffness increases with depth: k_s = k₁ ((b + b₁)/2b)².
+/// Terzaghi (1955) for sand, whose stiffness increases with depth: k_s = k₁ ((b + b₁)/2b)².
 pub(crate) fn terzaghi_sand(plate: &PlateTest, width: f64) -> f64 {
     plate.modulus * power((width + plate.width) / (2.0 * width), 2) * width
 }
@@ -68,8 +68,8 @@ pub struct PlateTest {
 mod tests {
     use super::*;
 
-    /// A worksheet (scribd.com/document/680935098): concrete 30 620 MPa, 3 m wide and 0.5 m high, on soil of
-    /// E = 10 MPa, ν = 0.3; its k_s in kN/m³.
+    /// A published worksheet (scribd.com/document/680935098), with k_s in kN/m³: a beam of concrete with 30
+    /// 620 MPa, 3 m wide and 0.5 m high, on soil with E = 10 MPa and ν = 0.3.
     #[test]
     fn a_published_worksheet() {
         let (b, soil) = (3.0, Elastic { modulus: 10e6, poisson: 0.3 });
@@ -83,13 +83,14 @@ mod tests {
         }
     }
 
-    /// Terzaghi's plate of one foot under a square footing of the same size gives the result of the test.
+    /// A square footing of the size of Terzaghi's plate, one foot, has the k_s of the plate test.
     #[test]
     fn a_footing_like_the_plate() {
         let plate = PlateTest { modulus: 40e6, width: 0.3 };
         assert!((terzaghi_clay(&plate, 0.3, 0.3) - 40e6 * 0.3).abs() < 1.0);
         assert!((terzaghi_sand(&plate, 0.3) - 40e6 * 0.3).abs() < 1.0);
-        // Wide on sand: a quarter of the plate's k_s. Long on clay: two thirds of the square's.
+        // A very wide beam on sand has a quarter of the plate's k_s. A very long beam on clay has two thirds
+        // of a square footing's k_s.
         assert!((terzaghi_sand(&plate, 3e6) / 3e6 / 40e6 - 0.25).abs() < 1e-6);
         assert!((terzaghi_clay(&plate, 1.0, 1e6) / 40e6 - 0.2).abs() < 1e-6);
     }

@@ -5,7 +5,7 @@
 //!
 //! k = b ∫₀ᴴ E₀ φ'² dz,  μ = b ∫₀ᴴ G φ² dz,  E₀ = E (1 − ν)/((1 + ν)(1 − 2ν)),  G = E/2(1 + ν).
 //!
-//! The best φ for a given u makes the energy stationary: (E₀ φ')' = r G φ with the rate r = ∫u'²/∫u².
+//! For a given u, φ makes the energy stationary: (E₀ φ')' = r G φ with the rate r = ∫u'²/∫u².
 
 use crate::numeric::elementary::{cosh, exp, power, sinh, tanh};
 
@@ -41,11 +41,11 @@ impl SoilLayer {
 /// Layers of elastic soil, the uppermost first, on rigid rock.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LayeredSoil {
-    /// From the surface down; at least one.
+    /// The layers from the surface down; at least one.
     pub layers: Vec<SoilLayer>,
 }
 
-/// A two-parameter ground, per length of beam.
+/// The constants of a two-parameter ground, per length of beam.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct GroundConstants {
     /// k \[N/m²\].
@@ -55,8 +55,8 @@ pub struct GroundConstants {
 }
 
 impl LayeredSoil {
-    /// k and μ under a beam of a given width \[m\], where the ground's surface varies at the rate
-    /// r = ∫u'²/∫u² \[1/m²\]. Rate 0 is uniform settlement: one layer has k = b E₀/H, μ = b G H/3.
+    /// k and μ under a beam of a given width \[m\], for the rate r = ∫u'²/∫u² \[1/m²\] of the ground's
+    /// surface. Rate 0 is uniform settlement: one layer then has k = b E₀/H and μ = b G H/3.
     ///
     /// ```
     /// use groundbeam::soil::{LayeredSoil, SoilLayer};
@@ -77,8 +77,8 @@ impl LayeredSoil {
         ground
     }
 
-    /// γ: the depth from the surface to the rock in decay lengths of φ. For one layer the γ of Vallabhan and
-    /// Das, γ² = r H² (1 − 2ν)/2(1 − ν).
+    /// γ: the depth from the surface to the rock in decay lengths of φ. For one layer it is the γ of
+    /// Vallabhan and Das, γ² = r H² (1 − 2ν)/2(1 − ν).
     pub fn gamma(&self, rate: f64) -> f64 {
         self.layers.iter().map(|layer| layer.decay(rate)).sum()
     }
@@ -90,7 +90,8 @@ impl LayeredSoil {
 
     /// φ at the top of every layer, and on the rock.
     fn heights(&self, rate: f64) -> Vec<f64> {
-        // From the rock up: −E₀ φ'/φ below each layer's top, and the ratio of φ at its bottom and its top.
+        // Loop from the rock up: −E₀ φ'/φ just below the top of each layer, and the ratio of φ at its bottom
+        // and at its top.
         let mut below = f64::INFINITY;
         let mut left: Vec<f64> = Vec::with_capacity(self.layers.len());
         for layer in self.layers.iter().rev() {
@@ -106,13 +107,14 @@ impl LayeredSoil {
     }
 }
 
-/// φ at the bottom of a layer over φ at its top, and −E₀ φ'/φ at its top, with `below` at its bottom.
+/// φ at the bottom of a layer divided by φ at its top, and −E₀ φ'/φ at its top. `below` is −E₀ φ'/φ at its
+/// bottom.
 fn passed(layer: &SoilLayer, decay: f64, below: f64) -> (f64, f64) {
     let stiffness = layer.constrained_modulus() / layer.thickness;
     if below == f64::INFINITY {
         return (0.0, stiffness / tanh_over(decay));
     }
-    // sinh(c)/c over cosh(c).
+    // sinh(c)/(c cosh(c)).
     let sinh = tanh_over(decay);
     let whole = stiffness + below * sinh;
     let above = stiffness * (below + stiffness * decay * decay * sinh) / whole;
@@ -184,7 +186,7 @@ mod tests {
         }
     }
 
-    /// One layer cut in three gives the same soil.
+    /// One layer divided into three has the same k and μ.
     #[test]
     fn cut_layers_are_the_same_soil() {
         let part = |thickness: f64| SoilLayer { modulus: 5.0, poisson: 0.3, thickness };
@@ -216,7 +218,7 @@ mod tests {
         }
     }
 
-    /// k + rμ equals −E₀φ' at the surface: the energy from the load.
+    /// k + rμ equals −E₀φ' at the surface: the strain energy equals the work of the load.
     #[test]
     fn energy_is_work() {
         let layers = [(2.0, 0.1, 1.0), (70.0, 0.4, 0.5), (1.0, 0.2, 3.0)]

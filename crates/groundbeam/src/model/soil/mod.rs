@@ -1,4 +1,4 @@
-//! The ground's two constants k and μ from data of the soil.
+//! The constants k and μ of the ground, from soil data.
 
 pub(crate) mod correlations;
 pub(crate) mod layers;
@@ -9,7 +9,7 @@ use crate::model::soil::correlations::{Elastic, PlateTest};
 use crate::numeric::elementary::pow;
 pub use layers::{GroundConstants, LayeredSoil, SoilLayer};
 
-/// Data of the soil, with the method that gives the ground's constants.
+/// Soil data, with the method that computes the ground's constants.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Soil {
     /// Vlasov and Leontiev (1966): layers on rock, and γ.
@@ -30,29 +30,29 @@ pub enum Soil {
     TerzaghiSand(PlateTest),
 }
 
-/// Soil under a beam that bears on a given width: k and μ follow from it.
+/// Soil under a beam that bears on a given width. k and μ follow from these data.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SoilModel {
     /// The soil.
     pub soil: Soil,
     /// The width on which the beam bears \[m\].
     pub width: f64,
-    /// Factors on k and μ: `[1, 1]` for the values of the method, other numbers for uncertain soil.
+    /// Factors on k and μ, for uncertain soil; `[1, 1]` leaves the values of the method unchanged.
     pub factors: [f64; 2],
 }
 
 /// βl below which a beam is too short for correlations that were derived for long ones.
 const LONG: f64 = 2.25;
-/// From this Poisson's ratio on, E₀ depends on ν much more than on the soil's modulus.
+/// At this Poisson's ratio and above, E₀ depends on ν much more than on Young's modulus.
 const NEARLY_INCOMPRESSIBLE: f64 = 0.45;
 
 impl SoilModel {
-    /// Soil under a beam that bears on a `width` \[m\] of it.
+    /// Soil under a beam that bears on a `width` \[m\].
     pub fn new(soil: Soil, width: f64) -> Self {
         SoilModel { soil, width, factors: [1.0; 2] }
     }
 
-    /// k and μ under a beam before the solve: for [`Soil::ModifiedVlasov`] those of γ = 1.
+    /// k and μ under a beam before the solve; for [`Soil::ModifiedVlasov`] with γ = 1.
     pub fn subgrade(&self, beam: &Beam) -> GroundConstants {
         let (width, length, stiffness) = (self.width, beam.length, beam.bending_stiffness);
         let springs = |spring: f64| GroundConstants { subgrade: spring, shear_layer: 0.0 };
@@ -97,19 +97,19 @@ impl SoilModel {
         }
     }
 
-    /// Warnings about the method's range of validity: a sentence each, without a full stop.
+    /// Warnings about the range of validity of the method. Each is a sentence without a full stop.
     pub fn doubts(&self, beam: &Beam) -> Vec<String> {
         let mut doubts = Vec::new();
         let spring = self.subgrade(beam).subgrade;
         let waves = beam.length * pow(0.25 * spring / beam.bending_stiffness, 0.25);
         match &self.soil {
             Soil::Vesic(_) | Soil::Biot(_) if waves < LONG => doubts.push(format!(
-                "{} is made for long beams, βl > {LONG}, and this one has βl = {waves:.2}",
+                "{} is valid for long beams, βl > {LONG}; this beam has βl = {waves:.2}",
                 self.source()
             )),
             Soil::TerzaghiClay(plate) | Soil::TerzaghiSand(plate) if self.width < plate.width => {
                 doubts.push(format!(
-                    "{} goes from a plate to a wider beam, and this one is narrower",
+                    "{} is valid for beams wider than the plate of the test; this beam is narrower",
                     self.source()
                 ));
             }
@@ -121,8 +121,8 @@ impl SoilModel {
         if matches!(&self.soil, Soil::Vlasov(layers, _) | Soil::ModifiedVlasov(layers) if nearly(layers))
         {
             doubts.push(format!(
-                "soil with a Poisson's ratio of {NEARLY_INCOMPRESSIBLE} or more hardly gives way downwards \
-                 alone, as Vlasov's model has it: k grows without end as the ratio nears 0.5"
+                "Vlasov's model overestimates k of soil with a Poisson's ratio of {NEARLY_INCOMPRESSIBLE} or more: \
+                 it has no horizontal displacements, so k tends to infinity as the ratio tends to 0.5"
             ));
         }
         doubts
@@ -130,7 +130,7 @@ impl SoilModel {
 }
 
 impl GroundConstants {
-    /// The same soil with k and μ multiplied.
+    /// The same soil with k and μ multiplied by factors.
     pub fn times(self, [spring, shear]: [f64; 2]) -> Self {
         GroundConstants { subgrade: self.subgrade * spring, shear_layer: self.shear_layer * shear }
     }
