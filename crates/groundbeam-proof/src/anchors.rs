@@ -279,10 +279,12 @@ impl<S: Scalar> Pointwise<'_, S> {
         least
     }
 
-    /// sup|e| on a part whose kinks have a sum of at most j. Between anchors at distance h: the larger bound
-    /// + s(h³/48)^½ + ½s_γh^½ + ¼jh. On an overhang o beyond anchors b₁ (nearer) and b₂ at distance h: b₁ +
-    /// (b₁ + b₂)o/h + s(o²(h + o)/3)^½ + s_γ(o(h + o)/h)^½ + jo. Where |e_φ| ≤ θ at a distance d from the
-    /// anchor: b₁ + θo + so(d + o/3)^½ + s_γo^½ + jo.
+    /// sup|e| on a part whose kinks have a sum of at most j:
+    ///
+    /// - between anchors at distance h, the larger bound + s(h³/48)^½ + ½s_γh^½ + ¼jh;
+    /// - on an overhang o beyond anchors b₁ (nearer) and b₂ at distance h,
+    ///   b₁ + (b₁ + b₂)o/h + s(o²(h + o)/3)^½ + s_γ(o(h + o)/h)^½ + jo;
+    /// - where |e_φ| ≤ θ at a distance d from the anchor, b₁ + θo + so(d + o/3)^½ + s_γo^½ + jo.
     fn along(&self, part: &Part, anchors: &[Anchor], slopes: &[Anchor]) -> Size {
         let frame = self.fields.frame;
         let [s, sheared] = self.flexure(&part.pieces);
