@@ -212,7 +212,7 @@ fn tables_of_combinations_have_bounds() {
     let envelope = done.stdout.split("Envelope: smallest").nth(1).unwrap();
     let row = envelope.lines().find(|line| line.starts_with("Deflection")).unwrap();
     assert!(row.contains(" ± ") && row.contains(", #"), "{row}");
-    assert!(done.stdout.contains("proven to pass; one (EN 1997-1, 6.6)"), "{}", done.stdout);
+    assert!(done.stdout.contains("proven to pass; one"), "{}", done.stdout);
     assert!(done.stdout.lines().all(|line| line.chars().count() <= 80), "{}", done.stdout);
     assert!(
         folder.read("t.csv").starts_with(

@@ -22,6 +22,8 @@ pub(crate) struct Recipe {
     pub limit_states: LimitStates,
     /// The set of combinations of a code of practice that it comes from.
     pub set: Option<&'static str>,
+    /// Whether this set belongs to the Eurocodes.
+    pub eurocode: bool,
 }
 
 impl Recipe {
@@ -43,6 +45,8 @@ pub struct Combination {
     pub factors: Vec<(String, f64)>,
     /// Its limit states; empty for the loads as given, or if the file names none.
     pub limit_states: LimitStates,
+    /// Whether it comes from a set of the Eurocodes, whose clauses then require the checks.
+    pub eurocode: bool,
     /// The file's model under the factored loads. Loads with the factor 0 are left out.
     pub model: Model,
     /// Indices of these loads in the document.
@@ -57,7 +61,8 @@ impl From<Model> for Combination {
         let loads = (0..model.loads.len()).collect();
         let limit_states = LimitStates::NONE;
         let (name, factors) = (String::new(), Vec::new());
-        Combination { name, factors, limit_states, model, loads, ground: None }
+        let eurocode = false;
+        Combination { name, factors, limit_states, eurocode, model, loads, ground: None }
     }
 }
 
@@ -150,8 +155,8 @@ impl Document {
         let combined = |recipe: &Recipe| {
             let (model, loads) = self.under(|case| recipe.factor(case.as_deref()));
             let (name, factors) = (recipe.name.clone(), recipe.factors.clone());
-            let limit_states = recipe.limit_states;
-            Combination { name, factors, limit_states, model, loads, ground: None }
+            let Recipe { limit_states, eurocode, .. } = *recipe;
+            Combination { name, factors, limit_states, eurocode, model, loads, ground: None }
         };
         let Some(band) = &self.band else { return self.recipes.iter().map(combined).collect() };
         let alone = self.recipes.is_empty().then(|| self.as_written());

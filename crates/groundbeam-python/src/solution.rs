@@ -42,7 +42,8 @@ impl Solution {
     /// Data of a report in addition to the result.
     fn context(&self) -> Context<'_> {
         let context = Context::of(&self.read.document).with_seconds(self.seconds);
-        Context { ground: self.ground.as_ref(), ..context }
+        let combination = Some(&*self.label.combination).filter(|one| !one.name.is_empty());
+        Context { ground: self.ground.as_ref(), combination, ..context }
     }
 
     fn stations_or(&self, at: Option<Vec<f64>>) -> Vec<f64> {

@@ -80,6 +80,8 @@ pub(crate) struct Row<'a> {
     pub name: Cow<'a, str>,
     /// The limit states of the answer; empty if the loads act as given.
     pub states: LimitStates,
+    /// Whether its combination comes from a set of the Eurocodes.
+    pub eurocode: bool,
     pub solution: Option<&'a Solution>,
     /// Whether no equilibrium exists.
     pub falls: bool,
@@ -109,6 +111,7 @@ impl<'a> Row<'a> {
         Row {
             name,
             states: combination.limit_states,
+            eurocode: combination.eurocode,
             solution: answer.solution(),
             falls: matches!(answer.found, Found::NoEquilibrium(_)),
             // A combination of the file has a name, and so has each ground of a band.
@@ -122,7 +125,8 @@ impl<'a> Row<'a> {
     pub fn alone(solution: &'a Solution, context: &Context<'a>) -> Self {
         Row {
             name: Cow::Borrowed(""),
-            states: context.limit_states,
+            states: context.combination.map_or(LimitStates::NONE, |one| one.limit_states),
+            eurocode: context.combination.is_some_and(|one| one.eurocode),
             solution: Some(solution),
             falls: false,
             as_given: context.combination.is_none(),
@@ -168,9 +172,21 @@ impl Verdict {
         }
     }
 
-    /// The clause that requires the check. The Eurocodes have no allowable stress design.
-    pub fn clause(&self) -> Option<&'static str> {
-        self.what.clause().filter(|_| self.state != Some(LimitState::AllowableStress))
+    /// Index of the answer that decides; `None` without an answer.
+    pub fn by(&self) -> Option<usize> {
+        match self.of {
+            Governing::Judged(by, _)
+            | Governing::Falls(by)
+            | Governing::Unsolved(by)
+            | Governing::NoResultant(by) => Some(by),
+            Governing::NoCombination(_) => None,
+        }
+    }
+
+    /// The clause that requires the check, if the combination that decides comes from the same code.
+    pub fn clause(&self, rows: &[Row]) -> Option<&'static str> {
+        let eurocode = self.by().is_some_and(|by| rows[by].eurocode);
+        self.what.clause().filter(|_| eurocode)
     }
 
     /// Whether the limit lies within the error bound of the value.
@@ -324,7 +340,8 @@ mod tests {
     fn row(states: &[LimitState], falls: bool) -> Row<'static> {
         let states = LimitStates::of(states);
         let name = Cow::Borrowed("a");
-        Row { name, states, solution: None, falls, as_given: false, proof: None }
+        let (solution, proof) = (None, None);
+        Row { name, states, eurocode: false, solution, falls, as_given: false, proof }
     }
 
     /// A combination whose value does not govern may govern by its bound.

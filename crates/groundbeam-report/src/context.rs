@@ -2,8 +2,8 @@
 
 use crate::quantity::Units;
 use crate::verified::Named;
-use groundbeam::design::{LimitStates, Limits};
-use groundbeam_file::{Diagnostic, Document, printable};
+use groundbeam::design::Limits;
+use groundbeam_file::{Combination, Diagnostic, Document, printable};
 use groundbeam_run::{Factors, Ground};
 
 /// Data of a report in addition to the result.
@@ -21,15 +21,13 @@ pub struct Context<'a> {
     pub ground: Option<&'a Ground>,
     /// Limits of the design checks; `None` if not requested.
     pub limits: Option<&'a Limits>,
-    /// Limit states of a combination that is solved alone; empty for loads as given.
-    pub limit_states: LimitStates,
     /// Number of chords of the initial gap that replace settlement troughs; `None` without troughs.
     pub chords: Option<usize>,
     /// Digest of the model file and of the tables that it names, from [`model_digest`](crate::model_digest);
     /// `None` if the model does not come from a file.
     pub digest: Option<&'a str>,
-    /// Name of a combination that is solved alone; `None` for a model as written.
-    pub combination: Option<&'a str>,
+    /// A combination that is solved alone; `None` for a model as written.
+    pub combination: Option<&'a Combination>,
     /// Whether the file has more combinations than the requested ones.
     pub selected: bool,
     /// Whether a document contains the pieces of the solution, which its proof needs.
@@ -63,7 +61,6 @@ impl<'a> Context<'a> {
             factors: None,
             ground: None,
             limits: None,
-            limit_states: LimitStates::NONE,
             chords: None,
             digest: None,
             combination: None,

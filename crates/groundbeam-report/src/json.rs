@@ -234,7 +234,7 @@ impl<'a> Head<'a> {
             units: context.units.name(),
             trough_chords: context.chords,
             model_digest: context.digest,
-            combination: context.combination,
+            combination: context.combination.map(|one| &*one.name),
         }
     }
 }

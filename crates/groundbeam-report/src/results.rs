@@ -24,11 +24,10 @@ impl<'a> Results<'a> {
             _ => (None, None),
         };
         let one = answers.list.first().filter(|_| answers.asked == Asked::One);
-        let combination = one.map(Answer::name).filter(|name| !name.is_empty());
-        let limit_states = one.map(|one| one.label.combination.limit_states).unwrap_or_default();
+        let combination = one.map(|one| &*one.label.combination).filter(|one| !one.name.is_empty());
         let seconds = one.map(|one| one.seconds).filter(|seconds| seconds.is_finite());
         let seconds = seconds.or(context.seconds);
-        let context = Context { ground, factors, seconds, combination, limit_states, ..context };
+        let context = Context { ground, factors, seconds, combination, ..context };
         Results { answers, context }
     }
 

@@ -2,12 +2,13 @@
 
 use super::combination::{LIMIT_STATES, limit_states};
 use crate::code;
+use crate::combination::Recipe;
 use crate::fault::Fault;
 use crate::keys::{ALSO_WIDTH, Key, Table, quantity, table, words};
 use crate::quantity::{RATIO, SETTLEMENT_LIMIT, STRESS_LIMIT, WIDTH};
 use crate::reader::{Field, Reader};
 use crate::table::Section;
-use groundbeam::design::{Checked, Limits};
+use groundbeam::design::{Checked, LimitState, LimitStates, Limits};
 use toml::de::DeValue;
 
 pub(super) static TABLE: Table = Table {
@@ -21,7 +22,7 @@ pub(super) static TABLE: Table = Table {
         quantity(
             "bearing_resistance",
             &STRESS_LIMIT,
-            "The design resistance r_d per effective area, V_d ≤ r_d B′ L′: EN 1997-1, 6.5.2.",
+            "The design resistance r_d per effective area, V_d ≤ r_d B′ L′: EN 1997-1, 6.5.2; in allowable stress design the allowable pressure on this area.",
         ),
         quantity("width", &WIDTH, "The width for both; default: that of `[foundation]`.")
             .also(ALSO_WIDTH),
@@ -96,6 +97,16 @@ pub(super) fn read(reader: &mut Reader, root: &Section, width: Option<f64>) -> L
         eccentricity,
         overturning,
         judged_in,
+    }
+}
+
+/// Gives `bearing_resistance` its limit state, if the file names none. A design resistance belongs to STR/GEO. In
+/// a file with combinations of allowable stress design and none of STR/GEO, it is an allowable pressure.
+pub(super) fn judge_resistance(limits: &mut Limits, recipes: &[Recipe]) {
+    let any = |state| recipes.iter().any(|recipe| recipe.limit_states.contains(state));
+    if any(LimitState::AllowableStress) && !any(LimitState::StrGeo) {
+        let allowable = LimitStates::of(&[LimitState::AllowableStress]);
+        limits.judged_in[Checked::BearingResistance.index()].get_or_insert(allowable);
     }
 }
 

@@ -142,7 +142,8 @@ pub(super) fn read(
                 };
                 let name = name.map_or_else(String::new, |(name, _)| name.to_owned());
                 let limit_states = states.unwrap_or_default();
-                recipes.push(Recipe { name, factors, limit_states, set: None });
+                let (set, eurocode) = (None, false);
+                recipes.push(Recipe { name, factors, limit_states, set, eurocode });
             }
         }
     }
@@ -291,7 +292,8 @@ impl<'a> File<'a> {
                     let factors = factors.collect();
                     let limit_states = states.unwrap_or(limit_states);
                     self.made.push(name.clone());
-                    recipes.push(Recipe { name, factors, limit_states, set: Some(&set.name) });
+                    let (set, eurocode) = (Some(&*set.name), practice.eurocode);
+                    recipes.push(Recipe { name, factors, limit_states, set, eurocode });
                 }
             }
             Err(sets::TooMany) => {

@@ -116,10 +116,11 @@ pub(crate) fn read(reader: &mut Reader, root: &Section) -> Contents {
     let hinges = hinge::read(reader, root);
     let foundation = ground.foundation.clone();
     let mut model = Model { beam, foundation, loads, supports, hinges, gap: Vec::new() };
-    let limits = checks::read(reader, root, ground.width);
+    let mut limits = checks::read(reader, root, ground.width);
     let grounds = ground.band.map_or(1, |band| band.grounds().len());
     let trains = train::read(reader, root, model.beam.length);
     let recipes = combination::read(reader, root, &model.loads, &cases, &trains, grounds);
+    checks::judge_resistance(&mut limits, &recipes);
     let pressures = mean_loads(&model, &cases, &recipes);
     let chords = gap::read(reader, root, &mut model, ground.band, pressures.into_iter());
     Contents { title, model, chords, ground, limits, cases, recipes, trains, height }

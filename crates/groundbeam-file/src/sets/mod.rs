@@ -17,6 +17,9 @@ use std::sync::LazyLock;
 pub(crate) struct Practice {
     /// Its name, such as `EN 1990`.
     pub code: String,
+    /// Whether the code belongs to the Eurocodes.
+    #[serde(default)]
+    pub eurocode: bool,
     #[serde(rename = "action")]
     actions: Vec<Action>,
     #[serde(rename = "set")]

@@ -43,16 +43,16 @@ pub(super) fn of(rows: &[Row], context: &Context) -> Vec<Checked> {
 
 impl Checked {
     fn of(verdict: &Verdict, rows: &[Row]) -> Self {
-        let (judged, by, reason) = match verdict.of {
-            Governing::Judged(by, judged) => (Some(judged.check), Some(by), None),
-            Governing::Falls(by) => (None, Some(by), Some("no equilibrium".to_owned())),
-            Governing::Unsolved(by) => (None, Some(by), Some("not solved".to_owned())),
-            Governing::NoResultant(by) => (None, Some(by), Some("no resultant".to_owned())),
+        let (judged, reason) = match verdict.of {
+            Governing::Judged(_, judged) => (Some(judged.check), None),
+            Governing::Falls(_) => (None, Some("no equilibrium".to_owned())),
+            Governing::Unsolved(_) => (None, Some("not solved".to_owned())),
+            Governing::NoResultant(_) => (None, Some("no resultant".to_owned())),
             Governing::NoCombination(states) => {
-                (None, None, Some(format!("no combination of {}", states.names())))
+                (None, Some(format!("no combination of {}", states.names())))
             }
         };
-        let name = by.map(|by| rows[by].name.to_string()).filter(|name| !name.is_empty());
+        let name = verdict.by().map(|by| rows[by].name.to_string()).filter(|name| !name.is_empty());
         let beside = judged.map_or(Beside::Nothing, |check| check.beside);
         Checked {
             name: verdict.what.name(),
@@ -70,7 +70,7 @@ impl Checked {
                 Beside::EffectiveArea { width, length } => Some(Area { width, length }),
                 _ => None,
             },
-            clause: verdict.clause(),
+            clause: verdict.clause(rows),
             passes: verdict.passes(),
             reason,
         }

@@ -8,7 +8,7 @@ use crate::numbers::Numbers;
 use crate::quantity::{Kind, Unit};
 use groundbeam::{
     Field, Solution,
-    design::{Beside, Check, Checked},
+    design::{Beside, Check, Checked, LimitState},
 };
 
 /// The checks of one solution, followed by a blank line if there are any.
@@ -40,35 +40,33 @@ pub(crate) fn all_rows(sheet: &mut Sheet, rows: &[Row], context: &Context) {
 /// A verdict as a sentence, with its tone.
 pub(crate) fn sentence(verdict: &Verdict, rows: &[Row], context: &Context) -> (String, Tone) {
     let name = noun(verdict.what);
-    let (mut words, tone, by) = match verdict.of {
+    let (mut words, tone) = match verdict.of {
         Governing::NoCombination(states) => {
             let of = if context.selected { "selected combination is" } else { "combination" };
-            let words = format!("{name} not judged: no {of} of {}", states.names());
-            return (words, Tone::Doubtful);
+            (format!("{name} not judged: no {of} of {}", states.names()), Tone::Doubtful)
         }
-        Governing::Unsolved(by) => {
-            (format!("{name} not judged: a combination is not solved"), Tone::Doubtful, by)
+        Governing::Unsolved(_) => {
+            (format!("{name} not judged: a combination is not solved"), Tone::Doubtful)
         }
-        Governing::NoResultant(by) => {
-            (format!("{name} not judged: the loads have no resultant"), Tone::Doubtful, by)
+        Governing::NoResultant(_) => {
+            (format!("{name} not judged: the loads have no resultant"), Tone::Doubtful)
         }
-        Governing::Falls(by) => (format!("{name} fails: no equilibrium"), Tone::Bad, by),
+        Governing::Falls(_) => (format!("{name} fails: no equilibrium"), Tone::Bad),
         Governing::Judged(by, judged) => match rows[by].solution {
             Some(solution) => {
                 let numbers = Numbers::plain(solution, context.units).with_proof(rows[by].proof);
-                let (words, tone) = judged_in_words(&judged, solution, &numbers);
-                (words, tone, by)
+                judged_in_words(&judged, verdict.state, solution, &numbers)
             }
             None => return (String::new(), Tone::Plain),
         },
     };
     let state = verdict.state.map(|state| state.name().to_owned());
-    let of = Some(clean(&rows[by].name)).filter(|name| !name.is_empty());
+    let of = verdict.by().map(|by| clean(&rows[by].name)).filter(|name| !name.is_empty());
     let place: Vec<String> = state.into_iter().chain(of).collect();
     if !place.is_empty() {
         words += &format!("; {}", place.join(", "));
     }
-    if let Some(clause) = verdict.clause() {
+    if let Some(clause) = verdict.clause(rows) {
         words += &format!(" ({clause})");
     }
     (words, tone)
@@ -89,7 +87,12 @@ fn noun(what: Checked) -> &'static str {
 /// Number of digits that distinguishes every double from its neighbours.
 const ALL_DIGITS: usize = 17;
 
-fn judged_in_words(judged: &Judged, solution: &Solution, numbers: &Numbers) -> (String, Tone) {
+fn judged_in_words(
+    judged: &Judged,
+    state: Option<LimitState>,
+    solution: &Solution,
+    numbers: &Numbers,
+) -> (String, Tone) {
     let check = &judged.check;
     let unit = |value: f64| match check.what {
         Checked::BearingPressure => numbers.units.unit(Kind::Stress, value),
@@ -118,7 +121,13 @@ fn judged_in_words(judged: &Judged, solution: &Solution, numbers: &Numbers) -> (
         }
         Checked::BearingResistance => {
             let used = numbers.units.percent().write(check.utilisation());
-            format!("V_d = {found} on the effective area, {limit} resisted, {used} used")
+            // The value of the file is a design resistance in ultimate limit states, an allowable pressure in others.
+            match state.is_none_or(LimitState::is_ultimate) {
+                true => {
+                    format!("V_d = {found} on the effective area, {limit} resisted, {used} used")
+                }
+                false => format!("V = {found} on the effective area, {limit} allowed, {used} used"),
+            }
         }
         Checked::Settlement => {
             format!("deflection {found}{}, {limit} allowed", place(Some(Field::Deflection)))

@@ -13,8 +13,8 @@ use crate::solution::solution::Solution;
 pub struct Limits {
     /// The allowable bearing pressure \[Pa\], and the width on which the beam bears \[m\].
     pub bearing_pressure: Option<(f64, f64)>,
-    /// The design resistance r_d of the ground per unit of effective area \[Pa\], and the width of the
-    /// effective area \[m\].
+    /// The resistance of the ground per unit of effective area \[Pa\], and the width of the effective area
+    /// \[m\]: the design resistance r_d in ultimate limit states, an allowable pressure in allowable stress design.
     pub bearing_resistance: Option<(f64, f64)>,
     /// The limit of the downward deflection \[m\].
     pub settlement: Option<f64>,
@@ -99,12 +99,14 @@ impl Checked {
 
     /// The default limit states of the check. Resistance and eccentricity: ultimate limit states (EN 1997-1,
     /// 2.4.7.1). Overturning: equilibrium (EN 1990, 6.4.1(1)a). Deformations (EN 1997-1, 2.4.8) and allowable
-    /// values: serviceability. All except overturning are also judged in allowable stress design.
+    /// values: serviceability. All except overturning and resistance are also judged in allowable stress design.
+    /// An allowable pressure is another value than a design resistance.
     pub const fn limit_states(self) -> LimitStates {
         use LimitState::{AllowableStress, Characteristic, Equ, Frequent, QuasiPermanent, StrGeo};
         LimitStates::of(match self {
             Checked::BearingPressure | Checked::LiftedShare => &[Characteristic, AllowableStress],
-            Checked::BearingResistance | Checked::Eccentricity => &[StrGeo, AllowableStress],
+            Checked::BearingResistance => &[StrGeo],
+            Checked::Eccentricity => &[StrGeo, AllowableStress],
             Checked::Settlement => &[Characteristic, Frequent, QuasiPermanent, AllowableStress],
             Checked::Overturning => &[Equ],
         })
@@ -122,7 +124,7 @@ impl Checked {
         }
     }
 
-    /// The clause that requires the check; `None` if no clause requires it.
+    /// The clause of the Eurocodes that requires the check; `None` if no clause requires it.
     pub fn clause(self) -> Option<&'static str> {
         match self {
             // EN 1997-1 has no clause for an allowable elastic pressure; the file gives the limit.

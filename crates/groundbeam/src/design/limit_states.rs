@@ -34,6 +34,12 @@ impl LimitState {
         LimitState::AllowableStress,
     ];
 
+    /// Whether it is an ultimate limit state, with design values of actions and resistances.
+    pub fn is_ultimate(self) -> bool {
+        use LimitState::{Accidental, Equ, Seismic, StrGeo};
+        matches!(self, StrGeo | Equ | Accidental | Seismic)
+    }
+
     /// The name in files and results.
     pub fn name(self) -> &'static str {
         match self {
