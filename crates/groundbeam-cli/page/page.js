@@ -217,13 +217,15 @@ function replace(gesture, from, to, words) {
 }
 
 function setNumber(gesture, index, value) {
-  const { from, to } = gesture.numbers[index];
-  replace(gesture, from, to, `${value}`);
+  const { from, to, decimal } = gesture.numbers[index];
+  replace(gesture, from, to, decimal ? `${value} ${decimal[1]}` : `${value}`);
 }
 
 function valueOf(gesture, index) {
-  const { from, to } = gesture.numbers[index];
-  const words = gesture.edits.get(from)?.words ?? gesture.text.slice(from, to);
+  const { from, to, decimal } = gesture.numbers[index];
+  const edited = gesture.edits.get(from)?.words;
+  if (decimal) return edited ? Number.parseFloat(edited) : decimal[0];
+  const words = edited ?? gesture.text.slice(from, to);
   return Number(words.replaceAll("_", "").replace("\u2212", "-"));
 }
 

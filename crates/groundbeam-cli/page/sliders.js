@@ -21,7 +21,11 @@ export function sliders(answer, made) {
   rows.forEach((row, i) => update(row, numbers[i]));
 }
 
-const valueOf = ({ from, to }) => Number(shown.text.slice(from, to).replaceAll("_", "").replace("\u2212", "-"));
+const valueOf = ({ from, to, decimal }) =>
+  decimal?.[0] ?? Number(shown.text.slice(from, to).replaceAll("_", "").replace("\u2212", "-"));
+
+/// The unit that a slider writes.
+const unitOf = ({ unit, decimal }) => decimal?.[1] ?? unit;
 
 /// Frequent keys that the file leaves out.
 function addable() {
@@ -100,25 +104,29 @@ function typed(field, i) {
   if (!gesture) return;
   const { from, to, unit } = gesture.numbers[i];
   const end = unit === "" ? to : gesture.text.indexOf(unit, to) + unit.length;
-  edits.replace(gesture, from, end, field.value.trim());
+  // In a string with double quotes, the sign of inches is escaped.
+  const isBasic = gesture.text.slice(0, from).trimEnd().endsWith('"');
+  edits.replace(gesture, from, end, isBasic ? field.value.trim().replaceAll('"', '\\"') : field.value.trim());
 }
 
 function update({ slider, field, isHeld }, number) {
   const value = valueOf(number);
   const key = slider.dataset.key;
   let range = ranges.get(key);
-  if (!range || range.unit !== number.unit || value < range.low || value > range.high) {
+  if (!range || range.unit !== unitOf(number) || value < range.low || value > range.high) {
     range = rangeOf(number, value);
     ranges.set(key, range);
   }
   if (!isHeld()) slider.value = STEPS * to(value, range);
-  const words = [shown.text.slice(number.from, number.to), number.unit].filter(Boolean).join(" ");
+  const words = [shown.text.slice(number.from, number.to), number.unit].filter(Boolean).join(" ").replaceAll('\\"', '"');
   slider.setAttribute("aria-valuetext", words);
   if (document.activeElement !== field) field.value = words;
 }
 
 /// The range of a slider, from the sign and body that the server reports, and from the value.
-function rangeOf({ unit, size, sign, place, usual }, value) {
+function rangeOf(number, value) {
+  const { size, sign, place, usual } = number;
+  const unit = unitOf(number);
   if (place) {
     // The ground extends beyond the beam.
     const beside = place === "ground" ? (0.5 * shown.length) / size : 0;

@@ -274,6 +274,41 @@ fn sliders_and_text_are_in_step() {
     agrees(&browser);
 }
 
+/// A length as `12'-6"` becomes a decimal number, because one number stands behind a slider and a handle.
+#[test]
+fn lengths_in_feet_and_inches_have_sliders_and_handles() {
+    let Some(browser) = Browser::start() else { return };
+    let model = r#"[beam]
+length = "12'-6\""
+EI = "3e5 kip ft^2"
+[foundation]
+k = "100 ksf"
+[[load]]
+point = "100 kip"
+at = "1'-3\""
+"#;
+    let folder = Folder::with(model);
+    let server = Server::start(Some(&folder.path("model.toml")));
+    opened(&browser, &server);
+    let field = "document.querySelector('[data-key=\"[beam].length\"] + input')";
+    assert_eq!(browser.eval(&format!("{field}.value")), "12'-6\"");
+    // The range of a positive quantity begins at a tenth of it.
+    browser.eval("document.querySelector('[data-key=\"[beam].length\"]').focus()");
+    browser.keys(&[], &HOME.to_string());
+    let text = "document.getElementById('text').value";
+    settled(&browser, &format!("{text}.includes('length = \"1.25 ft\"')"));
+    // The typed sign of inches is escaped in the file.
+    browser.eval(&format!(
+        "({field}.value = '20\\'-0\"', {field}.dispatchEvent(new Event('change')))"
+    ));
+    settled(&browser, &format!("{text}.includes('length = \"20\\'-0\\\\\"\"')"));
+    agrees(&browser);
+    browser.eval("document.querySelector('.grip').focus()");
+    browser.keys(&[], &format!("{HOME}{RIGHT}"));
+    settled(&browser, &format!("{text}.includes('at = \"0.2 ft\"')"));
+    agrees(&browser);
+}
+
 #[test]
 fn it_tips_and_is_shared_and_kept() {
     let Some(browser) = Browser::start() else { return };

@@ -92,7 +92,8 @@ settlement = \"20 mm\"
     /// Whether a file with this number at a quantity is rejected because of the sign.
     fn is_refused(text: &str, folder: &Path, quantity: &Quantity, number: &str) -> bool {
         let at = quantity.number.clone();
-        let changed = format!("{}{number}{}", &text[..at.start], &text[at.end..]);
+        let unit = quantity.decimal.map_or("", |(_, unit)| unit);
+        let changed = format!("{}{number}{unit}{}", &text[..at.start], &text[at.end..]);
         let Err(found) = crate::parse_beside(&changed, folder) else { return false };
         found.iter().any(|fault| {
             let words = format!("{} {}", fault.message, fault.hint);

@@ -11,7 +11,7 @@ use crate::print::Units;
 use crate::reader::Field;
 use crate::source::Source;
 use crate::units::UnitSystem;
-use groundbeam::model::{Part, Problem};
+use groundbeam::model::{Part, Problem, Profile};
 use groundbeam::{Error, Model, design::Limits};
 use std::collections::HashMap;
 use std::ops::Range;
@@ -43,6 +43,8 @@ pub struct Document {
     pub cases: Vec<Option<String>>,
     /// Trains that pass over the beam, one at a time.
     pub trains: Vec<MovingTrain>,
+    /// Depth of the section along the beam; empty if it is not known everywhere.
+    pub depths: Vec<Depth>,
     /// All quantities of the file, in the order of the text. Programs edit them to change the model.
     pub quantities: Vec<Quantity>,
     /// Files that the model file names.
@@ -52,6 +54,17 @@ pub struct Document {
     pub(crate) places: Places,
 }
 
+/// The depth of the beam's section on a stretch.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Depth {
+    /// Left end \[m\].
+    pub from: f64,
+    /// Right end \[m\].
+    pub to: f64,
+    /// Depth from the left end to the right end \[m\].
+    pub depth: Profile,
+}
+
 /// A number in the file, with its unit if it has one.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Quantity {
@@ -59,8 +72,13 @@ pub struct Quantity {
     pub key: String,
     /// Its byte range; for a number with a unit, including the quotes.
     pub span: Range<usize>,
-    /// Byte range of the number without the unit.
+    /// Byte range of the number without the unit; of the whole text for a length as `1'-6"`.
     pub number: Range<usize>,
+    /// Byte range of the number and the unit, without quotes.
+    pub text: Range<usize>,
+    /// The decimal number and the unit that mean the same as a length in feet and inches or with a fraction;
+    /// `None` for a number that another number may replace.
+    pub decimal: Option<(f64, &'static str)>,
     /// Factor of the unit in SI units; 1 without a unit.
     pub unit: f64,
     /// Signs that the number may have.

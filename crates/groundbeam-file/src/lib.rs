@@ -85,7 +85,7 @@ pub use code::{CODES, Code};
 pub use combination::{Combination, LoadCase};
 pub use demand::{Place, Sign};
 pub use diagnostic::{Diagnostic, Diagnostics, Related, Severity};
-pub use document::{Document, Quantity};
+pub use document::{Depth, Document, Quantity};
 pub use files::{open_file, read_bounded, read_file};
 pub use materials::{Material, materials};
 pub use moving::{MovingTrain, Spread};
@@ -185,7 +185,8 @@ fn read(text: &str, beside: Option<Beside>, bare_is_si: bool) -> Result<Document
         }
     }
     let warnings = implausible::warnings(&reader, &contents, printed);
-    let Contents { title, model, chords, ground, limits, cases, recipes, trains, .. } = contents;
+    let Contents { title, model, chords, ground, limits, cases, recipes, trains, depths, .. } =
+        contents;
     let quantities = reader.located(units);
     let Reader { found, places, others, .. } = reader;
     if found.is_empty() {
@@ -200,6 +201,7 @@ fn read(text: &str, beside: Option<Beside>, bare_is_si: bool) -> Result<Document
             cases,
             recipes,
             trains,
+            depths,
             quantities,
             files: others,
             units,

@@ -7,7 +7,7 @@ use crate::number::Decimal;
 use crate::print::{self, System, Units, UsUnits};
 use crate::quantity::Kind;
 use crate::reader::Reader;
-use crate::unit::{Marks, Unit, feet_and_inches};
+use crate::unit::{Dimension, Marks, Unit, decimal_length};
 use std::ops::Range;
 
 /// How a file writes quantities, and therefore how results are written.
@@ -85,7 +85,7 @@ impl Seen {
         Seen { key, kind, has_unit: true, is_bare_zero: false, value: 0.0, marks, span }
     }
 
-    /// Location of its number and factor of its unit; `None` if escapes or feet and inches hide the number.
+    /// Location of its number and factor of its unit; `None` if escapes hide the number.
     fn located(&self, text: &str) -> Option<Quantity> {
         let written = text.get(self.span.clone())?;
         let quote =
@@ -94,18 +94,29 @@ impl Seen {
             Some(quote) => written.strip_prefix(quote)?.strip_suffix(quote)?,
             None => written,
         };
-        // Escapes, and lengths in feet and inches, are more than a number and a unit.
-        if inner.contains('\\') || feet_and_inches(inner).is_some() {
+        // The sign of inches is escaped in a basic string.
+        let inner = inner.trim();
+        let plain = inner.replace("\\\"", "\"");
+        if plain.contains('\\') {
             return None;
         }
-        let start = self.span.start + written.find(inner)? + inner.len() - inner.trim_start().len();
-        let (_, length) = Decimal::read(inner.trim())?;
-        let unit = inner.trim()[length..].trim();
+        let start = self.span.start + written.find(inner)?;
+        let is_length = self.kind.dimension == Dimension::LENGTH;
+        let decimal = decimal_length(&plain).filter(|_| is_length);
+        let (length, unit) = match decimal {
+            Some((_, unit)) => (inner.len(), unit),
+            None => {
+                let (_, length) = Decimal::read(inner)?;
+                (length, plain[length..].trim())
+            }
+        };
         let one = if unit.is_empty() { 1.0 } else { Unit::read(unit).ok()?.scale.to_f64() };
         Some(Quantity {
             key: self.key.clone(),
             span: self.span.clone(),
             number: start..start + length,
+            text: start..start + inner.len(),
+            decimal,
             unit: one,
             sign: self.kind.sign,
             place: self.kind.place,

@@ -13,11 +13,14 @@ pub struct Number {
     table: String,
     /// Index among the tables with this heading, from 1; 0 if there is only one.
     which: usize,
-    /// Position of the number without its unit.
+    /// Position of the number without its unit; of the whole text for a length as `1'-6"`.
     from: usize,
     to: usize,
     /// The unit after the number, as written.
     unit: String,
+    /// For a length as `1'-6"`, the decimal number and the unit that mean the same.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    decimal: Option<(f64, &'static str)>,
     /// Factor of the unit in SI units.
     size: f64,
     /// Signs that the file format allows.
@@ -42,14 +45,14 @@ impl Number {
     }
 
     fn of(quantity: &Quantity, text: &str, units: &Utf16, table: &str, which: usize) -> Number {
-        let behind = text[quantity.number.end..quantity.span.end].trim_end_matches(['"', '\'']);
         Number {
             key: quantity.key.clone(),
             table: table.to_owned(),
             which,
             from: units.at(quantity.number.start),
             to: units.at(quantity.number.end),
-            unit: behind.trim().to_owned(),
+            unit: text[quantity.number.end..quantity.text.end].trim().to_owned(),
+            decimal: quantity.decimal,
             size: quantity.unit,
             sign: match quantity.sign {
                 Sign::Any => "any",
@@ -160,6 +163,14 @@ mod tests {
         assert_eq!(seen, expected);
         assert_eq!(Number::behind(&document, Part::Load(0), "at"), Some(4));
         assert_eq!(Number::behind(&document, Part::Load(1), "from"), None);
+        let feet = "[beam]\nlength = \"12'-6\\\"\"\nEI = \"2 kip ft^2\"\n[foundation]\nk = \"1 ksf\"\n\
+                    [[load]]\npoint = \"1 kip\"\nat = \"6\\\"\"\n";
+        let document = groundbeam_file::parse(feet).unwrap();
+        let all = Number::all(&document);
+        let [length, .., at] = &all[..] else { panic!("{all:?}") };
+        assert_eq!(&feet[length.from..length.to], "12'-6\\\"");
+        assert_eq!((length.decimal, length.unit.as_str()), (Some((12.5, "ft")), ""));
+        assert_eq!((at.decimal, at.unit.as_str()), (None, "\\\""));
         let plain = "[beam]\nlength = 2\nEI = 1.5e3\n[foundation]\nk = 0x10\n";
         let document = groundbeam_file::parse(plain).unwrap();
         let all = Number::all(&document);

@@ -39,7 +39,7 @@ fn the_package_does_what_its_tests_say() {
     succeed(in_folder(&python, &packages));
     let examples = spelled(package.join("examples"));
     succeed(in_folder(&python, &[&strictly[..], &[&tests[0], &examples]].concat()));
-    succeed(in_folder(&python, &["-m", "mypy.stubtest", "groundbeam._native"]));
+    succeed(in_folder(&python, &["-m", "mypy.stubtest", "groundbeam"]));
 }
 
 fn folder() -> PathBuf {

@@ -3,7 +3,7 @@
 use crate::quantity::Units;
 use crate::verified::Named;
 use groundbeam::design::Limits;
-use groundbeam_file::{Combination, Diagnostic, Document, printable};
+use groundbeam_file::{Combination, Depth, Diagnostic, Document, printable};
 use groundbeam_run::{Factors, Ground};
 
 /// Data of a report in addition to the result.
@@ -34,6 +34,8 @@ pub struct Context<'a> {
     pub pieces: bool,
     /// Whether a document contains the model, because the second reader does not read the model file.
     pub model: bool,
+    /// Depth of the section along the beam, which pictures show; empty if it is not known.
+    pub depths: &'a [Depth],
     /// Warnings about the file.
     pub warnings: &'a [Diagnostic],
     /// Proof of each answer, in order; empty if no proof is requested.
@@ -47,6 +49,7 @@ impl<'a> Context<'a> {
             title: document.title.as_deref(),
             limits: Some(&document.limits),
             chords: document.chords,
+            depths: &document.depths,
             warnings: &document.warnings,
             ..Context::new(document.printed)
         }
@@ -67,6 +70,7 @@ impl<'a> Context<'a> {
             selected: false,
             pieces: false,
             model: false,
+            depths: &[],
             warnings: &[],
             proofs: &[],
         }

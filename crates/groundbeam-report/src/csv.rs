@@ -1,13 +1,16 @@
 //! Writes tables: fields along the beam, the envelope of combinations, and the history of the iteration.
 
 use crate::bound::bound_alone;
-use crate::combinations::{Numbered, bounds_at, numbered, of_limit_state};
+use crate::combinations::{bounds_at, numbered, of_limit_state};
 use crate::context::Context;
 use crate::curve::Jumps;
+use crate::extremes::Rounding;
 use crate::quantity::{Kind, Unit, Units};
+use crate::size::Sizes;
 use ::csv::{Writer, WriterBuilder};
 use groundbeam::{
     Field, Solution,
+    design::{LimitState, LimitStates},
     envelope::{Bounds, Envelope},
 };
 use groundbeam_file::printable;
@@ -19,7 +22,7 @@ use groundbeam_run::{Answers, InPassage, Passage, Passages};
 ///
 /// Where a field jumps (at point loads, supports and contact edges) the position has two rows: first the
 /// values just to the left, then those just to the right. Numbers have enough digits to read back the same
-/// bits.
+/// bits. Without a proof, a value that is only rounding error is 0.
 pub fn table(solution: &Solution, positions: &[f64], context: &Context) -> String {
     let mut rows = Rows::new();
     let (units, proof) = (context.units, context.proofs.first());
@@ -31,14 +34,18 @@ pub fn table(solution: &Solution, positions: &[f64], context: &Context) -> Strin
         [column(field.name(), unit)].into_iter().chain(proof.map(|_| bound()))
     });
     rows.push(std::iter::once(column("x", place)).chain(names));
-    let jumps = Jumps::of(solution);
+    let (jumps, sizes) = (Jumps::of(solution), Sizes::of(solution));
     for &x in positions {
         let (left, right) = jumps.rows(solution, x);
         for fields in left.iter().chain([&right]) {
             let cells = listed.clone().flat_map(|field| {
                 let unit = units.column(Kind::of(field));
                 let bound = proof.map(|named| bound_alone(unit.upper(named.error_at(field, x))));
-                [number(fields.get(field), unit)].into_iter().chain(bound)
+                let value = match proof {
+                    None => sizes.value(field, fields.get(field)),
+                    Some(_) => fields.get(field),
+                };
+                [number(value, unit)].into_iter().chain(bound)
             });
             rows.push(std::iter::once(number(x, place)).chain(cells));
         }
@@ -53,68 +60,53 @@ pub fn table(solution: &Solution, positions: &[f64], context: &Context) -> Strin
 /// Where a field jumps, both sides count. If combinations have limit states, the last column names the limit
 /// state of the row: the rows of `all` combinations come first, then those of each limit state.
 pub fn envelope(answers: &Answers, positions: &[f64], context: &Context) -> String {
-    let mut rows = Rows::new();
     let (units, solved) = (context.units, numbered(answers, context));
-    let states = answers.limit_states();
-    let place = units.column(Kind::Position);
     let have_bounds = !context.proofs.is_empty();
     let ends = || ["min", "max"].into_iter();
-    let envelope = answers.envelope();
-    let names = envelope.fields().flat_map(|field| {
+    let names = answers.envelope().fields().flat_map(|field| {
         let (name, unit) = (field.name(), units.column(Kind::of(field)));
         let values = ends().map(move |end| column(&format!("{name}_{end}"), unit));
         let bounds = ends().map(move |end| column(&format!("{name}_{end}_bound"), unit));
         let governs = ends().map(move |end| format!("{name}_governs_{end}"));
         values.chain(bounds.filter(move |_| have_bounds)).chain(governs)
     });
-    let last = (!states.is_empty()).then(|| "limit_state".to_owned());
-    rows.push(std::iter::once(column("x", place)).chain(names).chain(last));
-    let all = (!states.is_empty()).then_some("all");
-    let shown = |last| (positions, last, units);
-    enveloped(&mut rows, answers, &envelope, &solved, shown(all));
-    for state in states.iter() {
-        let of_state = of_limit_state(answers, &solved, state);
-        let envelope = Envelope::of(of_state.iter().map(|row| row.solution));
-        enveloped(&mut rows, answers, &envelope, &of_state, shown(Some(state.name())));
-    }
-    rows.finish()
-}
-
-/// Rows of an envelope over some of the answers.
-fn enveloped(
-    rows: &mut Rows,
-    answers: &Answers,
-    envelope: &Envelope,
-    solved: &[Numbered],
-    (positions, last, units): (&[f64], Option<&str>, Units),
-) {
-    let have_bounds = solved.iter().any(|row| row.proof.is_some());
-    let place = units.column(Kind::Position);
-    for &x in positions {
-        let bounds = envelope.all_at(x);
-        let cells = envelope.fields().flat_map(|field| {
-            let Bounds { min, max } = bounds[field.index()];
-            let values = [min, max].map(|governing| governing.extreme.value);
-            let bounds = have_bounds.then(|| bounds_at(solved, field, x, values));
-            let unit = units.column(Kind::of(field));
-            let bounds =
-                bounds.into_iter().flatten().map(move |bound| bound_alone(unit.upper(bound)));
-            let name = |by: usize| {
-                solved.get(by).map_or("", |row| answers.list[row.number - 1].name()).to_owned()
-            };
-            let values = values.map(|value| number(value, unit));
-            values.into_iter().chain(bounds).chain([name(min.by), name(max.by)])
-        });
-        let last = last.map(str::to_owned);
-        rows.push(std::iter::once(number(x, place)).chain(cells).chain(last));
-    }
+    let of_state = |state: Option<LimitState>| {
+        let rows = match state {
+            None => solved.clone(),
+            Some(state) => of_limit_state(answers, &solved, state),
+        };
+        let envelope = Envelope::of(rows.iter().map(|row| row.solution));
+        let row = move |x: f64| {
+            let all = envelope.all_at(x);
+            let cells = envelope.fields().flat_map(|field| {
+                let Bounds { min, max } = all[field.index()];
+                let unit = units.column(Kind::of(field));
+                let values = [min, max].map(|governing| governing.extreme.value);
+                let bounds = have_bounds.then(|| bounds_at(&rows, field, x, values));
+                let bounds = bounds.into_iter().flatten();
+                let bounds = bounds.map(move |bound| bound_alone(unit.upper(bound)));
+                let cleaned = [min, max].map(|governing| match rows.get(governing.by) {
+                    Some(row) if !have_bounds => row.sizes.value(field, governing.extreme.value),
+                    _ => governing.extreme.value,
+                });
+                let name = |by: usize| match rows.get(by) {
+                    Some(row) => answers.list[row.number - 1].name().to_owned(),
+                    None => String::new(),
+                };
+                let values = cleaned.map(|value| number(value, unit));
+                values.into_iter().chain(bounds).chain([name(min.by), name(max.by)])
+            });
+            cells.collect::<Vec<String>>()
+        };
+        row
+    };
+    enveloped(names, answers.limit_states(), of_state, positions, units)
 }
 
 /// The envelope of passages at the given sections, as [`envelope`]. The governing columns contain the
 /// position of the first axle; with several passages also the passage,
 /// `deflection_in_min, deflection_in_max`.
 pub fn trains(passages: &Passages, sections: &[f64], units: Units) -> String {
-    let mut rows = Rows::new();
     let place = units.column(Kind::Position);
     let labels: Vec<String> = passages.all.iter().map(Passage::label).collect();
     let several = labels.len() > 1;
@@ -126,28 +118,50 @@ pub fn trains(passages: &Passages, sections: &[f64], units: Units) -> String {
         let which = which.into_iter().filter(move |_| several);
         [bound("min"), bound("max"), governs("min"), governs("max")].into_iter().chain(which)
     });
-    let states = passages.limit_states();
-    let last = (!states.is_empty()).then(|| "limit_state".to_owned());
+    let labels = &labels;
+    let of_state = |state: Option<LimitState>| {
+        let of_state =
+            state.map_or_else(|| passages.clone(), |state| passages.of_limit_state(state));
+        let mut rounding = Rounding::new(passages);
+        move |x: f64| {
+            let mut cells = Vec::new();
+            let Some(bounds) = of_state.at(x) else { return cells };
+            for field in of_state.fields() {
+                let both = bounds[field.index()];
+                let unit = units.column(Kind::of(field));
+                let value = |found: &InPassage| number(rounding.value(field, found), unit);
+                cells.extend(both.iter().map(value));
+                cells.extend(both.iter().map(|found| number(found.located.first_axle, place)));
+                let which = both.iter().map(|found| labels[found.passage].clone());
+                cells.extend(which.filter(|_| several));
+            }
+            cells
+        }
+    };
+    enveloped(names, passages.limit_states(), of_state, sections, units)
+}
+
+/// The rows of an envelope over all answers, then over those of each limit state. `of_state` gives the cells at a
+/// position; `None` selects all answers.
+fn enveloped<R: FnMut(f64) -> Vec<String>>(
+    names: impl Iterator<Item = String>,
+    states: LimitStates,
+    of_state: impl Fn(Option<LimitState>) -> R,
+    positions: &[f64],
+    units: Units,
+) -> String {
+    let mut rows = Rows::new();
+    let place = units.column(Kind::Position);
+    let has_states = !states.is_empty();
+    let last = has_states.then(|| "limit_state".to_owned());
     rows.push(std::iter::once(column("x", place)).chain(names).chain(last));
-    let of_all = std::iter::once((passages.clone(), "all"));
-    let of_each = states.iter().map(|state| (passages.of_limit_state(state), state.name()));
-    let each: Vec<(Passages, &str)> = of_all.chain(of_each).collect();
-    for (x, (passages, state)) in
-        each.iter().flat_map(|each| sections.iter().map(move |&x| (x, each)))
-    {
-        let bounds = passages.at(x);
-        let cells = passages.fields().filter_map(|field| Some((field, bounds?[field.index()])));
-        let cells = cells.flat_map(|(field, [min, max])| {
-            let [a, b] = [min.located, max.located];
-            let unit = units.column(Kind::of(field));
-            let values = [a, b].map(|located| number(located.value, unit));
-            let places = [a, b].map(|located| number(located.first_axle, place));
-            let numbers = values.into_iter().chain(places);
-            let which = [min, max].map(|InPassage { passage, .. }| labels[passage].clone());
-            numbers.chain(which.into_iter().filter(|_| several))
-        });
-        let last = (!states.is_empty()).then(|| (*state).to_owned());
-        rows.push(std::iter::once(number(x, place)).chain(cells).chain(last));
+    for state in std::iter::once(None).chain(states.iter().map(Some)) {
+        let mut cells = of_state(state);
+        let name = state.map_or("all", LimitState::name);
+        for &x in positions {
+            let last = has_states.then(|| name.to_owned());
+            rows.push(std::iter::once(number(x, place)).chain(cells(x)).chain(last));
+        }
     }
     rows.finish()
 }

@@ -8,6 +8,7 @@ use groundbeam::{
     envelope::{Envelope, Governing},
 };
 use groundbeam_run::{InPassage, Located, Passage, Passages};
+use std::collections::BTreeMap;
 
 /// A field with its smallest and its largest value, in one unit.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -90,6 +91,28 @@ pub(crate) fn of_passages(passages: &Passages, units: Units) -> Vec<Extremes> {
 fn end(passage: &Passage, field: Field, located: Located, number: Option<usize>) -> End {
     let Located { x, value, first_axle } = cleaned(passage, field, located);
     End { value, x, first_axle: Some(first_axle), number }
+}
+
+/// Sets values of passages to zero that are only rounding error. It computes the sizes of each position once.
+pub(crate) struct Rounding<'a> {
+    passages: Passages<'a>,
+    /// By passage and bits of the position of the first axle; `None` if no position is solved.
+    sizes: BTreeMap<(usize, u64), Option<Sizes>>,
+}
+
+impl<'a> Rounding<'a> {
+    pub fn new(passages: &Passages<'a>) -> Self {
+        Rounding { passages: passages.clone(), sizes: BTreeMap::new() }
+    }
+
+    pub fn value(&mut self, field: Field, &InPassage { located, passage }: &InPassage) -> f64 {
+        let of_it = || {
+            let (_, solution) = self.passages.all[passage].nearest(located.first_axle)?;
+            Some(Sizes::of(solution))
+        };
+        let sizes = self.sizes.entry((passage, located.first_axle.to_bits())).or_insert_with(of_it);
+        sizes.as_ref().map_or(located.value, |sizes| sizes.value(field, located.value))
+    }
 }
 
 /// Sets a value that is only rounding error to zero.

@@ -10,6 +10,7 @@ mod bounds;
 mod checks;
 mod combinations;
 mod comparison;
+mod enveloped;
 mod existence;
 mod factors;
 mod ground;

@@ -22,6 +22,7 @@ mod trough;
 mod weight;
 
 use crate::combination::Recipe;
+use crate::document::Depth;
 use crate::keys::{Table, table, tables, text};
 use crate::moving::MovingTrain;
 use crate::reader::{Field, Reader};
@@ -83,6 +84,8 @@ pub(crate) struct Contents {
     pub trains: Vec<MovingTrain>,
     /// Greatest depth of the beam's sections, if known.
     pub height: Option<f64>,
+    /// Depth of the section along the beam; empty if it is not known everywhere.
+    pub depths: Vec<Depth>,
 }
 
 pub(crate) use foundation::Ground;
@@ -95,6 +98,10 @@ pub(crate) fn read(reader: &mut Reader, root: &Section) -> Contents {
     let ground = foundation::read(reader, root, &beam);
     let heights = depths.iter().filter_map(|depth| Some(depth.depth.as_ref()?.profile.largest()));
     let height = heights.reduce(f64::max);
+    let known = depths.iter().map(|&curl::Depth { from, to, ref depth }| {
+        Some(Depth { from, to, depth: depth.as_ref()?.profile })
+    });
+    let known = known.collect::<Option<Vec<Depth>>>().unwrap_or_default();
     let curls = Curls { depths, expansion };
     let (mut loads, mut cases) = load::read(reader, root, beam.length, &curls);
     for beam::OwnLoad { load, case, span } in own {
@@ -123,7 +130,7 @@ pub(crate) fn read(reader: &mut Reader, root: &Section) -> Contents {
     checks::judge_resistance(&mut limits, &recipes);
     let pressures = mean_loads(&model, &cases, &recipes);
     let chords = gap::read(reader, root, &mut model, ground.band, pressures.into_iter());
-    Contents { title, model, chords, ground, limits, cases, recipes, trains, height }
+    Contents { title, model, chords, ground, limits, cases, recipes, trains, height, depths: known }
 }
 
 /// Mean load per length for each result that the file asks for.

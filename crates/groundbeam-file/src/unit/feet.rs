@@ -32,6 +32,12 @@ pub(crate) fn feet_and_inches(text: &str) -> Option<String> {
     Some(format!("{sign}{}.{:06}", parts / PARTS, parts % PARTS))
 }
 
+/// Such a length as one decimal number with its unit: feet, or inches if the text has no feet.
+pub(crate) fn decimal_length(text: &str) -> Option<(f64, &'static str)> {
+    let inches: f64 = feet_and_inches(text)?.parse().ok()?;
+    Some(if text.contains(starts_feet) { (inches / 12.0, "ft") } else { (inches, "in") })
+}
+
 /// The text before the unit, if it ends with one of these names.
 fn number_and_unit<'t>(text: &'t str, names: &[&str]) -> Option<&'t str> {
     let number = names.iter().filter_map(|name| text.strip_suffix(name));
@@ -119,5 +125,18 @@ mod tests {
         for text in others {
             assert_eq!(feet_and_inches(text), None, "{text}");
         }
+    }
+
+    #[test]
+    fn they_have_a_decimal_number() {
+        for (text, decimal) in [
+            ("1'-6\"", (1.5, "ft")),
+            ("-0' 6\"", (-0.5, "ft")),
+            ("2 1/2 ft", (2.5, "ft")),
+            ("6 1/2 in", (6.5, "in")),
+        ] {
+            assert_eq!(decimal_length(text), Some(decimal), "{text}");
+        }
+        assert_eq!(decimal_length("12 ft"), None);
     }
 }

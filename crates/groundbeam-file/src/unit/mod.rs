@@ -12,6 +12,6 @@ mod symbol;
 
 pub(crate) use dimension::Dimension;
 pub(crate) use expression::Unit;
-pub(crate) use feet::feet_and_inches;
+pub(crate) use feet::{decimal_length, feet_and_inches};
 pub(crate) use marks::Marks;
 pub(crate) use scale::Scale;

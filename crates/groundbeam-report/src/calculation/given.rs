@@ -30,7 +30,7 @@ pub(super) fn section(
         Some(_) => "The model as given; dashed: the motion in which the loads do work",
         None => "The model as given",
     };
-    let drawing = figures::model(source.model, motion, units);
+    let drawing = figures::model(source.model, motion, context);
     let mut blocks = vec![Block::Figure { svg: drawing, caption: caption.to_owned() }];
     if let Some(found) = existence.and_then(|of| Characteristics::of_all(models, of)) {
         blocks.extend(facts(|sheet| text::structure(sheet, models, &found, context)));

@@ -36,7 +36,7 @@ pub(super) fn trains(passages: &Passages, context: &Context, source: &Source) ->
     }));
     let method = first.map_or(Method::Exact, |(_, solution)| solution.method());
     let mut sections = Vec::new();
-    let mut drawn = diagrams(passages, context.units);
+    let mut drawn = diagrams(passages, context);
     if first.is_some() && !drawn.blocks.is_empty() {
         let checks = facts(|sheet| train::limits(sheet, all, context));
         sections.push(overview(checks, drawn.blocks.remove(0)));
@@ -139,7 +139,8 @@ fn keys(passages: &Passages, units: Units) -> Vec<Key> {
 }
 
 /// The train at the position of the largest moment, and the envelopes.
-fn diagrams(passages: &Passages, units: Units) -> Section {
+fn diagrams(passages: &Passages, context: &Context) -> Section {
+    let units = context.units;
     let governing = passages.largest_moment().and_then(|most| {
         let passage = passages.all.get(most.passage)?;
         let (first_axle, solution) = passage.nearest(most.located.first_axle)?;
@@ -149,7 +150,7 @@ fn diagrams(passages: &Passages, units: Units) -> Section {
             clean(&passage.label()),
             print::words(&at)
         );
-        Some(Block::Figure { svg: figures::bent(solution, units), caption })
+        Some(Block::Figure { svg: figures::bent(solution, context), caption })
     });
     let captions = ["Deflection", "Contact pressure", "Bending moment", "Shear force"];
     let envelopes = figures::trains(passages, units).into_iter().zip(captions);

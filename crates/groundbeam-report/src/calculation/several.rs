@@ -44,7 +44,7 @@ pub(super) fn combinations(all: &Answers, context: &Context, source: &Source) ->
     let method = solved.first().map_or(Method::Exact, |row| row.solution.method());
     let rows = rows_of(all, context);
     let checks = facts(|sheet| text::checks::all_rows(sheet, &rows, context));
-    let picture = governing(all, context.units);
+    let picture = governing(all, context);
     let mut sections: Vec<Section> =
         picture.map(|picture| overview(checks, picture)).into_iter().collect();
     let assumptions = given::assumptions(first.model(), method);
@@ -340,14 +340,14 @@ fn keys(all: &Answers, solved: &[Numbered], context: &Context) -> Vec<Key> {
 }
 
 /// The picture of the combination with the largest moment; `None` without a solution.
-fn governing(all: &Answers, units: Units) -> Option<Block> {
+fn governing(all: &Answers, context: &Context) -> Option<Block> {
     all.solved().next()?;
     let range = all.envelope().range(Field::Moment);
     let most =
         if -range.min.extreme.value > range.max.extreme.value { range.min } else { range.max };
     let (answer, solution) = all.solved().nth(most.by)?;
     Some(Block::Figure {
-        svg: figures::bent(solution, units),
+        svg: figures::bent(solution, context),
         caption: format!(
             "The beam under {}, the combination with the largest moment",
             clean(answer.name())

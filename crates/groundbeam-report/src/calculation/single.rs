@@ -26,7 +26,7 @@ pub(super) fn solved(solution: &Solution, context: &Context, source: &Source) ->
     let numbers = Numbers::plain(solution, context.units).with_proof(context.proofs.first());
     let checks = facts(|sheet| text::checks::rows(sheet, solution, context));
     let mut sections = vec![
-        overview(checks, bent(solution, context.units)),
+        overview(checks, bent(solution, context)),
         given::section(&[model], Some(existence), None, context, source),
         given::assumptions(model, solution.method()),
         given::statics(model, existence, context),
@@ -61,9 +61,9 @@ pub(super) fn overview(checks: Option<Block>, picture: Block) -> Section {
     Section::new("Checks and picture", checks.into_iter().chain([picture]).collect())
 }
 
-fn bent(solution: &Solution, units: Units) -> Block {
+fn bent(solution: &Solution, context: &Context) -> Block {
     let caption = "The deflected beam on the ground".to_owned();
-    Block::Figure { svg: figures::bent(solution, units), caption }
+    Block::Figure { svg: figures::bent(solution, context), caption }
 }
 
 /// The report of a model that has no equilibrium.

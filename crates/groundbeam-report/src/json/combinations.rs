@@ -1,6 +1,7 @@
 //! Writes the document of a file with combinations: the result of each combination, and the envelope.
 
 use super::bounds::Together;
+use super::enveloped::Enveloped;
 use super::existence::Proven;
 use super::{
     Along, ByName, Checked, EVEN_STEPS, Extremes, Head, Lines, Solved, Unsolved, checks,
@@ -21,36 +22,40 @@ use std::collections::BTreeMap;
 /// The document of all combinations, solved or only checked, with the fields at the given positions. `None`
 /// selects the default positions of each result and of the envelope.
 pub fn combinations(answers: &Answers, stations: Option<&[f64]>, context: &Context) -> String {
-    let names: Vec<&str> = answers.solved().map(|(answer, _)| answer.name()).collect();
     let envelope = answers.envelope();
-    let of = Named { envelope: &envelope, names: &names };
-    let stations_of_all = || match stations {
+    let listed = match stations {
         Some(stations) => stations.to_vec(),
         None => envelope.stations(EVEN_STEPS),
     };
-    let listed = stations_of_all();
-    let any = !names.is_empty();
     let exists = answers.list.iter().any(|answer| matches!(answer.found, Found::Exists(_)));
     let status = match answers.overall() {
         Overall::Solved if exists => "equilibrium-exists",
         overall => overall.name(),
     };
+    let of_state = |state: Option<LimitState>| {
+        let is_of = |(answer, _): &(&Answer, _)| state.is_none_or(|state| answer.is_of(state));
+        let (of_it, solutions): (Vec<_>, Vec<_>) = answers.solved().filter(is_of).unzip();
+        let names: Vec<&str> = of_it.into_iter().map(Answer::name).collect();
+        let envelope = Envelope::of(solutions);
+        let of = Named { envelope: &envelope, names: &names };
+        let extremes = ByName::of(envelope.fields(), |field| of.extremes(field));
+        (!names.is_empty()).then(|| (of.table(&listed), extremes))
+    };
+    let checks = checks::of(&rows_of(answers, context), context);
+    let names: Vec<&str> = answers.solved().map(|(answer, _)| answer.name()).collect();
+    let of = Named { envelope: &envelope, names: &names };
     text(&All {
+        head: Head::new(status, context),
         combinations: each(answers, stations, context),
-        envelope: any.then(|| of.table(&listed)),
-        extremes: any.then(|| ByName::of(envelope.fields(), |field| of.extremes(field))),
-        envelopes: answers
-            .limit_states()
-            .iter()
-            .map(|state| OfState::new(answers, state, &listed))
-            .collect(),
-        checks: checks::of(&rows_of(answers, context), context),
+        cases: answers.alone.iter().map(|case| Case::of(case, context)).collect(),
+        enveloped: Enveloped::new(answers.limit_states(), of_state, checks),
         band: answers
             .bands()
             .map(|bands| ByName::of(envelope.fields(), |field| Extremes::of(bands[field.index()]))),
-        changes: any.then(|| ByName::of(envelope.fields(), |field| of.changes(field))),
+        changes: (!names.is_empty())
+            .then(|| ByName::of(envelope.fields(), |field| of.changes(field))),
         proof: Together::of(answers, &listed, context),
-        ..All::head(status, answers, context)
+        seconds: context.seconds,
     })
 }
 
@@ -66,14 +71,8 @@ struct All<'a> {
     head: Head<'a>,
     combinations: Vec<One<'a>>,
     cases: Vec<Case<'a>>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    envelope: Option<Along<Lines<&'a str>>>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    extremes: Option<ByName<Extremes<Governed<'a>>>>,
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    envelopes: Vec<OfState<'a>>,
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    checks: Vec<checks::Checked>,
+    #[serde(flatten)]
+    enveloped: Enveloped<&'a str, Extremes<Governed<'a>>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     band: Option<ByName<Extremes<Banded>>>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -81,47 +80,6 @@ struct All<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     proof: Option<Together>,
     seconds: Option<f64>,
-}
-
-impl<'a> All<'a> {
-    fn head(status: &'static str, answers: &'a Answers, context: &Context<'a>) -> Self {
-        All {
-            head: Head::new(status, context),
-            combinations: Vec::new(),
-            cases: answers.alone.iter().map(|case| Case::of(case, context)).collect(),
-            envelope: None,
-            extremes: None,
-            envelopes: Vec::new(),
-            checks: Vec::new(),
-            band: None,
-            changes: None,
-            proof: None,
-            seconds: context.seconds,
-        }
-    }
-}
-
-/// The envelope of the combinations of one limit state.
-#[derive(Serialize)]
-struct OfState<'a> {
-    limit_state: &'static str,
-    #[serde(flatten)]
-    envelope: Along<Lines<&'a str>>,
-    extremes: ByName<Extremes<Governed<'a>>>,
-}
-
-impl<'a> OfState<'a> {
-    fn new(answers: &'a Answers, state: LimitState, stations: &[f64]) -> Self {
-        let (of_state, solutions): (Vec<_>, Vec<_>) = answers.of_limit_state(state).unzip();
-        let names: Vec<&str> = of_state.into_iter().map(Answer::name).collect();
-        let envelope = Envelope::of(solutions);
-        let of = Named { envelope: &envelope, names: &names };
-        OfState {
-            limit_state: state.name(),
-            envelope: of.table(stations),
-            extremes: ByName::of(envelope.fields(), |field| of.extremes(field)),
-        }
-    }
 }
 
 #[derive(Serialize)]

@@ -1,5 +1,6 @@
 //! Writes the document of passages: each train, the solved positions, and the envelope.
 
+use super::enveloped::Enveloped;
 use super::{Along, ByName, Extremes, FreeSpan, Head, Lines, checks, text};
 use crate::context::Context;
 use crate::text::train::positions_of;
@@ -18,28 +19,22 @@ pub fn trains(passages: &Passages, stations: Option<&[f64]>, context: &Context) 
         let checks = checks::of(&positions_of(&passages.all, context), context);
         return text(&Document { head, one, checks, seconds: context.seconds });
     }
-    let any = passages.any_solved();
     let sections = || stations.map_or_else(|| passages.default_stations(), <[f64]>::to_vec);
-    let of_state = |state| {
-        let of_state = passages.of_limit_state(state);
+    let of_state = |state: Option<LimitState>| {
+        let of_state =
+            state.map_or_else(|| passages.clone(), |state| passages.of_limit_state(state));
+        let extremes = |field| of_state.range(field).map(Extremes::of);
         let any = of_state.at(0.0).is_some();
-        any.then(|| OfState {
-            limit_state: LimitState::name(state),
-            envelope: envelope_of_all(&of_state, sections()),
-            extremes: ByName::of(passages.fields(), |field| {
-                of_state.range(field).map(Extremes::of)
-            }),
+        any.then(|| {
+            let envelope = envelope_of_all(&of_state, sections());
+            (envelope, ByName::of(passages.fields(), extremes))
         })
     };
+    let checks = checks::of(&positions_of(&passages.all, context), context);
     text(&Several {
         head: Head::new(passages.overall().name(), context),
         passages: passages.all.iter().map(|&passage| Each::of(passage, stations)).collect(),
-        envelope: any.then(|| envelope_of_all(passages, sections())),
-        extremes: any.then(|| {
-            ByName::of(passages.fields(), |field| passages.range(field).map(Extremes::of))
-        }),
-        envelopes: passages.limit_states().iter().filter_map(of_state).collect(),
-        checks: checks::of(&positions_of(&passages.all, context), context),
+        enveloped: Enveloped::new(passages.limit_states(), of_state, checks),
         seconds: context.seconds,
     })
 }
@@ -85,24 +80,9 @@ struct Several<'a> {
     #[serde(flatten)]
     head: Head<'a>,
     passages: Vec<Each<'a>>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    envelope: Option<Along<Lines<f64>>>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    extremes: Option<ByName<Option<Extremes<InPassage>>>>,
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    envelopes: Vec<OfState>,
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    checks: Vec<checks::Checked>,
-    seconds: Option<f64>,
-}
-
-/// The envelope of the passages of one limit state.
-#[derive(Serialize)]
-struct OfState {
-    limit_state: &'static str,
     #[serde(flatten)]
-    envelope: Along<Lines<f64>>,
-    extremes: ByName<Option<Extremes<InPassage>>>,
+    enveloped: Enveloped<f64, Option<Extremes<InPassage>>>,
+    seconds: Option<f64>,
 }
 
 #[derive(Serialize)]

@@ -4,7 +4,7 @@ use super::canvas::{Canvas, Picture};
 use super::diagram::{Diagram, OF_ENVELOPES, worth_naming};
 use super::frame::{Frame, WIDTH};
 use super::samples::Samples;
-use super::{PANEL_SPACE, axis_of_x, header, numbers, stacked};
+use super::{header, numbers, with_diagrams};
 use crate::context::Context;
 use crate::font::Metrics;
 use crate::quantity::Units;
@@ -35,12 +35,9 @@ pub fn combinations(answers: &Answers, context: &Context) -> Picture {
     let metrics = Metrics::new();
     let frame = Frame::of(first.model());
     let numbers = numbers(first, context.units);
-    let mut y = header(&mut page, title.as_deref(), &[&numbers, &note]);
-    for diagram in diagrams(&answers.envelope(), context.units) {
-        y = stacked(&mut page, diagram.draw(&frame, &metrics), y);
-    }
-    axis_of_x(&mut page, &frame, context.units, y - PANEL_SPACE + 2.0);
-    let height = page.reach()[1].max(y) + 14.0;
+    let y = header(&mut page, title.as_deref(), &[&numbers, &note]);
+    let diagrams = diagrams(&answers.envelope(), context.units);
+    let height = with_diagrams(&mut page, diagrams, (&frame, &metrics, context.units), y);
     page.finish(WIDTH, height, title.as_deref().unwrap_or("Combinations of loads"))
 }
 

@@ -7,21 +7,23 @@ use super::diagram::{Diagram, worth_naming};
 use super::frame::Frame;
 use super::samples::Samples;
 use super::{PANEL_SPACE, axis_of_x, diagrams, edges, envelope, sketch, system, train};
+use crate::context::Context;
 use crate::font::Metrics;
 use crate::quantity::Units;
 use groundbeam::{Field, Model, Solution, existence::RigidMotion};
 use groundbeam_run::{Answers, Passages};
 
 /// The model as given; without equilibrium, with the motion that proves it.
-pub(crate) fn model(model: &Model, motion: Option<RigidMotion>, units: Units) -> String {
-    let (frame, metrics) = (Frame::narrow(model), Metrics::new());
-    let drawing = sketch::draw(model, motion, units, &frame, &metrics);
+pub(crate) fn model(model: &Model, motion: Option<RigidMotion>, context: &Context) -> String {
+    let frame = Frame::narrow(model).with_depths(context.depths);
+    let drawing = sketch::draw(model, motion, context.units, &frame, &Metrics::new());
     alone(drawing, &frame, None, "The model")
 }
 
 /// The deflected beam on the ground.
-pub(crate) fn bent(solution: &Solution, units: Units) -> String {
-    let (frame, metrics) = (Frame::narrow(solution.model()), Metrics::new());
+pub(crate) fn bent(solution: &Solution, context: &Context) -> String {
+    let frame = Frame::narrow(solution.model()).with_depths(context.depths);
+    let (units, metrics) = (context.units, Metrics::new());
     let drawing = system::draw(solution, units, &frame, &Samples::of(solution), &metrics);
     alone(drawing, &frame, Some(units), "Beam and ground")
 }

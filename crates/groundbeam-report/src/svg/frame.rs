@@ -1,7 +1,9 @@
-//! The horizontal scale, the same for all panels: positions along the beam to page coordinates.
+//! The horizontal scale, the same for all panels: positions along the beam to page coordinates. And the relative
+//! depth in which the beam is drawn.
 
 use super::ground::farthest;
-use groundbeam::Model;
+use groundbeam::{Model, solution::Side};
+use groundbeam_file::Depth;
 
 /// Width of a picture.
 pub(super) const WIDTH: f64 = 960.0;
@@ -17,18 +19,28 @@ pub(super) const ROOM: f64 = 1.15;
 /// Widths of the drawn ground outside the beam, relative to its length, if there are objects.
 const STEPS: [f64; 2] = [0.3, 0.6];
 
+/// The largest and the least drawn depth of a beam whose depth varies, relative to that of a uniform beam.
+const DEEPEST: f64 = 1.5;
+const SLIMMEST: f64 = 0.3;
+/// Steps between the ends of a stretch on which the depth varies.
+const STEPS_OF_DEPTH: u32 = 16;
+
 /// Scale of x.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Frame {
+pub(super) struct Frame<'a> {
     /// The beam's length.
     pub length: f64,
     /// Length of ground shown beyond each end.
     pub margin: f64,
     /// The width of the page.
     pub width: f64,
+    /// Depths of the beam's section, if they vary.
+    depths: &'a [Depth],
+    /// The largest of them.
+    largest: f64,
 }
 
-impl Frame {
+impl<'a> Frame<'a> {
     /// Shows the ground beyond the ends until its surface is almost level, within limits.
     pub fn of(model: &Model) -> Self {
         let length = model.beam.length;
@@ -42,7 +54,7 @@ impl Frame {
         let wanted = ROOM * farthest(model, STEPS[1] * length / ROOM);
         let steps = [margin, STEPS[0] * length];
         let margin = steps.into_iter().find(|step| wanted <= *step).unwrap_or(STEPS[1] * length);
-        Frame { length, margin, width: WIDTH }
+        Frame { length, margin, width: WIDTH, depths: &[], largest: 0.0 }
     }
 
     /// The frame of a figure on paper.
@@ -53,6 +65,48 @@ impl Frame {
     /// The frame on a page of another width.
     pub fn on_page(self, width: f64) -> Self {
         Frame { width, ..self }
+    }
+
+    /// The frame of a beam with these depths of its section.
+    pub fn with_depths(self, depths: &'a [Depth]) -> Self {
+        let largest = depths.iter().map(|stretch| stretch.depth.largest()).fold(0.0, f64::max);
+        let first = depths.first().map(|stretch| stretch.depth);
+        let varies = |stretch: &Depth| !stretch.depth.is_constant() || Some(stretch.depth) != first;
+        let depths = if largest > 0.0 && depths.iter().any(varies) { depths } else { &[] };
+        Frame { depths, largest, ..self }
+    }
+
+    /// Whether the drawn depth of the beam varies.
+    pub fn has_depths(&self) -> bool {
+        !self.depths.is_empty()
+    }
+
+    /// Drawn depth of the beam beside a position, relative to that of a uniform beam.
+    pub fn depth(&self, x: f64, side: Side) -> f64 {
+        let beside = |stretch: &&Depth| match side {
+            Side::Left => stretch.from < x && x <= stretch.to,
+            Side::Right => stretch.from <= x && x < stretch.to,
+        };
+        let ends_at = |stretch: &&Depth| stretch.from == x || stretch.to == x;
+        let found = self.depths.iter().find(beside).or_else(|| self.depths.iter().find(ends_at));
+        found.map_or(1.0, |&Depth { from, to, depth }| {
+            (DEEPEST * depth.at((x - from) / (to - from)) / self.largest).max(SLIMMEST)
+        })
+    }
+
+    /// The upper side of the beam from left to right: positions, among them the given ones, and relative depths.
+    pub fn upper_side(&self, nodes: &[f64]) -> Vec<(f64, f64)> {
+        let mut places = nodes.to_vec();
+        for &Depth { from, to, depth } in self.depths {
+            let steps = if depth.is_constant() { 1 } else { STEPS_OF_DEPTH };
+            let at = |i| from + (to - from) * f64::from(i) / f64::from(steps);
+            places.extend((0..=steps).map(at));
+        }
+        places.sort_by(f64::total_cmp);
+        let sides = |x: f64| [Side::Left, Side::Right].map(|side| (x, self.depth(x, side)));
+        let mut line: Vec<(f64, f64)> = places.into_iter().flat_map(sides).collect();
+        line.dedup();
+        line
     }
 
     /// Right end of the panels.

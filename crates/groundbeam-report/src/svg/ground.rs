@@ -164,7 +164,7 @@ struct Word {
 /// Draws loads on the ground: downward to the surface outside the beam, and below the surface under the beam.
 pub(super) struct GroundLoads<'a> {
     pub units: Units,
-    pub frame: &'a Frame,
+    pub frame: &'a Frame<'a>,
     /// The ground's surface on the page, from left to right.
     pub line: &'a [[f64; 2]],
 }

@@ -25,7 +25,7 @@ const RADIUS: f64 = 14.0;
 /// Draws loads on the beam's upper side.
 pub(super) struct Loads<'a> {
     pub units: Units,
-    pub frame: &'a Frame,
+    pub frame: &'a Frame<'a>,
     /// Height of the beam's upper side on the page, by position.
     pub top: &'a dyn Fn(f64) -> f64,
 }

@@ -54,7 +54,7 @@ const MOST_EDGES: usize = 40;
 /// The picture of one solution.
 pub fn picture(solution: &Solution, context: &Context) -> Picture {
     let metrics = Metrics::new();
-    let frame = Frame::of(solution.model());
+    let frame = Frame::of(solution.model()).with_depths(context.depths);
     let samples = Samples::of(solution);
     let edges = edges(solution);
     let title = context.clean_title();
@@ -64,12 +64,23 @@ pub fn picture(solution: &Solution, context: &Context) -> Picture {
     let mut y = header(&mut page, title.as_deref(), &[&numbers]);
     let system = system::draw(solution, context.units, &frame, &samples, &metrics);
     y = stacked(&mut page, system, y);
-    for diagram in diagrams(solution, context.units, &samples, &edges) {
-        y = stacked(&mut page, diagram.draw(&frame, &metrics), y);
-    }
-    axis_of_x(&mut page, &frame, context.units, y - PANEL_SPACE + 2.0);
-    let height = page.reach()[1].max(y) + 14.0;
+    let diagrams = diagrams(solution, context.units, &samples, &edges);
+    let height = with_diagrams(&mut page, diagrams, (&frame, &metrics, context.units), y);
     page.finish(WIDTH, height, title.as_deref().unwrap_or("A beam on its ground"))
+}
+
+/// Stacks diagrams below y, with the axis of x under the last one. Returns the height of the page.
+fn with_diagrams<'a>(
+    page: &mut Canvas,
+    diagrams: impl IntoIterator<Item = Diagram<'a>>,
+    (frame, metrics, units): (&Frame, &Metrics, Units),
+    mut y: f64,
+) -> f64 {
+    for diagram in diagrams {
+        y = stacked(page, diagram.draw(frame, metrics), y);
+    }
+    axis_of_x(page, frame, units, y - PANEL_SPACE + 2.0);
+    page.reach()[1].max(y) + 14.0
 }
 
 /// Vertical distance between two panels.

@@ -10,7 +10,7 @@ use super::style::{LABEL, NOTE};
 use super::supports;
 use crate::font::Metrics;
 use crate::quantity::{Kind, Units};
-use groundbeam::{Model, existence::RigidMotion};
+use groundbeam::{Model, existence::RigidMotion, solution::Side};
 
 /// Drawn thickness of the beam.
 const THICKNESS: f64 = 9.0;
@@ -30,13 +30,22 @@ pub(super) fn draw(
     metrics: &Metrics,
 ) -> Canvas {
     let mut canvas = Canvas::new();
+    let thickness = |x: f64| THICKNESS * frame.depth(x, Side::Right);
     let page =
         Rect { left: 8.0, top: f64::NEG_INFINITY, right: frame.width - 4.0, bottom: f64::INFINITY };
     let mut labels = Labels::new(metrics, page);
     let [left, right] = [frame.x(0.0), frame.x(frame.length)];
     let (surface, floor) = ground(&mut canvas, model, units, frame, &mut labels);
-    canvas.rect([left, -THICKNESS], [right - left, THICKNESS], Fill::new(Colour::Beam));
-    labels.avoid(Rect::around([left, -THICKNESS], [right, 0.0], 0.0));
+    let over = frame.upper_side(&[0.0, frame.length]);
+    let over: Vec<_> = over.iter().map(|(x, depth)| [frame.x(*x), -THICKNESS * depth]).collect();
+    if frame.has_depths() {
+        let outline = [&[[right, 0.0], [left, 0.0]], &over[..]].concat();
+        canvas.polyline(&outline, true, Fill::new(Colour::Beam));
+    } else {
+        canvas.rect([left, -THICKNESS], [right - left, THICKNESS], Fill::new(Colour::Beam));
+    }
+    let highest = over.iter().fold(0.0_f64, |highest, point| highest.min(point[1]));
+    labels.avoid(Rect::around([left, highest], [right, 0.0], 0.0));
     for support in &model.supports {
         let outward = match support.at {
             0.0 => -1.0,
@@ -48,12 +57,13 @@ pub(super) fn draw(
         labels.avoid(Rect::around([x - 12.0, 0.0], [x + 12.0, supports::HEIGHT], 0.0));
     }
     for hinge in &model.hinges {
-        supports::hinge(&mut canvas, [frame.x(hinge.at), -0.5 * THICKNESS], hinge.is_free());
+        let at = [frame.x(hinge.at), -0.5 * thickness(hinge.at)];
+        supports::hinge(&mut canvas, at, hinge.is_free());
     }
     if let Some(motion) = motion {
         tipping(&mut canvas, model, motion, frame);
     }
-    let loads = Loads { units, frame, top: &|_| -THICKNESS };
+    let loads = Loads { units, frame, top: &|x| -thickness(x) };
     loads.draw(&mut canvas, &model.loads, &mut labels);
     GroundLoads { units, frame, line: &surface }.draw(&mut canvas, &model.loads, &mut labels);
     dimension(&mut canvas, [left, right], floor + BELOW + 22.0, &units.position(frame.length));

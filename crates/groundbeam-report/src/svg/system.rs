@@ -102,6 +102,11 @@ pub(super) fn level(solution: &Solution, scale: f64, x: f64) -> f64 {
     }
 }
 
+/// Drawn thickness of the beam, to the right of a joint.
+pub(super) fn thickness(frame: &Frame, x: f64) -> f64 {
+    THICKNESS * frame.depth(x, Side::Right)
+}
+
 /// The ground's surface relative to the beam's unloaded underside: u + g₀.
 fn surface(fields: &Fields) -> f64 {
     fields.deflection + fields.gap
@@ -116,7 +121,7 @@ fn initial_gap_at_end(model: &Model, right: bool) -> f64 {
 struct Picture<'a> {
     solution: &'a Solution,
     units: Units,
-    frame: &'a Frame,
+    frame: &'a Frame<'a>,
     samples: &'a Samples,
     scale: f64,
     canvas: Canvas,
@@ -181,7 +186,16 @@ impl Picture<'_> {
 
     fn beam(&mut self) {
         let under = self.points(&self.samples.all(|f| f.deflection));
-        let over: Vec<_> = under.iter().rev().map(|&[x, y]| [x, y - THICKNESS]).collect();
+        let mut over = Vec::new();
+        for (x, deflection) in self.samples.all(|f| f.deflection) {
+            over.extend([Side::Left, Side::Right].map(|side| {
+                let thickness = THICKNESS * self.frame.depth(x, side);
+                [self.frame.x(x), self.scale * deflection - thickness]
+            }));
+        }
+        over.dedup();
+        let mut over = simplified(&over);
+        over.reverse();
         self.labels.avoid_line(&under);
         self.labels.avoid_line(&over);
         let outline = [under, over].concat();
@@ -253,15 +267,18 @@ impl Picture<'_> {
     /// Small circles, filled if the hinge has a rotational spring.
     fn hinges(&mut self) {
         for hinge in &self.solution.model().hinges {
-            let at = [self.frame.x(hinge.at), self.underside(hinge.at) - 0.5 * THICKNESS];
+            let at = [
+                self.frame.x(hinge.at),
+                self.underside(hinge.at) - 0.5 * thickness(self.frame, hinge.at),
+            ];
             supports::hinge(&mut self.canvas, at, hinge.is_free());
         }
     }
 
     fn loads(&mut self) {
         let solution = self.solution;
-        let scale = self.scale;
-        let top = |x: f64| scale * solution.at(x, Side::Right).deflection - THICKNESS;
+        let (scale, frame) = (self.scale, self.frame);
+        let top = |x: f64| scale * solution.at(x, Side::Right).deflection - thickness(frame, x);
         let loads = Loads { units: self.units, frame: self.frame, top: &top };
         loads.draw(&mut self.canvas, &solution.model().loads, &mut self.labels);
         let loads = GroundLoads { units: self.units, frame: self.frame, line: &self.surface };

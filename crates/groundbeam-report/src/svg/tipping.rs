@@ -7,7 +7,7 @@ use super::labels::{Labels, Rect};
 use super::loads::Loads;
 use super::paint::{Colour, Fill, Stroke, number};
 use super::style::{NOTE, PANEL_TITLE};
-use super::system::{BELOW, THICKNESS};
+use super::system::{BELOW, THICKNESS, thickness};
 use super::view::{View, handles, sensible};
 use super::{axis_of_x, supports};
 use crate::context::Context;
@@ -26,7 +26,7 @@ const TOP: f64 = 8.0;
 /// deformation.
 pub fn tipping(model: &Model, existence: &Existence, context: &Context, width: f64) -> View {
     let metrics = Metrics::new();
-    let frame = Frame::of(model).on_page(sensible(width));
+    let frame = Frame::of(model).on_page(sensible(width)).with_depths(context.depths);
     let rises = |x: f64| match existence.verdict {
         Verdict::None(motion) => RISE * motion.at(model, x),
         _ => 0.0,
@@ -35,18 +35,19 @@ pub fn tipping(model: &Model, existence: &Existence, context: &Context, width: f
     let mut beam = Canvas::new();
     let nodes = nodes(model);
     let under: Vec<_> = nodes.iter().map(|&x| [frame.x(x), rises(x)]).collect();
-    let over: Vec<_> = under.iter().rev().map(|&[x, y]| [x, y - THICKNESS]).collect();
+    let over = frame.upper_side(&nodes).into_iter().rev();
+    let over = over.map(|(x, depth)| [frame.x(x), rises(x) - THICKNESS * depth]).collect();
     let outline = [under.clone(), over].concat();
     beam.polyline(&outline, true, Fill::new(Colour::Beam));
     for hinge in &model.hinges {
-        let at = [frame.x(hinge.at), rises(hinge.at) - 0.5 * THICKNESS];
+        let at = [frame.x(hinge.at), rises(hinge.at) - 0.5 * thickness(&frame, hinge.at)];
         supports::hinge(&mut beam, at, hinge.is_free());
     }
     let (left, right) = (8.0, frame.width - 4.0);
     let room = Rect { left, top: f64::NEG_INFINITY, right, bottom: f64::INFINITY };
     let mut labels = Labels::new(&metrics, room);
     labels.avoid_line(&under);
-    let top = |x: f64| rises(x) - THICKNESS;
+    let top = |x: f64| rises(x) - thickness(&frame, x);
     let loads = Loads { units: context.units, frame: &frame, top: &top };
     loads.draw(&mut beam, &model.loads, &mut labels);
     let line = flat(model, &frame);
@@ -83,7 +84,9 @@ fn lying(model: &Model, frame: &Frame) -> Canvas {
     let line = flat(model, frame);
     ground::draw(&mut canvas, model, frame, &line, BELOW);
     let [start, end] = [frame.x(0.0), frame.x(frame.length)];
-    let outline = [[start, 0.0], [end, 0.0], [end, -THICKNESS], [start, -THICKNESS]];
+    let over = frame.upper_side(&[0.0, frame.length]).into_iter().rev();
+    let over: Vec<_> = over.map(|(x, depth)| [frame.x(x), -THICKNESS * depth]).collect();
+    let outline = [vec![[start, 0.0], [end, 0.0]], over].concat();
     let dashes = Stroke::new(Colour::FaintInk, 1.0).dashed(5.0, 4.0);
     canvas.polyline(&outline, true, Fill::NONE.and(dashes));
     for support in &model.supports {

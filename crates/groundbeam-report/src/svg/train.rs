@@ -5,7 +5,7 @@ use super::canvas::{Canvas, Picture};
 use super::diagram::{Diagram, OF_ENVELOPES, worth_naming};
 use super::frame::{Frame, WIDTH};
 use super::samples::Samples;
-use super::{PANEL_SPACE, axis_of_x, header, numbers, stacked, system};
+use super::{header, numbers, stacked, system, with_diagrams};
 use crate::context::{Context, clean};
 use crate::font::Metrics;
 use crate::quantity::Units;
@@ -30,7 +30,7 @@ pub fn trains(passages: &Passages, context: &Context) -> Picture {
         return page.finish(WIDTH, y, title.as_deref().unwrap_or("No position was solved"));
     };
     let metrics = Metrics::new();
-    let frame = Frame::of(passage.model());
+    let frame = Frame::of(passage.model()).with_depths(context.depths);
     let count: usize = passages.all.iter().map(|passage| passage.solved().count()).sum();
     let at = units.position(first_axle);
     let whose = match passages.all.len() {
@@ -45,11 +45,8 @@ pub fn trains(passages: &Passages, context: &Context) -> Picture {
     let samples = Samples::of(solution);
     let drawn = system::draw(solution, units, &frame, &samples, &metrics);
     y = stacked(&mut page, drawn, y);
-    for diagram in diagrams(passages, units, samples.sizes) {
-        y = stacked(&mut page, diagram.draw(&frame, &metrics), y);
-    }
-    axis_of_x(&mut page, &frame, units, y - PANEL_SPACE + 2.0);
-    let height = page.reach()[1].max(y) + 14.0;
+    let diagrams = diagrams(passages, units, samples.sizes);
+    let height = with_diagrams(&mut page, diagrams, (&frame, &metrics, units), y);
     page.finish(WIDTH, height, title.as_deref().unwrap_or("A train passes"))
 }
 

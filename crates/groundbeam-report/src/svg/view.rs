@@ -4,7 +4,7 @@ use super::canvas::Canvas;
 use super::frame::{Frame, ROOM};
 use super::ground;
 use super::samples::Samples;
-use super::{PANEL_SPACE, axis_of_x, diagrams, edges, stacked, supports, system};
+use super::{diagrams, edges, stacked, supports, system, with_diagrams};
 use crate::context::Context;
 use crate::font::Metrics;
 use groundbeam::{Model, Solution, model::Extent, solution::Side};
@@ -69,19 +69,16 @@ pub(super) fn sensible(width: f64) -> f64 {
 /// The picture of [`picture`](super::picture) without its heading, as wide as the page.
 pub fn view(solution: &Solution, context: &Context, width: f64) -> View {
     let metrics = Metrics::new();
-    let frame = Frame::of(solution.model()).on_page(sensible(width));
+    let frame = Frame::of(solution.model()).on_page(sensible(width)).with_depths(context.depths);
     let samples = Samples::of(solution);
     let edges = edges(solution);
 
     let mut page = Canvas::new();
     let system = system::draw(solution, context.units, &frame, &samples, &metrics);
     let down = TOP - system.reach()[0];
-    let mut y = stacked(&mut page, system, TOP);
-    for diagram in diagrams(solution, context.units, &samples, &edges) {
-        y = stacked(&mut page, diagram.draw(&frame, &metrics), y);
-    }
-    axis_of_x(&mut page, &frame, context.units, y - PANEL_SPACE + 2.0);
-    let height = page.reach()[1].max(y) + 14.0;
+    let y = stacked(&mut page, system, TOP);
+    let diagrams = diagrams(solution, context.units, &samples, &edges);
+    let height = with_diagrams(&mut page, diagrams, (&frame, &metrics, context.units), y);
     let scale = system::vertical_scale(solution, &frame, &samples);
     let underside = |x: f64| scale * solution.at(x, Side::Right).deflection + down;
     let surface = |x: f64| system::level(solution, scale, x) + down;
@@ -117,10 +114,11 @@ pub(super) fn handles(
         let place = [frame.x(at), surface(at) - rise];
         is_seen.then_some(Handle { grip, at, place, range: reach })
     };
-    let above = system::THICKNESS + GRIP;
+    let thickness = |x: f64| system::thickness(frame, x);
     let mut all = Vec::new();
     for (i, load) in model.loads.iter().enumerate() {
         let [from, to] = load.extent().ends();
+        let above = thickness(from) + GRIP;
         let (grips, rises) = match load.extent() {
             Extent::Point { .. } => (vec![(Grip::Load(i), from)], [above, GRIP]),
             Extent::Distributed { .. } => {
@@ -134,7 +132,7 @@ pub(super) fn handles(
         }));
     }
     for (i, hinge) in model.hinges.iter().enumerate() {
-        all.push(handle(Grip::Hinge(i), hinge.at, 0.5 * system::THICKNESS));
+        all.push(handle(Grip::Hinge(i), hinge.at, 0.5 * thickness(hinge.at)));
     }
     for (i, support) in model.supports.iter().enumerate() {
         all.push(handle(Grip::Support(i), support.at, -0.5 * supports::HEIGHT));

@@ -1,6 +1,7 @@
 //! The terminal report of all combinations: a table of them, the envelope, and each load case alone; with
 //! bounds if proofs are requested.
 
+use super::columns::Columns;
 use super::sheet::{Sheet, Tone};
 use super::{COLUMNS, certificate, checks, extreme_of, ground, structure, title};
 use crate::bound::with_bound;
@@ -11,7 +12,7 @@ use crate::combinations::{
 };
 use crate::context::{Context, clean};
 use crate::extremes::{End, of_combinations};
-use crate::quantity::{Kind, Unit, Units, duration};
+use crate::quantity::{Kind, Units, duration};
 use crate::verdict::{self, falls, wording};
 use groundbeam::{
     Model, Verdict,
@@ -146,27 +147,13 @@ fn table(sheet: &mut Sheet, answers: &Answers, solved: &[Numbered], units: Units
     let extremes = |row: &Numbered| {
         COLUMNS.map(|(field, largest)| {
             let range = row.solution.range(field);
-            row.sizes.extreme(field, if largest { range.max } else { range.min }).value
+            let extreme = if largest { range.max } else { range.min };
+            Some(row.sizes.extreme(field, extreme).value)
         })
     };
-    let values: Vec<[f64; 4]> = solved.iter().map(extremes).collect();
-    // Both columns of a field have one unit.
-    let units_of_columns: [Unit; 4] = COLUMNS.map(|(field, _)| {
-        let same = (0..4).filter(|&column| COLUMNS[column].0 == field);
-        let sizes = same.flat_map(|column| values.iter().map(move |row| row[column].abs()));
-        units.unit(Kind::of(field), sizes.fold(0.0, f64::max))
-    });
-    let line = |first: &str, cells: [String; 4]| {
-        let cells: String = cells.iter().map(|cell| format!(" {cell:>10}")).collect();
-        format!("{first:<35}{cells}")
-    };
-    let fields = COLUMNS.map(|(field, _)| field.label().to_lowercase());
-    sheet.heading(&line("   #  equilibrium  zones of  lifted", fields));
-    let words = COLUMNS.map(|(_, largest)| if largest { "largest" } else { "smallest" }.to_owned());
-    sheet.heading(&line("                    contact   share", words));
-    if !units.is_plain() {
-        sheet.heading(&line("", units_of_columns.map(|unit| unit.name.to_owned())));
-    }
+    let values: Vec<[Option<f64>; 4]> = solved.iter().map(extremes).collect();
+    let first = ["   #  equilibrium  zones of  lifted", "                    contact   share"];
+    let columns = Columns::headed(sheet, first, [35, 10], &values, units);
     let mut rows = solved.iter().zip(&values).peekable();
     for (i, answer) in answers.list.iter().enumerate() {
         let words = outcome(answer, units);
@@ -177,8 +164,7 @@ fn table(sheet: &mut Sheet, answers: &Answers, solved: &[Numbered], units: Units
         let zones = row.solution.contact().len();
         let share = row.numbers(units).lifted_share(row.solution);
         let first = format!("{:>4}  {words:<11}{zones:>9} {share:>8}", i + 1);
-        let cells = [0, 1, 2, 3].map(|i| units_of_columns[i].number(values[i]));
-        sheet.line(&line(&first, cells));
+        sheet.line(&columns.row(&first, values));
     }
 }
 

@@ -2,6 +2,7 @@
 
 pub(crate) mod certificate;
 pub(crate) mod checks;
+mod columns;
 mod combinations;
 mod comparison;
 mod drawing;

@@ -1,5 +1,6 @@
 //! The terminal report of moving trains: one passage alone, or a table of several with the joint envelope.
 
+use super::columns::Columns;
 use super::combinations::all_of;
 use super::sheet::Sheet;
 use super::train::{envelope, failures, limits, places, proof, ranges, train};
@@ -7,7 +8,7 @@ use super::{COLUMNS, free_spans, ground, structure, title};
 use crate::characteristics::Characteristics;
 use crate::context::{Context, clean};
 use crate::extremes::{cleaned, of_passages};
-use crate::quantity::{Kind, Unit, Units};
+use crate::quantity::{Kind, Units};
 use groundbeam::{Field, Model};
 use groundbeam_run::{Ground, Overall, Passage, Passages};
 
@@ -98,31 +99,11 @@ fn table(sheet: &mut Sheet, all: &[Passage], units: Units) {
         COLUMNS.map(of)
     };
     let values: Vec<[Option<f64>; 4]> = all.iter().map(extremes).collect();
-    // Both columns of a field have one unit.
-    let units_of_columns: [Unit; 4] = COLUMNS.map(|(field, _)| {
-        let same = (0..4).filter(|&column| COLUMNS[column].0 == field);
-        let sizes = same.flat_map(|column| values.iter().filter_map(move |row| row[column]));
-        units.unit(Kind::of(field), sizes.fold(0.0, |most, size| most.max(size.abs())))
-    });
-    let line = |first: &str, cells: [String; 4]| {
-        let cells: String = cells.iter().map(|cell| format!(" {cell:>12}")).collect();
-        format!("{first:<24}{cells}")
-    };
-    let fields = COLUMNS.map(|(field, _)| field.label().to_lowercase());
-    sheet.heading(&line("   #   positions", fields));
-    let words = COLUMNS.map(|(_, largest)| if largest { "largest" } else { "smallest" }.to_owned());
-    sheet.heading(&line("", words));
-    if !units.is_plain() {
-        sheet.heading(&line("", units_of_columns.map(|unit| unit.name.to_owned())));
-    }
+    let columns = Columns::headed(sheet, ["   #   positions", ""], [24, 12], &values, units);
     for (i, (passage, values)) in all.iter().zip(&values).enumerate() {
         let count = passage.solved().count();
         let first = format!("{:>4}{count:>12}", i + 1);
-        let cells = [0, 1, 2, 3].map(|column| match values[column] {
-            Some(value) => units_of_columns[column].number(value),
-            None => "none".to_owned(),
-        });
-        sheet.line(&line(&first, cells));
+        sheet.line(&columns.row(&first, values));
     }
 }
 
