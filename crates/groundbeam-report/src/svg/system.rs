@@ -186,20 +186,27 @@ impl Picture<'_> {
 
     fn beam(&mut self) {
         let under = self.points(&self.samples.all(|f| f.deflection));
-        let mut over = Vec::new();
-        for (x, deflection) in self.samples.all(|f| f.deflection) {
-            over.extend([Side::Left, Side::Right].map(|side| {
-                let thickness = THICKNESS * self.frame.depth(x, side);
-                [self.frame.x(x), self.scale * deflection - thickness]
-            }));
-        }
-        over.dedup();
-        let mut over = simplified(&over);
-        over.reverse();
+        let over = match self.frame.has_depths() {
+            false => under.iter().rev().map(|&[x, y]| [x, y - THICKNESS]).collect(),
+            true => self.upper_side(),
+        };
         self.labels.avoid_line(&under);
         self.labels.avoid_line(&over);
         let outline = [under, over].concat();
         self.canvas.polyline(&outline, true, Fill::new(Colour::Beam));
+    }
+
+    /// The upper side of a beam whose depth varies, from right to left.
+    fn upper_side(&self) -> Vec<[f64; 2]> {
+        let mut line = Vec::new();
+        for (x, deflection) in self.samples.all(|f| f.deflection) {
+            line.extend([Side::Left, Side::Right].map(|side| {
+                let thickness = THICKNESS * self.frame.depth(x, side);
+                [self.frame.x(x), self.scale * deflection - thickness]
+            }));
+        }
+        line.reverse();
+        simplified(&line)
     }
 
     /// A line along each contact zone; point contacts are dots.

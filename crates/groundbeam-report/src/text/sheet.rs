@@ -2,6 +2,7 @@
 
 pub(crate) use crate::tone::Tone;
 use groundbeam_file::printable;
+use unicode_width::UnicodeWidthStr;
 
 /// Maximum width of a line, unless a word is longer.
 const WIDTH: usize = 80;
@@ -119,7 +120,7 @@ impl Sheet {
     }
 
     fn print_row(&self, label: &str, words: &str, tone: Tone, text: &mut String) {
-        let gap = " ".repeat(COLUMN.saturating_sub(label.chars().count()).max(1));
+        let gap = " ".repeat(COLUMN.saturating_sub(columns(label)).max(1));
         let head = self.painted(label, Tone::Heading) + &gap;
         for (i, line) in wrapped(words, WIDTH - COLUMN).iter().enumerate() {
             let lead = if i == 0 { head.clone() } else { " ".repeat(COLUMN) };
@@ -144,17 +145,22 @@ impl Sheet {
     }
 }
 
-/// Lines of at most `width` characters, broken at spaces; a longer word stays whole. Never empty.
+/// Number of columns that a text takes in a terminal: two for a Chinese character, none for a combining accent.
+pub(super) fn columns(text: &str) -> usize {
+    UnicodeWidthStr::width(text)
+}
+
+/// Lines of at most `width` columns, broken at spaces; a longer word stays whole. Never empty.
 fn wrapped(words: &str, width: usize) -> Vec<String> {
     // Several spaces in a row belong to the columns of a table and stay.
-    if words.chars().count() <= width {
+    if columns(words) <= width {
         return vec![words.to_owned()];
     }
     let mut lines = vec![String::new()];
     for word in unbroken(words) {
-        let line = lines.last_mut().filter(|line| {
-            line.is_empty() || line.chars().count() + 1 + word.chars().count() <= width
-        });
+        let fits =
+            |line: &&mut String| line.is_empty() || columns(line) + 1 + columns(&word) <= width;
+        let line = lines.last_mut().filter(fits);
         match line {
             Some(line) => {
                 if !line.is_empty() {
@@ -194,6 +200,16 @@ mod tests {
         let text = sheet.finish();
         assert!(text.lines().all(|line| line.len() <= WIDTH && !line.ends_with(' ')));
         assert!(text.lines().nth(1).is_some_and(|line| line.starts_with("             word")));
+    }
+
+    #[test]
+    fn wide_characters_take_two_columns_and_accents_none() {
+        let mut sheet = Sheet::new(false);
+        sheet.row("Fe\u{301}", &"基礎梁 ".repeat(20));
+        let text = sheet.finish();
+        assert!(text.starts_with("Fe\u{301}           基礎梁"), "{text}");
+        assert!(text.lines().all(|line| columns(line) <= WIDTH), "{text}");
+        assert!(text.lines().count() == 3, "{text}");
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! The report of a study: probabilities with their intervals, means and quantiles.
 
-use super::sheet::Sheet;
+use super::sheet::{Sheet, columns};
 use super::{certificate, title};
 use crate::context::{Context, clean};
 use crate::number::significant;
@@ -41,10 +41,10 @@ pub fn study(study: &Study, context: &Context, colour: bool) -> String {
     for Estimate { name, count, probability, interval, .. } in &study.events {
         let digits = interval.digits();
         let [low, high] = interval.bounds.map(|bound| significant(bound, digits));
-        let name = shortened(&clean(name), 33);
+        let name = cell(&clean(name), 33);
         let probability = significant(*probability, digits.max(4));
         sheet.line(&format!(
-            "{name:<33} {count:>10} {probability:>11} {:>22}",
+            "{name} {count:>10} {probability:>11} {:>22}",
             format!("{low} to {high}")
         ));
     }
@@ -86,7 +86,7 @@ fn line(spread: &Spread, units: Units) -> String {
         None => units.ratio(value),
     };
     let unit = kind.map_or(String::new(), |kind| units.unit(kind, largest).bracketed());
-    let label = shortened(&(spread.label() + &unit), 25);
+    let label = cell(&(spread.label() + &unit), 25);
     let [mean, deviation, low, middle, high] = [
         spread.mean,
         spread.deviation,
@@ -95,13 +95,18 @@ fn line(spread: &Spread, units: Units) -> String {
         spread.quantiles[3],
     ]
     .map(number);
-    format!("{label:<25} {mean:>10} {deviation:>10} {low:>10} {middle:>9} {high:>9}")
+    format!("{label} {mean:>10} {deviation:>10} {low:>10} {middle:>9} {high:>9}")
 }
 
-/// The text, shortened to at most `most` characters.
-fn shortened(text: &str, most: usize) -> String {
-    match text.chars().count() > most {
-        true => text.chars().take(most - 1).chain(['…']).collect(),
-        false => text.to_owned(),
+/// The text in `width` columns of the terminal, shortened or filled with spaces.
+fn cell(text: &str, width: usize) -> String {
+    let mut cell = text.to_owned();
+    if columns(&cell) > width {
+        while columns(&cell) >= width {
+            cell.pop();
+        }
+        cell.push('…');
     }
+    let gap = width - columns(&cell);
+    cell + &" ".repeat(gap)
 }
