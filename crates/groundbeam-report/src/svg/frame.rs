@@ -1,4 +1,4 @@
-//! The horizontal scale, the same for all panels: positions along the beam to page coordinates. And the relative
+//! The horizontal scale, the same for all panels: positions along the beam to page coordinates. Also the relative
 //! depth in which the beam is drawn.
 
 use super::ground::farthest;
