@@ -3,7 +3,7 @@
 #[allow(dead_code)]
 mod common;
 
-use common::{context, document, solved};
+use common::{answers, context, document, solved};
 use groundbeam::solution::Side;
 use groundbeam_report::{Context, Units, csv};
 
@@ -44,4 +44,30 @@ fn a_row_for_every_step() {
     let history = csv::history(&solution);
     assert_eq!(history.lines().count(), solution.iterations() + 1);
     assert!(history.starts_with("step,zones,part,decrement\n1,"));
+}
+
+/// The moment at a free end is zero but for rounding errors.
+#[test]
+fn rounding_errors_are_written_as_zero() {
+    let are_zero = |table: &str| {
+        let rows: Vec<Vec<&str>> = table.lines().map(|row| row.split(',').collect()).collect();
+        let moments = ["moment_Nm", "moment_min_Nm", "moment_max_Nm"];
+        let columns: Vec<usize> =
+            (0..rows[0].len()).filter(|&i| moments.contains(&rows[0][i])).collect();
+        assert!(!columns.is_empty() && rows.len() == 3, "{table}");
+        for row in &rows[1..] {
+            assert!(columns.iter().all(|&i| row[i] == "0.0"), "{table}");
+        }
+    };
+    let train = document("train");
+    let found = answers(&train);
+    are_zero(&csv::trains(&found.passages(), &[0.0, 12.0], Units::SI));
+    let combined = document("combinations");
+    let found = answers(&combined);
+    let context = context(&combined);
+    let l = combined.model.beam.length;
+    are_zero(&csv::envelope(&found, &[0.0, l], &context));
+    let footing = document("footing");
+    let l = footing.model.beam.length;
+    are_zero(&csv::table(&solved(&footing), &[0.0, l], &context));
 }

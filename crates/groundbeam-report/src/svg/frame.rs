@@ -103,6 +103,7 @@ impl<'a> Frame<'a> {
             places.extend((0..=steps).map(at));
         }
         places.sort_by(f64::total_cmp);
+        places.dedup();
         let sides = |x: f64| [Side::Left, Side::Right].map(|side| (x, self.depth(x, side)));
         let mut line: Vec<(f64, f64)> = places.into_iter().flat_map(sides).collect();
         line.dedup();
@@ -127,5 +128,43 @@ impl<'a> Frame<'a> {
     /// Page coordinate of a position.
     pub fn x(&self, x: f64) -> f64 {
         LEFT + (x + self.margin) * self.scale()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use groundbeam::{Beam, Foundation, model::Profile};
+
+    fn frame(depths: &[Depth]) -> Frame<'_> {
+        let model = Model::new(Beam::uniform(4.0, 1.0), Foundation::winkler(1.0));
+        Frame::of(&model).with_depths(depths)
+    }
+
+    /// A beam of 1.2 m that steps to 0.9 m and narrows to 0.6 m.
+    #[test]
+    fn a_beam_is_drawn_as_deep_as_it_is() {
+        let stretch = |from, to, depth| Depth { from, to, depth };
+        let depths = [
+            stretch(0.0, 2.0, Profile::constant(1.2)),
+            stretch(2.0, 4.0, Profile::linear(0.9, 0.6)),
+        ];
+        let haunched = frame(&depths);
+        let found = [(0.0, Side::Right), (2.0, Side::Left), (2.0, Side::Right), (4.0, Side::Left)]
+            .map(|(x, side)| haunched.depth(x, side));
+        for (found, expected) in found.into_iter().zip([1.5, 1.5, 1.125, 0.75]) {
+            assert!((found - expected).abs() < 1e-12, "{found}");
+        }
+        assert!((haunched.depth(4.0, Side::Right) - 0.75).abs() < 1e-12);
+        let upper = haunched.upper_side(&[0.0, 4.0]);
+        assert!(upper.is_sorted_by(|a, b| a.0 <= b.0) && upper.len() == 19, "{upper:?}");
+    }
+
+    #[test]
+    fn a_uniform_beam_has_one_depth() {
+        let uniform = [Depth { from: 0.0, to: 4.0, depth: Profile::constant(1.2) }];
+        let frame = frame(&uniform);
+        assert!(!frame.has_depths() && frame.depth(1.0, Side::Right) == 1.0);
+        assert_eq!(frame.upper_side(&[0.0, 4.0]), [(0.0, 1.0), (4.0, 1.0)]);
     }
 }
