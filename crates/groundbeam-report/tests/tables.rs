@@ -54,7 +54,7 @@ fn rounding_errors_are_written_as_zero() {
         let moments = ["moment_Nm", "moment_min_Nm", "moment_max_Nm"];
         let columns: Vec<usize> =
             (0..rows[0].len()).filter(|&i| moments.contains(&rows[0][i])).collect();
-        assert!(!columns.is_empty() && rows.len() == 3, "{table}");
+        assert!(!columns.is_empty() && rows.len() > 2, "{table}");
         for row in &rows[1..] {
             assert!(columns.iter().all(|&i| row[i] == "0.0"), "{table}");
         }
