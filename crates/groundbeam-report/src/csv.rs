@@ -76,7 +76,7 @@ pub fn envelope(answers: &Answers, positions: &[f64], context: &Context) -> Stri
             Some(state) => of_limit_state(answers, &solved, state),
         };
         let envelope = Envelope::of(rows.iter().map(|row| row.solution));
-        let row = move |x: f64| {
+        move |x: f64| {
             let all = envelope.all_at(x);
             let cells = envelope.fields().flat_map(|field| {
                 let Bounds { min, max } = all[field.index()];
@@ -97,8 +97,7 @@ pub fn envelope(answers: &Answers, positions: &[f64], context: &Context) -> Stri
                 values.into_iter().chain(bounds).chain([name(min.by), name(max.by)])
             });
             cells.collect::<Vec<String>>()
-        };
-        row
+        }
     };
     enveloped(names, answers.limit_states(), of_state, positions, units)
 }
