@@ -26,7 +26,7 @@ fn named(feature: Feature) -> &'static str {
 /// The limits in the README: for each feature, the methods that refuse it.
 #[test]
 fn the_readme_lists_what_is_not_supported() {
-    let mut lines = String::new();
+    let mut lines = "| feature | refused by |\n|---|---|\n".to_owned();
     for feature in Feature::ALL {
         let refusing: Vec<&str> = Way::ALL
             .iter()
@@ -40,7 +40,7 @@ fn the_readme_lists_what_is_not_supported() {
             })
             .collect();
         if !refusing.is_empty() {
-            lines += &format!("* {} do not take {}.\n", refusing.join(", "), named(feature));
+            lines += &format!("| {} | {} |\n", named(feature), refusing.join("; "));
         }
     }
     expect("README.md", "limits", &lines);
