@@ -190,8 +190,16 @@ fn links_between_documents_lead_somewhere() {
     let docs = std::fs::read_dir(repository().join("docs")).expect("docs");
     let docs =
         docs.map(|entry| format!("docs/{}", entry.expect("entry").file_name().to_string_lossy()));
-    let top =
-        ["README.md", "ARCHITECTURE.md", "CONTRIBUTING.md", "CHANGELOG.md", "reference/README.md"];
+    let top = [
+        "README.md",
+        "ARCHITECTURE.md",
+        "CONTRIBUTING.md",
+        "CHANGELOG.md",
+        "bench/README.md",
+        "cases/README.md",
+        "reference/README.md",
+        "verification/frozen/README.md",
+    ];
     for path in docs.filter(|path| path.ends_with(".md")).chain(top.map(str::to_owned)) {
         let folder = repository().join(&path).parent().expect("a folder").to_path_buf();
         let text = read(&path);
