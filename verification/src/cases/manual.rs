@@ -58,7 +58,8 @@ fn chapter(text: &mut String, folder: &str, cases: &[&Case]) {
         let name = path.strip_prefix(folder).unwrap_or(path).trim_end_matches(".toml");
         let answers = Answers::of(&case.document);
         let gap = answers.as_ref().map_or_else(ToString::to_string, largest_gap);
-        let [title, source] = [case.title(), case.source.as_str()].map(|cell| cell.replace('|', "\\|"));
+        let [title, source] =
+            [case.title(), case.source.as_str()].map(|cell| cell.replace('|', "\\|"));
         _ = writeln!(text, "| [`{name}`](../cases/{path}) | {title} | {source} | {gap} |");
         let Ok(answers) = answers else { continue };
         for (i, expectation) in case.expectations.iter().enumerate() {
