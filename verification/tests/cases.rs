@@ -4,7 +4,8 @@ use groundbeam::{
     Error, Field, Method, Options, Outcome, Solution, Verdict, solution::Side, solve, solve_with,
 };
 use groundbeam_verification::cases::answers::Answers;
-use groundbeam_verification::cases::{Case, all, folder, manual::manual};
+use groundbeam_verification::cases::{Case, all, manual::manual};
+use groundbeam_verification::documents;
 use groundbeam_verification::estimated::estimated_bounds;
 
 fn readable() -> Vec<Case> {
@@ -122,16 +123,5 @@ fn farther_off_than_proven(exact: &Solution, mesh: &Solution) -> Option<String> 
 
 #[test]
 fn the_verification_manual_is_what_the_cases_say() {
-    let page = std::fs::read_to_string(folder().join("../docs/verification.md"))
-        .expect("docs/verification.md");
-    let now = manual(&readable());
-    if page == now {
-        return;
-    }
-    let pairs = page.lines().zip(now.lines()).enumerate();
-    let first = pairs.filter(|(_, (a, b))| a != b).map(|(i, (a, b))| (i + 1, a, b)).next();
-    panic!(
-        "docs/verification.md is not what `cargo run --release -p groundbeam-verification --example \
-         manual` writes; the first line that differs: {first:#?}"
-    );
+    documents::expect_file("docs/verification.md", &manual(&readable()));
 }

@@ -26,7 +26,7 @@ fn named(feature: Feature) -> &'static str {
 /// The limits in the README: for each feature, the methods that refuse it.
 #[test]
 fn the_readme_lists_what_is_not_supported() {
-    let mut lines = String::new();
+    let mut lines = "| feature | refused by |\n|---|---|\n".to_owned();
     for feature in Feature::ALL {
         let refusing: Vec<&str> = Way::ALL
             .iter()
@@ -40,7 +40,7 @@ fn the_readme_lists_what_is_not_supported() {
             })
             .collect();
         if !refusing.is_empty() {
-            lines += &format!("* {} do not take {}.\n", refusing.join(", "), named(feature));
+            lines += &format!("| {} | {} |\n", named(feature), refusing.join("; "));
         }
     }
     expect("README.md", "limits", &lines);
@@ -190,8 +190,16 @@ fn links_between_documents_lead_somewhere() {
     let docs = std::fs::read_dir(repository().join("docs")).expect("docs");
     let docs =
         docs.map(|entry| format!("docs/{}", entry.expect("entry").file_name().to_string_lossy()));
-    let top =
-        ["README.md", "ARCHITECTURE.md", "CONTRIBUTING.md", "CHANGELOG.md", "reference/README.md"];
+    let top = [
+        "README.md",
+        "ARCHITECTURE.md",
+        "CONTRIBUTING.md",
+        "CHANGELOG.md",
+        "bench/README.md",
+        "cases/README.md",
+        "reference/README.md",
+        "verification/frozen/README.md",
+    ];
     for path in docs.filter(|path| path.ends_with(".md")).chain(top.map(str::to_owned)) {
         let folder = repository().join(&path).parent().expect("a folder").to_path_buf();
         let text = read(&path);

@@ -382,7 +382,7 @@ pub enum Paper {
 pub enum Method {
     /// Closed-form solution between the contact edges, no mesh
     Exact,
-    /// Cubic elements, Newton's method on the convex energy
+    /// Forces at the nodes of a mesh, Newton's method on the convex energy
     ActiveSet,
     /// Projected successive over-relaxation, Kikuchi (5.17), (5.18)
     Psor,

@@ -25,14 +25,13 @@ const CHAPTERS: [(&str, &str, &str); 7] = [
 pub fn manual(cases: &[Case]) -> String {
     let count: usize = cases.iter().map(|case| case.expectations.len()).sum();
     let mut text = format!(
-        "# Verification manual\n\n\
-         {} models and {count} numbers that are known without groundbeam, and what groundbeam finds.\n\
-         Made from the files in `cases/` by\n\n\
-         ```sh\ncargo run --release -p groundbeam-verification --example manual\n```\n\n\
-         The *error* is relative to the reference (of a list, to its largest number); `< 1e-12` is \
-         rounding. The\n*gap* is what the certificate proves: the relative difference of primal and \
-         dual energy, which bounds the\nerror against the continuous problem. A test fails when a \
-         number leaves its tolerance, or when this page is\nnot what the command writes.\n",
+        "# Every verification case\n\n\
+         {} models and {count} numbers that are known without groundbeam, and the results of groundbeam.\n\
+         `verification/tests/cases.rs` makes this page from the files in [`cases/`](../cases/README.md).\n\
+         The test fails if a number is outside its tolerance.\n\n\
+         | column | meaning |\n|---|---|\n\
+         | gap | the certificate's relative energy gap, an estimate of the error |\n\
+         | error | relative to the reference, of a list to its largest number; `< 1e-12` is rounding |\n",
         cases.len()
     );
     let mut left: Vec<&Case> = cases.iter().collect();
@@ -40,42 +39,47 @@ pub fn manual(cases: &[Case]) -> String {
         let (these, others): (Vec<&Case>, Vec<&Case>) =
             left.into_iter().partition(|case| case.path.starts_with(folder));
         left = others;
-        if these.is_empty() {
-            continue;
-        }
-        _ = write!(text, "\n## {heading}\n\n{about}\n");
-        for case in these {
-            section(&mut text, case);
+        if !these.is_empty() {
+            _ = write!(text, "\n## {heading}\n\n{about}\n");
+            chapter(&mut text, folder, &these);
         }
     }
     text
 }
 
-fn section(text: &mut String, case: &Case) {
-    let answers = match Answers::of(&case.document) {
-        Ok(answers) => answers,
-        Err(error) => {
-            _ = write!(text, "\n### {}\n\n{error}\n", case.title());
-            return;
+/// Two tables: the cases with their sources, and all numbers.
+fn chapter(text: &mut String, folder: &str, cases: &[&Case]) {
+    text.push_str("\n| case | model | source | gap |\n|---|---|---|---|\n");
+    let mut numbers = "\n| case | quantity | reference | groundbeam | error | tolerance |\n\
+                       |---|---|---|---|---|---|\n"
+        .to_owned();
+    for case in cases {
+        let path = &case.path;
+        let name = path.strip_prefix(folder).unwrap_or(path).trim_end_matches(".toml");
+        let answers = Answers::of(&case.document);
+        let gap = answers.as_ref().map_or_else(ToString::to_string, largest_gap);
+        let [title, source] =
+            [case.title(), case.source.as_str()].map(|cell| cell.replace('|', "\\|"));
+        _ = writeln!(text, "| [`{name}`](../cases/{path}) | {title} | {source} | {gap} |");
+        let Ok(answers) = answers else { continue };
+        for (i, expectation) in case.expectations.iter().enumerate() {
+            let name = if i == 0 { format!(" `{name}`") } else { String::new() };
+            _ = write!(numbers, "|{name} ");
+            row(&mut numbers, expectation, &case.document, &answers);
         }
-    };
-    let gaps = answers.solutions().into_iter().map(|found| found.certificate().relative_gap());
-    let proof = match gaps.reduce(f64::max) {
-        Some(gap) if gap < 1e-12 => "gap < 1e-12",
-        Some(_) => "gap < 1e-9",
-        None => "no equilibrium",
-    };
-    _ = write!(
-        text,
-        "\n### {}\n\n{}  \n[`{path}`](../cases/{path}), {proof}\n\n\
-         | quantity | reference | groundbeam | error | tolerance |\n|---|---|---|---|---|\n",
-        case.title(),
-        case.source,
-        path = case.path
-    );
-    for expectation in &case.expectations {
-        row(text, expectation, &case.document, &answers);
     }
+    text.push_str(&numbers);
+}
+
+/// The bound that the largest relative gap of the solutions keeps.
+fn largest_gap(answers: &Answers) -> String {
+    let gaps = answers.solutions().into_iter().map(|found| found.certificate().relative_gap());
+    match gaps.reduce(f64::max) {
+        Some(gap) if gap < 1e-12 => "< 1e-12",
+        Some(_) => "< 1e-9",
+        None => "no equilibrium",
+    }
+    .to_owned()
 }
 
 fn row(text: &mut String, expectation: &Expectation, document: &Document, answers: &Answers) {

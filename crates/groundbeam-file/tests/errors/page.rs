@@ -10,10 +10,13 @@ use std::path::Path;
 fn the_page_is_up_to_date() {
     let cases = error_cases();
     let mut page = String::from(
-        "# Diagnostics\n\n\
-         Everything groundbeam says about a model file carries one of these codes. \
-         `GB001` to `GB099` are about how the file is written, those from `GB101` on about what \
-         the model says; those from `GB601` on are found while solving.\n\n\
+        "# Messages about files\n\n\
+         Every message about a model file has one of these codes.\n\n\
+         | codes | subject |\n|---|---|\n\
+         | `GB001` to `GB099` | the text of the file |\n\
+         | from `GB101` | the model |\n\
+         | from `GB601` | the solve |\n\
+         | from `GB701` | trains, studies, warnings |\n\n\
          This page is written by `UPDATE_EXPECTED=1 cargo test -p groundbeam-file`.\n\n\
          | code | what is wrong |\n|---|---|\n",
     );
@@ -29,7 +32,7 @@ fn the_page_is_up_to_date() {
         };
         writeln!(
             page,
-            "\n## {code}\n\n{}{}. From [{example}](../cases/errors/{example}):\n\n```text\n{}```",
+            "\n## {code}\n\n{}{}.\nFrom [{example}](../cases/errors/{example}):\n\n```text\n{}```",
             meaning[..1].to_uppercase(),
             &meaning[1..],
             first_of(case, code),
