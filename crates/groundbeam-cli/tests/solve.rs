@@ -134,8 +134,11 @@ fn a_model_that_needs_more_memory_than_the_limit_is_refused_at_once() {
     done.fails(2, "error[GB617]: the method `exact` would need about");
     done.fails(2, "more than the limit of 4 GB");
     let folder = Folder::with(FOOTING);
-    let meshed = ["solve", "model.toml", "--method", "active-set", "--elements", "50000000"];
-    folder.run(&meshed).fails(2, "error[GB617]: the method `active-set` would need about 5 GB");
+    let meshed = ["solve", "model.toml", "--method", "active-set", "--elements", "5000000"];
+    // The nodes do not fit; the nodes fit, the elements in contact do not.
+    let nodes = [&meshed[..], &["--memory-limit", "100 MB"]].concat();
+    folder.run(&nodes).fails(2, "error[GB617]: the method `active-set` would need about 500 MB");
+    folder.run(&meshed).fails(2, "error[GB617]: the method `active-set` would need about 18 GB");
     let little = ["solve", "model.toml", "--memory-limit", "1 kB"];
     folder.run(&little).fails(2, "more than the limit of 1 kB");
     folder.run(&["solve", "model.toml", "--memory-limit", "1 MB"]).is_clean(0);
