@@ -131,7 +131,7 @@ fn behind(stiffness: f64, [length, k, mu]: Stretch) -> f64 {
     (0..COUNT).fold(stiffness, |sum, _| own - across * across / (sum + own))
 }
 
-/// A lower bound of the flexibility g(x, x) of open ground at a node, by elements.
+/// A lower bound of the flexibility g(x, x) of open ground at a node, from linear elements of its surface.
 fn flexibility(frame: &Frame<Ball>, ground: &[Stretch], node: usize) -> f64 {
     let left = ground[..node].iter().fold(frame.outside[0].middle(), |sum, s| behind(sum, *s));
     let right = ground[node..].iter().rev();

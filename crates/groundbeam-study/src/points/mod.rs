@@ -56,8 +56,8 @@ fn inside(bits: u64) -> f64 {
     (((bits >> 11) as f64 + 0.5) * PART).min(1.0 - PART)
 }
 
-/// A number each of whose bits depends on all bits of another number (Steele, Lea and Flood 2014, with
-/// Stafford's constants).
+/// A hash in which each bit depends on all bits of `number` (Steele, Lea and Flood 2014, with Stafford's
+/// constants).
 fn mixed(number: u64) -> u64 {
     let mut z = number.wrapping_add(0x9e37_79b9_7f4a_7c15);
     z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);

@@ -87,7 +87,7 @@ fn phase_a(model: &Model, level: u32, cancel: &Cancel) -> Result<Start, Unconver
     let unsettled = Unconverged { iterations: 0, why: NotConverged::Nodes };
     let per_wave = power(3.0, level as usize);
     let Coarse { grid, workspace, edges } = coarse(&bending, per_wave, cancel).ok_or(unsettled)?;
-    let found = nodes::state(&grid, workspace);
+    let found = nodes::Solved::new(grid, workspace).state();
     let contact = if level + 1 < LEVELS {
         edges
     } else {

@@ -27,18 +27,63 @@ use crate::numeric::polynomial::rescale;
 pub(crate) struct Solved {
     grid: Grid,
     workspace: Workspace,
+    /// The nodes between which the beam has one closed form.
+    ends: Vec<usize>,
 }
 
 impl Solved {
+    pub fn new(grid: Grid, mut workspace: Workspace) -> Self {
+        workspace.clear_open(&grid);
+        let ends = ends(&grid, &workspace);
+        Solved { grid, workspace, ends }
+    }
+
     /// Number of closed forms that describe the beam: one per element between nodes in contact, a few per stretch off
     /// the ground.
     pub fn cells(&self) -> usize {
-        ends(&self.grid, &self.workspace).len() - 1
+        self.ends.len() - 1
     }
 
     /// Deflection, ground surface and ground forces.
     pub fn state(self) -> ContactState {
-        state(&self.grid, self.workspace)
+        let Solved { grid, workspace, ends } = self;
+        let mesh = mesh(&grid, &ends);
+        let mut settlement = Vec::new();
+        open::settlement(&grid, &workspace.deflection, &workspace.zones, &mut settlement);
+        let mut zones = Vec::new();
+        let mut point_forces = Vec::new();
+        let last = mesh.cells.len();
+        for &[from, to] in &workspace.zones {
+            let first = index(&ends, from);
+            let at = |node: usize| point(first + node - from, last);
+            zones.push(MeshZone { from: at(from), to: at(to) });
+            let force = |node: usize| PointForce { point: at(node), force: workspace.force[node] };
+            point_forces.extend((from..=to).map(force));
+        }
+        let (coefficients, rotation) = deflections(&grid, &mesh, &ends, &workspace);
+        let w = Deflection { mesh: &mesh, terms: TERMS, coefficients: &coefficients };
+        let mut parts = Vec::with_capacity(last);
+        for (cell, own) in mesh.cells.iter().enumerate() {
+            if own.shear_layer == 0.0 {
+                // The certificate uses the pressure of the springs under the deflection: a point force on Winkler
+                // ground has infinite energy.
+                springs::cover(&w, cell, &mut parts);
+            } else {
+                let open = Some([cell, cell + 1].map(|i| settlement[ends[i]]));
+                parts.push(SurfacePart { cell, s: [-1.0, 1.0], open });
+            }
+        }
+        ContactState {
+            terms: TERMS,
+            rotation,
+            zones,
+            history: workspace.history,
+            nodal_elements: Some(grid.last()),
+            surface: Some(Surface { parts, point_forces }),
+            edge_error: EdgeError::default(),
+            coefficients,
+            mesh,
+        }
     }
 }
 
@@ -54,7 +99,7 @@ pub(crate) fn solve(
     let found = workspace.contact(&grids, newton::ANSWER);
     let iterations = workspace.history.len();
     match (found, grids.pop()) {
-        (Ok(()), Some(grid)) => Ok(Solved { grid, workspace }),
+        (Ok(()), Some(grid)) => Ok(Solved::new(grid, workspace)),
         (Err(Loose), _) | (_, None) => Err(Unconverged { iterations, why: NotConverged::Nodes }),
     }
 }
@@ -98,49 +143,6 @@ fn ends(grid: &Grid, workspace: &Workspace) -> Vec<usize> {
     ends.sort_unstable();
     ends.dedup();
     ends
-}
-
-/// Deflection, ground surface and ground forces on a solved grid.
-pub(crate) fn state(grid: &Grid, mut workspace: Workspace) -> ContactState {
-    workspace.clear_open(grid);
-    let ends = ends(grid, &workspace);
-    let mesh = mesh(grid, &ends);
-    let mut settlement = Vec::new();
-    open::settlement(grid, &workspace.deflection, &workspace.zones, &mut settlement);
-    let mut zones = Vec::new();
-    let mut point_forces = Vec::new();
-    let last = mesh.cells.len();
-    for &[from, to] in &workspace.zones {
-        let first = index(&ends, from);
-        let at = |node: usize| point(first + node - from, last);
-        zones.push(MeshZone { from: at(from), to: at(to) });
-        let force = |node: usize| PointForce { point: at(node), force: workspace.force[node] };
-        point_forces.extend((from..=to).map(force));
-    }
-    let (coefficients, rotation) = deflections(grid, &mesh, &ends, &workspace);
-    let w = Deflection { mesh: &mesh, terms: TERMS, coefficients: &coefficients };
-    let mut parts = Vec::with_capacity(last);
-    for (cell, own) in mesh.cells.iter().enumerate() {
-        if own.shear_layer == 0.0 {
-            // The certificate uses the pressure of the springs under the deflection: a point force on Winkler ground
-            // has infinite energy.
-            springs::cover(&w, cell, &mut parts);
-        } else {
-            let open = Some([cell, cell + 1].map(|i| settlement[ends[i]]));
-            parts.push(SurfacePart { cell, s: [-1.0, 1.0], open });
-        }
-    }
-    ContactState {
-        terms: TERMS,
-        rotation,
-        zones,
-        history: workspace.history,
-        nodal_elements: Some(grid.last()),
-        surface: Some(Surface { parts, point_forces }),
-        edge_error: EdgeError::default(),
-        coefficients,
-        mesh,
-    }
 }
 
 /// The place of a node in a sorted list that contains it.

@@ -322,8 +322,8 @@ impl Scan<'_> {
         let half = 0.5 * self.w.mesh.cells[cell].length();
         let mut s = if sense > 0.0 { low } else { high };
         let mut before = f64::INFINITY;
-        // After convergence: the next distance at which the force is expected to have the other sign.
-        let mut reach = 0.0;
+        // After Newton's method has converged, steps of growing length lead across the root and close the bracket.
+        let mut closing_step = None;
         // Twice the number of bisections that double precision allows.
         for _ in 0..128 {
             let [f, slope] = force(s);
@@ -346,17 +346,17 @@ impl Scan<'_> {
                 return if sense > 0.0 { high } else { low };
             }
             if is_rounding && before.is_finite() && f.abs() < CONVERGED * before {
-                reach = f64::EPSILON;
+                closing_step.get_or_insert(f64::EPSILON);
             }
             let middle = 0.5 * (low + high);
             before = f.abs();
-            s = if reach > 0.0 {
-                reach *= 4.0;
-                if s == high { (s - reach).max(middle) } else { (s + reach).min(middle) }
-            } else if good {
-                newton
-            } else {
-                middle
+            s = match &mut closing_step {
+                Some(step) => {
+                    *step *= 4.0;
+                    if s == high { (s - *step).max(middle) } else { (s + *step).min(middle) }
+                }
+                None if good => newton,
+                None => middle,
             };
         }
         s

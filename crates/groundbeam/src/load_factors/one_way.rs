@@ -241,7 +241,7 @@ mod tests {
             vec![],
             vec![bearing(0.0, 0.4)],
             vec![bearing(0.0, 0.4), strap(LENGTH, 0.3)],
-            // Never reached: the depth of the right end is 1.8 at F = ql/2.
+            // The right end stays above its support: its depth is 1.8 at F = ql/2.
             vec![bearing(LENGTH, 1.9)],
             vec![bearing(0.0, 0.55), bearing(LENGTH, 1.9)],
         ] {

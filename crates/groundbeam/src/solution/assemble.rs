@@ -64,18 +64,12 @@ impl Candidate {
 fn pieces(found: &ContactState, surface: &Surface, pieces: &mut Vec<SolutionPiece>) {
     let w = found.deflection();
     let parts = surface.short_parts(&found.mesh);
+    let presses = found.nodal_elements.is_none();
     pieces.reserve(parts.len());
     for part in &parts {
         let cell = &found.mesh.cells[part.cell];
         let rotation = cell.beam_shear.map(|_| found.rotation(part.cell));
-        let w = w.cell(part.cell);
-        pieces.push(SolutionPiece::of(
-            cell,
-            part,
-            w,
-            rotation.as_deref(),
-            found.nodal_elements.is_none(),
-        ));
+        pieces.push(SolutionPiece::of(cell, part, w.cell(part.cell), rotation.as_deref(), presses));
     }
 }
 
