@@ -1,10 +1,10 @@
 //! The command `groundbeam check`: decides whether an equilibrium exists.
 
 use crate::colour::standard_output_has_colour;
+use crate::command::Check;
 use crate::failure::Failure;
 use crate::input::Input;
 use crate::output::print;
-use crate::request::Check;
 use crate::status::Status;
 use groundbeam_report::Results;
 use groundbeam_run::Run;

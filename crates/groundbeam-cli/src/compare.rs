@@ -1,11 +1,11 @@
 //! The command `groundbeam compare`: solves one model with every method.
 
 use crate::colour::{standard_error_has_colour, standard_output_has_colour};
+use crate::command::Compare;
 use crate::failure::Failure;
 use crate::host::Threads;
 use crate::input::Input;
 use crate::output::print;
-use crate::request::Compare;
 use crate::status::Status;
 use crate::waiting::while_working;
 use groundbeam_report::{Results, text};

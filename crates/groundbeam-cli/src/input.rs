@@ -1,8 +1,8 @@
 //! Reads the model file or standard input.
 
 use crate::colour::standard_error_has_colour;
+use crate::command::Printed;
 use crate::failure::Failure;
-use crate::request::Printed;
 use crate::status::Status;
 use groundbeam::Error;
 use groundbeam::proof::Reason;

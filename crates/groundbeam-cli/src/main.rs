@@ -3,14 +3,15 @@
 
 mod check;
 mod colour;
+mod command;
 mod compare;
 mod distinct;
 mod failure;
 mod host;
 mod input;
+mod option_value;
 mod output;
 mod pages;
-mod request;
 #[cfg(feature = "serve")]
 mod serve;
 mod solve;
@@ -18,42 +19,41 @@ mod starter;
 mod status;
 #[cfg(feature = "study")]
 mod study;
-mod typed;
 mod verify;
 mod waiting;
 
 use clap::Parser;
+use command::{Command, CommandLine};
 use failure::Failure;
-use request::Request;
 use status::Status;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    let typed = match typed::Typed::try_parse() {
-        Ok(typed) => typed,
+    let line = match CommandLine::try_parse() {
+        Ok(line) => line,
         Err(error) => return failure::usage(&error),
     };
-    match Request::of(typed).and_then(run) {
+    match run(&line.command) {
         Ok(status) => status.into(),
         Err(failure) => failure.report(),
     }
 }
 
-fn run(request: Request) -> Result<Status, Failure> {
-    match request {
-        Request::Solve(solve) => solve::run(&solve),
-        Request::Check(check) => check::run(&check),
-        Request::Verify(verify) => verify::run(&verify),
-        Request::Compare(compare) => compare::run(&compare),
-        Request::New(new) => starter::run(&new),
+fn run(command: &Command) -> Result<Status, Failure> {
+    match command {
+        Command::Solve(solve) => solve::run(solve),
+        Command::Check(check) => check::run(check),
+        Command::Verify(verify) => verify::run(verify),
+        Command::Compare(compare) => compare::run(compare),
+        Command::New(new) => starter::run(new),
         #[cfg(feature = "serve")]
-        Request::Serve(serve) => serve::run(&serve),
+        Command::Serve(serve) => serve::run(serve),
         #[cfg(feature = "study")]
-        Request::Study(study) => study::run(&study),
+        Command::Study(study) => study::run(study),
         #[cfg(feature = "study")]
-        Request::Merge(merge) => study::merge(&merge),
-        Request::Schema { study } => pages::schema(study),
-        Request::Completions(shell) => pages::completions(shell),
-        Request::Manual => pages::manual(),
+        Command::Merge(merge) => study::merge(merge),
+        Command::Schema { study } => pages::schema(*study),
+        Command::Completions { shell } => pages::completions(*shell),
+        Command::Man => pages::manual(),
     }
 }

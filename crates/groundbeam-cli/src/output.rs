@@ -2,8 +2,9 @@
 
 use crate::failure::Failure;
 use crate::input::Input;
-use crate::request::{Format, Plot, Report, Setting};
+use crate::option_value::{Plot, PlotFormat, Report, ReportFormat};
 use groundbeam_report::Results;
+use groundbeam_report::calculation::Paper;
 use groundbeam_report::svg::Picture;
 use std::io::{self, ErrorKind, IsTerminal, Write};
 use std::path::Path;
@@ -30,23 +31,28 @@ pub fn draw(plot: Option<&Plot>, picture: impl FnOnce() -> Option<Picture>) -> R
     let Some(Plot { path, format }) = plot else { return Ok(()) };
     let Some(picture) = picture() else { return Ok(()) };
     let bytes = match format {
-        Format::Svg => picture.to_string().into_bytes(),
+        PlotFormat::Svg => picture.to_string().into_bytes(),
         #[cfg(feature = "png")]
-        Format::Png => picture.png().map_err(|error| Failure::usage(error.to_string()))?,
+        PlotFormat::Png => picture.png().map_err(|error| Failure::usage(error.to_string()))?,
     };
     write(path, &bytes)
 }
 
 /// Writes the calculation report if requested.
-pub fn report(wanted: Option<&Report>, results: &Results, input: &Input) -> Result<(), Failure> {
-    let Some(Report { path, setting }) = wanted else { return Ok(()) };
+pub fn report(
+    wanted: Option<&Report>,
+    paper: Option<Paper>,
+    results: &Results,
+    input: &Input,
+) -> Result<(), Failure> {
+    let Some(Report { path, format }) = wanted else { return Ok(()) };
     let report = results.calculation(&input.source());
-    let bytes = match *setting {
+    let bytes = match format {
         #[cfg(feature = "html")]
-        Setting::Html(paper) => groundbeam_report::html::report(&report, paper)
+        ReportFormat::Html => groundbeam_report::html::report(&report, paper)
             .map(String::into_bytes)
             .map_err(|error| Failure::usage(error.to_string()))?,
-        Setting::Pdf(paper) => groundbeam_pdf::report(&report, paper)
+        ReportFormat::Pdf => groundbeam_pdf::report(&report, paper.unwrap_or(Paper::A4))
             .map_err(|error| Failure::usage(error.to_string()))?,
     };
     write(path, &bytes)

@@ -1,10 +1,10 @@
 //! Prints completion scripts, the manual page and the JSON Schema, from the definition of the command line
 //! and of the file keys.
 
+use crate::command::CommandLine;
 use crate::failure::Failure;
 use crate::output::print;
 use crate::status::Status;
-use crate::typed::Typed;
 use clap::CommandFactory;
 use clap_complete::Shell;
 use clap_mangen::Man;
@@ -12,7 +12,7 @@ use groundbeam_file::{model_schema, study_schema};
 
 pub fn completions(shell: Shell) -> Result<Status, Failure> {
     let mut script = Vec::new();
-    clap_complete::generate(shell, &mut Typed::command(), "groundbeam", &mut script);
+    clap_complete::generate(shell, &mut CommandLine::command(), "groundbeam", &mut script);
     print(&String::from_utf8_lossy(&script))?;
     Ok(Status::Done)
 }
@@ -30,7 +30,7 @@ pub fn manual() -> Result<Status, Failure> {
 }
 
 fn page() -> std::io::Result<String> {
-    let mut command = Typed::command();
+    let mut command = CommandLine::command();
     command.build();
     let whole = Man::new(command.clone());
     let mut page = Vec::new();

@@ -1,18 +1,16 @@
 //! The command `groundbeam solve`.
 
 use crate::colour::{standard_error_has_colour, standard_output_has_colour};
+use crate::command::Solve;
 use crate::distinct;
 use crate::failure::Failure;
 use crate::host::solved;
 use crate::input::Input;
 use crate::output::{draw, print, report, standard_output_is_a_terminal, write};
-use crate::request::{Grow, Solve};
 use crate::status::Status;
 use crate::verify::prove;
 use groundbeam::proof::Document;
-use groundbeam_file::{
-    Combination, Diagnostic, Diagnostics, Severity, parse_cases, parse_positions,
-};
+use groundbeam_file::{Combination, parse_cases, parse_positions_on_beam};
 use groundbeam_report::{Context, Named, Results, csv, json, text};
 use groundbeam_run::{Answer, Asked, Found, Growing, Run};
 use std::path::Path;
@@ -24,16 +22,20 @@ pub fn run(request: &Solve) -> Result<Status, Failure> {
     }
     let files = input.document.files.iter().map(|file| Path::new(&file.name));
     distinct::check(request.outputs(), files.chain([request.file.as_path()]))?;
-    let stations = request.at.as_deref().map(|list| positions(&input, list)).transpose()?;
+    let stations = request.at.as_deref().map(|list| {
+        parse_positions_on_beam(list, &input.document)
+            .map_err(|found| Failure::diagnostics(&found, "--at", list))
+    });
+    let stations = stations.transpose()?;
     let (run, title) = asked(&input, request)?;
-    let (answers, seconds) = solved(&run, &input, request.options.method.name())?;
+    let (answers, seconds) = solved(&run, &input, request.method.name())?;
     let context = Context {
         title: title.as_deref(),
-        pieces: request.pieces,
+        pieces: request.includes_pieces(),
         selected: request.combination.is_some() || request.set.is_some(),
         ..input.context()
     };
-    let model = request.pieces && input.is_not_proven_as_written();
+    let model = request.includes_pieces() && input.is_not_proven_as_written();
     let context = Context { model, ..context.with_seconds(seconds) };
     let stations = stations.as_deref();
     let proofs = match request.proven {
@@ -103,7 +105,7 @@ fn asked(input: &Input, request: &Solve) -> Result<(Run, Option<String>), Failur
             return Err(Failure::usage(format!("{option}: {rule}")));
         }
     }
-    if request.pieces && run.asked() == Asked::Trains {
+    if request.includes_pieces() && run.asked() == Asked::Trains {
         let (option, rule) = match request.proven {
             true => ("--proven", "train positions cannot be proven; leave the option out"),
             false => ("--pieces", "the document for a train has no pieces"),
@@ -111,24 +113,22 @@ fn asked(input: &Input, request: &Solve) -> Result<(Run, Option<String>), Failur
         return Err(Failure::usage(format!("{option}: {rule}")));
     }
     let growing = match (&request.factors, run.combinations()) {
-        (Some(grow), [combination, ..]) => Some(growing(input, grow, combination)?),
+        (Some(cases), [combination, ..]) => Some(growing(input, cases.as_deref(), combination)?),
         _ => None,
     };
-    Ok((run.with_options(request.options.clone()).with_growing(growing), title))
+    Ok((run.with_options(request.options()).with_growing(growing), title))
 }
 
-/// The loads that grow.
-fn growing(input: &Input, grow: &Grow, combination: &Combination) -> Result<Growing, Failure> {
-    let Grow::Cases(list) = grow else { return Ok(Growing::all(combination)) };
-    let of_file = parse_cases(list, &input.document)
+/// The loads that grow: those of the listed cases, or all loads.
+fn growing(
+    input: &Input,
+    cases: Option<&str>,
+    combination: &Combination,
+) -> Result<Growing, Failure> {
+    let Some(list) = cases else { return Ok(Growing::all(combination)) };
+    let cases = parse_cases(list, &input.document)
         .map_err(|found| Failure::diagnostics(&found, "--factors", list))?;
-    let mut cases: Vec<String> = Vec::new();
-    for name in list.split(',').map(str::trim) {
-        if !cases.iter().any(|case| case == name) {
-            cases.push(name.to_owned());
-        }
-    }
-    Ok(Growing::of_cases(cases, &of_file, combination))
+    Ok(Growing::of_cases(cases, &input.document, combination))
 }
 
 /// Writes the results to the requested outputs.
@@ -149,7 +149,7 @@ fn deliver(
         }
         draw(request.plot.as_ref(), || results.picture())?;
     }
-    report(request.report.as_ref(), results, input)?;
+    report(request.report.as_ref(), request.paper, results, input)?;
     let status = results.answers().overall().into();
     if request.json {
         print(&results.json(stations))?;
@@ -163,47 +163,10 @@ fn deliver(
     let colour = standard_output_has_colour();
     print(&results.text(colour))?;
     if let Some(solution) = solution
-        && request.drawing
+        && !request.no_drawing
         && standard_output_is_a_terminal()
     {
         print(&format!("\n{}", text::drawing(solution, results.context().units, colour)))?;
     }
     Ok(status)
-}
-
-/// Positions of `--at`, which must lie on the beam.
-pub fn positions(input: &Input, list: &str) -> Result<Vec<f64>, Failure> {
-    let units = input.units().of_input();
-    let failure = |found: &Diagnostics| Failure::diagnostics(found, "--at", list);
-    let positions = parse_positions(list, input.document.units).map_err(|found| failure(&found))?;
-    let length = input.document.model.beam.length;
-    let mut start = 0;
-    for (entry, &x) in list.split(',').zip(&positions) {
-        if !(0.0..=length).contains(&x) {
-            let at = start + entry.len() - entry.trim_start().len();
-            let span = at..at + entry.trim().len();
-            let (message, hint) = (
-                format!("{} lies outside the beam", units.position(x)),
-                format!(
-                    "the beam extends from 0 to {}, measured from its left end",
-                    units.position(length)
-                ),
-            );
-            let off = Diagnostic {
-                code: "GB301",
-                severity: Severity::Error,
-                file: None,
-                message,
-                label: String::new(),
-                hint,
-                line: 1,
-                column: list[..at].chars().count() + 1,
-                span,
-                related: Vec::new(),
-            };
-            return Err(failure(&off.into()));
-        }
-        start += entry.len() + 1;
-    }
-    Ok(positions)
 }

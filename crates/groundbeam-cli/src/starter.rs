@@ -1,10 +1,9 @@
 //! The command `groundbeam new`: writes starter model files.
 
+use crate::command::{New, Starter};
 use crate::failure::Failure;
 use crate::output::print;
-use crate::request::New;
 use crate::status::Status;
-use crate::typed::Starter;
 use groundbeam_file::printable;
 use std::fs::OpenOptions;
 use std::io::{ErrorKind, Write};

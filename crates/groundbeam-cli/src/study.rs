@@ -1,10 +1,10 @@
 //! The commands `groundbeam study` and `groundbeam merge`
 
 use crate::colour::{standard_error_has_colour, standard_output_has_colour};
+use crate::command::{Merge, Study};
 use crate::distinct;
 use crate::failure::Failure;
 use crate::output::{draw, print};
-use crate::request::{Merge, Study};
 use crate::status::Status;
 use groundbeam_file::output::Target;
 use groundbeam_file::printable;
@@ -28,9 +28,9 @@ pub fn run(request: &Study) -> Result<Status, Failure> {
     let files = draws.study().files();
     distinct::check(request.outputs(), files.iter().map(|file| Path::new(&file.name)))?;
     let mut watcher = Watcher::new()?;
-    let Study { out, shard: part, restart, threads, .. } = request;
+    let Study { out, restart, threads, .. } = request;
     let watch = &mut |progress| watcher.look(progress);
-    let finished = groundbeam_study::run(&draws, out, *part, *restart, *threads, watch);
+    let finished = groundbeam_study::run(&draws, out, request.shard(), *restart, *threads, watch);
     let seconds = watcher.end();
     let solved = match finished.map_err(|error| failed(&error))? {
         Finished::Whole(solved) => solved,
@@ -41,7 +41,7 @@ pub fn run(request: &Study) -> Result<Status, Failure> {
             )));
         }
     };
-    if request.shard != Shard::WHOLE {
+    if request.shard() != Shard::WHOLE {
         return shard(request, &draws);
     }
     let summary = groundbeam_study::summary(&draws, out, &mut |progress| watcher.look(progress));
@@ -95,8 +95,8 @@ fn read(request: &Study) -> Result<Draws, Failure> {
 }
 
 fn shard(request: &Study, draws: &Draws) -> Result<Status, Failure> {
-    let Shard { number, of } = request.shard;
-    let samples = request.shard.samples(draws.plan().samples);
+    let part @ Shard { number, of } = request.shard();
+    let samples = part.samples(draws.plan().samples);
     let out = printable(&request.out.to_string_lossy()).into_owned();
     if request.json {
         let (first, end) = (samples.start, samples.end);

@@ -1,10 +1,10 @@
 //! The command `groundbeam verify`.
 
 use crate::colour::standard_output_has_colour;
+use crate::command::Verify;
 use crate::failure::Failure;
 use crate::input::{Input, bytes_of};
 use crate::output::{print, write};
-use crate::request::Verify;
 use crate::status::Status;
 use groundbeam::proof::{self, Document, Log, NotProven, Reason, Verification, Wide};
 use groundbeam_report::{LeftOut, ModelOf, Named, Units, Verified, digest_of_text, json, text};

@@ -6,16 +6,16 @@ use crate::diagnostic::Diagnostics;
 use crate::document::Document;
 use crate::fault::Fault;
 use crate::{list, suggest};
+use std::collections::HashSet;
 
-/// Parses a comma-separated list of load case names. Returns, for each load of the document in order, whether
-/// it belongs to one of them.
+/// Parses a comma-separated list of names of load cases. Returns each name once, in the order of the list.
 ///
 /// ```
 /// let text = "[beam]\nlength = 1\nEI = 1\n[foundation]\nk = 1\n
 ///     [[load]]\npoint = 1\nat = 0.5\n
 ///     [[load]]\npoint = 2\nat = 0.1\ncase = 'Q'\n";
 /// let document = groundbeam_file::parse(text)?;
-/// assert_eq!(groundbeam_file::parse_cases("Q", &document)?, [false, true]);
+/// assert_eq!(groundbeam_file::parse_cases("Q,Q", &document)?, ["Q"]);
 /// assert!(groundbeam_file::parse_cases("G", &document).is_err());
 /// # Ok::<(), groundbeam_file::Diagnostics>(())
 /// ```
@@ -24,9 +24,9 @@ use crate::{list, suggest};
 ///
 /// One diagnostic for each entry that is not a load case. Byte positions count from the start of `list`, so
 /// that [`Diagnostics::render`] shows them with `list` as the text.
-pub fn parse_cases(list: &str, document: &Document) -> Result<Vec<bool>, Diagnostics> {
+pub fn parse_cases(list: &str, document: &Document) -> Result<Vec<String>, Diagnostics> {
     let known = names(&document.cases);
-    let chosen = list::read(list, |name| {
+    let mut chosen = list::read(list, |name| {
         if known.contains(&name) {
             return Ok(name.to_owned());
         }
@@ -37,8 +37,9 @@ pub fn parse_cases(list: &str, document: &Document) -> Result<Vec<bool>, Diagnos
         let hint = suggest::advice(name, &known, otherwise(&known));
         Err(Fault::new(code, 0..name.len(), message, "", hint))
     })?;
-    let is_chosen = |case: &Option<String>| case.as_ref().is_some_and(|case| chosen.contains(case));
-    Ok(document.cases.iter().map(is_chosen).collect())
+    let mut seen = HashSet::new();
+    chosen.retain(|name| seen.insert(name.clone()));
+    Ok(chosen)
 }
 
 #[cfg(test)]
@@ -56,8 +57,8 @@ mod tests {
     #[test]
     fn every_wrong_entry_is_shown_at_its_place() {
         let document = document(&["case = 'dead'", "", "case = ' wind '", "case = 'dead'"]);
-        assert_eq!(parse_cases(" dead", &document).unwrap(), [true, false, false, true]);
-        assert_eq!(parse_cases("wind,dead,wind", &document).unwrap(), [true, false, true, true]);
+        assert_eq!(parse_cases(" dead", &document).unwrap(), ["dead"]);
+        assert_eq!(parse_cases("wind,dead,wind", &document).unwrap(), ["wind", "dead"]);
         let list = "dead, snow,,wnd";
         let wrong = parse_cases(list, &document).unwrap_err();
         let seen: Vec<_> =

@@ -95,6 +95,12 @@ impl Document {
         &self.source.text
     }
 
+    /// Whether a load of the model belongs to one of the given load cases.
+    pub fn is_of_case(&self, load: usize, cases: &[String]) -> bool {
+        let case = self.cases.get(load).and_then(Option::as_ref);
+        case.is_some_and(|case| cases.contains(case))
+    }
+
     /// Faults of the model that a solve found, with their locations; empty if the error does not concern the
     /// model.
     pub fn diagnostics_for(&self, error: &Error) -> Vec<Diagnostic> {

@@ -89,7 +89,7 @@ pub use document::{Depth, Document, Quantity};
 pub use files::{open_file, read_bounded, read_file};
 pub use materials::{Material, materials};
 pub use moving::{MovingTrain, Spread};
-pub use positions::parse_positions;
+pub use positions::{parse_positions, parse_positions_on_beam};
 pub use printable::{is_unprintable, printable};
 pub use profiles::{RolledSection, rail_sections, rolled_sections};
 pub use schema::{model_schema, study_schema};

@@ -2,6 +2,7 @@
 
 use crate::code;
 use crate::diagnostic::Diagnostics;
+use crate::document::Document;
 use crate::fault::Fault;
 use crate::list;
 use crate::quantity::POSITION;
@@ -23,6 +24,25 @@ use crate::units::UnitSystem;
 /// that [`Diagnostics::render`] shows them with `list` as the text.
 pub fn parse_positions(list: &str, units: UnitSystem) -> Result<Vec<f64>, Diagnostics> {
     list::read(list, |entry| position(entry, units))
+}
+
+/// Parses a comma-separated list of positions on the beam of a document.
+///
+/// # Errors
+///
+/// As [`parse_positions`]; also one diagnostic for each position outside the beam.
+pub fn parse_positions_on_beam(list: &str, document: &Document) -> Result<Vec<f64>, Diagnostics> {
+    let (length, units) = (document.model.beam.length, document.printed.of_input());
+    list::read(list, |entry| {
+        let x = position(entry, document.units)?;
+        if (0.0..=length).contains(&x) {
+            return Ok(x);
+        }
+        let message = format!("{} lies outside the beam", units.position(x));
+        let end = units.position(length);
+        let hint = format!("the beam extends from 0 to {end}, measured from its left end");
+        Err(Fault::new("GB301", 0..entry.len(), message, "", hint))
+    })
 }
 
 fn position(entry: &str, units: UnitSystem) -> Result<f64, Fault> {

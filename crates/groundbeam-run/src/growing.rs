@@ -5,7 +5,7 @@ use groundbeam::{
     load_factors::{LoadFactors, load_factors_with},
     model::Action,
 };
-use groundbeam_file::Combination;
+use groundbeam_file::{Combination, Document};
 
 /// The loads that a load factor multiplies.
 #[derive(Debug, Clone, PartialEq)]
@@ -31,10 +31,10 @@ impl Growing {
         Growing { cases: Vec::new(), grows: vec![true; combination.loads.len()] }
     }
 
-    /// The loads of some cases grow. `of_file` states for each load of the file whether it grows.
-    pub fn of_cases(cases: Vec<String>, of_file: &[bool], combination: &Combination) -> Self {
-        let grows = combination.loads.iter().map(|&load| of_file.get(load) == Some(&true));
-        Growing { cases, grows: grows.collect() }
+    /// The loads of some cases of a document grow.
+    pub fn of_cases(cases: Vec<String>, document: &Document, combination: &Combination) -> Self {
+        let grows = combination.loads.iter().map(|&load| document.is_of_case(load, &cases));
+        Growing { grows: grows.collect(), cases }
     }
 
     /// The load factors for the foundation of the model.

@@ -31,8 +31,8 @@ impl Growth {
     /// The value for the loads of the cases in the brackets of `quantity`; empty if there is no limit.
     pub fn of(self, quantity: &str, document: &Document) -> Result<Vec<f64>, String> {
         let cases = quantity.split_once('(').map_or("", |(_, rest)| rest.trim_end_matches(')'));
-        let grows = parse_cases(cases, document).map_err(|f| f.render("#:", cases, false))?;
-        let found = load_factors(&document.model, |load| grows.get(load) == Some(&true));
+        let cases = parse_cases(cases, document).map_err(|f| f.render("#:", cases, false))?;
+        let found = load_factors(&document.model, |load| document.is_of_case(load, &cases));
         let LoadFactors { first_lift_off, loss_of_equilibrium } =
             found.map_err(|error| error.to_string())?;
         Ok(match (self, first_lift_off, loss_of_equilibrium) {

@@ -7,9 +7,9 @@ mod guard;
 mod reply;
 mod routes;
 
+use crate::command::{Printed, Serve};
 use crate::failure::Failure;
 use crate::output::print;
-use crate::request::{Printed, Serve};
 use crate::status::Status;
 use connection::LIMITS;
 use std::net::Ipv4Addr;
@@ -27,8 +27,8 @@ pub struct Start {
 impl Start {
     /// A page without a model.
     fn empty() -> Self {
-        let asked = groundbeam_file::print::Asked::File;
-        let printed = Printed { asked, digits: groundbeam_file::print::RESULT_DIGITS };
+        let units = groundbeam_file::print::Asked::File;
+        let printed = Printed { units, digits: groundbeam_file::print::RESULT_DIGITS };
         Start { model: None, printed }
     }
 }
@@ -70,7 +70,7 @@ pub fn run(request: &Serve) -> Result<Status, Failure> {
         let port = listener.local_addr().map_err(broken)?.port();
         let url = format!("http://127.0.0.1:{port}/");
         print(&format!("listening on {url}\n"))?;
-        if request.opens_browser {
+        if !request.no_open {
             browser::open(&url);
         }
         connection::accept(listener, routes::all(start, port, routes::BODY), LIMITS).await;

@@ -77,7 +77,7 @@ async fn begin(State(desk): State<Desk>, pairs: Pairs) -> Result<Response, Respo
     pairs.read(&[]).map_err(sent)?;
     let Start { model, printed } = &*desk.start;
     let model = model.as_ref().map(|model| json!({ "name": model.name, "text": model.text }));
-    let units = match printed.asked {
+    let units = match printed.units {
         print::Asked::File => None,
         print::Asked::Si => Some("si"),
         print::Asked::Us => Some("us"),

@@ -1,9 +1,20 @@
-//! Options of the command line as typed. [`request`](crate::request) interprets them.
+//! The commands of the program and their options, from the command line.
 
-use clap::{Args, Parser, Subcommand, ValueEnum};
+use crate::distinct::Output;
+use crate::failure::Failure;
+#[cfg(feature = "study")]
+use crate::option_value::shard;
+use crate::option_value::{
+    METHODS, PAPERS, Plot, Report, STARTS, UNITS, bytes, no_choice_of_pressure, number, one_of,
+};
+use clap::{Args, Parser, Subcommand, ValueEnum, value_parser};
 use clap_complete::Shell;
-use groundbeam_file::print::DIGITS;
-use groundbeam_report::RESULT_DIGITS;
+use groundbeam::{Method, Options, Start};
+use groundbeam_file::print::{Asked, DIGITS};
+use groundbeam_report::calculation::Paper;
+use groundbeam_report::{RESULT_DIGITS, Units};
+#[cfg(feature = "study")]
+use groundbeam_study::Shard;
 use std::path::PathBuf;
 
 /// Beams on tensionless ground
@@ -13,7 +24,7 @@ use std::path::PathBuf;
 #[derive(Debug, Parser)]
 #[command(name = "groundbeam", version, max_term_width = 100, after_long_help = AFTER)]
 #[command(subcommand_required = true, arg_required_else_help = true)]
-pub struct Typed {
+pub struct CommandLine {
     #[command(subcommand)]
     pub command: Command,
 }
@@ -97,16 +108,16 @@ pub struct Solve {
 
     /// Draw beam, ground, pressure, moment and shear, or the envelopes of combinations; the file name ends in
     /// .svg or .png
-    #[arg(long, value_name = "OUT")]
-    pub plot: Option<PathBuf>,
+    #[arg(long, value_name = "OUT", value_parser = Plot::parser())]
+    pub plot: Option<Plot>,
 
     /// Write a printable calculation report: input, assumptions, results, certificate; the file name ends in
     /// .html or .pdf
-    #[arg(long, value_name = "OUT")]
-    pub report: Option<PathBuf>,
+    #[arg(long, value_name = "OUT", value_parser = Report::parser())]
+    pub report: Option<Report>,
 
     /// The paper of the report; default: A4 for PDF, the paper of the user's printer for HTML
-    #[arg(long, value_enum, requires = "report")]
+    #[arg(long, requires = "report", value_parser = one_of(PAPERS))]
     pub paper: Option<Paper>,
 
     /// Write every step of the iteration as a table
@@ -147,24 +158,24 @@ pub struct Solve {
     pub no_drawing: bool,
 
     /// The method of solution
-    #[arg(long, value_enum, default_value = "exact")]
+    #[arg(long, default_value = "exact", value_parser = one_of(METHODS))]
     pub method: Method,
 
     /// Elements of the mesh; `exact` has none
-    #[arg(long, value_name = "N", default_value_t = 100, value_parser = clap::value_parser!(u32).range(1..=10_000_000))]
-    pub elements: u32,
+    #[arg(long, value_name = "N", default_value_t = 100, value_parser = number().range(1..=10_000_000))]
+    pub elements: usize,
 
     /// The ground of the methods with a mesh presses on the nodes alone
     #[arg(long, hide = true, value_parser = no_choice_of_pressure)]
     pub pressure: Option<std::convert::Infallible>,
 
     /// Initial pressure of `psor` and `uzawa`
-    #[arg(long, value_enum, default_value = "bilateral")]
+    #[arg(long, default_value = "bilateral", value_parser = one_of(STARTS))]
     pub start: Start,
 
     /// Maximum number of sweeps of `psor` and `uzawa`
-    #[arg(long, value_name = "N", default_value_t = 1_000_000, value_parser = clap::value_parser!(u64).range(1..))]
-    pub most_sweeps: u64,
+    #[arg(long, value_name = "N", default_value_t = 1_000_000, value_parser = number().range(1..))]
+    pub most_sweeps: usize,
 
     /// Memory limit of the solve, as in "8 GB"; a model that needs more is rejected before it is solved
     #[arg(long, value_name = "SIZE", default_value = "4 GB", value_parser = bytes)]
@@ -191,23 +202,21 @@ pub struct Check {
 #[derive(Debug, Clone, Copy, Args)]
 pub struct Printed {
     /// Units of printed results, drawings and tables; JSON is always in SI units
-    #[arg(long, value_enum, default_value = "file")]
-    pub units: UnitsAsked,
+    #[arg(long, default_value = "file", value_parser = one_of(UNITS))]
+    pub units: Asked,
 
     /// Significant digits of results; proven numbers have as many as their bound allows
-    #[arg(long, value_name = "N", default_value_t = RESULT_DIGITS as u8, value_parser = clap::value_parser!(u8).range(*DIGITS.start() as i64..=*DIGITS.end() as i64))]
-    pub digits: u8,
+    #[arg(long, value_name = "N", default_value_t = RESULT_DIGITS, value_parser = number().range(*DIGITS.start() as u64..=*DIGITS.end() as u64))]
+    pub digits: usize,
 }
 
-/// Units of printed quantities.
-#[derive(Debug, Clone, Copy, ValueEnum)]
-pub enum UnitsAsked {
-    /// Units of the model file: ft, kip and ksf for a file that uses them
-    File,
-    /// SI units: m, kN, kPa
-    Si,
-    /// US units: ft, in, kip, ksf, pci
-    Us,
+impl Printed {
+    /// The requested units, or those of the file.
+    pub fn units(self, own: Units) -> Result<Units, Failure> {
+        let rule = "--units: the file has no units, so its numbers cannot be converted";
+        let units = own.in_system(self.units).ok_or_else(|| Failure::usage(rule.to_owned()))?;
+        Ok(units.with_digits(self.digits))
+    }
 }
 
 /// Prove a result document against its model file
@@ -266,12 +275,12 @@ pub struct Compare {
     pub json: bool,
 
     /// Elements of the meshes
-    #[arg(long, value_name = "N", default_value_t = 100, value_parser = clap::value_parser!(u32).range(1..=100_000))]
-    pub elements: u32,
+    #[arg(long, value_name = "N", default_value_t = 100, value_parser = number().range(1..=100_000))]
+    pub elements: usize,
 
     /// Maximum number of sweeps of `psor` and `uzawa`
-    #[arg(long, value_name = "N", default_value_t = 100_000, value_parser = clap::value_parser!(u64).range(1..))]
-    pub most_sweeps: u64,
+    #[arg(long, value_name = "N", default_value_t = 100_000, value_parser = number().range(1..))]
+    pub most_sweeps: usize,
 
     /// Memory limit of the solve, as in "8 GB"; a model that needs more is rejected before it is solved
     #[arg(long, value_name = "SIZE", default_value = "4 GB", value_parser = bytes)]
@@ -294,30 +303,30 @@ pub struct Study {
     #[arg(long, value_name = "OUT")]
     pub out: PathBuf,
 
-    /// Number of samples, in place of that of the file
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
+    /// Number of samples; replaces the number in the file
+    #[arg(long, value_name = "N", value_parser = value_parser!(u64).range(1..))]
     pub samples: Option<u64>,
 
-    /// Seed, in place of that of the file
+    /// Seed; replaces the seed in the file
     #[arg(long, value_name = "S")]
     pub seed: Option<u64>,
 
     /// Only part i of N equal parts of the samples, with i from 1, as in 3/8; `groundbeam merge` merges all
     /// parts
-    #[arg(long, value_name = "i/N")]
-    pub shard: Option<String>,
+    #[arg(long, value_name = "i/N", value_parser = shard)]
+    pub shard: Option<Shard>,
 
     /// Number of threads; default: the number of processors. The results do not depend on it
-    #[arg(long, value_name = "N", default_value_t = 0, hide_default_value = true)]
-    pub threads: u16,
+    #[arg(long, value_name = "N", default_value_t = 0, hide_default_value = true, value_parser = number().range(0..=65_535))]
+    pub threads: usize,
 
     /// Delete existing results and start again
     #[arg(long)]
     pub restart: bool,
 
     /// Draw the probabilities of events and the scatter of results; the file name ends in .svg or .png
-    #[arg(long, value_name = "OUT", conflicts_with = "shard")]
-    pub plot: Option<PathBuf>,
+    #[arg(long, value_name = "OUT", conflicts_with = "shard", value_parser = Plot::parser())]
+    pub plot: Option<Plot>,
 
     /// Print the summary as one JSON document on standard output, and nothing else
     #[arg(long)]
@@ -370,59 +379,55 @@ pub struct Serve {
     pub printed: Printed,
 }
 
-#[derive(Debug, Clone, Copy, ValueEnum)]
-pub enum Paper {
-    /// 210 mm × 297 mm
-    A4,
-    /// 8.5 in × 11 in
-    Letter,
+impl Solve {
+    /// Options of the solver.
+    pub fn options(&self) -> Options {
+        Options {
+            method: self.method,
+            elements: self.elements,
+            start: self.start,
+            most_sweeps: self.most_sweeps,
+            memory_limit: self.memory_limit,
+            ..Options::default()
+        }
+    }
+
+    /// Whether the document includes the pieces of the solution.
+    pub fn includes_pieces(&self) -> bool {
+        self.pieces || self.proven
+    }
+
+    /// The first given option that needs a single result.
+    pub fn about_one_answer(&self) -> Option<&'static str> {
+        let history = self.history.as_ref().map(|_| "--history");
+        history.or(self.factors.as_ref().map(|_| "--factors"))
+    }
+
+    /// Options that name output files.
+    pub fn outputs(&self) -> impl Iterator<Item = Output<'_>> {
+        let plot = self.plot.as_ref().map(|plot| &plot.path);
+        let report = self.report.as_ref().map(|report| &report.path);
+        let all = [
+            ("--csv", self.csv.as_ref()),
+            ("--plot", plot),
+            ("--report", report),
+            ("--history", self.history.as_ref()),
+        ];
+        all.into_iter().filter_map(|(option, path)| Some((option, path?.as_path())))
+    }
 }
 
-#[derive(Debug, Clone, Copy, ValueEnum)]
-pub enum Method {
-    /// Closed-form solution between the contact edges, no mesh
-    Exact,
-    /// Forces at the nodes of a mesh, Newton's method on the convex energy
-    ActiveSet,
-    /// Projected successive over-relaxation, Kikuchi (5.17), (5.18)
-    Psor,
-    /// Uzawa's iteration, Kikuchi (5.14) to (5.17)
-    Uzawa,
-}
+#[cfg(feature = "study")]
+impl Study {
+    /// The samples to solve.
+    pub fn shard(&self) -> Shard {
+        self.shard.unwrap_or(Shard::WHOLE)
+    }
 
-#[derive(Debug, Clone, Copy, ValueEnum)]
-pub enum Start {
-    /// The pressure of the bilateral problem without its tensile part
-    Bilateral,
-    /// Zero pressure
-    Zero,
-}
-
-/// Answers an option that earlier versions had.
-fn no_choice_of_pressure(_: &str) -> Result<std::convert::Infallible, String> {
-    let forces =
-        "the ground of `active-set`, `psor` and `uzawa` presses on the nodes alone, Kikuchi (5.5)";
-    Err(format!(
-        "{forces}: for pressure along the beam leave the option out and use `--method exact`"
-    ))
-}
-
-/// Parses a number of bytes, as in `8 GB` or `500MB`.
-fn bytes(written: &str) -> Result<u64, String> {
-    let written = written.trim();
-    let split = written.find(|c: char| c.is_ascii_alphabetic()).unwrap_or(written.len());
-    let (number, unit) = written.split_at(split);
-    let scale = match unit.trim() {
-        "B" => 1.0,
-        "kB" => 1e3,
-        "MB" => 1e6,
-        "GB" => 1e9,
-        "TB" => 1e12,
-        _ => return Err("a size needs a unit: B, kB, MB, GB or TB, as in \"8 GB\"".into()),
-    };
-    match number.trim().parse::<f64>() {
-        Ok(number) if number > 0.0 && number.is_finite() => Ok((number * scale) as u64),
-        _ => Err("a size must be a positive number with a unit, as in \"8 GB\"".into()),
+    /// Options that name output files.
+    pub fn outputs(&self) -> impl Iterator<Item = Output<'_>> {
+        let plot = self.plot.as_ref().map(|plot| ("--plot", plot.path.as_path()));
+        [("--out", self.out.as_path())].into_iter().chain(plot)
     }
 }
 
@@ -433,14 +438,6 @@ mod tests {
 
     #[test]
     fn the_command_line_is_consistent() {
-        Typed::command().debug_assert();
-    }
-
-    #[test]
-    fn sizes_have_a_unit() {
-        assert_eq!([bytes("8 GB"), bytes(" 0.5kB ")], [Ok(8_000_000_000), Ok(500)]);
-        for wrong in ["8", "GB", "-1 GB", "8 gb", "inf GB", ""] {
-            assert!(bytes(wrong).is_err(), "{wrong}");
-        }
+        CommandLine::command().debug_assert();
     }
 }
