@@ -14,6 +14,16 @@ fn a_report_on_standard_output() {
     assert!(done.stdout.contains("Contact      from 0.8113 to 1\n"));
 }
 
+/// A force very near an end of a beam on separate springs. With four digits both edges would be 1.
+#[test]
+fn the_ends_of_a_short_zone_have_enough_digits_to_differ() {
+    let beam = "[beam]\nlength = 1\nEI = 1\n[foundation]\nk = 4\n";
+    let folder = Folder::with(&format!("{beam}[[load]]\npoint = 1\nat = 0.999999999\n"));
+    let done = folder.run(&["solve", "model.toml"]);
+    done.is_clean(0);
+    assert!(done.stdout.contains("Contact      from 0.999999997 to 1\n"), "{}", done.stdout);
+}
+
 #[test]
 fn a_document_and_nothing_else() {
     let done = Folder::with(LIFTS).run(&["solve", "model.toml", "--json", "--at", "0,0.25,1"]);

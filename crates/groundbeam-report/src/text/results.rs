@@ -9,6 +9,7 @@ use groundbeam::{
     model::Acts,
     solution::{ContactZone, Extreme, Reaction},
 };
+use groundbeam_file::print::DIGITS;
 
 /// Contact, forces and extremes.
 pub(crate) fn results(sheet: &mut Sheet, solution: &Solution, numbers: &Numbers) {
@@ -76,9 +77,11 @@ fn lift_off(sheet: &mut Sheet, solution: &Solution, numbers: &Numbers) {
     });
 }
 
-/// A range such as `from 0 to 10.2 m`.
+/// A range such as `from 0 to 10.2 m`. The ends have enough digits to differ.
 pub(super) fn between(units: Units, from: f64, to: f64) -> String {
-    let unit = units.unit(Kind::Position, to);
+    let asked = units.unit(Kind::Position, to);
+    let mut all = (asked.digits..=*DIGITS.end()).map(|digits| asked.with_digits(digits));
+    let unit = all.find(|unit| unit.number(from) != unit.number(to)).unwrap_or(asked);
     format!("from {} to {}", unit.number(from), unit.write(to))
 }
 
