@@ -68,7 +68,7 @@ def main(count):
         f"| **{spent / ours:.0f}** | {count / ours:.0f} | {count / spent:.0f} | {int(failed)} | {worst:.1e} |"
     )
     text = (
-        f"{HEADING}\n\n{count} random footings, one thread each. Made by `python bench/rivals_study.py`.\n\n"
+        f"{HEADING}\n\n{count} random footings, one thread each.\nMade by `python bench/rivals_study.py`.\n\n"
         "| PIQP / groundbeam, time | groundbeam: drawn, exact, certified, written, a second | PIQP, 100 elements, solved a second "
         "| of these wrong | largest difference in w |\n|---|---|---|---|---|\n" + line + "\n"
     )

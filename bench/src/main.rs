@@ -56,7 +56,7 @@ fn write(ours: &str) {
     let before = std::fs::read_to_string(path).unwrap_or_default();
     let rivals = before.find(RIVALS).map_or("", |at| &before[at..]);
     let head = "# Results\n\nMade by `cargo run --release -p groundbeam-bench -- all`, and the last part by \
-                `python bench/rivals.py`. Ratios come first: they hold on other machines.\n\n";
+                `python bench/rivals.py`.\nRatios come first: they hold on other machines.\n\n";
     let text = format!("{head}{}{ours}{rivals}", table::setting());
     std::fs::write(path, text).expect("bench/RESULTS.md can be written");
 }

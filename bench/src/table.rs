@@ -51,7 +51,7 @@ pub fn setting() -> String {
     let cores = std::thread::available_parallelism().map_or(1, usize::from);
     let unknown = || "unknown".to_owned();
     format!(
-        "{}; {}, {cores} cores; groundbeam {}, {}, no machine-specific instructions\n",
+        "{}; {}, {cores} cores.\ngroundbeam {}, {}, no machine-specific instructions.\n",
         said("date", &["-u", "+%Y-%m-%d %H:%M UTC"]).unwrap_or_else(unknown),
         processor.unwrap_or_else(unknown),
         env!("CARGO_PKG_VERSION"),

@@ -186,7 +186,7 @@ fn strict_makes_a_failed_or_missing_verdict_the_exit_status() {
     let done = folder.run(&["solve", "model.toml"]);
     done.is_clean(0);
     assert!(done.stdout.contains("81.13 % lifted off, 50 % allowed: fails"));
-    assert!(done.stdout.contains("judged on the loads as given"));
+    assert!(done.stdout.contains("the checks use the loads as given"));
     folder.run(&["solve", "model.toml", "--strict"]).is_clean(1);
 }
 
@@ -211,7 +211,7 @@ fn an_eccentricity_that_does_not_exist_is_not_judged() {
     done.is_clean(0);
     assert!(done.stdout.contains("eccentricity not judged: the loads have no resultant"));
     // The beam is pinned at one end, and no load turns it about this end.
-    let expected = "no load overturns the beam, a factor of 1.5 required: passes";
+    let expected = "no load overturns the beam, a factor of 1.5 is required: passes";
     assert!(done.stdout.contains(expected), "{}", done.stdout);
     let checks = folder.run(&["solve", "model.toml", "--json"]).json()["checks"].clone();
     assert_eq!(

@@ -123,7 +123,7 @@ fn a_model_of_the_document_is_proven_with_a_status_of_its_own() {
     folder.write("result.json", done.stdout.as_bytes());
     let verified = folder.run(&["verify", "result.json", "model.toml"]);
     assert_eq!((verified.status, verified.stderr.as_str()), (3, ""), "{}", verified.stdout);
-    assert!(verified.stdout.contains("for the model as the solver read it alone"));
+    assert!(verified.stdout.contains("only for the model as the solver read it"));
     assert!(verified.stdout.lines().all(|line| line.chars().count() <= 80));
     // Another table gives another model.
     folder.write("survey.csv", &[SURVEY, b"\n"].concat());

@@ -51,7 +51,7 @@ fn shear(reader: &Reader, contents: &Contents, units: Units) -> Option<Fault> {
         units.write(Kind::Constant, usual),
         units.write(Kind::Constant, shear)
     );
-    let hint = "mu is a force: per length of beam, over the whole width";
+    let hint = "mu is a force and applies to the whole width of the beam";
     Some(Fault::new(code::IMPLAUSIBLE, at, message, "", hint))
 }
 

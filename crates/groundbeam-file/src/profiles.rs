@@ -63,11 +63,13 @@ pub fn rail_sections() -> &'static [RolledSection] {
     &RAIL_SECTIONS
 }
 
-/// The section with this name, ignoring spaces; otherwise a hint with the three most similar names.
+/// The section with this name; otherwise a hint with the key of the rail of this name, or with
+/// the three most similar names.
 pub(crate) fn find(name: &str) -> Result<&'static RolledSection, String> {
-    let wanted = plain(name);
-    let found = SECTIONS.iter().find(|section| plain(&section.name) == wanted);
-    found.ok_or_else(|| {
+    named(&SECTIONS, name).ok_or_else(|| {
+        if let Some(rail) = named(&RAIL_SECTIONS, name) {
+            return format!("a rail is given by `rail`: section = {{ rail = \"{}\" }}", rail.name);
+        }
         let names: Vec<&str> = SECTIONS.iter().map(|section| &*section.name).collect();
         format!("the most similar names: {}", suggest::nearest_three(name, &names).join(", "))
     })
@@ -75,12 +77,16 @@ pub(crate) fn find(name: &str) -> Result<&'static RolledSection, String> {
 
 /// The rail with this name; otherwise a hint that lists all rails. Rails with similar names have different I.
 pub(crate) fn find_rail(name: &str) -> Result<&'static RolledSection, String> {
-    let wanted = plain(name);
-    let found = RAIL_SECTIONS.iter().find(|section| plain(&section.name) == wanted);
-    found.ok_or_else(|| {
+    named(&RAIL_SECTIONS, name).ok_or_else(|| {
         let names: Vec<&str> = RAIL_SECTIONS.iter().map(|section| &*section.name).collect();
         format!("rails: {}; for others give `I`", names.join(", "))
     })
+}
+
+/// The section of a list with this name, ignoring case, spaces and hyphens.
+fn named(sections: &'static [RolledSection], name: &str) -> Option<&'static RolledSection> {
+    let wanted = plain(name);
+    sections.iter().find(|section| plain(&section.name) == wanted)
 }
 
 /// The name in capitals, without spaces and hyphens.

@@ -148,28 +148,25 @@ pub(crate) const SHEAR_MODULUS: Kind =
 pub(crate) const SHEAR_AREA: Kind =
     kind("an area", Dimension::new(0, 2), "0.4 m^2", "m^2", &[]).sign(Sign::Positive);
 pub(crate) const SPRING_PER_LENGTH: Kind = kind(
-    "a force per length and deflection",
+    "a force per length per deflection",
     STRESS,
     "40 MN/m^2",
     "MN/m^2",
-    &[(MODULUS, "a force per volume is a `subgrade_modulus`; give it together with `width`")],
+    &[(MODULUS, "a force per volume is a `subgrade_modulus`, which needs `width`")],
 )
 .sign(Sign::Positive)
 .printed_as(print::Kind::Spring)
 .plausible([1e4, 3e9], "k per length of beam is usually between 0.1 and 1000 MN/m²");
 pub(crate) const SUBGRADE_MODULUS: Kind = kind(
-    "a force per area and deflection",
+    "a force per area per deflection",
     MODULUS,
     "40 MN/m^3",
     "MN/m^3",
-    &[(STRESS, "a force per length of beam and deflection is `k`; then leave `width` out")],
+    &[(STRESS, "a force per length of beam per deflection is `k`; omit `width` then")],
 )
 .sign(Sign::Positive)
 .printed_as(print::Kind::AreaSpring)
-.plausible(
-    [1e6, 3e8],
-    "a subgrade modulus is usually between 1 and 300 MN/m³, that is 4 and 1100 pci",
-);
+.plausible([1e6, 3e8], "a subgrade modulus is usually between 1 and 300 MN/m³ (4 and 1100 pci)");
 pub(crate) const SHEAR_CONSTANT: Kind =
     kind("a force (the ground's shear constant)", Dimension::FORCE, "9 MN", "MN", &[])
         .sign(Sign::NotNegative)
@@ -179,7 +176,10 @@ pub(crate) const AREA_SHEAR: Kind = kind(
     LINE_LOAD,
     "9 MN/m",
     "MN/m",
-    &[(Dimension::FORCE, "the shear constant per length of beam is `mu`; then leave `C2` out")],
+    &[(
+        Dimension::FORCE,
+        "the shear constant over the whole width is the force `mu`; omit `C2` then",
+    )],
 )
 .sign(Sign::NotNegative)
 .printed_as(print::Kind::AreaShear);

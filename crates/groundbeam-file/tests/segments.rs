@@ -84,8 +84,8 @@ impl Given {
         value_of(&self.whole, product).map_or_else(factors, |whole| whole.at(x / LENGTH))
     }
 
-    /// μ at x: `mu` of the segment, or the product of its `C2` and `width`; a segment that gives none of the
-    /// three has the μ of the whole beam. A width of the segment is multiplied by the C2 of the whole beam.
+    /// μ at x. A segment gives `mu`, or `C2` and `width`, whose product is μ. If it gives only one of `C2` and
+    /// `width`, the other is that of the whole beam. If it gives none of these keys, μ is that of the whole beam.
     fn shear_constant(&self, x: f64) -> f64 {
         let product = || Some(self.value("C2", x)? * self.value("width", x)?);
         if let Some((said, t)) = self.segment(x) {

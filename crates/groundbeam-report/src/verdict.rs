@@ -75,7 +75,7 @@ pub(crate) fn motion(model: &Model, motion: RigidMotion, units: Units) -> String
         _ => "unit",
     };
     format!(
-        "{moves}; it does not press on the ground, and the loads do {work} of work per {per} of lift"
+        "{moves}; no part of the beam moves into the ground, and the loads do {work} of work per {per} of lift"
     )
 }
 

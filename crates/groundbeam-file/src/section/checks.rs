@@ -100,8 +100,8 @@ pub(super) fn read(reader: &mut Reader, root: &Section, width: Option<f64>) -> L
     }
 }
 
-/// Gives `bearing_resistance` its limit state, if the file names none. A design resistance belongs to STR/GEO. In
-/// a file with combinations of allowable stress design and none of STR/GEO, it is an allowable pressure.
+/// Gives `bearing_resistance` its limit state, if the file names none. A design resistance belongs to STR/GEO. If the
+/// file has combinations of allowable stress design but no STR/GEO combinations, the value is an allowable pressure.
 pub(super) fn judge_resistance(limits: &mut Limits, recipes: &[Recipe]) {
     let any = |state| recipes.iter().any(|recipe| recipe.limit_states.contains(state));
     if any(LimitState::AllowableStress) && !any(LimitState::StrGeo) {

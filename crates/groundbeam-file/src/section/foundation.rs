@@ -29,12 +29,16 @@ const K: Key = along(
     "k",
     &SPRING_PER_LENGTH,
     Profile::MOST,
-    "The subgrade k per length of beam; at most three values.",
+    "The spring constant k of the ground per length of beam; at most three values.",
 )
 .also(&["spring", "spring_constant", "winkler", "stiffness"]);
 const MODULUS: Value = Value::Along(&SUBGRADE_MODULUS, 2);
-const SUBGRADE: Key = key("subgrade_modulus", MODULUS, "With `width`; k is their product.")
-    .also(&["ks", "k_s", "modulus", "bedding_modulus"]);
+const SUBGRADE: Key = key(
+    "subgrade_modulus",
+    MODULUS,
+    "The spring constant per area. It needs `width`: k is their product.",
+)
+.also(&["ks", "k_s", "modulus", "bedding_modulus"]);
 const C1: Key = key("C1", MODULUS, "Another name of `subgrade_modulus`.");
 const BEARING: Key = along("width", &WIDTH, 2, "The bearing width of the beam.").also(ALSO_WIDTH);
 const MU: Key = along(
@@ -44,7 +48,12 @@ const MU: Key = along(
     "The shear constant μ; at most three values; default: 0 (Winkler).",
 )
 .also(&["µ", "μ", "shear", "g", "gp", "shear_constant", "pasternak"]);
-const C2: Key = along("C2", &AREA_SHEAR, 2, "With `width`; mu is their product.");
+const C2: Key = along(
+    "C2",
+    &AREA_SHEAR,
+    2,
+    "The shear constant per width. It needs `width`: mu is their product.",
+);
 
 static SEGMENT: Table = Table {
     name: "[[foundation.segment]]",

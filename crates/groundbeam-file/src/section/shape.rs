@@ -216,7 +216,8 @@ fn by_sides(reader: &mut Reader, section: &Section, kind: &Kind) -> Shape {
     if let Some(varies) = sides.iter().find(|side| !side.profile.is_constant())
         && !kind.is_polynomial
     {
-        let message = format!("the dimensions of a {} cannot vary along a segment", kind.name);
+        let message =
+            format!("the dimensions of the shape `{}` cannot vary along a segment", kind.name);
         let hint = "its I is not a polynomial of them: give a [[beam.segment]] for each of several parts, \
                     or the control values of `EI`";
         reader.report(Fault::new(code::MISPLACED, varies.span.clone(), message, "", hint));
@@ -232,7 +233,7 @@ fn by_sides(reader: &mut Reader, section: &Section, kind: &Kind) -> Shape {
         Err(side) => {
             let at = section.value(side).map_or(span.clone(), |value| value.span());
             let message = format!("`{side}` is too large for this section");
-            let hint = format!("the dimensions of a {} are outer dimensions", kind.name);
+            let hint = format!("the dimensions of the shape `{}` are outer dimensions", kind.name);
             reader.report(Fault::new(code::FACTOR, at, message, "", hint));
             return Shape::unreadable(span);
         }

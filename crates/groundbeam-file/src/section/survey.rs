@@ -49,7 +49,8 @@ pub(super) fn read(reader: &mut Reader, table: &Section, length: f64) -> Vec<Gap
         reader.exclusive(("clearance", clearance), ("datum", &datum.span), hint);
     }
     let Some(beside) = reader.beside else {
-        let message = "this model is given as text alone: it cannot name other files";
+        let message =
+            "the model is given as text without a folder, so it cannot refer to other files";
         let hint = "write the points in the model as [[gap]], or solve the model from a file";
         reader.report(Fault::new(code::FILE, span, message, "", hint));
         return Vec::new();

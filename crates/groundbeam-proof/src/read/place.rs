@@ -39,7 +39,7 @@ pub(crate) fn covers<S: Scalar>(length: S, stretches: &[[S; 2]]) -> bool {
     left_out(length, stretches).is_empty()
 }
 
-/// The index of a stretch that certainly overlaps another one; `None` if there is none.
+/// The index of a stretch that certainly overlaps the stretch to its left; `None` if no stretches certainly overlap.
 pub(crate) fn overlapping<S: Scalar>(stretches: &[[S; 2]]) -> Option<usize> {
     let mut order: Vec<usize> = (0..stretches.len()).collect();
     order.sort_by(|a, b| stretches[*a][0].middle().total_cmp(&stretches[*b][0].middle()));

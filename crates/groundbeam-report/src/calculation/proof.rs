@@ -48,8 +48,8 @@ pub(super) fn proof(context: &Context) -> Option<Section> {
         if first.combination.is_none() { "results" } else { "results of each combination" };
     let words = format!(
         "The {results}, the key figures and the checks are printed as value ± bound: the exact solution of the model differs \
-         from the printed value by at most the bound. Numbers in the sections on input and equilibrium depend on the \
-         input only, and those in figures are rounded; they have no bound."
+         from the printed value by at most the bound. The numbers in the sections on input and equilibrium depend on \
+         the input only. The numbers in figures are rounded. None of these numbers has a bound."
     );
     blocks.push(Block::Text { words });
     Some(Section::new("Proof", blocks))
@@ -76,13 +76,15 @@ pub(super) fn provenance(context: &Context, source: &Source) -> [Section; 2] {
     rows.push(("Recompute", format!("groundbeam solve {name} --report report.html{proven}")));
     let list = facts(|sheet| rows.iter().for_each(|(label, words)| sheet.row(label, words)));
     let what = match source.files {
-        [] => "The result depends only on the input below: saved as a file it has the digest above",
+        [] => {
+            "The result depends only on the input below. Saved as a file, the input has the digest above."
+        }
         _ => {
-            "The result depends only on the model file and the tables below: saved as files they have the digests above"
+            "The result depends only on the model file and the tables below. Saved as files, they have the digests above."
         }
     };
     let words = format!(
-        "{what}, and the same version of the program gives the same bits. For results that other programs can read: \
+        "{what} The same version of the program gives the same bits. For results that other programs can read, use \
          groundbeam solve FILE --json."
     );
     let mut blocks: Vec<Block> = list.into_iter().collect();

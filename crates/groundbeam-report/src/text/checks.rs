@@ -27,11 +27,12 @@ pub(crate) fn all_rows(sheet: &mut Sheet, rows: &[Row], context: &Context) {
         return;
     }
     if rows.iter().all(|row| row.as_given) {
-        sheet.row("", "the file has no combination: judged on the loads as given");
+        sheet.row("", "the file has no combinations: the checks use the loads as given");
     } else if let nameless @ 1.. = rows.iter().filter(|row| row.states.is_empty()).count() {
-        let combinations = if nameless == 1 { "combination names" } else { "combinations name" };
-        let words =
-            format!("{nameless} {combinations} no `limit_state`: every check is judged there");
+        let combinations = if nameless == 1 { "combination" } else { "combinations" };
+        let words = format!(
+            "every check also applies to {nameless} {combinations} without a `limit_state`"
+        );
         sheet.row("", &words);
     }
     sheet.blank();
@@ -135,10 +136,12 @@ fn judged_in_words(
         Checked::LiftedShare => format!("{found} lifted off, {limit} allowed"),
         Checked::Eccentricity => format!("eccentricity {found}{}, {limit} allowed", place(None)),
         Checked::Overturning if check.found.is_infinite() => {
-            format!("no load overturns the beam, a factor of {limit} required")
+            format!("no load overturns the beam, a factor of {limit} is required")
         }
         Checked::Overturning => {
-            format!("tips at {found} times the loads that overturn, {limit} required")
+            format!(
+                "the beam tips at {found} times the overturning loads, a factor of {limit} is required"
+            )
         }
     };
     let (verdict, tone) = match judged.judgement() {

@@ -94,7 +94,7 @@ fn names(sheet: &mut Sheet, answers: &Answers) {
 /// grounds.
 fn band(sheet: &mut Sheet, answers: &Answers, units: Units) {
     let Some(bands) = answers.bands() else { return };
-    let heading = format!("{:<31}{:>14}{:>18}", "Band of grounds", "best ground", "all of them");
+    let heading = format!("{:<31}{:>14}{:>18}", "Band of grounds", "best ground", "all grounds");
     sheet.heading(&heading);
     for (field, largest) in COLUMNS {
         let Banded { best, low, high } = bands[field.index()][usize::from(largest)];
@@ -104,7 +104,7 @@ fn band(sheet: &mut Sheet, answers: &Answers, units: Units) {
         let range = format!("{} to {}", unit.number(low), unit.write(high));
         sheet.line(&format!("{name:<31}{best:>14}    {range}"));
     }
-    sheet.row("", "of the solved grounds; nothing is proven for grounds between them");
+    sheet.row("", "over the solved grounds only; nothing is proven for grounds between them");
     sheet.blank();
 }
 
@@ -126,9 +126,9 @@ pub(crate) fn bounded_band(
         let best = with_bound(best, of_best, unit);
         let [low, high] = [(low, of_low), (high, of_high)].map(|(x, e)| with_bound(x, e, unit));
         let name = extreme_of(field, largest);
-        sheet.row("", &format!("{name}: {best} on the best ground, {low} to {high} on all"));
+        sheet.row("", &format!("{name}: {best} with the best estimates of k and mu, {low} to {high} over all grounds"));
     }
-    sheet.row("", "of the solved grounds; nothing is proven for grounds between them");
+    sheet.row("", "over the solved grounds only; nothing is proven for grounds between them");
     sheet.blank();
 }
 

@@ -18,7 +18,7 @@ pub fn rows(sheet: &mut Sheet, model: &Model, context: &Context) {
         if let Some(SoilRounds { gamma: Some(gamma), rounds }) = ground.rounds {
             words += &format!(", γ = {}", units.ratio(gamma));
             if rounds > 1 {
-                words += &format!(", the solution's own after {rounds} of them");
+                words += &format!(", consistent with the solution after {rounds} iterations");
             }
         }
         sheet.row("Soil", &words);

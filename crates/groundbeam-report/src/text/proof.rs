@@ -16,7 +16,10 @@ pub fn verified(verified: &Verified, colour: bool) -> String {
     let mut sheet = Sheet::new(colour);
     if let Some(why) = &verified.other_model {
         sheet.toned_row("Not proven", why, Tone::Bad);
-        sheet.row("", "The rest applies to the numbers only, read in the units of the model file.");
+        sheet.row(
+            "",
+            "The statements below apply to the numbers only, read in the units of the model file.",
+        );
     }
     if let Some(LeftOut { all, names }) = &verified.left_out {
         let shown: Vec<&str> = names.iter().take(MOST_NAMES).map(String::as_str).collect();
@@ -41,7 +44,7 @@ pub fn verified(verified: &Verified, colour: bool) -> String {
     sheet.finish()
 }
 
-/// The proven statements about a result whose report prints the bounds.
+/// The proven statements about a result. Its report prints the bounds.
 pub fn proof(named: &Named, units: Units, colour: bool) -> String {
     let mut sheet = Sheet::new(colour);
     sheet.heading("Proof");
@@ -110,7 +113,7 @@ pub(crate) fn proven(sheet: &mut Sheet, named: &Named, units: Units) {
         sheet.row("No bound", &format!("{names}{why}"));
     }
     if let Some(names) = names(&|bound| bound.error.is_finite() && !bound.is_small()) {
-        sheet.row("Not small", &format!("not within a millionth of its scale: {names}"));
+        sheet.row("Not small", &format!("the bound is above a millionth of the scale: {names}"));
     }
 }
 
@@ -120,7 +123,7 @@ fn result(sheet: &mut Sheet, named: &Named, units: Units) {
             sheet.toned_row("Not proven", &reason(why), Tone::Bad);
         }
         Ok(found) => {
-            verdict(sheet, named, found, "the errors are at most these");
+            verdict(sheet, named, found, "the errors are at most the bounds below");
             bounds(sheet, found, units);
             checked(sheet, found);
         }
@@ -139,14 +142,14 @@ fn verdict(sheet: &mut Sheet, named: &Named, found: &Verification, errors: &str)
     match (&found.shortfall, named.model) {
         (Some(why), _) => {
             sheet.toned_row("Not proven", &reason(why), Tone::Bad);
-            sheet.row("", "The bounds are proven. An infinite one proves nothing.");
+            sheet.row("", "The bounds are proven. An infinite bound gives no information.");
         }
         (None, ModelOf::File) => {
             let words = format!("there is exactly one equilibrium, and {errors}");
             sheet.toned_row("Proven", &words, Tone::Good);
         }
         (None, ModelOf::Document) => {
-            let words = "for the model as the solver read it alone: the second reader does not \
+            let words = "only for the model as the solver read it: the second reader does not \
                          know a key of the model file";
             sheet.toned_row("Proven", words, Tone::Doubtful);
         }
@@ -225,12 +228,12 @@ fn checked(sheet: &mut Sheet, found: &Verification) {
     sheet.row("Checked", &parts.join(" "));
     if checked.at_edges > 0 {
         let what = count(checked.at_edges, "pressure", "pressures");
-        let words = "at edges of contact: compared with zero and the values beside them";
+        let words = "at contact edges, compared with zero and with the values beside the edge";
         sheet.row("", &format!("{what} {words}"));
     }
     if checked.bounds > 0 {
         let what = count(checked.bounds, "bound", "bounds");
-        sheet.row("", &format!("{what} that the document itself claims"));
+        sheet.row("", &format!("{what} given in the document"));
     }
     if !found.not_covered.is_empty() {
         let keys: Vec<&str> = found.not_covered.iter().map(String::as_str).collect();

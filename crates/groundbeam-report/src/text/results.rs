@@ -42,7 +42,7 @@ pub(super) fn contact(sheet: &mut Sheet, solution: &Solution, numbers: &Numbers)
     listed(sheet, "Undecided", &undecided, |zone| {
         let position = numbers.sizes().position(zone.from);
         format!(
-            "{}: rounding decides whether it touches",
+            "{}: contact is not determined within rounding errors",
             between(numbers.units, position, zone.to)
         )
     });

@@ -106,7 +106,7 @@ mod tests {
             (
                 slab().with_load(Load::point_force(6.0, -3.0)),
                 "lift a part of the beam: its right end lifts, its hinge at x = 4 stays",
-                "its right end lifts, its hinge at x = 4 stays; it does not press",
+                "its right end lifts, its hinge at x = 4 stays; no part of the beam moves into the ground",
                 "of more than 2 at its right end",
             ),
             (

@@ -99,7 +99,7 @@ impl Mechanism {
         groups
     }
 
-    /// The first position at which the beam is held; `None` if there is none.
+    /// The first held position: of the supports, otherwise of `more`. `None` if the beam is not held at a point.
     pub fn point_held(&self, more: &[f64]) -> Option<f64> {
         self.held.iter().chain(more).next().copied()
     }

@@ -4,9 +4,9 @@
 //!
 //! * *First lift-off.* With contact along the whole length the problem is linear: pressure and concentrated
 //!   forces are p_D + λ p_G, with the initial gap in p_D (`bonded.rs`). The beam is in full contact if and
-//!   only if none of them is negative: they are then the multiplier of the contact problem, whose solution is
-//!   unique. The minimum of p_D + λ p_G over the beam is a concave function of λ. So the factors without
-//!   tensile pressure form an interval. Newton's method from above decreases to the upper end of this
+//!   only if all of them are nonnegative. They are then the multiplier of the contact problem, which has a
+//!   unique solution. The minimum of p_D + λ p_G over the beam is a concave function of λ. So the factors
+//!   without tensile pressure form an interval. Newton's method from above decreases to the upper end of this
 //!   interval without passing it (`LiftOffCandidate`). With one-way supports the problem is piecewise linear
 //!   (`one_way.rs`).
 //! * *Loss of equilibrium.* The loads must do negative work in each free rigid motion

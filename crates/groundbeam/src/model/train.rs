@@ -150,7 +150,7 @@ impl Model {
     }
 }
 
-/// The mark that counts as equal to a position; the position itself if there is none.
+/// The first mark within the tolerance of a position, otherwise the position itself.
 fn snapped(x: f64, marks: &[f64], same_place: f64) -> f64 {
     marks.iter().copied().find(|mark| (x - mark).abs() <= same_place).unwrap_or(x)
 }
