@@ -292,7 +292,9 @@ fn load_cases_that_are_not_there() {
     run("--factors=Q,q").fails(2, "--> --factors:1:3");
     run("--factors=wind").fails(2, "the cases of the file: Q");
     run("--factors=").fails(2, "a load case is missing here");
-    Folder::with(LIFTS).run(&["solve", "model.toml", "--factors=Q"]).fails(2, "add a `case` to the loads");
+    Folder::with(LIFTS)
+        .run(&["solve", "model.toml", "--factors=Q"])
+        .fails(2, "add a `case` to the loads");
 }
 
 /// A rail under two axles.

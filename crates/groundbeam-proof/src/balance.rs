@@ -16,8 +16,7 @@
 //! Bλ′ to each cell. A single pressure, force or support then makes the system positive definite. The tension
 //! is used only if pressures and supports alone cannot balance the loads, because it adds ∫β²/P to the bound.
 
-use crate::deflection::Deflection;
-use crate::frame::{Frame, Span};
+use crate::frame::Frame;
 use crate::ground::Surface;
 use crate::pressure::Pressure;
 use crate::refusal::NotProven;
@@ -69,41 +68,6 @@ impl<S: Scalar> Balanced<S> {
     pub fn factor(&self, piece: usize) -> Size {
         Size::of(self.factors[piece].size()).worst(Size::of(self.factors[piece + 1].size()))
     }
-}
-
-/// The nodes at which the beam is cut: both ends and free hinges.
-pub(crate) fn fewest_cuts<S: Scalar>(frame: &Frame<S>) -> Vec<usize> {
-    let last = frame.spans.len();
-    (0..=last).filter(|i| *i == 0 || *i == last || frame.nodes[*i].is_free_hinge()).collect()
-}
-
-/// As [`fewest_cuts`], with additional cuts. A cut is added after more than two wave lengths of contact since
-/// the last cut (one wave length at the end of a contact zone), if more than one wave length of contact
-/// follows.
-pub(crate) fn more_cuts<S: Scalar>(frame: &Frame<S>) -> Vec<usize> {
-    let last = frame.spans.len();
-    let waves: Vec<f64> = frame
-        .spans
-        .iter()
-        .map(|span| {
-            let wave = (4.0 * span.bending.middle() / span.spring.middle()).sqrt().sqrt();
-            if span.touches { span.h.middle() / wave } else { 0.0 }
-        })
-        .collect();
-    let mut ahead: f64 = waves.iter().sum();
-    let mut passed = 0.0;
-    let mut cuts = vec![0];
-    for i in 1..last {
-        (passed, ahead) = (passed + waves[i - 1], ahead - waves[i - 1]);
-        let ends = waves[i - 1] > 0.0 && waves[i] == 0.0;
-        let enough = (passed > 2.0 || (ends && passed > 1.0)) && ahead > 1.0;
-        if enough || frame.nodes[i].is_free_hinge() {
-            cuts.push(i);
-            passed = 0.0;
-        }
-    }
-    cuts.push(last);
-    cuts
 }
 
 /// One cell between two cuts.
@@ -360,119 +324,6 @@ impl<S: Scalar> Balance<'_, S> {
             balanced.pieces[i].added = added;
             balanced.pieces[i].steepness = Size::of(slope.size());
             balanced.pieces[i].drawn = Size::of(self.carrier) * balanced.pieces[i].steepness;
-        }
-    }
-
-    /// ‖δ‖² = Σ∫δ²/EI.
-    pub fn bending(&self, balanced: &Balanced<S>) -> Size {
-        let of = |i: usize| {
-            let (span, piece) = (&self.frame.spans[i], &self.residual.pieces[i]);
-            let load = (piece.constant, piece.rest);
-            let norm =
-                moment_norm(span.h, balanced.pieces[i].moments, load, balanced.pieces[i].added[0]);
-            norm.square().over(span.bending.low())
-        };
-        (0..self.frame.spans.len()).map(of).sum()
-    }
-
-    /// Σβ²h/P, the complementary energy of the transverse force in the tension.
-    pub fn drawn(&self, balanced: &Balanced<S>) -> Size {
-        let Some(tension) = self.frame.tension else { return Size::ZERO };
-        let pieces = self.frame.spans.iter().zip(&balanced.pieces);
-        let of = |(span, piece): (&Span<S>, &BalancedPiece<S>)| {
-            (span.length() * piece.drawn.square()).over(tension.low())
-        };
-        pieces.map(of).sum()
-    }
-
-    /// ‖Gδp‖²: δp = λp̄ with |λ| ≤ γ, and the kernel of G is positive. In a layer ⟨δp, Gδp⟩ ≤ Σγ²∫p̄ Gp̄ with
-    /// Gp̄ ≤ û + |c| + √g‖ū − G(p̄ + q)‖; on Winkler ground it is ∫(δp)²/k.
-    pub fn ground(&self, balanced: &Balanced<S>, deflection: &Deflection<S>, missed: Size) -> Size {
-        let mut sum = Size::ZERO;
-        for (i, span) in self.frame.spans.iter().enumerate().filter(|(_, span)| span.touches) {
-            let pressure = &self.pressures[i];
-            let per_load = if span.layered {
-                let settled = pressure.obstacle + deflection.pieces[i].bounds[0];
-                settled + self.surface.pieces[i].flexibility * missed
-            } else {
-                pressure.field.size(span.tau).over(span.spring.low())
-            };
-            sum += balanced.factor(i).square() * pressure.pressing() * per_load;
-        }
-        sum + self.ground_at_nodes(balanced, missed)
-    }
-
-    fn ground_at_nodes(&self, balanced: &Balanced<S>, missed: Size) -> Size {
-        let of = |node: usize| {
-            let force = Size::of(self.surface.nodes[node].force.size());
-            if !self.surface.touches[node] || force.value() == 0.0 {
-                return Size::ZERO;
-            }
-            let factor = Size::of(balanced.factors[node].size());
-            let settled = Size::of(self.surface.nodes[node].settlement.size());
-            let missed = self.surface.flexibility_at(node) * missed;
-            factor.square() * force * (settled + missed)
-        };
-        (0..self.frame.nodes.len()).map(of).sum()
-    }
-}
-
-/// (∫δ²)^½ on a piece of length h. δ is A and B at the ends, and δ″ = −r with |r − r₀| ≤ R; a further moment
-/// is at most |Δδ|. δ is the sum of a chord, a parabola and a part of at most Rx(h − x)/2, so the bound is
-///
-/// ```text
-/// |h(A² + AB + B²)/3 + r₀h³(A + B)/12 + r₀²h⁵/120|^½ + (h⁵/120)^½ R + h^½ |Δδ|.
-/// ```
-fn moment_norm<S: Scalar>(h: S, [a, b]: [S; 2], (r, rest): (S, Size), added: Size) -> Size {
-    let cube = h * h * h;
-    let chord = h.div(S::of(3.0)) * (a * a + a * b + b * b);
-    let mixed = r * cube * (a + b).div(S::of(12.0));
-    let parabola = (r * r * cube * h * h).div(S::of(120.0));
-    let long = Size::of(h.high());
-    let fifth = (long.square().square() * long).over(120.0).root();
-    Size::of((chord + mixed + parabola).size()).root() + fifth * rest + long.root() * added
-}
-
-#[cfg(test)]
-mod tests {
-    use super::moment_norm;
-    use crate::ball::Ball;
-    use crate::random::numbers;
-    use crate::scalar::Scalar;
-    use crate::size::Size;
-
-    /// δ for r = c₀ + c₁t + c₂t² + c₃t³ on |t| ≤ 1, h = 2 half, by integrating twice.
-    fn moment(c: &[f64; 4], half: f64, [a, b]: [f64; 2], t: f64) -> f64 {
-        let twice = |t: f64| {
-            let terms = c.iter().enumerate();
-            terms.map(|(j, c)| c * t.powi(j as i32 + 2) / ((j + 1) * (j + 2)) as f64).sum::<f64>()
-        };
-        let (left, right) = (twice(-1.0), twice(1.0));
-        let chord = |left: f64, right: f64| 0.5 * (left + right) + 0.5 * (right - left) * t;
-        chord(a, b) + half * half * (chord(left, right) - twice(t))
-    }
-
-    #[test]
-    fn the_norm_of_the_moment_is_a_bound_and_sharp_without_a_rest() {
-        let mut random = numbers();
-        for case in 0..500 {
-            let half = 10.0_f64.powf(2.0 * random());
-            let mut c = [random(), random(), random(), random()];
-            if case % 2 == 0 {
-                c = [c[0], 0.0, 0.0, 0.0];
-            }
-            let ends = [random(), random()].map(|x| x * half * half);
-            let steps = 2000;
-            let square =
-                |i: i32| moment(&c, half, ends, -1.0 + (f64::from(i) + 0.5) / 1000.0).powi(2);
-            let exact = ((0..steps).map(square).sum::<f64>() * half / 1000.0).sqrt();
-            let rest = Size::of(c[1].abs() + c[2].abs() + c[3].abs());
-            let load = (Ball::of(c[0]), rest);
-            let norm = moment_norm(Ball::of(2.0 * half), ends.map(Ball::of), load, Size::ZERO);
-            assert!(exact <= norm.value() * (1.0 + 1e-6), "{exact} {norm:?}");
-            if case % 2 == 0 {
-                assert!(norm.value() <= exact * (1.0 + 1e-5), "{exact} {norm:?} is not sharp");
-            }
         }
     }
 }

@@ -1,8 +1,12 @@
 //! The document of a result: the claimed answer, the listed values, and the keys that no proof covers.
 
 use crate::json::{self, Json, JsonError};
+use crate::json_object::{
+    Object, all_numbers, elements, list, number, numbers, object, optional, pair, text_of, two,
+    wrong,
+};
 use crate::{Answer, Force, Piece, Reaction};
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 /// Maximum number of pieces of an answer.
 const MOST_PIECES: usize = 100_000;
@@ -71,8 +75,6 @@ pub struct Extreme {
     /// The value.
     pub value: f64,
 }
-
-type Object = BTreeMap<String, Json>;
 
 impl Document {
     /// Reads a document: one result, or one for each of its combinations.
@@ -305,68 +307,6 @@ fn rest(path: &str, object: &Object, not_covered: &mut BTreeSet<String>) {
     }
 }
 
-fn wrong<T>(what: impl Into<String>) -> Result<T, JsonError> {
-    Err(JsonError { line: 0, column: 0, what: what.into() })
-}
-
-fn object(value: Json, name: &str) -> Result<Object, JsonError> {
-    match value {
-        Json::Object(object) => Ok(object),
-        _ => wrong(format!("`{name}` is not an object")),
-    }
-}
-
-fn list(value: Json, name: &str) -> Result<Vec<Json>, JsonError> {
-    match value {
-        Json::List(list) => Ok(list),
-        _ => wrong(format!("`{name}` is not a list")),
-    }
-}
-
-/// The objects of a list; an empty list if the key is missing.
-fn elements(parent: &mut Object, key: &str) -> Result<Vec<Object>, JsonError> {
-    let Some(value) = parent.remove(key) else { return Ok(Vec::new()) };
-    list(value, key)?.into_iter().map(|element| object(element, key)).collect()
-}
-
-/// A text; `None` if it is missing or null.
-fn text_of(parent: &mut Object, key: &str) -> Result<Option<String>, JsonError> {
-    match parent.remove(key) {
-        None | Some(Json::Null) => Ok(None),
-        Some(Json::Text(text)) => Ok(Some(text)),
-        Some(_) => wrong(format!("`{key}` is not a text")),
-    }
-}
-
-/// A number; `None` if it is missing or null.
-fn optional(parent: &mut Object, key: &str) -> Result<Option<f64>, JsonError> {
-    match parent.remove(key) {
-        None | Some(Json::Null) => Ok(None),
-        Some(Json::Number(number)) => Ok(Some(number)),
-        Some(_) => wrong(format!("`{key}` is not a number")),
-    }
-}
-
-fn number(parent: &mut Object, key: &str) -> Result<f64, JsonError> {
-    optional(parent, key)?.map_or_else(|| wrong(format!("`{key}` is missing")), Ok)
-}
-
-/// A whole number from 0.
-fn index(value: Json) -> Result<usize, JsonError> {
-    match value {
-        Json::Number(n) if (0.0..1e9).contains(&n) && n.fract() == 0.0 => Ok(n as usize),
-        _ => wrong("`support` is not a whole number"),
-    }
-}
-
-fn all_numbers(value: Json, name: &str) -> Result<Vec<f64>, JsonError> {
-    let number = |value| match value {
-        Json::Number(number) => Ok(number),
-        _ => wrong(format!("`{name}` contains a value that is not a number")),
-    };
-    list(value, name)?.into_iter().map(number).collect()
-}
-
 /// A bound that a document claims; `null` makes no claim.
 fn claimed(bound: Json, name: &str) -> Result<f64, JsonError> {
     match bound {
@@ -376,11 +316,11 @@ fn claimed(bound: Json, name: &str) -> Result<f64, JsonError> {
     }
 }
 
-/// A list of numbers; `None` if it is missing or null.
-fn numbers(parent: &mut Object, key: &str) -> Result<Option<Vec<f64>>, JsonError> {
-    match parent.remove(key) {
-        None | Some(Json::Null) => Ok(None),
-        Some(value) => all_numbers(value, key).map(Some),
+/// The index of a support, a whole number from 0.
+fn index(value: Json) -> Result<usize, JsonError> {
+    match value {
+        Json::Number(n) if (0.0..1e9).contains(&n) && n.fract() == 0.0 => Ok(n as usize),
+        _ => wrong("`support` is not a whole number"),
     }
 }
 
@@ -391,22 +331,6 @@ fn coefficients(parent: &mut Object, key: &str) -> Result<Vec<f64>, JsonError> {
         return wrong(format!("`{key}` of a piece has a degree above 25"));
     }
     Ok(read)
-}
-
-/// Two numbers; `None` if the key is missing or null.
-fn pair(parent: &mut Object, key: &str) -> Result<Option<[f64; 2]>, JsonError> {
-    match parent.remove(key) {
-        None | Some(Json::Null) => Ok(None),
-        Some(value) => two(value, key).map(Some),
-    }
-}
-
-/// Two numbers.
-fn two(value: Json, name: &str) -> Result<[f64; 2], JsonError> {
-    match all_numbers(value, name)?[..] {
-        [a, b] => Ok([a, b]),
-        _ => wrong(format!("`{name}` must be a list of two numbers")),
-    }
 }
 
 /// Fields at places; none if the key is missing.

@@ -1,8 +1,9 @@
 //! The admissible and balanced fields that are constructed from an answer, and the bound E of the difference
 //! of their energies.
 
-use crate::balance::{Balance, Balanced, fewest_cuts, more_cuts};
+use crate::balance::{Balance, Balanced};
 use crate::clearance::{Clearance, clearance};
+use crate::cuts::{fewest_cuts, more_cuts};
 use crate::deflection::{Deflection, admissible};
 use crate::frame::Frame;
 use crate::ground::{Surface, surface};

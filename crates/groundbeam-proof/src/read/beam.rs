@@ -11,7 +11,7 @@ use super::place::{covers, left_out, overlapping, stretch};
 use super::product::{Found, Given};
 use super::section::{self, Shape};
 use super::shear::{self, Shear};
-use super::units::Exact;
+use super::unit::Exact;
 use crate::{Action, Beam, BeamSegment, Extent, Load, Scalar};
 
 const KEYS: &[&str] = &[

@@ -4,7 +4,7 @@ use super::error::{Fault, Read, Reason, fault, out_of_range, wrong};
 use super::feet;
 use super::number::Decimal;
 use super::toml::{Node, Table, Value};
-use super::units::{Dimension, Exact, Factor, Unit};
+use super::unit::{Dimension, Exact, Factor, Unit};
 use crate::{Course, Scalar};
 
 /// Maximum number of tables in a list.

@@ -23,8 +23,10 @@ mod section;
 mod sets;
 mod shear;
 mod support;
+mod symbols;
 mod text;
 mod toml;
+mod unit;
 mod units;
 
 pub use error::{ReadError, Reason};

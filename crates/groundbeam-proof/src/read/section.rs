@@ -7,7 +7,7 @@
 use super::course::{plus, scaled, times};
 use super::error::{Read, Reason, fault, wrong};
 use super::fields::{Along, Fields, LENGTH, Section, Values};
-use super::units::pi;
+use super::unit::pi;
 use crate::{Course, Scalar};
 
 /// Area, second moment, shear area and depth of a cross section.

@@ -3,7 +3,9 @@
 pub(crate) mod existence;
 pub(crate) mod rigid_motions;
 pub(crate) mod statics;
+mod unloaded_piece;
 pub(crate) mod verdict;
+pub(crate) mod work;
 
-pub use existence::static_reactions_of as static_reactions;
 pub use verdict::{Buckling, Existence, Local, RigidMotion, Verdict};
+pub use work::static_reactions_of as static_reactions;

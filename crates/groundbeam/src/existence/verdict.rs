@@ -165,3 +165,104 @@ impl Existence {
         Existence { verdict, ..self }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::existence::existence::existence;
+    use crate::model::{Beam, Foundation, Hinge, Load, Support};
+
+    fn beam() -> Model {
+        Model::new(Beam::uniform(4.0, 1.0), Foundation::pasternak(1.0, 1.0))
+    }
+
+    #[test]
+    fn what_each_verdict_says() {
+        let motion = RigidMotion { left: -1.0, right: 0.0, work: 0.5, lifted: None };
+        let local = Local { stability_margin: 0.5, critical_compression: 2.0 };
+        let buckling =
+            Buckling { critical_compression: 2.0, at: 1.0, left: -0.25, right: 0.75, work: 3.0 };
+        for (verdict, stands, moves) in [
+            (Verdict::Unique, true, None),
+            (Verdict::NotUnique(motion), true, Some([-1.0, 0.0, 0.5])),
+            (Verdict::Local(local), true, None),
+            (Verdict::None(motion), false, Some([-1.0, 0.0, 0.5])),
+            (Verdict::Buckles(buckling), false, Some([-0.25, 0.75, 3.0])),
+        ] {
+            assert_eq!((verdict.stands(), verdict.motion()), (stands, moves), "{verdict:?}");
+        }
+    }
+
+    #[test]
+    fn a_motion_is_straight_between_ends_and_hinges() {
+        let whole = RigidMotion { left: -1.0, right: 0.5, work: 0.0, lifted: None };
+        assert_eq!([0.0, 1.0, 3.0, 4.0].map(|x| whole.at(&beam(), x)), [-1.0, -0.625, 0.125, 0.5]);
+        let hinged = beam().with_hinge(Hinge::free(1.0)).with_hinge(Hinge::free(2.0));
+        let at = |lifted: [f64; 2]| {
+            let motion = RigidMotion { lifted: Some(lifted), ..whole };
+            [0.0, 0.25, 1.0, 1.5, 2.0, 3.5, 4.0].map(|x| motion.at(&hinged, x))
+        };
+        assert_eq!(at([0.0, 0.0]), [-1.0, -0.75, 0.0, 0.0, 0.0, 0.0, 0.0]);
+        assert_eq!(at([1.0, 1.0]), [0.0, -0.25, -1.0, -0.5, 0.0, 0.0, 0.0]);
+        assert_eq!(at([1.0, 2.0]), [0.0, -0.25, -1.0, -1.0, -1.0, -0.25, 0.0]);
+        assert_eq!(at([4.0, 4.0]), [0.0, 0.0, 0.0, 0.0, 0.0, -0.75, -1.0]);
+    }
+
+    /// For a force F at the distance a on a beam of length 4, R₀ = F (1 − a/4) and R_l = F a/4.
+    #[test]
+    fn the_resultant_and_its_position_follow_from_the_static_reactions() {
+        let found = existence(&beam().with_load(Load::point_force(1.0, 4.0)));
+        assert_eq!(found.static_reactions, [3.0, 1.0]);
+        assert_eq!((found.resultant(), found.resultant_position(4.0)), (4.0, Some(1.0)));
+        // A couple alone has no position.
+        let couple = existence(&beam().with_load(Load::point_moment(1.0, 2.0)));
+        assert_eq!(couple.static_reactions, [-0.5, 0.5]);
+        assert_eq!((couple.resultant(), couple.resultant_position(4.0)), (0.0, None));
+    }
+
+    fn with_contact(model: &Model, contact: &[[f64; 2]]) -> Verdict {
+        let stands = Existence { verdict: Verdict::Unique, static_reactions: [1.0, 2.0] };
+        let found = stands.with_contact(model, contact);
+        assert_eq!(found.static_reactions, [1.0, 2.0]);
+        found.verdict
+    }
+
+    #[test]
+    fn a_beam_on_one_point_turns_about_it() {
+        let turns = |left: f64, right: f64| {
+            Verdict::NotUnique(RigidMotion { left, right, work: 0.0, lifted: None })
+        };
+        let beam = beam();
+        // The end farther from the point moves by 1.
+        assert_eq!(with_contact(&beam, &[[1.0; 2]]), turns(-1.0 / 3.0, 1.0));
+        assert_eq!(with_contact(&beam, &[[3.0; 2]]), turns(-1.0, 1.0 / 3.0));
+        assert_eq!(with_contact(&beam, &[[1.0; 2], [3.0; 2]]), Verdict::Unique);
+        assert_eq!(with_contact(&beam, &[[1.0, 1.5]]), Verdict::Unique);
+        let pinned = beam.clone().with_support(Support::pinned(1.0));
+        assert_eq!(with_contact(&pinned, &[]), turns(-1.0 / 3.0, 1.0));
+        assert_eq!(with_contact(&pinned, &[[3.0; 2]]), Verdict::Unique);
+        let mut tied = beam.clone();
+        tied.beam.axial_force = 1.0;
+        assert_eq!(with_contact(&tied, &[[1.0; 2]]), Verdict::Unique);
+        // Without a point of contact there is no rotation about it.
+        assert_eq!(with_contact(&beam, &[]), Verdict::Unique);
+        // If no equilibrium exists, contact at one point does not change the verdict.
+        let falls = existence(&beam.clone().with_load(Load::point_force(2.0, -1.0)));
+        assert_eq!(falls.with_contact(&beam, &[[1.0; 2]]), falls);
+    }
+
+    #[test]
+    fn a_piece_that_nothing_holds_may_move() {
+        let hinged = beam().with_hinge(Hinge::free(2.0));
+        let mechanism = |from: f64, to: f64| {
+            let lifted = Some([from, to]);
+            Verdict::NotUnique(RigidMotion { left: 0.0, right: 0.0, work: 0.0, lifted })
+        };
+        assert_eq!(with_contact(&hinged, &[[0.5, 1.0]]), mechanism(2.0, 4.0));
+        assert_eq!(with_contact(&hinged, &[[2.0, 3.0]]), mechanism(0.0, 2.0));
+        assert_eq!(with_contact(&hinged, &[]), mechanism(0.0, 2.0));
+        // Contact on both sides of the hinge holds the hinge, and therefore both pieces.
+        assert_eq!(with_contact(&hinged, &[[1.0, 3.0]]), Verdict::Unique);
+        assert_eq!(with_contact(&hinged, &[[1.0, 2.0], [3.0; 2]]), Verdict::Unique);
+    }
+}

@@ -1,15 +1,16 @@
-//! The beam bonded to the ground along its whole length, and the contact forces that first become zero.
+//! The beam bonded to the ground along its whole length, and its contact pressures and forces as candidates for
+//! the first lift-off.
 
 use crate::cancel::Cancel;
 use crate::chain::node::NotDefinite;
 use crate::contact::bonded::Bonded;
 use crate::contact::state::ContactState;
 use crate::contact::surface::Surface;
+use crate::load_factors::lift_off_candidate::{LiftOffCandidate, Side};
 use crate::mesh::cell::Cell;
 use crate::mesh::deflection::pressure_under;
 use crate::model::Model;
-use crate::numeric::polynomial::{Coefficients, derivative, rescale, value};
-use crate::numeric::roots::sign_changes;
+use crate::numeric::polynomial::{Coefficients, rescale};
 use crate::numeric::tolerance::same_place;
 
 /// The deflection of a beam bonded to the ground along its whole length, with compressive or tensile contact.
@@ -18,97 +19,6 @@ pub(super) fn bonded_everywhere(
     cancel: &Cancel,
 ) -> Result<ContactState, NotDefinite> {
     Bonded::new(model, cancel).solve_on(&[[0.0, model.beam.length]])
-}
-
-/// A contact pressure on a stretch of the beam, or a concentrated contact force: the polynomial staying +
-/// λ·growing in s ∈ \[−1, 1\]. First lift-off occurs when it becomes negative.
-#[derive(Debug, Clone)]
-pub(super) struct LiftOffCandidate {
-    x: [f64; 2],
-    staying: Side,
-    growing: Side,
-}
-
-/// One of the two polynomials, with the sum of the absolute values of its terms.
-#[derive(Debug, Clone, Default)]
-struct Side {
-    coefficients: Coefficients,
-    size: f64,
-}
-
-/// Relative rounding error of a sum: a few dozen operations on each term.
-const ROUNDING: f64 = 256.0 * f64::EPSILON;
-
-/// Limit on Newton's steps for one candidate; far above the number needed.
-const MOST_STEPS: usize = 200;
-
-impl LiftOffCandidate {
-    /// Whether the pressure is tensile at factor 0.
-    pub fn pulls_at_first(&self) -> bool {
-        lowest(&self.staying.coefficients).1 < -ROUNDING * self.staying.size
-    }
-
-    /// The largest factor below `factor` at which the pressure of this candidate is not negative, and the
-    /// position of its zero at that factor; `None` if the pressure is not negative at `factor` itself.
-    /// `factor` may be infinite.
-    ///
-    /// Newton's method finds the root of the minimum over s, which is a concave function of the factor. The
-    /// iterates decrease and never pass the root.
-    pub fn first_pull_below(&self, factor: f64) -> Option<(f64, f64)> {
-        let (mut factor, mut found) = (factor, None);
-        for _ in 0..MOST_STEPS {
-            let Some(s) = self.pulled_at(factor) else { break };
-            let [stays, grows] =
-                [&self.staying, &self.growing].map(|side| value(&side.coefficients, s));
-            let next = (stays / -grows).max(0.0);
-            if next >= factor {
-                break;
-            }
-            factor = next;
-            found = Some((factor, self.position(s)));
-        }
-        found
-    }
-
-    /// Whether a factor is so small that the increasing loads change the candidate only by rounding error.
-    pub fn is_nothing(&self, factor: f64) -> bool {
-        factor * self.growing.size <= ROUNDING * self.staying.size
-    }
-
-    /// The position of the most negative pressure at a factor, if there is one.
-    fn pulled_at(&self, factor: f64) -> Option<f64> {
-        let (stays, grows) = (&self.staying, &self.growing);
-        let (coefficients, size) = if factor.is_finite() {
-            let both = stays.coefficients.iter().zip(grows.coefficients.iter());
-            let sum = both.map(|(a, b)| a + factor * b).collect();
-            (sum, stays.size + factor * grows.size)
-        } else {
-            (grows.coefficients, grows.size)
-        };
-        let (s, lowest) = lowest(&coefficients);
-        (lowest < -ROUNDING * size).then_some(s)
-    }
-
-    fn position(&self, s: f64) -> f64 {
-        let [from, to] = self.x;
-        let half = 0.5 * (to - from);
-        if s <= 0.0 { from + half * (1.0 + s) } else { to - half * (1.0 - s) }
-    }
-}
-
-/// The minimum of a polynomial on \[−1, 1\] and its position. If a lower bound of the minimum is not
-/// negative, this bound takes the place of the minimum.
-fn lowest(c: &[f64]) -> (f64, f64) {
-    let spread: f64 = c.iter().skip(1).map(|a| a.abs()).sum();
-    let bound = c.first().map_or(0.0, |constant| constant - spread);
-    if bound >= 0.0 {
-        return (-1.0, bound);
-    }
-    let mut places = vec![-1.0];
-    sign_changes(&derivative(c), &mut places);
-    places.push(1.0);
-    let all = places.into_iter().map(|s| (s, value(c, s)));
-    all.min_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or((-1.0, bound))
 }
 
 /// Pressures and concentrated forces along the whole beam, from left to right, of two deflections of one
@@ -243,102 +153,11 @@ mod tests {
     use crate::mesh::deflection::{BeamPoint, MeshZone};
     use crate::mesh::mesh::Mesh;
     use crate::model::{Beam, Foundation, Support};
-
-    fn side(coefficients: &[f64], size: f64) -> Side {
-        Side { coefficients: coefficients.into(), size }
-    }
-
-    /// staying + λ·growing on the beam from 1 to 5, with terms of size 1.
-    fn between_1_and_5(staying: &[f64], growing: &[f64]) -> LiftOffCandidate {
-        LiftOffCandidate { x: [1.0, 5.0], staying: side(staying, 1.0), growing: side(growing, 1.0) }
-    }
+    use crate::numeric::polynomial::value;
 
     #[track_caller]
     fn near(found: f64, wanted: f64) {
         assert!((found - wanted).abs() <= 1e-14 * wanted.abs().max(1.0), "{found} {wanted}");
-    }
-
-    #[test]
-    fn the_least_value_of_a_polynomial_is_at_an_end_or_where_it_turns() {
-        assert_eq!(lowest(&[-2.0]), (-1.0, -2.0));
-        assert_eq!(lowest(&[1.0, 2.0]), (-1.0, -1.0));
-        assert_eq!(lowest(&[1.0, -2.0]), (1.0, -1.0));
-        assert_eq!(lowest(&[-1.0, 0.0, 1.0]), (0.0, -1.0));
-        // s⁴ − s²/2 is −1/16 at s = ±1/2; the left one is returned.
-        let (s, least) = lowest(&[0.0, 0.0, -0.5, 0.0, 1.0]);
-        near(s, -0.5);
-        near(least, -0.0625);
-        // 3 − |1| − |−1| is a positive lower bound, so the minimum is not computed.
-        assert_eq!(lowest(&[3.0, 1.0, -1.0]), (-1.0, 1.0));
-        assert_eq!(lowest(&[]), (-1.0, 0.0));
-    }
-
-    /// 2 − λ (1 + s) is first zero at s = 1, for λ = 1. 1 + s² − λ (1 + s) has its minimum 1 − λ − λ²/4 at s
-    /// = λ/2. The minimum is zero for λ = 2√2 − 2.
-    #[test]
-    fn the_first_pull_is_a_root_in_closed_form() {
-        let at = |of: &LiftOffCandidate, from: f64| of.first_pull_below(from).expect("a pull");
-        let falling = between_1_and_5(&[2.0, 0.0], &[-1.0, -1.0]);
-        for from in [f64::INFINITY, 8.0] {
-            assert_eq!(at(&falling, from), (1.0, 5.0));
-            assert_eq!(at(&between_1_and_5(&[2.0, 0.0], &[-1.0, 1.0]), from), (1.0, 1.0));
-            for mirror in [1.0, -1.0] {
-                let parabola = between_1_and_5(&[1.0, 0.0, 1.0], &[-1.0, -mirror, 0.0]);
-                let root = 2.0 * 2.0_f64.sqrt() - 2.0;
-                let (factor, x) = at(&parabola, from);
-                near(factor, root);
-                // The position of a minimum is known to the square root of the machine precision.
-                assert!((x - (3.0 + mirror * root)).abs() < 1e-7, "{x}");
-            }
-        }
-        // The pressure is not tensile up to λ = 1/2. It is never tensile if both parts are compressive.
-        assert_eq!(falling.first_pull_below(0.5), None);
-        assert_eq!(between_1_and_5(&[1.0], &[1.0]).first_pull_below(f64::INFINITY), None);
-        // −1 + 2λ is negative at every factor below λ = 1/2.
-        assert_eq!(between_1_and_5(&[-1.0], &[2.0]).first_pull_below(0.25), None);
-        // If both parts are tensile, the factor is 0.
-        assert_eq!(at(&between_1_and_5(&[-1.0], &[-1.0]), 3.0), (0.0, 1.0));
-    }
-
-    /// A pressure is tensile if it is below −256 ε times the sum of all terms: the constant ones, and λ times
-    /// the increasing ones.
-    #[test]
-    fn a_pull_is_more_than_rounding() {
-        let pulls = |part: f64| {
-            let [staying, growing] = [side(&[-ROUNDING * part], 2.0), side(&[0.0], 3.0)];
-            LiftOffCandidate { x: [0.0, 1.0], staying, growing }
-        };
-        assert!(!pulls(1.9).pulls_at_first() && pulls(2.1).pulls_at_first());
-        assert_eq!(pulls(13.9).pulled_at(4.0), None);
-        assert_eq!(pulls(14.1).pulled_at(4.0), Some(-1.0));
-        let grows = |part: f64| {
-            let [staying, growing] = [side(&[1.0], 2.0), side(&[-ROUNDING * part], 3.0)];
-            LiftOffCandidate { x: [0.0, 1.0], staying, growing }
-        };
-        assert_eq!(grows(2.9).pulled_at(f64::INFINITY), None);
-        assert_eq!(grows(3.1).pulled_at(f64::INFINITY), Some(-1.0));
-        // A factor is zero to rounding if λ times 3 is at most 256 ε times 2.
-        assert!(pulls(0.0).is_nothing(ROUNDING * 0.66));
-        assert!(!pulls(0.0).is_nothing(ROUNDING * 0.67));
-        // A pressure of zero is not tensile.
-        let nothing = LiftOffCandidate {
-            x: [0.0, 1.0],
-            staying: side(&[0.0], 0.0),
-            growing: side(&[0.0], 0.0),
-        };
-        assert!(!nothing.pulls_at_first() && nothing.is_nothing(0.0));
-        assert_eq!([1.0, f64::INFINITY].map(|factor| nothing.pulled_at(factor)), [None; 2]);
-    }
-
-    /// Positions at the ends of a part have the bits of these ends, independent of the rounding of half its
-    /// length.
-    #[test]
-    fn positions_keep_the_ends() {
-        let x = [0.2, 0.9];
-        let of = LiftOffCandidate { x, ..between_1_and_5(&[1.0], &[1.0]) };
-        assert_eq!([-1.0, 1.0].map(|s| of.position(s)), x);
-        let of = between_1_and_5(&[1.0], &[1.0]);
-        assert_eq!([-1.0, -0.5, 0.0, 0.5, 1.0].map(|s| of.position(s)), [1.0, 2.0, 3.0, 4.0, 5.0]);
     }
 
     /// (1 + s)(2 + 3s + s²) and (1 − s)(2 + 3s + s²).

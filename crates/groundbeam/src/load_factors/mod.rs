@@ -7,13 +7,14 @@
 //!   only if all of them are nonnegative. They are then the multiplier of the contact problem, which has a
 //!   unique solution. The minimum of p_D + λ p_G over the beam is a concave function of λ. So the factors
 //!   without tensile pressure form an interval. Newton's method from above decreases to the upper end of this
-//!   interval without passing it (`LiftOffCandidate`). With one-way supports the problem is piecewise linear
+//!   interval without passing it (`lift_off_candidate.rs`). With one-way supports the problem is piecewise linear
 //!   (`one_way.rs`).
 //! * *Loss of equilibrium.* The loads must do negative work in each free rigid motion
 //!   ([`existence`](crate::existence)). This work is linear in λ, so the factor is the first root of a few
 //!   linear functions.
 
 mod bonded;
+mod lift_off_candidate;
 pub(crate) mod one_way;
 pub(crate) mod parts;
 
@@ -58,8 +59,8 @@ pub struct LoadFactors {
 ///
 /// # Errors
 ///
-/// As [`solve`](crate::solve()); and [`Error::Unsupported`] for compression that the ground must help to bear. The factor of first lift-off is returned only if the certificate of the
-/// fields at that factor holds.
+/// As [`solve`](crate::solve()); and [`Error::Unsupported`] for compression that the ground must help to bear.
+/// The factor of first lift-off is returned only if the certificate of the fields at that factor holds.
 pub fn load_factors(model: &Model, grows: impl Fn(usize) -> bool) -> Result<LoadFactors, Error> {
     load_factors_with(model, &Options::default(), grows)
 }

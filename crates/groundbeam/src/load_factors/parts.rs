@@ -1,7 +1,8 @@
 //! The loads split into constant loads and increasing loads.
 
-use crate::existence::existence::{existence, rays};
+use crate::existence::existence::existence;
 use crate::existence::verdict::{RigidMotion, Verdict};
+use crate::existence::work::rays;
 use crate::model::{Load, Model};
 
 /// The factor at which a beam that touches along its whole length first leaves the ground.

@@ -6,10 +6,12 @@ pub(crate) mod certificate;
 mod claim;
 pub(crate) mod extremes;
 pub(crate) mod field;
+mod field_bounds;
 pub(crate) mod fields;
 pub(crate) mod hinges;
 pub(crate) mod lift_off;
 pub(crate) mod solution;
+mod turning_points;
 
 pub use certificate::Certificate;
 pub use field::{ByField, Dimension, Field};

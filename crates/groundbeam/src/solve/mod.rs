@@ -1,10 +1,10 @@
 //! Solves a model: rules, existence, the kind of equilibrium, the contact iteration, the certificate.
 
-use crate::cancel::Cancel;
+mod contact;
+mod judged;
+
+use crate::contact::exact;
 use crate::contact::intervals::Interval;
-use crate::contact::state::{ContactState, Unconverged};
-use crate::contact::uzawa::{self, Relaxation};
-use crate::contact::{exact, nodes, point_contact, unloaded_ends};
 use crate::equilibrium::branch::PathPoint;
 use crate::equilibrium::buckling::convexity;
 use crate::equilibrium::local;
@@ -14,15 +14,16 @@ use crate::equilibrium::size;
 use crate::equilibrium::soil;
 use crate::error::{Error, NotConverged, Stopped};
 use crate::existence::existence;
-use crate::existence::verdict::{Existence, Verdict};
+use crate::existence::verdict::Existence;
 use crate::model::Model;
-use crate::nodal::grid::{Grid, Ground};
 use crate::numeric::tolerance::GAP;
-use crate::options::{Method, Options, Start};
+use crate::options::{Method, Options};
 use crate::outcome::Outcome;
-use crate::solution::candidate::{Candidate, Workspace};
+use crate::solution::candidate::Workspace;
 use crate::solution::certificate::Certificate;
 use crate::solution::solution::Solution;
+use crate::solve::contact::{find, not_converged};
+use crate::solve::judged::Judged;
 use crate::supported::{self, Way};
 
 /// Solves the unilateral contact problem (2.3), (2.10)–(2.13) exactly.
@@ -206,41 +207,6 @@ fn solve_local(
     Ok(Solution::new(candidate, certificate, existence, method, found.history))
 }
 
-/// The candidate checked last, with its certificate.
-struct Judged<'a> {
-    model: &'a Model,
-    stability: f64,
-    workspace: &'a mut Workspace,
-    last: Option<(Candidate, Certificate)>,
-}
-
-impl<'a> Judged<'a> {
-    fn new(model: &'a Model, stability: f64, workspace: &'a mut Workspace) -> Self {
-        Judged { model, stability, workspace, last: None }
-    }
-
-    /// The relative gap of a deflection with its contact.
-    fn judge(&mut self, found: &ContactState) -> f64 {
-        if let Some((candidate, _)) = self.last.take() {
-            self.workspace.recycle(candidate);
-        }
-        let (candidate, certificate) = self.certified(found);
-        self.last = Some((candidate, certificate));
-        certificate.relative_gap()
-    }
-
-    /// The candidate checked last. The exact method has checked its result; the methods with a mesh have not.
-    fn last(mut self, found: &ContactState) -> (Candidate, Certificate) {
-        self.last.take().unwrap_or_else(|| self.certified(found))
-    }
-
-    fn certified(&mut self, found: &ContactState) -> (Candidate, Certificate) {
-        let candidate = Candidate::of(self.model, found, self.workspace);
-        let certificate = Certificate::of(&candidate, self.stability);
-        (candidate, certificate)
-    }
-}
-
 /// Decides whether an equilibrium exists. It solves the model only if the compression makes the equilibrium
 /// local.
 ///
@@ -278,77 +244,6 @@ pub(crate) fn refuse_invalid(model: &Model) -> Result<(), Error> {
     if problems.is_empty() { Ok(()) } else { Err(Error::Invalid(problems)) }
 }
 
-fn find(
-    model: &Model,
-    options: &Options,
-    existence: Existence,
-    likely: Option<&[Interval]>,
-    mut judge: impl FnMut(&ContactState) -> f64,
-) -> Result<ContactState, Error> {
-    let Options { method, cancel, .. } = options;
-    let method = *method;
-    supported::check(model, Way::of(options), false)?;
-    let elements = options.elements.max(1);
-    let stalled = |stalled: Unconverged| not_converged(method, stalled);
-    match method {
-        Method::Exact => {
-            find_exactly(model, existence, likely, cancel, &mut judge).map_err(stalled)
-        }
-        Method::ActiveSet => {
-            let solved = nodes::solve(model, elements, cancel).map_err(stalled)?;
-            size::check_cells(solved.cells(), options)?;
-            Ok(solved.state())
-        }
-        Method::Psor | Method::Uzawa => {
-            let relaxation = match method {
-                Method::Psor => Relaxation::Diagonal,
-                _ => Relaxation::Uniform,
-            };
-            let from_bilateral = options.start == Start::Bilateral;
-            let grid = Grid::new(model, elements, Ground::Nodal);
-            uzawa::solve(&grid, relaxation, from_bilateral, options.most_sweeps, cancel)
-                .map_err(stalled)
-        }
-    }
-}
-
-/// The exact method. For a beam that may rotate without resistance it returns one of the equilibria.
-fn find_exactly(
-    model: &Model,
-    existence: Existence,
-    likely: Option<&[Interval]>,
-    cancel: &Cancel,
-    judge: &mut dyn FnMut(&ContactState) -> f64,
-) -> Result<ContactState, Unconverged> {
-    let Verdict::NotUnique(motion) = existence.verdict else {
-        return exact::solve(model, likely, cancel, judge);
-    };
-    if let Some(stretch) = unloaded_ends::loaded_stretch(model) {
-        let solve = |part: &Model| {
-            find_exactly(part, existence::existence(part), None, cancel, &mut |_| 0.0)
-        };
-        return unloaded_ends::solve_stretch(model, stretch, cancel, solve, judge);
-    }
-    if stands_on_an_end(model, existence) {
-        let over_left = motion.left == 0.0;
-        let resultant = existence.resultant();
-        return point_contact::solve_over_an_end(model, resultant, over_left, cancel, judge);
-    }
-    exact::solve(model, likely, cancel, judge)
-}
-
-fn not_converged(method: Method, stalled: Unconverged) -> Error {
-    let Unconverged { iterations, why } = stalled;
-    Error::NotConverged(Stopped { method, iterations, why })
-}
-
-/// Whether the resultant of a free beam is exactly over one end and acts downward.
-fn stands_on_an_end(model: &Model, existence: Existence) -> bool {
-    let free = model.supports.is_empty() && model.beam.axial_force == 0.0;
-    let one_piece = model.hinges.iter().all(|hinge| !hinge.is_free());
-    free && one_piece && existence.resultant() > 0.0
-}
-
 /// Refuses a solution whose certificate does not hold.
 fn certified(solution: &Solution, options: &Options) -> Result<(), Error> {
     let certificate = solution.certificate();
@@ -371,9 +266,13 @@ fn certified(solution: &Solution, options: &Options) -> Result<(), Error> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::cancel::Cancel;
+    use crate::contact::nodes;
+    use crate::contact::uzawa::{self, Relaxation};
     use crate::equilibrium::branch;
     use crate::equilibrium::buckling::bonded_buckling_load;
     use crate::model::{Acts, Beam, Foundation, Load, Support};
+    use crate::nodal::grid::{Grid, Ground};
     use crate::{Solver, load_factors::load_factors_with, nodal};
 
     /// A long beam with lift-off between its loads.

@@ -1,0 +1,97 @@
+//! Compares the inequalities of docs/proof.md with exact energies of random functions and of forces on open ground.
+
+#![cfg(test)]
+
+mod beam;
+mod ground;
+
+use crate::answer::{Answer, Force, Piece};
+use crate::ball::Ball;
+use crate::frame::Frame;
+use crate::given::frame;
+use crate::model::{Action, Beam, Course, Extent, Ground, GroundEnd, GroundSegment, Load, Model};
+use crate::scalar::Scalar;
+
+/// Points of a numerical integral.
+const COUNT: usize = 2000;
+
+/// A stretch of ground: its length, k and μ.
+type Stretch = [f64; 3];
+
+/// A beam with the bending stiffness EI on infinite ground that consists of stretches.
+fn beam(bending: f64, ground: &[Stretch]) -> Model<Ball> {
+    let mut to = 0.0;
+    let segment = |[length, k, mu]: &Stretch| {
+        let from = to;
+        to += length;
+        let [spring, shear] = [*k, *mu].map(|x| Course::Constant(Ball::of(x)));
+        GroundSegment { from: Ball::of(from), to: Ball::of(to), spring, shear }
+    };
+    let segments = ground.iter().map(segment).collect();
+    Model {
+        beam: Beam {
+            length: Ball::of(to),
+            bending_stiffness: Ball::of(bending),
+            shear_stiffness: None,
+            segments: Vec::new(),
+            axial_force: Ball::zero(),
+        },
+        ground: Ground {
+            spring: Ball::one(),
+            shear: Ball::one(),
+            segments,
+            ends: [GroundEnd::Endless; 2],
+        },
+        loads: Vec::new(),
+        supports: Vec::new(),
+        hinges: Vec::new(),
+        gap: Vec::new(),
+    }
+}
+
+/// A load on the beam between two places, linear between its values there.
+fn load([from, to]: [f64; 2], [start, end]: [f64; 2]) -> Load<Ball> {
+    let [from, to, start, end] = [from, to, start, end].map(Ball::of);
+    let extent = Extent::Distributed { from, to, start, end };
+    Load { action: Action::Force, extent, on_ground: false }
+}
+
+fn force(at: f64, size: f64) -> Load<Ball> {
+    let extent = Extent::Point { at: Ball::of(at), size: Ball::of(size) };
+    Load { action: Action::Force, extent, on_ground: false }
+}
+
+/// An answer with one piece for each stretch. For each piece: whether it is in contact, and w as a polynomial
+/// of t.
+fn claim(ground: &[Stretch], pieces: &[(bool, Vec<f64>)], forces: &[f64]) -> Answer {
+    let mut to = 0.0;
+    let piece = |([length, ..], (touches, deflection)): (&Stretch, &(bool, Vec<f64>))| {
+        let from = to;
+        to += length;
+        let half = 0.5 * (to - from);
+        Piece {
+            x: [from, to],
+            half,
+            touches: *touches,
+            deflection: deflection.clone(),
+            ..Piece::default()
+        }
+    };
+    let pieces = ground.iter().zip(pieces).map(piece).collect();
+    let forces = forces.iter().map(|x| Force { x: *x, force: 1.0 }).collect();
+    Answer { pieces, forces, reactions: Vec::new() }
+}
+
+fn framed(model: &Model<Ball>, answer: &Answer) -> Frame<Ball> {
+    frame(model, answer, None, &[]).expect("a claim that can be read")
+}
+
+fn polynomial(c: &[f64], x: f64) -> f64 {
+    c.iter().rev().fold(0.0, |sum, c| sum * x + c)
+}
+
+/// The integral of a function over 0 ≤ x ≤ length, by the midpoint rule.
+fn integral(length: f64, of: impl Fn(f64) -> f64) -> f64 {
+    let h = length / COUNT as f64;
+    (0..COUNT).map(|i| h * of((i as f64 + 0.5) * h)).sum()
+}

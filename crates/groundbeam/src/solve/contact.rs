@@ -1,0 +1,88 @@
+//! The contact of a convex problem by the chosen method, from the model and its verdict on existence.
+
+use crate::cancel::Cancel;
+use crate::contact::intervals::Interval;
+use crate::contact::state::{ContactState, Unconverged};
+use crate::contact::uzawa::{self, Relaxation};
+use crate::contact::{exact, nodes, point_contact, unloaded_ends};
+use crate::equilibrium::size;
+use crate::error::{Error, Stopped};
+use crate::existence::existence;
+use crate::existence::verdict::{Existence, Verdict};
+use crate::model::Model;
+use crate::nodal::grid::{Grid, Ground};
+use crate::options::{Method, Options, Start};
+use crate::supported::{self, Way};
+
+/// The deflection and contact by the chosen method. `judge` gives the relative energy gap of a contact.
+pub(super) fn find(
+    model: &Model,
+    options: &Options,
+    existence: Existence,
+    likely: Option<&[Interval]>,
+    mut judge: impl FnMut(&ContactState) -> f64,
+) -> Result<ContactState, Error> {
+    let Options { method, cancel, .. } = options;
+    let method = *method;
+    supported::check(model, Way::of(options), false)?;
+    let elements = options.elements.max(1);
+    let stalled = |stalled: Unconverged| not_converged(method, stalled);
+    match method {
+        Method::Exact => {
+            find_exactly(model, existence, likely, cancel, &mut judge).map_err(stalled)
+        }
+        Method::ActiveSet => {
+            let solved = nodes::solve(model, elements, cancel).map_err(stalled)?;
+            size::check_cells(solved.cells(), options)?;
+            Ok(solved.state())
+        }
+        Method::Psor | Method::Uzawa => {
+            let relaxation = match method {
+                Method::Psor => Relaxation::Diagonal,
+                _ => Relaxation::Uniform,
+            };
+            let from_bilateral = options.start == Start::Bilateral;
+            let grid = Grid::new(model, elements, Ground::Nodal);
+            uzawa::solve(&grid, relaxation, from_bilateral, options.most_sweeps, cancel)
+                .map_err(stalled)
+        }
+    }
+}
+
+/// The exact method. For a beam that may rotate without resistance it returns one of the equilibria.
+fn find_exactly(
+    model: &Model,
+    existence: Existence,
+    likely: Option<&[Interval]>,
+    cancel: &Cancel,
+    judge: &mut dyn FnMut(&ContactState) -> f64,
+) -> Result<ContactState, Unconverged> {
+    let Verdict::NotUnique(motion) = existence.verdict else {
+        return exact::solve(model, likely, cancel, judge);
+    };
+    if let Some(stretch) = unloaded_ends::loaded_stretch(model) {
+        let solve = |part: &Model| {
+            find_exactly(part, existence::existence(part), None, cancel, &mut |_| 0.0)
+        };
+        return unloaded_ends::solve_stretch(model, stretch, cancel, solve, judge);
+    }
+    if stands_on_an_end(model, existence) {
+        let over_left = motion.left == 0.0;
+        let resultant = existence.resultant();
+        return point_contact::solve_over_an_end(model, resultant, over_left, cancel, judge);
+    }
+    exact::solve(model, likely, cancel, judge)
+}
+
+/// The error of a method that stopped without converging.
+pub(super) fn not_converged(method: Method, stalled: Unconverged) -> Error {
+    let Unconverged { iterations, why } = stalled;
+    Error::NotConverged(Stopped { method, iterations, why })
+}
+
+/// Whether the resultant of a free beam is exactly over one end and acts downward.
+fn stands_on_an_end(model: &Model, existence: Existence) -> bool {
+    let free = model.supports.is_empty() && model.beam.axial_force == 0.0;
+    let one_piece = model.hinges.iter().all(|hinge| !hinge.is_free());
+    free && one_piece && existence.resultant() > 0.0
+}
