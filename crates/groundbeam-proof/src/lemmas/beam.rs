@@ -1,5 +1,7 @@
 //! Compares the bounds of test functions, deflections and moments of the beam with exact integrals.
 
+#![cfg(test)]
+
 use super::{COUNT, beam, claim, force, framed, integral, load, polynomial};
 use crate::anchors::{between, beyond, from_mean};
 use crate::balance::Balance;

@@ -1,5 +1,7 @@
 //! Compares the energies charged to the ground with those of forces and surfaces on open ground, by elements.
 
+#![cfg(test)]
+
 use super::{COUNT, Stretch, beam, claim, framed, integral, polynomial};
 use crate::ball::Ball;
 use crate::clearance::clearance;
@@ -36,7 +38,7 @@ fn behind(stiffness: f64, [length, k, mu]: Stretch) -> f64 {
     (0..COUNT).fold(stiffness, |sum, _| own - across * across / (sum + own))
 }
 
-/// A lower bound of the flexibility g(x, x) of open ground at a node, by elements.
+/// A lower bound of the flexibility g(x, x) of open ground at a node, from linear elements of its surface.
 fn flexibility(frame: &Frame<Ball>, ground: &[Stretch], node: usize) -> f64 {
     let left = ground[..node].iter().fold(frame.outside[0].middle(), |sum, s| behind(sum, *s));
     let right = ground[node..].iter().rev();

@@ -67,7 +67,7 @@ class NoEquilibrium(GroundbeamError):
     """There is no equilibrium. The motion proves it.
 
     The motion varies linearly between hinges, from ``left`` at x = 0 to ``right`` at x = l. It is zero or negative
-    (upward) everywhere, so it does not press on the ground, and the loads do positive ``work``.
+    (upward) everywhere, so no part of the beam moves into the ground. The loads do positive ``work``.
     """
 
     sentence: str

@@ -73,7 +73,7 @@ impl SolutionPiece {
 }
 
 #[cfg(test)]
-pub(super) mod tests {
+pub(crate) mod tests {
     use super::*;
     use crate::solution::candidate::{Candidate, Workspace};
     use crate::{Beam, Foundation, Model};
