@@ -46,7 +46,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn nine_grounds_or_fewer() {
+    fn a_band_has_at_most_nine_grounds() {
         let band = Band { spring: [0.5, 2.0], shear: [0.0, 3.0] };
         let grounds = band.grounds();
         assert_eq!((grounds.len(), grounds[0]), (9, [1.0, 1.0]));

@@ -55,7 +55,7 @@ mod tests {
     }
 
     #[test]
-    fn every_wrong_entry_is_shown_at_its_place() {
+    fn each_wrong_entry_is_reported_at_its_position() {
         let document = document(&["case = 'dead'", "", "case = ' wind '", "case = 'dead'"]);
         assert_eq!(parse_cases(" dead", &document).unwrap(), ["dead"]);
         assert_eq!(parse_cases("wind,dead,wind", &document).unwrap(), ["wind", "dead"]);
@@ -73,7 +73,7 @@ mod tests {
     }
 
     #[test]
-    fn without_cases_it_says_how_to_give_one() {
+    fn the_message_for_a_file_without_cases_shows_how_to_give_one() {
         let wrong = parse_cases("G", &document(&[""])).unwrap_err();
         assert!(wrong.iter().all(|d| d.hint.contains("no load of the file has a `case`")));
     }

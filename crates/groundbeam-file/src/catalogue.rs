@@ -33,7 +33,7 @@ mod tests {
     use crate::{materials, sets, trains};
 
     #[test]
-    fn every_name_is_given_once() {
+    fn names_are_unique() {
         for mut names in [materials::spellings(), sets::spellings(), trains::spellings()] {
             let count = names.len();
             names.sort_unstable();

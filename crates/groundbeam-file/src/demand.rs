@@ -102,7 +102,7 @@ settlement = \"20 mm\"
     }
 
     #[test]
-    fn the_signs_are_those_that_a_file_demands() {
+    fn recorded_signs_agree_with_the_reader() {
         let mut keys = BTreeSet::new();
         let mut wrong = BTreeSet::new();
         // If a layer must not end inside the beam, μ = 0 is rejected there; another file accepts it.

@@ -56,7 +56,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_stream_without_an_end_is_refused() {
+    fn an_endless_stream_is_refused() {
         let error = read_bounded(std::io::repeat(b'#')).unwrap_err();
         assert_eq!(error.kind(), ErrorKind::FileTooLarge);
         let most = read_bounded(std::io::repeat(b'#').take(MOST)).unwrap();
@@ -64,7 +64,7 @@ mod tests {
     }
 
     #[test]
-    fn only_files_are_read() {
+    fn only_regular_files_are_read() {
         let folder = Path::new(env!("CARGO_MANIFEST_DIR"));
         assert!(read_file(&folder.join("Cargo.toml")).is_ok());
         assert_eq!(read_file(folder).unwrap_err().to_string(), "it is a folder, not a file");

@@ -74,7 +74,7 @@ mod tests {
     const LOAD: &str = "[[load]]\npoint = '600 kN'\nat = '6 m'\n";
 
     #[test]
-    fn plausible_sizes_are_not_warned_of() {
+    fn plausible_sizes_give_no_warning() {
         assert_eq!(warned(&footing("30 GPa", "40 MN/m^3", "9 MN", LOAD)), []);
         assert_eq!(warned(&footing("30 GPa", "40 MN/m^3", "0 kN", LOAD)), []);
         // Without units no size can be judged.
@@ -84,7 +84,7 @@ mod tests {
     }
 
     #[test]
-    fn implausible_sizes_are_marked() {
+    fn implausible_sizes_give_a_warning() {
         let of = |e, k, mu, load| warned(&footing(e, k, mu, load));
         let marked = |text: &str| vec![("GB901", text.to_owned())];
         assert_eq!(of("30 GPa", "40 GN/m^3", "9 GN", LOAD), marked("'40 GN/m^3'"));

@@ -235,7 +235,7 @@ mod tests {
     }
 
     #[test]
-    fn slips_and_other_names_lead_to_the_key() {
+    fn misspelled_and_alternative_names_give_the_key() {
         let [length, stiffness, load, shear] = [
             key("length", Value::Flag, ""),
             key("EI", Value::Flag, "").also(&["bending_stiffness"]),

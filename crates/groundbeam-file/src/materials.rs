@@ -126,7 +126,7 @@ mod tests {
     }
 
     #[test]
-    fn every_number_is_one() {
+    fn values_of_materials_are_in_their_ranges() {
         for material in materials() {
             let Material { name, elastic_modulus, unit_weight, expansion, sources, .. } = material;
             assert!((7e9..=210e9).contains(elastic_modulus), "{name}");

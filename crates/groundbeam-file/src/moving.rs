@@ -157,7 +157,7 @@ mod tests {
     }
 
     #[test]
-    fn loads_without_end_are_placed_where_they_may_be_unfavourable() {
+    fn unbounded_loads_have_all_placements_that_may_be_unfavourable() {
         use Spread::{Ahead, Behind, Everywhere, LeftHalf, Nowhere, RightHalf};
         assert_eq!(places("LM71"), [Everywhere, Ahead, Behind, Nowhere]);
         assert_eq!(places("LM1"), [Everywhere, LeftHalf, RightHalf, Nowhere]);

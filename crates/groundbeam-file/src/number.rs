@@ -139,7 +139,7 @@ mod tests {
     }
 
     #[test]
-    fn reads_what_people_write() {
+    fn common_notations_of_numbers_are_read() {
         assert_eq!(value("12"), Some((12.0, 2)));
         assert_eq!(value("+1.25e-3 m"), Some((0.00125, 8)));
         assert_eq!(value("-.5"), Some((-0.5, 3)));
@@ -157,7 +157,7 @@ mod tests {
     }
 
     #[test]
-    fn keeps_the_sign_of_zero() {
+    fn the_sign_of_zero_is_kept() {
         let (zero, _) = Decimal::read("-0.0").unwrap();
         assert!(zero.is_zero());
         assert!(zero.to_f64().is_sign_negative());

@@ -117,7 +117,7 @@ mod tests {
     use super::left_out;
 
     #[test]
-    fn what_segments_leave_out() {
+    fn parts_outside_the_segments() {
         let rest = |stretches: &[(f64, f64)]| left_out(10.0, stretches.iter().copied());
         assert_eq!(rest(&[]), [[0.0, 10.0]]);
         assert_eq!(rest(&[(4.0, 12.0), (-1.0, 2.0)]), [[2.0, 4.0]]);

@@ -210,7 +210,7 @@ mod tests {
 
     /// Largest deviations of printed from computed values, in percent. Tables print three or four figures.
     #[test]
-    fn sections_from_their_sides_have_the_printed_values() {
+    fn sections_from_dimensions_have_the_printed_values() {
         let mut count = 0;
         for section in rolled_sections() {
             let name = &section.name;
@@ -229,7 +229,7 @@ mod tests {
     }
 
     #[test]
-    fn names_are_found_however_they_are_spaced() {
+    fn the_search_ignores_spaces_in_names() {
         assert_eq!(find("ipe300").unwrap().name, "IPE 300");
         assert_eq!(find("W12x26").unwrap().name, "W12X26");
         assert!(find("IPE 310").unwrap_err().contains("IPE 300"));

@@ -73,7 +73,7 @@ mod tests {
     }
 
     #[test]
-    fn spans_grow_to_whole_characters() {
+    fn spans_are_widened_to_whole_characters() {
         let source = Source::new("aµb");
         assert_eq!(source.whole_characters(2..2), 1..2 + 1);
         assert_eq!(source.whole_characters(1..2), 1..3);

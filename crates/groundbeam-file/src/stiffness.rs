@@ -122,7 +122,7 @@ mod tests {
     use super::cover;
 
     #[test]
-    fn stretches_cover_a_beam_when_they_touch_from_end_to_end() {
+    fn adjoining_stretches_cover_the_beam() {
         let cover = |stretches: &[(f64, f64)]| cover(10.0, stretches.iter().copied());
         assert!(cover(&[(0.0, 10.0)]));
         assert!(cover(&[(4.0, 12.0), (-1.0, 4.0)]));

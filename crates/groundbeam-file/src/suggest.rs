@@ -58,14 +58,14 @@ mod tests {
     use super::*;
 
     #[test]
-    fn three_names_answer_an_unknown_one() {
+    fn an_unknown_name_gets_three_suggestions() {
         let names = ["6.10: 1.35 G", "6.10: G + 1.5 Q", "6.10: 1.35 G + 1.5 Q", "EQU: 0.9 G"];
         let near = nearest_three("6.10: 1.35 G + 1.5 W", &names);
         assert_eq!(near, [names[2], names[1], names[0]]);
     }
 
     #[test]
-    fn near_words_are_found_and_far_ones_are_not() {
+    fn only_similar_words_are_suggested() {
         let keys = ["length", "axial_force", "EI", "E", "I", "section"];
         assert_eq!(nearest("lenght", keys), Some("length"));
         assert_eq!(nearest("Length", keys), Some("length"));

@@ -161,7 +161,7 @@ mod tests {
 
     /// Each repeated table gets the hint to use double brackets.
     #[test]
-    fn a_table_given_twice_is_a_list() {
+    fn a_repeated_table_gets_the_hint_for_double_brackets() {
         for (keys, count) in [(&MODEL, 14), (&STUDY, 3)] {
             let all = several(keys);
             assert_eq!(all.len(), count, "{all:?}");

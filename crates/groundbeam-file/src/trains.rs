@@ -161,7 +161,7 @@ mod tests {
     }
 
     #[test]
-    fn numbers_of_the_codes() {
+    fn trains_agree_with_their_codes() {
         let sum = |name: &str| -> f64 {
             find(name).unwrap().train.axles.iter().map(|axle| axle.force).sum()
         };

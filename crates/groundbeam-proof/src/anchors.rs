@@ -386,7 +386,7 @@ mod tests {
 
     /// A piece of length 1.6 with half = 1 covers |t| ≤ 0.8.
     #[test]
-    fn the_least_pressure_is_that_of_the_piece_alone() {
+    fn pressures_are_bounded_within_the_piece_only() {
         for (half, wanted) in [(1.0, &[0.5, 0.25, 0.0625][..]), (0.8, &[0.9, 0.5, 0.25, 0.0625])] {
             let piece = Piece { x: [0.0, 1.6], half, deflection: vec![1.0], ..Piece::default() };
             let units = Units { length: 0, force: 0 };

@@ -345,7 +345,7 @@ mod tests {
 
     /// Checks (4a) of docs/proof.md: ‖Gρ‖_b² = ∫ρGρ.
     #[test]
-    fn a_pressure_that_is_left_unclaimed_costs_no_more_than_its_norm() {
+    fn the_energy_of_a_residual_pressure_is_bounded_by_its_norm() {
         let mut random = numbers();
         let mut largest: f64 = 0.0;
         for _ in 0..200 {

@@ -97,7 +97,7 @@ mod tests {
     }
 
     #[test]
-    fn the_norm_of_the_moment_is_a_bound_and_sharp_without_a_rest() {
+    fn the_bound_of_the_moment_is_sharp_for_a_constant_residual() {
         let mut random = numbers();
         for case in 0..500 {
             let half = 10.0_f64.powf(2.0 * random());

@@ -160,7 +160,7 @@ mod tests {
     }
 
     #[test]
-    fn a_course_keeps_its_values_on_a_part_of_its_segment() {
+    fn a_profile_keeps_its_values_on_a_part_of_its_segment() {
         let mut random = numbers();
         for case in 0..300 {
             let values: Vec<f64> = (0..2 + case % HIGHEST_COURSE).map(|_| 2.0 + random()).collect();

@@ -374,7 +374,7 @@ mod tests {
     }"#;
 
     #[test]
-    fn a_document_in_its_parts() {
+    fn the_parts_of_a_document_are_read() {
         let documents = Document::read(TEXT).unwrap();
         let [document] = &documents[..] else { panic!() };
         assert_eq!(document.answer, Answer::from_json(TEXT).unwrap());
@@ -400,7 +400,7 @@ mod tests {
     }
 
     #[test]
-    fn combinations_are_documents_of_their_own() {
+    fn each_combination_is_a_separate_document() {
         let text = format!(
             r#"{{"combinations": [{TEXT}, {{"name": "ULS"}}], "envelope": {{"x": [1]}},
                "proof": {{"envelope": [1]}}}}"#
@@ -415,7 +415,7 @@ mod tests {
     }
 
     #[test]
-    fn what_has_another_form_is_refused() {
+    fn documents_of_another_form_are_refused() {
         for (right, wrong) in [
             ("\"half\": 0.75", "\"half\": \"0.75\""),
             ("\"half\": 0.75,", ""),

@@ -309,7 +309,7 @@ mod tests {
     }
 
     #[test]
-    fn products_are_integrated_and_derived() {
+    fn products_are_integrated_and_differentiated() {
         let mut random = numbers();
         let mut polynomial =
             |degree: usize| <Polynomial<f64>>::from_coefficients((0..=degree).map(|_| random()));

@@ -365,7 +365,7 @@ mod tests {
     }
 
     #[test]
-    fn stiffness_and_push_agree_with_elements() {
+    fn stiffness_and_load_agree_with_linear_elements() {
         let ends = [
             ([GroundEnd::Endless, GroundEnd::Endless], 60.0, false),
             ([GroundEnd::Free(-4.0), GroundEnd::Free(6.0)], 4.0, false),

@@ -222,7 +222,7 @@ mod tests {
     /// Errors of u, φ′ and of the balance of a beam with shear deformation, and the resulting error of w″ and
     /// p. The bound holds, and it is attained, for p where both are in contact and for μC″ where neither is.
     #[test]
-    fn the_pressure_of_a_beam_that_shears_is_bounded_and_the_bound_is_sharp() {
+    fn the_pressure_bound_of_a_timoshenko_beam_is_sharp() {
         let mut random = numbers();
         for _ in 0..2000 {
             let [stiffness, shear] = [0, 1].map(|_| 10.0_f64.powf(3.0 * random()));

@@ -374,7 +374,7 @@ mod tests {
     }
 
     #[test]
-    fn critical_loads_are_bounded_from_below_and_nearly_reached() {
+    fn lower_bounds_of_critical_loads_are_sharp() {
         use SupportKind::{Fixed, Pinned};
         let spring = |spring, rotational_spring| SupportKind::Spring { spring, rotational_spring };
         // The smallest roots of tan z = z and of z tan z = 2; P = z².
@@ -437,7 +437,7 @@ mod tests {
     }
 
     #[test]
-    fn a_beam_that_nothing_holds_has_no_critical_load() {
+    fn an_unsupported_beam_has_no_critical_load() {
         assert_eq!(margin(&beam(&[], None, None), 1e-3), None);
         let hung = beam(&[(0.0, SupportKind::Pinned)], None, None);
         assert_eq!(margin(&hung, 1e-3), None);

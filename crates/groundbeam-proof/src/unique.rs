@@ -122,7 +122,7 @@ mod tests {
     use crate::test_functions::tests::integral;
 
     #[test]
-    fn the_bump_has_its_area_and_its_norm() {
+    fn the_area_and_the_norm_of_the_bump_are_bounded() {
         for (h, ground, layer) in [(0.3, 2.0, 0.7), (2.0, 0.5, 3.0), (11.0, 1.0, 1e-3)] {
             let z = |t: f64| 1.0 - (2.0 * t / h - 1.0).powi(2);
             let slope = |t: f64| -4.0 * (2.0 * t / h - 1.0) / h;

@@ -232,7 +232,7 @@ the method `uzawa` stopped after 7 iterations: the certificate's relative gap is
     }
 
     #[test]
-    fn no_message_prints_a_figure_that_is_no_number() {
+    fn messages_omit_figures_that_are_not_finite() {
         for figure in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
             let written = written(figure);
             assert!(!written.contains("NaN") && !written.contains("inf"), "{written}");

@@ -57,7 +57,7 @@ mod tests {
     }
 
     #[test]
-    fn only_the_modified_model_takes_several_rounds() {
+    fn only_the_modified_model_iterates() {
         let modified = solved(&on(Soil::ModifiedVlasov(layers())));
         let SoilRounds { gamma, rounds } = modified.soil().unwrap();
         let given = solved(&on(Soil::Vlasov(layers(), gamma.unwrap())));
@@ -81,7 +81,7 @@ mod tests {
     }
 
     #[test]
-    fn every_solve_knows_the_soil() {
+    fn every_way_of_solving_uses_the_soil() {
         let model = on(Soil::ModifiedVlasov(layers()));
         let alone = solved(&model);
         let near = solve_near(&model, &crate::Options::default(), Some(&alone));
@@ -95,7 +95,7 @@ mod tests {
     }
 
     #[test]
-    fn soil_is_uniform_and_endless() {
+    fn ground_on_soil_must_be_uniform_and_infinite() {
         let mut model = on(Soil::ModifiedVlasov(layers()));
         model.foundation =
             model.foundation.with_ends(GroundEnd::Endless, GroundEnd::Free { at: 13.0 });

@@ -117,7 +117,7 @@ mod tests {
     }
 
     #[test]
-    fn what_was_solved_before_changes_no_bit() {
+    fn previous_solves_change_no_bit() {
         let mut solver = Solver::new();
         for moment in [0.49, 0.1, 0.45, 0.49, 0.3] {
             let Ok(Outcome::Equilibrium(alone)) = solve(&footing(moment)) else { panic!() };

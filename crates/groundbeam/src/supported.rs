@@ -164,7 +164,7 @@ mod tests {
 
     /// Each way has its own column. The exact method supports every feature.
     #[test]
-    fn the_table_has_a_column_for_each_way() {
+    fn the_table_has_a_column_for_each_way_of_solving() {
         for (column, way) in Way::ALL.into_iter().enumerate() {
             assert_eq!(way as usize, column);
         }

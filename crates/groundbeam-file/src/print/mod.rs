@@ -264,7 +264,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn units_an_engineer_expects() {
+    fn results_have_customary_units() {
         let cases = [
             (Kind::Force, 600e3, "600 kN"),
             (Kind::Force, -12.5, "−12.5 N"),
@@ -289,7 +289,7 @@ mod tests {
 
     /// The units of `length`, a point load, a gap and `k` determine the printed units.
     #[test]
-    fn the_units_of_a_file_decide() {
+    fn printed_units_follow_the_units_of_the_file() {
         let file = |length: &str, load: &str, k: &str| {
             let text = format!(
                 "[beam]\nlength = {length}\nE = '30 GPa'\nI = '0.01 m^4'\n[foundation]\nk = '{k}'\n\

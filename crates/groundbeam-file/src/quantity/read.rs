@@ -197,7 +197,7 @@ mod tests {
     }
 
     #[test]
-    fn spaces_do_not_matter_but_pieces_of_numbers_do() {
+    fn surrounding_spaces_are_ignored_and_divided_numbers_are_refused() {
         assert_eq!(si(&LENGTH, "  12m\t"), 12.0);
         assert_eq!(si(&LENGTH, "1_000 mm"), 1.0);
         let code_of = |text| LENGTH.read("length", text, false).unwrap_err().code;
@@ -223,7 +223,7 @@ mod tests {
     }
 
     #[test]
-    fn a_comma_is_never_guessed_at() {
+    fn numbers_with_commas_are_refused() {
         let cases = [
             (
                 "1,200 kN",

@@ -328,7 +328,7 @@ mod tests {
     /// Compares with the parts: outer minus inner area, and the T about its own centroid by the parallel-axis
     /// theorem.
     #[test]
-    fn sections_by_their_parts() {
+    fn sections_agree_with_the_sums_over_their_parts() {
         let circle = |d: f64| [PI * d * d / 4.0, PI * d.powi(4) / 64.0];
         close(measured("circle", &[0.5]).unwrap(), circle(0.5));
         let [outer, inner] = [circle(0.5), circle(0.46)];
@@ -354,7 +354,7 @@ mod tests {
 
     /// Compares with the formulas between the sampled fractions.
     #[test]
-    fn measures_that_run_along() {
+    fn dimensions_that_vary_along_the_beam() {
         let powers = |t: f64| (3.0 - 2.0 * t, (3.0 - 2.0 * t).powi(4), (3.0 - 2.0 * t).powi(2));
         let [fourth, second] =
             [0, 1].map(|i| QUARTERS.map(|t| if i == 0 { powers(t).1 } else { powers(t).2 }));
@@ -369,7 +369,7 @@ mod tests {
     }
 
     #[test]
-    fn sides_without_room() {
+    fn dimensions_that_leave_no_room_are_refused() {
         assert_eq!(measured("tube", &[0.5, 0.25]), Err("wall"));
         assert_eq!(measured("I", &[0.3, 0.5, 0.25, 0.1]), Err("flange"));
         assert_eq!(measured("T", &[0.3, 0.5, 0.2, 0.3]), Err("web"));

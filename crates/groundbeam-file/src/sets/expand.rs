@@ -342,7 +342,7 @@ mod tests {
     }
 
     #[test]
-    fn too_many_are_refused_early() {
+    fn too_many_combinations_are_refused() {
         let (practice, set) = find("EN 1990 6.10").unwrap();
         let cases = vec![case("Q", "imposed B"); 60];
         assert_eq!(expand(practice, set, &cases, 1000), Err(TooMany));
@@ -388,7 +388,7 @@ mod tests {
     /// EN 1990, annex A2: the partial factor is 1.35 for road traffic, 1.45 for rail traffic and 1.5 for
     /// wind. In set C, it is 1.15 for road traffic and 1.3 for wind.
     #[test]
-    fn a_partial_factor_belongs_to_the_action() {
+    fn partial_factors_depend_on_the_action() {
         let cases =
             [case("G", "permanent"), case("T", "road gr1a TS"), case("W", "wind on a bridge")];
         let found = made("EN 1990 A2 STR/GEO B", &cases);

@@ -250,7 +250,7 @@ mod tests {
     }
 
     #[test]
-    fn a_name_that_two_sets_claim_means_neither() {
+    fn ambiguous_names_of_sets_are_refused() {
         assert_eq!(meant("ASCE 7 LRFD"), ["ASCE 7-16 LRFD", "ASCE 7-22 LRFD"]);
         assert_eq!(meant("EN 1990 GEO"), ["EN 1990 STR/GEO B", "EN 1990 STR/GEO C"]);
         assert!(find("ASCE 7 LRFD").is_none() && find("EN 1990 GEO").is_none());

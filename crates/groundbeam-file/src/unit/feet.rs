@@ -128,7 +128,7 @@ mod tests {
     }
 
     #[test]
-    fn they_have_a_decimal_number() {
+    fn lengths_in_feet_have_a_decimal_number() {
         for (text, decimal) in [
             ("1'-6\"", (1.5, "ft")),
             ("-0' 6\"", (-0.5, "ft")),

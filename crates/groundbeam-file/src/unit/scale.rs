@@ -69,7 +69,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_cancels_leaves_no_trace() {
+    fn equal_factors_cancel_exactly() {
         let inch = Scale::new(254, 1, -4);
         let squared = Scale::ONE.times(inch, 3).times(inch, -1);
         assert_eq!(squared.fraction(), Some((64_516, 1)));
@@ -78,7 +78,7 @@ mod tests {
     }
 
     #[test]
-    fn what_outgrows_whole_numbers_goes_on_in_floating_point() {
+    fn factors_that_overflow_integers_are_floating_point_numbers() {
         let pound = Scale::new(44_482_216_152_605, 1, -13);
         let power = Scale::ONE.times(pound, 12);
         assert_eq!(power.fraction(), None);

@@ -17,7 +17,7 @@ use crate::test_functions::kink;
 
 /// Checks K² of (11) for z = t(1 − t/h)² with springs where z and z′ are largest.
 #[test]
-fn the_test_functions_have_their_energy() {
+fn the_energy_of_test_functions_is_bounded() {
     let mut random = numbers();
     for _ in 0..200 {
         let mut number = || 10.0_f64.powf(2.0 * random());
@@ -40,7 +40,7 @@ fn the_test_functions_have_their_energy() {
 
 /// Checks K² of (11) for z = the distance to one side of a place, at the inner end of each piece.
 #[test]
-fn long_test_functions_have_their_energy() {
+fn the_energy_of_linear_test_functions_is_bounded() {
     let mut random = numbers();
     for _ in 0..50 {
         let [k, mu] = [1, 2].map(|_| 10.0_f64.powf(random()));
@@ -144,7 +144,7 @@ fn errors_of_the_deflection_are_bounded_by_their_anchors() {
 /// Checks (7): a load on a simply supported cell causes a moment of at most a quarter of load times length.
 /// Compares the bound for the redistributed loads with their exact moment.
 #[test]
-fn loads_given_back_bend_a_cell_by_what_is_charged() {
+fn the_moment_of_redistributed_loads_is_bounded() {
     let mut random = numbers();
     let mut sharpest = 0.0_f64;
     for _ in 0..100 {

@@ -49,7 +49,7 @@ fn flexibility(frame: &Frame<Ball>, ground: &[Stretch], node: usize) -> f64 {
 /// Checks (5) of docs/proof.md: a residual force r has the energy r²g on open ground. A node that is held
 /// above the ground needs the tensile force r = w/g.
 #[test]
-fn a_force_that_is_left_unclaimed_costs_its_energy() {
+fn the_energy_of_a_residual_force_is_bounded() {
     let mut random = numbers();
     let mut sharpest = 0.0_f64;
     for case in 0..200 {
@@ -96,7 +96,7 @@ fn energy_of_load(length: f64, [k, mu]: [f64; 2], load: impl Fn(f64) -> f64) -> 
 
 /// For random polynomials p, the tensile part max(−p, 0) has at most the energy η²ω/k and the resultant ηω.
 #[test]
-fn pulls_cost_their_energy() {
+fn the_energy_of_tensile_pressures_is_bounded() {
     let mut random = numbers();
     let mut sharpest = 0.0_f64;
     for case in 0..300 {
@@ -136,7 +136,7 @@ fn pulls_cost_their_energy() {
 /// is tensile, and the forces at the ends are √(kμ)w. No pressure is compressive, so E is at least ½b(u, u)
 /// of the claimed surface, ½w²(kl + 2√(kμ)).
 #[test]
-fn the_energy_of_a_surface_that_only_pulls_is_charged() {
+fn the_energy_of_a_surface_under_tension_is_bounded() {
     for [k, mu] in [[1.0, 1.0], [30.0, 0.02], [0.02, 30.0]] {
         let (length, w) = (1.5, 0.3);
         let ground = [[length, k, mu]];
@@ -160,7 +160,7 @@ fn the_energy_of_a_surface_that_only_pulls_is_charged() {
 /// a second contact. Let v be a surface that is zero at the contacts and c at a distance y from one of them.
 /// Its energy is at least c²(√(kμ) coth(by) + S), S being the stiffness of the ground beyond this point.
 #[test]
-fn a_lift_costs_its_energy() {
+fn the_energy_of_the_raised_ground_is_bounded() {
     let mut random = numbers();
     let mut ratios = Vec::new();
     for case in 0..400 {

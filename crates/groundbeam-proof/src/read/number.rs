@@ -181,7 +181,7 @@ mod tests {
     }
 
     #[test]
-    fn numbers_at_the_head_of_a_quantity() {
+    fn numbers_at_the_start_of_a_quantity() {
         let head = |text| Decimal::head(text).map(|(number, rest)| (number.text(), rest));
         let is = |number: &str, rest| Some((number.to_owned(), rest));
         assert_eq!(head("12 m"), is("12e0", " m"));

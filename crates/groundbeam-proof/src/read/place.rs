@@ -79,7 +79,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_stretches_leave_out() {
+    fn parts_outside_the_stretches() {
         let rest = |stretches: &[[f64; 2]]| -> Vec<[f64; 2]> {
             left_out(10.0, stretches).into_iter().map(|(ends, _)| ends).collect()
         };

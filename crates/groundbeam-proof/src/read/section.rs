@@ -265,7 +265,7 @@ mod tests {
     }
 
     #[test]
-    fn sections_by_thin_strips() {
+    fn sections_agree_with_sums_over_thin_strips() {
         let c = |x: f64| Course::Constant(x);
         let is = |measures: Measures<f64>, by: [f64; 2], shear: f64| {
             let found = measures.unwrap().map(|course| ends(&course)[0]);
@@ -298,7 +298,7 @@ mod tests {
     }
 
     #[test]
-    fn one_side_that_varies_alone_makes_a_straight_area() {
+    fn one_linear_dimension_makes_a_linear_area() {
         let (a, b) = (Course::Varying(vec![2.0, 1.0]), Course::Constant(0.1));
         let linear = |measures: Measures<f64>| {
             let [area, second_moment, _] = measures.unwrap();

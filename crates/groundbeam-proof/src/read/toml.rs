@@ -329,7 +329,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_given_twice_is_refused() {
+    fn duplicate_keys_and_tables_are_refused() {
         for text in [
             "a = 1\na = 2",
             "a = 1\n\"a\" = 2",
@@ -351,7 +351,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_toml_is_refused() {
+    fn invalid_toml_is_refused() {
         for text in [
             "a",
             "a =",

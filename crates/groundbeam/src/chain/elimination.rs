@@ -402,7 +402,7 @@ mod tests {
     /// The rotation of a beam with a free end on open ground has no restraint, not even by rounding error: the free end
     /// may rise by a million times the settlement of the ground.
     #[test]
-    fn a_free_beam_offers_no_stiffness() {
+    fn a_free_beam_has_zero_rotational_stiffness() {
         for i in 1..200 {
             let length = 0.614 + 1e-3 * f64::from(i);
             let model = Model::new(Beam::uniform(length, 1e-10), Foundation::pasternak(7.0, 0.02))

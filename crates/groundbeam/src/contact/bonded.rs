@@ -320,7 +320,7 @@ mod tests {
     /// A gap of length h reduces the ground's force by π h and changes w by O(h), for every h and every position of a
     /// node in the gap. Rounding error contributes 10⁻¹³ of w.
     #[test]
-    fn a_short_gap_keeps_the_digits_beside_it() {
+    fn fields_beside_a_short_gap_keep_their_digits() {
         let model = Model::new(Beam::uniform(1.0, 10.0), Foundation::pasternak(1.0, 3.4))
             .with_load(Load::point_force(0.5, 1.0))
             .with_load(Load::point_moment(0.5, 0.1));

@@ -155,7 +155,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn edges_go_on_as_they_went() {
+    fn edges_are_extrapolated_linearly() {
         let (before, here) = ([[0.0, 0.3], [0.6, 0.9]], [[0.0, 0.34], [0.6, 1.0]]);
         let next = secant(&before, &here, 0.5, 1.0).expect("as many zones");
         assert!((next[0][1] - 0.36).abs() < 1e-15);

@@ -123,7 +123,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn names_lead_back_to_the_limit_state() {
+    fn limit_states_are_found_by_their_names() {
         for state in LimitState::ALL {
             assert_eq!(LimitState::named(state.name()), Some(state));
             assert_eq!(LimitStates::of(&[state]).iter().collect::<Vec<_>>(), [state]);

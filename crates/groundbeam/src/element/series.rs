@@ -308,7 +308,7 @@ mod tests {
     }
 
     #[test]
-    fn with_nothing_varying_it_is_the_uniform_element() {
+    fn constant_data_give_the_uniform_element() {
         for (n, k) in [(0.0, 0.0), (2.0, 1.0), (-0.5, 0.3), (0.1, 2.0)] {
             let operator = Operator {
                 stiffness: 1.5,
@@ -424,7 +424,7 @@ mod tests {
     /// Without ground and tension, Przemieniecki (1968), Theory of Matrix Structural Analysis, eq. (5.116): with
     /// Φ = 12 EI/(S h²) and in (w_left, θ_left, w_right, θ_right), K = EI/((1 + Φ) h³) (12, 6h, …; (4 + Φ) h², …).
     #[test]
-    fn without_ground_it_is_the_books_element() {
+    fn without_ground_the_stiffness_is_that_of_przemieniecki() {
         for shear in [1e-6, 0.5, 40.0, 1e9] {
             let all = Polynomials {
                 shear: Some([shear, 0.0, 0.0, 0.0, 0.0, 0.0]),
@@ -447,7 +447,7 @@ mod tests {
 
     /// A beam with a very large S behaves as a beam without shear deformation.
     #[test]
-    fn with_a_large_shear_stiffness_it_only_bends() {
+    fn a_large_shear_stiffness_leaves_bending_only() {
         let stiff = varying(Some([1e18, 0.0, 0.0, 0.0, 0.0, 0.0]));
         let [(element, shears), (other, bends)] =
             [stiff, varying(None)].map(|all| Series::new(&all, 1.3));

@@ -503,7 +503,7 @@ mod tests {
     }
 
     #[test]
-    fn an_element_with_layers_is_many_without() {
+    fn an_element_with_boundary_layers_equals_many_short_elements() {
         // N² ≫ 4κ EI: r₁ = 0.03, r₂ = 30. Compared with a chain of short series elements.
         let op = Operator {
             load: [1.0, -2.0],

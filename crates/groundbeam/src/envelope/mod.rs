@@ -282,7 +282,7 @@ mod tests {
     }
 
     #[test]
-    fn of_one_solution_it_is_the_solution() {
+    fn the_envelope_of_one_solution_is_the_solution() {
         let one = footing(&[(900e3, 1.5)]);
         let envelope = Envelope::of([&one]);
         for field in Field::ALL {
@@ -295,14 +295,14 @@ mod tests {
     }
 
     #[test]
-    fn of_none_it_is_nothing() {
+    fn the_envelope_of_no_solutions_is_zero() {
         let envelope = Envelope::of([]);
         assert!(envelope.stations(10).is_empty() && envelope.changes(Field::Moment).is_empty());
         assert_eq!(envelope.range(Field::Moment).max.extreme.value, 0.0);
     }
 
     #[test]
-    fn equal_solutions_never_change_places() {
+    fn between_equal_solutions_the_first_governs() {
         let solutions = [footing(&[(900e3, 1.5)]), footing(&[(900e3, 1.5)])];
         let envelope = Envelope::of(&solutions);
         for field in Field::ALL {
@@ -324,7 +324,7 @@ mod tests {
     }
 
     #[test]
-    fn at_a_change_the_two_are_equal_or_jump() {
+    fn at_a_change_the_solutions_are_equal_or_jump() {
         let solutions =
             [&[(900e3, 1.5)][..], &[(600e3, 6.0), (300e3, 11.0)], &[(200e3, 4.0), (700e3, 9.0)]]
                 .map(footing);

@@ -83,14 +83,14 @@ mod tests {
     }
 
     #[test]
-    fn equals_are_counted_once() {
+    fn of_equal_polynomials_the_first_governs() {
         let curves = [vec![1.0, 2.0], vec![1.0, 2.0 + 1e-16], vec![1.0, 2.0]]
             .map(|c| Coefficients::from(&c[..]));
         assert_eq!(numbers(&parts(&curves, 1e-12)), [0]);
     }
 
     #[test]
-    fn what_rises_between_roots_is_seen() {
+    fn maxima_between_roots_are_found() {
         // Three maxima of one polynomial above a constant: T₄(s) exceeds −½ on three intervals.
         let curves =
             [vec![-0.5], vec![1.0, 0.0, -8.0, 0.0, 8.0]].map(|c| Coefficients::from(&c[..]));

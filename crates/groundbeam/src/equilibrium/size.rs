@@ -230,7 +230,7 @@ mod tests {
     }
 
     #[test]
-    fn the_quick_count_is_no_less_than_the_other() {
+    fn the_quick_count_is_an_upper_bound() {
         let beam = Beam::uniform(100.0, 3.0).with_segment(20.0, 40.0, 0.5).with_axial_force(7.0);
         let ground = Foundation::pasternak(2.0, 1.0).with_segment(30.0, 60.0, 9.0, 5.0);
         let loads = (0..50).map(|i| crate::Load::point_force(2.0 * f64::from(i), 1.0));

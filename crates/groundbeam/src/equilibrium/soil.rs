@@ -228,7 +228,7 @@ mod tests {
     /// Compares ∫u² and ∫u'² with linear interpolation between very many points: in contact, in open ground
     /// and outside the beam, with and without loads on the ground.
     #[test]
-    fn the_rate_by_brute_force() {
+    fn the_rate_agrees_with_linear_interpolation() {
         let model = Model::new(Beam::uniform(1.0, 1.0), Foundation::pasternak(1.0, 1.0))
             .with_load(Load::point_force(0.5, 1.0))
             .with_load(Load::point_moment(0.5, 0.49));

@@ -177,7 +177,7 @@ mod tests {
     }
 
     #[test]
-    fn what_holds_a_hinged_beam() {
+    fn supports_that_hold_a_hinged_beam() {
         let slab = || {
             beam()
                 .with_hinge(Hinge::free(1.0))
@@ -219,7 +219,7 @@ mod tests {
 
     /// If several motions prove that no equilibrium exists, the verdict names the one with the largest work.
     #[test]
-    fn the_worst_motion_is_the_proof() {
+    fn the_motion_with_the_largest_work_is_the_proof() {
         let model = |left: f64, right: f64| {
             let loads = beam().with_load(Load::point_force(0.0, left));
             existence(&loads.with_load(Load::point_force(4.0, right))).verdict

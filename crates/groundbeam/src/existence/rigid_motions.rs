@@ -179,7 +179,7 @@ mod tests {
     }
 
     #[test]
-    fn what_each_support_keeps_from_moving() {
+    fn constraints_of_each_support() {
         let seen = |support: Support| {
             let found = Mechanism::of(&beam(&[2.0, 6.0]).with_support(support));
             (found.held, found.straight)
@@ -197,7 +197,7 @@ mod tests {
     }
 
     #[test]
-    fn tension_keeps_every_piece_from_turning() {
+    fn tension_prevents_rotation_of_every_piece() {
         let mut model = beam(&[2.0, 6.0]);
         model.beam.axial_force = 1.0;
         let found = Mechanism::of(&model);
@@ -274,7 +274,7 @@ mod tests {
     /// A piece cannot move if and only if the constraints imply r = 0 at both of its nodes: these two
     /// conditions as further rows then do not raise the rank.
     #[test]
-    fn the_first_mechanism_piece_is_the_first_whose_nodes_the_constraints_leave_free() {
+    fn the_first_free_piece_follows_from_the_rank_of_the_constraints() {
         for of in mechanisms() {
             let rows = constraints(&of);
             let own = rank(rows.clone());

@@ -152,7 +152,7 @@ mod tests {
 
     /// A load is cut at the nodes, with its linear values there and the given values at its ends.
     #[test]
-    fn a_spread_load_is_cut_at_the_nodes() {
+    fn a_distributed_load_is_cut_at_the_nodes() {
         let nodes = [0.0, 2.0, 4.0, 8.0];
         let found = cut(&nodes, [1.0, 5.0], [3.0, 7.0]);
         let wanted =

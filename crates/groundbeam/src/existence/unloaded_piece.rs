@@ -49,7 +49,7 @@ mod tests {
     use crate::numeric::elementary::power;
 
     #[test]
-    fn an_unloaded_piece_may_lie_as_it_likes() {
+    fn the_rotation_of_an_unloaded_piece_is_not_unique() {
         let half = |ground| {
             Model::new(Beam::uniform(4.0, 1.0), ground)
                 .with_hinge(Hinge::free(2.0))

@@ -177,7 +177,7 @@ mod tests {
     }
 
     #[test]
-    fn what_each_verdict_says() {
+    fn existence_and_motion_of_each_verdict() {
         let motion = RigidMotion { left: -1.0, right: 0.0, work: 0.5, lifted: None };
         let local = Local { stability_margin: 0.5, critical_compression: 2.0 };
         let buckling =
@@ -194,7 +194,7 @@ mod tests {
     }
 
     #[test]
-    fn a_motion_is_straight_between_ends_and_hinges() {
+    fn a_motion_is_linear_between_ends_and_hinges() {
         let whole = RigidMotion { left: -1.0, right: 0.5, work: 0.0, lifted: None };
         assert_eq!([0.0, 1.0, 3.0, 4.0].map(|x| whole.at(&beam(), x)), [-1.0, -0.625, 0.125, 0.5]);
         let hinged = beam().with_hinge(Hinge::free(1.0)).with_hinge(Hinge::free(2.0));
@@ -228,7 +228,7 @@ mod tests {
     }
 
     #[test]
-    fn a_beam_on_one_point_turns_about_it() {
+    fn a_beam_on_one_point_rotates_about_it() {
         let turns = |left: f64, right: f64| {
             Verdict::NotUnique(RigidMotion { left, right, work: 0.0, lifted: None })
         };
@@ -252,7 +252,7 @@ mod tests {
     }
 
     #[test]
-    fn a_piece_that_nothing_holds_may_move() {
+    fn an_unsupported_piece_is_a_mechanism() {
         let hinged = beam().with_hinge(Hinge::free(2.0));
         let mechanism = |from: f64, to: f64| {
             let lifted = Some([from, to]);

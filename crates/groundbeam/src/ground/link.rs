@@ -245,7 +245,7 @@ mod tests {
     use crate::numeric::elementary::cosh;
 
     #[test]
-    fn two_halves_make_a_whole() {
+    fn two_halves_in_series_equal_the_whole() {
         for bh in [1e-9, 1e-3, 1.0, 30.0, 700.0] {
             let whole = TwoPort::uniform(2.0, 0.5, bh);
             let parts =
@@ -262,7 +262,7 @@ mod tests {
     }
 
     #[test]
-    fn a_series_with_nothing_varying_is_the_closed_form() {
+    fn constant_data_give_the_closed_form() {
         let (k, mu, half) = (3.0, 0.7, 0.4);
         let [uniform, series] =
             [TwoPort::uniform(k, mu, 2.0 * half), TwoPort::varying(&[k], &[mu], half)];
@@ -272,7 +272,7 @@ mod tests {
     }
 
     #[test]
-    fn ground_with_a_power_of_x_for_its_solution() {
+    fn ground_whose_solution_is_a_power_of_x() {
         // μ = x², k = 6x⁰: −(x²u')' + 6u = 0 is solved by x² and x⁻³, about x = 5 with half length ½.
         let (middle, half) = (5.0, 0.5);
         let shear = [middle * middle, 2.0 * middle * half, half * half];
@@ -320,7 +320,7 @@ mod tests {
     }
 
     #[test]
-    fn a_link_is_the_differential_equation() {
+    fn a_two_port_satisfies_the_differential_equation() {
         let (k, mu, h) = (3.0, 0.7, 0.9);
         let link = TwoPort::uniform(k, mu, h);
         let b = f64::sqrt(k / mu);

@@ -299,7 +299,7 @@ mod tests {
     /// increasing loads has none. The same holds with the roles exchanged. At the corner g₀′ jumps from 0 to
     /// 1, so its force is μ.
     #[test]
-    fn forces_of_one_deflection_alone() {
+    fn forces_of_one_of_two_deflections() {
         let even = on(Foundation::pasternak(4.0, 9.0));
         let corner = even.clone().with_gap(0.0, 0.0).with_gap(2.0, 0.0).with_gap(4.0, 2.0);
         let [even, corner] = [even, corner].map(|model| found(&model, &[], &[1.0]));

@@ -113,7 +113,7 @@ mod tests {
     }
 
     #[test]
-    fn the_least_value_of_a_polynomial_is_at_an_end_or_where_it_turns() {
+    fn the_minimum_of_a_polynomial_is_at_an_end_or_a_turning_point() {
         assert_eq!(lowest(&[-2.0]), (-1.0, -2.0));
         assert_eq!(lowest(&[1.0, 2.0]), (-1.0, -1.0));
         assert_eq!(lowest(&[1.0, -2.0]), (1.0, -1.0));
@@ -130,7 +130,7 @@ mod tests {
     /// 2 − λ (1 + s) is first zero at s = 1, for λ = 1. 1 + s² − λ (1 + s) has its minimum 1 − λ − λ²/4 at s
     /// = λ/2. The minimum is zero for λ = 2√2 − 2.
     #[test]
-    fn the_first_pull_is_a_root_in_closed_form() {
+    fn the_factor_of_first_tension_agrees_with_closed_forms() {
         let at = |of: &LiftOffCandidate, from: f64| of.first_pull_below(from).expect("a pull");
         let falling = between_1_and_5(&[2.0, 0.0], &[-1.0, -1.0]);
         for from in [f64::INFINITY, 8.0] {
@@ -157,7 +157,7 @@ mod tests {
     /// A pressure is tensile if it is below −256 ε times the sum of all terms: the constant ones, and λ times
     /// the increasing ones.
     #[test]
-    fn a_pull_is_more_than_rounding() {
+    fn tension_exceeds_rounding_error() {
         let pulls = |part: f64| {
             let [staying, growing] = [side(&[-ROUNDING * part], 2.0), side(&[0.0], 3.0)];
             LiftOffCandidate { x: [0.0, 1.0], staying, growing }
@@ -187,7 +187,7 @@ mod tests {
     /// Positions at the ends of a part have the bits of these ends, independent of the rounding of half its
     /// length.
     #[test]
-    fn positions_keep_the_ends() {
+    fn positions_at_the_ends_of_a_part_keep_their_bits() {
         let x = [0.2, 0.9];
         let of = LiftOffCandidate { x, ..between_1_and_5(&[1.0], &[1.0]) };
         assert_eq!([-1.0, 1.0].map(|s| of.position(s)), x);

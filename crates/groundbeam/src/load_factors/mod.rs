@@ -235,7 +235,7 @@ mod tests {
     }
 
     #[test]
-    fn a_pressure_that_is_zero_at_an_end_is_no_pull() {
+    fn a_zero_pressure_at_an_end_is_not_tensile() {
         // On Winkler ground a triangular load causes a triangular pressure, which is zero at one end.
         for (start, end) in [(0.0, 2.0), (2.0, 0.0)] {
             for (l, ei) in [(1.0, 1.0), (7.3, 1e-3), (0.1, 1e6)] {
@@ -256,7 +256,7 @@ mod tests {
     }
 
     #[test]
-    fn next_to_a_pin_the_rise_of_the_pressure_decides() {
+    fn next_to_a_pin_the_slope_of_the_pressure_decides() {
         // On Winkler ground p = k w, zero at a pin: first lift-off occurs when the beam's slope there
         // vanishes.
         let model = Model::new(Beam::uniform(2.0, 1.0), Foundation::winkler(1.0))
@@ -282,7 +282,7 @@ mod tests {
     }
 
     #[test]
-    fn loads_that_stay_may_lift_it_off_by_themselves() {
+    fn constant_loads_may_lift_the_beam_off() {
         let outside =
             unit().with_load(Load::point_force(0.5, 1.0)).with_load(Load::point_moment(0.5, 0.6));
         let held = outside.with_load(Load::point_force(0.0, 1.0));
@@ -304,7 +304,7 @@ mod tests {
     }
 
     #[test]
-    fn over_an_end_on_springs_nothing_stands() {
+    fn a_force_over_an_end_needs_a_shear_layer() {
         let over_the_end = |ground| {
             Model::new(Beam::uniform(1.0, 1.0), ground).with_load(Load::point_force(0.0, 1.0))
         };
@@ -316,7 +316,7 @@ mod tests {
     }
 
     #[test]
-    fn a_gap_acts_with_the_loads_that_stay() {
+    fn the_gap_acts_with_the_constant_loads() {
         // A rigid beam on Winkler ground under a uniform load q, over a shallow valley −g₀: the valley
         // reduces the pressure by k g₀.
         let ground = Foundation::winkler(1.0);
@@ -343,7 +343,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_grows_and_wrong_models() {
+    fn constant_loads_and_invalid_models() {
         let model = unit().with_load(Load::point_force(0.5, 1.0));
         let found = load_factors(&model, |_| false).expect("factors");
         assert_eq!(found.first_lift_off, FirstLiftOff::Never);
@@ -359,7 +359,7 @@ mod tests {
     /// Both static reactions of a uniform load vanish at the same factor. The result names the first of the
     /// two motions.
     #[test]
-    fn of_two_motions_lost_together_the_first_is_named() {
+    fn of_two_simultaneous_motions_the_first_is_named() {
         let model =
             unit().with_load(Load::point_force(0.5, 2.0)).with_load(Load::point_force(0.5, -1.0));
         let LossOfEquilibrium::At { factor, motion } = last(&model).loss_of_equilibrium else {
@@ -373,7 +373,7 @@ mod tests {
     /// equilibrium up to the factor at which the reaction at its left end becomes zero: ql/4 for q on [0,
     /// l/2].
     #[test]
-    fn a_piece_that_is_never_loaded_does_not_decide() {
+    fn an_unloaded_piece_does_not_decide() {
         for q in [0.125, 1.0, 8.0, 64.0] {
             let model = Model::new(Beam::uniform(1.0, 1.0), Foundation::winkler(1.0))
                 .with_hinge(crate::model::Hinge::free(0.5))

@@ -237,7 +237,7 @@ mod tests {
     /// lifts off at F = ql/2. With a bearing at depth δ under it, it leaves the bearing earlier, at F = (q −
     /// kδ) l/2.
     #[test]
-    fn a_bearing_that_is_left_does_not_change_what_follows() {
+    fn a_bearing_that_the_beam_leaves_does_not_change_the_factor() {
         for supports in [
             vec![],
             vec![bearing(0.0, 0.4)],
@@ -253,7 +253,7 @@ mod tests {
     /// The strap allows the left end to rise to δ. Then the strap holds this end, and only the bearing under
     /// the right end carries the increase of the force.
     #[test]
-    fn a_support_that_is_met_may_hold_the_beam_down() {
+    fn a_support_that_the_beam_meets_may_prevent_lift_off() {
         for supports in [
             vec![strap(0.0, 0.4)],
             vec![bearing(LENGTH, 0.8)],
@@ -282,7 +282,7 @@ mod tests {
     /// Under the middle, w = 0.6 + F/(kl). The beam meets a bearing there at depth δ at F = kδl − ql. Then it
     /// rotates about the bearing by 6F/(kl²), and the left end lifts off at F = kδl/3.
     #[test]
-    fn a_support_that_is_met_may_lift_the_beam_off_earlier() {
+    fn a_support_that_the_beam_meets_may_cause_earlier_lift_off() {
         for (down, at) in [(0.7, 7.0 / 3.0), (0.8, 8.0 / 3.0), (0.85, 8.5 / 3.0)] {
             let middle = bearing(0.5 * LENGTH, down);
             leaves_the_left_end(lift_off(RIGID, &[middle]), at);
@@ -305,7 +305,7 @@ mod tests {
     /// The bearing under the left end is at depth δ = 0.4 and carries (q − kδ) l/4 = 1/2, from moments about
     /// it. The right end is at δ + 3(q − kδ)/(2k) = 0.7, so a strap at 0.5 has a clearance of 0.2.
     #[test]
-    fn the_room_of_a_force_and_of_a_clearance() {
+    fn margins_of_a_force_and_of_a_clearance() {
         let model = weighted(RIGID)
             .with_support(bearing(0.0, 0.4))
             .with_support(strap(LENGTH, 0.5))
@@ -322,7 +322,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_left_is_zero_within_its_own_rounding() {
+    fn a_margin_within_rounding_error_is_zero() {
         let room = Room { left: vec![-3.0, -2.0, -1.0, 0.0, 2.0, 3.0], zero: vec![2.0; 6] };
         let each = |is: &dyn Fn(usize) -> bool| (0..6).map(is).collect::<Vec<_>>();
         assert_eq!(each(&|i| room.is_zero(i)), [false, true, true, true, true, false]);

@@ -390,7 +390,7 @@ mod tests {
     use crate::numeric::polynomial::value;
 
     #[test]
-    fn nodes_stand_where_the_physics_needs_them() {
+    fn nodes_lie_at_all_required_positions() {
         let model = Model::new(
             Beam::uniform(10.0, 1.0).with_segment(2.0, 4.0, 5.0),
             Foundation::winkler(1.0).with_segment(-5.0, 3.0, 7.0, 2.0),
@@ -408,7 +408,7 @@ mod tests {
     }
 
     #[test]
-    fn what_varies_is_cut_finer_where_it_is_small() {
+    fn cells_are_shorter_where_the_stiffness_is_small() {
         let thousandfold = Profile::linear(1.0, 1000.0);
         let ground = Foundation::winkler(1.0).with_varying_segment(
             -1.0,
@@ -431,7 +431,7 @@ mod tests {
     }
 
     #[test]
-    fn places_that_differ_by_rounding_are_one() {
+    fn positions_that_differ_by_rounding_share_a_node() {
         let model = Model::new(Beam::uniform(1.0, 1.0), Foundation::winkler(1.0))
             .with_load(Load::point_force(0.3, 1.0))
             .with_load(Load::point_force(0.1 + 0.2, 1.0));

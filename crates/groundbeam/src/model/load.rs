@@ -260,7 +260,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn only_loads_that_mean_something_can_be_made() {
+    fn only_existing_types_of_load_are_constructed() {
         let point = Extent::Point { at: 1.0, size: 2.0 };
         let stretch = Extent::Distributed { from: 0.0, to: 1.0, start: 2.0, end: 3.0 };
         assert_eq!(Load::new(Action::Force, point, true), Some(Load::ground_force(1.0, 2.0)));
@@ -272,7 +272,7 @@ mod tests {
     }
 
     #[test]
-    fn a_mirrored_moment_turns_the_other_way() {
+    fn a_mirrored_moment_has_the_opposite_sign() {
         let spread = Load::distributed_moment(1.0, 2.0, 3.0, 4.0).mirrored(10.0);
         assert_eq!(spread, Load::distributed_moment(8.0, 9.0, -4.0, -3.0));
         assert_eq!(Load::point_force(1.0, 3.0).mirrored(10.0), Load::point_force(9.0, 3.0));

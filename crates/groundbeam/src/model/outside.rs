@@ -86,7 +86,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_ground_goes_on_until_a_segment_says_otherwise() {
+    fn the_ground_continues_until_a_segment_begins() {
         let mut ground = Foundation::pasternak(1.0, 2.0)
             .with_segment(-1.0, 3.0, 5.0, 6.0)
             .with_segment(-7.0, -4.0, 8.0, 9.0)

@@ -226,7 +226,7 @@ mod tests {
     use crate::numeric::polynomial::value;
 
     #[test]
-    fn a_part_of_a_curve_is_the_curve() {
+    fn a_part_of_a_profile_keeps_its_values() {
         let curve = Profile::by_control_values(&[3.0, 1.0, 4.0, 1.0, 5.0, 9.0]).expect("a curve");
         let part = curve.part(0.2, 0.7);
         let course = curve.on([1.0, 3.0], [1.4, 2.4]);
@@ -242,7 +242,7 @@ mod tests {
     }
 
     #[test]
-    fn products_are_products() {
+    fn a_product_has_the_product_of_the_values() {
         let (a, b) = (Profile::linear(2.0, 3.0), Profile::linear(5.0, 1.0));
         let product = a.times(&b).and_then(|p| p.times(&b)).expect("a product");
         for t in [0.0, 0.25, 0.9, 1.0] {

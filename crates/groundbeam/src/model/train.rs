@@ -161,7 +161,7 @@ mod tests {
     use crate::{Beam, Foundation};
 
     #[test]
-    fn what_is_off_the_beam_carries_nothing() {
+    fn loads_outside_the_beam_are_omitted() {
         let beam = Model::new(Beam::uniform(10.0, 1.0), Foundation::winkler(1.0));
         let train = Train {
             axles: vec![Axle { behind: 0.0, force: 2.0 }, Axle { behind: 3.0, force: 4.0 }],
@@ -178,7 +178,7 @@ mod tests {
     }
 
     #[test]
-    fn an_axle_at_a_mark_stands_exactly_there() {
+    fn an_axle_within_rounding_of_a_mark_is_placed_at_the_mark() {
         let third = 1.0 / 3.0;
         let beam = Model::new(Beam::uniform(1.0, 1.0), Foundation::winkler(1.0))
             .with_load(Load::point_force(third, 1.0));

@@ -193,7 +193,7 @@ mod tests {
 
     /// The closed form agrees with the power series about the middle of the element.
     #[test]
-    fn two_series_are_one_beam() {
+    fn the_closed_form_agrees_with_the_power_series() {
         let h = 0.7;
         let cell = Cell {
             beam_shear: None,

@@ -304,7 +304,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn any_guess_finds_the_first() {
+    fn the_search_succeeds_from_any_guess() {
         for most in 0..40 {
             for first in 0..=most {
                 for guess in 0..=most {

@@ -55,7 +55,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn one_exponential_is_enough() {
+    fn the_form_with_one_exponential_agrees_with_the_two_port() {
         let layer = Layer { stiffness: 1.0, rate: 2.0 };
         for bh in [1e-12, 1e-6, 0.3, 0.999, 1.0, 5.0, 300.0] {
             let (ours, link) = (layer.open(0.5 * bh), TwoPort::uniform(2.0, 0.5, 0.5 * bh));

@@ -77,7 +77,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn grids_fall_off_fast_down_to_a_few_elements_a_wave() {
+    fn element_counts_decrease_to_a_few_elements_per_wave() {
         for (elements, waves) in [(1e6, 100.0), (1e4, 100.0), (100.0, 3.0), (100.0, 1e4)] {
             let coarser = coarser(elements, waves);
             let steps = [elements].into_iter().chain(coarser.iter().copied()).zip(&coarser);

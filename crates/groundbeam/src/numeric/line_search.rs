@@ -50,7 +50,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_full_step_is_kept_and_an_overshoot_is_not() {
+    fn full_steps_are_accepted_and_overshoots_are_shortened() {
         assert_eq!(settle(1.0, |t| t - 1.0), 1.0);
         // Φ = (t − ¼)²/2 has its minimum at ¼, Φ = (t − 6)²/2 at 6.
         for least in [0.25, 6.0] {

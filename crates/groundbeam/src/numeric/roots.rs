@@ -139,7 +139,7 @@ mod tests {
     use crate::numeric::polynomial::product;
 
     #[test]
-    fn zeros_in_a_circle() {
+    fn zeros_inside_a_circle() {
         // (s − 3)²(s + 4) = 36 − 15 s − 2 s² + s³.
         let c = [36.0, -15.0, -2.0, 1.0, 0.0];
         assert!(is_free_of_zeros(&c, 2.999) && !is_free_of_zeros(&c, 3.001));

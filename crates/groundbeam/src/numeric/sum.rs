@@ -58,7 +58,7 @@ mod tests {
     /// Neumaier's sum keeps terms that a plain sum loses. A plain sum loses a hundredth of 2⁻⁵² in each
     /// addition to 1.
     #[test]
-    fn sums_are_right_to_the_last_bit() {
+    fn sums_are_exact_to_the_last_bit() {
         let small = 0.01 * f64::EPSILON;
         let many = vec![small; 400];
         let exact = 1.0 + 4.0 * f64::EPSILON;
@@ -74,7 +74,7 @@ mod tests {
 
     /// A sum below 8 ε times the absolute values is rounding error and becomes 0.
     #[test]
-    fn zero_is_told_from_rounding_by_the_sizes() {
+    fn sums_within_rounding_error_become_zero() {
         let eps = f64::EPSILON;
         let of = |sum: f64| Sum { sum, compensation: 0.0, size: 2.0 };
         for (value, zero) in [(16.0 * eps, true), (17.0 * eps, false), (0.0, true), (1.0, false)] {

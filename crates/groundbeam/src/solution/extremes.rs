@@ -87,7 +87,7 @@ mod tests {
     /// Compares the ranges of all fields with values at a thousand points of each piece, for a beam with
     /// loads, an open part and a stiff part.
     #[test]
-    fn nothing_exceeds_a_range_and_ranges_are_reached() {
+    fn ranges_are_bounds_and_are_attained() {
         let (mut solver, mut solved) = (Solver::new(), 0);
         for i in 0..60 {
             let part = |j: u32| f64::from((i * (2 * j + 7) + 3 * j) % 23) / 23.0;
@@ -196,7 +196,7 @@ mod tests {
 
     /// Ends whose values differ only in the last bits are compared by the values in results.
     #[test]
-    fn ends_within_rounding_of_the_least_are_seen_exactly() {
+    fn ends_within_rounding_error_are_compared_exactly() {
         // 0.1 + 0.2 + 0.3 has another rounding than 0.3 + 0.2 + 0.1.
         let of = |from: f64, c: &[f64]| {
             let mut of = piece([from, from + 1.0]);
@@ -228,7 +228,7 @@ mod tests {
     }
 
     #[test]
-    fn rotations_of_a_beam_that_shears_are_its_own() {
+    fn a_timoshenko_beam_has_the_range_of_its_own_rotation() {
         let mut bends = piece([0.0, 4.0]);
         // w′ = s + s² has its minimum −1/4 at s = −1/2 and its maximum 2 at the right end.
         bends.deflection = [0.0, 0.0, 1.0, 2.0 / 3.0][..].into();
@@ -243,7 +243,7 @@ mod tests {
     }
 
     #[test]
-    fn a_beam_without_stretches_has_ranges_of_zero() {
+    fn a_beam_without_pieces_has_ranges_of_zero() {
         let none = Extreme { x: 0.0, value: 0.0 };
         assert_eq!(candidate(vec![]).range(Field::Moment), Range { min: none, max: none });
     }

@@ -182,7 +182,7 @@ mod tests {
     }
 
     #[test]
-    fn a_beam_that_does_not_shear_lists_no_rotation() {
+    fn a_beam_without_shear_deformation_lists_no_rotation() {
         let beam = Beam::uniform(1.0, 1.0);
         let listed: Vec<Field> = Field::of(&beam).collect();
         assert_eq!(listed.len(), 7);

@@ -299,7 +299,7 @@ mod tests {
     }
 
     #[test]
-    fn a_cancelled_solve_gives_no_answer() {
+    fn a_cancelled_solve_returns_no_solution() {
         for method in Method::ALL {
             let options = Options { method, cancel: cancelled(), ..Options::default() };
             assert_eq!(solve_with(&long(), &options).err(), Some(Error::Cancelled), "{method:?}");
@@ -332,7 +332,7 @@ mod tests {
 
     /// Each loop stops within one step, long before the end of the solve.
     #[test]
-    fn every_loop_looks_at_the_flag() {
+    fn every_loop_checks_the_flag() {
         let (model, never, now) = (long(), Cancel::default(), cancelled());
         let grid = Grid::new(&model, 100, Ground::Nodal);
         let sweeps = |cancel| uzawa::solve(&grid, Relaxation::Diagonal, true, 3, cancel);

@@ -92,7 +92,7 @@ mod tests {
     use crate::numeric::tolerance::same_place;
 
     #[test]
-    fn a_place_repeats_within_rounding() {
+    fn equal_positions_are_found_within_rounding() {
         let positions = [0.3, 0.0, 0.1 + 0.2, -0.0, f64::NAN, f64::NAN, 0.4, 0.3];
         let found: Vec<_> = repeated(positions.into_iter(), same_place(1.0)).collect();
         assert_eq!(found, [None, None, Some(0), Some(1), None, None, None, Some(0)]);
@@ -101,7 +101,7 @@ mod tests {
     }
 
     #[test]
-    fn each_stretch_that_begins_in_another_is_found() {
+    fn overlapping_stretches_are_found() {
         let nan = f64::NAN;
         let stretches = [(3.0, 5.0), (0.0, 2.0), (4.0, 9.0), (2.0, 3.0), (6.0, 7.0), (nan, 1.0)];
         assert_eq!(overlapping(&stretches), [(2, 0), (4, 2)]);

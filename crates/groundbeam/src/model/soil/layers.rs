@@ -188,7 +188,7 @@ mod tests {
 
     /// One layer divided into three has the same k and μ.
     #[test]
-    fn cut_layers_are_the_same_soil() {
+    fn divided_layers_are_the_same_soil() {
         let part = |thickness: f64| SoilLayer { modulus: 5.0, poisson: 0.3, thickness };
         let whole = LayeredSoil { layers: vec![part(3.0)] };
         let cut = LayeredSoil { layers: vec![part(0.01), part(2.0), part(0.99)] };
@@ -201,7 +201,7 @@ mod tests {
 
     /// Under uniform pressure the layers are springs in series; both branches of the integrals agree.
     #[test]
-    fn springs_in_a_row() {
+    fn layers_are_springs_in_series() {
         let layers = [(2.0, 1.0), (7.0, 0.5), (1.0, 3.0)].map(|(modulus, thickness)| SoilLayer {
             modulus,
             poisson: 0.0,
@@ -220,7 +220,7 @@ mod tests {
 
     /// k + rμ equals −E₀φ' at the surface: the strain energy equals the work of the load.
     #[test]
-    fn energy_is_work() {
+    fn the_strain_energy_equals_the_work_of_the_load() {
         let layers = [(2.0, 0.1, 1.0), (70.0, 0.4, 0.5), (1.0, 0.2, 3.0)]
             .map(|(modulus, poisson, thickness)| SoilLayer { modulus, poisson, thickness });
         let soil = LayeredSoil { layers: layers.to_vec() };

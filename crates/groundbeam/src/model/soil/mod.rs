@@ -141,7 +141,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn short_beams_and_wide_plates_are_doubted() {
+    fn short_beams_and_wide_plates_give_warnings() {
         let beam = |stiffness| Beam::uniform(5.0, stiffness);
         let on = |soil| SoilModel::new(soil, 1.0);
         let vesic = || on(Soil::Vesic(Elastic { modulus: 20e6, poisson: 0.3 }));
