@@ -1,12 +1,12 @@
 //! Proves the solutions of all models under `cases/` and of the first frozen models of each family, in
-//! comparison with today's certificate.
+//! comparison with the certificate.
 //!
 //! ```text
 //! … --example proofs -- [--most N] [NAME …]
 //! ```
 //!
 //! A name is a part of a case's path or a family. For each model the gap relative to the strain energy is
-//! printed: the gap of the certificate, and the proven gaps in numbers of 106, 53 and plain 53 bits.
+//! printed: the gap of the certificate, and the gaps of the proof in `Wide`, `Ball` and `f64`.
 
 use groundbeam::proof::{Ball, Proof, Scalar, Wide, prove};
 use groundbeam::{Model, Outcome, Solution, solve};

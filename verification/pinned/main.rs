@@ -40,7 +40,8 @@ const FAMILIES: [Family; 20] = [
 
 /// Number of models of every family that are frozen.
 const FIRST: u64 = 200;
-/// Number of models of every family that are frozen with the fields at every position; the named ones are too.
+/// Number of models of every family that are frozen with the fields at every position. The models in `NAMED`
+/// also have these fields.
 const IN_FULL: u64 = 40;
 
 /// Models of each family to which measurements, documents or tests refer by number.

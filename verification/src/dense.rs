@@ -104,7 +104,8 @@ impl Dense {
         })
     }
 
-    /// K W + p = F with (G p − w)ᵢ = 0 on the set and p = 0 elsewhere; `None` if a sign condition fails.
+    /// Solves K W + p = F with (G p − w)ᵢ = 0 on the set and p = 0 elsewhere. Returns w and p; `None` if a
+    /// sign condition fails.
     fn with_contact(&self, touching: &[usize]) -> Option<(Vec<f64>, Vec<f64>)> {
         let (n, m) = (self.load.len(), touching.len());
         let mut a = vec![vec![0.0; n + m + 1]; n + m];

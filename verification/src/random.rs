@@ -48,7 +48,7 @@ pub enum Family {
     Beside = 16,
     /// As `Beside`, with loads on the ground, under the beam and outside it.
     Neighbours = 17,
-    /// Beams with shear flexibility from negligible to dominant, with features of all other families.
+    /// Beams with shear deformation from negligible to dominant, with features of all other families.
     Shearing = 30,
     /// All features except tension, under a compression at which the beam is stable only with the ground.
     Compressed = 21,

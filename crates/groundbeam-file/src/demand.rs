@@ -105,7 +105,8 @@ settlement = \"20 mm\"
     fn recorded_signs_agree_with_the_reader() {
         let mut keys = BTreeSet::new();
         let mut wrong = BTreeSet::new();
-        // If a layer must not end inside the beam, μ = 0 is rejected there; another file accepts it.
+        // A file may reject μ = 0 because its shear layer would end inside the beam. Then another file
+        // accepts μ = 0.
         let (mut may_be_zero, mut was_zero) = (BTreeSet::new(), BTreeSet::new());
         for (text, folder) in files() {
             let Ok(document) = crate::parse_beside(&text, &folder) else { continue };

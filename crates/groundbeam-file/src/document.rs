@@ -76,8 +76,8 @@ pub struct Quantity {
     pub number: Range<usize>,
     /// Byte range of the number and the unit, without quotes.
     pub text: Range<usize>,
-    /// The decimal number and the unit that mean the same as a length in feet and inches or with a fraction;
-    /// `None` for a number that another number may replace.
+    /// For a length in feet and inches or with a fraction, the equal decimal number and its unit; `None` for
+    /// a decimal number.
     pub decimal: Option<(f64, &'static str)>,
     /// Factor of the unit in SI units; 1 without a unit.
     pub unit: f64,

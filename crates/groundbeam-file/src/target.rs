@@ -156,8 +156,8 @@ impl Along<'_> {
         self.shape.stretches(self.values.len())
     }
 
-    /// The profile on one of `count` equal stretches. `count` is its own number of stretches, or any number
-    /// if it has one stretch.
+    /// The profile on one of `count` equal stretches. `count` equals the number of stretches of these values;
+    /// values with one stretch allow any number.
     fn on(self, stretch: usize, count: usize) -> Profile {
         let own = self.stretches();
         if own == count {

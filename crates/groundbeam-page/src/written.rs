@@ -18,7 +18,7 @@ pub struct Number {
     to: usize,
     /// The unit after the number, as written.
     unit: String,
-    /// For a length as `1'-6"`, the decimal number and the unit that mean the same.
+    /// For a length such as `1'-6"`, the equal decimal number and its unit.
     #[serde(skip_serializing_if = "Option::is_none")]
     decimal: Option<(f64, &'static str)>,
     /// Factor of the unit in SI units.

@@ -29,8 +29,8 @@ impl<S: Scalar> Balance<'_, S> {
         pieces.map(of).sum()
     }
 
-    /// ‖Gδp‖²: δp = λp̄ with |λ| ≤ γ, and the kernel of G is positive. In a layer ⟨δp, Gδp⟩ ≤ Σγ²∫p̄ Gp̄ with
-    /// Gp̄ ≤ û + |c| + √g‖ū − G(p̄ + q)‖; on Winkler ground it is ∫(δp)²/k.
+    /// A bound of ‖Gδp‖², with δp = λp̄ and |λ| ≤ γ. The kernel of G is positive. In a layer ⟨δp, Gδp⟩ ≤
+    /// Σγ²∫p̄ Gp̄ with Gp̄ ≤ û + |c| + √g‖ū − G(p̄ + q)‖; on Winkler ground it is ∫(δp)²/k.
     pub fn ground(&self, balanced: &Balanced<S>, deflection: &Deflection<S>, missed: Size) -> Size {
         let mut sum = Size::ZERO;
         for (i, span) in self.frame.spans.iter().enumerate().filter(|(_, span)| span.touches) {

@@ -169,8 +169,8 @@ impl<S: Scalar> Contact<'_, S> {
         // The piece of the region at this end.
         let i = if side == 0 { node } else { node - 1 };
         let span = &self.fields.frame.spans[i];
-        // On a beam with shear deformation, the error of the slope may exceed the bound that holds without
-        // the contact set.
+        // On a beam with shear deformation, one bound of the open length holds without the contact set. It
+        // may be smaller than the bound that follows from the slope.
         let shears = self.fields.frame.shears();
         let rough = if shears { self.opened_at(i, side) } else { None };
         let mut most = rough.unwrap_or(Size::INFINITE);

@@ -137,7 +137,7 @@ fn search<'a, S: Scalar>(
 }
 
 impl<S: Scalar> Search<'_, S> {
-    /// The intervals; adjacent ones are merged.
+    /// The intervals that may contain the extreme, from left to right; adjacent intervals are merged.
     fn places(&self, patches: &Patches<S>) -> Vec<[f64; 2]> {
         let frame = self.fields.frame;
         let mut found: Vec<[f64; 2]> = Vec::new();

@@ -125,7 +125,7 @@ pub(crate) struct Held<S> {
 pub(crate) struct Frame<S> {
     pub spans: Vec<Span<S>>,
     pub nodes: Vec<Node<S>>,
-    /// The supports of the model, in its order.
+    /// The supports of the model, in the order of the model.
     pub supports: Vec<Held<S>>,
     /// The tension P; none if it is zero.
     pub tension: Option<S>,

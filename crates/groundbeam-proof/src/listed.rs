@@ -18,19 +18,19 @@ const NEAR: f64 = 16.0 * f64::EPSILON;
 /// Number of listed numbers that were compared, by kind.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Checked {
-    /// Places at which the fields are listed.
+    /// Number of places at which the fields are listed.
     pub stations: usize,
-    /// Values at all stations.
+    /// Number of values at all stations.
     pub values: usize,
-    /// Pressures in intervals that contain an edge, where no bound is proven.
+    /// Number of pressures in intervals that contain an edge, where no bound is proven.
     pub at_edges: usize,
-    /// Extremes.
+    /// Number of extremes.
     pub extremes: usize,
-    /// Regions and points of contact.
+    /// Number of regions and points of contact.
     pub regions: usize,
-    /// Concentrated forces, including those under the ends.
+    /// Number of concentrated forces, including those under the ends.
     pub forces: usize,
-    /// Error bounds that the document claims.
+    /// Number of error bounds that the document claims.
     pub bounds: usize,
 }
 

@@ -22,7 +22,7 @@ impl<S: Scalar> Span<S> {
 impl<S: Scalar> Layer<'_, S> {
     /// Sets ū on a stretch in which k or μ varies: the stored settlement û with the values at the nodes. Its
     /// residual is ρ = kû − (μû′)′ − q along the pieces, and the jump r of the flux at open nodes. It adds at
-    /// most (Σ∫ρ²/k)^½ + Σ|r|√g to the bound (K10).
+    /// most (Σ∫ρ²/k)^½ + Σ|r|√g to Ḡ of (11).
     pub(crate) fn as_stored(&self, pieces: Range<usize>, surface: &mut Surface<S>) {
         let mut missed = Size::ZERO;
         for i in pieces.clone() {

@@ -46,7 +46,8 @@ impl<S: Scalar> Pointwise<'_, S> {
         }
     }
 
-    /// kε_u + a[|S′|ε_φ + Sε_κ + |r| + |η′|], and |a′|(S + P) = |μ′ − aS′|.
+    /// The two parts of the bound of (1 + a)(p − p*): kε_u + a[|S′|ε_φ + Sε_κ + |r| + |η′|], and the factor
+    /// |a′|(S + P) = |μ′ − aS′| of the error of the slope.
     fn parts_of_pressure(
         &self,
         i: usize,

@@ -25,7 +25,8 @@ impl Sizes {
         let force = load_size(model) + reactions.sum::<f64>();
         let length = model.beam.length;
         let deflection = largest(Field::Deflection).max(largest(Field::Settlement));
-        // Moments that cancel each other give no contact pressure; the subgrade k bounds it.
+        // Moments that cancel each other cause no contact pressure, but their force is large. The pressure is
+        // at most k times the deflection.
         let (subgrade, _) = model.foundation.largest();
         let pressure = (force / length).min(subgrade * deflection);
         Sizes { length, force, deflection, pressure }

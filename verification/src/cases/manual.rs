@@ -71,7 +71,7 @@ fn chapter(text: &mut String, folder: &str, cases: &[&Case]) {
     text.push_str(&numbers);
 }
 
-/// The bound that the largest relative gap of the solutions keeps.
+/// An upper bound of the largest relative gap of the solutions.
 fn largest_gap(answers: &Answers) -> String {
     let gaps = answers.solutions().into_iter().map(|found| found.certificate().relative_gap());
     match gaps.reduce(f64::max) {

@@ -115,7 +115,7 @@ impl Whole {
         if let (Stiffness::NotGiven | Stiffness::Half(..), Some(last)) = (&stiffness, rightmost)
             && cover(length, stretches.iter().copied())
         {
-            // The segments cover the beam, so the constants only need allowed values.
+            // The segments cover the whole beam, so the constants apply nowhere. They must only be valid.
             reader.place(table, name, &Field::unreadable(0..0));
             return (last.stiffness.end(), last.second.map(|second| second.end()));
         }

@@ -27,7 +27,8 @@ pub(crate) struct TooMany;
 pub(crate) struct Made {
     /// Its name, such as `6.10: 1.35 G + 1.5 Q + 0.9 W`.
     pub name: String,
-    /// Indices of cases with their nonzero factors, in the order of the name.
+    /// Indices of the load cases with a nonzero factor, each with its factor, in the order in which the name
+    /// lists them.
     pub factors: Vec<(usize, f64)>,
     pub limit_states: LimitStates,
 }

@@ -141,7 +141,7 @@ impl Reader<'_> {
         }) {
             return Ok((Unit::ONE, Unit::ONE.times(unit(known), power)));
         }
-        // `k` alone is not the force in a word of a force and a length.
+        // In a word such as `kNm`, the letter `k` alone is not the force.
         for (i, _) in word.char_indices().skip(1).filter(|(i, _)| !word[..*i].eq("k")) {
             let halves = symbol::look_up(&word[..i]).zip(symbol::look_up(&word[i..]));
             if let Some((force, length)) = halves

@@ -15,7 +15,7 @@ use crate::scalar::Scalar;
 use crate::size::Size;
 use crate::test_functions::kink;
 
-/// Checks K² of (11) for z = t(1 − t/h)² with springs where z and z′ are largest.
+/// Checks K² of section 4 for z = t(1 − t/h)² with springs where z and z′ are largest.
 #[test]
 fn the_energy_of_test_functions_is_bounded() {
     let mut random = numbers();
@@ -38,7 +38,7 @@ fn the_energy_of_test_functions_is_bounded() {
     }
 }
 
-/// Checks K² of (11) for z = the distance to one side of a place, at the inner end of each piece.
+/// Checks K² of section 4 for z = the distance from x to one side, with x at the inner end of each piece.
 #[test]
 fn the_energy_of_linear_test_functions_is_bounded() {
     let mut random = numbers();
@@ -87,7 +87,8 @@ fn the_energy_of_linear_test_functions_is_bounded() {
     }
 }
 
-/// A random error e = ∫e_φ + ∫γ on 0 ≤ x ≤ h: its values on a grid, and s and s_γ.
+/// A random error e with e′ = e_φ + γ on 0 ≤ x ≤ h. Returns its values on a grid, and the norms s =
+/// (∫e_φ′²)^½ and s_γ = (∫γ²)^½.
 fn random_error(random: &mut impl FnMut() -> f64, h: f64, slides: bool) -> (Vec<f64>, [f64; 2]) {
     let step = h / COUNT as f64;
     let bent = [random(), random(), random(), random()].map(|c| c * 3.0);

@@ -46,7 +46,7 @@ fn flexibility(frame: &Frame<Ball>, ground: &[Stretch], node: usize) -> f64 {
     1.0 / (left + right)
 }
 
-/// Checks (5) of docs/proof.md: a residual force r has the energy r²g on open ground. A node that is held
+/// Checks (4a) of docs/proof.md: a residual force r has the energy r²g on open ground. A node that is held
 /// above the ground needs the tensile force r = w/g.
 #[test]
 fn the_energy_of_a_residual_force_is_bounded() {

@@ -32,8 +32,8 @@ impl<S: Scalar> Shear<S> {
         Shear { given: self.given.between(way), ..self.clone() }
     }
 
-    /// The shear stiffness of a table. `modulus` has E of the table and of the whole beam on the table's
-    /// stretch, and `shape` is the section of the table.
+    /// The shear stiffness of a table. `modulus` has two values of E on the stretch of the table: the value
+    /// of the table, and the value of the whole beam. `shape` is the section of the table.
     pub fn read(
         fields: &mut Fields,
         section: Section,

@@ -5,7 +5,7 @@ use super::{Along, ByName, Lines};
 use groundbeam::design::{LimitState, LimitStates};
 use serde::Serialize;
 
-/// `G` tells what governs at a position, `E` holds the extremes of a field.
+/// `G` is the governing answer at a position, `E` the extremes of a field.
 #[derive(Serialize)]
 #[serde(bound(serialize = "Lines<G>: Serialize, E: Serialize"))]
 pub(super) struct Enveloped<G, E> {

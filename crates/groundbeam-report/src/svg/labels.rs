@@ -192,7 +192,7 @@ impl<'m> Labels<'m> {
             is_inside
                 && !self.solid.near(label.left, label.right).any(|solid| label.overlaps(solid))
         };
-        // One more candidate costs less than crossing a line, but many cost more.
+        // The cost of a crossed line equals that of eight later candidates.
         let cost = |(i, place): &(usize, &Place)| {
             let label = around(place);
             let lines = self.lines.near(label.left, label.right);

@@ -152,7 +152,7 @@ mod tests {
         assert!((2.0 * middle - heights(&view)[0] - heights(&view)[1]).abs() < 1e-9);
         let right = at(at(beam(), 0.0), 4.0).with_load(Load::point_moment(2.0, 9.0));
         assert!(heights(&drawn(&right))[1] > heights(&drawn(&right))[0]);
-        // The transform lowers one end by as much as it has risen over the other.
+        // The transform reverses the motion: it lowers the risen end and leaves the other end in place.
         assert!(view.svg.contains(r#"data-still="matrix(1, "#), "{}", view.svg);
     }
 

@@ -4,7 +4,7 @@ use super::COLUMNS;
 use super::sheet::Sheet;
 use crate::quantity::{Kind, Unit, Units};
 
-/// The columns of [`COLUMNS`] behind a first column of words.
+/// A first column of words, followed by the columns of [`COLUMNS`].
 pub(super) struct Columns {
     units: [Unit; 4],
     first: usize,

@@ -76,7 +76,7 @@ fn follows_solution(answer: &Answer) -> bool {
     answer.ground.as_ref().is_some_and(Ground::follows_solution)
 }
 
-/// The models of all solutions, if each ground depends on its solution.
+/// The models of all solutions, if the ground constants depend on the solution; otherwise `None`.
 pub(crate) fn used_models(answers: &Answers) -> Option<Vec<&Model>> {
     let models: Vec<&Model> = answers.solved().map(|(_, solution)| solution.model()).collect();
     (!models.is_empty() && answers.list.iter().any(follows_solution)).then_some(models)

@@ -24,7 +24,7 @@ impl Borrow<Section> for Position {
     }
 }
 
-/// Data of a position that the envelope needs in addition to its solution.
+/// Data of a train position for the envelope, in addition to the solution at this position.
 #[derive(Debug, Clone)]
 pub(crate) struct Section {
     /// Position of the first axle \[m\].

@@ -29,8 +29,8 @@ const MOST: usize = 20_000;
 /// An interval between two neighbouring positions.
 #[derive(Debug, Clone, Copy)]
 struct Between {
-    /// Amount by which its middle, or the middle of the interval that contains it, exceeded the envelope of
-    /// each field.
+    /// The interval is one half of a previous interval. The amount by which the values in the middle of the
+    /// previous interval exceeded the envelope of each field; infinite if there is no previous interval.
     error: ByField<f64>,
     open: bool,
 }

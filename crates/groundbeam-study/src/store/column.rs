@@ -224,8 +224,8 @@ fn foreign() -> ParquetError {
 mod tests {
     use super::*;
 
-    /// The levels of the format's own example of nested lists, reduced to one list: a list, an empty list,
-    /// and no list.
+    /// Levels of a list, an empty list and a missing list. The example is that of the format, with one level
+    /// of nesting.
     #[test]
     fn levels_of_lists() {
         let lists = [Some(&[1.0, 2.0][..]), Some(&[]), None, Some(&[3.0])];

@@ -98,7 +98,7 @@ struct Search<'a, 'm> {
     visited: Vec<Visited>,
     /// The deflection from which the next step starts.
     now: Option<Rc<ContactState>>,
-    /// The last two moves of the contact and the least move, relative to the length.
+    /// Moves of the contact, relative to the length: the last but one, the last, and the least of all.
     before: f64,
     moved: f64,
     least: f64,

@@ -104,8 +104,8 @@ pub(crate) fn solve(
     }
 }
 
-/// The mesh of a grid with a cell between each two successive ones of the given nodes. They include all nodes at the
-/// ends of runs.
+/// The mesh of a grid with one cell between any two neighbours of the given nodes. The given nodes include
+/// all ends of runs.
 pub(crate) fn mesh(grid: &Grid, ends: &[usize]) -> Mesh {
     let cells = ends.windows(2).map(|ends| {
         let run = &grid.runs[grid.run_at(ends[0])];
@@ -150,7 +150,8 @@ fn index(ends: &[usize], node: usize) -> usize {
     ends.partition_point(|end| *end < node)
 }
 
-/// Coefficients of w in each cell, and of the rotation of the cross-sections if the beam has shear flexibility.
+/// Coefficients of w in each cell, and of the rotation of the cross-sections if the beam has shear
+/// deformation.
 fn deflections(
     grid: &Grid,
     mesh: &Mesh,
@@ -207,7 +208,7 @@ fn deflections(
             }
         });
     }
-    // Rotation in the cells without shear flexibility.
+    // Rotation in the cells without shear deformation.
     let unset = turns.chunks_exact_mut(TERMS).zip(w.chunks_exact(TERMS)).zip(&mesh.cells);
     for ((turns, w), cell) in unset.filter(|(_, cell)| cell.beam_shear.is_none()) {
         let rotation = turned(cell, w);

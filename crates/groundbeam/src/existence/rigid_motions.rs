@@ -322,10 +322,12 @@ mod tests {
         for x in [4.0 - 2.0 * f64::EPSILON, 4.0, 4.0 + 4.0 * f64::EPSILON] {
             let found = Mechanism::of(&beam(&[4.0]).with_support(Support::pinned(x)));
             assert_eq!(groups(&found), [[0, 1], [2, 3]], "{x}");
-            // Held at 7 too, the right piece has two held places; the left one rotates about the hinge.
+            // With a further support at 7, the right piece has two held places; the left piece rotates about
+            // the hinge.
             assert_eq!(found.first_free_piece(&[7.0]), Some([0.0, 4.0]), "{x}");
             assert_eq!(found.first_free_piece(&[1.0, 7.0]), None, "{x}");
-            // The left piece is held at 1 and at the hinge; the right one then only at its hinge.
+            // With a further support at 1, the left piece has two held places. The right piece has one, its
+            // hinge.
             assert_eq!(found.first_free_piece(&[1.0]), Some([4.0, 8.0]), "{x}");
         }
         let left = Mechanism::of(&beam(&[4.0]).with_support(Support::pinned(4.0 - APART)));

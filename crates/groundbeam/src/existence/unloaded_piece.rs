@@ -57,7 +57,7 @@ mod tests {
         };
         let springs = existence(&half(Foundation::winkler(1.0))).verdict;
         assert!(matches!(springs, Verdict::NotUnique(m) if m.lifted == Some([4.0, 4.0])));
-        // The whole load over the hinge: only a shear layer carries it at a point.
+        // The whole load is over the hinge. Only a shear layer carries a load at a point.
         let over = |ground| {
             let mut model = half(ground);
             model.loads = vec![Load::point_force(2.0, 1.0)];
@@ -129,7 +129,8 @@ mod tests {
         }
     }
 
-    /// A loaded piece beside the node presses on its springs, which also carry the force over the node.
+    /// A loaded piece presses on the ground under it. This ground also carries a force over a node of the
+    /// piece.
     #[test]
     fn a_loaded_piece_carries_the_node_beside_it() {
         let springs = Model::new(Beam::uniform(4.0, 1.0), Foundation::winkler(1.0))

@@ -250,8 +250,8 @@ mod tests {
         }
     }
 
-    /// The strap allows the left end to rise to δ. Then the strap holds this end, and only the bearing under
-    /// the right end carries the increase of the force.
+    /// The hold-down allows the left end to rise to δ. Then it holds this end, and only the bearing under the
+    /// right end carries the increase of the force.
     #[test]
     fn a_support_that_the_beam_meets_may_prevent_lift_off() {
         for supports in [
@@ -303,7 +303,7 @@ mod tests {
     }
 
     /// The bearing under the left end is at depth δ = 0.4 and carries (q − kδ) l/4 = 1/2, from moments about
-    /// it. The right end is at δ + 3(q − kδ)/(2k) = 0.7, so a strap at 0.5 has a clearance of 0.2.
+    /// it. The right end is at δ + 3(q − kδ)/(2k) = 0.7, so a hold-down at 0.5 has a clearance of 0.2.
     #[test]
     fn margins_of_a_force_and_of_a_clearance() {
         let model = weighted(RIGID)

@@ -17,8 +17,8 @@ pub(crate) fn edges(model: &Model, cancel: &Cancel) -> Option<Vec<[f64; 2]>> {
     if held || model.varying_part().is_some() {
         return None;
     }
-    // The guess neglects beam shear: elements with shear are power series, which take ten times as long and more
-    // memory.
+    // The guess neglects shear deformation, because elements with shear deformation are power series. Power
+    // series take ten times as long and more memory.
     let model = &Model { beam: model.beam.clone().without_shear(), ..model.clone() };
     if Grid::fewest(model) as f64 > PER_WAVE * MOST_WAVES {
         return None;

@@ -1,7 +1,8 @@
 //! Nodes and elements of the discrete problem, from a model.
 //!
 //! The grid stores runs of equal elements between the places of the model, not single elements. Each element is a run
-//! of its own where EI, k or μ varies, where the beam has shear flexibility, and where loads act on the ground.
+//! of its own where EI, k or μ varies, where the beam has shear deformation, and where loads act on the
+//! ground.
 
 use super::beam::{Beam, REACH};
 use super::form::Form;

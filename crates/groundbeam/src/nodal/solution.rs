@@ -51,7 +51,7 @@ pub struct NodalCheck {
 }
 
 impl NodalCheck {
-    /// Whether no error of equilibrium, tension or penetration exceeds 1e-7.
+    /// Whether the errors of equilibrium, tension and penetration are all at most 1e-7.
     pub fn holds(&self) -> bool {
         let NodalCheck { force_balance, moment_balance, smallest_force, deepest_penetration } =
             *self;

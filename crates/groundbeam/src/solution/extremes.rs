@@ -21,8 +21,8 @@ impl Candidate {
         let mut found: Option<[ValueAt; 2]> = None;
         for (i, (of_piece, piece)) in bounds_of.iter().zip(&self.pieces).enumerate() {
             for (s, end) in [-1.0, 1.0].into_iter().zip(of_piece.ends) {
-                // Values that may be extreme within rounding error are evaluated again, as results evaluate
-                // them.
+                // Values that may be extreme within rounding error are evaluated again, by the function that
+                // results use.
                 if end <= least + 2.0 * rounding || end >= most - 2.0 * rounding {
                     widen(&mut found, ValueAt { piece: i, s, value: piece.one(field, s) });
                 }

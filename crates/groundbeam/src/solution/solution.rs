@@ -99,7 +99,8 @@ impl Solution {
     }
 
     /// Intervals on which rounding error decides between contact and open ground \[m\], from left to right:
-    /// zones without a force, and intervals that come and go in the last steps of the exact method.
+    /// zones without a force, and intervals that are in contact in some of the last steps of the exact method
+    /// and open in others.
     pub fn undecided(&self) -> impl ExactSizeIterator<Item = ContactZone> + '_ {
         self.candidate.edge_error.undecided.iter().map(|&[from, to]| ContactZone { from, to })
     }

@@ -1,4 +1,4 @@
-//! The subgrade stiffness k from a modulus of the soil or from a plate load test.
+//! The spring constant k of the ground from a modulus of the soil or from a plate load test.
 //!
 //! All formulas are correlations for beams on deep soil. k is per length of beam: the subgrade modulus k_s of
 //! the source times the width b. `stiffness` is the beam's EI.
