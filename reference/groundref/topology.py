@@ -27,7 +27,7 @@ def anchors(model):
 
 
 def from_mesh(model, solution, shortest, least):
-    """Runs of contact nodes as a topology."""
+    """The topology whose contact intervals are the runs of contact nodes."""
     x, touching = solution.x, list(solution.touching)
     close_small_openings(model, solution, touching, shortest, least)
     fixed, n = anchors(model), len(x)

@@ -153,7 +153,7 @@ class Checks:
             self.failed.append(f"{name}: {left.str(20)} <= {right.str(20)} does not hold")
 
     def meets(self, name, difference):
-        """A difference that is zero in exact numbers."""
+        """A difference that is zero in exact arithmetic."""
         self.count += 1
         if not difference.contains(0):
             self.failed.append(f"{name}: the difference {difference.str(10)} is not zero")

@@ -35,7 +35,7 @@ def check(r, document):
     force, length = r.units
     in_log = lambda x, f, l: exact(x) / arb(2) ** (f * force + l * length)
     pieces = document.get("pieces") or []
-    r.shows("the document has other pieces than the log", len(pieces) == len(r.pieces))
+    r.shows("the number of pieces differs from the document", len(pieces) == len(r.pieces))
     for i, (piece, claimed) in enumerate(zip(r.pieces, pieces)):
         r.shows(f"the ends of piece {i} differ from the document", all(
             upper(end - in_log(x, 0, 1)) <= NEAR * high(r.x[-1]) for end, x in zip(piece.x, claimed["x"])

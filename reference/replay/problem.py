@@ -57,7 +57,7 @@ class Piece:
         if self.q is not None and not self.layered and not self.spring.even:
             raise NotReplayed("a load on Winkler ground whose k varies")
         if self.q is not None and not all(q >= 0 or q.contains(0) for q in self.ends(self.q)):
-            raise NotReplayed("a load on the ground that lifts it")
+            raise NotReplayed("a load on the ground acts upward")
 
     def fields(self, force):
         """w′, φ, M, V, T = V + Pw′, p, the residual r of (5), and η = S(w′ − φ) − V."""
@@ -128,7 +128,7 @@ class Node:
         if not all(weight >= 0 for weight in self.weights.values()):
             raise NotReplayed("a negative weight")
         if not (self.ground_force >= 0):
-            raise NotReplayed("a load on the ground that lifts it")
+            raise NotReplayed("a load on the ground acts upward")
 
     def towards(self, x):
         """The component of a force or deflection in the direction in which a one-way support acts."""

@@ -57,9 +57,9 @@ def sums(r):
             claimed = sum((support.claimed[j] for support in rigid), arb(0))
             r.meets(f"the reaction at node {i}", claimed * sign - node.reaction[j])
         if node.acts:
-            r.shows(f"the support of one direction at node {i}", [support.acts for support in here] == [node.acts])
+            r.shows(f"the one-way support at node {i}", [support.acts for support in here] == [node.acts])
         elif any(support.acts for support in here):
-            raise NotReplayed("a support of one direction at a node of supports of both")
+            raise NotReplayed("a one-way support shares its node with a two-way support")
 
 
 def errors(r, support):

@@ -29,9 +29,9 @@ def check(r):
 
 
 def nothing(r):
-    """Without the contact set V has no bound."""
+    """Without the contact set the logged bounds of V are infinite."""
     for i, error in enumerate(r.errors):
-        r.shows(f"eps_V on piece {i} has no reason", not error["V"].is_finite())
+        r.shows(f"eps_V on piece {i} is finite without a contact set", not error["V"].is_finite())
 
 
 def final(r, errors):
@@ -67,7 +67,7 @@ def in_rounds(r):
         before, errors = contact, [dict(error) for error in errors]
     r.contact = before
     if before.shown != r.shown[0]:
-        r.shows("the last round is not the contact set", False)
+        r.shows("the last round differs from the contact set", False)
     if before.shown:
         final(r, before.errors)
         return

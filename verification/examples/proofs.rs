@@ -82,7 +82,7 @@ fn main() -> Result<(), String> {
             all.get((part * (all.len().max(1) - 1) as f64) as usize).copied().unwrap_or(f64::NAN)
         };
         println!(
-            "{group:12} proven {proven:4} with bounds {bounded:4} without {not:4} no solution {without:4}; wide/today least {:.1e} median {:.1e} nine tenths {:.1e} most {:.1e}",
+            "{group:12} proven {proven:4} with bounds {bounded:4} without {not:4} no solution {without:4}; wide/certificate least {:.1e} median {:.1e} nine tenths {:.1e} most {:.1e}",
             at(0.0),
             at(0.5),
             at(0.9),

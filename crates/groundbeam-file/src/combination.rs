@@ -242,9 +242,8 @@ impl Document {
             return Ok(Document { recipes, ..self.clone() }.combinations());
         }
         let hint = match names[..] {
-            [] => {
-                "the file asks for no set: [[combination]] with `set = \"EN 1990 6.10\"`".to_owned()
-            }
+            [] => "the file has no set; add a [[combination]] with `set = \"EN 1990 6.10\"`"
+                .to_owned(),
             _ => nearest(wanted, &names),
         };
         Err(unknown(name, format!("the file does not ask for the set `{wanted}`"), hint))

@@ -90,7 +90,7 @@ fn documents_list_the_keys_that_files_may_have() {
         if std::env::var_os("UPDATE_EXPECTED").is_some() {
             fs::write(&path, &made).unwrap();
         } else {
-            assert!(made == text, "{name} lists other keys than\n{made}");
+            assert!(made == text, "the keys of {name} must be\n{made}");
         }
         let mut names: Vec<&str> = tables.iter().map(|table| table.name).collect();
         names.sort_unstable();
