@@ -30,7 +30,7 @@
 //! In a file, either all quantities have a unit or none has. Numbers with units are converted to SI with one
 //! rounding: `"9.3 MPa"` is exactly 9.3e6. Numbers without units form one consistent system.
 //!
-//! Only this crate knows the file format.
+//! Of the crates that solve models, only this one knows the file format.
 
 mod band;
 mod beside;
