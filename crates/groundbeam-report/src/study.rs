@@ -21,13 +21,13 @@ pub struct Study {
     pub dimensions: usize,
     /// Share of the random fields' variance after truncation; `None` without fields.
     pub variance: Option<f64>,
-    /// Samples with a certified result.
+    /// Number of samples with a certified result.
     pub solved: u64,
-    /// Samples without equilibrium.
+    /// Number of samples without equilibrium.
     pub without_equilibrium: u64,
-    /// Samples without a certified result.
+    /// Number of samples without a certified result.
     pub not_converged: u64,
-    /// Samples with an invalid model.
+    /// Number of samples with an invalid model.
     pub wrong: u64,
     /// Largest gap of all certificates, relative to the strain energy.
     pub largest_gap: f64,

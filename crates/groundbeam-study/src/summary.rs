@@ -168,7 +168,7 @@ struct Tally {
     statuses: [u64; Status::ALL.len()],
     happenings: Vec<Happening>,
     samples: u64,
-    /// Samples of a replicate.
+    /// Number of samples of a replicate.
     each: u64,
 }
 

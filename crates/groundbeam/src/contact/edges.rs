@@ -104,7 +104,7 @@ struct Search<'a, 'm> {
     least: f64,
     /// The last move, including shortened steps.
     last: f64,
-    /// Steps in a row without progress.
+    /// Number of consecutive steps without progress.
     stale: usize,
     /// Relative stiffness of the next stabilising springs.
     epsilon: f64,

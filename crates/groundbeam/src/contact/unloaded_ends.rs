@@ -29,8 +29,8 @@ pub(crate) fn loaded_stretch(model: &Model) -> Option<Interval> {
     (to - from < last).then(|| [nodes[from], nodes[to]])
 }
 
-/// Whether nothing acts on the beam between an end and a hinge. A force or a pinned support at the hinge acts on the
-/// other part.
+/// Whether the beam has no load and no support between an end and a hinge. A force or a pinned support at the
+/// hinge acts on the other part.
 fn is_unloaded(model: &Model, end: f64, hinge: f64) -> bool {
     let [from, to] = [end.min(hinge), end.max(hinge)];
     let reaches = |ends: [f64; 2]| ends[0] < to && from < ends[1];

@@ -102,7 +102,8 @@ mod tests {
         Side { coefficients: coefficients.into(), size }
     }
 
-    /// staying + λ·growing on the beam from 1 to 5, with terms of size 1.
+    /// A candidate on the beam from 1 to 5. The absolute values of the terms have the sum 1 in each of its
+    /// two polynomials.
     fn between_1_and_5(staying: &[f64], growing: &[f64]) -> LiftOffCandidate {
         LiftOffCandidate { x: [1.0, 5.0], staying: side(staying, 1.0), growing: side(growing, 1.0) }
     }
@@ -171,7 +172,7 @@ mod tests {
         };
         assert_eq!(grows(2.9).pulled_at(f64::INFINITY), None);
         assert_eq!(grows(3.1).pulled_at(f64::INFINITY), Some(-1.0));
-        // A factor is zero to rounding if λ times 3 is at most 256 ε times 2.
+        // The sums of the terms are 2 and 3. So a factor λ counts as zero if 3λ is at most 256 ε times 2.
         assert!(pulls(0.0).is_nothing(ROUNDING * 0.66));
         assert!(!pulls(0.0).is_nothing(ROUNDING * 0.67));
         // A pressure of zero is not tensile.

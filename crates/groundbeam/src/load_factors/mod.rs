@@ -205,7 +205,7 @@ mod tests {
     }
 
     #[test]
-    fn a_heavy_endless_beam_under_a_force() {
+    fn a_heavy_infinite_beam_under_a_force() {
         // Weitsman (1970): F = 2 e^π q/β lifts the beam off at βx = π to each side.
         let model = Model::new(Beam::uniform(60.0, 1.0), Foundation::winkler(4.0))
             .with_load(Load::uniform_force(0.0, 60.0, 3.0))

@@ -24,11 +24,11 @@ const SLACK: f64 = 1e-14;
 /// Work of a solve, in counts that do not depend on timing.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct Work {
-    /// Bonded solves on all grids.
+    /// Number of bonded solves on all grids.
     pub solves: usize,
-    /// Bonded solves on the required grid.
+    /// Number of bonded solves on the required grid.
     pub fine_solves: usize,
-    /// Elements swept in all solves. A stretch off the ground counts as one.
+    /// Number of elements swept in all solves. A stretch off the ground counts as one.
     pub elements: usize,
     /// Number of grids.
     pub grids: usize,
