@@ -43,7 +43,7 @@ pub(super) fn cell(word: &str) -> String {
         if letters[i] == '-' && after.is_ascii_digit() && !before.is_alphanumeric() {
             printed.push('\u{2212}');
             i += 1;
-        } else if let (true, Some((power, length))) = (before.is_ascii_digit(), power) {
+        } else if let (true, Some((power, length))) = (ends_in_number(&letters[..i]), power) {
             printed += "·10";
             printed += &power;
             i += length;
@@ -53,6 +53,14 @@ pub(super) fn cell(word: &str) -> String {
         }
     }
     printed
+}
+
+/// Whether a word ends in a number. The digits of a digest such as `4e10198` follow a letter.
+fn ends_in_number(letters: &[char]) -> bool {
+    let is_part = |c: &&char| c.is_ascii_digit() || **c == '.';
+    let length = letters.iter().rev().take_while(is_part).count();
+    let before = letters.len().checked_sub(length + 1).map(|i| letters[i]);
+    length > 0 && !before.is_some_and(char::is_alphanumeric)
 }
 
 /// `e-13` at the start as a superscript power, with its length. No further letter may follow.
@@ -93,6 +101,8 @@ mod tests {
             let whole = format!("of 12.5\u{a0}{}, and", unit.replace(' ', "\u{a0}"));
             assert_eq!(words(&said), whole);
         }
+        // The last digits of a digest in hexadecimal digits are no number.
+        assert_eq!(words("SHA-256 1714e4334d4e10198e5"), "SHA-256 1714e4334d4e10198e5");
         // Names and words that look like numbers stay unchanged.
         assert_eq!(words("pile-7 type e4, active-set"), "pile-7 type e4, active-set");
     }
