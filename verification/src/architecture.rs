@@ -1,6 +1,6 @@
 //! The code map, the dependencies of the crates, and the rules of `ARCHITECTURE.md`, read from the sources.
 
-use crate::documents::repository;
+use groundbeam_testing::repository;
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};

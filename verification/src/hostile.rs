@@ -1,7 +1,6 @@
 //! Hostile models and model files: extreme numbers, positions that differ by a rounding error, text with random
 //! changes.
 
-use crate::documents::repository;
 use groundbeam::{
     Beam, Error, Field, Foundation, Hinge, Load, Method, Model, Options, Outcome, Solution,
     Support, exists,
@@ -12,6 +11,7 @@ use groundbeam::{
 };
 use groundbeam_file::UnitSystem;
 use groundbeam_report::{Context, json, text};
+use groundbeam_testing::repository;
 use rand::seq::IndexedRandom;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;

@@ -8,7 +8,6 @@ pub mod claims;
 pub mod convergence;
 pub mod crossing;
 pub mod dense;
-pub mod documents;
 mod element;
 pub mod equations;
 pub mod estimated;

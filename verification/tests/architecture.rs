@@ -1,12 +1,15 @@
 //! Checks the rules of `ARCHITECTURE.md` about the code.
+//!
+//! Claims: `docs/code-map.md`.
 
+use groundbeam_testing::{expect, read, repository};
 use groundbeam_verification::architecture::{Source, crates, map, sources};
-use groundbeam_verification::documents;
 use groundbeam_verification::imports::Imports;
 
 /// Allowed dependencies of each crate within the workspace.
-const ARROWS: [(&str, &[&str]); 13] = [
+const ARROWS: [(&str, &[&str]); 14] = [
     ("groundbeam-proof", &[]),
+    ("groundbeam-testing", &[]),
     ("groundbeam-wasm", &["groundbeam", "groundbeam-file", "groundbeam-proof"]),
     ("groundbeam", &["groundbeam-proof"]),
     ("groundbeam-file", &["groundbeam"]),
@@ -46,6 +49,7 @@ const ARROWS: [(&str, &[&str]); 13] = [
             "groundbeam-proof",
             "groundbeam-report",
             "groundbeam-run",
+            "groundbeam-testing",
         ],
     ),
 ];
@@ -105,7 +109,7 @@ const NEVER_IN_THE_CORE: [&str; 22] = [
 
 #[test]
 fn the_code_map_is_right() {
-    documents::expect("docs/code-map.md", "code map", &map());
+    expect("docs/code-map.md", "code map", &map());
 }
 
 #[test]
@@ -148,6 +152,33 @@ fn every_file_says_what_it_is_and_is_short() {
         }
     }
     assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
+
+/// Cargo runs only the tests that `tests/main.rs` or `Cargo.toml` names.
+#[test]
+fn every_test_file_is_run() {
+    let mut count = 0;
+    for (folder, _) in crates().into_values() {
+        let tests = repository().join(&folder).join("tests");
+        if !tests.join("main.rs").exists() {
+            continue;
+        }
+        let named =
+            read(&format!("{folder}/tests/main.rs")) + &read(&format!("{folder}/Cargo.toml"));
+        for entry in std::fs::read_dir(tests).expect("the tests") {
+            let path = entry.expect("a file").path();
+            let is_code = path.extension().is_some_and(|extension| extension == "rs");
+            let name = path.file_stem().expect("a name").to_string_lossy();
+            if name == "main" || !is_code && !path.join("mod.rs").exists() {
+                continue;
+            }
+            let lines = [format!("mod {name};\n"), format!("[[test]]\nname = \"{name}\"\n")];
+            let is_named = lines.iter().any(|line| named.contains(line));
+            assert!(is_named, "{folder}/tests/main.rs does not name {name}");
+            count += 1;
+        }
+    }
+    assert!(count > 60, "{count} files of tests");
 }
 
 #[test]

@@ -1,11 +1,13 @@
 //! Checks every model file below `cases/`: its expectations, and two methods against each other.
+//!
+//! Claims: `docs/verification.md`.
 
 use groundbeam::{
     Error, Field, Method, Options, Outcome, Solution, Verdict, solution::Side, solve, solve_with,
 };
+use groundbeam_testing::expect_file;
 use groundbeam_verification::cases::answers::Answers;
 use groundbeam_verification::cases::{Case, all, manual::manual};
-use groundbeam_verification::documents;
 use groundbeam_verification::estimated::estimated_bounds;
 
 fn readable() -> Vec<Case> {
@@ -123,5 +125,5 @@ fn farther_off_than_proven(exact: &Solution, mesh: &Solution) -> Option<String> 
 
 #[test]
 fn the_verification_manual_is_what_the_cases_say() {
-    documents::expect_file("docs/verification.md", &manual(&readable()));
+    expect_file("docs/verification.md", &manual(&readable()));
 }

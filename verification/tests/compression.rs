@@ -1,4 +1,6 @@
 //! Compares compression that the ground helps to carry with closed forms and with a mesh by brute force.
+//!
+//! Claims: `docs/existence.md`.
 
 use groundbeam::{
     Beam, Field, Foundation, Load, Model, Outcome, Solution, Support, Verdict, existence::Local,
@@ -7,14 +9,14 @@ use groundbeam::{
 use groundbeam_verification::random::{self, Family};
 use groundbeam_verification::upheaval::Meshed;
 
-fn compressed(model: &Model, compression: f64) -> Model {
+pub fn compressed(model: &Model, compression: f64) -> Model {
     let mut model = model.clone();
     model.beam.axial_force = -compression;
     model
 }
 
 /// The compression at which the path that starts without compression ends.
-fn critical(model: &Model) -> f64 {
+pub fn critical(model: &Model) -> f64 {
     match exists(model).expect("a verdict").verdict {
         Verdict::Local(local) => local.critical_compression,
         Verdict::Buckles(mode) => mode.critical_compression,
@@ -22,7 +24,7 @@ fn critical(model: &Model) -> f64 {
     }
 }
 
-fn local(model: &Model) -> (Solution, Local) {
+pub fn local(model: &Model) -> (Solution, Local) {
     match solve(model) {
         Ok(Outcome::Equilibrium(solution)) => match solution.existence().verdict {
             Verdict::Local(local) => (*solution, local),
@@ -32,7 +34,8 @@ fn local(model: &Model) -> (Solution, Local) {
     }
 }
 
-fn near(found: f64, wanted: f64, tolerance: f64) {
+#[track_caller]
+pub fn near(found: f64, wanted: f64, tolerance: f64) {
     assert!((found / wanted - 1.0).abs() <= tolerance, "{found} {wanted}");
 }
 

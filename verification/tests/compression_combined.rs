@@ -1,43 +1,15 @@
 //! Compression that the ground helps to carry, on beams with shear deformation and with one-way supports.
+//!
+//! Claims: `docs/existence.md`.
 
+use crate::compression::{compressed, critical, local, near};
 use groundbeam::{
-    Beam, Field, Foundation, Load, Model, Outcome, Solution, Support, Verdict, existence::Local,
-    exists, model::Acts, own_buckling_load, solve,
+    Beam, Field, Foundation, Load, Model, Support, existence::Local, model::Acts, own_buckling_load,
 };
 use groundbeam_verification::linear::Linear;
 use groundbeam_verification::random::{self, Family};
 use groundbeam_verification::upheaval::Meshed;
 use std::f64::consts::PI;
-
-fn compressed(model: &Model, compression: f64) -> Model {
-    let mut model = model.clone();
-    model.beam.axial_force = -compression;
-    model
-}
-
-/// The compression at which the path that starts without compression ends.
-fn critical(model: &Model) -> f64 {
-    match exists(model).expect("a verdict").verdict {
-        Verdict::Local(local) => local.critical_compression,
-        Verdict::Buckles(mode) => mode.critical_compression,
-        other => panic!("{other:?}"),
-    }
-}
-
-fn local(model: &Model) -> (Solution, Local) {
-    match solve(model) {
-        Ok(Outcome::Equilibrium(solution)) => match solution.existence().verdict {
-            Verdict::Local(local) => (*solution, local),
-            other => panic!("{other:?}"),
-        },
-        other => panic!("{other:?}"),
-    }
-}
-
-#[track_caller]
-fn near(found: f64, wanted: f64, tolerance: f64) {
-    assert!((found / wanted - 1.0).abs() <= tolerance, "{found} {wanted}");
-}
 
 /// For w = sin mπx/l, bending and shear act in series, 1/(1/P_E + 1/S) with P_E = EI (mπ/l)² (Engesser 1891), and the
 /// ground in parallel: P = min P_E/(1 + P_E/S) + k l²/(mπ)² + μ.

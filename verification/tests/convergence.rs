@@ -1,7 +1,7 @@
 //! Fits the orders of convergence for edges of contact inside an element. `docs/methods.md` derives them.
 
+use groundbeam_testing::expect_by;
 use groundbeam_verification::convergence::{ELEMENTS, Quantity, errors, kikuchi, order};
-use groundbeam_verification::documents;
 use std::fmt::Write;
 
 /// Smaller errors are rounding.
@@ -41,7 +41,7 @@ fn the_papers_pressures_are_of_first_order_in_forces_and_second_in_deflections()
 
 #[test]
 fn the_tables_in_the_methods_are_these() {
-    documents::expect_by("docs/methods.md", "convergence-dirac", &table(), alike);
+    expect_by("docs/methods.md", "convergence-dirac", &table(), alike);
 }
 
 fn table() -> String {

@@ -1,4 +1,6 @@
 //! Compares derivatives with differences of exact solutions.
+//!
+//! Claims: `docs/derivatives.md`.
 
 use groundbeam::derivatives::{
     Domain, Gradient, LoadNumber, OneSided, Output, Parameter, Property, SupportNumber,

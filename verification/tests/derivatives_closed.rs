@@ -1,4 +1,6 @@
 //! Checks derivatives against closed forms and general theorems, and the refusals.
+//!
+//! Claims: `docs/derivatives.md`.
 
 use groundbeam::derivatives::{
     Domain, LoadNumber, NotDifferentiable, OneSided, Output, Parameter, Property, SupportNumber,

@@ -2,9 +2,10 @@
 
 use groundbeam::Field;
 use groundbeam::supported::{Feature, Way, refusal};
-use groundbeam_verification::architecture::sources;
+use groundbeam_testing::{expect, files, read, repository};
+use groundbeam_verification::architecture::{crates, sources};
 use groundbeam_verification::crossing;
-use groundbeam_verification::documents::{expect, read, repository};
+use std::collections::BTreeSet;
 
 #[test]
 fn the_problem_is_stated_once() {
@@ -211,6 +212,61 @@ fn links_between_documents_lead_somewhere() {
         }
     }
     assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
+
+/// The path of every test file that a text names.
+fn named_tests(text: &str) -> Vec<&str> {
+    let is_test = |code: &&str| {
+        let (folder, file) = code.split_once("/tests/").unwrap_or_default();
+        let is_code = file.ends_with(".rs") || file.ends_with(".py");
+        is_code
+            && !code.contains(' ')
+            && (folder == "verification" || folder.starts_with("crates/"))
+    };
+    text.split('`').filter(is_test).collect()
+}
+
+/// A page of `docs/` that names a test file stands in the first lines of this file, and the other way round.
+#[test]
+fn claims_and_their_tests_name_each_other() {
+    let mut claims = BTreeSet::new();
+    for page in files(&repository().join("docs"), "md") {
+        let page = format!("docs/{}", page.file_name().expect("a name").to_string_lossy());
+        for test in named_tests(&read(&page)) {
+            assert!(repository().join(test).exists(), "{page} names {test}, which is missing");
+            claims.insert((page.clone(), test.to_owned()));
+        }
+    }
+    let mut heads = BTreeSet::new();
+    let folders = crates().into_values().map(|(folder, _)| repository().join(folder).join("tests"));
+    for folder in folders.filter(|folder| folder.exists()) {
+        for path in [files(&folder, "rs"), files(&folder, "py")].concat() {
+            let test = path.strip_prefix(repository()).expect("a file of the repository");
+            let test = test.to_string_lossy().replace('\\', "/");
+            let text = read(&test);
+            let claims = text.lines().find_map(|line| {
+                line.trim_start_matches("//! ").strip_prefix("Claims: ")?.strip_suffix('.')
+            });
+            let pages = claims.into_iter().flat_map(|pages| pages.split(", "));
+            heads.extend(pages.map(|page| (page.trim_matches('`').to_owned(), test.clone())));
+        }
+    }
+    let [one, other] = [claims.difference(&heads), heads.difference(&claims)].map(Vec::from_iter);
+    assert!(one.is_empty(), "the first lines of these tests do not name the page: {one:?}");
+    assert!(other.is_empty(), "these pages do not name the test: {other:?}");
+    assert!(claims.len() >= 20, "{claims:?}");
+}
+
+/// Expected texts are small enough to be read when they change.
+#[test]
+fn expected_texts_are_short() {
+    for extension in ["snap", "expected"] {
+        let found = ["crates", "cases"].map(|folder| files(&repository().join(folder), extension));
+        for path in found.concat() {
+            let length = std::fs::metadata(&path).expect("a file").len();
+            assert!(length <= 12_000, "{} has {length} bytes", path.display());
+        }
+    }
 }
 
 /// The fenced blocks of one language.

@@ -1,4 +1,6 @@
 //! Compares envelopes of random models with dense sampling of their solutions.
+//!
+//! Claims: `docs/combinations.md`.
 
 use groundbeam::{
     Field, Model, Outcome, Solution,

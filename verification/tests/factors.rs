@@ -1,4 +1,6 @@
 //! Checks load factors of random models: contact and equilibrium hold just below a factor, and are lost just above it.
+//!
+//! Claims: `docs/load-factors.md`.
 
 use groundbeam::{
     Beam, Field, Foundation, Load, Model, Outcome, Support, Verdict, exists, load_factors,

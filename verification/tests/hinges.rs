@@ -1,4 +1,6 @@
 //! Compares hinges with a dense problem over all contact sets, with closed forms and limits.
+//!
+//! Claims: `docs/methods.md`.
 
 use groundbeam::{
     Beam, Error, Field, Foundation, Hinge, Load, Method, Model, Options, Outcome, Solution,

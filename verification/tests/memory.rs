@@ -1,4 +1,6 @@
 //! Compares the estimated memory of a solve with the measured memory; each solve runs in a separate process.
+//!
+//! Claims: `docs/methods.md`.
 #![cfg(target_os = "linux")]
 
 use groundbeam::{
@@ -72,7 +74,7 @@ fn solve_one() {
 fn the_estimate_is_more_than_what_is_taken_and_not_much_more() {
     for (name, model, options) in cases() {
         let this = std::env::current_exe().expect("a path");
-        let arguments = ["--exact", "solve_one", "--nocapture"];
+        let arguments = ["--exact", "memory::solve_one", "--nocapture"];
         let done = Command::new(this).args(arguments).env(CASE, name).output().expect("it runs");
         let printed = String::from_utf8_lossy(&done.stdout);
         let peak = printed.split_once("peak ").and_then(|(_, rest)| rest.split_whitespace().next());

@@ -1,5 +1,7 @@
 //! Loads on the ground outside the beam and under it: superposition, reciprocity, Green's function; and ground that
 //! ends outside the beam compared with infinite ground.
+//!
+//! Claims: `docs/ground.md`.
 
 use groundbeam::{
     Beam, Field, Foundation, Load, Model, Outcome, Solution, model::GroundEnd, solve,

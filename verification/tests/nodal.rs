@@ -1,4 +1,6 @@
 //! Compares nodal solutions with the paper, with the exact method for every feature and on random models; and counts their work.
+//!
+//! Claims: `docs/methods.md`.
 
 use groundbeam::{
     Beam, Error, Field, Foundation, Hinge, Load, Method, Model, NodalSolution, NodalSolver,

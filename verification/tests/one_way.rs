@@ -1,4 +1,6 @@
 //! Compares one-way supports with a search over all sets of active supports, and with closed forms.
+//!
+//! Claims: `docs/methods.md`.
 
 use groundbeam::{
     Beam, Error, Field, Foundation, Load, Method, Model, Options, Outcome, Solution, Support,

@@ -1,4 +1,6 @@
 //! The proof of solutions: gaps, covered models, and wrong answers that are refused.
+//!
+//! Claims: `docs/proof.md`.
 
 use groundbeam::proof::{Ball, ContactForce, ContactSet, NotProven, Proof, Wide, prove};
 use groundbeam::{Field, Model, Outcome, Solution, solve};

@@ -1,5 +1,7 @@
 //! The proof of kinds of model beyond those of the 60-digit answers: right answers of frozen random models, and answers
 //! of neighbouring models claimed for them.
+//!
+//! Claims: `docs/proof.md`.
 
 use groundbeam::proof::{Proof, Wide, prove};
 use groundbeam::{

@@ -1,7 +1,7 @@
 //! Compares the public items of the library with the recorded items, so that a change of the interface is
 //! detected.
 
-use groundbeam_verification::documents::expect_file;
+use groundbeam_testing::expect_file;
 use groundbeam_verification::public_api::PublicApi;
 
 /// Maximum number of names at the root of the library.

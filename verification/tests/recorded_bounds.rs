@@ -4,8 +4,8 @@
 
 use groundbeam::proof::{Bound, ContactSet, Proof, Wide, prove};
 use groundbeam::{Model, Outcome, Solution, own_buckling_load, solve};
+use groundbeam_testing::expect_file_by;
 use groundbeam_verification::claims::CHANGES;
-use groundbeam_verification::documents::expect_file_by;
 use groundbeam_verification::frozen;
 use rayon::prelude::*;
 

@@ -4,7 +4,7 @@
 use groundbeam::{Outcome, solve};
 use groundbeam_file::{Document, parse_beside, write_toml};
 use groundbeam_proof::{Reason, Wide, prove, read_model};
-use groundbeam_verification::documents::repository;
+use groundbeam_testing::repository;
 use groundbeam_verification::hostile::{model, mutated, texts};
 use groundbeam_verification::second::Comparison;
 use std::path::{Path, PathBuf};
@@ -26,21 +26,15 @@ const REFUSED: &[(&str, &str)] = &[
 
 /// Every valid model file, by its path in the repository.
 fn files() -> Vec<(String, PathBuf)> {
-    let mut files = Vec::new();
-    let mut folders = vec![repository().join("cases"), repository().join("docs")];
-    while let Some(folder) = folders.pop() {
-        for entry in std::fs::read_dir(&folder).into_iter().flatten().flatten() {
-            let path = entry.path();
-            if path.is_dir() && !path.ends_with("cases/errors") {
-                folders.push(path);
-            } else if path.extension().is_some_and(|extension| extension == "toml") {
-                let name = path.strip_prefix(repository()).unwrap_or(&path);
-                files.push((name.display().to_string().replace('\\', "/"), path));
-            }
-        }
-    }
-    files.sort();
-    files
+    let faulty = repository().join("cases/errors");
+    let found = ["cases", "docs"]
+        .map(|folder| groundbeam_testing::files(&repository().join(folder), "toml"));
+    let valid = found.concat().into_iter().filter(|path| !path.starts_with(&faulty));
+    let named = valid.map(|path| {
+        let name = path.strip_prefix(repository()).unwrap_or(&path);
+        (name.display().to_string().replace('\\', "/"), path)
+    });
+    named.collect()
 }
 
 /// Compares every model of a file; returns the number of compared numbers, and the largest difference.

@@ -1,4 +1,6 @@
 //! Compares beams with shear deformation with the simplest elements, with equivalent models, and with limits.
+//!
+//! Claims: `docs/shear.md`.
 
 use groundbeam::{
     Beam, Error, Field, Foundation, Hinge, Load, Method, Model, Options, Outcome, Solution,

@@ -1,4 +1,6 @@
 //! Compares stiffness and ground that vary along a segment with equivalent models and limits.
+//!
+//! Claims: `docs/methods.md`.
 
 use groundbeam::model::Part;
 use groundbeam::{

@@ -1,16 +1,14 @@
 //! Checks that solutions and proofs have the same bits in WebAssembly as on the test machine.
 //!
 //! Needs the Rust target `wasm32-unknown-unknown`, and Python with the package `wasmtime`. Without them this test
-//! reports that it was skipped, or fails if the variable `GROUNDBEAM_DEMAND_WASM` is set.
+//! reports that it was skipped, or fails if `GROUNDBEAM_DEMAND` names `wasm`.
+//!
+//! Claims: `docs/proof.md`.
 
-#[path = "../../crates/groundbeam-python/tests/environment/mod.rs"]
-mod environment;
-
-use environment::{environment, tools_or_skip};
 use groundbeam::{Outcome, solve};
 use groundbeam_report::{Context, json};
+use groundbeam_testing::{environment, repository, succeed, tools_or_skip};
 use groundbeam_verification::cases::{self, Case};
-use groundbeam_verification::documents::repository;
 use groundbeam_wasm::results;
 use rayon::prelude::*;
 use std::fs;
@@ -56,16 +54,11 @@ fn module(workplace: &Path) -> PathBuf {
     workplace.join(TARGET).join("release/groundbeam_wasm.wasm")
 }
 
-fn succeed(command: &mut Command) {
-    let done = command.output().expect("a program that runs");
-    assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
-}
-
 #[test]
 fn solutions_and_proofs_have_the_same_bits_in_webassembly() {
     let workplace = Path::new(env!("CARGO_TARGET_TMPDIR")).join("wasm");
-    let (variable, subject) = ("GROUNDBEAM_DEMAND_WASM", "solver and proof in WebAssembly");
-    let Some(python) = tools_or_skip(runtime(&workplace), variable, subject) else { return };
+    let (python, subject) = (runtime(&workplace), "solver and proof in WebAssembly");
+    let Some(python) = tools_or_skip(python, "wasm", subject) else { return };
     let texts = workplace.join("texts");
     let _ = fs::remove_dir_all(&texts);
     fs::create_dir_all(&texts).expect("a folder");

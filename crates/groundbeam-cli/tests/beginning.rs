@@ -1,9 +1,6 @@
 //! Tests `groundbeam new` and `groundbeam compare`.
 
-#[allow(dead_code)]
-mod common;
-
-use common::{FOOTING, Folder, LIFTS, tips};
+use crate::common::{FOOTING, Folder, LIFTS, tips};
 
 #[test]
 fn every_starter_is_solved_as_it_is() {

@@ -1,9 +1,6 @@
 //! Tests `groundbeam check`, and help and version of the command line.
 
-#[allow(dead_code)]
-mod common;
-
-use common::{Folder, LIFTS, tips};
+use crate::common::{Folder, LIFTS, tips};
 
 #[test]
 fn an_equilibrium() {

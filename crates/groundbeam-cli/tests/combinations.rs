@@ -1,9 +1,6 @@
 //! Tests files with combinations: exit status and outputs.
 
-#[allow(dead_code)]
-mod common;
-
-use common::{Folder, LIFTS};
+use crate::common::{Folder, LIFTS};
 use serde_json::{Value, json};
 
 /// A unit load with a small factor, and a moment with a large factor.

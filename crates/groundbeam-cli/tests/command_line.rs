@@ -1,9 +1,6 @@
 //! Tests faulty command lines and files, and outputs that cannot be written.
 
-#[allow(dead_code)]
-mod common;
-
-use common::{Folder, LIFTS};
+use crate::common::{Done, Folder, LIFTS};
 use std::io::Read;
 use std::process::Stdio;
 
@@ -126,7 +123,7 @@ fn links_hard_links_and_redirections_are_seen() {
     loses(&folder, &["--csv", "."], &["error: --csv .: this is a folder, not a file"]);
     let mut onto_itself = folder.command(&["solve", "-", "--csv", "model.toml"]);
     onto_itself.stdin(File::open(folder.path("model.toml")).unwrap());
-    common::Done::from(onto_itself.output().unwrap()).fails(2, is_same);
+    Done::from(onto_itself.output().unwrap()).fails(2, is_same);
     let mut redirected = folder.command(&["solve", "model.toml", "--csv", "out"]);
     redirected.stdout(File::create(folder.path("out")).unwrap());
     let said = redirected.output().unwrap();

@@ -4,6 +4,7 @@
 //! output. A line `<!-- drawn: groundbeam … --plot FILE.svg -->` names the command that draws a picture. The
 //! commands run in the repository's root. `UPDATE_EXPECTED=1` rewrites the outputs.
 
+use groundbeam_testing::{files, repository, updating};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -53,7 +54,7 @@ fn pictures_are_drawn_by_the_program() {
             let command = command.replace("results.parquet", &results);
             run(&format!("{command} --plot {}", drawn.display()));
             let drawn = std::fs::read_to_string(drawn).expect("a picture");
-            let picture = root().join(picture);
+            let picture = repository().join(picture);
             if updating() {
                 std::fs::write(&picture, &drawn).expect("the picture can be written");
             }
@@ -65,33 +66,20 @@ fn pictures_are_drawn_by_the_program() {
     assert!(count >= 1, "README.md has a picture");
 }
 
-fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
-}
-
 fn documents() -> Vec<PathBuf> {
-    let pages = std::fs::read_dir(root().join("docs")).expect("docs");
-    let pages = pages.map(|entry| entry.expect("an entry").path());
-    let mut found: Vec<PathBuf> =
-        pages.filter(|p| p.extension().is_some_and(|e| e == "md")).collect();
-    found.sort();
-    found.insert(0, root().join("README.md"));
-    found
+    let pages = files(&repository().join("docs"), "md");
+    std::iter::once(repository().join("README.md")).chain(pages).collect()
 }
 
 /// Both streams of a command, one after the other.
 fn run(command: &str) -> String {
     let done = Command::new(env!("CARGO_BIN_EXE_groundbeam"))
         .args(command.split_whitespace())
-        .current_dir(root())
+        .current_dir(repository())
         .output()
         .expect("the program runs");
     let text = |bytes: Vec<u8>| String::from_utf8(bytes).expect("text");
     text(done.stdout) + &text(done.stderr)
-}
-
-fn updating() -> bool {
-    std::env::var_os("UPDATE_EXPECTED").is_some()
 }
 
 fn write_if_updating(path: &Path, before: &str, after: &str) {

@@ -1,13 +1,8 @@
 //! Tests the page of `groundbeam serve` in a real browser.
 
-#[allow(dead_code)]
-mod common;
-#[allow(dead_code)]
-mod served;
-
-use common::Folder;
-use served::Server;
-use served::browser::{Browser, Pointer};
+use crate::common::Folder;
+use crate::served::browser::{Browser, Pointer};
+use crate::served::{Server, opened, settled};
 use std::path::{Path, PathBuf};
 
 /// A footing in full contact, with its column in the middle.
@@ -59,18 +54,6 @@ fn row(browser: &Browser, label: &str) -> String {
             .find((row) => row.cells[0].textContent === {label:?})?.cells[1].textContent ?? ''"
     ));
     found.as_str().unwrap().to_owned()
-}
-
-fn opened(browser: &Browser, server: &Server) {
-    browser.window(1280, 1000, "light");
-    browser.go(&server.url);
-    settled(browser, "document.querySelectorAll('#results tr').length > 3");
-}
-
-/// Waits until a condition holds and the response to the last change is shown.
-#[track_caller]
-fn settled(browser: &Browser, so: &str) {
-    browser.until(&format!("document.body.dataset.state === 'settled' && ({so})"));
 }
 
 #[test]

@@ -1,28 +1,12 @@
 //! Tests the requests that the page of `groundbeam serve` sends, and the sliders that it creates from a
 //! response.
 
-#[allow(dead_code)]
-mod common;
-#[allow(dead_code)]
-mod served;
-
-use common::{FOOTING, Folder};
-use served::Server;
-use served::browser::Browser;
+use crate::common::{FOOTING, Folder};
+use crate::served::browser::Browser;
+use crate::served::{Server, opened, settled};
 
 const HOME: char = '\u{e011}';
 const END: char = '\u{e010}';
-
-fn opened(browser: &Browser, server: &Server) {
-    browser.window(1280, 1000, "light");
-    browser.go(&server.url);
-    settled(browser, "document.querySelectorAll('#results tr').length > 3");
-}
-
-#[track_caller]
-fn settled(browser: &Browser, so: &str) {
-    browser.until(&format!("document.body.dataset.state === 'settled' && ({so})"));
-}
 
 /// Types a text into the editor.
 fn type_in(browser: &Browser, text: &str) {

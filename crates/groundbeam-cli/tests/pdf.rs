@@ -1,9 +1,6 @@
 //! Tests calculation reports as PDF, with and without the built-in typesetter.
 
-#[allow(dead_code)]
-mod common;
-
-use common::{Folder, LIFTS};
+use crate::common::{Folder, LIFTS};
 
 #[test]
 #[cfg(not(feature = "pdf"))]
@@ -33,7 +30,7 @@ fn the_same_file_gives_the_same_bytes() {
 #[test]
 #[cfg(feature = "pdf")]
 fn without_an_equilibrium_there_is_a_report_too() {
-    let folder = Folder::with(&common::tips());
+    let folder = Folder::with(&crate::common::tips());
     let done = folder.run(&["solve", "model.toml", "--report", "out.pdf"]);
     assert_eq!(done.status, 3, "{}", done.stderr);
     assert!(std::fs::read(folder.path("out.pdf")).unwrap().starts_with(b"%PDF-1."));

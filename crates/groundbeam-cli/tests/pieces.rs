@@ -1,10 +1,7 @@
 //! Tests the parts of a result document that a proof needs: digest of the model, pieces of the solution,
 //! combination.
 
-#[allow(dead_code)]
-mod common;
-
-use common::{Folder, LIFTS, tips};
+use crate::common::{Folder, LIFTS, tips};
 use groundbeam::proof::{Document, Wide, prove, read_model};
 use serde_json::json;
 use std::process::Command;

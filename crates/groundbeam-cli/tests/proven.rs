@@ -1,9 +1,6 @@
 //! Tests `groundbeam solve --proven` and its documents.
 
-#[allow(dead_code)]
-mod common;
-
-use common::{FOOTING, Folder, LIFTS, combined, tips};
+use crate::common::{FOOTING, Folder, LIFTS, combined, tips};
 use serde_json::json;
 
 #[test]

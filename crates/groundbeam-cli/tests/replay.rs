@@ -1,34 +1,30 @@
 //! Tests `groundbeam verify --log` and `reference/replay`: a second program with ball arithmetic confirms the
 //! inequalities of proofs.
 //!
-//! The tests are skipped with a message if there is no Python with python-flint. `PYTHON` names the
-//! interpreter.
+//! Needs Python from 3.10 on and python-flint from its index. Without them the tests report that they were
+//! skipped, or fail if `GROUNDBEAM_DEMAND` names `python`.
+//!
+//! Claims: `docs/proof.md`.
 
-#[allow(dead_code)]
-mod common;
-
-use common::Folder;
+use crate::common::Folder;
+use groundbeam_testing::{environment, files, repository, tools_or_skip};
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
+use std::sync::LazyLock;
 
-fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
-}
-
+/// Python with the arithmetic of the replay.
 fn python() -> Option<Command> {
-    let name = std::env::var("PYTHON").unwrap_or_else(|_| "python3".to_owned());
-    let found = Command::new(&name).args(["-c", "import flint"]).output();
-    if found.is_ok_and(|done| done.status.success()) {
-        return Some(Command::new(name));
-    }
-    println!("skipped: {name} has no python-flint");
-    None
+    static MADE: LazyLock<Result<PathBuf, String>> = LazyLock::new(|| {
+        let workplace = Path::new(env!("CARGO_TARGET_TMPDIR")).join("replay");
+        environment(&workplace, &["python-flint==0.9.0"])
+    });
+    tools_or_skip(MADE.clone(), "python", "the replay of proofs").map(Command::new)
 }
 
 /// A folder with the document of a case and the log of its proof; `None` if the case has no solution.
 fn logged(case: &Path) -> Option<Folder> {
-    let (folder, case) = (Folder::new(), root().join(case));
+    let (folder, case) = (Folder::new(), repository().join(case));
     let case = case.to_str().expect("a path");
     let solved = folder.run(&["solve", case, "--json", "--pieces"]);
     folder.write("result.json", solved.stdout.as_bytes());
@@ -40,27 +36,12 @@ fn logged(case: &Path) -> Option<Folder> {
 fn replay(mut python: Command, folder: &Folder, log: &str) -> (Option<i32>, String) {
     folder.write("changed.log", log.as_bytes());
     let done: Output = python
-        .arg(root().join("reference/replay"))
+        .arg(repository().join("reference/replay"))
         .args([folder.path("changed.log"), folder.path("result.json")])
         .output()
         .expect("python runs");
     let text = String::from_utf8_lossy(&[done.stdout, done.stderr].concat()).into_owned();
     (done.status.code(), text)
-}
-
-/// The model files in a folder, except the deliberately faulty ones.
-fn models(folder: &Path) -> Vec<PathBuf> {
-    let mut found = Vec::new();
-    for entry in std::fs::read_dir(folder).expect("a folder") {
-        let path = entry.expect("an entry").path();
-        if path.is_dir() && !path.ends_with("errors") {
-            found.extend(models(&path));
-        } else if path.extension().is_some_and(|extension| extension == "toml") {
-            found.push(path);
-        }
-    }
-    found.sort();
-    found
 }
 
 #[test]
@@ -79,9 +60,10 @@ fn every_line_of_a_log_is_an_object_with_a_name() {
 #[test]
 fn the_logs_of_all_cases_replay() {
     let mut replayed = 0;
-    let all =
-        ["cases", "crates/groundbeam-cli/tests/replayed"].map(|name| models(&root().join(name)));
-    for case in all.concat() {
+    let all = ["cases", "crates/groundbeam-cli/tests/replayed"]
+        .map(|name| files(&repository().join(name), "toml"));
+    let faulty = repository().join("cases/errors");
+    for case in all.concat().into_iter().filter(|case| !case.starts_with(&faulty)) {
         let Some(python) = python() else { return };
         let Some(folder) = logged(&case) else { continue };
         let (status, text) = replay(python, &folder, &folder.read("proof.log"));
@@ -223,7 +205,7 @@ fn a_log_with_a_line_left_out_is_refused() {
 /// smaller bound.
 #[test]
 fn a_changed_document_is_refused() {
-    let case = root().join("cases/footings/anchored-slab-on-bearings.toml");
+    let case = repository().join("cases/footings/anchored-slab-on-bearings.toml");
     let folder = logged(&case).expect("a log");
     let proven = folder.run(&["solve", case.to_str().expect("a path"), "--json", "--proven"]);
     let document: Value = serde_json::from_str(&proven.stdout).unwrap();

@@ -1,13 +1,8 @@
 //! Tests `groundbeam serve`: responses, and requests that must be rejected.
 
-#[allow(dead_code)]
-mod common;
-#[allow(dead_code)]
-mod served;
-
-use common::{FOOTING, Folder, LIFTS, tips};
+use crate::common::{FOOTING, Folder, LIFTS, tips};
+use crate::served::{Server, talk};
 use serde_json::{Value, json};
-use served::{Server, talk};
 
 /// A document without its duration.
 fn timeless(mut document: Value) -> Value {

@@ -1,9 +1,6 @@
 //! Tests `groundbeam solve`: exit status and outputs.
 
-#[allow(dead_code)]
-mod common;
-
-use common::{FOOTING, Folder, LIFTS, tips};
+use crate::common::{FOOTING, Folder, LIFTS, tips};
 use serde_json::json;
 
 #[test]

@@ -1,9 +1,8 @@
 //! Tests `groundbeam study` and `groundbeam merge`.
+//!
+//! Claims: `docs/studies.md`.
 
-#[allow(dead_code)]
-mod common;
-
-use common::{Folder, LIFTS};
+use crate::common::{Folder, LIFTS};
 use std::fs;
 use std::process::Stdio;
 use std::time::Duration;

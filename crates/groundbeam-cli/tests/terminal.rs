@@ -1,9 +1,6 @@
 //! Tests that names in a file and file names cannot control the terminal: control characters are escaped.
 
-#[allow(dead_code)]
-mod common;
-
-use common::{Done, Folder};
+use crate::common::{Done, Folder};
 
 /// Characters that a terminal interprets, or that hide the order of letters.
 fn steering() -> impl Iterator<Item = char> {

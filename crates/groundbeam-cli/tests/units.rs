@@ -1,9 +1,6 @@
 //! Tests units and digits of printed results, and warnings about a file.
 
-#[allow(dead_code)]
-mod common;
-
-use common::Folder;
+use crate::common::{Folder, LIFTS};
 
 /// A strip footing in US units.
 const STRIP: &str = include_str!("../../../cases/footings/strip-footing-in-us-units.toml");
@@ -34,7 +31,7 @@ fn the_command_line_chooses_units_and_digits() {
     assert_eq!(json["units"], "SI");
     let length = json["contact"][0]["to"].as_f64().unwrap();
     assert!((7.0..8.0).contains(&length), "{length} m");
-    let plain = Folder::with(common::LIFTS);
+    let plain = Folder::with(LIFTS);
     plain.run(&["solve", "model.toml", "--units", "us"]).fails(2, "the file has no units");
 }
 

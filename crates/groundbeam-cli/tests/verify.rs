@@ -1,10 +1,7 @@
 //! Tests `groundbeam verify`: every exit status with a real document, and the comparison of every listed
 //! number.
 
-#[allow(dead_code)]
-mod common;
-
-use common::{Done, FOOTING, Folder, LIFTS, combined};
+use crate::common::{Done, FOOTING, Folder, LIFTS, combined};
 use serde_json::{Value, json};
 
 /// A pin, and a spring support with a settlement.

@@ -73,17 +73,15 @@ settlement = \"20 mm\"
 
     /// All valid model files of `cases/` and `docs/`, with their folders.
     fn files() -> Vec<(String, PathBuf)> {
-        let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
-        let mut folders = vec![root.join("docs"), root.join("cases")];
-        let mut all = vec![(OTHERS.to_owned(), root)];
-        while let Some(folder) = folders.pop() {
-            for entry in std::fs::read_dir(&folder).unwrap() {
-                let path = entry.unwrap().path();
-                if path.is_dir() && !path.ends_with("errors") {
-                    folders.push(path);
-                } else if path.extension().is_some_and(|extension| extension == "toml") {
-                    all.push((std::fs::read_to_string(&path).unwrap(), folder.clone()));
-                }
+        let root = groundbeam_testing::repository();
+        let mut all = vec![(OTHERS.to_owned(), root.clone())];
+        for folder in ["docs", "cases"] {
+            let found = groundbeam_testing::files(&root.join(folder), "toml");
+            for path in
+                found.into_iter().filter(|path| !path.starts_with(root.join("cases/errors")))
+            {
+                let text = std::fs::read_to_string(&path).unwrap();
+                all.push((text, path.parent().unwrap().to_owned()));
             }
         }
         all

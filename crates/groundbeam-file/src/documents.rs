@@ -5,8 +5,7 @@
 use crate::keys::{Key, Table, Value};
 use crate::section::MODEL;
 use crate::study::STUDY;
-use std::fs;
-use std::path::Path;
+use groundbeam_testing::{expect_file, read};
 
 const END: &str = "<!-- end -->";
 
@@ -83,15 +82,10 @@ fn made(text: &str, tables: &[&'static Table]) -> (String, Vec<String>) {
 #[test]
 fn documents_list_the_keys_that_files_may_have() {
     for (root, name) in [(&MODEL, "docs/file-format.md"), (&STUDY, "docs/studies.md")] {
-        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(name);
-        let text = fs::read_to_string(&path).unwrap();
+        let text = read(name);
         let tables = tables(root);
         let (made, mut listed) = made(&text, &tables);
-        if std::env::var_os("UPDATE_EXPECTED").is_some() {
-            fs::write(&path, &made).unwrap();
-        } else {
-            assert!(made == text, "the keys of {name} must be\n{made}");
-        }
+        expect_file(name, &made);
         let mut names: Vec<&str> = tables.iter().map(|table| table.name).collect();
         names.sort_unstable();
         listed.sort_unstable();

@@ -1,8 +1,6 @@
 //! Properties of every text and every model.
 
-mod common;
-
-use common::well_placed;
+use crate::common::well_placed;
 use groundbeam::model::{Part, Problem};
 use groundbeam::{
     Beam, Foundation, Hinge, Load, Model, Support, SupportKind,

@@ -3,37 +3,15 @@
 //! type.
 //!
 //! Needs Python from 3.10 on and packages from its index. Without them this test reports that it was skipped,
-//! or fails if the variable `GROUNDBEAM_DEMAND_PYTHON` is set.
+//! or fails if `GROUNDBEAM_DEMAND` names `python`.
 
-#[path = "../../groundbeam-python/tests/environment/mod.rs"]
-mod environment;
-
-use environment::{environment, tools_or_skip};
+use groundbeam_testing::{environment, files, repository, tools_or_skip};
 use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
 const NEEDS: [&str; 2] = ["jsonschema>=4.20,<5", "tomli>=2; python_version < '3.11'"];
-
-fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").canonicalize().expect("the repository")
-}
-
-/// Every TOML file of a folder and of the folders below it.
-fn files(folder: &Path) -> Vec<PathBuf> {
-    let mut found = Vec::new();
-    for entry in fs::read_dir(folder).expect("a folder") {
-        let path = entry.expect("an entry").path();
-        if path.is_dir() {
-            found.extend(files(&path));
-        } else if path.extension().is_some_and(|extension| extension == "toml") {
-            found.push(path);
-        }
-    }
-    found.sort();
-    found
-}
 
 /// The validator's verdict on each file.
 fn judge(python: &Path, workplace: &Path, files: &[PathBuf]) -> Vec<String> {
@@ -64,17 +42,17 @@ fn judge(python: &Path, workplace: &Path, files: &[PathBuf]) -> Vec<String> {
 fn the_schema_accepts_right_files_and_refuses_wrong_keys_and_types() {
     let workplace = Path::new(env!("CARGO_TARGET_TMPDIR")).join("schema");
     let python = environment(&workplace, &NEEDS);
-    let (variable, subject) = ("GROUNDBEAM_DEMAND_PYTHON", "the JSON Schema");
-    let Some(python) = tools_or_skip(python, variable, subject) else { return };
+    let Some(python) = tools_or_skip(python, "python", "the JSON Schema") else { return };
     let folders = ["cases", "docs", "bench", "crates/groundbeam-cli/starters"];
-    let all: Vec<PathBuf> = folders.iter().flat_map(|folder| files(&root().join(folder))).collect();
+    let all: Vec<PathBuf> =
+        folders.iter().flat_map(|folder| files(&repository().join(folder), "toml")).collect();
     let all: Vec<PathBuf> = all.into_iter().filter(|path| !path.ends_with("Cargo.toml")).collect();
     let judged = judge(&python, &workplace, &all);
     assert_eq!(judged.len(), all.len());
     let (mut accepted, mut refused) = (0, 0);
     for (path, judged) in all.iter().zip(&judged) {
         let name = path.display();
-        if !path.starts_with(root().join("cases/errors")) {
+        if !path.starts_with(repository().join("cases/errors")) {
             assert_eq!(judged, "accepted", "{name}");
             accepted += 1;
             continue;

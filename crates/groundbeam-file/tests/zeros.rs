@@ -1,10 +1,6 @@
 //! Tests that a bare 0 needs no unit, for any key.
 
-#[allow(dead_code)]
-#[path = "mutations/corpus.rs"]
-mod corpus;
-
-use corpus::{Sample, samples};
+use crate::mutations::corpus::{Sample, samples};
 use groundbeam_file::study::{StudyError, read_study};
 use groundbeam_file::{Diagnostics, UnitSystem, parse_beside, parse_positions};
 use std::collections::BTreeSet;

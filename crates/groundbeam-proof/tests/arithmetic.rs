@@ -1,8 +1,6 @@
 //! Tests that every ball contains the exact result, by exact arithmetic on integers times powers of two.
 
-mod exact;
-
-use exact::{Exact, Random};
+use crate::exact::{self, Exact, Random};
 use groundbeam_proof::{Ball, Scalar, Wide};
 
 /// A ball whose midpoint and radius can be read.

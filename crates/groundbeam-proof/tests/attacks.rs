@@ -1,4 +1,6 @@
 //! Tests documents with wrong answers: none is proven, and every given bound holds.
+//!
+//! Claims: `docs/proof.md`.
 
 use groundbeam_proof::{
     Answer, NotProven, Proof, ReadError, Reason, SupportKind, Wide, prove, read_model,

@@ -4,6 +4,7 @@ use groundbeam_proof::{
     Action, Ball, Course, Document, Extent, Load, Model, ReadError, Reason, Scalar, Wide,
     read_model,
 };
+use groundbeam_testing::{files, repository};
 use std::time::{Duration, Instant};
 
 fn read(text: &str) -> Result<Model<Wide>, ReadError> {
@@ -191,17 +192,9 @@ fn changed(text: &str, dice: &mut Dice) -> String {
 /// All model files of the repository, including invalid ones.
 fn texts() -> Vec<String> {
     let mut texts = vec![SMALL.to_owned()];
-    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
-    let mut folders = vec![root.join("cases"), root.join("docs")];
-    while let Some(folder) = folders.pop() {
-        for entry in std::fs::read_dir(&folder).into_iter().flatten().flatten() {
-            let path = entry.path();
-            if path.is_dir() {
-                folders.push(path);
-            } else if path.extension().is_some_and(|e| e == "toml") {
-                texts.extend(std::fs::read_to_string(path));
-            }
-        }
+    for folder in ["cases", "docs"] {
+        let found = files(&repository().join(folder), "toml");
+        texts.extend(found.iter().flat_map(std::fs::read_to_string));
     }
     texts.sort();
     texts

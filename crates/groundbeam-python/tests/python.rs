@@ -2,19 +2,19 @@
 //! Python tests.
 //!
 //! The test needs Python 3.10 or later and packages from its index. Without them it reports that it was
-//! skipped, or fails if the variable `GROUNDBEAM_DEMAND_PYTHON` is set.
+//! skipped, or fails if `GROUNDBEAM_DEMAND` names `python`.
 
-mod environment;
-
-use environment::{environment, tools_or_skip};
+use groundbeam_testing::{environment, read, succeed, tools_or_skip};
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use std::process::Command;
+use std::thread;
 
 /// Packages that the tests need.
-const NEEDS: [&str; 9] = [
+const NEEDS: [&str; 10] = [
     "maturin>=1.9,<2",
     "numpy",
     "pytest",
+    "pytest-xdist",
     "mypy",
     "pandas",
     "pandas-stubs",
@@ -26,20 +26,21 @@ const NEEDS: [&str; 9] = [
 #[test]
 fn the_package_does_what_its_tests_say() {
     let python = environment(&workplace(), &NEEDS);
-    let (variable, subject) = ("GROUNDBEAM_DEMAND_PYTHON", "the Python package");
-    let Some(python) = tools_or_skip(python, variable, subject) else { return };
+    let Some(python) = tools_or_skip(python, "python", "the Python package") else { return };
     install(&python);
     let package = folder();
-    // The tests run outside the sources, so that they import the installed package.
-    let tests = [package.join("tests"), package.join("python")].map(spelled);
-    succeed(in_folder(&python, &["-m", "pytest", "-p", "no:cacheprovider", "-q", &tests[0]]));
+    let [tests, examples] = ["tests", "examples"].map(|name| spelled(package.join(name)));
     let configuration = spelled(package.join("pyproject.toml"));
     let strictly = ["-m", "mypy", "--strict", "--config-file", &configuration];
-    let packages = [&strictly[..], &["-p", "groundbeam"]].concat();
-    succeed(in_folder(&python, &packages));
-    let examples = spelled(package.join("examples"));
-    succeed(in_folder(&python, &[&strictly[..], &[&tests[0], &examples]].concat()));
-    succeed(in_folder(&python, &["-m", "mypy.stubtest", "groundbeam"]));
+    // Types are checked while the tests run on all processors.
+    thread::scope(|scope| {
+        scope.spawn(|| {
+            run(&python, &[&strictly[..], &["-p", "groundbeam"]].concat());
+            run(&python, &[&strictly[..], &[&tests, &examples]].concat());
+            run(&python, &["-m", "mypy.stubtest", "groundbeam"]);
+        });
+        run(&python, &["-m", "pytest", "-p", "no:cacheprovider", "-q", "-n", "auto", &tests]);
+    });
 }
 
 fn folder() -> PathBuf {
@@ -64,12 +65,11 @@ fn install(python: &Path) {
     build.args(["--auditwheel", "skip", "--interpreter"]).arg(python).arg("--out").arg(&wheels);
     build.env("CARGO_TARGET_DIR", target()).env("PIP_DISABLE_PIP_VERSION_CHECK", "1");
     if cfg!(debug_assertions) {
-        // Dependencies have the settings of the test profile.
-        build.args(["--profile", "dev"]).env("CARGO_PROFILE_DEV_OPT_LEVEL", "2");
+        build.args(["--profile", "dev", "--features", "as-tested"]).args(settings());
     } else {
         build.arg("--release");
     }
-    succeed(build.output().expect("maturin runs"));
+    succeed(&mut build);
     let made =
         std::fs::read_dir(&wheels).expect("wheels").map(|entry| entry.expect("a file").path());
     let wheels: Vec<PathBuf> = made.collect();
@@ -77,7 +77,18 @@ fn install(python: &Path) {
     let name = spelled(wheel.clone());
     assert!(name.contains("-cp310-abi3-"), "one wheel for every Python from 3.10 on: {name}");
     let install = ["-m", "pip", "install", "--quiet", "--no-deps", "--force-reinstall", &name];
-    succeed(in_folder(python, &install));
+    run(python, &install);
+}
+
+/// The settings of the profile `test` for the profile `dev`: cargo builds no library with the former.
+fn settings() -> Vec<String> {
+    let workspace = read("Cargo.toml");
+    let (_, test) = workspace.split_once("\n[profile.test]\n").expect("the profile");
+    let whole = test.lines().take(1).map(|line| format!("profile.dev.{line}"));
+    let (_, packages) = test.split_once("\n[profile.test.package]\n").expect("packages");
+    let packages = packages.lines().filter(|line| line.contains(".opt-level = "));
+    let each = packages.map(|line| format!("profile.dev.package.{line}"));
+    whole.chain(each).flat_map(|setting| ["--config".to_owned(), setting]).collect()
 }
 
 /// Folder of the compiled files: this test is in `target/debug/deps`.
@@ -86,12 +97,7 @@ fn target() -> PathBuf {
     own.ancestors().nth(3).expect("target/debug/deps").to_owned()
 }
 
-fn in_folder(python: &Path, arguments: &[&str]) -> Output {
-    let run = Command::new(python).current_dir(workplace()).args(arguments).output();
-    run.expect("Python runs")
-}
-
-fn succeed(done: Output) {
-    let [shown, told] = [&done.stdout, &done.stderr].map(|bytes| String::from_utf8_lossy(bytes));
-    assert!(done.status.success(), "{shown}\n{told}");
+/// Runs Python outside the sources, so that it imports the installed package.
+fn run(python: &Path, arguments: &[&str]) {
+    succeed(Command::new(python).current_dir(workplace()).args(arguments));
 }

@@ -1,4 +1,7 @@
-"""Tests calibration with synthetic measurements of known parameters, with noise."""
+"""Tests calibration with synthetic measurements of known parameters, with noise.
+
+Claims: `docs/derivatives.md`.
+"""
 
 from __future__ import annotations
 

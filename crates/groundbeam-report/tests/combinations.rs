@@ -1,9 +1,6 @@
 //! Tests reports of all combinations of a file: report, document, table and picture.
 
-#[allow(dead_code)]
-mod common;
-
-use common::{context, document};
+use crate::common::{context, document};
 use groundbeam::{Field, NotConverged, Stopped};
 use groundbeam_file::Document;
 use groundbeam_report::{Results, calculation, csv, html, json, svg, text};

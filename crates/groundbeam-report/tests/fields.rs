@@ -1,10 +1,7 @@
 //! Tests that every output lists the fields of the core's table, and the rotation only with shear
 //! deformation.
 
-#[allow(dead_code)]
-mod common;
-
-use common::{answers, context, solved};
+use crate::common::{answers, context, solved};
 use groundbeam::Field;
 use groundbeam_file::{Document, parse};
 use groundbeam_report::calculation::{Block, Source, report};

@@ -1,9 +1,6 @@
 //! Tests the calculation report.
 
-#[allow(dead_code)]
-mod common;
-
-use common::{SOLVABLE, answers, context, document};
+use crate::common::{SOLVABLE, answers, context, document};
 use groundbeam::{Method, NotConverged, Stopped};
 use groundbeam_file::Document;
 use groundbeam_report::calculation::{Paper, Source};

@@ -1,9 +1,6 @@
 //! Tests the result documents.
 
-#[allow(dead_code)]
-mod common;
-
-use common::{SOLVABLE, context, document, solved};
+use crate::common::{SOLVABLE, context, document, solved};
 use groundbeam::{Field, Method, NotConverged, Stopped};
 use groundbeam_report::json;
 use serde_json::Value;

@@ -1,9 +1,6 @@
 //! Tests SVG and PNG pictures.
 
-#[allow(dead_code)]
-mod common;
-
-use common::{SOLVABLE, context, document, solved};
+use crate::common::{SOLVABLE, context, document, parts, solved};
 use groundbeam_report::{Context, Units, svg};
 
 fn drawn(name: &str) -> String {
@@ -19,9 +16,14 @@ fn words(picture: &str) -> String {
 }
 
 #[test]
-fn whole_pictures() {
-    for name in ["kikuchi-4", "supports", "gap", "jointed", "compressed", "neighbours"] {
-        insta::assert_snapshot!(format!("svg-{name}"), drawn(name));
+fn a_whole_picture() {
+    insta::assert_snapshot!("svg-kikuchi-4", drawn("kikuchi-4"));
+}
+
+#[test]
+fn parts_of_pictures() {
+    for name in ["supports", "gap", "jointed", "compressed", "neighbours"] {
+        insta::assert_snapshot!(format!("parts-{name}"), parts(&drawn(name)));
     }
 }
 

@@ -1,10 +1,7 @@
-//! Compares every kind of picture with stored pixels at a small scale, and two pictures as text.
+//! Compares every kind of picture with stored pixels at a small scale, and three pictures by their parts or text.
 //! `UPDATE_EXPECTED=1` stores new pixels.
 
-#[allow(dead_code)]
-mod common;
-
-use common::{SOLVABLE, answers, context, document, solved};
+use crate::common::{SOLVABLE, answers, context, document, parts, solved};
 use groundbeam_file::Document;
 use groundbeam_report::{
     Context, Estimate, Interval, Kind, Limit, Spread, Study, Units, Way, calculation, html, svg,
@@ -117,7 +114,7 @@ fn combinations() {
     answers.list.retain(|answer| answer.solution().is_some());
     let picture = svg::combinations(&answers, &context(&document)).to_string();
     looks_as_kept("combinations", &picture);
-    insta::assert_snapshot!("svg-combinations", picture);
+    insta::assert_snapshot!("parts-combinations", parts(&picture));
 }
 
 #[test]
@@ -126,7 +123,7 @@ fn trains() {
     let answers = Run::of(&document).with_error(1e-2).solve(&OneThread).unwrap();
     let picture = svg::trains(&answers.passages(), &context(&document)).to_string();
     looks_as_kept("train", &picture);
-    insta::assert_snapshot!("svg-train", picture);
+    insta::assert_snapshot!("parts-train", parts(&picture));
     let page = report(&answers, &document);
     let found = figures(&page);
     // The model, the train at the position of the largest moment, and four envelopes.

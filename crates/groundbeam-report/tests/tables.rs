@@ -1,9 +1,6 @@
 //! Tests CSV tables.
 
-#[allow(dead_code)]
-mod common;
-
-use common::{answers, context, document, solved};
+use crate::common::{answers, context, document, solved};
 use groundbeam::solution::Side;
 use groundbeam_report::{Context, Units, csv};
 

@@ -1,9 +1,6 @@
 //! Tests the terminal reports.
 
-#[allow(dead_code)]
-mod common;
-
-use common::{SOLVABLE, answers, context, document, solved};
+use crate::common::{SOLVABLE, answers, context, document, solved};
 use groundbeam::{Method, NotConverged, Stopped};
 use groundbeam_report::{Context, Kind, text};
 

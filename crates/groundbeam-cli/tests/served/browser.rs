@@ -1,5 +1,6 @@
 //! A real browser, controlled over the WebDriver protocol.
 
+use groundbeam_testing::tools_or_skip;
 use serde_json::{Value, json};
 use std::io::{BufRead, BufReader, Read, Write};
 use std::net::TcpStream;
@@ -19,19 +20,13 @@ pub struct Browser {
 }
 
 impl Browser {
-    /// Starts the browser. Without a driver it prints a message and returns `None`; with
-    /// `GROUNDBEAM_BROWSER=required` it fails.
+    /// Starts the browser. Without a driver it reports that the test was skipped and returns `None`, or fails if
+    /// `GROUNDBEAM_DEMAND` names `browser`.
     pub fn start() -> Option<Self> {
         let mut command = Command::new("chromedriver");
         command.arg("--port=0").stdout(Stdio::piped()).stderr(Stdio::null());
-        let Ok(mut driver) = command.spawn() else {
-            let demanded = std::env::var_os("GROUNDBEAM_BROWSER").is_some_and(|v| v == "required");
-            assert!(!demanded, "GROUNDBEAM_BROWSER=required, but `chromedriver` does not start");
-            eprintln!(
-                "\nSKIPPED: `chromedriver` is missing: the page was NOT tested in a browser\n"
-            );
-            return None;
-        };
+        let driver = command.spawn().map_err(|error| format!("chromedriver: {error}"));
+        let mut driver = tools_or_skip(driver, "browser", "the page in a browser")?;
         let lines = BufReader::new(driver.stdout.as_mut().unwrap()).lines();
         let mark = "started successfully on port ";
         let port = lines.map_while(Result::ok).find_map(|line| {

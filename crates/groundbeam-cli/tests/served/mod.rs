@@ -2,6 +2,7 @@
 
 pub mod browser;
 
+use browser::Browser;
 use serde_json::Value;
 use std::io::{BufRead, BufReader, Read, Write};
 use std::net::TcpStream;
@@ -121,4 +122,17 @@ fn whole(mut chunks: &[u8]) -> Vec<u8> {
         chunks = &chunks[end + 4 + size..];
     }
     body
+}
+
+/// Opens the page of a server, and waits until its results are shown.
+pub fn opened(browser: &Browser, server: &Server) {
+    browser.window(1280, 1000, "light");
+    browser.go(&server.url);
+    settled(browser, "document.querySelectorAll('#results tr').length > 3");
+}
+
+/// Waits until a condition holds and the response to the last change is shown.
+#[track_caller]
+pub fn settled(browser: &Browser, so: &str) {
+    browser.until(&format!("document.body.dataset.state === 'settled' && ({so})"));
 }

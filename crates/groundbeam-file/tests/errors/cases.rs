@@ -1,8 +1,12 @@
 //! Loads the files of `cases/errors/`.
 
 use groundbeam_file::{Diagnostics, parse_beside, text_of};
+use groundbeam_testing::{files, repository};
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
+
+/// The folder of faulty files in the repository.
+pub const ERRORS: &str = "cases/errors";
 
 /// A faulty file.
 pub struct ErrorCase {
@@ -17,19 +21,9 @@ pub struct ErrorCase {
     pub rendered: String,
 }
 
-/// The root of the repository.
-pub fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
-}
-
 /// Every file in `cases/errors/`, by name.
 pub fn error_cases() -> Vec<ErrorCase> {
-    let folder = root().join("cases/errors");
-    let mut paths: Vec<PathBuf> =
-        fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
-    paths.retain(|path| path.extension().is_some_and(|extension| extension == "toml"));
-    paths.sort();
-    paths.into_iter().map(read).collect()
+    files(&repository().join(ERRORS), "toml").into_iter().map(read).collect()
 }
 
 fn read(path: PathBuf) -> ErrorCase {
@@ -50,14 +44,4 @@ fn read(path: PathBuf) -> ErrorCase {
     let rendered = diagnostics.render(&name, &text, false);
     let rendered = rendered.replace(&format!("{}/", folder.display()), "");
     ErrorCase { path, name, text, announced, diagnostics, rendered }
-}
-
-/// Compares with the content of a file, or writes it if `UPDATE_EXPECTED` is set.
-#[track_caller]
-pub fn same_as_file(actual: &str, path: &Path) {
-    if std::env::var_os("UPDATE_EXPECTED").is_some() {
-        fs::write(path, actual).unwrap();
-    }
-    let expected = fs::read_to_string(path).unwrap_or_default();
-    assert!(actual == expected, "{} differs from\n{actual}", path.display());
 }

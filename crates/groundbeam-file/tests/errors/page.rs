@@ -1,10 +1,9 @@
 //! Generates `docs/diagnostics.md` from the table of codes and the files of `cases/errors/`, and compares it.
 
-use super::cases::{ErrorCase, error_cases, root, same_as_file};
+use super::cases::{ErrorCase, error_cases};
 use groundbeam_file::{CODES, Code};
+use groundbeam_testing::{expect_file, files, repository};
 use std::fmt::Write;
-use std::fs;
-use std::path::Path;
 
 #[test]
 fn the_page_is_up_to_date() {
@@ -39,7 +38,7 @@ fn the_page_is_up_to_date() {
         )
         .unwrap();
     }
-    same_as_file(&page, &root().join("docs/diagnostics.md"));
+    expect_file("docs/diagnostics.md", &page);
 }
 
 /// The first message with this code.
@@ -60,7 +59,8 @@ fn codes_ascend() {
 /// Every code of the core must have a row in the table.
 #[test]
 fn every_code_of_the_core_is_in_the_table() {
-    let source = sources(&root().join("crates/groundbeam/src"));
+    let files = files(&repository().join("crates/groundbeam/src"), "rs");
+    let source: String = files.iter().map(|path| std::fs::read_to_string(path).unwrap()).collect();
     assert!(source.contains("\"GB101\""));
     for piece in source.split("\"GB").skip(1) {
         let number = piece.split('"').next().unwrap();
@@ -71,12 +71,4 @@ fn every_code_of_the_core_is_in_the_table() {
         let code = format!("GB{number}");
         assert!(CODES.iter().any(|row| row.code == code), "{code} is not in the table");
     }
-}
-
-/// The text of all files below a folder.
-fn sources(folder: &Path) -> String {
-    let entries = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
-    entries
-        .map(|path| if path.is_dir() { sources(&path) } else { fs::read_to_string(&path).unwrap() })
-        .collect()
 }

@@ -1,4 +1,8 @@
-//! Loads and solves the test models.
+//! Loads and solves the test models, and takes pictures apart.
+
+mod parts;
+
+pub use parts::parts;
 
 use groundbeam::{Outcome, Solution};
 use groundbeam_file::{Document, UnitSystem};

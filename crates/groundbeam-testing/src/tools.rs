@@ -1,8 +1,12 @@
-//! Creates a virtual environment of Python with given packages, and skips a test whose tools are missing.
+//! Programs from outside that some tests need: virtual environments of Python, and what happens if one is missing.
 
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::Command;
+
+/// The environment variable that names the tools without which a test fails instead of being skipped: some of
+/// `python`, `browser`, `wasm` and `registry`, with commas, or `all`.
+const DEMAND: &str = "GROUNDBEAM_DEMAND";
 
 /// An interpreter with the needed packages. The environment is created in a folder and reused by later runs.
 pub fn environment(place: &Path, needs: &[&str]) -> Result<PathBuf, String> {
@@ -40,17 +44,31 @@ fn quietly(command: &mut Command, otherwise: &str) -> Result<(), String> {
     }
 }
 
+/// Runs a command to its end.
+///
+/// # Panics
+///
+/// If it fails, with what it printed.
+#[track_caller]
+pub fn succeed(command: &mut Command) {
+    let done = command.output().unwrap_or_else(|error| panic!("{command:?}: {error}"));
+    let [shown, told] = [&done.stdout, &done.stderr].map(|bytes| String::from_utf8_lossy(bytes));
+    assert!(done.status.success(), "{shown}\n{told}");
+}
+
 /// The tools of a test. Without them a line on standard error reports that the test was skipped.
 ///
 /// # Panics
 ///
-/// If they are missing and the environment variable demands the test.
-pub fn tools_or_skip<T>(tools: Result<T, String>, variable: &str, subject: &str) -> Option<T> {
+/// If they are missing and `GROUNDBEAM_DEMAND` names them.
+pub fn tools_or_skip<T>(tools: Result<T, String>, name: &str, subject: &str) -> Option<T> {
     let why = match tools {
         Ok(tools) => return Some(tools),
         Err(why) => why,
     };
-    assert!(std::env::var_os(variable).is_none(), "{subject} cannot be tested here: {why}");
+    let demanded = std::env::var(DEMAND).unwrap_or_default();
+    let is_demanded = demanded.split(',').any(|one| one == "all" || one == name);
+    assert!(!is_demanded, "{subject} cannot be tested here ({DEMAND}={demanded}): {why}");
     let words = format!("\n*** SKIPPED: {subject} was NOT tested: {why}\n\n");
     // Not `eprintln!`, whose output is hidden for a passing test.
     std::io::stderr().write_all(words.as_bytes()).expect("standard error");

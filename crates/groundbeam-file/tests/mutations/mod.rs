@@ -3,12 +3,10 @@
 //!
 //! `GROUNDBEAM_MUTATIONS=1000000 GROUNDBEAM_SEED=7` runs more changes, from another seed.
 
-#[path = "../common/mod.rs"]
-mod common;
-mod corpus;
+pub mod corpus;
 mod mutate;
 
-use common::well_placed;
+use crate::common::well_placed;
 use corpus::{Sample, samples};
 use groundbeam_file::study::{StudyError, read_study};
 use groundbeam_file::{Document, parse_beside, write_toml};

@@ -1,34 +1,29 @@
-//! The repository's documents: their paths, and the parts of them that a command generates.
+//! Generated texts: compared with the files of the repository, and written to them if `UPDATE_EXPECTED` is set.
 
-use std::path::PathBuf;
+use crate::files::{read, repository};
+use std::ops::Range;
 
-/// The root of the repository.
-pub fn repository() -> PathBuf {
-    let crate_folder = PathBuf::from(env!("CARGO_MANIFEST_DIR"));
-    crate_folder.parent().expect("the workspace holds this crate").to_path_buf()
-}
-
-/// The text of a document, its path relative to the repository.
-pub fn read(path: &str) -> String {
-    let path = repository().join(path);
-    std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+/// Whether `UPDATE_EXPECTED` is set in the environment: tests write generated texts instead of comparing them.
+pub fn updating() -> bool {
+    std::env::var_os("UPDATE_EXPECTED").is_some()
 }
 
 /// The part of a text between `<!-- begin NAME -->` and `<!-- end NAME -->`, and its range.
-pub fn part<'a>(text: &'a str, name: &str) -> Option<(std::ops::Range<usize>, &'a str)> {
+fn part<'a>(text: &'a str, name: &str) -> Option<(Range<usize>, &'a str)> {
     let (begin, end) = (format!("<!-- begin {name} -->\n"), format!("<!-- end {name} -->"));
     let from = text.find(&begin)? + begin.len();
     let to = from + text[from..].find(&end)?;
     Some((from..to, &text[from..to]))
 }
 
-/// Asserts that a part of a document equals the generated text. If `UPDATE_EXPECTED` is set in the environment, writes
-/// the generated text instead.
+/// Asserts that a part of a document equals the generated text. If [`updating`], writes the generated text instead.
+#[track_caller]
 pub fn expect(path: &str, name: &str, made: &str) {
     expect_by(path, name, made, |a, b| a == b);
 }
 
 /// As [`expect`], for text that may differ in the ways that `alike` permits.
+#[track_caller]
 pub fn expect_by(path: &str, name: &str, made: &str, alike: impl Fn(&str, &str) -> bool) {
     let text = read(path);
     let (range, written) =
@@ -40,12 +35,14 @@ pub fn expect_by(path: &str, name: &str, made: &str, alike: impl Fn(&str, &str) 
     }
 }
 
-/// Asserts that a file equals the generated text. If `UPDATE_EXPECTED` is set in the environment, writes the file.
+/// Asserts that a file equals the generated text. If [`updating`], writes the file instead.
+#[track_caller]
 pub fn expect_file(path: &str, made: &str) {
     expect_file_by(path, made, |recorded, made| recorded == made);
 }
 
 /// As [`expect_file`], for text that may differ in the ways that `alike` permits.
+#[track_caller]
 pub fn expect_file_by(path: &str, made: &str, alike: impl Fn(&str, &str) -> bool) {
     let written = std::fs::read_to_string(repository().join(path)).unwrap_or_default();
     if !alike(&written, made) {
@@ -53,11 +50,11 @@ pub fn expect_file_by(path: &str, made: &str, alike: impl Fn(&str, &str) -> bool
     }
 }
 
-/// Writes a file that differs from the generated text; panics if `UPDATE_EXPECTED` is not set.
+/// Writes a file that differs from the generated text; panics if not [`updating`].
+#[track_caller]
 fn update(path: &str, whole: &str, name: &str, made: &str) {
     let how = "UPDATE_EXPECTED=1 cargo test --workspace";
-    let is_asked = std::env::var_os("UPDATE_EXPECTED").is_some();
-    assert!(is_asked, "{name} differs from the generated text ({how}):\n{made}");
+    assert!(updating(), "{name} differs from the generated text ({how}):\n{made}");
     // One atomic write: other tests may be reading the file.
     let (file, new) = (repository().join(path), repository().join(format!("{path}.new")));
     std::fs::write(&new, whole).expect("the file can be written");

@@ -7,8 +7,9 @@
 mod cases;
 mod page;
 
-use cases::{ErrorCase, error_cases, same_as_file};
+use cases::{ERRORS, ErrorCase, error_cases};
 use groundbeam_file::CODES;
+use groundbeam_testing::expect_file;
 use std::path::Path;
 
 #[test]
@@ -35,8 +36,8 @@ fn every_error_is_found_at_its_place() {
 
 #[test]
 fn every_message_reads_as_expected() {
-    for ErrorCase { path, rendered, .. } in error_cases() {
-        same_as_file(&rendered, &path.with_extension("expected"));
+    for ErrorCase { name, rendered, .. } in error_cases() {
+        expect_file(&format!("{ERRORS}/{}", name.replace(".toml", ".expected")), &rendered);
     }
 }
 

@@ -1,0 +1,8 @@
+//! Tests of the proof, in one test program: a file per subject, and exact arithmetic.
+
+mod arithmetic;
+mod attacks;
+mod documents;
+mod exact;
+mod reader;
+mod right_answers;

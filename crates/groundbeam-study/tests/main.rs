@@ -1,0 +1,4 @@
+//! Tests of studies, in one test program.
+
+mod damaged;
+mod stopped;

@@ -1,0 +1,9 @@
+//! Shared by the tests of all crates: the repository's files, generated texts, and programs from outside.
+
+mod expected;
+mod files;
+mod tools;
+
+pub use expected::{expect, expect_by, expect_file, expect_file_by, updating};
+pub use files::{files, read, repository};
+pub use tools::{environment, succeed, tools_or_skip};
