@@ -7,7 +7,6 @@ mod compression;
 mod compression_combined;
 mod convergence;
 mod curvature;
-mod dependencies;
 mod derivatives;
 mod derivatives_closed;
 mod documents;

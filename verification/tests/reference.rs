@@ -1,4 +1,6 @@
 //! Compares the exact method with answers in 60 digits.
+//!
+//! Claims: `docs/equations.md`.
 
 use groundbeam::{Outcome, solve};
 use groundbeam_verification::reference::Answer;

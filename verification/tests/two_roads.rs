@@ -1,5 +1,7 @@
 //! The paper's discrete problem by four methods: the active set, the paper's iteration, brute force over all contact
 //! sets, and an interior-point solver for quadratic programs.
+//!
+//! Claims: `docs/equations.md`.
 
 use clarabel::algebra::CscMatrix;
 use clarabel::solver::{DefaultSettings, DefaultSolver, IPSolver, SolverStatus, SupportedConeT};

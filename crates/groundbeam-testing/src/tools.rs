@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 /// The environment variable that names the tools without which a test fails instead of being skipped: some of
-/// `python`, `browser`, `wasm` and `registry`, with commas, or `all`.
+/// `python`, `browser` and `wasm`, with commas, or `all`.
 const DEMAND: &str = "GROUNDBEAM_DEMAND";
 
 /// An interpreter with the needed packages. The environment is created in a folder and reused by later runs.
