@@ -66,9 +66,11 @@ impl<'a> Equilibrium<'a> {
         let shapes = chain.solve().ok()?;
         let (series, zones) = frame.series();
         let [mut deflection, mut rotation] = [const { Vec::new() }; 2];
+        let shears = frame.model.beam.shears();
         for (i, exact) in exact.iter().enumerate() {
             for cell in frame.series_of(i) {
-                let [w, turned] = curves(&mesh.cells[i], &series.cells[cell], exact, &shapes[i]);
+                let cells = [&mesh.cells[i], &series.cells[cell]];
+                let [w, turned] = curves(cells, exact, &shapes[i], shears);
                 deflection.extend(w);
                 rotation.extend(turned);
             }
@@ -386,10 +388,11 @@ impl<'a, const N: usize> Linear<'a, N> {
         let (cell, own) = (&self.elements.cells[i], self.own_shape(i));
         let series = self.series.as_ref().unwrap_or(&self.elements);
         for part in self.frame.series_of(i) {
-            let [w, turned] = curves(cell, &series.cells[part], exact, &own);
+            let shears = !self.rotation.is_empty();
+            let [w, turned] = curves([cell, &series.cells[part]], exact, &own, shears);
             let at = part * TERMS..(part + 1) * TERMS;
             self.deflection[at.clone()].copy_from_slice(&w);
-            if !turned.is_empty() {
+            if shears {
                 self.rotation[at].copy_from_slice(&turned);
             }
         }
@@ -706,13 +709,13 @@ fn reach<R: Real>(mesh: &Mesh<R>, ends: &[Option<BeamPoint>; 2]) -> [f64; 2] {
 
 /// Coefficients of w, and of φ if the beam has shear deformation, on a part of an element's cell.
 fn curves<R: Real>(
-    cell: &Cell<R>,
-    part: &Cell<R>,
+    [cell, part]: [&Cell<R>; 2],
     exact: &ExactElement<R>,
     v: &[R; 4],
+    shears: bool,
 ) -> [Vec<R>; 2] {
     let c = exact.deflection_on(cell, part.x, &exact.unfold(v));
-    let turned = cell.beam_shear.map(|_| match exact.rotation(v) {
+    let turned = shears.then(|| match exact.rotation(v) {
         Some(own) => own.to_vec(),
         None => {
             let mut slope = derivative(&c).at_least(TERMS);
