@@ -1,10 +1,11 @@
 //! Derivatives of the potential energy: partial derivatives at fixed w, φ and u of the solution (envelope theorem).
 
 use super::linear::Linear;
-use super::tangent::{Motion, Moved, Tangent};
+use super::tangent::{Motion, Moved};
 use crate::element::element::TERMS;
 use crate::mesh::energy::{Motion as Field, beam_form, ground_work, work_of_loads};
 use crate::mesh::free_field::{self, Line};
+use crate::model::SupportKind;
 use crate::numeric::dual::Dual;
 use crate::numeric::polynomial::{Coefficients, derivative, inner, value};
 use crate::numeric::real::Real;
@@ -12,13 +13,14 @@ use crate::solution::fields::Side;
 
 impl<const N: usize> Linear<'_, N> {
     /// ½∫(EI (φ' − κ₀)² + S (w' − φ)² + P w'²) + ½b(u, u) + springs − F(w).
-    pub fn energy(&self, tangents: &[Tangent]) -> [f64; N] {
-        let still = |c: &[Dual<N>]| c.iter().map(|c| Dual::from(c.value)).collect::<Vec<Dual<N>>>();
-        let (deflection, rotation) = (still(&self.deflection), still(&self.rotation));
+    pub fn energy(&self) -> [f64; N] {
+        let (mesh, still) = (self.mesh(), self.equilibrium);
+        let lifted = |c: &[f64]| c.iter().map(|c| Dual::from(*c)).collect::<Vec<Dual<N>>>();
+        let (deflection, rotation) = (lifted(&still.deflection), lifted(&still.rotation));
         let own = Field { terms: TERMS, deflection: &deflection, rotation: &rotation };
         let mut psi = Vec::with_capacity(deflection.len());
         let mut energy = Dual::ZERO;
-        for (i, (cell, w)) in self.mesh.cells.iter().zip(deflection.chunks(TERMS)).enumerate() {
+        for (i, (cell, w)) in mesh.cells.iter().zip(deflection.chunks(TERMS)).enumerate() {
             psi.extend_from_slice(&cell.obstacle(w)[..TERMS]);
             if cell.has_imposed_curvature() {
                 let turned: Coefficients<Dual<N>> = match rotation.get(i * TERMS..(i + 1) * TERMS) {
@@ -36,43 +38,37 @@ impl<const N: usize> Linear<'_, N> {
                 energy += inner(&moment, &curvature, 0) * (0.5 * half) - inner(&moment, &turned, 0);
             }
         }
-        energy += (beam_form(&self.mesh, own, own)
-            + ground_work(&self.mesh, TERMS, self.zones, &psi, &psi))
-            * 0.5;
-        energy -= work_of_loads(&self.mesh, own);
+        energy +=
+            (beam_form(mesh, own, own) + ground_work(mesh, TERMS, self.zones(), &psi, &psi)) * 0.5;
+        energy -= work_of_loads(mesh, own);
         // ½b(u, u) − ∫q u = ½b(u − u₀, u − u₀) − ½∫q u₀.
         if self.frame.model.has_ground_loads() {
-            let work = |line: &Line<Dual<N>>| free_field::work_of_loads(line, &self.mesh.cells);
-            energy -= self.on_line(tangents, work) * 0.5;
+            let work = |line: &Line<Dual<N>>| free_field::work_of_loads(line, &mesh.cells);
+            energy -= self.on_line(work) * 0.5;
+        }
+        for number in 0..self.frame.model.supports.len() {
+            energy += self.settling(number);
         }
         let mut by = energy.by;
-        for (n, tangent) in tangents.iter().enumerate() {
-            by[n] += self.by_settlements(tangent)
-                + tangent.moved.map_or(0.0, |moved| self.by_motion(&moved));
+        for (by, tangent) in by.iter_mut().zip(&self.tangents) {
+            *by += tangent.moved.map_or(0.0, |moved| self.by_motion(&moved));
         }
         by
     }
 
-    /// Contribution of the settlements δ of supports to the derivative: from ½k (w − δ)² − ½k w² on a spring, and from
-    /// the work on a rigid support.
-    fn by_settlements(&self, tangent: &Tangent) -> f64 {
-        use crate::model::SupportKind::{Fixed, Pinned, Spring};
-        let supports = self.frame.model.supports.iter().zip(&tangent.model.supports);
-        let by = supports.map(|(support, rate)| {
+    /// The energy that a support has due to its settlement δ: ½k (w − δ)² − ½k w² in a spring, and the work on a rigid
+    /// support.
+    fn settling(&self, number: usize) -> Dual<N> {
+        let support = &self.frame.model.supports[number];
+        let [spring, _, settlement] = self.numbers_of_support(number);
+        if matches!(support.kind, SupportKind::Spring { .. }) {
             let w = self.at_node(support.at)[0].value;
-            let settlement = support.settlement;
-            match (support.kind, rate.kind) {
-                (Spring { spring, .. }, Spring { spring: grows, .. }) => {
-                    grows * settlement * (0.5 * settlement - w)
-                        - spring * rate.settlement * (w - settlement)
-                }
-                (Pinned | Fixed, _) if rate.settlement != 0.0 => {
-                    -rate.settlement * self.reaction(support.at)[0].value
-                }
-                _ => 0.0,
-            }
-        });
-        by.sum()
+            return spring * settlement * (settlement * 0.5 - w);
+        }
+        if settlement == support.settlement {
+            return Dual::ZERO;
+        }
+        settlement * -self.reaction(support.at)[0].value
     }
 
     /// Derivative of the energy with respect to the position of a load. The load does work on the mean of both sides.

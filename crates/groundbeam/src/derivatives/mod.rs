@@ -1,10 +1,14 @@
 //! Exact derivatives of results with respect to the data of the model, from the contact problem linearised at its
 //! solution.
 //!
-//! The equations are generic over the number type. One solve of the beam bonded on its contact, in dual numbers, gives
-//! the derivatives of all outputs with respect to up to eight parameters. The derivation is in `docs/derivatives.md`.
+//! The equations are generic over the number type, so dual numbers give their derivatives. The linear problem of the
+//! beam bonded on its contact is solved for each parameter or for each output, whichever are fewer. The derivation is
+//! in `docs/derivatives.md`.
 
+mod adjoint;
 mod energy;
+mod equilibrium;
+mod evaluate;
 mod extreme;
 mod frame;
 mod linear;
@@ -15,17 +19,17 @@ mod parameter;
 mod tangent;
 mod topology;
 
-use crate::element::element::Element;
 use crate::existence::verdict::Verdict;
 use crate::options::Method;
 use crate::solution::solution::Solution;
+use equilibrium::Equilibrium;
 use frame::Frame;
 use linear::Linear;
 pub use output::Output;
-use output::{Read, Reading};
+use output::Reading;
 pub use parameter::{Domain, LoadNumber, Parameter, Property, SupportNumber};
 use std::fmt;
-use tangent::Tangent;
+use tangent::{Moved, Tangent};
 pub use topology::{Condition, Nearest};
 
 /// A value with its derivatives.
@@ -126,8 +130,8 @@ impl std::error::Error for NotDifferentiable {}
 pub const CLOSE: f64 = 1e-6;
 
 impl Solution {
-    /// Derivatives of outputs with respect to parameters: one gradient for each output. Eight parameters cost about as
-    /// much as one solve. The cost of an output is small.
+    /// Derivatives of outputs with respect to parameters: one gradient for each output. A few outputs and many
+    /// parameters, or a few parameters and many outputs, cost about as much as one solve.
     ///
     /// ```
     /// use groundbeam::{Beam, Field, Foundation, Load, Model, Outcome, solve, solution::Side};
@@ -155,15 +159,14 @@ impl Solution {
     ) -> Result<Vec<Gradient>, NotDifferentiable> {
         let frame = self.linearised()?;
         let readings = readings(&frame, outputs)?;
-        let tangents = tangents(&frame, parameters)?;
-        let rows = derivatives(&frame, &readings, &tangents)?;
+        let Derivatives { rows, moved } = derivatives(&frame, &readings, parameters)?;
         let nearest = self.nearest_change_in(&frame).filter(|near| near.margin < CLOSE);
         let gradient = |(reading, derivatives): (&Reading, Vec<f64>)| {
             let mut one_sided = Vec::new();
             one_sided.extend(nearest.map(OneSided::Contact));
             one_sided.extend(reading.rival.map(|at| OneSided::Rival { at }));
-            for (parameter, tangent) in tangents.iter().enumerate() {
-                let moved = tangent.moved.filter(|moved| frame.is_one_sided(&reading.of, moved));
+            for (parameter, moved) in moved.iter().enumerate() {
+                let moved = moved.filter(|moved| frame.is_one_sided(&reading.of, moved));
                 one_sided.extend(moved.map(|moved| OneSided::Place { parameter, at: moved.x }));
             }
             Gradient { value: reading.value, derivatives, one_sided }
@@ -183,8 +186,7 @@ impl Solution {
     ) -> Result<Vec<Vec<f64>>, NotDifferentiable> {
         let frame = self.linearised()?;
         let readings = readings(&frame, outputs)?;
-        let tangents = tangents(&frame, parameters)?;
-        let rows = derivatives(&frame, &readings, &tangents)?;
+        let Derivatives { rows, .. } = derivatives(&frame, &readings, parameters)?;
         let of = |p: usize| rows.iter().map(|row| row[p]).collect();
         Ok((0..parameters.len()).map(of).collect())
     }
@@ -216,72 +218,87 @@ fn readings(frame: &Frame, outputs: &[Output]) -> Result<Vec<Reading>, NotDiffer
     outputs.iter().map(reading).collect()
 }
 
-/// The derivatives of the model's numbers with respect to each parameter.
-fn tangents(frame: &Frame, parameters: &[Parameter]) -> Result<Vec<Tangent>, NotDifferentiable> {
+/// The derivatives of the model's numbers with respect to a parameter.
+fn tangent(frame: &Frame, parameter: Parameter) -> Result<Tangent, NotDifferentiable> {
     let model = frame.solution.model();
-    let tangent = |parameter: &Parameter| {
-        let value = parameter.value(model);
-        let value = value.ok_or(NotDifferentiable::NoSuchParameter(*parameter))?;
-        if matches!(parameter, Parameter::Value(Property::Shear, _)) && value == 0.0 {
-            return Err(NotDifferentiable::NoShearLayer);
-        }
-        let mut tangent = Tangent::of(*parameter, model);
-        let kept = |i: usize| frame.number_among_acting(i).is_some();
-        tangent.model = tangent.model.with_supports_that(|i, _| kept(i));
-        Ok(tangent)
-    };
-    parameters.iter().map(tangent).collect()
+    let value = parameter.value(model).ok_or(NotDifferentiable::NoSuchParameter(parameter))?;
+    if matches!(parameter, Parameter::Value(Property::Shear, _)) && value == 0.0 {
+        return Err(NotDifferentiable::NoShearLayer);
+    }
+    let mut tangent = Tangent::of(parameter, model);
+    let mut number = 0..;
+    let acts = |i| frame.number_among_acting(i).is_some();
+    tangent.model.supports.retain(|_| number.next().is_some_and(acts));
+    Ok(tangent)
 }
 
-/// The derivatives of each output with respect to all parameters, from solves in dual numbers.
+/// The derivatives of outputs.
+struct Derivatives {
+    /// For each output those with respect to all parameters.
+    rows: Vec<Vec<f64>>,
+    /// For each parameter the load that it moves.
+    moved: Vec<Option<Moved>>,
+}
+
 fn derivatives(
     frame: &Frame,
     readings: &[Reading],
-    tangents: &[Tangent],
-) -> Result<Vec<Vec<f64>>, NotDifferentiable> {
-    let mut read = frame.cells_near(readings.iter().flat_map(Reading::positions));
-    if readings.iter().any(|reading| matches!(reading.of, Read::Energy)) {
-        read.fill(true);
+    parameters: &[Parameter],
+) -> Result<Derivatives, NotDifferentiable> {
+    match parameters.len() {
+        0..=1 => derivatives_by::<1>(frame, readings, parameters),
+        2..=4 => derivatives_by::<4>(frame, readings, parameters),
+        // Larger numbers cost more than a second pass.
+        _ => derivatives_by::<8>(frame, readings, parameters),
     }
-    let still = frame.elements();
-    let known = Known { still: &still, read: &read };
-    let mut rows = vec![Vec::with_capacity(tangents.len()); readings.len()];
-    let mut rest = tangents;
-    while !rest.is_empty() {
-        let (some, others) = rest.split_at(rest.len().min(MOST));
-        match some.len() {
-            1 => add_columns::<1>(frame, known, readings, some, &mut rows)?,
-            2..=4 => add_columns::<4>(frame, known, readings, some, &mut rows)?,
-            _ => add_columns::<MOST>(frame, known, readings, some, &mut rows)?,
-        }
-        rest = others;
-    }
-    Ok(rows)
 }
 
-/// Maximum number of parameters in one solve. With more, the larger dual numbers cost more than a second solve.
-const MOST: usize = 8;
-
-/// The elements without derivatives, and the cells in which outputs evaluate w.
-#[derive(Clone, Copy)]
-struct Known<'a> {
-    still: &'a [Element],
-    read: &'a [bool],
-}
-
-fn add_columns<const N: usize>(
+/// The derivatives with respect to parameters, from numbers with N derivatives.
+fn derivatives_by<const N: usize>(
     frame: &Frame,
-    known: Known,
     readings: &[Reading],
-    tangents: &[Tangent],
-    rows: &mut [Vec<f64>],
-) -> Result<(), NotDifferentiable> {
-    let linear = Linear::<N>::solve(frame, known.still, known.read, tangents);
-    let linear = linear.ok_or(NotDifferentiable::NotUnique)?;
-    for (row, reading) in rows.iter_mut().zip(readings) {
-        // Adding zero turns −0 into 0.
-        let by = linear.read(reading, tangents);
-        row.extend(by[..tangents.len()].iter().map(|by| by + 0.0));
+    parameters: &[Parameter],
+) -> Result<Derivatives, NotDifferentiable> {
+    let mechanism = NotDifferentiable::NotUnique;
+    let equilibrium = Equilibrium::at(frame).ok_or(mechanism)?;
+    // The stiffness is symmetric: a solve for each output gives the same as one for each parameter. The fewer are made.
+    let adjoints = if readings.len() < parameters.len() {
+        Some(equilibrium.adjoints(readings).ok_or(mechanism)?)
+    } else {
+        None
+    };
+    let read = equilibrium.read_by(readings);
+    let mut linear = Linear::<N>::new(&equilibrium);
+    let mut rows = vec![Vec::with_capacity(parameters.len()); readings.len()];
+    let mut moved = Vec::with_capacity(parameters.len());
+    for some in parameters.chunks(N) {
+        let tangents = some.iter().map(|parameter| tangent(frame, *parameter));
+        linear.vary(tangents.collect::<Result<_, _>>()?);
+        moved.extend(linear.tangents.iter().map(|tangent| tangent.moved));
+        let loads = linear.loads();
+        if adjoints.is_none() {
+            let along =
+                |n: usize| loads.iter().map(move |(cell, load)| (*cell, load.map(|q| q.by[n])));
+            let displaced = equilibrium.displaced((0..some.len()).map(|n| along(n).collect()));
+            for (n, by) in displaced.ok_or(mechanism)?.iter().enumerate() {
+                linear.displace(n, by);
+            }
+        }
+        let changed = |i: &usize| adjoints.is_none() || linear.exact[*i].is_some();
+        let changed: Vec<usize> = read.iter().copied().filter(changed).collect();
+        linear.refresh(changed.into_iter());
+        for (i, (row, reading)) in rows.iter_mut().zip(readings).enumerate() {
+            let mut by = linear.read(reading);
+            for (adjoint, (cell, load)) in
+                adjoints.iter().flat_map(|all| loads.iter().map(|load| (&all[i], load)))
+            {
+                for (v, load) in adjoint[*cell].iter().zip(load) {
+                    by.iter_mut().zip(load.by).for_each(|(by, load)| *by += v * load);
+                }
+            }
+            // Adding zero turns −0 into 0.
+            row.extend(by[..some.len()].iter().map(|by| by + 0.0));
+        }
     }
-    Ok(())
+    Ok(Derivatives { rows, moved })
 }
