@@ -2,6 +2,7 @@
 
 mod batch;
 mod clock;
+mod gradients;
 mod mesh;
 mod models;
 mod proof;
@@ -16,6 +17,7 @@ groundbeam-bench batch    1000 random beams on meshes; footings and case C exact
 groundbeam-bench study    random footings drawn, solved, certified and written, beside the bare solver
 groundbeam-bench rail     a rail of 1 to 10 km, exactly
 groundbeam-bench proof    the proof of an answer beside the solve that gave it
+groundbeam-bench gradients  derivatives beside the solve that they differentiate
 groundbeam-bench all      all of it, into bench/RESULTS.md; what bench/rivals.py wrote is kept";
 
 fn main() {
@@ -28,6 +30,7 @@ fn main() {
         Some("study") => print(&[study::table(number(1).unwrap_or(100_000.0) as u64)]),
         Some("rail") => print(&[batch::rails()]),
         Some("proof") => print(&[proof::table()]),
+        Some("gradients") => print(&[gradients::table()]),
         Some("peak") => mesh::peak(number(1).unwrap_or(0.0), number(2).unwrap_or(1e3) as usize),
         Some("problem") => {
             let file = arguments.get(2).map(std::path::PathBuf::from).unwrap_or_default();
@@ -40,6 +43,7 @@ fn main() {
                 batch::exact(),
                 batch::rails(),
                 proof::table(),
+                gradients::table(),
                 study::table(100_000),
             ];
             write(&parts.concat());

@@ -253,6 +253,8 @@ struct Counts {
     rough: usize,
     too_fast: usize,
     idle: usize,
+    far: usize,
+    apart: f64,
     wrong: usize,
 }
 
@@ -274,12 +276,28 @@ fn compare(family: Family, number: u64, counts: &mut Counts) {
     }
     let alone: Vec<Output> = all.iter().map(|(output, _)| *output).collect();
     let gradients = solution.gradients(&alone, &parameters).expect("derivatives");
+    // One output and several parameters: solved for the output.
+    let adjoint = |output: &Output| {
+        solution.gradients(&[*output], &parameters).expect("derivatives").remove(0)
+    };
+    let adjoints: Vec<Gradient> = alone.iter().map(adjoint).collect();
     for (p, parameter) in parameters.iter().enumerate() {
         let unit = unit(&solution, *parameter);
         let exact = |i: usize| gradients[i].derivatives[p];
         let scale = |i: usize| unit / (exact(i).abs() * unit).max(all[i].1);
         if unit == 0.0 {
             continue;
+        }
+        for (i, adjoint) in adjoints.iter().enumerate() {
+            let apart = (adjoint.derivatives[p] - exact(i)).abs() * scale(i);
+            counts.apart = counts.apart.max(apart);
+            counts.far += usize::from(apart > 1e-9);
+            if apart > 1e-8 {
+                let (output, exact, adjoint) = (all[i].0, exact(i), adjoint.derivatives[p]);
+                println!(
+                    "APART {family:?} {number}: {output:?} by {parameter:?}: {exact:e} {adjoint:e} {apart:e}"
+                );
+            }
         }
         let doubtful: Vec<bool> = gradients.iter().map(|g| is_one_sided(g, p)).collect();
         let mut found = vec![Comparison::NONE; all.len()];

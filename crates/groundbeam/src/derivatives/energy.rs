@@ -12,13 +12,14 @@ use crate::solution::fields::Side;
 
 impl<const N: usize> Linear<'_, N> {
     /// ½∫(EI (φ' − κ₀)² + S (w' − φ)² + P w'²) + ½b(u, u) + springs − F(w).
-    pub fn energy(&self, tangents: &[Tangent]) -> [f64; N] {
-        let still = |c: &[Dual<N>]| c.iter().map(|c| Dual::from(c.value)).collect::<Vec<Dual<N>>>();
-        let (deflection, rotation) = (still(&self.deflection), still(&self.rotation));
+    pub fn energy(&self) -> [f64; N] {
+        let (mesh, still) = (self.mesh(), self.equilibrium);
+        let lifted = |c: &[f64]| c.iter().map(|c| Dual::from(*c)).collect::<Vec<Dual<N>>>();
+        let (deflection, rotation) = (lifted(&still.deflection), lifted(&still.rotation));
         let own = Field { terms: TERMS, deflection: &deflection, rotation: &rotation };
         let mut psi = Vec::with_capacity(deflection.len());
         let mut energy = Dual::ZERO;
-        for (i, (cell, w)) in self.mesh.cells.iter().zip(deflection.chunks(TERMS)).enumerate() {
+        for (i, (cell, w)) in mesh.cells.iter().zip(deflection.chunks(TERMS)).enumerate() {
             psi.extend_from_slice(&cell.obstacle(w)[..TERMS]);
             if cell.has_imposed_curvature() {
                 let turned: Coefficients<Dual<N>> = match rotation.get(i * TERMS..(i + 1) * TERMS) {
@@ -36,17 +37,16 @@ impl<const N: usize> Linear<'_, N> {
                 energy += inner(&moment, &curvature, 0) * (0.5 * half) - inner(&moment, &turned, 0);
             }
         }
-        energy += (beam_form(&self.mesh, own, own)
-            + ground_work(&self.mesh, TERMS, self.zones, &psi, &psi))
-            * 0.5;
-        energy -= work_of_loads(&self.mesh, own);
+        energy +=
+            (beam_form(mesh, own, own) + ground_work(mesh, TERMS, self.zones(), &psi, &psi)) * 0.5;
+        energy -= work_of_loads(mesh, own);
         // ½b(u, u) − ∫q u = ½b(u − u₀, u − u₀) − ½∫q u₀.
         if self.frame.model.has_ground_loads() {
-            let work = |line: &Line<Dual<N>>| free_field::work_of_loads(line, &self.mesh.cells);
-            energy -= self.on_line(tangents, work) * 0.5;
+            let work = |line: &Line<Dual<N>>| free_field::work_of_loads(line, &mesh.cells);
+            energy -= self.on_line(work) * 0.5;
         }
         let mut by = energy.by;
-        for (n, tangent) in tangents.iter().enumerate() {
+        for (n, tangent) in self.tangents.iter().enumerate() {
             by[n] += self.by_settlements(tangent)
                 + tangent.moved.map_or(0.0, |moved| self.by_motion(&moved));
         }

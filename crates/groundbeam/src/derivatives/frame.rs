@@ -9,20 +9,15 @@ use crate::cancel::Cancel;
 use crate::contact::bonded::{Bonded, zone_kind_of};
 use crate::contact::intervals::{Interval, zones_of};
 use crate::contact::surface::can_carry;
-use crate::element::ExactElement;
-use crate::element::element::Element;
 use crate::element::operator::{Operator, ZoneKind};
 use crate::element::uniform::Layers;
-use crate::mesh::cell::Cell;
 use crate::mesh::deflection::{BeamPoint, MeshZone};
 use crate::mesh::mesh::Mesh;
 use crate::model::{Load, Model};
 use crate::numeric::tolerance::same_place;
 use crate::solution::fields::Side;
 use crate::solution::solution::Solution;
-
-/// Maximum number of cells in a short span.
-const SHORT: usize = 8;
+use std::ops::Range;
 
 /// The linearised problem without derivatives: model, cells and contact zones.
 #[derive(Debug)]
@@ -62,35 +57,18 @@ impl<'a> Frame<'a> {
         Frame { solution, model, mesh, zones, touch, fine }
     }
 
-    /// The elements of all cells, without derivatives.
-    pub fn elements(&self) -> Vec<Element> {
-        let element = |(cell, touch): (&Cell, &ZoneKind)| {
-            let operator = Operator::of(cell, self.mesh.axial_force, *touch);
-            ExactElement::new(&operator, cell.length()).element
-        };
-        self.mesh.cells.iter().zip(&self.touch).map(element).collect()
+    /// The mesh on which w is a power series in each cell, and the contact zones on it.
+    pub fn series(&self) -> (&Mesh, &[MeshZone]) {
+        let own = (&self.mesh, &self.zones[..]);
+        self.fine.as_ref().map_or(own, |(fine, zones)| (fine, &zones[..]))
     }
 
-    /// Marks the cells on both sides of each position, at contact edges, and in short spans between contact zones.
-    pub fn cells_near(&self, positions: impl Iterator<Item = f64>) -> Vec<bool> {
-        let count = self.mesh.cells.len();
-        let mut near = vec![false; count];
-        let mut mark = |from: usize, to: usize| near[from.min(count)..to.min(count)].fill(true);
-        for x in positions {
-            let cell = self.mesh.cell_at(x);
-            mark(cell.saturating_sub(1), cell + 1);
-        }
-        let mut last: Option<usize> = None;
-        for zone in &self.zones {
-            for spot in [zone.from, zone.to] {
-                mark(spot.cell.saturating_sub(1), spot.cell + 2);
-            }
-            if let Some(last) = last.filter(|last| zone.from.cell <= last + SHORT) {
-                mark(last, zone.from.cell + 1);
-            }
-            last = Some(zone.to.cell);
-        }
-        near
+    /// The cells of this mesh in an element.
+    pub fn series_of(&self, i: usize) -> Range<usize> {
+        let Some((fine, _)) = &self.fine else { return i..i + 1 };
+        let [from, to] = self.mesh.cells[i].x;
+        let before = |x: f64| fine.cells.partition_point(|cell| 0.5 * (cell.x[0] + cell.x[1]) < x);
+        before(from)..before(to)
     }
 
     /// Index of a support among the supports that act.

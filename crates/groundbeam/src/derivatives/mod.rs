@@ -15,15 +15,15 @@ mod parameter;
 mod tangent;
 mod topology;
 
-use crate::element::element::Element;
 use crate::existence::verdict::Verdict;
 use crate::options::Method;
 use crate::solution::solution::Solution;
 use frame::Frame;
-use linear::Linear;
+use linear::{Equilibrium, Linear, Stiffness};
 pub use output::Output;
-use output::{Read, Reading};
+use output::Reading;
 pub use parameter::{Domain, LoadNumber, Parameter, Property, SupportNumber};
+use std::collections::BTreeSet;
 use std::fmt;
 use tangent::Tangent;
 pub use topology::{Condition, Nearest};
@@ -233,55 +233,82 @@ fn tangents(frame: &Frame, parameters: &[Parameter]) -> Result<Vec<Tangent>, Not
     parameters.iter().map(tangent).collect()
 }
 
-/// The derivatives of each output with respect to all parameters, from solves in dual numbers.
+/// The derivatives of each output with respect to all parameters.
 fn derivatives(
     frame: &Frame,
     readings: &[Reading],
     tangents: &[Tangent],
 ) -> Result<Vec<Vec<f64>>, NotDifferentiable> {
-    let mut read = frame.cells_near(readings.iter().flat_map(Reading::positions));
-    if readings.iter().any(|reading| matches!(reading.of, Read::Energy)) {
-        read.fill(true);
-    }
-    let still = frame.elements();
-    let known = Known { still: &still, read: &read };
-    let mut rows = vec![Vec::with_capacity(tangents.len()); readings.len()];
-    let mut rest = tangents;
-    while !rest.is_empty() {
-        let (some, others) = rest.split_at(rest.len().min(MOST));
-        match some.len() {
-            1 => add_columns::<1>(frame, known, readings, some, &mut rows)?,
-            2..=4 => add_columns::<4>(frame, known, readings, some, &mut rows)?,
-            _ => add_columns::<MOST>(frame, known, readings, some, &mut rows)?,
+    let rows = || {
+        let (equilibrium, mut stiffness) = Equilibrium::at(frame)?;
+        // The stiffness is symmetric: a solve for each output or for each parameter gives the same. The fewer are solved.
+        let adjoints = if readings.len() < tangents.len() {
+            Some(equilibrium.adjoints(&mut stiffness, readings)?)
+        } else {
+            None
+        };
+        let read = equilibrium.read_by(readings);
+        let mut problem = Problem { equilibrium, stiffness, readings, read, adjoints };
+        let mut rows = vec![Vec::with_capacity(tangents.len()); readings.len()];
+        let mut rest = tangents;
+        while !rest.is_empty() {
+            let (some, others) = rest.split_at(rest.len().min(MOST));
+            match some.len() {
+                1 => problem.add_columns::<1>(some, &mut rows)?,
+                2..=4 => problem.add_columns::<4>(some, &mut rows)?,
+                _ => problem.add_columns::<MOST>(some, &mut rows)?,
+            }
+            rest = others;
         }
-        rest = others;
-    }
-    Ok(rows)
+        Some(rows)
+    };
+    rows().ok_or(NotDifferentiable::NotUnique)
 }
 
-/// Maximum number of parameters in one solve. With more, the larger dual numbers cost more than a second solve.
+/// Maximum number of parameters in one dual number. Larger numbers cost more than a second pass.
 const MOST: usize = 8;
 
-/// The elements without derivatives, and the cells in which outputs evaluate w.
-#[derive(Clone, Copy)]
-struct Known<'a> {
-    still: &'a [Element],
-    read: &'a [bool],
+/// The linearised problem and its outputs.
+struct Problem<'a> {
+    equilibrium: Equilibrium<'a>,
+    stiffness: Stiffness,
+    readings: &'a [Reading],
+    /// The elements on which the outputs depend.
+    read: BTreeSet<usize>,
+    /// For each output its adjoint displacements, unless each parameter is solved for.
+    adjoints: Option<Vec<Vec<[f64; 4]>>>,
 }
 
-fn add_columns<const N: usize>(
-    frame: &Frame,
-    known: Known,
-    readings: &[Reading],
-    tangents: &[Tangent],
-    rows: &mut [Vec<f64>],
-) -> Result<(), NotDifferentiable> {
-    let linear = Linear::<N>::solve(frame, known.still, known.read, tangents);
-    let linear = linear.ok_or(NotDifferentiable::NotUnique)?;
-    for (row, reading) in rows.iter_mut().zip(readings) {
-        // Adding zero turns −0 into 0.
-        let by = linear.read(reading, tangents);
-        row.extend(by[..tangents.len()].iter().map(|by| by + 0.0));
+impl Problem<'_> {
+    /// Appends the derivatives with respect to some parameters; `None` if the beam is a mechanism on its contact.
+    fn add_columns<const N: usize>(
+        &mut self,
+        tangents: &[Tangent],
+        rows: &mut [Vec<f64>],
+    ) -> Option<()> {
+        let mut linear = Linear::<N>::new(&self.equilibrium, tangents);
+        let loads = linear.loads();
+        if self.adjoints.is_none() {
+            for n in 0..tangents.len() {
+                let own = loads.iter().map(|(cell, load)| (*cell, load.map(|load| load.by[n])));
+                for (v, by) in linear.shapes.iter_mut().zip(self.stiffness.displaced(own)?) {
+                    v.iter_mut().zip(by).for_each(|(v, by)| v.by[n] = by);
+                }
+            }
+        }
+        linear.refresh_all(&self.read, self.adjoints.is_none());
+        for (i, (row, reading)) in rows.iter_mut().zip(self.readings).enumerate() {
+            let mut by = linear.read(reading);
+            if let Some(adjoint) = self.adjoints.as_ref().map(|adjoints| &adjoints[i]) {
+                for (cell, load) in &loads {
+                    for (v, load) in adjoint[*cell].iter().zip(load) {
+                        by.iter_mut().zip(load.by).for_each(|(by, load)| *by += v * load);
+                    }
+                }
+            }
+            // Adding zero turns −0 into 0.
+            row.extend(by[..tangents.len()].iter().map(|by| by + 0.0));
+        }
+        Some(())
     }
-    Ok(())
 }

@@ -3,7 +3,7 @@
 use super::extreme::Place;
 use super::frame::Frame;
 use super::linear::Linear;
-use super::tangent::{Motion, Moved, Tangent};
+use super::tangent::{Motion, Moved};
 use crate::model::{Support, SupportKind};
 use crate::solution::field::Field as Quantity;
 use crate::solution::fields::Side;
@@ -40,19 +40,6 @@ pub(super) struct Reading {
     pub of: Read,
     /// Another position with an equal extreme.
     pub rival: Option<f64>,
-}
-
-impl Reading {
-    /// Positions on the beam at which w is evaluated.
-    pub fn positions(&self) -> impl Iterator<Item = f64> {
-        let x = match self.of {
-            Read::Field { x, .. } => Some(x),
-            // The nearest end of the beam.
-            Read::Beside { x } => Some(x.max(0.0)),
-            _ => None,
-        };
-        x.into_iter()
-    }
 }
 
 /// How an output is evaluated.
@@ -216,20 +203,20 @@ impl Frame<'_> {
 }
 
 impl<const N: usize> Linear<'_, N> {
-    /// The derivatives of an output with respect to each parameter.
-    pub fn read(&self, reading: &Reading, tangents: &[Tangent]) -> [f64; N] {
+    /// The derivatives of an output.
+    pub fn read(&self, reading: &Reading) -> [f64; N] {
         let frame = self.frame;
         match reading.of {
             Read::Constant => [0.0; N],
-            Read::Energy => self.energy(tangents),
-            Read::Beside { x } => self.settlement_beside(x, tangents).by,
+            Read::Energy => self.energy(),
+            Read::Beside { x } => self.settlement_beside(x).by,
             Read::EdgeForce { zone, side } => self.force_at_edge(zone, side).by,
             Read::Edge { zone, side } if !frame.stays(zone, side) => self.edge(zone, side),
             Read::Edge { zone, side } => {
                 let follows = |moved: Moved| frame.edge_follows(zone, side, &moved);
-                self.moved_by(tangents, |moved| if follows(moved) { 1.0 } else { 0.0 })
+                self.moved_by(|moved| if follows(moved) { 1.0 } else { 0.0 })
             }
-            Read::Support { number, moment } => self.support(number, moment, tangents),
+            Read::Support { number, moment } => self.support(number, moment),
             Read::Field { field, x, side, follows } => {
                 let mut by = self.field(field, x, side).by;
                 let place = match follows {
@@ -237,9 +224,13 @@ impl<const N: usize> Linear<'_, N> {
                     Follows::Edge { zone, side, slope } => {
                         self.edge(zone, side).map(|moved| slope * moved)
                     }
-                    Follows::Load { slope } => self.moved_by(tangents, |moved| {
-                        if frame.is_same_place(moved.x, x) { slope } else { 0.0 }
-                    }),
+                    Follows::Load { slope } => {
+                        self.moved_by(
+                            |moved| {
+                                if frame.is_same_place(moved.x, x) { slope } else { 0.0 }
+                            },
+                        )
+                    }
                 };
                 for (by, place) in by.iter_mut().zip(place) {
                     *by += place;
@@ -249,15 +240,15 @@ impl<const N: usize> Linear<'_, N> {
         }
     }
 
-    fn moved_by(&self, tangents: &[Tangent], of: impl Fn(Moved) -> f64) -> [f64; N] {
-        let moved = |n: usize| tangents.get(n).and_then(|tangent| tangent.moved);
+    fn moved_by(&self, of: impl Fn(Moved) -> f64) -> [f64; N] {
+        let moved = |n: usize| self.tangents.get(n).and_then(|tangent| tangent.moved);
         std::array::from_fn(|n| moved(n).map_or(0.0, &of))
     }
 
-    fn support(&self, number: usize, moment: bool, tangents: &[Tangent]) -> [f64; N] {
+    fn support(&self, number: usize, moment: bool) -> [f64; N] {
         let support = &self.frame.model.supports[number];
         let [w, rotation] = self.at_node(support.at);
-        let rate = |n: usize| tangents.get(n).map(|tangent| tangent.model.supports[number]);
+        let rate = |n: usize| self.tangents.get(n).map(|tangent| tangent.model.supports[number]);
         let springs = |support: &Support| match support.kind {
             SupportKind::Spring { spring, rotational_spring } => [spring, rotational_spring],
             _ => [0.0; 2],

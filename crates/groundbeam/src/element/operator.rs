@@ -59,12 +59,12 @@ impl<R: Real> Operator<R> {
         }
     }
 
-    /// Whether no coefficient has derivatives. `false` if coefficients are polynomials.
+    /// Whether no coefficient has derivatives.
     pub fn is_still(&self) -> bool {
         let Operator { stiffness, tension, subgrade, load, moment_load, .. } = *self;
         let pairs = [load, moment_load, self.imposed_moments];
         let mut all = [stiffness, tension, subgrade].into_iter().chain(pairs.into_iter().flatten());
-        self.polynomials.is_none() && all.all(|c| c == c.value())
+        all.all(|c| c == c.value()) && self.polynomials.as_ref().is_none_or(Polynomials::is_still)
     }
 
     /// Whether the shear stiffness is sufficient under the axial force, S + N > 0. Otherwise the beam buckles
@@ -153,6 +153,13 @@ impl<R: Real> Polynomials<R> {
             }
         }
         all
+    }
+
+    fn is_still(&self) -> bool {
+        let courses = [&self.stiffness[..], &self.tension, &self.spring, &self.load];
+        let others = [&self.slope_load[..], &self.moment_load, &self.curvature];
+        let shear = self.shear.iter().flatten();
+        courses.into_iter().chain(others).flatten().chain(shear).all(|c| *c == c.value())
     }
 
     /// Whether S + N > 0 at the ends and in the middle, if the beam has shear deformation.

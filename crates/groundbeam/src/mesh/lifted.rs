@@ -7,8 +7,9 @@ use crate::ground::link;
 use crate::mesh::cell::Cell;
 use crate::mesh::free_field::{self, GroundLoad, Line, ground_loads};
 use crate::mesh::mesh::{Mesh, Node, cells_of};
-use crate::model::{GroundOutside, Model};
+use crate::model::{GroundOutside, Model, Profile};
 use crate::numeric::dual::Dual;
+use std::ops::Range;
 
 /// A model, and the derivatives of its numbers with respect to at most N parameters.
 #[derive(Debug, Clone, Copy)]
@@ -61,21 +62,23 @@ impl Mesh {
     pub fn lifted<const N: usize>(&self, rates: &Rates) -> Mesh<Dual<N>> {
         let x: Vec<f64> = self.nodes.iter().map(|node| node.x).collect();
         let of = |model: &&Model| {
-            let cells = cells_of(model, &x);
+            let reach = reach(model, &x);
+            let cells = cells_of(model, &x[reach.clone()]);
             let nodes = x.iter().map(|&x| Node { x, ..Node::default() }).collect();
             let mut mesh = Mesh { nodes, cells, axial_force: 0.0, outside: [0.0; 2] };
             mesh.place_loads_and_supports(model);
-            mesh
+            (reach.start, mesh)
         };
-        let by: Vec<Mesh> = rates.by.iter().map(of).collect();
+        let by: Vec<(usize, Mesh)> = rates.by.iter().map(of).collect();
         let cell = |(i, cell): (usize, &Cell)| {
-            let by: [Option<&Cell>; N] =
-                std::array::from_fn(|n| by.get(n).map(|mesh| &mesh.cells[i]));
+            let by: [Option<&Cell>; N] = std::array::from_fn(|n| {
+                by.get(n).and_then(|(from, mesh)| mesh.cells.get(i.checked_sub(*from)?))
+            });
             cell.lifted(by)
         };
         let node = |(i, node): (usize, &Node)| {
             let by: [Option<&Node>; N] =
-                std::array::from_fn(|n| by.get(n).map(|mesh| &mesh.nodes[i]));
+                std::array::from_fn(|n| by.get(n).map(|(_, mesh)| &mesh.nodes[i]));
             node.lifted(by)
         };
         let mut cells: Vec<Cell<Dual<N>>> = self.cells.iter().enumerate().map(cell).collect();
@@ -100,6 +103,49 @@ impl Mesh {
             outside: beyond.map(|beyond| link::outside(&beyond)),
         }
     }
+}
+
+/// The nodes of the cells whose data, without the free field, differ from 0, and one more cell on each side. The numbers
+/// of the model are derivatives, most of them 0.
+fn reach(model: &Model, x: &[f64]) -> Range<usize> {
+    let (beam, ground) = (&model.beam, &model.foundation);
+    let own = [beam.bending_stiffness, ground.subgrade, ground.shear_layer];
+    if own.into_iter().chain(beam.shear_stiffness).any(|number| number != 0.0) {
+        return 0..x.len();
+    }
+    let [mut from, mut to] = [f64::INFINITY, f64::NEG_INFINITY];
+    let mut add = |ends: [f64; 2], is_zero: bool| {
+        if !is_zero {
+            (from, to) = (from.min(ends[0]), to.max(ends[1]));
+        }
+    };
+    let is_zero = |profile: &Profile| profile.control_values().iter().all(|value| *value == 0.0);
+    for segment in &beam.segments {
+        let zero = is_zero(&segment.bending_stiffness);
+        add(
+            [segment.from, segment.to],
+            zero && segment.shear_stiffness.as_ref().is_none_or(is_zero),
+        );
+    }
+    for segment in &ground.segments {
+        add(
+            [segment.from, segment.to],
+            is_zero(&segment.subgrade) && is_zero(&segment.shear_layer),
+        );
+    }
+    for load in &model.loads {
+        add(load.extent.ends(), load.extent.sizes() == [0.0; 2]);
+    }
+    for (i, corner) in model.gap.iter().enumerate() {
+        let before = i.checked_sub(1).map_or(f64::NEG_INFINITY, |i| model.gap[i].at);
+        let after = model.gap.get(i + 1).map_or(f64::INFINITY, |corner| corner.at);
+        add([before, after], corner.value == 0.0);
+    }
+    if from > to {
+        return 0..1;
+    }
+    let first = x.partition_point(|x| *x < from).saturating_sub(2);
+    first..(x.partition_point(|x| *x <= to) + 2).min(x.len())
 }
 
 impl Node {
