@@ -29,6 +29,7 @@ use crate::numeric::real::Real;
 use crate::solution::field::Field;
 use crate::solution::fields::{Side, SolutionPiece};
 use std::collections::BTreeSet;
+use std::ops::Range;
 
 /// The bonded beam in equilibrium, without derivatives.
 #[derive(Debug)]
@@ -147,8 +148,7 @@ impl<'a> Equilibrium<'a> {
         stiffness: &mut Stiffness,
         readings: &[Reading],
     ) -> Option<Vec<Vec<[f64; 4]>>> {
-        let mut linear = Linear::<4>::new(self, &[]);
-        linear.refresh_all(&BTreeSet::new(), false);
+        let mut linear = Linear::<4>::new(self);
         let reads: Vec<BTreeSet<usize>> = readings.iter().map(|own| self.reads(&own.of)).collect();
         let mut loads: Vec<Loads<f64>> = vec![Vec::new(); readings.len()];
         for cell in self.read_by(readings) {
@@ -213,10 +213,11 @@ impl Stiffness {
 pub(super) struct Linear<'a, const N: usize> {
     pub equilibrium: &'a Equilibrium<'a>,
     pub frame: &'a Frame<'a>,
-    pub tangents: &'a [Tangent],
-    /// The mesh of elements, and the mesh of power series if it differs.
+    pub tangents: Vec<Tangent>,
+    /// The mesh of elements, and the mesh of power series if it differs, each with the cells that have derivatives.
     elements: Mesh<Dual<N>>,
-    series: Option<Mesh<Dual<N>>>,
+    varied: Range<usize>,
+    series: Option<(Mesh<Dual<N>>, Range<usize>)>,
     /// Elements whose data or unknowns have derivatives.
     exact: Vec<Option<Box<ExactElement<Dual<N>>>>>,
     /// The four unknowns of each element, from the displacements of its nodes.
@@ -255,42 +256,79 @@ struct Span<const N: usize> {
 }
 
 impl<'a, const N: usize> Linear<'a, N> {
-    /// The data with their derivatives with respect to at most N parameters, and the unknowns without derivatives.
-    pub fn new(equilibrium: &'a Equilibrium<'a>, tangents: &'a [Tangent]) -> Self {
+    /// Data and unknowns without derivatives.
+    pub fn new(equilibrium: &'a Equilibrium<'a>) -> Self {
         let frame = equilibrium.frame;
-        let by: Vec<&Model> = tangents.iter().map(|tangent| &tangent.model).collect();
-        let rates = Rates { model: &frame.model, by: &by };
-        let elements: Mesh<Dual<N>> = frame.mesh.lifted(&rates);
-        let series = frame.fine.as_ref().map(|(fine, _)| fine.lifted(&rates));
         let lifted = |c: &[f64]| c.iter().map(|c| Dual::from(*c)).collect();
         let mut linear = Linear {
             equilibrium,
             frame,
-            tangents,
-            exact: elements.cells.iter().map(|_| None).collect(),
-            elements,
-            series,
+            tangents: Vec::new(),
+            elements: frame.mesh.still(),
+            varied: 0..0,
+            series: frame.fine.as_ref().map(|(fine, _)| (fine.still(), 0..0)),
+            exact: frame.mesh.cells.iter().map(|_| None).collect(),
             shapes: equilibrium.shapes.iter().map(|v| v.map(Dual::from)).collect(),
             deflection: lifted(&equilibrium.deflection),
             rotation: lifted(&equilibrium.rotation),
             spans: Vec::new(),
             moved: Vec::new(),
         };
-        linear.move_loads();
-        linear.settle_supports();
-        for i in 0..linear.exact.len() {
-            let moves = |end: &MovedEnd<N>| end.cell == i && end.jump != [Dual::ZERO; 4];
-            if linear.moved.iter().any(moves) || !linear.operator(i).is_still() {
-                linear.make_exact(i);
-            }
-        }
         linear.spans = linear.open_spans();
+        (0..linear.spans.len()).for_each(|span| linear.hold(span));
         linear
     }
 
+    /// Replaces the derivatives by those of the data with respect to at most N parameters. The unknowns have none.
+    pub fn vary(&mut self, tangents: Vec<Tangent>) {
+        let still = self.equilibrium;
+        for (v, own) in self.shapes.iter_mut().zip(&still.shapes) {
+            *v = own.map(Dual::from);
+        }
+        for i in (0..self.exact.len()).filter(|i| self.exact[*i].is_some()).collect::<Vec<_>>() {
+            self.exact[i] = None;
+            for part in self.frame.series_of(i) {
+                for at in part * TERMS..(part + 1) * TERMS {
+                    self.deflection[at] = still.deflection[at].into();
+                    self.rotation
+                        .get_mut(at)
+                        .into_iter()
+                        .for_each(|c| *c = still.rotation[at].into());
+                }
+            }
+        }
+        let by: Vec<&Model> = tangents.iter().map(|tangent| &tangent.model).collect();
+        let rates = Rates { model: &self.frame.model, by: &by };
+        self.varied = self.frame.mesh.vary(&rates, self.varied.clone(), &mut self.elements);
+        if let (Some((mesh, varied)), Some((fine, _))) = (&mut self.series, &self.frame.fine) {
+            *varied = fine.vary(&rates, varied.clone(), mesh);
+        }
+        self.tangents = tangents;
+        self.moved.clear();
+        self.move_loads();
+        self.settle_supports();
+        let jumps = self.moved.iter().filter(|end| end.jump != [Dual::ZERO; 4]).map(|end| end.cell);
+        let moved: Vec<usize> = jumps.collect();
+        for i in 0..self.exact.len() {
+            let varies = self.varied.contains(&i) && !self.operator(i).is_still();
+            if varies || moved.contains(&i) {
+                self.make_exact(i);
+            }
+        }
+        self.spans = self.open_spans();
+    }
+
+    /// Sets the derivatives of the unknowns with respect to one parameter.
+    pub fn displace(&mut self, n: usize, by: &[[f64; 4]]) {
+        for (v, by) in self.shapes.iter_mut().flatten().zip(by.iter().flatten()) {
+            v.by[n] = *by;
+        }
+    }
+
     fn move_loads(&mut self) {
-        for (n, moved) in self.tangents.iter().enumerate().filter_map(|(n, t)| Some((n, t.moved?)))
-        {
+        let moved = self.tangents.iter().map(|tangent| tangent.moved);
+        for (n, moved) in moved.enumerate().collect::<Vec<_>>() {
+            let Some(moved) = moved else { continue };
             let steps = self.frame.steps(&moved);
             let (cell, right) = (steps.spot.cell, steps.spot.s > 0.0);
             let dual = |by: f64| {
@@ -386,7 +424,7 @@ impl<'a, const N: usize> Linear<'a, N> {
         }
         let Some(exact) = &self.exact[i] else { return };
         let (cell, own) = (&self.elements.cells[i], self.own_shape(i));
-        let series = self.series.as_ref().unwrap_or(&self.elements);
+        let series = self.series.as_ref().map_or(&self.elements, |(series, _)| series);
         for part in self.frame.series_of(i) {
             let shears = !self.rotation.is_empty();
             let [w, turned] = curves([cell, &series.cells[part]], exact, &own, shears);
@@ -466,7 +504,7 @@ impl<'a, const N: usize> Linear<'a, N> {
 
     /// The mesh on which w is a power series in each cell, and the contact zones on it.
     pub fn mesh(&self) -> &Mesh<Dual<N>> {
-        self.series.as_ref().unwrap_or(&self.elements)
+        self.series.as_ref().map_or(&self.elements, |(series, _)| series)
     }
 
     pub fn zones(&self) -> &'a [MeshZone] {

@@ -19,13 +19,12 @@ use crate::existence::verdict::Verdict;
 use crate::options::Method;
 use crate::solution::solution::Solution;
 use frame::Frame;
-use linear::{Equilibrium, Linear, Stiffness};
+use linear::{Equilibrium, Linear};
 pub use output::Output;
 use output::Reading;
 pub use parameter::{Domain, LoadNumber, Parameter, Property, SupportNumber};
-use std::collections::BTreeSet;
 use std::fmt;
-use tangent::Tangent;
+use tangent::{Moved, Tangent};
 pub use topology::{Condition, Nearest};
 
 /// A value with its derivatives.
@@ -155,15 +154,14 @@ impl Solution {
     ) -> Result<Vec<Gradient>, NotDifferentiable> {
         let frame = self.linearised()?;
         let readings = readings(&frame, outputs)?;
-        let tangents = tangents(&frame, parameters)?;
-        let rows = derivatives(&frame, &readings, &tangents)?;
+        let Derivatives { rows, moved } = derivatives(&frame, &readings, parameters)?;
         let nearest = self.nearest_change_in(&frame).filter(|near| near.margin < CLOSE);
         let gradient = |(reading, derivatives): (&Reading, Vec<f64>)| {
             let mut one_sided = Vec::new();
             one_sided.extend(nearest.map(OneSided::Contact));
             one_sided.extend(reading.rival.map(|at| OneSided::Rival { at }));
-            for (parameter, tangent) in tangents.iter().enumerate() {
-                let moved = tangent.moved.filter(|moved| frame.is_one_sided(&reading.of, moved));
+            for (parameter, moved) in moved.iter().enumerate() {
+                let moved = moved.filter(|moved| frame.is_one_sided(&reading.of, moved));
                 one_sided.extend(moved.map(|moved| OneSided::Place { parameter, at: moved.x }));
             }
             Gradient { value: reading.value, derivatives, one_sided }
@@ -183,8 +181,7 @@ impl Solution {
     ) -> Result<Vec<Vec<f64>>, NotDifferentiable> {
         let frame = self.linearised()?;
         let readings = readings(&frame, outputs)?;
-        let tangents = tangents(&frame, parameters)?;
-        let rows = derivatives(&frame, &readings, &tangents)?;
+        let Derivatives { rows, .. } = derivatives(&frame, &readings, parameters)?;
         let of = |p: usize| rows.iter().map(|row| row[p]).collect();
         Ok((0..parameters.len()).map(of).collect())
     }
@@ -216,99 +213,83 @@ fn readings(frame: &Frame, outputs: &[Output]) -> Result<Vec<Reading>, NotDiffer
     outputs.iter().map(reading).collect()
 }
 
-/// The derivatives of the model's numbers with respect to each parameter.
-fn tangents(frame: &Frame, parameters: &[Parameter]) -> Result<Vec<Tangent>, NotDifferentiable> {
+/// The derivatives of the model's numbers with respect to a parameter.
+fn tangent(frame: &Frame, parameter: Parameter) -> Result<Tangent, NotDifferentiable> {
     let model = frame.solution.model();
-    let tangent = |parameter: &Parameter| {
-        let value = parameter.value(model);
-        let value = value.ok_or(NotDifferentiable::NoSuchParameter(*parameter))?;
-        if matches!(parameter, Parameter::Value(Property::Shear, _)) && value == 0.0 {
-            return Err(NotDifferentiable::NoShearLayer);
-        }
-        let mut tangent = Tangent::of(*parameter, model);
-        let kept = |i: usize| frame.number_among_acting(i).is_some();
-        tangent.model = tangent.model.with_supports_that(|i, _| kept(i));
-        Ok(tangent)
-    };
-    parameters.iter().map(tangent).collect()
+    let value = parameter.value(model).ok_or(NotDifferentiable::NoSuchParameter(parameter))?;
+    if matches!(parameter, Parameter::Value(Property::Shear, _)) && value == 0.0 {
+        return Err(NotDifferentiable::NoShearLayer);
+    }
+    let mut tangent = Tangent::of(parameter, model);
+    let mut number = 0..;
+    let acts = |i| frame.number_among_acting(i).is_some();
+    tangent.model.supports.retain(|_| number.next().is_some_and(acts));
+    Ok(tangent)
 }
 
-/// The derivatives of each output with respect to all parameters.
+/// The derivatives of outputs.
+struct Derivatives {
+    /// For each output those with respect to all parameters.
+    rows: Vec<Vec<f64>>,
+    /// For each parameter the load that it moves.
+    moved: Vec<Option<Moved>>,
+}
+
 fn derivatives(
     frame: &Frame,
     readings: &[Reading],
-    tangents: &[Tangent],
-) -> Result<Vec<Vec<f64>>, NotDifferentiable> {
-    let rows = || {
-        let (equilibrium, mut stiffness) = Equilibrium::at(frame)?;
-        // The stiffness is symmetric: a solve for each output or for each parameter gives the same. The fewer are solved.
-        let adjoints = if readings.len() < tangents.len() {
-            Some(equilibrium.adjoints(&mut stiffness, readings)?)
-        } else {
-            None
-        };
-        let read = equilibrium.read_by(readings);
-        let mut problem = Problem { equilibrium, stiffness, readings, read, adjoints };
-        let mut rows = vec![Vec::with_capacity(tangents.len()); readings.len()];
-        let mut rest = tangents;
-        while !rest.is_empty() {
-            let (some, others) = rest.split_at(rest.len().min(MOST));
-            match some.len() {
-                1 => problem.add_columns::<1>(some, &mut rows)?,
-                2..=4 => problem.add_columns::<4>(some, &mut rows)?,
-                _ => problem.add_columns::<MOST>(some, &mut rows)?,
-            }
-            rest = others;
-        }
-        Some(rows)
+    parameters: &[Parameter],
+) -> Result<Derivatives, NotDifferentiable> {
+    match parameters.len() {
+        0..=1 => derivatives_by::<1>(frame, readings, parameters),
+        2..=4 => derivatives_by::<4>(frame, readings, parameters),
+        // Larger numbers cost more than a second pass.
+        _ => derivatives_by::<8>(frame, readings, parameters),
+    }
+}
+
+/// The derivatives with respect to parameters, from numbers with N derivatives.
+fn derivatives_by<const N: usize>(
+    frame: &Frame,
+    readings: &[Reading],
+    parameters: &[Parameter],
+) -> Result<Derivatives, NotDifferentiable> {
+    let mechanism = NotDifferentiable::NotUnique;
+    let (equilibrium, mut stiffness) = Equilibrium::at(frame).ok_or(mechanism)?;
+    // The stiffness is symmetric: a solve for each output gives the same as one for each parameter. The fewer are made.
+    let adjoints = if readings.len() < parameters.len() {
+        Some(equilibrium.adjoints(&mut stiffness, readings).ok_or(mechanism)?)
+    } else {
+        None
     };
-    rows().ok_or(NotDifferentiable::NotUnique)
-}
-
-/// Maximum number of parameters in one dual number. Larger numbers cost more than a second pass.
-const MOST: usize = 8;
-
-/// The linearised problem and its outputs.
-struct Problem<'a> {
-    equilibrium: Equilibrium<'a>,
-    stiffness: Stiffness,
-    readings: &'a [Reading],
-    /// The elements on which the outputs depend.
-    read: BTreeSet<usize>,
-    /// For each output its adjoint displacements, unless each parameter is solved for.
-    adjoints: Option<Vec<Vec<[f64; 4]>>>,
-}
-
-impl Problem<'_> {
-    /// Appends the derivatives with respect to some parameters; `None` if the beam is a mechanism on its contact.
-    fn add_columns<const N: usize>(
-        &mut self,
-        tangents: &[Tangent],
-        rows: &mut [Vec<f64>],
-    ) -> Option<()> {
-        let mut linear = Linear::<N>::new(&self.equilibrium, tangents);
+    let read = equilibrium.read_by(readings);
+    let mut linear = Linear::<N>::new(&equilibrium);
+    let mut rows = vec![Vec::with_capacity(parameters.len()); readings.len()];
+    let mut moved = Vec::with_capacity(parameters.len());
+    for some in parameters.chunks(N) {
+        let tangents = some.iter().map(|parameter| tangent(frame, *parameter));
+        linear.vary(tangents.collect::<Result<_, _>>()?);
+        moved.extend(linear.tangents.iter().map(|tangent| tangent.moved));
         let loads = linear.loads();
-        if self.adjoints.is_none() {
-            for n in 0..tangents.len() {
+        if adjoints.is_none() {
+            for n in 0..some.len() {
                 let own = loads.iter().map(|(cell, load)| (*cell, load.map(|load| load.by[n])));
-                for (v, by) in linear.shapes.iter_mut().zip(self.stiffness.displaced(own)?) {
-                    v.iter_mut().zip(by).for_each(|(v, by)| v.by[n] = by);
-                }
+                linear.displace(n, &stiffness.displaced(own).ok_or(mechanism)?);
             }
         }
-        linear.refresh_all(&self.read, self.adjoints.is_none());
-        for (i, (row, reading)) in rows.iter_mut().zip(self.readings).enumerate() {
+        linear.refresh_all(&read, adjoints.is_none());
+        for (i, (row, reading)) in rows.iter_mut().zip(readings).enumerate() {
             let mut by = linear.read(reading);
-            if let Some(adjoint) = self.adjoints.as_ref().map(|adjoints| &adjoints[i]) {
-                for (cell, load) in &loads {
-                    for (v, load) in adjoint[*cell].iter().zip(load) {
-                        by.iter_mut().zip(load.by).for_each(|(by, load)| *by += v * load);
-                    }
+            for (adjoint, (cell, load)) in
+                adjoints.iter().flat_map(|all| loads.iter().map(|load| (&all[i], load)))
+            {
+                for (v, load) in adjoint[*cell].iter().zip(load) {
+                    by.iter_mut().zip(load.by).for_each(|(by, load)| *by += v * load);
                 }
             }
             // Adding zero turns −0 into 0.
-            row.extend(by[..tangents.len()].iter().map(|by| by + 0.0));
+            row.extend(by[..some.len()].iter().map(|by| by + 0.0));
         }
-        Some(())
     }
+    Ok(Derivatives { rows, moved })
 }

@@ -4,7 +4,6 @@
 //! mesh of derivatives.
 
 use crate::ground::link;
-use crate::mesh::cell::Cell;
 use crate::mesh::free_field::{self, GroundLoad, Line, ground_loads};
 use crate::mesh::mesh::{Mesh, Node, cells_of};
 use crate::model::{GroundOutside, Model, Profile};
@@ -58,8 +57,24 @@ impl Rates<'_> {
 }
 
 impl Mesh {
-    /// The mesh in dual numbers.
-    pub fn lifted<const N: usize>(&self, rates: &Rates) -> Mesh<Dual<N>> {
+    /// The mesh in dual numbers, without derivatives.
+    pub fn still<const N: usize>(&self) -> Mesh<Dual<N>> {
+        Mesh {
+            nodes: self.nodes.iter().map(|node| node.lifted([None; N])).collect(),
+            cells: self.cells.iter().map(|cell| cell.lifted([None; N])).collect(),
+            axial_force: self.axial_force.into(),
+            outside: self.outside.map(Dual::from),
+        }
+    }
+
+    /// Replaces the derivatives in a mesh in dual numbers. Only the cells in `varied` have derivatives before. Returns
+    /// the cells that may have derivatives after.
+    pub fn vary<const N: usize>(
+        &self,
+        rates: &Rates,
+        varied: Range<usize>,
+        into: &mut Mesh<Dual<N>>,
+    ) -> Range<usize> {
         let x: Vec<f64> = self.nodes.iter().map(|node| node.x).collect();
         let of = |model: &&Model| {
             let reach = reach(model, &x);
@@ -70,38 +85,27 @@ impl Mesh {
             (reach.start, mesh)
         };
         let by: Vec<(usize, Mesh)> = rates.by.iter().map(of).collect();
-        let cell = |(i, cell): (usize, &Cell)| {
-            let by: [Option<&Cell>; N] = std::array::from_fn(|n| {
+        let from = by.iter().map(|(from, _)| *from).min().unwrap_or(0);
+        let to = by.iter().map(|(from, mesh)| from + mesh.cells.len()).max().unwrap_or(0);
+        for i in varied.chain(from..to) {
+            into.cells[i] = self.cells[i].lifted(std::array::from_fn(|n| {
                 by.get(n).and_then(|(from, mesh)| mesh.cells.get(i.checked_sub(*from)?))
-            });
-            cell.lifted(by)
-        };
-        let node = |(i, node): (usize, &Node)| {
-            let by: [Option<&Node>; N] =
-                std::array::from_fn(|n| by.get(n).map(|(_, mesh)| &mesh.nodes[i]));
-            node.lifted(by)
-        };
-        let mut cells: Vec<Cell<Dual<N>>> = self.cells.iter().enumerate().map(cell).collect();
-        let beyond = [false, true].map(|right| {
-            let at_end = if right {
-                cells[cells.len() - 1].ground_at(1.0)
-            } else {
-                cells[0].ground_at(-1.0)
-            };
-            rates.beyond(right, at_end)
-        });
-        if rates.model.has_ground_loads() {
-            let loads = rates.ground_loads();
-            let length = rates.model.beam.length;
-            let line = Line { length, beyond: [&beyond[0], &beyond[1]], loads: &loads };
-            free_field::settle(&line, &mut cells);
+            }));
         }
-        Mesh {
-            nodes: self.nodes.iter().enumerate().map(node).collect(),
-            cells,
-            axial_force: rates.dual(|model| model.beam.axial_force),
-            outside: beyond.map(|beyond| link::outside(&beyond)),
+        for (i, (node, into)) in self.nodes.iter().zip(&mut into.nodes).enumerate() {
+            *into = node.lifted(std::array::from_fn(|n| by.get(n).map(|(_, mesh)| &mesh.nodes[i])));
         }
+        let cells = &mut into.cells;
+        let at_ends = [cells[0].ground_at(-1.0), cells[cells.len() - 1].ground_at(1.0)];
+        let beyond = [false, true].map(|right| rates.beyond(right, at_ends[usize::from(right)]));
+        into.axial_force = rates.dual(|model| model.beam.axial_force);
+        into.outside = beyond.each_ref().map(link::outside);
+        if !rates.model.has_ground_loads() {
+            return if into.axial_force == self.axial_force { from..to } else { 0..cells.len() };
+        }
+        let (loads, length) = (rates.ground_loads(), rates.model.beam.length);
+        free_field::settle(&Line { length, beyond: beyond.each_ref(), loads: &loads }, cells);
+        0..cells.len()
     }
 }
 
@@ -186,7 +190,8 @@ mod tests {
         by_load.loads[0] = Load::distributed_force(1.0, 3.0, 0.0, 1.0);
         let mesh = Mesh::build(&model, &[2.0], |_| 1);
         let rates = Rates { model: &model, by: &[&by_k, &by_load] };
-        let lifted: Mesh<Dual<2>> = mesh.lifted(&rates);
+        let mut lifted: Mesh<Dual<2>> = mesh.still();
+        assert_eq!(mesh.vary(&rates, 0..0, &mut lifted), 0..4);
         assert_eq!(lifted.cells[1].subgrade, Dual { value: 2.0, by: [1.0, 0.0] });
         assert_eq!(lifted.cells[1].load[1], Dual { value: 6.0, by: [0.0, 0.5] });
         // The derivative of √(kμ) with respect to k is μ/(2√(kμ)).
