@@ -21,7 +21,7 @@ use crate::mesh::free_field::{self, Line};
 use crate::mesh::ground_runs::ground_runs;
 use crate::mesh::lifted::Rates;
 use crate::mesh::mesh::Mesh;
-use crate::mesh::open_ground::{cell_part, heights, open_links};
+use crate::mesh::open_ground::{heights, open_links};
 use crate::model::Model;
 use crate::numeric::dual::Dual;
 use crate::numeric::polynomial::derivative;
@@ -41,21 +41,18 @@ pub(super) struct Equilibrium<'a> {
     /// Coefficients of w, and of φ if the beam has shear deformation, on the mesh of power series.
     pub deflection: Vec<f64>,
     pub rotation: Vec<f64>,
-    /// The ends of all open spans on the mesh of elements.
-    ends: Vec<[Option<BeamPoint>; 2]>,
-    /// The same ends on the mesh of power series, and the two-ports of each span.
-    spans: Vec<([Option<BeamPoint>; 2], Links<f64>)>,
+    /// Open ground on the mesh of elements.
+    spans: Vec<Span<f64>>,
+    /// The equations without loads.
+    chain: Chain,
 }
-
-/// The two-ports of a span; for a two-port under the beam also its cell and the part of the cell.
-type Links<R> = Vec<(Option<(usize, [f64; 2])>, TwoPort<R>)>;
 
 /// Loads on the four unknowns of some elements.
 pub(super) type Loads<T> = Vec<(usize, [T; 4])>;
 
 impl<'a> Equilibrium<'a> {
-    /// The equilibrium and its stiffness; `None` if the beam is a mechanism on its contact.
-    pub fn at(frame: &'a Frame<'a>) -> Option<(Self, Stiffness)> {
+    /// `None` if the beam is a mechanism on its contact.
+    pub fn at(frame: &'a Frame<'a>) -> Option<Self> {
         let mesh = &frame.mesh;
         let element = |(cell, touch)| {
             ExactElement::new(&Operator::of(cell, mesh.axial_force, touch), cell.length())
@@ -63,9 +60,9 @@ impl<'a> Equilibrium<'a> {
         let cells = mesh.cells.iter().zip(frame.touch.iter().copied());
         let exact: Vec<ExactElement> = cells.map(element).collect();
         let elements: Vec<Element> = exact.iter().map(|exact| exact.element).collect();
-        let chain = chain_of(mesh, &frame.zones, elements.iter().copied());
+        let mut chain = chain_of(mesh, &frame.zones, elements.iter().copied());
         let shapes = chain.solve().ok()?;
-        let (series, zones) = frame.series();
+        let series = frame.series().0;
         let [mut deflection, mut rotation] = [const { Vec::new() }; 2];
         let shears = frame.model.beam.shears();
         for (i, exact) in exact.iter().enumerate() {
@@ -76,11 +73,32 @@ impl<'a> Equilibrium<'a> {
                 rotation.extend(turned);
             }
         }
-        let spans = open_spans(series, zones);
-        let ends = open_spans(mesh, &frame.zones).into_iter().map(|(ends, _)| ends).collect();
-        let equilibrium =
-            Equilibrium { frame, elements, shapes, deflection, rotation, ends, spans };
-        Some((equilibrium, Stiffness::of(chain)))
+        for node in &mut chain.nodes {
+            (node.force, node.moment, node.settlement, node.gap) = (0.0, 0.0, 0.0, 0.0);
+        }
+        for cell in &mut chain.cells {
+            cell.element.load = [0.0; 4];
+            for tie in cell.links.iter_mut().flat_map(|link| [&mut link.left, &mut link.right]) {
+                if let Tie::Beam { gap, .. } = tie {
+                    *gap = 0.0;
+                }
+            }
+        }
+        let spans = Span::all(mesh, &frame.zones);
+        Some(Equilibrium { frame, elements, shapes, deflection, rotation, spans, chain })
+    }
+
+    /// The unknowns of all elements under given loads alone.
+    pub fn displaced(
+        &self,
+        loads: impl Iterator<Item = (usize, [f64; 4])>,
+    ) -> Option<Vec<[f64; 4]>> {
+        let mut chain = self.chain.clone();
+        for (cell, load) in loads {
+            let own = &mut chain.cells[cell].element.load;
+            own.iter_mut().zip(load).for_each(|(own, load)| *own += load);
+        }
+        chain.solve().ok()
     }
 
     /// w and the rotations on both sides of a node.
@@ -106,12 +124,10 @@ impl<'a> Equilibrium<'a> {
         let end_of = |zone, side| frame.position(frame.end_of(zone, side));
         match *of {
             Read::Constant | Read::Energy => return read,
-            Read::Field { field, x, follows, .. } => {
+            Read::Field { x, follows, .. } => {
                 add(x);
                 if let Follows::Edge { zone, side, .. } = follows {
                     add(end_of(zone, side));
-                } else if !matches!(field, Field::Settlement | Field::Gap) {
-                    return read;
                 }
             }
             Read::Beside { x } => add(x.clamp(0.0, frame.model.beam.length)),
@@ -119,10 +135,11 @@ impl<'a> Equilibrium<'a> {
             Read::Support { number, .. } => add(frame.model.supports[number].at),
         }
         // The surface of an open span depends on w at both ends of the span; if the span is short, on all of it.
-        for ends in &self.ends {
-            let [from, to] = reach(&frame.mesh, ends);
-            let is_near = |cell: &usize| cells[*cell].x[0] <= to && cells[*cell].x[1] >= from;
-            if !read.iter().any(is_near) {
+        for Span { ends, .. } in &self.spans {
+            let at = |end: BeamPoint| cells[end.cell].global(end.s);
+            let from = ends[0].map_or(f64::NEG_INFINITY, at);
+            let to = ends[1].map_or(f64::INFINITY, at);
+            if !read.iter().any(|i| cells[*i].x[0] <= to && cells[*i].x[1] >= from) {
                 continue;
             }
             for end in ends.iter().flatten() {
@@ -143,11 +160,7 @@ impl<'a> Equilibrium<'a> {
     }
 
     /// For each output the displacements under the loads that are its derivatives with respect to the unknowns.
-    pub fn adjoints(
-        &self,
-        stiffness: &mut Stiffness,
-        readings: &[Reading],
-    ) -> Option<Vec<Vec<[f64; 4]>>> {
+    pub fn adjoints(&self, readings: &[Reading]) -> Option<Vec<Vec<[f64; 4]>>> {
         let mut linear = Linear::<4>::new(self);
         let reads: Vec<BTreeSet<usize>> = readings.iter().map(|own| self.reads(&own.of)).collect();
         let mut loads: Vec<Loads<f64>> = vec![Vec::new(); readings.len()];
@@ -155,58 +168,21 @@ impl<'a> Equilibrium<'a> {
             for (j, v) in linear.shapes[cell].iter_mut().enumerate() {
                 v.by[j] = 1.0;
             }
-            linear.refresh(cell);
+            linear.refresh([cell].into_iter());
             for ((load, read), reading) in loads.iter_mut().zip(&reads).zip(readings) {
                 if read.contains(&cell) {
                     load.push((cell, linear.read(reading)));
                 }
             }
             linear.shapes[cell] = self.shapes[cell].map(Dual::from);
-            linear.refresh(cell);
+            linear.unfold(cell);
         }
-        loads.into_iter().map(|load| stiffness.displaced(load.into_iter())).collect()
+        loads.into_iter().map(|load| self.displaced(load.into_iter())).collect()
     }
 }
 
 /// Maximum number of elements of a [short span](crate::contact::short_span).
 const SHORT: usize = 4;
-
-/// The equations of the bonded beam without loads.
-#[derive(Debug)]
-pub(super) struct Stiffness {
-    chain: Chain,
-}
-
-impl Stiffness {
-    fn of(mut chain: Chain) -> Self {
-        for node in &mut chain.nodes {
-            (node.force, node.moment, node.settlement, node.gap) = (0.0, 0.0, 0.0, 0.0);
-        }
-        for cell in &mut chain.cells {
-            cell.element.load = [0.0; 4];
-            for tie in cell.links.iter_mut().flat_map(|link| [&mut link.left, &mut link.right]) {
-                if let Tie::Beam { gap, .. } = tie {
-                    *gap = 0.0;
-                }
-            }
-        }
-        Stiffness { chain }
-    }
-
-    /// The unknowns of all elements under given loads.
-    pub fn displaced(
-        &mut self,
-        loads: impl Iterator<Item = (usize, [f64; 4])>,
-    ) -> Option<Vec<[f64; 4]>> {
-        for (cell, load) in loads {
-            let own = &mut self.chain.cells[cell].element.load;
-            own.iter_mut().zip(load).for_each(|(own, load)| *own += load);
-        }
-        let displaced = self.chain.solve().ok();
-        self.chain.cells.iter_mut().for_each(|cell| cell.element.load = [0.0; 4]);
-        displaced
-    }
-}
 
 /// Data and unknowns of the bonded beam, with derivatives with respect to N variables.
 #[derive(Debug)]
@@ -219,13 +195,13 @@ pub(super) struct Linear<'a, const N: usize> {
     varied: Range<usize>,
     series: Option<(Mesh<Dual<N>>, Range<usize>)>,
     /// Elements whose data or unknowns have derivatives.
-    exact: Vec<Option<Box<ExactElement<Dual<N>>>>>,
+    pub exact: Vec<Option<Box<ExactElement<Dual<N>>>>>,
     /// The four unknowns of each element, from the displacements of its nodes.
     pub shapes: Vec<[Dual<N>; 4]>,
     /// Coefficients of w and φ.
     deflection: Vec<Dual<N>>,
     rotation: Vec<Dual<N>>,
-    spans: Vec<Span<N>>,
+    spans: Vec<Span<Dual<N>>>,
     moved: Vec<MovedEnd<N>>,
 }
 
@@ -244,15 +220,33 @@ struct MovedEnd<const N: usize> {
 
 /// Open ground between two contact zones, or between a zone and the ground outside the beam.
 #[derive(Debug)]
-struct Span<const N: usize> {
+struct Span<R> {
     /// Points at which the span ends at a contact zone; `None` if it includes the ground beyond the run.
     ends: [Option<BeamPoint>; 2],
-    links: Links<Dual<N>>,
+    /// The two-ports of the span; for a two-port under the beam also its cell and the part of the cell.
+    links: Vec<(Option<(usize, [f64; 2])>, TwoPort<R>)>,
     /// All two-ports in series.
-    whole: TwoPort<Dual<N>>,
+    whole: TwoPort<R>,
     /// u − u₀ at both ends, and the forces on the ground at both ends.
-    held: [Dual<N>; 2],
-    fluxes: [Dual<N>; 2],
+    held: [R; 2],
+    fluxes: [R; 2],
+}
+
+impl<R: Real> Span<R> {
+    fn all(mesh: &Mesh<R>, zones: &[MeshZone]) -> Vec<Self> {
+        let mut spans = Vec::new();
+        for run in ground_runs(mesh).iter().filter(|run| run.pasternak) {
+            let own = || zones.iter().filter(|zone| run.cells.contains(&zone.from.cell));
+            let left = [None].into_iter().chain(own().map(|zone| Some(zone.to)));
+            for (left, right) in left.zip(own().map(|zone| Some(zone.from)).chain([None])) {
+                let links = open_links(mesh, run, left, right);
+                let whole = links.iter().map(|(_, link)| *link).reduce(TwoPort::then);
+                let (ends, whole) = ([left, right], whole.unwrap_or_default());
+                spans.push(Span { ends, links, whole, held: [R::ZERO; 2], fluxes: [R::ZERO; 2] });
+            }
+        }
+        spans
+    }
 }
 
 impl<'a, const N: usize> Linear<'a, N> {
@@ -274,8 +268,7 @@ impl<'a, const N: usize> Linear<'a, N> {
             spans: Vec::new(),
             moved: Vec::new(),
         };
-        linear.spans = linear.open_spans();
-        (0..linear.spans.len()).for_each(|span| linear.hold(span));
+        linear.spans = Span::all(linear.mesh(), linear.zones());
         linear
     }
 
@@ -315,7 +308,7 @@ impl<'a, const N: usize> Linear<'a, N> {
                 self.make_exact(i);
             }
         }
-        self.spans = self.open_spans();
+        self.spans = Span::all(self.mesh(), self.zones());
     }
 
     /// Sets the derivatives of the unknowns with respect to one parameter.
@@ -395,26 +388,10 @@ impl<'a, const N: usize> Linear<'a, N> {
         own
     }
 
-    /// Computes w and φ in the elements that outputs read, and the spans. `all` means that all unknowns have changed.
-    pub fn refresh_all(&mut self, read: &BTreeSet<usize>, all: bool) {
-        for i in
-            read.iter().filter(|i| all || self.exact[**i].is_some()).copied().collect::<Vec<_>>()
-        {
-            self.unfold(i);
-        }
+    /// Computes w and φ in some elements, and the settlements and forces at the ends of all spans.
+    pub fn refresh(&mut self, elements: impl Iterator<Item = usize>) {
+        elements.for_each(|i| self.unfold(i));
         (0..self.spans.len()).for_each(|span| self.hold(span));
-    }
-
-    /// Computes w and φ in an element, and the spans beside it.
-    fn refresh(&mut self, i: usize) {
-        self.unfold(i);
-        let [from, to] = self.elements.cells[i].x;
-        for span in 0..self.spans.len() {
-            let [begin, end] = reach(self.mesh(), &self.spans[span].ends);
-            if from <= end && to >= begin {
-                self.hold(span);
-            }
-        }
     }
 
     /// Computes w and φ from the unknowns of an element.
@@ -451,7 +428,9 @@ impl<'a, const N: usize> Linear<'a, N> {
                 }
             }
         }
-        for (span, ends) in self.spans.iter().zip(&self.equilibrium.ends) {
+        for (Span { whole, .. }, Span { ends, .. }) in
+            self.spans.iter().zip(&self.equilibrium.spans)
+        {
             let held = [0, 1].map(|end| {
                 let Some(point) = ends[end] else { return Dual::ZERO };
                 let right = point.s > 0.0;
@@ -461,8 +440,7 @@ impl<'a, const N: usize> Linear<'a, N> {
                 let [w, ..] = self.equilibrium.at_node(point.cell + usize::from(right));
                 self.drifted(node.x, end) + settles - gap + w
             });
-            let fluxes =
-                [span.whole.force_left(held[0], held[1]), span.whole.force_right(held[0], held[1])];
+            let fluxes = [whole.force_left(held[0], held[1]), whole.force_right(held[0], held[1])];
             for (end, flux) in ends.iter().zip(fluxes) {
                 if let Some(end) = end {
                     loads.push((end.cell, self.on_end(end.cell, end.s > 0.0, [-flux, Dual::ZERO])));
@@ -513,37 +491,6 @@ impl<'a, const N: usize> Linear<'a, N> {
 
     fn w(&self) -> Deflection<'_, Dual<N>> {
         Deflection { mesh: self.mesh(), terms: TERMS, coefficients: &self.deflection }
-    }
-
-    fn open_spans(&self) -> Vec<Span<N>> {
-        let mesh = self.mesh();
-        let span = |(ends, links): &([Option<BeamPoint>; 2], Links<f64>)| {
-            let link = |(part, link): &(Option<(usize, [f64; 2])>, TwoPort)| {
-                let still = TwoPort {
-                    series: Dual::from(link.series),
-                    shunt_left: Dual::from(link.shunt_left),
-                    shunt_right: Dual::from(link.shunt_right),
-                };
-                let link = match *part {
-                    Some((cell, _)) if mesh.cells[cell].has_still_ground() => still,
-                    Some((cell, [from, to])) => cell_part(&mesh.cells[cell], from, to),
-                    None if link.shunt_right != 0.0 => {
-                        TwoPort { shunt_right: mesh.outside[0], ..still }
-                    }
-                    None if link.shunt_left != 0.0 => {
-                        TwoPort { shunt_left: mesh.outside[1], ..still }
-                    }
-                    None => still,
-                };
-                (*part, link)
-            };
-            let links: Links<Dual<N>> = links.iter().map(link).collect();
-            let whole = links.iter().map(|(_, link)| *link).reduce(TwoPort::then);
-            let whole = whole.unwrap_or_default();
-            let none = [Dual::ZERO; 2];
-            Span { ends: *ends, links, whole, held: none, fluxes: none }
-        };
-        self.equilibrium.spans.iter().map(span).collect()
     }
 
     /// Computes the settlements and the forces at the ends of a span.
@@ -632,7 +579,7 @@ impl<'a, const N: usize> Linear<'a, N> {
         if self.zones().iter().any(|zone| zone.from != zone.to && holds(zone)) {
             return None;
         }
-        let under = |span: &Span<N>| {
+        let under = |span: &Span<Dual<N>>| {
             let at =
                 span.links.iter().position(|(part, _)| part.is_some_and(|(i, _)| i == cell))?;
             let links: Vec<TwoPort<Dual<N>>> = span.links.iter().map(|(_, link)| *link).collect();
@@ -718,31 +665,6 @@ impl<'a, const N: usize> Linear<'a, N> {
 /// The derivatives of a number alone.
 fn drift<const N: usize>(number: Dual<N>) -> Dual<N> {
     Dual { value: 0.0, by: number.by }
-}
-
-/// The ends of all open spans of a mesh, and their two-ports.
-fn open_spans(mesh: &Mesh, zones: &[MeshZone]) -> Vec<([Option<BeamPoint>; 2], Links<f64>)> {
-    let mut spans = Vec::new();
-    for run in ground_runs(mesh).iter().filter(|run| run.pasternak) {
-        let own = zones.iter().filter(|zone| run.cells.contains(&zone.from.cell));
-        let mut left = None;
-        let mut add = |ends: [Option<BeamPoint>; 2]| {
-            spans.push((ends, open_links(mesh, run, ends[0], ends[1])));
-        };
-        for zone in own {
-            add([left, Some(zone.from)]);
-            left = Some(zone.to);
-        }
-        add([left, None]);
-    }
-    spans
-}
-
-/// The positions between which a span lies.
-fn reach<R: Real>(mesh: &Mesh<R>, ends: &[Option<BeamPoint>; 2]) -> [f64; 2] {
-    let at = |end: &BeamPoint| mesh.cells[end.cell].global(end.s);
-    let [from, to] = ends;
-    [from.as_ref().map_or(f64::NEG_INFINITY, at), to.as_ref().map_or(f64::INFINITY, at)]
 }
 
 /// Coefficients of w, and of φ if the beam has shear deformation, on a part of an element's cell.

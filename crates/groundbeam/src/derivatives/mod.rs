@@ -255,10 +255,10 @@ fn derivatives_by<const N: usize>(
     parameters: &[Parameter],
 ) -> Result<Derivatives, NotDifferentiable> {
     let mechanism = NotDifferentiable::NotUnique;
-    let (equilibrium, mut stiffness) = Equilibrium::at(frame).ok_or(mechanism)?;
+    let equilibrium = Equilibrium::at(frame).ok_or(mechanism)?;
     // The stiffness is symmetric: a solve for each output gives the same as one for each parameter. The fewer are made.
     let adjoints = if readings.len() < parameters.len() {
-        Some(equilibrium.adjoints(&mut stiffness, readings).ok_or(mechanism)?)
+        Some(equilibrium.adjoints(readings).ok_or(mechanism)?)
     } else {
         None
     };
@@ -274,10 +274,12 @@ fn derivatives_by<const N: usize>(
         if adjoints.is_none() {
             for n in 0..some.len() {
                 let own = loads.iter().map(|(cell, load)| (*cell, load.map(|load| load.by[n])));
-                linear.displace(n, &stiffness.displaced(own).ok_or(mechanism)?);
+                linear.displace(n, &equilibrium.displaced(own).ok_or(mechanism)?);
             }
         }
-        linear.refresh_all(&read, adjoints.is_none());
+        let changed = |i: &usize| adjoints.is_none() || linear.exact[*i].is_some();
+        let changed: Vec<usize> = read.iter().copied().filter(changed).collect();
+        linear.refresh(changed.into_iter());
         for (i, (row, reading)) in rows.iter_mut().zip(readings).enumerate() {
             let mut by = linear.read(reading);
             for (adjoint, (cell, load)) in

@@ -1,7 +1,8 @@
 //! Parameters: the numbers of a model with respect to which outputs are differentiated.
 
-use crate::model::Extent;
-use crate::model::{Load, Model};
+use crate::model::{
+    BeamSegment, Extent, FoundationSegment, Load, Model, Profile, Support, SupportKind,
+};
 
 /// A stiffness of the beam or the ground.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -89,23 +90,17 @@ impl Parameter {
     pub fn value(self, model: &Model) -> Option<f64> {
         match self {
             Parameter::Value(property, domain) => constant(model, property, domain),
-            Parameter::Factor(property, domain) if !has(model, property, domain) => None,
-            Parameter::Factor(..) | Parameter::LoadFactor => Some(1.0),
+            Parameter::Factor(property, domain) => {
+                courses(model, property, domain).next().map(|_| 1.0)
+            }
+            Parameter::LoadFactor => Some(1.0),
             Parameter::AxialForce => Some(model.beam.axial_force),
-            Parameter::Load(i, number) => of_load(model.loads.get(i)?, number),
+            Parameter::Load(i, number) => {
+                let [first, second] = of_load(model.loads.get(i)?, number)?;
+                (first == second).then_some(first)
+            }
             Parameter::Support(i, number) => {
-                let support = model.supports.get(i)?;
-                match (number, support.kind) {
-                    (SupportNumber::Settlement, _) => Some(support.settlement),
-                    (SupportNumber::Spring, crate::SupportKind::Spring { spring, .. }) => {
-                        Some(spring)
-                    }
-                    (
-                        SupportNumber::RotationalSpring,
-                        crate::SupportKind::Spring { rotational_spring, .. },
-                    ) => Some(rotational_spring),
-                    _ => None,
-                }
+                of_support(&mut model.supports.get(i)?.clone(), number).copied()
             }
             Parameter::HingeSpring(i) => Some(model.hinges.get(i)?.rotational_spring),
             Parameter::Gap(i) => Some(model.gap.get(i)?.value),
@@ -125,180 +120,149 @@ impl Parameter {
 
     fn assigned(self, model: &mut Model, to: f64) -> Option<()> {
         match self {
-            Parameter::Value(property, domain) => set_property(model, property, domain, to),
-            Parameter::Factor(property, domain) => scale(model, property, domain, to),
+            Parameter::Value(property, domain) => change(model, property, domain, |_| to.into()),
+            Parameter::Factor(property, domain) => {
+                change(model, property, domain, |course| course.scaled(to));
+            }
             Parameter::LoadFactor => {
-                for load in &mut model.loads {
-                    *load = load.scaled(to);
-                }
+                model.loads.iter_mut().for_each(|load| *load = load.scaled(to))
             }
+            _ => self.assign_number(model, to)?,
+        }
+        Some(())
+    }
+
+    /// Sets a number that is not a stiffness of beam or ground or a factor.
+    pub(super) fn assign_number(self, model: &mut Model, to: f64) -> Option<()> {
+        match self {
             Parameter::AxialForce => model.beam.axial_force = to,
-            Parameter::Load(i, number) => set_load(model.loads.get_mut(i)?, number, to),
-            Parameter::Support(i, number) => {
-                let support = model.supports.get_mut(i)?;
-                match (number, &mut support.kind) {
-                    (SupportNumber::Settlement, _) => support.settlement = to,
-                    (SupportNumber::Spring, crate::SupportKind::Spring { spring, .. }) => {
-                        *spring = to;
-                    }
-                    (
-                        SupportNumber::RotationalSpring,
-                        crate::SupportKind::Spring { rotational_spring, .. },
-                    ) => *rotational_spring = to,
-                    _ => return None,
-                }
-            }
+            Parameter::Load(i, number) => set_load(model.loads.get_mut(i)?, number, to)?,
+            Parameter::Support(i, number) => *of_support(model.supports.get_mut(i)?, number)? = to,
             Parameter::HingeSpring(i) => model.hinges.get_mut(i)?.rotational_spring = to,
             Parameter::Gap(i) => model.gap.get_mut(i)?.value = to,
+            Parameter::Value(..) | Parameter::Factor(..) | Parameter::LoadFactor => return None,
         }
         Some(())
     }
 }
 
-/// Whether the model has a property on a domain.
-fn has(model: &Model, property: Property, domain: Domain) -> bool {
-    let beam = &model.beam;
-    match (property, domain) {
-        (Property::BendingStiffness, Domain::Segment(i)) => i < beam.segments.len(),
-        (Property::ShearStiffness, Domain::Segment(i)) => {
-            beam.segments.get(i).is_some_and(|segment| segment.shear_stiffness.is_some())
+fn is_meant(domain: Domain, segment: usize) -> bool {
+    domain == Domain::Whole || domain == Domain::Segment(segment)
+}
+
+/// A property on a domain: the model's own value, then those of the segments.
+pub(super) fn courses(
+    model: &Model,
+    property: Property,
+    domain: Domain,
+) -> impl Iterator<Item = Profile> + '_ {
+    let (beam, ground) = (&model.beam, &model.foundation);
+    let own = match property {
+        Property::BendingStiffness => Some(beam.bending_stiffness),
+        Property::ShearStiffness => beam.shear_stiffness,
+        Property::Spring => Some(ground.subgrade),
+        Property::Shear => Some(ground.shear_layer),
+    };
+    let of_beam = move |segment: &BeamSegment| match property {
+        Property::BendingStiffness => Some(segment.bending_stiffness),
+        Property::ShearStiffness => segment.shear_stiffness,
+        Property::Spring | Property::Shear => None,
+    };
+    let of_ground = move |segment: &FoundationSegment| match property {
+        Property::Spring => Some(segment.subgrade),
+        Property::Shear => Some(segment.shear_layer),
+        Property::BendingStiffness | Property::ShearStiffness => None,
+    };
+    let beam = beam.segments.iter().map(of_beam).enumerate();
+    let segments = beam.chain(ground.segments.iter().map(of_ground).enumerate());
+    let segments = segments.filter_map(move |(i, own)| own.filter(|_| is_meant(domain, i)));
+    let own = own.filter(|_| !matches!(domain, Domain::Segment(_)));
+    own.map(Profile::constant).into_iter().chain(segments)
+}
+
+/// Changes a property on a domain, in the order of [`courses`].
+pub(super) fn change(
+    model: &mut Model,
+    property: Property,
+    domain: Domain,
+    mut to: impl FnMut(Profile) -> Profile,
+) {
+    let (beam, ground) = (&mut model.beam, &mut model.foundation);
+    let own = match property {
+        Property::BendingStiffness => Some(&mut beam.bending_stiffness),
+        Property::ShearStiffness => beam.shear_stiffness.as_mut(),
+        Property::Spring => Some(&mut ground.subgrade),
+        Property::Shear => Some(&mut ground.shear_layer),
+    };
+    if let Some(own) = own.filter(|_| !matches!(domain, Domain::Segment(_))) {
+        *own = to(Profile::constant(*own)).start();
+    }
+    let beam = beam.segments.iter_mut().map(|segment| match property {
+        Property::BendingStiffness => Some(&mut segment.bending_stiffness),
+        Property::ShearStiffness => segment.shear_stiffness.as_mut(),
+        Property::Spring | Property::Shear => None,
+    });
+    let ground = ground.segments.iter_mut().map(|segment| match property {
+        Property::Spring => Some(&mut segment.subgrade),
+        Property::Shear => Some(&mut segment.shear_layer),
+        Property::BendingStiffness | Property::ShearStiffness => None,
+    });
+    for (_, course) in
+        beam.enumerate().chain(ground.enumerate()).filter(|(i, _)| is_meant(domain, *i))
+    {
+        if let Some(course) = course {
+            *course = to(*course);
         }
-        (Property::ShearStiffness, Domain::OutsideSegments) => beam.shear_stiffness.is_some(),
-        (Property::ShearStiffness, Domain::Whole) => beam.shears(),
-        (_, Domain::Segment(i)) => i < model.foundation.segments.len(),
-        _ => true,
     }
 }
 
 /// The value of a property on a domain; `None` if it varies there.
 fn constant(model: &Model, property: Property, domain: Domain) -> Option<f64> {
-    let (beam, ground) = (&model.beam, &model.foundation);
-    let (own, profile) = match property {
-        Property::BendingStiffness => {
-            (beam.bending_stiffness, beam.segments.iter().map(|s| s.bending_stiffness).collect())
-        }
-        Property::ShearStiffness => {
-            let own = beam.segments.iter().filter_map(|s| s.shear_stiffness);
-            match domain {
-                Domain::Segment(i) => {
-                    let profile = beam.segments.get(i)?.shear_stiffness?;
-                    return profile.is_constant().then(|| profile.start());
-                }
-                Domain::Whole | Domain::OutsideSegments => (beam.shear_stiffness?, own.collect()),
-            }
-        }
-        Property::Spring => {
-            (ground.subgrade, ground.segments.iter().map(|s| s.subgrade).collect::<Vec<_>>())
-        }
-        Property::Shear => {
-            (ground.shear_layer, ground.segments.iter().map(|s| s.shear_layer).collect())
-        }
-    };
-    match domain {
-        Domain::Whole => profile.is_empty().then_some(own),
-        Domain::OutsideSegments => Some(own),
-        Domain::Segment(i) => {
-            profile.get(i).filter(|profile| profile.is_constant()).map(|profile| profile.start())
-        }
-    }
+    let is_single = domain != Domain::Whole || courses(model, property, domain).nth(1).is_none();
+    let own = if domain == Domain::Whole { Domain::OutsideSegments } else { domain };
+    let course = courses(model, property, own).next()?;
+    (is_single && course.is_constant()).then(|| course.start())
 }
 
-pub(super) fn set_property(model: &mut Model, property: Property, domain: Domain, to: f64) {
-    let (beam, ground) = (&mut model.beam, &mut model.foundation);
-    match (property, domain) {
-        (Property::BendingStiffness, Domain::Segment(i)) => {
-            if let Some(segment) = beam.segments.get_mut(i) {
-                segment.bending_stiffness = to.into();
-            }
-        }
-        (Property::ShearStiffness, Domain::Segment(i)) => {
-            if let Some(segment) = beam.segments.get_mut(i) {
-                segment.shear_stiffness = Some(to.into());
-            }
-        }
-        (Property::Spring, Domain::Segment(i)) => {
-            if let Some(segment) = ground.segments.get_mut(i) {
-                segment.subgrade = to.into();
-            }
-        }
-        (Property::Shear, Domain::Segment(i)) => {
-            if let Some(segment) = ground.segments.get_mut(i) {
-                segment.shear_layer = to.into();
-            }
-        }
-        (Property::BendingStiffness, _) => beam.bending_stiffness = to,
-        (Property::ShearStiffness, _) => beam.shear_stiffness = Some(to),
-        (Property::Spring, _) => ground.subgrade = to,
-        (Property::Shear, _) => ground.shear_layer = to,
-    }
+/// A number of a load, twice if it is one number; `None` if the load does not have it. Distributed loads on the ground
+/// and the positions of loads on the ground are not parameters.
+fn of_load(load: &Load, number: LoadNumber) -> Option<[f64; 2]> {
+    Some(match (load.extent, number) {
+        (Extent::Point { size, .. }, LoadNumber::Size) => [size; 2],
+        _ if load.on_ground => return None,
+        (Extent::Point { at, .. }, LoadNumber::At) => [at; 2],
+        (Extent::Distributed { start, end, .. }, LoadNumber::Size) => [start, end],
+        (Extent::Distributed { from, .. }, LoadNumber::From) => [from; 2],
+        (Extent::Distributed { to, .. }, LoadNumber::To) => [to; 2],
+        (Extent::Distributed { start, .. }, LoadNumber::Start) => [start; 2],
+        (Extent::Distributed { end, .. }, LoadNumber::End) => [end; 2],
+        _ => return None,
+    })
 }
 
-fn scale(model: &mut Model, property: Property, domain: Domain, factor: f64) {
-    let (beam, ground) = (&mut model.beam, &mut model.foundation);
-    if !matches!(domain, Domain::Segment(_)) {
-        match property {
-            Property::BendingStiffness => beam.bending_stiffness *= factor,
-            Property::ShearStiffness => {
-                beam.shear_stiffness = beam.shear_stiffness.map(|own| own * factor);
-            }
-            Property::Spring => ground.subgrade *= factor,
-            Property::Shear => ground.shear_layer *= factor,
-        }
-    }
-    let meant = |i: usize| domain == Domain::Whole || domain == Domain::Segment(i);
-    match property {
-        Property::BendingStiffness => {
-            for (_, segment) in beam.segments.iter_mut().enumerate().filter(|(i, _)| meant(*i)) {
-                segment.bending_stiffness = segment.bending_stiffness.scaled(factor);
-            }
-        }
-        Property::ShearStiffness => {
-            for (_, segment) in beam.segments.iter_mut().enumerate().filter(|(i, _)| meant(*i)) {
-                segment.shear_stiffness = segment.shear_stiffness.map(|own| own.scaled(factor));
-            }
-        }
-        _ => {
-            for (_, segment) in ground.segments.iter_mut().enumerate().filter(|(i, _)| meant(*i)) {
-                let profile = match property {
-                    Property::Spring => &mut segment.subgrade,
-                    _ => &mut segment.shear_layer,
-                };
-                *profile = profile.scaled(factor);
-            }
-        }
-    }
-}
-
-/// A number of a load; `None` if the load does not have it.
-pub(super) fn of_load(load: &Load, number: LoadNumber) -> Option<f64> {
-    match (load.extent, number) {
-        (Extent::Point { size, .. }, LoadNumber::Size) => Some(size),
-        // Distributed loads on the ground and the positions of loads on the ground are not parameters.
-        (Extent::Point { at, .. }, LoadNumber::At) if !load.on_ground => Some(at),
-        (Extent::Distributed { from, to, start, end }, number) if !load.on_ground => match number {
-            LoadNumber::Size => (start == end).then_some(start),
-            LoadNumber::From => Some(from),
-            LoadNumber::To => Some(to),
-            LoadNumber::Start => Some(start),
-            LoadNumber::End => Some(end),
-            LoadNumber::At => None,
-        },
-        _ => None,
-    }
-}
-
-pub(super) fn set_load(load: &mut Load, number: LoadNumber, value: f64) {
+/// Sets a number of a load; `None` if the load does not have it.
+pub(super) fn set_load(load: &mut Load, number: LoadNumber, value: f64) -> Option<()> {
+    of_load(load, number)?;
     match (&mut load.extent, number) {
         (Extent::Point { size, .. }, LoadNumber::Size) => *size = value,
-        (Extent::Point { at, .. }, LoadNumber::At) if !load.on_ground => *at = value,
-        (Extent::Distributed { from, to, start, end }, number) if !load.on_ground => match number {
-            LoadNumber::Size => [*start, *end] = [value; 2],
-            LoadNumber::From => *from = value,
-            LoadNumber::To => *to = value,
-            LoadNumber::Start => *start = value,
-            LoadNumber::End => *end = value,
-            LoadNumber::At => {}
-        },
-        _ => {}
+        (Extent::Point { at, .. }, _) => *at = value,
+        (Extent::Distributed { start, end, .. }, LoadNumber::Size) => [*start, *end] = [value; 2],
+        (Extent::Distributed { from, .. }, LoadNumber::From) => *from = value,
+        (Extent::Distributed { to, .. }, LoadNumber::To) => *to = value,
+        (Extent::Distributed { start, .. }, LoadNumber::Start) => *start = value,
+        (Extent::Distributed { end, .. }, _) => *end = value,
+    }
+    Some(())
+}
+
+/// A number of a support; `None` if the support does not have it.
+fn of_support(support: &mut Support, number: SupportNumber) -> Option<&mut f64> {
+    match (number, &mut support.kind) {
+        (SupportNumber::Settlement, _) => Some(&mut support.settlement),
+        (SupportNumber::Spring, SupportKind::Spring { spring, .. }) => Some(spring),
+        (SupportNumber::RotationalSpring, SupportKind::Spring { rotational_spring, .. }) => {
+            Some(rotational_spring)
+        }
+        _ => None,
     }
 }

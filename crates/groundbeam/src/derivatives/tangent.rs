@@ -4,9 +4,7 @@
 //! the number in the model. Positions are fixed. A moving load is represented by a load or a step at its position
 //! ([`Moved`]).
 
-use super::parameter::{
-    Domain, LoadNumber, Parameter, Property, SupportNumber, set_load, set_property,
-};
+use super::parameter::{LoadNumber, Parameter, change, courses, set_load};
 use crate::model::{Action, Extent, Load, Model, SupportKind};
 
 /// The derivatives of a model's numbers with respect to one parameter.
@@ -46,25 +44,16 @@ impl Tangent {
         let mut tangent = Tangent { model: without_numbers(model), moved: None };
         let rates = &mut tangent.model;
         match parameter {
-            Parameter::Value(property, domain) => set_property(rates, property, domain, 1.0),
-            Parameter::Factor(property, domain) => copy_property(rates, model, property, domain),
-            Parameter::AxialForce => rates.beam.axial_force = 1.0,
+            Parameter::Value(property, domain) => change(rates, property, domain, |_| 1.0.into()),
+            Parameter::Factor(property, domain) => {
+                let mut own = courses(model, property, domain);
+                change(rates, property, domain, |zero| own.next().unwrap_or(zero));
+            }
             Parameter::LoadFactor => rates.loads.clone_from(&model.loads),
             Parameter::Load(i, number) => tangent.add_load(i, &model.loads[i], number),
-            Parameter::Support(i, number) => {
-                let support = &mut rates.supports[i];
-                match (number, &mut support.kind) {
-                    (SupportNumber::Settlement, _) => support.settlement = 1.0,
-                    (SupportNumber::Spring, SupportKind::Spring { spring, .. }) => *spring = 1.0,
-                    (
-                        SupportNumber::RotationalSpring,
-                        SupportKind::Spring { rotational_spring, .. },
-                    ) => *rotational_spring = 1.0,
-                    _ => {}
-                }
+            number => {
+                number.assign_number(rates, 1.0);
             }
-            Parameter::HingeSpring(i) => rates.hinges[i].rotational_spring = 1.0,
-            Parameter::Gap(i) => rates.gap[i].value = 1.0,
         }
         tangent
     }
@@ -72,7 +61,8 @@ impl Tangent {
     fn add_load(&mut self, i: usize, load: &Load, number: LoadNumber) {
         let moves = matches!(number, LoadNumber::At | LoadNumber::From | LoadNumber::To);
         if !moves {
-            return set_load(&mut self.model.loads[i], number, 1.0);
+            set_load(&mut self.model.loads[i], number, 1.0);
+            return;
         }
         match load.extent {
             Extent::Point { at, size } => {
@@ -118,37 +108,4 @@ fn without_numbers(model: &Model) -> Model {
     zero.hinges.iter_mut().for_each(|hinge| hinge.rotational_spring = 0.0);
     zero.gap.iter_mut().for_each(|corner| corner.value = 0.0);
     zero
-}
-
-/// Copies the numbers of a property in a domain: these are the derivatives with respect to a factor on the property.
-fn copy_property(rates: &mut Model, model: &Model, property: Property, domain: Domain) {
-    let is_own = !matches!(domain, Domain::Segment(_));
-    let is_meant = |i: usize| domain == Domain::Whole || domain == Domain::Segment(i);
-    match property {
-        Property::BendingStiffness if is_own => {
-            rates.beam.bending_stiffness = model.beam.bending_stiffness;
-        }
-        Property::ShearStiffness if is_own => {
-            rates.beam.shear_stiffness = model.beam.shear_stiffness;
-        }
-        Property::Spring if is_own => rates.foundation.subgrade = model.foundation.subgrade,
-        Property::Shear if is_own => rates.foundation.shear_layer = model.foundation.shear_layer,
-        _ => {}
-    }
-    let beam = rates.beam.segments.iter_mut().zip(&model.beam.segments).enumerate();
-    for (_, (segment, own)) in beam.filter(|(i, _)| is_meant(*i)) {
-        match property {
-            Property::BendingStiffness => segment.bending_stiffness = own.bending_stiffness,
-            Property::ShearStiffness => segment.shear_stiffness = own.shear_stiffness,
-            Property::Spring | Property::Shear => {}
-        }
-    }
-    let ground = rates.foundation.segments.iter_mut().zip(&model.foundation.segments).enumerate();
-    for (_, (segment, own)) in ground.filter(|(i, _)| is_meant(*i)) {
-        match property {
-            Property::Spring => segment.subgrade = own.subgrade,
-            Property::Shear => segment.shear_layer = own.shear_layer,
-            Property::BendingStiffness | Property::ShearStiffness => {}
-        }
-    }
 }

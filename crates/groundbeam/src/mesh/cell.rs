@@ -141,12 +141,6 @@ impl<R: Real> Cell<R> {
         spring.iter().chain(shear).any(|c| *c != 0.0)
     }
 
-    /// Whether neither k nor μ has derivatives.
-    pub fn has_still_ground(&self) -> bool {
-        let [spring, shear] = [self.subgrade_along(), self.shear_layer_along()];
-        spring.iter().chain(&shear).all(|c| *c == c.value())
-    }
-
     /// Whether two cells have the same constant ground.
     pub fn shares_even_ground(&self, other: &Cell<R>) -> bool {
         self.subgrade == other.subgrade

@@ -48,26 +48,6 @@ impl<const N: usize> Neg for Dual<N> {
     }
 }
 
-impl<const N: usize> Add for Dual<N> {
-    type Output = Self;
-
-    #[inline]
-    fn add(mut self, other: Self) -> Self {
-        self += other;
-        self
-    }
-}
-
-impl<const N: usize> Sub for Dual<N> {
-    type Output = Self;
-
-    #[inline]
-    fn sub(mut self, other: Self) -> Self {
-        self -= other;
-        self
-    }
-}
-
 impl<const N: usize> Mul for Dual<N> {
     type Output = Self;
 
@@ -89,24 +69,6 @@ impl<const N: usize> Div for Dual<N> {
         let (value, part) = (self.value / other.value, 1.0 / other.value);
         let by = |i: usize| (self.by[i] - value * other.by[i]) * part;
         Dual { value, by: std::array::from_fn(by) }
-    }
-}
-
-impl<const N: usize> Add<f64> for Dual<N> {
-    type Output = Self;
-
-    #[inline]
-    fn add(self, other: f64) -> Self {
-        Dual { value: self.value + other, ..self }
-    }
-}
-
-impl<const N: usize> Sub<f64> for Dual<N> {
-    type Output = Self;
-
-    #[inline]
-    fn sub(self, other: f64) -> Self {
-        Dual { value: self.value - other, ..self }
     }
 }
 
@@ -148,32 +110,42 @@ impl<const N: usize> SubAssign for Dual<N> {
     }
 }
 
-impl<const N: usize> MulAssign for Dual<N> {
-    #[inline]
-    fn mul_assign(&mut self, other: Self) {
-        *self = *self * other;
-    }
+/// An operator that changes the value alone, or one operator from another.
+macro_rules! operators {
+    ($($trait:ident<$other:ty>::$method:ident($own:ident, $by:ident) $change:block)*) => {$(
+        impl<const N: usize> $trait<$other> for Dual<N> {
+            #[inline]
+            fn $method(&mut self, $by: $other) {
+                let $own = self;
+                $change
+            }
+        }
+    )*};
+    ($($trait:ident<$other:ty>::$method:ident by $assign:tt)*) => {$(
+        impl<const N: usize> $trait<$other> for Dual<N> {
+            type Output = Self;
+
+            #[inline]
+            fn $method(mut self, other: $other) -> Self {
+                self $assign other;
+                self
+            }
+        }
+    )*};
 }
 
-impl<const N: usize> AddAssign<f64> for Dual<N> {
-    #[inline]
-    fn add_assign(&mut self, other: f64) {
-        self.value += other;
-    }
+operators! {
+    AddAssign<f64>::add_assign(own, by) { own.value += by; }
+    SubAssign<f64>::sub_assign(own, by) { own.value -= by; }
+    MulAssign<f64>::mul_assign(own, by) { *own = *own * by; }
+    MulAssign<Self>::mul_assign(own, by) { *own = *own * by; }
 }
 
-impl<const N: usize> SubAssign<f64> for Dual<N> {
-    #[inline]
-    fn sub_assign(&mut self, other: f64) {
-        self.value -= other;
-    }
-}
-
-impl<const N: usize> MulAssign<f64> for Dual<N> {
-    #[inline]
-    fn mul_assign(&mut self, other: f64) {
-        *self = *self * other;
-    }
+operators! {
+    Add<f64>::add by +=
+    Sub<f64>::sub by -=
+    Add<Self>::add by +=
+    Sub<Self>::sub by -=
 }
 
 impl<const N: usize> Sum for Dual<N> {
