@@ -3,186 +3,22 @@
 //! The residual of the equations at fixed unknowns gives the loads of each parameter. The fields at fixed data give the
 //! loads of each output. The stiffness is symmetric, so either list of loads can be solved for.
 
+use super::equilibrium::{Equilibrium, Loads, Span, curves};
 use super::frame::Frame;
-use super::output::{Follows, Read, Reading};
+use super::moved::Steps;
 use super::tangent::Tangent;
-use crate::chain::elimination::Chain;
-use crate::chain::node::Tie;
-use crate::contact::bonded::chain_of;
 use crate::contact::short_span::bonded_fluxes;
-use crate::contact::surface::{SurfacePart, short_parts_of};
 use crate::element::ExactElement;
 use crate::element::element::{Element, TERMS};
 use crate::element::operator::{Operator, ZoneKind};
-use crate::ground::link::{self, TwoPort};
-use crate::mesh::cell::{Cell, gap_at};
+use crate::mesh::cell::gap_at;
 use crate::mesh::deflection::{BeamPoint, Deflection, MeshZone};
-use crate::mesh::free_field::{self, Line};
-use crate::mesh::ground_runs::ground_runs;
 use crate::mesh::lifted::Rates;
 use crate::mesh::mesh::Mesh;
-use crate::mesh::open_ground::{heights, open_links};
 use crate::model::Model;
 use crate::numeric::dual::Dual;
-use crate::numeric::polynomial::derivative;
 use crate::numeric::real::Real;
-use crate::solution::field::Field;
-use crate::solution::fields::{Side, SolutionPiece};
-use std::collections::BTreeSet;
 use std::ops::Range;
-
-/// The bonded beam in equilibrium, without derivatives.
-#[derive(Debug)]
-pub(super) struct Equilibrium<'a> {
-    pub frame: &'a Frame<'a>,
-    elements: Vec<Element>,
-    /// The four unknowns of each element.
-    shapes: Vec<[f64; 4]>,
-    /// Coefficients of w, and of φ if the beam has shear deformation, on the mesh of power series.
-    pub deflection: Vec<f64>,
-    pub rotation: Vec<f64>,
-    /// Open ground on the mesh of elements.
-    spans: Vec<Span<f64>>,
-    /// The equations without loads.
-    chain: Chain,
-}
-
-/// Loads on the four unknowns of some elements.
-pub(super) type Loads<T> = Vec<(usize, [T; 4])>;
-
-impl<'a> Equilibrium<'a> {
-    /// `None` if the beam is a mechanism on its contact.
-    pub fn at(frame: &'a Frame<'a>) -> Option<Self> {
-        let mesh = &frame.mesh;
-        let element = |(cell, touch)| {
-            ExactElement::new(&Operator::of(cell, mesh.axial_force, touch), cell.length())
-        };
-        let cells = mesh.cells.iter().zip(frame.touch.iter().copied());
-        let exact: Vec<ExactElement> = cells.map(element).collect();
-        let elements: Vec<Element> = exact.iter().map(|exact| exact.element).collect();
-        let mut chain = chain_of(mesh, &frame.zones, elements.iter().copied());
-        let shapes = chain.solve().ok()?;
-        let series = frame.series().0;
-        let [mut deflection, mut rotation] = [const { Vec::new() }; 2];
-        let shears = frame.model.beam.shears();
-        for (i, exact) in exact.iter().enumerate() {
-            for cell in frame.series_of(i) {
-                let cells = [&mesh.cells[i], &series.cells[cell]];
-                let [w, turned] = curves(cells, exact, &shapes[i], shears);
-                deflection.extend(w);
-                rotation.extend(turned);
-            }
-        }
-        for node in &mut chain.nodes {
-            (node.force, node.moment, node.settlement, node.gap) = (0.0, 0.0, 0.0, 0.0);
-        }
-        for cell in &mut chain.cells {
-            cell.element.load = [0.0; 4];
-            for tie in cell.links.iter_mut().flat_map(|link| [&mut link.left, &mut link.right]) {
-                if let Tie::Beam { gap, .. } = tie {
-                    *gap = 0.0;
-                }
-            }
-        }
-        let spans = Span::all(mesh, &frame.zones);
-        Some(Equilibrium { frame, elements, shapes, deflection, rotation, spans, chain })
-    }
-
-    /// The unknowns of all elements under given loads alone.
-    pub fn displaced(
-        &self,
-        loads: impl Iterator<Item = (usize, [f64; 4])>,
-    ) -> Option<Vec<[f64; 4]>> {
-        let mut chain = self.chain.clone();
-        for (cell, load) in loads {
-            let own = &mut chain.cells[cell].element.load;
-            own.iter_mut().zip(load).for_each(|(own, load)| *own += load);
-        }
-        chain.solve().ok()
-    }
-
-    /// w and the rotations on both sides of a node.
-    fn at_node(&self, node: usize) -> [f64; 3] {
-        let cells = [node.saturating_sub(1), node.min(self.shapes.len() - 1)];
-        let at = |i: usize, row: [f64; 4]| (0..4).map(|j| row[j] * self.shapes[i][j]).sum::<f64>();
-        let turned = |side: usize| {
-            let i = cells[side];
-            at(i, self.elements[i].rotation_row(i < node))
-        };
-        let i = cells[1];
-        [at(i, self.elements[i].end_row(i < node)), turned(0), turned(1)]
-    }
-
-    /// The elements on which an output depends at fixed data.
-    fn reads(&self, of: &Read) -> BTreeSet<usize> {
-        let (frame, mut read) = (self.frame, BTreeSet::new());
-        let cells = &frame.mesh.cells;
-        let mut add = |x: f64| {
-            let cell = frame.mesh.cell_at(x);
-            read.extend([cell - usize::from(cell > 0 && x <= cells[cell].x[0]), cell]);
-        };
-        let end_of = |zone, side| frame.position(frame.end_of(zone, side));
-        match *of {
-            Read::Constant | Read::Energy => return read,
-            Read::Field { x, follows, .. } => {
-                add(x);
-                if let Follows::Edge { zone, side, .. } = follows {
-                    add(end_of(zone, side));
-                }
-            }
-            Read::Beside { x } => add(x.clamp(0.0, frame.model.beam.length)),
-            Read::Edge { zone, side } | Read::EdgeForce { zone, side } => add(end_of(zone, side)),
-            Read::Support { number, .. } => add(frame.model.supports[number].at),
-        }
-        // The surface of an open span depends on w at both ends of the span; if the span is short, on all of it.
-        for Span { ends, .. } in &self.spans {
-            let at = |end: BeamPoint| cells[end.cell].global(end.s);
-            let from = ends[0].map_or(f64::NEG_INFINITY, at);
-            let to = ends[1].map_or(f64::INFINITY, at);
-            if !read.iter().any(|i| cells[*i].x[0] <= to && cells[*i].x[1] >= from) {
-                continue;
-            }
-            for end in ends.iter().flatten() {
-                read.extend(end.cell.saturating_sub(1)..(end.cell + 2).min(cells.len()));
-            }
-            if let [Some(from), Some(to)] = ends
-                && to.cell <= from.cell + SHORT
-            {
-                read.extend(from.cell..=to.cell);
-            }
-        }
-        read
-    }
-
-    /// The elements on which some outputs depend at fixed data.
-    pub fn read_by(&self, readings: &[Reading]) -> BTreeSet<usize> {
-        readings.iter().flat_map(|reading| self.reads(&reading.of)).collect()
-    }
-
-    /// For each output the displacements under the loads that are its derivatives with respect to the unknowns.
-    pub fn adjoints(&self, readings: &[Reading]) -> Option<Vec<Vec<[f64; 4]>>> {
-        let mut linear = Linear::<4>::new(self);
-        let reads: Vec<BTreeSet<usize>> = readings.iter().map(|own| self.reads(&own.of)).collect();
-        let mut loads: Vec<Loads<f64>> = vec![Vec::new(); readings.len()];
-        for cell in self.read_by(readings) {
-            for (j, v) in linear.shapes[cell].iter_mut().enumerate() {
-                v.by[j] = 1.0;
-            }
-            linear.refresh([cell].into_iter());
-            for ((load, read), reading) in loads.iter_mut().zip(&reads).zip(readings) {
-                if read.contains(&cell) {
-                    load.push((cell, linear.read(reading)));
-                }
-            }
-            linear.shapes[cell] = self.shapes[cell].map(Dual::from);
-            linear.unfold(cell);
-        }
-        loads.into_iter().map(|load| self.displaced(load.into_iter())).collect()
-    }
-}
-
-/// Maximum number of elements of a [short span](crate::contact::short_span).
-const SHORT: usize = 4;
 
 /// Data and unknowns of the bonded beam, with derivatives with respect to N variables.
 #[derive(Debug)]
@@ -199,61 +35,19 @@ pub(super) struct Linear<'a, const N: usize> {
     /// The four unknowns of each element, from the displacements of its nodes.
     pub shapes: Vec<[Dual<N>; 4]>,
     /// Coefficients of w and φ.
-    deflection: Vec<Dual<N>>,
-    rotation: Vec<Dual<N>>,
-    spans: Vec<Span<Dual<N>>>,
-    moved: Vec<MovedEnd<N>>,
-}
-
-/// Steps at the end of an element, caused by a load that moves with a parameter or by a support that settles.
-#[derive(Debug, Clone, Copy)]
-struct MovedEnd<const N: usize> {
-    cell: usize,
-    right: bool,
-    x: f64,
-    /// Excess of the unknowns of the element over those from the displacements of its nodes.
-    jump: [Dual<N>; 4],
-    moment: Dual<N>,
-    slope: Dual<N>,
-    drift: Dual<N>,
-}
-
-/// Open ground between two contact zones, or between a zone and the ground outside the beam.
-#[derive(Debug)]
-struct Span<R> {
-    /// Points at which the span ends at a contact zone; `None` if it includes the ground beyond the run.
-    ends: [Option<BeamPoint>; 2],
-    /// The two-ports of the span; for a two-port under the beam also its cell and the part of the cell.
-    links: Vec<(Option<(usize, [f64; 2])>, TwoPort<R>)>,
-    /// All two-ports in series.
-    whole: TwoPort<R>,
-    /// u − u₀ at both ends, and the forces on the ground at both ends.
-    held: [R; 2],
-    fluxes: [R; 2],
-}
-
-impl<R: Real> Span<R> {
-    fn all(mesh: &Mesh<R>, zones: &[MeshZone]) -> Vec<Self> {
-        let mut spans = Vec::new();
-        for run in ground_runs(mesh).iter().filter(|run| run.pasternak) {
-            let own = || zones.iter().filter(|zone| run.cells.contains(&zone.from.cell));
-            let left = [None].into_iter().chain(own().map(|zone| Some(zone.to)));
-            for (left, right) in left.zip(own().map(|zone| Some(zone.from)).chain([None])) {
-                let links = open_links(mesh, run, left, right);
-                let whole = links.iter().map(|(_, link)| *link).reduce(TwoPort::then);
-                let (ends, whole) = ([left, right], whole.unwrap_or_default());
-                spans.push(Span { ends, links, whole, held: [R::ZERO; 2], fluxes: [R::ZERO; 2] });
-            }
-        }
-        spans
-    }
+    pub deflection: Vec<Dual<N>>,
+    pub rotation: Vec<Dual<N>>,
+    pub spans: Vec<Span<Dual<N>>>,
+    /// Excess of the unknowns of an element over those from the displacements of its nodes.
+    jumps: Loads<Dual<N>>,
+    /// For each load that moves with a parameter the number of the parameter and the steps that the load causes.
+    moved: Vec<(usize, Steps)>,
 }
 
 impl<'a, const N: usize> Linear<'a, N> {
     /// Data and unknowns without derivatives.
     pub fn new(equilibrium: &'a Equilibrium<'a>) -> Self {
         let frame = equilibrium.frame;
-        let lifted = |c: &[f64]| c.iter().map(|c| Dual::from(*c)).collect();
         let mut linear = Linear {
             equilibrium,
             frame,
@@ -261,52 +55,46 @@ impl<'a, const N: usize> Linear<'a, N> {
             elements: frame.mesh.still(),
             varied: 0..0,
             series: frame.fine.as_ref().map(|(fine, _)| (fine.still(), 0..0)),
-            exact: frame.mesh.cells.iter().map(|_| None).collect(),
-            shapes: equilibrium.shapes.iter().map(|v| v.map(Dual::from)).collect(),
-            deflection: lifted(&equilibrium.deflection),
-            rotation: lifted(&equilibrium.rotation),
+            exact: Vec::new(),
+            shapes: Vec::new(),
+            deflection: Vec::new(),
+            rotation: Vec::new(),
             spans: Vec::new(),
+            jumps: Vec::new(),
             moved: Vec::new(),
         };
-        linear.spans = Span::all(linear.mesh(), linear.zones());
+        linear.vary(Vec::new());
         linear
     }
 
     /// Replaces the derivatives by those of the data with respect to at most N parameters. The unknowns have none.
     pub fn vary(&mut self, tangents: Vec<Tangent>) {
         let still = self.equilibrium;
-        for (v, own) in self.shapes.iter_mut().zip(&still.shapes) {
-            *v = own.map(Dual::from);
-        }
-        for i in (0..self.exact.len()).filter(|i| self.exact[*i].is_some()).collect::<Vec<_>>() {
-            self.exact[i] = None;
-            for part in self.frame.series_of(i) {
-                for at in part * TERMS..(part + 1) * TERMS {
-                    self.deflection[at] = still.deflection[at].into();
-                    self.rotation
-                        .get_mut(at)
-                        .into_iter()
-                        .for_each(|c| *c = still.rotation[at].into());
-                }
-            }
+        self.shapes.clear();
+        self.shapes.extend(still.shapes.iter().map(|v| v.map(Dual::from)));
+        for (lifted, still) in
+            [(&mut self.deflection, &still.deflection), (&mut self.rotation, &still.rotation)]
+        {
+            lifted.clear();
+            lifted.extend(still.iter().map(|c| Dual::from(*c)));
         }
         let by: Vec<&Model> = tangents.iter().map(|tangent| &tangent.model).collect();
-        let rates = Rates { model: &self.frame.model, by: &by };
+        let reach = tangents.iter().map(|tangent| tangent.reach);
+        let reach = reach.reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])]).unwrap_or_default();
+        let rates = Rates { model: &self.frame.model, by: &by, reach };
         self.varied = self.frame.mesh.vary(&rates, self.varied.clone(), &mut self.elements);
         if let (Some((mesh, varied)), Some((fine, _))) = (&mut self.series, &self.frame.fine) {
             *varied = fine.vary(&rates, varied.clone(), mesh);
         }
+        let steps = |(n, tangent): (usize, &Tangent)| Some((n, self.frame.steps(&tangent.moved?)));
+        self.moved = tangents.iter().enumerate().filter_map(steps).collect();
         self.tangents = tangents;
-        self.moved.clear();
-        self.move_loads();
-        self.settle_supports();
-        let jumps = self.moved.iter().filter(|end| end.jump != [Dual::ZERO; 4]).map(|end| end.cell);
-        let moved: Vec<usize> = jumps.collect();
-        for i in 0..self.exact.len() {
+        self.find_jumps();
+        self.exact.clear();
+        for i in 0..self.shapes.len() {
             let varies = self.varied.contains(&i) && !self.operator(i).is_still();
-            if varies || moved.contains(&i) {
-                self.make_exact(i);
-            }
+            let jumps = self.jumps.iter().any(|(cell, _)| *cell == i);
+            self.exact.push((varies || jumps).then(|| self.new_exact(i)));
         }
         self.spans = Span::all(self.mesh(), self.zones());
     }
@@ -318,48 +106,32 @@ impl<'a, const N: usize> Linear<'a, N> {
         }
     }
 
-    fn move_loads(&mut self) {
-        let moved = self.tangents.iter().map(|tangent| tangent.moved);
-        for (n, moved) in moved.enumerate().collect::<Vec<_>>() {
-            let Some(moved) = moved else { continue };
-            let steps = self.frame.steps(&moved);
-            let (cell, right) = (steps.spot.cell, steps.spot.s > 0.0);
-            let dual = |by: f64| {
-                let mut dual = Dual::ZERO;
-                dual.by[n] = by;
-                dual
-            };
-            let jump = self.jump(cell, right, steps.jump.map(dual));
-            let [moment, slope, drift] = [steps.moment, steps.slope, steps.drift].map(dual);
-            self.moved.push(MovedEnd { cell, right, x: moved.x, jump, moment, slope, drift });
+    /// The steps of the unknowns at the ends of elements. A load that moves causes a step on one side of its node. A rigid
+    /// support that settles moves the ends of both elements beside it; its node stays.
+    fn find_jumps(&mut self) {
+        self.jumps.clear();
+        for (n, steps) in self.moved.clone() {
+            self.jump(steps.spot.cell, steps.spot.s > 0.0, steps.jump.map(|jump| along(n, jump)));
         }
-    }
-
-    /// A rigid support that settles moves the ends of both elements beside it; its node stays.
-    fn settle_supports(&mut self) {
-        for (node, own) in self.elements.nodes.iter().enumerate() {
-            let settles = drift(own.settlement);
-            if !own.pinned || settles == 0.0 {
-                continue;
-            }
-            for (cell, right) in self.beside(node) {
-                let jump = self.jump(cell, right, [settles, Dual::ZERO]);
-                let (x, moment) = (own.x, Dual::ZERO);
-                let (slope, drift) = (moment, moment);
-                self.moved.push(MovedEnd { cell, right, x, jump, moment, slope, drift });
+        for node in 0..self.elements.nodes.len() {
+            let own = &self.elements.nodes[node];
+            let steps = [drift(own.settlement), Dual::ZERO];
+            if own.pinned && steps[0] != 0.0 {
+                self.beside(node).for_each(|(cell, right)| self.jump(cell, right, steps));
             }
         }
     }
 
-    /// The unknowns of an element for a displacement and a rotation of one end.
-    fn jump(&self, cell: usize, right: bool, [sinks, turns]: [Dual<N>; 2]) -> [Dual<N>; 4] {
+    /// Displaces and rotates one end of an element, but not its node.
+    fn jump(&mut self, cell: usize, right: bool, steps: [Dual<N>; 2]) {
         let element = &self.equilibrium.elements[cell];
-        let [sunk, turned] = [false, true].map(|turns| element.moved_end(right, turns));
-        std::array::from_fn(|j| sinks * sunk[j] + turns * turned[j])
+        for (step, turns) in steps.into_iter().zip([false, true]).filter(|(step, _)| *step != 0.0) {
+            self.jumps.push((cell, element.moved_end(right, turns).map(|part| step * part)));
+        }
     }
 
     /// The elements at a node, and whether the node is their right end.
-    fn beside(&self, node: usize) -> impl Iterator<Item = (usize, bool)> + use<N> {
+    pub fn beside(&self, node: usize) -> impl Iterator<Item = (usize, bool)> + use<N> {
         let count = self.shapes.len();
         let cells = [(node.checked_sub(1), true), (Some(node), false)];
         cells.into_iter().filter_map(move |(i, right)| Some((i.filter(|i| *i < count)?, right)))
@@ -369,21 +141,20 @@ impl<'a, const N: usize> Linear<'a, N> {
         Operator::of(&self.elements.cells[i], self.elements.axial_force, self.frame.touch[i])
     }
 
-    fn make_exact(&mut self, i: usize) {
-        let length = self.elements.cells[i].length();
-        self.exact[i] = Some(Box::new(ExactElement::new(&self.operator(i), length)));
+    fn new_exact(&self, i: usize) -> Box<ExactElement<Dual<N>>> {
+        Box::new(ExactElement::new(&self.operator(i), self.elements.cells[i].length()))
     }
 
-    fn element(&self, i: usize) -> Element<Dual<N>> {
+    pub fn element(&self, i: usize) -> Element<Dual<N>> {
         let still = || self.equilibrium.elements[i].still();
         self.exact[i].as_ref().map_or_else(still, |exact| exact.element)
     }
 
     /// The unknowns of an element with the steps at its ends.
-    fn own_shape(&self, i: usize) -> [Dual<N>; 4] {
+    pub fn own_shape(&self, i: usize) -> [Dual<N>; 4] {
         let mut own = self.shapes[i];
-        for end in self.moved.iter().filter(|end| end.cell == i) {
-            own.iter_mut().zip(end.jump).for_each(|(v, jump)| *v += jump);
+        for (_, jump) in self.jumps.iter().filter(|(cell, _)| *cell == i) {
+            own.iter_mut().zip(jump).for_each(|(v, jump)| *v += *jump);
         }
         own
     }
@@ -395,22 +166,20 @@ impl<'a, const N: usize> Linear<'a, N> {
     }
 
     /// Computes w and φ from the unknowns of an element.
-    fn unfold(&mut self, i: usize) {
-        if self.exact[i].is_none() {
-            self.make_exact(i);
-        }
-        let Some(exact) = &self.exact[i] else { return };
+    pub fn unfold(&mut self, i: usize) {
+        let exact = self.exact[i].take().unwrap_or_else(|| self.new_exact(i));
         let (cell, own) = (&self.elements.cells[i], self.own_shape(i));
         let series = self.series.as_ref().map_or(&self.elements, |(series, _)| series);
         for part in self.frame.series_of(i) {
             let shears = !self.rotation.is_empty();
-            let [w, turned] = curves([cell, &series.cells[part]], exact, &own, shears);
+            let [w, turned] = curves([cell, &series.cells[part]], &exact, &own, shears);
             let at = part * TERMS..(part + 1) * TERMS;
             self.deflection[at.clone()].copy_from_slice(&w);
             if shears {
                 self.rotation[at].copy_from_slice(&turned);
             }
         }
+        self.exact[i] = Some(exact);
     }
 
     /// The derivatives of the loads of all elements at the unknowns of the equilibrium: those on the elements, on the
@@ -459,12 +228,14 @@ impl<'a, const N: usize> Linear<'a, N> {
 
     /// Force and moment on one end of an element from loads and springs of its node, from a hinge, from the free field
     /// and from a load that moves. The right node of an element belongs to the next element.
-    fn end_loads(&self, i: usize, right: bool) -> [Dual<N>; 2] {
+    pub fn end_loads(&self, i: usize, right: bool) -> [Dual<N>; 2] {
         let j = i + usize::from(right);
         let (node, cell) = (&self.elements.nodes[j], &self.elements.cells[i]);
         let [w, before, after] = self.equilibrium.at_node(j);
-        let moved = self.moved.iter().filter(|end| end.cell == i && end.right == right);
-        let (mut force, mut moment) = (Dual::ZERO, moved.map(|end| end.moment).sum());
+        let spot = BeamPoint { cell: i, s: if right { 1.0 } else { -1.0 } };
+        let moved = self.moved.iter().filter(|(_, steps)| steps.spot == spot);
+        let (mut force, mut moment) =
+            (Dual::ZERO, moved.map(|(n, steps)| along(*n, steps.moment)).sum());
         if !right || j == self.exact.len() {
             force += node.force - node.spring * (-node.settlement + w);
             moment += node.moment - node.rotational_spring * after;
@@ -489,7 +260,7 @@ impl<'a, const N: usize> Linear<'a, N> {
         self.frame.series().1
     }
 
-    fn w(&self) -> Deflection<'_, Dual<N>> {
+    pub fn w(&self) -> Deflection<'_, Dual<N>> {
         Deflection { mesh: self.mesh(), terms: TERMS, coefficients: &self.deflection }
     }
 
@@ -515,150 +286,15 @@ impl<'a, const N: usize> Linear<'a, N> {
 
     /// Excess of the surface of open ground at an end of a span over the surface at the node there.
     fn drifted(&self, x: f64, end: usize) -> Dual<N> {
-        let own = |moved: &&MovedEnd<N>| {
-            usize::from(moved.right) == end && self.frame.is_same_node(moved.x, x)
-        };
-        self.moved.iter().filter(own).map(|moved| moved.drift).sum()
+        let is_end = |steps: &Steps| usize::from(steps.spot.s > 0.0) == end;
+        self.moved_at(x, |steps| if is_end(steps) { steps.drift } else { 0.0 })
     }
 
-    /// A field at a position x, on one side of x.
-    pub fn field(&self, field: Field, x: f64, side: Side) -> Dual<N> {
-        let cells = &self.mesh().cells;
-        let i = match side {
-            Side::Right => cells.partition_point(|cell| cell.x[1] <= x),
-            Side::Left => cells.partition_point(|cell| cell.x[1] < x),
-        };
-        let i = i.min(cells.len() - 1);
-        let s = cells[i].local(x);
-        let mut parts = Vec::new();
-        short_parts_of(
-            self.mesh(),
-            &SurfacePart { cell: i, s: [-1.0, 1.0], open: self.open(i) },
-            &mut parts,
-        );
-        let beyond = |part: &SurfacePart<Dual<N>>| match side {
-            Side::Right => part.s[1] <= s,
-            Side::Left => part.s[1] < s,
-        };
-        let part = parts.partition_point(beyond).min(parts.len() - 1);
-        let own = i * TERMS..(i + 1) * TERMS;
-        let rotation = cells[i].beam_shear.and_then(|_| self.rotation.get(own.clone()));
-        let piece =
-            SolutionPiece::of(&cells[i], &parts[part], &self.deflection[own], rotation, true);
-        piece.one(field, piece.local(x))
-    }
-
-    /// u at a position x outside the beam.
-    pub fn settlement_beside(&self, x: f64) -> Dual<N> {
-        let l = self.frame.model.beam.length;
-        let right = x > l;
-        let (end, side, distance) =
-            if right { (l, Side::Left, x - l) } else { (0.0, Side::Right, -x) };
-        let end = self.field(Field::Settlement, end, side);
-        self.on_line(|line| {
-            let own = |distance: f64| free_field::at(line, right, &self.mesh().cells, distance);
-            let outside = line.beyond[usize::from(right)];
-            link::beside(outside, end - own(0.0), distance) + own(distance)
-        })
-    }
-
-    /// A function of the ground outside the beam and of the loads on the ground.
-    pub fn on_line(&self, of: impl FnOnce(&Line<Dual<N>>) -> Dual<N>) -> Dual<N> {
-        let by: Vec<&Model> = self.tangents.iter().map(|tangent| &tangent.model).collect();
-        let rates = Rates { model: &self.frame.model, by: &by };
-        let cells = &self.mesh().cells;
-        let [left, right] = [cells[0].ground_at(-1.0), cells[cells.len() - 1].ground_at(1.0)];
-        let [left, right] = [rates.beyond(false, left), rates.beyond(true, right)];
-        let length = self.frame.model.beam.length;
-        of(&Line { length, beyond: [&left, &right], loads: &rates.ground_loads() })
-    }
-
-    /// u − u₀ at both ends of a cell; `None` if the cell is in contact.
-    fn open(&self, cell: usize) -> Option<[Dual<N>; 2]> {
-        let holds = |zone: &MeshZone| zone.from.cell <= cell && cell <= zone.to.cell;
-        if self.zones().iter().any(|zone| zone.from != zone.to && holds(zone)) {
-            return None;
-        }
-        let under = |span: &Span<Dual<N>>| {
-            let at =
-                span.links.iter().position(|(part, _)| part.is_some_and(|(i, _)| i == cell))?;
-            let links: Vec<TwoPort<Dual<N>>> = span.links.iter().map(|(_, link)| *link).collect();
-            let (heights, _) = heights(&links, span.held);
-            Some([heights[at], heights[at + 1]])
-        };
-        Some(self.spans.iter().find_map(under).unwrap_or([Dual::ZERO; 2]))
-    }
-
-    /// Force of the bond at an end of a zone.
-    pub fn force_at_edge(&self, zone: usize, side: Side) -> Dual<N> {
-        let MeshZone { from, to } = self.zones()[zone];
-        let taken = |point: BeamPoint, end: usize| -> Dual<N> {
-            let own = self.spans.iter().find(|span| span.ends[end] == Some(point));
-            own.map_or(Dual::ZERO, |span| span.fluxes[end])
-        };
-        match side {
-            _ if from == to => taken(from, 1) + taken(to, 0),
-            Side::Left => taken(from, 1) - self.flux(from),
-            Side::Right => taken(to, 0) + self.flux(to),
-        }
-    }
-
-    /// μψ' at the end of a zone, without the step of w' that a moving load causes there.
-    fn flux(&self, point: BeamPoint) -> Dual<N> {
-        let x = self.w().position(point);
-        let own = |end: &&MovedEnd<N>| self.frame.is_same_node(end.x, x);
-        let steps: Dual<N> = self.moved.iter().filter(own).map(|end| end.slope).sum();
-        self.w().flux(point) - self.mesh().cells[point.cell].ground_at(point.s)[1] * steps
-    }
-
-    /// Derivatives of the position of an edge that can move.
-    pub fn edge(&self, zone: usize, side: Side) -> [f64; N] {
-        let MeshZone { from, to } = self.zones()[zone];
-        let spot = if side == Side::Left { from } else { to };
-        let [psi, slope, pressure] = self.w().obstacle_and_pressure(spot);
-        if self.mesh().cells[spot.cell].shear_layer.value() == 0.0 {
-            // ψ = 0 at the edge: δx = −δψ/ψ'.
-            return psi.by.map(|by| -by / slope.value);
-        }
-        // The point force A is 0 at the edge, and dA = π dx for dx out of the zone.
-        let outward = if side == Side::Left { -1.0 } else { 1.0 };
-        self.force_at_edge(zone, side).by.map(|by| outward * by / pressure.value)
-    }
-
-    /// w and φ of the node at a position.
-    pub fn at_node(&self, x: f64) -> [Dual<N>; 2] {
-        let spot = self.frame.spot(x, Side::Right);
-        let (v, right) = (&self.shapes[spot.cell], spot.s > 0.0);
-        let element = &self.equilibrium.elements[spot.cell];
-        let dot = |row: [f64; 4]| (0..4).map(|j| v[j] * row[j]).sum();
-        [dot(element.end_row(right)), dot(element.rotation_row(right))]
-    }
-
-    /// Force (positive up) and moment of the constraints at a node: the loads at the node minus the forces taken by
-    /// elements and ground.
-    pub fn reaction(&self, x: f64) -> [Dual<N>; 2] {
-        let mut held = [Dual::ZERO; 2];
-        for (cell, right) in self.beside(self.frame.mesh.node_at(x)) {
-            let element = self.element(cell);
-            let (forces, loads) =
-                (element.forces(&self.own_shape(cell)), self.end_loads(cell, right));
-            for ((held, load), turns) in held.iter_mut().zip(loads).zip([false, true]) {
-                *held += load;
-                for (force, part) in forces.iter().zip(element.moved_end(right, turns)) {
-                    *held -= *force * part;
-                }
-            }
-        }
-        let w = self.w();
-        let here = |point: BeamPoint| self.frame.is_same_node(w.position(point), x);
-        for span in &self.spans {
-            for (end, flux) in span.ends.iter().zip(span.fluxes) {
-                if end.is_some_and(here) {
-                    held[0] -= flux;
-                }
-            }
-        }
-        [held[0], -held[1]]
+    /// The sum of steps at the node at x.
+    pub fn moved_at(&self, x: f64, of: impl Fn(&Steps) -> f64) -> Dual<N> {
+        let here = |steps: &Steps| self.frame.is_same_node(self.frame.position(steps.spot), x);
+        let moved = self.moved.iter().filter(|(_, steps)| here(steps));
+        moved.map(|(n, steps)| along(*n, of(steps))).sum()
     }
 }
 
@@ -667,21 +303,9 @@ fn drift<const N: usize>(number: Dual<N>) -> Dual<N> {
     Dual { value: 0.0, by: number.by }
 }
 
-/// Coefficients of w, and of φ if the beam has shear deformation, on a part of an element's cell.
-fn curves<R: Real>(
-    [cell, part]: [&Cell<R>; 2],
-    exact: &ExactElement<R>,
-    v: &[R; 4],
-    shears: bool,
-) -> [Vec<R>; 2] {
-    let c = exact.deflection_on(cell, part.x, &exact.unfold(v));
-    let turned = shears.then(|| match exact.rotation(v) {
-        Some(own) => own.to_vec(),
-        None => {
-            let mut slope = derivative(&c).at_least(TERMS);
-            slope.iter_mut().for_each(|c| *c *= 2.0 / part.length());
-            slope.to_vec()
-        }
-    });
-    [c.to_vec(), turned.unwrap_or_default()]
+/// A number whose derivative with respect to parameter n is given.
+fn along<const N: usize>(n: usize, by: f64) -> Dual<N> {
+    let mut dual = Dual::ZERO;
+    dual.by[n] = by;
+    dual
 }

@@ -4,7 +4,10 @@
 //! The equations are generic over the number type. One solve of the beam bonded on its contact, in dual numbers, gives
 //! the derivatives of all outputs with respect to up to eight parameters. The derivation is in `docs/derivatives.md`.
 
+mod adjoint;
 mod energy;
+mod equilibrium;
+mod evaluate;
 mod extreme;
 mod frame;
 mod linear;
@@ -18,8 +21,9 @@ mod topology;
 use crate::existence::verdict::Verdict;
 use crate::options::Method;
 use crate::solution::solution::Solution;
+use equilibrium::Equilibrium;
 use frame::Frame;
-use linear::{Equilibrium, Linear};
+use linear::Linear;
 pub use output::Output;
 use output::Reading;
 pub use parameter::{Domain, LoadNumber, Parameter, Property, SupportNumber};

@@ -151,10 +151,10 @@ impl Frame<'_> {
         jumps || turns && self.mesh.nodes[self.mesh.node_at(x)].hinge.is_some()
     }
 
-    /// Whether a field or its slope jumps at a moving load.
-    pub fn is_rough(&self, field: Field, moved: &Moved) -> bool {
+    /// Order of the lowest derivative of a field that jumps at a moving load; negative if less than the field is smooth.
+    fn order_of_jump(&self, field: Field, moved: &Moved) -> i32 {
         let shears = self.shears_at(moved.x).contains(&true);
-        // Order of the lowest derivative of w, and of φ, that jumps.
+        // The same for w and for φ.
         let [by_w, by_rotation] = match moved.what {
             Motion::Force(_) => [if shears { 1 } else { 3 }, 3],
             Motion::Moment(_) | Motion::Curvature(_) => [2, 2],
@@ -162,28 +162,23 @@ impl Frame<'_> {
             Motion::ForcePerLength(_) => [if shears { 2 } else { 4 }, 4],
         };
         match field {
-            Field::Deflection | Field::Settlement | Field::Gap => by_w <= 1,
-            Field::Slope => by_w <= 2,
-            Field::Rotation => by_rotation <= 2,
-            Field::Moment => by_rotation <= 3,
-            Field::ShearForce => true,
-            Field::Pressure => by_w <= 3,
+            Field::Deflection | Field::Settlement | Field::Gap => by_w,
+            Field::Slope => by_w - 1,
+            Field::Rotation => by_rotation - 1,
+            Field::Moment => by_rotation - 2,
+            Field::ShearForce => by_rotation - 3,
+            Field::Pressure => by_w - 2,
         }
     }
 
-    /// Whether a field jumps at a moving load.
+    /// Whether a field or its slope jumps at a moving load.
+    pub fn is_rough(&self, field: Field, moved: &Moved) -> bool {
+        self.order_of_jump(field, moved) <= 1
+    }
+
+    /// Whether a field jumps at a moving point load.
     pub fn jumps(&self, field: Field, moved: &Moved) -> bool {
-        let shears = self.shears_at(moved.x).contains(&true);
-        match moved.what {
-            Motion::Force(_) => match field {
-                Field::ShearForce => true,
-                Field::Slope | Field::Pressure => shears,
-                _ => false,
-            },
-            Motion::Moment(_) => {
-                matches!(field, Field::Moment | Field::ShearForce | Field::Pressure)
-            }
-            _ => false,
-        }
+        matches!(moved.what, Motion::Force(_) | Motion::Moment(_))
+            && self.order_of_jump(field, moved) <= 0
     }
 }

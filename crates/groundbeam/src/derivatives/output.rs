@@ -2,9 +2,7 @@
 
 use super::extreme::Place;
 use super::frame::Frame;
-use super::linear::Linear;
 use super::tangent::{Motion, Moved};
-use crate::model::{Support, SupportKind};
 use crate::solution::field::Field as Quantity;
 use crate::solution::fields::Side;
 
@@ -193,80 +191,11 @@ impl Frame<'_> {
     }
 
     /// Whether a contact edge lies at the kink under a point force and moves with the force.
-    fn edge_follows(&self, zone: usize, side: Side, moved: &Moved) -> bool {
+    pub fn edge_follows(&self, zone: usize, side: Side, moved: &Moved) -> bool {
         let spot = self.end_of(zone, side);
         let held = self.mesh.cells[spot.cell].beam_shear.is_some() && self.stays(zone, side);
         let is_force = matches!(moved.what, Motion::Force(_));
         let x = self.position(spot);
         held && is_force && self.is_same_node(x, moved.x) && self.stands_alone(x)
-    }
-}
-
-impl<const N: usize> Linear<'_, N> {
-    /// The derivatives of an output.
-    pub fn read(&self, reading: &Reading) -> [f64; N] {
-        let frame = self.frame;
-        match reading.of {
-            Read::Constant => [0.0; N],
-            Read::Energy => self.energy(),
-            Read::Beside { x } => self.settlement_beside(x).by,
-            Read::EdgeForce { zone, side } => self.force_at_edge(zone, side).by,
-            Read::Edge { zone, side } if !frame.stays(zone, side) => self.edge(zone, side),
-            Read::Edge { zone, side } => {
-                let follows = |moved: Moved| frame.edge_follows(zone, side, &moved);
-                self.moved_by(|moved| if follows(moved) { 1.0 } else { 0.0 })
-            }
-            Read::Support { number, moment } => self.support(number, moment),
-            Read::Field { field, x, side, follows } => {
-                let mut by = self.field(field, x, side).by;
-                let place = match follows {
-                    Follows::Given | Follows::Nothing | Follows::Kink => [0.0; N],
-                    Follows::Edge { zone, side, slope } => {
-                        self.edge(zone, side).map(|moved| slope * moved)
-                    }
-                    Follows::Load { slope } => {
-                        self.moved_by(
-                            |moved| {
-                                if frame.is_same_place(moved.x, x) { slope } else { 0.0 }
-                            },
-                        )
-                    }
-                };
-                for (by, place) in by.iter_mut().zip(place) {
-                    *by += place;
-                }
-                by
-            }
-        }
-    }
-
-    fn moved_by(&self, of: impl Fn(Moved) -> f64) -> [f64; N] {
-        let moved = |n: usize| self.tangents.get(n).and_then(|tangent| tangent.moved);
-        std::array::from_fn(|n| moved(n).map_or(0.0, &of))
-    }
-
-    fn support(&self, number: usize, moment: bool) -> [f64; N] {
-        let support = &self.frame.model.supports[number];
-        let [w, rotation] = self.at_node(support.at);
-        let rate = |n: usize| self.tangents.get(n).map(|tangent| tangent.model.supports[number]);
-        let springs = |support: &Support| match support.kind {
-            SupportKind::Spring { spring, rotational_spring } => [spring, rotational_spring],
-            _ => [0.0; 2],
-        };
-        let [spring, rotational] = springs(support);
-        let by = |n: usize| {
-            let [grows, turning] = rate(n).map_or([0.0; 2], |rate| springs(&rate));
-            let settles = rate(n).map_or(0.0, |rate| rate.settlement);
-            if moment {
-                -(turning * rotation.value + rotational * rotation.by[n])
-            } else {
-                grows * (w.value - support.settlement) + spring * (w.by[n] - settles)
-            }
-        };
-        match (support.kind, moment) {
-            (SupportKind::Spring { .. }, _) => std::array::from_fn(by),
-            (SupportKind::Pinned, true) => [0.0; N],
-            (_, moment) => self.reaction(support.at)[usize::from(moment)].by,
-        }
     }
 }

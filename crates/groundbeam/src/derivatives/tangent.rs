@@ -4,13 +4,15 @@
 //! the number in the model. Positions are fixed. A moving load is represented by a load or a step at its position
 //! ([`Moved`]).
 
-use super::parameter::{LoadNumber, Parameter, change, courses, set_load};
+use super::parameter::{Domain, LoadNumber, Parameter, Property, change, courses, set_load};
 use crate::model::{Action, Extent, Load, Model, SupportKind};
 
 /// The derivatives of a model's numbers with respect to one parameter.
 #[derive(Debug, Clone)]
 pub(super) struct Tangent {
     pub model: Model,
+    /// The part of the beam outside which beam, ground, gap and distributed loads have no derivatives.
+    pub reach: [f64; 2],
     /// The load whose position is the parameter.
     pub moved: Option<Moved>,
 }
@@ -41,7 +43,19 @@ pub(super) enum Motion {
 impl Tangent {
     /// The derivatives with respect to a parameter that the model has.
     pub fn of(parameter: Parameter, model: &Model) -> Self {
-        let mut tangent = Tangent { model: without_numbers(model), moved: None };
+        let mut reach = [0.0, model.beam.length];
+        if let Parameter::Value(property, Domain::Segment(i))
+        | Parameter::Factor(property, Domain::Segment(i)) = parameter
+        {
+            reach = match property {
+                Property::Spring | Property::Shear => {
+                    let segment = &model.foundation.segments[i];
+                    [segment.from, segment.to]
+                }
+                _ => [model.beam.segments[i].from, model.beam.segments[i].to],
+            };
+        }
+        let mut tangent = Tangent { model: without_numbers(model), reach, moved: None };
         let rates = &mut tangent.model;
         match parameter {
             Parameter::Value(property, domain) => change(rates, property, domain, |_| 1.0.into()),

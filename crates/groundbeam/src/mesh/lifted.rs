@@ -6,7 +6,7 @@
 use crate::ground::link;
 use crate::mesh::free_field::{self, GroundLoad, Line, ground_loads};
 use crate::mesh::mesh::{Mesh, Node, cells_of};
-use crate::model::{GroundOutside, Model, Profile};
+use crate::model::{GroundOutside, Model};
 use crate::numeric::dual::Dual;
 use std::ops::Range;
 
@@ -16,6 +16,8 @@ pub(crate) struct Rates<'a> {
     pub model: &'a Model,
     /// For each parameter a model with the same positions, whose numbers are the derivatives of the model's numbers.
     pub by: &'a [&'a Model],
+    /// The part of the beam outside which beam, ground, gap and distributed loads have no derivatives.
+    pub reach: [f64; 2],
 }
 
 impl Rates<'_> {
@@ -76,24 +78,24 @@ impl Mesh {
         into: &mut Mesh<Dual<N>>,
     ) -> Range<usize> {
         let x: Vec<f64> = self.nodes.iter().map(|node| node.x).collect();
+        // One more cell on each side, because positions may differ by rounding error.
+        let from = x.partition_point(|x| *x <= rates.reach[0]).saturating_sub(2);
+        let to = (x.partition_point(|x| *x < rates.reach[1]) + 1).min(self.cells.len()).max(from);
         let of = |model: &&Model| {
-            let reach = reach(model, &x);
-            let cells = cells_of(model, &x[reach.clone()]);
             let nodes = x.iter().map(|&x| Node { x, ..Node::default() }).collect();
+            let cells = cells_of(model, &x[from..=to]);
             let mut mesh = Mesh { nodes, cells, axial_force: 0.0, outside: [0.0; 2] };
             mesh.place_loads_and_supports(model);
-            (reach.start, mesh)
+            mesh
         };
-        let by: Vec<(usize, Mesh)> = rates.by.iter().map(of).collect();
-        let from = by.iter().map(|(from, _)| *from).min().unwrap_or(0);
-        let to = by.iter().map(|(from, mesh)| from + mesh.cells.len()).max().unwrap_or(0);
+        let by: Vec<Mesh> = rates.by.iter().map(of).collect();
         for i in varied.chain(from..to) {
             into.cells[i] = self.cells[i].lifted(std::array::from_fn(|n| {
-                by.get(n).and_then(|(from, mesh)| mesh.cells.get(i.checked_sub(*from)?))
+                by.get(n).and_then(|mesh| mesh.cells.get(i.checked_sub(from)?))
             }));
         }
         for (i, (node, into)) in self.nodes.iter().zip(&mut into.nodes).enumerate() {
-            *into = node.lifted(std::array::from_fn(|n| by.get(n).map(|(_, mesh)| &mesh.nodes[i])));
+            *into = node.lifted(std::array::from_fn(|n| by.get(n).map(|mesh| &mesh.nodes[i])));
         }
         let cells = &mut into.cells;
         let at_ends = [cells[0].ground_at(-1.0), cells[cells.len() - 1].ground_at(1.0)];
@@ -107,49 +109,6 @@ impl Mesh {
         free_field::settle(&Line { length, beyond: beyond.each_ref(), loads: &loads }, cells);
         0..cells.len()
     }
-}
-
-/// The nodes of the cells whose data, without the free field, differ from 0, and one more cell on each side. The numbers
-/// of the model are derivatives, most of them 0.
-fn reach(model: &Model, x: &[f64]) -> Range<usize> {
-    let (beam, ground) = (&model.beam, &model.foundation);
-    let own = [beam.bending_stiffness, ground.subgrade, ground.shear_layer];
-    if own.into_iter().chain(beam.shear_stiffness).any(|number| number != 0.0) {
-        return 0..x.len();
-    }
-    let [mut from, mut to] = [f64::INFINITY, f64::NEG_INFINITY];
-    let mut add = |ends: [f64; 2], is_zero: bool| {
-        if !is_zero {
-            (from, to) = (from.min(ends[0]), to.max(ends[1]));
-        }
-    };
-    let is_zero = |profile: &Profile| profile.control_values().iter().all(|value| *value == 0.0);
-    for segment in &beam.segments {
-        let zero = is_zero(&segment.bending_stiffness);
-        add(
-            [segment.from, segment.to],
-            zero && segment.shear_stiffness.as_ref().is_none_or(is_zero),
-        );
-    }
-    for segment in &ground.segments {
-        add(
-            [segment.from, segment.to],
-            is_zero(&segment.subgrade) && is_zero(&segment.shear_layer),
-        );
-    }
-    for load in &model.loads {
-        add(load.extent.ends(), load.extent.sizes() == [0.0; 2]);
-    }
-    for (i, corner) in model.gap.iter().enumerate() {
-        let before = i.checked_sub(1).map_or(f64::NEG_INFINITY, |i| model.gap[i].at);
-        let after = model.gap.get(i + 1).map_or(f64::INFINITY, |corner| corner.at);
-        add([before, after], corner.value == 0.0);
-    }
-    if from > to {
-        return 0..1;
-    }
-    let first = x.partition_point(|x| *x < from).saturating_sub(2);
-    first..(x.partition_point(|x| *x <= to) + 2).min(x.len())
 }
 
 impl Node {
@@ -189,7 +148,7 @@ mod tests {
         by_load.foundation = Foundation::pasternak(0.0, 0.0);
         by_load.loads[0] = Load::distributed_force(1.0, 3.0, 0.0, 1.0);
         let mesh = Mesh::build(&model, &[2.0], |_| 1);
-        let rates = Rates { model: &model, by: &[&by_k, &by_load] };
+        let rates = Rates { model: &model, by: &[&by_k, &by_load], reach: [0.0, 4.0] };
         let mut lifted: Mesh<Dual<2>> = mesh.still();
         assert_eq!(mesh.vary(&rates, 0..0, &mut lifted), 0..4);
         assert_eq!(lifted.cells[1].subgrade, Dual { value: 2.0, by: [1.0, 0.0] });

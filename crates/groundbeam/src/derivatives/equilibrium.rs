@@ -1,0 +1,150 @@
+//! The beam bonded on its contact in equilibrium, without derivatives: its elements, its unknowns and its stiffness.
+
+use super::frame::Frame;
+use crate::chain::elimination::Chain;
+use crate::chain::node::Tie;
+use crate::contact::bonded::chain_of;
+use crate::element::ExactElement;
+use crate::element::element::{Element, TERMS};
+use crate::element::operator::Operator;
+use crate::ground::link::TwoPort;
+use crate::mesh::cell::Cell;
+use crate::mesh::deflection::{BeamPoint, MeshZone};
+use crate::mesh::ground_runs::ground_runs;
+use crate::mesh::mesh::Mesh;
+use crate::mesh::open_ground::open_links;
+use crate::numeric::polynomial::derivative;
+use crate::numeric::real::Real;
+
+/// The bonded beam in equilibrium, without derivatives.
+#[derive(Debug)]
+pub(super) struct Equilibrium<'a> {
+    pub frame: &'a Frame<'a>,
+    pub elements: Vec<Element>,
+    /// The four unknowns of each element.
+    pub shapes: Vec<[f64; 4]>,
+    /// Coefficients of w, and of φ if the beam has shear deformation, on the mesh of power series.
+    pub deflection: Vec<f64>,
+    pub rotation: Vec<f64>,
+    /// Open ground on the mesh of elements.
+    pub spans: Vec<Span<f64>>,
+    /// The equations without loads.
+    chain: Chain,
+}
+
+/// Loads on the four unknowns of some elements.
+pub(super) type Loads<T> = Vec<(usize, [T; 4])>;
+
+impl<'a> Equilibrium<'a> {
+    /// `None` if the beam is a mechanism on its contact.
+    pub fn at(frame: &'a Frame<'a>) -> Option<Self> {
+        let mesh = &frame.mesh;
+        let element = |(cell, touch)| {
+            ExactElement::new(&Operator::of(cell, mesh.axial_force, touch), cell.length())
+        };
+        let cells = mesh.cells.iter().zip(frame.touch.iter().copied());
+        let exact: Vec<ExactElement> = cells.map(element).collect();
+        let elements: Vec<Element> = exact.iter().map(|exact| exact.element).collect();
+        let mut chain = chain_of(mesh, &frame.zones, elements.iter().copied());
+        let shapes = chain.solve().ok()?;
+        let series = frame.series().0;
+        let [mut deflection, mut rotation] = [const { Vec::new() }; 2];
+        let shears = frame.model.beam.shears();
+        for (i, exact) in exact.iter().enumerate() {
+            for cell in frame.series_of(i) {
+                let cells = [&mesh.cells[i], &series.cells[cell]];
+                let [w, turned] = curves(cells, exact, &shapes[i], shears);
+                deflection.extend(w);
+                rotation.extend(turned);
+            }
+        }
+        for node in &mut chain.nodes {
+            (node.force, node.moment, node.settlement, node.gap) = (0.0, 0.0, 0.0, 0.0);
+        }
+        for cell in &mut chain.cells {
+            cell.element.load = [0.0; 4];
+            for tie in cell.links.iter_mut().flat_map(|link| [&mut link.left, &mut link.right]) {
+                if let Tie::Beam { gap, .. } = tie {
+                    *gap = 0.0;
+                }
+            }
+        }
+        let spans = Span::all(mesh, &frame.zones);
+        Some(Equilibrium { frame, elements, shapes, deflection, rotation, spans, chain })
+    }
+
+    /// The unknowns of all elements under given loads alone.
+    pub fn displaced(
+        &self,
+        loads: impl Iterator<Item = (usize, [f64; 4])>,
+    ) -> Option<Vec<[f64; 4]>> {
+        let mut chain = self.chain.clone();
+        for (cell, load) in loads {
+            let own = &mut chain.cells[cell].element.load;
+            own.iter_mut().zip(load).for_each(|(own, load)| *own += load);
+        }
+        chain.solve().ok()
+    }
+
+    /// w and the rotations on both sides of a node.
+    pub fn at_node(&self, node: usize) -> [f64; 3] {
+        let cells = [node.saturating_sub(1), node.min(self.shapes.len() - 1)];
+        let at = |i: usize, row: [f64; 4]| (0..4).map(|j| row[j] * self.shapes[i][j]).sum::<f64>();
+        let turned = |side: usize| {
+            let i = cells[side];
+            at(i, self.elements[i].rotation_row(i < node))
+        };
+        let i = cells[1];
+        [at(i, self.elements[i].end_row(i < node)), turned(0), turned(1)]
+    }
+}
+
+/// Open ground between two contact zones, or between a zone and the ground outside the beam.
+#[derive(Debug)]
+pub(super) struct Span<R> {
+    /// Points at which the span ends at a contact zone; `None` if it includes the ground beyond the run.
+    pub ends: [Option<BeamPoint>; 2],
+    /// The two-ports of the span; for a two-port under the beam also its cell and the part of the cell.
+    pub links: Vec<(Option<(usize, [f64; 2])>, TwoPort<R>)>,
+    /// All two-ports in series.
+    pub whole: TwoPort<R>,
+    /// u − u₀ at both ends, and the forces on the ground at both ends.
+    pub held: [R; 2],
+    pub fluxes: [R; 2],
+}
+
+impl<R: Real> Span<R> {
+    pub fn all(mesh: &Mesh<R>, zones: &[MeshZone]) -> Vec<Self> {
+        let mut spans = Vec::new();
+        for run in ground_runs(mesh).iter().filter(|run| run.pasternak) {
+            let own = || zones.iter().filter(|zone| run.cells.contains(&zone.from.cell));
+            let left = [None].into_iter().chain(own().map(|zone| Some(zone.to)));
+            for (left, right) in left.zip(own().map(|zone| Some(zone.from)).chain([None])) {
+                let links = open_links(mesh, run, left, right);
+                let whole = links.iter().map(|(_, link)| *link).reduce(TwoPort::then);
+                let (ends, whole) = ([left, right], whole.unwrap_or_default());
+                spans.push(Span { ends, links, whole, held: [R::ZERO; 2], fluxes: [R::ZERO; 2] });
+            }
+        }
+        spans
+    }
+}
+
+/// Coefficients of w, and of φ if the beam has shear deformation, on a part of an element's cell.
+pub(super) fn curves<R: Real>(
+    [cell, part]: [&Cell<R>; 2],
+    exact: &ExactElement<R>,
+    v: &[R; 4],
+    shears: bool,
+) -> [Vec<R>; 2] {
+    let c = exact.deflection_on(cell, part.x, &exact.unfold(v));
+    let turned = shears.then(|| match exact.rotation(v) {
+        Some(own) => own.to_vec(),
+        None => {
+            let mut slope = derivative(&c).at_least(TERMS);
+            slope.iter_mut().for_each(|c| *c *= 2.0 / part.length());
+            slope.to_vec()
+        }
+    });
+    [c.to_vec(), turned.unwrap_or_default()]
+}
