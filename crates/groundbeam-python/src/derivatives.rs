@@ -2,8 +2,8 @@
 
 use crate::failure::Failure;
 use crate::names::{field, side};
-use groundbeam::Solution;
 use groundbeam::derivatives::{Output, Parameter};
+use groundbeam::{Model, Solution};
 use groundbeam_report::Units;
 
 /// An output: its name, and for a field the position and the side.
@@ -13,7 +13,7 @@ pub type Asked = (String, f64, String);
 pub type Gradients = (Vec<f64>, Vec<f64>, Vec<Vec<String>>);
 
 /// The output with this name. Fields need a position.
-fn output((name, at, from_side): &Asked) -> Result<Output, Failure> {
+pub fn output((name, at, from_side): &Asked) -> Result<Output, Failure> {
     if let Some(output) = Output::named(name) {
         return Ok(output);
     }
@@ -34,6 +34,20 @@ pub fn parameter(name: &str) -> Result<Parameter, Failure> {
     })
 }
 
+/// The parameter with this name, if the model has it as a number. If the ground is defined by soil data, its constants are
+/// rejected.
+pub fn parameter_of(name: &str, model: &Model, on_soil: bool) -> Result<Parameter, Failure> {
+    let own = parameter(name)?;
+    let why = if on_soil && own.is_of_ground() {
+        "the model's ground is defined by soil data"
+    } else if own.value(model).is_none() {
+        "the model has no such number, or defines it by varying segments: use a factor"
+    } else {
+        return Ok(own);
+    };
+    Err(Failure::Asked(format!("parameter `{name}`: {why}")))
+}
+
 /// Derivatives of all outputs with respect to all parameters. If the ground is defined by soil data, its
 /// constants are rejected.
 pub fn gradients(
@@ -44,19 +58,8 @@ pub fn gradients(
     parameters: &[String],
 ) -> Result<Gradients, Failure> {
     let outputs = outputs.iter().map(output).collect::<Result<Vec<_>, _>>()?;
-    let by: Vec<Parameter> =
-        parameters.iter().map(|name| parameter(name)).collect::<Result<_, _>>()?;
-    for (name, parameter) in parameters.iter().zip(&by) {
-        if on_soil && parameter.is_of_ground() {
-            let why = "the model's ground is defined by soil data";
-            return Err(Failure::Asked(format!("parameter `{name}`: {why}")));
-        }
-        if parameter.value(solution.model()).is_none() {
-            let why =
-                "the model has no such number, or defines it by varying segments: use a factor";
-            return Err(Failure::Asked(format!("parameter `{name}`: {why}")));
-        }
-    }
+    let by = parameters.iter().map(|name| parameter_of(name, solution.model(), on_soil));
+    let by = by.collect::<Result<Vec<Parameter>, _>>()?;
     let found = solution.gradients(&outputs, &by);
     let found = found.map_err(|why| Failure::Asked(why.to_string()))?;
     let si = !units.is_plain();

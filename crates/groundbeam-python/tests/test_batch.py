@@ -68,6 +68,48 @@ def test_the_same_bits_as_one_by_one(footing: gb.Model) -> None:
     assert (batch.lifted_share > 0.0).any() and (batch.lifted_share == 0.0).any()
 
 
+def test_gradients_agree_with_one_by_one(footing: gb.Model) -> None:
+    parameters = grounds(40)
+    by = ["k", "mu_factor", "load[0].at"]
+    outputs = ["largest moment", "settlement", "edge[0].right", "edge[1].left"]
+    batch = gb.solve_many(footing, parameters, at=[1.0, 7.0], gradients=outputs, with_respect_to=by)
+    assert batch.gradients["settlement"].shape == (40, 2, 3)
+    assert batch.gradients["largest moment"].shape == (40, 3)
+    assert not batch.one_sided["settlement"].any()
+    for number in range(40):
+        alone = one_by_one(parameters, number).solve()
+        for name in ("largest moment", "edge[0].right"):
+            exact = alone.gradient(name, with_respect_to=by)
+            found = batch.gradients[name][number]
+            np.testing.assert_allclose(found, exact.derivatives, rtol=1e-9)
+            assert batch.one_sided[name][number] == bool(exact.one_sided)
+        settles = alone.gradient("settlement", at=[1.0, 7.0], with_respect_to=by)
+        scale = np.abs(settles.derivatives).max(axis=0)
+        np.testing.assert_allclose(
+            batch.gradients["settlement"][number] / scale, settles.derivatives / scale, rtol=0, atol=1e-9
+        )
+        second = len(alone.contact) > 1
+        assert np.isfinite(batch.gradients["edge[1].left"][number]).all() == second
+    threads = gb.solve_many(
+        footing, parameters, at=[1.0, 7.0], gradients=outputs, with_respect_to=by, threads=1
+    )
+    for name in outputs:
+        assert threads.gradients[name].tobytes() == batch.gradients[name].tobytes()
+    tips = gb.solve_many(footing, {"load[0]": [-5e6]}, gradients=["edge[0].left"], with_respect_to=["k"])
+    assert np.isnan(tips.gradients["edge[0].left"]).all()
+
+
+def test_wrong_gradients_are_refused(footing: gb.Model) -> None:
+    with pytest.raises(ValueError, match="given together"):
+        gb.solve_many(footing, gradients="largest moment")
+    with pytest.raises(ValueError, match="no such number"):
+        gb.solve_many(footing, gradients="largest moment", with_respect_to=["load[7]"])
+    with pytest.raises(ValueError, match="no output has the name"):
+        gb.solve_many(footing, gradients="greatest moment", with_respect_to=["k"])
+    with pytest.raises(ValueError, match="exact method"):
+        gb.solve_many(footing, gradients="largest moment", with_respect_to=["k"], method="active-set")
+
+
 def test_the_same_bits_on_any_number_of_threads(footing: gb.Model) -> None:
     parameters = grounds(300)
     batches = [

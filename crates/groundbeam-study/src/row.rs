@@ -1,5 +1,6 @@
 //! Converts one solution to a row of the table of results.
 
+use groundbeam::derivatives::{Gradient, NotDifferentiable, Output, Parameter};
 use groundbeam::{Answer, Error, Existence, Field, Model, Solution, Solver, solution::Side};
 
 /// The values to be stored for every solution.
@@ -11,6 +12,10 @@ pub struct Wanted {
     pub fields: Vec<Field>,
     /// Fields whose smallest and largest values are stored.
     pub extremes: Vec<Field>,
+    /// Outputs whose derivatives are stored.
+    pub outputs: Vec<Output>,
+    /// The parameters of these derivatives.
+    pub parameters: Vec<Parameter>,
 }
 
 /// Status of a sample, with its code in tables of results.
@@ -73,6 +78,11 @@ pub struct Row {
     pub extremes: Vec<[f64; 4]>,
     /// The requested fields at the requested positions, field by field.
     pub values: Vec<f64>,
+    /// The derivatives of each requested output with respect to each parameter; NaN for an output that the solution does
+    /// not have.
+    pub gradients: Vec<f64>,
+    /// Whether some derivative of each requested output is one-sided.
+    pub one_sided: Vec<bool>,
 }
 
 impl Row {
@@ -97,6 +107,8 @@ impl Row {
             contact: Vec::new(),
             extremes: vec![[f64::NAN; 4]; wanted.extremes.len()],
             values: vec![f64::NAN; wanted.at.len() * wanted.fields.len()],
+            gradients: vec![f64::NAN; wanted.outputs.len() * wanted.parameters.len()],
+            one_sided: vec![false; wanted.outputs.len()],
         }
     }
 
@@ -118,6 +130,13 @@ impl Row {
             let range = solution.range(field);
             [range.min.x, range.min.value, range.max.x, range.max.value]
         });
+        let gradients = gradients(solution, wanted);
+        let derivatives = |gradient: &Option<Gradient>| match gradient {
+            Some(gradient) => gradient.derivatives.clone(),
+            None => vec![f64::NAN; wanted.parameters.len()],
+        };
+        let is_one_sided =
+            |own: &Option<Gradient>| own.as_ref().is_some_and(|own| !own.one_sided.is_empty());
         Row {
             status: Status::Solved,
             trouble: None,
@@ -128,6 +147,8 @@ impl Row {
             contact: solution.contact().iter().map(|c| [c.from, c.to]).collect(),
             extremes: extremes.collect(),
             values: wanted.fields.iter().flat_map(|&field| value(field)).collect(),
+            gradients: gradients.iter().flat_map(derivatives).collect(),
+            one_sided: gradients.iter().map(is_one_sided).collect(),
         }
     }
 
@@ -145,5 +166,21 @@ impl Row {
             _ => Status::Wrong,
         };
         Self::empty(status, Trouble::Failed(error), wanted)
+    }
+}
+
+/// The derivatives of the requested outputs; `None` for an output that has none.
+fn gradients(solution: &Solution, wanted: &Wanted) -> Vec<Option<Gradient>> {
+    if wanted.outputs.is_empty() {
+        return Vec::new();
+    }
+    let of = |outputs: &[Output]| solution.gradients(outputs, &wanted.parameters);
+    match of(&wanted.outputs) {
+        Ok(gradients) => gradients.into_iter().map(Some).collect(),
+        // The number of contact zones differs between solutions.
+        Err(NotDifferentiable::NoSuchOutput) => {
+            wanted.outputs.iter().map(|output| of(&[*output]).ok()?.pop()).collect()
+        }
+        Err(_) => vec![None; wanted.outputs.len()],
     }
 }

@@ -12,7 +12,7 @@ import numpy.typing as npt
 from . import _native
 from ._along import Along
 from ._model import Model
-from ._solution import Array, Positions, positions_of
+from ._solution import FIELDS, Array, Positions, positions_of
 from ._threads import number_of
 
 if TYPE_CHECKING:
@@ -59,9 +59,20 @@ class Batch(Mapping[str, Array]):
     """For models without equilibrium: r(0), r(l) and the work of the loads in this motion, models by 3."""
     extremes: dict[str, Extremes]
     """Extremes of the requested fields."""
+    gradients: dict[str, Array]
+    """Derivatives of the requested outputs, models by parameters; for fields models by positions by parameters. NaN
+    for an output that a model does not have."""
+    one_sided: dict[str, npt.NDArray[np.bool_]]
+    """Whether derivatives of an output hold for small changes in one direction only, for each model; for fields
+    models by positions."""
 
     def __init__(
-        self, table: dict[str, Any], at: Array, fields: Sequence[str], extremes: Sequence[str]
+        self,
+        table: dict[str, Any],
+        at: Array,
+        fields: Sequence[str],
+        extremes: Sequence[str],
+        gradients: Sequence[str],
     ) -> None:
         count = len(table["status"])
         self.at = at
@@ -77,6 +88,14 @@ class Batch(Mapping[str, Array]):
             for name in extremes
         }
         self._fields: dict[str, Array] = {name: table[name].reshape(count, len(at)) for name in fields}
+        wide = [len(at) if name in FIELDS else 1 for name in gradients]
+        one_sided = table["one_sided"].reshape(count, sum(wide))
+        number = table["gradients"].size // max(one_sided.size, 1)
+        derivatives = table["gradients"].reshape(count, sum(wide), number)
+        self.gradients, self.one_sided = {}, {}
+        for name, width, end in zip(gradients, wide, np.cumsum(wide)):
+            own = slice(end - width, end) if name in FIELDS else end - 1
+            self.gradients[name], self.one_sided[name] = derivatives[:, own], one_sided[:, own]
         self._starts = table["contact_starts"]
         self._edges = table["contact_edges"].reshape(-1, 2)
 
@@ -133,6 +152,8 @@ def solve_many(
     at: Union[Positions, float] = (),
     fields: Union[str, Sequence[str]] = ("deflection", "moment", "pressure"),
     extremes: Union[str, Sequence[str]] = (),
+    gradients: Union[str, Sequence[str]] = (),
+    with_respect_to: Sequence[str] = (),
     method: str = "exact",
     elements: int = 100,
     threads: Optional[int] = None,
@@ -159,14 +180,20 @@ def solve_many(
     ``ValueError``.
 
     ``at`` are the positions of ``fields`` on the beam; a model with a shorter beam has NaN beyond its end.
-    ``extremes`` names the fields whose smallest and largest values are computed with their positions. ``threads``
+    ``extremes`` names the fields whose smallest and largest values are computed with their positions.
+    ``gradients`` names the outputs whose derivatives are computed, as in ``Solution.gradient``, and
+    ``with_respect_to`` the parameters; fields are derived at the positions ``at``. ``threads``
     defaults to the number of processors; the results have the same bits with any number. A model that fails does
     not stop the others. ``progress=True`` draws a bar; a function is called with the number of finished models and
     the total number.
     """
     several = [models] if isinstance(models, Model) else list(models)
     given = {} if parameters is None else {str(name): each for name, each in parameters.items()}
-    fields, extremes = _names(fields), _names(extremes)
+    fields, extremes, gradients = _names(fields), _names(extremes), _names(gradients)
+    if isinstance(with_respect_to, str):
+        raise ValueError("with_respect_to is a list of names")
+    if bool(gradients) != bool(len(with_respect_to)):
+        raise ValueError("gradients and with_respect_to are given together")
     rows = {name: _rows(name, values) for name, values in given.items()}
     counts = {} if isinstance(models, Model) else {"models": len(several)}
     counts |= {name: len(values) for name, values in rows.items() if len(values) != 1}
@@ -179,7 +206,7 @@ def solve_many(
     positions = np.ascontiguousarray(np.atleast_1d(positions_of(None, at)))
     if positions.ndim != 1:
         raise ValueError("positions are one list")
-    beside = not set(fields) - {"settlement"}
+    beside = not (set(fields) | set(gradients) & set(FIELDS)) - {"settlement"}
     length = max((model.length for model in several), default=0.0)
     if not beside and not ((positions >= 0.0) & (positions <= length)).all():
         raise ValueError(f"a position lies outside the beam, which extends from 0 to {length:g}")
@@ -192,12 +219,18 @@ def solve_many(
         positions,
         fields,
         extremes,
+        [
+            (name, x, "right")
+            for name in gradients
+            for x in (positions.tolist() if name in FIELDS else [0.0])
+        ],
+        list(with_respect_to),
         method,
         elements,
         number_of(threads),
         _Bar() if progress is True else progress or None,
     )
-    return Batch(table, positions, fields, extremes)
+    return Batch(table, positions, fields, extremes, gradients)
 
 
 def _names(names: Union[str, Sequence[str]]) -> list[str]:

@@ -183,6 +183,8 @@ def solve_many(
     at: _Array,
     fields: Sequence[str],
     extremes: Sequence[str],
+    outputs: Sequence[Tuple[str, float, str]],
+    with_respect_to: Sequence[str],
     method: str,
     elements: int,
     threads: int,

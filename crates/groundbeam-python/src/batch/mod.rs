@@ -4,10 +4,11 @@
 mod parameter;
 mod run;
 
+use crate::derivatives::{Asked, output, parameter_of};
 use crate::failure::Failure;
 use crate::model::{Model, options};
 use crate::names::field;
-use groundbeam::Field;
+use groundbeam::{Field, Method};
 use groundbeam_study::{Row, Wanted};
 use numpy::{PyArray1, PyReadonlyArray1, PyReadonlyArray2};
 use parameter::Parameter;
@@ -31,6 +32,8 @@ pub fn solve_many<'py>(
     at: PyReadonlyArray1<'py, f64>,
     fields: Vec<String>,
     extremes: Vec<String>,
+    outputs: Vec<Asked>,
+    with_respect_to: Vec<String>,
     method: &str,
     elements: usize,
     threads: usize,
@@ -38,9 +41,23 @@ pub fn solve_many<'py>(
 ) -> PyResult<Bound<'py, PyDict>> {
     let options = options(method, elements)?;
     let named = |names: &[String]| names.iter().map(|n| field(n)).collect::<Result<Vec<_>, _>>();
-    let wanted =
-        Wanted { at: at.as_array().to_vec(), fields: named(&fields)?, extremes: named(&extremes)? };
     let models: Vec<_> = models.iter().map(|model| model.read.clone()).collect();
+    if !outputs.is_empty() && options.method != Method::Exact {
+        return Err(Failure::Asked("gradients need the exact method".to_owned()).into());
+    }
+    for (read, name) in
+        models.iter().flat_map(|read| with_respect_to.iter().map(move |name| (read, name)))
+    {
+        parameter_of(name, &read.document.model, read.document.model.foundation.soil.is_some())?;
+    }
+    let by = with_respect_to.iter().map(|name| crate::derivatives::parameter(name));
+    let wanted = Wanted {
+        at: at.as_array().to_vec(),
+        fields: named(&fields)?,
+        extremes: named(&extremes)?,
+        outputs: outputs.iter().map(output).collect::<Result<_, _>>()?,
+        parameters: by.collect::<Result<_, _>>()?,
+    };
     let parameters: Result<Vec<Parameter>, Failure> = parameters
         .iter()
         .map(|(name, shape, values)| {
@@ -83,6 +100,10 @@ fn columns<'py>(
             rows.iter().flat_map(|each| &each.row.values[i * stations..(i + 1) * stations]);
         table.set_item(name, PyArray1::from_vec(py, values.copied().collect()))?;
     }
+    let gradients = rows.iter().flat_map(|each| each.row.gradients.iter().copied()).collect();
+    table.set_item("gradients", PyArray1::from_vec(py, gradients))?;
+    let one_sided = rows.iter().flat_map(|each| each.row.one_sided.iter().copied()).collect();
+    table.set_item("one_sided", PyArray1::from_vec(py, one_sided))?;
     // The number of contact zones differs between models: one array contains all zones, another the start of
     // each model.
     let mut starts = vec![0_i64];

@@ -86,7 +86,8 @@ impl Table {
                 extremes.push(needed);
             }
         }
-        let wanted = Wanted { at: keep.at.clone(), fields: keep.fields.clone(), extremes };
+        let (at, fields) = (keep.at.clone(), keep.fields.clone());
+        let wanted = Wanted { at, fields, extremes, ..Wanted::default() };
         let mut columns =
             vec![Kind::Whole.column("sample"), Kind::Word(Repetition::REQUIRED).column("status")];
         columns.extend(random.iter().map(|random| Kind::Number.column(&random.name)));

@@ -22,61 +22,56 @@ impl Parameter {
     /// ```
     pub fn named(name: &str) -> Option<Self> {
         let (word, number, part) = parts(name)?;
-        let property = |word: &str| {
-            Some(match word {
-                "k" => Property::Spring,
-                "mu" => Property::Shear,
-                "EI" => Property::BendingStiffness,
-                "GA" => Property::ShearStiffness,
-                _ => return None,
-            })
-        };
-        let domain = || match number {
+        let domain = match number {
             None => Domain::Whole,
             Some("") => Domain::OutsideSegments,
-            Some(digits) => digits.parse().map_or(Domain::Whole, Domain::Segment),
+            Some(digits) => Domain::Segment(digits.parse().ok()?),
         };
-        let count = || number.and_then(|digits| digits.parse::<usize>().ok());
-        if number.is_some_and(|digits| !digits.is_empty()) {
-            count()?;
+        let property = |word: &str| find(&PROPERTIES, word).filter(|_| part.is_empty());
+        if let Some(property) = property(word) {
+            return Some(Parameter::Value(property, domain));
         }
-        if let Some(property) = property(word).filter(|_| part.is_empty()) {
-            return Some(Parameter::Value(property, domain()));
+        if let Some(property) = word.strip_suffix("_factor").and_then(property) {
+            return Some(Parameter::Factor(property, domain));
         }
-        if let Some(property) = word.strip_suffix("_factor").and_then(property)
-            && part.is_empty()
-        {
-            return Some(Parameter::Factor(property, domain()));
-        }
-        Some(match (word, part) {
-            ("axial_force", "") if number.is_none() => Parameter::AxialForce,
-            ("load_factor", "") if number.is_none() => Parameter::LoadFactor,
-            ("load", part) => Parameter::Load(
-                count()?,
-                match part {
-                    "" => LoadNumber::Size,
-                    "at" => LoadNumber::At,
-                    "from" => LoadNumber::From,
-                    "to" => LoadNumber::To,
-                    "start" => LoadNumber::Start,
-                    "end" => LoadNumber::End,
-                    _ => return None,
-                },
-            ),
-            ("support", part) => Parameter::Support(
-                count()?,
-                match part {
-                    "settlement" => SupportNumber::Settlement,
-                    "spring" => SupportNumber::Spring,
-                    "rotational_spring" => SupportNumber::RotationalSpring,
-                    _ => return None,
-                },
-            ),
-            ("hinge", "") => Parameter::HingeSpring(count()?),
-            ("gap", "") => Parameter::Gap(count()?),
+        Some(match (word, domain, part) {
+            ("axial_force", Domain::Whole, "") => Parameter::AxialForce,
+            ("load_factor", Domain::Whole, "") => Parameter::LoadFactor,
+            ("load", Domain::Segment(i), part) => Parameter::Load(i, find(&OF_LOADS, part)?),
+            ("support", Domain::Segment(i), part) => {
+                Parameter::Support(i, find(&OF_SUPPORTS, part)?)
+            }
+            ("hinge", Domain::Segment(i), "") => Parameter::HingeSpring(i),
+            ("gap", Domain::Segment(i), "") => Parameter::Gap(i),
             _ => return None,
         })
     }
+}
+
+const PROPERTIES: [(&str, Property); 4] = [
+    ("k", Property::Spring),
+    ("mu", Property::Shear),
+    ("EI", Property::BendingStiffness),
+    ("GA", Property::ShearStiffness),
+];
+
+const OF_LOADS: [(&str, LoadNumber); 6] = [
+    ("", LoadNumber::Size),
+    ("at", LoadNumber::At),
+    ("from", LoadNumber::From),
+    ("to", LoadNumber::To),
+    ("start", LoadNumber::Start),
+    ("end", LoadNumber::End),
+];
+
+const OF_SUPPORTS: [(&str, SupportNumber); 3] = [
+    ("settlement", SupportNumber::Settlement),
+    ("spring", SupportNumber::Spring),
+    ("rotational_spring", SupportNumber::RotationalSpring),
+];
+
+fn find<T: Copy>(table: &[(&str, T)], name: &str) -> Option<T> {
+    table.iter().find(|(own, _)| *own == name).map(|(_, found)| *found)
 }
 
 impl Output {

@@ -140,32 +140,18 @@ impl Solution {
 
     /// Concentrated forces, at all positions that can carry one.
     fn forces(&self, frame: &Frame, all: &mut Vec<Nearest>) {
-        let l = self.model().beam.length;
-        let ends = self.end_forces();
+        let (l, ends, cells) = (self.model().beam.length, self.end_forces(), &frame.mesh.cells);
         let near = |a: f64, b: f64| (a - b).abs() <= 1e-12 * l;
-        let force_at = |x: f64| {
-            if near(x, 0.0) {
-                return ends.left;
-            }
-            if near(x, l) {
-                return ends.right;
-            }
-            self.concentrated_forces().iter().find(|c| near(c.at, x)).map_or(0.0, |c| c.force)
-        };
+        let inside = self.concentrated_forces().iter().map(|force| (force.at, force.force));
+        let known: Vec<(f64, f64)> =
+            [(0.0, ends.left), (l, ends.right)].into_iter().chain(inside).collect();
+        let force_at =
+            |x: f64| known.iter().find(|(at, _)| near(*at, x)).map_or(0.0, |known| known.1);
         let mut places: Vec<f64> = Vec::new();
-        for zone in &frame.zones {
-            let layered = frame.mesh.cells[zone.from.cell].shear_layer > 0.0;
-            if !layered {
-                continue;
-            }
+        for zone in frame.zones.iter().filter(|zone| cells[zone.from.cell].shear_layer > 0.0) {
             let [from, to] = [zone.from, zone.to].map(|s| s.cell + usize::from(s.s > 0.0));
-            for node in from..=to {
-                let cell = node.min(frame.mesh.cells.len() - 1);
-                let s = if cell == node { -1.0 } else { 1.0 };
-                if can_carry(&frame.mesh, crate::mesh::deflection::BeamPoint { cell, s }) {
-                    places.push(frame.mesh.nodes[node].x);
-                }
-            }
+            let nodes = (from..=to).map(|node| frame.mesh.nodes[node].x);
+            places.extend(nodes.filter(|x| can_carry(&frame.mesh, frame.spot(*x, Side::Right))));
         }
         let contact: f64 = self
             .pieces()
