@@ -58,9 +58,10 @@ class Node:
 
     def __init__(self, model, x, left, right, edge, point_contact):
         self.x, self.left, self.right, self.edge = x, left, right, edge
-        forces, moments = ([], []) if edge else point_actions(model, float(x))
+        forces, moments = ([], []) if edge else point_actions(model, x)
         self.force, self.moment = mp.fsum(map(mpf, forces)), mp.fsum(map(mpf, moments))
-        self.support = None if edge else support_at(model, float(x))
+        self.support = None if edge else support_at(model, x)
+        self.hinge = next((spring for at, spring in model.hinges if at == x), None)
         sides = [p for p in (left, right) if p]
         self.layers = [p for p in sides if p.mu > 0]
         # does the shear layer touch the beam here?
@@ -92,7 +93,11 @@ class Node:
         clamped = s is not None and s.kind == "fixed"
         if not self.is_end:
             rows.append((jump("w"), 0))
-            rows.append((jump("slope"), 0))
+            if self.hinge is None:
+                rows.append((jump("slope"), 0))
+            else:  # M + rotational spring * [w'] = 0
+                turned = [(p, "slope", f * mpf(self.hinge)) for p, _, f in jump("slope")]
+                rows.append(([(some, "moment", 1)] + turned, 0))
         if clamped:
             rows.append(([(some, "slope", 1)], 0))
         else:  # [M] = M0 - rotational spring * w'

@@ -47,6 +47,7 @@ class Model:
     loads: list = field(default_factory=list)
     supports: list = field(default_factory=list)
     gap: list = field(default_factory=list)  # (at, value)
+    hinges: list = field(default_factory=list)  # (at, rotational spring); solved, but not guessed
 
     # ---- properties along the beam; x is the middle of a stretch, never one of its ends ---------
     def EI_at(self, x):
@@ -70,6 +71,7 @@ class Model:
         points.update(x for load in self.loads for x in (load.start, load.end) if x is not None)
         points.update(s.at for s in self.supports)
         points.update(at for at, _ in self.gap)
+        points.update(at for at, _ in self.hinges)
         return sorted(x for x in points if 0.0 <= x <= l)
 
     # ---- TOML ------------------------------------------------------------------------------
@@ -105,6 +107,10 @@ class Model:
                     out.append(f"rotational_spring = {n(s.rotational)}")
             else:
                 out.append(f'type = "{s.kind}"')
+        for at, spring in self.hinges:
+            out += ["", "[[hinge]]", f"at = {n(at)}"]
+            if spring:
+                out.append(f"rotational_spring = {n(spring)}")
         for at, value in self.gap:
             out += ["", "[[gap]]", f"at = {n(at)}", f"value = {n(value)}"]
         return "\n".join(out) + "\n"
@@ -139,6 +145,8 @@ class Model:
         for s in doc.get("support", []):
             spring, rot = float(s.get("spring", 0.0)), float(s.get("rotational_spring", 0.0))
             model.supports.append(Support(float(s["at"]), s.get("type", "spring"), spring, rot))
+        hinges = doc.get("hinge", [])
+        model.hinges = [(float(h["at"]), float(h.get("rotational_spring", 0.0))) for h in hinges]
         model.gap = [(float(c["at"]), float(c["value"])) for c in doc.get("gap", [])]
         return model
 

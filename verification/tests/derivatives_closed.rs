@@ -1,4 +1,4 @@
-//! Checks derivatives against closed forms and general theorems, and the refusals.
+//! Checks derivatives against closed forms, general theorems and differences of multiprecision solutions, and the refusals.
 
 use groundbeam::derivatives::{
     Domain, LoadNumber, NotDifferentiable, OneSided, Output, Parameter, Property, SupportNumber,
@@ -8,6 +8,7 @@ use groundbeam::{
     model::Action, solution::Side, solve, solve_with,
 };
 use groundbeam_verification::random::{Family, model};
+use serde::Deserialize;
 
 fn solved(model: &Model) -> Solution {
     match solve(model) {
@@ -253,6 +254,93 @@ fn homogeneous_functions() {
         }
     }
     assert!(models > 100);
+}
+
+/// The derivatives of one model, by differences of solutions with 60 digits; `reference/derivatives.py` writes them.
+#[derive(Debug, Deserialize)]
+struct Reference {
+    name: String,
+    model: String,
+    parameters: Vec<String>,
+    /// A significant change of each parameter.
+    units: Vec<f64>,
+    outputs: Vec<ReferenceOutput>,
+}
+
+#[derive(Debug, Deserialize)]
+struct ReferenceOutput {
+    name: String,
+    x: Option<f64>,
+    value: f64,
+    derivatives: Vec<f64>,
+}
+
+impl ReferenceOutput {
+    /// The output, and the largest size of its kind in a solution.
+    fn of(&self, solution: &Solution) -> (Output, f64) {
+        let largest = |field| {
+            let range = solution.range(field);
+            range.min.value.abs().max(range.max.value.abs())
+        };
+        if let Some(x) = self.x {
+            let field = Field::named(&self.name).expect("a field");
+            return (Output::Value(field, x, Side::Right), largest(field));
+        }
+        let output = Output::named(&self.name).expect("an output");
+        let size = match output {
+            Output::Edge(..) => solution.model().beam.length,
+            Output::SupportMoment(_) => largest(Field::Moment),
+            _ => largest(Field::ShearForce),
+        };
+        (output, size)
+    }
+}
+
+/// Largest difference between derivatives and those of the reference, relative to the largest size of the output.
+const NEAR: f64 = 1e-10;
+
+/// The same for a reaction of the beam with hinges. It is EI/h³ ≈ 10⁵ times a difference of deflections, so their rounding
+/// errors are 10⁷ times as large as those of the force. The force itself has the same error.
+const NEAR_STIFF: f64 = 3e-8;
+
+/// Solves for the parameters and for the output agree with differences of multiprecision solutions.
+#[test]
+fn derivatives_are_those_of_the_reference() {
+    let text = include_str!("../../reference/derivatives.json");
+    let all: Vec<Reference> = serde_json::from_str(text).expect("the reference derivatives");
+    assert_eq!(all.len(), 10);
+    for reference in all {
+        let document = groundbeam_file::parse(&reference.model).expect("a model");
+        let solution = solved(&document.model);
+        let by: Vec<Parameter> = reference
+            .parameters
+            .iter()
+            .map(|name| Parameter::named(name).expect("a parameter"))
+            .collect();
+        let (outputs, sizes): (Vec<Output>, Vec<f64>) =
+            reference.outputs.iter().map(|own| own.of(&solution)).unzip();
+        let forward = solution.gradients(&outputs, &by).expect("derivatives");
+        let near = if reference.name == "hinged" { NEAR_STIFF } else { NEAR };
+        let mut worst = (0.0, String::new());
+        for (i, exact) in reference.outputs.iter().enumerate() {
+            let adjoint = derivatives(&solution, outputs[i], &by);
+            let apart = (forward[i].value - exact.value).abs() / sizes[i];
+            assert!(apart < near, "{}: {} {}", reference.name, exact.name, apart);
+            for (p, unit) in reference.units.iter().enumerate() {
+                let scale = unit / sizes[i].max(exact.derivatives[p].abs() * unit);
+                for found in [forward[i].derivatives[p], adjoint[p]] {
+                    let apart = (found - exact.derivatives[p]).abs() * scale;
+                    if apart > worst.0 {
+                        let what =
+                            format!("{} {:?} by {}", exact.name, exact.x, reference.parameters[p]);
+                        worst = (apart, format!("{what}: {found} {}", exact.derivatives[p]));
+                    }
+                }
+            }
+        }
+        println!("{}: {worst:?}", reference.name);
+        assert!(worst.0 < near, "{}: {worst:?}", reference.name);
+    }
 }
 
 /// Kikuchi's beam just before its left end lifts off: the result names the imminent change of contact.

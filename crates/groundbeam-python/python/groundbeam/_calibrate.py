@@ -17,6 +17,8 @@ _STEPS = 200
 """Maximum number of solves."""
 _SMALL = 1e-10
 """Step size below which the iteration ends."""
+_FLAT = 1e-14
+"""Expected decrease of the sum of squares, relative to the sum, below which the iteration ends: rounding error."""
 _FIRST_DAMPING, _HIGHEST_DAMPING = 1e-3, 1e12
 _FARTHEST = 2.0
 """Longest step, in logarithms."""
@@ -67,7 +69,8 @@ class _Problem:
         self.model, self.unknown, self.combination = model, list(unknown), combination
         if not self.unknown or len(set(self.unknown)) != len(self.unknown):
             raise ValueError("unknown: the names of one or more parameters, each once")
-        self.outputs: list[Tuple[str, Optional[Array]]] = []
+        self.outputs: list[Tuple[str, float, str]] = []
+        self.names: list[str] = list(measured)
         self.shapes: list[int] = []
         values: list[Array] = []
         sizes: list[Array] = []
@@ -92,7 +95,7 @@ class _Problem:
                 raise ValueError(f"noise of `{name}`: a positive standard deviation")
             if not np.isfinite(value).all():
                 raise ValueError(f"measured `{name}`: a value is not a number")
-            self.outputs.append((name, at))
+            self.outputs += [(name, float(x), "right") for x in ([0.0] if at is None else at)]
             self.shapes.append(value.size)
             values.append(value)
             sizes.append(np.full(value.size, size))
@@ -110,16 +113,10 @@ class _Problem:
         are one-sided."""
         numbers = [(name, float(value)) for name, value in zip(self.unknown, values)]
         solution = Solution(self.model._inner.solve_with(numbers, self.combination))
-        found: list[Array] = []
-        slopes: list[Array] = []
-        one_sided = False
-        for name, at in self.outputs:
-            gradient = solution.gradient(name, at=at, with_respect_to=self.unknown)
-            found.append(np.atleast_1d(np.asarray(gradient.value)))
-            slopes.append(gradient.derivatives.reshape(-1, len(self.unknown)))
-            one_sided = one_sided or bool(gradient.one_sided)
-        residual = (np.concatenate(found) - self.measured) / self.noise
-        return residual, np.concatenate(slopes) / self.noise[:, None], solution, one_sided
+        found, slopes, one_sided = solution._inner.gradients(self.outputs, self.unknown)
+        residual = (found - self.measured) / self.noise
+        jacobian = slopes.reshape(found.size, -1) / self.noise[:, None]
+        return residual, jacobian, solution, any(one_sided)
 
 
 def _is_positive(name: str) -> bool:
@@ -228,20 +225,21 @@ def _least(problem: _Problem, scale: _Scale) -> _Least:
         step = _step(best, scale, damping)
         trial = np.clip(best.theta + step, scale.low, scale.high)
         moved = trial - best.theta
-        if np.abs(moved).max() <= _SMALL:
+        was = best.residual @ best.residual
+        expected = was - ((best.residual + best.jacobian @ moved) ** 2).sum()
+        if np.abs(moved).max() <= _SMALL or expected <= _FLAT * was:
             break
         try:
             found = look(trial, steps)
         except (NoEquilibrium, NotConverged):
             damping *= 10.0
             continue
-        was, now = best.residual @ best.residual, found.residual @ found.residual
+        now = found.residual @ found.residual
         if now >= was:
             damping *= 10.0
             if damping > _HIGHEST_DAMPING:
                 break
             continue
-        expected = was - ((best.residual + best.jacobian @ moved) ** 2).sum()
         damping = damping / 10.0 if was - now > 0.25 * expected else damping * 2.0
         best = found
     return best._replace(steps=steps)
@@ -292,7 +290,7 @@ def _judged(problem: _Problem, scale: _Scale, best: _Least) -> Calibration:
         {name: float(value) for name, value in zip(names, values)},
         {name: float(error) for name, error in zip(names, whole)},
         correlation,
-        {name: each for (name, _), each in zip(problem.outputs, split)},
+        dict(zip(problem.names, split)),
         noise,
         known,
         rows,
