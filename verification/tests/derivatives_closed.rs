@@ -297,7 +297,7 @@ impl ReferenceOutput {
 }
 
 /// Largest difference between derivatives and those of the reference, relative to the largest size of the output.
-const NEAR: f64 = 1e-10;
+const NEAR: f64 = 1e-12;
 
 /// The same for a reaction of the beam with hinges. It is EI/h³ ≈ 10⁵ times a difference of deflections, so their rounding
 /// errors are 10⁷ times as large as those of the force. The force itself has the same error.

@@ -1,10 +1,11 @@
 //! Derivatives of the potential energy: partial derivatives at fixed w, φ and u of the solution (envelope theorem).
 
 use super::linear::Linear;
-use super::tangent::{Motion, Moved, Tangent};
+use super::tangent::{Motion, Moved};
 use crate::element::element::TERMS;
 use crate::mesh::energy::{Motion as Field, beam_form, ground_work, work_of_loads};
 use crate::mesh::free_field::{self, Line};
+use crate::model::SupportKind;
 use crate::numeric::dual::Dual;
 use crate::numeric::polynomial::{Coefficients, derivative, inner, value};
 use crate::numeric::real::Real;
@@ -45,34 +46,29 @@ impl<const N: usize> Linear<'_, N> {
             let work = |line: &Line<Dual<N>>| free_field::work_of_loads(line, &mesh.cells);
             energy -= self.on_line(work) * 0.5;
         }
+        for number in 0..self.frame.model.supports.len() {
+            energy += self.settling(number);
+        }
         let mut by = energy.by;
-        for (n, tangent) in self.tangents.iter().enumerate() {
-            by[n] += self.by_settlements(tangent)
-                + tangent.moved.map_or(0.0, |moved| self.by_motion(&moved));
+        for (by, tangent) in by.iter_mut().zip(&self.tangents) {
+            *by += tangent.moved.map_or(0.0, |moved| self.by_motion(&moved));
         }
         by
     }
 
-    /// Contribution of the settlements δ of supports to the derivative: from ½k (w − δ)² − ½k w² on a spring, and from
-    /// the work on a rigid support.
-    fn by_settlements(&self, tangent: &Tangent) -> f64 {
-        use crate::model::SupportKind::{Fixed, Pinned, Spring};
-        let supports = self.frame.model.supports.iter().zip(&tangent.model.supports);
-        let by = supports.map(|(support, rate)| {
+    /// The energy that a support has due to its settlement δ: ½k (w − δ)² − ½k w² in a spring, and the work on a rigid
+    /// support.
+    fn settling(&self, number: usize) -> Dual<N> {
+        let support = &self.frame.model.supports[number];
+        let [spring, _, settlement] = self.numbers_of_support(number);
+        if matches!(support.kind, SupportKind::Spring { .. }) {
             let w = self.at_node(support.at)[0].value;
-            let settlement = support.settlement;
-            match (support.kind, rate.kind) {
-                (Spring { spring, .. }, Spring { spring: grows, .. }) => {
-                    grows * settlement * (0.5 * settlement - w)
-                        - spring * rate.settlement * (w - settlement)
-                }
-                (Pinned | Fixed, _) if rate.settlement != 0.0 => {
-                    -rate.settlement * self.reaction(support.at)[0].value
-                }
-                _ => 0.0,
-            }
-        });
-        by.sum()
+            return spring * settlement * (settlement * 0.5 - w);
+        }
+        if settlement == support.settlement {
+            return Dual::ZERO;
+        }
+        settlement * -self.reaction(support.at)[0].value
     }
 
     /// Derivative of the energy with respect to the position of a load. The load does work on the mean of both sides.

@@ -33,24 +33,17 @@ impl<const N: usize> Linear<'_, N> {
             }
             Read::Support { number, moment } => self.support(number, moment),
             Read::Field { field, x, side, follows } => {
-                let mut by = self.field(field, x, side).by;
                 let place = match follows {
                     Follows::Given | Follows::Nothing | Follows::Kink => [0.0; N],
                     Follows::Edge { zone, side, slope } => {
                         self.edge(zone, side).map(|moved| slope * moved)
                     }
                     Follows::Load { slope } => {
-                        self.moved_by(
-                            |moved| {
-                                if frame.is_same_place(moved.x, x) { slope } else { 0.0 }
-                            },
-                        )
+                        let here = |moved: Moved| frame.is_same_place(moved.x, x);
+                        self.moved_by(|moved| if here(moved) { slope } else { 0.0 })
                     }
                 };
-                for (by, place) in by.iter_mut().zip(place) {
-                    *by += place;
-                }
-                by
+                (self.field(field, x, side) + Dual { value: 0.0, by: place }).by
             }
         }
     }
@@ -63,26 +56,29 @@ impl<const N: usize> Linear<'_, N> {
     fn support(&self, number: usize, moment: bool) -> [f64; N] {
         let support = &self.frame.model.supports[number];
         let [w, rotation] = self.at_node(support.at);
-        let rate = |n: usize| self.tangents.get(n).map(|tangent| tangent.model.supports[number]);
-        let springs = |support: &Support| match support.kind {
-            SupportKind::Spring { spring, rotational_spring } => [spring, rotational_spring],
-            _ => [0.0; 2],
-        };
-        let [spring, rotational] = springs(support);
-        let by = |n: usize| {
-            let [grows, turning] = rate(n).map_or([0.0; 2], |rate| springs(&rate));
-            let settles = rate(n).map_or(0.0, |rate| rate.settlement);
-            if moment {
-                -(turning * rotation.value + rotational * rotation.by[n])
-            } else {
-                grows * (w.value - support.settlement) + spring * (w.by[n] - settles)
-            }
-        };
+        let [spring, rotational, settlement] = self.numbers_of_support(number);
         match (support.kind, moment) {
-            (SupportKind::Spring { .. }, _) => std::array::from_fn(by),
+            (SupportKind::Spring { .. }, true) => (-rotational * rotation).by,
+            (SupportKind::Spring { .. }, false) => (spring * (w - settlement)).by,
             (SupportKind::Pinned, true) => [0.0; N],
             (_, moment) => self.reaction(support.at)[usize::from(moment)].by,
         }
+    }
+
+    /// Spring, rotational spring and settlement of a support.
+    pub fn numbers_of_support(&self, number: usize) -> [Dual<N>; 3] {
+        let numbers = |model: &Model| match model.supports[number] {
+            Support {
+                kind: SupportKind::Spring { spring, rotational_spring }, settlement, ..
+            } => [spring, rotational_spring, settlement],
+            Support { settlement, .. } => [0.0, 0.0, settlement],
+        };
+        let mut duals = numbers(&self.frame.model).map(Dual::from);
+        for (n, tangent) in self.tangents.iter().enumerate() {
+            let rates = numbers(&tangent.model);
+            duals.iter_mut().zip(rates).for_each(|(dual, rate)| dual.by[n] = rate);
+        }
+        duals
     }
 
     /// A field at a position x, on one side of x.
