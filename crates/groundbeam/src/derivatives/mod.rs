@@ -1,8 +1,9 @@
 //! Exact derivatives of results with respect to the data of the model, from the contact problem linearised at its
 //! solution.
 //!
-//! The equations are generic over the number type. One solve of the beam bonded on its contact, in dual numbers, gives
-//! the derivatives of all outputs with respect to up to eight parameters. The derivation is in `docs/derivatives.md`.
+//! The equations are generic over the number type, so dual numbers give their derivatives. The linear problem of the
+//! beam bonded on its contact is solved for each parameter or for each output, whichever are fewer. The derivation is
+//! in `docs/derivatives.md`.
 
 mod adjoint;
 mod energy;
@@ -129,8 +130,8 @@ impl std::error::Error for NotDifferentiable {}
 pub const CLOSE: f64 = 1e-6;
 
 impl Solution {
-    /// Derivatives of outputs with respect to parameters: one gradient for each output. Eight parameters cost about as
-    /// much as one solve. The cost of an output is small.
+    /// Derivatives of outputs with respect to parameters: one gradient for each output. A few outputs and many
+    /// parameters, or a few parameters and many outputs, cost about as much as one solve.
     ///
     /// ```
     /// use groundbeam::{Beam, Field, Foundation, Load, Model, Outcome, solve, solution::Side};
