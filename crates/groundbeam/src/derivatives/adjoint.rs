@@ -61,6 +61,7 @@ impl Equilibrium<'_> {
     /// For each output the displacements under the loads that are its derivatives with respect to the unknowns.
     pub fn adjoints(&self, readings: &[Reading]) -> Option<Vec<Vec<[f64; 4]>>> {
         let mut linear = Linear::<4>::new(self);
+        linear.vary(Vec::new());
         let reads: Vec<BTreeSet<usize>> = readings.iter().map(|own| self.reads(&own.of)).collect();
         let mut loads: Vec<Loads<f64>> = vec![Vec::new(); readings.len()];
         for cell in self.read_by(readings) {
@@ -74,6 +75,6 @@ impl Equilibrium<'_> {
             linear.shapes[cell] = self.shapes[cell].map(Dual::from);
             linear.unfold(cell);
         }
-        loads.into_iter().map(|load| self.displaced(load.into_iter())).collect()
+        self.displaced(loads.into_iter())
     }
 }

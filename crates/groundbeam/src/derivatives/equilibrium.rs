@@ -73,17 +73,19 @@ impl<'a> Equilibrium<'a> {
         Some(Equilibrium { frame, elements, shapes, deflection, rotation, spans, chain })
     }
 
-    /// The unknowns of all elements under given loads alone.
-    pub fn displaced(
-        &self,
-        loads: impl Iterator<Item = (usize, [f64; 4])>,
-    ) -> Option<Vec<[f64; 4]>> {
+    /// The unknowns of all elements, for each of several lists of loads that act alone.
+    pub fn displaced(&self, loads: impl Iterator<Item = Loads<f64>>) -> Option<Vec<Vec<[f64; 4]>>> {
         let mut chain = self.chain.clone();
-        for (cell, load) in loads {
-            let own = &mut chain.cells[cell].element.load;
-            own.iter_mut().zip(load).for_each(|(own, load)| *own += load);
-        }
-        chain.solve().ok()
+        let under = |loads: Loads<f64>| {
+            for (cell, load) in &loads {
+                let own = &mut chain.cells[*cell].element.load;
+                own.iter_mut().zip(load).for_each(|(own, load)| *own += load);
+            }
+            let displaced = chain.solve().ok();
+            loads.iter().for_each(|(cell, _)| chain.cells[*cell].element.load = [0.0; 4]);
+            displaced
+        };
+        loads.map(under).collect()
     }
 
     /// w and the rotations on both sides of a node.

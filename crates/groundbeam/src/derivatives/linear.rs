@@ -45,10 +45,10 @@ pub(super) struct Linear<'a, const N: usize> {
 }
 
 impl<'a, const N: usize> Linear<'a, N> {
-    /// Data and unknowns without derivatives.
+    /// The problem before its data are [varied](Self::vary).
     pub fn new(equilibrium: &'a Equilibrium<'a>) -> Self {
         let frame = equilibrium.frame;
-        let mut linear = Linear {
+        Linear {
             equilibrium,
             frame,
             tangents: Vec::new(),
@@ -62,9 +62,7 @@ impl<'a, const N: usize> Linear<'a, N> {
             spans: Vec::new(),
             jumps: Vec::new(),
             moved: Vec::new(),
-        };
-        linear.vary(Vec::new());
-        linear
+        }
     }
 
     /// Replaces the derivatives by those of the data with respect to at most N parameters. The unknowns have none.

@@ -277,9 +277,11 @@ fn derivatives_by<const N: usize>(
         moved.extend(linear.tangents.iter().map(|tangent| tangent.moved));
         let loads = linear.loads();
         if adjoints.is_none() {
-            for n in 0..some.len() {
-                let own = loads.iter().map(|(cell, load)| (*cell, load.map(|load| load.by[n])));
-                linear.displace(n, &equilibrium.displaced(own).ok_or(mechanism)?);
+            let along =
+                |n: usize| loads.iter().map(move |(cell, load)| (*cell, load.map(|q| q.by[n])));
+            let displaced = equilibrium.displaced((0..some.len()).map(|n| along(n).collect()));
+            for (n, by) in displaced.ok_or(mechanism)?.iter().enumerate() {
+                linear.displace(n, by);
             }
         }
         let changed = |i: &usize| adjoints.is_none() || linear.exact[*i].is_some();
