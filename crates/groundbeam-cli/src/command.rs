@@ -7,7 +7,7 @@ use crate::option_value::shard;
 use crate::option_value::{
     METHODS, PAPERS, Plot, Report, STARTS, UNITS, bytes, no_choice_of_pressure, number, one_of,
 };
-use clap::{Args, Parser, Subcommand, ValueEnum, value_parser};
+use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 use groundbeam::{Method, Options, Start};
 use groundbeam_file::print::{Asked, DIGITS};
@@ -304,7 +304,7 @@ pub struct Study {
     pub out: PathBuf,
 
     /// Number of samples; replaces the number in the file
-    #[arg(long, value_name = "N", value_parser = value_parser!(u64).range(1..))]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     pub samples: Option<u64>,
 
     /// Seed; replaces the seed in the file
