@@ -8,7 +8,7 @@
 //! A name is a part of a case's path or a family. For each model the gap relative to the strain energy is
 //! printed: the gap of the certificate, and the gaps of the proof in `Wide`, `Ball` and `f64`.
 
-use groundbeam::proof::{Ball, Number, Proof, Wide, prove};
+use groundbeam::proof::{Ball, Proof, Scalar, Wide, prove};
 use groundbeam::{Model, Outcome, Solution, solve};
 use groundbeam_verification::{cases, frozen};
 use rayon::prelude::*;
@@ -110,7 +110,7 @@ fn of(model: &Model) -> Outcomes {
     }
 }
 
-fn timed<S: Number>(solution: &Solution) -> (Result<Proof, groundbeam::proof::NotProven>, f64) {
+fn timed<S: Scalar>(solution: &Solution) -> (Result<Proof, groundbeam::proof::NotProven>, f64) {
     let (model, answer) = solution.claim::<S>();
     let start = Instant::now();
     let proof = prove(&model, &answer);

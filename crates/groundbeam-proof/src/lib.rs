@@ -28,7 +28,6 @@ mod deflection;
 mod document;
 mod edge_forces;
 mod energies;
-mod entry;
 mod estimate;
 mod extremes;
 mod fields;
@@ -81,7 +80,6 @@ pub use ball::Ball;
 pub use bounds::{Bound, Bounds, ReactionBound, Scales};
 pub use contact_set::{ContactForce, ContactRegion, ContactSet};
 pub use document::{Document, Extreme};
-pub use entry::{Number, prove, read_model, verify, verify_and_log};
 pub use estimate::{Estimate, estimate};
 pub use extremes::PlacedExtreme;
 pub use json::JsonError;
@@ -91,9 +89,9 @@ pub use model::{
     Action, Acts, Beam, BeamSegment, Course, Extent, GapCorner, Ground, GroundEnd, GroundSegment,
     Hinge, Load, Model, Support, SupportKind,
 };
-pub use proof::Proof;
-pub use read::{ReadError, Reason};
+pub use proof::{Proof, prove};
+pub use read::{ReadError, Reason, read_model};
 pub use refusal::NotProven;
 pub use scalar::Scalar;
-pub use verification::Verification;
+pub use verification::{Verification, verify, verify_and_log};
 pub use wide::Wide;

@@ -9,7 +9,7 @@
 #[cfg(target_family = "wasm")]
 mod module;
 
-use groundbeam_proof::{Ball, Document, Log, Number, Wide, read_model, verify_and_log};
+use groundbeam_proof::{Ball, Document, Log, Scalar, Wide, read_model, verify_and_log};
 
 /// The solution of the model in a document, and the proofs of the document in each type of numbers, with
 /// their logs.
@@ -47,7 +47,7 @@ fn solution(document: &Document) -> String {
 
 /// The proof in one type of numbers. The model is read from the file, or from the document if the reader
 /// rejects the file.
-fn proof<S: Number>(file: &str, combination: Option<&str>, document: &Document) -> String {
+fn proof<S: Scalar>(file: &str, combination: Option<&str>, document: &Document) -> String {
     let read = read_model::<S>(file, combination);
     let model = match (read, &document.model) {
         (Err(_), Some(own)) => read_model::<S>(own, None),
