@@ -4,7 +4,7 @@
 //! The test needs Python 3.10 or later and packages from its index. Without them it reports that it was
 //! skipped, or fails if `GROUNDBEAM_DEMAND` names `python`.
 
-use groundbeam_testing::{environment, read, succeed, tools_or_skip};
+use groundbeam_testing::{environment, succeed, tools_or_skip};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::thread;
@@ -56,7 +56,7 @@ fn workplace() -> PathBuf {
     Path::new(env!("CARGO_TARGET_TMPDIR")).join("python")
 }
 
-/// Builds the wheel from the crates that `cargo test` has compiled, and installs it.
+/// Builds the wheel and installs it.
 fn install(python: &Path) {
     let wheels = workplace().join("wheels");
     let _ = std::fs::remove_dir_all(&wheels);
@@ -65,7 +65,7 @@ fn install(python: &Path) {
     build.args(["--auditwheel", "skip", "--interpreter"]).arg(python).arg("--out").arg(&wheels);
     build.env("CARGO_TARGET_DIR", target()).env("PIP_DISABLE_PIP_VERSION_CHECK", "1");
     if cfg!(debug_assertions) {
-        build.args(["--profile", "dev", "--features", "as-tested"]).args(settings());
+        build.args(["--profile", "dev"]).env("CARGO_PROFILE_DEV_OPT_LEVEL", "2");
     } else {
         build.arg("--release");
     }
@@ -78,17 +78,6 @@ fn install(python: &Path) {
     assert!(name.contains("-cp310-abi3-"), "one wheel for every Python from 3.10 on: {name}");
     let install = ["-m", "pip", "install", "--quiet", "--no-deps", "--force-reinstall", &name];
     run(python, &install);
-}
-
-/// The settings of the profile `test` for the profile `dev`: cargo builds no library with the former.
-fn settings() -> Vec<String> {
-    let workspace = read("Cargo.toml");
-    let (_, test) = workspace.split_once("\n[profile.test]\n").expect("the profile");
-    let whole = test.lines().take(1).map(|line| format!("profile.dev.{line}"));
-    let (_, packages) = test.split_once("\n[profile.test.package]\n").expect("packages");
-    let packages = packages.lines().filter(|line| line.contains(".opt-level = "));
-    let each = packages.map(|line| format!("profile.dev.package.{line}"));
-    whole.chain(each).flat_map(|setting| ["--config".to_owned(), setting]).collect()
 }
 
 /// Folder of the compiled files: this test is in `target/debug/deps`.
