@@ -1,4 +1,4 @@
-//! Existence of an equilibrium, from loads and supports alone. Section 4, sharpened.
+//! Existence of an equilibrium, from loads and supports alone: theorem 2 of the paper, sharpened.
 //!
 //! The energy is coercive, and therefore has a minimum, if and only if F(r) < 0 for every free rigid motion r
 //! = a x + b ≤ 0 of the beam, where F(r) is the work of the loads. A motion is free if it presses nowhere on

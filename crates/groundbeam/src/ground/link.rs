@@ -1,5 +1,6 @@
-//! Open ground as two-ports: the forces at both ends from the settlements there. The inverse of (5.8) is
-//! tridiagonal.
+//! Open ground as two-ports: the forces at both ends from the settlements there, (2.2)–(2.5).
+//!
+//! The matrix (5.8) of Green's function (2.4) is never formed: its inverse is tridiagonal.
 //!
 //! Between two points where its surface is held, ground without load, −(μu')' + ku = 0, acts like three
 //! springs: one between the points (`series`) and one under each (`shunt_left`, `shunt_right`). A uniform

@@ -1,3 +1,3 @@
-//! The open ground, −(μ u′)′ + k u = 0, as two-ports, (2.2)–(2.5), (5.8).
+//! The open ground, −(μ u′)′ + k u = 0, as two-ports.
 
 pub(crate) mod link;
