@@ -108,12 +108,12 @@ const NEVER_IN_THE_CORE: [&str; 22] = [
 ];
 
 #[test]
-fn the_code_map_is_right() {
+fn the_code_map_is_up_to_date() {
     expect("docs/code-map.md", "code map", &map());
 }
 
 #[test]
-fn dependencies_point_one_way() {
+fn crates_depend_on_each_other_one_way() {
     let crates = crates();
     for (name, (_, needs)) in &crates {
         let allowed = ARROWS.iter().find(|(crate_name, _)| crate_name == name);
@@ -140,7 +140,7 @@ fn dependencies_point_one_way() {
 }
 
 #[test]
-fn every_file_says_what_it_is_and_is_short() {
+fn every_file_is_documented_and_short() {
     let mut faults = Vec::new();
     for source in all_sources() {
         if source.summary().is_none() {
@@ -182,7 +182,7 @@ fn every_test_file_is_run() {
 }
 
 #[test]
-fn the_core_is_pure() {
+fn the_core_has_no_side_effects() {
     let mut faults = Vec::new();
     let proof = sources("crates/groundbeam-proof/src");
     for source in sources("crates/groundbeam/src").into_iter().chain(proof) {
@@ -199,13 +199,13 @@ fn the_core_is_pure() {
 }
 
 #[test]
-fn no_file_of_the_core_imports_itself_through_others() {
+fn files_of_the_core_have_no_cyclic_imports() {
     let cycles = Imports::of_crate("crates/groundbeam").cycles();
     assert!(cycles.is_empty(), "{cycles:#?}");
 }
 
 #[test]
-fn the_core_imports_downwards() {
+fn folders_of_the_core_import_only_lower_layers() {
     let floor = |room: &str| {
         let floor = FLOORS.iter().position(|rooms| rooms.contains(&room));
         floor.unwrap_or_else(|| panic!("{room} has no floor"))
@@ -217,7 +217,7 @@ fn the_core_imports_downwards() {
 }
 
 #[test]
-fn no_folder_imports_itself_through_others() {
+fn folders_have_no_unlisted_cyclic_imports() {
     for (name, (folder, _)) in crates() {
         let known = CYCLES.iter().find(|(known, _)| *known == name);
         let known = known.map_or(&[][..], |(_, rooms)| *rooms);

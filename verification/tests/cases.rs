@@ -26,7 +26,7 @@ fn report(faults: &[String]) {
 }
 
 #[test]
-fn every_case_is_as_its_file_says() {
+fn every_case_meets_the_expectations_of_its_file() {
     let mut faults = Vec::new();
     for case in readable() {
         let path = &case.path;
@@ -45,7 +45,7 @@ fn every_case_is_as_its_file_says() {
 }
 
 #[test]
-fn a_mesh_is_no_farther_off_than_its_certificate_says() {
+fn the_error_of_a_mesh_is_within_its_certificate() {
     let mut faults = Vec::new();
     let cases = readable();
     let models = cases.iter().flat_map(|case| case.models().into_iter().map(|m| (&case.path, m)));
@@ -124,6 +124,6 @@ fn farther_off_than_proven(exact: &Solution, mesh: &Solution) -> Option<String> 
 }
 
 #[test]
-fn the_verification_manual_is_what_the_cases_say() {
+fn the_verification_manual_agrees_with_the_cases() {
     expect_file("docs/verification.md", &manual(&readable()));
 }

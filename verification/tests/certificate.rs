@@ -55,7 +55,7 @@ fn moment_error(coarse: &Solution, exact: &Solution) -> f64 {
 /// Two moments of 10¹³ N·m cancel each other beside a force of 1 N. The beam is rigid, so its pressure comes
 /// from the force alone.
 #[test]
-fn moments_that_cancel_leave_the_pressure() {
+fn moments_that_cancel_do_not_spoil_the_certificate() {
     let model = Model::new(Beam::uniform(1.0, 1e30), Foundation::winkler(1.0))
         .with_load(Load::point_force(0.5, 1.0))
         .with_load(Load::point_moment(0.4, 1e13))
@@ -71,7 +71,7 @@ fn moments_that_cancel_leave_the_pressure() {
 
 /// Large forces and a moment cancel each other up to a rounding error that rotates the beam.
 #[test]
-fn loads_that_cancel_to_rounding_are_named() {
+fn loads_that_cancel_to_rounding_error_are_reported() {
     for size in [1e13, 1e14, 1e15].map(|size| size / 3.0) {
         let model = Model::new(Beam::uniform(1.0, 1e30), Foundation::winkler(1.0))
             .with_load(Load::uniform_force(0.0, 1.0, 1.0))
@@ -87,7 +87,7 @@ fn loads_that_cancel_to_rounding_are_named() {
 /// The clamp carries all loads: the beam has no contact, and the energy of the error is compared with the strain energy
 /// only.
 #[test]
-fn a_clamp_that_takes_moments_alone_is_certified() {
+fn a_beam_carried_by_a_clamp_alone_is_certified() {
     let model = Model::new(Beam::uniform(49.0, 26e3), Foundation::pasternak(43.0, 14.1e3))
         .with_load(Load::point_moment(40.1, -4.8))
         .with_load(Load::distributed_moment(0.0, 10.1, -0.00123, 0.0247))
@@ -99,7 +99,7 @@ fn a_clamp_that_takes_moments_alone_is_certified() {
 /// A beam rotates by 10¹² about a contact of a thousandth of its length. A piece there is a ten-thousandth of its
 /// distance from the left end, the origin of positions. Its ends in terms of t are differences of near positions.
 #[test]
-fn short_pieces_far_from_the_left_end_keep_their_digits() {
+fn short_pieces_far_from_the_left_end_keep_their_accuracy() {
     let folder = groundbeam_verification::frozen::folder();
     let all = groundbeam_verification::frozen::family(&folder, "Extreme").expect("a family");
     let one = all.iter().find(|one| one.number() == 47).expect("a frozen model");
@@ -110,7 +110,7 @@ fn short_pieces_far_from_the_left_end_keep_their_digits() {
 
 /// A mesh solution is within its own bound of the exact one.
 #[test]
-fn a_mesh_is_as_good_as_it_says() {
+fn the_error_of_a_mesh_is_within_its_own_bound() {
     let (mut faults, mut count) = (Vec::new(), 0);
     let mut sharpest = [0.0_f64; 2];
     for family in Family::ALL {
@@ -161,7 +161,7 @@ fn a_mesh_is_as_good_as_it_says() {
 /// The settlements of the exact method are within their bounds of the 60-digit answers, including rounding, and the
 /// bounds are small.
 #[test]
-fn bounds_hold_against_sixty_digits() {
+fn bounds_cover_the_answers_in_sixty_digits() {
     let mut faults = Vec::new();
     let mut relative = Vec::new();
     for answer in Answer::all().into_iter().filter(|a| !TOO_STIFF.contains(&a.name.as_str())) {

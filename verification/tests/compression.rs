@@ -56,7 +56,7 @@ fn first_root(f: impl Fn(f64) -> f64, step: f64) -> f64 {
 /// A heavy beam between pins, supported by the ground at the same height: w = 0. Timoshenko and Gere, Theory of Elastic
 /// Stability (1961), section 2.10: P = min (m²π²EI/l² + k l²/(m²π²)), and the shear layer's μ beside it.
 #[test]
-fn pinned_beams_buckle_in_waves() {
+fn pinned_beams_buckle_at_the_load_of_timoshenko() {
     let (ei, k, q) = (2.0, 3.0, 0.7);
     for (l, mu) in [(2.0, 0.0), (3.0, 0.4), (6.0, 0.0), (11.0, 5.0), (30.0, 0.1)] {
         let mut model = Model::new(Beam::uniform(l, ei), Foundation::pasternak(k, mu))
@@ -91,7 +91,7 @@ fn pinned_beams_buckle_in_waves() {
 /// αx sin βx and sinh αx cos βx for the odd ones, where α² = √(k/4EI) − P/4EI and β² = √(k/4EI) + P/4EI, and w″ = 0, EI
 /// w‴ + P w′ = 0 at both ends (Hetényi, Beams on Elastic Foundation, 1946, chapter 7).
 #[test]
-fn free_beams_buckle_as_hetenyi_says() {
+fn free_beams_buckle_at_the_load_of_hetenyi() {
     let (ei, k) = (2.0, 3.0_f64);
     for l in [0.5, 2.0, 4.0, 7.0, 15.0] {
         let a = 0.5 * l;
@@ -135,7 +135,7 @@ fn free_beams_buckle_as_hetenyi_says() {
 /// qL⁴/EI. A prop of this height under the beam just loses its contact force. Then nothing restrains the beam any more,
 /// and P = 3.962 √(qEI/h) is the largest compression of a propped beam.
 #[test]
-fn hobbs_upheaval_over_a_prop() {
+fn upheaval_over_a_prop_agrees_with_hobbs() {
     let half = first_root(|z| z * z.cos() - z.sin(), 1.0);
     let parameter = 4.0 * half * half;
     assert!((parameter - 80.76).abs() < 5e-3, "{parameter}");
@@ -193,7 +193,7 @@ fn with_lift_off() -> Vec<Model> {
 
 /// Compares with a mesh by brute force: its path, its deflections, and its second variation with the computed contact.
 #[test]
-fn a_mesh_follows_the_same_branch() {
+fn a_mesh_follows_the_same_path_under_compression() {
     for model in with_lift_off() {
         let wanted = critical(&compressed(&model, 0.1));
         let (coarse, fine) = (Meshed::new(&model, 480), Meshed::new(&model, 960));
@@ -223,7 +223,7 @@ fn a_mesh_follows_the_same_branch() {
 
 /// Along the path the energy changes by ½∫w′² times the change of P, because the state is in equilibrium.
 #[test]
-fn the_energy_changes_by_the_shortening() {
+fn the_energy_changes_with_the_shortening_along_the_path() {
     for model in with_lift_off() {
         let wanted = critical(&compressed(&model, 0.1));
         for part in [0.2, 0.6, 0.9] {
@@ -251,7 +251,7 @@ fn the_energy_changes_by_the_shortening() {
 }
 
 #[test]
-fn what_nothing_holds_buckles_at_once() {
+fn unrestrained_beams_buckle_under_any_compression() {
     let beam = Model::new(Beam::uniform(4.0, 1.0), Foundation::pasternak(1.0, 1.0));
     let over_the_end = beam.clone().with_load(Load::point_force(0.0, 1.0));
     let unloaded = beam.clone();
@@ -285,7 +285,7 @@ fn apart(a: &Solution, b: &Solution, place: impl Fn(f64) -> f64) -> f64 {
 /// model give the same result, a slightly larger compression gives a neighbouring solution, and an existence
 /// check beyond the end of the path finds the same end.
 #[test]
-fn random_models() {
+fn random_models_under_compression_are_stable_along_their_path() {
     for number in 0..200_u64 {
         let model = random::model(Family::Compressed, number);
         let compression = -model.beam.axial_force;

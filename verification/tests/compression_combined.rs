@@ -14,7 +14,7 @@ use std::f64::consts::PI;
 /// For w = sin mπx/l, bending and shear act in series, 1/(1/P_E + 1/S) with P_E = EI (mπ/l)² (Engesser 1891), and the
 /// ground in parallel: P = min P_E/(1 + P_E/S) + k l²/(mπ)² + μ.
 #[test]
-fn pinned_beams_that_shear_buckle_in_waves() {
+fn pinned_beams_with_shear_deformation_buckle_at_the_load_of_engesser() {
     let (ei, k, q) = (2.0, 3.0, 0.7);
     for (l, mu, shear) in
         [(2.0, 0.0, 50.0), (3.0, 0.4, 9.0), (6.0, 0.0, 14.0), (11.0, 5.0, 25.0), (30.0, 0.1, 11.0)]
@@ -46,7 +46,7 @@ fn pinned_beams_that_shear_buckle_in_waves() {
 
 /// A beam so flexible in shear that its critical wave length tends to zero: it buckles at S + μ.
 #[test]
-fn a_beam_soft_in_shear_folds() {
+fn a_beam_flexible_in_shear_buckles_at_its_ends() {
     let (k, mu, shear) = (3.0, 0.2, 0.5);
     let model = Model::new(
         Beam::uniform(4.0, 2.0).with_shear_stiffness(shear),
@@ -82,7 +82,7 @@ fn root(z: Complex) -> Complex {
 /// have sinh and cosh exchanged; at both ends φ′ = 0 and S (w′ − φ) + N w′ = ∫k w = 0. The limit S → ∞ gives
 /// Hetényi's modes.
 #[test]
-fn free_beams_that_shear() {
+fn free_beams_with_shear_deformation_buckle_at_their_closed_form_load() {
     let (ei, k) = (2.0, 3.0_f64);
     for l in [0.5, 2.0, 4.0, 7.0] {
         for shear in [1.5, 6.0, 40.0, 1e4] {
@@ -162,7 +162,7 @@ fn with_lift_off() -> Vec<Model> {
 /// With increasing shear stiffness S the path approaches the path of the beam without shear deformation. The
 /// error is proportional to 1/S.
 #[test]
-fn without_shear_the_branch_is_that_of_bending() {
+fn large_shear_stiffness_approaches_the_path_of_bending() {
     for model in with_lift_off() {
         let wanted = critical(&compressed(&model, 0.1));
         let (plain, margin) = local(&compressed(&model, 0.6 * wanted));
@@ -185,7 +185,7 @@ fn without_shear_the_branch_is_that_of_bending() {
 
 /// The simplest elements find the same local equilibria.
 #[test]
-fn linear_elements_find_the_same() {
+fn linear_elements_find_the_same_local_equilibria() {
     for mut model in with_lift_off() {
         model.beam.shear_stiffness = Some(4.0);
         let wanted = critical(&compressed(&model, 0.1));
@@ -244,7 +244,7 @@ fn on_bearings() -> Vec<Model> {
 /// Compares with a mesh by brute force, with one-way springs as supports: its path, its states, and its second
 /// variation with the active supports.
 #[test]
-fn a_mesh_follows_the_same_branch_on_one_way_supports() {
+fn a_mesh_follows_the_same_path_on_one_way_supports() {
     let mut changed = 0;
     for (number, model) in on_bearings().into_iter().enumerate() {
         let wanted = critical(&compressed(&model, 0.1));
@@ -280,7 +280,7 @@ fn a_mesh_follows_the_same_branch_on_one_way_supports() {
 
 /// A beam on bearings without reaction behaves like a beam without them: a bearing does not prevent lifting.
 #[test]
-fn a_bearing_holds_no_beam_from_rising() {
+fn a_bearing_does_not_prevent_lifting_under_compression() {
     let column = Model::new(Beam::uniform(2.0, 3.0), Foundation::winkler(1.0))
         .with_gap(0.0, 1.0)
         .with_gap(2.0, 1.0)
@@ -301,7 +301,7 @@ fn a_bearing_holds_no_beam_from_rising() {
 /// Random beams with shear deformation, with one-way supports, hinges, loads on the ground and other
 /// features.
 #[test]
-fn random_models() {
+fn random_beams_with_shear_and_one_way_supports_are_stable_along_their_path() {
     let (mut sheared, mut borne) = (0, 0);
     for number in 0..24_u64 {
         let model = random::model(Family::CompressedToo, number);

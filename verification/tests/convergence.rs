@@ -13,7 +13,7 @@ fn slope(moment: f64, quantity: Quantity) -> f64 {
 }
 
 #[test]
-fn the_papers_pressures_are_of_first_order_in_forces_and_second_in_deflections() {
+fn nodal_pressures_converge_with_order_one_in_forces_and_two_in_deflections() {
     for (case, moment) in [("I", 0.1), ("II", 0.3), ("III", 0.4), ("IV", 0.49)] {
         for (quantity, expected) in
             [(Quantity::EndForce, 1.0), (Quantity::Shear, 1.0), (Quantity::Gap, 2.0)]
@@ -40,7 +40,7 @@ fn the_papers_pressures_are_of_first_order_in_forces_and_second_in_deflections()
 }
 
 #[test]
-fn the_tables_in_the_methods_are_these() {
+fn the_convergence_tables_in_the_documents_are_up_to_date() {
     expect_by("docs/methods.md", "convergence-dirac", &table(), alike);
 }
 

@@ -37,7 +37,7 @@ fn alike(curled: &Solution, bent: &Solution, more: impl Fn(f64) -> [f64; 2]) {
 /// A uniform curvature equals a pair of moments EI κ₀ at the ends of its stretch: the same deflection, and EI κ₀ more
 /// moment between them.
 #[test]
-fn an_even_curvature_is_a_pair_of_moments() {
+fn a_uniform_curvature_equals_a_pair_of_moments() {
     for foundation in [Foundation::pasternak(1.0, 0.3), Foundation::winkler(2.0)] {
         let plain = Model::new(Beam::uniform(6.0, 1.5), foundation)
             .with_load(Load::point_force(2.0, 1.0))
@@ -52,7 +52,7 @@ fn an_even_curvature_is_a_pair_of_moments() {
 
 /// If EI and κ₀ are linear, EI κ₀ is a parabola: equivalent to end moments and a distributed moment −(EI κ₀)'.
 #[test]
-fn a_varying_curvature_of_a_varying_beam_is_a_spread_moment() {
+fn a_varying_curvature_of_a_varying_beam_equals_a_distributed_moment() {
     let (l, ei, curvature) = (4.0, |x: f64| 2.0 - 0.25 * x, |x: f64| 0.1 + 0.05 * x);
     let beam = Beam::uniform(l, 1.0).with_varying_segment(0.0, l, Profile::linear(ei(0.0), ei(l)));
     let plain = Model::new(beam, Foundation::pasternak(1.5, 0.4))
@@ -80,7 +80,7 @@ fn a_varying_curvature_of_a_varying_beam_is_a_spread_moment() {
 /// Westergaard, *Analysis of stresses in concrete pavements due to variations of temperature* (1926): near the free end
 /// of a long slab M = EI κ₀ (1 − √2 e^(−λx) sin(λx + π/4)), and the end moves down by κ₀/(2λ²).
 #[test]
-fn the_end_of_a_long_slab_curls_as_westergaard_says() {
+fn the_end_of_a_long_slab_curls_by_the_formula_of_westergaard() {
     let (l, k, lambda, curvature) = (60.0, 4.0, 1.0_f64, 0.1);
     let ei = k / (4.0 * lambda.powi(4));
     let slab = Model::new(Beam::uniform(l, ei), Foundation::winkler(k))
@@ -105,7 +105,7 @@ fn the_end_of_a_long_slab_curls_as_westergaard_says() {
 /// A slab with a warmer top that stands on its two ends: a simple beam under its own weight, with κ₀ l²/8 more
 /// deflection.
 #[test]
-fn a_curled_beam_stands_on_its_ends() {
+fn a_curled_beam_on_its_ends_deflects_like_a_simple_beam() {
     let (l, ei, q, curvature, k, mu) = (4.0_f64, 2.0, 0.03, 0.5, 40.0, 90.0);
     let model = Model::new(Beam::uniform(l, ei), Foundation::pasternak(k, mu))
         .with_load(Load::uniform_force(0.0, l, q))
@@ -129,7 +129,7 @@ fn a_curled_beam_stands_on_its_ends() {
 /// If curling is not restrained there is no moment, for any EI. Clamped at both ends the beam stays straight under M =
 /// EI κ₀. Clamped at one end and propped at the other it has M = 3/2 EI κ₀ at the clamp.
 #[test]
-fn supports_decide_what_a_curvature_does() {
+fn restrained_curvature_causes_moments() {
     let (l, curvature) = (3.0, 0.2);
     let haunched = Beam::uniform(l, 1.0).with_varying_segment(0.0, l, Profile::linear(1.0, 3.0));
     let with = |beam: &Beam, left: Support, right: Support| {
@@ -159,7 +159,7 @@ fn supports_decide_what_a_curvature_does() {
 
 /// With a hot top the middle of a slab rises: the factor on the temperature at first lift-off.
 #[test]
-fn the_temperature_at_which_a_slab_first_lifts() {
+fn a_slab_first_lifts_at_the_temperature_of_its_closed_form() {
     let (l, k, q) = (60.0, 4.0, 0.5);
     let slab = Model::new(Beam::uniform(l, 1.0), Foundation::winkler(k))
         .with_load(Load::uniform_force(0.0, l, q))

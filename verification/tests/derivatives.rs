@@ -359,7 +359,7 @@ fn compare(family: Family, number: u64, counts: &mut Counts) {
 /// Compares every derivative of every output with respect to every number of a model with differences of separate
 /// solutions.
 #[test]
-fn derivatives_are_limits_of_differences() {
+fn derivatives_agree_with_finite_differences() {
     let mut all = Counts::default();
     let too_stiff = |family: &Family| matches!(family, Family::Hard | Family::Long);
     let families = Family::ALL.into_iter().chain([Family::Shearing]);

@@ -30,7 +30,7 @@ fn near(found: f64, exact: f64) {
 
 /// A beam on two supports, high above the ground: influence lines of a force F at a, as in textbooks of statics.
 #[test]
-fn influence_lines_of_a_beam_on_two_supports() {
+fn derivatives_of_a_simple_beam_are_its_influence_lines() {
     let (l, ei, a, force, x) = (6.0, 7.0, 2.0, 1.5, 4.0);
     let model = Model::new(Beam::uniform(l, ei), Foundation::winkler(1.0))
         .with_gap(0.0, 1e3)
@@ -65,7 +65,7 @@ fn influence_lines_of_a_beam_on_two_supports() {
 /// place and linear to the supports, and w' decreases by F/S there (Timoshenko and Gere, *Mechanics of
 /// Materials*, 1972, sec. 12.12).
 #[test]
-fn a_beam_on_two_supports_that_shears() {
+fn derivatives_of_a_simple_beam_with_shear_deformation() {
     let (l, ei, s, a, force, x) = (6.0, 7.0, 3.0, 2.0, 1.5, 4.0);
     let beam = Beam::uniform(l, ei).with_shear_stiffness(s);
     let model = Model::new(beam, Foundation::winkler(1.0))
@@ -115,7 +115,7 @@ fn a_beam_on_two_supports_that_shears() {
 
 /// A moment on a fixed support is carried by this support alone. A force turns the beam down on its left.
 #[test]
-fn a_moment_on_a_fixed_support() {
+fn derivatives_of_a_moment_on_a_fixed_support() {
     let model = Model::new(Beam::uniform(4.0, 3.0), Foundation::winkler(1.0))
         .with_gap(0.0, 1e3)
         .with_support(Support::fixed(4.0))
@@ -129,7 +129,7 @@ fn a_moment_on_a_fixed_support() {
 
 /// A force F on the ground at a distance d from a beam on a shear layer that does not touch: u = F e^(−b|x|)/(2√(kμ)).
 #[test]
-fn the_ground_beside_a_beam_under_a_force() {
+fn derivatives_of_the_settlement_outside_the_beam_under_a_force() {
     let (k, mu, force, d) = (3.0, 0.75, 2.0, 0.4);
     let model = Model::new(Beam::uniform(1.0, 1.0), Foundation::pasternak(k, mu))
         .with_gap(0.0, 1e3)
@@ -157,7 +157,7 @@ fn the_ground_beside_a_beam_under_a_force() {
 
 /// A uniform load q on uniform ground: w = q/k for any beam; the energy is −q²l/2k.
 #[test]
-fn an_even_load_on_even_springs() {
+fn derivatives_of_a_beam_under_uniform_load_on_uniform_springs() {
     let (l, k, q) = (3.0, 4.0, 2.0);
     let model = Model::new(Beam::uniform(l, 5.0), Foundation::winkler(k))
         .with_load(Load::uniform_force(0.0, l, q));
@@ -179,7 +179,7 @@ fn an_even_load_on_even_springs() {
 /// A rigid beam on Winkler ground, a force at a distance e > l/6 from its middle: the contact length is 3 (l/2 − e) and
 /// depends on e only (the kern, as in textbooks on foundations).
 #[test]
-fn the_edge_under_a_rigid_beam() {
+fn derivatives_of_the_contact_edge_of_a_rigid_beam() {
     let (l, e) = (6.0, 1.5);
     let model = Model::new(Beam::uniform(l, 1e9), Foundation::winkler(1.0))
         .with_load(Load::point_force(0.5 * l - e, 2.0));
@@ -199,7 +199,7 @@ fn the_edge_under_a_rigid_beam() {
 /// zero, the energy of degree two (Euler's theorem). A deflection is homogeneous of degree −1 in beam, ground and
 /// supports together.
 #[test]
-fn homogeneous_functions() {
+fn derivatives_satisfy_the_theorem_of_euler_on_homogeneous_functions() {
     let mut models = 0;
     for family in [
         Family::Plain,
@@ -307,7 +307,7 @@ const NEAR_STIFF: f64 = 3e-8;
 
 /// Solves for the parameters and for the output agree with differences of multiprecision solutions.
 #[test]
-fn derivatives_are_those_of_the_reference() {
+fn derivatives_agree_with_the_multiprecision_reference() {
     let text = include_str!("../../reference/derivatives.json");
     let all: Vec<Reference> = serde_json::from_str(text).expect("the reference derivatives");
     assert_eq!(all.len(), 10);
@@ -347,7 +347,7 @@ fn derivatives_are_those_of_the_reference() {
 
 /// Kikuchi's beam just before its left end lifts off: the result names the imminent change of contact.
 #[test]
-fn what_is_about_to_change_is_said() {
+fn an_imminent_change_of_contact_is_reported() {
     let at = |moment: f64| {
         let model = Model::new(Beam::uniform(1.0, 1.0), Foundation::pasternak(1.0, 1.0))
             .with_load(Load::point_force(0.5, 1.0))
@@ -366,7 +366,7 @@ fn what_is_about_to_change_is_said() {
 }
 
 #[test]
-fn what_has_no_derivatives_is_refused() {
+fn unsupported_derivatives_are_rejected() {
     let model = Model::new(Beam::uniform(1.0, 1.0), Foundation::winkler(1.0))
         .with_load(Load::point_force(0.5, 1.0));
     let output = [Output::Largest(Field::Deflection)];

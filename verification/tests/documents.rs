@@ -8,7 +8,7 @@ use groundbeam_verification::crossing;
 use std::collections::BTreeSet;
 
 #[test]
-fn the_problem_is_stated_once() {
+fn the_notation_contains_the_statement_of_the_problem() {
     expect("docs/notation.md", "problem", &read("crates/groundbeam/problem.md"));
 }
 
@@ -49,7 +49,7 @@ fn the_readme_lists_what_is_not_supported() {
 
 /// The table of methods and features in `docs/methods.md`.
 #[test]
-fn the_table_of_methods_and_features_is_the_programs() {
+fn the_table_of_methods_and_features_agrees_with_the_program() {
     let rows = Feature::ALL.map(|feature| {
         let name = named(feature);
         let cells = Way::ALL.map(|way| refusal(feature, way).unwrap_or("yes"));
@@ -67,7 +67,7 @@ fn the_table_of_methods_and_features_is_the_programs() {
 }
 
 #[test]
-fn examples_in_the_documents_are_the_examples() {
+fn examples_in_the_documents_equal_the_example_programs() {
     let (readme, rust) = (read("README.md"), read("docs/rust.md"));
     let example = read("crates/groundbeam/examples/footing.rs");
     let (_, code) = example.split_once("\n\n").expect("documentation, then code");
@@ -79,14 +79,14 @@ fn examples_in_the_documents_are_the_examples() {
 }
 
 #[test]
-fn the_readme_tests_with_the_command_that_is_run_before_a_merge() {
+fn the_readme_and_the_merge_script_run_the_same_test_command() {
     let command = "\ncargo test --workspace\n";
     assert!(read("README.md").contains(command) && read(".ci/run").contains(command));
 }
 
 /// Compares the picture with the output of `cargo run --example crossing`.
 #[test]
-fn the_moving_picture_is_made_here() {
+fn the_animated_picture_is_up_to_date() {
     let made = crossing::picture().expect("every position has an equilibrium");
     let path = repository().join("docs/pictures/crossing.svg");
     if std::env::var_os("UPDATE_EXPECTED").is_some() {
@@ -101,7 +101,7 @@ fn the_moving_picture_is_made_here() {
 
 /// Reads every model in the documents; an incomplete model is completed first.
 #[test]
-fn models_in_documents_are_models() {
+fn models_in_documents_are_valid() {
     let mut count = 0;
     for path in ["README.md", "docs/file-format.md"] {
         for block in blocks(&read(path), "toml") {
@@ -126,7 +126,7 @@ fn models_in_documents_are_models() {
 
 /// The names in the table of notation exist: types and fields in the library, keys in files and results.
 #[test]
-fn every_spelling_in_the_notation_exists() {
+fn every_name_in_the_notation_exists() {
     let text = |folder: &str| -> String {
         sources(folder).iter().map(|source| source.code().to_owned()).collect()
     };
@@ -170,7 +170,7 @@ fn every_spelling_in_the_notation_exists() {
 }
 
 #[test]
-fn the_documents_have_the_facts_of_every_field() {
+fn the_documents_describe_every_field() {
     let (notation, derivatives) = (read("docs/notation.md"), read("docs/derivatives.md"));
     for field in Field::ALL {
         let name = field.name();
@@ -186,7 +186,7 @@ fn the_documents_have_the_facts_of_every_field() {
 }
 
 #[test]
-fn links_between_documents_lead_somewhere() {
+fn links_between_documents_have_existing_targets() {
     let mut faults = Vec::new();
     let docs = std::fs::read_dir(repository().join("docs")).expect("docs");
     let docs =
@@ -228,7 +228,7 @@ fn named_tests(text: &str) -> Vec<&str> {
 
 /// A page of `docs/` that names a test file stands in the first lines of this file, and the other way round.
 #[test]
-fn claims_and_their_tests_name_each_other() {
+fn documents_and_the_tests_of_their_claims_name_each_other() {
     let mut claims = BTreeSet::new();
     for page in files(&repository().join("docs"), "md") {
         let page = format!("docs/{}", page.file_name().expect("a name").to_string_lossy());

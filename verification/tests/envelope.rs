@@ -59,7 +59,7 @@ fn size(envelope: &Envelope, field: Field) -> f64 {
 }
 
 #[test]
-fn nothing_lies_outside_and_every_bound_is_reached() {
+fn solutions_lie_within_the_envelope_and_reach_it() {
     for (family, solutions) in families() {
         let envelope = Envelope::of(&solutions);
         let length = solutions[0].model().beam.length;
@@ -97,7 +97,7 @@ fn nothing_lies_outside_and_every_bound_is_reached() {
 
 /// Between two changes one solution governs; sampling finds no further change.
 #[test]
-fn between_changes_one_solution_governs() {
+fn one_solution_governs_between_two_changes() {
     let mut count = 0;
     for (family, solutions) in families() {
         let envelope = Envelope::of(&solutions);
@@ -141,7 +141,7 @@ fn between_changes_one_solution_governs() {
 
 /// With all loads times 2ⁿ and without a gap, the same solutions govern at the same places.
 #[test]
-fn nothing_is_absolute() {
+fn scaling_the_loads_does_not_change_the_governing_solutions() {
     for number in 0..6 {
         let solutions = combinations(Family::Plain, number);
         let scaled: Vec<Solution> = solutions

@@ -6,7 +6,7 @@ use groundbeam_testing::expect;
 use groundbeam_verification::equations;
 
 #[test]
-fn every_equation_has_its_place() {
+fn every_equation_has_its_location_in_the_code() {
     let (table, missing) = equations::index();
     assert!(missing.is_empty(), "{}", missing.join("\n"));
     expect("docs/equations.md", "equations", &table);

@@ -160,7 +160,7 @@ fn equilibrium_is_lost_at_the_factor() {
 
 /// Without constant loads and without a gap the fields are proportional to the factor.
 #[test]
-fn weightless_beams_lift_off_at_once_or_never() {
+fn weightless_beams_lift_off_at_factor_zero_or_never() {
     let mut faults = Vec::new();
     for family in Family::ALL.into_iter().filter(|f| !matches!(f, Family::Gap | Family::Mixed)) {
         for number in 0..60 {
@@ -191,7 +191,7 @@ fn weightless_beams_lift_off_at_once_or_never() {
 /// The mirrored beam lifts off at the same factor, at the mirrored place. If the constant loads are multiplied by a
 /// power of two, the factors are multiplied by it, bit for bit.
 #[test]
-fn mirrored_and_scaled() {
+fn mirrored_and_scaled_models_have_the_same_load_factors() {
     let mut faults = Vec::new();
     for family in [Family::Plain, Family::Tension, Family::Segments, Family::Winkler] {
         for number in 0..200 {
@@ -231,7 +231,7 @@ fn mirrored_and_scaled() {
 /// end increases. The beam rotates about the bearing while the bearing carries force, and then as if there were no
 /// bearing. The force of the bearing and the pressure under the left end follow from two equations of equilibrium.
 #[test]
-fn a_bearing_is_left_before_the_ground_is() {
+fn a_beam_lifts_from_a_bearing_before_it_lifts_from_the_ground() {
     let (l, q, k, down) = (2.0, 3.0, 5.0, 0.4);
     // The bearing holds the left end at δ < q/k, so it carries a part of the weight.
     let model = Model::new(Beam::uniform(l, 1e9), Foundation::winkler(k))
@@ -263,7 +263,7 @@ fn a_bearing_is_left_before_the_ground_is() {
 /// A load on the ground beside a footing lowers the ground under its near end. With contact along the whole beam, the
 /// pressure is linear in this load. Solves on both sides confirm the factor at which this ends.
 #[test]
-fn a_neighbour_that_grows() {
+fn a_growing_load_on_the_ground_causes_lift_off_at_its_factor() {
     let model = Model::new(Beam::uniform(4.0, 40.0), Foundation::pasternak(2.0, 3.0))
         .with_load(Load::uniform_force(0.0, 4.0, 1.0))
         .with_load(Load::ground_force(-0.3, 1.0))

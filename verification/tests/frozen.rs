@@ -30,7 +30,7 @@ fn is_quick(one: &Frozen) -> bool {
 }
 
 #[test]
-fn answers_are_the_frozen_ones() {
+fn answers_agree_with_the_frozen_ones() {
     let same_bits = std::env::var_os("GROUNDBEAM_SAME_BITS").is_some();
     let quick: Vec<Frozen> = all_frozen().into_iter().filter(is_quick).collect();
     let differences = |one: &Frozen| match same_bits {
@@ -44,7 +44,7 @@ fn answers_are_the_frozen_ones() {
 }
 
 #[test]
-fn a_frozen_model_is_read_to_the_last_bit() {
+fn a_frozen_model_is_read_bit_for_bit() {
     for one in all_frozen() {
         let read = one.model().expect("a model");
         let again = Record::new(one.title(), &format::text(&read));
@@ -53,7 +53,7 @@ fn a_frozen_model_is_read_to_the_last_bit() {
 }
 
 #[test]
-fn a_drawn_model_is_read_as_it_was_written() {
+fn a_random_model_is_read_back_as_written() {
     let families = [
         Family::Segments,
         Family::Supported,
@@ -78,7 +78,7 @@ fn a_drawn_model_is_read_as_it_was_written() {
 }
 
 #[test]
-fn what_is_no_model_is_refused() {
+fn invalid_frozen_models_are_rejected() {
     for line in ["beam 1.0 1.0", "point_force 0.5", "spring 1.0 2.0", "support 0.5 glued 0.0 both"]
     {
         assert!(format::read(&Record::new("", line)).is_err(), "{line}");

@@ -53,7 +53,7 @@ fn hinged(rng: &mut ChaCha8Rng, elements: usize) -> Model {
 
 /// The paper's discrete problem with one additional slope at each hinge, over all sets of touching nodes.
 #[test]
-fn brute_force_over_all_contact_sets() {
+fn hinged_beams_agree_with_brute_force_over_all_contact_sets() {
     let mut rng = ChaCha8Rng::seed_from_u64(1866);
     for number in 0..200 {
         let elements = rng.random_range(3..8);
@@ -73,7 +73,7 @@ fn brute_force_over_all_contact_sets() {
 /// The ground has a concentrated force −μ\[w'\] where the beam bends over a hinge, and lifts off where it opens. A free
 /// hinge transmits no moment, an elastic one −k_φ\[w'\].
 #[test]
-fn what_stands_at_a_hinge() {
+fn forces_and_moments_at_a_hinge_satisfy_their_conditions() {
     let (mut pressed, mut parted) = (0, 0);
     for number in 0..400 {
         let model = model(Family::Hinged, number);
@@ -117,7 +117,7 @@ const UNLOADED: u64 = 78;
 
 /// With increasing stiffness the hinge becomes rigid, with decreasing stiffness free.
 #[test]
-fn between_free_and_closed() {
+fn an_elastic_hinge_lies_between_a_free_hinge_and_a_rigid_joint() {
     for number in 0..100 {
         let mut model = model(Family::Hinged, number);
         if model.beam.axial_force < 0.0 {
@@ -166,7 +166,7 @@ fn between_free_and_closed() {
 }
 
 #[test]
-fn seen_in_a_mirror() {
+fn mirrored_hinged_beams_have_mirrored_solutions() {
     for number in 0..100 {
         let model = model(Family::Hinged, number);
         let [here, there] = [model.clone(), model.mirrored()].map(|model| solved(&model));
@@ -182,7 +182,7 @@ fn seen_in_a_mirror() {
 }
 
 #[test]
-fn what_is_refused() {
+fn invalid_hinges_are_rejected() {
     let model = Model::new(Beam::uniform(4.0, 1.0), Foundation::pasternak(1.0, 1.0))
         .with_load(Load::point_force(1.0, 1.0))
         .with_load(Load::point_force(3.0, 1.0));
@@ -216,7 +216,7 @@ fn what_is_refused() {
 
 /// Positions closer than 16 ε l count as equal: a hinge there is at the end and has no beam on one side.
 #[test]
-fn a_hinge_that_rounding_moves_to_an_end_is_refused() {
+fn a_hinge_within_rounding_of_an_end_is_rejected() {
     let l = 1e16;
     for at in [3.0, 35.0, l - 4.0, l - 34.0] {
         let model = Model::new(Beam::uniform(l, 1.0), Foundation::winkler(4.0))

@@ -17,7 +17,7 @@ fn zones(solution: &Solution) -> Vec<[f64; 2]> {
 }
 
 #[test]
-fn a_zone_that_presses_with_rounding_error_is_left_out() {
+fn a_contact_zone_with_pressure_of_rounding_size_is_removed() {
     // A zone 0.65 l long reproduces itself in doubles. Its force is rounding error.
     let solution = solved(Family::Supported, 973);
     let zones = zones(&solution);
@@ -39,14 +39,14 @@ fn a_beam_on_one_corner_touches_at_a_point() {
 }
 
 #[test]
-fn a_mechanism_on_its_trial_contact_is_tethered() {
+fn a_mechanism_on_its_trial_contact_is_restrained() {
     for (family, number) in [(Family::Gap, 30), (Family::Hinged, 46), (Family::OneWay, 301)] {
         solved(family, number);
     }
 }
 
 #[test]
-fn edges_that_rounding_moves_are_accepted() {
+fn edges_that_move_by_rounding_errors_are_accepted() {
     solved(Family::Hard, 774);
 }
 
@@ -57,12 +57,12 @@ fn the_continuation_starts_from_a_stiff_beam_and_takes_small_steps() {
 }
 
 #[test]
-fn a_direction_without_a_fall_of_energy_is_scanned_again() {
+fn a_direction_without_decrease_of_energy_is_scanned_again() {
     assert_eq!(zones(&solved(Family::Shearing, 439)).len(), 4);
 }
 
 #[test]
-fn the_force_at_an_edge_of_a_beam_that_shears_includes_its_kink() {
+fn the_edge_force_of_a_beam_with_shear_deformation_includes_its_kink() {
     // Zones separated by short open spans on a shear layer hundreds of times stiffer in shear than the beam.
     for number in [229, 434, 439, 678] {
         let gap = solved(Family::Shearing, number).certificate().relative_gap();
@@ -71,7 +71,7 @@ fn the_force_at_an_edge_of_a_beam_that_shears_includes_its_kink() {
 }
 
 #[test]
-fn models_that_took_seconds_or_failed_are_solved() {
+fn formerly_slow_or_failing_models_are_solved() {
     for (family, number, count) in [
         (Family::Extreme, 19, None),
         (Family::Hard, 7371, Some(2)),

@@ -17,7 +17,7 @@ fn solution(model: &Model) -> Solution {
 
 /// A beam on Winkler ground held by a clamp at ground level has pressure up to the clamp: ψ = κx²/2 there.
 #[test]
-fn no_lift_off_of_rounding_error_beside_a_clamp_on_separate_springs() {
+fn rounding_errors_cause_no_lift_off_beside_a_clamp_on_winkler_ground() {
     let named = Model::new(Beam::uniform(1.0, 2.0), Foundation::pasternak(4.0, 0.0))
         .with_load(Load::point_force(0.25, 2.0))
         .with_load(Load::point_force(0.5, 2.0))
@@ -80,7 +80,7 @@ fn may_move(solution: &Solution) -> bool {
 
 /// The beam rotates about its end. The ground's surface decays there over √(μ/k), l/31.6.
 #[test]
-fn a_force_over_an_end_of_a_long_beam_on_a_shear_layer() {
+fn a_force_over_an_end_of_a_long_beam_on_a_shear_layer_is_solved() {
     for mu in [4.0, 0.4, 0.04, 0.004] {
         let on_left = beam(10.0, 1.0, 4.0, mu).with_load(Load::point_force(0.0, 1.0));
         for (model, end) in [(on_left.mirrored(), 10.0), (on_left, 0.0)] {
@@ -98,7 +98,7 @@ fn a_force_over_an_end_of_a_long_beam_on_a_shear_layer() {
 /// Closed form on Winkler ground: the contact length of a rigid beam is three times the distance of the resultant from
 /// the end.
 #[test]
-fn a_resultant_very_near_an_end_on_separate_springs() {
+fn a_resultant_near_an_end_on_winkler_ground_has_the_closed_form_contact_length() {
     for off in [1e-3, 1e-6, 1e-9] {
         let model = beam(1.0, 1.0, 4.0, 0.0).with_load(Load::point_force(off, 1.0));
         for (model, end) in [(model.clone(), 0.0), (model.mirrored(), 1.0)] {
@@ -113,7 +113,7 @@ fn a_resultant_very_near_an_end_on_separate_springs() {
 
 /// Unloaded parts beyond a free hinge rotate freely. The rest has the solution without these parts.
 #[test]
-fn unloaded_parts_beyond_free_hinges() {
+fn unloaded_parts_beyond_free_hinges_do_not_change_the_rest() {
     let force = Load::point_force;
     let hinged = |layer: f64| {
         [2.0, 4.0, 6.0]
@@ -149,7 +149,7 @@ fn unloaded_parts_beyond_free_hinges() {
 
 /// Closed form on endless ground: a force between two quiet stretches settles by F/(2 EI σπ), σ = (N/EI + 2π)^½, π = (k/EI)^½.
 #[test]
-fn a_beam_of_a_million_metres() {
+fn a_beam_of_a_million_metres_has_the_closed_form_settlement() {
     let l = 1e6;
     let model = beam(l, 1.0, 4.0, 1.0)
         .with_load(Load::uniform_force(0.0, l, 1.0))
@@ -164,7 +164,7 @@ fn a_beam_of_a_million_metres() {
 
 /// Nothing acts: the beam lies where it is.
 #[test]
-fn a_gap_without_load() {
+fn an_unloaded_beam_over_a_gap_does_not_move() {
     let model = beam(12.0, 1.2e9, 40e6, 0.0).with_gap(0.0, 0.002).with_gap(4.0, 0.0);
     let found = solution(&model);
     assert!(may_move(&found));
@@ -176,7 +176,7 @@ fn a_gap_without_load() {
 /// Zones with ends between corners of the clearance and a hinge, on a beam with shear deformation and a stiff
 /// layer.
 #[test]
-fn a_hinged_beam_that_shears_over_corners_of_the_clearance() {
+fn a_hinged_beam_with_shear_deformation_over_corners_of_the_clearance_is_solved() {
     let mut model = beam(0.71, 0.59, 240.0, 3700.0)
         .with_load(Load::point_moment(0.43, 0.1))
         .with_load(Load::uniform_force(0.0, 0.71, 1.5))
@@ -191,7 +191,7 @@ fn a_hinged_beam_that_shears_over_corners_of_the_clearance() {
 /// At the factor of the loss of equilibrium the resultant is over an end, and a beam on a shear layer has an
 /// equilibrium.
 #[test]
-fn the_factor_of_the_loss_of_equilibrium_itself() {
+fn equilibrium_exists_at_the_factor_of_its_loss() {
     let model = beam(10.0, 1.0, 4.0, 0.4)
         .with_load(Load::point_force(5.0, 1.0))
         .with_load(Load::point_moment(5.0, -1.0));

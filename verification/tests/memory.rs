@@ -71,7 +71,7 @@ fn solve_one() {
 }
 
 #[test]
-fn the_estimate_is_more_than_what_is_taken_and_not_much_more() {
+fn the_memory_estimate_is_slightly_above_the_memory_used() {
     for (name, model, options) in cases() {
         let this = std::env::current_exe().expect("a path");
         let arguments = ["--exact", "memory::solve_one", "--nocapture"];

@@ -32,7 +32,7 @@ fn green(distance: f64) -> f64 {
 
 /// The free-field settlement acts like a clearance of the same size.
 #[test]
-fn a_neighbour_is_an_initial_gap() {
+fn a_load_on_the_ground_acts_like_an_initial_gap() {
     for (at, force) in [(-0.5, 14.0), (-3.0, 60.0), (10.0, 25.0), (11.5, 200.0)] {
         let model = footing().with_load(Load::ground_force(at, force));
         let exact = solved(&model);
@@ -59,7 +59,7 @@ fn a_neighbour_is_an_initial_gap() {
 /// Betti: in full contact, the settlement of the ground at y under a force on the beam equals the deflection of the
 /// beam under the same force on the ground at y.
 #[test]
-fn works_are_mutual() {
+fn loads_on_beam_and_ground_satisfy_the_theorem_of_betti() {
     let layered = Foundation::pasternak(SPRING, SHEAR)
         .with_segment(-4.0, -1.0, 2.0, 7.0)
         .with_segment(3.0, 6.0, 5.0, 1.0)
@@ -84,7 +84,7 @@ fn works_are_mutual() {
 
 /// u outside the beam follows from Green's function and all pressures on the ground.
 #[test]
-fn the_surface_beside_the_beam_is_greens() {
+fn the_surface_outside_the_beam_follows_from_greens_function() {
     let model = footing()
         .with_load(Load::ground_force(-1.5, 20.0))
         .with_load(Load::ground_force(5.0, 8.0))
@@ -124,7 +124,7 @@ fn the_surface_beside_the_beam_is_greens() {
 
 /// Ground cut far away behaves like infinite ground; cut nearer it is softer, held nearer it is stiffer.
 #[test]
-fn less_ground_gives_more() {
+fn ground_cut_near_the_beam_is_softer() {
     let sunk = |end: fn(f64) -> GroundEnd, distance: f64| {
         let ground = Foundation::pasternak(SPRING, SHEAR);
         let ground = ground.with_ends(end(-distance), end(10.0 + distance));
@@ -145,7 +145,7 @@ fn less_ground_gives_more() {
 
 /// Winkler ground under a beam's end is not coupled to a shear layer outside it: the surface may jump there.
 #[test]
-fn a_layer_beside_springs_does_nothing() {
+fn a_shear_layer_beside_winkler_ground_has_no_effect() {
     let springs = Model::new(Beam::uniform(10.0, 10.0), Foundation::winkler(5.0))
         .with_load(Load::uniform_force(0.0, 10.0, 1.0))
         .with_load(Load::point_force(0.0, 1.0));

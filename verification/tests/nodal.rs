@@ -35,7 +35,7 @@ fn equilibrium(outcome: Outcome) -> Box<Solution> {
 
 /// The paper's results for ten elements at the left end, 0.29882 and 0.01341.
 #[test]
-fn the_papers_own_mesh() {
+fn ten_elements_give_the_deflections_of_the_paper() {
     for (moment, printed) in [(0.1, 0.29882), (0.49, 0.01341)] {
         let w = nodal(&kikuchi(moment), 10).deflection[0];
         assert!((w - printed).abs() < 5.1e-6, "{w}");
@@ -115,7 +115,7 @@ fn meshes_converge_to_the_exact_answer() {
 }
 
 #[test]
-fn random_beams_balance_press_and_lie_on_the_ground() {
+fn random_beams_satisfy_equilibrium_and_the_contact_conditions() {
     let families = [Family::Plain, Family::Tension, Family::Segments, Family::Gap, Family::Long];
     let mut solver = NodalSolver::new();
     let mut found = NodalSolution::default();
@@ -141,7 +141,7 @@ fn random_beams_balance_press_and_lie_on_the_ground() {
 
 /// With doubled loads all fields are doubled, bit for bit; reused memory does not change the result.
 #[test]
-fn bits_scale_and_repeat() {
+fn scaled_loads_and_reused_memory_give_the_same_bits() {
     let model = long_beam(0.0);
     let mut solver = NodalSolver::new();
     let (mut once, mut again) = (NodalSolution::default(), NodalSolution::default());
@@ -167,7 +167,7 @@ fn only_a_solution_has_a_check() {
 
 /// A start from the solution of a neighbouring model gives the same solution in fewer solves.
 #[test]
-fn a_neighbour_is_a_start() {
+fn a_start_from_a_neighbouring_model_needs_fewer_solves() {
     let mut solver = NodalSolver::new();
     let mut found = nodal(&long_beam(0.0), 3000);
     let mut heavier = long_beam(0.0);
@@ -185,7 +185,7 @@ fn a_neighbour_is_a_start() {
 /// Counts the work as a test of speed that needs no clock. A change that increases one of the numbers makes
 /// the solve of every long beam slower in proportion.
 #[test]
-fn the_work_on_a_long_beam() {
+fn the_work_on_a_long_beam_stays_within_its_limits() {
     for axial_force in [0.0, 0.5] {
         let model = long_beam(axial_force);
         for (elements, solves, fine, swept) in
@@ -200,7 +200,7 @@ fn the_work_on_a_long_beam() {
 
 /// The same for the exact method: few steps, and a number of pieces proportional to the parts of the model.
 #[test]
-fn the_work_of_the_exact_method() {
+fn the_work_of_the_exact_method_stays_within_its_limits() {
     let steps = |model: &Model| equilibrium(solve(model).expect("an answer")).iterations();
     assert_eq!(steps(&kikuchi(0.1)), 1, "a beam pressed everywhere is solved once");
     assert!(steps(&kikuchi(0.49)) <= 9);

@@ -29,7 +29,7 @@ fn largest(solution: &Solution) -> f64 {
 /// Tries every set of active supports, as two-way supports. The set that satisfies all sign conditions has the same
 /// deflection as the solution; every other set violates one.
 #[test]
-fn brute_force_over_all_that_may_act() {
+fn one_way_supports_agree_with_brute_force_over_all_active_sets() {
     let (mut states, mut lifted) = (0, 0);
     for number in 0..150 {
         let model = model(Family::OneWay, number);
@@ -81,7 +81,7 @@ fn brute_force_over_all_that_may_act() {
 
 /// Checks the conditions themselves, for both methods.
 #[test]
-fn reactions_and_clearances_have_their_signs() {
+fn reactions_and_clearances_satisfy_the_sign_conditions() {
     for number in 0..300 {
         let model = model(Family::OneWay, number);
         for method in [Method::Exact, Method::ActiveSet] {
@@ -113,7 +113,7 @@ fn reactions_and_clearances_have_their_signs() {
 /// A stiff beam on two bearings, off the ground, under a force beyond one of them: it needs a hold-down at the other,
 /// where a bearing loses contact.
 #[test]
-fn a_bearing_is_left_and_a_strap_holds() {
+fn a_hold_down_prevents_tipping_where_a_bearing_loses_contact() {
     let beam = |first: Acts| {
         Model::new(Beam::uniform(6.0, 10.0), Foundation::winkler(1.0))
             .with_gap(0.0, 1e6)
@@ -136,7 +136,7 @@ fn a_bearing_is_left_and_a_strap_holds() {
 
 /// An inactive bearing does not change the solution, bit for bit.
 #[test]
-fn a_bearing_that_is_left_does_nothing() {
+fn an_inactive_bearing_does_not_change_the_solution() {
     let free = Model::new(Beam::uniform(1.0, 1.0), Foundation::pasternak(1.0, 1.0))
         .with_load(Load::point_force(0.5, 1.0))
         .with_load(Load::point_moment(0.5, 0.49))
@@ -156,7 +156,7 @@ fn a_bearing_that_is_left_does_nothing() {
 
 /// A bearing does not prevent lifting; a hold-down prevents it like a pin.
 #[test]
-fn existence() {
+fn a_hold_down_prevents_lifting_and_a_bearing_does_not() {
     let tips = Model::new(Beam::uniform(4.0, 1.0), Foundation::pasternak(1.0, 1.0))
         .with_load(Load::point_force(2.0, 1.0))
         .with_load(Load::point_moment(2.0, 2.8));
@@ -175,7 +175,7 @@ fn existence() {
 }
 
 #[test]
-fn what_is_refused() {
+fn a_one_way_clamp_is_rejected() {
     let model = Model::new(Beam::uniform(4.0, 1.0), Foundation::pasternak(1.0, 1.0))
         .with_load(Load::point_force(2.0, 1.0));
     let fixed = model.with_support(Support::fixed(0.0).acting(Acts::Up));

@@ -128,7 +128,7 @@ fn solutions_of_all_case_files_are_proven_but_for_the_listed_exceptions() {
 
 /// The proof in numbers of fewer digits has a larger bound.
 #[test]
-fn more_digits_prove_more() {
+fn more_digits_give_smaller_proven_bounds() {
     for (path, solution) in solutions().iter().filter(|(path, _)| path.starts_with("kikuchi")) {
         let (model, answer) = solution.claim::<Ball>();
         let ball = prove(&model, &answer).expect("proven");
@@ -157,7 +157,7 @@ fn errors(answer: &Answer, solution: &Solution, proof: &Proof) -> Vec<(&'static 
 
 /// The answers in 60 digits lie within every bound, and nearly all solutions are proven.
 #[test]
-fn the_truth_lies_within_every_bound() {
+fn the_answers_in_sixty_digits_lie_within_every_bound() {
     let judged: Vec<_> = Answer::all()
         .into_par_iter()
         .filter_map(|answer| {
@@ -224,7 +224,7 @@ fn outside(answer: &Answer, contact: &ContactSet, length: f64) -> Vec<String> {
 
 /// The edges and forces of the answers in 60 digits lie within their intervals, and nearly all contact sets are shown.
 #[test]
-fn the_exact_contact_set_is_the_one_that_is_shown() {
+fn the_answers_in_sixty_digits_have_the_proven_contact_set() {
     let judged: Vec<(String, Result<Vec<String>, String>)> = Answer::all()
         .into_par_iter()
         .filter_map(|answer| {

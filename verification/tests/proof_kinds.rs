@@ -166,7 +166,7 @@ fn judge(family: &str, solutions: &[(String, Solution)]) -> Judged {
 }
 
 #[test]
-fn supports_that_act_in_one_direction() {
+fn beams_on_one_way_supports_are_proven() {
     let found = judge("OneWay", &solutions("OneWay"));
     assert!(found.gaps.len() >= 195 && found.claims >= 800, "{}", found.claims);
     assert!(found.gaps.last().is_some_and(|gap| *gap < 1e-18));
@@ -174,7 +174,7 @@ fn supports_that_act_in_one_direction() {
 }
 
 #[test]
-fn beams_that_shear() {
+fn beams_with_shear_deformation_are_proven() {
     let found = judge("Shearing", &solutions("Shearing"));
     assert!(found.gaps.len() >= 133 && found.shown >= 130, "{} {}", found.gaps.len(), found.shown);
     assert!(found.proven >= 127 && found.claims >= 600, "{} {}", found.proven, found.claims);
@@ -204,7 +204,7 @@ fn sheared(family: &str) -> Vec<(String, Solution)> {
 }
 
 #[test]
-fn shear_stiffness_that_varies() {
+fn beams_of_varying_shear_stiffness_are_proven() {
     let found = judge("sheared", &sheared("Varying"));
     assert!(found.refused.is_empty(), "{:?}", found.refused);
     assert!(found.gaps.len() >= 201 && found.shown >= 177, "{}", found.shown);
@@ -213,7 +213,7 @@ fn shear_stiffness_that_varies() {
 }
 
 #[test]
-fn data_that_vary_within_segments() {
+fn models_that_vary_within_segments_are_proven() {
     let found = judge("Varying", &solutions("Varying"));
     for why in &found.refused {
         assert!(why.contains("no critical load above"), "{why}");
@@ -227,7 +227,7 @@ fn data_that_vary_within_segments() {
 
 /// Frozen models with loads on the ground, unchanged and on Winkler ground.
 #[test]
-fn loads_on_the_ground() {
+fn models_with_loads_on_the_ground_are_proven() {
     let mut all: Vec<_> = ["Beside", "Neighbours"].into_iter().flat_map(solutions).collect();
     let given: Vec<(String, Model)> =
         all.iter().map(|(name, solution)| (name.clone(), solution.model().clone())).collect();
@@ -254,7 +254,7 @@ fn loads_on_the_ground() {
 
 /// Frozen models under a compression. Without a proven critical load, the reason is returned.
 #[test]
-fn beams_under_compression() {
+fn beams_under_compression_are_proven_or_the_reason_is_returned() {
     let families = ["Supported", "Settled", "OneWay", "Shearing", "Hinged"];
     let solutions: Vec<_> = families.into_iter().flat_map(compressed).collect();
     let found = judge("compression", &solutions);
@@ -302,7 +302,7 @@ fn a_support_within_rounding_of_acting_is_named_and_all_bounds_hold() {
 
 /// Beams that touch one end or one corner of the ground only: without the tension, the contact force has no lever arm.
 #[test]
-fn beams_that_tension_balances() {
+fn beams_balanced_by_tension_are_proven() {
     let solved = (0..120_u64).into_par_iter().filter_map(|number| match solve(&carried(number)) {
         Ok(Outcome::Equilibrium(solution)) => Some((format!("carried {number}"), *solution)),
         _ => None,
@@ -317,7 +317,7 @@ fn beams_that_tension_balances() {
 
 /// Hinges of both kinds, rotational springs, clamps on the ground, and tension.
 #[test]
-fn beams_on_springs_and_hinges_and_under_tension() {
+fn beams_with_springs_hinges_and_tension_are_proven() {
     let families = ["Hinged", "Supported", "Settled", "Mixed", "Tension"];
     let solutions: Vec<_> = families.into_iter().flat_map(solutions).collect();
     let found = judge("held", &solutions);
@@ -332,7 +332,7 @@ fn beams_on_springs_and_hinges_and_under_tension() {
 
 /// Models that are each proven by one particular rule.
 #[test]
-fn each_of_these_models_needs_a_rule_of_its_own() {
+fn models_that_need_a_particular_rule_are_proven() {
     for (title, rule) in [
         ("Hinged 9", "parts joined by an elastic hinge are bounded together"),
         ("OneWay 85", "a spring against rotation bounds the slope"),
@@ -358,7 +358,7 @@ fn each_of_these_models_needs_a_rule_of_its_own() {
 /// The answer to a model without its active supports, claimed for the model with these as inactive: nothing is proven,
 /// or bounds that hold.
 #[test]
-fn a_beam_that_passes_a_support_is_not_proven() {
+fn a_beam_that_penetrates_a_support_is_not_proven() {
     let (mut judged, mut bounded, mut most) = (0, 0, 0.0_f64);
     for (name, truth) in solutions("OneWay") {
         let acts =

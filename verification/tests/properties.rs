@@ -20,7 +20,7 @@ fn report(faults: &[String]) {
 
 /// No failure, and no result without a certificate.
 #[test]
-fn exact_is_certified() {
+fn exact_solutions_are_certified() {
     let mut faults = Vec::new();
     for family in Family::ALL.into_iter().chain([Family::Shearing, Family::Extreme]) {
         let numbers = match family {
@@ -50,7 +50,7 @@ fn exact_is_certified() {
 
 /// For any number of elements, the solution is within the bound of its own certificate from the exact one.
 #[test]
-fn active_set_stays_within_its_certificate() {
+fn active_set_solutions_stay_within_their_certificate() {
     let mut faults = Vec::new();
     for family in Family::ALL.into_iter().chain([Family::Shearing]) {
         let count = match family {
@@ -158,7 +158,7 @@ fn scaling_by_a_power_of_two_is_bit_identical() {
 
 /// The mirrored model has the mirrored answer.
 #[test]
-fn mirror_images_mirror() {
+fn mirrored_models_have_mirrored_solutions() {
     let mut faults = Vec::new();
     for family in [
         Family::Plain,
@@ -237,7 +237,7 @@ fn mirror_images_mirror() {
 /// For μ → 0 the solution tends to that on Winkler ground. Number 27 is a beam about to lift off in its middle: with μ
 /// = 10⁻⁶√(k EI) the exact method finds no edges there and fails, a known gap.
 #[test]
-fn a_vanishing_shear_layer_is_winklers_ground() {
+fn a_vanishing_shear_layer_gives_winkler_ground() {
     for number in (0..50).filter(|number| *number != 27) {
         let winkler = model(Family::Winkler, number);
         let at = winkler.beam.length * 0.3;

@@ -25,7 +25,7 @@ const KNOWN: [(&str, f64, bool); 5] = [
 const UNDECIDED: [&str; 1] = ["hard-006"];
 
 #[test]
-fn exact_agrees_with_sixty_digits() {
+fn exact_solutions_agree_with_the_answers_in_sixty_digits() {
     let mut faults = Vec::new();
     let (mut count, mut worst, mut worst_gap) = (0, 0.0_f64, 0.0_f64);
     for answer in Answer::all() {

@@ -56,7 +56,7 @@ fn compare(name: &str, text: &str, document: &Document) -> Result<(usize, f64), 
 }
 
 #[test]
-fn every_model_file_is_read_alike_or_refused() {
+fn both_readers_agree_on_every_model_file_but_the_listed_ones() {
     let mut refused = Vec::new();
     let (mut read, mut numbers, mut largest) = (0, 0, (0.0, String::new()));
     for (name, path) in files() {
@@ -125,7 +125,7 @@ fn answers_are_proven_for_the_decimals_of_the_file() {
 
 /// The blocks of the documents, after their completion for the first reader.
 #[test]
-fn the_blocks_of_the_documents_are_read_alike() {
+fn both_readers_agree_on_the_models_in_the_documents() {
     let mut read = 0;
     for entry in std::fs::read_dir(repository().join("docs")).into_iter().flatten().flatten() {
         if entry.path().extension().is_none_or(|extension| extension != "md") {
@@ -154,7 +154,7 @@ fn the_blocks_of_the_documents_are_read_alike() {
 
 /// Fillets of an I, constant and along a haunch; permanent cases of one source, which only EQU takes apart.
 #[test]
-fn fillets_and_sources_are_read_alike() {
+fn both_readers_agree_on_fillets_and_sources() {
     let section = "section = { shape = 'I', width = '0.3 m', height = ['0.6 m', '0.5 m'], flange = '30 mm', web = '20 mm', \
                    fillet = '27 mm' }";
     let case = |name: &str, more: &str| {
@@ -178,7 +178,7 @@ fn fillets_and_sources_are_read_alike() {
 
 /// Models with random numbers, as the product writes them.
 #[test]
-fn random_models_are_read_alike() {
+fn both_readers_agree_on_random_models() {
     let mut read = 0;
     for number in 0..2000 {
         let first = model(number);
@@ -197,7 +197,7 @@ fn random_models_are_read_alike() {
 
 /// Files with random changes: if both readers accept a file, they give the same model.
 #[test]
-fn changed_files_are_read_alike() {
+fn both_readers_agree_on_changed_files() {
     let texts = texts();
     let mut alike = 0;
     let mut faults = Vec::new();

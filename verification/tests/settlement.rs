@@ -26,7 +26,7 @@ fn close(a: f64, b: f64, tolerance: f64) {
 
 /// Two spans over a middle support that has settled by δ, far above the ground: M = 3 EI δ/L² over it.
 #[test]
-fn the_middle_support_of_two_spans() {
+fn a_settled_middle_support_causes_the_closed_form_moment() {
     let (span, ei, delta) = (3.0, 2.0, 0.01);
     for method in METHODS {
         let model = Model::new(Beam::uniform(2.0 * span, ei), Foundation::pasternak(1.0, 0.5))
@@ -53,7 +53,7 @@ fn the_middle_support_of_two_spans() {
 /// A long weightless beam that a support presses into Winkler ground by δ: w = δ e^(−λx) (cos λx + sin λx) in contact,
 /// with a support force of about 8 EI λ³ δ. Clamped at the end of a half beam, w = δ, w′ = 0, it is the same curve.
 #[test]
-fn a_support_presses_a_beam_into_the_ground() {
+fn a_settled_support_presses_a_beam_into_the_ground_with_the_closed_form_force() {
     let (l, k, lambda, delta) = (30.0, 4.0, 1.0_f64, 0.01);
     let ei = k / (4.0 * lambda.powi(4));
     let weight = 0.1;
@@ -80,7 +80,7 @@ fn a_support_presses_a_beam_into_the_ground() {
 
 /// A settled spring equals an unsettled spring with an additional force k δ down.
 #[test]
-fn a_settled_spring_is_a_spring_and_a_force() {
+fn a_settled_spring_equals_a_spring_and_a_force() {
     let (spring, delta) = (3.0, 0.2);
     let plain = Model::new(Beam::uniform(5.0, 1.0), Foundation::pasternak(1.0, 0.4))
         .with_load(Load::uniform_force(0.0, 5.0, 0.3));
@@ -103,7 +103,7 @@ fn a_settled_spring_is_a_spring_and_a_force() {
 
 /// Nodal pressures: the active set and both iterations of the paper on the same mesh.
 #[test]
-fn all_methods_on_one_mesh() {
+fn all_methods_agree_on_settled_supports_on_one_mesh() {
     let base = Model::new(Beam::uniform(4.0, 2.0), Foundation::pasternak(1.0, 0.8))
         .with_load(Load::uniform_force(0.0, 4.0, 0.2))
         .with_load(Load::uniform_curvature(0.0, 3.0, -0.05));

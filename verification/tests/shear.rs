@@ -28,7 +28,7 @@ fn largest(solution: &Solution, field: Field) -> f64 {
 /// Compares with elements with linear w and φ, one integration point each, nodal springs and contact by trial; they
 /// share only the model with the solver. The limit of two meshes is compared, with a tolerance for the contact.
 #[test]
-fn linear_elements_go_to_the_same_answer() {
+fn linear_elements_converge_to_the_same_solution() {
     let mut rng = ChaCha8Rng::seed_from_u64(1921);
     let mut touching = 0;
     for number in 0..120 {
@@ -95,7 +95,7 @@ fn sheared(rng: &mut ChaCha8Rng) -> Model {
 /// With increasing shear stiffness S the solution approaches the solution without shear deformation. The
 /// error is proportional to 1/S.
 #[test]
-fn without_shear_it_only_bends() {
+fn large_shear_stiffness_approaches_the_solution_of_bending() {
     for number in 0..60 {
         let plain = model(Family::Plain, number);
         let reference = solved(&plain);
@@ -120,7 +120,7 @@ fn without_shear_it_only_bends() {
 
 /// Betti's theorem for two loads on bonded beams.
 #[test]
-fn work_is_exchanged() {
+fn two_loads_on_a_bonded_beam_satisfy_the_theorem_of_betti() {
     let bed = Load::uniform_force(0.0, 3.0, 1.0);
     let beam = Beam::uniform(3.0, 0.4).with_shear_stiffness(2.0).with_shearing_segment(
         0.0,
@@ -147,7 +147,7 @@ fn work_is_exchanged() {
 
 /// Engesser: P = P_E/(1 + P_E/S) for columns whose shear force comes from the axial force only.
 #[test]
-fn engessers_columns() {
+fn columns_buckle_at_the_load_of_engesser() {
     let (l, ei): (f64, f64) = (2.0, 3.0);
     for shear in [0.01, 1.0, 30.0, 1e6] {
         let beam = Beam::uniform(l, ei).with_shear_stiffness(shear);
@@ -174,7 +174,7 @@ fn engessers_columns() {
 /// A force causes a kink, with a concentrated contact force μF/(S + P + μ); at a pin that pushes up the kink opens and
 /// the beam lifts off.
 #[test]
-fn what_stands_at_a_kink() {
+fn a_kink_has_a_concentrated_contact_force_or_opens() {
     let (s, p, mu, force) = (3.0, 0.5, 0.8, 0.7);
     let beam = Beam::uniform(4.0, 1.0).with_shear_stiffness(s).with_axial_force(p);
     let base = Model::new(beam, Foundation::pasternak(1.0, mu))
@@ -193,7 +193,7 @@ fn what_stands_at_a_kink() {
 
 /// The bonded beam gives the first lift-off; methods with a mesh refuse the model.
 #[test]
-fn load_factors_and_other_methods() {
+fn beams_with_shear_have_load_factors_and_are_rejected_by_psor_and_uzawa() {
     let beam = Beam::uniform(4.0, 1.0).with_shear_stiffness(2.0);
     let base = Model::new(beam, Foundation::pasternak(1.0, 0.3))
         .with_load(Load::uniform_force(0.0, 4.0, 1.0));
@@ -219,7 +219,7 @@ fn load_factors_and_other_methods() {
 
 /// An elastic hinge equals a short soft stretch of the beam without shear deformation.
 #[test]
-fn a_hinge_turns_the_sections() {
+fn an_elastic_hinge_equals_a_short_soft_stretch() {
     let beam = Beam::uniform(3.0, 1.0).with_shear_stiffness(1.5);
     let model = Model::new(beam, Foundation::winkler(1e-13))
         .with_support(Support::fixed(0.0))

@@ -18,7 +18,7 @@ fn seconds(runs: usize, mut job: impl FnMut()) -> f64 {
 
 /// Ten times as many parts take 10 times as long if the time is proportional, 100 times if all pairs are compared.
 #[test]
-fn reading_is_in_proportion() {
+fn the_time_to_read_is_proportional_to_the_size() {
     for kind in KINDS {
         let [few, many] = [(3_000, 5), (30_000, 2)].map(|(count, runs)| {
             let text = write_toml(&model(kind, count), None, UnitSystem::Si);
@@ -31,7 +31,7 @@ fn reading_is_in_proportion() {
 /// Sixteen times as many parts take 16 times as long if the time is proportional, up to three times that beyond the
 /// processor's caches, and 256 times if all pairs are compared.
 #[test]
-fn checks_and_cells_are_in_proportion() {
+fn the_time_of_checks_and_cells_is_proportional_to_the_size() {
     for kind in KINDS {
         let [few, many] = [20_000, 320_000].map(|count| {
             let model = model(kind, count);

@@ -46,7 +46,7 @@ fn answers(model: &Model, train: &Train, range: [f64; 2]) -> Answers {
 /// under a wheel F on an infinite rail M = F/(4β), w = Fβ/(2k) and V = ±F/2; at a quarter wave, βx = π/2, M = −e^(−π/2)
 /// F/(4β).
 #[test]
-fn a_wheel_on_a_long_rail_that_its_weight_holds_down() {
+fn a_wheel_on_a_long_rail_agrees_with_zimmermann_and_hetenyi() {
     let (force, weight) = (100e3, 40e3);
     let answers = answers(&rail(20.0, weight), &single(force), [0.0, 20.0]);
     let passage = answers.passages().all[0];
@@ -71,7 +71,7 @@ fn a_wheel_on_a_long_rail_that_its_weight_holds_down() {
 /// The same closed form with the weight q: the rail first lifts off at βx = π on both sides of the wheel, under F = 2 q
 /// e^π/β.
 #[test]
-fn a_rail_lifts_ahead_of_the_wheel_and_behind_it() {
+fn a_rail_lifts_off_on_both_sides_of_the_wheel_at_the_closed_form_force() {
     let weight = 3e3;
     let limit = 2.0 * weight * PI.exp() / beta();
     let uplift = |force: f64| {
@@ -91,7 +91,7 @@ fn a_rail_lifts_ahead_of_the_wheel_and_behind_it() {
 /// Compares the longest free span and the largest clearance with separate solves of each position, evaluated point by
 /// point.
 #[test]
-fn free_spans_are_those_of_the_positions() {
+fn free_spans_agree_with_separate_solves_of_each_position() {
     let (model, train) = (rail(30.0, 3e3), single(250e3));
     let answers = answers(&model, &train, [0.0, 30.0]);
     let passage = answers.passages().all[0];
@@ -128,7 +128,7 @@ fn free_spans_are_those_of_the_positions() {
 /// A downward wheel and an upward one 9 m behind it: a slab tips about its right end where the moments about it vanish,
 /// q l²/2 + F (l − s) = ¾F (l − s + 9).
 #[test]
-fn a_slab_tips_where_the_statics_say() {
+fn a_slab_tips_at_the_position_given_by_statics() {
     let (l, q, force) = (10.0, 2.65e3, 20e3);
     let slab = Model::new(Beam::uniform(l, 1e9), Foundation::pasternak(40e6, 4e6))
         .with_load(Load::uniform_force(0.0, l, q));
@@ -166,7 +166,7 @@ fn suited(model: &Model) -> Train {
 
 /// The solutions at twenty times as many positions lie within the envelope.
 #[test]
-fn brute_force_stays_within_the_envelope() {
+fn solutions_at_more_positions_lie_within_the_envelope() {
     let mut faults = Vec::new();
     for (name, model) in random() {
         let (train, l) = (single(suited(&model).axles[0].force), model.beam.length);
@@ -209,7 +209,7 @@ fn brute_force_stays_within_the_envelope() {
 
 /// A train from the other side gives the mirrored results.
 #[test]
-fn a_mirror_changes_nothing() {
+fn a_train_from_the_other_side_gives_mirrored_results() {
     for (name, model) in random() {
         let (train, l) = (suited(&model), model.beam.length);
         let [from, to] = [0.2 * l, 0.8 * l];

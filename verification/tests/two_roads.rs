@@ -77,7 +77,7 @@ fn distance(a: &[f64], b: &[f64]) -> f64 {
 }
 
 #[test]
-fn brute_force_over_all_contact_sets() {
+fn the_active_set_agrees_with_brute_force_over_all_contact_sets() {
     let mut rng = ChaCha8Rng::seed_from_u64(1980);
     for number in 0..400 {
         let elements = rng.random_range(2..9);
@@ -90,7 +90,7 @@ fn brute_force_over_all_contact_sets() {
 }
 
 #[test]
-fn the_papers_iteration() {
+fn the_active_set_agrees_with_the_iteration_of_the_paper() {
     let mut rng = ChaCha8Rng::seed_from_u64(517);
     for number in 0..200 {
         let elements = rng.random_range(2..12);
@@ -110,7 +110,7 @@ fn the_papers_iteration() {
 }
 
 #[test]
-fn an_interior_point_solver() {
+fn the_active_set_agrees_with_an_interior_point_solver() {
     let mut rng = ChaCha8Rng::seed_from_u64(11);
     let mut compared = 0;
     for number in 0..100 {

@@ -64,7 +64,7 @@ fn fields(solution: &Solution, x: f64) -> [f64; 3] {
 }
 
 #[test]
-fn equal_ends_are_a_constant_bit_for_bit() {
+fn equal_end_values_give_the_bits_of_a_constant() {
     let uniform = loaded(
         beam().with_segment(0.0, 4.0, 0.7),
         Foundation::winkler(1.0).with_segment(0.0, 4.0, 2.0, 0.5),
@@ -96,7 +96,7 @@ fn staircase_error(wanted: &Solution, n: usize, shear: Profile) -> [f64; 2] {
 
 /// On Winkler ground; outside the beam the ground of a shear layer continues as the first and the last step.
 #[test]
-fn a_staircase_comes_closer_as_the_square_of_its_steps() {
+fn stepped_stiffness_converges_quadratically() {
     let even = Profile::constant(0.0);
     let wanted = exact(&smooth(even));
     assert!(wanted.certificate().relative_gap() < 1e-22);
@@ -114,7 +114,7 @@ fn a_staircase_comes_closer_as_the_square_of_its_steps() {
 /// Where μ decreases in steps and w' < 0 each step would need a tensile force −[μ]w'. So the beam lifts off beside
 /// every step, and the stepped model converges only linearly.
 #[test]
-fn a_staircase_of_the_shear_layer_comes_closer_as_its_steps() {
+fn a_stepped_shear_layer_converges_linearly() {
     let wanted = exact(&smooth(shear()));
     let errors: Vec<f64> =
         [64, 128, 256, 512].into_iter().map(|n| staircase_error(&wanted, n, shear())[0]).collect();
@@ -127,7 +127,7 @@ fn a_staircase_of_the_shear_layer_comes_closer_as_its_steps() {
 }
 
 #[test]
-fn a_segment_cut_in_two_is_the_same_segment() {
+fn cutting_a_segment_does_not_change_the_solution() {
     let whole = exact(&smooth(shear()));
     let (a, b) = (0.375, 0.8);
     let (mut beam, mut ground) = (beam(), Foundation::winkler(1.0));
@@ -148,7 +148,7 @@ fn a_segment_cut_in_two_is_the_same_segment() {
 }
 
 #[test]
-fn the_mesh_comes_closer_and_keeps_its_own_bounds() {
+fn the_mesh_converges_within_its_own_bounds() {
     let wanted = exact(&smooth(shear()));
     let mut gaps = Vec::new();
     for elements in [10, 20, 40, 80] {
@@ -183,7 +183,7 @@ fn the_mesh_comes_closer_and_keeps_its_own_bounds() {
 /// solved by √x sin(β ln x) with β² = P b²/EI₀ − ¼, so that pins at x = b and x = 2b buckle at β ln 2 = π
 /// (Timoshenko and Gere, Theory of Elastic Stability, bars with variable cross section).
 #[test]
-fn a_tapered_column_buckles_where_it_must() {
+fn a_tapered_column_buckles_at_its_closed_form_load() {
     let depth = Profile::linear(1.0, 2.0);
     let inertia = depth.times(&depth).expect("a square");
     let column = Beam::uniform(1.0, 1.0).with_varying_segment(0.0, 1.0, inertia);
@@ -197,7 +197,7 @@ fn a_tapered_column_buckles_where_it_must() {
 }
 
 #[test]
-fn the_fields_are_each_others_derivatives() {
+fn fields_satisfy_their_differential_relations() {
     let solution = exact(&smooth(shear()));
     let h = 1e-5;
     for i in 1..20 {
@@ -222,7 +222,7 @@ fn the_fields_are_each_others_derivatives() {
 }
 
 #[test]
-fn answers_at_nodes_alone_are_refused() {
+fn the_nodal_solver_rejects_varying_stiffness() {
     let refused =
         NodalSolver::new().solve_into(&smooth(shear()), 100, &mut NodalSolution::default());
     let Err(Error::Unsupported(problem)) = refused else { panic!("{refused:?}") };
