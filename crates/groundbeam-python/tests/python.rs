@@ -24,7 +24,7 @@ const NEEDS: [&str; 10] = [
 ];
 
 #[test]
-fn the_package_does_what_its_tests_say() {
+fn the_tests_of_the_python_package_pass() {
     let python = environment(&workplace(), &NEEDS);
     let Some(python) = tools_or_skip(python, "python", "the Python package") else { return };
     install(&python);

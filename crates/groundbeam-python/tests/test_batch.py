@@ -46,7 +46,7 @@ def one_by_one(parameters: dict[str, Array], number: int) -> gb.Model:
     )
 
 
-def test_the_same_bits_as_one_by_one(footing: gb.Model) -> None:
+def test_a_batch_has_the_same_bits_as_single_solves(footing: gb.Model) -> None:
     parameters = grounds(200)
     x = np.linspace(0.0, 12.0, 7)
     batch = gb.solve_many(
@@ -68,7 +68,7 @@ def test_the_same_bits_as_one_by_one(footing: gb.Model) -> None:
     assert (batch.lifted_share > 0.0).any() and (batch.lifted_share == 0.0).any()
 
 
-def test_gradients_agree_with_one_by_one(footing: gb.Model) -> None:
+def test_gradients_of_a_batch_agree_with_single_gradients(footing: gb.Model) -> None:
     parameters = grounds(40)
     by = ["k", "mu_factor", "load[0].at"]
     outputs = ["largest moment", "settlement", "edge[0].right", "edge[1].left"]
@@ -110,7 +110,7 @@ def test_wrong_gradients_are_refused(footing: gb.Model) -> None:
         gb.solve_many(footing, gradients="largest moment", with_respect_to=["k"], method="active-set")
 
 
-def test_the_same_bits_on_any_number_of_threads(footing: gb.Model) -> None:
+def test_any_number_of_threads_gives_the_same_bits(footing: gb.Model) -> None:
     parameters = grounds(300)
     batches = [
         gb.solve_many(footing, parameters, at=[0, 3, 6], extremes=["gap"], threads=threads)
@@ -123,7 +123,7 @@ def test_the_same_bits_on_any_number_of_threads(footing: gb.Model) -> None:
         assert other.end_forces.tobytes() == batches[0].end_forces.tobytes()
 
 
-def test_a_list_of_models(footing: gb.Model) -> None:
+def test_a_list_of_models_is_solved(footing: gb.Model) -> None:
     models = [footing, footing.with_load(gb.Load.point(5e5, 11)), footing]
     batch = gb.solve_many(models, at=["1 m", 2.0])
     for number, model in enumerate(models):
@@ -133,7 +133,7 @@ def test_a_list_of_models(footing: gb.Model) -> None:
     assert gb.solve_many([]).count == 0
 
 
-def test_failures_are_data(footing: gb.Model) -> None:
+def test_failures_are_reported_as_a_status_of_each_row(footing: gb.Model) -> None:
     force = [900e3, -5e6, 900e3, np.nan]
     k = [40e6, 40e6, -1.0, 40e6]
     batch = gb.solve_many(footing, {"load[0]": force, "k": k}, at=[0.0, 6.0])
@@ -151,7 +151,7 @@ def test_failures_are_data(footing: gb.Model) -> None:
     assert table["status"].tolist() == batch.status.tolist() and len(table) == 4
 
 
-def test_fields_along_the_beam() -> None:
+def test_parameters_can_vary_along_the_beam() -> None:
     bare = gb.Model(gb.Beam(10.0, 1e8), gb.Foundation(1e7, 1e6), loads=[gb.Load.point(1e5, 3.0)])
     k = np.array([[1e7, 2e7, 3e7], [3e7, 1e7, 1e7]])
     mu = np.array([[1e6, 2e6, 1e6]])
@@ -190,7 +190,7 @@ def solved(parameters: Parameters) -> Array:
     return gb.solve_many(model, parameters, at=X)["deflection"]
 
 
-def test_control_values_are_those_of_a_model() -> None:
+def test_control_values_have_the_meaning_that_they_have_in_a_model() -> None:
     rows = np.array([[40e6, 8e6, 40e6], [40e6, 10e6, 20e6]])
     found = solved({"k": gb.ControlValues(rows)})
     stiff = np.array([[1e8, 3e8, 2e8, 1e8], [2e8, 1e8, 2e8, 4e8]])
@@ -215,7 +215,7 @@ def test_two_values_mean_the_same_with_and_without_a_shape() -> None:
     np.testing.assert_array_equal(bare[1], model.solve().deflection(X))
 
 
-def test_one_curve_of_k_with_another_shape_of_mu() -> None:
+def test_k_and_mu_can_vary_along_the_beam_in_different_ways() -> None:
     k, mu = [40e6, 8e6, 40e6], [1e6, 2e6]
     found = solved({"k": gb.ControlValues(k), "mu": np.array([mu])})
     model = gb.Model(gb.Beam(10.0, 1e8), gb.Foundation(k, mu), loads=LOADS)
@@ -238,7 +238,7 @@ def test_steps_are_segments() -> None:
     np.testing.assert_array_equal(solved({"k": gb.Steps(k)})[0], model.solve().deflection(X))
 
 
-def test_factors_multiply_what_the_model_has() -> None:
+def test_factors_multiply_the_values_of_the_model() -> None:
     model = gb.Model(
         gb.Beam(10.0, 1e8, segments=[{"from": 2.0, "to": 4.0, "EI": 5e8}]),
         gb.Foundation(1e7, 1e6, segments=[{"from": 6.0, "to": 10.0, "k": 4e7, "mu": 1e6}]),
@@ -280,7 +280,7 @@ def test_wrong_parameters_are_refused(
         gb.solve_many(footing, parameters)
 
 
-def test_a_table_of_pandas_holds_parameters(footing: gb.Model) -> None:
+def test_a_pandas_table_can_hold_the_parameters(footing: gb.Model) -> None:
     table = pandas.DataFrame({"k": [4e7, 5e7], "mu": [9e6, 8e6]})
     of_table = gb.solve_many(footing, table, at=[1.0], fields="moment", extremes="moment")
     of_arrays = gb.solve_many(footing, {"k": [4e7, 5e7], "mu": [9e6, 8e6]}, at=[1.0])
@@ -299,7 +299,7 @@ def test_positions_off_the_beam_are_refused(footing: gb.Model) -> None:
     assert np.isnan(both["moment"][0, 0]) and np.isfinite(both["moment"][1, 0])
 
 
-def test_progress_is_told_and_may_stop_the_work(footing: gb.Model) -> None:
+def test_progress_is_reported_and_can_stop_a_batch(footing: gb.Model) -> None:
     told: list[tuple[int, int]] = []
     gb.solve_many(footing, {"k": np.full(50, 4e7)}, progress=lambda *how: told.append(how))
     assert told[-1] == (50, 50)
@@ -313,7 +313,7 @@ def test_progress_is_told_and_may_stop_the_work(footing: gb.Model) -> None:
     assert time.monotonic() - began < 20.0
 
 
-def test_a_bar_is_drawn_for_long_work(
+def test_a_progress_bar_is_drawn_for_long_batches(
     footing: gb.Model, capsys: pytest.CaptureFixture[str]
 ) -> None:
     from groundbeam._batch import _Bar

@@ -28,7 +28,7 @@ def settled(model: gb.Model) -> Array:
     return np.asarray(model.solve().deflection(X))
 
 
-def test_without_noise_the_truth_comes_back(footing: gb.Model) -> None:
+def test_the_true_parameters_are_found_without_noise(footing: gb.Model) -> None:
     found = gb.calibrate(guess(footing), {"deflection": (X, settled(footing))}, ["k", "mu"], noise=1e-5)
     for name, true in TRUTH.items():
         assert found.values[name] == pytest.approx(true, rel=1e-7)
@@ -36,7 +36,7 @@ def test_without_noise_the_truth_comes_back(footing: gb.Model) -> None:
     assert np.abs(found.residuals["deflection"]).max() < 1e-10
 
 
-def test_standard_errors_cover_the_truth(footing: gb.Model) -> None:
+def test_standard_errors_cover_the_true_parameters(footing: gb.Model) -> None:
     """Of 300 results, 68 % lie within one standard error and 95 % within two, up to three standard deviations of
     such a count."""
     exact, model, noise = settled(footing), guess(footing), 3e-5
@@ -62,7 +62,7 @@ def test_the_noise_is_estimated(footing: gb.Model) -> None:
     assert np.sqrt(np.mean(np.square(estimates))) == pytest.approx(noise, rel=0.1)
 
 
-def test_what_is_not_identifiable_is_named(footing: gb.Model) -> None:
+def test_parameters_that_are_not_identifiable_are_named(footing: gb.Model) -> None:
     """The settlement of a very stiff beam does not depend on EI, and only weakly on the shear layer beside the
     spring."""
     stiff = gb.Model(
@@ -81,7 +81,7 @@ def test_what_is_not_identifiable_is_named(footing: gb.Model) -> None:
     assert combination in ("mu up with k down", "k down with mu up", "k up with mu down", "mu")
 
 
-def test_bounds_hold(footing: gb.Model) -> None:
+def test_parameters_stay_within_their_bounds(footing: gb.Model) -> None:
     found = gb.calibrate(
         footing,
         {"deflection": (X, settled(footing))},
@@ -94,7 +94,7 @@ def test_bounds_hold(footing: gb.Model) -> None:
     assert np.isnan(found.standard_errors["k"]) and found.standard_errors["mu"] > 0.0
 
 
-def test_several_kinds_and_unknown_loads(footing: gb.Model) -> None:
+def test_several_kinds_of_measurements_determine_unknown_loads(footing: gb.Model) -> None:
     exact = footing.solve()
     measured: dict[str, Any] = {
         "deflection": (X[::4], exact.deflection(X[::4])),
@@ -122,7 +122,7 @@ def test_several_kinds_and_unknown_loads(footing: gb.Model) -> None:
         ({"largest moment": 1.0, "deflection": (X, X)}, ["k"], "need `noise`"),
     ],
 )
-def test_what_is_refused(
+def test_invalid_calibrations_are_rejected(
     footing: gb.Model, measured: dict[str, Any], unknown: list[str], why: str
 ) -> None:
     with pytest.raises(ValueError, match=why):

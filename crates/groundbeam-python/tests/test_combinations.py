@@ -28,7 +28,7 @@ def crane(uplift: float) -> gb.Model:
     )
 
 
-def test_each_combination_is_the_model_under_its_factors() -> None:
+def test_each_combination_is_the_model_with_its_factors() -> None:
     model = crane(1000e3)
     assert [c.table["name"] for c in model.combinations()] == ["dead", "live", "wind"]
     with pytest.raises(ValueError, match="solve_combinations"):
@@ -48,7 +48,7 @@ def test_each_combination_is_the_model_under_its_factors() -> None:
     np.testing.assert_array_equal(model.solve(combination="live").moment(x), by_hand.moment(x))
 
 
-def test_the_envelope_is_that_of_all_solutions() -> None:
+def test_the_envelope_is_the_range_of_all_solutions() -> None:
     combined = crane(1000e3).solve_combinations()
     x = np.linspace(0.05, 11.95, 101)
     values = np.array([solution.moment(x) for solution in combined.solutions.values()])
@@ -61,7 +61,7 @@ def test_the_envelope_is_that_of_all_solutions() -> None:
         combined.envelope("moment", 13.0)
 
 
-def test_one_that_tips_does_not_stop_the_others() -> None:
+def test_a_combination_that_tips_does_not_stop_the_others() -> None:
     combined = crane(4000e3).solve_combinations()
     assert list(combined.solutions) == ["dead", "live"]
     wind = combined["wind"]
@@ -74,20 +74,20 @@ def test_one_that_tips_does_not_stop_the_others() -> None:
     assert "2 of 3" in repr(combined)
 
 
-def test_the_file_of_the_documents() -> None:
+def test_the_combinations_of_the_example_file_are_solved() -> None:
     model = gb.load(REPOSITORY / "docs" / "combinations.toml")
     combined = model.solve_combinations()
     assert len(combined) == len(model.combinations()) > 1
 
 
-def test_a_model_without_combinations_says_so(footing: gb.Model) -> None:
+def test_a_model_without_combinations_is_rejected(footing: gb.Model) -> None:
     with pytest.raises(ValueError, match="no combinations"):
         footing.solve_combinations()
     with pytest.raises(gb.ModelError, match="no combination has the name"):
         footing.solve(combination="ULS")
 
 
-def test_a_train_is_not_left_out_silently() -> None:
+def test_a_model_with_trains_is_not_solved_without_them() -> None:
     def alone(path: Path) -> bool:
         text = path.read_text("utf-8", "replace")
         return "[[train]]" in text and "[[combination]]" not in text and "errors" not in path.parts

@@ -48,7 +48,7 @@ def run_without_merge(
     return sorted(out.with_name(out.name + ".shards").iterdir())
 
 
-def test_a_study_that_was_edited_takes_over_no_old_shards(
+def test_an_edited_study_reuses_no_old_shards(
     client: distributed.Client,
     study: gb.Study,
     tmp_path: Path,
@@ -63,7 +63,7 @@ def test_a_study_that_was_edited_takes_over_no_old_shards(
     assert not (tmp_path / "cluster.parquet.shards").exists()
 
 
-def test_shards_that_are_kept_are_taken_over_if_they_are_right(
+def test_valid_shards_are_reused(
     client: distributed.Client,
     study: gb.Study,
     tmp_path: Path,
@@ -86,7 +86,7 @@ def test_shards_that_are_kept_are_taken_over_if_they_are_right(
     assert out.read_bytes() == alone(study, tmp_path / "alone.parquet")
 
 
-def test_results_that_are_there_are_kept_unless_they_are_to_be_made_anew(
+def test_existing_results_are_kept_without_restart(
     client: distributed.Client, study: gb.Study, tmp_path: Path
 ) -> None:
     out = tmp_path / "r.parquet"
@@ -101,7 +101,7 @@ def test_results_that_are_there_are_kept_unless_they_are_to_be_made_anew(
     assert out.read_bytes() == alone(edited, tmp_path / "alone.parquet")
 
 
-def test_workers_get_every_file_as_it_was_read(
+def test_workers_get_every_file_with_the_content_that_was_read(
     client: distributed.Client, tmp_path: Path
 ) -> None:
     study = with_survey(tmp_path)
@@ -112,7 +112,7 @@ def test_workers_get_every_file_as_it_was_read(
     assert (tmp_path / "cluster.parquet").read_bytes() == expected
 
 
-def test_a_cluster_of_which_a_worker_dies(study: gb.Study, tmp_path: Path) -> None:
+def test_a_study_survives_the_death_of_a_worker(study: gb.Study, tmp_path: Path) -> None:
     many = gb.Study(study.path, samples=20_000)
     many.run(tmp_path / "alone.parquet")
     with distributed.LocalCluster(

@@ -24,7 +24,7 @@ def value(model: gb.Model, output: str, at: float) -> float:
 @pytest.mark.parametrize(
     "output", ["deflection", "moment", "largest moment", "edge[0].right", "end_force.left"]
 )
-def test_derivatives_are_limits_of_differences(footing: gb.Model, output: str) -> None:
+def test_derivatives_agree_with_finite_differences(footing: gb.Model, output: str) -> None:
     at = 4.0 if output in ("deflection", "moment") else None
     found = footing.solve().gradient(output, at=at, with_respect_to=PARAMETERS)
     assert found.derivatives.shape == (len(PARAMETERS),) and found.one_sided == []
@@ -56,7 +56,7 @@ def value_with(model: gb.Model, output: str, name: str, number: float) -> float:
     return value(changed, output, 4.0)
 
 
-def test_positions_make_rows(footing: gb.Model) -> None:
+def test_an_array_of_positions_gives_an_array_of_derivatives(footing: gb.Model) -> None:
     solution = footing.solve()
     x = np.linspace(0.0, 12.0, 6).reshape(2, 3)
     found = solution.gradient("settlement", at=x, with_respect_to=["k", "mu"])
@@ -67,7 +67,7 @@ def test_positions_make_rows(footing: gb.Model) -> None:
     np.testing.assert_allclose(alone.derivatives, found.derivatives[0, 2, 1:], rtol=1e-9)
 
 
-def test_loads_and_their_shares_make_the_whole(footing: gb.Model) -> None:
+def test_derivatives_by_the_loads_satisfy_the_theorem_of_euler(footing: gb.Model) -> None:
     """Without a gap, all results except the contact are homogeneous in the loads, of degree one."""
     solution = footing.solve()
     by = ["load[0]", "load[1]"]
@@ -77,7 +77,7 @@ def test_loads_and_their_shares_make_the_whole(footing: gb.Model) -> None:
     assert abs(edge.derivatives @ [900e3, 10e3]) < 1e-9
 
 
-def test_what_is_about_to_change_is_said(footing: gb.Model) -> None:
+def test_one_sided_derivatives_are_reported(footing: gb.Model) -> None:
     level = gb.Model(
         gb.Beam(2.0, 1.0), gb.Foundation(1.0, 1.0), loads=[gb.Load.distributed(1.0, 0.0, 2.0)]
     )
@@ -98,7 +98,9 @@ def test_what_is_about_to_change_is_said(footing: gb.Model) -> None:
         ("deflection", 1.0, "k[0]", "no such number"),
     ],
 )
-def test_what_is_refused(footing: gb.Model, output: str, at: float, by: str, why: str) -> None:
+def test_unknown_outputs_and_parameters_are_rejected(
+    footing: gb.Model, output: str, at: float, by: str, why: str
+) -> None:
     with pytest.raises(ValueError, match=why):
         footing.solve().gradient(output, at=at, with_respect_to=[by])
 
@@ -108,7 +110,7 @@ def test_only_exact_solutions_have_derivatives(footing: gb.Model) -> None:
         footing.solve("active-set").gradient("deflection", at=1.0, with_respect_to=["k"])
 
 
-def test_segments_and_supports_in_batches_too() -> None:
+def test_batches_have_derivatives_by_segments_and_supports() -> None:
     model = gb.Model(
         gb.Beam(4.0, 1.0),
         gb.Foundation(1.0, 1.0, segments=[{"from": 0.0, "to": 2.0, "k": 2.0, "mu": 1.0}]),
@@ -126,7 +128,7 @@ def test_segments_and_supports_in_batches_too() -> None:
         assert exact.derivatives[0] == pytest.approx((high - low) / (2.0 * step), rel=1e-6)
 
 
-def test_a_beam_that_shears() -> None:
+def test_derivatives_of_a_beam_with_shear_deformation() -> None:
     """w = F l³/48EI + F l/4S in the middle of a beam on two supports; phi differs from the slope where there is
     shear force."""
     length, force, bending, shear = 6.0, 1.5, 7.0, 3.0

@@ -19,7 +19,7 @@ CASES = sorted(
 )
 
 
-def test_code_and_file_say_the_same_to_the_last_bit() -> None:
+def test_a_model_in_code_equals_the_file_bit_for_bit() -> None:
     in_code = gb.Model(
         gb.Beam("12 m", E="30 GPa", section={"width": "1 m", "height": 0.8}),
         gb.Foundation(subgrade_modulus="40 MN/m^3", width=1, mu=9e6),
@@ -33,7 +33,7 @@ def test_code_and_file_say_the_same_to_the_last_bit() -> None:
         np.testing.assert_array_equal(one, other)
 
 
-def test_ground_loads_troughs_trains_and_checks_say_what_a_file_says() -> None:
+def test_ground_loads_troughs_trains_and_checks_equal_those_of_a_file() -> None:
     """In the arguments of a model, added to a model, and as tables of a file."""
     beam, foundation = gb.Beam("20 m", EI="6 MN m^2"), gb.Foundation(k="40 MN/m^2", mu="2 MN")
     weight = gb.Load.distributed("30 kN/m", case="G")
@@ -99,7 +99,7 @@ def test_ground_loads_troughs_trains_and_checks_say_what_a_file_says() -> None:
         added.with_checks(checks)
 
 
-def test_every_kind_of_part() -> None:
+def test_every_kind_of_part_can_be_built_in_code() -> None:
     model = gb.Model(
         gb.Beam(8.0, 1e8, axial_force="10 kN", segments=[{"from": 0, "to": "2 m", "EI": [2e8, 1e8]}]),
         gb.Foundation("10 MN/m^2", 1e6, segments=[{"from": 5, "to": 8, "k": 2e7, "mu": 1e6}]),
@@ -126,7 +126,7 @@ def test_every_kind_of_part() -> None:
     assert pushed == pytest.approx(loads, rel=1e-9)
 
 
-def test_hinges_and_supports_that_act_one_way() -> None:
+def test_hinges_and_one_way_supports() -> None:
     model = gb.Model(
         gb.Beam(10.0, 1e8),
         gb.Foundation(1e7, 1e6),
@@ -157,7 +157,7 @@ def test_hinges_and_supports_that_act_one_way() -> None:
     assert caught.value.hinges == (-1.0,) and len(caught.value.static_reactions) == 3
 
 
-def test_a_model_of_a_dictionary_is_that_of_the_file() -> None:
+def test_a_model_can_be_built_from_a_dictionary() -> None:
     tables: Tables = {
         "title": 'A "quoted" title',
         "beam": {"length": 1, "EI": 1.0},
@@ -180,7 +180,7 @@ def test_every_case_of_the_repository_is_read(path: Path) -> None:
     assert again == model and hash(again) == hash(model)
 
 
-def test_what_is_added_makes_another_model(footing: gb.Model) -> None:
+def test_adding_a_part_returns_a_new_model(footing: gb.Model) -> None:
     more = footing.with_load(gb.Load.point("100 kN", "10 m")).with_support(gb.Support.pinned(12))
     assert more != footing
     assert more.solve().deflection(12.0) == pytest.approx(0.0, abs=1e-15)
@@ -197,7 +197,7 @@ def test_what_is_added_makes_another_model(footing: gb.Model) -> None:
     assert fallen.contact[0][1] == pytest.approx(before.contact[0][1], rel=1e-9)
 
 
-def test_a_wrong_file_is_shown_at_its_line() -> None:
+def test_an_error_in_a_file_is_reported_at_its_line() -> None:
     path = REPOSITORY / "cases" / "errors" / "one-slip.toml"
     with pytest.raises(gb.ModelError) as caught:
         gb.load(path)
@@ -209,7 +209,7 @@ def test_a_wrong_file_is_shown_at_its_line() -> None:
     assert (str(again), again.diagnostics) == (str(error), error.diagnostics)
 
 
-def test_every_error_case_of_the_repository_has_its_code_and_place() -> None:
+def test_every_error_case_of_the_repository_has_its_code_and_location() -> None:
     count = 0
     for path in sorted((REPOSITORY / "cases" / "errors").glob("*.toml")):
         first = path.read_text("utf-8", "replace").splitlines()[0]
@@ -225,7 +225,7 @@ def test_every_error_case_of_the_repository_has_its_code_and_place() -> None:
     assert count > 20
 
 
-def test_a_model_built_wrong_in_code_shows_what_it_came_to() -> None:
+def test_an_invalid_model_in_code_reports_codes_and_hints() -> None:
     with pytest.raises(gb.ModelError) as caught:
         gb.Model(gb.Beam("12 m", "5 kN"), gb.Foundation(4e7), loads=[gb.Load(piont=1.0, at=2)])
     assert [d.code for d in caught.value.diagnostics] == ["GB015", "GB003"]
@@ -238,7 +238,7 @@ def test_a_model_built_wrong_in_code_shows_what_it_came_to() -> None:
         gb.Model(gb.Beam(object(), 1.0), gb.Foundation(1.0))  # type: ignore[arg-type]
 
 
-def test_a_file_that_is_not_there_or_no_text(tmp_path: Path) -> None:
+def test_missing_files_and_binary_files_are_rejected(tmp_path: Path) -> None:
     with pytest.raises(FileNotFoundError):
         gb.load(tmp_path / "none.toml")
     (tmp_path / "bytes.toml").write_bytes(b"title = '\xff'")
@@ -247,7 +247,7 @@ def test_a_file_that_is_not_there_or_no_text(tmp_path: Path) -> None:
     assert caught.value.code == "GB019"
 
 
-def test_a_beam_that_tips() -> None:
+def test_a_beam_that_tips_has_no_equilibrium() -> None:
     model = gb.load(REPOSITORY / "docs" / "tipping.toml")
     assert model.check().verdict == "none"
     with pytest.raises(gb.NoEquilibrium) as caught:
@@ -261,7 +261,7 @@ def test_a_beam_that_tips() -> None:
     assert pickle.loads(pickle.dumps(why)).work == why.work
 
 
-def test_a_model_outside_of_what_is_solved_is_shown_at_its_line() -> None:
+def test_a_model_that_the_method_does_not_support_is_rejected() -> None:
     winkler = gb.Model(
         gb.Beam.uniform(1.0, 1.0), gb.Foundation.winkler(1.0), loads=[gb.Load.point(1.0, 0.5)]
     )

@@ -71,7 +71,7 @@ def in_a_process(method: str, call: Callable[[Path], bytes], folder: Path) -> by
 
 @pytest.mark.parametrize("method", METHODS)
 @pytest.mark.parametrize("call", CALLS)
-def test_a_call_made_before_a_process_is_started_works_in_it(
+def test_calls_work_in_a_process_started_after_a_call(
     method: str, call: Callable[[Path], bytes], study: gb.Study, tmp_path: Path
 ) -> None:
     here = call(tmp_path)
@@ -79,7 +79,7 @@ def test_a_call_made_before_a_process_is_started_works_in_it(
 
 
 @pytest.mark.skipif("fork" not in METHODS, reason="processes cannot fork here")
-def test_a_process_forked_in_the_middle_of_a_call_works() -> None:
+def test_calls_work_in_a_process_forked_during_a_call() -> None:
     model = gb.Model.from_toml(MODEL)
     begun = threading.Event()
     stop = threading.Event()
@@ -137,7 +137,7 @@ print(most - before)
 @pytest.mark.skipif(not sys.platform.startswith("linux"), reason="threads are counted by /proc")
 @pytest.mark.parametrize("what", ["many", "study"])
 @pytest.mark.parametrize("asked, variable, threads", [("3", "2", 3), ("None", "5", 5)])
-def test_as_many_threads_as_asked(
+def test_the_requested_number_of_threads_is_used(
     what: str, asked: str, variable: str, threads: int, study: gb.Study, tmp_path: Path
 ) -> None:
     arguments = [MODEL, what, asked, str(study.path), str(tmp_path / "r.parquet")]
@@ -152,7 +152,7 @@ def test_as_many_threads_as_asked(
     assert int(done.stdout) == threads
 
 
-def test_combinations_have_the_same_bits_on_any_number_of_threads() -> None:
+def test_any_number_of_threads_gives_combinations_the_same_bits() -> None:
     model = crane(1000e3)
     one, *others = (model.solve_combinations(threads=threads) for threads in (1, 2, 8))
     for other in others:

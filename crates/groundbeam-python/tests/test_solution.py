@@ -25,7 +25,7 @@ ANSWERS = [
 
 
 @pytest.mark.parametrize("answer", ANSWERS, ids=lambda answer: str(answer["name"]))
-def test_the_multiprecision_answers(answer: dict[str, Any]) -> None:
+def test_solutions_agree_with_the_multiprecision_answers(answer: dict[str, Any]) -> None:
     """Fields on both sides of their jumps, contact and forces, from an independent solver."""
     solution = gb.Model.from_toml(answer["model"]).solve()
     expected, largest = answer["stations"], answer["largest"]
@@ -48,7 +48,7 @@ def test_the_multiprecision_answers(answer: dict[str, Any]) -> None:
     assert 0.0 <= solution.certificate.relative_gap < 1e-9
 
 
-def test_kikuchis_last_case() -> None:
+def test_kikuchis_case_four_has_its_known_solution() -> None:
     model = gb.Model(
         gb.Beam.uniform(1.0, 1.0),
         gb.Foundation.pasternak(1.0, 1.0),
@@ -63,7 +63,7 @@ def test_kikuchis_last_case() -> None:
     assert certificate.gap == pytest.approx(between, abs=1e-14)
 
 
-def test_arrays_go_in_and_come_out(footing: gb.Model) -> None:
+def test_fields_accept_and_return_arrays(footing: gb.Model) -> None:
     solution = footing.solve()
     table = np.array([[0.0, 1.5], [6.0, 12.0]])
     moments = solution.moment(table)
@@ -84,7 +84,7 @@ def test_arrays_go_in_and_come_out(footing: gb.Model) -> None:
     assert jump == pytest.approx(900e3, rel=1e-12)
 
 
-def test_ground_beside_the_beam_decays(footing: gb.Model) -> None:
+def test_the_settlement_outside_the_beam_decays_exponentially(footing: gb.Model) -> None:
     solution = footing.solve()
     b = np.sqrt(40e6 / 9e6)
     beside = np.array([-2.0, -1.0, -0.5])
@@ -98,7 +98,7 @@ def test_positions_off_the_beam_are_refused(footing: gb.Model, x: float) -> None
         footing.solve().moment(x)
 
 
-def test_every_field_has_a_method_and_a_member(footing: gb.Model) -> None:
+def test_every_field_has_a_method_and_an_attribute(footing: gb.Model) -> None:
     solution = footing.solve()
     at = solution.at(1.0)
     assert sorted(at._fields) == sorted(["x", *FIELDS])
@@ -121,7 +121,7 @@ def test_wrong_names_are_refused(footing: gb.Model) -> None:
         solution.moment("1 kN")
 
 
-def test_extremes_are_those_of_dense_samples(footing: gb.Model) -> None:
+def test_extremes_agree_with_dense_samples(footing: gb.Model) -> None:
     solution = footing.solve()
     x = np.linspace(0.0, 12.0, 20001)
     for field in ("deflection", "slope", "moment", "pressure", "gap"):
@@ -133,7 +133,7 @@ def test_extremes_are_those_of_dense_samples(footing: gb.Model) -> None:
         assert high.value == pytest.approx(values.max(), abs=1e-6 * size)
 
 
-def test_the_document_is_the_solution(footing: gb.Model) -> None:
+def test_the_json_document_contains_the_solution(footing: gb.Model) -> None:
     solution = footing.solve()
     document = json.loads(solution.to_json(at=[0.0, 6.0]))
     assert document["status"] == "solved" and document["units"] == "SI"
@@ -143,7 +143,7 @@ def test_the_document_is_the_solution(footing: gb.Model) -> None:
     assert len(json.loads(solution.to_json())["stations"]["x"]) > 100
 
 
-def test_tables(footing: gb.Model) -> None:
+def test_tables_contain_the_solution(footing: gb.Model) -> None:
     solution = footing.solve()
     table = solution.to_pandas()
     assert list(table.columns)[:2] == ["x_m", "deflection_m"]
@@ -156,7 +156,7 @@ def test_tables(footing: gb.Model) -> None:
     assert len(solution.to_pandas(at=[0.0, 1.0, 2.0])) >= 3
 
 
-def test_pictures_and_reports(footing: gb.Model, tmp_path: Path) -> None:
+def test_pictures_and_reports_are_written(footing: gb.Model, tmp_path: Path) -> None:
     solution = footing.solve()
     assert solution.to_svg().startswith("<svg") and solution.to_png().startswith(b"\x89PNG")
     page = solution._repr_html_()
@@ -170,14 +170,14 @@ def test_pictures_and_reports(footing: gb.Model, tmp_path: Path) -> None:
     assert drawn.max() == pytest.approx(solution.range("moment").max.value, rel=1e-12)
 
 
-def test_titles_cannot_break_out_of_html() -> None:
+def test_titles_are_escaped_in_html() -> None:
     model = gb.Model(
         gb.Beam(1, 1), gb.Foundation(1, 1), loads=[gb.Load.point(1, 0.5)], title="<script>x</script>"
     )
     assert "<script>" not in model.solve()._repr_html_()
 
 
-def test_other_threads_go_on_while_one_solves() -> None:
+def test_other_threads_run_during_a_solve() -> None:
     model = gb.load(REPOSITORY / "docs" / "strip-footing.toml")
     began, done = threading.Event(), threading.Event()
 

@@ -65,7 +65,7 @@ def study(tmp_path: Path) -> gb.Study:
     return gb.Study(tmp_path / "study.toml")
 
 
-def test_what_is_drawn_is_what_is_solved(study: gb.Study, tmp_path: Path) -> None:
+def test_the_drawn_parameters_are_the_solved_ones(study: gb.Study, tmp_path: Path) -> None:
     out = tmp_path / "r.parquet"
     summary = study.run(out)
     assert summary is not None and summary.solved == 600 and summary.largest_gap < 1e-9
@@ -103,7 +103,7 @@ def test_a_field_of_steps_is_solved_as_steps(study: gb.Study, tmp_path: Path) ->
     np.testing.assert_array_equal(table["deflection@12"], batch["deflection"][:, 0])
 
 
-def test_moments_and_correlations_of_what_is_drawn(study: gb.Study) -> None:
+def test_moments_and_correlations_of_the_drawn_parameters(study: gb.Study) -> None:
     many = gb.Study(study.path, samples=20_000)
     drawn = many.draw()
     force, at = drawn["load[0]"], drawn["load[0].at"]
@@ -124,7 +124,7 @@ def test_moments_and_correlations_of_what_is_drawn(study: gb.Study) -> None:
     np.testing.assert_array_equal(study.draw()["k"], k[:600])
 
 
-def test_shards_and_threads_change_no_byte(study: gb.Study, tmp_path: Path) -> None:
+def test_shards_and_threads_do_not_change_the_bytes(study: gb.Study, tmp_path: Path) -> None:
     study.run(tmp_path / "whole.parquet", threads=1)
     names = [tmp_path / f"{i}.parquet" for i in (1, 2, 3)]
     for i, name in enumerate(names):
@@ -151,7 +151,7 @@ def test_damaged_results_are_refused(study: gb.Study, tmp_path: Path) -> None:
     assert out.read_bytes() == whole
 
 
-def test_what_is_wrong(study: gb.Study, tmp_path: Path) -> None:
+def test_invalid_studies_are_rejected(study: gb.Study, tmp_path: Path) -> None:
     study.path.write_text(STUDY.replace("gumbel", "gumble").replace("rho = 0.6", "rho = 6"))
     with pytest.raises(gb.ModelError) as caught:
         gb.Study(study.path)
@@ -167,7 +167,7 @@ def test_what_is_wrong(study: gb.Study, tmp_path: Path) -> None:
         gb.Study(study.path, seed=4).run(tmp_path / "r.parquet")
 
 
-def test_stopped_by_whoever_watches_it_goes_on(study: gb.Study, tmp_path: Path) -> None:
+def test_a_study_stopped_by_its_progress_can_be_resumed(study: gb.Study, tmp_path: Path) -> None:
     many = gb.Study(study.path, samples=30_000)
 
     def stop(done: int, of: int) -> None:
@@ -223,7 +223,7 @@ cov = 0.2
 """
 
 
-def test_a_survey_that_changes_makes_another_study(tmp_path: Path) -> None:
+def test_results_of_a_changed_survey_belong_to_another_study(tmp_path: Path) -> None:
     study = with_survey(tmp_path)
     out = tmp_path / "r.parquet"
     study.run(out)

@@ -28,7 +28,7 @@ def beta() -> float:
     return float((K / (4.0 * EI)) ** 0.25)
 
 
-def test_a_wheel_on_a_rail_is_that_of_zimmermann() -> None:
+def test_a_wheel_on_a_rail_has_the_moment_of_zimmermann() -> None:
     """M = F/(4 beta) under a wheel on an infinite rail that its weight keeps in contact."""
     passages = rail(train=[WHEEL]).solve_trains()
     [passage] = passages
@@ -47,7 +47,7 @@ def test_a_wheel_on_a_rail_is_that_of_zimmermann() -> None:
     assert "moment_max_Nm" in passages.to_pandas().columns
 
 
-def test_trains_pass_over_combinations_and_with_the_same_bits_on_any_number_of_threads() -> None:
+def test_any_number_of_threads_gives_trains_on_combinations_the_same_bits() -> None:
     model = rail(
         load=[{"distributed": 40e3, "case": "G"}],
         train=[WHEEL, {**WHEEL, "name": "second"}],
@@ -66,7 +66,7 @@ def test_trains_pass_over_combinations_and_with_the_same_bits_on_any_number_of_t
     assert [p.combination for p in model.solve_trains(combination="b")] == ["b", "b", "b"]
 
 
-def test_a_slab_tips_where_the_statics_say() -> None:
+def test_a_slab_tips_at_the_position_given_by_statics() -> None:
     tables = {
         "beam": {"length": 10.0, "EI": 1e9},
         "foundation": {"k": 40e6, "mu": 4e6},
@@ -85,14 +85,14 @@ def test_a_slab_tips_where_the_statics_say() -> None:
     assert abs(start - edge) < 1e-7 and end == 10.0
 
 
-def test_a_model_without_trains_says_so() -> None:
+def test_a_model_without_trains_is_rejected() -> None:
     with pytest.raises(ValueError, match="no trains"):
         rail().solve_trains()
     with pytest.raises(ValueError, match="solve_trains"):
         rail(train=[WHEEL]).solve()
 
 
-def test_a_band_of_grounds() -> None:
+def test_a_band_of_ground_stiffnesses_has_its_closed_form() -> None:
     """M = P/(4 beta), with half and twice k."""
     model = rail(
         load=[{"point": FORCE, "at": 10.0}, {"distributed": 40e3}],
@@ -120,6 +120,6 @@ def test_methods_agree() -> None:
     assert json.loads(compared.to_json())["methods"][0]["method"] == "exact"
 
 
-def test_what_tips_is_not_compared() -> None:
+def test_a_model_that_tips_is_not_compared() -> None:
     with pytest.raises(gb.NoEquilibrium):
         rail(load=[{"moment": 1e6, "at": 10.0}]).compare()

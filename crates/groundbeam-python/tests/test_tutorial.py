@@ -18,7 +18,7 @@ TUTORIAL = REPOSITORY / "docs" / "python.md"
 BLOCK = re.compile(r"```python\n(.*?)```\n(?:```text\n(.*?)```\n)?", re.DOTALL)
 
 
-def test_the_tutorial_prints_what_it_says(
+def test_the_tutorial_prints_its_listed_output(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     text = TUTORIAL.read_text()
@@ -44,5 +44,5 @@ def test_the_tutorial_prints_what_it_says(
     assert made == TUTORIAL.read_text()
 
 
-def test_the_first_words_of_the_package_are_true() -> None:
+def test_the_examples_in_the_docstring_of_the_package_are_correct() -> None:
     assert doctest.testmod(groundbeam) == doctest.TestResults(failed=0, attempted=5)
