@@ -86,7 +86,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_was_typed_cannot_steer_a_terminal() {
+    fn control_characters_in_messages_are_escaped() {
         let said = "\u{1b}[1merror\u{1b}[0m: a\rb\u{200f}\n\nUsage\n";
         let shown = "\u{1b}[1merror\u{1b}[0m: a\\rb\\u{200f}\n\nUsage\n";
         assert_eq!(without_steering(said), shown);

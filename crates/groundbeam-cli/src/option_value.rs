@@ -185,7 +185,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn sizes_have_a_unit() {
+    fn memory_sizes_need_a_unit() {
         assert_eq!([bytes("8 GB"), bytes(" 0.5kB ")], [Ok(8_000_000_000), Ok(500)]);
         for wrong in ["8", "GB", "-1 GB", "8 gb", "inf GB", ""] {
             assert!(bytes(wrong).is_err(), "{wrong}");

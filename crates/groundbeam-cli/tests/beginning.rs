@@ -3,7 +3,7 @@
 use crate::common::{FOOTING, Folder, LIFTS, tips};
 
 #[test]
-fn every_starter_is_solved_as_it_is() {
+fn every_starter_model_is_solved_without_changes() {
     for kind in ["footing", "rail", "slab", "pipeline"] {
         let folder = Folder::new();
         let done = folder.run(&["new", "own.toml", "--kind", kind]);
@@ -19,7 +19,7 @@ fn every_starter_is_solved_as_it_is() {
 }
 
 #[test]
-fn nothing_is_replaced() {
+fn the_new_command_does_not_replace_files() {
     let folder = Folder::with(LIFTS);
     folder.run(&["new", "model.toml"]).fails(2, "`model.toml` exists already");
     // The default file name is not replaced either.
@@ -29,7 +29,7 @@ fn nothing_is_replaced() {
 }
 
 #[test]
-fn methods_side_by_side() {
+fn compare_lists_the_results_of_all_methods() {
     let folder = Folder::with(LIFTS);
     let coarse = folder.run(&["compare", "model.toml", "--elements", "10", "--json"]);
     coarse.is_clean(0);
@@ -57,7 +57,7 @@ fn methods_side_by_side() {
 }
 
 #[test]
-fn comparisons_that_cannot_be_made() {
+fn compare_reports_methods_that_stop_or_do_not_apply() {
     let few = Folder::with(LIFTS).run(&["compare", "model.toml", "--most-sweeps", "3"]);
     few.is_clean(4);
     assert!(few.stdout.contains("Not solved   psor: the method `psor` stopped after 3"));

@@ -3,7 +3,7 @@
 use crate::common::{Folder, LIFTS, tips};
 
 #[test]
-fn an_equilibrium() {
+fn check_reports_a_unique_equilibrium() {
     let folder = Folder::with(LIFTS);
     let done = folder.run(&["check", "model.toml"]);
     done.is_clean(0);
@@ -15,7 +15,7 @@ fn an_equilibrium() {
 }
 
 #[test]
-fn none() {
+fn check_reports_a_missing_equilibrium() {
     let folder = Folder::with(&tips());
     let done = folder.run(&["check", "model.toml"]);
     done.is_clean(3);
@@ -27,7 +27,7 @@ fn none() {
 }
 
 #[test]
-fn more_than_one() {
+fn check_reports_an_equilibrium_that_is_not_unique() {
     let folder = Folder::with(&LIFTS.replace("0.49", "0.5"));
     let done = folder.run(&["check", "model.toml"]);
     done.is_clean(0);
@@ -37,14 +37,14 @@ fn more_than_one() {
 }
 
 #[test]
-fn a_model_that_is_wrong() {
+fn check_rejects_an_invalid_model() {
     let folder = Folder::with("[beam]\nlength = 1\n");
     folder.run(&["check", "model.toml"]).fails(2, "model.toml");
     folder.run(&["check", "model.toml", "--json"]).fails(2, "error[GB004]");
 }
 
 #[test]
-fn completions_and_manual() {
+fn shell_completions_and_the_manual_are_printed() {
     let folder = Folder::new();
     for shell in ["bash", "zsh", "fish", "powershell", "elvish"] {
         let done = folder.run(&["completions", shell]);
@@ -64,7 +64,7 @@ fn completions_and_manual() {
 }
 
 #[test]
-fn schemas_of_model_and_study_files() {
+fn schemas_of_model_and_study_files_are_printed() {
     let folder = Folder::new();
     for (arguments, key) in [(&["schema"][..], "support"), (&["schema", "--study"], "random")] {
         let done = folder.run(arguments);

@@ -17,7 +17,7 @@ fn tips() -> String {
 }
 
 #[test]
-fn all_are_solved() {
+fn all_combinations_are_solved() {
     let folder = Folder::with(&combined());
     let done = folder.run(&["solve", "model.toml"]);
     done.is_clean(0);
@@ -36,7 +36,7 @@ fn all_are_solved() {
 }
 
 #[test]
-fn one_without_equilibrium_does_not_hide_the_others() {
+fn a_combination_without_equilibrium_does_not_hide_the_others() {
     let folder = Folder::with(&tips());
     let outputs = ["--csv", "t.csv", "--plot", "p.svg"];
     let done = folder.run(&[&["solve", "model.toml"][..], &outputs].concat());
@@ -60,7 +60,7 @@ fn one_without_equilibrium_does_not_hide_the_others() {
 }
 
 #[test]
-fn a_method_that_stops_early() {
+fn exit_status_of_combinations_that_do_not_converge() {
     let stopped = ["solve", "model.toml", "--json", "--method", "uzawa", "--most-sweeps", "2"];
     let done = Folder::with(&combined()).run(&stopped);
     done.is_clean(4);
@@ -75,7 +75,7 @@ fn a_method_that_stops_early() {
 }
 
 #[test]
-fn one_of_them_alone() {
+fn a_selected_combination_has_the_results_that_it_has_among_all() {
     let folder = Folder::with(&tips());
     let one = |name: &str| folder.run(&["solve", "model.toml", "--json", "--combination", name]);
     let done = one("both");
@@ -94,7 +94,7 @@ fn one_of_them_alone() {
 }
 
 #[test]
-fn questions_about_one_model_need_its_name() {
+fn load_factors_and_history_need_a_selected_combination() {
     let folder = Folder::with(&combined());
     folder.run(&["solve", "model.toml", "--factors=W"]).fails(2, "add --combination NAME");
     folder.run(&["solve", "model.toml", "--history", "h.csv"]).fails(2, "add --combination NAME");
@@ -120,7 +120,7 @@ fn any_number_of_threads_gives_the_same_bytes() {
 }
 
 #[test]
-fn sets_of_codes_of_practice() {
+fn a_set_of_a_design_code_generates_its_combinations() {
     let actions = "[[case]]\nname = \"G\"\naction = \"permanent\"\n\
                    [[case]]\nname = \"W\"\naction = \"wind\"\n\
                    [[combination]]\nset = \"EN 1990 EQU\"\n";
@@ -169,7 +169,7 @@ fn a_check_is_judged_in_its_limit_state() {
 }
 
 #[test]
-fn strict_makes_a_failed_or_missing_verdict_the_exit_status() {
+fn the_strict_option_fails_for_failed_or_missing_verdicts() {
     let folder = Folder::with(&judged().replace("SLS characteristic", "EQU"));
     let done = folder.run(&["solve", "model.toml"]);
     done.is_clean(0);
@@ -189,7 +189,7 @@ fn strict_makes_a_failed_or_missing_verdict_the_exit_status() {
 
 /// The file has a combination of the check's limit state, but another combination is selected.
 #[test]
-fn a_verdict_on_selected_combinations_says_so() {
+fn a_check_without_a_selected_combination_of_its_limit_state_is_not_judged() {
     let folder = Folder::with(&judged());
     let done = folder.run(&["solve", "model.toml", "--combination", "both"]);
     let words = done.stdout.split_whitespace().collect::<Vec<_>>().join(" ");
@@ -278,7 +278,7 @@ fn only_combinations_of_the_eurocodes_cite_their_clauses() {
 
 /// A design resistance is no allowable pressure, so one value is judged on one level of loads.
 #[test]
-fn a_bearing_resistance_is_a_design_value_or_an_allowable_one() {
+fn a_bearing_resistance_is_a_design_value_or_an_allowable_value() {
     let set = |name: &str| format!("[[combination]]\nset = \"{name}\"\n");
     let [lrfd, asd] = ["ASCE 7-22 LRFD", "ASCE 7-22 ASD"].map(set);
     for (combinations, state, words) in [

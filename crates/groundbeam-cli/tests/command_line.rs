@@ -5,7 +5,7 @@ use std::io::Read;
 use std::process::Stdio;
 
 #[test]
-fn wrong_command_lines() {
+fn invalid_command_lines_are_rejected() {
     let folder = Folder::with(LIFTS);
     let wrong: [&[&str]; 10] = [
         &[],
@@ -107,7 +107,7 @@ fn no_output_replaces_a_file_of_the_input() {
 
 #[cfg(unix)]
 #[test]
-fn links_hard_links_and_redirections_are_seen() {
+fn outputs_to_the_same_file_through_links_and_redirections_are_detected() {
     use std::fs::{File, hard_link};
     use std::os::unix::fs::symlink;
     let folder = Folder::with(LIFTS);
@@ -134,7 +134,7 @@ fn links_hard_links_and_redirections_are_seen() {
 
 #[cfg(unix)]
 #[test]
-fn outputs_follow_links_and_go_to_devices() {
+fn outputs_are_written_through_links_and_to_devices() {
     use std::os::unix::fs::symlink;
     let folder = Folder::with(LIFTS);
     symlink("t.csv", folder.path("link")).unwrap();
@@ -162,7 +162,7 @@ fn outputs_follow_links_and_go_to_devices() {
 }
 
 #[test]
-fn files_that_cannot_be_read() {
+fn unreadable_files_are_reported() {
     let folder = Folder::new();
     folder.write("latin.toml", b"title = \"Gr\xfcndung\"\n");
     folder.write("empty.toml", b"");
@@ -175,7 +175,7 @@ fn files_that_cannot_be_read() {
 }
 
 #[test]
-fn files_that_cannot_be_written() {
+fn unwritable_files_are_reported() {
     let folder = Folder::with(LIFTS);
     std::fs::create_dir(folder.path("folder.svg")).unwrap();
     for option in ["--csv", "--plot", "--history"] {
@@ -189,7 +189,7 @@ fn files_that_cannot_be_written() {
 
 #[cfg(unix)]
 #[test]
-fn what_a_link_leads_to_is_replaced() {
+fn writing_to_a_link_replaces_its_target() {
     let folder = Folder::with(LIFTS);
     folder.write("real.csv", b"old");
     std::os::unix::fs::symlink("real.csv", folder.path("link.csv")).unwrap();
@@ -201,7 +201,7 @@ fn what_a_link_leads_to_is_replaced() {
 }
 
 #[test]
-fn a_reader_that_has_seen_enough() {
+fn a_closed_pipe_ends_the_command_without_error() {
     let folder = Folder::with(LIFTS);
     let commands: [&[&str]; 5] = [
         &["solve", "model.toml", "--json"],
@@ -223,7 +223,7 @@ fn a_reader_that_has_seen_enough() {
 
 #[cfg(target_os = "linux")]
 #[test]
-fn a_full_disk_is_told() {
+fn a_full_disk_is_reported() {
     let folder = Folder::with(LIFTS);
     let full = std::fs::OpenOptions::new().write(true).open("/dev/full").unwrap();
     let done = folder.command(&["solve", "model.toml"]).stdout(full).output().unwrap();
@@ -232,7 +232,7 @@ fn a_full_disk_is_told() {
 }
 
 #[test]
-fn nothing_is_coloured_without_a_terminal() {
+fn output_is_not_coloured_without_a_terminal() {
     let folder = Folder::with(&LIFTS.replace("EI = 1", "EI = 0"));
     let mut command = folder.command(&["solve", "model.toml"]);
     let done = command.env_remove("NO_COLOR").env("TERM", "xterm-256color").output().unwrap();
@@ -242,7 +242,7 @@ fn nothing_is_coloured_without_a_terminal() {
 /// Only regular files and standard input up to 64 MB are read. Endless files and pipes are rejected.
 #[cfg(target_os = "linux")]
 #[test]
-fn only_files_are_read() {
+fn only_regular_files_and_standard_input_are_read() {
     let folder = Folder::new();
     let pipe = folder.path("pipe");
     assert!(std::process::Command::new("mkfifo").arg(&pipe).status().unwrap().success());

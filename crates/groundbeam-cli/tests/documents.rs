@@ -11,7 +11,7 @@ use std::process::Command;
 const BLOCK: &str = "```console\n$ groundbeam ";
 
 #[test]
-fn printed_output_is_real() {
+fn command_output_in_the_documents_is_up_to_date() {
     let mut count = 0;
     for path in documents() {
         let text = std::fs::read_to_string(&path).expect("a readable document");

@@ -57,7 +57,7 @@ fn row(browser: &Browser, label: &str) -> String {
 }
 
 #[test]
-fn the_beam_lifts_off_under_the_finger() {
+fn dragging_a_load_updates_the_lift_off() {
     let Some(browser) = Browser::start() else { return };
     let folder = Folder::with(MIDDLE);
     let server = Server::start(Some(&folder.path("model.toml")));
@@ -119,7 +119,7 @@ fn neighbour(at: &str) -> String {
 }
 
 #[test]
-fn a_neighbour_is_dragged_along_the_ground() {
+fn a_load_on_the_ground_is_dragged_along_the_surface() {
     let Some(browser) = Browser::start() else { return };
     let folder = Folder::with(&neighbour("13 m"));
     let server = Server::start(Some(&folder.path("model.toml")));
@@ -181,7 +181,7 @@ fn a_neighbour_is_dragged_along_the_ground() {
 
 /// Tab reaches every control, the focus is visible, and no control traps it.
 #[test]
-fn everything_is_reached_by_keyboard() {
+fn every_control_is_reached_by_keyboard() {
     let Some(browser) = Browser::start() else { return };
     let folder = Folder::with(MIDDLE);
     let server = Server::start(Some(&folder.path("model.toml")));
@@ -207,7 +207,7 @@ fn everything_is_reached_by_keyboard() {
 }
 
 #[test]
-fn sliders_and_text_are_in_step() {
+fn sliders_and_text_are_synchronised() {
     let Some(browser) = Browser::start() else { return };
     let folder = Folder::with(MIDDLE);
     let server = Server::start(Some(&folder.path("model.toml")));
@@ -293,7 +293,7 @@ at = "1'-3\""
 }
 
 #[test]
-fn it_tips_and_is_shared_and_kept() {
+fn the_page_shows_tipping_and_shares_and_downloads_the_model() {
     let Some(browser) = Browser::start() else { return };
     let folder = Folder::with(MIDDLE);
     let server = Server::start(Some(&folder.path("model.toml")));
@@ -366,7 +366,7 @@ fn arrived(folder: &Path, extension: &str) -> PathBuf {
 }
 
 #[test]
-fn combinations_and_trains_are_chosen() {
+fn combinations_and_trains_can_be_selected() {
     let Some(browser) = Browser::start() else { return };
     let server = Server::start(None);
     opened(&browser, &server);
@@ -412,7 +412,7 @@ fn as_written(browser: &Browser) -> Vec<String> {
 }
 
 #[test]
-fn every_picture_has_colours_for_the_dark() {
+fn every_picture_has_colours_for_the_dark_scheme() {
     let Some(browser) = Browser::start() else { return };
     let server = Server::start(None);
     opened(&browser, &server);
@@ -440,7 +440,7 @@ fn every_picture_has_colours_for_the_dark() {
 }
 
 #[test]
-fn it_is_readable_on_a_phone_and_in_the_dark() {
+fn the_page_is_readable_on_a_phone_and_in_the_dark_scheme() {
     let Some(browser) = Browser::start() else { return };
     let server = Server::start(None);
     opened(&browser, &server);

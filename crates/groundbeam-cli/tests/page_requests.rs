@@ -15,7 +15,7 @@ fn type_in(browser: &Browser, text: &str) {
 }
 
 #[test]
-fn a_newer_question_aborts_the_one_before() {
+fn a_new_request_aborts_the_previous_one() {
     let Some(browser) = Browser::start() else { return };
     let folder = Folder::with(FOOTING);
     let server = Server::start(Some(&folder.path("model.toml")));
@@ -37,7 +37,7 @@ fn a_newer_question_aborts_the_one_before() {
 }
 
 #[test]
-fn the_page_shows_the_words_of_a_refusal() {
+fn the_page_shows_the_message_of_a_rejected_request() {
     let Some(browser) = Browser::start() else { return };
     let folder = Folder::with(FOOTING);
     let server = Server::start(Some(&folder.path("model.toml")));
@@ -70,7 +70,7 @@ fn the_page_shows_the_words_of_a_refusal() {
 
 /// A chosen train and combination are deselected when they are deleted from the text.
 #[test]
-fn a_choice_that_the_text_no_longer_has_is_given_up() {
+fn a_selection_that_is_deleted_from_the_text_is_cleared() {
     let Some(browser) = Browser::start() else { return };
     let train = "[[train]]\naxles = [{ at = \"0 m\", force = \"90 kN\" }]\n";
     let both = format!("{FOOTING}{train}{train}name = \"second\"\n");
@@ -92,7 +92,7 @@ fn a_choice_that_the_text_no_longer_has_is_given_up() {
 }
 
 #[test]
-fn sliders_keep_to_the_signs_of_the_file_format() {
+fn sliders_respect_the_signs_of_the_file_format() {
     let Some(browser) = Browser::start() else { return };
     let model = FOOTING.replace("[foundation]", "shear_stiffness = \"900 MN\"\n[foundation]")
         + "[[load]]\ncurvature = \"1e-4 1/m\"\n[[gap]]\nat = \"1 m\"\nvalue = \"0 mm\"\n";
@@ -118,7 +118,7 @@ fn sliders_keep_to_the_signs_of_the_file_format() {
 
 /// A train in a file in feet: its first axle, the handle of a load and what the page adds to the file.
 #[test]
-fn a_page_says_positions_in_the_units_of_the_file() {
+fn the_page_writes_positions_in_the_units_of_the_file() {
     let Some(browser) = Browser::start() else { return };
     let model = "[beam]\nlength = \"40 ft\"\nEI = \"1e6 kip ft^2\"\n[foundation]\nk = \"1000 ksf\"\n\
                  [[load]]\npoint = \"200 kip\"\nat = \"10 ft\"\n\

@@ -4,7 +4,7 @@ use crate::common::{Folder, LIFTS};
 
 #[test]
 #[cfg(not(feature = "pdf"))]
-fn without_the_typesetter_the_program_says_how_to_have_it() {
+fn without_the_pdf_feature_the_message_says_how_to_install_it() {
     let folder = Folder::with(LIFTS);
     let wanted = ["solve", "model.toml", "--report", "out.pdf"];
     folder.run(&wanted).fails(2, "cargo install --path crates/groundbeam-cli --features pdf");
@@ -29,7 +29,7 @@ fn the_same_file_gives_the_same_bytes() {
 
 #[test]
 #[cfg(feature = "pdf")]
-fn without_an_equilibrium_there_is_a_report_too() {
+fn a_model_without_equilibrium_has_a_report() {
     let folder = Folder::with(&crate::common::tips());
     let done = folder.run(&["solve", "model.toml", "--report", "out.pdf"]);
     assert_eq!(done.status, 3, "{}", done.stderr);

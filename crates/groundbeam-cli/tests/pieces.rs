@@ -57,7 +57,7 @@ fn the_pieces_prove_the_answer() {
 }
 
 #[test]
-fn combinations_and_supports_are_told_apart() {
+fn pieces_identify_their_combination_and_support() {
     let folder = Folder::with(SUPPORTED);
     let done = folder.run(&["solve", "model.toml", "--json", "--pieces"]);
     done.is_clean(0);
@@ -76,7 +76,7 @@ fn combinations_and_supports_are_told_apart() {
 }
 
 #[test]
-fn the_digest_is_that_of_the_file() {
+fn the_digest_is_the_sha256_of_the_file() {
     let folder = Folder::with(LIFTS);
     let digest = folder.run(&["solve", "model.toml", "--json"]).json()["model_digest"].clone();
     if let Ok(output) = Command::new("sha256sum").arg(folder.path("model.toml")).output() {
@@ -98,7 +98,7 @@ fn the_digest_is_that_of_the_file() {
 }
 
 #[test]
-fn pieces_belong_to_a_document() {
+fn the_pieces_option_needs_json() {
     let folder = Folder::with(LIFTS);
     folder.run(&["solve", "model.toml", "--pieces"]).fails(2, "--json");
 }

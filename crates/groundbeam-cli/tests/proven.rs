@@ -4,7 +4,7 @@ use crate::common::{FOOTING, Folder, LIFTS, combined, tips};
 use serde_json::json;
 
 #[test]
-fn a_report_with_its_proof() {
+fn the_text_report_contains_the_proof() {
     for model in [LIFTS, FOOTING] {
         let done = Folder::with(model).run(&["solve", "model.toml", "--proven"]);
         done.is_clean(0);
@@ -100,7 +100,7 @@ fn each_combination_has_its_proof() {
 }
 
 #[test]
-fn what_cannot_be_proven_is_told() {
+fn models_that_cannot_be_proven_are_reported() {
     let folder = Folder::with(&tips());
     folder.run(&["solve", "model.toml", "--proven"]).fails(3, "tips about its right end");
     let train = format!("{FOOTING}[[train]]\naxles = [{{ at = '0 m', force = '90 kN' }}]\n");
@@ -111,7 +111,7 @@ fn what_cannot_be_proven_is_told() {
 /// The second reader does not know surveys. The document contains the model, and the proof applies to that
 /// model.
 #[test]
-fn a_model_of_the_document_is_proven_with_a_status_of_its_own() {
+fn a_proof_of_the_model_in_the_document_has_its_own_status() {
     let model = format!("{LIFTS}[gap_survey]\nfile = 'survey.csv'\n");
     let folder = Folder::with(&model);
     folder.write("survey.csv", SURVEY);
@@ -138,7 +138,7 @@ fn checked(settlement: &str, lifted_share: &str) -> String {
 }
 
 #[test]
-fn a_check_is_proven_if_its_limit_lies_outside_of_the_bound() {
+fn a_check_is_proven_if_its_limit_lies_outside_the_bound() {
     let solve = ["solve", "model.toml", "--proven"];
     let folder = Folder::with(&checked("0.6", "0.5"));
     let done = folder.run(&solve);
@@ -166,7 +166,7 @@ fn a_check_is_proven_if_its_limit_lies_outside_of_the_bound() {
 }
 
 #[test]
-fn load_factors_and_places_of_the_pressure_are_not_proven() {
+fn load_factors_and_positions_of_extreme_pressures_are_not_proven() {
     let folder = Folder::with(LIFTS);
     let done = folder.run(&["solve", "model.toml", "--proven", "--factors"]);
     done.is_clean(0);
@@ -227,7 +227,7 @@ fn tables_of_combinations_have_bounds() {
 }
 
 #[test]
-fn a_report_with_bounds() {
+fn the_html_report_contains_the_bounds() {
     let folder = Folder::with(LIFTS);
     folder.run(&["solve", "model.toml", "--proven", "--report", "r.html"]).is_clean(0);
     let report = folder.read("r.html");
@@ -246,7 +246,7 @@ fn a_report_with_bounds() {
 
 /// Position intervals in a document are compared with the proven ones.
 #[test]
-fn claimed_places_are_verified() {
+fn claimed_positions_of_extremes_are_verified() {
     let folder = Folder::with(LIFTS);
     let mut document = folder.run(&["solve", "model.toml", "--proven", "--json"]).json();
     let place = document["proof"]["places"]["moment"]["max"][0].clone();

@@ -139,7 +139,7 @@ fn a_log_with_one_changed_number_fails() {
 }
 
 #[test]
-fn logs_of_other_kinds_with_one_changed_number_fail() {
+fn logs_of_other_kinds_of_models_with_one_changed_number_fail() {
     refused(
         "cases/footings/deep-footing-that-shears.toml",
         &[
@@ -186,7 +186,7 @@ fn logs_of_other_kinds_with_one_changed_number_fail() {
 
 /// A log with a missing line is rejected by name, or an inequality fails without that line's data.
 #[test]
-fn a_log_with_a_line_left_out_is_refused() {
+fn a_log_with_a_missing_line_is_rejected() {
     let folder = logged(Path::new("cases/kikuchi-1980/case-3.toml")).expect("a log");
     let log = folder.read("proof.log");
     for name in ["piece", "closing", "pull", "bounds", "edge", "unique", "contact set"] {

@@ -11,7 +11,7 @@ fn timeless(mut document: Value) -> Value {
 }
 
 #[test]
-fn solve_answers_with_the_result_document() {
+fn a_solve_request_returns_the_result_document() {
     let server = Server::start(None);
     let combined = format!(
         "{LIFTS}case = 'Q'\n[[combination]]\nname = 'one'\nfactors = {{ Q = 1.0 }}\n\
@@ -29,7 +29,7 @@ fn solve_answers_with_the_result_document() {
 }
 
 #[test]
-fn a_wrong_model_comes_back_with_its_diagnostics() {
+fn an_invalid_model_returns_its_diagnostics() {
     let server = Server::start(None);
     let reply = server.post("/api/solve", &LIFTS.replace("length", "lenght"));
     assert_eq!((reply.status, &reply.json()["status"]), (422, &json!("wrong-model")));
@@ -47,7 +47,7 @@ fn a_wrong_model_comes_back_with_its_diagnostics() {
 }
 
 #[test]
-fn what_is_no_model_file_is_refused() {
+fn invalid_http_requests_are_rejected() {
     let server = Server::start(None);
     let typed = |kind: &str| {
         let header = format!("Content-Type: {kind}");
@@ -85,7 +85,7 @@ fn trains() -> String {
 }
 
 #[test]
-fn a_wrong_query_is_refused_with_its_key_its_value_and_what_is_allowed() {
+fn an_invalid_query_is_rejected_with_its_key_value_and_allowed_values() {
     let server = Server::start(None);
     let trains = trains();
     let refused = |path: &str, model: &str, words: &[&str]| {
@@ -152,7 +152,7 @@ fn a_wrong_query_is_refused_with_its_key_its_value_and_what_is_allowed() {
 }
 
 #[test]
-fn a_view_of_trains_begins_with_one_position() {
+fn a_view_of_trains_shows_the_first_train_at_one_position_by_default() {
     let server = Server::start(None);
     let view = |query: &str| {
         let reply = server.post(&format!("/api/view{query}"), &trains());
@@ -195,7 +195,7 @@ fn slow_connections_do_not_stop_others() {
 }
 
 #[test]
-fn other_pages_and_other_names_are_refused() {
+fn requests_from_other_origins_and_host_names_are_rejected() {
     let server = Server::start(None);
     let port = server.port;
     let from = |origin: &str| {
@@ -232,7 +232,7 @@ fn other_pages_and_other_names_are_refused() {
 }
 
 #[test]
-fn two_hundred_at_once() {
+fn two_hundred_simultaneous_requests_are_served() {
     let server = Server::start(None);
     let port = server.port;
     let one = |i: usize| {
@@ -258,7 +258,7 @@ fn two_hundred_at_once() {
 }
 
 #[test]
-fn a_view_tells_where_every_number_stands() {
+fn a_view_returns_the_text_position_of_every_number() {
     let server = Server::start(None);
     let view = server.post("/api/view?width=700", FOOTING).json();
     assert_eq!(view["status"], "solved");
@@ -287,7 +287,7 @@ fn a_view_tells_where_every_number_stands() {
 /// A view, a file and a report have the units and digits of their query, as the output of the command line
 /// does.
 #[test]
-fn units_and_digits_are_those_of_the_query() {
+fn responses_have_the_units_and_digits_of_the_query() {
     let server = Server::start(None);
     let folder = Folder::with(FOOTING);
     let untimed = |text: &str| text.split("\nMethod ").next().unwrap().to_owned();
@@ -319,7 +319,7 @@ fn units_and_digits_are_those_of_the_query() {
 }
 
 #[test]
-fn files_to_keep_are_those_of_the_command_line() {
+fn downloaded_files_equal_those_of_the_command_line() {
     let server = Server::start(None);
     let folder = Folder::with(LIFTS);
     let arguments = ["solve", "model.toml", "--csv", "t.csv", "--plot", "p.svg"];
@@ -340,7 +340,7 @@ fn files_to_keep_are_those_of_the_command_line() {
 }
 
 #[test]
-fn the_page_asks_nobody_else() {
+fn the_page_contacts_no_other_server() {
     let folder = Folder::with(FOOTING);
     let server = Server::start(Some(&folder.path("model.toml")));
     let start = server.get("/api/start").json();
@@ -369,7 +369,7 @@ fn the_page_asks_nobody_else() {
 }
 
 #[test]
-fn what_cannot_be_served_is_said() {
+fn the_serve_command_reports_missing_files_and_unusable_ports() {
     let folder = Folder::new();
     folder.run(&["serve", "missing.toml", "--no-open"]).fails(2, "missing.toml: ");
     folder.run(&["serve", "--port", "70000", "--no-open"]).fails(2, "70000");

@@ -4,7 +4,7 @@ use crate::common::{FOOTING, Folder, LIFTS, tips};
 use serde_json::json;
 
 #[test]
-fn a_report_on_standard_output() {
+fn solve_prints_a_text_report() {
     let done = Folder::with(LIFTS).run(&["solve", "model.toml"]);
     done.is_clean(0);
     assert!(done.stdout.starts_with("Kikuchi 1980, case IV\n"));
@@ -13,7 +13,7 @@ fn a_report_on_standard_output() {
 
 /// A force very near an end of a beam on separate springs. With four digits both edges would be 1.
 #[test]
-fn the_ends_of_a_short_zone_have_enough_digits_to_differ() {
+fn the_ends_of_a_short_contact_zone_are_printed_with_different_digits() {
     let beam = "[beam]\nlength = 1\nEI = 1\n[foundation]\nk = 4\n";
     let folder = Folder::with(&format!("{beam}[[load]]\npoint = 1\nat = 0.999999999\n"));
     let done = folder.run(&["solve", "model.toml"]);
@@ -22,7 +22,7 @@ fn the_ends_of_a_short_zone_have_enough_digits_to_differ() {
 }
 
 #[test]
-fn a_document_and_nothing_else() {
+fn the_json_option_prints_only_the_result_document() {
     let done = Folder::with(LIFTS).run(&["solve", "model.toml", "--json", "--at", "0,0.25,1"]);
     done.is_clean(0);
     let found = done.json();
@@ -38,7 +38,7 @@ fn a_document_and_nothing_else() {
 }
 
 #[test]
-fn standard_input() {
+fn solve_reads_a_model_from_standard_input() {
     let folder = Folder::new();
     let done = folder.run_with_input(&["solve", "-", "--json"], LIFTS.as_bytes());
     done.is_clean(0);
@@ -47,7 +47,7 @@ fn standard_input() {
 }
 
 #[test]
-fn positions_follow_the_rule_of_the_file() {
+fn positions_need_units_if_the_file_has_units() {
     let folder = Folder::with(FOOTING);
     let at = |list| folder.run(&["solve", "model.toml", "--json", "--at", list]);
     let done = at("0 m, 50 cm, 12 m");
@@ -62,7 +62,7 @@ fn positions_follow_the_rule_of_the_file() {
 }
 
 #[test]
-fn tables_and_pictures() {
+fn solve_writes_tables_and_pictures() {
     let folder = Folder::with(LIFTS);
     let plain = folder.run(&["solve", "model.toml"]);
     let arguments = [
@@ -91,7 +91,7 @@ fn tables_and_pictures() {
 }
 
 #[test]
-fn no_equilibrium() {
+fn a_model_without_equilibrium_ends_with_status_3() {
     let folder = Folder::with(&tips());
     let done = folder.run(&["solve", "model.toml", "--csv", "t.csv"]);
     done.fails(3, "tips about its right end");
@@ -108,7 +108,7 @@ fn no_equilibrium() {
 }
 
 #[test]
-fn a_model_that_is_wrong() {
+fn solve_rejects_an_invalid_model() {
     let folder = Folder::with(&LIFTS.replace("EI = 1", "EI = -1"));
     for arguments in [&["solve", "model.toml"][..], &["solve", "model.toml", "--json"]] {
         folder.run(arguments).fails(2, "error[GB102]: the bending stiffness EI is negative");
@@ -117,7 +117,7 @@ fn a_model_that_is_wrong() {
 }
 
 #[test]
-fn a_model_that_is_not_solved_is_shown_at_its_line() {
+fn an_unsupported_model_is_reported_at_its_line() {
     let folder = Folder::with(PRESSED);
     let done = folder.run(&["solve", "model.toml", "--method", "active-set"]);
     done.fails(2, "error[GB611]");
@@ -165,7 +165,7 @@ distributed = 1
 ";
 
 #[test]
-fn compression_that_the_ground_helps_to_bear() {
+fn a_local_equilibrium_is_reported_under_compression() {
     let folder = Folder::with(PRESSED);
     let done = folder.run(&["solve", "model.toml"]);
     done.is_clean(0);
@@ -192,7 +192,7 @@ fn compression_that_the_ground_helps_to_bear() {
 }
 
 #[test]
-fn combinations_in_compression_each_by_itself() {
+fn each_combination_under_compression_has_its_own_verdict() {
     let cases = PRESSED.to_owned()
         + "case = \"G\"\n[[load]]\npoint = -2\nat = 2.5\ncase = \"Q\"\n\
            [[combination]]\nname = \"lies\"\nfactors = { G = 1 }\n\
@@ -207,7 +207,7 @@ fn combinations_in_compression_each_by_itself() {
 }
 
 #[test]
-fn a_method_with_a_mesh() {
+fn a_finer_mesh_has_a_smaller_energy_gap() {
     let folder = Folder::with(LIFTS);
     let run = |elements| {
         let arguments =
@@ -225,7 +225,7 @@ fn a_method_with_a_mesh() {
 }
 
 #[test]
-fn a_method_that_stops_early() {
+fn a_method_that_does_not_converge_ends_with_status_4() {
     let folder = Folder::with(LIFTS);
     let stopped = ["solve", "model.toml", "--method", "uzawa", "--most-sweeps", "2"];
     folder.run(&stopped).fails(4, "the method `uzawa` stopped");
@@ -249,7 +249,7 @@ fn equal_runs_give_equal_files() {
 }
 
 #[test]
-fn load_factors() {
+fn solve_prints_load_factors_on_request() {
     let folder =
         Folder::with(&LIFTS.replace("0.49", "0.6").replace("moment", "case = \"Q\"\nmoment"));
     // No equilibrium exists under the full moment. The load factor gives the allowed fraction.
@@ -282,7 +282,7 @@ fn load_factors() {
 }
 
 #[test]
-fn load_cases_that_are_not_there() {
+fn unknown_load_cases_are_rejected() {
     let folder = Folder::with(&LIFTS.replace("moment", "case = \"Q\"\nmoment"));
     let run = |list: &str| folder.run(&["solve", "model.toml", list]);
     run("--factors=Q,q").fails(2, "error[GB009]: no load belongs to a case `q`");
@@ -335,7 +335,7 @@ fn a_train_gives_the_envelope_of_its_positions() {
 }
 
 #[test]
-fn a_train_under_which_the_beam_tips() {
+fn positions_of_a_train_without_equilibrium_are_reported() {
     let lifts = TRAIN.replace("axles = [", "axles = [{ at = '11 m', force = '-40 kN' }, ");
     let done = Folder::with(&lifts).run(&["solve", "model.toml", "--json"]);
     done.is_clean(3);
@@ -356,7 +356,7 @@ fn a_train_under_which_the_beam_tips() {
 }
 
 #[test]
-fn a_train_under_a_combination() {
+fn a_train_passes_under_a_selected_combination() {
     let both = TRAIN.replace("'3 kN/m'\n", "'3 kN/m'\ncase = 'G'\n")
         + "[[combination]]\nname = 'ULS'\nfactors = { G = 1.35 }\n";
     let folder = Folder::with(&both);
@@ -395,7 +395,7 @@ fn a_train_under_a_combination() {
 }
 
 #[test]
-fn a_calculation_report() {
+fn solve_writes_a_calculation_report() {
     let folder = Folder::with(LIFTS);
     folder.run(&["solve", "model.toml", "--report", "out.html"]).is_clean(0);
     let page = folder.read("out.html");
@@ -416,13 +416,13 @@ fn a_calculation_report() {
 }
 
 #[test]
-fn no_drawing_in_pipes() {
+fn the_drawing_is_left_out_in_pipes() {
     let done = Folder::with(LIFTS).run(&["solve", "model.toml"]);
     assert!(!done.stdout.contains('░') && !done.stdout.contains('━'));
 }
 
 #[test]
-fn the_chords_of_a_trough_are_told() {
+fn the_number_of_chords_of_a_trough_is_reported() {
     let text = "[beam]\nlength = '120 m'\nEI = '150 MN m^2'\n[foundation]\nk = '20 MN/m^2'\n
         [[load]]\ndistributed = '20 kN/m'\n
         [[gap_trough]]\nat = '60 m'\nsettlement = '20 mm'\nwidth = '8 m'\n";

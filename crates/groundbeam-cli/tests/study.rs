@@ -44,7 +44,7 @@ fn bytes(folder: &Folder, name: &str) -> Vec<u8> {
 }
 
 #[test]
-fn a_study_tells_probabilities() {
+fn a_study_estimates_known_probabilities() {
     let folder = folder();
     let done = folder.run(&["study", "study.toml", "--out", "r.parquet", "--json"]);
     done.is_clean(0);
@@ -78,7 +78,7 @@ fn a_study_tells_probabilities() {
 }
 
 #[test]
-fn the_bytes_are_those_of_the_study_alone() {
+fn threads_and_shards_do_not_change_the_bytes_of_a_study() {
     let folder = folder();
     let run = |more: &[&str]| folder.run(&[&["study", "study.toml"], more].concat()).is_clean(0);
     run(&["--out", "one.parquet", "--threads", "1"]);
@@ -104,7 +104,7 @@ fn the_bytes_are_those_of_the_study_alone() {
 
 /// A merge to standard output writes only the file. The merge and the study reject a damaged shard.
 #[test]
-fn damage_is_told_and_standard_output_holds_the_file_alone() {
+fn damaged_results_are_rejected_and_standard_output_holds_only_the_file() {
     let folder = folder();
     let study = |more: &[&str]| {
         folder.run(
@@ -161,7 +161,7 @@ fn interrupted(
 }
 
 #[test]
-fn a_killed_study_goes_on_and_ends_with_the_same_bytes() {
+fn a_killed_study_resumes_and_ends_with_the_same_bytes() {
     let folder = many();
     let all = ["study", "study.toml", "--samples", "40000", "--json"];
     folder.run(&[&all[..], &["--out", "whole.parquet"]].concat()).is_clean(0);
@@ -179,7 +179,7 @@ fn a_killed_study_goes_on_and_ends_with_the_same_bytes() {
 
 #[cfg(unix)]
 #[test]
-fn the_keyboard_stops_a_study_and_nothing_is_lost() {
+fn an_interrupted_study_keeps_its_finished_samples() {
     let folder = many();
     let output = interrupted(&folder, |child| {
         let sent =
@@ -201,7 +201,7 @@ fn the_keyboard_stops_a_study_and_nothing_is_lost() {
 }
 
 #[test]
-fn two_at_once_are_one_too_many() {
+fn two_processes_cannot_run_the_same_study() {
     let folder = many();
     let mut busy = None;
     interrupted(&folder, |child| {
@@ -213,7 +213,7 @@ fn two_at_once_are_one_too_many() {
 }
 
 #[test]
-fn what_is_wrong_is_told_at_its_place() {
+fn errors_in_a_study_file_are_reported_at_their_location() {
     let folder = folder();
     let wrong = |from: &str, to: &str, expected: &[&str]| {
         assert!(STUDY.contains(from), "{from}");

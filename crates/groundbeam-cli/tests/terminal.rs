@@ -35,7 +35,7 @@ fn model() -> String {
 }
 
 #[test]
-fn reports() {
+fn reports_escape_control_characters() {
     let folder = Folder::with(&model());
     let commands: [&[&str]; 5] = [
         &["solve", "model.toml"],
@@ -57,7 +57,7 @@ fn reports() {
 }
 
 #[test]
-fn a_train() {
+fn train_results_escape_control_characters() {
     let train = name("train");
     let folder = Folder::with(&format!(
         "title = {}\n[beam]\nlength = 1\nEI = 1\n[foundation]\nk = 1\n\
@@ -70,7 +70,7 @@ fn a_train() {
 }
 
 #[test]
-fn a_study() {
+fn study_results_escape_control_characters() {
     let folder = Folder::with(
         "[beam]\nlength = 1\nEI = 1\n[foundation]\nk = 1\n[[load]]\npoint = 1\nat = 0.5\n",
     );
@@ -93,7 +93,7 @@ fn a_study() {
 
 /// Characters are escaped in messages, in hints, in lines of the file and in the file name.
 #[test]
-fn diagnostics() {
+fn diagnostics_escape_control_characters() {
     let folder = Folder::with(&model());
     let unknown = folder.run(&["solve", "model.toml", "--combination", "third"]);
     unknown.fails(2, r"both\u{0}\u{1}");
@@ -109,7 +109,7 @@ fn diagnostics() {
 
 #[cfg(unix)]
 #[test]
-fn names_of_files() {
+fn file_names_escape_control_characters() {
     let name: String = steering().filter(|&c| c != '\0').chain("x.toml".chars()).collect();
     let folder = Folder::new();
     folder.run(&["new", &name]);

@@ -6,7 +6,7 @@ use crate::common::{Folder, LIFTS};
 const STRIP: &str = include_str!("../../../cases/footings/strip-footing-in-us-units.toml");
 
 #[test]
-fn the_units_of_the_file_decide() {
+fn results_have_the_units_of_the_file() {
     let folder = Folder::with(STRIP);
     let done = folder.run(&["solve", "model.toml", "--csv", "out.csv", "--plot", "out.svg"]);
     done.is_clean(0);
@@ -21,7 +21,7 @@ fn the_units_of_the_file_decide() {
 }
 
 #[test]
-fn the_command_line_chooses_units_and_digits() {
+fn command_line_options_select_units_and_digits() {
     let folder = Folder::with(STRIP);
     let si = folder.run(&["solve", "model.toml", "--units", "si", "--digits", "7"]);
     si.is_clean(0);
@@ -49,7 +49,7 @@ fn warnings_do_not_stop_a_run() {
 }
 
 #[test]
-fn the_report_holds_every_input() {
+fn the_report_contains_every_input() {
     let folder = Folder::with(&STRIP.replace("[[load]]\npoint = \"210 kip\"", "[gap_survey]\nfile = \"levels.csv\"\nx = \"at\"\nclearance = \"gap\"\n\n[[load]]\npoint = \"210 kip\""));
     folder.write("levels.csv", b"at [ft],gap [in]\n0,0\n40,0.25\n");
     let done = folder.run(&["solve", "model.toml", "--report", "out.html"]);

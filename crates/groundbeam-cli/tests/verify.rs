@@ -58,7 +58,7 @@ fn with(folder: &Folder, document: &Value) -> Done {
 }
 
 #[test]
-fn a_right_document_is_proven() {
+fn correct_documents_are_proven() {
     for model in [LIFTS, FOOTING, SUPPORTED, CENTRAL] {
         let (folder, _) = solved(model, &[]);
         let done = verify(&folder, &[]);
@@ -77,7 +77,7 @@ fn a_right_document_is_proven() {
 }
 
 #[test]
-fn keys_that_are_not_covered_are_named_and_strict_refuses_them() {
+fn keys_that_are_not_covered_are_named_and_strict_rejects_them() {
     let (folder, mut document) = solved(LIFTS, &[]);
     let done = verify(&folder, &["--strict"]);
     assert_eq!(done.status, 1);
@@ -100,7 +100,7 @@ fn keys_that_are_not_covered_are_named_and_strict_refuses_them() {
 }
 
 #[test]
-fn another_model_is_told() {
+fn a_document_of_another_model_is_reported() {
     let (folder, mut document) = solved(LIFTS, &[]);
     folder.write("model.toml", LIFTS.replace("0.49", "0.4901").as_bytes());
     let done = verify(&folder, &[]);
@@ -120,7 +120,7 @@ fn another_model_is_told() {
 }
 
 #[test]
-fn documents_that_cannot_be_read() {
+fn unreadable_documents_are_reported() {
     let (folder, document) = solved(LIFTS, &[]);
     let text = document.to_string();
     let wrong = [
@@ -241,7 +241,7 @@ fn every_listed_number_is_compared() {
 }
 
 #[test]
-fn attacks() {
+fn the_listed_attacks_end_with_their_expected_status() {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../cases/attacks.json");
     let all: Value = serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap();
     for attack in all.as_array().unwrap() {
@@ -280,7 +280,7 @@ fn combinations_that_the_document_leaves_out_are_named() {
 
 /// The shear force in documents is M′, also under a distributed moment.
 #[test]
-fn the_shear_force_under_a_distributed_moment_is_that_of_documents() {
+fn the_shear_force_under_a_distributed_moment_is_the_derivative_of_the_moment() {
     let model = format!("{FOOTING}[[load]]\ndistributed_moment = '5 kN m/m'\n");
     let (folder, document) = solved(&model, &[]);
     verify(&folder, &[]).is_clean(0);
@@ -292,7 +292,7 @@ fn the_shear_force_under_a_distributed_moment_is_that_of_documents() {
 
 /// Near an extreme the values are almost constant, so its position is compared separately.
 #[test]
-fn places_of_extremes_are_compared() {
+fn positions_of_extremes_are_compared() {
     let (folder, document) = solved(include_str!("../../../docs/strip-footing.toml"), &[]);
     let places = verify(&folder, &["--json"]).json()["results"][0]["places"].clone();
     let of = |field: &str, extreme: &str| {

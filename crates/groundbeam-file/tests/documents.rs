@@ -68,7 +68,7 @@ value = "2 mm"
 "#;
 
 #[test]
-fn a_whole_file() {
+fn every_value_of_a_complete_file_is_read() {
     let document = read(WHOLE);
     let model = &document.model;
     assert_eq!(document.title.as_deref(), Some("Strip footing under three columns"));
@@ -96,7 +96,7 @@ fn a_whole_file() {
 }
 
 #[test]
-fn plain_numbers_stay_as_they_are() {
+fn numbers_without_units_are_read_unchanged() {
     let document = read(
         "[beam]\nlength = 100\nEI = 1.0\n[foundation]\nk = \"1\"\nmu = 0.1\n\
          [[load]]\npoint = 1.2503646726300526\nat = 0x10\n",
@@ -111,7 +111,7 @@ fn with(beam: &str, ground: &str) -> Document {
 }
 
 #[test]
-fn a_stiffness_and_its_factors() {
+fn the_bending_stiffness_is_the_product_of_its_factors() {
     let ei = |beam| with(beam, "k = \"1 N/m^2\"").model.beam.bending_stiffness;
     assert_eq!(ei("EI = \"1.2e6 kN m^2\""), 1.2e9);
     assert_eq!(ei("E = \"30 GPa\"\nI = \"0.04 m^4\""), 1.2e9);
@@ -122,7 +122,7 @@ fn a_stiffness_and_its_factors() {
 }
 
 #[test]
-fn segments_take_over_what_they_leave_out() {
+fn segments_inherit_missing_values() {
     let document = with(
         "E = \"30 GPa\"\nI = \"0.04 m^4\"
          [[beam.segment]]\nfrom = \"0 m\"\nto = \"1 m\"\nI = \"0.02 m^4\"
@@ -147,7 +147,7 @@ fn segments_take_over_what_they_leave_out() {
 }
 
 #[test]
-fn two_values_run_from_one_end_to_the_other() {
+fn two_values_vary_linearly_from_end_to_end() {
     // The beam is 12 m long. Values of the whole beam apply outside the segments.
     let document = with(
         "E = \"2 Pa\"\nI = [\"1 m^4\", \"4 m^4\"]
@@ -180,7 +180,7 @@ fn two_values_run_from_one_end_to_the_other() {
 }
 
 #[test]
-fn a_section_whose_height_varies_is_a_haunch() {
+fn a_section_of_varying_height_has_a_cubic_stiffness() {
     let haunch = with(
         "E = \"12 Pa\"\nsection = { width = \"1 m\", height = [\"2 m\", \"1 m\"] }",
         "k = \"1 N/m^2\"",
@@ -193,7 +193,7 @@ fn a_section_whose_height_varies_is_a_haunch() {
 }
 
 #[test]
-fn segments_from_end_to_end_may_stand_alone() {
+fn segments_that_cover_the_beam_need_no_values_of_the_whole_beam() {
     let document = with(
         "[[beam.segment]]\nfrom = \"6 m\"\nto = \"12 m\"\nEI = \"2 N m^2\"
          [[beam.segment]]\nfrom = \"0 m\"\nto = \"600 cm\"\nEI = \"1 N m^2\"",
@@ -216,7 +216,7 @@ fn one_table_can_be_written_in_several_ways() {
 }
 
 #[test]
-fn problems_found_later_have_a_place_too() {
+fn fields_of_a_read_document_have_their_location() {
     let document = read(WHOLE);
     let place = |part, field| {
         let span = document.field_span(part, field).unwrap();
@@ -243,7 +243,7 @@ fn problems_found_later_have_a_place_too() {
 }
 
 #[test]
-fn thousands_of_faults_are_all_found_and_a_hundred_shown() {
+fn all_of_many_errors_are_found_and_a_hundred_are_shown() {
     let slip = "[[load]]\npoint = \"1 kM\"\nat = \"1 m\"\n";
     let text = format!(
         "[beam]\nlength = \"2 m\"\nEI = \"1 N m^2\"\n[foundation]\nk = \"1 Pa\"\n{}",
@@ -258,7 +258,7 @@ fn thousands_of_faults_are_all_found_and_a_hundred_shown() {
 
 /// Self-weight follows the sections. Its load has its own load case and comes after the file's loads.
 #[test]
-fn own_weight_follows_the_sections() {
+fn self_weight_follows_the_sections() {
     let text = r#"
         [beam]
         length = "12 m"
@@ -293,7 +293,7 @@ const TROUGH: &str = "[beam]\nlength = '120 m'\nEI = '150 MN m^2'\n[foundation]\
     [[gap_trough]]\nat = '60 m'\nsettlement = '0.2 m'\nwidth = '20 m'\n";
 
 #[test]
-fn chords_follow_from_ground_and_loads() {
+fn the_number_of_chords_depends_on_ground_and_loads() {
     let chords = |more: &str| read(&format!("{TROUGH}{more}")).chords.unwrap();
     let plain = chords("");
     assert_eq!(read(TROUGH).model.gap.len(), plain + 1);
@@ -314,20 +314,20 @@ fn chords_follow_from_ground_and_loads() {
 }
 
 #[test]
-fn a_trough_written_back_is_the_same_polygon() {
+fn a_written_trough_is_read_back_as_the_same_polygon() {
     let document = read(TROUGH);
     let again = read(&write_toml(&document.model, None, document.units));
     assert_eq!((again.model, again.chords), (document.model, None));
 }
 
 #[test]
-fn a_trough_far_from_the_beam_is_no_error() {
+fn a_trough_far_from_the_beam_is_accepted() {
     let document = read(&TROUGH.replace("at = '60 m'", "at = '-500 m'"));
     assert!(document.model.gap.iter().all(|corner| corner.value < 1e-60));
 }
 
 #[test]
-fn every_kind_of_soil_is_written_as_soil() {
+fn soil_data_are_written_back_as_soil_data() {
     let elastic = "E = '20 MPa'\nnu = 0.3\n";
     let plate = "plate_modulus = '60 MN/m^3'\nplate_width = '0.3 m'\n";
     let layer = "[[foundation.soil.layer]]\nE = '20 MPa'\nnu = 0.3\nthickness = '4 m'\n";

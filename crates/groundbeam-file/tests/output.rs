@@ -15,7 +15,7 @@ fn names(folder: &Path) -> Vec<String> {
 }
 
 #[test]
-fn an_output_that_is_not_finished_leaves_the_old_file() {
+fn an_unfinished_output_leaves_the_old_file() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("a.csv");
     write(&path, b"old").unwrap();
@@ -47,7 +47,7 @@ fn one_process_writes_a_file_at_a_time() {
 }
 
 #[test]
-fn what_a_killed_process_left_is_used_again() {
+fn the_temporary_file_of_a_killed_process_is_reused() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("a.csv");
     let mut killed = Output::create(&path).unwrap();
@@ -63,7 +63,7 @@ fn what_a_killed_process_left_is_used_again() {
 }
 
 #[test]
-fn threads_that_write_one_file_leave_one_whole_text() {
+fn concurrent_writes_leave_the_complete_text_of_one_thread() {
     let folder = tempfile::tempdir().unwrap();
     let path = &folder.path().join("a.csv");
     let text = |i: u8| vec![i; 100_000];
@@ -83,7 +83,7 @@ fn threads_that_write_one_file_leave_one_whole_text() {
 }
 
 #[test]
-fn paths_that_are_no_files_are_refused() {
+fn paths_that_cannot_be_files_are_rejected() {
     let folder = tempfile::tempdir().unwrap();
     let refused = |path: &Path| write(path, b"text").unwrap_err().to_string();
     assert_eq!(refused(folder.path()), "this is a folder, not a file");
@@ -92,7 +92,7 @@ fn paths_that_are_no_files_are_refused() {
 }
 
 #[test]
-fn different_spellings_of_a_path_are_one_file() {
+fn different_spellings_of_a_path_identify_one_file() {
     let folder = tempfile::tempdir().unwrap();
     fs::create_dir(folder.path().join("b")).unwrap();
     let identity = |name: &str| Identity::of(&folder.path().join(name)).unwrap().unwrap();
@@ -177,7 +177,7 @@ mod unix {
     }
 
     #[test]
-    fn links_and_hard_links_are_one_file() {
+    fn links_and_hard_links_identify_their_target() {
         let folder = tempfile::tempdir().unwrap();
         let path = |name: &str| folder.path().join(name);
         let identity = |name: &str| Identity::of(&path(name)).unwrap().unwrap();

@@ -269,7 +269,7 @@ proptest! {
     }
 
     #[test]
-    fn what_is_written_reads_as_the_same_bits(model in model(), units in units(), title in any::<Option<String>>()) {
+    fn a_written_model_is_read_back_bit_for_bit(model in model(), units in units(), title in any::<Option<String>>()) {
         prop_assert_eq!(model.problems(), []);
         let text = write_toml(&model, title.as_deref(), units);
         let document = match parse(&text) {
@@ -301,7 +301,7 @@ proptest! {
 
     /// Every field that a problem can name has a location, also in a file that leaves out most values.
     #[test]
-    fn every_problem_has_a_place(model in model(), units in units(), field in "[a-z_]{1,20}", i in 0..3_usize) {
+    fn every_problem_has_a_location(model in model(), units in units(), field in "[a-z_]{1,20}", i in 0..3_usize) {
         let text = write_toml(&model, None, units);
         let document = parse(&text).unwrap();
         let parts = [
@@ -324,7 +324,7 @@ proptest! {
 
 /// Rust reads a decimal as the nearest 64-bit number; a prefix only moves the decimal point.
 #[test]
-fn prefixes_never_cost_a_bit() {
+fn unit_prefixes_are_applied_without_rounding_error() {
     let mut runner = proptest::test_runner::TestRunner::deterministic();
     let numbers = ("[0-9]{1,20}", "[0-9]{0,20}", -30..30_i32);
     let prefixes =

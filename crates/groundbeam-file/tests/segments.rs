@@ -191,7 +191,7 @@ proptest! {
     #![proptest_config(ProptestConfig { cases: 400, failure_persistence: None, ..Default::default() })]
 
     #[test]
-    fn a_segment_has_from_its_table_what_it_leaves_out(beam in beam(), ground in ground()) {
+    fn a_segment_inherits_missing_values_from_its_table(beam in beam(), ground in ground()) {
         let mut text = String::new();
         beam.write(&mut text, "beam", "beam.segment");
         ground.write(&mut text, "foundation", "foundation.segment");
@@ -211,7 +211,7 @@ proptest! {
 
     /// Outside the beam the ground has the values at the beam's ends, unless a constant segment lies there.
     #[test]
-    fn ground_beside_the_beam_goes_on_as_at_the_ends(
+    fn ground_outside_the_beam_has_the_values_at_the_ends_of_the_beam(
         ground in ground(),
         own in said(&[&["k"], &["k", "mu"]]),
         beside in 0.5..4.0_f64,
@@ -234,7 +234,7 @@ proptest! {
 
     /// Segments from end to end need no values of the whole beam, and a gap between them is reported.
     #[test]
-    fn segments_alone_cover_the_beam_or_something_is_missing(
+    fn segments_without_values_of_the_whole_beam_must_cover_it(
         joint in 1.0..11.0_f64,
         gap in prop_oneof![Just(0.0), 0.1..0.9_f64],
         values in prop::collection::vec(values(), 4),

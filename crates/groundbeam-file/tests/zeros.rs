@@ -84,7 +84,7 @@ rotational_spring = "5 MN m/rad"
 const STRANGE: &str = "qqqqqqqqqqqq";
 
 #[test]
-fn under_every_key_of_a_model() {
+fn a_bare_zero_needs_no_unit_under_any_key_of_a_model() {
     let mut tried = BTreeSet::new();
     let mut known = BTreeSet::new();
     let rare = Sample { folder: PathBuf::new(), text: RARE.to_owned() };
@@ -107,7 +107,7 @@ fn under_every_key_of_a_model() {
 }
 
 #[test]
-fn in_a_study() {
+fn a_bare_zero_needs_no_unit_in_a_study() {
     let docs = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs");
     let text = std::fs::read_to_string(docs.join("random-ground.toml")).unwrap();
     let text =
@@ -128,14 +128,14 @@ fn in_a_study() {
 }
 
 #[test]
-fn among_positions() {
+fn a_bare_zero_needs_no_unit_among_positions() {
     assert_eq!(parse_positions("0, 0.5 m, -0", UnitSystem::Si).unwrap(), [0.0, 0.5, 0.0]);
     assert!(parse_positions("0 m", UnitSystem::Plain).is_err());
 }
 
 /// A bare 0 is allowed in a file without units; a 0 with a unit is not.
 #[test]
-fn a_zero_is_of_both_kinds() {
+fn a_zero_with_a_unit_is_rejected_in_a_file_without_units() {
     let read = |at: &str, length: &str| {
         let model = "EI = 1\n[foundation]\nk = 1\n[[load]]\npoint = 1\n";
         parse_beside(&format!("[beam]\nlength = {length}\n{model}at = {at}\n"), Path::new(""))

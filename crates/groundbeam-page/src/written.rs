@@ -138,7 +138,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn numbers_are_found_where_a_browser_finds_them() {
+    fn positions_of_numbers_count_utf16_units() {
         let text = "title = \"Größe 𝛽\"\n[beam]\nlength = \"12 m\"\nEI = \"1_000.5e3 kN m²\"\n\
                     [foundation]\nk = '40 MN/m^2'\n[[load]]\npoint = \" 5 kN\"\nat = \"1 m\"\n\
                     [[load]]\ndistributed = [\"1 kN/m\", \"2 kN/m\"]\n";
@@ -194,7 +194,7 @@ mod tests {
     /// The time for 16 times as many loads grows about 16 times; quadratic growth would give 256 times. The
     /// shortest of several runs is used, because other programs may interrupt a run.
     #[test]
-    fn the_time_grows_with_the_number_of_loads() {
+    fn the_time_is_proportional_to_the_number_of_loads() {
         let mut least = [f64::INFINITY; 2];
         for _ in 0..50 {
             least = [least[0].min(time(250)), least[1].min(time(4_000))];

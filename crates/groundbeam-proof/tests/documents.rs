@@ -97,7 +97,7 @@ fn with(document: &str, old: &str, new: &str) -> String {
 }
 
 #[test]
-fn right_documents_are_proven() {
+fn correct_documents_are_proven() {
     assert!(is_proven(OVER_A_GAP, HINGED));
     assert!(is_proven(AT_REST, RESTING));
 }
@@ -123,7 +123,7 @@ fn a_force_that_is_listed_twice_is_not_proven() {
 
 /// The right part of the deflection is shifted by ε, and with it the reaction κ(w − δ) of the spring at the hinge.
 #[test]
-fn the_reaction_of_a_spring_at_a_hinge_has_the_error_of_the_part_that_it_is_computed_from() {
+fn the_bound_of_a_spring_reaction_at_a_hinge_covers_the_error_of_its_part() {
     let (stiffness, shift) = (2.0_f64.powi(-20), 2.0_f64.powi(-30));
     let shifted = with(HINGED, "[2, -2]", &format!("[{}, -2]", 2.0 + shift));
     let reaction = stiffness * (4.0 + shift);
@@ -134,7 +134,7 @@ fn the_reaction_of_a_spring_at_a_hinge_has_the_error_of_the_part_that_it_is_comp
 }
 
 #[test]
-fn a_stretch_that_is_not_open_has_not_lifted_off() {
+fn lift_off_claimed_on_a_stretch_in_contact_is_not_proven() {
     let lifted = r#""contact": [{"from": 0, "to": 2}],
         "lift_off": [{"from": 0, "to": 2, "largest_gap": {"x": 1, "value": 0}}]"#;
     let document = with(RESTING, r#""contact": [{"from": 0, "to": 2}]"#, lifted);
@@ -142,7 +142,7 @@ fn a_stretch_that_is_not_open_has_not_lifted_off() {
 }
 
 #[test]
-fn a_stretch_without_its_largest_gap_is_not_covered() {
+fn lift_off_without_its_largest_gap_is_not_covered() {
     let contact = r#""contact": [{"from": 0, "to": 2}]"#;
     let lifted = format!(r#"{contact}, "lift_off": [{{"from": 0.5, "to": 0.75}}]"#);
     let found = verified(AT_REST, &with(RESTING, contact, &lifted));
@@ -151,7 +151,7 @@ fn a_stretch_without_its_largest_gap_is_not_covered() {
 }
 
 #[test]
-fn a_settlement_that_no_formula_uses_is_not_proven() {
+fn an_unused_settlement_is_not_proven() {
     let open = "\"touches\": false, \"deflection\": [2, -2]";
     let stored = format!("{open}, \"settlement\": [5]");
     assert!(!is_proven(OVER_A_GAP, &with(HINGED, open, &stored)));

@@ -26,7 +26,7 @@ fn size(load: &Load<Wide>) -> f64 {
 const SMALL: &str = "[beam]\nlength = 2\nEI = 3\n[foundation]\nk = 4\nmu = 5\n";
 
 #[test]
-fn numbers_without_units_are_as_they_are_written() {
+fn numbers_without_units_are_read_unchanged() {
     let model = read(SMALL).unwrap();
     assert_eq!(model.beam.bending_stiffness.middle(), 3.0);
     assert_eq!([model.ground.spring.middle(), model.ground.shear.middle()], [4.0, 5.0]);
@@ -52,7 +52,7 @@ fn a_haunch_is_a_polynomial_of_its_height() {
 }
 
 #[test]
-fn curvatures_follow_from_the_depth() {
+fn curvatures_are_computed_from_the_depth() {
     let text = "[beam]\nlength = '4 m'\nmaterial = 'C30/37'\ncamber = '10 mm'\n\
                 section = { width = '1 m', height = '0.25 m' }\n[foundation]\nk = '1 MPa'\n\
                 [[load]]\ntemperature_difference = '15 K'\n\
@@ -64,7 +64,7 @@ fn curvatures_follow_from_the_depth() {
 }
 
 #[test]
-fn ground_by_area_and_by_segments() {
+fn ground_per_area_is_read_with_its_segments() {
     let text = "[beam]\nlength = '10 m'\nEI = '1 MN m^2'\n[foundation]\nC1 = ['10 MN/m^3', '30 MN/m^3']\n\
                 width = '0.5 m'\nC2 = '4 MN/m'\nright = { ends = '12 m', as = 'held' }\n\
                 [[foundation.segment]]\nfrom = '-1 m'\nto = '5 m'\nwidth = '1 m'\n";
@@ -83,7 +83,7 @@ fn ground_by_area_and_by_segments() {
 
 /// EN 1990, expression (6.10): wind leads, the floor load accompanies with ψ₀ = 0.7.
 #[test]
-fn a_set_of_a_code_makes_its_combinations() {
+fn a_set_of_a_design_code_generates_its_combinations() {
     let load = |case: &str| format!("[[load]]\npoint = 1\nat = 1\ncase = '{case}'\n");
     let case =
         |name: &str, action: &str| format!("[[case]]\nname = '{name}'\naction = '{action}'\n");
@@ -103,7 +103,7 @@ fn a_set_of_a_code_makes_its_combinations() {
 }
 
 #[test]
-fn what_is_left_out_is_refused_by_name() {
+fn unsupported_tables_are_rejected_by_name() {
     for (text, key) in [
         ("[gap_survey]\nfile = 'a.csv'\n", "gap_survey"),
         ("[[gap_trough]]\nat = 1\n", "gap_trough"),
@@ -116,7 +116,7 @@ fn what_is_left_out_is_refused_by_name() {
 }
 
 #[test]
-fn what_is_wrong_is_refused() {
+fn invalid_values_are_rejected() {
     let value = |text: &str| assert!(matches!(reason(text), Reason::Value(_)), "{text}");
     let large = reason(&format!("{SMALL}[[load]]\npoint = 1e61\nat = 1\n"));
     assert!(matches!(large, Reason::OutOfRange(_)), "{large:?}");
@@ -232,7 +232,7 @@ fn changed_documents_are_read_or_refused() {
 
 /// Files that would take long to read or that nest deeply.
 #[test]
-fn long_files_end_in_time() {
+fn long_files_are_read_in_limited_time() {
     let many = |part: &str, n: usize| format!("{SMALL}{}", part.repeat(n));
     let cases: String =
         (0..100_000).map(|i| format!("[[load]]\npoint = 1\nat = 1\ncase = '{i}'\n")).collect();

@@ -146,7 +146,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn numbers_with_their_bounds() {
+    fn numbers_are_printed_with_their_bounds() {
         let plain = Unit { name: "", size: 1.0, digits: 6 };
         let (mm, kn) =
             (Unit { name: "mm", size: 1e-3, digits: 6 }, Unit { name: "kN", size: 1e3, digits: 6 });
@@ -186,7 +186,7 @@ mod tests {
 
     /// The exact largest number lies between the largest lower end and the largest upper end.
     #[test]
-    fn extremes_of_intervals() {
+    fn the_extreme_of_intervals_lies_between_the_extremes_of_their_ends() {
         let around = |all: &[(f64, f64)], printed: f64, is_max: bool| {
             let all = all.iter().map(|&(value, error)| Around::of(printed, value, error));
             Around::extreme(all, is_max).map(Around::error)

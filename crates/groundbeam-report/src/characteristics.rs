@@ -139,7 +139,7 @@ mod tests {
     use groundbeam::{Beam, Foundation, Load};
 
     #[test]
-    fn a_varying_beam() {
+    fn characteristics_of_a_varying_beam() {
         let beam = Beam::uniform(4.0, 0.25).with_segment(1.0, 3.0, 4.0);
         let model = Model::new(beam, Foundation::pasternak(1.0, 4.0))
             .with_load(Load::point_force(3.0, 2.0));

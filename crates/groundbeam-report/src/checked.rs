@@ -346,7 +346,7 @@ mod tests {
 
     /// A combination whose value does not govern may govern by its bound.
     #[test]
-    fn the_worst_of_several_has_the_bound_of_the_largest_interval() {
+    fn the_governing_check_covers_the_bounds_of_all_combinations() {
         let all = [vec![settles(0.375, Some(0.0))], vec![settles(0.25, Some(0.5))]];
         let of = |all: &[Vec<Judged>]| {
             let found = (0..all.len()).map(|i| (i, all[i][0])).collect::<Vec<_>>();
@@ -360,7 +360,7 @@ mod tests {
     }
 
     #[test]
-    fn a_check_without_an_answer_of_its_limit_state_is_not_judged() {
+    fn a_check_without_a_result_of_its_limit_state_is_not_judged() {
         let limits = Limits { settlement: Some(0.1), ..Limits::default() };
         let of = |rows: &[Row]| verdicts(Some(&limits), rows)[0];
         let strength = of(&[row(&[LimitState::StrGeo], false)]);
@@ -374,7 +374,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_of_a_limit_of_nothing_is_the_least_used() {
+    fn a_zero_value_with_a_zero_limit_has_the_lowest_utilisation() {
         let lifted = |found| check(Checked::LiftedShare, found, 0.0);
         assert!(lifted(0.0).utilisation() < lifted(1e-9).utilisation());
         assert!(!lifted(1e-9).passes());

@@ -117,7 +117,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn titles_cannot_steer_a_terminal() {
+    fn control_characters_in_titles_are_escaped() {
         let context = Context::new(Units::SI).with_title(" a\u{1b}[31m\tb\n ");
         assert_eq!(context.clean_title().as_deref(), Some(r"a\u{1b}[31m b"));
         assert_eq!(Context::new(Units::SI).with_title(" \n").clean_title(), None);

@@ -37,7 +37,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn digests_are_those_of_other_programs() {
+    fn digests_agree_with_sha256sum() {
         // printf 'abc' | sha256sum
         let abc = "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad";
         assert_eq!(of_files("abc", []), format!("sha256:{abc}"));

@@ -41,7 +41,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_font_has_the_signs_of_mechanics() {
+    fn the_font_contains_the_symbols_of_mechanics() {
         for bytes in [REGULAR, SEMI_BOLD] {
             let face = Face::parse(bytes, 0).unwrap();
             for c in "0123456789.,−-+×·±²³⁴₀√βμµλθ→↑↓≤≥äéñß’–…[]()".chars()

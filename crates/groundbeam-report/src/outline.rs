@@ -145,7 +145,7 @@ mod tests {
     /// A renderer with fonts draws the same pixels from text and from outlines. The test covers widths,
     /// anchors, weights, escaped characters and kerning.
     #[test]
-    fn outlines_are_what_a_renderer_of_fonts_draws() {
+    fn outlines_and_rendered_text_have_the_same_pixels() {
         let card = test_card();
         let (words, shapes) = (card.to_string(), outlined(&card));
         assert!(!shapes.contains("<text") && shapes.matches("<path").count() == 4);

@@ -33,7 +33,7 @@ fn steady(report: &str) -> String {
 }
 
 #[test]
-fn the_report() {
+fn the_text_report_of_combinations_is_the_recorded_one() {
     let found = solved("combinations");
     let report = text::combinations(&found.answers, &context(&found.document), false);
     insta::assert_snapshot!("text-combinations", steady(&report));
@@ -45,7 +45,7 @@ fn the_report() {
 }
 
 #[test]
-fn what_was_not_solved_is_told() {
+fn combinations_that_did_not_converge_are_reported() {
     let found = solved("combinations");
     let mut all = found.answers;
     let reached = Stopped {
@@ -68,7 +68,7 @@ fn what_was_not_solved_is_told() {
 }
 
 #[test]
-fn the_document() {
+fn the_document_contains_every_combination() {
     let found = solved("combinations");
     let document = found.json(None);
     assert_eq!(document["status"], "no-equilibrium");
@@ -110,7 +110,7 @@ fn the_document() {
 }
 
 #[test]
-fn the_table_and_the_picture() {
+fn the_table_and_the_picture_show_the_envelope() {
     let found = solved("combinations");
     let context = context(&found.document);
     let table = csv::envelope(&found.answers, &[0.0, 6.0], &context);
@@ -132,7 +132,7 @@ fn the_table_and_the_picture() {
 }
 
 #[test]
-fn a_band_of_grounds_is_that_of_the_grounds_solved() {
+fn a_band_of_ground_stiffnesses_has_its_closed_form() {
     let solved = solved("band");
     let bands = solved.answers.bands().unwrap();
     let [_, moment] = bands[Field::Moment.index()];
@@ -147,7 +147,7 @@ fn a_band_of_grounds_is_that_of_the_grounds_solved() {
 }
 
 #[test]
-fn the_calculation_report_shows_all_of_them() {
+fn the_calculation_report_contains_every_combination() {
     for name in ["combinations", "band"] {
         let solved = solved(name);
         let Document { model, cases, .. } = &solved.document;

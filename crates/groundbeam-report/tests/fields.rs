@@ -77,7 +77,7 @@ fn assert_columns(table: &str, document: &Document) {
 }
 
 #[test]
-fn of_one_solution() {
+fn every_field_of_one_solution_is_written() {
     for document in both("footing") {
         let (solution, context) = (solved(&document), context(&document));
         let found = json::solved(&solution, &[1.0, 2.0], &context);
@@ -94,7 +94,7 @@ fn of_one_solution() {
 }
 
 #[test]
-fn of_combinations() {
+fn every_field_of_combinations_is_written() {
     for document in both("combinations") {
         let (answers, context) = (answers(&document), context(&document));
         let found: Value =
@@ -108,7 +108,7 @@ fn of_combinations() {
 }
 
 #[test]
-fn of_a_band() {
+fn every_field_of_a_band_is_written() {
     for document in both("band") {
         let found = json::combinations(&answers(&document), Some(&[1.0]), &context(&document));
         let found: Value = serde_json::from_str(&found).unwrap();
@@ -117,7 +117,7 @@ fn of_a_band() {
 }
 
 #[test]
-fn of_a_train() {
+fn every_field_of_a_train_is_written() {
     for document in both("train") {
         let (answers, context) = (answers(&document), context(&document));
         let passages = answers.passages();

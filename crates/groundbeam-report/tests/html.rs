@@ -62,13 +62,13 @@ fn is_well_formed(page: &str) {
 }
 
 #[test]
-fn what_a_report_says() {
+fn the_text_of_reports_is_the_recorded_one() {
     insta::assert_snapshot!("html-footing", words(&made("footing")));
     insta::assert_snapshot!("html-supports", words(&made("supports")));
 }
 
 #[test]
-fn every_report_is_one_whole_file() {
+fn every_report_is_one_self_contained_file() {
     for name in SOLVABLE {
         let page = made(name);
         is_well_formed(&page);
@@ -83,7 +83,7 @@ fn every_report_is_one_whole_file() {
 }
 
 #[test]
-fn the_digest_is_that_of_the_file() {
+fn the_digest_is_the_sha256_of_the_file() {
     // printf 'abc' | sha256sum
     let expected = "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad";
     let document = document("footing");
@@ -93,7 +93,7 @@ fn the_digest_is_that_of_the_file() {
 }
 
 #[test]
-fn what_a_file_says_is_no_markup() {
+fn text_of_the_model_file_is_escaped() {
     let document = document("footing");
     let evil = "</title><script>alert('&amp;')</script> -1e3 \\\"";
     let source = Source { name: evil, text: evil, ..source(&document) };
@@ -105,7 +105,7 @@ fn what_a_file_says_is_no_markup() {
 }
 
 #[test]
-fn without_an_equilibrium_the_report_says_why() {
+fn a_report_without_equilibrium_states_the_reason() {
     let document = document("tips");
     let page = report(&answers(&document), &context(&document), &source(&document));
     is_well_formed(&page);
@@ -115,7 +115,7 @@ fn without_an_equilibrium_the_report_says_why() {
 }
 
 #[test]
-fn without_a_certified_answer_there_are_no_results() {
+fn a_report_without_a_certified_answer_has_no_results() {
     let document = document("footing");
     let reached = Stopped { method: Method::Uzawa, iterations: 10, why: NotConverged::Sweeps(0.5) };
     let mut answers = answers(&document);
@@ -128,7 +128,7 @@ fn without_a_certified_answer_there_are_no_results() {
 }
 
 #[test]
-fn the_paper_is_that_which_is_wanted() {
+fn the_report_has_the_requested_paper_size() {
     let document = document("footing");
     let of = calculation::report(&answers(&document), &context(&document), &source(&document));
     let page = |paper| html::report(&of, paper).unwrap();

@@ -40,7 +40,7 @@ fn snapshot(name: &str, text: &str) {
 }
 
 #[test]
-fn documents() {
+fn documents_are_the_recorded_ones() {
     let kikuchi = document("kikuchi-4");
     let stations = [0.0, 0.25, 0.5, 1.0];
     snapshot("json-kikuchi-4", &json::solved(&solved(&kikuchi), &stations, &context(&kikuchi)));
@@ -60,7 +60,7 @@ fn documents() {
 }
 
 #[test]
-fn numbers_keep_every_bit_and_stations_are_what_was_asked() {
+fn numbers_keep_every_bit_and_stations_are_the_requested_ones() {
     for name in SOLVABLE {
         let document = document(name);
         let solution = solved(&document);

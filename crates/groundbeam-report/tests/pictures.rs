@@ -16,19 +16,19 @@ fn words(picture: &str) -> String {
 }
 
 #[test]
-fn a_whole_picture() {
+fn a_complete_picture_is_the_recorded_one() {
     insta::assert_snapshot!("svg-kikuchi-4", drawn("kikuchi-4"));
 }
 
 #[test]
-fn parts_of_pictures() {
+fn parts_of_pictures_are_the_recorded_ones() {
     for name in ["supports", "gap", "jointed", "compressed", "neighbours"] {
         insta::assert_snapshot!(format!("parts-{name}"), parts(&drawn(name)));
     }
 }
 
 #[test]
-fn a_beam_that_tips() {
+fn the_picture_of_a_tipping_beam_is_the_recorded_one() {
     let document = document("tips");
     let existence = groundbeam::exists(&document.model).unwrap();
     let view = svg::tipping(&document.model, &existence, &context(&document), 960.0);
@@ -38,7 +38,7 @@ fn a_beam_that_tips() {
 /// Loads on the ground lie on its surface outside the beam and in it below the beam. The picture shows the
 /// trench, and stiffer ground darker.
 #[test]
-fn what_is_beside_the_beam_is_drawn() {
+fn loads_and_ground_outside_the_beam_are_drawn() {
     let of = |from: &str, to: &str| {
         let text = document("neighbours").text().replace(from, to);
         let document = groundbeam_file::parse(&text).unwrap();
@@ -59,7 +59,7 @@ fn what_is_beside_the_beam_is_drawn() {
 
 /// Handles of loads on the ground lie on the drawn surface, and can move as far as it is drawn.
 #[test]
-fn loads_on_the_ground_are_taken_hold_of() {
+fn loads_on_the_ground_have_handles_on_the_surface() {
     let document = document("neighbours");
     let view = svg::view(&solved(&document), &context(&document), 960.0);
     let on_ground: Vec<_> = view
@@ -78,14 +78,14 @@ fn loads_on_the_ground_are_taken_hold_of() {
 }
 
 #[test]
-fn words_in_pictures() {
+fn text_in_pictures_is_the_recorded_one() {
     for name in SOLVABLE {
         insta::assert_snapshot!(format!("words-{name}"), words(&drawn(name)));
     }
 }
 
 #[test]
-fn equal_results_give_equal_bytes() {
+fn equal_results_give_pictures_of_equal_bytes() {
     for name in SOLVABLE {
         let picture = drawn(name);
         assert_eq!(picture, drawn(name));
@@ -94,7 +94,7 @@ fn equal_results_give_equal_bytes() {
 }
 
 #[test]
-fn every_picture_can_be_drawn() {
+fn pictures_are_rendered_to_png() {
     for name in ["kikuchi-4", "tiny"] {
         let document = document(name);
         let bytes = svg::picture(&solved(&document), &context(&document)).png().unwrap();
@@ -105,7 +105,7 @@ fn every_picture_can_be_drawn() {
 }
 
 #[test]
-fn a_beam_on_which_nothing_acts() {
+fn a_beam_without_loads_is_drawn() {
     let model = groundbeam::Model::new(
         groundbeam::Beam::uniform(1.0, 1.0),
         groundbeam::Foundation::winkler(1.0),

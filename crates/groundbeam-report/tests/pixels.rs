@@ -85,7 +85,7 @@ fn report(answers: &Answers, document: &Document) -> String {
 }
 
 #[test]
-fn single_models() {
+fn pictures_of_single_models_have_the_recorded_pixels() {
     for name in SOLVABLE {
         let document = document(name);
         looks_as_kept(name, &svg::picture(&solved(&document), &context(&document)).to_string());
@@ -93,7 +93,7 @@ fn single_models() {
 }
 
 #[test]
-fn figures_of_reports() {
+fn figures_of_reports_have_the_recorded_pixels() {
     let document_of = document;
     let (document, tips) = (document_of("footing"), document_of("tips"));
     let page = report(&answers(&document), &document);
@@ -108,7 +108,7 @@ fn figures_of_reports() {
 }
 
 #[test]
-fn combinations() {
+fn pictures_of_combinations_have_the_recorded_pixels() {
     let document = document("combinations");
     let mut answers = answers(&document);
     answers.list.retain(|answer| answer.solution().is_some());
@@ -118,7 +118,7 @@ fn combinations() {
 }
 
 #[test]
-fn trains() {
+fn pictures_of_trains_have_the_recorded_pixels() {
     let document = document("train");
     let answers = Run::of(&document).with_error(1e-2).solve(&OneThread).unwrap();
     let picture = svg::trains(&answers.passages(), &context(&document)).to_string();
@@ -210,7 +210,7 @@ fn study() -> Study {
 }
 
 #[test]
-fn studies() {
+fn pictures_of_studies_have_the_recorded_pixels() {
     let picture = svg::study(&study(), &Context::new(Units::SI)).to_string();
     looks_as_kept("study", &picture);
     insta::assert_snapshot!("svg-study", picture);

@@ -5,7 +5,7 @@ use groundbeam::solution::Side;
 use groundbeam_report::{Context, Units, csv};
 
 #[test]
-fn both_sides_of_a_jump() {
+fn a_table_has_both_sides_of_a_jump() {
     let document = document("kikuchi-4");
     let solution = solved(&document);
     let table = csv::table(&solution, &[0.0, 0.5, 1.0], &Context::new(Units::PLAIN));
@@ -26,7 +26,7 @@ fn both_sides_of_a_jump() {
 }
 
 #[test]
-fn units_stand_in_the_header() {
+fn the_header_of_a_table_contains_the_units() {
     let document = document("footing");
     let solution = solved(&document);
     let table = csv::table(&solution, &[1.0], &context(&document));
@@ -36,7 +36,7 @@ fn units_stand_in_the_header() {
 }
 
 #[test]
-fn a_row_for_every_step() {
+fn the_history_has_a_row_for_every_step() {
     let solution = solved(&document("long-beam"));
     let history = csv::history(&solution);
     assert_eq!(history.lines().count(), solution.iterations() + 1);

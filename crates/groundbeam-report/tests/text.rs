@@ -10,7 +10,7 @@ fn steady(report: &str) -> &str {
 }
 
 #[test]
-fn reports() {
+fn text_reports_are_the_recorded_ones() {
     for name in SOLVABLE {
         let document = document(name);
         let report = text::solved(&solved(&document), &context(&document), false);
@@ -19,7 +19,7 @@ fn reports() {
 }
 
 #[test]
-fn no_line_is_wider_than_a_terminal() {
+fn lines_have_at_most_80_characters() {
     for name in SOLVABLE {
         let document = document(name);
         let report = text::solved(&solved(&document), &context(&document), false);
@@ -51,7 +51,7 @@ fn the_envelope_of_passages_fits_a_terminal() {
 
 /// k and μ of several combinations on layers of soil differ in digits that are not printed.
 #[test]
-fn ground_of_each_combination_has_its_values_per_area() {
+fn the_ground_of_each_combination_is_listed_per_area() {
     let soil = "[beam]\nlength = '12 m'\nEI = '1 GN m^2'\n[foundation]\nwidth = '2 m'\n[foundation.soil]\n\
                 method = 'modified-vlasov'\n[[foundation.soil.layer]]\nE = '15 MPa'\nnu = 0.3\nthickness = '4 m'\n\
                 [[load]]\npoint = '450 kN'\nat = '5 m'\ncase = 'G'\n[[load]]\npoint = '45 kN'\nat = '6 m'\ncase = 'Q'\n\
@@ -68,7 +68,7 @@ fn ground_of_each_combination_has_its_values_per_area() {
 }
 
 #[test]
-fn no_equilibrium() {
+fn the_text_of_a_missing_equilibrium_is_the_recorded_one() {
     let document = document("tips");
     let existence = groundbeam::exists(&document.model).unwrap();
     let report = text::existence(&document.model, &existence, &context(&document), false);
@@ -76,14 +76,14 @@ fn no_equilibrium() {
 }
 
 #[test]
-fn not_converged() {
+fn the_text_of_missing_convergence_is_the_recorded_one() {
     let reached =
         Stopped { method: Method::Uzawa, iterations: 1_000_000, why: NotConverged::Sweeps(3.2e-4) };
     insta::assert_snapshot!("text-not-converged", text::not_converged(&reached, false));
 }
 
 #[test]
-fn colour_adds_escape_codes_and_nothing_else() {
+fn colour_adds_only_escape_codes() {
     let document = document("kikuchi-4");
     let solution = solved(&document);
     let report = |colour| text::solved(&solution, &context(&document), colour);
@@ -97,7 +97,7 @@ fn colour_adds_escape_codes_and_nothing_else() {
 }
 
 #[test]
-fn drawings_for_a_terminal() {
+fn terminal_drawings_are_the_recorded_ones() {
     for name in SOLVABLE {
         let document = document(name);
         let solution = solved(&document);

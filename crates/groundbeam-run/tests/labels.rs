@@ -16,7 +16,7 @@ fn document(parts: &[&str]) -> Document {
 }
 
 #[test]
-fn every_combination_on_every_ground() {
+fn every_combination_is_solved_on_every_ground_of_the_band() {
     let band = "[foundation.band]\nk = [0.5, 2]\n";
     let answers = Run::of(&document(&[BEAM, band, CASES])).solve(&OneThread).unwrap();
     assert_eq!(answers.asked, Asked::Combinations);
@@ -102,7 +102,7 @@ fn the_solutions_of_all_combinations_count_for_the_memory() {
 /// A train with a load case has the factor of each combination. It does not pass in combinations without that
 /// case.
 #[test]
-fn a_train_is_an_action() {
+fn a_train_with_a_load_case_has_the_factor_of_each_combination() {
     let train = "[[train]]\nname = 'wheel'\ncase = 'T'\ndynamic = 2\n\
                  axles = [{ at = 0, force = 1e5 }]\nuniform = [{ from = 1, to = 2, load = 1e4 }]\n";
     let loads = "[[load]]\npoint = 6e5\nat = 4\ncase = 'G'\n\
@@ -120,7 +120,7 @@ fn a_train_is_an_action() {
 
 /// The lane load is placed on the whole beam, on each half, and left out.
 #[test]
-fn a_lane_load_is_placed() {
+fn a_lane_load_is_placed_on_the_whole_beam_and_on_each_half() {
     let train = "[[train]]\nname = 'lane'\naxles = [{ at = 0, force = 1e5 }]\n\
                  uniform = [{ load = 1e4 }]\n";
     let load = "[[load]]\npoint = 6e5\nat = 4\n";

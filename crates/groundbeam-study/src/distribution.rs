@@ -62,7 +62,7 @@ mod tests {
 
     /// From `scipy.special.ndtri`, SciPy 1.17.
     #[test]
-    fn quantiles_of_the_normal_distribution() {
+    fn quantiles_of_the_normal_distribution_agree_with_reference_values() {
         for (u, z) in [
             (1e-300, -37.047_096_299_361_2),
             (1e-12, -7.034_483_825_301_132),
@@ -77,7 +77,7 @@ mod tests {
     /// Every distribution has the given mean and deviation, by the trapezoidal rule over z. Its error is
     /// below rounding for smooth functions times exp(−z²/2).
     #[test]
-    fn moments() {
+    fn every_distribution_has_the_given_mean_and_deviation() {
         let step = 0.01;
         let moments = |distribution: &Distribution| {
             let mut sums = [0.0; 3];
@@ -110,7 +110,7 @@ mod tests {
     }
 
     #[test]
-    fn larger_normal_numbers_make_larger_numbers() {
+    fn transformed_normal_numbers_keep_their_order() {
         let all = [
             Distribution::Gumbel { mean: -1.0, deviation: 0.2 },
             Distribution::Uniform { from: -1.0, to: 1.0 },

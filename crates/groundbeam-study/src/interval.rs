@@ -110,7 +110,7 @@ mod tests {
     /// tails of the binomial distribution, summed by mpmath with 30 digits; SciPy 1.17 has an error in the
     /// eighth digit for 1 of 10⁹.
     #[test]
-    fn exact_intervals() {
+    fn intervals_of_counts_agree_with_reference_values() {
         for (count, total, low, high) in [
             (0, 20, 0.0, 0.168_433_470_983_085_4),
             (20, 20, 0.831_566_529_016_914_7, 1.0),
@@ -135,7 +135,7 @@ mod tests {
 
     /// Without an event in n samples the upper end satisfies (1 − x)ⁿ = α/2.
     #[test]
-    fn intervals_of_nothing_and_of_all() {
+    fn intervals_of_zero_and_of_all_counts_have_their_closed_form() {
         for total in (0..48).map(|power| 1_u64 << power) {
             let none = of_counts(0, 0, total).bounds;
             let all = of_counts(total, total, total).bounds;
@@ -150,7 +150,7 @@ mod tests {
 
     /// t = 2.776445 for four degrees of freedom.
     #[test]
-    fn intervals_of_replicates() {
+    fn intervals_of_replicates_use_the_t_distribution() {
         let bounds = of_replicates(&[0.1, 0.2, 0.3, 0.4, 0.5]);
         let half = 2.776_445_105_197_8 * (0.025_f64 / 5.0).sqrt();
         assert!(

@@ -266,7 +266,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn shards_share_all_samples() {
+    fn shards_divide_all_samples_evenly() {
         for (samples, of) in [(10, 3), (2, 5), (1 << 40, 7)] {
             let mut reached = 0;
             for number in 1..=of {
@@ -280,7 +280,7 @@ mod tests {
     }
 
     #[test]
-    fn pieces_cover_what_is_missing() {
+    fn pieces_cover_the_missing_samples() {
         let pieces = cut(&[3..10, 20..21], 4);
         assert_eq!(Vec::from(pieces), [3..7, 7..10, 20..21]);
     }

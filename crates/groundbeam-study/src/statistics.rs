@@ -207,7 +207,7 @@ mod tests {
 
     /// Compares with sorting, for widely different numbers, many of them equal, and some NaN.
     #[test]
-    fn quantiles_are_those_of_the_sorted_numbers() {
+    fn quantiles_agree_with_sorted_numbers() {
         let mut seed = 1_u64;
         let mut uniform = || {
             seed = seed
@@ -262,7 +262,7 @@ mod tests {
     }
 
     #[test]
-    fn histograms_have_parts_that_divide_all() {
+    fn the_numbers_of_histogram_bins_divide_the_number_of_parts() {
         assert!(HISTOGRAMS.iter().all(|parts| PARTS.is_multiple_of(*parts)));
         let found = statistics(&[2.0; 5]).unwrap();
         assert_eq!((found.histogram, found.deviation), (vec![5], 0.0));

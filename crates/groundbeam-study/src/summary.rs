@@ -292,7 +292,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_is_not_known_widens_the_interval() {
+    fn samples_of_unknown_outcome_widen_the_interval() {
         let plan = Plan { samples: 100, seed: 0, sampling: Sampling::MonteCarlo, replicates: 1 };
         let limit = Limit { quantity: "e".to_owned(), above: false, limit: 20.0 };
         let estimate = |statuses: &[Status]| {

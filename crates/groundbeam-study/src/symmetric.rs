@@ -194,7 +194,7 @@ mod tests {
     }
 
     #[test]
-    fn random_matrices() {
+    fn eigenvalues_of_random_matrices_are_accurate() {
         for size in [0, 1, 2, 3, 4, 7, 20, 61, 120] {
             let entries = random(size, 1);
             let eigen = holds(&Symmetric::new(size, |i, j| entries[i][j]));
@@ -206,7 +206,7 @@ mod tests {
 
     /// The second difference, 2 on the diagonal and −1 beside it, has the eigenvalues 2 − 2 cos(kπ/(n + 1)).
     #[test]
-    fn eigenvalues_of_the_second_difference() {
+    fn eigenvalues_of_the_second_difference_have_their_closed_form() {
         let size = 50;
         let eigen = holds(&Symmetric::new(size, |i, j| match i - j {
             0 => 2.0,
@@ -222,7 +222,7 @@ mod tests {
 
     /// Eigenvalues that are equal, zero, or far below the rounding error of the largest.
     #[test]
-    fn hard_matrices() {
+    fn equal_zero_and_tiny_eigenvalues_are_accurate() {
         let ones = holds(&Symmetric::new(30, |_, _| 1.0));
         assert!((ones.values[0] - 30.0).abs() < 1e-13);
         assert!(ones.values[1..].iter().all(|value| value.abs() < 1e-14));
@@ -237,7 +237,7 @@ mod tests {
     }
 
     #[test]
-    fn roots() {
+    fn the_square_of_a_root_is_the_matrix() {
         for size in [0, 1, 2, 5, 40] {
             let entries = random(size, 2);
             let positive = |i: usize, j: usize| dot(&entries[i], &entries[j]) + f64::from(i == j);

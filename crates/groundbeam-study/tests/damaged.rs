@@ -126,7 +126,7 @@ fn every_flipped_byte_of_a_finished_file_is_refused() {
 }
 
 #[test]
-fn every_cut_and_every_longer_file_is_refused() {
+fn truncated_and_extended_files_are_rejected() {
     let (draws, folder) = study("cut", 64);
     let out = folder.join("r.parquet");
     finish(&draws, &out).unwrap();
@@ -143,7 +143,7 @@ fn every_cut_and_every_longer_file_is_refused() {
 
 /// Two groups of rows; a seeded sample of the bits is flipped.
 #[test]
-fn damage_in_a_later_group_is_told_with_its_rows() {
+fn damage_in_a_later_row_group_is_reported_with_its_rows() {
     let (draws, folder) = study("groups", 70_000);
     let out = folder.join("r.parquet");
     finish(&draws, &out).unwrap();
@@ -178,7 +178,7 @@ fn a_damaged_part_that_is_deleted_is_computed_again() {
 }
 
 #[test]
-fn a_part_under_the_name_of_another_is_refused() {
+fn a_part_with_the_name_of_another_part_is_rejected() {
     let (draws, folder) = study("renamed", 64);
     let out = folder.join("r.parquet");
     run(&draws, &out, Shard::WHOLE, false, 2, &mut before_merging).unwrap();
@@ -189,7 +189,7 @@ fn a_part_under_the_name_of_another_is_refused() {
 }
 
 #[test]
-fn other_files_are_not_taken_for_results() {
+fn files_of_other_formats_are_rejected_as_results() {
     let (draws, folder) = study("other", 64);
     let out = folder.join("r.parquet");
     for text in [&b""[..], b"PAR1", b"PAR1\0\0\0\0PAR1", b"a,b\n1,2\n", &[0xff; 100]] {
@@ -200,7 +200,7 @@ fn other_files_are_not_taken_for_results() {
 }
 
 #[test]
-fn results_do_not_replace_what_they_are_made_of() {
+fn results_do_not_replace_their_input_files() {
     let (draws, folder) = study("inputs", 64);
     let refused = |name: &str, what: &str| {
         let before = fs::read(folder.join(name)).unwrap();
@@ -224,7 +224,7 @@ fn results_do_not_replace_what_they_are_made_of() {
 
 #[cfg(unix)]
 #[test]
-fn results_follow_links_and_need_a_file() {
+fn results_are_written_through_links_and_only_to_regular_files() {
     let (draws, folder) = study("links", 64);
     let [link, target, merged] = ["r.parquet", "data", "merged"].map(|name| folder.join(name));
     std::os::unix::fs::symlink("data", &link).unwrap();

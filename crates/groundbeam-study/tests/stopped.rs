@@ -43,7 +43,7 @@ fn on(draws: &Draws, out: &Path, watch: &mut Watch) -> Finished {
 }
 
 #[test]
-fn stopped_while_parts_are_put_together() {
+fn a_study_stopped_during_the_merge_can_be_resumed() {
     let (draws, folder) = (draws(), folder("parts"));
     let [undisturbed, out] = ["undisturbed.parquet", "stopped.parquet"].map(|n| folder.join(n));
     on(&draws, &undisturbed, &mut |_| ControlFlow::Continue(()));
@@ -60,7 +60,7 @@ fn stopped_while_parts_are_put_together() {
 }
 
 #[test]
-fn a_stopped_merge_and_summary_leave_nothing() {
+fn a_stopped_merge_or_summary_leaves_no_files() {
     let (draws, folder) = (draws(), folder("merge"));
     let [out, merged] = ["all.parquet", "merged.parquet"].map(|name| folder.join(name));
     on(&draws, &out, &mut |_| ControlFlow::Continue(()));
@@ -73,7 +73,7 @@ fn a_stopped_merge_and_summary_leave_nothing() {
 
 /// The progress never decreases and ends at the total.
 #[test]
-fn progress_reaches_its_end() {
+fn the_progress_increases_and_reaches_its_total() {
     let (draws, folder) = (draws(), folder("progress"));
     let out = folder.join("all.parquet");
     let mut seen: Vec<Progress> = Vec::new();

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 #[test]
-fn examples_print_what_is_expected() {
+fn examples_print_the_expected_output() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples");
     let entries = std::fs::read_dir(&folder).expect("the folder of examples");
     let mut sources: Vec<PathBuf> = entries.map(|entry| entry.expect("a file").path()).collect();

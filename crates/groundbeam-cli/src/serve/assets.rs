@@ -61,7 +61,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn examples_are_right() {
+    fn the_examples_are_valid_models() {
         for (name, text) in examples() {
             assert!(groundbeam_file::parse(&text).is_ok(), "{name}");
         }

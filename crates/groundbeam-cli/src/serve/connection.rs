@@ -112,7 +112,7 @@ mod tests {
     }
 
     #[test]
-    fn an_answer_that_nobody_takes_is_given_up() {
+    fn connections_that_do_not_read_their_responses_are_closed() {
         let (_runtime, address) = server();
         let ask = format!("GET /inter.ttf HTTP/1.1\r\nHost: {address}\r\n\r\n");
         let idle: Vec<_> = (0..SHORT.open)
@@ -131,7 +131,7 @@ mod tests {
     }
 
     #[test]
-    fn silent_connections_do_not_shut_out_others() {
+    fn silent_connections_do_not_block_other_clients() {
         let (_runtime, address) = server();
         let silent: Vec<_> =
             (0..40).map(|_| std::net::TcpStream::connect(address).unwrap()).collect();

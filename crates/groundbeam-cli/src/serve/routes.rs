@@ -291,7 +291,7 @@ mod tests {
     }
 
     #[test]
-    fn the_work_of_a_client_that_has_gone_is_cancelled() {
+    fn a_closed_connection_cancels_its_request() {
         let works = Arc::new(Works::default());
         let (_runtime, address, permits) = server(&works);
         let aborted = ask(address, "/slow");
@@ -306,7 +306,7 @@ mod tests {
     }
 
     #[test]
-    fn a_request_that_is_gone_before_its_turn_is_never_worked_on() {
+    fn a_request_cancelled_while_queued_is_not_started() {
         let works = Arc::new(Works::default());
         let (_runtime, address, permits) = server(&works);
         let first = ask(address, "/slow");

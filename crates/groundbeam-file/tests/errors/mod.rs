@@ -13,7 +13,7 @@ use groundbeam_testing::expect_file;
 use std::path::Path;
 
 #[test]
-fn every_error_is_found_at_its_place() {
+fn every_error_is_found_at_its_location() {
     let cases = error_cases();
     assert!(cases.len() >= CODES.iter().filter(|row| row.example.is_some()).count());
     let mut wrong = Vec::new();
@@ -35,14 +35,14 @@ fn every_error_is_found_at_its_place() {
 }
 
 #[test]
-fn every_message_reads_as_expected() {
+fn every_message_has_the_expected_text() {
     for ErrorCase { name, rendered, .. } in error_cases() {
         expect_file(&format!("{ERRORS}/{}", name.replace(".toml", ".expected")), &rendered);
     }
 }
 
 #[test]
-fn colour_adds_escape_codes_and_nothing_else() {
+fn colour_adds_only_escape_codes() {
     for case in error_cases() {
         let folder = format!("{}/", case.path.parent().unwrap().display());
         let coloured = case.diagnostics.render(&case.name, &case.text, true).replace(&folder, "");

@@ -52,7 +52,7 @@ fn first_of(case: &ErrorCase, code: &str) -> String {
 }
 
 #[test]
-fn codes_ascend() {
+fn error_codes_are_listed_in_ascending_order() {
     assert!(CODES.is_sorted_by(|a, b| a.code < b.code));
 }
 

@@ -87,7 +87,7 @@ mod tests {
     }
 
     #[test]
-    fn mathml_says_what_latex_says() {
+    fn mathml_equals_the_translated_latex() {
         for formula in ALL {
             assert_eq!(formula.mathml, mathml_of(formula.latex), "{}", formula.latex);
             assert!(!formula.mathml.contains("merror"), "{}", formula.latex);
@@ -126,7 +126,7 @@ mod tests {
     }
 
     #[test]
-    fn typst_has_the_same_signs() {
+    fn typst_and_mathml_have_the_same_symbols() {
         for formula in ALL {
             assert_eq!(signs_of_typst(formula.typst), signs_of_mathml(formula.mathml));
         }

@@ -54,7 +54,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn round_steps() {
+    fn axis_ticks_have_round_steps() {
         assert_eq!(ticks([0.0, 12.0], 7), [0.0, 2.0, 4.0, 6.0, 8.0, 10.0, 12.0]);
         assert_eq!(ticks([-0.9, 2.1], 3), [0.0, 1.0, 2.0]);
         assert_eq!(ticks([-430.0, 470.0], 3), [-400.0, -200.0, 0.0, 200.0, 400.0]);

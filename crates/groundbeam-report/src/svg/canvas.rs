@@ -312,7 +312,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn words_within_xml() {
+    fn text_is_escaped_for_xml() {
         assert_eq!(escaped("a < b & c"), "a &lt; b &amp; c");
         assert_eq!(printed("-1.5e-3 kip-ft"), "−1.5e−3 kip-ft");
     }

@@ -143,7 +143,7 @@ mod tests {
 
     /// A beam of 1.2 m that steps to 0.9 m and narrows to 0.6 m.
     #[test]
-    fn a_beam_is_drawn_as_deep_as_it_is() {
+    fn a_beam_of_varying_depth_is_drawn_with_its_depth() {
         let stretch = |from, to, depth| Depth { from, to, depth };
         let depths = [
             stretch(0.0, 2.0, Profile::constant(1.2)),
@@ -161,7 +161,7 @@ mod tests {
     }
 
     #[test]
-    fn a_uniform_beam_has_one_depth() {
+    fn a_uniform_beam_is_drawn_with_one_depth() {
         let uniform = [Depth { from: 0.0, to: 4.0, depth: Profile::constant(1.2) }];
         let frame = frame(&uniform);
         assert!(!frame.has_depths() && frame.depth(1.0, Side::Right) == 1.0);

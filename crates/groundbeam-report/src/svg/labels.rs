@@ -229,7 +229,7 @@ mod tests {
     }
 
     #[test]
-    fn everything_that_may_lie_between_two_positions_is_found_once() {
+    fn a_search_between_two_positions_finds_each_object_once() {
         let page = Rect { left: -5.0, top: 0.0, right: 300.0, bottom: 100.0 };
         let mut columns = Columns::of(&page);
         let things: Vec<[f64; 2]> = (0..400)
@@ -252,7 +252,7 @@ mod tests {
     }
 
     #[test]
-    fn a_line_through_a_box() {
+    fn lines_that_cross_a_rectangle_are_detected() {
         let solid = Rect { left: 0.0, top: 0.0, right: 2.0, bottom: 2.0 };
         assert!(solid.is_crossed_by([[-1.0, 1.0], [3.0, 1.0]]));
         assert!(solid.is_crossed_by([[1.0, -5.0], [1.0, 5.0]]));

@@ -196,7 +196,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn numbers_have_two_decimals_at_most() {
+    fn numbers_have_at_most_two_decimals() {
         assert_eq!(number(-0.001), "0");
         assert_eq!(number(12.50), "12.5");
         assert_eq!(number(100.0), "100");
@@ -204,7 +204,7 @@ mod tests {
     }
 
     #[test]
-    fn attributes_of_svg() {
+    fn fill_and_stroke_are_written_as_svg_attributes() {
         let dashes = Stroke::new(Colour::Load, 1.4).dashed(4.0, 3.0);
         assert_eq!(
             Fill::NONE.and(dashes).to_string(),
@@ -215,7 +215,7 @@ mod tests {
     }
 
     #[test]
-    fn every_colour_has_its_own_two_shades() {
+    fn every_colour_has_its_own_light_and_dark_shade() {
         for (i, (colour, light, dark)) in SHADES.iter().enumerate() {
             assert_eq!(*colour as usize, i);
             let others = SHADES.iter().skip(i + 1);

@@ -93,7 +93,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn straight_lines_need_two_points() {
+    fn a_straight_line_is_simplified_to_two_points() {
         let line: Vec<_> = (0..100).map(|i| [i as f64, 2.0 * i as f64]).collect();
         assert_eq!(simplified(&line), [[0.0, 0.0], [99.0, 198.0]]);
         let jump = [[0.0, 0.0], [1.0, 0.0], [1.0, 5.0], [2.0, 5.0]];
@@ -103,7 +103,7 @@ mod tests {
     }
 
     #[test]
-    fn a_very_long_line_keeps_its_corners() {
+    fn simplifying_a_very_long_line_keeps_its_corners() {
         let saw: Vec<_> = (0..3 * TOGETHER).map(|i| [i as f64, (i % 2) as f64]).collect();
         assert_eq!(simplified(&saw), saw);
         let straight: Vec<_> = (0..3 * TOGETHER).map(|i| [i as f64, 1.0]).collect();

@@ -141,7 +141,7 @@ mod tests {
     }
 
     #[test]
-    fn what_lifts_is_drawn_above_what_stays() {
+    fn the_lifting_end_is_drawn_above_the_other_end() {
         let beam = || Model::new(Beam::uniform(4.0, 1.0), Foundation::pasternak(1.0, 1.0));
         let at = |model: Model, x: f64| model.with_load(Load::point_force(x, 1.0));
         let left = at(at(beam(), 0.0), 4.0).with_load(Load::point_moment(2.0, -9.0));
@@ -157,7 +157,7 @@ mod tests {
     }
 
     #[test]
-    fn a_part_beyond_a_hinge_lifts_alone() {
+    fn only_the_part_beyond_the_hinge_is_drawn_lifted() {
         let model = Model::new(Beam::uniform(4.0, 1.0), Foundation::pasternak(1.0, 1.0))
             .with_hinge(Hinge::free(2.0))
             .with_load(Load::point_force(1.0, 3.0))

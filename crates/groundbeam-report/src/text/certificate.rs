@@ -47,7 +47,7 @@ mod tests {
     }
 
     #[test]
-    fn a_certificate_in_words() {
+    fn the_certificate_has_the_expected_text() {
         let expected = "\
 Certificate  recomputed from model and result by independent code
              energy gap  3e−2 of the strain energy, an estimate of the error
@@ -56,7 +56,7 @@ Certificate  recomputed from model and result by independent code
     }
 
     #[test]
-    fn a_local_equilibrium_has_a_limited_reach() {
+    fn the_text_of_a_local_equilibrium_mentions_other_equilibria() {
         let local = Local { stability_margin: 0.5, critical_compression: 2.0 };
         assert!(written(Verdict::Local(local)).contains("others, far from it, may exist"));
     }

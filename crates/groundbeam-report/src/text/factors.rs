@@ -82,7 +82,7 @@ mod tests {
     }
 
     #[test]
-    fn every_answer_has_its_sentence() {
+    fn every_result_of_load_factors_has_its_sentence() {
         let tips = RigidMotion { left: -1.0, right: 0.0, work: 0.0, lifted: None };
         let lift_off = FirstLiftOff::At { factor: 0.25, x: 1.5 };
         let loss = LossOfEquilibrium::At { factor: 2.0 / 3.0, motion: tips };

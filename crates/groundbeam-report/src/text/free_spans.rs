@@ -124,7 +124,7 @@ mod tests {
     use groundbeam::{Beam, Foundation, Load, Model, Outcome, solution::Extreme, solve};
 
     #[test]
-    fn columns_are_as_wide_as_their_numbers() {
+    fn columns_of_free_spans_fit_their_numbers() {
         let l = 12_345_678.25;
         let model = Model::new(Beam::uniform(l, 1e28), Foundation::winkler(1.0))
             .with_load(Load::uniform_force(0.0, l, 1.0));

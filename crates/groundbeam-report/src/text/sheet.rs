@@ -194,7 +194,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn words_wrap_under_themselves() {
+    fn wrapped_lines_are_indented_to_their_column() {
         let mut sheet = Sheet::new(false);
         sheet.row("Contact", &"word ".repeat(20));
         let text = sheet.finish();
@@ -203,7 +203,7 @@ mod tests {
     }
 
     #[test]
-    fn wide_characters_take_two_columns_and_accents_none() {
+    fn wide_characters_take_two_columns_and_combining_accents_none() {
         let mut sheet = Sheet::new(false);
         sheet.row("Fe\u{301}", &"基礎梁 ".repeat(20));
         let text = sheet.finish();
@@ -213,7 +213,7 @@ mod tests {
     }
 
     #[test]
-    fn colour_only_when_asked() {
+    fn text_is_coloured_only_on_request() {
         let row = |colour| {
             let mut sheet = Sheet::new(colour);
             sheet.toned_row("Verdict", "none: it tips", Tone::Bad);

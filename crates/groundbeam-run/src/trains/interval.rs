@@ -132,7 +132,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn crests_of_parabolas() {
+    fn the_crest_of_a_parabola_is_exact() {
         let parabola = |s: f64| 3.0 - (s - 0.5) * (s - 0.5);
         assert_eq!(crest(parabola(-1.0), parabola(0.0), parabola(1.0)), 3.0);
         assert_eq!(crest(1.0, 2.0, 3.0), 2.0);

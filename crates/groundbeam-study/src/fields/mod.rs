@@ -104,7 +104,7 @@ mod tests {
     /// Aᵀ; the columns of A are the fields of single numbers. The covariance is exact if the expansion has
     /// all terms.
     #[test]
-    fn fields_have_the_covariance_they_were_given() {
+    fn random_fields_have_the_required_covariance() {
         for which in [
             Correlation::Exponential,
             Correlation::Matern3,
@@ -145,7 +145,7 @@ mod tests {
     /// with c = ω tan ωa or ω = −c tan ωa: Ghanem and Spanos, *Stochastic finite elements*, equations (2.39) to
     /// (2.47).
     #[test]
-    fn eigenvalues_of_the_exponential_correlation() {
+    fn eigenvalues_of_the_exponential_correlation_have_their_closed_form() {
         let (a, c) = (1.0_f64, 0.8_f64);
         let root = |even: bool, k: f64| {
             // ωa lies in (kπ, kπ + π/2) for even eigenfunctions and in (kπ − π/2, kπ) for odd ones; bisection on ωa.
@@ -188,7 +188,7 @@ mod tests {
     }
 
     #[test]
-    fn as_many_terms_as_the_variance_needs() {
+    fn the_expansion_has_as_many_terms_as_the_variance_needs() {
         let share = |share| {
             let random =
                 random(Correlation::Matern5, 3.0, Method::KarhunenLoeve(share), Course::Lines);

@@ -46,7 +46,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn permutations_are_permutations() {
+    fn every_permutation_contains_each_number_once() {
         for count in [1, 2, 3, 5, 16, 17, 1000, 1025] {
             let mut images: Vec<u64> = (0..count).map(|i| permuted(i, count, 99)).collect();
             images.sort_unstable();
@@ -56,7 +56,7 @@ mod tests {
 
     /// Over many keys every image is equally probable: χ² with 4 degrees of freedom, five σ.
     #[test]
-    fn every_image_is_as_probable() {
+    fn every_image_of_a_permutation_is_equally_probable() {
         for index in 0..5 {
             let mut counts = [0_u32; 5];
             for key in 0..50_000 {

@@ -95,7 +95,7 @@ mod tests {
     }
 
     #[test]
-    fn latin_hypercubes_and_sobol_nets_fill_every_part_once() {
+    fn latin_hypercubes_and_sobol_nets_have_one_point_in_every_stratum() {
         for replicate in all(plan(Sampling::LatinHypercube, 3000, 3), 7).chunks(1000) {
             assert!(is_a_hypercube(replicate));
         }
@@ -124,7 +124,7 @@ mod tests {
     }
 
     #[test]
-    fn replicates_differ_and_seeds_do() {
+    fn different_replicates_and_seeds_have_different_points() {
         for sampling in [Sampling::MonteCarlo, Sampling::LatinHypercube, Sampling::Sobol] {
             let points =
                 all(plan(sampling, 64, if sampling == Sampling::MonteCarlo { 1 } else { 2 }), 3);
@@ -137,7 +137,7 @@ mod tests {
     /// An integral with a known value: E[exp(Σ (u − ½))] over 6 dimensions = (2 sinh ½)⁶. The scatter of the
     /// replicates estimates the error, and evenly spread points reduce it.
     #[test]
-    fn errors_of_an_integral_by_the_replicates() {
+    fn the_scatter_of_replicates_estimates_the_error_of_an_integral() {
         let exact = (2.0 * 0.5_f64.sinh()).powi(6);
         let error = |sampling| {
             let n = 1024;

@@ -86,7 +86,7 @@ mod tests {
     /// Point 1000 of the unscrambled sequence in binary order. SciPy 1.17 uses the same points in Gray-code
     /// order: its point i is ours with the index i ⊕ (i >> 1).
     #[test]
-    fn the_sequence_is_joe_and_kuos() {
+    fn the_sequence_has_the_points_of_joe_and_kuo() {
         let gray = 1000_u64 ^ (1000 >> 1);
         let found = [0, 1, 2, 50, 100, 255]
             .map(|dimension| f64::from(point(&DIRECTIONS[dimension], gray)) / 2.0_f64.powi(32));

@@ -227,7 +227,7 @@ mod tests {
     /// Levels of a list, an empty list and a missing list. The example is that of the format, with one level
     /// of nesting.
     #[test]
-    fn levels_of_lists() {
+    fn lists_have_their_definition_and_repetition_levels() {
         let lists = [Some(&[1.0, 2.0][..]), Some(&[]), None, Some(&[3.0])];
         let Column { values, definitions, repetitions } = Column::lists(lists.into_iter());
         assert_eq!(values, Values::Numbers(vec![1.0, 2.0, 3.0]));
@@ -236,7 +236,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_not_a_number_is_left_out() {
+    fn values_that_are_not_numbers_are_skipped() {
         let column = Column::numbers([1.0, f64::NAN, f64::INFINITY].into_iter());
         assert_eq!(column.values, Values::Numbers(vec![1.0, f64::INFINITY]));
         assert_eq!(column.definitions, [1, 0, 1]);
