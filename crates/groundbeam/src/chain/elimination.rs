@@ -15,35 +15,35 @@ use crate::chain::mirror::mirror_cell;
 use crate::chain::node::{ChainCell, ChainNode, CondensedStiffness, NotDefinite, THETA, U, W};
 use crate::chain::node::{Tie, TiedTwoPort};
 use crate::element::element::{Basis, Element, mirror_shape};
-use crate::numeric::real::{Real, sum};
+use crate::numeric::real::sum;
 
 #[derive(Debug, Clone, Default)]
-pub(crate) struct Chain<R = f64> {
-    pub nodes: Vec<ChainNode<R>>,
-    pub cells: Vec<ChainCell<R>>,
+pub(crate) struct Chain {
+    pub nodes: Vec<ChainNode>,
+    pub cells: Vec<ChainCell>,
     /// The node at which the two sweeps meet. A well supported node gives the best accuracy.
     pub meeting: usize,
 }
 
 /// Back-substitution across a cell: the unknowns at the end that the sweep passed first, from those at the other end.
 #[derive(Debug, Clone, Copy, Default)]
-struct BackSubstitution<R> {
+struct BackSubstitution {
     /// (v₁, v₂, u_left) = constant − gain·(w_right, θ_right, u_right).
-    gain: [[R; 3]; 3],
-    constant: [R; 3],
+    gain: [[f64; 3]; 3],
+    constant: [f64; 3],
     /// v = C (w_right, θ_right, v₁, v₂).
     by_left: [bool; 2],
     /// Whether the third eliminated unknown is u_right − u_left.
     rise: bool,
     /// (a, b, c) with u = c − a w − b θ at the left node, if the surface ends there.
-    ended: [R; 3],
+    ended: [f64; 3],
     /// The hinge at the left node.
-    turned: Option<HingeRotation<R>>,
+    turned: Option<HingeRotation>,
 }
 
-impl<R: Real> Chain<R> {
+impl Chain {
     /// Solves for the four unknowns of every element.
-    pub fn solve(&self) -> Result<Vec<[R; 4]>, NotDefinite> {
+    pub fn solve(&self) -> Result<Vec<[f64; 4]>, NotDefinite> {
         let last = self.nodes.len() - 1;
         let meet = self.meeting.min(last);
         let (left, back_left) = self.sweep::<false>(0, meet)?;
@@ -61,7 +61,7 @@ impl<R: Real> Chain<R> {
         let node = &self.nodes[meet];
         apply(node, &mut both, 1.0);
         let at_meeting = solve_node(node, &both)?;
-        let mut shapes = vec![[R::ZERO; 4]; self.cells.len()];
+        let mut shapes = vec![[0.0; 4]; self.cells.len()];
         let mut y = HingeRotation::beyond_hinge(turned, at_meeting);
         for (i, back) in (0..meet).zip(&back_left).rev() {
             let Element { length, basis, .. } = self.cells[i].element;
@@ -72,7 +72,7 @@ impl<R: Real> Chain<R> {
         y[THETA] = -y[THETA];
         for (i, back) in (meet..last).rev().zip(&back_right).rev() {
             let Element { length, basis, .. } = self.cells[i].element;
-            let mut v = [R::ZERO; 4];
+            let mut v = [0.0; 4];
             y = back.cross(length, basis, y, &mut v);
             shapes[i] = mirror_shape(&v, length, basis);
             y = HingeRotation::beyond_hinge(back.turned, back.end(&self.nodes[i + 1], y, false));
@@ -85,7 +85,7 @@ impl<R: Real> Chain<R> {
         &self,
         start: usize,
         meet: usize,
-    ) -> Result<(CondensedStiffness<R>, Vec<BackSubstitution<R>>), NotDefinite> {
+    ) -> Result<(CondensedStiffness, Vec<BackSubstitution>), NotDefinite> {
         let count = start.abs_diff(meet);
         let mut returns = Vec::with_capacity(count);
         let mut state = CondensedStiffness::default();
@@ -115,7 +115,7 @@ impl<R: Real> Chain<R> {
 
 /// Adds the loads and supports of one node. `sign` is −1 in a sweep from the right, in which rotations and moments have
 /// the opposite sign.
-fn apply<R: Real>(node: &ChainNode<R>, state: &mut CondensedStiffness<R>, sign: f64) {
+fn apply(node: &ChainNode, state: &mut CondensedStiffness, sign: f64) {
     state.s[W][W] += node.spring + node.ground_spring;
     state.s[THETA][THETA] += node.rotational_spring;
     state.s[U][U] += node.surface_spring;
@@ -132,9 +132,9 @@ fn apply<R: Real>(node: &ChainNode<R>, state: &mut CondensedStiffness<R>, sign: 
 }
 
 /// Eliminates u at a node where the free surface ends.
-fn end_surface<R: Real>(state: &mut CondensedStiffness<R>) -> Result<[R; 3], NotDefinite> {
+fn end_surface(state: &mut CondensedStiffness) -> Result<[f64; 3], NotDefinite> {
     let pivot = state.s[U][U];
-    if pivot.value() <= 0.0 {
+    if pivot <= 0.0 {
         return Err(NotDefinite);
     }
     let gain = [state.s[U][W] / pivot, state.s[U][THETA] / pivot, state.r[U] / pivot];
@@ -146,9 +146,9 @@ fn end_surface<R: Real>(state: &mut CondensedStiffness<R>) -> Result<[R; 3], Not
         state.r[i] -= across * gain[2];
     }
     for i in 0..3 {
-        (state.s[i][U], state.s[U][i]) = (R::ZERO, R::ZERO);
+        (state.s[i][U], state.s[U][i]) = (0.0, 0.0);
     }
-    state.r[U] = R::ZERO;
+    state.r[U] = 0.0;
     Ok(gain)
 }
 
@@ -175,10 +175,10 @@ fn transform(h: f64, basis: Basis, by_left: [bool; 2]) -> [[f64; 4]; 4] {
 const ORDER: [usize; 6] = [0, 1, 3, 4, 5, 2];
 
 /// Coefficients of these six unknowns, from the coefficients of the element's unknowns v and of the surfaces.
-fn in_order<R: Real>(row: &[R; 6], c: &[[f64; 4]; 4]) -> [R; 6] {
-    let mut ordered = [R::ZERO; 6];
+fn in_order(row: &[f64; 6], c: &[[f64; 4]; 4]) -> [f64; 6] {
+    let mut ordered = [0.0; 6];
     for j in 0..4 {
-        ordered[ORDER[j]] = sum::<R, 4>(|n| row[n] * c[n][j]);
+        ordered[ORDER[j]] = sum::<f64, 4>(|n| row[n] * c[n][j]);
     }
     for j in [4, 5] {
         ordered[ORDER[j]] = row[j];
@@ -186,20 +186,20 @@ fn in_order<R: Real>(row: &[R; 6], c: &[[f64; 4]; 4]) -> [R; 6] {
     ordered
 }
 
-fn cross<R: Real>(
-    element: &Element<R>,
-    links: &[TiedTwoPort<R>],
-    [node, next]: [&ChainNode<R>; 2],
-    state: &CondensedStiffness<R>,
-    back: &mut BackSubstitution<R>,
-) -> Result<CondensedStiffness<R>, NotDefinite> {
+fn cross(
+    element: &Element,
+    links: &[TiedTwoPort],
+    [node, next]: [&ChainNode; 2],
+    state: &CondensedStiffness,
+    back: &mut BackSubstitution,
+) -> Result<CondensedStiffness, NotDefinite> {
     // The stiffness to be condensed to the right node, in (w_l, θ_l, d₁, d₂ | u_l, u_r). In short open ground the
     // coupling of the two ends is much stiffer than their supports. Then δ = u_r − u_l replaces u_l, so that the
     // rounding error of the coupling does not mask the supports.
-    let stiff = |tied: &TiedTwoPort<R>| {
+    let stiff = |tied: &TiedTwoPort| {
         tied.left == Tie::SurfaceLeft
             && tied.right == Tie::SurfaceRight
-            && tied.two_port.series.value() > state.s[U][U].value()
+            && tied.two_port.series > state.s[U][U]
     };
     back.rise = links.iter().any(stiff);
     let surface_left =
@@ -208,8 +208,8 @@ fn cross<R: Real>(
         left: counted(surface_left, node, element.end_row(false)),
         right: counted([0.0, 0.0, 0.0, 0.0, 0.0, 1.0], next, element.end_row(true)),
     };
-    let mut k = [[R::ZERO; 6]; 6];
-    let mut q = [R::ZERO; 6];
+    let mut k = [[0.0; 6]; 6];
+    let mut q = [0.0; 6];
     for i in 0..4 {
         k[i][..4].copy_from_slice(&element.stiffness[i]);
         q[i] = element.load[i];
@@ -232,24 +232,24 @@ fn cross<R: Real>(
     }
 
     back.by_left = [
-        node.pinned || state.s[W][W].value() > element.stiffness[2][2].value(),
-        node.clamped || state.s[THETA][THETA].value() > element.stiffness[3][3].value(),
+        node.pinned || state.s[W][W] > element.stiffness[2][2],
+        node.clamped || state.s[THETA][THETA] > element.stiffness[3][3],
     ];
     let c = transform(element.length, element.basis, back.by_left);
     // Congruence transformation for the four beam unknowns, then reordering to (w_r, θ_r, u_r | v₁, v₂, u_l).
-    let mut half = [[R::ZERO; 4]; 6];
+    let mut half = [[0.0; 4]; 6];
     for i in 0..6 {
         for j in 0..4 {
-            half[i][j] = sum::<R, 4>(|m| k[i][m] * c[m][j]);
+            half[i][j] = sum::<f64, 4>(|m| k[i][m] * c[m][j]);
         }
     }
-    let mut m = [[R::ZERO; 6]; 6];
-    let mut f = [R::ZERO; 6];
+    let mut m = [[0.0; 6]; 6];
+    let mut f = [0.0; 6];
     for i in 0..4 {
         let a = ORDER[i];
-        f[a] = sum::<R, 4>(|n| q[n] * c[n][i]);
+        f[a] = sum::<f64, 4>(|n| q[n] * c[n][i]);
         for j in 0..4 {
-            m[a][ORDER[j]] = sum::<R, 4>(|n| half[n][j] * c[n][i]);
+            m[a][ORDER[j]] = sum::<f64, 4>(|n| half[n][j] * c[n][i]);
         }
         for surface in [4, 5] {
             let at = ORDER[surface];
@@ -274,16 +274,16 @@ fn cross<R: Real>(
 
 /// Eliminates those of the last three unknowns of (w_r, θ_r, u_r | v₁, v₂, u_l) that are `free`. The others are 0,
 /// except that a fixed v₁ is the settlement of the support.
-fn condense<R: Real>(
-    m: &[[R; 6]; 6],
-    f: &[R; 6],
+fn condense(
+    m: &[[f64; 6]; 6],
+    f: &[f64; 6],
     free: [bool; 3],
-    settlement: R,
-    back: &mut BackSubstitution<R>,
-) -> Result<CondensedStiffness<R>, NotDefinite> {
+    settlement: f64,
+    back: &mut BackSubstitution,
+) -> Result<CondensedStiffness, NotDefinite> {
     // LDLᵀ of the eliminated block with the six right-hand sides: three columns and the load.
-    let mut a = [[R::ZERO; 3]; 3];
-    let mut b = [[R::ZERO; 4]; 3];
+    let mut a = [[0.0; 3]; 3];
+    let mut b = [[0.0; 4]; 3];
     for i in 0..3 {
         for j in 0..3 {
             a[i][j] = m[3 + i][3 + j];
@@ -291,7 +291,7 @@ fn condense<R: Real>(
         }
         b[i][3] = f[3 + i];
     }
-    let given = if free[0] { R::ZERO } else { settlement };
+    let given = if free[0] { 0.0 } else { settlement };
     if given != 0.0 {
         for i in 1..3 {
             b[i][3] -= a[i][0] * given;
@@ -299,19 +299,19 @@ fn condense<R: Real>(
     }
     for i in 0..3 {
         if !free[i] || (i == 2 && a[2][2] == 0.0 && m[5].iter().all(|&x| x == 0.0)) {
-            a[i] = [R::ZERO; 3];
+            a[i] = [0.0; 3];
             for row in &mut a {
-                row[i] = R::ZERO;
+                row[i] = 0.0;
             }
-            a[i][i] = R::ONE;
-            b[i] = [R::ZERO; 4];
+            a[i][i] = 1.0;
+            b[i] = [0.0; 4];
         }
     }
     b[0][3] += given;
-    let size = [0, 1, 2].map(|i| a[i][i].value().abs());
+    let size = [0, 1, 2].map(|i| a[i][i].abs());
     for p in 0..3 {
         let pivot = a[p][p];
-        if pivot.value().is_nan() || pivot.value() <= 1e-15 * size[p] {
+        if pivot.is_nan() || pivot <= 1e-15 * size[p] {
             return Err(NotDefinite);
         }
         for i in p + 1..3 {
@@ -328,7 +328,7 @@ fn condense<R: Real>(
     }
     for p in (0..3).rev() {
         for j in 0..4 {
-            let mut known = R::ZERO;
+            let mut known = 0.0;
             for i in p + 1..3 {
                 known += a[p][i] * b[i][j];
             }
@@ -341,9 +341,9 @@ fn condense<R: Real>(
     }
     let mut ahead = CondensedStiffness::default();
     for i in 0..3 {
-        ahead.r[i] = f[i] - sum::<R, 3>(|e| m[3 + e][i] * b[e][3]);
+        ahead.r[i] = f[i] - sum::<f64, 3>(|e| m[3 + e][i] * b[e][3]);
         for j in i..3 {
-            ahead.s[i][j] = m[i][j] - sum::<R, 3>(|e| m[3 + e][i] * b[e][j]);
+            ahead.s[i][j] = m[i][j] - sum::<f64, 3>(|e| m[3 + e][i] * b[e][j]);
             ahead.s[j][i] = ahead.s[i][j];
         }
     }
@@ -351,12 +351,9 @@ fn condense<R: Real>(
 }
 
 /// Solves S y = r at the meeting node.
-fn solve_node<R: Real>(
-    node: &ChainNode<R>,
-    both: &CondensedStiffness<R>,
-) -> Result<[R; 3], NotDefinite> {
-    let mut m = [[R::ZERO; 6]; 6];
-    let mut f = [R::ZERO; 6];
+fn solve_node(node: &ChainNode, both: &CondensedStiffness) -> Result<[f64; 3], NotDefinite> {
+    let mut m = [[0.0; 6]; 6];
+    let mut f = [0.0; 6];
     for i in 0..3 {
         f[3 + i] = both.r[i];
         for j in 0..3 {
@@ -369,19 +366,19 @@ fn solve_node<R: Real>(
     Ok(back.constant)
 }
 
-impl<R: Real> BackSubstitution<R> {
+impl BackSubstitution {
     /// Computes (w, θ, u) of the left node and the unknowns v of the cell from (w, θ, u) of the right node.
-    fn cross(&self, h: f64, basis: Basis, y: [R; 3], v: &mut [R; 4]) -> [R; 3] {
-        let e: [R; 3] =
-            std::array::from_fn(|i| self.constant[i] - sum::<R, 3>(|j| self.gain[i][j] * y[j]));
+    fn cross(&self, h: f64, basis: Basis, y: [f64; 3], v: &mut [f64; 4]) -> [f64; 3] {
+        let e: [f64; 3] =
+            std::array::from_fn(|i| self.constant[i] - sum::<f64, 3>(|j| self.gain[i][j] * y[j]));
         let c = transform(h, basis, self.by_left);
         let z = [y[W], y[THETA], e[0], e[1]];
-        *v = std::array::from_fn(|i| sum::<R, 4>(|j| z[j] * c[i][j]));
+        *v = std::array::from_fn(|i| sum::<f64, 4>(|j| z[j] * c[i][j]));
         [v[0], v[1], if self.rise { y[U] - e[2] } else { e[2] }]
     }
 
     /// u in the cell just crossed, at a node where the free surface ends.
-    fn end(&self, node: &ChainNode<R>, mut y: [R; 3], forward: bool) -> [R; 3] {
+    fn end(&self, node: &ChainNode, mut y: [f64; 3], forward: bool) -> [f64; 3] {
         let [behind, ahead] = if forward { [0, 1] } else { [1, 0] };
         if node.surface[behind] && !node.surface[ahead] {
             let [by_w, by_theta, constant] = self.ended;

@@ -5,27 +5,27 @@
 //! column of θ vanish.
 
 use crate::chain::node::{ChainNode, CondensedStiffness, NotDefinite, THETA};
-use crate::numeric::real::{Real, sum};
+use crate::numeric::real::sum;
 
 /// Back-substitution across a hinge: θ_behind = constant − gain·(w, θ_ahead, u), where the sweep goes from behind to
 /// ahead.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct HingeRotation<R> {
-    gain: [R; 3],
-    constant: R,
+pub(super) struct HingeRotation {
+    gain: [f64; 3],
+    constant: f64,
 }
 
-impl<R: Real> HingeRotation<R> {
+impl HingeRotation {
     /// Condenses the hinge of a node, if there is one. No other load or support may act on θ at the node.
     pub fn condense(
-        node: &ChainNode<R>,
-        state: &mut CondensedStiffness<R>,
+        node: &ChainNode,
+        state: &mut CondensedStiffness,
     ) -> Result<Option<Self>, NotDefinite> {
         let Some(spring) = node.hinge else { return Ok(None) };
         let CondensedStiffness { s, r } = *state;
         let held = s[THETA][THETA] + spring;
         // Only the ground and the supports behind a hinge without a spring resist the rotation.
-        if held.value().is_nan() || held.value() <= 0.0 {
+        if held.is_nan() || held <= 0.0 {
             return Err(NotDefinite);
         }
         let share = spring / held;
@@ -46,9 +46,9 @@ impl<R: Real> HingeRotation<R> {
     }
 
     /// (w, θ, u) behind the hinge, if there is one, from those ahead of it.
-    pub fn beyond_hinge(turned: Option<Self>, mut y: [R; 3]) -> [R; 3] {
+    pub fn beyond_hinge(turned: Option<Self>, mut y: [f64; 3]) -> [f64; 3] {
         if let Some(HingeRotation { gain, constant }) = turned {
-            y[THETA] = constant - sum::<R, 3>(|i| gain[i] * y[i]);
+            y[THETA] = constant - sum::<f64, 3>(|i| gain[i] * y[i]);
         }
         y
     }

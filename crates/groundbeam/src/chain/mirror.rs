@@ -3,13 +3,12 @@
 use crate::chain::node::ChainCell;
 use crate::chain::node::{Tie, TiedTwoPort};
 use crate::element::element::{Element, mirror_row};
-use crate::numeric::real::Real;
 
-pub(super) fn mirror_cell<R: Real>(cell: &ChainCell<R>) -> (Element<R>, Vec<TiedTwoPort<R>>) {
+pub(super) fn mirror_cell(cell: &ChainCell) -> (Element, Vec<TiedTwoPort>) {
     let Element { length: h, basis, .. } = cell.element;
-    let mirror_row = |row: &[R; 4]| mirror_row(row, h, basis);
+    let mirror_row = |row: &[f64; 4]| mirror_row(row, h, basis);
     let element = cell.element.mirrored();
-    let mirror_tie = |tie: Tie<R>| match tie {
+    let mirror_tie = |tie: Tie| match tie {
         Tie::SurfaceLeft => Tie::SurfaceRight,
         Tie::SurfaceRight => Tie::SurfaceLeft,
         Tie::Beam { row, gap } => Tie::Beam { row: mirror_row(&row), gap },

@@ -5,29 +5,29 @@ use crate::ground::link::TwoPort;
 
 /// A cell: its element and the two-ports of open ground in it.
 #[derive(Debug, Clone, Default)]
-pub(crate) struct ChainCell<R = f64> {
-    pub element: Element<R>,
-    pub links: Vec<TiedTwoPort<R>>,
+pub(crate) struct ChainCell {
+    pub element: Element,
+    pub links: Vec<TiedTwoPort>,
 }
 
 /// A node: its loads and supports, and the sides on which the settlement of the surface is an unknown.
 #[derive(Debug, Clone, Copy, Default)]
-pub(crate) struct ChainNode<R = f64> {
-    pub force: R,
-    pub moment: R,
+pub(crate) struct ChainNode {
+    pub force: f64,
+    pub moment: f64,
     /// Whether w is prescribed, as the settlement of the support.
     pub pinned: bool,
-    pub settlement: R,
+    pub settlement: f64,
     pub clamped: bool,
-    pub spring: R,
-    pub rotational_spring: R,
+    pub spring: f64,
+    pub rotational_spring: f64,
     /// Rotational stiffness of a hinge, at which θ may jump. No other load or support then acts on θ at the node.
-    pub hinge: Option<R>,
+    pub hinge: Option<f64>,
     /// Stiffness of the ground outside if the beam is in contact at this node, and g₀ + u₀ there.
-    pub ground_spring: R,
-    pub gap: R,
+    pub ground_spring: f64,
+    pub gap: f64,
     /// Stiffness of the ground outside if its surface is free at this node.
-    pub surface_spring: R,
+    pub surface_spring: f64,
     /// Whether u is an unknown of the cell to the left, and of the cell to the right.
     pub surface: [bool; 2],
     /// Whether the unknown of the surface is r = u − ψ instead of u.
@@ -47,14 +47,14 @@ pub(crate) const U: usize = 2;
 
 /// ½ yᵀSy − rᵀy for y = (w, θ, u) of a node: the condensed energy of all cells on one side of it.
 #[derive(Debug, Clone, Copy, Default)]
-pub(crate) struct CondensedStiffness<R = f64> {
-    pub s: [[R; 3]; 3],
-    pub r: [R; 3],
+pub(crate) struct CondensedStiffness {
+    pub s: [[f64; 3]; 3],
+    pub r: [f64; 3],
 }
 
 /// The point to which one end of a two-port is connected.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Tie<R = f64> {
+pub(crate) enum Tie {
     /// The free surface of the ground at the left node of the cell.
     SurfaceLeft,
     /// The free surface of the ground at the right node of the cell.
@@ -62,16 +62,16 @@ pub(crate) enum Tie<R = f64> {
     /// The beam at a point of the cell: u = row·v − gap.
     Beam {
         /// The coefficients of the element's unknowns v.
-        row: [R; 4],
+        row: [f64; 4],
         /// g₀ + u₀ at this point.
-        gap: R,
+        gap: f64,
     },
 }
 
 /// A two-port of unloaded ground within one cell.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct TiedTwoPort<R = f64> {
-    pub two_port: TwoPort<R>,
-    pub left: Tie<R>,
-    pub right: Tie<R>,
+pub(crate) struct TiedTwoPort {
+    pub two_port: TwoPort,
+    pub left: Tie,
+    pub right: Tie,
 }

@@ -16,7 +16,6 @@ use crate::mesh::mesh::{Mesh, Node};
 use crate::model::Model;
 use crate::numeric::elementary::power;
 use crate::numeric::polynomial::value;
-use crate::numeric::real::Real;
 use std::borrow::Cow;
 
 /// The bonded problem of one beam, on contact intervals that change from step to step.
@@ -75,13 +74,13 @@ fn deflection_at(found: &ContactState, x: f64) -> f64 {
 }
 
 /// The chain of a mesh and its elements, bonded on the given zones. The ends of zones must be nodes.
-pub(crate) fn chain_of<R: Real>(
-    mesh: &Mesh<R>,
+pub(crate) fn chain_of(
+    mesh: &Mesh,
     zones: &[MeshZone],
-    elements: impl Iterator<Item = Element<R>>,
-) -> Chain<R> {
+    elements: impl Iterator<Item = Element>,
+) -> Chain {
     let layout = Layout::of(mesh, zones);
-    let cell = |(i, element): (usize, Element<R>)| {
+    let cell = |(i, element): (usize, Element)| {
         layout.chain_cell(mesh, i, element, |s| element.end_row(s > 0.0))
     };
     let cells = elements.enumerate().map(cell).collect();

@@ -9,7 +9,6 @@ use crate::mesh::deflection::MeshZone;
 use crate::mesh::ground_runs::{GroundRun, ground_runs};
 use crate::mesh::mesh::Mesh;
 use crate::mesh::open_ground::cell_part;
-use crate::numeric::real::Real;
 use std::ops::Range;
 
 /// Distance of a node to a point of contact, in units of 1/wave number, below which r = u − ψ is the unknown of the
@@ -26,7 +25,7 @@ pub(crate) struct Layout {
 }
 
 impl Layout {
-    pub fn of<R: Real>(mesh: &Mesh<R>, zones: &[MeshZone]) -> Self {
+    pub fn of(mesh: &Mesh, zones: &[MeshZone]) -> Self {
         let mut parts = Vec::with_capacity(mesh.cells.len());
         let mut touched = vec![[false; 2]; mesh.nodes.len()];
         let mut touch = |cell: usize, s: f64| {
@@ -40,7 +39,7 @@ impl Layout {
             };
             touched[node][side] = true;
             // At a change between ground with and without a shear layer, each side has its own surface.
-            let kind = |i: usize| mesh.cells[i].shear_layer.value() > 0.0;
+            let kind = |i: usize| mesh.cells[i].shear_layer > 0.0;
             if next.is_none_or(|next| kind(next) == kind(cell)) {
                 touched[node][1 - side] = true;
             }
@@ -72,7 +71,7 @@ impl Layout {
     }
 
     /// The node at which the sweeps meet: the middle of the longest contact interval, otherwise a rigid support.
-    pub fn meeting_node<R: Real>(&self, mesh: &Mesh<R>) -> usize {
+    pub fn meeting_node(&self, mesh: &Mesh) -> usize {
         let mut best = (0.0, mesh.nodes.len() / 2);
         let mut start: Option<usize> = None;
         for node in 0..=mesh.nodes.len() {
@@ -92,7 +91,7 @@ impl Layout {
             }
         }
         if best.0 <= f64::MIN_POSITIVE {
-            let held = |n: &crate::mesh::mesh::Node<R>| n.clamped || n.pinned;
+            let held = |n: &crate::mesh::mesh::Node| n.clamped || n.pinned;
             if let Some(support) = mesh.nodes.iter().position(held) {
                 return support;
             }
@@ -101,8 +100,8 @@ impl Layout {
     }
 
     /// The nodes of the chain for this contact.
-    pub fn nodes<R: Real>(&self, mesh: &Mesh<R>) -> Vec<ChainNode<R>> {
-        let mut nodes: Vec<ChainNode<R>> = mesh
+    pub fn nodes(&self, mesh: &Mesh) -> Vec<ChainNode> {
+        let mut nodes: Vec<ChainNode> = mesh
             .nodes
             .iter()
             .map(|n| ChainNode {
@@ -169,7 +168,7 @@ impl Layout {
 
     /// Distance of each node of a run to the nearest point of contact. Near such a point the open ground is a very
     /// stiff two-port.
-    fn distances_to_contact<R: Real>(&self, mesh: &Mesh<R>, cells: &Range<usize>) -> Vec<f64> {
+    fn distances_to_contact(&self, mesh: &Mesh, cells: &Range<usize>) -> Vec<f64> {
         let x = |node: usize| mesh.nodes[node].x;
         let at = |cell: usize, s: f64| mesh.cells[cell].global(s);
         let mut distance = vec![f64::INFINITY; cells.len() + 1];
@@ -199,21 +198,16 @@ impl Layout {
 
     /// The two-ports of open ground in cell i. `row` gives w at s as a linear combination of the element's four
     /// unknowns.
-    pub fn links<R: Real>(
-        &self,
-        mesh: &Mesh<R>,
-        i: usize,
-        row: impl Fn(f64) -> [R; 4],
-    ) -> Vec<TiedTwoPort<R>> {
+    pub fn links(&self, mesh: &Mesh, i: usize, row: impl Fn(f64) -> [f64; 4]) -> Vec<TiedTwoPort> {
         let cell = &mesh.cells[i];
-        if cell.shear_layer.value() <= 0.0 {
+        if cell.shear_layer <= 0.0 {
             return Vec::new();
         }
         let beam = |s: f64| Tie::Beam { row: row(s), gap: gap_at(cell, s) };
         let mut links = Vec::new();
         let mut left = if self.touched[i][1] { beam(-1.0) } else { Tie::SurfaceLeft };
         let mut at = -1.0;
-        let mut link_to = |to: f64, left: Tie<R>, right: Tie<R>, at: f64| {
+        let mut link_to = |to: f64, left: Tie, right: Tie, at: f64| {
             if to > at {
                 links.push(TiedTwoPort { two_port: cell_part(cell, at, to), left, right });
             }
@@ -228,13 +222,13 @@ impl Layout {
     }
 
     /// A chain cell: its element and the two-ports of open ground.
-    pub fn chain_cell<R: Real>(
+    pub fn chain_cell(
         &self,
-        mesh: &Mesh<R>,
+        mesh: &Mesh,
         i: usize,
-        element: Element<R>,
-        row: impl Fn(f64) -> [R; 4],
-    ) -> ChainCell<R> {
+        element: Element,
+        row: impl Fn(f64) -> [f64; 4],
+    ) -> ChainCell {
         ChainCell { element, links: self.links(mesh, i, row) }
     }
 }
