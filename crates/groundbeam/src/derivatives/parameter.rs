@@ -11,9 +11,9 @@ pub enum Property {
     BendingStiffness,
     /// Shear stiffness S = κGA of a beam with shear deformation \[N\].
     ShearStiffness,
-    /// Subgrade stiffness k of the ground \[N/m²\].
+    /// Spring constant k of the ground \[N/m²\].
     Spring,
-    /// Shear-layer stiffness μ of the ground \[N\].
+    /// Shear constant μ of the ground \[N\].
     Shear,
 }
 
