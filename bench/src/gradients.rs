@@ -10,7 +10,7 @@ use rand_chacha::ChaCha8Rng;
 /// Number of solves and gradients of each model.
 const RUNS: usize = 200;
 
-/// Number of ground segments with a subgrade stiffness of their own.
+/// Number of ground segments, each with its own k.
 const SEGMENTS: usize = 100;
 
 pub fn table() -> String {
@@ -62,7 +62,7 @@ fn parameters() -> [Parameter; 8] {
     ]
 }
 
-/// The model on ground whose subgrade stiffness varies from segment to segment by up to a third.
+/// The model on ground whose k varies from segment to segment by up to a third.
 fn on_segments(model: &Model) -> Model {
     let mut rng = ChaCha8Rng::seed_from_u64(3);
     let mut model = model.clone();

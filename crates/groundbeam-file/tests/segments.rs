@@ -85,7 +85,7 @@ impl Given {
     }
 
     /// μ at x. A segment gives `mu`, or `C2` and `width`, whose product is μ. If it gives only one of `C2` and
-    /// `width`, the other is that of the whole beam. If it gives none of these keys, μ is that of the whole beam.
+    /// `width`, the other is taken from [foundation]. Without these keys μ is that of [foundation].
     fn shear_constant(&self, x: f64) -> f64 {
         let product = || Some(self.value("C2", x)? * self.value("width", x)?);
         if let Some((said, t)) = self.segment(x) {

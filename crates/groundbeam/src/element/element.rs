@@ -33,28 +33,29 @@ pub(crate) struct Element<R = f64> {
     pub load: [R; 4],
 }
 
-impl<R: Real> Element<R> {
+impl Element {
     /// The coefficients of v in w at the element's left or right end.
-    pub fn end_row(&self, right: bool) -> [R; 4] {
-        let row: [f64; 4] = match (right, self.basis) {
+    pub fn end_row(&self, right: bool) -> [f64; 4] {
+        match (right, self.basis) {
             (false, _) => [1.0, 0.0, 0.0, 0.0],
             (true, Basis::Deformation) => [1.0, self.length, 1.0, 0.0],
             (true, Basis::Ends) => [0.0, 0.0, 1.0, 0.0],
-        };
-        row.map(R::from)
+        }
     }
 
     /// The mirrored element, in the unknowns of the mirrored element.
     pub fn mirrored(&self) -> Self {
         let (h, basis) = (self.length, self.basis);
-        let half: [[R; 4]; 4] = self.stiffness.map(|row| mirror_row(&row, h, basis));
+        let half: [[f64; 4]; 4] = self.stiffness.map(|row| mirror_row(&row, h, basis));
         let stiffness = std::array::from_fn(|j| {
             let column = [half[0][j], half[1][j], half[2][j], half[3][j]];
             mirror_row(&column, h, basis)
         });
         Element { stiffness, load: mirror_row(&self.load, h, basis), ..*self }
     }
+}
 
+impl<R: Real> Element<R> {
     /// The coefficients of v in θ at the element's left or right end.
     pub fn rotation_row(&self, right: bool) -> [f64; 4] {
         match (right, self.basis) {
@@ -93,7 +94,7 @@ impl<R: Real> Element<R> {
 }
 
 /// The four unknowns of an element from those of the mirrored element. The same transformation leads back.
-pub(crate) fn mirror_shape<R: Real>(v: &[R; 4], h: f64, basis: Basis) -> [R; 4] {
+pub(crate) fn mirror_shape(v: &[f64; 4], h: f64, basis: Basis) -> [f64; 4] {
     let [w, theta, d1, d2] = *v;
     match basis {
         Basis::Deformation => [w + theta * h + d1, -(theta + d2), d2 * h - d1, d2],
@@ -102,7 +103,7 @@ pub(crate) fn mirror_shape<R: Real>(v: &[R; 4], h: f64, basis: Basis) -> [R; 4] 
 }
 
 /// Coefficients of the mirrored element's unknowns v': row·v = row·(Q v') with Q of [`mirror_shape`].
-pub(crate) fn mirror_row<R: Real>(row: &[R; 4], h: f64, basis: Basis) -> [R; 4] {
+pub(crate) fn mirror_row(row: &[f64; 4], h: f64, basis: Basis) -> [f64; 4] {
     let [a, b, c, d] = *row;
     match basis {
         Basis::Deformation => [a, a * h - b, a - c, d - b + c * h],
