@@ -342,18 +342,18 @@ def newton(model, topology, tolerance_digits, limit=60):
         ends = [e for pair in topology.intervals for e in pair]
         factor = mpf(1)
         for edge, d in zip(free, step):
-            room_left, room_right = edge.x, l - edge.x
+            available_left, available_right = edge.x, l - edge.x
             for other in ends:
                 if other is not edge:
                     # If the neighbour moves too, each gets less than half of the distance.
                     share = mpf("0.4") if other.free else mpf("0.9")
                     if other.x < edge.x:
-                        room_left = min(room_left, share * (edge.x - other.x))
+                        available_left = min(available_left, share * (edge.x - other.x))
                     else:
-                        room_right = min(room_right, share * (other.x - edge.x))
-            room = room_right if d > 0 else room_left
-            if abs(d) > room:
-                factor = min(factor, mpf("0.9") * room / abs(d))
+                        available_right = min(available_right, share * (other.x - edge.x))
+            available = available_right if d > 0 else available_left
+            if abs(d) > available:
+                factor = min(factor, mpf("0.9") * available / abs(d))
         for edge, d in zip(free, step):
             edge.x += factor * d
             if edge.x <= 0 or edge.x >= l:

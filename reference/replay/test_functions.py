@@ -30,11 +30,11 @@ def held(r, nodes):
     return sum((spring for spring, _ in both), arb(0)), sum((turning for _, turning in both), arb(0))
 
 
-def kink(stiff, springs, room):
+def kink(stiff, springs, available):
     """z = t(1 − t/h)² on one side: 4EI/h + (2/15)(P + μ)h + kh³/105 + Σκ(4h/27)² + Σκ_θ."""
     (bending, layer, ground), (spring, turning) = stiff, springs
     return least_of_halves(
-        room,
+        available,
         lambda h: 4 * bending / h
         + arb("0.134") * layer * h
         + ground * h**3 / 105
@@ -98,11 +98,11 @@ def lifted_side(r, node, side):
     other, stands = next_obstacle(r, node, side)
     if other == node:
         return high(r.outside[side]) if not stands else INFINITE
-    (bending, layer, ground), (springs, turning), room = beside(r, node, other)
-    least = INFINITE if stands else ground * room + high(r.outside[side]) + springs
+    (bending, layer, ground), (springs, turning), available = beside(r, node, other)
+    least = INFINITE if stands else ground * available + high(r.outside[side]) + springs
     return least.min(
         least_of_halves(
-            room,
+            available,
             lambda h: 12 * bending / h**3
             + arb("1.2") * layer / h
             + arb("0.3715") * ground * h

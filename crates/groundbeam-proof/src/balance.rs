@@ -264,7 +264,7 @@ impl<S: Scalar> Balance<'_, S> {
         if self.carrier > 0.0 {
             add(S::of(self.carrier) * cell.length, [-per_length, per_length]);
         }
-        let mut pulls = Size::ZERO;
+        let mut tensile = Size::ZERO;
         for i in cell.pieces.clone().filter(|i| self.frame.spans[*i].touches) {
             let span = &self.frame.spans[i];
             let slope = span.half * per_length;
@@ -280,13 +280,13 @@ impl<S: Scalar> Balance<'_, S> {
             system.rows[j].diagonal = system.rows[j].diagonal + mass(hats[0], hats[0]);
             system.rows[j].beside = system.rows[j].beside + mass(hats[0], hats[1]);
             system.rows[j + 1].diagonal = system.rows[j + 1].diagonal + mass(hats[1], hats[1]);
-            pulls += self.pressures[i].pull();
+            tensile += self.pressures[i].tensile_force();
         }
         for k in [j, j + 1] {
-            system.rows[k].diagonal = system.rows[k].diagonal.widened(pulls.value());
-            system.rows[k].right = system.rows[k].right.widened(pulls.value());
+            system.rows[k].diagonal = system.rows[k].diagonal.widened(tensile.value());
+            system.rows[k].right = system.rows[k].right.widened(tensile.value());
         }
-        system.rows[j].beside = system.rows[j].beside.widened(pulls.value());
+        system.rows[j].beside = system.rows[j].beside.widened(tensile.value());
     }
 
     /// λ on a cell, and bounds of the moment and shear force that the redistributed forces add there. On a
@@ -311,7 +311,7 @@ impl<S: Scalar> Balance<'_, S> {
             let factor = balanced.factor(i);
             let pressure = &self.pressures[i];
             load += factor * Size::of(pressure.masses[0].size());
-            load += (Size::of(1.0) + factor) * pressure.pull();
+            load += (Size::of(1.0) + factor) * pressure.tensile_force();
             if i > cell.pieces.start {
                 let at_node = Size::of(balanced.factors[i].size());
                 load += at_node * Size::of(self.carried_at(i).size());

@@ -123,8 +123,8 @@ impl<S: Scalar> Contact<'_, S> {
         let left = self.edge(a, 0, beside)?;
         let right = self.edge(b, 1, beside)?;
         shown.edges.extend([left, right]);
-        let room = (frame.nodes[b].x - frame.nodes[a].x).low();
-        if !((left.inside + right.inside).value() < room) {
+        let available = (frame.nodes[b].x - frame.nodes[a].x).low();
+        if !((left.inside + right.inside).value() < available) {
             return Err(self.failed("the region is shorter than the error bounds of its edges", a));
         }
         for node in (a..=b).filter(|node| !frame.smooth(*node)) {
@@ -200,8 +200,8 @@ impl<S: Scalar> Contact<'_, S> {
             let lost = about.tail(r) + error;
             let least = (about.coefficient(0).low() - lost.value()).next_down();
             let inside = missing.over(least);
-            let room = ((part - 1e-12).next_down() * span.half.low()).next_down();
-            if inside.value() <= room {
+            let available = ((part - 1e-12).next_down() * span.half.low()).next_down();
+            if inside.value() <= available {
                 most = most.least(inside);
                 break;
             }

@@ -82,8 +82,9 @@ pub(crate) fn admissible<S: Scalar>(frame: &Frame<S>) -> Result<Deflection<S>, N
         held: vec![false; frame.nodes.len()],
     };
     walk.chains();
-    let loose = (0..frame.nodes.len()).find(|i| frame.nodes[*i].rigid.is_some() && !walk.held[*i]);
-    if let Some(node) = loose {
+    let contradicted =
+        (0..frame.nodes.len()).find(|i| frame.nodes[*i].rigid.is_some() && !walk.held[*i]);
+    if let Some(node) = contradicted {
         return Err(NotProven::new("the pieces contradict the settlement of a support")
             .at(frame.place(node)));
     }

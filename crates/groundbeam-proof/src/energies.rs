@@ -8,7 +8,7 @@ use crate::deflection::Deflection;
 use crate::fields::Fields;
 use crate::frame::{Frame, Span};
 use crate::model::Acts;
-use crate::polynomial::{Polynomial, ROOM};
+use crate::polynomial::{CAPACITY, Polynomial};
 use crate::scalar::Scalar;
 
 /// The energies of an answer \[N·m\], in the units of the proof.
@@ -188,7 +188,7 @@ fn weighted<S: Scalar, const N: usize>(c: &Coefficient<S>, a: &Series<N>, b: &Se
 
 /// A field in doubles as a Legendre series Σ aₖPₖ(t), orthogonal on −1 ≤ t ≤ 1.
 #[derive(Clone, Copy)]
-struct Series<const N: usize = ROOM> {
+struct Series<const N: usize = CAPACITY> {
     len: usize,
     /// Coefficients; zero from `len` on.
     a: [f64; N],
@@ -267,10 +267,10 @@ impl Series {
 }
 
 /// ∫Pₖ² over −1 ≤ t ≤ 1, 2/(2k + 1).
-const SQUARES: [f64; ROOM] = {
-    let mut squares = [0.0; ROOM];
+const SQUARES: [f64; CAPACITY] = {
+    let mut squares = [0.0; CAPACITY];
     let mut k = 0;
-    while k < ROOM {
+    while k < CAPACITY {
         squares[k] = 2.0 / (2 * k + 1) as f64;
         k += 1;
     }
@@ -278,11 +278,11 @@ const SQUARES: [f64; ROOM] = {
 };
 
 /// Legendre coefficients of tʲ. All are nonnegative, and their sum is 1.
-static POWERS: [[f64; ROOM]; ROOM] = {
-    let mut powers = [[0.0; ROOM]; ROOM];
+static POWERS: [[f64; CAPACITY]; CAPACITY] = {
+    let mut powers = [[0.0; CAPACITY]; CAPACITY];
     powers[0][0] = 1.0;
     let mut j = 1;
-    while j < ROOM {
+    while j < CAPACITY {
         let mut k = 0;
         while k < j {
             let part = powers[j - 1][k] / (2 * k + 1) as f64;

@@ -9,7 +9,7 @@ use crate::frame::Frame;
 use crate::ground::{Surface, surface};
 use crate::model::Acts;
 use crate::polynomial::Budget;
-use crate::pressure::{Pressure, carried, pressures, pulled};
+use crate::pressure::{Pressure, carried, pressures, tension_norm};
 use crate::refusal::NotProven;
 use crate::residual::{Residual, residual};
 use crate::scalar::Scalar;
@@ -39,8 +39,9 @@ impl<'a, S: Scalar> Fields<'a, S> {
         let residual = residual(frame, &deflection, &surface, &pressures);
         let clearance = clearance(frame, &deflection, &surface, &mut budget);
         let closing = closing(frame, &deflection);
-        let missed =
-            carried(frame, &deflection).root() + surface.unclaimed + pulled(frame, &pressures);
+        let missed = carried(frame, &deflection).root()
+            + surface.unclaimed
+            + tension_norm(frame, &pressures);
         Ok(Fields { frame, deflection, surface, pressures, residual, clearance, closing, missed })
     }
 

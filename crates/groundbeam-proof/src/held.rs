@@ -71,8 +71,8 @@ pub(crate) fn supports<S: Scalar>(
         if moment != S::zero() && matches!(support.kind, SupportKind::Pinned) {
             return Err(NotProven::new("a pin has a moment").at(frame.place(node)));
         }
-        let pulls = !(support.acts.towards(force).low() > 0.0);
-        if support.acts != Acts::Both && force != S::zero() && pulls {
+        let is_wrong = !(support.acts.towards(force).low() > 0.0);
+        if support.acts != Acts::Both && force != S::zero() && is_wrong {
             let what = "a one-way support has a reaction in the wrong direction";
             return Err(NotProven::new(what).at(frame.place(node)));
         }

@@ -10,13 +10,13 @@ pub(crate) const HIGHEST: usize = 25;
 pub(crate) const HIGHEST_COURSE: usize = 5;
 
 /// Maximum number of coefficients of the product of a field and a varying coefficient.
-pub(crate) const ROOM: usize = HIGHEST + HIGHEST_COURSE + 1;
+pub(crate) const CAPACITY: usize = HIGHEST + HIGHEST_COURSE + 1;
 
 /// 1, 2, 3, …
-const NUMBERS: [f64; ROOM] = {
-    let mut numbers = [1.0; ROOM];
+const NUMBERS: [f64; CAPACITY] = {
+    let mut numbers = [1.0; CAPACITY];
     let mut j = 1;
-    while j < ROOM {
+    while j < CAPACITY {
         numbers[j] = numbers[j - 1] + 1.0;
         j += 1;
     }
@@ -26,7 +26,7 @@ const NUMBERS: [f64; ROOM] = {
 /// Σ cⱼ tʲ with at most N coefficients, stored without heap memory, because most polynomials are used in one
 /// formula only.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Polynomial<S, const N: usize = ROOM> {
+pub(crate) struct Polynomial<S, const N: usize = CAPACITY> {
     len: usize,
     /// Zero from `len` on.
     c: [S; N],
@@ -41,7 +41,7 @@ impl<S: Scalar, const N: usize> Polynomial<S, N> {
     }
 
     /// Stops compilation if the number of coefficients exceeds the capacity.
-    const fn has_room_for<const M: usize>() {
+    const fn has_capacity_for<const M: usize>() {
         let _ = const { N - M };
     }
 
@@ -143,7 +143,7 @@ fn raised<S: Copy>(coefficients: &[S], tau: f64, size: impl Fn(S) -> f64) -> f64
 impl<S: Scalar, const N: usize, const M: usize> Add<&Polynomial<S, M>> for Polynomial<S, N> {
     type Output = Self;
     fn add(mut self, other: &Polynomial<S, M>) -> Self {
-        Self::has_room_for::<M>();
+        Self::has_capacity_for::<M>();
         for (c, more) in self.c.iter_mut().zip(other.coefficients()) {
             *c = *c + *more;
         }
@@ -155,7 +155,7 @@ impl<S: Scalar, const N: usize, const M: usize> Add<&Polynomial<S, M>> for Polyn
 impl<S: Scalar, const N: usize, const M: usize> Sub<&Polynomial<S, M>> for Polynomial<S, N> {
     type Output = Self;
     fn sub(mut self, other: &Polynomial<S, M>) -> Self {
-        Self::has_room_for::<M>();
+        Self::has_capacity_for::<M>();
         for (c, less) in self.c.iter_mut().zip(other.coefficients()) {
             *c = *c - *less;
         }

@@ -32,19 +32,19 @@ impl<S: Scalar> Pressure<S> {
         let field = span.pressure_under(&obstacle);
         let masses = span.integrals(&field);
         let negligible = Size::of(span.spring.size()) * negligible;
-        let pull = below(&field.coarse(), Size::ZERO, negligible, span.interval(), budget);
-        let width = (pull.width * Size::of(span.half.high())).least(span.length());
-        Pressure { field, obstacle: obstacle.size(span.tau), masses, depth: pull.depth, width }
+        let tensile = below(&field.coarse(), Size::ZERO, negligible, span.interval(), budget);
+        let width = (tensile.width * Size::of(span.half.high())).least(span.length());
+        Pressure { field, obstacle: obstacle.size(span.tau), masses, depth: tensile.depth, width }
     }
 
     /// The bound ηω of the resultant of the tensile part.
-    pub fn pull(&self) -> Size {
+    pub fn tensile_force(&self) -> Size {
         self.depth * self.width
     }
 
     /// The resultant of max(p, 0).
     pub fn pressing(&self) -> Size {
-        Size::of(self.masses[0].size()) + self.pull()
+        Size::of(self.masses[0].size()) + self.tensile_force()
     }
 }
 
@@ -71,7 +71,7 @@ pub(crate) fn carried<S: Scalar>(frame: &Frame<S>, deflection: &Deflection<S>) -
 }
 
 /// Σ η(ω/k)^½: a bound of the change of the ground's surface by the tensile parts, in the energy norm.
-pub(crate) fn pulled<S: Scalar>(frame: &Frame<S>, pressures: &[Pressure<S>]) -> Size {
+pub(crate) fn tension_norm<S: Scalar>(frame: &Frame<S>, pressures: &[Pressure<S>]) -> Size {
     let pieces = frame.spans.iter().zip(pressures);
     pieces.map(|(span, p)| p.depth * p.width.over(span.spring.low()).root()).sum()
 }

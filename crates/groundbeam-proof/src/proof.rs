@@ -122,8 +122,12 @@ fn of_fields<S: Scalar>(
     log: Option<&mut Log>,
 ) -> Result<Attempt, NotProven> {
     let frame = fields.frame;
-    let loose = |span: &Span<S>| !span.layered && span.ground_load.is_some();
-    if frame.spans.iter().any(|span| loose(span) && span.spring.even().is_none()) {
+    let has_loaded_winkler_ground = |span: &Span<S>| !span.layered && span.ground_load.is_some();
+    if frame
+        .spans
+        .iter()
+        .any(|span| has_loaded_winkler_ground(span) && span.spring.even().is_none())
+    {
         return Err(NotProven::new("not covered: a load on Winkler ground whose k varies"));
     }
     let (energy, balanced) = fields.energy()?;

@@ -126,16 +126,16 @@ impl<S: Scalar> Pointwise<'_, S> {
     /// + K_e + Σκ.
     fn lifted_side(&self, node: usize, side: usize) -> Size {
         let (next, held) = self.next(node, side);
-        let ([bending, layer, ground], room, [springs, turning]) = self.beside(node, next);
+        let ([bending, layer, ground], available, [springs, turning]) = self.beside(node, next);
         let mut least = Size::INFINITE;
         if !held {
             let outside = Size::of(self.fields.frame.outside[side].high());
-            least = ground * Size::of(room.high()) + outside + springs;
+            least = ground * Size::of(available.high()) + outside + springs;
         }
         if next == node {
             return least;
         }
-        least.least(lift([bending, layer, ground], [springs, turning], room.low()))
+        least.least(lift([bending, layer, ground], [springs, turning], available.low()))
     }
 
     /// K² on one side for z = t(1 − t/h)².
@@ -144,8 +144,8 @@ impl<S: Scalar> Pointwise<'_, S> {
         if next == node {
             return Size::ZERO;
         }
-        let (largest, room, springs) = self.beside(node, next);
-        kink(largest, springs, room.low())
+        let (largest, available, springs) = self.beside(node, next);
+        kink(largest, springs, available.low())
     }
 
     /// K² for the linear function that is 1 at a support and 0 at the only other support. Neither may be a
@@ -195,8 +195,12 @@ impl<S: Scalar> Pointwise<'_, S> {
 
 /// The smallest K² for z = 1 − 3τ² + 2τ³, τ = t/h, h at most the available length:
 /// 12EI/h³ + 6(P + μ)/(5h) + 13kh/35 + Σ(κ + κ_θ(3/(2h))²).
-fn lift([bending, layer, ground]: [Size; 3], [springs, turning]: [Size; 2], room: f64) -> Size {
-    least_of_halves(room, |h| {
+fn lift(
+    [bending, layer, ground]: [Size; 3],
+    [springs, turning]: [Size; 2],
+    available: f64,
+) -> Size {
+    least_of_halves(available, |h| {
         let steep = Size::of(1.5).over(h).square();
         (12.0 * bending).over(h).over(h).over(h)
             + (1.2 * layer).over(h)
@@ -231,10 +235,10 @@ mod tests {
             let numbers = [0; 5].map(|_| 10.0_f64.powf(3.0 * random()));
             let [bending, layer, ground, springs, turning] = numbers;
             let (stiff, held) = ([bending, layer, ground], [springs, turning]);
-            let room = 10.0_f64.powf(random());
-            let lengths = (0..24).map(|j| room / 2.0_f64.powi(j));
+            let available = 10.0_f64.powf(random());
+            let lengths = (0..24).map(|j| available / 2.0_f64.powi(j));
             let least = lengths.map(|h| exact(stiff, held, h)).fold(f64::INFINITY, f64::min);
-            let bound = lift(stiff.map(Size::of), held.map(Size::of), room).value();
+            let bound = lift(stiff.map(Size::of), held.map(Size::of), available).value();
             assert!(least <= bound * (1.0 + 1e-9) && bound <= 1.001 * least, "{least} {bound}");
         }
     }

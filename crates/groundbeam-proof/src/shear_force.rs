@@ -189,8 +189,8 @@ impl<S: Scalar> Pointwise<'_, S> {
         }
         let [forces, couples] = inside(&window, loads, nodes);
         let change = 2.0 * moment + couples;
-        let room = (frame.nodes[window.end].x - frame.nodes[window.start].x).low();
-        let least = least_of_halves(room, |h| change.over(h) + 0.5 * (Size::of(h) * load));
+        let available = (frame.nodes[window.end].x - frame.nodes[window.start].x).low();
+        let least = least_of_halves(available, |h| change.over(h) + 0.5 * (Size::of(h) * load));
         least + 2.0 * (axial * turned) + drawn + forces
     }
 
@@ -216,8 +216,8 @@ impl<S: Scalar> Pointwise<'_, S> {
         }
         let swing = if tension == Size::ZERO { tension } else { tension * moved };
         let change = 2.0 * moment + 2.0 * swing + couples;
-        let room = part * (frame.nodes[window.end].x - frame.nodes[window.start].x).low();
-        let least = least_of_halves(room, |h| change.over(h) + 0.5 * (Size::of(h) * spread));
+        let available = part * (frame.nodes[window.end].x - frame.nodes[window.start].x).low();
+        let least = least_of_halves(available, |h| change.over(h) + 0.5 * (Size::of(h) * spread));
         least + tension * turned + drawn
     }
 
@@ -228,9 +228,9 @@ impl<S: Scalar> Pointwise<'_, S> {
             let (span, pressure) = (&spans[i], &self.fields.pressures[i]);
             let factor = self.balanced.factor(i);
             let given_back = factor * pressure.field.size(span.tau);
-            let pulled = (Size::of(1.0) + factor) * pressure.depth;
+            let tension = (Size::of(1.0) + factor) * pressure.depth;
             let spread = match span.touches || !span.layered {
-                true => bounds[i].pressure + given_back + pulled,
+                true => bounds[i].pressure + given_back + tension,
                 false => Size::ZERO,
             };
             LoadError { spread, edges: Size::ZERO }

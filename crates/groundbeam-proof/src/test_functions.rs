@@ -27,9 +27,9 @@ pub(crate) fn least_of_halves(mut h: f64, bound: impl Fn(f64) -> Size) -> Size {
 pub(crate) fn kink(
     [bending, layer, ground]: [Size; 3],
     [springs, turning]: [Size; 2],
-    room: f64,
+    available: f64,
 ) -> Size {
-    least_of_halves(room, |h| {
+    least_of_halves(available, |h| {
         let long = Size::of(h);
         (4.0 * bending).over(h)
             + 0.134 * (layer * long)
@@ -43,14 +43,14 @@ impl<S: Scalar> Pointwise<'_, S> {
     /// K² for z = t(1 − t/h)² on the longer side of x between two obstacles.
     pub(crate) fn short_kink(&self, nodes: Range<usize>) -> Size {
         let frame = self.fields.frame;
-        let room = (frame.nodes[nodes.end].x - frame.nodes[nodes.start].x).scaled(-1);
+        let available = (frame.nodes[nodes.end].x - frame.nodes[nodes.start].x).scaled(-1);
         let [bending, layer, springs] = self.largest(nodes.clone());
         let (mut supports, mut turning) = (Size::ZERO, Size::ZERO);
         for node in &frame.nodes[nodes.start..=nodes.end] {
             supports += node.spring.map_or(Size::ZERO, |[spring, _]| Size::of(spring.high()));
             turning += node.turning.map_or(Size::ZERO, |turning| Size::of(turning.high()));
         }
-        kink([bending, layer, springs], [supports, turning], room.low())
+        kink([bending, layer, springs], [supports, turning], available.low())
     }
 
     /// P; under a compression, the number (((1 − σ)N)^½ + N(σΣhc′²)^½/s₂)² takes its place. With the factor
@@ -171,10 +171,10 @@ pub(crate) mod tests {
             let numbers = [0; 5].map(|_| 10.0_f64.powf(3.0 * random()));
             let [bending, layer, ground, springs, turning] = numbers;
             let (stiff, held) = ([bending, layer, ground], [springs, turning]);
-            let room = 10.0_f64.powf(random());
-            let lengths = (0..24).map(|j| room / 2.0_f64.powi(j));
+            let available = 10.0_f64.powf(random());
+            let lengths = (0..24).map(|j| available / 2.0_f64.powi(j));
             let least = lengths.map(|h| exact(stiff, held, h)).fold(f64::INFINITY, f64::min);
-            let bound = kink(stiff.map(Size::of), held.map(Size::of), room).value();
+            let bound = kink(stiff.map(Size::of), held.map(Size::of), available).value();
             assert!(least <= bound * (1.0 + 1e-9) && bound <= 1.01 * least, "{least} {bound}");
         }
     }

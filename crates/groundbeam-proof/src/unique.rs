@@ -27,9 +27,9 @@ impl Holds {
     }
 }
 
-/// The first part that may move. A restrained part holds the neighbours at the common hinges; such a hinge
+/// The first part that is a mechanism. A restrained part holds the neighbours at the common hinges; such a hinge
 /// counts as one place.
-fn loose(holds: &[Holds]) -> Option<usize> {
+fn first_mechanism(holds: &[Holds]) -> Option<usize> {
     let mut held = vec![false; holds.len()];
     let next = |held: &[bool]| {
         (0..held.len()).find(|&j| {
@@ -69,7 +69,7 @@ impl<S: Scalar> Pointwise<'_, S> {
         if frame.tension.is_some() && holds.iter().any(|part| part.places > 0) {
             return Ok(());
         }
-        match loose(&holds) {
+        match first_mechanism(&holds) {
             None => Ok(()),
             Some(j) => {
                 let what = "the solution is not proven to be unique: a part of the beam may move";
@@ -117,7 +117,7 @@ fn bump([low, high]: [f64; 2], [ground, layer]: [Size; 2]) -> (f64, Size) {
 
 #[cfg(test)]
 mod tests {
-    use super::{Holds, bump, loose};
+    use super::{Holds, bump, first_mechanism};
     use crate::size::Size;
     use crate::test_functions::tests::integral;
 
@@ -139,19 +139,19 @@ mod tests {
         let clamped = Holds { places: 2, turning: true, ends: [true, true] };
         let alone = |places: usize, ends: [bool; 2]| Holds { places, turning: false, ends };
         // The support at the hinge holds both parts; the second one may rotate about it.
-        assert_eq!(loose(&[clamped, alone(1, [true, false])]), Some(1));
-        assert_eq!(loose(&[alone(1, [false, true]), clamped]), Some(0));
-        assert_eq!(loose(&[clamped, alone(2, [true, false])]), None);
-        assert_eq!(loose(&[clamped, alone(1, [false, true])]), None);
-        assert_eq!(loose(&[clamped, alone(0, [false, false])]), Some(1));
+        assert_eq!(first_mechanism(&[clamped, alone(1, [true, false])]), Some(1));
+        assert_eq!(first_mechanism(&[alone(1, [false, true]), clamped]), Some(0));
+        assert_eq!(first_mechanism(&[clamped, alone(2, [true, false])]), None);
+        assert_eq!(first_mechanism(&[clamped, alone(1, [false, true])]), None);
+        assert_eq!(first_mechanism(&[clamped, alone(0, [false, false])]), Some(1));
         // A part between two restrained parts.
-        assert_eq!(loose(&[clamped, alone(0, [false, false]), clamped]), None);
-        assert_eq!(loose(&[clamped, alone(1, [true, false]), clamped]), None);
+        assert_eq!(first_mechanism(&[clamped, alone(0, [false, false]), clamped]), None);
+        assert_eq!(first_mechanism(&[clamped, alone(1, [true, false]), clamped]), None);
         // A prevented rotation without a held place is not sufficient, nor is a held place without a
         // prevented rotation.
         let turning = Holds { places: 0, turning: true, ends: [false; 2] };
-        assert_eq!(loose(&[turning]), Some(0));
-        assert_eq!(loose(&[Holds { places: 1, ..turning }]), None);
-        assert_eq!(loose(&[alone(1, [true, false])]), Some(0));
+        assert_eq!(first_mechanism(&[turning]), Some(0));
+        assert_eq!(first_mechanism(&[Holds { places: 1, ..turning }]), None);
+        assert_eq!(first_mechanism(&[alone(1, [true, false])]), Some(0));
     }
 }

@@ -21,7 +21,7 @@ fn the_energy_of_test_functions_is_bounded() {
     let mut random = numbers();
     for _ in 0..200 {
         let mut number = || 10.0_f64.powf(2.0 * random());
-        let [bending, layer, ground, spring, turning, room] = [0; 6].map(|_| number());
+        let [bending, layer, ground, spring, turning, available] = [0; 6].map(|_| number());
         let exact = |h: f64| {
             let z = |x: f64| x * (1.0 - x / h).powi(2);
             let slope = |x: f64| (1.0 - x / h) * (1.0 - 3.0 * x / h);
@@ -31,9 +31,10 @@ fn the_energy_of_test_functions_is_bounded() {
             }) + spring * z(h / 3.0).powi(2)
                 + turning
         };
-        let least = (0..24).map(|i| exact(room * 0.5_f64.powi(i))).fold(f64::INFINITY, f64::min);
+        let least =
+            (0..24).map(|i| exact(available * 0.5_f64.powi(i))).fold(f64::INFINITY, f64::min);
         let sizes = [bending, layer, ground].map(Size::of);
-        let bound = kink(sizes, [spring, turning].map(Size::of), room).value();
+        let bound = kink(sizes, [spring, turning].map(Size::of), available).value();
         assert!(least <= bound * (1.0 + 1e-5) && bound <= 1.01 * least, "{least} {bound}");
     }
 }

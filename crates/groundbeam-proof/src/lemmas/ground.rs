@@ -11,7 +11,7 @@ use crate::frame::Frame;
 use crate::ground::surface;
 use crate::model::{Acts, Support, SupportKind};
 use crate::polynomial::Budget;
-use crate::pressure::{pressures, pulled};
+use crate::pressure::{pressures, tension_norm};
 use crate::random::numbers;
 use crate::scalar::Scalar;
 
@@ -113,18 +113,18 @@ fn the_energy_of_tensile_pressures_is_bounded() {
             let second = w.iter().enumerate().skip(2);
             second.map(|(j, c)| (j * (j - 1)) as f64 * c * t.powi(j as i32 - 2)).sum::<f64>()
         };
-        let pull = |x: f64| {
+        let tension = |x: f64| {
             let t = x / 0.75 - 1.0;
             (mu * bent(t) / (0.75 * 0.75) - k * polynomial(&w, t)).max(0.0)
         };
         let units = frame.units;
-        let load = units.restored(pressures[0].pull().value(), 1, 0);
-        assert!(integral(1.5, pull) <= load * 1.001 + 1e-9, "{case}");
+        let load = units.restored(pressures[0].tensile_force().value(), 1, 0);
+        assert!(integral(1.5, tension) <= load * 1.001 + 1e-9, "{case}");
         let energy = match mu > 0.0 {
-            true => energy_of_load(1.5, [k, mu], pull),
-            false => integral(1.5, |x| pull(x) * pull(x)) / k,
+            true => energy_of_load(1.5, [k, mu], tension),
+            false => integral(1.5, |x| tension(x) * tension(x)) / k,
         };
-        let cost = pulled(&frame, &pressures).value();
+        let cost = tension_norm(&frame, &pressures).value();
         let cost = units.restored(cost * cost, 1, 1);
         assert!(energy <= cost * 1.001 + 1e-9, "{case}: {energy} {cost}");
         sharpest = sharpest.max(energy / cost);

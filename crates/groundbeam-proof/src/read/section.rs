@@ -139,8 +139,8 @@ fn less<S: Scalar>(a: &Course<S>, b: &Course<S>) -> Course<S> {
 /// ends.
 fn inside<S: Scalar>(a: &Course<S>, b: &Course<S>, times: f64) -> Result<Course<S>, &'static str> {
     let rest = less(a, &scaled(b, S::of(times)));
-    let has_room = super::course::values(&rest).iter().all(|value| value.low() > 0.0);
-    has_room
+    let is_possible = super::course::values(&rest).iter().all(|value| value.low() > 0.0);
+    is_possible
         .then_some(rest)
         .ok_or("a wall, flange or web is too thick for the dimensions of the section")
 }
