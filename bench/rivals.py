@@ -28,13 +28,13 @@ LIMIT = 60  # seconds for one program on one mesh
 
 
 def read(n, program):
-    """Positions, nodal forces and moments, w and p in twice the digits, glued w; our own seconds."""
+    """Positions, nodal forces and moments, w and p in twice the digits, bonded w; our own seconds."""
     with tempfile.TemporaryDirectory() as folder:
         file = pathlib.Path(folder, "problem")
         said = subprocess.run([program, "problem", str(n), file], capture_output=True, text=True, check=True)
-        nodes, glued, contact = said.stdout.split()
+        nodes, bonded_time, contact = said.stdout.split()
         arrays = np.fromfile(file).reshape(6, int(nodes))
-    return arrays, float(glued), float(contact)
+    return arrays, float(bonded_time), float(contact)
 
 
 def ground(h):
@@ -171,7 +171,7 @@ def by_osqp(form, *data):
 
 
 def by_lapack_stiffness(x, force, moment):
-    """The glued beam, dpbsv."""
+    """The bonded beam, dpbsv."""
     h, n = np.diff(x), len(x)
     scale = np.median(h)
     k = assembled(h, beam_blocks(h, scale), 2 * n, 2).tocoo()
@@ -184,11 +184,11 @@ def by_lapack_stiffness(x, force, moment):
     q[::2], q[1::2] = force, moment / scale
     began = time.perf_counter()
     z = scipy.linalg.solveh_banded(band, q)
-    return time.perf_counter() - began, z[::2], None, "glued only"
+    return time.perf_counter() - began, z[::2], None, "bonded only"
 
 
 def by_lapack_natural(x, force, moment):
-    """The glued beam with deformations and multipliers, dgbsv: (w, w', d₁, h·d₂, λ₁, λ₂) node by node."""
+    """The bonded beam with deformations and multipliers, dgbsv: (w, w', d₁, h·d₂, λ₁, λ₂) node by node."""
     h, n = np.diff(x), len(x)
     c, leak = ground(h)
     u = under_nodes(leak, np.sqrt(K * MU))
@@ -213,7 +213,7 @@ def by_lapack_natural(x, force, moment):
     q[0::6][:n], q[1::6][:n] = force, moment
     began = time.perf_counter()
     z = scipy.linalg.solve_banded((low, low), band, q)
-    return time.perf_counter() - began, z[0::6][:n], None, "glued only"
+    return time.perf_counter() - began, z[0::6][:n], None, "bonded only"
 
 
 def by_opensees(x, force, moment):
@@ -334,12 +334,12 @@ def main():
     lines = ["", "## Beside other programs", "",
              f"Case B, P = 0, one thread, least of several runs; {time.strftime('%Y-%m-%d %H:%M UTC', time.gmtime())}.",
              f"Versions: {versions}.",
-             "The ratio of a program's time to ours comes first: contact to contact, or glued to glued.",
+             "The ratio of a program's time to ours comes first: contact to contact, or bonded to bonded.",
              "Tolerances: 1e-12 in the natural form, 1e-9 in the stiffness form; OSQP 1e-9, polished.", "",
              "| n | program | form | time / ours | ms | errw | errp | says |", "|---|---|---|---|---|---|---|---|"]
     for n in sizes:
-        (x, force, moment, w, p, bonded), glued, contact = read(n, program)
-        lines.append(f"| {n} | **groundbeam** | contact | **1** | {1e3 * contact:.3g} | | | glued {1e3 * glued:.3g} ms |")
+        (x, force, moment, w, p, bonded), bonded_time, contact = read(n, program)
+        lines.append(f"| {n} | **groundbeam** | contact | **1** | {1e3 * contact:.3g} | | | bonded {1e3 * bonded_time:.3g} ms |")
         for name, form, job, most in PROGRAMS:
             if n > most:
                 continue
@@ -348,7 +348,7 @@ def main():
                 lines.append(f"| {n} | {name} | {form} | | | | | {said} |")
             else:
                 seconds, found, pressed, remark = said
-                ours, right = (glued, bonded) if remark == "glued only" else (contact, w)
+                ours, right = (bonded_time, bonded) if remark == "bonded only" else (contact, w)
                 errw = error(found, right) if found is not None else ""
                 errp = error(pressed, p) if pressed is not None else ""
                 lines.append(f"| {n} | {name} | {form} | **{seconds / ours:.3g}** | {1e3 * seconds:.3g} | {errw} | {errp} | {remark} |")

@@ -30,7 +30,7 @@ fn bits(models: &[Model]) -> Vec<u64> {
 pub fn meshes() -> String {
     let models = random_beams(1000);
     let mut solver = NodalSolver::new();
-    let (mut glued, mut found) = (NodalSolution::default(), NodalSolution::default());
+    let (mut all_bonded, mut found) = (NodalSolution::default(), NodalSolution::default());
     let mut other = NodalSolver::new();
     let (mut solves, mut failed) = (0, 0);
     let [one, two] = side_by_side(
@@ -38,7 +38,7 @@ pub fn meshes() -> String {
         [
             &mut || {
                 for model in &models {
-                    solver.bonded_into(model, 100, &mut glued).expect("a bonded beam");
+                    solver.bonded_into(model, 100, &mut all_bonded).expect("a bonded beam");
                 }
             },
             &mut || {
@@ -54,7 +54,7 @@ pub fn meshes() -> String {
     );
     let mut table = Table::new(
         "1000 random beams of 100 elements (case C), one thread",
-        &["contact / glued", "glued µs", "contact µs", "solves a case", "failed"],
+        &["contact / bonded", "bonded µs", "contact µs", "solves a case", "failed"],
     );
     table.row(&[
         format!("**{:.2}**", two.least / one.least),

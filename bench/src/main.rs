@@ -12,7 +12,7 @@ mod study;
 mod table;
 
 const USAGE: &str = "\
-groundbeam-bench mesh     case B on meshes of 10³ … 10⁶ elements, beside the glued beam
+groundbeam-bench mesh     case B on meshes of 10³ … 10⁶ elements, beside the bonded beam
 groundbeam-bench batch    1000 random beams on meshes; footings and case C exactly, on one thread and two
 groundbeam-bench study    random footings drawn, solved, certified and written, beside the bare solver
 groundbeam-bench rail     a rail of 1 to 10 km, exactly

@@ -15,8 +15,8 @@ pub fn table(most: usize) -> String {
     let columns = [
         "P",
         "n",
-        "contact / glued",
-        "glued ns/node",
+        "contact / bonded",
+        "bonded ns/node",
         "contact ns/node",
         "steps on the mesh",
         "solves in all",
@@ -28,7 +28,7 @@ pub fn table(most: usize) -> String {
     ];
     let mut table = Table::new("One long beam (case B), one thread", &columns);
     let mut solver = NodalSolver::new();
-    let (mut glued, mut found) = (NodalSolution::default(), NodalSolution::default());
+    let (mut all_bonded, mut found) = (NodalSolution::default(), NodalSolution::default());
     for axial_force in AXIAL_FORCES {
         let model = long_beam(axial_force);
         for n in ELEMENTS {
@@ -37,7 +37,7 @@ pub fn table(most: usize) -> String {
             let [one, two] = side_by_side(
                 runs,
                 [
-                    &mut || first.bonded_into(&model, n, &mut glued).expect("a bonded beam"),
+                    &mut || first.bonded_into(&model, n, &mut all_bonded).expect("a bonded beam"),
                     &mut || {
                         second.solve_into(&model, n, &mut found).expect("a beam in contact");
                     },
@@ -74,8 +74,8 @@ pub fn table(most: usize) -> String {
         }
     }
     table.finish(
-        "* Glued: the same beam bonded to the ground at every node, one sweep from each end.\n\
-         * Times: the least of 7 to 301 runs; contact and glued runs alternate.\n\
+        "* Bonded: the same beam bonded to the ground at every node, one sweep from each end.\n\
+         * Times: the least of 7 to 301 runs; contact and bonded runs alternate.\n\
          * errw, errp: largest difference from a reference solve, divided by the largest value.\n  \
            Another code makes the reference solve, with stiffnesses and in double-double arithmetic.\n\
          * Contact set proven: the reference solve with this set has no tension and no node of the beam below the ground.\n\
@@ -119,17 +119,17 @@ pub fn problem(n: usize, file: &std::path::Path) {
     let model = long_beam(0.0);
     let mut solver = NodalSolver::new();
     let mut other = NodalSolver::new();
-    let (mut glued, mut found) = (NodalSolution::default(), NodalSolution::default());
+    let (mut all_bonded, mut found) = (NodalSolution::default(), NodalSolution::default());
     let runs = (1_000_000 / n).clamp(5, 101);
     let [one, two] = side_by_side(
         runs,
-        [&mut || solver.bonded_into(&model, n, &mut glued).expect("a beam"), &mut || {
+        [&mut || solver.bonded_into(&model, n, &mut all_bonded).expect("a beam"), &mut || {
             other.solve_into(&model, n, &mut found).expect("a beam");
         }],
     );
     let rows = found.rows();
     let right = reference::solve(&model, &rows, &found.contact);
-    let bonded = reference::solve(&model, &rows, &glued.contact);
+    let bonded = reference::solve(&model, &rows, &all_bonded.contact);
     let nodes = found.deflection.len();
     let x: Vec<f64> = (0..nodes).map(|i| found.position(i)).collect();
     let [forces, moments] = reference::nodal_loads(&model, &rows);

@@ -55,23 +55,23 @@ impl Imports {
         cycles(edges)
     }
 
-    /// Imports between top folders or files of the crate (rooms): the two rooms, and `file -> file: names`.
-    pub fn between_rooms(&self) -> Vec<(String, String, String)> {
+    /// Imports between modules of the crate (top folders or files): the two modules, and `file -> file: names`.
+    pub fn between_modules(&self) -> Vec<(String, String, String)> {
         let mut found = Vec::new();
         for (&(from, to), names) in &self.edges {
             let [from, to] = [from, to].map(|i| self.files[i].name.as_str());
-            if room(from) != room(to) {
+            if module_of(from) != module_of(to) {
                 let names: Vec<&str> = names.iter().map(String::as_str).collect();
                 let text = format!("{from} -> {to}: {}", names.join(", "));
-                found.push((room(from).to_owned(), room(to).to_owned(), text));
+                found.push((module_of(from).to_owned(), module_of(to).to_owned(), text));
             }
         }
         found
     }
 
-    /// Cycles of rooms that import each other, one list per cycle.
-    pub fn cycles_of_rooms(&self) -> Vec<Vec<String>> {
-        cycles(self.between_rooms().into_iter().map(|(from, to, _)| (from, to)))
+    /// Cycles of modules that import each other, one list per cycle.
+    pub fn cycles_of_modules(&self) -> Vec<Vec<String>> {
+        cycles(self.between_modules().into_iter().map(|(from, to, _)| (from, to)))
     }
 
     fn connect(&mut self, from: usize) {
@@ -272,7 +272,7 @@ fn leaves(tree: &UseTree, before: &mut Path, found: &mut Vec<(Path, String)>) {
 }
 
 /// The top folder or top file of the crate that contains a file.
-pub fn room(file: &str) -> &str {
+pub fn module_of(file: &str) -> &str {
     file.split('/').next().unwrap_or(file).trim_end_matches(".rs")
 }
 

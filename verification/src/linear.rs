@@ -115,7 +115,7 @@ impl Mesh {
 
     fn solve(&self, mut touching: Vec<bool>) -> Linear {
         for _ in 0..MOST_SWEEPS {
-            let found = self.glued(&touching);
+            let found = self.bonded(&touching);
             let next: Vec<bool> = (0..found.len())
                 .map(|i| {
                     let [w, _, u] = found[i];
@@ -150,7 +150,7 @@ impl Mesh {
     }
 
     /// The beam bonded to the ground at the nodes in contact: block rows, eliminated from left to right.
-    fn glued(&self, touching: &[bool]) -> Vec<Node> {
+    fn bonded(&self, touching: &[bool]) -> Vec<Node> {
         let count = touching.len();
         let [ei, shear, axial, ..] = self.constants;
         let h = self.h;

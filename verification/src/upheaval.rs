@@ -117,7 +117,7 @@ impl Meshed {
             if touching.as_ref() == Some(&now) {
                 return Some(w);
             }
-            let (matrix, mut force) = self.glued(compression, &now);
+            let (matrix, mut force) = self.bonded(compression, &now);
             let factor = cholesky(matrix)?;
             substitute(&factor, &mut force);
             w = force;
@@ -127,7 +127,7 @@ impl Meshed {
     }
 
     /// Matrix and force of the beam bonded to the springs in contact.
-    fn glued(&self, compression: f64, touching: &[bool]) -> (Vec<[f64; WIDTH]>, Vec<f64>) {
+    fn bonded(&self, compression: f64, touching: &[bool]) -> (Vec<[f64; WIDTH]>, Vec<f64>) {
         let mut matrix = self.bending.clone();
         for (row, turn) in matrix.iter_mut().zip(&self.geometric) {
             for (entry, turn) in row.iter_mut().zip(turn) {
@@ -154,7 +154,7 @@ impl Meshed {
         let ground = (0..=self.elements).map(|i| touches(i as f64 * h));
         let supports = (0..self.springs.len() - self.elements - 1).map(acts);
         let touching: Vec<bool> = ground.chain(supports).collect();
-        cholesky(self.glued(compression, &touching).0).is_some()
+        cholesky(self.bonded(compression, &touching).0).is_some()
     }
 
     /// w and θ of the unloaded beam at rest, from which the path without compression starts.

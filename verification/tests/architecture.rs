@@ -54,8 +54,8 @@ const ARROWS: [(&str, &[&str]); 14] = [
     ),
 ];
 
-/// The floors of the core, the highest first. A folder or file may import only from lower floors.
-const FLOORS: [&[&str]; 15] = [
+/// The layers of the core, the highest first. A folder or file may import only from lower layers.
+const LAYERS: [&[&str]; 15] = [
     &["lib"],
     &["load_factors", "nodal_solver", "soil"],
     &["solver"],
@@ -206,12 +206,12 @@ fn files_of_the_core_have_no_cyclic_imports() {
 
 #[test]
 fn folders_of_the_core_import_only_lower_layers() {
-    let floor = |room: &str| {
-        let floor = FLOORS.iter().position(|rooms| rooms.contains(&room));
-        floor.unwrap_or_else(|| panic!("{room} has no floor"))
+    let layer = |module: &str| {
+        let layer = LAYERS.iter().position(|modules| modules.contains(&module));
+        layer.unwrap_or_else(|| panic!("{module} has no layer"))
     };
-    let imports = Imports::of_crate("crates/groundbeam").between_rooms();
-    let upward = imports.iter().filter(|(from, to, _)| floor(from) >= floor(to));
+    let imports = Imports::of_crate("crates/groundbeam").between_modules();
+    let upward = imports.iter().filter(|(from, to, _)| layer(from) >= layer(to));
     let faults: Vec<&str> = upward.map(|(.., text)| text.as_str()).collect();
     assert!(faults.is_empty(), "{}", faults.join("\n"));
 }
@@ -220,12 +220,14 @@ fn folders_of_the_core_import_only_lower_layers() {
 fn folders_have_no_unlisted_cyclic_imports() {
     for (name, (folder, _)) in crates() {
         let known = CYCLES.iter().find(|(known, _)| *known == name);
-        let known = known.map_or(&[][..], |(_, rooms)| *rooms);
-        let cycles = Imports::of_crate(&folder).cycles_of_rooms();
-        let rooms: Vec<&String> = cycles.iter().flatten().collect();
-        let more: Vec<_> = rooms.iter().filter(|room| !known.contains(&room.as_str())).collect();
+        let known = known.map_or(&[][..], |(_, modules)| *modules);
+        let cycles = Imports::of_crate(&folder).cycles_of_modules();
+        let modules: Vec<&String> = cycles.iter().flatten().collect();
+        let more: Vec<_> =
+            modules.iter().filter(|module| !known.contains(&module.as_str())).collect();
         assert!(more.is_empty(), "{name}: {more:?} joined a cycle");
-        let gone: Vec<_> = known.iter().filter(|room| !rooms.iter().any(|r| r == *room)).collect();
+        let gone: Vec<_> =
+            known.iter().filter(|module| !modules.iter().any(|r| r == *module)).collect();
         assert!(gone.is_empty(), "{name}: {gone:?} left the cycle: remove them from the list");
     }
 }

@@ -206,7 +206,7 @@ fn linear_elements_find_the_same_local_equilibria() {
     }
 }
 
-/// Bearings and straps along a heavy beam, rigid and elastic. Some lose contact, others gain it along the path.
+/// Bearings and hold-downs along a heavy beam, rigid and elastic. Some lose contact, others gain it along the path.
 fn on_bearings() -> Vec<Model> {
     let beam = |l: f64| {
         Model::new(Beam::uniform(l, 1.0), Foundation::winkler(1.0))
@@ -217,14 +217,14 @@ fn on_bearings() -> Vec<Model> {
         beam(10.0)
             .with_load(Load::point_moment(3.0, 2.0))
             .with_support(Support::pinned(1.25).settled(0.65).acting(Acts::Up)),
-        // A strap above the hump, reached along the path.
+        // A hold-down above the hump, reached along the path.
         beam(12.0)
             .with_gap(0.0, 0.0)
             .with_gap(5.0, 0.0)
             .with_gap(6.0, -0.4)
             .with_gap(7.5, 0.0)
             .with_support(Support::pinned(6.0).settled(0.81).acting(Acts::Down)),
-        // The same with an elastic strap, and a bearing.
+        // The same with an elastic hold-down, and a bearing.
         beam(12.0)
             .with_gap(0.0, 0.0)
             .with_gap(5.0, 0.0)
@@ -292,7 +292,7 @@ fn a_bearing_does_not_prevent_lifting_under_compression() {
     // With a bearing at midspan that carries weight: the second mode, in which the beam keeps its contact there.
     let on_a_bearing = column.clone().with_support(Support::pinned(1.0).acting(Acts::Up));
     near(critical(&compressed(&on_a_bearing, 1.01 * euler)), 4.0 * euler, 1e-8);
-    // A strap there is inactive, because the weight moves the beam away from it.
+    // A hold-down there is inactive, because the weight moves the beam away from it.
     let under_a_strap = column.with_support(Support::pinned(1.0).acting(Acts::Down));
     let found = critical(&compressed(&under_a_strap, 1.01 * euler));
     assert!(found < 1.2 * euler, "{found}");

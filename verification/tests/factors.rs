@@ -20,7 +20,7 @@ const REFUSED: [(Family, u64); 2] = [(Family::Settled, 5), (Family::Varying, 21)
 /// A model with zero pressure at one place under the constant loads: its factor is rounding error.
 const RESTING: (Family, u64) = (Family::Neighbours, 35);
 /// Next to a clamp on Winkler ground, rounding of the pressure makes gaps of this fraction of the length.
-const SLIVER: f64 = 1e-6;
+const SHORT_GAP: f64 = 1e-6;
 
 /// A random model under a constant uniform load, with its own loads increasing.
 fn weighted(family: Family, number: u64) -> Model {
@@ -53,11 +53,11 @@ fn touches_all_along(model: &Model) -> Result<[bool; 2], String> {
             let open: f64 = found.lift_off().iter().map(|stretch| stretch.to - stretch.from).sum();
             // Within its certificate, a solution may have tensile pressure of a billionth of the largest pressure.
             let ends = found.end_forces();
-            let pulls = found.range(Field::Pressure).min.value < 0.0
+            let in_tension = found.range(Field::Pressure).min.value < 0.0
                 || ends.left < 0.0
                 || ends.right < 0.0
                 || found.concentrated_forces().iter().any(|c| c.force < 0.0);
-            Ok([open == 0.0 && !pulls, open <= SLIVER * l])
+            Ok([open == 0.0 && !in_tension, open <= SHORT_GAP * l])
         }
         Ok(Outcome::NoEquilibrium(_)) => Ok([false; 2]),
         Err(error) => Err(error.to_string()),
@@ -253,10 +253,10 @@ fn a_beam_lifts_from_a_bearing_before_it_lifts_from_the_ground() {
         assert!(solution.lift_off().is_empty());
     }
     assert_eq!(found.loss_of_equilibrium, LossOfEquilibrium::Never);
-    // A strap instead of the bearing limits the rise of the end, and carries force from there on.
-    let mut strap = model;
-    strap.supports[0] = Support::pinned(0.0).settled(down).acting(Acts::Down);
-    let found = load_factors(&strap, |load| load == 1).expect("factors");
+    // A hold-down instead of the bearing limits the rise of the end, and carries force from there on.
+    let mut hold_down = model;
+    hold_down.supports[0] = Support::pinned(0.0).settled(down).acting(Acts::Down);
+    let found = load_factors(&hold_down, |load| load == 1).expect("factors");
     assert_eq!(found.first_lift_off, FirstLiftOff::Never);
 }
 

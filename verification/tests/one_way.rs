@@ -126,7 +126,7 @@ fn a_hold_down_prevents_tipping_where_a_bearing_loses_contact() {
     let forces: Vec<f64> = held.reactions().iter().map(|r| r.force).collect();
     assert!((forces[0] + 0.75).abs() < 1e-12 && (forces[1] - 3.75).abs() < 1e-12, "{forces:?}");
     assert!(held.certificate().relative_gap() < 1e-20);
-    // Without the strap the beam tips onto the ground, 10⁶ below.
+    // Without the hold-down the beam tips onto the ground, 10⁶ below.
     let tipped = solved(&beam(Acts::Up));
     assert_eq!(tipped.reactions()[0].force, 0.0);
     assert!(

@@ -197,8 +197,8 @@ fn beams_with_shear_have_load_factors_and_are_rejected_by_psor_and_uzawa() {
     let beam = Beam::uniform(4.0, 1.0).with_shear_stiffness(2.0);
     let base = Model::new(beam, Foundation::pasternak(1.0, 0.3))
         .with_load(Load::uniform_force(0.0, 4.0, 1.0));
-    let pulled = base.clone().with_load(Load::point_force(2.0, -0.1));
-    let factors = load_factors(&pulled, |load| load == 1).expect("factors");
+    let lifted = base.clone().with_load(Load::point_force(2.0, -0.1));
+    let factors = load_factors(&lifted, |load| load == 1).expect("factors");
     // An upward force of any size opens the kink under it.
     assert_eq!(factors.first_lift_off, FirstLiftOff::AtOnce);
     let pushed = base.with_load(Load::point_moment(1.0, 1.0));

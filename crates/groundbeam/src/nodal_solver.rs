@@ -7,7 +7,7 @@ use crate::model::Model;
 use crate::nodal::grid::{Grid, Ground};
 use crate::nodal::newton::Work;
 use crate::nodal::newton::Workspace;
-use crate::nodal::quadratic::Loose;
+use crate::nodal::quadratic::NotSolved;
 use crate::nodal::solution::NodalSolution;
 use crate::nodal::{check, levels, newton, open};
 use crate::options::{Method, Options};
@@ -68,7 +68,7 @@ impl NodalSolver {
         let (workspace, grids) = (&mut self.workspace, &self.grids);
         // Coarse grids use the arrays of the workspace, so those of the result keep their length.
         let found = workspace.approach(grids, newton::ANSWER);
-        found.map_err(|Loose| stalled(workspace.work.solves))?;
+        found.map_err(|NotSolved| stalled(workspace.work.solves))?;
         self.finish(model, into)
     }
 
@@ -149,9 +149,9 @@ impl NodalSolver {
         let grid = Grid::new(model, elements.max(1), Ground::Nodal);
         let workspace = &mut self.workspace;
         workspace.bond(&grid);
-        workspace.room(&grid);
+        workspace.resize(&grid);
         workspace.work = Work { grids: 1, ..Work::default() };
-        workspace.glue(&grid, None).map_err(|_| stalled(1))?;
+        workspace.solve_bonded(&grid, None).map_err(|_| stalled(1))?;
         std::mem::swap(&mut workspace.deflection, &mut into.deflection);
         std::mem::swap(&mut workspace.slope, &mut into.slope);
         std::mem::swap(&mut workspace.force, &mut into.force);

@@ -73,7 +73,7 @@ struct Comparison<'a> {
     /// Bounds of settlement, moment and shear force of the present answer; infinite if the proof has none.
     bounds: [f64; 3],
     /// Whether an answer has a zone or a slit shorter than the limit of an edge.
-    slivers: bool,
+    has_short_intervals: bool,
     found: Vec<Difference>,
 }
 
@@ -86,9 +86,10 @@ impl<'a> Comparison<'a> {
         let error = gaps.iter().map(|gap| gap.max(0.0).sqrt()).sum();
         let l = solution.model().beam.length;
         let short = |edges: &[f64]| edges.windows(2).any(|pair| pair[1] - pair[0] <= EDGE * l);
-        let slivers = short(&frozen.answer.numbers("contact")) || short(&edges(solution));
+        let has_short_intervals =
+            short(&frozen.answer.numbers("contact")) || short(&edges(solution));
         let bounds = estimated_bounds(solution);
-        Comparison { frozen, solution, error, bounds, slivers, found: Vec::new() }
+        Comparison { frozen, solution, error, bounds, has_short_intervals, found: Vec::new() }
     }
 
     fn answer(&self) -> &'a Record {
@@ -155,7 +156,8 @@ impl<'a> Comparison<'a> {
         let derivative = matches!(field, Field::ShearForce | Field::Pressure);
         let near = EDGE * self.length();
         let supports = &self.solution.model().supports;
-        let pinched = self.slivers || supports.iter().any(|support| (support.at - x).abs() <= near);
+        let pinched = self.has_short_intervals
+            || supports.iter().any(|support| (support.at - x).abs() <= near);
         let share = SHARES[usize::from(derivative)] * self.error;
         if !(pinched && field == Field::ShearForce) {
             return self.size(field) * (share + FLOOR);
@@ -289,7 +291,7 @@ impl<'a> Comparison<'a> {
     }
 
     fn extremes(&mut self, field: Field) {
-        if field == Field::Pressure && self.slivers {
+        if field == Field::Pressure && self.has_short_intervals {
             return;
         }
         let old = self.answer().numbers(&format!("extremes_{}", field.name()));

@@ -178,7 +178,7 @@ def _between(start: Optional[Quantity], end: Optional[Quantity]) -> dict[str, Op
 class Support(Part):
     """A support of the beam.
 
-    ``acts="up"`` is a bearing that only pushes the beam up, ``acts="down"`` a strap that only holds it down. A
+    ``acts="up"`` is a bearing that only pushes the beam up, ``acts="down"`` a hold-down, which only pulls it down. A
     support with a ``settlement`` holds the beam at this deflection.
     """
 

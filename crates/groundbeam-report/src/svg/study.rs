@@ -121,8 +121,8 @@ impl<'a> Panel<'a> {
         let [mut from, mut to] =
             near.fold([least, most], |[a, b], limit| [a.min(limit), b.max(limit)]);
         if from == to {
-            let room = if from == 0.0 { 1.0 } else { 0.5 * from.abs() };
-            (from, to) = (from - room, to + room);
+            let margin = if from == 0.0 { 1.0 } else { 0.5 * from.abs() };
+            (from, to) = (from - margin, to + margin);
         }
         let beside = 0.03 * (to - from);
         let unit = match spread.kind {

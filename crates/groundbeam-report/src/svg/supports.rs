@@ -15,9 +15,9 @@ pub(super) fn draw(canvas: &mut Canvas, [x, y]: [f64; 2], support: &Support, out
         // A seat under the beam, or a loop around it.
         Acts::Up => canvas.line([x - 7.0, y], [x + 7.0, y], stroke(2.2)),
         Acts::Down => {
-            let strap =
+            let hold_down =
                 [[x - 5.0, y + 7.0], [x - 5.0, y - 9.0], [x + 5.0, y - 9.0], [x + 5.0, y + 7.0]];
-            canvas.polyline(&strap, false, stroke(1.4));
+            canvas.polyline(&hold_down, false, stroke(1.4));
         }
     }
     match support.kind {

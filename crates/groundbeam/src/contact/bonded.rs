@@ -6,7 +6,7 @@ use crate::chain::node::{ChainNode, NotDefinite};
 use crate::contact::intervals::{Interval, zones_of};
 use crate::contact::layout::Layout;
 use crate::contact::state::{ContactState, turned};
-use crate::contact::stopping::{STIFFEST_TETHER, TIGHTEN};
+use crate::contact::stopping::{STIFFEN, STIFFEST_SPRING};
 use crate::element::element::{Element, TERMS};
 use crate::element::operator::{Operator, ZoneKind};
 use crate::element::{ExactElement, cut, cut_equally};
@@ -47,7 +47,7 @@ pub(crate) struct BondedSystem {
 }
 
 /// A stabilising spring.
-struct TetherSpring {
+struct StabilisingSpring {
     at: f64,
     stiffness: f64,
     /// The deflection at which the spring has no force.
@@ -56,10 +56,13 @@ struct TetherSpring {
 
 /// Stabilising springs at the nodes of a mesh. They have no force in the deflection `now`. Their stiffness is
 /// ε times that of the ground, lumped from half of each adjoining cell.
-fn tether(mesh: &Mesh, now: &ContactState, epsilon: f64) -> Vec<TetherSpring> {
-    let spring =
-        |node: &Node| TetherSpring { at: node.x, stiffness: 0.0, rest: deflection_at(now, node.x) };
-    let mut springs: Vec<TetherSpring> = mesh.nodes.iter().map(spring).collect();
+fn stabilising_springs(mesh: &Mesh, now: &ContactState, epsilon: f64) -> Vec<StabilisingSpring> {
+    let spring = |node: &Node| StabilisingSpring {
+        at: node.x,
+        stiffness: 0.0,
+        rest: deflection_at(now, node.x),
+    };
+    let mut springs: Vec<StabilisingSpring> = mesh.nodes.iter().map(spring).collect();
     for (i, cell) in mesh.cells.iter().enumerate() {
         let half = 0.5 * epsilon * cell.subgrade * cell.length();
         springs[i].stiffness += half;
@@ -144,16 +147,16 @@ impl<'a> Bonded<'a> {
     /// The bonded beam with stabilising springs at all nodes, for a beam that is a mechanism on its trial contact. The
     /// springs have no force in the deflection `now`. `epsilon` is their stiffness relative to that of the ground; it
     /// grows until the system is positive definite. Also returns the work ε|w̃ − w|² of the springs.
-    pub fn solve_tethered(
+    pub fn solve_stabilised(
         &mut self,
         intervals: &[Interval],
         now: &ContactState,
         epsilon: &mut f64,
     ) -> Option<(ContactState, f64)> {
-        while *epsilon <= STIFFEST_TETHER {
+        while *epsilon <= STIFFEST_SPRING {
             let mut springs = Vec::new();
             let solved = self.solve_with(intervals, &[], |mesh, nodes| {
-                springs = tether(mesh, now, *epsilon);
+                springs = stabilising_springs(mesh, now, *epsilon);
                 for (node, spring) in nodes.iter_mut().zip(&springs) {
                     node.spring += spring.stiffness;
                     node.force += spring.stiffness * (spring.rest - node.settlement);
@@ -169,7 +172,7 @@ impl<'a> Bonded<'a> {
             if self.cancel.is_cancelled() {
                 return None;
             }
-            *epsilon *= TIGHTEN;
+            *epsilon *= STIFFEN;
         }
         None
     }

@@ -25,13 +25,13 @@ pub(crate) struct Shortened {
     pub between: Option<ContactState>,
 }
 
-/// Fraction of the step from the deflection `now` to the beam `bonded` to the ground on its contact. `tether` is the
+/// Fraction of the step from the deflection `now` to the beam `bonded` to the ground on its contact. `spring_work` is the
 /// work ε|w̃ − w|² of the stabilising springs.
 pub(crate) fn shorten(
     model: &Model,
     now: &ContactState,
     bonded: &ContactState,
-    tether: f64,
+    spring_work: f64,
 ) -> Shortened {
     let x: Vec<f64> = [now, bonded].iter().flat_map(|f| f.mesh.nodes.iter().map(|n| n.x)).collect();
     let mesh = Mesh::build(model, &x, |_| 1);
@@ -52,7 +52,7 @@ pub(crate) fn shorten(
         beam_form(&mesh, motion, motion)
     };
     let beam = form(&delta, &turn);
-    let fall = beam + ground_work(&mesh, TERMS, &zones, &delta, &delta) + tether;
+    let fall = beam + ground_work(&mesh, TERMS, &zones, &delta, &delta) + spring_work;
     let psi = obstacle(&mesh, &to);
     let energy = form(&to, &turned_to) + ground_work(&mesh, TERMS, &zones, &psi, &psi);
     // Newton's estimate of twice the remaining decrease of the energy, relative to twice the strain energy.
@@ -71,7 +71,7 @@ pub(crate) fn shorten(
         let w = at(t);
         let zones = obstacle::contact(&Deflection { mesh: &mesh, terms: TERMS, coefficients: &w });
         let ground = ground_work(&mesh, TERMS, &zones, &obstacle(&mesh, &w), &delta);
-        (ground - bonded_work) - (1.0 - t) * beam - tether
+        (ground - bonded_work) - (1.0 - t) * beam - spring_work
     };
     let t = settle(fall, slope);
     if t == 1.0 || t < LEAST_PART {

@@ -17,8 +17,8 @@ use crate::contact::obstacle;
 use crate::contact::state::edges_not_converged;
 use crate::contact::state::{ContactState, Unconverged};
 use crate::contact::stopping::{
-    BLIND, JITTER, LEAST_PART, NEAR, NOT_SHORTENED, ON_ONE_POINT, PATIENCE, RELAX, ROUNDED, SAME,
-    SETTLED, TETHER, TIGHTEN, WEIGHTLESS,
+    BLIND, JITTER, LEAST_PART, NEAR, NOT_SHORTENED, ON_ONE_POINT, PATIENCE, ROUNDED, SAME, SETTLED,
+    SOFTEN, SOFTEST_SPRING, STIFFEN, WEIGHTLESS,
 };
 use crate::contact::undecided::differ_by_rounding;
 use crate::contact::zone_forces::zone_forces;
@@ -69,8 +69,8 @@ pub(crate) fn edges(
         moved: if start.near { 0.0 } else { f64::INFINITY },
         least: f64::INFINITY,
         stale: 0,
-        epsilon: TETHER,
-        is_loose: false,
+        epsilon: SOFTEST_SPRING,
+        needs_springs: false,
     };
     let mut contact = search.placed(start.contact);
     for _ in 0..most_steps {
@@ -109,7 +109,7 @@ struct Search<'a, 'm> {
     /// Relative stiffness of the next stabilising springs.
     epsilon: f64,
     /// Whether the last line search reached rounding error: the next trial then has stabilising springs.
-    is_loose: bool,
+    needs_springs: bool,
 }
 
 /// A trial contact and the beam bonded on it.
@@ -129,7 +129,7 @@ enum Bond {
 struct Trial {
     found: Rc<ContactState>,
     /// Work ε|w̃ − w|² of the stabilising springs if the bonded beam is a mechanism.
-    tether: Option<f64>,
+    spring_work: Option<f64>,
 }
 
 impl Search<'_, '_> {
@@ -166,18 +166,18 @@ impl Search<'_, '_> {
 
     /// Bonds the beam on a trial contact. A mechanism is stabilised by springs at the previous deflection.
     fn bond(&mut self, contact: &[Interval]) -> Result<Bond, Unconverged> {
-        if !self.is_loose
+        if !self.needs_springs
             && let Ok(found) = self.bonded.solve_on(contact)
         {
-            return Ok(Bond::Trial(Trial { found: Rc::new(found), tether: None }));
+            return Ok(Bond::Trial(Trial { found: Rc::new(found), spring_work: None }));
         }
         let Some(now) = self.now.clone() else { return Err(self.stalled()) };
         if let Some(found) = self.balanced(contact, &now) {
             return Ok(Bond::OnOnePoint(Box::new(found)));
         }
-        let tethered = self.bonded.solve_tethered(contact, &now, &mut self.epsilon);
-        let (found, work) = tethered.ok_or_else(|| self.stalled())?;
-        Ok(Bond::Trial(Trial { found: Rc::new(found), tether: Some(work) }))
+        let stabilised = self.bonded.solve_stabilised(contact, &now, &mut self.epsilon);
+        let (found, work) = stabilised.ok_or_else(|| self.stalled())?;
+        Ok(Bond::Trial(Trial { found: Rc::new(found), spring_work: Some(work) }))
     }
 
     /// The beam balanced on one point, with the rotation of the deflection `like`.
@@ -192,7 +192,7 @@ impl Search<'_, '_> {
     fn next_contact(&mut self, contact: &[Interval], trial: &Trial) -> Vec<Interval> {
         let found = &trial.found;
         let l = self.length();
-        let is_near = self.moved < NEAR && self.moved <= self.least && trial.tether.is_none();
+        let is_near = self.moved < NEAR && self.moved <= self.least && trial.spring_work.is_none();
         let by_edges = is_near
             .then(|| edge_step::next_intervals(&found.deflection(), &found.zones))
             .flatten()
@@ -217,7 +217,7 @@ impl Search<'_, '_> {
         trial: &Trial,
         asked: &[Interval],
     ) -> Option<ContactState> {
-        if trial.tether.is_some() {
+        if trial.spring_work.is_some() {
             return None;
         }
         let found = &trial.found;
@@ -282,7 +282,7 @@ impl Search<'_, '_> {
         if weightless.is_empty() {
             return None;
         }
-        let pull = weightless.iter().all(|(_, force)| *force < 0.0);
+        let in_tension = weightless.iter().all(|(_, force)| *force < 0.0);
         let zones = |part: Vec<(Interval, f64)>| part.into_iter().map(|(zone, _)| zone).collect();
         let [strong, undecided]: [Vec<Interval>; 2] = [strong, weightless].map(zones);
         let edge_error = EdgeError { moved: self.moved * self.length(), undecided };
@@ -291,7 +291,7 @@ impl Search<'_, '_> {
         // error.
         let own = self.scan(&rest);
         let same = |zones: &[Interval]| longest_difference(zones, &own) <= ROUNDED * self.length();
-        let is_own = same(&strong) || pull && same(contact);
+        let is_own = same(&strong) || in_tension && same(contact);
         (is_own && self.holds(&rest)).then_some(ContactState { edge_error, ..rest })
     }
 
@@ -309,10 +309,11 @@ impl Search<'_, '_> {
         trial: Trial,
         asked: Vec<Interval>,
     ) -> Vec<Interval> {
-        let Trial { found, tether } = trial;
-        let is_whole = tether.is_none() && (self.moved <= 0.5 * self.least || self.moved <= BLIND);
+        let Trial { found, spring_work } = trial;
+        let is_whole =
+            spring_work.is_none() && (self.moved <= 0.5 * self.least || self.moved <= BLIND);
         self.least = self.least.min(self.moved);
-        self.is_loose = false;
+        self.needs_springs = false;
         let from = match &self.now {
             Some(from) if !is_whole => Rc::clone(from),
             _ => {
@@ -320,17 +321,17 @@ impl Search<'_, '_> {
                 return asked;
             }
         };
-        let shortened = shorten(self.bonded.model, &from, &found, tether.unwrap_or(0.0));
+        let shortened = shorten(self.bonded.model, &from, &found, spring_work.unwrap_or(0.0));
         if let Some(step) = self.history.last_mut() {
             step.step = shortened.part;
         }
-        let change = if shortened.part < NOT_SHORTENED { TIGHTEN } else { RELAX };
-        self.epsilon = (self.epsilon * change).max(TETHER);
+        let change = if shortened.part < NOT_SHORTENED { STIFFEN } else { SOFTEN };
+        self.epsilon = (self.epsilon * change).max(SOFTEST_SPRING);
         if shortened.part < LEAST_PART {
             // The energy is certain to fall only along the contact set from the scan of a deflection, not from edge
             // Newton.
             let own = self.scan(&from);
-            self.is_loose = longest_difference(&contact, &own) <= ROUNDED * self.length();
+            self.needs_springs = longest_difference(&contact, &own) <= ROUNDED * self.length();
             self.moved = f64::INFINITY;
             return own;
         }

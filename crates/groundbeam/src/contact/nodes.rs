@@ -19,7 +19,7 @@ use crate::model::Model;
 use crate::nodal::grid::{Grid, Ground};
 use crate::nodal::hull::Zone;
 use crate::nodal::newton::Workspace;
-use crate::nodal::quadratic::Loose;
+use crate::nodal::quadratic::NotSolved;
 use crate::nodal::{levels, newton, open};
 use crate::numeric::polynomial::rescale;
 
@@ -100,7 +100,9 @@ pub(crate) fn solve(
     let iterations = workspace.history.len();
     match (found, grids.pop()) {
         (Ok(()), Some(grid)) => Ok(Solved::new(grid, workspace)),
-        (Err(Loose), _) | (_, None) => Err(Unconverged { iterations, why: NotConverged::Nodes }),
+        (Err(NotSolved), _) | (_, None) => {
+            Err(Unconverged { iterations, why: NotConverged::Nodes })
+        }
     }
 }
 

@@ -102,7 +102,7 @@ impl Scan<'_> {
     fn drops_last(&self, stack: &mut Vec<KeptZone>, span: &mut OpenSpan) -> bool {
         let (Some(last), Some(touch)) = (stack.last_mut(), span.left) else { return false };
         last.zone.to = touch;
-        let dropped = touch == last.zone.from && self.pull(&last.span, span) <= 0.0;
+        let dropped = touch == last.zone.from && self.contact_force(&last.span, span) <= 0.0;
         if dropped {
             *span = self.merged(&last.span, &last.zone, span);
             stack.pop();
@@ -184,7 +184,7 @@ impl Scan<'_> {
     }
 
     /// The contact force at a single point between two spans; negative in tension.
-    fn pull(&self, before: &OpenSpan, after: &OpenSpan) -> f64 {
+    fn contact_force(&self, before: &OpenSpan, after: &OpenSpan) -> f64 {
         let fluxes =
             |span: &OpenSpan| short_span::fluxes(self.w, [span.left, span.right], &self.link(span));
         fluxes(before)[1] + fluxes(after)[0]

@@ -184,8 +184,8 @@ pub(crate) fn end_forces<R: Real>(
     if whole <= 0.0 {
         // The two arcs meet at a corner. Each side takes half of the corner's force; the corner opens if this
         // force is tensile.
-        let pull = parts.iter().skip(1).map(|part| w.corner(part.cell) * 0.5).sum();
-        return Some([pull; 2]);
+        let half_force = parts.iter().skip(1).map(|part| w.corner(part.cell) * 0.5).sum();
+        return Some([half_force; 2]);
     }
     let noise: f64 = parts.iter().map(|part| 2.0 * part.half * pressure_size(w, part.cell)).sum();
     let soft: f64 = parts

@@ -44,13 +44,13 @@ pub(crate) const FEW_STEPS: usize = 16;
 
 /// Least and largest stiffness of the stabilising springs, relative to that of the ground, and the factor by which it
 /// grows.
-pub(crate) const TETHER: f64 = 1e-6;
-pub(crate) const STIFFEST_TETHER: f64 = 1e6;
-pub(crate) const TIGHTEN: f64 = 100.0;
+pub(crate) const SOFTEST_SPRING: f64 = 1e-6;
+pub(crate) const STIFFEST_SPRING: f64 = 1e6;
+pub(crate) const STIFFEN: f64 = 100.0;
 
 /// Fraction of a step below which the stabilising springs become stiffer, and the factor on their stiffness otherwise.
 pub(crate) const NOT_SHORTENED: f64 = 0.01;
-pub(crate) const RELAX: f64 = 0.1;
+pub(crate) const SOFTEN: f64 = 0.1;
 
 /// Fraction of a step below which the line search has reached rounding error.
 pub(crate) const LEAST_PART: f64 = 1e-9;

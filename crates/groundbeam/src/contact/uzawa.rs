@@ -27,7 +27,7 @@ use crate::mesh::deflection::MeshZone;
 use crate::mesh::mesh::Mesh;
 use crate::nodal::grid::Grid;
 use crate::nodal::newton::Workspace;
-use crate::nodal::quadratic::Loose;
+use crate::nodal::quadratic::NotSolved;
 use crate::numeric::step::Step;
 use crate::numeric::tolerance::SWEEPS;
 
@@ -92,10 +92,10 @@ pub(crate) fn solve(
 fn bilateral_pressure(grid: &Grid) -> Vec<f64> {
     let mut workspace = Workspace::default();
     workspace.bond(grid);
-    workspace.room(grid);
-    match workspace.glue(grid, None) {
+    workspace.resize(grid);
+    match workspace.solve_bonded(grid, None) {
         Ok(()) => workspace.force.iter().map(|force| force.max(0.0)).collect(),
-        Err(Loose) => vec![0.0; grid.last() + 1],
+        Err(NotSolved) => vec![0.0; grid.last() + 1],
     }
 }
 

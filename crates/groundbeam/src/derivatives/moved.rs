@@ -35,7 +35,7 @@ impl Frame<'_> {
         let spot = self.spot(moved.x, edge.unwrap_or(Side::Right));
         let sign = if spot.s < 0.0 { 1.0 } else { -1.0 };
         let mut steps = Steps { spot, moment: 0.0, jump: [0.0; 2], slope: 0.0, drift: 0.0 };
-        let stiffness = self.shear_and_pull(spot);
+        let stiffness = self.shear_and_total_stiffness(spot);
         match (moved.what, stiffness) {
             (Motion::Force(force), None) => steps.moment = force,
             (Motion::Force(force), Some([shear, whole])) => {
@@ -66,7 +66,7 @@ impl Frame<'_> {
     }
 
     /// S and S + N at the end of a cell, where N is P, in contact P + μ; `None` without shear deformation.
-    fn shear_and_pull(&self, spot: BeamPoint) -> Option<[f64; 2]> {
+    fn shear_and_total_stiffness(&self, spot: BeamPoint) -> Option<[f64; 2]> {
         let cell = &self.mesh.cells[spot.cell];
         let shear = value(&cell.beam_shear?, spot.s);
         let touches = self.touch[spot.cell] == ZoneKind::Contact;
@@ -90,7 +90,8 @@ impl Frame<'_> {
     /// w' on one side of a moving point force, shifted to the mean of both sides by half of the kink at the force.
     pub fn slope_with_half_kink(&self, x: f64, side: Side, force: f64) -> f64 {
         let spot = self.spot(x, side);
-        let half = self.shear_and_pull(spot).map_or(0.0, |[_, whole]| 0.5 * force / whole);
+        let half =
+            self.shear_and_total_stiffness(spot).map_or(0.0, |[_, whole]| 0.5 * force / whole);
         self.solution.at(x, side).slope + if spot.s > 0.0 { -half } else { half }
     }
 
@@ -99,7 +100,7 @@ impl Frame<'_> {
     pub fn released(&self, x: f64, side: Side) -> f64 {
         let spot = self.spot(x, side);
         let cell = &self.mesh.cells[spot.cell];
-        let shear = self.shear_and_pull(spot).map_or(0.0, |[shear, _]| shear);
+        let shear = self.shear_and_total_stiffness(spot).map_or(0.0, |[shear, _]| shear);
         let slope = self.solution.at(x, side).slope;
         let (lies, own) = (self.ground_slope(x, side) + cell.gap_slope, cell.gap_slope);
         let layer = cell.ground_at(spot.s)[1];
@@ -140,7 +141,7 @@ impl Frame<'_> {
         let jumps = match moved.what {
             Motion::Force(_) => {
                 let whole = [left, right].map(|spot| {
-                    self.shear_and_pull(spot).map_or(f64::INFINITY, |[_, whole]| whole)
+                    self.shear_and_total_stiffness(spot).map_or(f64::INFINITY, |[_, whole]| whole)
                 });
                 whole != [f64::INFINITY; 2] && differ(whole[0], whole[1])
             }

@@ -182,13 +182,13 @@ impl<R: Real> Polynomials<R> {
             return [least, largest(tension), largest(spring)];
         };
         let shear = at(shear);
-        let [mut pull, mut press] = [[0.0; 3]; 2];
+        let [mut axial, mut elastic] = [[0.0; 3]; 2];
         for i in 0..3 {
             let part = 1.0 + tension[i] / shear[i];
-            pull[i] = (tension[i] / stiffness[i] + spring[i] / shear[i]) / part;
-            press[i] = spring[i] / stiffness[i] / part;
+            axial[i] = (tension[i] / stiffness[i] + spring[i] / shear[i]) / part;
+            elastic[i] = spring[i] / stiffness[i] / part;
         }
-        [1.0, largest(pull), largest(press)]
+        [1.0, largest(axial), largest(elastic)]
     }
 }
 

@@ -121,15 +121,15 @@ impl<R: Real> Solutions<R> {
         let given = |c: &[R], j: usize| c.get(j).copied().unwrap_or_default();
         let mut bend = zero;
         for j in 0..TERMS - 1 {
-            let mut pull = product(tension, &all.rotation, j, 0);
-            pull[LOADED] -= given(&of.slope_load, j);
-            let mut shear_force = minus(&all.force[j], &pull);
+            let mut from_axial = product(tension, &all.rotation, j, 0);
+            from_axial[LOADED] -= given(&of.slope_load, j);
+            let mut shear_force = minus(&all.force[j], &from_axial);
             if let Some((shear, both)) = &shear {
                 let rest = minus(&shear_force, &product(both, &all.strain, j, 1));
                 all.strain[j] = rest.map(|rest| rest / both[0]);
                 shear_force = product(shear, &all.strain, j, 0);
                 let more = product(tension, &all.strain, j, 0);
-                pull.iter_mut().zip(more).for_each(|(pull, more)| *pull += more);
+                from_axial.iter_mut().zip(more).for_each(|(from_axial, more)| *from_axial += more);
             }
             let bent = minus(&all.moment[j], &product(stiffness, &bend, j, 1));
             bend[j] = bent.map(|moment| moment / stiffness[0]);
@@ -138,8 +138,8 @@ impl<R: Real> Solutions<R> {
             let mut curvature = bend[j];
             curvature[LOADED] += given(&of.curvature, j);
             shear_force[LOADED] += given(&of.moment_load, j);
-            pull[LOADED] -= given(&of.moment_load, j);
-            all.turning[j] = pull;
+            from_axial[LOADED] -= given(&of.moment_load, j);
+            all.turning[j] = from_axial;
 
             let next = a / (j + 1) as f64;
             for i in 0..5 {
@@ -376,14 +376,14 @@ mod tests {
             bend[1] -= all.curvature[1];
             let moment = times(&all.stiffness, &bend);
             let shear_force = shear_force(&all, &slope, &rotation, &by(&moment));
-            let pull = times(&all.tension, &slope);
+            let from_axial = times(&all.tension, &slope);
             let total =
-                |s: f64| value(&shear_force, s) + value(&pull, s) - value(&all.slope_load, s);
+                |s: f64| value(&shear_force, s) + value(&from_axial, s) - value(&all.slope_load, s);
             for s in [-0.9, -0.3, 0.2, 0.8] {
                 let rising = |c: &[f64]| jet(c, s)[1] / a;
                 let turns = rising(&moment) + value(&shear_force, s) + value(&all.moment_load, s);
                 assert!(turns.abs() < 1e-12, "{s}: {turns:e}");
-                let carried = rising(&shear_force) + rising(&pull) - rising(&all.slope_load);
+                let carried = rising(&shear_force) + rising(&from_axial) - rising(&all.slope_load);
                 let sinks = carried - value(&all.spring, s) * value(&w, s) + value(&all.load, s);
                 assert!(sinks.abs() < 1e-11, "{s}: {sinks:e}");
             }

@@ -184,29 +184,29 @@ mod tests {
                 .with_hinge(Hinge::free(3.0))
                 .with_load(Load::uniform_force(0.0, 4.0, 1.0))
         };
-        let pulled = |model: Model, x: f64| model.with_load(Load::point_force(x, -2.0));
+        let lifted = |model: Model, x: f64| model.with_load(Load::point_force(x, -2.0));
         assert!(exists(&slab()));
         // A hinge or an end can lift alone; a spring in the hinge keeps the beam straight.
         for x in [0.0, 1.0, 4.0] {
-            assert!(!exists(&pulled(slab(), x)), "{x}");
-            assert!(!exists(&pulled(slab().with_hinge(Hinge::elastic(2.0, 1.0)), x)));
+            assert!(!exists(&lifted(slab(), x)), "{x}");
+            assert!(!exists(&lifted(slab().with_hinge(Hinge::elastic(2.0, 1.0)), x)));
         }
         let mut stiff = slab();
         stiff.hinges.iter_mut().for_each(|hinge| hinge.rotational_spring = 1.0);
-        assert!(exists(&pulled(stiff, 1.0)));
+        assert!(exists(&lifted(stiff, 1.0)));
         // A support within a piece holds both of its nodes; a support at a hinge holds that hinge only.
-        assert!(exists(&pulled(slab().with_support(Support::pinned(0.5)), 1.0)));
-        assert!(!exists(&pulled(slab().with_support(Support::pinned(0.5)), 3.0)));
-        assert!(exists(&pulled(slab().with_support(Support::pinned(1.0)), 1.0)));
-        assert!(!exists(&pulled(slab().with_support(Support::pinned(1.0)), 0.0)));
+        assert!(exists(&lifted(slab().with_support(Support::pinned(0.5)), 1.0)));
+        assert!(!exists(&lifted(slab().with_support(Support::pinned(0.5)), 3.0)));
+        assert!(exists(&lifted(slab().with_support(Support::pinned(1.0)), 1.0)));
+        assert!(!exists(&lifted(slab().with_support(Support::pinned(1.0)), 0.0)));
         // A piece that cannot rotate lifts as a whole: a load of 4 against 2. Tension keeps the whole beam
         // straight.
         let turned = |at: f64| slab().with_support(Support::spring(at, 0.0, 1.0));
-        assert!(exists(&pulled(turned(0.5), 1.0)) && !exists(&pulled(turned(3.5), 1.0)));
+        assert!(exists(&lifted(turned(0.5), 1.0)) && !exists(&lifted(turned(3.5), 1.0)));
         let mut tied = slab();
         tied.beam.axial_force = 1.0;
-        assert!(exists(&pulled(tied.clone(), 4.0)));
-        assert!(!exists(&pulled(pulled(tied, 4.0), 0.0).with_load(Load::point_force(2.0, -0.1))));
+        assert!(exists(&lifted(tied.clone(), 4.0)));
+        assert!(!exists(&lifted(lifted(tied, 4.0), 0.0).with_load(Load::point_force(2.0, -0.1))));
     }
 
     #[test]

@@ -27,7 +27,7 @@ const MOST_STEPS: usize = 200;
 
 impl LiftOffCandidate {
     /// Whether the pressure is tensile at factor 0.
-    pub fn pulls_at_first(&self) -> bool {
+    pub fn is_tensile_at_zero(&self) -> bool {
         lowest(&self.staying.coefficients).1 < -ROUNDING * self.staying.size
     }
 
@@ -37,10 +37,10 @@ impl LiftOffCandidate {
     ///
     /// Newton's method finds the root of the minimum over s, which is a concave function of the factor. The
     /// iterates decrease and never pass the root.
-    pub fn first_pull_below(&self, factor: f64) -> Option<(f64, f64)> {
+    pub fn first_tension_below(&self, factor: f64) -> Option<(f64, f64)> {
         let (mut factor, mut found) = (factor, None);
         for _ in 0..MOST_STEPS {
-            let Some(s) = self.pulled_at(factor) else { break };
+            let Some(s) = self.tension_at(factor) else { break };
             let [stays, grows] =
                 [&self.staying, &self.growing].map(|side| value(&side.coefficients, s));
             let next = (stays / -grows).max(0.0);
@@ -59,7 +59,7 @@ impl LiftOffCandidate {
     }
 
     /// The position of the most negative pressure at a factor, if there is one.
-    fn pulled_at(&self, factor: f64) -> Option<f64> {
+    fn tension_at(&self, factor: f64) -> Option<f64> {
         let (stays, grows) = (&self.staying, &self.growing);
         let (coefficients, size) = if factor.is_finite() {
             let both = stays.coefficients.iter().zip(grows.coefficients.iter());
@@ -132,7 +132,7 @@ mod tests {
     /// = λ/2. The minimum is zero for λ = 2√2 − 2.
     #[test]
     fn the_factor_of_first_tension_agrees_with_closed_forms() {
-        let at = |of: &LiftOffCandidate, from: f64| of.first_pull_below(from).expect("a pull");
+        let at = |of: &LiftOffCandidate, from: f64| of.first_tension_below(from).expect("tension");
         let falling = between_1_and_5(&[2.0, 0.0], &[-1.0, -1.0]);
         for from in [f64::INFINITY, 8.0] {
             assert_eq!(at(&falling, from), (1.0, 5.0));
@@ -147,10 +147,10 @@ mod tests {
             }
         }
         // The pressure is not tensile up to λ = 1/2. It is never tensile if both parts are compressive.
-        assert_eq!(falling.first_pull_below(0.5), None);
-        assert_eq!(between_1_and_5(&[1.0], &[1.0]).first_pull_below(f64::INFINITY), None);
+        assert_eq!(falling.first_tension_below(0.5), None);
+        assert_eq!(between_1_and_5(&[1.0], &[1.0]).first_tension_below(f64::INFINITY), None);
         // −1 + 2λ is negative at every factor below λ = 1/2.
-        assert_eq!(between_1_and_5(&[-1.0], &[2.0]).first_pull_below(0.25), None);
+        assert_eq!(between_1_and_5(&[-1.0], &[2.0]).first_tension_below(0.25), None);
         // If both parts are tensile, the factor is 0.
         assert_eq!(at(&between_1_and_5(&[-1.0], &[-1.0]), 3.0), (0.0, 1.0));
     }
@@ -159,30 +159,30 @@ mod tests {
     /// the increasing ones.
     #[test]
     fn tension_exceeds_rounding_error() {
-        let pulls = |part: f64| {
+        let constant = |part: f64| {
             let [staying, growing] = [side(&[-ROUNDING * part], 2.0), side(&[0.0], 3.0)];
             LiftOffCandidate { x: [0.0, 1.0], staying, growing }
         };
-        assert!(!pulls(1.9).pulls_at_first() && pulls(2.1).pulls_at_first());
-        assert_eq!(pulls(13.9).pulled_at(4.0), None);
-        assert_eq!(pulls(14.1).pulled_at(4.0), Some(-1.0));
+        assert!(!constant(1.9).is_tensile_at_zero() && constant(2.1).is_tensile_at_zero());
+        assert_eq!(constant(13.9).tension_at(4.0), None);
+        assert_eq!(constant(14.1).tension_at(4.0), Some(-1.0));
         let grows = |part: f64| {
             let [staying, growing] = [side(&[1.0], 2.0), side(&[-ROUNDING * part], 3.0)];
             LiftOffCandidate { x: [0.0, 1.0], staying, growing }
         };
-        assert_eq!(grows(2.9).pulled_at(f64::INFINITY), None);
-        assert_eq!(grows(3.1).pulled_at(f64::INFINITY), Some(-1.0));
+        assert_eq!(grows(2.9).tension_at(f64::INFINITY), None);
+        assert_eq!(grows(3.1).tension_at(f64::INFINITY), Some(-1.0));
         // The sums of the terms are 2 and 3. So a factor λ counts as zero if 3λ is at most 256 ε times 2.
-        assert!(pulls(0.0).is_nothing(ROUNDING * 0.66));
-        assert!(!pulls(0.0).is_nothing(ROUNDING * 0.67));
+        assert!(constant(0.0).is_nothing(ROUNDING * 0.66));
+        assert!(!constant(0.0).is_nothing(ROUNDING * 0.67));
         // A pressure of zero is not tensile.
         let nothing = LiftOffCandidate {
             x: [0.0, 1.0],
             staying: side(&[0.0], 0.0),
             growing: side(&[0.0], 0.0),
         };
-        assert!(!nothing.pulls_at_first() && nothing.is_nothing(0.0));
-        assert_eq!([1.0, f64::INFINITY].map(|factor| nothing.pulled_at(factor)), [None; 2]);
+        assert!(!nothing.is_tensile_at_zero() && nothing.is_nothing(0.0));
+        assert_eq!([1.0, f64::INFINITY].map(|factor| nothing.tension_at(factor)), [None; 2]);
     }
 
     /// Positions at the ends of a part have the bits of these ends, independent of the rounding of half its

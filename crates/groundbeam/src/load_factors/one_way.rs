@@ -57,13 +57,13 @@ pub(crate) fn first_lift_off(
     for _ in 0..MOST_PIECES {
         let piece = FactorRange::beginning(parts, from, ended, &mut acts, cancel)?;
         let all = lift_off_candidates(&piece.staying, &piece.growing);
-        if from == 0.0 && all.iter().any(LiftOffCandidate::pulls_at_first) {
+        if from == 0.0 && all.iter().any(LiftOffCandidate::is_tensile_at_zero) {
             return Ok(FirstLiftOff::AtOnce);
         }
         let mut least = piece.growth;
         let mut found = None;
         for place in &all {
-            let Some((growth, x)) = place.first_pull_below(least) else { continue };
+            let Some((growth, x)) = place.first_tension_below(least) else { continue };
             if from == 0.0 && place.is_nothing(growth) {
                 return Ok(FirstLiftOff::AtOnce);
             }
@@ -105,9 +105,9 @@ impl FactorRange {
             if !one_way.contains(&true) {
                 return Ok(FactorRange { staying, growing, growth: f64::INFINITY, ends: None });
             }
-            let mut now = Room::of(&stays, &staying, acts);
+            let mut now = Margins::of(&stays, &staying, acts);
             ended.into_iter().for_each(|i| now.zero[i] = f64::INFINITY);
-            let rate = Room::of(&grows, &growing, acts);
+            let rate = Margins::of(&grows, &growing, acts);
             let wrong =
                 |i: &usize| now.is_negative(*i) || (now.is_zero(*i) && rate.is_negative(*i));
             let all = || (0..acts.len()).filter(|i| one_way[*i]);
@@ -116,7 +116,7 @@ impl FactorRange {
                 continue;
             }
             let falling = all().filter(|i| !now.is_zero(*i) && rate.is_negative(*i));
-            let ends = falling.map(|i| (now.left[i] / -rate.left[i], i));
+            let ends = falling.map(|i| (now.margin[i] / -rate.margin[i], i));
             let first = ends.min_by(|a, b| a.0.total_cmp(&b.0));
             let growth = first.map_or(f64::INFINITY, |(growth, _)| growth);
             return Ok(FactorRange { staying, growing, growth, ends: first.map(|(_, i)| i) });
@@ -126,30 +126,30 @@ impl FactorRange {
 }
 
 /// The margin of each support's condition: the force of an active one, the clearance of an inactive one.
-struct Room {
-    left: Vec<f64>,
+struct Margins {
+    margin: Vec<f64>,
     zero: Vec<f64>,
 }
 
-impl Room {
+impl Margins {
     fn of(model: &Model, found: &ContactState, acts: &[bool]) -> Self {
         let held = model.with_supports_that(|i, _| acts[i]);
         let candidate = Candidate::of(&held, found, &mut Workspace::default());
         let (forces, all) = one_way::forces(model, acts, &candidate);
         let (clear, size) = one_way::clearances(model, &candidate);
         let each = || 0..acts.len();
-        let left = each().map(|i| if acts[i] { forces[i] } else { clear[i] });
+        let margin = each().map(|i| if acts[i] { forces[i] } else { clear[i] });
         let all = all + size_of_loads(model);
         let zero = each().map(|i| ZERO * if acts[i] { all } else { size });
-        Room { left: left.collect(), zero: zero.collect() }
+        Margins { margin: margin.collect(), zero: zero.collect() }
     }
 
     fn is_zero(&self, i: usize) -> bool {
-        self.left[i].abs() <= self.zero[i]
+        self.margin[i].abs() <= self.zero[i]
     }
 
     fn is_negative(&self, i: usize) -> bool {
-        self.left[i] < -self.zero[i]
+        self.margin[i] < -self.zero[i]
     }
 }
 
@@ -199,7 +199,7 @@ mod tests {
         Support::pinned(at).settled(down).acting(Acts::Up)
     }
 
-    fn strap(at: f64, down: f64) -> Support {
+    fn hold_down(at: f64, down: f64) -> Support {
         Support::pinned(at).settled(down).acting(Acts::Down)
     }
 
@@ -241,7 +241,7 @@ mod tests {
         for supports in [
             vec![],
             vec![bearing(0.0, 0.4)],
-            vec![bearing(0.0, 0.4), strap(LENGTH, 0.3)],
+            vec![bearing(0.0, 0.4), hold_down(LENGTH, 0.3)],
             // The right end stays above its support: its depth is 1.8 at F = ql/2.
             vec![bearing(LENGTH, 1.9)],
             vec![bearing(0.0, 0.55), bearing(LENGTH, 1.9)],
@@ -255,11 +255,11 @@ mod tests {
     #[test]
     fn a_support_that_the_beam_meets_may_prevent_lift_off() {
         for supports in [
-            vec![strap(0.0, 0.4)],
+            vec![hold_down(0.0, 0.4)],
             vec![bearing(LENGTH, 0.8)],
             vec![bearing(LENGTH, 0.55)],
-            vec![strap(0.0, 0.1), bearing(LENGTH, 1.7)],
-            vec![strap(0.0, 0.5), bearing(LENGTH, 1.7)],
+            vec![hold_down(0.0, 0.1), bearing(LENGTH, 1.7)],
+            vec![hold_down(0.0, 0.5), bearing(LENGTH, 1.7)],
         ] {
             assert_eq!(lift_off(RIGID, &supports), FirstLiftOff::Never, "{supports:?}");
         }
@@ -271,10 +271,10 @@ mod tests {
     fn a_support_that_just_touches_acts_by_its_rate() {
         let free = lift_off(1e3, &[]);
         assert!(matches!(free, FirstLiftOff::At { x: 0.0, .. }));
-        for left in [bearing(0.0, 0.6), strap(LENGTH, 0.6)] {
+        for left in [bearing(0.0, 0.6), hold_down(LENGTH, 0.6)] {
             assert_eq!(lift_off(1e3, &[left]), free, "{left:?}");
         }
-        for pressed in [strap(0.0, 0.6), bearing(LENGTH, 0.6)] {
+        for pressed in [hold_down(0.0, 0.6), bearing(LENGTH, 0.6)] {
             assert_eq!(lift_off(1e3, &[pressed]), FirstLiftOff::Never, "{pressed:?}");
         }
     }
@@ -299,7 +299,7 @@ mod tests {
     fn a_bearing_above_the_ground_lifts_the_beam_off_at_once() {
         assert_eq!(lift_off(RIGID, &[bearing(0.0, -0.1)]), FirstLiftOff::AtOnce);
         assert_eq!(lift_off(RIGID, &[bearing(0.5 * LENGTH, -0.1)]), FirstLiftOff::AtOnce);
-        assert_eq!(lift_off(RIGID, &[strap(0.0, 2.0)]), FirstLiftOff::AtOnce);
+        assert_eq!(lift_off(RIGID, &[hold_down(0.0, 2.0)]), FirstLiftOff::AtOnce);
     }
 
     /// The bearing under the left end is at depth δ = 0.4 and carries (q − kδ) l/4 = 1/2, from moments about
@@ -308,14 +308,14 @@ mod tests {
     fn margins_of_a_force_and_of_a_clearance() {
         let model = weighted(RIGID)
             .with_support(bearing(0.0, 0.4))
-            .with_support(strap(LENGTH, 0.5))
+            .with_support(hold_down(LENGTH, 0.5))
             .with_support(Support::spring(1.0, 1e-12, 0.0));
         let acts = [true, false, true];
         let held = model.with_supports_that(|i, _| acts[i]);
         let found = bonded_everywhere(&held, &Cancel::default()).expect("bonded");
-        let Room { left, zero } = Room::of(&model, &found, &acts);
-        near(left[0], 0.5);
-        near(left[1], 0.2);
+        let Margins { margin, zero } = Margins::of(&model, &found, &acts);
+        near(margin[0], 0.5);
+        near(margin[1], 0.2);
         // Forces are compared with the reactions and the loads, clearances with the largest deflection.
         near(zero[0], ZERO * (0.5 + WEIGHT));
         near(zero[1], ZERO * 0.7);
@@ -323,10 +323,10 @@ mod tests {
 
     #[test]
     fn a_margin_within_rounding_error_is_zero() {
-        let room = Room { left: vec![-3.0, -2.0, -1.0, 0.0, 2.0, 3.0], zero: vec![2.0; 6] };
+        let margins = Margins { margin: vec![-3.0, -2.0, -1.0, 0.0, 2.0, 3.0], zero: vec![2.0; 6] };
         let each = |is: &dyn Fn(usize) -> bool| (0..6).map(is).collect::<Vec<_>>();
-        assert_eq!(each(&|i| room.is_zero(i)), [false, true, true, true, true, false]);
-        assert_eq!(each(&|i| room.is_negative(i)), [true, false, false, false, false, false]);
+        assert_eq!(each(&|i| margins.is_zero(i)), [false, true, true, true, true, false]);
+        assert_eq!(each(&|i| margins.is_negative(i)), [true, false, false, false, false, false]);
     }
 
     /// The certificate at a factor holds while the pressure is not tensile, and fails beyond.
@@ -340,7 +340,7 @@ mod tests {
             |factor: f64, acts: bool| prove(&parts, factor, &[acts], 1.0, &Cancel::default());
         assert_eq!(proves(0.4 * WEIGHT, false), Ok(()));
         let Err(Error::NotConverged(found)) = proves(0.6 * WEIGHT, false) else {
-            panic!("it pulls")
+            panic!("tension")
         };
         assert!(found.why.reached() > found.why.tolerance());
         // Below F = 1 the bearing carries a force. Beyond it, the bearing cannot hold the beam.

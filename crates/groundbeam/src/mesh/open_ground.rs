@@ -27,9 +27,9 @@ pub(crate) fn heights<R: Real>(
     values[links.len()] = end;
     for i in (1..links.len()).rev() {
         let (before, next) = (so_far[i - 1], links[i]);
-        let pull = before.series * start + next.series * right;
-        let hold = before.series + before.shunt_right + next.series + next.shunt_left;
-        right = pull / hold;
+        let force = before.series * start + next.series * right;
+        let stiffness = before.series + before.shunt_right + next.series + next.shunt_left;
+        right = force / stiffness;
         values[i] = right;
     }
     (values, so_far.last().copied())

@@ -142,11 +142,11 @@ fn recross<const SWEEPS: usize>(
         if !even {
             push = push_at(&within);
         }
-        let pulled = series * (turn + e[0]) - rise;
-        let force = taken + (shunt[1] * w - push[1]) + pulled;
+        let layer_force = series * (turn + e[0]) - rise;
+        let force = taken + (shunt[1] * w - push[1]) + layer_force;
         w = y - e[0];
         turn = turn - e[1];
-        taken = (shunt[0] * w - push[0]) - pulled;
+        taken = (shunt[0] * w - push[0]) - layer_force;
         let slope = turn * per_length;
         for lane in 0..SWEEPS {
             fields.force[node[lane]] += force.0[lane];

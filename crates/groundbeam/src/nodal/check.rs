@@ -14,8 +14,8 @@ struct Sums {
     sum: [f64; WIDTH],
     lever: [f64; WIDTH],
     size: [f64; WIDTH],
-    pull: [f64; WIDTH],
-    push: [f64; WIDTH],
+    tension: [f64; WIDTH],
+    compression: [f64; WIDTH],
     depth: [f64; WIDTH],
     deflection: [f64; WIDTH],
 }
@@ -31,8 +31,8 @@ impl Sums {
             self.sum[i] += f[i];
             self.lever[i] += f[i] * at;
             self.size[i] += f[i].abs();
-            self.pull[i] = most(self.pull[i], -f[i]);
-            self.push[i] = most(self.push[i], f[i]);
+            self.tension[i] = most(self.tension[i], -f[i]);
+            self.compression[i] = most(self.compression[i], f[i]);
             self.depth[i] = most(self.depth[i], w[i] - u[i] - (gap[0] + gap[1] * at));
             self.deflection[i] = most(self.deflection[i], w[i].abs());
         }
@@ -83,8 +83,8 @@ pub(crate) fn check(model: &Model, solution: &NodalSolution) -> NodalCheck {
         let sum: f64 = sums.sum.iter().sum();
         let lever: f64 = sums.lever.iter().sum();
         let largest_of = |part: &[f64; WIDTH]| part.iter().fold(0.0_f64, |a, b| a.max(*b));
-        smallest = smallest.min(-largest_of(&sums.pull));
-        largest = largest.max(largest_of(&sums.push));
+        smallest = smallest.min(-largest_of(&sums.tension));
+        largest = largest.max(largest_of(&sums.compression));
         deepest = deepest.max(largest_of(&sums.depth));
         deflection = deflection.max(largest_of(&sums.deflection));
         force -= sum;

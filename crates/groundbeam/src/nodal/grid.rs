@@ -42,7 +42,7 @@ pub(crate) struct Run {
     pub link: TwoPort,
     /// The first element that each sweep crosses, bonded at both ends: for the sweep from the left, and for
     /// the sweep from the right.
-    pub glued: [Form; 2],
+    pub bonded: [Form; 2],
     /// Ground of the run, and its two-port over the whole run, out of contact.
     pub layer: Layer,
     whole: TwoPort,
@@ -81,19 +81,19 @@ impl Run {
             count,
             h,
             link,
-            glued: Default::default(),
+            bonded: Default::default(),
             layer,
             whole,
             beyond: Default::default(),
         };
-        let form = run.first_glued(axial_force, false);
+        let form = run.first_bonded(axial_force, false);
         let alike = run.is_alike() && run.given.moment_load[0] == 0.0 && element.is_none();
-        run.glued = [form, if alike { form } else { run.first_glued(axial_force, true) }];
+        run.bonded = [form, if alike { form } else { run.first_bonded(axial_force, true) }];
         run
     }
 
     /// The first element that a sweep crosses, bonded at both ends.
-    fn first_glued(&self, axial_force: f64, mirrored: bool) -> Form {
+    fn first_bonded(&self, axial_force: f64, mirrored: bool) -> Form {
         let turned = |pair: [f64; 2]| if mirrored { [pair[1], pair[0]] } else { pair };
         let link = if mirrored { self.link.mirrored() } else { self.link };
         if let Some(element) = &self.element {

@@ -46,7 +46,7 @@ impl Hull<'_> {
                         break;
                     }
                 }
-                if !self.pulls(zones, Some(new[0])) {
+                if !self.ends_in_tension(zones, Some(new[0])) {
                     break;
                 }
                 zones.pop();
@@ -56,7 +56,7 @@ impl Hull<'_> {
         }
         while let Some(last) = zones.last_mut() {
             last[1] = self.last_that_presses(*last, None);
-            if !self.pulls(zones, None) {
+            if !self.ends_in_tension(zones, None) {
                 break;
             }
             zones.pop();
@@ -80,8 +80,8 @@ impl Hull<'_> {
             None => *start = Some(node),
         };
         for run in &self.grid.runs {
-            let glued = run.first > 0 && self.glued_force(run.first) > 0.0;
-            if run.first > 0 && glued != start.is_some() {
+            let bonded = run.first > 0 && self.bonded_force(run.first) > 0.0;
+            if run.first > 0 && bonded != start.is_some() {
                 note(&mut start, arcs, run.first);
             }
             let (c, shunt) = (run.link.series, run.link.shunt_left + run.link.shunt_right);
@@ -118,7 +118,7 @@ impl Hull<'_> {
     }
 
     /// Force that the ground exerts on a node if it is bonded to this node and both neighbours.
-    fn glued_force(&self, node: usize) -> f64 {
+    fn bonded_force(&self, node: usize) -> f64 {
         self.push_from_left(node) + self.push_from_right(node)
     }
 
@@ -180,7 +180,7 @@ impl Hull<'_> {
 
     /// Whether the last zone is a single node on which the ground does not press. The ground is out of
     /// contact on both sides.
-    fn pulls(&self, zones: &[Zone], next: Option<usize>) -> bool {
+    fn ends_in_tension(&self, zones: &[Zone], next: Option<usize>) -> bool {
         let Some(&[from, to]) = zones.last() else { return false };
         let before = zones.len().checked_sub(2).map(|i| zones[i][1]);
         from == to && self.open_left(from, before) + self.open_right(from, next) <= 0.0

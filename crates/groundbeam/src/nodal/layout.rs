@@ -3,9 +3,9 @@
 use super::form::Form;
 use super::grid::Grid;
 use super::hull::Zone;
-use super::quadratic::Loose;
+use super::quadratic::NotSolved;
 use super::span::Span;
-use super::stand::{Stand, Tether};
+use super::stand::{StabilisingSprings, Stand};
 use super::stretch::{Side, Stretch};
 use crate::element::element::{Basis, mirror_shape};
 use crate::ground::link::TwoPort;
@@ -42,21 +42,21 @@ impl Layout {
         &mut self,
         grid: &Grid,
         zones: &[Zone],
-        tether: Option<&Tether>,
-    ) -> Result<(), Loose> {
+        springs: Option<&StabilisingSprings>,
+    ) -> Result<(), NotSolved> {
         let count: usize = zones.iter().map(|[from, to]| to - from).sum();
         self.sides.iter_mut().for_each(Side::clear);
         self.used = 0;
         self.touches = !zones.is_empty();
         if zones.is_empty() {
             self.meeting = grid.last();
-            self.stand = Stand::at(grid, self.meeting, false, tether);
-            return self.open(grid, LEFT, None, self.meeting, tether);
+            self.stand = Stand::at(grid, self.meeting, false, springs);
+            return self.open(grid, LEFT, None, self.meeting, springs);
         }
         self.meeting = middle(zones, count / 2);
-        self.stand = Stand::on_ground(grid, self.meeting, false, tether);
-        self.set_left(grid, zones, tether)?;
-        self.set_right(grid, zones, tether)
+        self.stand = Stand::on_ground(grid, self.meeting, false, springs);
+        self.set_left(grid, zones, springs)?;
+        self.set_right(grid, zones, springs)
     }
 
     /// Calls `each` with the left node and the motion (w, θ, d₁, d₂) of every bonded element.
@@ -87,13 +87,13 @@ impl Layout {
         &mut self,
         grid: &Grid,
         zones: &[Zone],
-        tether: Option<&Tether>,
-    ) -> Result<(), Loose> {
+        springs: Option<&StabilisingSprings>,
+    ) -> Result<(), NotSolved> {
         let (mut behind, meeting) = (None, self.meeting);
         for &[from, to] in zones.iter().take_while(|zone| zone[0] <= meeting) {
-            self.open(grid, LEFT, behind, from, tether)?;
+            self.open(grid, LEFT, behind, from, springs)?;
             for (run, a, b) in grid.parts(from, to.min(meeting)) {
-                self.sides[LEFT].stretches.push(row(grid, run, [a, b], false, tether));
+                self.sides[LEFT].stretches.push(row(grid, run, [a, b], false, springs));
             }
             behind = Some(to);
         }
@@ -104,15 +104,15 @@ impl Layout {
         &mut self,
         grid: &Grid,
         zones: &[Zone],
-        tether: Option<&Tether>,
-    ) -> Result<(), Loose> {
+        springs: Option<&StabilisingSprings>,
+    ) -> Result<(), NotSolved> {
         let (mut behind, meeting) = (None, self.meeting);
         for &[from, to] in zones.iter().rev().take_while(|zone| zone[1] >= meeting) {
-            self.open(grid, RIGHT, behind, to, tether)?;
+            self.open(grid, RIGHT, behind, to, springs)?;
             let stretches = &mut self.sides[RIGHT].stretches;
             let first = stretches.len();
             for (run, a, b) in grid.parts(from.max(meeting), to) {
-                stretches.push(row(grid, run, [a, b], true, tether));
+                stretches.push(row(grid, run, [a, b], true, springs));
             }
             stretches[first..].reverse();
             behind = Some(from);
@@ -128,19 +128,19 @@ impl Layout {
         side: usize,
         behind: Option<usize>,
         to: usize,
-        tether: Option<&Tether>,
-    ) -> Result<(), Loose> {
+        springs: Option<&StabilisingSprings>,
+    ) -> Result<(), NotSolved> {
         let mirrored = side == RIGHT;
         if let Some(node) = behind {
             let link = grid.link(node.min(to), node.max(to)).unwrap_or_default();
             let link = if mirrored { link.mirrored() } else { link };
             let form = Form::default().on(link, [grid.gap(node), grid.gap(to)]);
-            let stand = Stand::on_ground(grid, node, mirrored, tether);
-            return self.add_span(grid, side, [node, to], form, stand, tether);
+            let stand = Stand::on_ground(grid, node, mirrored, springs);
+            return self.add_span(grid, side, [node, to], form, stand, springs);
         }
         // No ground connects the nodes of an overhang. It is divided at supports, hinges and stabilising springs.
         let mut node = if mirrored { grid.last() } else { 0 };
-        let holds = |at: &usize| Stand::at(grid, *at, mirrored, tether).is_joint();
+        let holds = |at: &usize| Stand::at(grid, *at, mirrored, springs).is_joint();
         let mut cuts: Vec<usize> = grid.firsts().filter(holds).collect();
         if mirrored {
             cuts.reverse();
@@ -160,8 +160,8 @@ impl Layout {
                 let spring = TwoPort { shunt_right, ..TwoPort::default() };
                 form = form.on(spring, [0.0, grid.gap(to)]);
             }
-            let stand = Stand::at(grid, node, mirrored, tether);
-            self.add_span(grid, side, [node, next], form, stand, tether)?;
+            let stand = Stand::at(grid, node, mirrored, springs);
+            self.add_span(grid, side, [node, next], form, stand, springs)?;
             node = next;
         }
         Ok(())
@@ -175,8 +175,8 @@ impl Layout {
         [node, to]: [usize; 2],
         ground: Form,
         stand: Stand,
-        tether: Option<&Tether>,
-    ) -> Result<(), Loose> {
+        springs: Option<&StabilisingSprings>,
+    ) -> Result<(), NotSolved> {
         if node == to {
             return Ok(());
         }
@@ -188,7 +188,7 @@ impl Layout {
         self.used += 1;
         (placed.side, placed.stretch) = (side, self.sides[side].stretches.len());
         let nodes = [node.min(to), node.max(to)];
-        placed.span.set(grid, nodes, mirrored, |at| Stand::at(grid, at, mirrored, tether))?;
+        placed.span.set(grid, nodes, mirrored, |at| Stand::at(grid, at, mirrored, springs))?;
         let stretch = Stretch::span(&placed.span.whole, ground, node, stand);
         self.sides[side].stretches.push(stretch);
         Ok(())
@@ -212,10 +212,10 @@ fn row(
     run: usize,
     [from, to]: [usize; 2],
     mirrored: bool,
-    tether: Option<&Tether>,
+    springs: Option<&StabilisingSprings>,
 ) -> Stretch {
     let own = &grid.runs[run];
     let (before, node) = if mirrored { (own.end() - to, to) } else { (from - own.first, from) };
-    let form = own.glued[usize::from(mirrored)].after(before);
-    Stretch::row(form, to - from, node, Stand::on_ground(grid, node, mirrored, tether))
+    let form = own.bonded[usize::from(mirrored)].after(before);
+    Stretch::row(form, to - from, node, Stand::on_ground(grid, node, mirrored, springs))
 }

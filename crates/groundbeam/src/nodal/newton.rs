@@ -5,8 +5,8 @@ use super::grid::Grid;
 use super::hull::{Hull, Zone};
 use super::layout::Layout;
 use super::open;
-use super::quadratic::Loose;
-use super::stand::Tether;
+use super::quadratic::NotSolved;
+use super::stand::StabilisingSprings;
 use super::sweep;
 use crate::cancel::Cancel;
 use crate::numeric::step::Step;
@@ -15,11 +15,11 @@ use crate::numeric::step::Step;
 const WHOLE_STEPS: usize = 8;
 /// Stiffness of the stabilising springs relative to that of the ground, factor by which it grows until the system is
 /// positive definite, and maximum number of trials.
-const TETHER: f64 = 1e-6;
+const SOFTEST_SPRING: f64 = 1e-6;
 const STIFFER: f64 = 1e3;
-const TETHERS: usize = 3;
+const SPRING_TRIALS: usize = 3;
 /// Maximum force in a stabilising spring at convergence, relative to the sum of the ground forces.
-const SLACK: f64 = 1e-14;
+const SPRING_FORCE: f64 = 1e-14;
 
 /// Work of a solve, in counts that do not depend on timing.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -73,13 +73,13 @@ pub(crate) struct Workspace {
 
 impl Workspace {
     /// Finds the contact zones on the last grid, starting from coarser ones.
-    pub fn contact(&mut self, grids: &[Grid], goal: Goal) -> Result<(), Loose> {
+    pub fn contact(&mut self, grids: &[Grid], goal: Goal) -> Result<(), NotSolved> {
         self.approach(grids, goal)?;
         self.level(&grids[grids.len() - 1], goal)
     }
 
     /// Finds an initial guess of the contact zones on the last grid, from coarser ones.
-    pub fn approach(&mut self, grids: &[Grid], goal: Goal) -> Result<(), Loose> {
+    pub fn approach(&mut self, grids: &[Grid], goal: Goal) -> Result<(), NotSolved> {
         self.work = Work::default();
         self.history.clear();
         self.bond(&grids[0]);
@@ -91,8 +91,8 @@ impl Workspace {
     }
 
     /// Finds the contact zones on one grid, from the initial guess in `zones`.
-    pub fn level(&mut self, grid: &Grid, mut goal: Goal) -> Result<(), Loose> {
-        self.room(grid);
+    pub fn level(&mut self, grid: &Grid, mut goal: Goal) -> Result<(), NotSolved> {
+        self.resize(grid);
         if grid.rough {
             goal.moves = goal.moves.max(1);
         }
@@ -112,23 +112,29 @@ impl Workspace {
         self.zones.push([0, grid.last()]);
     }
 
-    pub fn room(&mut self, grid: &Grid) {
+    /// Gives the fields one value per node.
+    pub fn resize(&mut self, grid: &Grid) {
         for field in [&mut self.deflection, &mut self.slope, &mut self.force] {
             field.resize(grid.last() + 1, 0.0);
         }
     }
 
-    /// Solves the bonded problem on `zones`. Writes w, w' and the forces at the nodes in contact. `tether` is the
-    /// stiffness of the stabilising springs, which are at rest at the previous deflection. After an error the fields
+    /// Solves the bonded problem on `zones`. Writes w, w' and the forces at the nodes in contact. `stabilisation` is
+    /// the stiffness of the stabilising springs, which are at rest at the previous deflection. After an error the fields
     /// are unchanged.
-    pub fn glue(&mut self, grid: &Grid, tether: Option<f64>) -> Result<(), Loose> {
+    pub fn solve_bonded(
+        &mut self,
+        grid: &Grid,
+        stabilisation: Option<f64>,
+    ) -> Result<(), NotSolved> {
         let Workspace { layout, zones, deflection, slope, force, before, .. } = self;
-        let tether = tether.map(|spring| Tether { spring, at: &before.deflection });
-        layout.set(grid, zones, tether.as_ref())?;
+        let rest = &before.deflection;
+        let springs = stabilisation.map(|stiffness| StabilisingSprings { stiffness, rest });
+        layout.set(grid, zones, springs.as_ref())?;
         self.work.solves += 1;
         let middle = sweep::inward(&mut layout.sides, layout.stand)?;
         if !middle.iter().all(|part| part.is_finite()) {
-            return Err(Loose);
+            return Err(NotSolved);
         }
         for &[from, to] in zones.iter() {
             force[from..=to].fill(0.0);
@@ -142,15 +148,15 @@ impl Workspace {
 
     /// Bonded solve with stabilising springs, where the ground does not hold the beam. The springs are at rest at the
     /// previous deflection, so the energy falls along the step. Returns their stiffness.
-    fn glue_loose(&mut self, grid: &Grid) -> Result<f64, Loose> {
-        let mut spring = TETHER * grid.stiffness();
-        for _ in 0..TETHERS {
-            if self.glue(grid, Some(spring)).is_ok() {
+    fn solve_stabilised(&mut self, grid: &Grid) -> Result<f64, NotSolved> {
+        let mut spring = SOFTEST_SPRING * grid.stiffness();
+        for _ in 0..SPRING_TRIALS {
+            if self.solve_bonded(grid, Some(spring)).is_ok() {
                 return Ok(spring);
             }
             spring *= STIFFER;
         }
-        Err(Loose)
+        Err(NotSolved)
     }
 
     /// Writes w, or w' if `derivative`, between the zones.
@@ -199,31 +205,31 @@ impl Workspace {
         }
         std::mem::swap(&mut self.before.deflection, &mut self.deflection);
         std::mem::swap(&mut self.before.force, &mut self.force);
-        self.room(grid);
+        self.resize(grid);
         self.force.fill(0.0);
     }
 
-    fn is_slack(&self, grid: &Grid, spring: f64) -> bool {
+    fn springs_are_unloaded(&self, grid: &Grid, spring: f64) -> bool {
         let all: f64 = self.force.iter().map(|force| force.abs()).sum();
-        let tether = Tether { spring, at: &self.before.deflection };
-        tether.forces(grid, &self.deflection).all(|(_, force)| force.abs() <= SLACK * all)
+        let springs = StabilisingSprings { stiffness: spring, rest: &self.before.deflection };
+        springs.forces(grid, &self.deflection).all(|(_, force)| force.abs() <= SPRING_FORCE * all)
     }
 
     /// Iterates until the contact set of the deflection is the assumed one. The first `whole` steps are full steps.
-    fn settle(&mut self, grid: &Grid, goal: Goal, whole: usize) -> Result<(), Loose> {
+    fn settle(&mut self, grid: &Grid, goal: Goal, whole: usize) -> Result<(), NotSolved> {
         let mut whole = whole;
         for step in 0..goal.steps {
             if self.cancel.is_cancelled() {
-                return Err(Loose);
+                return Err(NotSolved);
             }
             if step >= whole {
                 if grid.last() > goal.searched {
-                    return Err(Loose);
+                    return Err(NotSolved);
                 }
                 self.remember(grid, step == whole);
             }
-            let mut tether = None;
-            if self.glue(grid, None).is_err() {
+            let mut spring = None;
+            if self.solve_bonded(grid, None).is_err() {
                 if step < whole {
                     self.remember(grid, true);
                 }
@@ -231,7 +237,7 @@ impl Workspace {
                     self.before.deflection.clear();
                     self.before.deflection.resize(grid.last() + 1, 0.0);
                 }
-                tether = Some(self.glue_loose(grid)?);
+                spring = Some(self.solve_stabilised(grid)?);
                 whole = whole.min(step.max(1));
             }
             self.fill(grid, false);
@@ -240,7 +246,7 @@ impl Workspace {
             let decrement = self.moved() as f64 / (grid.last() + 1) as f64;
             self.history.push(Step { zones: self.next.len(), step: 1.0, decrement });
             let settled = self.next == self.zones || self.moved() <= goal.moves * self.zones.len();
-            if settled && tether.is_none_or(|spring| self.is_slack(grid, spring)) {
+            if settled && spring.is_none_or(|spring| self.springs_are_unloaded(grid, spring)) {
                 return Ok(());
             }
             if step > 0 && step >= whole {
@@ -251,7 +257,7 @@ impl Workspace {
             }
             std::mem::swap(&mut self.zones, &mut self.next);
         }
-        Err(Loose)
+        Err(NotSolved)
     }
 
     /// Transfers the zones of a coarser grid to this one.

@@ -121,10 +121,10 @@ fn ground(
     }
     let start = left.unwrap_or(0.0);
     // u of a node in equilibrium between the two-port `link` on its left and the ground on its right. The
-    // ground on the right has the stiffness `hold`, and the force `pull` for u = 0.
-    let held = |link: &TwoPort, pull: f64, hold: f64| {
-        let all = link.series + link.shunt_right + hold;
-        if all > 0.0 { (link.series * start + pull) / all } else { 0.0 }
+    // ground on the right has the stiffness `stiffness`, and the force `force` for u = 0.
+    let held = |link: &TwoPort, force: f64, stiffness: f64| {
+        let all = link.series + link.shunt_right + stiffness;
+        if all > 0.0 { (link.series * start + force) / all } else { 0.0 }
     };
     let mut next =
         right.unwrap_or_else(|| before.last().map_or(0.0, |link| held(link, 0.0, grid.outside[1])));
@@ -133,11 +133,11 @@ fn ground(
     }
     for (i, &(run, a, b)) in parts.iter().enumerate().rev() {
         let own = grid.runs[run].open(a, b);
-        let (pull, hold) = (own.series * next, own.series + own.shunt_left);
+        let (force, stiffness) = (own.series * next, own.series + own.shunt_left);
         let here = match i.checked_sub(1) {
-            Some(i) => held(&before[i], pull, hold),
+            Some(i) => held(&before[i], force, stiffness),
             None if left.is_some() => start,
-            None => held(&beyond, pull, hold),
+            None => held(&beyond, force, stiffness),
         };
         if i > 0 || left.is_none() {
             settlement[a] = here;

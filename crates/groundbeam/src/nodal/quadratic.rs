@@ -3,7 +3,7 @@
 /// The bonded system is not positive definite because the contact does not hold the beam, or the iteration did not
 /// converge.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Loose;
+pub(crate) struct NotSolved;
 
 /// ½zᵀHz − gᵀz of N unknowns.
 #[derive(Debug, Clone, Copy)]
@@ -66,10 +66,10 @@ impl<const N: usize> Quadratic<N> {
 
     /// Minimises the energy over the unknown e and eliminates e. `size` is the magnitude of the terms in the
     /// pivot.
-    pub fn eliminate(&mut self, e: usize, size: f64) -> Result<Row<N>, Loose> {
+    pub fn eliminate(&mut self, e: usize, size: f64) -> Result<Row<N>, NotSolved> {
         let pivot = self.h[e][e];
         if pivot.is_nan() || pivot <= ROUNDING * size || pivot <= 0.0 {
-            return Err(Loose);
+            return Err(NotSolved);
         }
         let mut by = self.h[e].map(|h| -h / pivot);
         by[e] = 0.0;

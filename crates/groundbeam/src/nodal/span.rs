@@ -7,7 +7,7 @@
 
 use super::beam::{Beam, TERMS};
 use super::grid::Grid;
-use super::quadratic::{Loose, Quadratic, Row};
+use super::quadratic::{NotSolved, Quadratic, Row};
 use super::stand::Stand;
 use crate::element::element::{Basis, Element, mirror_shape};
 
@@ -65,7 +65,7 @@ impl Span {
         [from, to]: [usize; 2],
         mirrored: bool,
         stand: impl Fn(usize) -> Stand,
-    ) -> Result<(), Loose> {
+    ) -> Result<(), NotSolved> {
         (self.from, self.to, self.mirrored) = (from, to, mirrored);
         self.pieces.clear();
         let (first, last) = (grid.run_at(from), grid.run_at(to - 1));
@@ -84,7 +84,7 @@ impl Span {
         run: usize,
         [from, to]: [usize; 2],
         stand: &impl Fn(usize) -> Stand,
-    ) -> Result<(), Loose> {
+    ) -> Result<(), NotSolved> {
         let own = &grid.runs[run];
         if let Some(element) = &own.element {
             let element = if self.mirrored { element.mirrored() } else { *element };
@@ -115,7 +115,7 @@ impl Span {
         beam: Option<Beam>,
         nodes: [usize; 2],
         stand: &impl Fn(usize) -> Stand,
-    ) -> Result<(), Loose> {
+    ) -> Result<(), NotSolved> {
         let length = next.length;
         let mut piece = Piece { nodes, length, beam, before: [NONE; 2], hinge: None };
         if self.pieces.is_empty() {
@@ -161,14 +161,14 @@ fn join(
     stand: &Stand,
     next: &Element,
     piece: &mut Piece,
-) -> Result<Element, Loose> {
+) -> Result<Element, NotSolved> {
     let (h, l) = (left.length, next.length);
     let mut own = Quadratic { h: left.stiffness, g: left.load };
     if let Some(spring) = stand.hinge {
         // Replaces d₂ by t, the sum of d₂ and the rotation jump of the hinge.
         let bending = own.h[3][3];
         if bending + spring <= FREE * next.stiffness[3][3] {
-            return Err(Loose);
+            return Err(NotSolved);
         }
         let mut with_jump = Quadratic::<5>::ZERO;
         let keep = |i: usize| std::array::from_fn(|j| f64::from(u8::from(i == j)));

@@ -25,7 +25,12 @@ pub(crate) struct Stand {
 impl Stand {
     /// The loads, supports, hinge and springs at a node of a grid, without the ground; reflected for the
     /// sweep from the right.
-    pub fn at(grid: &Grid, node: usize, mirrored: bool, tether: Option<&Tether>) -> Self {
+    pub fn at(
+        grid: &Grid,
+        node: usize,
+        mirrored: bool,
+        springs: Option<&StabilisingSprings>,
+    ) -> Self {
         let Some(place) = grid.place(node) else { return Stand::default() };
         let mut stand = Stand {
             force: place.force,
@@ -38,18 +43,23 @@ impl Stand {
             hinge: place.hinge,
             ..Stand::default()
         };
-        if let Some(tether) = tether
-            && tether.holds(grid, node)
+        if let Some(springs) = springs
+            && springs.holds(grid, node)
         {
-            stand.spring = tether.spring;
-            stand.push = tether.spring * tether.at[node];
+            stand.spring = springs.stiffness;
+            stand.push = springs.stiffness * springs.rest[node];
         }
         stand
     }
 
     /// As [`Stand::at`], with the ground outside the ends of the beam.
-    pub fn on_ground(grid: &Grid, node: usize, mirrored: bool, tether: Option<&Tether>) -> Self {
-        let mut stand = Self::at(grid, node, mirrored, tether);
+    pub fn on_ground(
+        grid: &Grid,
+        node: usize,
+        mirrored: bool,
+        springs: Option<&StabilisingSprings>,
+    ) -> Self {
+        let mut stand = Self::at(grid, node, mirrored, springs);
         let beyond = |end: usize, side: usize| if node == end { grid.outside[side] } else { 0.0 };
         let spring = beyond(0, 0) + beyond(grid.last(), 1);
         if spring != 0.0 {
@@ -77,13 +87,13 @@ impl Stand {
 
 /// Stabilising springs at both ends of the beam and at its hinges, for a beam that the ground does not hold.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Tether<'a> {
-    pub spring: f64,
+pub(crate) struct StabilisingSprings<'a> {
+    pub stiffness: f64,
     /// Deflection at which the springs are at rest, at all nodes.
-    pub at: &'a [f64],
+    pub rest: &'a [f64],
 }
 
-impl Tether<'_> {
+impl StabilisingSprings<'_> {
     /// Whether there is a spring at a node.
     fn holds(&self, grid: &Grid, node: usize) -> bool {
         node == 0
@@ -98,6 +108,6 @@ impl Tether<'_> {
         deflection: &'a [f64],
     ) -> impl Iterator<Item = (usize, f64)> + 'a {
         let held = grid.firsts().filter(|node| self.holds(grid, *node));
-        held.map(|node| (node, self.spring * (deflection[node] - self.at[node])))
+        held.map(|node| (node, self.stiffness * (deflection[node] - self.rest[node])))
     }
 }

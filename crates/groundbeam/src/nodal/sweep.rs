@@ -9,7 +9,7 @@
 use super::back_sweep::{Fields, unfold};
 use super::form::Form;
 use super::lanes::Lanes;
-use super::quadratic::{Loose, Quadratic, Row};
+use super::quadratic::{NotSolved, Quadratic, Row};
 use super::stand::Stand;
 use super::stretch::{Elements, Gain, Reached, Side, Stretch};
 
@@ -18,7 +18,7 @@ type Behind = [f64; 5];
 
 /// Sweeps from both ends to the meeting node. Returns w there and the rotations to its left and to its right. `stand`
 /// gives the loads, supports and springs at this node.
-pub(crate) fn inward(sides: &mut [Side; 2], stand: Stand) -> Result<[f64; 3], Loose> {
+pub(crate) fn inward(sides: &mut [Side; 2], stand: Stand) -> Result<[f64; 3], NotSolved> {
     for side in sides.iter_mut() {
         side.gains.resize(side.elements(), [0.0; 6]);
         side.shapes.resize(side.stretches.len(), [0.0; 4]);
@@ -38,24 +38,24 @@ pub(crate) fn inward(sides: &mut [Side; 2], stand: Stand) -> Result<[f64; 3], Lo
         (false, false) => {
             let determinant = s[0] * s[2] - s[1] * s[1];
             if !(s[0] > 0.0 && determinant > 1e-15 * s[0] * s[2]) {
-                return Err(Loose);
+                return Err(NotSolved);
             }
             let w = (s[2] * r[0] - s[1] * r[1]) / determinant;
             (w, (s[0] * r[1] - s[1] * r[0]) / determinant)
         }
-        _ => return Err(Loose),
+        _ => return Err(NotSolved),
     };
     let behind = turned.map_or(theta, |[by_w, by_theta, rest]| by_w * w + by_theta * theta + rest);
     Ok([w, behind, theta])
 }
 
 /// Eliminates the rotation behind a hinge. Returns its coefficients of w and of the rotation ahead, and its constant.
-fn turn(state: &mut Behind, stand: &Stand) -> Result<Option<[f64; 3]>, Loose> {
+fn turn(state: &mut Behind, stand: &Stand) -> Result<Option<[f64; 3]>, NotSolved> {
     let Some(spring) = stand.hinge else { return Ok(None) };
     let [a, b, c, r1, r2] = *state;
     let held = c + spring;
     if held.is_nan() || held <= 0.0 {
-        return Err(Loose);
+        return Err(NotSolved);
     }
     let share = spring / held;
     *state = [a - b * (b / held), b * share, c * share, r1 - b * (r2 / held), r2 * share];
@@ -78,7 +78,7 @@ pub(crate) fn outward(
 }
 
 /// Sweeps from both ends to the meeting node, in parallel as far as possible. Returns S and r of both sides for (w, θ).
-fn offers(sides: &mut [Side; 2]) -> Result<[Behind; 2], Loose> {
+fn offers(sides: &mut [Side; 2]) -> Result<[Behind; 2], NotSolved> {
     let mut states = [[0.0; 5]; 2];
     let mut reached = [Reached::default(); 2];
     loop {
@@ -108,7 +108,7 @@ fn offers(sides: &mut [Side; 2]) -> Result<[Behind; 2], Loose> {
 
 /// Crosses the spans and the first elements at supports up to the next row. Returns the number of elements
 /// left in this row, or 0 at the meeting node.
-fn arrive(side: &mut Side, state: &mut Behind, reached: &mut Reached) -> Result<usize, Loose> {
+fn arrive(side: &mut Side, state: &mut Behind, reached: &mut Reached) -> Result<usize, NotSolved> {
     while let Some(stretch) = side.stretches.get_mut(reached.stretch) {
         if reached.within == 0 {
             enter(state, stretch)?;
@@ -127,7 +127,7 @@ fn arrive(side: &mut Side, state: &mut Behind, reached: &mut Reached) -> Result<
 }
 
 /// Adds the loads and springs at the first node of a stretch, and changes the unknown θ to Lθ.
-fn enter(state: &mut Behind, stretch: &mut Stretch) -> Result<(), Loose> {
+fn enter(state: &mut Behind, stretch: &mut Stretch) -> Result<(), NotSolved> {
     let per_length = 1.0 / stretch.form.length;
     let stand = &stretch.stand;
     stretch.turned = turn(state, stand)?;
@@ -148,7 +148,7 @@ fn cross_first(
     state: &mut Behind,
     stretch: &Stretch,
     element: &Quadratic<4>,
-) -> Result<Gain, Loose> {
+) -> Result<Gain, NotSolved> {
     let Stretch { form, stand, .. } = stretch;
     let [a, b, c, r1, r2] = *state;
     let (a, r1) = (a + form.shunt[0], r1 + form.q[4]);
@@ -194,7 +194,7 @@ fn leave(state: &mut Behind, stretch: &Stretch) {
 fn cross<const SWEEPS: usize>(
     states: [&mut Behind; SWEEPS],
     elements: [Elements; SWEEPS],
-) -> Result<(), Loose> {
+) -> Result<(), NotSolved> {
     let of = |number: &dyn Fn(&Form) -> f64| Lanes::of(|lane| number(elements[lane].form));
     let m: [_; 3] = std::array::from_fn(|i| of(&|form| form.m[i]));
     let e: [_; 3] = std::array::from_fn(|i| of(&|form| form.e[i]));
@@ -251,5 +251,5 @@ fn cross<const SWEEPS: usize>(
     for (lane, state) in states.into_iter().enumerate() {
         *state = [a, b, c, r1, r2].map(|lanes| lanes.0[lane]);
     }
-    if least.0.iter().all(|least| *least > 0.0) { Ok(()) } else { Err(Loose) }
+    if least.0.iter().all(|least| *least > 0.0) { Ok(()) } else { Err(NotSolved) }
 }
