@@ -22,8 +22,8 @@ let wanted = false;
 let request = null;
 /// A new request aborts an open one that is older than this [ms]. The limit doubles with every abort until a response
 /// arrives, so that a drag on a slow model still shows pictures.
-const PATIENCE = 300;
-let patience = PATIENCE;
+const ABORT_AFTER = 300;
+let abortAfter = ABORT_AFTER;
 
 const text = new Text(() => {
   the("undo").disabled = !text.canUndo;
@@ -73,9 +73,9 @@ async function ask(asked) {
   try {
     const reply = await post(`/api/view?${query("view")}`, asked, controller.signal);
     show(await answerOf(reply), asked);
-    patience = PATIENCE;
+    abortAfter = ABORT_AFTER;
   } catch (error) {
-    if (controller.signal.aborted) patience *= 2;
+    if (controller.signal.aborted) abortAfter *= 2;
     else verdict(error instanceof Unreachable ? "No connection" : "No response", error.message, "wrong");
   } finally {
     clearTimeout(request.timer);
@@ -87,7 +87,7 @@ async function ask(asked) {
 function replaceRequest() {
   const { controller, began } = request;
   clearTimeout(request.timer);
-  request.timer = setTimeout(() => controller.abort(), began + patience - performance.now());
+  request.timer = setTimeout(() => controller.abort(), began + abortAfter - performance.now());
 }
 
 /// The JSON of a response. Any other response gives an error with its status and text.

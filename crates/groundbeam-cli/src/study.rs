@@ -6,6 +6,7 @@ use crate::distinct;
 use crate::failure::Failure;
 use crate::output::{draw, print};
 use crate::status::Status;
+use crate::waiting::PROGRESS_DELAY;
 use groundbeam_file::output::Target;
 use groundbeam_file::printable;
 use groundbeam_file::study::{StudyError, read_study};
@@ -17,10 +18,7 @@ use std::ops::ControlFlow;
 use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::time::{Duration, Instant};
-
-/// Time before progress is shown.
-const PATIENCE: Duration = Duration::from_secs(1);
+use std::time::Instant;
 
 /// Solves the remaining samples of a study, and prints the summary.
 pub fn run(request: &Study) -> Result<Status, Failure> {
@@ -154,7 +152,7 @@ impl Watcher {
     }
 
     fn look(&mut self, progress: Progress) -> ControlFlow<()> {
-        if self.wanted && self.begun.elapsed() > PATIENCE {
+        if self.wanted && self.begun.elapsed() > PROGRESS_DELAY {
             self.show(progress);
         }
         if self.stop.load(Ordering::Relaxed) {

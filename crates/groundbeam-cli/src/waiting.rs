@@ -9,7 +9,7 @@ use std::thread::{self, JoinHandle};
 use std::time::Duration;
 
 /// Time before progress is shown.
-const PATIENCE: Duration = Duration::from_secs(1);
+pub const PROGRESS_DELAY: Duration = Duration::from_secs(1);
 /// Time between two updates.
 const TICK: Duration = Duration::from_millis(120);
 
@@ -57,7 +57,7 @@ impl Drop for Sign {
 
 /// Shows progress until the sender is dropped.
 fn show(ended: &Receiver<()>, words: String, counted: Counted) {
-    if !matches!(ended.recv_timeout(PATIENCE), Err(RecvTimeoutError::Timeout)) {
+    if !matches!(ended.recv_timeout(PROGRESS_DELAY), Err(RecvTimeoutError::Timeout)) {
         return;
     }
     let (bar, template) = match &counted {
@@ -69,7 +69,7 @@ fn show(ended: &Receiver<()>, words: String, counted: Counted) {
     let style = ProgressStyle::with_template(template);
     let bar = bar
         .with_style(style.unwrap_or_else(|_| ProgressStyle::default_spinner()))
-        .with_elapsed(PATIENCE)
+        .with_elapsed(PROGRESS_DELAY)
         .with_message(words);
     bar.enable_steady_tick(TICK);
     while matches!(ended.recv_timeout(TICK), Err(RecvTimeoutError::Timeout)) {

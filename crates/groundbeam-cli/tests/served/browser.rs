@@ -9,7 +9,7 @@ use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 
 /// Time limit that exceeds all durations on a busy machine.
-const PATIENCE: Duration = Duration::from_secs(60);
+const TIMEOUT: Duration = Duration::from_secs(60);
 
 /// A browser without a window that ends with the test.
 pub struct Browser {
@@ -80,7 +80,7 @@ impl Browser {
         let started = Instant::now();
         while self.eval(&format!("Boolean({expression})")) != json!(true) {
             let state = "document.body.innerText.slice(0, 1500)";
-            assert!(started.elapsed() < PATIENCE, "never: {expression}\n{}", self.eval(state));
+            assert!(started.elapsed() < TIMEOUT, "never: {expression}\n{}", self.eval(state));
             std::thread::sleep(Duration::from_millis(20));
         }
     }
@@ -155,7 +155,7 @@ impl Browser {
     fn call(&self, method: &str, path: &str, parameters: &Value) -> Value {
         let body = if method == "DELETE" { String::new() } else { parameters.to_string() };
         let mut stream = TcpStream::connect(("127.0.0.1", self.port)).unwrap();
-        stream.set_read_timeout(Some(2 * PATIENCE)).unwrap();
+        stream.set_read_timeout(Some(2 * TIMEOUT)).unwrap();
         let head = format!(
             "{method} {path} HTTP/1.1\r\nHost: 127.0.0.1:{}\r\nContent-Length: {}\r\n\
              Content-Type: application/json\r\nConnection: close\r\n\r\n",

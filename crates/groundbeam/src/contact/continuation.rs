@@ -13,8 +13,8 @@ use crate::contact::nodes;
 use crate::contact::obstacle;
 use crate::contact::state::{ContactState, Unconverged, edges_not_converged};
 use crate::contact::stopping::{
-    CORRECTOR_STEPS, LEVELS, LONGEST_STEP, MOST_BEAMS, MOST_STEPS, PATIENCE, ROUGH, SHORTEST_STEP,
-    STIFF_WAVES,
+    CORRECTOR_STEPS, LEVELS, LONGEST_STEP, MOST_BEAMS, MOST_STEPS, ROUGH, SHORTEST_STEP,
+    STALE_STEPS, STIFF_WAVES,
 };
 use crate::contact::undecided::differ_by_rounding;
 use crate::element::operator::{Operator, ZoneKind};
@@ -121,7 +121,7 @@ pub(crate) fn correct(bonded: &mut Bonded, mut contact: Vec<Interval>) -> Option
             return Some(ContactState { zones: asked, ..found });
         }
         stale = if moved <= 0.5 * least { 0 } else { stale + 1 };
-        if stale >= PATIENCE {
+        if stale >= STALE_STEPS {
             let is_rounding = differ_by_rounding(&found, &contact, &asked, &[]);
             return is_rounding.then_some(ContactState { zones: asked, ..found });
         }

@@ -17,8 +17,8 @@ use crate::contact::obstacle;
 use crate::contact::state::edges_not_converged;
 use crate::contact::state::{ContactState, Unconverged};
 use crate::contact::stopping::{
-    BLIND, JITTER, LEAST_PART, NEAR, NOT_SHORTENED, ON_ONE_POINT, PATIENCE, ROUNDED, SAME, SETTLED,
-    SOFTEN, SOFTEST_SPRING, STIFFEN, WEIGHTLESS,
+    BLIND, CONVERGED_MOVE, JITTER, LEAST_PART, NEAR, NOT_SHORTENED, ON_ONE_POINT, ROUNDING_MOVE,
+    SAME, SOFTEN, SOFTEST_SPRING, STALE_STEPS, STIFFEN, WEIGHTLESS,
 };
 use crate::contact::undecided::differ_by_rounding;
 use crate::contact::zone_forces::zone_forces;
@@ -149,7 +149,7 @@ impl Search<'_, '_> {
 
     /// Whether the contact set of a deflection is this contact.
     fn confirms(&self, contact: &[Interval], found: &ContactState) -> bool {
-        longest_difference(contact, &self.scan(found)) <= ROUNDED * self.length()
+        longest_difference(contact, &self.scan(found)) <= ROUNDING_MOVE * self.length()
     }
 
     fn holds(&mut self, found: &ContactState) -> bool {
@@ -197,7 +197,8 @@ impl Search<'_, '_> {
             .then(|| edge_step::next_intervals(&found.deflection(), &found.zones))
             .flatten()
             .map(|next| self.placed(next));
-        let by_edges = by_edges.filter(|next| longest_difference(contact, next) > ROUNDED * l);
+        let by_edges =
+            by_edges.filter(|next| longest_difference(contact, next) > ROUNDING_MOVE * l);
         let next = by_edges.unwrap_or_else(|| self.scan(found));
         self.before = self.moved;
         self.moved = longest_difference(contact, &next) / l;
@@ -224,7 +225,8 @@ impl Search<'_, '_> {
         let (moved, before) = (self.moved, self.before);
         let lengths = contact.iter().map(|[from, to]| to - from).filter(|length| *length > 0.0);
         let shortest = lengths.fold(self.length(), f64::min) / self.length();
-        let is_settled = moved <= SETTLED * shortest || moved <= ROUNDED && moved >= 0.25 * before;
+        let is_settled =
+            moved <= CONVERGED_MOVE * shortest || moved <= ROUNDING_MOVE && moved >= 0.25 * before;
         let l = self.length();
         self.visited.push(Visited { contact: contact.to_vec(), found: Rc::clone(found) });
         if is_settled || self.jitters(contact, found) {
@@ -235,7 +237,8 @@ impl Search<'_, '_> {
                 return Some(corner);
             }
             if self.holds(found) || is_settled {
-                let last = self.visited.len().saturating_sub(if is_settled { 1 } else { PATIENCE });
+                let last =
+                    self.visited.len().saturating_sub(if is_settled { 1 } else { STALE_STEPS });
                 let trials = self.visited[last..].iter().map(|one| &one.contact[..]);
                 let trials: Vec<&[Interval]> = trials.chain([asked]).collect();
                 let edge_error = EdgeError::of(&trials, l);
@@ -260,7 +263,7 @@ impl Search<'_, '_> {
     /// Whether only rounding error moves the contact.
     fn jitters(&self, contact: &[Interval], found: &ContactState) -> bool {
         let asked = || obstacle::contact(&found.deflection());
-        self.stale >= PATIENCE
+        self.stale >= STALE_STEPS
             && (self.moved <= JITTER || differ_by_rounding(found, contact, &asked(), &self.places))
     }
 
@@ -290,7 +293,8 @@ impl Search<'_, '_> {
         // Zones in tension stay open even if they are in the contact set of the rest, since this is due to rounding
         // error.
         let own = self.scan(&rest);
-        let same = |zones: &[Interval]| longest_difference(zones, &own) <= ROUNDED * self.length();
+        let same =
+            |zones: &[Interval]| longest_difference(zones, &own) <= ROUNDING_MOVE * self.length();
         let is_own = same(&strong) || in_tension && same(contact);
         (is_own && self.holds(&rest)).then_some(ContactState { edge_error, ..rest })
     }
@@ -331,7 +335,8 @@ impl Search<'_, '_> {
             // The energy is certain to fall only along the contact set from the scan of a deflection, not from edge
             // Newton.
             let own = self.scan(&from);
-            self.needs_springs = longest_difference(&contact, &own) <= ROUNDED * self.length();
+            self.needs_springs =
+                longest_difference(&contact, &own) <= ROUNDING_MOVE * self.length();
             self.moved = f64::INFINITY;
             return own;
         }

@@ -4,13 +4,13 @@
 //! The experiments count steps over the random models of the verification crate.
 
 /// Move below which the contact has converged, relative to the shortest zone.
-pub(crate) const SETTLED: f64 = 1e-15;
+pub(crate) const CONVERGED_MOVE: f64 = 1e-15;
 
 /// Move below which the contact has converged if the move before was at most four times as long. Below it the scan is
 /// used, not edge Newton.
-pub(crate) const ROUNDED: f64 = 1e-12;
+pub(crate) const ROUNDING_MOVE: f64 = 1e-12;
 
-/// Move below which the contact moves by rounding error, if [`PATIENCE`] steps have not halved the least move. Model
+/// Move below which the contact moves by rounding error, if [`STALE_STEPS`] steps have not halved the least move. Model
 /// Hard 774 needs it.
 pub(crate) const JITTER: f64 = 1e-7;
 
@@ -26,7 +26,7 @@ pub(crate) const BLIND: f64 = 1e-8;
 pub(crate) const SAME: f64 = 1e-9;
 
 /// Number of consecutive steps without progress after which rounding error is considered.
-pub(crate) const PATIENCE: usize = 4;
+pub(crate) const STALE_STEPS: usize = 4;
 
 /// The next step is a Newton step of the edges only if the last move is smaller than this.
 pub(crate) const NEAR: f64 = 0.1;

@@ -26,9 +26,9 @@ use crate::solution::solution::Solution;
 
 /// Maximum number of solves; it ends cycles that rounding error causes.
 const MOST_SOLVES: usize = 1000;
-/// After this number of solves, the first support that violates its condition changes instead of the worst
-/// one. This ends cycles of steps of zero length.
-const PATIENCE: usize = 50;
+/// Number of solves after which the worst support that violates its condition changes. Later the first one changes,
+/// which ends cycles of steps of zero length.
+const WORST_FIRST_SOLVES: usize = 50;
 /// Rounding error of a force, relative to the sum of all reactions, and of a clearance, relative to the
 /// largest deflection.
 const ROUNDING: f64 = 1e-13;
@@ -83,7 +83,7 @@ pub(crate) fn solve<E>(
         let wrong =
             |i: &usize| supports[*i].is_one_way() && acts[*i] && pushes(i) < -ROUNDING * all;
         let mut wrong = (0..supports.len()).filter(wrong);
-        let released = if step > PATIENCE {
+        let released = if step > WORST_FIRST_SOLVES {
             wrong.next()
         } else {
             wrong.min_by(|a, b| pushes(a).total_cmp(&pushes(b)))

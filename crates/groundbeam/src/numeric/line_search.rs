@@ -1,13 +1,13 @@
 //! Line search: a step along which a convex energy decreases.
 
 /// The fraction of the initial slope that may remain.
-const SETTLED: f64 = 0.1;
+const REMAINING_SLOPE: f64 = 0.1;
 
 /// Returns t such that the slope of Φ along the line has almost vanished and Φ has decreased; t = 1 whenever
 /// the full step satisfies this. `fall` is −Φ'(0) > 0. The slope increases along the line. So Φ decreases as
 /// long as the slope is not positive, and Φ(1) − Φ(0) is at most the mean of the slopes at ½ and 1.
 pub(crate) fn settle(fall: f64, slope: impl Fn(f64) -> f64) -> f64 {
-    let small = SETTLED * fall;
+    let small = REMAINING_SLOPE * fall;
     let (mut low, mut low_slope) = (0.0, -fall);
     let (mut high, mut high_slope) = (1.0, slope(1.0));
     if high_slope.abs() <= small && (high_slope <= 0.0 || slope(0.5) + high_slope <= 0.0) {
@@ -55,7 +55,7 @@ mod tests {
         // Φ = (t − ¼)²/2 has its minimum at ¼, Φ = (t − 6)²/2 at 6.
         for least in [0.25, 6.0] {
             let t = settle(least, |t| t - least);
-            assert!(t <= least && least - t <= SETTLED * least, "{t}");
+            assert!(t <= least && least - t <= REMAINING_SLOPE * least, "{t}");
         }
     }
 }
