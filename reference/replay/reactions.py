@@ -113,7 +113,7 @@ def of_clamp(r, node):
     """s₂K + W_θ|λ′| with z′ = 1 at the clamp: a cubic on both sides, or z = x − xᵢ on the whole beam if there is no other rigid support."""
     here = r.nodes[node]
     if not here.clamped:
-        # A pin claims no moment; another claim is rejected.
+        # A pin claims no moment; another claim is refused.
         return arb(0)
     k = turned_side(r, node, 0) + turned_side(r, node, 1) + here.stiff()[1]
     if sum(other.rigid is not None for other in r.nodes) == 1:

@@ -54,7 +54,7 @@ pub fn holds_at(proof: &Proof, field: Field, x: f64) -> bool {
     }
 }
 
-/// The largest |claimed − true|/bound, at places where no field jumps. The claimed settlement belongs to the ground of
+/// The largest |claimed − true|/bound, at positions where no field jumps. The claimed settlement belongs to the ground of
 /// the claim; without `ground` it is not compared.
 pub fn over_bound(claimed: &Solution, truth: &Solution, proof: &Proof, ground: bool) -> f64 {
     let length = truth.model().beam.length;

@@ -110,7 +110,7 @@ impl Dice {
         if self.happens(12) { sign * 0.0 } else { sign * self.size() }
     }
 
-    /// A place on a beam: an end, a round fraction, an earlier place, or a place that differs from one of
+    /// A position on a beam: an end, a round fraction, an earlier position, or a position that differs from one of
     /// these by a few rounding errors.
     fn place(&mut self, places: &mut Vec<f64>) -> f64 {
         let length = places[1];
@@ -197,7 +197,7 @@ pub fn model(number: u64) -> Model {
     model
 }
 
-/// Segments of beam and ground between sorted places.
+/// Segments of beam and ground between sorted positions.
 fn segments(beam: &mut Beam, ground: &mut Foundation, places: &mut Vec<f64>, dice: &mut Dice) {
     let mut joints = |dice: &mut Dice| {
         let mut joints: Vec<f64> = (0..dice.up_to(4)).map(|_| dice.place(places)).collect();

@@ -30,7 +30,7 @@ pub enum Family {
     Gap,
     /// Resultants close to an end, stiffness over sixteen decades, λl up to 10³.
     Hard,
-    /// A long beam with upward loads at several places, which has many contact zones.
+    /// A long beam with upward loads at several positions, which has many contact zones.
     Long,
     /// All features of the families above.
     Mixed,
@@ -127,7 +127,7 @@ impl<R: Rng> Dice<'_, R> {
         asked && self.happens(0.2)
     }
 
-    /// A place on [0, 1], sometimes an end or a round fraction.
+    /// A position on [0, 1], sometimes an end or a round fraction.
     fn place(&mut self) -> f64 {
         match self.up_to(9) {
             0 => 0.0,

@@ -60,7 +60,7 @@ impl Comparison {
         }
     }
 
-    /// Compares two polynomials by their values at six places.
+    /// Compares two polynomials by their values at six positions.
     fn course(&mut self, name: &str, first: &Profile, second: &Course<Wide>) {
         if let Course::Constant(second) = second {
             self.same(name, first.is_constant());

@@ -23,7 +23,7 @@ fn largest(solution: &Solution, field: Field) -> f64 {
     range.max.value.abs().max(range.min.value.abs())
 }
 
-/// √∫(M − M*)²/EI, by Gauss's rule between the places where either moment may have a corner.
+/// √∫(M − M*)²/EI, by Gauss's rule between the positions where either moment may have a corner.
 fn moment_error(coarse: &Solution, exact: &Solution) -> f64 {
     const GAUSS: [(f64, f64); 3] = [
         (0.238_619_186_083_196_9, 0.467_913_934_572_691),

@@ -68,7 +68,7 @@ fn size_of(load: &Load, l: f64) -> f64 {
     }
 }
 
-/// Outputs of every kind at random places, each with the largest value of its kind.
+/// Outputs of every kind at random positions, each with the largest value of its kind.
 fn outputs(solution: &Solution, rng: &mut ChaCha8Rng) -> Vec<(Output, f64)> {
     let l = solution.model().beam.length;
     let mut all = Vec::new();

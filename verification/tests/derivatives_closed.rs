@@ -62,7 +62,7 @@ fn derivatives_of_a_simple_beam_are_its_influence_lines() {
 }
 
 /// The same for a beam with shear deformation: the force adds F a b/(S l) times a function that is 1 at its
-/// place and linear to the supports, and w' decreases by F/S there (Timoshenko and Gere, *Mechanics of
+/// position and linear to the supports, and w' decreases by F/S there (Timoshenko and Gere, *Mechanics of
 /// Materials*, 1972, sec. 12.12).
 #[test]
 fn derivatives_of_a_simple_beam_with_shear_deformation() {
@@ -366,7 +366,7 @@ fn an_imminent_change_of_contact_is_reported() {
 }
 
 #[test]
-fn unsupported_derivatives_are_rejected() {
+fn unsupported_derivatives_are_refused() {
     let model = Model::new(Beam::uniform(1.0, 1.0), Foundation::winkler(1.0))
         .with_load(Load::point_force(0.5, 1.0));
     let output = [Output::Largest(Field::Deflection)];

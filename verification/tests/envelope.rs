@@ -139,7 +139,7 @@ fn one_solution_governs_between_two_changes() {
     assert!(count > 500, "{count} changes were looked at");
 }
 
-/// With all loads times 2ⁿ and without a gap, the same solutions govern at the same places.
+/// With all loads times 2ⁿ and without a gap, the same solutions govern at the same positions.
 #[test]
 fn scaling_the_loads_does_not_change_the_governing_solutions() {
     for number in 0..6 {

@@ -17,7 +17,7 @@ const BESIDE: [f64; 4] = [1e-6, 1e-3, 1e-8, 1e-10];
 /// beyond it, an edge lies 3e-13 of the length beside a jump of the ground, and the stored settlement has no slope
 /// there.
 const REFUSED: [(Family, u64); 2] = [(Family::Settled, 5), (Family::Varying, 21)];
-/// A model with zero pressure at one place under the constant loads: its factor is rounding error.
+/// A model with zero pressure at one position under the constant loads: its factor is rounding error.
 const RESTING: (Family, u64) = (Family::Neighbours, 35);
 /// Next to a clamp on Winkler ground, rounding of the pressure makes gaps of this fraction of the length.
 const SHORT_GAP: f64 = 1e-6;
@@ -188,7 +188,7 @@ fn weightless_beams_lift_off_at_factor_zero_or_never() {
     report(&faults);
 }
 
-/// The mirrored beam lifts off at the same factor, at the mirrored place. If the constant loads are multiplied by a
+/// The mirrored beam lifts off at the same factor, at the mirrored position. If the constant loads are multiplied by a
 /// power of two, the factors are multiplied by it, bit for bit.
 #[test]
 fn mirrored_and_scaled_models_have_the_same_load_factors() {
@@ -212,7 +212,7 @@ fn mirrored_and_scaled_models_have_the_same_load_factors() {
             let right = match (lift_off(found), lift_off(mirror), lift_off(heavy)) {
                 (Some((a, x)), Some((b, y)), Some((c, z))) => {
                     let together = (a - b).abs() <= 1e-10 * a;
-                    // A symmetric beam lifts off at two places at once.
+                    // A symmetric beam lifts off at two positions at once.
                     let there = (x - (l - y)).abs() <= 1e-5 * l || (x == y && a == b);
                     together && there && c == 8.0 * a && z == x
                 }

@@ -78,7 +78,7 @@ fn a_random_model_is_read_back_as_written() {
 }
 
 #[test]
-fn invalid_frozen_models_are_rejected() {
+fn invalid_frozen_models_are_refused() {
     for line in ["beam 1.0 1.0", "point_force 0.5", "spring 1.0 2.0", "support 0.5 glued 0.0 both"]
     {
         assert!(format::read(&Record::new("", line)).is_err(), "{line}");

@@ -182,7 +182,7 @@ fn mirrored_hinged_beams_have_mirrored_solutions() {
 }
 
 #[test]
-fn invalid_hinges_are_rejected() {
+fn invalid_hinges_are_refused() {
     let model = Model::new(Beam::uniform(4.0, 1.0), Foundation::pasternak(1.0, 1.0))
         .with_load(Load::point_force(1.0, 1.0))
         .with_load(Load::point_force(3.0, 1.0));
@@ -216,7 +216,7 @@ fn invalid_hinges_are_rejected() {
 
 /// Positions closer than 16 ε l count as equal: a hinge there is at the end and has no beam on one side.
 #[test]
-fn a_hinge_within_rounding_of_an_end_is_rejected() {
+fn a_hinge_within_rounding_of_an_end_is_refused() {
     let l = 1e16;
     for at in [3.0, 35.0, l - 4.0, l - 34.0] {
         let model = Model::new(Beam::uniform(l, 1.0), Foundation::winkler(4.0))

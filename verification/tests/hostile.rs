@@ -43,7 +43,7 @@ fn a_hinge_within_rounding_of_an_end_does_not_panic() {
 }
 
 #[test]
-fn numbers_of_nodes_that_overflow_are_rejected() {
+fn numbers_of_nodes_that_overflow_are_refused() {
     let model = Model::new(Beam::uniform(1.0, 1e-60), Foundation::pasternak(1.0, 1.0))
         .with_load(Load::uniform_force(0.0, 1.0, 1.0));
     let stretched = Model { beam: model.beam.clone().with_axial_force(1e60), ..model.clone() };

@@ -125,7 +125,7 @@ fn random_beams_satisfy_equilibrium_and_the_contact_conditions() {
             let elements = [3, 30, 300, 3000][number as usize % 4];
             match solver.solve_into(&model, elements, &mut found) {
                 Ok(_) => {}
-                // Ground without a shear layer at some place.
+                // Ground without a shear layer at some position.
                 Err(Error::Unsupported(_)) => continue,
                 Err(error) => panic!("{family:?} {number}, {elements}: {error}"),
             }

@@ -175,7 +175,7 @@ fn a_hold_down_prevents_lifting_and_a_bearing_does_not() {
 }
 
 #[test]
-fn a_one_way_clamp_is_rejected() {
+fn a_one_way_clamp_is_refused() {
     let model = Model::new(Beam::uniform(4.0, 1.0), Foundation::pasternak(1.0, 1.0))
         .with_load(Load::point_force(2.0, 1.0));
     let fixed = model.with_support(Support::fixed(0.0).acting(Acts::Up));

@@ -227,7 +227,7 @@ fn both_readers_agree_on_changed_files() {
 }
 
 /// Whether the second reader ignores a line: titles, checks, and combinations that are not requested. It also accepts
-/// two places that are equal to rounding.
+/// two positions that are equal to rounding.
 fn is_left_out(text: &str, line: usize, code: &str) -> bool {
     let up_to: Vec<&str> = text.lines().take(line).map(str::trim).collect();
     let heading = up_to.iter().rev().find(|line| line.starts_with('[')).copied().unwrap_or("");

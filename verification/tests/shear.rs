@@ -193,7 +193,7 @@ fn a_kink_has_a_concentrated_contact_force_or_opens() {
 
 /// The bonded beam gives the first lift-off; methods with a mesh refuse the model.
 #[test]
-fn beams_with_shear_have_load_factors_and_are_rejected_by_psor_and_uzawa() {
+fn beams_with_shear_have_load_factors_and_are_refused_by_psor_and_uzawa() {
     let beam = Beam::uniform(4.0, 1.0).with_shear_stiffness(2.0);
     let base = Model::new(beam, Foundation::pasternak(1.0, 0.3))
         .with_load(Load::uniform_force(0.0, 4.0, 1.0));

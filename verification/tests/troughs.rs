@@ -36,7 +36,7 @@ fn doubling_the_chords_does_not_change_results_on_a_shear_layer() {
 const SHEAR: [u64; 23] =
     [1, 9, 11, 13, 15, 23, 27, 29, 33, 45, 47, 53, 57, 59, 69, 77, 79, 81, 83, 91, 99, 101, 103];
 
-/// A pipe over a trough of 20 m: contact at two places on the curve. The expected pressure comes from 40 000
+/// A pipe over a trough of 20 m: contact at two positions on the curve. The expected pressure comes from 40 000
 /// equal chords.
 #[test]
 fn a_light_pipe_rests_on_both_sides_of_a_trough() {

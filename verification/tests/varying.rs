@@ -82,7 +82,7 @@ fn equal_end_values_give_the_bits_of_a_constant() {
     assert_eq!(uniform, ends);
 }
 
-/// The largest error of the stepped model in w, M, u at some places, and in the last edge.
+/// The largest error of the stepped model in w, M, u at some positions, and in the last edge.
 fn staircase_error(wanted: &Solution, n: usize, shear: Profile) -> [f64; 2] {
     let stairs = exact(&staircase(n, shear));
     let error = |x: f64| {
@@ -222,7 +222,7 @@ fn fields_satisfy_their_differential_relations() {
 }
 
 #[test]
-fn the_nodal_solver_rejects_varying_stiffness() {
+fn the_nodal_solver_refuses_varying_stiffness() {
     let refused =
         NodalSolver::new().solve_into(&smooth(shear()), 100, &mut NodalSolution::default());
     let Err(Error::Unsupported(problem)) = refused else { panic!("{refused:?}") };

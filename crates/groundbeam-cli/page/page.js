@@ -134,7 +134,7 @@ function show(answer, asked) {
   sliders(shown, { begin, set: setNumber, replace });
 }
 
-/// Resets a choice that is no longer in the text, and units that a text without units cannot have. Shows any other rejection.
+/// Resets a choice that is no longer in the text, and units that a text without units cannot have. Shows any other refusal.
 function refused({ query: at, message }) {
   if (at?.key === "units" && printed.units !== null) {
     printed.units = null;

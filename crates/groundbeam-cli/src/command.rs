@@ -177,7 +177,7 @@ pub struct Solve {
     #[arg(long, value_name = "N", default_value_t = 1_000_000, value_parser = number().range(1..))]
     pub most_sweeps: usize,
 
-    /// Memory limit of the solve, as in "8 GB"; a model that needs more is rejected before it is solved
+    /// Memory limit of the solve, as in "8 GB"; a model that needs more is refused before it is solved
     #[arg(long, value_name = "SIZE", default_value = "4 GB", value_parser = bytes)]
     pub memory_limit: u64,
 
@@ -282,7 +282,7 @@ pub struct Compare {
     #[arg(long, value_name = "N", default_value_t = 100_000, value_parser = number().range(1..))]
     pub most_sweeps: usize,
 
-    /// Memory limit of the solve, as in "8 GB"; a model that needs more is rejected before it is solved
+    /// Memory limit of the solve, as in "8 GB"; a model that needs more is refused before it is solved
     #[arg(long, value_name = "SIZE", default_value = "4 GB", value_parser = bytes)]
     pub memory_limit: u64,
 

@@ -1,4 +1,4 @@
-//! Rejects output files that would replace each other or an input file, before the run starts.
+//! Refuses output files that would replace each other or an input file, before the run starts.
 
 use crate::failure::Failure;
 use groundbeam_file::output::{Identity, Target};

@@ -69,7 +69,7 @@ struct ModelFile {
     name: String,
     text: String,
     digest: String,
-    /// Units according to the solver's reader; `None` if it rejects the file.
+    /// Units according to the solver's reader; `None` if it refuses the file.
     units: Option<Units>,
     /// Names of the combinations according to the solver's reader.
     combinations: Vec<String>,

@@ -37,7 +37,7 @@ fn check_reports_an_equilibrium_that_is_not_unique() {
 }
 
 #[test]
-fn check_rejects_an_invalid_model() {
+fn check_refuses_an_invalid_model() {
     let folder = Folder::with("[beam]\nlength = 1\n");
     folder.run(&["check", "model.toml"]).fails(2, "model.toml");
     folder.run(&["check", "model.toml", "--json"]).fails(2, "error[GB004]");

@@ -5,7 +5,7 @@ use std::io::Read;
 use std::process::Stdio;
 
 #[test]
-fn invalid_command_lines_are_rejected() {
+fn invalid_command_lines_are_refused() {
     let folder = Folder::with(LIFTS);
     let wrong: [&[&str]; 10] = [
         &[],
@@ -40,7 +40,7 @@ point = 1
 at = 0.5
 ";
 
-/// Checks that a run is rejected before it writes, and that the message names the file that would be lost.
+/// Checks that a run is refused before it writes, and that the message names the file that would be lost.
 #[track_caller]
 fn loses(folder: &Folder, options: &[&str], parts: &[&str]) {
     let before = folder.names();
@@ -239,7 +239,7 @@ fn output_is_not_coloured_without_a_terminal() {
     assert!(!done.stderr.contains(&0x1b) && done.stdout.is_empty());
 }
 
-/// Only regular files and standard input up to 64 MB are read. Endless files and pipes are rejected.
+/// Only regular files and standard input up to 64 MB are read. Endless files and pipes are refused.
 #[cfg(target_os = "linux")]
 #[test]
 fn only_regular_files_and_standard_input_are_read() {

@@ -37,7 +37,7 @@ fn a_new_request_aborts_the_previous_one() {
 }
 
 #[test]
-fn the_page_shows_the_message_of_a_rejected_request() {
+fn the_page_shows_the_message_of_a_refused_request() {
     let Some(browser) = Browser::start() else { return };
     let folder = Folder::with(FOOTING);
     let server = Server::start(Some(&folder.path("model.toml")));

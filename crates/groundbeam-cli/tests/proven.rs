@@ -40,7 +40,7 @@ fn a_document_with_its_proof_is_verified() {
     let each = &verified.json()["results"][0]["each"];
     assert_eq!(each["edges"], document["proof"]["bounds"]["edges"]);
     assert_eq!(each["end_forces"].as_array().unwrap().len(), 2);
-    // A bound that is too small is rejected.
+    // A bound that is too small is refused.
     let bound = document["proof"]["bounds"]["moment"].as_f64().unwrap();
     document["proof"]["bounds"]["moment"] = json!(0.9 * bound);
     folder.write("result.json", document.to_string().as_bytes());

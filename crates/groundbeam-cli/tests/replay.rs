@@ -81,7 +81,7 @@ fn the_logs_of_all_cases_replay() {
 type Change<'a> = (&'a str, &'a dyn Fn(&mut Value));
 
 /// Replays the log of a case after each change. The change applies to the first suitable line, and the replay
-/// must reject it.
+/// must refuse it.
 fn refused(case: &str, changes: &[Change]) {
     let folder = logged(Path::new(case)).expect("a log");
     let log = folder.read("proof.log");
@@ -184,9 +184,9 @@ fn logs_of_other_kinds_of_models_with_one_changed_number_fail() {
     );
 }
 
-/// A log with a missing line is rejected by name, or an inequality fails without that line's data.
+/// A log with a missing line is refused by name, or an inequality fails without that line's data.
 #[test]
-fn a_log_with_a_missing_line_is_rejected() {
+fn a_log_with_a_missing_line_is_refused() {
     let folder = logged(Path::new("cases/kikuchi-1980/case-3.toml")).expect("a log");
     let log = folder.read("proof.log");
     for name in ["piece", "closing", "pull", "bounds", "edge", "unique", "contact set"] {

@@ -1,4 +1,4 @@
-//! Tests `groundbeam serve`: responses, and requests that must be rejected.
+//! Tests `groundbeam serve`: responses, and requests that must be refused.
 
 use crate::common::{FOOTING, Folder, LIFTS, tips};
 use crate::served::{Server, talk};
@@ -47,7 +47,7 @@ fn an_invalid_model_returns_its_diagnostics() {
 }
 
 #[test]
-fn invalid_http_requests_are_rejected() {
+fn invalid_http_requests_are_refused() {
     let server = Server::start(None);
     let typed = |kind: &str| {
         let header = format!("Content-Type: {kind}");
@@ -85,7 +85,7 @@ fn trains() -> String {
 }
 
 #[test]
-fn an_invalid_query_is_rejected_with_its_key_value_and_allowed_values() {
+fn an_invalid_query_is_refused_with_its_key_value_and_allowed_values() {
     let server = Server::start(None);
     let trains = trains();
     let refused = |path: &str, model: &str, words: &[&str]| {
@@ -134,7 +134,7 @@ fn an_invalid_query_is_rejected_with_its_key_value_and_allowed_values() {
     }
     refused("/api/solve?width=700", FOOTING, &["combination, train, first_axle"]);
     refused("/api/file/html?train=0", &trains, &["the keys of this address are combination"]);
-    // A query that is invalid for every file is rejected before the file is read.
+    // A query that is invalid for every file is refused before the file is read.
     refused("/api/solve?train=x", "[beam", &["from 0"]);
     for path in ["/api/start?x=1", "/?train=0", "/page.js?v=2"] {
         let reply = server.get(path);
@@ -195,7 +195,7 @@ fn slow_connections_do_not_stop_others() {
 }
 
 #[test]
-fn requests_from_other_origins_and_host_names_are_rejected() {
+fn requests_from_other_origins_and_host_names_are_refused() {
     let server = Server::start(None);
     let port = server.port;
     let from = |origin: &str| {
@@ -258,7 +258,7 @@ fn two_hundred_simultaneous_requests_are_served() {
 }
 
 #[test]
-fn a_view_returns_the_text_position_of_every_number() {
+fn a_view_returns_the_text_location_of_every_number() {
     let server = Server::start(None);
     let view = server.post("/api/view?width=700", FOOTING).json();
     assert_eq!(view["status"], "solved");

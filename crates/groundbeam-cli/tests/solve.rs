@@ -108,7 +108,7 @@ fn a_model_without_equilibrium_ends_with_status_3() {
 }
 
 #[test]
-fn solve_rejects_an_invalid_model() {
+fn solve_refuses_an_invalid_model() {
     let folder = Folder::with(&LIFTS.replace("EI = 1", "EI = -1"));
     for arguments in [&["solve", "model.toml"][..], &["solve", "model.toml", "--json"]] {
         folder.run(arguments).fails(2, "error[GB102]: the bending stiffness EI is negative");
@@ -282,7 +282,7 @@ fn solve_prints_load_factors_on_request() {
 }
 
 #[test]
-fn unknown_load_cases_are_rejected() {
+fn unknown_load_cases_are_refused() {
     let folder = Folder::with(&LIFTS.replace("moment", "case = \"Q\"\nmoment"));
     let run = |list: &str| folder.run(&["solve", "model.toml", list]);
     run("--factors=Q,q").fails(2, "error[GB009]: no load belongs to a case `q`");

@@ -102,9 +102,9 @@ fn threads_and_shards_do_not_change_the_bytes_of_a_study() {
     assert!(bytes(&folder, "other.parquet") != bytes(&folder, "shard-2.parquet"));
 }
 
-/// A merge to standard output writes only the file. The merge and the study reject a damaged shard.
+/// A merge to standard output writes only the file. The merge and the study refuse a damaged shard.
 #[test]
-fn damaged_results_are_rejected_and_standard_output_holds_only_the_file() {
+fn damaged_results_are_refused_and_standard_output_holds_only_the_file() {
     let folder = folder();
     let study = |more: &[&str]| {
         folder.run(

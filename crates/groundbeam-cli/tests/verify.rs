@@ -77,7 +77,7 @@ fn correct_documents_are_proven() {
 }
 
 #[test]
-fn keys_that_are_not_covered_are_named_and_strict_rejects_them() {
+fn keys_that_are_not_covered_are_named_and_strict_refuses_them() {
     let (folder, mut document) = solved(LIFTS, &[]);
     let done = verify(&folder, &["--strict"]);
     assert_eq!(done.status, 1);

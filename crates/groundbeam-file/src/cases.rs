@@ -55,7 +55,7 @@ mod tests {
     }
 
     #[test]
-    fn each_wrong_entry_is_reported_at_its_position() {
+    fn each_wrong_entry_is_reported_at_its_location() {
         let document = document(&["case = 'dead'", "", "case = ' wind '", "case = 'dead'"]);
         assert_eq!(parse_cases(" dead", &document).unwrap(), ["dead"]);
         assert_eq!(parse_cases("wind,dead,wind", &document).unwrap(), ["wind", "dead"]);

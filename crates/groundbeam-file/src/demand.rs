@@ -87,7 +87,7 @@ settlement = \"20 mm\"
         all
     }
 
-    /// Whether a file with this number at a quantity is rejected because of the sign.
+    /// Whether a file with this number at a quantity is refused because of the sign.
     fn is_refused(text: &str, folder: &Path, quantity: &Quantity, number: &str) -> bool {
         let at = quantity.number.clone();
         let unit = quantity.decimal.map_or("", |(_, unit)| unit);
@@ -103,7 +103,7 @@ settlement = \"20 mm\"
     fn recorded_signs_agree_with_the_reader() {
         let mut keys = BTreeSet::new();
         let mut wrong = BTreeSet::new();
-        // A file may reject μ = 0 because its shear layer would end inside the beam. Then another file
+        // A file may refuse μ = 0 because its shear layer would end inside the beam. Then another file
         // accepts μ = 0.
         let (mut may_be_zero, mut was_zero) = (BTreeSet::new(), BTreeSet::new());
         for (text, folder) in files() {

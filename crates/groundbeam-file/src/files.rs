@@ -7,7 +7,7 @@ use std::path::Path;
 /// Maximum size of a file in bytes: about a million loads, or three million rows of a survey.
 const MOST: u64 = 64_000_000;
 
-/// Opens a regular file for reading. Folders, pipes, devices and links to them are rejected.
+/// Opens a regular file for reading. Folders, pipes, devices and links to them are refused.
 ///
 /// # Errors
 ///

@@ -77,7 +77,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn each_wrong_entry_is_reported_at_its_position() {
+    fn each_wrong_entry_is_reported_at_its_location() {
         let list = "0 m, x,, 2 kN, 3";
         let wrong = parse_positions(list, UnitSystem::Si).unwrap_err();
         let seen: Vec<_> = wrong.iter().map(|d| (d.code, &list[d.span.clone()])).collect();

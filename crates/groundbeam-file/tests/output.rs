@@ -83,7 +83,7 @@ fn concurrent_writes_leave_the_complete_text_of_one_thread() {
 }
 
 #[test]
-fn paths_that_cannot_be_files_are_rejected() {
+fn paths_that_cannot_be_files_are_refused() {
     let folder = tempfile::tempdir().unwrap();
     let refused = |path: &Path| write(path, b"text").unwrap_err().to_string();
     assert_eq!(refused(folder.path()), "this is a folder, not a file");

@@ -39,7 +39,7 @@ fn judge(python: &Path, workplace: &Path, files: &[PathBuf]) -> Vec<String> {
 }
 
 #[test]
-fn the_schema_accepts_valid_files_and_rejects_wrong_keys_and_types() {
+fn the_schema_accepts_valid_files_and_refuses_wrong_keys_and_types() {
     let workplace = Path::new(env!("CARGO_TARGET_TMPDIR")).join("schema");
     let python = environment(&workplace, &NEEDS);
     let Some(python) = tools_or_skip(python, "python", "the JSON Schema") else { return };

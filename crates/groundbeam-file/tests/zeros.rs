@@ -135,7 +135,7 @@ fn a_bare_zero_needs_no_unit_among_positions() {
 
 /// A bare 0 is allowed in a file without units; a 0 with a unit is not.
 #[test]
-fn a_zero_with_a_unit_is_rejected_in_a_file_without_units() {
+fn a_zero_with_a_unit_is_refused_in_a_file_without_units() {
     let read = |at: &str, length: &str| {
         let model = "EI = 1\n[foundation]\nk = 1\n[[load]]\npoint = 1\n";
         parse_beside(&format!("[beam]\nlength = {length}\n{model}at = {at}\n"), Path::new(""))

@@ -138,7 +138,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn positions_of_numbers_count_utf16_units() {
+    fn locations_of_numbers_count_utf16_units() {
         let text = "title = \"Größe 𝛽\"\n[beam]\nlength = \"12 m\"\nEI = \"1_000.5e3 kN m²\"\n\
                     [foundation]\nk = '40 MN/m^2'\n[[load]]\npoint = \" 5 kN\"\nat = \"1 m\"\n\
                     [[load]]\ndistributed = [\"1 kN/m\", \"2 kN/m\"]\n";

@@ -135,7 +135,7 @@ mod tests {
     }
 
     #[test]
-    fn a_support_at_a_hinge_is_one_place() {
+    fn a_support_at_a_hinge_counts_as_one_position() {
         let clamped = Holds { places: 2, turning: true, ends: [true, true] };
         let alone = |places: usize, ends: [bool; 2]| Holds { places, turning: false, ends };
         // The support at the hinge holds both parts; the second one may rotate about it.

@@ -103,7 +103,7 @@ fn a_set_of_a_design_code_generates_its_combinations() {
 }
 
 #[test]
-fn unsupported_tables_are_rejected_by_name() {
+fn unsupported_tables_are_refused_by_name() {
     for (text, key) in [
         ("[gap_survey]\nfile = 'a.csv'\n", "gap_survey"),
         ("[[gap_trough]]\nat = 1\n", "gap_trough"),
@@ -116,7 +116,7 @@ fn unsupported_tables_are_rejected_by_name() {
 }
 
 #[test]
-fn invalid_values_are_rejected() {
+fn invalid_values_are_refused() {
     let value = |text: &str| assert!(matches!(reason(text), Reason::Value(_)), "{text}");
     let large = reason(&format!("{SMALL}[[load]]\npoint = 1e61\nat = 1\n"));
     assert!(matches!(large, Reason::OutOfRange(_)), "{large:?}");

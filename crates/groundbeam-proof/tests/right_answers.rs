@@ -126,7 +126,7 @@ fn deflections(answer: &Answer) -> Vec<f64> {
 
 /// Every stored number times 1 + 10⁻⁶: the proof refuses the answer, or the old and the new bound cover the difference.
 #[test]
-fn a_change_of_any_number_is_rejected_or_within_the_bounds() {
+fn a_change_of_any_number_is_refused_or_within_the_bounds() {
     let (mut refused, mut accepted) = (0, 0);
     for (name, text, answer) in right_answers() {
         let given = model(&text);

@@ -35,7 +35,7 @@ pub fn parameter(name: &str) -> Result<Parameter, Failure> {
 }
 
 /// The parameter with this name, if the model has it as a number. If the ground is defined by soil data, its constants are
-/// rejected.
+/// refused.
 pub fn parameter_of(name: &str, model: &Model, on_soil: bool) -> Result<Parameter, Failure> {
     let own = parameter(name)?;
     let why = if on_soil && own.is_of_ground() {
@@ -49,7 +49,7 @@ pub fn parameter_of(name: &str, model: &Model, on_soil: bool) -> Result<Paramete
 }
 
 /// Derivatives of all outputs with respect to all parameters. If the ground is defined by soil data, its
-/// constants are rejected.
+/// constants are refused.
 pub fn gradients(
     solution: &Solution,
     on_soil: bool,

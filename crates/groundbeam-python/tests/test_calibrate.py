@@ -122,7 +122,7 @@ def test_several_kinds_of_measurements_determine_unknown_loads(footing: gb.Model
         ({"largest moment": 1.0, "deflection": (X, X)}, ["k"], "need `noise`"),
     ],
 )
-def test_invalid_calibrations_are_rejected(
+def test_invalid_calibrations_are_refused(
     footing: gb.Model, measured: dict[str, Any], unknown: list[str], why: str
 ) -> None:
     with pytest.raises(ValueError, match=why):

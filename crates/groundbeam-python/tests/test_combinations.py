@@ -80,7 +80,7 @@ def test_the_combinations_of_the_example_file_are_solved() -> None:
     assert len(combined) == len(model.combinations()) > 1
 
 
-def test_a_model_without_combinations_is_rejected(footing: gb.Model) -> None:
+def test_a_model_without_combinations_is_refused(footing: gb.Model) -> None:
     with pytest.raises(ValueError, match="no combinations"):
         footing.solve_combinations()
     with pytest.raises(gb.ModelError, match="no combination has the name"):

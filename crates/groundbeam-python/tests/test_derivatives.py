@@ -1,4 +1,4 @@
-"""Tests derivatives against differences of solutions, and rejected requests."""
+"""Tests derivatives against differences of solutions, and refused requests."""
 
 from __future__ import annotations
 
@@ -98,7 +98,7 @@ def test_one_sided_derivatives_are_reported(footing: gb.Model) -> None:
         ("deflection", 1.0, "k[0]", "no such number"),
     ],
 )
-def test_unknown_outputs_and_parameters_are_rejected(
+def test_unknown_outputs_and_parameters_are_refused(
     footing: gb.Model, output: str, at: float, by: str, why: str
 ) -> None:
     with pytest.raises(ValueError, match=why):

@@ -238,7 +238,7 @@ def test_an_invalid_model_in_code_reports_codes_and_hints() -> None:
         gb.Model(gb.Beam(object(), 1.0), gb.Foundation(1.0))  # type: ignore[arg-type]
 
 
-def test_missing_files_and_binary_files_are_rejected(tmp_path: Path) -> None:
+def test_missing_files_and_binary_files_are_refused(tmp_path: Path) -> None:
     with pytest.raises(FileNotFoundError):
         gb.load(tmp_path / "none.toml")
     (tmp_path / "bytes.toml").write_bytes(b"title = '\xff'")
@@ -261,7 +261,7 @@ def test_a_beam_that_tips_has_no_equilibrium() -> None:
     assert pickle.loads(pickle.dumps(why)).work == why.work
 
 
-def test_a_model_that_the_method_does_not_support_is_rejected() -> None:
+def test_a_model_that_the_method_does_not_support_is_refused() -> None:
     winkler = gb.Model(
         gb.Beam.uniform(1.0, 1.0), gb.Foundation.winkler(1.0), loads=[gb.Load.point(1.0, 0.5)]
     )

@@ -151,7 +151,7 @@ def test_damaged_results_are_refused(study: gb.Study, tmp_path: Path) -> None:
     assert out.read_bytes() == whole
 
 
-def test_invalid_studies_are_rejected(study: gb.Study, tmp_path: Path) -> None:
+def test_invalid_studies_are_refused(study: gb.Study, tmp_path: Path) -> None:
     study.path.write_text(STUDY.replace("gumbel", "gumble").replace("rho = 0.6", "rho = 6"))
     with pytest.raises(gb.ModelError) as caught:
         gb.Study(study.path)

@@ -85,7 +85,7 @@ def test_a_slab_tips_at_the_position_given_by_statics() -> None:
     assert abs(start - edge) < 1e-7 and end == 10.0
 
 
-def test_a_model_without_trains_is_rejected() -> None:
+def test_a_model_without_trains_is_refused() -> None:
     with pytest.raises(ValueError, match="no trains"):
         rail().solve_trains()
     with pytest.raises(ValueError, match="solve_trains"):

@@ -49,14 +49,14 @@ impl Host for OneThread {
 /// Reason why a run has no answers.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Failed<Stop> {
-    /// A model was rejected.
+    /// A model was refused.
     Refused(Error),
     /// The host stopped the work.
     Stopped(Stop),
 }
 
 impl Failed<Infallible> {
-    /// The error of the rejected model, if the host never stops the work.
+    /// The error of the refused model, if the host never stops the work.
     pub fn refusal(self) -> Error {
         match self {
             Failed::Refused(error) => error,

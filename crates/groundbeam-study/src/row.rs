@@ -28,7 +28,7 @@ pub enum Status {
     NoEquilibrium = 1,
     /// No solution could be certified.
     NotConverged = 2,
-    /// The model was rejected.
+    /// The model was refused.
     Wrong = 3,
 }
 
@@ -53,7 +53,7 @@ impl Status {
 pub enum Trouble {
     /// No equilibrium exists.
     NoEquilibrium(Existence),
-    /// The model was rejected, or no solution was certified.
+    /// The model was refused, or no solution was certified.
     Failed(Error),
 }
 
@@ -159,7 +159,7 @@ impl Row {
         Row { motion, ..Self::empty(Status::NoEquilibrium, trouble, wanted) }
     }
 
-    /// The values for a model that was rejected or has no certified solution.
+    /// The values for a model that was refused or has no certified solution.
     fn failed(error: Error, wanted: &Wanted) -> Self {
         let status = match error {
             Error::NotConverged(_) => Status::NotConverged,

@@ -141,7 +141,7 @@ pub fn is_done(draws: &Draws, out: &Path, shard: Shard) -> Result<bool, StoreErr
     Ok(!Parts::wait(out) && Whole::of(out, &Head::of(draws), &samples)?.is_some())
 }
 
-/// Rejects an output that is a file of the study, or that is not a regular file and so could not be read
+/// Refuses an output that is a file of the study, or that is not a regular file and so could not be read
 /// again.
 fn refuse_inputs(draws: &Draws, out: &Path) -> Result<(), StoreError> {
     let wrong = |error: std::io::Error| StoreError::File(out.to_owned(), error.to_string());

@@ -126,7 +126,7 @@ fn every_flipped_byte_of_a_finished_file_is_refused() {
 }
 
 #[test]
-fn truncated_and_extended_files_are_rejected() {
+fn truncated_and_extended_files_are_refused() {
     let (draws, folder) = study("cut", 64);
     let out = folder.join("r.parquet");
     finish(&draws, &out).unwrap();
@@ -178,7 +178,7 @@ fn a_damaged_part_that_is_deleted_is_computed_again() {
 }
 
 #[test]
-fn a_part_with_the_name_of_another_part_is_rejected() {
+fn a_part_with_the_name_of_another_part_is_refused() {
     let (draws, folder) = study("renamed", 64);
     let out = folder.join("r.parquet");
     run(&draws, &out, Shard::WHOLE, false, 2, &mut before_merging).unwrap();
@@ -189,7 +189,7 @@ fn a_part_with_the_name_of_another_part_is_rejected() {
 }
 
 #[test]
-fn files_of_other_formats_are_rejected_as_results() {
+fn files_of_other_formats_are_refused_as_results() {
     let (draws, folder) = study("other", 64);
     let out = folder.join("r.parquet");
     for text in [&b""[..], b"PAR1", b"PAR1\0\0\0\0PAR1", b"a,b\n1,2\n", &[0xff; 100]] {

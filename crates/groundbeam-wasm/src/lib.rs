@@ -46,7 +46,7 @@ fn solution(document: &Document) -> String {
 }
 
 /// The proof in one type of numbers. The model is read from the file, or from the document if the reader
-/// rejects the file.
+/// refuses the file.
 fn proof<S: Scalar>(file: &str, combination: Option<&str>, document: &Document) -> String {
     let read = read_model::<S>(file, combination);
     let model = match (read, &document.model) {

@@ -63,7 +63,7 @@ fn fault(request: &Request, port: u16) -> Option<(StatusCode, String)> {
         let message = format!("requests from pages of `{origin}` are not allowed");
         return Some((StatusCode::FORBIDDEN, message));
     }
-    // A body that is announced as too long is rejected before it arrives.
+    // A body that is announced as too long is refused before it arrives.
     let announced = header(CONTENT_LENGTH).and_then(|length| length.parse::<u64>().ok());
     if announced.is_some_and(|length| length > LONGEST as u64) {
         let message = format!("a model file has at most {LONGEST} bytes");

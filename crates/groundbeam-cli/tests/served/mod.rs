@@ -64,7 +64,7 @@ pub fn talk(port: u16, head: &str, body: &[u8]) -> Reply {
     stream.set_read_timeout(Some(Duration::from_secs(120))).unwrap();
     let head = head.replacen("\r\n", "\r\nConnection: close\r\n", 1);
     stream.write_all(head.as_bytes()).unwrap();
-    // A server may reject a long body before it has read all of it.
+    // A server may refuse a long body before it has read all of it.
     let _ = stream.write_all(body);
     let mut bytes = Vec::new();
     let _ = stream.read_to_end(&mut bytes);

@@ -301,7 +301,7 @@ fn intensity(
     (start.value, end.value)
 }
 
-/// Rejects `expansion` and `depth` for loads that do not use them.
+/// Refuses `expansion` and `depth` for loads that do not use them.
 fn refuse_keys_of_curvatures(reader: &mut Reader, table: &Section, kind: &str) {
     if kind != "temperature_difference" {
         let advice = "`expansion` belongs to a `temperature_difference`";

@@ -51,7 +51,7 @@ pub(crate) struct Set {
     /// Alternative names.
     #[serde(default)]
     also: Vec<String>,
-    /// Ambiguous names, which other editions or sets share. A file that uses one is rejected.
+    /// Ambiguous names, which other editions or sets share. A file that uses one is refused.
     #[serde(default)]
     ambiguous: Vec<String>,
     /// Clause and table.

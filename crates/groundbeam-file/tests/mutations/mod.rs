@@ -32,7 +32,7 @@ fn runner(files: u32) -> TestRunner {
 }
 
 #[test]
-fn a_changed_file_is_rejected_with_a_location_or_survives_writing_and_reading() {
+fn a_changed_file_is_refused_with_a_location_or_survives_writing_and_reading() {
     let samples = samples();
     let edits = prop::collection::vec(edit(), 0..4);
     let accepted = Cell::new(0);
@@ -55,10 +55,10 @@ fn a_changed_file_is_rejected_with_a_location_or_survives_writing_and_reading() 
     assert!(accepted.get() > 500, "{}", accepted.get());
 }
 
-/// A changed study file is either rejected with a location or read. The study and its model lie in a
+/// A changed study file is either refused with a location or read. The study and its model lie in a
 /// temporary folder.
 #[test]
-fn a_changed_study_is_rejected_with_a_location_or_read() {
+fn a_changed_study_is_refused_with_a_location_or_read() {
     let is_study =
         |sample: &Sample| ["[[random]]", "[field]"].iter().any(|t| sample.text.contains(t));
     let studies: Vec<Sample> = samples().into_iter().filter(is_study).collect();

@@ -105,7 +105,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn places_count_lines_and_characters_from_one() {
+    fn locations_count_lines_and_characters_from_one() {
         let at = |at| {
             let fault = Fault { at, reason: Reason::TooLarge };
             let ReadError { line, column, .. } = fault.placed("\u{feff}aµ\nb");

@@ -26,7 +26,7 @@ pub fn study(study: &Study, context: &Context, colour: bool) -> String {
     for (count, what) in [
         (study.without_equilibrium, "without equilibrium"),
         (study.not_converged, "not converged"),
-        (study.wrong, "rejected: the results contain the messages"),
+        (study.wrong, "refused: the results contain the messages"),
     ] {
         if count > 0 {
             words += &format!(", {count} {what}");

@@ -3,7 +3,7 @@
 //! An edge inside the beam carries no concentrated force. If an edge of the bonded beam is in the wrong position, the
 //! slope of the ground jumps there, and a known concentrated force A acts. Near the solution, a Newton step on each A
 //! at fixed deflection squares the error of the edge. The [scan](crate::contact::obstacle) of the whole beam does the
-//! same at much higher cost. Zones that split, appear or vanish are found by the scan only; the certificate rejects a
+//! same at much higher cost. Zones that split, appear or vanish are found by the scan only; the certificate refuses a
 //! solution that misses them.
 
 use super::surface::can_carry;
