@@ -5,6 +5,7 @@
 //! a long loaded stretch is one [quiet element](quiet).
 
 pub(crate) mod element;
+pub(crate) mod layers;
 pub(crate) mod operator;
 mod quiet;
 pub(crate) mod series;
@@ -14,9 +15,10 @@ use crate::mesh::cell::Cell;
 use crate::numeric::polynomial::{Coefficients, rescale};
 use crate::numeric::real::Real;
 use element::{Element, REACH, TERMS};
+use layers::Layers;
 use operator::Operator;
 use series::Series;
-use uniform::{Layers, Uniform};
+use uniform::Uniform;
 
 /// Appends the positions at which a cell is cut into equal elements.
 pub(crate) fn cut_equally(operator: &Operator, cell: &Cell, x: &mut Vec<f64>) {
