@@ -31,97 +31,286 @@ pub(crate) const RANGE: &str = "GB801";
 pub(crate) const IMPLAUSIBLE: &str = "GB901";
 pub(crate) const NO_LOADS: &str = "GB902";
 
+const FORMAT: Page = Page { title: "Model files", target: "file-format.md" };
+const SMALLEST: Page =
+    Page { title: "The smallest file", target: "file-format.md#the-smallest-file" };
+const EDITOR: Page = Page { title: "In an editor", target: "file-format.md#in-an-editor" };
+const UNITS: Page = Page { title: "Units", target: "file-format.md#units" };
+const BEAM: Page = Page { title: "Beam", target: "file-format.md#beam" };
+const SHEAR: Page = Page { title: "Shear", target: "file-format.md#shear" };
+const BENDING: Page =
+    Page { title: "Stiffness that varies", target: "file-format.md#stiffness-that-varies" };
+const GROUND: Page = Page { title: "Ground", target: "file-format.md#ground" };
+const OUTSIDE: Page = Page {
+    title: "Ground that ends or changes beside the beam",
+    target: "file-format.md#ground-that-ends-or-changes-beside-the-beam",
+};
+const VARYING: Page =
+    Page { title: "Ground that varies", target: "file-format.md#ground-that-varies" };
+const SOIL: Page = Page { title: "Ground from soil", target: "file-format.md#ground-from-soil" };
+const LOADS: Page = Page { title: "Loads", target: "file-format.md#loads" };
+const ON_GROUND: Page =
+    Page { title: "Loads on the ground", target: "file-format.md#loads-on-the-ground" };
+const SETS: Page = Page { title: "Sets", target: "combinations.md#sets" };
+const SUPPORTS: Page = Page { title: "Supports", target: "file-format.md#supports" };
+const HINGES: Page = Page { title: "Hinges", target: "file-format.md#hinges" };
+const GAP: Page = Page { title: "Initial gap", target: "file-format.md#initial-gap" };
+const SURVEY: Page = Page { title: "From a survey", target: "file-format.md#from-a-survey" };
+const TROUGHS: Page =
+    Page { title: "Settlement troughs", target: "file-format.md#settlement-troughs" };
+const TRAINS: Page = Page { title: "Trains", target: "file-format.md#trains" };
+const STUDIES: Page = Page { title: "The study file", target: "studies.md#the-study-file" };
+const METHODS: Page =
+    Page { title: "What each method supports", target: "methods.md#what-each-method-supports" };
+const COMPRESSION: Page = Page { title: "Compression", target: "existence.md#compression-p--0" };
+const LIMITS: Page =
+    Page { title: "How accurate a mesh is", target: "methods.md#8-how-accurate-a-mesh-is" };
+
+/// A section of the documents.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Page {
+    pub title: &'static str,
+    /// Link from the folder `docs/`.
+    pub target: &'static str,
+}
+
 /// One row of the table of codes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Code {
     /// `GB001` to `GB099`: faults in the text of the file. From `GB101` on: faults of the model.
     pub code: &'static str,
-    /// The rule that the file or model breaks.
+    /// The rule that the file or model breaks, or the fault.
     pub meaning: &'static str,
+    /// What the user can do, in one or two sentences.
+    pub remedy: &'static str,
+    /// The section that explains the subject.
+    pub page: Page,
     /// A file in `cases/errors/` with this fault. `None` if only a solve, a study or a model built in code
     /// has it.
     pub example: Option<&'static str>,
 }
 
-const fn row(code: &'static str, meaning: &'static str, example: &'static str) -> Code {
-    Code { code, meaning, example: Some(example) }
+const fn row(
+    code: &'static str,
+    page: Page,
+    example: &'static str,
+    meaning: &'static str,
+    remedy: &'static str,
+) -> Code {
+    Code { code, meaning, remedy, page, example: Some(example) }
 }
 
-const fn elsewhere(code: &'static str, meaning: &'static str) -> Code {
-    Code { code, meaning, example: None }
+const fn elsewhere(
+    code: &'static str,
+    page: Page,
+    meaning: &'static str,
+    remedy: &'static str,
+) -> Code {
+    Code { code, meaning, remedy, page, example: None }
 }
 
 /// Every code, in ascending order.
+#[rustfmt::skip]
 pub const CODES: &[Code] = &[
-    row(SYNTAX, "the file is not valid TOML", "syntax.toml"),
-    row(DUPLICATE, "a key or table is given twice", "duplicate.toml"),
-    row(UNKNOWN_KEY, "a key or table is not known here", "unknown-key.toml"),
-    row(MISSING, "a required key or table is missing", "missing.toml"),
-    row(WRONG_TYPE, "a value or table is of the wrong type", "wrong-type.toml"),
-    row(EXCLUSIVE, "two keys exclude each other", "exclusive.toml"),
-    row(INCOMPLETE, "one of two keys that belong together is missing", "incomplete.toml"),
-    row(MISPLACED, "a key belongs to another kind of load", "misplaced.toml"),
-    row(UNKNOWN_WORD, "a word is not one of the allowed words", "unknown-word.toml"),
-    row(TOO_MANY, "the file has too many combinations", "too-many-combinations.toml"),
-    row(NUMBER, "a number cannot be read", "number.toml"),
-    row(NOT_FINITE, "a number is not finite, too large or too small", "not-finite.toml"),
-    row(UNIT_SYNTAX, "a unit cannot be read", "unit-syntax.toml"),
-    row(UNKNOWN_UNIT, "a unit is not known", "unknown-unit.toml"),
-    row(WRONG_UNIT, "a unit is of the wrong kind", "wrong-unit.toml"),
-    row(MIXED, "some quantities have a unit and others do not", "mixed-units.toml"),
-    row(FACTOR, "a factor of a stiffness must be positive", "factor.toml"),
-    row(EMPTY, "the file contains no model", "empty.toml"),
-    row(NOT_UTF8, "the file is not UTF-8 text", "not-utf8.toml"),
-    row(EMPTY_NAME, "a name is empty", "empty-name.toml"),
-    row(REPEATED, "two tables of one kind have the same name", "repeated-name.toml"),
-    row(FILE, "a file that the model names cannot be read", "survey-missing.toml"),
-    row(COLUMN, "a column of a table is missing", "survey-column.toml"),
-    row("GB101", "the beam's length must be positive", "beam-length.toml"),
-    row("GB102", "the bending stiffness EI must be positive", "bending-stiffness.toml"),
-    elsewhere("GB103", "the axial force must be a finite number"),
-    row("GB104", "the shear stiffness of the beam must be positive", "beam-shear.toml"),
-    row("GB201", "the spring constant k must be positive", "foundation-spring.toml"),
-    row("GB202", "the shear constant mu must be zero or positive", "foundation-shear.toml"),
-    row("GB203", "ground outside the beam cannot vary along a segment", "foundation-off-beam.toml"),
-    row("GB204", "a curve of k or mu has at most three control values", "ground-curve.toml"),
-    row("GB205", "a varying shear constant mu must remain positive", "shear-fades.toml"),
-    row(POISSON, "Poisson's ratio lies between 0 and 0.5", "poisson.toml"),
-    row("GB207", "the ground ends beyond the beam's ends", "ground-end.toml"),
-    row("GB208", "a load on the ground must lie where there is ground", "ground-load.toml"),
-    row("GB209", "a force at a point of the ground needs a shear layer", "ground-load.toml"),
-    row(
-        "GB210",
+    row(SYNTAX, FORMAT, "syntax.toml",
+        "the file is not valid TOML",
+        "Correct the text at the marked position."),
+    row(DUPLICATE, FORMAT, "duplicate.toml",
+        "a key or table is given twice",
+        "Keep one of the two, or write tables that may repeat with double brackets."),
+    row(UNKNOWN_KEY, EDITOR, "unknown-key.toml",
+        "a key or table is not known here",
+        "Correct its spelling, or move it to the table to which it belongs."),
+    row(MISSING, FORMAT, "missing.toml",
+        "a required key or table is missing",
+        "Add it."),
+    row(WRONG_TYPE, FORMAT, "wrong-type.toml",
+        "a value or table is of the wrong type",
+        "Write it as the message shows."),
+    row(EXCLUSIVE, FORMAT, "exclusive.toml",
+        "two keys exclude each other",
+        "Keep one of the two."),
+    row(INCOMPLETE, FORMAT, "incomplete.toml",
+        "one of two keys that belong together is missing",
+        "Add the missing key."),
+    row(MISPLACED, LOADS, "misplaced.toml",
+        "a key belongs to another kind of load",
+        "Remove it, or give the load the kind to which the key belongs."),
+    row(UNKNOWN_WORD, FORMAT, "unknown-word.toml",
+        "a word is not one of the allowed words",
+        "Write one of the words that the message lists."),
+    row(TOO_MANY, SETS, "too-many-combinations.toml",
+        "the file has too many combinations",
+        "Put load cases that never act together into one `group`, or write the combinations with `factors`."),
+    row(NUMBER, UNITS, "number.toml",
+        "a number cannot be read",
+        "Write a decimal number with a point, followed by its unit."),
+    row(NOT_FINITE, UNITS, "not-finite.toml",
+        "a number is not finite, too large or too small",
+        "Give 0 or a number with a magnitude between 1e-60 and 1e60."),
+    row(UNIT_SYNTAX, UNITS, "unit-syntax.toml",
+        "a unit cannot be read",
+        "Write the unit as a product, quotient or power of known units, as in `kN/m^2`."),
+    row(UNKNOWN_UNIT, UNITS, "unknown-unit.toml",
+        "a unit is not known",
+        "Use a unit of the list."),
+    row(WRONG_UNIT, UNITS, "wrong-unit.toml",
+        "a unit is of the wrong kind",
+        "Give a unit of the quantity that the message names."),
+    row(MIXED, UNITS, "mixed-units.toml",
+        "some quantities have a unit and others do not",
+        "Give all quantities of the file a unit, or none."),
+    row(FACTOR, FORMAT, "factor.toml",
+        "a number is outside the range that its key allows",
+        "Give a number in the range that the message names."),
+    row(EMPTY, SMALLEST, "empty.toml",
+        "the file contains no model",
+        "Add `[beam]` with `length` and `EI`, and `[foundation]` with `k`."),
+    row(NOT_UTF8, FORMAT, "not-utf8.toml",
+        "the file is not UTF-8 text",
+        "Save it as UTF-8."),
+    row(EMPTY_NAME, FORMAT, "empty-name.toml",
+        "a name is empty",
+        "Write a name, or remove the key."),
+    row(REPEATED, FORMAT, "repeated-name.toml",
+        "two tables of one kind have the same name",
+        "Give each table a different name."),
+    row(FILE, SURVEY, "survey-missing.toml",
+        "a file that the model names cannot be read",
+        "Correct the name. It is relative to the folder of the model file."),
+    row(COLUMN, SURVEY, "survey-column.toml",
+        "a column of a table is missing",
+        "Add the column, or name an existing one."),
+    row("GB101", BEAM, "beam-length.toml",
+        "the beam's length must be positive",
+        "Give a positive length."),
+    row("GB102", BEAM, "bending-stiffness.toml",
+        "the bending stiffness EI must be positive",
+        "Give a positive bending stiffness."),
+    elsewhere("GB103", BEAM,
+        "the axial force must be a finite number",
+        "Give a finite force, positive in tension, or remove the key."),
+    row("GB104", SHEAR, "beam-shear.toml",
+        "the shear stiffness of the beam must be positive",
+        "Give a positive shear stiffness, or none for a beam without shear deformation."),
+    row("GB201", GROUND, "foundation-spring.toml",
+        "the spring constant k must be positive",
+        "Give a positive k."),
+    row("GB202", GROUND, "foundation-shear.toml",
+        "the shear constant mu must be zero or positive",
+        "Give a positive mu, or 0 for Winkler ground."),
+    row("GB203", OUTSIDE, "foundation-off-beam.toml",
+        "ground outside the beam cannot vary along a segment",
+        "Divide the segment into segments with constant values."),
+    row("GB204", VARYING, "ground-curve.toml",
+        "a curve of k or mu has at most three control values",
+        "Divide the segment, or give fewer control values."),
+    row("GB205", VARYING, "shear-fades.toml",
+        "a varying shear constant mu must remain positive",
+        "End the segment at a small positive mu, and add a segment with mu = 0."),
+    row(POISSON, SOIL, "poisson.toml",
+        "Poisson's ratio lies between 0 and 0.5",
+        "Give a number between 0 and 0.5."),
+    row("GB207", OUTSIDE, "ground-end.toml",
+        "the ground ends beyond the beam's ends",
+        "Put the end of the ground outside the beam."),
+    row("GB208", ON_GROUND, "ground-load.toml",
+        "a load on the ground must lie where there is ground",
+        "Move the load, or extend the ground."),
+    row("GB209", ON_GROUND, "ground-load.toml",
+        "a force at a point of the ground needs a shear layer",
+        "Distribute the force over a length, or give the ground a positive mu."),
+    row("GB210", ON_GROUND, "ground-load-varying.toml",
         "loads on the ground need ground that is uniform along each segment",
-        "ground-load-varying.toml",
-    ),
-    row("GB211", "a load on the ground must act downward", "ground-load.toml"),
-    elsewhere("GB212", "ground defined by soil data is uniform and infinite"),
-    row("GB301", "a position must lie on the beam", "off-the-beam.toml"),
-    row("GB302", "a value must be a finite number", "out-of-range.toml"),
-    row(STRETCH, "a stretch must have a positive length", "stretch-without-length.toml"),
-    row("GB304", "segments may touch but not overlap", "overlap.toml"),
-    row("GB402", "a support's spring constant must be zero or positive", "support-spring.toml"),
-    row("GB403", "two supports must not share one position", "two-supports.toml"),
-    row("GB404", "a hinge must be inside the beam", "hinge-at-an-end.toml"),
-    row("GB405", "a hinge's spring constant must be zero or positive", "hinge-spring.toml"),
-    row("GB406", "two hinges must not share one position", "two-hinges.toml"),
-    row("GB407", "a moment or rotational spring must not act at a hinge", "hinge-and-moment.toml"),
-    row("GB408", "only a force can act in a single direction", "one-way-clamp.toml"),
-    row("GB501", "the points of the gap must be in order from left to right", "gap-order.toml"),
-    row(CHORDS, "settlement troughs need too many chords", "trough-chords.toml"),
-    elsewhere("GB603", "concentrated pressures need a shear layer"),
-    elsewhere("GB604", "the nodal method applies to beams without supports"),
-    elsewhere("GB605", "the nodal method applies to constant segments"),
-    elsewhere("GB606", "the nodal method applies to beams without hinges"),
-    elsewhere("GB607", "the paper's iteration applies to beams without hinges"),
-    elsewhere("GB609", "loads on the ground need the methods `exact` or `active-set`"),
-    elsewhere("GB611", "a local equilibrium needs the method `exact`"),
-    elsewhere("GB612", "load factors of a local equilibrium"),
-    elsewhere("GB614", "a beam with shear deformation needs the methods `exact` or `active-set`"),
-    elsewhere("GB616", "a varying or shear-deformable beam must not have too many waves"),
-    elsewhere("GB617", "a solve must not need more memory than the limit"),
-    row(FIRST_AXLE, "a train is measured backward from its first axle", "first-axle.toml"),
-    elsewhere(RANGE, "a number of a study is outside its range"),
-    elsewhere(IMPLAUSIBLE, "a warning: a quantity has an implausible size"),
-    elsewhere(NO_LOADS, "a warning: the model has no loads"),
+        "Divide the segment into segments with constant values."),
+    row("GB211", ON_GROUND, "ground-load.toml",
+        "a load on the ground must act downward",
+        "Change its sign: downward loads are positive."),
+    elsewhere("GB212", SOIL,
+        "ground defined by soil data is uniform and infinite",
+        "Remove the segments and the ends of the ground, or give k and mu in place of the soil data."),
+    row("GB301", FORMAT, "off-the-beam.toml",
+        "a position must lie on the beam",
+        "Give a position between 0 and the length of the beam."),
+    row("GB302", UNITS, "out-of-range.toml",
+        "a value must be a finite number",
+        "Give 0 or a number with a magnitude between 1e-60 and 1e60, in SI units."),
+    row(STRETCH, FORMAT, "stretch-without-length.toml",
+        "a stretch must have a positive length",
+        "Give `to` a larger value than `from`."),
+    row("GB304", BENDING, "overlap.toml",
+        "segments may touch but not overlap",
+        "Change the ends of one of the two segments."),
+    row("GB402", SUPPORTS, "support-spring.toml",
+        "a support's spring constant must be zero or positive",
+        "Give zero or a positive number."),
+    row("GB403", SUPPORTS, "two-supports.toml",
+        "two supports must not share one position",
+        "Give all restraints at this position in one support."),
+    row("GB404", HINGES, "hinge-at-an-end.toml",
+        "a hinge must be inside the beam",
+        "Move the hinge between the ends of the beam, or remove it."),
+    row("GB405", HINGES, "hinge-spring.toml",
+        "a hinge's spring constant must be zero or positive",
+        "Give zero for a free hinge, or a positive number."),
+    row("GB406", HINGES, "two-hinges.toml",
+        "two hinges must not share one position",
+        "Remove one of the two."),
+    row("GB407", HINGES, "hinge-and-moment.toml",
+        "a moment or rotational spring must not act at a hinge",
+        "Move one of the two to the side on which the moment or spring acts."),
+    row("GB408", SUPPORTS, "one-way-clamp.toml",
+        "only a force can act in a single direction",
+        "Make the one-way support pinned, or give it a translational spring only."),
+    row("GB501", GAP, "gap-order.toml",
+        "the points of the gap must be in order from left to right",
+        "Sort the points by position, each at a different position."),
+    row(CHORDS, TROUGHS, "trough-chords.toml",
+        "settlement troughs need too many chords",
+        "Check the settlement, the loads and the stiffnesses, or give the gap as points."),
+    elsewhere("GB603", METHODS,
+        "the iterations `psor` and `uzawa` and the nodal method need a shear layer: mu is zero somewhere under the beam",
+        "Use the method `exact` or `active-set`."),
+    elsewhere("GB604", METHODS,
+        "the nodal method does not support beams with supports",
+        "Use the method `exact` or `active-set`."),
+    elsewhere("GB605", METHODS,
+        "the nodal method does not support stiffness or ground that varies along a segment",
+        "Use the method `exact` or `active-set`, or divide the segment into many segments with constant values."),
+    elsewhere("GB606", METHODS,
+        "the nodal method does not support hinges",
+        "Use the method `exact` or `active-set`."),
+    elsewhere("GB607", METHODS,
+        "the iterations `psor` and `uzawa` do not support hinges",
+        "Use the method `exact` or `active-set`."),
+    elsewhere("GB609", METHODS,
+        "only the methods `exact` and `active-set` solve loads on the ground",
+        "Use one of these methods."),
+    elsewhere("GB611", COMPRESSION,
+        "only the method `exact` solves a beam whose compression the ground must help to carry",
+        "Use the method `exact`."),
+    elsewhere("GB612", COMPRESSION,
+        "a beam whose compression the ground must help to carry has no load factors",
+        "Omit the load factors. The result then contains the critical compression."),
+    elsewhere("GB614", METHODS,
+        "only the methods `exact` and `active-set` solve a beam with shear deformation",
+        "Use one of these methods, or omit the shear stiffness."),
+    elsewhere("GB616", LIMITS,
+        "the solve would need too many elements: the waves of a varying or shear-deformable beam are too short",
+        "Increase the bending stiffness, or give constant stiffnesses and no shear stiffness."),
+    elsewhere("GB617", LIMITS,
+        "the solve would need more memory than the limit",
+        "Raise the limit, as in `--memory-limit \"8 GB\"`, shorten the beam, or use fewer elements."),
+    row(FIRST_AXLE, TRAINS, "first-axle.toml",
+        "the first axle of a train must be at 0",
+        "Give the positions of the other axles as positive distances behind the first."),
+    elsewhere(RANGE, STUDIES,
+        "a number of a study is outside its range",
+        "Give a number in the range that the message names."),
+    elsewhere(IMPLAUSIBLE, UNITS,
+        "a warning: a quantity has an implausible size",
+        "Check its number and its unit. The model is solved as it is."),
+    elsewhere(NO_LOADS, LOADS,
+        "a warning: the model has no loads",
+        "Add a load, unless the beam is meant to have none."),
 ];

@@ -17,26 +17,23 @@ fn the_page_is_up_to_date() {
          | from `GB601` | the solve |\n\
          | from `GB701` | trains, studies, warnings |\n\n\
          This page is written by `UPDATE_EXPECTED=1 cargo test -p groundbeam-file`.\n\n\
-         | code | what is wrong |\n|---|---|\n",
+         | code | fault, or rule that the file breaks |\n|---|---|\n",
     );
-    for Code { code, meaning, example } in CODES {
-        let link =
-            example.map_or(String::from(*code), |_| format!("[{code}](#{})", code.to_lowercase()));
-        writeln!(page, "| {link} | {meaning} |").unwrap();
+    for Code { code, meaning, .. } in CODES {
+        writeln!(page, "| [{code}](#{}) | {meaning} |", code.to_lowercase()).unwrap();
     }
-    for Code { code, meaning, example } in CODES {
+    for Code { code, meaning, remedy, page: section, example } in CODES {
+        let (first, rest) = meaning.split_at(1);
+        let first = first.to_uppercase();
+        writeln!(page, "\n## {code}\n\n{first}{rest}.\n{remedy}").unwrap();
+        writeln!(page, "See [{}]({}).", section.title, section.target).unwrap();
         let Some(example) = example else { continue };
         let Some(case) = cases.iter().find(|case| case.name == *example) else {
             panic!("{example}, the example of {code}, is not in cases/errors");
         };
-        writeln!(
-            page,
-            "\n## {code}\n\n{}{}.\nFrom [{example}](../cases/errors/{example}):\n\n```text\n{}```",
-            meaning[..1].to_uppercase(),
-            &meaning[1..],
-            first_of(case, code),
-        )
-        .unwrap();
+        let message = first_of(case, code);
+        writeln!(page, "\nFrom [{example}](../cases/errors/{example}):\n\n```text\n{message}```")
+            .unwrap();
     }
     expect_file("docs/diagnostics.md", &page);
 }
