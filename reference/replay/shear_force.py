@@ -161,7 +161,7 @@ def node_error(r, contact, i):
 
 
 def edges_of_piece(contact, i):
-    """Length and Φ₀ of the edges with a length at both ends of a piece."""
+    """θ and Φ₀ of the edges at both ends of a piece, without edges whose θ is zero."""
     piece, found = contact.r.pieces[i], []
     for end in (0, 1):
         edge = contact.at.get((i + end, end if piece.touches else 1 - end))

@@ -121,7 +121,7 @@ impl Imports {
         Some(base.into_iter().chain(rest.iter().cloned()).collect())
     }
 
-    /// The file that defines the target of a path, and the name.
+    /// The file that defines the item at the end of a path, and the name of the item.
     fn origin(&self, path: &[String], depth: usize) -> Option<(usize, String)> {
         let cut = (0..=path.len()).rev().find(|cut| self.modules.contains_key(&path[..*cut]))?;
         let at = self.modules[&path[..cut]];

@@ -31,7 +31,7 @@ impl Failure {
         Failure { shown, status: Status::Wrong }
     }
 
-    /// A result that is not a solution, such as a missing equilibrium.
+    /// The failure of a command that reports a result without a solution: for example that no equilibrium exists.
     pub fn reported(shown: String, status: Status) -> Self {
         Failure { shown, status }
     }

@@ -282,8 +282,8 @@ fn a_bearing_resistance_is_a_design_value_or_an_allowable_value() {
     let set = |name: &str| format!("[[combination]]\nset = \"{name}\"\n");
     let [lrfd, asd] = ["ASCE 7-22 LRFD", "ASCE 7-22 ASD"].map(set);
     for (combinations, state, words) in [
-        (lrfd.clone() + &asd, "STR/GEO", "V_d = 1.4 on the effective area, 7.2 resisted"),
-        (lrfd, "STR/GEO", "V_d = 1.4 on the effective area, 7.2 resisted"),
+        (lrfd.clone() + &asd, "STR/GEO", "V_d = 1.4 on the effective area, resistance 7.2"),
+        (lrfd, "STR/GEO", "V_d = 1.4 on the effective area, resistance 7.2"),
         (asd, "allowable stress", "V = 1 on the effective area, 7.2 allowed"),
     ] {
         let folder = under("dead", &combinations);

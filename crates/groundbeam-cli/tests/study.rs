@@ -96,7 +96,7 @@ fn threads_and_shards_do_not_change_the_bytes_of_a_study() {
     merge(&shards[..2]).fails(2, "samples 1000 to 1999 are missing");
     merge(&["shard-1.parquet", "shard-1.parquet"]).fails(2, "occur twice");
     run(&["--out", "other.parquet", "--seed", "6", "--shard", "2/3"]);
-    merge(&["shard-1.parquet", "other.parquet"]).fails(2, "are not of the same study");
+    merge(&["shard-1.parquet", "other.parquet"]).fails(2, "differ in their study");
     assert!(!folder.path("bad.parquet").exists());
     // Another seed is another study.
     assert!(bytes(&folder, "other.parquet") != bytes(&folder, "shard-2.parquet"));

@@ -185,7 +185,7 @@ impl Document {
         }
     }
 
-    /// All loads as written, on the ground as written: a combination without a name.
+    /// The combination without a name: all loads and the ground as the file gives them.
     pub fn as_written(&self) -> Combination {
         Combination::from(self.model.clone())
     }

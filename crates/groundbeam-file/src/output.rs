@@ -26,7 +26,7 @@ enum Sink {
 
 /// A file beside the target that replaces it at the end.
 struct Replacement {
-    /// Locked until the work ends.
+    /// The new file. It is locked until the work ends.
     file: File,
     unfinished: PathBuf,
     target: PathBuf,

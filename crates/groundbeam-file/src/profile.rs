@@ -41,8 +41,8 @@ impl Along {
 
     /// The product with another quantity. The product has its own location.
     pub fn times(&self, other: &Along, span: &Range<usize>) -> Self {
-        // The product has few enough control values: only lists of control values could exceed the maximum,
-        // and such lists are not multiplied.
+        // The product of two lists of control values could have too many control values, but no key needs such a
+        // product.
         let profile = self.profile.times(&other.profile);
         Along { profile: profile.unwrap_or(Profile::constant(f64::NAN)), span: span.clone() }
     }

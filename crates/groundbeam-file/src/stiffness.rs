@@ -25,7 +25,7 @@ pub(crate) struct Given {
 /// Result of combining a table with its parent.
 pub(crate) enum Stiffness {
     Known(Along),
-    /// The table gives no data for it.
+    /// The table has no data for this stiffness.
     NotGiven,
     /// Only the first (0) or the second (1) factor is known.
     Half(usize, Along),

@@ -176,7 +176,8 @@ mod tests {
         let all = Number::all(&document);
         assert_eq!((all[1].key.as_str(), all[1].size), ("EI", 1.0));
     }
-    /// Time \[s\] to find all numbers of a file with `count` loads, and the number for each load position.
+    /// Time \[s\] of two steps on a file with `count` loads: find all numbers, then find the number of the position of
+    /// each load.
     fn time(count: usize) -> f64 {
         let load = "[[load]]\npoint = \"5 kN\"\nat = \"1 m\"\n".repeat(count);
         let text = format!(

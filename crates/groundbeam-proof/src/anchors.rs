@@ -1,4 +1,4 @@
-//! Bounds of the error e of the deflection on the whole beam, from places (anchors) where |e| or |e_φ| is bounded.
+//! Bounds of the error e of the deflection on the whole beam, from positions (anchors) where |e| or |e_φ| is bounded.
 
 use crate::coefficient::Coefficient;
 use crate::frame::{Node, Span};
@@ -17,10 +17,10 @@ pub(crate) fn parts_of<S: Scalar>(span: &Span<S>) -> impl Iterator<Item = f64> {
     PARTS.into_iter().filter(move |part| *part <= left && *part <= right)
 }
 
-/// A place with a bound of |e|, or of |e_φ|.
+/// A position with a bound of |e|, or of |e_φ|.
 #[derive(Debug, Clone, Copy)]
 struct Anchor {
-    /// An interval that contains the place.
+    /// An interval that contains the position.
     x: [f64; 2],
     bound: Size,
 }
@@ -28,9 +28,9 @@ struct Anchor {
 /// The anchors on one part of the beam.
 #[derive(Debug, Clone, Default)]
 struct Anchors {
-    /// Places with a bound of |e|.
+    /// Positions with a bound of |e|.
     places: Vec<Anchor>,
-    /// Places with a bound of |e_φ|: clamps and rotational springs.
+    /// Positions with a bound of |e_φ|: clamps and rotational springs.
     slopes: Vec<Anchor>,
 }
 
@@ -343,8 +343,8 @@ pub(crate) fn between(h: Size, [s, sheared]: [Size; 2]) -> Size {
     s * (h.square() * h).over(48.0).root() + 0.5 * (sheared * h.root())
 }
 
-/// A bound of |e| on an overhang o beyond two places, the nearer one first. `distance` bounds the distance of
-/// the two places from below and above.
+/// A bound of |e| on an overhang o beyond two positions, the nearer one first. `distance` bounds the distance of
+/// the two positions from below and above.
 pub(crate) fn beyond(
     [near, far]: [Size; 2],
     over: Size,
@@ -358,7 +358,7 @@ pub(crate) fn beyond(
     near + turn + bent + slid
 }
 
-/// θo + so(d + o/3)^½ + s_γo^½: the change of e over a length o, if |e_φ| ≤ θ at a place not farther than d from its
+/// θo + so(d + o/3)^½ + s_γo^½: the change of e over a length o, if |e_φ| ≤ θ at a position not farther than d from its
 /// start.
 pub(crate) fn along_slope(
     [slope, distance]: [Size; 2],

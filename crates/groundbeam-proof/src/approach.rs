@@ -19,7 +19,7 @@ pub(crate) struct Approach {
     pub flux: Size,
     /// μ|C′| at the node.
     pub steep: Size,
-    /// t of the place up to which the clearance is proven to be positive by its value.
+    /// t of the position up to which the clearance is proven to be positive by its value.
     reach: f64,
 }
 
@@ -196,7 +196,7 @@ fn fall<C: Scalar>(piece: &OpenPiece<C>, side: usize, t: f64) -> C {
     if side == 0 { -slope } else { slope }
 }
 
-/// Whether C decreases towards the touching end faster than the limit, between a far place and a near one.
+/// Whether C decreases towards the touching end faster than the limit, between a far position and a near one.
 fn falls<C: Scalar>(piece: &OpenPiece<C>, side: usize, [far, near]: [f64; 2], limit: Size) -> bool {
     let mut open = vec![[far, near]];
     let mut left = 60;
@@ -281,7 +281,7 @@ mod tests {
             Ground { length: 3.0_f64.powf(random()), k, mu, load }
         }
 
-        /// The largest (`sign` = 1) or smallest (−1) value along the ground.
+        /// The largest (`sign` = 1) or smallest (`sign` = −1) value of the parabola `of` along the ground.
         fn most(&self, of: [f64; 3], sign: f64) -> f64 {
             let at = |i: usize| sign * parabola(of, i as f64 / COUNT as f64);
             sign * (0..=COUNT).map(at).fold(f64::NEG_INFINITY, f64::max)

@@ -37,29 +37,29 @@ pub struct Document {
     /// Fields along the beam. Where a field jumps, the value on the right; at the right end of the beam, the value on
     /// the left.
     pub stations: Stations,
-    /// Fields on the left of the places where a field jumps.
+    /// Fields on the left of the positions where a field jumps.
     pub left_of_jumps: Stations,
     /// Listed extremes.
     pub extremes: Vec<Extreme>,
     /// Listed open stretches: from, to, position and size of the largest gap.
     pub lift_off: Vec<[f64; 4]>,
-    /// Listed hinges: place, rotation and moment.
+    /// Listed hinges: position, rotation and moment.
     pub hinges: Vec<[f64; 3]>,
     /// Listed error bounds by name, with one or several values each.
     pub bounds: Vec<(String, Vec<f64>)>,
-    /// Intervals that are claimed to contain all places of an extreme: field, whether it is the largest value,
+    /// Intervals that are claimed to contain all positions of an extreme: field, whether it is the largest value,
     /// intervals.
     pub places: Vec<(String, bool, Vec<[f64; 2]>)>,
     /// Other keys with numbers. The proof does not cover them.
     pub not_covered: BTreeSet<String>,
 }
 
-/// Fields at places of the beam.
+/// Fields at positions of the beam.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Stations {
-    /// The places \[m\].
+    /// The positions \[m\].
     pub x: Vec<f64>,
-    /// Name and values of each field, one for each place.
+    /// Name and values of each field, one for each position.
     pub fields: Vec<(String, Vec<f64>)>,
 }
 
@@ -70,7 +70,7 @@ pub struct Extreme {
     pub field: String,
     /// `true`: the largest value; `false`: the smallest one.
     pub is_max: bool,
-    /// The listed place \[m\].
+    /// The listed position \[m\].
     pub x: f64,
     /// The value.
     pub value: f64,
@@ -333,7 +333,7 @@ fn coefficients(parent: &mut Object, key: &str) -> Result<Vec<f64>, JsonError> {
     Ok(read)
 }
 
-/// Fields at places; none if the key is missing.
+/// Fields at positions; none if the key is missing.
 fn stations(root: &mut Object, key: &str) -> Result<Stations, JsonError> {
     let Some(value) = root.remove(key) else { return Ok(Stations::default()) };
     let mut value = object(value, key)?;

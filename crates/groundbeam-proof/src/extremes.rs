@@ -1,7 +1,7 @@
-//! Intervals that contain every place where an exact field has its largest or smallest value.
+//! Intervals that contain every position where an exact field has its largest or smallest value.
 //!
-//! With |f − f*| ≤ ε, a place of the largest value has f ≥ f(x₀) − 2ε, for any x₀. Inside a piece, f*′ is
-//! zero at such a place. So parts with |f′| > ε′ are excluded, where |f′ − f*′| ≤ ε′. At the ends of pieces
+//! With |f − f*| ≤ ε, a position of the largest value has f ≥ f(x₀) − 2ε, for any x₀. Inside a piece, f*′ is
+//! zero at such a position. So parts with |f′| > ε′ are excluded, where |f′ − f*′| ≤ ε′. At the ends of pieces
 //! only the values are compared.
 
 use crate::bounds::Bounds;
@@ -15,28 +15,28 @@ use crate::size::Size;
 /// The shortest intervals of t that are halved: with a bound of the error of the derivative, and without one.
 const SHORTEST: [f64; 2] = [1e-13, 1e-9];
 
-/// The proven places of a listed extreme in the exact solution.
+/// The proven positions of a listed extreme in the exact solution.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlacedExtreme {
     /// Name of the field.
     pub field: String,
     /// `true`: the largest value; `false`: the smallest one.
     pub is_max: bool,
-    /// The listed place \[m\].
+    /// The listed position \[m\].
     pub listed: f64,
-    /// Intervals that contain all places of the exact extreme \[m\], from left to right; empty if no interval
+    /// Intervals that contain all positions of the exact extreme \[m\], from left to right; empty if no interval
     /// is proven.
     pub places: Vec<[f64; 2]>,
 }
 
 impl PlacedExtreme {
-    /// The interval that contains the listed place; otherwise the nearest interval.
+    /// The interval that contains the listed position; otherwise the nearest interval.
     pub fn nearest(&self) -> Option<[f64; 2]> {
         let off = |place: &[f64; 2]| self.distance_from(*place);
         self.places.iter().copied().min_by(|a, b| off(a).total_cmp(&off(b)))
     }
 
-    /// The distance of the listed place from the nearest interval; zero inside an interval, and also if no
+    /// The distance of the listed position from the nearest interval; zero inside an interval, and also if no
     /// interval is proven.
     pub fn distance(&self) -> f64 {
         self.nearest().map_or(0.0, |place| self.distance_from(place))
@@ -46,7 +46,7 @@ impl PlacedExtreme {
         (low - self.listed).max(self.listed - high).max(0.0)
     }
 
-    /// A bound of the distance of the listed place from the nearest exact place.
+    /// A bound of the distance of the listed position from the nearest exact position.
     pub fn error(&self) -> f64 {
         let [low, high] = self.nearest().unwrap_or([-f64::INFINITY, f64::INFINITY]);
         let [below, above] = [self.listed - low, high - self.listed].map(|d| d.abs().next_up());
@@ -66,13 +66,13 @@ struct Search<'a, S: Scalar> {
     field: usize,
     /// 1 for the largest value, −1 for the smallest value: the search maximises `sign` times the field.
     sign: f64,
-    /// Places with a smaller value are excluded.
+    /// Positions with a smaller value are excluded.
     level: f64,
     /// The error bound of the derivative on each piece; infinite if unknown.
     steep: Vec<Size>,
 }
 
-/// The places of a listed extreme.
+/// The positions of a listed extreme.
 pub(crate) fn placed<S: Scalar>(
     extreme: &Extreme,
     fields: &Fields<S>,
@@ -111,7 +111,7 @@ fn search<'a, S: Scalar>(
         return None;
     }
     let sign = if extreme.is_max { 1.0 } else { -1.0 };
-    // The largest value that is found at an end of a piece or at the listed place.
+    // The largest value that is found at an end of a piece or at the listed position.
     let mut top = -f64::INFINITY;
     let mut raise = |piece: usize, t: S| {
         let value = (patches.value(field, piece, t) * S::of(sign)).low();

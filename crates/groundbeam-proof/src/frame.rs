@@ -57,7 +57,7 @@ pub(crate) struct Span<S> {
     pub settlement: Option<Box<Polynomial<S>>>,
 }
 
-/// A node: a place between two pieces, or an end of the beam.
+/// A node: a position between two pieces, or an end of the beam.
 #[derive(Debug, Clone)]
 pub(crate) struct Node<S> {
     pub x: S,

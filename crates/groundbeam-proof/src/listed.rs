@@ -12,13 +12,13 @@ use crate::scalar::Scalar;
 use crate::size::Size;
 use std::ops::Range;
 
-/// Two places are different if their distance exceeds this fraction of the length.
+/// Two positions are different if their distance exceeds this fraction of the length.
 const NEAR: f64 = 16.0 * f64::EPSILON;
 
 /// Number of listed numbers that were compared, by kind.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Checked {
-    /// Number of places at which the fields are listed.
+    /// Number of positions at which the fields are listed.
     pub stations: usize,
     /// Number of values at all stations.
     pub values: usize,
@@ -86,7 +86,7 @@ pub(crate) struct Differences {
     pub fields: [f64; 8],
     /// Distances of edges and concentrated forces from the exact ones.
     pub contact: ListedErrors,
-    /// The places of the listed extremes.
+    /// The positions of the listed extremes.
     pub extremes: Vec<PlacedExtreme>,
     /// Intervals on which the pressure has no bound \[m\].
     pub without_pressure: Vec<[f64; 2]>,
@@ -97,7 +97,7 @@ pub(crate) struct Differences {
     pub failed: Option<NotProven>,
 }
 
-/// Compares stations, extremes, contact and forces, and finds the places of the exact extremes.
+/// Compares stations, extremes, contact and forces, and finds the positions of the exact extremes.
 pub(crate) fn differences<S: Scalar>(
     document: &Document,
     fields: &Fields<S>,
@@ -158,7 +158,7 @@ fn without_pressure<S: Scalar>(fields: &Fields<S>, proof: &Proof) -> Vec<[f64; 2
     inside.map(|[low, high]| [low - near, high + near]).collect()
 }
 
-/// Whether a place lies in one of several intervals.
+/// Whether a position lies in one of several intervals.
 pub(crate) fn holds(intervals: &[[f64; 2]], x: f64) -> bool {
     intervals.iter().any(|[low, high]| *low <= x && x <= *high)
 }
@@ -174,7 +174,7 @@ impl<S: Scalar> Comparison<'_, S> {
         self.document.answer.pieces.last().map_or(0.0, |piece| piece.x[1])
     }
 
-    /// Piece and t of a place, by the stored ends of the pieces. A node belongs to the piece on its right; the right end of
+    /// Piece and t of a position, by the stored ends of the pieces. A node belongs to the piece on its right; the right end of
     /// the beam to the last piece.
     fn place(&self, x: f64) -> Result<(usize, S), NotProven> {
         let (pieces, near) = (&self.document.answer.pieces, NEAR * self.length());
@@ -200,7 +200,7 @@ impl<S: Scalar> Comparison<'_, S> {
         units.restored(off.size(), force, length)
     }
 
-    /// Compares the fields at listed places, on the left or on the right of each place. At the right end of
+    /// Compares the fields at listed positions, on the left or on the right of each position. At the right end of
     /// the beam, the value on the left is used.
     fn stations(
         &self,
@@ -263,9 +263,9 @@ impl<S: Scalar> Comparison<'_, S> {
         units.restored(off.value(), 1, -1)
     }
 
-    /// The larger of |listed − the largest value of the field| and |listed − the field at the listed place|.
+    /// The larger of |listed − the largest value of the field| and |listed − the field at the listed position|.
     ///
-    /// The largest value is at least the value at the place, on both sides. It exceeds the listed value by at
+    /// The largest value is at least the value at the position, on both sides. It exceeds the listed value by at
     /// most the largest value of field − listed.
     fn extreme(&self, extreme: &Extreme, found: &mut Differences) -> Result<(), NotProven> {
         let Some(field) = field_named(&extreme.field) else {
@@ -363,7 +363,7 @@ impl<S: Scalar> Comparison<'_, S> {
         }
     }
 
-    /// Refuses two listed forces at one place. A reader would add them, but each is compared with the exact
+    /// Refuses two listed forces at one position. A reader would add them, but each is compared with the exact
     /// force.
     fn forces_at_one_place(&self) -> Option<NotProven> {
         let mut places: Vec<f64> = self.document.answer.forces.iter().map(|f| f.x).collect();

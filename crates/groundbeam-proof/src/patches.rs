@@ -106,7 +106,7 @@ fn patches<S: Scalar>(fields: &Fields<S>, i: usize) -> Vec<Patch<S>> {
         let ends = [end(n), if n == last { to } else { end(n + 1) }];
         let middle = 0.5 * (ends[0] + ends[1]);
         let interval = [(ends[0] - middle).next_down(), (ends[1] - middle).next_up()];
-        // A place that is outside the stretch only by rounding error counts as inside.
+        // A position that is outside the stretch only by rounding error counts as inside.
         let r = interval[1] * (1.0 + 1e-9);
         let above = surface.taylor(middle, r);
         let own = span.free_field().map_or(above, |free| above + &free.shifted(middle));

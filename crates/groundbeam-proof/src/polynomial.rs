@@ -195,7 +195,7 @@ impl Budget {
         Budget { piece: 0, all: Self::AVERAGE * pieces }
     }
 
-    /// Starts the count for another piece.
+    /// Starts the count of halvings for another piece.
     pub fn begin(&mut self) {
         self.piece = Self::PIECE;
     }

@@ -217,7 +217,7 @@ mod tests {
     use crate::size::Size;
     use crate::test_functions::tests::integral;
 
-    /// K² by integration, with the springs at the places where |z| and |z′| are largest.
+    /// K² by integration, with the springs at the positions where |z| and |z′| are largest.
     fn exact([bending, layer, ground]: [f64; 3], [springs, turning]: [f64; 2], h: f64) -> f64 {
         let z = |t: f64| 1.0 - 3.0 * (t / h).powi(2) + 2.0 * (t / h).powi(3);
         let slope = |t: f64| 6.0 * (t / h) * (t / h - 1.0) / h;

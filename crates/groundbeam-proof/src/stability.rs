@@ -179,7 +179,7 @@ fn elements<S: Scalar, C: Scalar>(
     elements
 }
 
-/// The stiffness of the whole beam on the left of a place, condensed to its deflection and slope.
+/// The stiffness of the whole beam on the left of a position, condensed to its deflection and slope.
 #[derive(Clone, Copy)]
 struct Left<C> {
     /// Entries for (z, z), (z, z′) and (z′, z′).

@@ -152,7 +152,7 @@ pub(crate) mod tests {
         points.iter().map(|(x, w)| 0.5 * h * w * f(0.5 * h * (1.0 + x))).sum()
     }
 
-    /// K² of z = t(1 − t/h)² by integration, with the springs at the places where |z| and |z′| are largest.
+    /// K² of z = t(1 − t/h)² by integration, with the springs at the positions where |z| and |z′| are largest.
     fn exact([bending, layer, ground]: [f64; 3], [springs, turning]: [f64; 2], h: f64) -> f64 {
         let z = |t: f64| t * (1.0 - t / h).powi(2);
         let slope = |t: f64| (1.0 - t / h) * (1.0 - 3.0 * t / h);

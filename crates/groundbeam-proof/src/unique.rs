@@ -1,7 +1,7 @@
 //! Uniqueness of the solution. Two solutions have the same u and p. They differ by a rigid motion that
 //! vanishes at all supports and wherever p* > 0. It does not rotate an elastic hinge, because both solutions
-//! have the same M. The solution is unique if every part between free hinges is held in two places, or in one
-//! place with its rotation prevented.
+//! have the same M. The solution is unique if every part between free hinges is held in two positions, or in one
+//! position with its rotation prevented.
 
 use crate::anchors::parts_of;
 use crate::contact_set::Shown;
@@ -17,7 +17,7 @@ use std::ops::Range;
 struct Holds {
     places: usize,
     turning: bool,
-    /// Whether the left and the right end of the part are held places.
+    /// Whether the left and the right end of the part are held positions.
     ends: [bool; 2],
 }
 
@@ -28,7 +28,7 @@ impl Holds {
 }
 
 /// The first part that is a mechanism. A restrained part holds the neighbours at the common hinges; such a hinge
-/// counts as one place.
+/// counts as one position.
 fn first_mechanism(holds: &[Holds]) -> Option<usize> {
     let mut held = vec![false; holds.len()];
     let next = |held: &[bool]| {
@@ -147,7 +147,7 @@ mod tests {
         // A part between two restrained parts.
         assert_eq!(first_mechanism(&[clamped, alone(0, [false, false]), clamped]), None);
         assert_eq!(first_mechanism(&[clamped, alone(1, [true, false]), clamped]), None);
-        // A prevented rotation without a held place is not sufficient, nor is a held place without a
+        // A prevented rotation without a held position is not sufficient, nor is a held position without a
         // prevented rotation.
         let turning = Holds { places: 0, turning: true, ends: [false; 2] };
         assert_eq!(first_mechanism(&[turning]), Some(0));

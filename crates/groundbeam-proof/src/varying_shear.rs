@@ -84,7 +84,7 @@ impl<S: Scalar> Pointwise<'_, S> {
         let span = &self.fields.frame.spans[i];
         let (tension, stiffened) = (self.axial_size(), self.stiffened(stiffness));
         let misfit = self.fields.residual.pieces[i].misfit[0];
-        // ε_θ = resting + ε_T/(S + P).
+        // ε_θ has a part that does not depend on ε_T, `resting`, and the part ε_T/(S + P).
         let other = self.balancing_shear(i)
             + self.balanced.pieces[i].drawn
             + tension * bounds.rotation

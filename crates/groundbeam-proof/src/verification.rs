@@ -29,7 +29,7 @@ pub struct Verification {
     pub forces: Bound,
     /// The errors of each listed edge and of each listed concentrated force.
     pub listed: ListedErrors,
-    /// The places of the listed extremes.
+    /// The positions of the listed extremes.
     pub extremes: Vec<PlacedExtreme>,
     /// Intervals on which the pressure has no bound \[m\]: intervals that contain edges of contact on a shear
     /// layer, or the whole beam if the contact set is not proven.
@@ -143,7 +143,7 @@ impl Verification {
         named.map_or(f64::INFINITY, |(_, bound)| bound.error)
     }
 
-    /// The bound of the error of a field at one place; infinite for a pressure without a bound.
+    /// The bound of the error of a field at one position; infinite for a pressure without a bound.
     pub fn error_at(&self, field: &str, x: f64) -> f64 {
         let has_none = field == "pressure" && holds(&self.without_pressure, x);
         if has_none { f64::INFINITY } else { self.error_of(field) }
@@ -210,7 +210,7 @@ impl Verification {
         first
     }
 
-    /// The first extreme whose claimed intervals do not contain all proven places.
+    /// The first extreme whose claimed intervals do not contain all proven positions.
     fn claimed_places(&mut self, document: &Document) -> Option<NotProven> {
         let mut first = None;
         for (field, is_max, claimed) in &document.places {
@@ -231,7 +231,7 @@ impl Verification {
         first
     }
 
-    /// The first extreme whose listed place is farther than 10⁻⁶ of the length from every place of the exact
+    /// The first extreme whose listed position is farther than 10⁻⁶ of the length from every position of the exact
     /// extreme.
     fn misplaced(&self) -> Option<NotProven> {
         let far = 1e-6 * self.proof.scales.length;

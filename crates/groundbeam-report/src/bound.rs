@@ -193,7 +193,7 @@ mod tests {
         };
         assert_eq!(around(&[], 0.0, true), None);
         assert_eq!(around(&[(3.0, 0.25), (2.0, 0.5)], 3.0, true), Some(0.25));
-        // The second one may be larger, up to 3.5.
+        // The second number may be the larger one: it is at most 3.5.
         let error = around(&[(3.0, 0.25), (2.5, 1.0)], 3.0, true).unwrap();
         assert!(error > 0.5 && error < 0.5 + 1e-15, "{error}");
         let error = around(&[(3.0, 0.25), (3.5, 1.0)], 3.0, false).unwrap();

@@ -226,7 +226,7 @@ pub(crate) fn verdicts(limits: Option<&Limits>, rows: &[Row]) -> Vec<Verdict> {
     verdicts
 }
 
-/// Reason for the verdict on a check over some of the answers; `None` if no answer has a value.
+/// The answer that decides a check, among the answers of one limit state; `None` if no answer has a value.
 fn governing(
     what: Checked,
     of_state: &[usize],

@@ -140,8 +140,8 @@ pub fn trains(passages: &Passages, sections: &[f64], units: Units) -> String {
     enveloped(names, passages.limit_states(), of_state, sections, units)
 }
 
-/// The rows of an envelope over all answers, then over those of each limit state. `of_state` gives the cells at a
-/// position; `None` selects all answers.
+/// The rows of an envelope over all answers, then over the answers of each limit state. For a limit state, or `None` for
+/// all answers, `of_state` gives a function that returns the cells at a position.
 fn enveloped<R: FnMut(f64) -> Vec<String>>(
     names: impl Iterator<Item = String>,
     states: LimitStates,

@@ -143,7 +143,7 @@ impl Run {
     ///
     /// # Errors
     ///
-    /// The first error of a model, or the stop of the host.
+    /// The first error of a model, or the error that the host stopped the work.
     pub fn solve<H: Host>(&self, host: &H) -> Result<Answers, Failed<H::Stop>> {
         let mut answers = self.nothing();
         if self.asked == Asked::Trains {

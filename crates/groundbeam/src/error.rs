@@ -177,7 +177,7 @@ mod tests {
     use crate::model::problem::Bytes;
     use crate::model::{Beam, Foundation, Model, Part};
 
-    /// Every variant, with the given figure.
+    /// Every variant. Variants with a number contain `figure`.
     fn all(figure: f64) -> Vec<NotConverged> {
         let all = vec![
             NotConverged::Sweeps(figure),

@@ -27,7 +27,7 @@ impl NodalSolver {
         Self::default()
     }
 
-    /// Solves the contact problem on about `elements` elements, of equal length between any two places of the model. If
+    /// Solves the contact problem on about `elements` elements, of equal length between any two required positions. If
     /// no equilibrium exists, `into` is unchanged; after an error its content is undefined.
     ///
     /// # Errors

@@ -262,7 +262,7 @@ impl Expectation {
         Ok(Value::Numbers(vec![number / self.scale]))
     }
 
-    /// The distance of a value from the expected one: absolute in its unit, and relative to the largest.
+    /// The distance of a value from the expected one: absolute in its unit, and relative to the largest expected number.
     ///
     /// # Errors
     ///

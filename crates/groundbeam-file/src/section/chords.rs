@@ -21,13 +21,13 @@ const PER_LENGTH: f64 = 600.0;
 /// * contact edges: μ h|g″| ≤ ε p̄ l or h ≤ l/600.
 pub(super) struct Spacing<'a> {
     troughs: &'a [Trough],
-    /// For deflection and moment, by trough.
+    /// The chords that deflection and moment need, for each trough.
     even: Vec<Even>,
-    /// For the pressure: 1/h² divided by |g″|.
+    /// 1/h² of the chords that the pressure needs, divided by |g″|.
     by_curvature: f64,
-    /// For the contact edges: 1/h divided by |g″|.
+    /// 1/h of the chords that the contact edges need, divided by |g″|.
     by_corner: f64,
-    /// Upper limit of 1/h for the contact edges.
+    /// Upper limit of 1/h of the chords that the contact edges need.
     most_for_corners: f64,
 }
 
@@ -35,7 +35,7 @@ pub(super) struct Spacing<'a> {
 struct Even {
     /// 1/h².
     density: f64,
-    /// Square of the distance over which they are needed, in widths.
+    /// Square of the distance from the trough up to which these chords are needed, in widths of the trough.
     reach: f64,
 }
 

@@ -323,11 +323,11 @@ impl<'a> File<'a> {
                 let source = described.and_then(|described| described.source);
                 if let Some(letter) = practice.lacks(set, action) {
                     let message = format!(
-                        "`{}` needs a partial factor of set {letter} for `{action}`, but there is none",
+                        "`{}` cannot be used: no partial factor of set {letter} is known for `{action}`",
                         set.name
                     );
                     let hint =
-                        "no public source confirms a value; write the combinations with `factors`";
+                        "no public source confirms a value: write the combinations with `factors`";
                     reader.report(Fault::new(code::MISSING, span.clone(), message, "", hint));
                 }
                 acting.push(Acting { case, action, group, source });

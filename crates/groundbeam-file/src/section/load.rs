@@ -227,7 +227,7 @@ fn read_one(reader: &mut Reader, table: &Section, beam_length: f64, curls: &Curl
         reader.place(table, name, &size);
         Extent::Point { at: at.value, size: size.value }
     };
-    // All kinds of the table are valid loads.
+    // Every kind of the table makes a valid load, so the placeholder is never used.
     Load::new(kind.action, extent, on_ground).unwrap_or_else(|| nothing(reader, table))
 }
 

@@ -73,7 +73,7 @@ pub struct StudyFile {
     pub plan: Plan,
     /// Numbers of the model that are random.
     pub random: Vec<Random>,
-    /// Correlations between them.
+    /// Correlations between the random numbers.
     pub joined: Vec<Joined>,
     /// Random fields of ground and beam.
     pub field: Option<RandomField>,

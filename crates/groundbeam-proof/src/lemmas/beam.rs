@@ -108,8 +108,8 @@ fn random_error(random: &mut impl FnMut() -> f64, h: f64, slides: bool) -> (Vec<
     (values, [s.sqrt(), sheared.sqrt()])
 }
 
-/// Checks (12): bounds of e on an interval from the mean of |e|, and between and beyond two places from its
-/// values at these places.
+/// Checks (12): bounds of e on an interval from the mean of |e|, and between and beyond two positions from its
+/// values at these positions.
 #[test]
 fn errors_of_the_deflection_are_bounded_by_their_anchors() {
     let mut random = numbers();
@@ -126,7 +126,7 @@ fn errors_of_the_deflection_are_bounded_by_their_anchors() {
         let in_mean = from_mean(Size::of(mean), s * half * half.root(), sheared * half.root());
         let ends = [values[0], values[COUNT]].map(|e| Size::of(e.abs()));
         let inside = ends[0].worst(ends[1]) + between(Size::of(h), [s, sheared]);
-        // The last quarter is the overhang beyond two places at a distance of one half.
+        // The last quarter is the overhang beyond two positions at a distance of one half.
         let [far, near] = [COUNT / 4, 3 * COUNT / 4].map(|i| Size::of(values[i].abs()));
         let over = Size::of(0.25 * h);
         let beyond = beyond([near, far], over, [0.5 * h; 2], [s, sheared]);

@@ -49,7 +49,7 @@ fn beam(bending: f64, ground: &[Stretch]) -> Model<Ball> {
     }
 }
 
-/// A load on the beam between two places, linear between its values there.
+/// A load on the beam between two positions, linear between its values there.
 fn load([from, to]: [f64; 2], [start, end]: [f64; 2]) -> Load<Ball> {
     let [from, to, start, end] = [from, to, start, end].map(Ball::of);
     let extent = Extent::Distributed { from, to, start, end };

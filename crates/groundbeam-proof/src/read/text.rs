@@ -125,7 +125,7 @@ impl<'t> Scanner<'t> {
         let mut found = String::new();
         loop {
             let Some(character) = self.rest().chars().next() else {
-                return self.syntax("a string must end with the same quote as it begins");
+                return self.syntax("a string must end with the quote with which it begins");
             };
             match character {
                 _ if long && self.rest().starts_with(three) => {

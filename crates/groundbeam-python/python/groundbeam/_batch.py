@@ -239,7 +239,7 @@ def _names(names: Union[str, Sequence[str]]) -> list[str]:
 
 
 def _shape(values: Union[npt.ArrayLike, Along]) -> Optional[str]:
-    """Name of the shape of the values in a row; ``None`` if not given."""
+    """Name of the class that says how the values vary along the beam; ``None`` for plain values."""
     return type(values).__name__ if isinstance(values, Along) else None
 
 

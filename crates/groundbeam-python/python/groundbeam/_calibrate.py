@@ -38,7 +38,7 @@ class Calibration(NamedTuple):
     residuals: dict[str, Array]
     """Measured values minus those of the model, for each output."""
     noise: float
-    """Standard deviation of the residuals relative to the given noise, or relative to 1 without noise."""
+    """Standard deviation of the residuals divided by the given noise; divided by 1 if no noise is given."""
     singular_values: Array
     """Inverse standard errors of combinations of the logarithms of the unknowns, the best determined first."""
     directions: Array

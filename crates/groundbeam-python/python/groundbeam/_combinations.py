@@ -33,7 +33,7 @@ class Envelope(NamedTuple):
 
 
 class Banded(NamedTuple):
-    """A value on the best ground, with the smallest and the largest value over all solved grounds of a band."""
+    """A value for the best estimate of the ground, and its smallest and largest value over the band of the ground."""
 
     best: float
     low: float

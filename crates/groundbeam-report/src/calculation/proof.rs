@@ -48,8 +48,8 @@ pub(super) fn proof(context: &Context) -> Option<Section> {
         if first.combination.is_none() { "results" } else { "results of each combination" };
     let words = format!(
         "The {results}, the key figures and the checks are printed as value ± bound: the exact solution of the model differs \
-         from the printed value by at most the bound. The numbers in the sections on input and equilibrium depend on \
-         the input only. The numbers in figures are rounded. None of these numbers has a bound."
+         from the printed value by at most the bound. No bound is printed for the numbers in the sections on input \
+         and equilibrium, which depend on the input only, or for the numbers in figures, which are rounded."
     );
     blocks.push(Block::Text { words });
     Some(Section::new("Proof", blocks))

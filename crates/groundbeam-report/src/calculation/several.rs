@@ -160,7 +160,9 @@ fn statics(all: &Answers, units: Units) -> Section {
     let mut blocks = vec![Block::Table(table)];
     if !all.alone.is_empty() {
         let mut alone = Table::new("Each load case alone", heads("case"));
-        alone.note = "A load case without equilibrium is not a physical state; combinations that contain it may be.".into();
+        alone.note = "A load case without equilibrium is not a physical state. \
+                      A combination that contains it may have an equilibrium."
+            .into();
         for (i, case) in all.alone.iter().enumerate() {
             alone.push(row(i + 1, &case.case.name, &case.case.model, &case.existence));
         }

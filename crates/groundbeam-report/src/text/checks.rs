@@ -125,9 +125,13 @@ fn judged_in_words(
             // The value of the file is a design resistance in ultimate limit states, an allowable pressure in others.
             match state.is_none_or(LimitState::is_ultimate) {
                 true => {
-                    format!("V_d = {found} on the effective area, {limit} resisted, {used} used")
+                    format!(
+                        "V_d = {found} on the effective area, resistance {limit}, utilisation {used}"
+                    )
                 }
-                false => format!("V = {found} on the effective area, {limit} allowed, {used} used"),
+                false => format!(
+                    "V = {found} on the effective area, {limit} allowed, utilisation {used}"
+                ),
             }
         }
         Checked::Settlement => {

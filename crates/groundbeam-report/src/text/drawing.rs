@@ -14,7 +14,7 @@ const WIDTH: usize = 78;
 const BEYOND: usize = 5;
 /// Rows for the deflections of beam and ground.
 const DEPTH: usize = 7;
-/// Rows of ground below the lowest point of the surface.
+/// Number of text rows of ground below the lowest point of its surface.
 const BELOW: usize = 1;
 
 const LOAD: &str = "33";

@@ -174,7 +174,7 @@ fn wrapped(words: &str, width: usize) -> Vec<String> {
     lines
 }
 
-/// Words at which lines may break; text in brackets such as `[0, 5]` stays together.
+/// Parts of a text between which a line may break: its words, and texts in brackets such as `[0, 5]`.
 fn unbroken(words: &str) -> Vec<String> {
     let mut parts: Vec<String> = Vec::new();
     for word in words.split_whitespace() {

@@ -18,8 +18,10 @@ pub fn study(study: &Study, context: &Context, colour: bool) -> String {
     sheet.row("Samples", &words);
     let mut words = format!("{} independent numbers per sample", study.dimensions);
     if let Some(variance) = study.variance {
-        words +=
-            &format!("; the fields have {} % of their variance", significant(100.0 * variance, 4));
+        words += &format!(
+            "; the terms of the fields contain {} % of the variance",
+            significant(100.0 * variance, 4)
+        );
     }
     sheet.row("Random", &words);
     let mut words = format!("{} certified", study.solved);

@@ -47,7 +47,7 @@ pub fn merge(paths: &[PathBuf], out: &Path, watch: &mut Watch) -> Result<Merged,
             None => known = Some((head, schema, path)),
             Some((other, _, first)) if *other != head => {
                 return Err(StoreError::Unlike(format!(
-                    "{} and {} are not of the same study, model, seed and version",
+                    "{} and {} differ in their study, model, seed or version",
                     first.display(),
                     path.display()
                 )));

@@ -147,7 +147,7 @@ fn ends(grid: &Grid, workspace: &Workspace) -> Vec<usize> {
     ends
 }
 
-/// The place of a node in a sorted list that contains it.
+/// The index of a node in a sorted list that contains it.
 fn index(ends: &[usize], node: usize) -> usize {
     ends.partition_point(|end| *end < node)
 }

@@ -216,7 +216,7 @@ pub(crate) fn end_forces<R: Real>(
     Some(forces)
 }
 
-/// The initial span at a corner between two arcs that is in tension. On uniform ground with constant π, both forces
+/// The initial span at a corner in tension between two arcs. On uniform ground with constant π, both forces
 /// vanish where the span reaches |c|/2π to each side of a corner with the tension c. Half of this length still has
 /// tension at both ends, and the tangent points are two or three steps away. `None` if the computed forces are not in
 /// tension.

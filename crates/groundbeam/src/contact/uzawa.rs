@@ -114,8 +114,8 @@ fn relaxed(diagonal: &[f64], flexibility: f64, relaxation: Relaxation) -> Vec<f6
     }
 }
 
-/// A sweep of (5.17), with the rigid motion for which the new pressure satisfies the balances (5.19), written at the
-/// nodes as (5.20).
+/// One sweep of (5.17). It adds the rigid motion for which the new pressure satisfies the balances (5.19), in the form
+/// (5.20) at the nodes.
 fn sweep(
     ground: &Flexibility,
     beam: &FreeBeam,

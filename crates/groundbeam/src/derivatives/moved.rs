@@ -122,8 +122,8 @@ impl Frame<'_> {
         }
     }
 
-    /// Whether the derivatives of every output for a move to the left and to the right differ: at a hinge, or at a jump
-    /// of the stiffness that determines the effect of the motion.
+    /// Whether the derivatives for a move to the left and to the right differ. They differ at a hinge, and at a jump of
+    /// the stiffness that determines the effect of the motion.
     pub fn differs_by_side(&self, moved: &Moved) -> bool {
         let x = moved.x;
         let is_force = matches!(moved.what, Motion::Force(_));

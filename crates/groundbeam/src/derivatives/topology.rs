@@ -58,7 +58,7 @@ pub struct Nearest {
 /// Change of the gap, relative to the largest deflection or gap, below which a minimum is due to rounding error.
 const ROUNDING: f64 = 1e-8;
 
-/// Indices of the local minima that are lower by more than `least` than the highest place on each side. At an end of
+/// Indices of the local minima that are lower by more than `least` than the highest position on each side. At an end of
 /// the beam, one side is enough.
 fn deepest_between_peaks(places: &[(f64, f64)], ends: [f64; 2], least: f64) -> Vec<usize> {
     let count = places.len();

@@ -104,10 +104,10 @@ impl Mechanism {
         self.held.iter().chain(more).next().copied()
     }
 
-    /// The first piece that may still move, in either direction, if the beam is also held at the places in
+    /// The first piece that may still move, in either direction, if the beam is also held at the positions in
     /// `more`; `None` if all pieces are held.
     ///
-    /// A piece is held if it has two held places, or one held place and no free rotation. A held piece holds
+    /// A piece is held if it has two held positions, or one held position and no free rotation. A held piece holds
     /// its nodes for its neighbours. This procedure finds all held pieces: n connected pieces have n + 1
     /// degrees of freedom, so if none can move, one of them has two constraints of its own.
     pub fn first_free_piece(&self, more: &[f64]) -> Option<[f64; 2]> {
@@ -202,14 +202,14 @@ mod tests {
         model.beam.axial_force = 1.0;
         let found = Mechanism::of(&model);
         assert_eq!(found.straight, [true; 3]);
-        // The whole beam may still lift as one group, unless one place is held.
+        // The whole beam may still lift as one group, unless one position is held.
         assert_eq!(groups(&found), [[0, 4]]);
         let held = Mechanism::of(&model.with_support(Support::pinned(7.0)));
         assert!(held.free_groups().is_empty());
         assert_eq!(held.first_free_piece(&[]), None);
     }
 
-    /// All mechanisms of up to three pieces with supports at a few places, for every set of pieces that
+    /// All mechanisms of up to three pieces with supports at a few positions, for every set of pieces that
     /// cannot rotate.
     fn mechanisms() -> Vec<Mechanism> {
         let mut all = Vec::new();
@@ -229,7 +229,7 @@ mod tests {
         all
     }
 
-    /// The constraints on the nodal values r, one row each: r = 0 at the held places, equal values at both
+    /// The constraints on the nodal values r, one row each: r = 0 at the held positions, equal values at both
     /// ends of a piece that cannot rotate.
     fn constraints(of: &Mechanism) -> Vec<Vec<f64>> {
         let row = |entries: &[(usize, f64)]| {
@@ -286,7 +286,7 @@ mod tests {
             let piece = (0..of.straight.len()).find(|i| moves(*i) || moves(*i + 1));
             let wanted = piece.map(|i| [of.nodes[i], of.nodes[i + 1]]);
             assert_eq!(of.first_free_piece(&[]), wanted, "{of:?}");
-            // Places held by contact count like places held by supports.
+            // Positions held by contact count like positions held by supports.
             let bare = Mechanism { held: vec![], ..of.clone() };
             assert_eq!(bare.first_free_piece(&of.held), wanted, "{of:?}");
             assert_eq!(bare.point_held(&of.held), of.held.first().copied());
@@ -322,11 +322,11 @@ mod tests {
         for x in [4.0 - 2.0 * f64::EPSILON, 4.0, 4.0 + 4.0 * f64::EPSILON] {
             let found = Mechanism::of(&beam(&[4.0]).with_support(Support::pinned(x)));
             assert_eq!(groups(&found), [[0, 1], [2, 3]], "{x}");
-            // With a further support at 7, the right piece has two held places; the left piece rotates about
+            // With a further support at 7, the right piece has two held positions; the left piece rotates about
             // the hinge.
             assert_eq!(found.first_free_piece(&[7.0]), Some([0.0, 4.0]), "{x}");
             assert_eq!(found.first_free_piece(&[1.0, 7.0]), None, "{x}");
-            // With a further support at 1, the left piece has two held places. The right piece has one, its
+            // With a further support at 1, the left piece has two held positions. The right piece has one, its
             // hinge.
             assert_eq!(found.first_free_piece(&[1.0]), Some([4.0, 8.0]), "{x}");
         }

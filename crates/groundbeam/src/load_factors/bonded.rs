@@ -208,7 +208,7 @@ mod tests {
         near(pressure(&of, 1, [1.0, 4.0]).size, 73.0 + 3.0 * 0.75 + 2.0);
     }
 
-    /// The two deflections have nodes at different places: p = k w, on Winkler ground, on each part between
+    /// The two deflections have nodes at different positions: p = k w, on Winkler ground, on each part between
     /// two nodes.
     #[test]
     fn two_meshes_are_merged_at_all_of_their_nodes() {

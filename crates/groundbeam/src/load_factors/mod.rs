@@ -182,7 +182,7 @@ mod tests {
 
     #[test]
     fn rigid_footings() {
-        // The kern of a rigid footing on Winkler ground is l/6; on Kikuchi's ground M₀ = (1/2 − 4/27) F l.
+        // A rigid footing lifts off at the moment M = F l/6 on Winkler ground, and at M = (1/2 − 4/27) F l on Kikuchi's ground.
         let footing = |ground| {
             rigid(ground)
                 .with_load(Load::point_force(0.5, 2.0))

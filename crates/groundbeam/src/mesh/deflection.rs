@@ -50,7 +50,7 @@ impl<R: Real> Deflection<'_, R> {
         let cell = &self.mesh.cells[point.cell];
         let [f, d1, d2, _] = jet(self.cell(point.cell), point.s);
         let [settled, sinks] = cell.free_field_at(point.s);
-        // Uses w − g₀: the free field contributes −(μu₀′)′ + ku₀ = q, which is subtracted.
+        // π of w − g₀ − u₀ is π of w − g₀ minus the ground load q, because −(μu₀′)′ + ku₀ = q.
         let psi = f - initial_gap_at(cell, point.s);
         let per_length = 2.0 / cell.length();
         let slope = d1 * per_length - cell.gap_slope;

@@ -152,7 +152,7 @@ impl Profile {
         CellPolynomial { coefficients, ends: [values[0], values[degree]], bounds }
     }
 
-    /// The control values of the part between two places. Each place is given by its weights for both ends.
+    /// The control values of the part between two positions. Each position is given by its weights for both ends.
     fn between(&self, a: [f64; 2], b: [f64; 2]) -> [f64; Self::MOST] {
         let degree = self.count - 1;
         let mut values = [0.0; Self::MOST];
@@ -163,7 +163,7 @@ impl Profile {
         values
     }
 
-    /// De Casteljau's algorithm with a separate place at every level.
+    /// De Casteljau's algorithm with a separate parameter at every level.
     fn blossom(&self, places: &[[f64; 2]; Self::MOST - 1]) -> f64 {
         let mut values = self.values;
         for (level, [left, right]) in places[..self.count - 1].iter().enumerate() {

@@ -42,7 +42,7 @@ pub(crate) struct Coarse {
     pub edges: Vec<[f64; 2]>,
 }
 
-/// Phase A of a beam of few waves: its contact on a coarse mesh. Every interval between two places of the model has at
+/// Phase A of a beam of few waves: its contact on a coarse mesh. Every interval between two required positions has at
 /// least two elements, and `per_wave` elements per 1/(wave number). `None` if the contact does not converge.
 pub(crate) fn coarse(model: &Model, per_wave: f64, cancel: &Cancel) -> Option<Coarse> {
     let axial_force = model.beam.axial_force;
@@ -66,7 +66,7 @@ pub(crate) fn coarse(model: &Model, per_wave: f64, cancel: &Cancel) -> Option<Co
     Some(Coarse { grid, workspace, edges })
 }
 
-/// Maximum number of elements between two places of the model on a coarse mesh, divided by `per_wave`.
+/// Maximum number of elements between two neighbouring loads or supports on a coarse mesh, divided by `per_wave`.
 const MOST_COARSE: f64 = 64.0;
 
 /// Elements per 1/(wave number) on a mesh whose contact edges are the initial guess of the exact method.

@@ -1,6 +1,6 @@
 //! Nodes and elements of the discrete problem, from a model.
 //!
-//! The grid stores runs of equal elements between the places of the model, not single elements. Each element is a run
+//! The grid stores runs of equal elements between the required positions, not single elements. Each element is a run
 //! of its own where EI, k or μ varies, where the beam has shear deformation, and where loads act on the
 //! ground.
 
@@ -263,7 +263,7 @@ pub(crate) struct Grid {
 }
 
 impl Grid {
-    /// A grid of about `elements` equal elements, with a node at every place of the model.
+    /// A grid of about `elements` equal elements, with a node at every required position.
     pub fn new(model: &Model, elements: usize, ground: Ground) -> Self {
         let per_length = elements as f64 / model.beam.length;
         Self::cut(model, ground, |cell| (equal(cell, per_length), 0.0))
@@ -415,7 +415,7 @@ impl Grid {
         if node == run.end() { after } else { run.open(node, run.end()).then(after) }
     }
 
-    /// Loads, supports and hinge at a node; `None` if no place of the model is there.
+    /// Loads, supports and hinge at a node; `None` if no required position is there.
     pub fn place(&self, node: usize) -> Option<&Node> {
         let run = self.run_at(node);
         if self.runs[run].first == node {

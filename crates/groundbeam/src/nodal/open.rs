@@ -44,7 +44,7 @@ pub(crate) fn beam(grid: &Grid, span: &Span, v: &[f64; 4], derivative: bool, int
     });
 }
 
-/// Evaluates a series at many places, with its significant terms only.
+/// Evaluates a series at many positions, with its significant terms only.
 fn values(c: &[f64; TERMS], terms: usize, s: impl Fn(usize) -> f64, into: &mut [f64]) {
     match terms {
         0..=4 => horner::<4>(c, s, into),
@@ -55,7 +55,7 @@ fn values(c: &[f64; TERMS], terms: usize, s: impl Fn(usize) -> f64, into: &mut [
     }
 }
 
-/// Number of places evaluated together. In a single evaluation each addition would have to wait for the one
+/// Number of positions evaluated together. In a single evaluation each addition would have to wait for the one
 /// before.
 const WIDTH: usize = 4;
 

@@ -112,7 +112,7 @@ mod tests {
         // u = w − g₀ in contact: dw/ds = 3s² − 3/16 is half the length times the gap's slope.
         of.cell.gap_slope = (3.0 * 0.25 - 0.1875) / 2.0;
         near(&turning_points(&of, Field::Settlement), &[-0.5, 0.5]);
-        // The gap is zero everywhere, so no place of it is a turning point.
+        // The gap is zero everywhere, so no position of it is a turning point.
         near(&turning_points(&of, Field::Gap), &[]);
         near(&of.candidates(Field::Gap), &[-1.0, 1.0]);
     }
