@@ -81,7 +81,7 @@ mod write;
 pub use band::Band;
 pub use beside::{Beside, OtherFile};
 pub use cases::parse_cases;
-pub use code::{CODES, Code};
+pub use code::{CODES, Code, Page};
 pub use combination::{Combination, LoadCase};
 pub use demand::{Place, Sign};
 pub use diagnostic::{Diagnostic, Diagnostics, Related, Severity};
