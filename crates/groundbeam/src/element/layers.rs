@@ -1,4 +1,4 @@
-//! Boundary layers of an element whose tension dominates bending, (2.11): the wide roots ±r₂ of EI r⁴ − N r² + κ.
+//! Boundary layers of an element whose tension dominates bending: the larger roots ±r₂ of EI r⁴ − N r² + κ.
 //!
 //! EI (D² − r₁²)(D² − r₂²) w = F − G' splits into a slow part, (D² − r₁²) w = −(F − G')/(EI r₂²), a power series, and
 //! the boundary layers cosh(r₂x) and sinh(r₂x). One element can then be as long as the slow wave, for boundary layers of
