@@ -69,6 +69,7 @@ const LIMITS: Page =
 /// A section of the documents.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Page {
+    /// Title of the section.
     pub title: &'static str,
     /// Link from the folder `docs/`.
     pub target: &'static str,
