@@ -129,6 +129,27 @@ fn a_proof_of_the_model_in_the_document_has_its_own_status() {
     assert!(verified.stdout.contains("belongs to another model file"));
 }
 
+/// The second reader knows soil data, bands, rolled sections and sets of combinations: the proof applies to the file, and the
+/// document contains no model.
+#[test]
+fn soil_bands_sections_and_sets_are_proven_for_the_file() {
+    let model = "[beam]\nlength = '9 m'\nmaterial = 'S355'\nsection = { name = 'HEB 300' }\nnu = 0.3\n\
+                 [foundation]\nwidth = '0.3 m'\n[foundation.soil]\nmethod = 'vesic'\nE = '20 MPa'\nnu = 0.3\n\
+                 [foundation.band]\nk = [0.5, 2]\n\
+                 [[load]]\ndistributed = '30 kN/m'\ncase = 'D'\n[[load]]\npoint = '200 kN'\nat = '3 m'\ncase = 'S'\n\
+                 [[case]]\nname = 'D'\naction = 'dead'\n[[case]]\nname = 'S'\naction = 'snow'\n\
+                 [[combination]]\nset = 'ASCE 7-22 LRFD'\n";
+    let folder = Folder::with(model);
+    let done = folder.run(&["solve", "model.toml", "--proven", "--json"]);
+    done.is_clean(0);
+    let document = done.json();
+    let combinations = document["combinations"].as_array().unwrap();
+    assert!(combinations.len() > 12, "{}", combinations.len());
+    assert!(combinations.iter().all(|one| one.get("model").is_none()));
+    folder.write("result.json", done.stdout.as_bytes());
+    folder.run(&["verify", "result.json", "model.toml"]).is_clean(0);
+}
+
 /// A seabed that is 1 mm deeper in the middle.
 const SURVEY: &[u8] = b"x,z\n0,-1.0\n0.5,-1.001\n1,-1.0\n";
 

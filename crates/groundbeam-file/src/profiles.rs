@@ -164,9 +164,10 @@ fn hollow(cells: Vec<&'static str>) -> Option<RolledSection> {
     let [h, b, t] = numbers(&[h, b, t], MM)[..] else { return None };
     let (area, inertia, shear_area);
     if b.is_nan() {
+        // The differences of the squares and of the fourth powers of both diameters, without cancellation.
         let inner = h - 2.0 * t;
-        area = PI * (h * h - inner * inner) / 4.0;
-        inertia = PI * (h.powi(4) - inner.powi(4)) / 64.0;
+        area = PI * t * (h - t);
+        inertia = area * (h * h + inner * inner) / 16.0;
         shear_area = 0.5 * area;
     } else {
         let rounded = |h: f64, b: f64, r: f64| {

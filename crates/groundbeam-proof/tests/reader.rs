@@ -108,10 +108,36 @@ fn unsupported_tables_are_refused_by_name() {
         ("[gap_survey]\nfile = 'a.csv'\n", "gap_survey"),
         ("[[gap_trough]]\nat = 1\n", "gap_trough"),
         ("[[train]]\nset = 'LM71'\n", "train"),
-        ("[foundation.soil]\nmethod = 'vesic'\n", "soil"),
-        ("[foundation.band]\nk = [0.5, 2]\n", "band"),
     ] {
         assert_eq!(reason(&format!("{SMALL}{text}")), Reason::NotRead(key));
+    }
+    let soil = "[foundation]\nwidth = 1\n[foundation.soil]\nmethod = 'modified-vlasov'\n";
+    let text = SMALL.replace("[foundation]\nk = 4\nmu = 5\n", soil);
+    assert_eq!(reason(&text), Reason::NotRead("modified-vlasov"));
+}
+
+/// A band names its grounds; with combinations the name of the combination comes first.
+#[test]
+fn a_band_makes_a_model_of_each_ground() {
+    let band = format!("{SMALL}[foundation.band]\nk = [0.5, 2]\nmu = [0, 1.5]\n");
+    let ground = |text: &str, name: &str| {
+        let ground = read_model::<Wide>(text, Some(name)).unwrap().ground;
+        [ground.spring, ground.shear].map(|number| number.middle())
+    };
+    assert_eq!(ground(&band, "best ground"), [4.0, 5.0]);
+    assert_eq!(ground(&band, "0.5 k, 1.5 mu"), [2.0, 7.5]);
+    let winkler = read_model::<Wide>(&band, Some("2 k, 0 mu")).unwrap().ground;
+    assert_eq!(winkler.shear, Wide::of(0.0));
+    assert!(read_model::<Wide>(&band, Some("2 k")).is_err());
+    let loads = "[[load]]\npoint = 1\nat = 1\ncase = 'G'\n\
+                 [[combination]]\nname = 'G'\nfactors = { G = 3 }\n";
+    let text = format!("{band}{loads}");
+    assert_eq!(ground(&text, "G; 2 k, 1 mu"), [8.0, 5.0]);
+    let missing = read_model::<Wide>(&text, Some("G")).unwrap_err();
+    assert_eq!(missing.reason, Reason::NoCombination("G".into()));
+    for wrong in ["k = [1.5, 2]", "k = [0.5]", "k = [0, 2]", "mu = [0.5, 0.9]", ""] {
+        let text = format!("{SMALL}[foundation.band]\n{wrong}\n");
+        assert!(read(&text).is_err(), "{wrong}");
     }
 }
 

@@ -9,7 +9,8 @@ use super::fields::{
 use super::material::{self, Material};
 use super::place::{covers, left_out, overlapping, stretch};
 use super::product::{Found, Given};
-use super::section::{self, Shape};
+use super::section;
+use super::shapes::Shape;
 use super::shear::{self, Shear};
 use super::unit::Exact;
 use crate::{Action, Beam, BeamSegment, Extent, Load, Scalar};

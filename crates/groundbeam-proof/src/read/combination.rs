@@ -1,6 +1,7 @@
 //! Reads `[[combination]]`: factors of load cases, given in the file or by a set of combinations of a code of
 //! practice.
 
+use super::band::Factored;
 use super::case::Cased;
 use super::error::{Read, Reason, fault, out_of_range, wrong};
 use super::fields::Section;
@@ -10,7 +11,7 @@ use super::toml::Value;
 use crate::{Extent, Load, Scalar};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Maximum number of combinations of a file.
+/// Maximum number of combinations that sets may make, on all grounds together.
 const MOST: usize = 1000;
 
 /// A combination: its name, and the decimal factor of each load case in it.
@@ -19,27 +20,60 @@ struct Recipe {
     factors: BTreeMap<String, String>,
 }
 
-/// The loads of a combination, without loads that have the factor 0. Without a combination: all loads with
-/// the values of the file.
-pub(crate) fn loads<S: Scalar>(
+/// The loads of a combination, without loads that have the factor 0, and its ground if the file has a band. Without a
+/// combination: all loads with the values of the file.
+pub(crate) fn select<'g, S: Scalar>(
     root: Section,
     loads: Vec<Cased<S>>,
+    grounds: &'g [Factored<S>],
     combination: Option<&str>,
-) -> Read<Vec<Load<S>>> {
-    let Some(wanted) = combination else {
-        return Ok(loads.into_iter().map(|cased| cased.load).collect());
-    };
+) -> Read<(Vec<Load<S>>, Option<&'g Factored<S>>)> {
+    let all = |loads: Vec<Cased<S>>| loads.into_iter().map(|cased| cased.load).collect();
+    let Some(wanted) = combination else { return Ok((all(loads), None)) };
     let mut seen = BTreeSet::new();
     let mut names: Vec<&str> = loads.iter().filter_map(|cased| cased.case.as_deref()).collect();
     names.retain(|case| seen.insert(*case));
-    let mut same = recipes(root, &names)?.into_iter().filter(|recipe| recipe.name == wanted.trim());
-    let (recipe, again) = (same.next(), same.next());
-    let Some(recipe) = recipe else {
+    let recipes = recipes(root, &names, MOST / grounds.len().max(1))?;
+    let mut found = places(&recipes, grounds).filter(|(name, ..)| name == wanted.trim());
+    let (found, again) = (found.next(), found.next());
+    let Some((name, recipe, ground)) = found else {
         return fault(root.at, Reason::NoCombination(wanted.to_owned()));
     };
     if again.is_some() {
-        return fault(root.at, Reason::Twice(recipe.name));
+        return fault(root.at, Reason::Twice(name));
     }
+    match recipe {
+        Some(recipe) => Ok((factored(loads, recipe)?, ground)),
+        None => Ok((all(loads), ground)),
+    }
+}
+
+/// A combination on a ground: its name, its factors unless all loads act, and the ground if the file has a band.
+type Place<'r, 'g, S> = (String, Option<&'r Recipe>, Option<&'g Factored<S>>);
+
+/// Every combination of the file on every ground.
+fn places<'r, 'g, S: Scalar>(
+    recipes: &'r [Recipe],
+    grounds: &'g [Factored<S>],
+) -> impl Iterator<Item = Place<'r, 'g, S>> {
+    let alone = (recipes.is_empty() && !grounds.is_empty()).then_some(None);
+    let combinations = alone.into_iter().chain(recipes.iter().map(Some));
+    let on = |recipe: Option<&'r Recipe>| {
+        let bare = recipe.filter(|_| grounds.is_empty()).map(|one| (one.name.clone(), None));
+        let each = grounds.iter().map(move |ground| {
+            let name = recipe.map_or_else(
+                || ground.name.clone(),
+                |recipe| format!("{}; {}", recipe.name, ground.name),
+            );
+            (name, Some(ground))
+        });
+        bare.into_iter().chain(each).map(move |(name, ground)| (name, recipe, ground))
+    };
+    combinations.flat_map(on)
+}
+
+/// The loads with the factors of their cases.
+fn factored<S: Scalar>(loads: Vec<Cased<S>>, recipe: &Recipe) -> Read<Vec<Load<S>>> {
     let mut combined = Vec::new();
     for Cased { load, case, at } in loads {
         let Some(case) = case else {
@@ -69,7 +103,7 @@ fn scaled<S: Scalar>(load: Load<S>, factor: S) -> Load<S> {
 }
 
 /// Every combination of the file.
-fn recipes(root: Section, names: &[&str]) -> Read<Vec<Recipe>> {
+fn recipes(root: Section, names: &[&str], most: usize) -> Read<Vec<Recipe>> {
     let known: BTreeSet<&str> = names.iter().copied().collect();
     let mut recipes = Vec::new();
     for table in root.tables("combination")? {
@@ -77,11 +111,8 @@ fn recipes(root: Section, names: &[&str]) -> Read<Vec<Recipe>> {
         table.exclusive("set", "factors")?;
         table.exclusive("set", "name")?;
         if let Some((set, at)) = table.words("set")? {
-            if !sets::is_known(set.trim()) {
-                return fault(at, Reason::NotRead("set"));
-            }
             let acting = acting(root, names, at)?;
-            let made = sets::expand(set.trim(), &acting, MOST.saturating_sub(recipes.len()));
+            let made = sets::expand(set.trim(), &acting, most.saturating_sub(recipes.len()));
             match made {
                 Ok(made) => recipes.extend(made.into_iter().map(|made| {
                     let factor = |(case, factor): (usize, String)| (names[case].to_owned(), factor);
@@ -105,9 +136,6 @@ fn recipes(root: Section, names: &[&str]) -> Read<Vec<Recipe>> {
             written.insert(case.to_owned(), factor.clone());
         }
         recipes.push(Recipe { name: name.trim().to_owned(), factors: written });
-        if recipes.len() > MOST {
-            return wrong(table.at, "a file has at most 1000 combinations");
-        }
     }
     Ok(recipes)
 }

@@ -64,6 +64,7 @@ pub(crate) const CURVATURE: Kind = any(Dimension::of(0, -1).with_angle(1));
 pub(crate) const TEMPERATURE: Kind = any(Dimension::NONE.with_temperature(1));
 pub(crate) const EXPANSION: Kind = positive(Dimension::NONE.with_temperature(-1));
 pub(crate) const NUMBER: Kind = any(Dimension::NONE);
+pub(crate) const POSITIVE_NUMBER: Kind = positive(Dimension::NONE);
 
 /// A quantity in m, N, rad, K, and its text in the file.
 #[derive(Debug, Clone, PartialEq)]

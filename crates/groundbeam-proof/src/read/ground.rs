@@ -7,20 +7,32 @@ use super::fields::{
 };
 use super::place::{covers, is_left, left_out, ordered, overlapping};
 use super::product::{Found, Given};
-use crate::{Course, Ground, GroundEnd, GroundSegment, Scalar};
+use super::soil::{self, Bearing};
+use crate::{Beam, Course, Ground, GroundEnd, GroundSegment, Scalar};
 
 const KEYS: &[&str] =
     &["k", "subgrade_modulus", "C1", "width", "mu", "C2", "segment", "left", "right"];
 const SEGMENT_KEYS: &[&str] = &["from", "to", "k", "subgrade_modulus", "C1", "width", "mu", "C2"];
-/// Keys that this reader does not support. `soil` needs correlations or the solution, and `band` describes
-/// several grounds.
-const FOREIGN: &[&str] = &["soil", "band"];
 const NAMES: [&str; 3] = ["k", "subgrade_modulus", "width"];
 const CURVE: Values = Values::Curve(3);
 
-pub(crate) fn read<S: Scalar>(fields: &mut Fields, root: Section, length: S) -> Read<Ground<S>> {
+pub(crate) fn read<S: Scalar>(
+    fields: &mut Fields,
+    root: Section,
+    beam: &Beam<S>,
+) -> Read<Ground<S>> {
     let Some(table) = root.table("foundation")? else { return root.missing("foundation") };
-    table.only(&[KEYS], FOREIGN)?;
+    if let Some(soil) = table.table("soil")? {
+        table.only(&[&["width", "soil", "band"]], &[])?;
+        let width = fields.required(table, "width", LENGTH)?.value;
+        let Beam { length, bending_stiffness, .. } = *beam;
+        let bearing = Bearing { width, length, bending_stiffness };
+        let [spring, shear] = soil::read(fields, soil, &bearing)?;
+        let ends = [GroundEnd::Endless; 2];
+        return Ok(Ground { spring, shear, segments: Vec::new(), ends });
+    }
+    table.only(&[KEYS, &["band"]], &[])?;
+    let length = beam.length;
     let left = end(fields, table, "left", |at| S::zero() - at)?;
     let right = end(fields, table, "right", |at| at - length)?;
     let given = given(fields, table)?;

@@ -1,16 +1,20 @@
 //! The second reader of model files: TOML, units and sections read into exact numbers or balls.
 //!
-//! It shares no code with the crate that reads model files for the solver. It accepts fewer files. It refuses
-//! four kinds of data with [`Reason::NotRead`]. Soil data and troughs need approximations or the solution,
-//! surveys are other files, and bands and trains describe several models. Reading ends at the first fault.
-//! `title` and `[checks]` do not change the model and are not read.
+//! It shares no code with the crate that reads model files for the solver. The tables of rolled sections are the only data
+//! that both read. It refuses four kinds of data with [`Reason::NotRead`]. Modified Vlasov soil needs the solution, troughs an
+//! approximation, surveys are other files, and the positions of a train are not models of the file. Reading ends at the first
+//! fault. `title`, `[checks]` and limit states do not change the model and are not read.
 
+mod asce;
+mod band;
 mod beam;
 mod case;
 mod check;
+mod codes;
 mod combination;
 mod course;
 mod error;
+mod eurocode;
 mod feet;
 mod fields;
 mod ground;
@@ -19,9 +23,12 @@ mod material;
 mod number;
 mod place;
 mod product;
+mod rolled;
 mod section;
 mod sets;
+mod shapes;
 mod shear;
+mod soil;
 mod support;
 mod symbols;
 mod text;
@@ -81,7 +88,8 @@ fn read<S: Scalar>(text: &str, combination: Option<&str>) -> Read<Model<S>> {
     let mut fields = Fields::default();
     let beam::ReadBeam { beam, loads: own, depths, expansion } = beam::read(&mut fields, root)?;
     let length = beam.length;
-    let ground = ground::read(&mut fields, root, length)?;
+    let ground = ground::read(&mut fields, root, &beam)?;
+    let grounds = band::read(&mut fields, root, &ground)?;
     let curls = load::Curls { depths: &depths, expansion };
     let mut loads = load::read(&mut fields, root, length, &curls)?;
     loads.extend(own);
@@ -89,7 +97,8 @@ fn read<S: Scalar>(text: &str, combination: Option<&str>) -> Read<Model<S>> {
     let supports = support::supports(&mut fields, root, length)?;
     let hinges = support::hinges(&mut fields, root, length)?;
     let gap = support::gap(&mut fields, root, length)?;
-    let loads = combination::loads(root, loads, combination)?;
+    let (loads, on) = combination::select(root, loads, &grounds, combination)?;
+    let ground = on.map_or_else(|| ground.clone(), |on| on.applied(ground.clone()));
     let model = Model { beam, ground, loads, supports, hinges, gap };
     check::check(&model)?;
     Ok(model)

@@ -1,61 +1,16 @@
-//! Cross sections: area, second moment of area and shear area, as polynomials of the dimensions.
-//!
-//! The shear area is the area divided by the form factor of Roark's Formulas, 8th ed., 8.10: 5/6 of the area
-//! of a rectangle, 9/10 of that of a circle, and half of that of a tube. For a box, an I or a T it is the
-//! area of the webs between the flanges.
+//! Reads `section = { … }`: a shape with its sides, a rolled section or a rail.
 
-use super::course::{plus, scaled, times};
-use super::error::{Read, Reason, fault, wrong};
+use super::error::{Read, wrong};
 use super::fields::{Along, Fields, LENGTH, Section, Values};
-use super::unit::pi;
+use super::rolled;
+use super::shapes::{Shape, boxed, circle, filled, i_shape, rectangle, t_shape, tube};
 use crate::{Course, Scalar};
-
-/// Area, second moment, shear area and depth of a cross section.
-#[derive(Debug, Clone)]
-pub(crate) struct Shape<S> {
-    pub area: Along<S>,
-    pub second_moment: Along<S>,
-    pub shear_area: Option<Along<S>>,
-    /// From the lower to the upper face.
-    pub depth: Option<Along<S>>,
-}
-
-/// Rolled rails: names, area and second moment about the horizontal axis. 60E1, 60E2 and 54E1 are from EN 13674-1,
-/// annex A, UIC60 and UIC54 from UIC 860 V, those with RE from AREMA's Manual, chapter 4, AS50 and AS60 from AS 1085.1.
-const RAILS: [(&[&str], &str, &str); 11] = [
-    (&["60E1"], "76.70 cm^2", "3038.3 cm^4"),
-    (&["60E2"], "76.48 cm^2", "3021.5 cm^4"),
-    (&["54E1"], "69.77 cm^2", "2337.9 cm^4"),
-    (&["UIC60"], "76.86 cm^2", "3055 cm^4"),
-    (&["UIC54"], "69.34 cm^2", "2346 cm^4"),
-    (&["115RE"], "11.2171 in^2", "65.5 in^4"),
-    (&["119RE"], "11.6378 in^2", "71.4 in^4"),
-    (&["132RE"], "12.9124 in^2", "87.9 in^4"),
-    (&["136RE"], "13.32 in^2", "94.9 in^4"),
-    (&["AS50"], "64.51 cm^2", "2010 cm^4"),
-    (&["AS60"], "77.25 cm^2", "2930 cm^4"),
-];
-
-impl<S: Scalar> Shape<S> {
-    /// The section on a part of the length.
-    pub fn between(&self, way: [S; 2]) -> Self {
-        Shape {
-            area: self.area.between(way),
-            second_moment: self.second_moment.between(way),
-            shear_area: self.shear_area.as_ref().map(|along| along.between(way)),
-            depth: self.depth.as_ref().map(|along| along.between(way)),
-        }
-    }
-}
 
 /// The cross section of a table.
 pub(crate) fn read<S: Scalar>(fields: &mut Fields, parent: Section) -> Read<Option<Shape<S>>> {
     let Some(section) = parent.table("section")? else { return Ok(None) };
-    if section.table.get("rail").is_some() {
-        return rail(fields, section).map(Some);
-    }
-    if let Some(node) = section.table.get("name") {
-        return fault(node.at, Reason::NotRead("name"));
+    if let Some(shape) = rolled::read(fields, section)? {
+        return Ok(Some(shape));
     }
     let (shape, at) = section.words("shape")?.unwrap_or(("rectangle", section.at));
     let keys: &[&'static str] = match shape {
@@ -82,7 +37,7 @@ pub(crate) fn read<S: Scalar>(fields: &mut Fields, parent: Section) -> Read<Opti
         ("rectangle", [b, h]) => Ok(rectangle(b, h)),
         ("circle", [d]) => circle(d),
         ("tube", [d, wall]) => tube(d, wall),
-        ("box", [b, h, wall]) => hollow(b, h, wall),
+        ("box", [b, h, wall]) => boxed(b, h, wall),
         ("I", [b, h, flange, web]) => i_shape(b, h, flange, web).and_then(|sharp| match &fillet {
             None => Ok(sharp),
             Some(radius) => filled(sharp, [b, h, flange, web], &radius.course),
@@ -99,218 +54,4 @@ pub(crate) fn read<S: Scalar>(fields: &mut Fields, parent: Section) -> Read<Opti
     let depth = keys.iter().position(|key| ["height", "diameter"].contains(key));
     let depth = depth.and_then(|i| sides.get(i)).cloned();
     Ok(Some(Shape { area, second_moment, shear_area: Some(shear_area), depth }))
-}
-
-fn rail<S: Scalar>(fields: &mut Fields, section: Section) -> Read<Shape<S>> {
-    section.only(&[&["rail"]], &[])?;
-    let Some((name, at)) = section.words("rail")? else { return section.missing("rail") };
-    let plain = name.to_uppercase().replace([' ', '-'], "");
-    let Some((_, area, moment)) = RAILS.iter().find(|(names, ..)| names.contains(&plain.as_str()))
-    else {
-        return wrong(at, format!("the rail `{name}` is not known"));
-    };
-    // The listed numbers of the section have units.
-    fields.note(at, true)?;
-    let of = |text, kind| {
-        let quantity = super::fields::listed::<S>(text, kind)?;
-        Ok(Along::constant(quantity.value, at))
-    };
-    let area = of(area, super::fields::AREA)?;
-    let second_moment = of(moment, super::fields::SECOND_MOMENT)?;
-    Ok(Shape { area, second_moment, shear_area: None, depth: None })
-}
-
-type Measures<S> = Result<[Course<S>; 3], &'static str>;
-
-/// n/d.
-fn part<S: Scalar>(n: f64, d: f64) -> S {
-    S::of(n).div(S::of(d))
-}
-
-fn by<S: Scalar>(course: &Course<S>, n: f64, d: f64) -> Course<S> {
-    scaled(course, part(n, d))
-}
-
-fn less<S: Scalar>(a: &Course<S>, b: &Course<S>) -> Course<S> {
-    plus(a, &scaled(b, S::of(-1.0)))
-}
-
-/// a − times·b for dimensions a and b that are linear along the stretch. The result must be positive at both
-/// ends.
-fn inside<S: Scalar>(a: &Course<S>, b: &Course<S>, times: f64) -> Result<Course<S>, &'static str> {
-    let rest = less(a, &scaled(b, S::of(times)));
-    let is_possible = super::course::values(&rest).iter().all(|value| value.low() > 0.0);
-    is_possible
-        .then_some(rest)
-        .ok_or("a wall, flange or web is too thick for the dimensions of the section")
-}
-
-fn cube<S: Scalar>(a: &Course<S>) -> Course<S> {
-    times(&times(a, a), a)
-}
-
-fn rectangle<S: Scalar>(b: &Course<S>, h: &Course<S>) -> [Course<S>; 3] {
-    let area = times(b, h);
-    let second_moment = by(&times(b, &cube(h)), 1.0, 12.0);
-    let shear = by(&area, 5.0, 6.0);
-    [area, second_moment, shear]
-}
-
-fn circle<S: Scalar>(d: &Course<S>) -> Measures<S> {
-    let square = times(d, d);
-    let pi = pi::<S>().ok_or("π is out of range")?;
-    let area = scaled(&square, pi * part(1.0, 4.0));
-    let second_moment = scaled(&times(&square, &square), pi * part(1.0, 64.0));
-    let shear = by(&area, 9.0, 10.0);
-    Ok([area, second_moment, shear])
-}
-
-/// A = π t (d − t), I = π (d⁴ − (d − 2t)⁴)/64.
-fn tube<S: Scalar>(d: &Course<S>, t: &Course<S>) -> Measures<S> {
-    let inner = inside(d, t, 2.0)?;
-    let pi = pi::<S>().ok_or("π is out of range")?;
-    let area = scaled(&times(t, &less(d, t)), pi);
-    let fourth = |d: &Course<S>| times(&times(d, d), &times(d, d));
-    let second_moment = scaled(&less(&fourth(d), &fourth(&inner)), pi * part(1.0, 64.0));
-    let shear = by(&area, 1.0, 2.0);
-    Ok([area, second_moment, shear])
-}
-
-/// A = 2t (b + h − 2t), I = (b h³ − (b − 2t)(h − 2t)³)/12, webs 2t (h − 2t).
-fn hollow<S: Scalar>(b: &Course<S>, h: &Course<S>, t: &Course<S>) -> Measures<S> {
-    let (width, height) = (inside(b, t, 2.0)?, inside(h, t, 2.0)?);
-    let two = scaled(t, S::of(2.0));
-    let area = times(&two, &plus(b, &height));
-    let second_moment = less(&times(b, &cube(h)), &times(&width, &cube(&height)));
-    let shear = times(&two, &height);
-    Ok([area, by(&second_moment, 1.0, 12.0), shear])
-}
-
-/// A = 2bf + w(h − 2f), I = (b h³ − (b − w)(h − 2f)³)/12, web w(h − 2f).
-fn i_shape<S: Scalar>(
-    b: &Course<S>,
-    h: &Course<S>,
-    flange: &Course<S>,
-    web: &Course<S>,
-) -> Measures<S> {
-    let height = inside(h, flange, 2.0)?;
-    let beside = inside(b, web, 1.0)?;
-    let shear = times(web, &height);
-    let area = plus(&scaled(&times(b, flange), S::of(2.0)), &shear);
-    let second_moment = less(&times(b, &cube(h)), &times(&beside, &cube(&height)));
-    Ok([area, by(&second_moment, 1.0, 12.0), shear])
-}
-
-/// An I with a radius r in its four corners. A corner is a square minus a quarter of a disc. It has the area
-/// (1 − π/4) r², and the first and second moments (5/6 − π/4) r³ and (1 − 5π/16) r⁴ about the face of its
-/// flange. The face is at the distance H = h/2 − f from the axis.
-fn filled<S: Scalar>(
-    [area, second_moment, shear]: [Course<S>; 3],
-    [b, h, flange, web]: [&Course<S>; 4],
-    radius: &Course<S>,
-) -> Measures<S> {
-    let height = inside(h, flange, 2.0)?;
-    inside(&height, radius, 2.0)?;
-    inside(&inside(b, web, 1.0)?, radius, 2.0)?;
-    let pi = pi::<S>().ok_or("π is out of range")?;
-    let less_pi = |n: f64, d: f64, times: f64, of: f64| part::<S>(n, d) - pi * part(times, of);
-    let square = times(radius, radius);
-    let face = by(&height, 1.0, 2.0);
-    let corners = scaled(&square, S::of(4.0) * less_pi(1.0, 1.0, 1.0, 4.0));
-    let steiner = times(&corners, &times(&face, &face));
-    let first = times(&face, &times(&square, radius));
-    let first = scaled(&first, S::of(8.0) * less_pi(5.0, 6.0, 1.0, 4.0));
-    let own = scaled(&times(&square, &square), S::of(4.0) * less_pi(1.0, 1.0, 5.0, 16.0));
-    let second_moment = plus(&second_moment, &plus(&less(&steiner, &first), &own));
-    Ok([plus(&area, &corners), second_moment, shear])
-}
-
-/// About the centroid of flange and stem, whose centres are h/2 apart: I = (b f³ + w s³)/12 + A₁A₂/(A₁ + A₂) h²/4, s = h −
-/// f.
-fn t_shape<S: Scalar>(
-    b: &Course<S>,
-    h: &Course<S>,
-    flange: &Course<S>,
-    web: &Course<S>,
-) -> Measures<S> {
-    let stem = inside(h, flange, 1.0)?;
-    inside(b, web, 1.0)?;
-    let (plate, leg) = (times(b, flange), times(web, &stem));
-    let area = plus(&plate, &leg);
-    let own = by(&plus(&times(b, &cube(flange)), &times(web, &cube(&stem))), 1.0, 12.0);
-    let [whole, _] = super::course::ends(&area);
-    let apart = times(&times(&plate, &leg), &times(h, h));
-    let steiner = scaled(&apart, S::one().div(S::of(4.0) * whole));
-    Ok([area, plus(&own, &steiner), leg])
-}
-
-#[cfg(test)]
-mod tests {
-    use super::super::course::ends;
-    use super::*;
-
-    /// Sums of area and of y² over thin strips, about their centroid.
-    fn strips(width: impl Fn(f64) -> f64, height: f64) -> [f64; 2] {
-        let n = 200_000;
-        let step = height / f64::from(n);
-        let mut sums = [0.0; 3];
-        for i in 0..n {
-            let y = (f64::from(i) + 0.5) * step;
-            let a = width(y) * step;
-            sums[0] += a;
-            sums[1] += a * y;
-            sums[2] += a * y * y;
-        }
-        [sums[0], sums[2] - sums[1] * sums[1] / sums[0]]
-    }
-
-    #[test]
-    fn sections_agree_with_sums_over_thin_strips() {
-        let c = |x: f64| Course::Constant(x);
-        let is = |measures: Measures<f64>, by: [f64; 2], shear: f64| {
-            let found = measures.unwrap().map(|course| ends(&course)[0]);
-            for (found, by) in found.iter().zip([by[0], by[1], shear]) {
-                assert!((found / by - 1.0).abs() < 1e-5, "{found} {by}");
-            }
-        };
-        is(Ok(rectangle(&c(2.0), &c(1.0))), strips(|_| 2.0, 1.0), 5.0 / 3.0);
-        let chord = |d: f64, y: f64| 2.0 * (0.25 * d * d - y * y).max(0.0).sqrt();
-        let disc = strips(|y| chord(0.5, y - 0.25), 0.5);
-        is(circle(&c(0.5)), disc, 0.9 * disc[0]);
-        let ring = strips(|y| chord(0.5, y - 0.25) - chord(0.4, y - 0.25), 0.5);
-        is(tube(&c(0.5), &c(0.05)), ring, 0.5 * ring[0]);
-        let wall = |y: f64| if !(0.2..=0.8).contains(&y) { 2.0 } else { 0.4 };
-        is(hollow(&c(2.0), &c(1.0), &c(0.2)), strips(wall, 1.0), 0.24);
-        let i = |y: f64| if !(0.25..=0.75).contains(&y) { 2.0 } else { 0.1 };
-        is(i_shape(&c(2.0), &c(1.0), &c(0.25), &c(0.1)), strips(i, 1.0), 0.05);
-        // Fillets of 0.2 between web and flanges.
-        let web = |y: f64| {
-            let above = 0.2 - (y - 0.25).min(0.75 - y).min(0.2);
-            0.1 + 2.0 * (0.2 - (0.04 - above * above).sqrt())
-        };
-        let rounded = |y: f64| if !(0.25..=0.75).contains(&y) { 2.0 } else { web(y) };
-        let sides = [&c(2.0), &c(1.0), &c(0.25), &c(0.1)];
-        let sharp = i_shape(sides[0], sides[1], sides[2], sides[3]).unwrap();
-        is(filled(sharp.clone(), sides, &c(0.2)), strips(rounded, 1.0), 0.05);
-        assert!(filled(sharp, sides, &c(0.25)).is_err());
-        let t = |y: f64| if y < 0.25 { 2.0 } else { 0.5 };
-        is(t_shape(&c(2.0), &c(1.0), &c(0.25), &c(0.5)), strips(t, 1.0), 0.375);
-    }
-
-    #[test]
-    fn one_linear_dimension_makes_a_linear_area() {
-        let (a, b) = (Course::Varying(vec![2.0, 1.0]), Course::Constant(0.1));
-        let linear = |measures: Measures<f64>| {
-            let [area, second_moment, _] = measures.unwrap();
-            let count = |course: &Course<f64>| super::super::course::values(course).len();
-            (count(&area), count(&second_moment))
-        };
-        assert_eq!(linear(tube(&a, &b)), (2, 5));
-        assert_eq!(linear(hollow(&b.clone(), &a, &Course::Constant(0.01))), (2, 4));
-        assert_eq!(
-            linear(i_shape(&b, &a, &Course::Constant(0.02), &Course::Constant(0.01))),
-            (2, 4)
-        );
-        assert!(tube(&b, &Course::Constant(0.05)).is_err());
-    }
 }

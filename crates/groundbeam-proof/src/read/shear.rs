@@ -5,7 +5,7 @@ use super::fields::{
     AREA, Along, Fields, MODULUS, NUMBER, Quantity, SHEAR_STIFFNESS, Section, Values,
 };
 use super::product::{Found, Given};
-use super::section::Shape;
+use super::shapes::Shape;
 use crate::Scalar;
 
 /// The keys, in `[beam]` and in its segments.

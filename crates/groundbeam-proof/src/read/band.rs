@@ -1,0 +1,113 @@
+//! Reads `[foundation.band]`: factors on k and μ, and the names of the grounds that they make.
+
+use super::error::{Read, wrong};
+use super::fields::{Fields, NUMBER, Quantity, Section};
+use super::toml::{Node, Value};
+use crate::{Course, Ground, Scalar};
+
+/// A ground of a band: its name, and the factors on k and μ.
+#[derive(Debug, Clone)]
+pub(crate) struct Factored<S> {
+    pub name: String,
+    factors: [S; 2],
+}
+
+/// A factor as a number and as a double, which names the ground.
+type Step<S> = (S, f64);
+
+/// The grounds of a band: the best one, then each pair of low, best and high factors. Empty if the file has no band.
+pub(crate) fn read<S: Scalar>(
+    fields: &mut Fields,
+    root: Section,
+    ground: &Ground<S>,
+) -> Read<Vec<Factored<S>>> {
+    let Some(foundation) = root.table("foundation")? else { return Ok(Vec::new()) };
+    let Some(table) = foundation.table("band")? else { return Ok(Vec::new()) };
+    table.only(&[&["k", "mu"]], &[])?;
+    let [k, mu] = ["k", "mu"].map(|key| table.table.get(key));
+    if k.is_none() && mu.is_none() {
+        return table.missing("k");
+    }
+    let is_layer = |mu: &S| mu.middle() != 0.0;
+    let mut layers = ground.segments.iter().flat_map(|s| super::course::values(&s.shear));
+    let shears = is_layer(&ground.shear) || layers.any(is_layer);
+    if let (Some(mu), false) = (mu, shears) {
+        return wrong(mu.at, "a band of `mu` on ground without a shear layer");
+    }
+    let [k, mu] = [factors(fields, k, "k")?, factors(fields, mu, "mu")?];
+    let changes = [&k, &mu].map(|steps: &[Step<S>; 3]| (steps[0].1, steps[2].1) != (1.0, 1.0));
+    let best = ("best ground".to_owned(), [k[1].0, mu[1].0]);
+    let mut grounds: Vec<([f64; 2], Factored<S>)> = Vec::new();
+    let (name, factors) = best;
+    grounds.push(([1.0; 2], Factored { name, factors }));
+    for spring in &k {
+        for shear in &mu {
+            let doubles = [spring.1, shear.1];
+            if grounds.iter().any(|(known, _)| *known == doubles) {
+                continue;
+            }
+            let parts = [(changes[0], spring.1, "k"), (changes[1], shear.1, "mu")];
+            let parts = parts.into_iter().filter(|(changes, ..)| *changes);
+            let parts: Vec<String> = parts.map(|(_, f, key)| format!("{f} {key}")).collect();
+            let factored = Factored { name: parts.join(", "), factors: [spring.0, shear.0] };
+            grounds.push((doubles, factored));
+        }
+    }
+    Ok(grounds.into_iter().map(|(_, factored)| factored).collect())
+}
+
+/// The low, the best and the high factor.
+fn factors<S: Scalar>(
+    fields: &mut Fields,
+    node: Option<&Node>,
+    key: &'static str,
+) -> Read<[Step<S>; 3]> {
+    let best = (S::one(), 1.0);
+    let Some(node) = node else { return Ok([best; 3]) };
+    let Value::List(list) = &node.value else {
+        return wrong(node.at, format!("the band of `{key}` is a list of two factors"));
+    };
+    let [low, high] = &list[..] else {
+        return wrong(node.at, format!("the band of `{key}` is a list of two factors"));
+    };
+    let [low, high] = [step(fields, low, key)?, step(fields, high, key)?];
+    let least = if key == "mu" { low.1 >= 0.0 } else { low.1 > 0.0 };
+    if !(least && low.1 <= 1.0 && high.1 >= 1.0) {
+        return wrong(node.at, format!("the band of `{key}` must include the factor 1"));
+    }
+    Ok([low, best, high])
+}
+
+fn step<S: Scalar>(fields: &mut Fields, node: &Node, key: &str) -> Read<Step<S>> {
+    let Quantity { value, exact, .. } = fields.one::<S>(node, key, NUMBER)?;
+    // The nearest double, with the digits that the name of the ground has.
+    Ok((value, exact.value::<f64>().unwrap_or(f64::NAN)))
+}
+
+impl<S: Scalar> Factored<S> {
+    /// k and μ multiplied everywhere.
+    pub fn applied(&self, ground: Ground<S>) -> Ground<S> {
+        let [spring, shear] = self.factors;
+        let mut segments = ground.segments;
+        for segment in &mut segments {
+            segment.spring = along(&segment.spring, spring);
+            segment.shear = along(&segment.shear, shear);
+        }
+        let [spring, shear] = [times(ground.spring, spring), times(ground.shear, shear)];
+        Ground { spring, shear, segments, ..ground }
+    }
+}
+
+/// The product; exactly 0 if a factor is exactly 0, so that ground without a shear layer has none.
+fn times<S: Scalar>(value: S, factor: S) -> S {
+    if value.size() == 0.0 || factor.size() == 0.0 { S::zero() } else { value * factor }
+}
+
+fn along<S: Scalar>(course: &Course<S>, factor: S) -> Course<S> {
+    match course {
+        Course::Constant(value) => Course::Constant(times(*value, factor)),
+        Course::Varying(values) => {
+            Course::Varying(values.iter().map(|value| times(*value, factor)).collect())
+        }
+    }
+}

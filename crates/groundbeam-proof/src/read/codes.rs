@@ -1,0 +1,78 @@
+//! The parts of a code of practice: actions with γ and ψ, and the expressions of its sets of combinations.
+
+/// A factor in millionths, so that the product of two decimals with three places is an integer.
+pub(crate) type Micro = i64;
+pub(crate) const UNIT: Micro = 1_000_000;
+
+/// A code: its actions and its sets of combinations.
+pub(crate) struct Code {
+    pub actions: &'static [Action],
+    pub sets: &'static [Set],
+}
+
+/// Partial factors by the letter of their table: the unfavourable factor, then the favourable one if it differs.
+pub(crate) type Gammas = &'static [(&'static str, &'static [Micro])];
+
+/// A kind of action.
+pub(crate) struct Action {
+    pub name: &'static str,
+    /// ψ₀, ψ₁, ψ₂ of a variable action.
+    pub psi: Option<[Micro; 3]>,
+    pub gammas: Gammas,
+    pub is_permanent: bool,
+}
+
+/// A set: its names and its expressions.
+pub(crate) struct Set {
+    pub names: &'static [&'static str],
+    pub formulas: &'static [Formula],
+}
+
+/// Actions that may be present, each with its factor. At most one action of a list is present at a time.
+pub(crate) type Term = &'static [(&'static str, Micro)];
+
+/// The index of a ψ; `None` for the factor 1.
+pub(crate) type Psi = Option<usize>;
+
+/// An expression of a code: the actions and factors of its combinations.
+pub(crate) struct Formula {
+    pub label: &'static str,
+    /// Actions that always act, each with the factors to be tried, in place of those of a permanent action.
+    pub always: &'static [(&'static str, &'static [Micro])],
+    pub terms: &'static [Term],
+    /// Whether an action of the first term must act.
+    pub needs_first: bool,
+    /// The letter of the partial factors; without it they are 1.
+    pub letter: Option<&'static str>,
+    /// ξ, by which the unfavourable factors of permanent actions are multiplied.
+    pub xi: Micro,
+    /// The ψ of the leading action, if one action leads.
+    pub leading: Option<Psi>,
+    /// The ψ of the accompanying actions.
+    pub accompanying: Option<Psi>,
+    /// Whether permanent cases from the same source may have different factors, as in the limit state EQU.
+    pub by_parts: bool,
+}
+
+/// A factor given in thousandths.
+pub(crate) const fn m(thousandths: Micro) -> Micro {
+    thousandths * 1000
+}
+
+/// An action without ψ that is not always present, or that the expressions name.
+pub(crate) const fn other(name: &'static str) -> Action {
+    Action { name, psi: None, gammas: &[], is_permanent: false }
+}
+
+/// An expression without actions and without factors.
+pub(crate) const PLAIN: Formula = Formula {
+    label: "",
+    always: &[],
+    terms: &[],
+    needs_first: false,
+    letter: None,
+    xi: UNIT,
+    leading: None,
+    accompanying: None,
+    by_parts: false,
+};
