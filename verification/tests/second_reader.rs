@@ -82,6 +82,11 @@ fn both_readers_agree_on_every_model_file_but_the_listed_ones() {
     let refused: Vec<(&str, &str)> =
         refused.iter().map(|(name, key)| (name.as_str(), *key)).collect();
     assert_eq!(refused, REFUSED);
+    let page = include_str!("../../docs/file-format.md");
+    let (_, section) = page.split_once("## The second reader").expect("its section");
+    for (_, key) in REFUSED {
+        assert!(section.contains(key), "docs/file-format.md does not list {key}");
+    }
     assert!(read >= 117, "{read}");
 }
 

@@ -32,8 +32,8 @@ pub enum Reason {
     Value(String),
     /// A number of the model that is outside the range of the computation.
     OutOfRange(String),
-    /// A key that this reader does not support, because with it the model does not follow from the file alone
-    /// in closed form.
+    /// A key or a method that this reader does not support, because with it the model does not follow from the
+    /// file alone in closed form.
     NotRead(&'static str),
     /// The file has no combination with the requested name.
     NoCombination(String),
