@@ -1,11 +1,11 @@
 //! Checks that the second reader of model files gives the same model as the first reader, or refuses the
 //! file.
 
-use groundbeam::{Outcome, solve};
+use groundbeam::{Model, Outcome, solve};
 use groundbeam_file::{
     Document, combination_sets, parse_beside, rail_sections, rolled_sections, write_toml,
 };
-use groundbeam_proof::{Reason, Wide, prove, read_model};
+use groundbeam_proof::{GapCorner, Reason, Scalar, Wide, prove, read_model};
 use groundbeam_testing::repository;
 use groundbeam_verification::hostile::{model, mutated, texts};
 use groundbeam_verification::second::Comparison;
@@ -48,7 +48,14 @@ fn compare(name: &str, text: &str, document: &Document) -> Result<(usize, f64), 
     }
     let (mut numbers, mut largest) = (0, 0.0_f64);
     for (combination, first) in models {
-        let second = read_model::<Wide>(text, combination.as_deref()).map_err(|e| e.reason)?;
+        let second = match read_model::<Wide>(text, combination.as_deref()) {
+            Ok(second) => second,
+            // The factors of a set can carry a load out of the range; the first reader checks loads as written.
+            Err(error) if matches!(error.reason, Reason::OutOfRange(_)) && !is_in_range(&first) => {
+                continue;
+            }
+            Err(error) => return Err(error.reason),
+        };
         let comparison = Comparison::of(&first, &second, ALLOWED);
         let faults = comparison.faults.join("\n");
         assert!(faults.is_empty(), "{name}, {combination:?}:\n{faults}\n{text}");
@@ -56,6 +63,12 @@ fn compare(name: &str, text: &str, document: &Document) -> Result<(usize, f64), 
         largest = largest.max(comparison.largest);
     }
     Ok((numbers, largest))
+}
+
+/// Whether every load is 0 or has a magnitude between 1e-60 and 1e60.
+fn is_in_range(model: &Model) -> bool {
+    let sizes = model.loads.iter().flat_map(|load| load.extent().sizes());
+    sizes.into_iter().all(|size| size == 0.0 || (1e-60..=1e60).contains(&size.abs()))
 }
 
 #[test]
@@ -206,6 +219,16 @@ fn both_readers_agree_on_every_rolled_section() {
     assert!(numbers > 10_000, "{numbers}");
 }
 
+/// A model with a rolled section, a material and a set of combinations.
+fn rolled(section: &str) -> String {
+    format!(
+        "[beam]\nlength = '6 m'\nmaterial = 'S355'\nsection = {{ {section} }}\nunit_weight = 'material'\n\
+         weight_case = 'G'\n[foundation]\nk = '40 MN/m^2'\n[[load]]\npoint = '9 kN'\nat = '1 m'\ncase = 'Q'\n\
+         [[case]]\nname = 'G'\naction = 'permanent'\n[[case]]\nname = 'Q'\naction = 'wind'\n\
+         [[combination]]\nset = 'EN 1990 EQU with strength'\n"
+    )
+}
+
 /// Every set of combinations under all of its names, with random cases of all of its actions.
 #[test]
 fn both_readers_agree_on_every_set_of_combinations() {
@@ -262,57 +285,51 @@ fn both_readers_agree_on_every_set_of_combinations() {
 /// Ground from soil data by every method that does not need the solution, with bands, under random beams.
 #[test]
 fn both_readers_agree_on_soil_and_bands() {
-    let mut random = ChaCha8Rng::seed_from_u64(23);
-    let (mut read, mut grounds, mut largest) = (0, 0, 0.0_f64);
+    let (mut grounds, mut largest) = (0, 0.0_f64);
     for number in 0..700 {
-        let mut size =
-            |from: f64, to: f64| (from.ln() + random.random_range(0.0..(to / from).ln())).exp();
-        let elastic = format!("E = '{} MPa'\nnu = {}\n", size(0.5, 500.0), size(0.01, 0.49));
-        let plate = format!(
-            "plate_modulus = '{} MN/m^3'\nplate_width = '{} m'\n",
-            size(5.0, 200.0),
-            size(0.2, 1.0)
-        );
-        let layers: String = (0..1 + number % 4)
-            .map(|_| {
-                format!(
-                    "[[foundation.soil.layer]]\nE = '{} MPa'\nnu = {}\nthickness = '{} m'\n",
-                    size(0.5, 500.0),
-                    size(0.01, 0.49),
-                    size(0.1, 20.0)
-                )
-            })
-            .collect();
-        let layered = format!("gamma = {}\n{layers}", size(0.01, 20.0));
-        let (method, data) = [
-            ("vlasov", &layered),
-            ("vlasov", &layered),
-            ("vesic", &elastic),
-            ("biot", &elastic),
-            ("meyerhof-baike", &elastic),
-            ("selvadurai", &elastic),
-            ("terzaghi-clay", &plate),
-            ("terzaghi-sand", &plate),
-        ][number % 8];
-        let shear = if method == "vlasov" && number % 3 == 0 { "mu = [0.25, 3]\n" } else { "" };
-        let text = format!(
-            "[beam]\nlength = '{} m'\nEI = '{} MN m^2'\n[[load]]\npoint = '1 MN'\nat = '0.01 m'\ncase = 'a'\n\
-             [[combination]]\nname = 'a'\nfactors = {{ a = 1.3 }}\n[foundation]\nwidth = '{} m'\n\
-             [foundation.band]\nk = [0.{}, {}]\n{shear}[foundation.soil]\nmethod = '{method}'\n{data}",
-            size(0.3, 300.0),
-            size(0.1, 1e5),
-            size(0.2, 5.0),
-            1 + number % 9,
-            1 + number % 5,
-        );
+        let text = soil(number);
         let document =
             groundbeam_file::parse(&text).unwrap_or_else(|found| panic!("{found:?}\n{text}"));
         let (_, most) = compare(&number.to_string(), &text, &document).expect("read");
-        (read, grounds) = (read + 1, grounds + document.combinations().len());
-        largest = largest.max(most);
+        (grounds, largest) = (grounds + document.combinations().len(), largest.max(most));
     }
-    println!("{read} files, {grounds} grounds, largest difference {largest}");
-    assert!(read == 700 && grounds > 2000, "{read} {grounds}");
+    println!("{grounds} grounds, largest difference {largest}");
+    assert!(grounds > 2000, "{grounds}");
+}
+
+/// A random model on ground from soil data, with a band.
+fn soil(number: usize) -> String {
+    let mut random = ChaCha8Rng::seed_from_u64(number as u64);
+    let mut size = |from: f64, to: f64| from * (to / from).powf(random.random_range(0.0..1.0));
+    let mut elastic = || format!("E = '{} MPa'\nnu = {}\n", size(0.5, 500.0), size(0.01, 0.49));
+    let layer = "[[foundation.soil.layer]]\n";
+    let layers: String = (0..1 + number % 4).map(|_| layer.to_owned() + &elastic()).collect();
+    let elastic = elastic();
+    let layers = layers.replace(layer, &format!("{layer}thickness = '{} m'\n", size(0.1, 20.0)));
+    let plate = "plate_modulus = '40 MN/m^3'\nplate_width = '0.3 m'\n".to_owned();
+    let layered = format!("gamma = {}\n{layers}", size(0.01, 20.0));
+    let (method, data) = [
+        ("vlasov", &layered),
+        ("vlasov", &layered),
+        ("vesic", &elastic),
+        ("biot", &elastic),
+        ("meyerhof-baike", &elastic),
+        ("selvadurai", &elastic),
+        ("terzaghi-clay", &plate),
+        ("terzaghi-sand", &plate),
+    ][number % 8];
+    let shear =
+        if method == "vlasov" && number.is_multiple_of(3) { "mu = [0.25, 3]\n" } else { "" };
+    format!(
+        "[beam]\nlength = '{} m'\nEI = '{} MN m^2'\n[[load]]\npoint = '1 MN'\nat = '0.01 m'\ncase = 'a'\n\
+         [[combination]]\nname = 'a'\nfactors = {{ a = 1.3 }}\n[foundation]\nwidth = '{} m'\n\
+         [foundation.band]\nk = [0.{}, {}]\n{shear}[foundation.soil]\nmethod = '{method}'\n{data}",
+        size(0.3, 300.0),
+        size(0.1, 1e5),
+        size(0.2, 5.0),
+        1 + number % 9,
+        1 + number % 5,
+    )
 }
 
 /// The names under headings of one kind in a data file of sets.
@@ -346,10 +363,13 @@ fn both_readers_agree_on_random_models() {
     assert!(read > 2000);
 }
 
-/// Files with random changes: if both readers accept a file, they give the same model.
+/// Files with random changes: if both readers accept a file, they give the same model. The second reader distinguishes
+/// corners of the gap whose positions are the same double.
 #[test]
 fn both_readers_agree_on_changed_files() {
-    let texts = texts();
+    let mut texts = texts();
+    texts.extend((0..16).map(soil));
+    texts.extend(["name = 'IPE 300'", "name = 'SHS 100x5'", "rail = '60E1'"].map(rolled));
     let mut alike = 0;
     let mut faults = Vec::new();
     for number in 0..60_000_u64 {
@@ -363,8 +383,13 @@ fn both_readers_agree_on_changed_files() {
             (Ok(_), Err(error)) if !matches!(error.reason, Reason::NotRead(_)) => {
                 faults.push(format!("{number}: only the first reads it: {error}"));
             }
-            (Err(found), Ok(_)) => {
-                for diagnostic in found.iter().filter(|d| !is_left_out(&text, d.line, d.code)) {
+            (Err(found), Ok(second)) => {
+                let equals = |pair: &[GapCorner<Wide>]| pair[0].at.middle() == pair[1].at.middle();
+                let meet = second.gap.windows(2).any(equals);
+                let of_gap = |code: &str| meet && code == "GB501";
+                for diagnostic in
+                    found.iter().filter(|d| !is_left_out(&text, d.line, d.code) && !of_gap(d.code))
+                {
                     let said = &diagnostic.message;
                     faults.push(format!("{number}: only the second reads it: {said}"));
                 }
@@ -378,7 +403,7 @@ fn both_readers_agree_on_changed_files() {
 }
 
 /// Whether the second reader ignores a line: titles, checks, and combinations that are not requested. It also accepts
-/// two positions that are equal to rounding.
+/// two positions of supports or hinges that are equal to rounding.
 fn is_left_out(text: &str, line: usize, code: &str) -> bool {
     let up_to: Vec<&str> = text.lines().take(line).map(str::trim).collect();
     let heading = up_to.iter().rev().find(|line| line.starts_with('[')).copied().unwrap_or("");

@@ -36,10 +36,8 @@ pub(crate) fn read<S: Scalar>(
     }
     let [k, mu] = [factors(fields, k, "k")?, factors(fields, mu, "mu")?];
     let changes = [&k, &mu].map(|steps: &[Step<S>; 3]| (steps[0].1, steps[2].1) != (1.0, 1.0));
-    let best = ("best ground".to_owned(), [k[1].0, mu[1].0]);
-    let mut grounds: Vec<([f64; 2], Factored<S>)> = Vec::new();
-    let (name, factors) = best;
-    grounds.push(([1.0; 2], Factored { name, factors }));
+    let best = Factored { name: "best ground".to_owned(), factors: [S::one(); 2] };
+    let mut grounds: Vec<([f64; 2], Factored<S>)> = vec![([1.0; 2], best)];
     for spring in &k {
         for shear in &mu {
             let doubles = [spring.1, shear.1];
