@@ -34,7 +34,7 @@ pub(crate) fn select<'g, S: Scalar>(
     let mut names: Vec<&str> = loads.iter().filter_map(|cased| cased.case.as_deref()).collect();
     names.retain(|case| seen.insert(*case));
     let recipes = recipes(root, &names, MOST / grounds.len().max(1))?;
-    let mut found = places(&recipes, grounds).filter(|(name, ..)| name == wanted.trim());
+    let mut found = on_grounds(&recipes, grounds).filter(|(name, ..)| name == wanted.trim());
     let (found, again) = (found.next(), found.next());
     let Some((name, recipe, ground)) = found else {
         return fault(root.at, Reason::NoCombination(wanted.to_owned()));
@@ -49,13 +49,13 @@ pub(crate) fn select<'g, S: Scalar>(
 }
 
 /// A combination on a ground: its name, its factors unless all loads act, and the ground if the file has a band.
-type Place<'r, 'g, S> = (String, Option<&'r Recipe>, Option<&'g Factored<S>>);
+type OnGround<'r, 'g, S> = (String, Option<&'r Recipe>, Option<&'g Factored<S>>);
 
 /// Every combination of the file on every ground.
-fn places<'r, 'g, S: Scalar>(
+fn on_grounds<'r, 'g, S: Scalar>(
     recipes: &'r [Recipe],
     grounds: &'g [Factored<S>],
-) -> impl Iterator<Item = Place<'r, 'g, S>> {
+) -> impl Iterator<Item = OnGround<'r, 'g, S>> {
     let alone = (recipes.is_empty() && !grounds.is_empty()).then_some(None);
     let combinations = alone.into_iter().chain(recipes.iter().map(Some));
     let on = |recipe: Option<&'r Recipe>| {
