@@ -225,10 +225,10 @@ impl<S: Scalar> Comparison<'_, S> {
                 continue;
             };
             for ((x, place), value) in listed.x.iter().zip(&places).zip(values) {
-                let at_edge = contact.is_some() && holds(&found.without_pressure, *x);
-                if field == PRESSURE && at_edge {
+                let edge = found.without_pressure.iter().find(|edge| holds(&[**edge], *x)).copied();
+                if let Some(edge) = edge.filter(|_| field == PRESSURE && contact.is_some()) {
                     found.checked.at_edges += 1;
-                    enlarge(&mut found.fields[field], self.off_an_edge(*value, *place));
+                    enlarge(&mut found.fields[field], self.off_an_edge(*value, *place, edge));
                     continue;
                 }
                 found.checked.values += 1;
@@ -239,14 +239,16 @@ impl<S: Scalar> Comparison<'_, S> {
     }
 
     /// The distance of a pressure at an edge from the smallest interval that contains zero and the pressures
-    /// on both sides.
-    fn off_an_edge(&self, listed: f64, (piece, t): (usize, S)) -> f64 {
+    /// on both sides. `edge` contains the edge: a neighbouring piece counts if it meets the piece there.
+    fn off_an_edge(&self, listed: f64, (piece, t): (usize, S), edge: [f64; 2]) -> f64 {
         let units = self.fields.frame.units;
         let listed = units.scaled(S::of(listed), 1, -1);
         let [mut low, mut high] = [0.0; 2];
-        let neighbours = [piece.checked_sub(1), Some(piece), Some(piece + 1)];
         let spans = &self.fields.frame.spans;
-        for i in neighbours.into_iter().flatten().filter(|i| *i < spans.len()) {
+        let [from, to] = self.document.answer.pieces[piece].x.map(|end| holds(&[edge], end));
+        let first = if from { piece.saturating_sub(1) } else { piece };
+        let last = if to { (piece + 1).min(spans.len() - 1) } else { piece };
+        for i in first..=last {
             let t = if i < piece {
                 spans[i].t[1]
             } else if i > piece {

@@ -4,5 +4,6 @@ mod arithmetic;
 mod attacks;
 mod documents;
 mod exact;
+mod listed;
 mod reader;
 mod right_answers;
