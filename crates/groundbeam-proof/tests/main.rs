@@ -5,5 +5,7 @@ mod attacks;
 mod documents;
 mod exact;
 mod listed;
+mod partial_contact;
 mod reader;
 mod right_answers;
+mod supports;

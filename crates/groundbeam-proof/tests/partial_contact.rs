@@ -1,0 +1,153 @@
+//! Tests beams in partial contact with a shear layer, in closed form, with and without shear deformation and tension.
+//!
+//! k = μ = 1, ground endless on the right and ending free at the left end of the beam. The beam is straight, w = 2 − x. It
+//! touches up to x = 1, where its slope is that of the open ground, u = exp(1 − x): w ≤ u beyond. So p = 2 − x up to the
+//! edge, the layer pushes with 1 under the left end, and M = V = 0. The loads are p, 1 + P at the left end and −P at the
+//! right end.
+//!
+//! Claims: `docs/proof.md`.
+
+use groundbeam_proof::{Document, Model, Verification, Wide, read_model, verify};
+use serde_json::{Value, json};
+
+/// Shear stiffness, if the beam has shear deformation, and the tension.
+const BEAMS: [(Option<f64>, f64); 5] =
+    [(None, 0.0), (None, 0.25), (Some(0.5), 0.0), (Some(64.0), 0.0), (Some(2.0), 0.25)];
+
+fn model((stiffness, tension): (Option<f64>, f64)) -> Model<Wide> {
+    let shear = stiffness.map_or_else(String::new, |s| format!("shear_stiffness = {s}\n"));
+    let text = format!(
+        "[beam]\nlength = 2\nEI = 0.5\n{shear}axial_force = {tension}\n[foundation]\nk = 1\nmu = 1\n\
+         left = {{ ends = 0, as = 'free' }}\n[[load]]\ndistributed = [2, 1]\nfrom = 0\nto = 1\n\
+         [[load]]\npoint = {}\nat = 0\n[[load]]\npoint = {}\nat = 2\n",
+        1.0 + tension,
+        -tension,
+    );
+    read_model(&text, None).expect("a model")
+}
+
+/// The coefficients in t of 2 − x + ε(x² − x³/3) on a piece, and of its derivative.
+fn coefficients([from, to]: [f64; 2], epsilon: f64) -> [Vec<f64>; 2] {
+    let (m, h) = (0.5 * (from + to), 0.5 * (to - from));
+    let w = [
+        2.0 - m + epsilon * (m * m - m.powi(3) / 3.0),
+        h * (-1.0 + epsilon * (2.0 * m - m * m)),
+        h * h * epsilon * (1.0 - m),
+        -h.powi(3) * epsilon / 3.0,
+    ];
+    let slope = [w[1] / h, 2.0 * w[2] / h, 3.0 * w[3] / h];
+    [w.to_vec(), slope.to_vec()]
+}
+
+/// The answer w = 2 − x + ε(x² − x³/3) with contact up to an edge.
+fn document((stiffness, _): (Option<f64>, f64), edge: f64, epsilon: f64) -> Value {
+    let piece = |ends: [f64; 2], touches: bool| {
+        let [deflection, rotation] = coefficients(ends, epsilon);
+        let half = 0.5 * (ends[1] - ends[0]);
+        let mut piece =
+            json!({"x": ends, "half": half, "touches": touches, "deflection": deflection});
+        if stiffness.is_some() {
+            piece["rotation"] = json!(rotation);
+        }
+        piece
+    };
+    let at_edge = 2.0 - edge + epsilon * (edge * edge - edge.powi(3) / 3.0);
+    let open = |ends: [f64; 2]| {
+        let mut open = piece(ends, false);
+        open["open"] = json!(ends.map(|x| at_edge * (edge - x).exp()));
+        open
+    };
+    // The load ends at 1, so a piece ends there too.
+    let pieces = match edge {
+        1.0 => vec![piece([0.0, 1.0], true), open([1.0, 2.0])],
+        _ if edge < 1.0 => vec![piece([0.0, edge], true), open([edge, 1.0]), open([1.0, 2.0])],
+        _ => vec![piece([0.0, 1.0], true), piece([1.0, edge], true), open([edge, 2.0])],
+    };
+    json!({
+        "pieces": pieces,
+        "forces": [{"x": 0, "force": 1}, {"x": edge, "force": 0}],
+        "reactions": [],
+    })
+}
+
+fn verified(beam: (Option<f64>, f64), document: &Value) -> Verification {
+    let [document] = &Document::read(&document.to_string()).expect("a document")[..] else {
+        panic!()
+    };
+    verify(&model(beam), document).unwrap_or_else(|why| panic!("{beam:?}: {why}"))
+}
+
+/// The proven contact set is the exact one: from 0 to 1, with the force 1 at 0 and no force at 1.
+fn is_exact_contact(what: &str, found: &Verification) {
+    let set = found.proof.contact.as_ref().expect("a contact set");
+    let holds = |[low, high]: [f64; 2], x: f64| low <= x && x <= high;
+    let [region] = &set.regions[..] else { panic!("{what}: {set:?}") };
+    assert!(region.from == [0.0; 2] && holds(region.to, 1.0), "{what}: {region:?}");
+    for force in &set.forces {
+        let exact = if force.x == 0.0 { 1.0 } else { 0.0 };
+        assert!(holds(force.force, exact), "{what}: {force:?}");
+    }
+}
+
+#[test]
+fn a_straight_beam_in_partial_contact_is_proven() {
+    for beam in BEAMS {
+        let found = verified(beam, &document(beam, 1.0, 0.0));
+        assert_eq!(found.shortfall, None, "{beam:?}");
+        is_exact_contact(&format!("{beam:?}"), &found);
+        let to = found.proof.contact.expect("a contact set").regions[0].to;
+        assert!(to[1] - to[0] < 1e-9, "{beam:?}: {to:?}");
+        // ½∫ku² + ½∫μu′² = ½·(7/3 + 1) in contact, and ½u² at the edge for the open ground; ½Pw′² per length.
+        let strain = 13.0 / 6.0 + beam.1;
+        assert!((found.proof.strain_energy / strain - 1.0).abs() < 1e-12, "{beam:?}");
+    }
+}
+
+/// The edge of the claim is moved. The claimed beam is right, the pressure and the settlement beside the edge are not.
+#[test]
+fn a_moved_edge_is_not_proven_and_the_bound_covers_the_settlement() {
+    for beam in BEAMS {
+        for shift in (3..=12).flat_map(|n| [1.0, -1.0].map(|sign| sign * 0.1_f64.powi(n))) {
+            let edge = 1.0 + shift;
+            let found = verified(beam, &document(beam, edge, 0.0));
+            let what = format!("{beam:?} {shift:e}");
+            assert!(found.shortfall.is_some() && found.proof.contact.is_err(), "{what}");
+            let surface = |edge: f64, x: f64| match x <= edge {
+                true => 2.0 - x,
+                false => (2.0 - edge) * (edge - x).exp(),
+            };
+            for x in [0.5 * (1.0 + edge), 1.0, edge, 1.5, 2.0] {
+                let error = (surface(edge, x) - surface(1.0, x)).abs();
+                let bound = found.proof.bounds.settlement.error;
+                assert!(error <= bound + 1e-15, "{what}: {error:e} {bound:e}");
+            }
+        }
+    }
+}
+
+/// All errors of w = 2 − x + ε(x² − x³/3) are known: εx²(1 − x/3) ≤ 4ε/3, ε(2x − x²) ≤ ε, 2εEI(1 − x) ≤ ε, 2εEI = ε. The
+/// pressure is w − w″ in contact, so its error is at most 2ε, at x = 0.
+#[test]
+fn the_bounds_of_a_bent_claim_cover_its_errors() {
+    for beam in BEAMS {
+        for epsilon in [1e-7, -1e-7] {
+            let found = verified(beam, &document(beam, 1.0, epsilon));
+            let what = format!("{beam:?} {epsilon:e}");
+            assert!(found.shortfall.is_some(), "{what}");
+            is_exact_contact(&what, &found);
+            let (bounds, unit) = (&found.proof.bounds, epsilon.abs());
+            for (name, bound, error) in [
+                ("deflection", bounds.deflection.error, 4.0 / 3.0 * unit),
+                ("slope", bounds.slope.error, unit),
+                ("rotation", bounds.rotation.error, unit),
+                ("moment", bounds.moment.error, unit),
+                ("shear force", bounds.shear_force.error, unit),
+                ("settlement", bounds.settlement.error, 2.0 / 3.0 * unit),
+                ("pressure", bounds.pressure.error, 2.0 * unit),
+            ] {
+                let ratio = bound / error;
+                assert!((1.0 - 1e-6..3000.0).contains(&ratio), "{what}: {name} {ratio}");
+            }
+        }
+    }
+}
