@@ -377,12 +377,65 @@ fn distance(a: f64, b: f64) -> Size {
 
 #[cfg(test)]
 mod tests {
-    use super::parts_of;
+    use super::{along_slope, between, beyond, from_mean, parts_of};
     use crate::answer::Piece;
     use crate::frame::Span;
+    use crate::random::numbers;
     use crate::scalar::Scalar;
+    use crate::size::Size;
+    use crate::test_functions::tests::integral;
     use crate::units::Units;
     use crate::wide::Wide;
+
+    /// The value of e at a place is ∫g e_φ′ + ∫g_γ γ plus the contribution of the anchors. By Cauchy's inequality its bound
+    /// contains s times the norm of g, and s_γ times the norm of g_γ.
+    #[test]
+    fn bounds_between_and_beyond_anchors_have_the_norms_of_the_kernels() {
+        let mut random = numbers();
+        for _ in 0..200 {
+            let [h, over, s, sheared, near, far, slope] =
+                [0; 7].map(|_| 10.0_f64.powf(2.0 * random() - 1.0));
+            let [short, long] = [over, h].map(Size::of);
+            let flexure = [s, sheared].map(Size::of);
+            let is_bound = |bound: Size, exact: f64| {
+                let ratio = bound.value() / exact;
+                assert!((1.0 - 1e-12..1.001).contains(&ratio), "{ratio}");
+            };
+            // In the middle between two anchors g = ½ min(x, h − x) and g_γ = ±½.
+            let bent = (2.0 * integral(0.5 * h, |x| (0.5 * x).powi(2))).sqrt();
+            is_bound(between(long, flexure), s * bent + sheared * (0.25 * h).sqrt());
+            // Beyond two anchors g = o − x and g_γ = 1 on the overhang, g = o(1 − x/h) and g_γ = o/h between them.
+            let outside = integral(over, |x| (over - x).powi(2));
+            let bent = (outside + integral(h, |x| (over * (1.0 - x / h)).powi(2))).sqrt();
+            let slid = (over + integral(h, |_| (over / h).powi(2))).sqrt();
+            let exact = near + (near + far) * over / h + s * bent + sheared * slid;
+            is_bound(beyond([near, far].map(Size::of), short, [h; 2], flexure), exact);
+            // Beyond an anchor at the distance h from a place with a bound of e_φ: g = o up to the anchor.
+            let bent = (outside + integral(h, |_| over * over)).sqrt();
+            let exact = slope * over + s * bent + sheared * over.sqrt();
+            is_bound(along_slope([slope, h].map(Size::of), short, flexure), exact);
+        }
+    }
+
+    /// At a distance y from the middle, e differs from its tangent there by at most s(y³/3)^½ + s_γy^½. The bound adds the mean
+    /// of this number to the mean of |e|, and its value at the ends to (1 + √2) times the sum.
+    #[test]
+    fn a_bound_of_the_mean_gives_a_bound_of_both_ends() {
+        let mut random = numbers();
+        for _ in 0..200 {
+            let [half, s, sheared, mean] = [0; 4].map(|_| 10.0_f64.powf(2.0 * random() - 1.0));
+            // The substitution y = v² gives polynomials.
+            let root = half.sqrt();
+            let average = |f: &dyn Fn(f64) -> f64| integral(root, |v| 2.0 * v * f(v)) / half;
+            let bent = |v: f64| s * v.powi(3) / 3.0_f64.sqrt();
+            let slid = |v: f64| sheared * v;
+            let off = average(&|v| bent(v) + slid(v));
+            let exact = (1.0 + 2.0_f64.sqrt()) * (mean + off) + bent(root) + slid(root);
+            let [curved, sheared] = [s * half * root, sheared * root].map(Size::of);
+            let ratio = from_mean(Size::of(mean), curved, sheared).value() / exact;
+            assert!((1.0 - 1e-12..1.001).contains(&ratio), "{ratio}");
+        }
+    }
 
     /// A piece of length 1.6 with half = 1 covers |t| ≤ 0.8.
     #[test]

@@ -136,6 +136,28 @@ fn bounds_hold_near_subnormal_numbers() {
     }
 }
 
+/// 1 + 2⁻⁶⁰ is rounded to 1, so a radius of 1 would be too small.
+#[test]
+fn radii_are_rounded_up() {
+    let least = 2.0_f64.powi(-60);
+    assert!(Ball::of(0.0).widened(1.0).widened(least).radius() > 1.0);
+    assert!(Wide::of(0.0).widened(1.0).widened(least).radius() > 1.0);
+    assert!((Ball::of(0.0).widened(1.0) + Ball::of(0.0).widened(least)).radius() > 1.0);
+    assert!((Wide::of(0.0).widened(1.0) + Wide::of(0.0).widened(least)).radius() > 1.0);
+    assert!((Wide::of(1.0) + Wide::of(least)).widened(1.0).ball().radius() > 1.0);
+}
+
+#[test]
+fn the_parts_of_a_ball_are_its_midpoint_and_radius() {
+    let wide = (Wide::of(1.0) + Wide::of(2.0_f64.powi(-60))).widened(0.5);
+    let [h, l] = wide.midpoint();
+    assert_eq!(wide.parts(), [h, l, wide.radius()]);
+    assert_eq!([h, l], [1.0, 2.0_f64.powi(-60)]);
+    let ball = wide.ball();
+    assert_eq!(ball.parts(), [1.0, 0.0, ball.radius()]);
+    assert_eq!(Scalar::parts(1.5), [1.5, 0.0, 0.0]);
+}
+
 #[test]
 fn nan_and_infinite_operands_give_valid_bounds() {
     let odd = [f64::NAN, f64::INFINITY, -f64::INFINITY, 1e300, -1e308];
