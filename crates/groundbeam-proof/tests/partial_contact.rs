@@ -67,6 +67,7 @@ fn document((stiffness, _): (Option<f64>, f64), edge: f64, epsilon: f64) -> Valu
         "pieces": pieces,
         "forces": [{"x": 0, "force": 1}, {"x": edge, "force": 0}],
         "reactions": [],
+        "contact": [{"from": 0, "to": edge}],
     })
 }
 
@@ -112,6 +113,7 @@ fn a_moved_edge_is_not_proven_and_the_bound_covers_the_settlement() {
             let found = verified(beam, &document(beam, edge, 0.0));
             let what = format!("{beam:?} {shift:e}");
             assert!(found.shortfall.is_some() && found.proof.contact.is_err(), "{what}");
+            assert_eq!([found.edges.error, found.forces.error], [f64::INFINITY; 2], "{what}");
             let surface = |edge: f64, x: f64| match x <= edge {
                 true => 2.0 - x,
                 false => (2.0 - edge) * (edge - x).exp(),
@@ -148,6 +150,56 @@ fn the_bounds_of_a_bent_claim_cover_its_errors() {
                 let ratio = bound / error;
                 assert!((1.0 - 1e-6..3000.0).contains(&ratio), "{what}: {name} {ratio}");
             }
+        }
+    }
+}
+
+/// A force that is not listed counts as zero: the force under the left end is 1.
+#[test]
+fn the_bound_of_an_unlisted_force_is_the_exact_force() {
+    let mut document = document(BEAMS[0], 1.0, 0.0);
+    document["forces"] = json!([{"x": 1, "force": 0}]);
+    let found = verified(BEAMS[0], &document);
+    assert!(found.shortfall.is_some() && (found.listed.unlisted - 1.0).abs() < 1e-9);
+    assert_eq!(found.forces.error, found.listed.unlisted);
+}
+
+/// A beam at rest, w = 1, over endless ground with a corner at x = 1: g₀ = ½c|x − 1|, u = 1 − g₀. The layer pushes with c at
+/// the corner, and with u − u′ = 1 − c under both ends. The loads are the contact forces. For c < 0 it would have to pull.
+#[test]
+fn contact_at_a_corner_of_the_ground_is_proven_only_if_the_ground_pushes() {
+    for corner in [0.25, 1e-3, 1e-6, -1e-6, -1e-3] {
+        let gap = |at: u32, value: f64| format!("[[gap]]\nat = {at}\nvalue = {value}\n");
+        let point = |at: u32, size: f64| format!("[[load]]\npoint = {size}\nat = {at}\n");
+        let along = |from: u32, ends: [f64; 2]| {
+            format!("[[load]]\ndistributed = {ends:?}\nfrom = {from}\nto = {}\n", from + 1)
+        };
+        let low = 1.0 - 0.5 * corner;
+        let text = [
+            "[beam]\nlength = 2\nEI = 1\n[foundation]\nk = 1\nmu = 1\n".to_owned(),
+            gap(0, 0.5 * corner) + &gap(1, 0.0) + &gap(2, 0.5 * corner),
+            along(0, [low, 1.0]) + &along(1, [1.0, low]),
+            point(0, 1.0 - corner) + &point(1, corner) + &point(2, 1.0 - corner),
+        ];
+        let model = read_model::<Wide>(&text.concat(), None).expect("a model");
+        let piece = |from: f64| json!({"x": [from, from + 1.0], "half": 0.5, "touches": true, "deflection": [1]});
+        let ends = json!({"left": 1.0 - corner, "right": 1.0 - corner});
+        let document = json!({
+            "pieces": [piece(0.0), piece(1.0)],
+            "contact": [{"from": 0, "to": 2}],
+            "end_forces": ends,
+            "forces": [{"x": 1, "force": corner}],
+        });
+        let [document] = &Document::read(&document.to_string()).expect("a document")[..] else {
+            panic!()
+        };
+        let found = verify(&model, document).expect("bounds");
+        if corner > 0.0 {
+            assert_eq!(found.shortfall, None, "{corner}");
+            assert!(found.forces.error < 1e-9 && found.edges.error < 1e-9, "{corner}");
+        } else {
+            let why = found.proof.contact.expect_err("a pulling force");
+            assert!(why.what.contains("may be tensile") && why.at == Some(1.0), "{corner}: {why}");
         }
     }
 }
