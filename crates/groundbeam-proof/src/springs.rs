@@ -134,6 +134,10 @@ impl<S: Scalar> Contact<'_, S> {
         let at_end = growth.value(S::Coarse::of(end)).low();
         let far = (2.0 * limit.over(at_end)).value();
         let mut long = if lies { (2.0 * far).sqrt() } else { far };
+        if end + inward * long == end {
+            // A bound far below the rounding error of t.
+            long = 2.0 * f64::EPSILON;
+        }
         for _ in 0..12 {
             let to = end + inward * long;
             if !(long < 0.75) || to == end {

@@ -204,6 +204,20 @@ fn expm1_is_enclosed() {
     assert!(far.low() <= -1.0 && far.high() >= -1.0 && far.size() < 1.0 + 1e-14);
 }
 
+/// exp(x) − 1 of a ball from −701 to x: all numbers from nearly −1 to exp(x) − 1.
+#[test]
+fn expm1_of_a_wide_ball_contains_both_ends() {
+    for high in [-695.0, -689.0, -1.0, 0.0, 0.5] {
+        let (middle, radius) = (0.5 * (high - 701.0), 0.5 * (high + 701.0));
+        let check = |[low, top]: [f64; 2]| {
+            assert!(low <= -1.0 + f64::EPSILON && f64::exp_m1(high) <= top, "{high}: {low} {top}");
+        };
+        let (ball, wide) = (Ball::of(middle).widened(radius), Wide::of(middle).widened(radius));
+        check([ball.expm1().low(), ball.expm1().high()]);
+        check([wide.expm1().low(), wide.expm1().high()]);
+    }
+}
+
 #[test]
 fn decimals_are_read_exactly() {
     for (text, exact) in

@@ -121,8 +121,8 @@ fn contact_is_true(attack: &Attack, proof: &Proof) {
         assert!(holds(region.from, *from) && holds(region.to, *to), "{}: {region:?}", attack.name);
     }
     let length = read_model::<f64>(&attack.model, None).expect("a model").beam.length;
-    for (key, x) in [("left", 0.0), ("right", length)] {
-        let wanted = number(&attack.truth["end_forces"][key]);
+    for (end, x) in [0.0, length].into_iter().enumerate() {
+        let wanted = number(&attack.truth["end_forces"][end]);
         let found = contact.forces.iter().find(|force| force.x == x);
         let held = found.map_or([0.0; 2], |force| force.force);
         assert!(wanted.is_nan() || holds(held, wanted), "{}: {held:?} {wanted}", attack.name);

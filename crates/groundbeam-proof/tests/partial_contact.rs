@@ -203,3 +203,46 @@ fn contact_at_a_corner_of_the_ground_is_proven_only_if_the_ground_pushes() {
         }
     }
 }
+
+/// A beam that is clamped at x = 1 at the height of level Winkler ground. The left part, s = 1 − x, carries 3 at its end above
+/// a gap, w = 3s²/2 − s³/2. The right part is not loaded and rests: w = 0 in contact without pressure. The smallest action
+/// or step there makes the claim undecided.
+#[test]
+fn an_unloaded_part_beside_a_clamp_is_in_contact() {
+    let contact = |added: &str| {
+        let text = format!(
+            "[beam]\nlength = 2\nEI = 1\n[foundation]\nk = 1\n[[load]]\npoint = 3\nat = 0\n\
+             [[support]]\nat = 1\ntype = 'fixed'\n[[gap]]\nat = 0\nvalue = 100\n[[gap]]\nat = 1\nvalue = 0\n{added}"
+        );
+        let model = read_model::<Wide>(&text, None).expect("a model");
+        let piece = |from: f64| json!({"x": [from, from + 0.5], "half": 0.25, "touches": true, "deflection": [0]});
+        let bent = [0.3125, -0.5625, 0.1875, 0.0625];
+        let open = json!({"x": [0, 1], "half": 0.5, "touches": false, "deflection": bent});
+        let mut reactions = vec![json!({"force": 3, "moment": 3})];
+        reactions.resize(model.supports.len(), json!({"force": 0}));
+        let document = json!({
+            "pieces": [open, piece(1.0), piece(1.5)],
+            "reactions": reactions,
+            "contact": [{"from": 1, "to": 2}],
+        });
+        let [document] = &Document::read(&document.to_string()).expect("a document")[..] else {
+            panic!()
+        };
+        let found = verify(&model, document).unwrap_or_else(|why| panic!("{added}: {why}"));
+        found.proof.contact.is_ok()
+    };
+    assert!(contact(""));
+    for added in [
+        "[[load]]\npoint = -1e-9\nat = 2\n",
+        "[[load]]\npoint = -1e-9\nat = 1.5\n",
+        "[[load]]\nmoment = 1e-9\nat = 2\n",
+        "[[load]]\nmoment = 1e-9\nat = 1.5\n",
+        "[[load]]\ndistributed = -1e-9\nfrom = 1\nto = 2\n",
+        "[[load]]\ncurvature = 1e-9\nfrom = 1\nto = 2\n",
+        "[[gap]]\nat = 2\nvalue = 1e-9\n",
+        "[[support]]\nat = 2\nspring = 1\n",
+        "[[support]]\nat = 1.5\nspring = 1\n",
+    ] {
+        assert!(!contact(added), "{added}");
+    }
+}

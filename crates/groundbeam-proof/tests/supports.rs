@@ -348,3 +348,15 @@ fn a_hinge_at_an_end_of_the_beam_is_refused() {
         assert!(refused(&model, &case.document(0.0)).contains("at an end of the beam"), "{at}");
     }
 }
+
+/// With the change ε the energy of the error is E = ε². A spring κ = 6 that carries 6 is certain to act if √(2κE) < 6.
+/// Otherwise only the one-way support at the other end holds the beam for certain, and it may rotate about it.
+#[test]
+fn a_one_way_spring_holds_the_beam_only_if_it_acts_for_certain() {
+    let case = CASES.iter().find(|case| case.name == ONE_WAY).expect("a case");
+    for (epsilon, holds) in [(0.1, true), (1.7, true), (1.8, false), (4.0, false)] {
+        let found = case.verified(&case.document(epsilon));
+        assert_eq!(found.proof.bounds.deflection.error < f64::INFINITY, holds, "{epsilon}");
+        assert!(epsilon < 1.0 || found.proof.unique.is_err(), "{epsilon}");
+    }
+}
