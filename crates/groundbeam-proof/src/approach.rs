@@ -24,45 +24,37 @@ pub(crate) struct Approach {
 }
 
 impl<S: Scalar> Contact<'_, S> {
-    /// Proves that a stretch of open pieces is open in the exact solution. Returns the [`Approach`] at each
+    /// Proves that an open piece is open in the exact solution. Returns the [`Approach`] at each
     /// touching end.
     ///
     /// Between the reaches C > ε_u + ε_w. From a reach to the touching node, except on the last θ, C
     /// decreases faster than the bound of its slope's error. Next to a rigid support on the surface of the
     /// ground, g₀ − w increases from zero; the result lists such zones. No pressure acts where the beam rests
     /// without load.
-    pub(crate) fn stretch(
+    pub(crate) fn shown_open(
         &self,
-        first: usize,
-        end: usize,
+        i: usize,
         zones: &mut Vec<Zone>,
     ) -> Option<[Option<Approach>; 2]> {
-        let touches = &self.fields.surface.touches;
-        let ends = [touches[first], touches[end]];
         let mut found = [None; 2];
-        for i in first..end {
-            if self.rests(i) {
-                continue;
-            }
-            let piece = self.open_piece(i)?;
-            let mut interval = piece.interval;
-            let here = [i == first && ends[0], i + 1 == end && ends[1]];
-            for side in [0, 1] {
-                if here[side] {
-                    let approach = self.approach(&piece, i, side, here[1 - side])?;
-                    interval[side] = approach.reach;
-                    found[side] = Some(approach);
-                } else if let Some((theta, to)) = self.leaves_support(i, side) {
-                    interval[side] = to;
-                    zones.push(Zone { piece: i, side, theta });
-                }
-            }
-            let bounds = &self.bounds[i];
-            if !clear(&piece, interval, more(bounds.settlement + bounds.deflection)) {
-                return None;
+        if self.rests(i) {
+            return Some(found);
+        }
+        let piece = self.open_piece(i)?;
+        let mut interval = piece.interval;
+        let touches = [0, 1].map(|side| self.fields.surface.touches[i + side]);
+        for side in [0, 1] {
+            if touches[side] {
+                let approach = self.approach(&piece, i, side, touches[1 - side])?;
+                interval[side] = approach.reach;
+                found[side] = Some(approach);
+            } else if let Some((theta, to)) = self.leaves_support(i, side) {
+                interval[side] = to;
+                zones.push(Zone { piece: i, side, theta });
             }
         }
-        Some(found)
+        let bounds = &self.bounds[i];
+        clear(&piece, interval, more(bounds.settlement + bounds.deflection)).then_some(found)
     }
 
     pub(crate) fn open_piece(&self, i: usize) -> Option<OpenPiece<S::Coarse>> {

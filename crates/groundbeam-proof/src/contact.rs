@@ -44,21 +44,12 @@ impl<S: Scalar> Contact<'_, S> {
         let (spans, touches) = (&self.fields.frame.spans, &self.fields.surface.touches);
         // The contact on the left and on the right of each node of the layer, where it is proven.
         let mut beside: Vec<[Option<Approach>; 2]> = vec![[None; 2]; spans.len() + 1];
-        let mut i = first;
-        while i < end {
-            let from = i;
-            i += 1;
-            if spans[from].touches {
-                continue;
-            }
-            while i < end && !spans[i].touches && !touches[i] {
-                i += 1;
-            }
+        for i in (first..end).filter(|i| !spans[*i].touches) {
             let [left, right] = self
-                .stretch(from, i, &mut shown.zones)
-                .ok_or_else(|| self.failed("the clearance of open ground is too small", from))?;
-            beside[from][1] = left;
-            beside[i][0] = right;
+                .shown_open(i, &mut shown.zones)
+                .ok_or_else(|| self.failed("the clearance of open ground is too small", i))?;
+            beside[i][1] = left;
+            beside[i + 1][0] = right;
         }
         for node in (first..=end).filter(|node| touches[*node]) {
             let tolerance = self.tolerance(node, &beside);

@@ -1,7 +1,5 @@
 //! Tests the numbers that a document lists beside its pieces: exact numbers are proven, and the bound of a wrong number is
 //! its error.
-//!
-//! Claims: `docs/proof.md`.
 
 use groundbeam_proof::{Document, Verification, Wide, read_model, verify};
 use serde_json::{Value, json};

@@ -4,8 +4,6 @@
 //! touches up to x = 1, where its slope is that of the open ground, u = exp(1 − x): w ≤ u beyond. So p = 2 − x up to the
 //! edge, the layer pushes with 1 under the left end, and M = V = 0. The loads are p, 1 + P at the left end and −P at the
 //! right end.
-//!
-//! Claims: `docs/proof.md`.
 
 use groundbeam_proof::{Document, Model, Verification, Wide, read_model, verify};
 use serde_json::{Value, json};

@@ -1,7 +1,5 @@
 //! Tests beams on supports above a gap that they do not close, in closed form: the bounds of reactions and fields cover the
 //! errors of bent and shifted claims, and wrong claims about supports are refused.
-//!
-//! Claims: `docs/proof.md`.
 
 use groundbeam_proof::{
     Document, Model, NotProven, Scalar, Verification, Wide, read_model, verify,
@@ -322,7 +320,7 @@ fn a_one_way_support_must_keep_half_of_its_claimed_reaction() {
 fn two_rigid_supports_at_one_position_have_no_bound_of_their_reactions() {
     let case = &CASES[6];
     let (mut model, mut document) = (case.model(), case.document(0.0));
-    model.supports.push(model.supports[1].clone());
+    model.supports.push(model.supports[1]);
     document["reactions"][1]["force"] = json!(8);
     document["reactions"]
         .as_array_mut()
