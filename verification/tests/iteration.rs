@@ -1,6 +1,6 @@
 //! The contact iteration on single models: each fails or changes without one particular line of the iteration.
 
-use groundbeam::{Outcome, Solution, Verdict, solve};
+use groundbeam::{Method, Options, Outcome, Solution, Verdict, solve, solve_with};
 use groundbeam_verification::random::{Family, model};
 
 fn solved(family: Family, number: u64) -> Box<Solution> {
@@ -54,6 +54,16 @@ fn edges_that_move_by_rounding_errors_are_accepted() {
 fn the_continuation_starts_from_a_stiff_beam_and_takes_small_steps() {
     solved(Family::Extreme, 230);
     assert_eq!(zones(&solved(Family::Hard, 6164)).len(), 5);
+}
+
+#[test]
+fn contact_nodes_of_soft_beams_settle_after_many_shortened_steps() {
+    let models = [(53, 333), (94, 1000), (189, 333), (263, 10_000), (303, 10_000), (333, 333)];
+    for (number, elements) in models {
+        let options = Options { method: Method::ActiveSet, elements, ..Options::default() };
+        let outcome = solve_with(&model(Family::Hard, number), &options);
+        assert!(matches!(outcome, Ok(Outcome::Equilibrium(_))), "Hard {number}: {outcome:?}");
+    }
 }
 
 #[test]
