@@ -260,6 +260,9 @@ impl<C: Scalar> OpenPiece<C> {
 
     /// A bound of −C̄ on an interval of t.
     fn deepest(&self, [from, to]: [f64; 2], negligible: Size, budget: &mut Budget) -> Size {
+        // A depth of the size of the rounding error is accepted. Doubles have no error bound of their own, and at a
+        // double zero of C̄, beside a clamp, halving would use the budget of all pieces.
+        let rounding = f64::EPSILON * (Size::of(self.arc.size()) + self.obstacle[0].size(1.0));
         let mut deepest = Size::ZERO;
         let mut open = Vec::new();
         let mut next = Some([from, to]);
@@ -285,7 +288,7 @@ impl<C: Scalar> OpenPiece<C> {
             let depth = here + lost;
             // Accept the depth if it is at most the largest depth so far, if halving would not change it
             // much, if it is below the rounding error of C̄, or if it is negligible.
-            let found = depth <= deepest || depth <= negligible;
+            let found = depth <= deepest || depth <= negligible || depth <= rounding;
             let blurred = Size::of(0.25 * (value.high() - value.low()));
             let enough = found || depth <= blurred + 1.25 * (here + self.closed[0]);
             if !enough && a < m && m < b && budget.take() {

@@ -6,7 +6,7 @@ use crate::chain::node::{ChainNode, NotDefinite};
 use crate::contact::intervals::{Interval, zones_of};
 use crate::contact::layout::Layout;
 use crate::contact::state::{ContactState, turned};
-use crate::contact::stopping::{STIFFEN, STIFFEST_SPRING};
+use crate::contact::stopping::{STIFFEN, STIFFEST_SPRING, ULPS};
 use crate::element::element::{Element, TERMS};
 use crate::element::operator::{Operator, ZoneKind};
 use crate::element::{ExactElement, cut, cut_equally};
@@ -44,6 +44,21 @@ pub(crate) struct BondedSystem {
     pub mesh: Mesh,
     pub zones: Vec<MeshZone>,
     pub chain: Chain,
+}
+
+/// The bonded beam with stabilising springs.
+pub(crate) struct Stabilised {
+    pub found: ContactState,
+    pub springs: Springs,
+}
+
+/// The stabilising springs of a bonded beam.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Springs {
+    /// Their work ε|w̃ − w|².
+    pub work: f64,
+    /// Whether their forces are rounding error. Then the beam is in equilibrium without them.
+    pub at_rest: bool,
 }
 
 /// A stabilising spring.
@@ -146,13 +161,13 @@ impl<'a> Bonded<'a> {
 
     /// The bonded beam with stabilising springs at all nodes, for a beam that is a mechanism on its trial contact. The
     /// springs have no force in the deflection `now`. `epsilon` is their stiffness relative to that of the ground; it
-    /// grows until the system is positive definite. Also returns the work ε|w̃ − w|² of the springs.
+    /// grows until the system is positive definite.
     pub fn solve_stabilised(
         &mut self,
         intervals: &[Interval],
         now: &ContactState,
         epsilon: &mut f64,
-    ) -> Option<(ContactState, f64)> {
+    ) -> Option<Stabilised> {
         while *epsilon <= STIFFEST_SPRING {
             let mut springs = Vec::new();
             let solved = self.solve_with(intervals, &[], |mesh, nodes| {
@@ -163,11 +178,15 @@ impl<'a> Bonded<'a> {
                 }
             });
             if let Ok(found) = solved {
-                let work = springs.iter().map(|spring| {
-                    spring.stiffness * power(deflection_at(&found, spring.at) - spring.rest, 2)
-                });
-                let work = work.sum();
-                return Some((found, work));
+                let (mut work, mut extension, mut deflection) = (0.0, 0.0_f64, 0.0_f64);
+                for spring in &springs {
+                    let w = deflection_at(&found, spring.at);
+                    work += spring.stiffness * power(w - spring.rest, 2);
+                    extension = extension.max((w - spring.rest).abs());
+                    deflection = deflection.max(w.abs());
+                }
+                let at_rest = extension <= ULPS * f64::EPSILON * deflection;
+                return Some(Stabilised { found, springs: Springs { work, at_rest } });
             }
             if self.cancel.is_cancelled() {
                 return None;

@@ -8,7 +8,7 @@
 //! The iteration stops by the edges, not by the energy. A zone with 10⁻¹² of the contact force has 10⁻²⁴ of the energy,
 //! so the energy cannot show whether it touches.
 
-use crate::contact::bonded::{Bonded, GivenRotation};
+use crate::contact::bonded::{Bonded, GivenRotation, Springs, Stabilised};
 use crate::contact::descent::shorten;
 use crate::contact::edge_error::EdgeError;
 use crate::contact::edge_step;
@@ -128,8 +128,8 @@ enum Bond {
 /// The beam bonded on a trial contact.
 struct Trial {
     found: Rc<ContactState>,
-    /// Work ε|w̃ − w|² of the stabilising springs if the bonded beam is a mechanism.
-    spring_work: Option<f64>,
+    /// The stabilising springs if the bonded beam is a mechanism.
+    springs: Option<Springs>,
 }
 
 impl Search<'_, '_> {
@@ -169,15 +169,15 @@ impl Search<'_, '_> {
         if !self.needs_springs
             && let Ok(found) = self.bonded.solve_on(contact)
         {
-            return Ok(Bond::Trial(Trial { found: Rc::new(found), spring_work: None }));
+            return Ok(Bond::Trial(Trial { found: Rc::new(found), springs: None }));
         }
         let Some(now) = self.now.clone() else { return Err(self.stalled()) };
         if let Some(found) = self.balanced(contact, &now) {
             return Ok(Bond::OnOnePoint(Box::new(found)));
         }
         let stabilised = self.bonded.solve_stabilised(contact, &now, &mut self.epsilon);
-        let (found, work) = stabilised.ok_or_else(|| self.stalled())?;
-        Ok(Bond::Trial(Trial { found: Rc::new(found), spring_work: Some(work) }))
+        let Stabilised { found, springs } = stabilised.ok_or_else(|| self.stalled())?;
+        Ok(Bond::Trial(Trial { found: Rc::new(found), springs: Some(springs) }))
     }
 
     /// The beam balanced on one point, with the rotation of the deflection `like`.
@@ -192,7 +192,7 @@ impl Search<'_, '_> {
     fn next_contact(&mut self, contact: &[Interval], trial: &Trial) -> Vec<Interval> {
         let found = &trial.found;
         let l = self.length();
-        let is_near = self.moved < NEAR && self.moved <= self.least && trial.spring_work.is_none();
+        let is_near = self.moved < NEAR && self.moved <= self.least && trial.springs.is_none();
         let by_edges = is_near
             .then(|| edge_step::next_intervals(&found.deflection(), &found.zones))
             .flatten()
@@ -218,10 +218,11 @@ impl Search<'_, '_> {
         trial: &Trial,
         asked: &[Interval],
     ) -> Option<ContactState> {
-        if trial.spring_work.is_some() {
-            return None;
-        }
         let found = &trial.found;
+        if let Some(springs) = &trial.springs {
+            let is_balanced = springs.at_rest && self.moved <= ROUNDING_MOVE && self.holds(found);
+            return is_balanced.then(|| found.as_ref().clone());
+        }
         let (moved, before) = (self.moved, self.before);
         let lengths = contact.iter().map(|[from, to]| to - from).filter(|length| *length > 0.0);
         let shortest = lengths.fold(self.length(), f64::min) / self.length();
@@ -313,9 +314,8 @@ impl Search<'_, '_> {
         trial: Trial,
         asked: Vec<Interval>,
     ) -> Vec<Interval> {
-        let Trial { found, spring_work } = trial;
-        let is_whole =
-            spring_work.is_none() && (self.moved <= 0.5 * self.least || self.moved <= BLIND);
+        let Trial { found, springs } = trial;
+        let is_whole = springs.is_none() && (self.moved <= 0.5 * self.least || self.moved <= BLIND);
         self.least = self.least.min(self.moved);
         self.needs_springs = false;
         let from = match &self.now {
@@ -325,7 +325,8 @@ impl Search<'_, '_> {
                 return asked;
             }
         };
-        let shortened = shorten(self.bonded.model, &from, &found, spring_work.unwrap_or(0.0));
+        let spring_work = springs.map_or(0.0, |springs| springs.work);
+        let shortened = shorten(self.bonded.model, &from, &found, spring_work);
         if let Some(step) = self.history.last_mut() {
             step.step = shortened.part;
         }

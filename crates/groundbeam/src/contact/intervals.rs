@@ -88,13 +88,23 @@ pub(crate) fn zones_of(
 }
 
 /// The longest interval of the symmetric difference of two contacts, or the largest distance of a point of contact from
-/// the other contact. Infinite if one contact is empty and the other has a point.
+/// the other contact. Infinite if one contact is empty and the other has a point, or if one of them alone has a point of
+/// contact at the end of a zone: a shear layer that ends there beside Winkler ground.
 pub(crate) fn longest_difference(a: &[Interval], b: &[Interval]) -> f64 {
     let lengths = differences(&[a, b]).into_iter().map(|[from, to]| to - from);
     let longest = lengths.fold(0.0, f64::max);
     let points = |of: &[Interval], other: &[Interval]| {
         let points = of.iter().filter(|interval| interval[0] == interval[1]);
-        points.map(|point| distance_to(other, point[0])).fold(0.0, f64::max)
+        let apart = |&[x, _]: &Interval| {
+            let zones =
+                |contact: &[Interval]| contact.iter().filter(|zone| contains(zone, x)).count();
+            if zones(other) > 0 && zones(of) > zones(other) {
+                f64::INFINITY
+            } else {
+                distance_to(other, x)
+            }
+        };
+        points.map(apart).fold(0.0, f64::max)
     };
     longest.max(points(a, b)).max(points(b, a))
 }
@@ -123,6 +133,11 @@ pub(crate) fn differences(contacts: &[&[Interval]]) -> Vec<Interval> {
 pub(crate) fn covers(contact: &[Interval], x: f64) -> bool {
     let next = contact.partition_point(|interval| interval[1] <= x);
     contact.get(next).is_some_and(|interval| interval[0] < x)
+}
+
+/// Whether a position is inside a contact zone or at its end.
+fn contains([from, to]: &Interval, x: f64) -> bool {
+    *from <= x && x <= *to
 }
 
 /// Distance of a position from the nearest contact zone.
