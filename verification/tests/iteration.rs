@@ -57,6 +57,33 @@ fn the_continuation_starts_from_a_stiff_beam_and_takes_small_steps() {
 }
 
 #[test]
+fn a_point_contact_at_the_end_of_a_layer_beside_springs_is_found() {
+    solved(Family::Varying, 7426);
+    solved(Family::Settled, 7576);
+}
+
+#[test]
+fn a_mechanism_without_load_stays_at_rest() {
+    for number in [9833, 10_240, 10_637] {
+        solved(Family::Hinged, number);
+    }
+}
+
+#[test]
+fn slits_that_close_slowly_under_the_line_search_are_closed() {
+    solved(Family::Shearing, 10_351);
+    solved(Family::Hinged, 1100);
+    solved(Family::Extreme, 1641);
+}
+
+#[test]
+fn an_open_beam_between_clamps_has_an_estimate_of_rounding_size() {
+    let solution = solved(Family::Settled, 8817);
+    assert!(solution.contact().is_empty());
+    assert!(solution.certificate().relative_gap() < 1e-24);
+}
+
+#[test]
 fn contact_nodes_of_soft_beams_settle_after_many_shortened_steps() {
     let models = [(53, 333), (94, 1000), (189, 333), (263, 10_000), (303, 10_000), (333, 333)];
     for (number, elements) in models {

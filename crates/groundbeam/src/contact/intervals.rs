@@ -145,3 +145,17 @@ fn distance_to(contact: &[Interval], x: f64) -> f64 {
     let apart = |[from, to]: &Interval| (from - x).max(x - to).max(0.0);
     contact.iter().map(apart).fold(f64::INFINITY, f64::min)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_point_at_the_end_of_a_zone_is_a_contact_of_its_own() {
+        let zone = [1.0, 3.0];
+        assert_eq!(longest_difference(&[zone], &[[1.0, 1.0], zone]), f64::INFINITY);
+        assert_eq!(longest_difference(&[[0.5, 1.0], zone], &[[1.0, 1.0], zone]), 0.5);
+        assert_eq!(longest_difference(&[zone], &[zone, [3.25, 3.25]]), 0.25);
+        assert_eq!(longest_difference(&[], &[[2.0, 2.0]]), f64::INFINITY);
+    }
+}
