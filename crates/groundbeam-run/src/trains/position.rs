@@ -1,4 +1,4 @@
-//! One position of a train and its values for the envelope.
+//! The first positions of a train, and the values of one position for the envelope.
 
 use crate::answer::Answer;
 use groundbeam::model::Train;

@@ -1,5 +1,5 @@
-//! Solves the positions of a train: marks of the model, an equidistant grid, and bisection until the envelope
-//! has the requested error.
+//! Solves the positions of a train: the first positions of `position.rs`, then bisection until the envelope has the
+//! requested error.
 
 use super::edges;
 use super::interval::{Table, sticks_out};

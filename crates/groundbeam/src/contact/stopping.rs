@@ -1,5 +1,5 @@
-//! The constants of the contact iteration, and the experiments by which they were chosen. Lengths are relative to the
-//! length of the beam.
+//! The constants of the contact iteration: when it stops, how far it steps, how it starts. Each has the experiment by
+//! which it was chosen. Lengths are relative to the length of the beam.
 //!
 //! The experiments count steps over the random models of the verification crate.
 

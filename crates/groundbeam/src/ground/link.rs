@@ -1,4 +1,5 @@
-//! Open ground as two-ports: the forces at both ends from the settlements there, (2.2)–(2.5).
+//! Open ground as two-ports, the inverse of Green's function (2.4): the forces at both ends from the settlements there,
+//! (2.2)–(2.5).
 //!
 //! The matrix (5.8) of Green's function (2.4) is never formed: its inverse is tridiagonal.
 //!

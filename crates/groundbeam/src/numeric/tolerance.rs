@@ -1,4 +1,4 @@
-//! The tolerances of solutions. All are relative.
+//! The tolerances of solutions, all relative; `same_place` is the distance within which two positions count as equal.
 
 /// The distance within which two positions count as equal on a beam of length `l`, so that they may share a
 /// node: 16 units in the last place of `l`. It is 0 if `l` is not a positive number.
