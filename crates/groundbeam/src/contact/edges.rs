@@ -18,7 +18,7 @@ use crate::contact::state::edges_not_converged;
 use crate::contact::state::{ContactState, Unconverged};
 use crate::contact::stopping::{
     BLIND, CONVERGED_MOVE, JITTER, LEAST_PART, NEAR, NOT_SHORTENED, ON_ONE_POINT, ROUNDING_MOVE,
-    SAME, SOFTEN, SOFTEST_SPRING, STALE_STEPS, STIFFEN, WEIGHTLESS,
+    SAME, SOFTEN, SOFTEST_SPRING, STALE_STEPS, STIFFEN, StepLimit, WEIGHTLESS,
 };
 use crate::contact::undecided::differ_by_rounding;
 use crate::contact::zone_forces::zone_forces;
@@ -53,7 +53,7 @@ impl Start {
 pub(crate) fn edges(
     bonded: &mut Bonded,
     start: Start,
-    most_steps: usize,
+    limit: StepLimit,
     judge: &mut dyn FnMut(&ContactState) -> f64,
 ) -> Result<ContactState, Unconverged> {
     let places = Mesh::build(bonded.model, &[], |_| 1).nodes.iter().map(|node| node.x).collect();
@@ -73,7 +73,7 @@ pub(crate) fn edges(
         needs_springs: false,
     };
     let mut contact = search.placed(start.contact);
-    for _ in 0..most_steps {
+    while limit.allows(search.history.len(), search.cells()) {
         let trial = match search.bond(&contact)? {
             Bond::OnOnePoint(found) => return Ok(search.with_history(*found)),
             Bond::Trial(trial) => trial,
@@ -135,6 +135,11 @@ struct Trial {
 impl Search<'_, '_> {
     fn length(&self) -> f64 {
         self.bonded.model.beam.length
+    }
+
+    /// Number of cells of the present deflection.
+    fn cells(&self) -> usize {
+        self.now.as_ref().map_or(0, |now| now.mesh.cells.len())
     }
 
     fn placed(&self, contact: Vec<Interval>) -> Vec<Interval> {
