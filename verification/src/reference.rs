@@ -51,6 +51,72 @@ pub struct InnerForce {
     pub force: f64,
 }
 
+/// The answers in `reference/doubtful.json`: models whose contact doubles hardly decide.
+#[derive(Debug, Deserialize)]
+pub struct Doubtful {
+    /// Models with a stretch that has hardly any force or clearance.
+    pub zones: Vec<DoubtfulZone>,
+    /// A beam that is balanced on one corner of the ground.
+    pub balance: Balance,
+}
+
+/// An answer with a doubtful stretch.
+#[derive(Debug, Deserialize)]
+pub struct DoubtfulZone {
+    /// The answer.
+    #[serde(flatten)]
+    pub answer: Answer,
+    /// The stretch.
+    pub doubtful: Stretch,
+}
+
+/// A stretch of the beam and whether it is in contact.
+#[derive(Debug, Deserialize)]
+pub struct Stretch {
+    /// Left end.
+    pub from: f64,
+    /// Right end.
+    pub to: f64,
+    /// Whether it is in contact.
+    pub touches: bool,
+}
+
+/// The answer for a beam on one corner of the ground.
+#[derive(Debug, Deserialize)]
+pub struct Balance {
+    /// Name of the model.
+    pub name: String,
+    /// The model file.
+    pub model: String,
+    /// Position of the corner.
+    pub at: f64,
+    /// Its contact force.
+    pub force: f64,
+    /// Deflection at the corner.
+    pub deflection: f64,
+    /// Settlement at the corner.
+    pub settlement: f64,
+    /// The least and the largest slope at which the beam is in equilibrium.
+    pub slopes: [f64; 2],
+}
+
+impl Doubtful {
+    /// The stored answers.
+    pub fn read() -> Doubtful {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../reference/doubtful.json");
+        let text = std::fs::read_to_string(&path).expect("a readable file");
+        serde_json::from_str(&text).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+    }
+}
+
+/// Reads the text of a model.
+pub fn parsed(name: &str, text: &str) -> Model {
+    match groundbeam_file::parse(text) {
+        Ok(document) => document.model,
+        Err(faults) => panic!("{}", faults.render(name, text, false)),
+    }
+}
+
 /// The distances of a solution from an answer, relative to the largest value of each kind.
 #[derive(Debug, Default, Clone, Copy)]
 pub struct Distance {
@@ -88,10 +154,7 @@ impl Answer {
 
     /// The model.
     pub fn parsed(&self) -> Model {
-        match groundbeam_file::parse(&self.model) {
-            Ok(document) => document.model,
-            Err(faults) => panic!("{}", faults.render(&self.name, &self.model, false)),
-        }
+        parsed(&self.name, &self.model)
     }
 
     fn loaded_near(&self, x: f64, near: f64) -> bool {

@@ -2,8 +2,8 @@
 //!
 //! Claims: `docs/equations.md`.
 
-use groundbeam::{Outcome, solve};
-use groundbeam_verification::reference::Answer;
+use groundbeam::{Field, Model, Outcome, Solution, Verdict, solution::Side, solve};
+use groundbeam_verification::reference::{Answer, Doubtful, parsed};
 
 /// Models whose fields or regions doubles cannot determine to eleven digits: name, tolerance, whether regions are
 /// compared. Their energies agree to eleven digits.
@@ -62,4 +62,63 @@ fn exact_solutions_agree_with_the_answers_in_sixty_digits() {
     }
     println!("{count} answers, largest distance {worst:.1e}, largest relative gap {worst_gap:.1e}");
     assert!(faults.is_empty(), "{} of {count}:\n{}", faults.len(), faults.join("\n"));
+}
+
+fn solved(name: &str, model: &Model) -> Box<Solution> {
+    match solve(model) {
+        Ok(Outcome::Equilibrium(solution)) => solution,
+        other => panic!("{name}: {other:?}"),
+    }
+}
+
+/// Rounding of an edge, relative to the length: its position is the sum of the origin of a cell and a part of the cell.
+const ROUNDING_OF_EDGES: f64 = 1e-14;
+
+#[test]
+fn contact_that_doubles_hardly_decide_agrees_with_sixty_digits() {
+    let zones = Doubtful::read().zones;
+    assert_eq!(zones.len(), 3);
+    for one in zones {
+        let (answer, doubtful) = (one.answer, one.doubtful);
+        let solution = solved(&answer.name, &answer.parsed());
+        let l = solution.model().beam.length;
+        let distance = answer.distance(&solution);
+        println!("{}: {distance:?}, edge error {:e}", answer.name, solution.edge_error());
+        let allowed = solution.edge_error() / l + ROUNDING_OF_EDGES;
+        assert!(distance.edges <= allowed, "{}: {:?}", answer.name, solution.contact());
+        assert!(distance.fields.max(distance.forces) <= 1e-11, "{}: {distance:?}", answer.name);
+        let [from, to] = [doubtful.from, doubtful.to];
+        let left_open = solution.undecided().any(|part| part.from < to && part.to > from);
+        let mut zones = solution.contact().iter();
+        let agrees = match doubtful.touches {
+            true => zones.any(|zone| zone.from <= from && zone.to >= to),
+            false => zones.all(|zone| zone.to < from || zone.from > to),
+        };
+        assert!(agrees || left_open, "{}: {:?}", answer.name, solution.contact());
+    }
+}
+
+#[test]
+fn a_beam_balanced_on_a_corner_agrees_with_sixty_digits() {
+    let answer = Doubtful::read().balance;
+    let solution = solved(&answer.name, &parsed(&answer.name, &answer.model));
+    assert!(matches!(solution.existence().verdict, Verdict::NotUnique(_)));
+    assert_eq!(solution.undecided().len(), 0);
+    let at = answer.at;
+    let contact = solution.contact();
+    assert!(matches!(contact, [zone] if zone.from == at && zone.to == at), "{contact:?}");
+    let forces = solution.concentrated_forces();
+    let [force] = forces else { panic!("{forces:?}") };
+    assert_eq!(force.at, at);
+    let [least, largest] = answer.slopes;
+    let close = |found: f64, wanted: f64| (found - wanted).abs() <= 1e-13 * wanted.abs();
+    assert!(close(force.force, answer.force), "{force:?}");
+    assert!(close(solution.value(Field::Deflection, at), answer.deflection));
+    assert!(close(solution.value(Field::Settlement, at), answer.settlement));
+    let l = solution.model().beam.length;
+    for x in [0.0, at, l] {
+        let slope = solution.at(x, if x == l { Side::Left } else { Side::Right }).get(Field::Slope);
+        let is_free = least <= slope && slope <= largest;
+        assert!(is_free || close(slope, largest), "{slope:e}, not in {:?}", answer.slopes);
+    }
 }
