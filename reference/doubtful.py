@@ -12,7 +12,7 @@ is singular. Its moments are zero and the ground is uniform, so it has closed fo
 
 `verification/frozen/README.md` describes the format of the models.
 
-    python doubtful.py          about ten minutes
+    python doubtful.py          about five minutes
 """
 
 import json
@@ -145,7 +145,7 @@ def record(title):
     model = Model.from_toml(read(title).to_toml())
     at, l = next(s.at for s in model.supports if s.kind == "fixed"), model.length
     if title == "Extreme 13":
-        # The slits that doubles may open, according to trials with the program.
+        # As long as the slits that one version of the contact iteration left in this model.
         a, b = at - 4e-11 * l, at + 4e-11 * l
         solution, bonded = under_support(model, title)
     else:
