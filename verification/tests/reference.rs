@@ -88,14 +88,14 @@ fn contact_that_doubles_hardly_decide_agrees_with_sixty_digits() {
         assert!(distance.edges <= allowed, "{}: {:?}", answer.name, solution.contact());
         assert!(distance.fields.max(distance.forces) <= 1e-11, "{}: {distance:?}", answer.name);
         let [from, to] = [doubtful.from, doubtful.to];
-        let is_undecided = solution.undecided().any(|part| part.from < to && part.to > from);
+        assert!(!solution.undecided().any(|part| part.from < to && part.to > from));
         let mut zones = solution.contact().iter();
         let agrees = if doubtful.touches {
             zones.any(|zone| zone.from <= from && zone.to >= to)
         } else {
             zones.all(|zone| zone.to < from || zone.from > to)
         };
-        assert!(agrees || is_undecided, "{}: {:?}", answer.name, solution.contact());
+        assert!(agrees, "{}: {:?}", answer.name, solution.contact());
     }
 }
 
@@ -119,7 +119,6 @@ fn a_beam_balanced_on_a_corner_agrees_with_sixty_digits() {
     let l = solution.model().beam.length;
     for x in [0.0, at, l] {
         let slope = solution.at(x, if x == l { Side::Left } else { Side::Right }).get(Field::Slope);
-        let is_free = least <= slope && slope <= largest;
-        assert!(is_free || close(slope, largest), "{slope:e}, not in {:?}", answer.slopes);
+        assert!(least < slope && close(slope, largest), "{slope:e}, not {largest:e}");
     }
 }

@@ -387,7 +387,7 @@ mod tests {
     use crate::units::Units;
     use crate::wide::Wide;
 
-    /// The value of e at a place is ∫g e_φ′ + ∫g_γ γ plus the contribution of the anchors. By Cauchy's inequality its bound
+    /// The value of e at a position is ∫g e_φ′ + ∫g_γ γ plus the contribution of the anchors. By Cauchy's inequality its bound
     /// contains s times the norm of g, and s_γ times the norm of g_γ.
     #[test]
     fn bounds_between_and_beyond_anchors_have_the_norms_of_the_kernels() {
@@ -410,7 +410,7 @@ mod tests {
             let slid = (over + integral(h, |_| (over / h).powi(2))).sqrt();
             let exact = near + (near + far) * over / h + s * bent + sheared * slid;
             is_bound(beyond([near, far].map(Size::of), short, [h; 2], flexure), exact);
-            // Beyond an anchor at the distance h from a place with a bound of e_φ: g = o up to the anchor.
+            // Beyond an anchor at the distance h from a position with a bound of e_φ: g = o up to the anchor.
             let bent = (outside + integral(h, |_| over * over)).sqrt();
             let exact = slope * over + s * bent + sheared * over.sqrt();
             is_bound(along_slope([slope, h].map(Size::of), short, flexure), exact);

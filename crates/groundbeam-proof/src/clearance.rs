@@ -260,8 +260,8 @@ impl<C: Scalar> OpenPiece<C> {
 
     /// A bound of −C̄ on an interval of t.
     fn deepest(&self, [from, to]: [f64; 2], negligible: Size, budget: &mut Budget) -> Size {
-        // A depth of the size of the rounding error is accepted. Doubles have no error bound of their own, and at a
-        // double zero of C̄, beside a clamp, halving would use the budget of all pieces.
+        // A depth below the rounding error is accepted: at a double zero of C̄, for example beside a clamp, halving
+        // would use the budget of all pieces.
         let rounding = f64::EPSILON * (Size::of(self.arc.size()) + self.obstacle[0].size(1.0));
         let mut deepest = Size::ZERO;
         let mut open = Vec::new();

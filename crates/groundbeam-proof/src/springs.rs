@@ -135,7 +135,7 @@ impl<S: Scalar> Contact<'_, S> {
         let far = (2.0 * limit.over(at_end)).value();
         let mut long = if lies { (2.0 * far).sqrt() } else { far };
         if end + inward * long == end {
-            // A bound far below the rounding error of t.
+            // The bound is below the rounding error of t. The shortest interval of doubles is tried first.
             long = 2.0 * f64::EPSILON;
         }
         for _ in 0..12 {

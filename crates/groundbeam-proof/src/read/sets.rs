@@ -109,7 +109,7 @@ fn decimal(factor: Micro) -> String {
     }
 }
 
-/// A term with its possible actions, each with its factor.
+/// The terms of an expression: the possible actions of each, with their factors.
 type Lists = [Vec<(&'static str, Micro)>];
 
 /// Terms of an expression. At most one action of each term is present. With leading actions, one list of terms for each action

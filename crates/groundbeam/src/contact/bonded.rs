@@ -185,7 +185,8 @@ impl<'a> Bonded<'a> {
                     extension = extension.max((w - spring.rest).abs());
                     deflection = deflection.max(w.abs());
                 }
-                let at_rest = extension <= ULPS * f64::EPSILON * deflection;
+                // Stiff springs hold any deflection, so their extension counts with their stiffness.
+                let at_rest = extension * epsilon.max(1.0) <= ULPS * f64::EPSILON * deflection;
                 return Some(Stabilised { found, springs: Springs { work, at_rest } });
             }
             if self.cancel.is_cancelled() {

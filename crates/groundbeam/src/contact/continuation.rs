@@ -122,7 +122,8 @@ pub(crate) fn correct(bonded: &mut Bonded, mut contact: Vec<Interval>) -> Option
         }
         stale = if moved <= 0.5 * least { 0 } else { stale + 1 };
         if stale >= STALE_STEPS {
-            let is_rounding = differ_by_rounding(&found, &contact, &asked, &[]);
+            let is_rounding =
+                moved.is_finite() && differ_by_rounding(&found, &contact, &asked, &[]);
             return is_rounding.then_some(ContactState { zones: asked, ..found });
         }
         least = least.min(moved);

@@ -209,7 +209,8 @@ impl Search<'_, '_> {
         self.moved = longest_difference(contact, &next) / l;
         // Moves of the size of rounding error fluctuate, so only a new least move counts as progress.
         let goal = if self.moved > JITTER { self.last } else { self.least };
-        self.stale = if self.moved <= 0.5 * goal { 0 } else { self.stale + 1 };
+        let is_progress = self.moved.is_finite() && self.moved <= 0.5 * goal;
+        self.stale = if is_progress { 0 } else { self.stale + 1 };
         self.last = self.moved;
         self.history.push(Step { zones: next.len(), step: 1.0, decrement: self.moved });
         next
@@ -225,8 +226,10 @@ impl Search<'_, '_> {
     ) -> Option<ContactState> {
         let found = &trial.found;
         if let Some(springs) = &trial.springs {
-            let is_balanced = springs.at_rest && self.moved <= ROUNDING_MOVE && self.holds(found);
-            return is_balanced.then(|| found.as_ref().clone());
+            let is_unchanged = !self.needs_springs && self.moved <= ROUNDING_MOVE;
+            let is_balanced = springs.at_rest && is_unchanged && self.holds(found);
+            let edge_error = EdgeError::of(&[contact, asked], self.length());
+            return is_balanced.then(|| ContactState { edge_error, ..found.as_ref().clone() });
         }
         let (moved, before) = (self.moved, self.before);
         let lengths = contact.iter().map(|[from, to]| to - from).filter(|length| *length > 0.0);
@@ -270,6 +273,7 @@ impl Search<'_, '_> {
     fn jitters(&self, contact: &[Interval], found: &ContactState) -> bool {
         let asked = || obstacle::contact(&found.deflection());
         self.stale >= STALE_STEPS
+            && self.moved.is_finite()
             && (self.moved <= JITTER || differ_by_rounding(found, contact, &asked(), &self.places))
     }
 

@@ -88,8 +88,8 @@ pub(crate) fn zones_of(
 }
 
 /// The longest interval of the symmetric difference of two contacts, or the largest distance of a point of contact from
-/// the other contact. Infinite if one contact is empty and the other has a point, or if one of them alone has a point of
-/// contact at the end of a zone: a shear layer that ends there beside Winkler ground.
+/// the other contact. Infinite if one contact is empty and the other has a point. Also infinite if a point lies on a
+/// zone and the other contact has the zone without the point: the end of a shear layer beside Winkler ground.
 pub(crate) fn longest_difference(a: &[Interval], b: &[Interval]) -> f64 {
     let lengths = differences(&[a, b]).into_iter().map(|[from, to]| to - from);
     let longest = lengths.fold(0.0, f64::max);
