@@ -1,6 +1,7 @@
-"""Writes doubtful.json: 60-digit solutions of models whose contact doubles hardly decide, from the frozen models' text.
+"""Writes doubtful.json: 60-digit solutions of models whose contact is below the rounding error of doubles.
 
-Three models have a stretch that has hardly any force or clearance. Each record has one more key, `doubtful`:
+The models are frozen ones. Three have a stretch whose force or clearance is below the rounding error.
+Each of their records has one more key, `doubtful`:
 
     from, to    the stretch
     touches     whether it is in contact

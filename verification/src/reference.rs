@@ -51,10 +51,10 @@ pub struct InnerForce {
     pub force: f64,
 }
 
-/// The answers in `reference/doubtful.json`: models whose contact doubles hardly decide.
+/// The answers in `reference/doubtful.json`: models whose contact is below the rounding error of doubles.
 #[derive(Debug, Deserialize)]
 pub struct Doubtful {
-    /// Models with a stretch that has hardly any force or clearance.
+    /// Models with a stretch whose force or clearance is below the rounding error.
     pub zones: Vec<DoubtfulZone>,
     /// A beam that is balanced on one corner of the ground.
     pub balance: Balance,

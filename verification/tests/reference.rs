@@ -75,7 +75,7 @@ fn solved(name: &str, model: &Model) -> Box<Solution> {
 const ROUNDING_OF_EDGES: f64 = 1e-15;
 
 #[test]
-fn contact_that_doubles_hardly_decide_agrees_with_sixty_digits() {
+fn contact_below_the_rounding_error_agrees_with_sixty_digits() {
     let zones = Doubtful::read().zones;
     assert_eq!(zones.len(), 3);
     for one in zones {

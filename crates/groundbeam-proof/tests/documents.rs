@@ -1,6 +1,7 @@
 //! Tests documents with one wrong number in an otherwise right answer in closed form: none is proven.
 
-use groundbeam_proof::{Document, Verification, Wide, read_model, verify};
+use crate::one_document;
+use groundbeam_proof::Verification;
 
 /// A clamp at 0, a hinge at 1 and a pin at 2 over a gap that the beam does not close: w = 6x² − 2x³, then linear. A weak
 /// spring at the hinge carries κw(1) = 4κ, κ = 2⁻²⁰.
@@ -73,16 +74,12 @@ const RESTING: &str = r#"{
 }"#;
 
 fn verified(model: &str, document: &str) -> Verification {
-    let model = read_model::<Wide>(model, None).expect("a model");
-    let [document] = &Document::read(document).expect("a document")[..] else { panic!() };
-    verify(&model, document).expect("bounds")
+    one_document::verified(model, document).expect("bounds")
 }
 
 /// Whether a document is called proven.
 fn is_proven(model: &str, document: &str) -> bool {
-    let model = read_model::<Wide>(model, None).expect("a model");
-    let [document] = &Document::read(document).expect("a document")[..] else { panic!() };
-    let found = verify(&model, document);
+    let found = one_document::verified(model, document);
     match &found {
         Ok(found) => println!("{:?}", found.shortfall),
         Err(why) => println!("{why}"),

@@ -1,7 +1,8 @@
 //! Tests the numbers that a document lists beside its pieces: exact numbers are proven, and the bound of a wrong number is
 //! its error.
 
-use groundbeam_proof::{Document, Verification, Wide, read_model, verify};
+use crate::one_document;
+use groundbeam_proof::Verification;
 use serde_json::{Value, json};
 
 /// Change of a listed number.
@@ -37,11 +38,7 @@ fn region(ends: &Value) -> Value {
 }
 
 fn verified(model: &str, document: &Value) -> Verification {
-    let model = read_model::<Wide>(model, None).expect("a model");
-    let [document] = &Document::read(&document.to_string()).expect("a document")[..] else {
-        panic!()
-    };
-    verify(&model, document).expect("bounds")
+    one_document::verified(model, &document.to_string()).expect("bounds")
 }
 
 /// Adds to a number of a document, and returns the new document.

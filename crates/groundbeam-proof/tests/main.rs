@@ -5,6 +5,7 @@ mod attacks;
 mod documents;
 mod exact;
 mod listed;
+mod one_document;
 mod partial_contact;
 mod reader;
 mod right_answers;

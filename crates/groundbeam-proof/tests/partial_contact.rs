@@ -5,7 +5,8 @@
 //! edge, the layer pushes with 1 under the left end, and M = V = 0. The loads are p, 1 + P at the left end and −P at the
 //! right end.
 
-use groundbeam_proof::{Document, Model, Verification, Wide, read_model, verify};
+use crate::one_document;
+use groundbeam_proof::{Model, Verification, Wide, read_model, verify};
 use serde_json::{Value, json};
 
 /// Shear stiffness, if the beam has shear deformation, and the tension.
@@ -70,10 +71,8 @@ fn document((stiffness, _): (Option<f64>, f64), edge: f64, epsilon: f64) -> Valu
 }
 
 fn verified(beam: (Option<f64>, f64), document: &Value) -> Verification {
-    let [document] = &Document::read(&document.to_string()).expect("a document")[..] else {
-        panic!()
-    };
-    verify(&model(beam), document).unwrap_or_else(|why| panic!("{beam:?}: {why}"))
+    let document = one_document::document(&document.to_string());
+    verify(&model(beam), &document).unwrap_or_else(|why| panic!("{beam:?}: {why}"))
 }
 
 /// The proven contact set is the exact one: from 0 to 1, with the force 1 at 0 and no force at 1.
@@ -188,10 +187,8 @@ fn contact_at_a_corner_of_the_ground_is_proven_only_if_the_ground_pushes() {
             "end_forces": ends,
             "forces": [{"x": 1, "force": corner}],
         });
-        let [document] = &Document::read(&document.to_string()).expect("a document")[..] else {
-            panic!()
-        };
-        let found = verify(&model, document).expect("bounds");
+        let document = one_document::document(&document.to_string());
+        let found = verify(&model, &document).expect("bounds");
         if corner > 0.0 {
             assert_eq!(found.shortfall, None, "{corner}");
             assert!(found.forces.error < 1e-9 && found.edges.error < 1e-9, "{corner}");
@@ -223,10 +220,8 @@ fn an_unloaded_part_beside_a_clamp_is_in_contact() {
             "reactions": reactions,
             "contact": [{"from": 1, "to": 2}],
         });
-        let [document] = &Document::read(&document.to_string()).expect("a document")[..] else {
-            panic!()
-        };
-        let found = verify(&model, document).unwrap_or_else(|why| panic!("{added}: {why}"));
+        let document = one_document::document(&document.to_string());
+        let found = verify(&model, &document).unwrap_or_else(|why| panic!("{added}: {why}"));
         found.proof.contact.is_ok()
     };
     assert!(contact(""));

@@ -1,9 +1,8 @@
 //! Tests beams on supports above a gap that they do not close, in closed form: the bounds of reactions and fields cover the
 //! errors of bent and shifted claims, and wrong claims about supports are refused.
 
-use groundbeam_proof::{
-    Document, Model, NotProven, Scalar, Verification, Wide, read_model, verify,
-};
+use crate::one_document;
+use groundbeam_proof::{Model, NotProven, Scalar, Verification, Wide, read_model, verify};
 use serde_json::{Value, json};
 
 /// A beam with EI = 1 above a gap of 100.
@@ -141,10 +140,7 @@ fn in_t(c: &[f64; 5], [from, to]: [f64; 2]) -> Vec<f64> {
 }
 
 fn verified(model: &Model<Wide>, document: &Value) -> Result<Verification, NotProven> {
-    let [document] = &Document::read(&document.to_string()).expect("a document")[..] else {
-        panic!()
-    };
-    verify(model, document)
+    verify(model, &one_document::document(&document.to_string()))
 }
 
 impl Case {

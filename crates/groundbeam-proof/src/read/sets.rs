@@ -112,8 +112,8 @@ fn decimal(factor: Micro) -> String {
 /// The terms of an expression: the possible actions of each, with their factors.
 type Lists = [Vec<(&'static str, Micro)>];
 
-/// Terms of an expression. At most one action of each term is present. With leading actions, one list of terms for each action
-/// that leads, and one without a leading action. The first value of a pair tells whether an action of the first term must act.
+/// The lists of terms of an expression: one list for each leading action and one without a leading action. At most one
+/// action of each term is present. The first value of a pair is true if an action of the first term must act.
 fn variable_terms(
     formula: &Formula,
     actions: &'static [Action],

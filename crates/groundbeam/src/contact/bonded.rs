@@ -46,12 +46,6 @@ pub(crate) struct BondedSystem {
     pub chain: Chain,
 }
 
-/// The bonded beam with stabilising springs.
-pub(crate) struct Stabilised {
-    pub found: ContactState,
-    pub springs: Springs,
-}
-
 /// The stabilising springs of a bonded beam.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Springs {
@@ -167,7 +161,7 @@ impl<'a> Bonded<'a> {
         intervals: &[Interval],
         now: &ContactState,
         epsilon: &mut f64,
-    ) -> Option<Stabilised> {
+    ) -> Option<(ContactState, Springs)> {
         while *epsilon <= STIFFEST_SPRING {
             let mut springs = Vec::new();
             let solved = self.solve_with(intervals, &[], |mesh, nodes| {
@@ -187,7 +181,7 @@ impl<'a> Bonded<'a> {
                 }
                 // Stiff springs hold any deflection, so their extension counts with their stiffness.
                 let at_rest = extension * epsilon.max(1.0) <= ULPS * f64::EPSILON * deflection;
-                return Some(Stabilised { found, springs: Springs { work, at_rest } });
+                return Some((found, Springs { work, at_rest }));
             }
             if self.cancel.is_cancelled() {
                 return None;

@@ -8,7 +8,7 @@
 //! The iteration stops by the edges, not by the energy. A zone with 10⁻¹² of the contact force has 10⁻²⁴ of the energy,
 //! so the energy cannot show whether it touches.
 
-use crate::contact::bonded::{Bonded, GivenRotation, Springs, Stabilised};
+use crate::contact::bonded::{Bonded, GivenRotation, Springs};
 use crate::contact::descent::shorten;
 use crate::contact::edge_error::EdgeError;
 use crate::contact::edge_step;
@@ -181,7 +181,7 @@ impl Search<'_, '_> {
             return Ok(Bond::OnOnePoint(Box::new(found)));
         }
         let stabilised = self.bonded.solve_stabilised(contact, &now, &mut self.epsilon);
-        let Stabilised { found, springs } = stabilised.ok_or_else(|| self.stalled())?;
+        let (found, springs) = stabilised.ok_or_else(|| self.stalled())?;
         Ok(Bond::Trial(Trial { found: Rc::new(found), springs: Some(springs) }))
     }
 

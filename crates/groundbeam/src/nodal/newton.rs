@@ -45,7 +45,7 @@ pub(crate) struct Goal {
     pub moves: usize,
 }
 
-/// Final result: the contact set no longer changes. Zones far from the loads hardly change the energy, so the line
+/// Final result: the contact set no longer changes. Zones far from the loads change the energy little, so the line
 /// search shortens many steps: Hard 333 needs 650 steps on 333 elements.
 pub(crate) const ANSWER: Goal = Goal { steps: 2000, searched: usize::MAX, moves: 0 };
 /// Initial guess for another method.
