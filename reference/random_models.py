@@ -340,10 +340,10 @@ FAMILIES = {
 }
 
 NOTES = {
-    ("hard", 26): "a force stands on the edge of contact, to 1e-16",
-    ("hard", 27): "a force stands next to the edge of contact, about 3e-9 from it",
-    ("hard", 28): "a force stands on the edge of contact, to 1e-16; Winkler",
-    ("hard", 29): "a moment stands on the edge of contact, to 1e-16",
+    ("hard", 26): "a force acts at the edge of contact, to 1e-16",
+    ("hard", 27): "a force acts next to the edge of contact, about 3e-9 from it",
+    ("hard", 28): "a force acts at the edge of contact, to 1e-16; Winkler",
+    ("hard", 29): "a moment acts at the edge of contact, to 1e-16",
 }
 
 

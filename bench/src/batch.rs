@@ -15,7 +15,7 @@ fn solved(model: &Model) -> Box<Solution> {
     }
 }
 
-/// The bits of all results that a study reads.
+/// All results that a study reads, as bits.
 fn bits(models: &[Model]) -> Vec<u64> {
     let of = |model: &Model| {
         let solution = solved(model);

@@ -91,7 +91,7 @@ fn errors(found: &NodalSolution, right: &Reference) -> [f64; 2] {
     [error(&found.deflection, &right.deflection), error(&found.force, &right.force)]
 }
 
-/// Peak memory per element in bytes, in a separate process.
+/// Peak memory per element in bytes, measured in a separate process.
 fn memory(axial_force: f64, n: usize) -> Option<f64> {
     if n < 100_000 {
         return None;

@@ -239,21 +239,21 @@ def roughly(contact):
         if piece.touches:
             error = contact.errors[i]["p"]
             r.shows(
-                f"roughly: the pressure on piece {i} is not larger than its error",
+                f"rough contact: the pressure on piece {i} is not larger than its error",
                 above(piece.pressure, piece.t, error),
             )
             for side in (0, 1):
                 theta = contact.at[i + side, side].inside
                 whole = theta * (1 + r.ROUNDING) >= piece.h
-                r.shows(f"roughly: the edge at node {i + side}", whole or opened(contact, i, side, theta))
+                r.shows(f"rough contact: the edge at node {i + side}", whole or opened(contact, i, side, theta))
             continue
         interval = list(piece.t)
         for side in (0, 1):
             theta = contact.at[i + side, 1 - side].outside
             interval[side] += (1 - 2 * side) * theta / piece.half
             if not r.touches[i + side]:
-                r.shows(f"roughly: node {i + side} does not touch", theta == 0)
+                r.shows(f"rough contact: node {i + side} does not touch", theta == 0)
         clear = on(interval, lambda t: least(r, i, t, 0) > limit(contact, i))
-        r.shows(f"roughly: the clearance on piece {i}", clear)
+        r.shows(f"rough contact: the clearance on piece {i}", clear)
     for node in range(len(r.nodes)):
         contact.tolerance[node] = INFINITE if r.touches[node] else arb(0)

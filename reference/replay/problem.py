@@ -167,7 +167,7 @@ class Problem(Checks):
         self.nodes = [Node(line) for line in self.all("node")]
         self.x = [node.x for node in self.nodes]
         if len(self.nodes) != len(self.all("piece")) + 1:
-            raise NotReplayed("the numbers of nodes and pieces do not fit")
+            raise NotReplayed("the numbers of nodes and pieces do not match")
         ends = zip(self.x, self.x[1:])
         self.pieces = [Piece(line, x) for line, x in zip(self.all("piece"), ends)]
         for piece in self.pieces:

@@ -152,7 +152,7 @@ pub fn shard(written: &str) -> Result<Shard, String> {
     known.ok_or_else(|| "write shard i of N as i/N, with i from 1 to N, as in 3/8".into())
 }
 
-/// Answers an option that earlier versions had.
+/// The message for an option that only earlier versions had.
 pub fn no_choice_of_pressure(_: &str) -> Result<std::convert::Infallible, String> {
     let forces =
         "the ground of `active-set`, `psor` and `uzawa` presses on the nodes alone, Kikuchi (5.5)";

@@ -70,7 +70,7 @@ fn proven(
         _ => stations,
     };
     let documents = Document::read(&results.json(stations))
-        .map_err(|error| Failure::usage(format!("the document of the answer: {error}")))?;
+        .map_err(|error| Failure::usage(format!("the result document: {error}")))?;
     documents.iter().map(|document| prove(input.text(), input.name(), document)).collect()
 }
 
@@ -96,10 +96,10 @@ fn asked(input: &Input, request: &Solve) -> Result<(Run, Option<String>), Failur
     if let Some(option) = request.about_one_answer() {
         let rule = match run.asked() {
             Asked::One | Asked::Methods => None,
-            Asked::Trains => Some("it needs a single position, but the file has a train"),
-            Asked::Combinations => Some(
-                "with a file that has combinations, it applies to one of them; add --combination NAME",
-            ),
+            Asked::Trains => Some("this option needs a single position, but the file has a train"),
+            Asked::Combinations => {
+                Some("this option applies to one combination of the file; add --combination NAME")
+            }
         };
         if let Some(rule) = rule {
             return Err(Failure::usage(format!("{option}: {rule}")));

@@ -80,7 +80,7 @@ pub fn merge(request: &Merge) -> Result<Status, Failure> {
     Ok(Status::Done)
 }
 
-/// The samples of the file, with the typed options applied.
+/// The samples of the file, with the options of the command line applied.
 fn read(request: &Study) -> Result<Draws, Failure> {
     let study = read_study(&request.file).map_err(|error| match error {
         StudyError::Unreadable(path, error) => Failure::file(&path, &error),

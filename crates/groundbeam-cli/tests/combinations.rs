@@ -41,7 +41,7 @@ fn a_combination_without_equilibrium_does_not_hide_the_others() {
     let outputs = ["--csv", "t.csv", "--plot", "p.svg"];
     let done = folder.run(&[&["solve", "model.toml"][..], &outputs].concat());
     done.is_clean(3);
-    assert!(done.stdout.contains("   3  none: it tips about its right end"));
+    assert!(done.stdout.contains("   3  none: the beam tips about its right end"));
     assert!(done.stdout.contains("exact, 2 of 3 combinations solved"));
     assert!(folder.read("t.csv").starts_with("x,deflection_min,deflection_max,"));
     assert!(folder.read("p.svg").starts_with("<svg "));

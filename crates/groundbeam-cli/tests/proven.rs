@@ -276,7 +276,7 @@ fn claimed_positions_of_extremes_are_verified() {
     folder.write("result.json", document.to_string().as_bytes());
     let verified = folder.run(&["verify", "result.json", "model.toml"]);
     assert_eq!(verified.status, 1);
-    let words = "claims places of the largest moment";
+    let words = "claims positions of the largest moment";
     assert!(verified.stdout.contains(words), "{}", verified.stdout);
     // The same holds for the values on the left of a jump.
     let mut document = folder.run(&["solve", "model.toml", "--proven", "--json"]).json();

@@ -269,7 +269,7 @@ fn a_view_returns_the_text_location_of_every_number() {
     // The handle is at the position in the picture.
     let [left, scale] = ["left", "scale"].map(|key| view["picture"][key].as_f64().unwrap());
     assert!((handle["x"].as_f64().unwrap() - (left + 5.0 * scale)).abs() < 1e-9);
-    // The own weight of a beam has no position to drag.
+    // The self-weight of a beam has no position to drag.
     let section = "E = \"30 GPa\"\nsection = { width = \"1 m\", height = \"1 m\" }\nunit_weight = \"25 kN/m^3\"";
     let heavy = FOOTING.replace("EI = \"1.2e6 kN m^2\"", section);
     let heavier = server.post("/api/view?width=700", &heavy).json();

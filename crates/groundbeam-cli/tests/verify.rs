@@ -311,7 +311,7 @@ fn positions_of_extremes_are_compared() {
     let done = with(&folder, &wrong);
     assert_eq!(done.status, 1);
     assert!(
-        done.stdout.contains("the listed place of the smallest slope is wrong"),
+        done.stdout.contains("the listed position of the smallest slope is wrong"),
         "{}",
         done.stdout
     );

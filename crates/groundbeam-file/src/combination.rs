@@ -20,7 +20,7 @@ pub(crate) struct Recipe {
     pub factors: Vec<(String, f64)>,
     /// Its limit states; empty if neither the file nor the set names any.
     pub limit_states: LimitStates,
-    /// The set of combinations of a code of practice that it comes from.
+    /// The set of a code of practice from which the combination is generated; `None` if the file gives its factors.
     pub set: Option<&'static str>,
     /// Whether this set belongs to the Eurocodes.
     pub eurocode: bool,
@@ -45,7 +45,7 @@ pub struct Combination {
     pub factors: Vec<(String, f64)>,
     /// Its limit states; empty for the loads as given, or if the file names none.
     pub limit_states: LimitStates,
-    /// Whether it comes from a set of the Eurocodes, whose clauses then require the checks.
+    /// Whether the combination comes from a set of the Eurocodes. Reports then cite the clauses that require the checks.
     pub eurocode: bool,
     /// The file's model under the factored loads. Loads with the factor 0 are left out.
     pub model: Model,

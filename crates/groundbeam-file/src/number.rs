@@ -171,7 +171,7 @@ mod tests {
         {
             let (digits, exponent) = divide(whole, denominator);
             let nearest: f64 = format!("{digits}e{exponent}").parse().unwrap();
-            // Both operands are exact in f64 except the last, where a relative error of 2^-53 is allowed.
+            // The operands are exact in f64, except the last denominator, which adds a relative error of 2^-53.
             let quotient = whole as f64 / denominator as f64;
             assert!((nearest - quotient).abs() <= f64::EPSILON * quotient);
         }

@@ -367,7 +367,7 @@ impl<'s> Reader<'s> {
         };
         match written {
             Ok(Written { value, has_unit, marks }) => {
-                // A plain number has no unit in either kind of file.
+                // A dimensionless number has no unit, whether or not the file has units.
                 if kind.dimension != Dimension::NONE {
                     let key = key.to_owned();
                     let is_bare_zero = value == 0.0 && !has_unit;

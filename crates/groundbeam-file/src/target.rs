@@ -69,7 +69,7 @@ pub fn problem(parameter: Parameter, name: &str, document: &Document) -> Option<
         && index >= model.loads.len()
     {
         let count = model.loads.len();
-        return Some(format!("loads count from 0, and the model has {count}"));
+        return Some(format!("loads are numbered from 0, and the model has {count}"));
     }
     if parameter.value(model).is_some() {
         return None;

@@ -134,7 +134,7 @@ struct Read {
 }
 
 impl Read {
-    /// Reads a file that cannot name other files.
+    /// Reads a model file that must not refer to other files.
     fn of(bytes: &[u8]) -> Result<Self, Refused> {
         let text = groundbeam_file::text_of(bytes);
         let read = text.and_then(|text| Ok((groundbeam_file::parse(text)?, text.to_owned())));

@@ -127,7 +127,7 @@ fn said(results: &Results) -> (String, Vec<(String, String)>) {
         let said = match passages.overall() {
             Overall::NoEquilibrium => "there are positions without an equilibrium",
             Overall::NotConverged => "there are positions that could not be certified",
-            Overall::Solved => "every position is in equilibrium",
+            Overall::Solved => "the beam is in equilibrium at every position",
         };
         let row = |passage: &Passage| {
             let count = passage.solved().count();
@@ -137,7 +137,7 @@ fn said(results: &Results) -> (String, Vec<(String, String)>) {
         return (said.to_owned(), rows.collect());
     }
     let said = match answers.overall() {
-        Overall::Solved => "all of them are in equilibrium",
+        Overall::Solved => "an equilibrium exists in all of them",
         Overall::NoEquilibrium => "at least one of them has no equilibrium",
         Overall::NotConverged => "at least one of them could not be certified",
     };
@@ -183,7 +183,7 @@ fn picture(document: &Document, results: &Results, asked: &Asked) -> Option<Pict
     })
 }
 
-/// The handle with its numbers; `None` if no number of the text gives the position, as for an axle or the own weight
+/// The handle with its numbers; `None` if no number of the text gives the position, as for an axle or the self-weight
 /// of the beam.
 fn held(document: &Document, combination: &Combination, handle: &Handle) -> Option<Held> {
     let (part, field, size, name) = match handle.grip {
@@ -206,7 +206,7 @@ fn held(document: &Document, combination: &Combination, handle: &Handle) -> Opti
         Grip::Hinge(i) => (Part::Hinge(i), "at", None, format!("hinge {}", i + 1)),
         Grip::Support(i) => (Part::Support(i), "at", None, format!("support {}", i + 1)),
     };
-    // The ends of the own weight follow from the length of the beam: the file has no position for them.
+    // The ends of the self-weight follow from the length of the beam: the file has no position for them.
     let position = Number::behind(document, part, field)?;
     document.quantities[position].place?;
     let [x, y] = handle.place;

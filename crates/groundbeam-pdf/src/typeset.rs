@@ -39,7 +39,7 @@ fn failed(found: &[SourceDiagnostic]) -> Error {
 }
 
 fn wrong(what: impl Display) -> Error {
-    Error(format!("the report could not be set: {what}"))
+    Error(format!("the report could not be typeset: {what}"))
 }
 
 /// The files that typst can read.

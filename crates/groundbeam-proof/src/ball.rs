@@ -108,7 +108,7 @@ impl Scalar for Ball {
     }
 
     fn expm1(self) -> Self {
-        // The series of 12 terms leaves less than 2⁻⁷⁸ of the result.
+        // The remainder of the series after 12 terms is below 2⁻⁷⁸ of the result.
         expm1_by_series(self, 12)
     }
 

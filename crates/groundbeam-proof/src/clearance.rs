@@ -227,8 +227,8 @@ impl<C: Scalar> OpenPiece<C> {
         let [from, to] = self.interval;
         let end = self.interval[side];
         let mut reach = if alone { self.interval[1 - side] } else { 0.5 * (from + to) };
-        // The rounding error of C̄. A ramp of this depth is not halved, because on a short piece it gives a
-        // smaller bound than values of C̄.
+        // The rounding error of C̄. A bound −τx of at most this depth is accepted, because on a short piece it is
+        // smaller than the bound from values of C̄.
         let blurred = Size::of(f64::EPSILON * self.arc.size());
         loop {
             let [a, b] = if side == 0 { [end, reach] } else { [reach, end] };
@@ -247,8 +247,7 @@ impl<C: Scalar> OpenPiece<C> {
                 return ramp(Size::ZERO);
             }
             let depth = (steep + fall) * long;
-            // The depth at the far end is at least half of the ramp's depth, so a shorter ramp would not
-            // reduce D much.
+            // −C̄ at the far end is at least half of the depth τx, so a shorter neighbourhood would not reduce D much.
             let at_reach = self.settlement(reach)[0] - self.obstacle[0].value(C::of(reach));
             let deep = depth.value() <= 2.0 * Size::below_zero(at_reach.high()).value();
             if deep || depth <= blurred || !(b - a > 1e-12) || !budget.take() {

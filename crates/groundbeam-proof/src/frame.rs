@@ -68,7 +68,7 @@ pub(crate) struct Node<S> {
     pub ground_force: S,
     /// The settlement of a rigid support.
     pub rigid: Option<S>,
-    /// Whether a clamp holds the slope.
+    /// Whether a clamp restrains the slope.
     pub clamped: bool,
     /// The directions in which the support acts. A one-way support is the only support of its node.
     pub acts: Acts,

@@ -372,7 +372,7 @@ impl<S: Scalar> Comparison<'_, S> {
         places.sort_by(f64::total_cmp);
         let near = NEAR * self.length();
         let pair = places.windows(2).find(|pair| pair[1] - pair[0] <= near)?;
-        Some(NotProven::new("two concentrated forces are listed at one place").at(pair[0]))
+        Some(NotProven::new("two concentrated forces are listed at one position").at(pair[0]))
     }
 
     /// Compares listed concentrated forces with the exact ones. A force that is not listed counts as zero.

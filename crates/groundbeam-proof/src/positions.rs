@@ -12,7 +12,8 @@ const APART: f64 = 32.0 * f64::EPSILON;
 /// The shortest piece, as a fraction of the length.
 const SHORTEST: f64 = 1e-20;
 
-/// The ends of the pieces. An end may represent an exact position of the model.
+/// The nodes, which are the ends of the pieces: the doubles of the answer, and the exact positions of the model that they
+/// stand for.
 #[derive(Debug)]
 pub(crate) struct Positions<S> {
     /// The doubles of the answer, in the units of the proof.

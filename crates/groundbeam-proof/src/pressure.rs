@@ -17,7 +17,7 @@ pub(crate) struct Pressure<S> {
     pub masses: [S; 3],
     /// p ≥ −η.
     pub depth: Size,
-    /// p < 0 on a length of at most ω. So the tensile part max(−p, 0) has a resultant of at most ηω.
+    /// ω: p < 0 on a length of at most ω. With p ≥ −η, the tensile part max(−p, 0) has a resultant of at most ηω.
     pub width: Size,
 }
 

@@ -223,7 +223,7 @@ impl Verification {
                 let which = if *is_max { "largest" } else { "smallest" };
                 let field = field.replace('_', " ");
                 let what = format!(
-                    "the document claims places of the {which} {field} that are not proven"
+                    "the document claims positions of the {which} {field} that are not proven"
                 );
                 first = first.or(Some(NotProven::new(what)));
             }
@@ -237,8 +237,8 @@ impl Verification {
         let far = 1e-6 * self.proof.scales.length;
         let extreme = self.extremes.iter().find(|extreme| extreme.distance() > far)?;
         let which = if extreme.is_max { "largest" } else { "smallest" };
-        let what =
-            format!("the listed place of the {which} {} is wrong", extreme.field.replace('_', " "));
+        let field = extreme.field.replace('_', " ");
+        let what = format!("the listed position of the {which} {field} is wrong");
         Some(NotProven::new(what).at(extreme.listed))
     }
 

@@ -173,7 +173,7 @@ impl Scalar for Wide {
     }
 
     fn expm1(self) -> Self {
-        // The series of 18 terms leaves less than 2⁻¹²⁷ of the result.
+        // The remainder of the series after 18 terms is below 2⁻¹²⁷ of the result.
         expm1_by_series(self, 18)
     }
 

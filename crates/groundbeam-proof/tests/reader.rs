@@ -33,7 +33,7 @@ fn numbers_without_units_are_read_unchanged() {
     assert!(read_model::<f64>(SMALL, None).is_ok() && read_model::<Ball>(SMALL, None).is_ok());
 }
 
-/// A haunch from 1.2 m to 0.8 m: EI at mid-length is that of 1 m, exactly; its own weight is linear.
+/// A haunch from 1.2 m to 0.8 m: EI at mid-length is that of 1 m, exactly; its self-weight is linear.
 #[test]
 fn a_haunch_is_a_polynomial_of_its_height() {
     let text = "[beam]\nlength = '12 m'\nE = '30 GPa'\nunit_weight = '25 kN/m^3'\nweight_case = 'G'\n\

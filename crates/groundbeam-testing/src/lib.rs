@@ -1,4 +1,4 @@
-//! Shared by the tests of all crates: the repository's files, generated texts, and programs from outside.
+//! Shared by the tests of all crates: the repository's files, generated texts, and external programs.
 
 mod expected;
 mod files;

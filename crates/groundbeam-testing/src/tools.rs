@@ -1,4 +1,4 @@
-//! Programs from outside that some tests need: virtual environments of Python, and what happens if one is missing.
+//! External programs that some tests need: finds them, creates virtual environments of Python, skips tests without them.
 
 use std::io::Write;
 use std::path::{Path, PathBuf};

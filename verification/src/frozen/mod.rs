@@ -73,7 +73,7 @@ pub fn family(folder: &Path, family: &str) -> io::Result<Vec<Frozen>> {
 }
 
 impl Frozen {
-    /// The family and the number, `Hard 7371`.
+    /// The family and the number, such as `Hard 7371`.
     pub fn title(&self) -> &str {
         &self.model.title
     }

@@ -5,7 +5,7 @@ use std::path::Path;
 /// A title and its lines.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Record {
-    /// The family and the number of a model, `Hard 7371`.
+    /// The family and the number of a model, such as `Hard 7371`.
     pub title: String,
     /// The lines, in the order of the file.
     pub lines: Vec<Line>,

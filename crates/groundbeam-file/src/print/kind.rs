@@ -88,7 +88,7 @@ impl Kind {
         }
     }
 
-    /// Power of length in the unit beside the force; `None` for quantities without a force.
+    /// n of a unit force × lengthⁿ; `None` for quantities without a force.
     pub(super) fn power_of_length(self) -> Option<i32> {
         match self {
             Kind::BendingStiffness => Some(2),

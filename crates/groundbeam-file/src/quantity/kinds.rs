@@ -66,7 +66,7 @@ pub(crate) const ELASTIC_MODULUS: Kind = kind(
     STRESS,
     "30 GPa",
     "GPa",
-    &[(STIFFNESS, "a bending stiffness is `EI`; then leave `E` and `I` out")],
+    &[(STIFFNESS, "a bending stiffness is `EI`; it replaces `E` and `I`")],
 )
 .sign(Sign::Positive).plausible([3e8, 1e12], "the modulus of a beam is usually between 1 and 300 GPa, and that of a soil belongs in [foundation.soil]");
 /// The modulus of a soil or a rock.
@@ -75,7 +75,7 @@ pub(crate) const SOIL_MODULUS: Kind = kind(
     STRESS,
     "15 MPa",
     "MPa",
-    &[(MODULUS, "a force per volume is a `subgrade_modulus`; then leave the soil out")],
+    &[(MODULUS, "a force per volume is a `subgrade_modulus`; it replaces the soil data")],
 )
 .sign(Sign::Positive)
 .plausible([1e5, 1e11], "the modulus of a soil is usually between 1 and 500 MPa");
@@ -108,7 +108,10 @@ pub(crate) const SUBGRADE_MODULUS: Kind = kind(
     MODULUS,
     "40 MN/m^3",
     "MN/m^3",
-    &[(STRESS, "a force per length of beam per deflection is `k`; omit `width` then")],
+    &[(
+        STRESS,
+        "a force per length of beam per deflection is `k`; it replaces the modulus and `width`",
+    )],
 )
 .sign(Sign::Positive)
 .printed_as(print::Kind::AreaSpring)
@@ -124,7 +127,7 @@ pub(crate) const AREA_SHEAR: Kind = kind(
     "MN/m",
     &[(
         Dimension::FORCE,
-        "the shear constant over the whole width is the force `mu`; omit `C2` then",
+        "the shear constant over the whole width is the force `mu`; it replaces `C2`",
     )],
 )
 .sign(Sign::NotNegative)

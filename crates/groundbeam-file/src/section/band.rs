@@ -58,7 +58,7 @@ fn multiples(reader: &mut Reader, table: &Section, key: &'static str) -> Option<
     }
     let least = if key == "mu" { low >= 0.0 } else { low > 0.0 };
     if !(least && low <= 1.0 && high >= 1.0) {
-        let message = format!("the band of `{key}` must include the best value");
+        let message = format!("the band of `{key}` must include the factor 1");
         let hint = "give a positive factor of at most 1 and a factor of at least 1, as in [0.5, 2]";
         reader.report(Fault::new(code::FACTOR, value.span(), message, "", hint));
         return None;

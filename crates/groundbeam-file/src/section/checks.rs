@@ -24,8 +24,12 @@ pub(super) static TABLE: Table = Table {
             &STRESS_LIMIT,
             "The design resistance r_d per effective area, V_d ≤ r_d B′ L′: EN 1997-1, 6.5.2; in allowable stress design the allowable pressure on this area.",
         ),
-        quantity("width", &WIDTH, "The width for both; default: that of `[foundation]`.")
-            .also(ALSO_WIDTH),
+        quantity(
+            "width",
+            &WIDTH,
+            "The bearing width for these two checks; default: that of `[foundation]`.",
+        )
+        .also(ALSO_WIDTH),
         quantity(
             "settlement",
             &SETTLEMENT_LIMIT,

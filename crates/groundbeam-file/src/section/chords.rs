@@ -40,8 +40,8 @@ struct Even {
 }
 
 impl<'a> Spacing<'a> {
-    /// For a model whose k and μ may have factors between two `multiples`, under the mean load `pressure`.
-    /// Without loads it is infinite: then there is no pressure that chords could change.
+    /// For a model whose k and μ may have factors between two `multiples`, under the mean load `pressure`. An infinite
+    /// `pressure` stands for a model without loads: then the pressure and the contact edges need no chords.
     pub fn new(
         model: &Model,
         multiples: [[f64; 2]; 2],
@@ -53,7 +53,7 @@ impl<'a> Spacing<'a> {
         let even = troughs.iter().map(|trough| {
             let of_field = PER_WIDTH / trough.width;
             let of_moment = ranges.bonded().map(|bonded| 1.0 / bonded.longest(trough.width));
-            // A beam beside the trough rests on its tail, which is flatter by the factor i/t.
+            // A beam beside the trough rests on its tail, which decays over a length of i/t at t widths from the middle.
             let away = ((trough.at.clamp(0.0, l) - trough.at) / trough.width).powi(2);
             Even {
                 density: of_moment.fold(of_field, f64::max).powi(2) * (1.0 + away),
@@ -168,7 +168,8 @@ impl Bonded {
 
     /// The longest chord for which the moment differs by less than the tolerance.
     fn longest(&self, width: f64) -> f64 {
-        // First harmonic of a row of parabolas or of point forces; π²/6 accounts for the others.
+        // The gap between curve and chords is a periodic row of parabolas. Its first harmonic has the wave length of
+        // a chord; the factor π²/6 accounts for the higher harmonics.
         let few = TOLERANCE * self.moment(1.0 / width) / 3.3;
         let (mut short, mut long) = (0.0, width);
         for _ in 0..60 {

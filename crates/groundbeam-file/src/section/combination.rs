@@ -76,7 +76,7 @@ pub(super) static TABLE: Table = Table {
         words(
             "limit_state",
             &LIMIT_STATES,
-            "The limit state; default: that of the set, otherwise all checks are judged.",
+            "The limit state; default: that of the set. Without a limit state, all checks are judged.",
         )
         .also(&["limit_states", "design_situation", "state"]),
     ],

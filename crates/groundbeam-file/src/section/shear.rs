@@ -118,7 +118,7 @@ impl Shear {
 fn poisson(reader: &mut Reader, table: &Section) -> Option<Field> {
     let poisson = reader.quantity(table, "nu")?;
     if poisson.value < 0.0 || poisson.value > 0.5 {
-        let message = "Poisson's ratio lies between 0 and 0.5";
+        let message = "Poisson's ratio must lie between 0 and 0.5";
         let hint = "0.2 for concrete, 0.3 for steel; for timber give `G`";
         reader.report(Fault::new(code::POISSON, poisson.span.clone(), message, "", hint));
         return Some(Field::unreadable(poisson.span));

@@ -55,10 +55,10 @@ pub(super) static TABLE: Table = Table {
         word("method", &NAMES, "The method that computes k and mu.").needed(),
         tables("layer", &LAYER, "`…vlasov`: the layers above rock, the uppermost first."),
         quantity("gamma", &RATIO, "`vlasov`: the parameter of the decay with depth."),
-        quantity("E", &SOIL_MODULUS, "The elastic modulus, for four methods.")
+        quantity("E", &SOIL_MODULUS, "`vesic` to `selvadurai`: the elastic modulus.")
             .also(ALSO_E)
             .unlike(OEDOMETRIC, OF_OEDOMETRIC),
-        quantity("nu", &RATIO, "Poisson's ratio, for the same methods.").also(ALSO_NU),
+        quantity("nu", &RATIO, "`vesic` to `selvadurai`: Poisson's ratio.").also(ALSO_NU),
         quantity(
             "plate_modulus",
             &SUBGRADE_MODULUS,
@@ -149,7 +149,7 @@ fn elastic(reader: &mut Reader, table: &Section) -> Elastic {
     let modulus = positive(reader, table, "E");
     let poisson = reader.required(table, "nu");
     if poisson.value < 0.0 || poisson.value >= 0.5 {
-        let message = "Poisson's ratio of a soil lies between 0 and 0.5";
+        let message = "Poisson's ratio of a soil must lie between 0 and 0.5";
         let hint = "0.2 to 0.35 for sand, 0.4 to 0.45 for wet clay; 0.5 would be a fluid";
         reader.report(Fault::new(code::POISSON, poisson.span, message, "", hint));
         return Elastic { modulus, poisson: f64::NAN };

@@ -14,7 +14,7 @@ static TYPES: Words = Words {
         ("fixed", &["clamped", "built-in", "encastre", "rigid"]),
     ],
     message: "`{}` is not a support type",
-    hint: "`pinned` holds the deflection, `fixed` also the rotation",
+    hint: "`pinned` prevents deflection, `fixed` also rotation",
 };
 
 static DIRECTIONS: Words = Words {
@@ -31,7 +31,8 @@ pub(super) static TABLE: Table = Table {
     name: "[[support]]",
     keys: &[
         quantity("at", &POSITION, "The position on the beam.").needed().also(ALSO_AT),
-        word("type", &TYPES, "Rigid: `pinned` holds w = 0, `fixed` also w′ = 0.").also(&["kind"]),
+        word("type", &TYPES, "Rigid: `pinned` requires w = 0, `fixed` also w′ = 0.")
+            .also(&["kind"]),
         quantity("spring", &SPRING, "Elastic: force per deflection.").also(&[
             "k",
             "stiffness",

@@ -60,8 +60,12 @@ pub(super) static TABLE: Table = Table {
             "dynamic_factor",
             "IM",
         ]),
-        text("case", "T", "The load case; default: none, in every combination with the factor 1.")
-            .also(&["load_case"]),
+        text(
+            "case",
+            "T",
+            "The load case. Without one, the train belongs to every combination, with the factor 1.",
+        )
+        .also(&["load_case"]),
     ],
 };
 

@@ -132,7 +132,7 @@ struct Expansion<'a> {
     most: usize,
     label: &'a str,
     limit_states: LimitStates,
-    /// Whether an action of the first term must act.
+    /// Whether every combination contains an action of the first term.
     leads: bool,
     made: Vec<Made>,
     /// Index of each generated combination; the key has the bits of the factors of all cases.

@@ -33,8 +33,8 @@ struct Action {
     name: String,
     /// ψ₀, ψ₁, ψ₂ of a variable action; `None` for other actions and in codes without them.
     psi: Option<[f64; 3]>,
-    /// Partial factors by the letter of the set: the unfavourable factor, and the favourable factor if it
-    /// differs.
+    /// Partial factors by the letter of their table, as in EN 1990 (A, B, C): the unfavourable factor, and the
+    /// favourable factor if it differs.
     #[serde(default)]
     gamma: BTreeMap<String, Vec<f64>>,
     /// Whether the action is permanent.
@@ -80,10 +80,10 @@ struct Formula {
     /// Terms. At most one action of each term acts.
     #[serde(default)]
     terms: Vec<BTreeMap<String, f64>>,
-    /// Whether an action of the first term must act in every combination.
+    /// Whether every combination contains an action of the first term.
     #[serde(default)]
     needs_first: bool,
-    /// Letter of the partial factors; without it they are 1.
+    /// Letter of the table of partial factors; without a letter the partial factors are 1.
     gamma: Option<String>,
     /// ξ, the reduction of unfavourable permanent actions.
     xi: Option<f64>,

@@ -97,7 +97,7 @@ pub(super) static TABLE: Table = Table {
         quantity(
             "cov",
             &RATIO,
-            "Their coefficient of variation: standard deviation divided by the mean.",
+            "Their coefficient of variation: the standard deviation divided by the mean.",
         ),
         key("deviation", Value::Depends, "Their standard deviation."),
         key("from", Value::Depends, "`uniform`, `triangular`: the smallest value.").also(ALSO_FROM),

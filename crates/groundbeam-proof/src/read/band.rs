@@ -78,7 +78,7 @@ fn factors<S: Scalar>(
 
 fn step<S: Scalar>(fields: &mut Fields, node: &Node, key: &str) -> Read<Step<S>> {
     let Quantity { value, exact, .. } = fields.one::<S>(node, key, NUMBER)?;
-    // The nearest double, with the digits that the name of the ground has.
+    // The nearest double; the name of the ground contains its digits.
     Ok((value, exact.value::<f64>().unwrap_or(f64::NAN)))
 }
 

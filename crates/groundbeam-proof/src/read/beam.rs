@@ -1,4 +1,4 @@
-//! Reads `[beam]` and its segments: EI, shear stiffness, own weight and depth of the section.
+//! Reads `[beam]` and its segments: EI, shear stiffness, self-weight and depth of the section.
 
 use super::case::{Cased, case};
 use super::error::{Read, wrong};
@@ -242,7 +242,7 @@ fn bending<S: Scalar>(fields: &mut Fields, section: Section) -> Read<Bending<S>>
     Ok(Bending { given, shape, material: named.map(|(material, _)| material) })
 }
 
-/// The beam's own weight.
+/// The beam's self-weight.
 fn weight<S: Scalar>(
     fields: &mut Fields,
     table: Section,

@@ -40,9 +40,9 @@ pub(crate) struct Formula {
     /// Actions that always act, each with the factors to be tried, in place of those of a permanent action.
     pub always: &'static [(&'static str, &'static [Micro])],
     pub terms: &'static [Term],
-    /// Whether an action of the first term must act.
+    /// Whether every combination contains an action of the first term.
     pub needs_first: bool,
-    /// The letter of the partial factors; without it they are 1.
+    /// The letter of the table of partial factors; without a letter the partial factors are 1.
     pub letter: Option<&'static str>,
     /// ξ, by which the unfavourable factors of permanent actions are multiplied.
     pub xi: Micro,
@@ -59,7 +59,7 @@ pub(crate) const fn m(thousandths: Micro) -> Micro {
     thousandths * 1000
 }
 
-/// An action without ψ that is not always present, or that the expressions name.
+/// An action without ψ that is not permanent, or that the expressions list with its own factors.
 pub(crate) const fn other(name: &'static str) -> Action {
     Action { name, psi: None, gammas: &[], is_permanent: false }
 }

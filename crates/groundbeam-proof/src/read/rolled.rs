@@ -1,6 +1,6 @@
-//! Rolled sections and rails by name: area, second moment and shear area from the listed sides.
+//! Rolled sections and rails by name: area, second moment and shear area from the listed dimensions.
 //!
-//! The tables of sides are plain data, and the only data that both readers share. Rails are transcribed here.
+//! The tables of dimensions are plain data, and the only data that both readers share. Rails are transcribed here.
 
 use super::error::{Read, wrong};
 use super::fields::{AREA, Along, Fields, LENGTH, Quantity, SECOND_MOMENT, Section, listed};

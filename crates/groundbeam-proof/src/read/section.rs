@@ -1,4 +1,4 @@
-//! Reads `section = { … }`: a shape with its sides, a rolled section or a rail.
+//! Reads `section = { … }`: a shape with its dimensions, a rolled section or a rail.
 
 use super::error::{Read, wrong};
 use super::fields::{Along, Fields, LENGTH, Section, Values};

@@ -1,4 +1,4 @@
-//! Area, second moment of area and shear area of cross sections, as polynomials of the sides.
+//! Area, second moment of area and shear area of a cross section, as polynomials of its dimensions.
 //!
 //! The shear area is the area divided by the form factor of Roark's Formulas, 8th ed., 8.10: 5/6 of the area
 //! of a rectangle, 9/10 of that of a circle, and half of that of a tube. For a box, an I or a T it is the

@@ -42,7 +42,7 @@ class Calibration(NamedTuple):
     singular_values: Array
     """Inverse standard errors of combinations of the logarithms of the unknowns, the best determined first."""
     directions: Array
-    """These combinations, one row each: the coefficient of each unknown."""
+    """Coefficients of the unknowns in these combinations, one row for each combination."""
     unidentified: list[str]
     """Descriptions of combinations that the measurements determine only to within a factor of e or worse."""
     at_bound: list[str]

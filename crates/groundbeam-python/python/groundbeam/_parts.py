@@ -21,7 +21,7 @@ class Part:
     """A table of the model file."""
 
     table: dict[str, Value]
-    """Its keys, explained in ``docs/file-format.md``."""
+    """The keys of the table, explained in ``docs/file-format.md``."""
 
     def __init__(self, **keys: Optional[Value]) -> None:
         """Takes any keys of the model file; those that are ``None`` are left out."""
@@ -184,12 +184,12 @@ class Support(Part):
 
     @classmethod
     def pinned(cls, at: Quantity, **more: Value) -> Support:
-        """A support that holds the deflection, but not the rotation."""
+        """A support that prevents deflection, but not rotation."""
         return cls(at=at, type="pinned", **more)
 
     @classmethod
     def fixed(cls, at: Quantity, **more: Value) -> Support:
-        """A support that holds deflection and rotation."""
+        """A support that prevents deflection and rotation."""
         return cls(at=at, type="fixed", **more)
 
     @classmethod

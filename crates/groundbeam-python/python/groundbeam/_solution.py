@@ -113,7 +113,7 @@ class Certificate(NamedTuple):
     gap: float
     """The difference, an estimate of the energy of the error [N m]."""
     relative_gap: float
-    """The gap relative to the strain energy."""
+    """The energy gap relative to the strain energy."""
 
 
 def positions_of(native: Union[_native.Model, None], x: Union[Position, Positions]) -> Array:

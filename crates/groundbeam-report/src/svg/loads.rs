@@ -132,7 +132,7 @@ impl Loads<'_> {
         }
     }
 
-    /// An imposed curvature: the curve of a straight line under it, with both ends fixed in position.
+    /// An imposed curvature: the deflected shape that it gives to a straight line between two pins.
     fn bent_line(&self, canvas: &mut Canvas, [from, to]: [f64; 2], ends: [f64; 2], base: f64) {
         let [a, b] = [ends[0], ends[1] - ends[0]];
         let bend = |t: f64| 0.5 * a * t * (t - 1.0) + b / 6.0 * t * (t * t - 1.0);

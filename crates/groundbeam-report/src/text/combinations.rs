@@ -187,7 +187,7 @@ fn bounded_table(sheet: &mut Sheet, answers: &Answers, solved: &[Numbered], unit
     }
 }
 
-/// `one`, `many`, or `none: it tips about its left end`.
+/// `one`, `many`, or `none: the beam tips about its left end`.
 fn outcome(answer: &Answer, units: Units) -> String {
     match answer.existence().map(|existence| existence.verdict) {
         Some(verdict @ Verdict::None(motion)) => wording(verdict).with(&falls(motion, units)),

@@ -19,8 +19,7 @@ pub(crate) fn rows(sheet: &mut Sheet, context: &Context) {
     sheet.row("", &mark(loss(factors.found.loss_of_equilibrium, &loads, context.units)));
 }
 
-/// Noun and pronoun for the growing loads in a sentence: `all loads`, and `they` as in
-/// `however small they are`.
+/// The growing loads in sentences: `all loads` after `times`, and `the loads are` after `however small`.
 struct Grows {
     times: String,
     are: String,
@@ -89,8 +88,8 @@ mod tests {
         assert_eq!(
             said(lift_off, loss, &["Q"]),
             "Load factors first lift-off at 0.25 times the loads of case Q, at x = 1.5 m\n             \
-             no equilibrium beyond 0.6667 times the loads of case Q: it tips\n             \
-             about its right end\n"
+             no equilibrium beyond 0.6667 times the loads of case Q: the beam\n             \
+             tips about its right end\n"
         );
         let cases = [
             (FirstLiftOff::Never, LossOfEquilibrium::Never, vec![], "however large the loads are"),
@@ -104,7 +103,7 @@ mod tests {
                 FirstLiftOff::AtOnce,
                 LossOfEquilibrium::AtOnce(RigidMotion { left: 0.0, right: -1.0, ..tips }),
                 vec![],
-                "no equilibrium at factors near zero of all loads: it tips about its",
+                "no equilibrium at factors near zero of all loads: the beam tips",
             ),
         ];
         for (lift_off, loss, names, part) in cases {

@@ -109,8 +109,7 @@ pub fn failing(model: &Model, existence: &Existence, context: &Context) -> Vec<(
     [motion].into_iter().chain(remedy).collect()
 }
 
-/// The existence check of a model: only the verdict, for an equilibrium that was not solved or does not
-/// exist.
+/// The existence check of a model: the verdict without fields, because no equilibrium exists or none was computed.
 pub fn existence(model: &Model, existence: &Existence, context: &Context, colour: bool) -> String {
     let mut sheet = Sheet::new(colour);
     problem(&mut sheet, model, existence, context);

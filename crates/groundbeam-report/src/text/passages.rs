@@ -69,7 +69,7 @@ pub(crate) fn used_models<'a>(all: &'a [Passage<'a>]) -> Vec<&'a Model> {
     all.iter().flat_map(Passage::solved).map(|(_, solution)| solution.model()).collect()
 }
 
-/// The existence check along the ways of trains. `colour` adds escape codes for a terminal.
+/// The existence check along the paths of trains. `colour` adds escape codes for a terminal.
 pub fn checked_trains(passages: &Passages, context: &Context, colour: bool) -> String {
     let mut sheet = Sheet::new(colour);
     title(&mut sheet, context);

@@ -216,13 +216,13 @@ mod tests {
     fn text_is_coloured_only_on_request() {
         let row = |colour| {
             let mut sheet = Sheet::new(colour);
-            sheet.toned_row("Verdict", "none: it tips", Tone::Bad);
+            sheet.toned_row("Verdict", "none: the beam tips", Tone::Bad);
             sheet.finish()
         };
-        assert_eq!(row(false), "Verdict      none: it tips\n");
+        assert_eq!(row(false), "Verdict      none: the beam tips\n");
         assert_eq!(
             row(true),
-            "\u{1b}[1mVerdict\u{1b}[0m      \u{1b}[1;31mnone\u{1b}[0m: it tips\n"
+            "\u{1b}[1mVerdict\u{1b}[0m      \u{1b}[1;31mnone\u{1b}[0m: the beam tips\n"
         );
     }
 }

@@ -76,14 +76,14 @@ pub(super) fn moves(model: &Model, motion: RigidMotion, units: Units) -> String 
 /// A short description of the motion.
 pub(crate) fn falls(motion: RigidMotion, units: Units) -> String {
     match (motion.lifted, motion.left < 0.0, motion.right < 0.0) {
-        (None, true, false) => "it tips about its right end".to_owned(),
-        (None, false, true) => "it tips about its left end".to_owned(),
-        (Some(_), true, false) => "its left end lifts".to_owned(),
-        (Some(_), false, true) => "its right end lifts".to_owned(),
+        (None, true, false) => "the beam tips about its right end".to_owned(),
+        (None, false, true) => "the beam tips about its left end".to_owned(),
+        (Some(_), true, false) => "the left end lifts".to_owned(),
+        (Some(_), false, true) => "the right end lifts".to_owned(),
         (Some([x, _]), false, false) => {
-            format!("its hinge at x = {} lifts", units.position(x))
+            format!("the hinge at x = {} lifts", units.position(x))
         }
-        _ => "it lifts off as a whole".to_owned(),
+        _ => "the beam lifts off as a whole".to_owned(),
     }
 }
 

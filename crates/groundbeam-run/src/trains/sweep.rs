@@ -29,8 +29,8 @@ const MOST: usize = 20_000;
 /// An interval between two neighbouring positions.
 #[derive(Debug, Clone, Copy)]
 struct Between {
-    /// The interval is one half of a previous interval. The amount by which the values in the middle of the
-    /// previous interval exceeded the envelope of each field; infinite if there is no previous interval.
+    /// For each field, the amount by which the values in the middle of the bisected interval exceeded the envelope.
+    /// The interval is one half of the bisected one. Infinite if the interval is not from a bisection.
     error: ByField<f64>,
     open: bool,
 }

@@ -32,8 +32,8 @@ impl fmt::Debug for Circulant {
 }
 
 impl Circulant {
-    /// The field for a correlation as a function of the number of steps; `None` if no circle gives positive
-    /// eigenvalues.
+    /// The field for a correlation as a function of the number of steps between two points; `None` if the circulant
+    /// matrix has a negative eigenvalue for every tried length of the period.
     pub fn new(count: usize, correlation: impl Fn(usize) -> f64) -> Option<Self> {
         let least = (2 * (count - 1)).max(2).next_power_of_two();
         let mut size = least;

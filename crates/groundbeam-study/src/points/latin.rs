@@ -3,11 +3,11 @@
 
 use super::mixed;
 
-/// Number of rounds of a network on wide numbers. With four or more rounds it is a pseudorandom permutation
-/// (Luby and Rackoff 1988).
+/// Number of rounds of the Feistel network on numbers of many bits. With four or more rounds the network is a
+/// pseudorandom permutation (Luby and Rackoff 1988).
 const ROUNDS: u32 = 6;
-/// Additional rounds for narrow numbers, where one round mixes few bits: `MORE_ROUNDS` divided by the number
-/// of bits of a half.
+/// Additional rounds for numbers of few bits, because one round then mixes few bits: `MORE_ROUNDS` divided by the
+/// number of bits of a half.
 const MORE_ROUNDS: u32 = 24;
 
 /// The coordinate of sample `index` of `count` samples: the point at the fraction `uniform` of the sample's

@@ -169,7 +169,7 @@ impl Whole {
         if results.first()? != Some(samples.start) || results.rows() != samples.end - samples.start
         {
             return Err(StoreError::Unlike(format!(
-                "{}: its samples of the study are not {} to {}; name another file, or use --restart",
+                "{}: this file does not contain the samples {} to {}; name another file, or use --restart",
                 path.display(),
                 samples.start,
                 samples.end - 1

@@ -179,7 +179,8 @@ impl<'a> Bonded<'a> {
                     extension = extension.max((w - spring.rest).abs());
                     deflection = deflection.max(w.abs());
                 }
-                // Stiff springs hold any deflection, so their extension counts with their stiffness.
+                // Springs stiffer than the ground can carry the loads at a small extension. So the limit is on the
+                // force of the springs, relative to that of the ground, and not only on the extension.
                 let at_rest = extension * epsilon.max(1.0) <= ULPS * f64::EPSILON * deflection;
                 return Some((found, Springs { work, at_rest }));
             }

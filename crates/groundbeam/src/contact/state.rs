@@ -21,7 +21,7 @@ pub(crate) struct ContactState {
     /// `terms` coefficients of φ(s), the rotation of the sections, for each cell; empty if the beam has no shear
     /// deformation.
     pub rotation: Vec<f64>,
-    /// From the first to the last point of each zone; every node of a zone is in contact if the ground acts at nodes.
+    /// Contact zones, each from its first to its last point. If the ground acts at nodes, every node of a zone is in contact.
     pub zones: Vec<MeshZone>,
     pub history: Vec<Step>,
     /// Number of elements of the discrete problem (5.5), in which the ground acts only at nodes; `None` if the ground

@@ -54,8 +54,8 @@ impl StepLimit {
 /// 300 steps take a minute and do not converge.
 pub(crate) const MOST_STEPS: StepLimit = StepLimit { always: 60, most: 400, work: 50_000 };
 
-/// Limit on Newton steps from the initial guess or from a neighbour's contact. On the models Hard, 8 steps need 7 %
-/// more scans and 32 steps 3 % fewer.
+/// Limit on Newton steps from the initial guess or from a neighbour's contact. On the models of the family Hard, a
+/// limit of 8 steps needs 7 % more scans, and a limit of 32 steps 3 % fewer.
 pub(crate) const FEW_STEPS: StepLimit = StepLimit { always: 16, most: 16, work: 0 };
 
 /// Least and largest stiffness of the stabilising springs, relative to that of the ground, and the factor by which it

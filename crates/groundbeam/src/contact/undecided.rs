@@ -17,7 +17,7 @@ use crate::numeric::polynomial::value;
 const POINTS: usize = 8;
 
 /// Whether the contact of a bonded beam and the contact set `asked` of its deflection differ only by rounding error:
-/// wherever only one of them touches, the distance of beam and ground is rounding error.
+/// where the beam is in contact in only one of them, the distance between beam and ground is rounding error.
 pub(crate) fn differ_by_rounding(
     found: &ContactState,
     contact: &[Interval],

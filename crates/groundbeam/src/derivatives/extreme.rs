@@ -18,7 +18,7 @@ pub(super) struct Place {
     pub slope: f64,
     /// Whether the value is constant under all changes: the gap in contact, the pressure outside contact.
     pub always: bool,
-    /// Another position with an equal extreme.
+    /// Another position with an extreme of the same size.
     pub rival: Option<f64>,
 }
 

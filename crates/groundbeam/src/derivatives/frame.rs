@@ -23,7 +23,7 @@ use std::ops::Range;
 #[derive(Debug)]
 pub(super) struct Frame<'a> {
     pub solution: &'a Solution,
-    /// The model with the supports that act.
+    /// The model with the active supports only.
     pub model: Model,
     /// One cell for each element, and the contact zones.
     pub mesh: Mesh,
@@ -71,7 +71,7 @@ impl<'a> Frame<'a> {
         before(from)..before(to)
     }
 
-    /// Index of a support among the supports that act.
+    /// Index of a support among the active supports.
     pub fn number_among_acting(&self, i: usize) -> Option<usize> {
         let solution = self.solution;
         let acts = |i: usize| {

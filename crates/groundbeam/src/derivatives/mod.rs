@@ -59,7 +59,7 @@ pub enum OneSided {
         /// The position \[m\].
         at: f64,
     },
-    /// The field has an equal extreme elsewhere.
+    /// The field has another extreme of the same size.
     Rival {
         /// Position of the other extreme \[m\].
         at: f64,
@@ -81,7 +81,9 @@ impl OneSided {
                     "a load moves at x = {at}{unit}, where the left and right derivatives of the output differ"
                 )
             }
-            OneSided::Rival { at } => format!("the field has an equal extreme at x = {at}{unit}"),
+            OneSided::Rival { at } => {
+                format!("the field has another extreme of the same size at x = {at}{unit}")
+            }
         }
     }
 }
@@ -248,7 +250,7 @@ fn derivatives(
     match parameters.len() {
         0..=1 => derivatives_by::<1>(frame, readings, parameters),
         2..=4 => derivatives_by::<4>(frame, readings, parameters),
-        // Larger numbers cost more than a second pass.
+        // Dual numbers with more than 8 derivatives take longer than several passes with 8.
         _ => derivatives_by::<8>(frame, readings, parameters),
     }
 }

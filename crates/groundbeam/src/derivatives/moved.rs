@@ -152,7 +152,8 @@ impl Frame<'_> {
         jumps || turns && self.mesh.nodes[self.mesh.node_at(x)].hinge.is_some()
     }
 
-    /// Order of the lowest derivative of a field that jumps at a moving load; negative if less than the field is smooth.
+    /// Order of the lowest derivative of a field that jumps at a moving load: 0 if the field itself jumps, negative if even
+    /// an integral of the field would jump.
     fn order_of_jump(&self, field: Field, moved: &Moved) -> i32 {
         let shears = self.shears_at(moved.x).contains(&true);
         // The same for w and for φ.

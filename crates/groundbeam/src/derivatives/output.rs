@@ -36,7 +36,7 @@ pub enum Output {
 pub(super) struct Reading {
     pub value: f64,
     pub of: Read,
-    /// Another position with an equal extreme.
+    /// Another position with an extreme of the same size.
     pub rival: Option<f64>,
 }
 
@@ -66,7 +66,7 @@ pub(super) enum Read {
         zone: usize,
         side: Side,
     },
-    /// The force or moment of a support; `number` counts the supports that act.
+    /// The force or moment of a support; `number` counts the active supports.
     Support {
         number: usize,
         moment: bool,

@@ -13,7 +13,7 @@ use std::ops::Range;
 pub(crate) struct Mechanism {
     /// The beam's ends and its free hinges, from left to right.
     pub nodes: Vec<f64>,
-    /// Positions of the supports that hold the deflection.
+    /// Positions of the supports that restrain the deflection.
     held: Vec<f64>,
     /// Whether the rotation of each piece is prevented, by a support or by tension.
     straight: Vec<bool>,

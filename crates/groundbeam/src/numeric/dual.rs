@@ -110,7 +110,7 @@ impl<const N: usize> SubAssign for Dual<N> {
     }
 }
 
-/// An operator that changes the value alone, or one operator from another.
+/// Assigning operators from the change that they make, and binary operators from assigning ones.
 macro_rules! operators {
     ($($trait:ident<$other:ty>::$method:ident($own:ident, $by:ident) $change:block)*) => {$(
         impl<const N: usize> $trait<$other> for Dual<N> {

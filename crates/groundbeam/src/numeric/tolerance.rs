@@ -26,5 +26,5 @@ pub(crate) const BRANCH: f64 = 1e-3;
 pub(crate) const SOIL: f64 = 1e-12;
 /// The largest accepted violation of equilibrium and sign conditions at the nodes of a long beam.
 pub(crate) const NODES: f64 = 1e-7;
-/// The energy gap that the exact method must certify.
+/// The largest relative energy gap with which the certificate accepts a solution of the exact method.
 pub(crate) const GAP: f64 = 1e-9;

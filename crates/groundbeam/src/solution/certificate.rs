@@ -52,7 +52,7 @@ impl Certificate {
         self.gap
     }
 
-    /// The gap relative to the strain energy of beam, ground and springs, plus the energy ½∫EI κ₀² of the
+    /// The energy gap relative to the strain energy of beam, ground and springs, plus the energy ½∫EI κ₀² of the
     /// imposed curvature.
     pub fn relative_gap(&self) -> f64 {
         self.relative_gap
