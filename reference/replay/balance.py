@@ -112,7 +112,7 @@ def solve(r):
 
 
 def masses(r, a, b):
-    """∫φ_jφ_k p plus the terms of inner nodes, clamps and tension; and the width for tensile pressures."""
+    """∫φ_jφ_k p plus the terms of inner nodes, clamps and tension; and the margin that tensile pressures require."""
     ends = [r.x[a], r.x[b]]
     per_length = 1 / (ends[1] - ends[0])
     points = [(turned_in(r, a, b) + r.carrier * (ends[1] - ends[0]), [-per_length, per_length])]

@@ -129,7 +129,7 @@ fn line(key: &str, values: &[f64]) -> String {
     line + "\n"
 }
 
-/// FNV-1a of the bits of numbers.
+/// The hash FNV-1a of the bits of numbers.
 struct Digest(u64);
 
 impl Default for Digest {

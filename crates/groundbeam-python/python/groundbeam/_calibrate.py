@@ -48,7 +48,7 @@ class Calibration(NamedTuple):
     at_bound: list[str]
     """Unknowns at a bound."""
     one_sided: bool
-    """Whether contact changes at the solution; the standard errors do not include this."""
+    """Whether a derivative at the solution is one-sided; the standard errors neglect this."""
     steps: int
     """Number of solves."""
     solution: Solution

@@ -18,7 +18,8 @@ pub fn verified(verified: &Verified, colour: bool) -> String {
         sheet.toned_row("Not proven", why, Tone::Bad);
         sheet.row(
             "",
-            "The statements below apply to the numbers only, read in the units of the model file.",
+            "The statements below compare the numbers of the document, in the units of the model file, with the solution of \
+             this model.",
         );
     }
     if let Some(LeftOut { all, names }) = &verified.left_out {

@@ -69,8 +69,8 @@ pub(super) fn passing<S: Borrow<Section>>(
     Some((at, beside_axle([left, right], axle, t)?))
 }
 
-/// Amount by which the middle of an interval, or the parabola through it and the ends, exceeds the envelope,
-/// relative to the scale of each field.
+/// For each field, the amount by which its values in the middle of an interval, or its parabola through middle and ends,
+/// exceed the envelope, relative to the scale of the field.
 pub(super) fn sticks_out(
     middle: &Position,
     ends: [&Position; 2],

@@ -182,8 +182,8 @@ pub(crate) fn end_forces<R: Real>(
     let part = |i: usize| SpanPart::of(&w.mesh.cells[i], i, within(i));
     let parts: Vec<SpanPart<R>> = (a.cell..=b.cell).map(part).collect::<Option<_>>()?;
     if whole <= 0.0 {
-        // The two arcs meet at a corner. Each side takes half of the corner's force; the corner opens if this
-        // force is tensile.
+        // Two candidate intervals meet at a corner of ψ. Each side takes half of the corner's force; the beam leaves the
+        // ground at the corner if this force is tensile.
         let half_force = parts.iter().skip(1).map(|part| w.corner(part.cell) * 0.5).sum();
         return Some([half_force; 2]);
     }
@@ -216,7 +216,7 @@ pub(crate) fn end_forces<R: Real>(
     Some(forces)
 }
 
-/// The initial span at a corner in tension between two arcs. On uniform ground with constant π, both forces
+/// The initial span at a corner in tension between two candidate intervals. On uniform ground with constant π, both forces
 /// vanish where the span reaches |c|/2π to each side of a corner with the tension c. Half of this length still has
 /// tension at both ends, and the tangent points are two or three steps away. `None` if the computed forces are not in
 /// tension.
