@@ -264,5 +264,5 @@ class Problem(Checks):
         return forced and any(piece.stiffness is not None for piece in beside)
 
     def smooth(self, node):
-        """Whether the exact solution has no point contact force there, by the kind of the node."""
+        """Whether the kind of a node excludes a point contact force of the exact solution at it."""
         return self.even(node) and self.corner(node).contains(0) and not self.kinks(node)

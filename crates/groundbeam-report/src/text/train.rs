@@ -14,7 +14,7 @@ use groundbeam_run::Passage;
 /// Maximum number of listed ranges of one kind; more are counted.
 const MOST_RANGES: usize = 8;
 
-/// The report of one passage, below the beam and the ground.
+/// The report of one passage. The rows on beam and ground precede it.
 pub(crate) fn train(sheet: &mut Sheet, passage: &Passage, context: &Context) {
     head(sheet, passage, context.units);
     if let Some(combination) = passage.combination() {
