@@ -195,9 +195,11 @@ impl Say<'_> {
         let bound = if critical_compression.is_finite() {
             let times = significant(critical_compression / compression, 4);
             let critical = self.force(critical_compression);
-            format!("it is lost where the compression grows to {critical}, {times} times this one")
+            format!(
+                "equilibrium is lost where the compression grows to {critical}, {times} times this one"
+            )
         } else {
-            "it is not lost under any larger compression".to_owned()
+            "equilibrium is not lost under any larger compression".to_owned()
         };
         format!(
             "next to the unloaded state the ground keeps the beam from buckling under {}; stability margin \

@@ -52,11 +52,11 @@ impl Reach {
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Uplift {
-    /// Ahead of the first axle.
+    /// The largest gap ahead of the first axle.
     pub ahead: Option<Located>,
-    /// Between the first axle and the last.
+    /// The largest gap between the first axle and the last.
     pub between: Option<Located>,
-    /// Behind the last axle.
+    /// The largest gap behind the last axle.
     pub behind: Option<Located>,
 }
 
