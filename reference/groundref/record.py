@@ -32,7 +32,7 @@ def position(x):
 
 
 def station_places(model, system):
-    """Short decimals over the whole beam, one in the middle of every contact zone; no nodes."""
+    """Stations as short decimals: over the whole beam, and one in the middle of every contact zone. None is a node."""
     l = model.length
     draw = random.Random(len(model.breakpoints()) + 1000 * len(model.loads))
     count = 13

@@ -88,7 +88,7 @@ pub fn agree(parameters: &[Parameter]) -> Result<(), Failure> {
         && stretches(other) > 1
     {
         return Err(Failure::Asked(format!(
-            "`{}` has {} stretches along the beam and `{}` has {}; give both the same",
+            "`{}` has {} stretches along the beam and `{}` has {}; give both the same number",
             one.name,
             stretches(one),
             other.name,
