@@ -82,8 +82,8 @@ impl<S: Scalar> Pointwise<'_, S> {
         }
     }
 
-    /// |u − u*| in a layer: d(x) = b(d, g(x, ·)) ≤ s₂√g, plus the contributions of closing and lifting. On Winkler ground
-    /// u* = max(w* − g₀, 0).
+    /// |u − u*|. In a layer d(x) = b(d, g(x, ·)) ≤ s₂√g for the difference d of the surfaces, plus |c| on a touching piece
+    /// and D on an open one. On Winkler ground u* = max(w* − g₀, 0).
     fn settlement(&self, i: usize, deflection: Size) -> Size {
         let fields = self.fields;
         let (span, raised) = (&fields.frame.spans[i], fields.clearance.raised[i]);
