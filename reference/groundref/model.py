@@ -26,7 +26,7 @@ class Load:
 
 @dataclass
 class Support:
-    """kind: "pinned", "fixed" or "spring" (spring against w, rotational against w')."""
+    """kind: "pinned", "fixed" or "spring" (stiffness `spring` of w, stiffness `rotational` of w')."""
 
     at: float
     kind: str

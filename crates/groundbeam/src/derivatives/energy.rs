@@ -100,7 +100,7 @@ impl<const N: usize> Linear<'_, N> {
                 -moment * mean(&|side| solution.at(x, side).rotation)
             }
             Motion::Curvature(curvature) => curvature * mean(&|side| solution.at(x, side).moment),
-            // Contained in the tangent's loads.
+            // The loads of the tangent model contain this term.
             Motion::ForcePerLength(_) => 0.0,
         }
     }

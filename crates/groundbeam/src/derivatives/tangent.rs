@@ -32,11 +32,11 @@ pub(super) enum Motion {
     Force(f64),
     /// A point moment: the rotation changes by the jump of φ′.
     Moment(f64),
-    /// A force per length: its change is a point force, which is one of the tangent's loads.
+    /// A force per length. A move of its end is equal to a point force, which is a load of the tangent model.
     ForcePerLength(f64),
-    /// A moment per length: its change is a point moment.
+    /// A moment per length. A move of its end is equal to a point moment.
     MomentPerLength(f64),
-    /// An imposed curvature: its change is a kink of φ.
+    /// An imposed curvature. A move of its end is equal to a kink of φ.
     Curvature(f64),
 }
 
