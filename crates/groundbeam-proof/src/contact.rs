@@ -86,7 +86,9 @@ impl<S: Scalar> Contact<'_, S> {
         let tolerance = self.tolerance(node, beside);
         let alone = beside[node].iter().flatten().all(|side| side.theta == Size::ZERO);
         if !(alone && self.fields.surface.nodes[node].jump.low() > tolerance.value()) {
-            return Err(self.failed("the exact contact at a point may be open, or a short region", node));
+            return Err(
+                self.failed("the exact contact at a point may be open, or a short region", node)
+            );
         }
         self.force(node, tolerance, true, shown);
         let x = self.interval(node, [Size::ZERO; 2]);

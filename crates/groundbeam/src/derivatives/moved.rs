@@ -53,8 +53,8 @@ impl Frame<'_> {
             (Motion::Moment(moment), _) => steps.jump[1] = sign * moment / self.stiffness_at(spot),
             (Motion::MomentPerLength(moment), _) => steps.moment = moment,
             (Motion::Curvature(curvature), _) => steps.jump[1] = sign * curvature,
-            // The point force of the tangent model is a force per length on the strip, so the kink under it is not a kink of the
-            // beam.
+            // The point force of the tangent model is a force per length on the strip, so the kink under it is not a
+            // kink of the beam.
             (Motion::ForcePerLength(force), Some([_, whole])) => {
                 steps.slope = -sign * force / whole
             }
