@@ -38,7 +38,7 @@ fn of_beam_segment(segment: &BeamSegment) -> String {
 
 fn of_ground(foundation: &Foundation) -> String {
     let Foundation { subgrade: spring, shear_layer: shear, segments: _, ends, soil } = foundation;
-    assert!(soil.is_none(), "a frozen model has given ground");
+    assert!(soil.is_none(), "a frozen model gives k and mu");
     let [left, right] = ends.map(|end| match end {
         GroundEnd::Endless => "endless".to_owned(),
         GroundEnd::Free { at } => format!("free:{at:?}"),

@@ -31,7 +31,7 @@ pub(crate) struct Run {
     pub given: Given,
     /// g₀ + u₀ at the first and the last node; linear between them.
     pub gap: [f64; 2],
-    /// The element, off the ground, of a run that is not uniform and has one element; otherwise `None`.
+    /// The beam element without ground, if the run is not uniform and so has a single element; otherwise `None`.
     pub element: Option<Element>,
     /// First node, and number of elements.
     pub first: usize,
