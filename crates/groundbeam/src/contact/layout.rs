@@ -13,7 +13,7 @@ use std::ops::Range;
 
 /// Distance of a node to a point of contact, in units of 1/wave number, below which r = u − ψ is the unknown of the
 /// surface.
-const NEAR: f64 = 1e-2;
+const NARROW_GAP: f64 = 1e-2;
 
 /// Contact of the cells and nodes of a mesh.
 #[derive(Debug, Clone, PartialEq)]
@@ -156,7 +156,7 @@ impl Layout {
                 let waves = || {
                     Operator::of(cell, mesh.axial_force, ZoneKind::Contact).wave_number() * distance
                 };
-                if nodes[node].surface.contains(&true) && waves() <= NEAR {
+                if nodes[node].surface.contains(&true) && waves() <= NARROW_GAP {
                     nodes[node].from_beam = true;
                     let right = node.min(mesh.cells.len() - 1);
                     nodes[node].gap = gap_at(&mesh.cells[right], [-1.0, 1.0][node - right]);

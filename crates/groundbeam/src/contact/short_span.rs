@@ -82,7 +82,7 @@ impl<R: Real> SpanPart<R> {
             let (spring, shear) = (cell.subgrade_along(), cell.shear_layer_along());
             let shapes = [[R::ONE, R::ZERO], [R::ZERO, R::ONE]]
                 .map(|ends| settled(&spring, &shear, self.half, ends));
-            for (x, weight) in GAUSS {
+            for (x, weight) in GAUSS_16 {
                 for s in [-x, x] {
                     let p = at(0.5 * (1.0 + s)) * weight;
                     under[0] += p * value(&shapes[0], s);
@@ -91,7 +91,7 @@ impl<R: Real> SpanPart<R> {
             }
             return under;
         }
-        for (x, weight) in GAUSS {
+        for (x, weight) in GAUSS_16 {
             let t = 0.5 - 0.5 * x;
             let near = between(R::ZERO, R::ONE, self.length, t);
             let far = between(R::ONE, R::ZERO, self.length, t);
@@ -260,7 +260,7 @@ fn shape<'a, R: Real + 'a>(parts: impl Iterator<Item = &'a SpanPart<R>>, turned:
 
 /// Gauss's rule with sixteen points on \[−1, 1\], exact to degree 31: the power series of a cell times the ground's
 /// shape function. Abramowitz and Stegun (1964), table 25.4.
-const GAUSS: [(f64, f64); 8] = [
+const GAUSS_16: [(f64, f64); 8] = [
     (0.095_012_509_837_637_44, 0.189_450_610_455_068_5),
     (0.281_603_550_779_258_9, 0.182_603_415_044_923_58),
     (0.458_016_777_657_227_37, 0.169_156_519_395_002_54),

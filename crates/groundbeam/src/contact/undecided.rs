@@ -14,7 +14,7 @@ use crate::mesh::deflection::{BeamPoint, MeshZone};
 use crate::numeric::polynomial::value;
 
 /// Number of intervals between the points of an open part at which the distance of beam and ground is computed.
-const POINTS: usize = 8;
+const INTERVALS: usize = 8;
 
 /// Whether the contact of a bonded beam and the contact set `asked` of its deflection differ only by rounding error:
 /// where the beam is in contact in only one of them, the distance between beam and ground is rounding error.
@@ -34,8 +34,8 @@ pub(crate) fn differ_by_rounding(
             let [from, to] = part.s;
             let half = 0.25 * (to - from) * cell.length();
             let size: f64 = w.cell(part.cell).iter().map(|c| c.abs()).sum();
-            (0..=POINTS).all(|i| {
-                let t = i as f64 / POINTS as f64;
+            (0..=INTERVALS).all(|i| {
+                let t = i as f64 / INTERVALS as f64;
                 let s = from + t * (to - from);
                 if !covers(&differing, cell.global(s)) {
                     return true;

@@ -9,7 +9,7 @@ use crate::numeric::dual::Dual;
 use std::collections::BTreeSet;
 
 /// Maximum number of elements of a [short span](crate::contact::short_span).
-const SHORT: usize = 4;
+const SHORT_SPAN_ELEMENTS: usize = 4;
 
 impl Equilibrium<'_> {
     /// The elements on which an output depends at fixed data.
@@ -45,7 +45,7 @@ impl Equilibrium<'_> {
                 read.extend(end.cell.saturating_sub(1)..(end.cell + 2).min(cells.len()));
             }
             if let [Some(from), Some(to)] = ends
-                && to.cell <= from.cell + SHORT
+                && to.cell <= from.cell + SHORT_SPAN_ELEMENTS
             {
                 read.extend(from.cell..=to.cell);
             }

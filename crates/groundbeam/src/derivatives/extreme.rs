@@ -23,7 +23,7 @@ pub(super) struct Place {
 }
 
 /// Relative difference below which another extreme counts as equally large.
-const SAME: f64 = 1e-7;
+const EQUAL_EXTREME: f64 = 1e-7;
 
 impl Solution {
     /// Position of the largest or smallest value of a field.
@@ -54,7 +54,7 @@ impl Solution {
             .iter()
             .filter(|_| !always)
             .filter(|(at, other)| {
-                (at - x).abs() > OTHER_EXTREME * l && (other - value).abs() <= SAME * size
+                (at - x).abs() > OTHER_EXTREME * l && (other - value).abs() <= EQUAL_EXTREME * size
             })
             .map(|(at, _)| *at)
             .next();

@@ -13,7 +13,7 @@ use crate::solution::field::Field;
 use crate::solution::fields::Side;
 
 /// Relative difference below which two stiffnesses count as equal.
-const SAME: f64 = 1e-9;
+const EQUAL_STIFFNESS: f64 = 1e-9;
 
 /// Effect of a unit of motion at the end of one cell.
 #[derive(Debug, Clone, Copy)]
@@ -136,7 +136,7 @@ impl Frame<'_> {
         if self.edge_at_force(moved).is_some() {
             return false;
         }
-        let differ = |a: f64, b: f64| (a - b).abs() > SAME * a.abs().max(b.abs());
+        let differ = |a: f64, b: f64| (a - b).abs() > EQUAL_STIFFNESS * a.abs().max(b.abs());
         let [left, right] = [Side::Left, Side::Right].map(|side| self.spot(x, side));
         let jumps = match moved.what {
             Motion::Force(_) => {

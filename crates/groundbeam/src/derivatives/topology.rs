@@ -56,7 +56,7 @@ pub struct Nearest {
 }
 
 /// Change of the gap, relative to the largest deflection or gap, below which a minimum is due to rounding error.
-const ROUNDING: f64 = 1e-8;
+const ROUNDING_MINIMUM: f64 = 1e-8;
 
 /// Indices of the local minima that are lower by more than `least` than the highest position on each side. At an end of
 /// the beam, one side is enough.
@@ -188,7 +188,7 @@ impl Solution {
                 let near = TURNING_POINT * l;
                 self.contact().iter().any(|c| x >= c.from - near && x <= c.to + near)
             };
-            let deepest = deepest_between_peaks(open, [0.0, l], ROUNDING * scale);
+            let deepest = deepest_between_peaks(open, [0.0, l], ROUNDING_MINIMUM * scale);
             for at in deepest.into_iter().filter(|at| !touches(open[*at].0)) {
                 let margin = (open[at].1 / scale).max(0.0);
                 all.push(Nearest { condition: Condition::Gap, at: open[at].0, margin });

@@ -115,7 +115,7 @@ pub(crate) fn mirror_row(row: &[f64; 4], h: f64, basis: Basis) -> [f64; 4] {
 pub(crate) const TERMS: usize = 20;
 
 /// The longest element, as a multiple of 1/|r|.
-pub(crate) const REACH: f64 = 2.0;
+pub(crate) const LONGEST_SERIES: f64 = 2.0;
 
 /// Maximum compression as a multiple of EI/l². Beyond it, the beam has more than 10⁵ buckling waves.
-pub(crate) const MOST: f64 = 1e11;
+pub(crate) const MOST_COMPRESSION: f64 = 1e11;

@@ -4,7 +4,7 @@
 //! the boundary layers cosh(r₂x) and sinh(r₂x). One element can then be as long as the slow wave, for boundary layers of
 //! any width.
 
-use crate::element::element::{REACH, TERMS};
+use crate::element::element::{LONGEST_SERIES, TERMS};
 use crate::element::operator::Operator;
 use crate::numeric::elementary::exp;
 use crate::numeric::real::Real;
@@ -34,7 +34,7 @@ impl<R: Real> Layers<R> {
         }
         let fast_squared = (n + (n * n - k * 4.0).sqrt()) * 0.5;
         let layers = Layers { slow_squared: k / fast_squared, fast: fast_squared.sqrt() };
-        let wanted = layers.fast.value() * length > REACH
+        let wanted = layers.fast.value() * length > LONGEST_SERIES
             && fast_squared.value() >= APART * layers.slow_squared.value();
         wanted.then_some(layers)
     }
@@ -65,7 +65,7 @@ impl<R: Real> Layers<R> {
         let mut depth = 0.0;
         while depth < LAYER {
             // A smaller amplitude needs fewer terms.
-            depth += REACH * exp(depth / 24.0);
+            depth += LONGEST_SERIES * exp(depth / 24.0);
             from_end.push(depth / fast);
         }
         let mut cuts = Vec::new();
@@ -76,7 +76,7 @@ impl<R: Real> Layers<R> {
             cuts.extend(from_end.iter().filter(|d| **d < length).map(|d| x[1] - d));
         }
         cuts.sort_by(f64::total_cmp);
-        let near = 0.125 * REACH / fast;
+        let near = 0.125 * LONGEST_SERIES / fast;
         cuts.dedup_by(|b, a| *b - *a < near);
         cuts
     }

@@ -14,7 +14,7 @@ pub(crate) mod uniform;
 use crate::mesh::cell::Cell;
 use crate::numeric::polynomial::{Coefficients, rescale};
 use crate::numeric::real::Real;
-use element::{Element, REACH, TERMS};
+use element::{Element, LONGEST_SERIES, TERMS};
 use layers::Layers;
 use operator::Operator;
 use series::Series;
@@ -52,7 +52,7 @@ pub(crate) fn parts<R: Real>(operator: &Operator<R>, length: f64) -> usize {
         Some(layers) => layers.slow_squared.value().sqrt(),
         None => operator.wave_number(),
     };
-    (wave * length / REACH).ceil().max(1.0) as usize
+    (wave * length / LONGEST_SERIES).ceil().max(1.0) as usize
 }
 
 /// The element and its functions, which give w(s) from the four unknowns.

@@ -71,7 +71,7 @@ impl<R: Real> Operator<R> {
     /// in arbitrarily short waves. The result is also `false` if the waves are too short for the elements.
     pub fn bears_shear(&self, length: f64) -> bool {
         let shears = self.polynomials.as_ref().filter(|all| all.shear.is_some());
-        let shortest = MOST.sqrt();
+        let shortest = MOST_COMPRESSION.sqrt();
         shears.is_none_or(|all| all.resists_shear() && self.wave_number() * length <= shortest)
     }
 

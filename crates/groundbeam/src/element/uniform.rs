@@ -383,7 +383,7 @@ mod tests {
     fn the_series_solves_the_equation_and_takes_its_end_values() {
         for (n, k) in [(0.0, 0.0), (0.3, 0.0), (2.0, 1.0), (-0.5, 0.3), (0.1, 2.0), (4.0, 0.01)] {
             let op = Operator { load: [1.0, -2.0], moment_load: [0.5, 0.1], ..operator(n, k) };
-            let h = REACH / op.wave_number().max(1.0);
+            let h = LONGEST_SERIES / op.wave_number().max(1.0);
             let e = ExactElement::new(&op, h);
             let v = [0.3, -0.2, 0.1, 0.4];
             let (c, _) = e.unfold(&v);

@@ -10,11 +10,11 @@ use forms::Forms;
 
 /// Difference of two solutions, relative to the largest value of the field, below which it is rounding error.
 /// The first of the two solutions then governs.
-const ROUNDING: f64 = 1e-12;
+const ROUNDING_DIFFERENCE: f64 = 1e-12;
 
 /// The shortest part of the beam on which a solution governs, as a fraction of the length. On shorter parts
 /// the difference of the solutions may be rounding error.
-const SHORT: f64 = 1e-6;
+const SHORTEST_RANGE: f64 = 1e-6;
 /// Smallest values are computed as largest values of the negative field.
 const BOUNDS: [Bound; 2] = [Bound::Max, Bound::Min];
 
@@ -112,7 +112,8 @@ impl<'a> Envelope<'a> {
         let mut rounding = [0.0_f64; Field::ALL.len()];
         for range in &ranges {
             for (rounding, Range { min, max }) in rounding.iter_mut().zip(range) {
-                *rounding = rounding.max(ROUNDING * min.value.abs().max(max.value.abs()));
+                *rounding =
+                    rounding.max(ROUNDING_DIFFERENCE * min.value.abs().max(max.value.abs()));
             }
         }
         Envelope { solutions, ranges, rounding }
@@ -210,7 +211,7 @@ impl<'a> Envelope<'a> {
             let length = self.solutions[run.by].model().beam.length;
             let middle = 0.5 * (run.from + run.to);
             let value = |by: usize| self.solutions[by].at(middle, Side::Right).get(field);
-            run.to - run.from <= SHORT * length
+            run.to - run.from <= SHORTEST_RANGE * length
                 && (value(run.by) - value(other)).abs() <= self.rounding(field)
         };
         if next.by == last.by || is_nothing(&next, last.by) {

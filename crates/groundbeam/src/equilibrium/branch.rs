@@ -28,16 +28,16 @@ const FIRST: f64 = 0.25;
 /// The smallest step, as a fraction of the compression reached: the accuracy of the end of the path.
 const LAST: f64 = 1e-10;
 /// Maximum number of Newton steps per step in compression.
-const MOST_STEPS: usize = 10;
+const NEWTON_STEPS: usize = 10;
 /// Maximum number of changes of the active supports per step in compression.
-const MOST_CHANGES: usize = 10;
-/// Moves of the edges, relative to the beam's length. `STILL`: the move is rounding error. `ROUNDING`: the
+const SUPPORT_CHANGES: usize = 10;
+/// Moves of the edges, relative to the beam's length. `STILL`: the move is rounding error. `ACCEPTED_MOVE`: the
 /// move is accepted if further steps do not reduce it.
 const STILL: f64 = 1e-13;
-const ROUNDING: f64 = 1e-9;
-/// Distances of equilibria. `SAME`: the way back has reached its starting point. `NEXT`: two equilibria are
+const ACCEPTED_MOVE: f64 = 1e-9;
+/// Distances of equilibria. `RETURNED`: the way back has reached its starting point. `NEXT`: two equilibria are
 /// neighbours.
-const SAME: f64 = 1e-7;
+const RETURNED: f64 = 1e-7;
 const NEXT: f64 = 1e-3;
 
 /// A stable equilibrium on the path.
@@ -84,7 +84,7 @@ pub(crate) enum PathEnd {
 pub(crate) fn follow(model: &Model, begin: PathPoint, cancel: &Cancel) -> EquilibriumPath {
     let wanted = -model.beam.axial_force;
     let l = model.beam.length;
-    let most = MOST * model.beam.stiffest() / (l * l);
+    let most = MOST_COMPRESSION * model.beam.stiffest() / (l * l);
     let places: Vec<f64> = Mesh::build(model, &[], |_| 1).nodes.iter().map(|n| n.x).collect();
     let mut found = None;
     let mut last = PathPoint { contact: joined(begin.contact, l), ..begin };
@@ -152,8 +152,8 @@ fn next(
         return Ok(next);
     }
     let back = settled(model, places, last.compression, &next, cancel)?;
-    let same =
-        longest_difference(&back.contact, &last.contact) <= SAME * l && back.active == last.active;
+    let same = longest_difference(&back.contact, &last.contact) <= RETURNED * l
+        && back.active == last.active;
     if same { Ok(next) } else { Err(PathEnd::NotConverged) }
 }
 
@@ -170,10 +170,10 @@ fn settled(
     let mut contact = near.contact.clone();
     let mut acts = near.active.clone();
     let mut held = near.on_active_supports(&model);
-    'supports: for _ in 0..=MOST_CHANGES {
+    'supports: for _ in 0..=SUPPORT_CHANGES {
         let mut bonded = Bonded::new(&held, cancel);
         let mut before = f64::INFINITY;
-        for _ in 0..MOST_STEPS {
+        for _ in 0..NEWTON_STEPS {
             let found = bonded
                 .solve_on(&contact)
                 .map_err(|NotDefinite| PathEnd::NotStable(acts.clone()))?;
@@ -181,7 +181,7 @@ fn settled(
             let next = joined(positions(&found.mesh, &zones, places), model.beam.length);
             let moved = longest_difference(&contact, &next) / model.beam.length;
             contact = next;
-            if moved <= STILL || (moved <= ROUNDING && moved >= 0.25 * before) {
+            if moved <= STILL || (moved <= ACCEPTED_MOVE && moved >= 0.25 * before) {
                 let state = PathPoint { compression, contact, active: acts };
                 let Some(asked) = other_supports(&model, &held, &state, &found) else {
                     return Ok(state);

@@ -61,7 +61,7 @@ fn least_unstable(model: &Model, is_stable: impl Fn(f64) -> bool) -> f64 {
     while is_stable(high) {
         low = high;
         high *= 2.0;
-        if high > MOST * unit {
+        if high > MOST_COMPRESSION * unit {
             return f64::INFINITY;
         }
     }

@@ -23,9 +23,9 @@ use crate::options::Method;
 use crate::outcome::Outcome;
 
 /// The relative distance from the buckling load at which the buckling mode is computed.
-const NEARLY: f64 = 1e-12;
+const BELOW_BUCKLING: f64 = 1e-12;
 /// Number of points per cell at which a mode is evaluated.
-const POINTS: usize = 16;
+const MODE_POINTS: usize = 16;
 
 /// The verdict for a model in compression whose energy is not convex.
 pub(crate) fn check(
@@ -106,7 +106,7 @@ fn buckling(model: &Model, last: PathPoint, end: PathEnd, cancel: &Cancel) -> Bu
 /// it.
 fn mode(model: &Model, contact: &[Interval], cancel: &Cancel) -> Option<(f64, [f64; 2], f64)> {
     let load = bonded_buckling_load(model, contact, cancel);
-    let mut nearly = compressed(model, load * (1.0 - NEARLY));
+    let mut nearly = compressed(model, load * (1.0 - BELOW_BUCKLING));
     for corner in &mut nearly.gap {
         corner.value = 0.0;
     }
@@ -123,8 +123,8 @@ fn mode(model: &Model, contact: &[Interval], cancel: &Cancel) -> Option<(f64, [f
     let w = found.deflection();
     let mut largest = (0.0, 0.0_f64);
     for (i, cell) in found.mesh.cells.iter().enumerate() {
-        for point in 0..=POINTS {
-            let s = 2.0 * point as f64 / POINTS as f64 - 1.0;
+        for point in 0..=MODE_POINTS {
+            let s = 2.0 * point as f64 / MODE_POINTS as f64 - 1.0;
             let here = value(w.cell(i), s);
             if here.abs() > largest.1.abs() {
                 largest = (cell.global(s), here);

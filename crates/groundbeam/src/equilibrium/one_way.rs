@@ -31,7 +31,7 @@ const MOST_SOLVES: usize = 1000;
 const WORST_FIRST_SOLVES: usize = 50;
 /// Rounding error of a force, relative to the sum of all reactions, and of a clearance, relative to the
 /// largest deflection.
-const ROUNDING: f64 = 1e-13;
+const FORCE_ROUNDING: f64 = 1e-13;
 
 /// Solves a model with one-way supports by a method for models without them. Returns the solution, the set of
 /// active supports, and the number of solves; no solution if the search does not end.
@@ -81,7 +81,7 @@ pub(crate) fn solve<E>(
         let (forces, all) = forces(model, &acts, solution.candidate());
         let pushes = |i: &usize| forces[*i];
         let wrong =
-            |i: &usize| supports[*i].is_one_way() && acts[*i] && pushes(i) < -ROUNDING * all;
+            |i: &usize| supports[*i].is_one_way() && acts[*i] && pushes(i) < -FORCE_ROUNDING * all;
         let mut wrong = (0..supports.len()).filter(wrong);
         let released = if step > WORST_FIRST_SOLVES {
             wrong.next()
@@ -111,7 +111,7 @@ pub(crate) fn clearances(model: &Model, candidate: &Candidate) -> (Vec<f64>, f64
     let clearance = |support: &Support| {
         let w = candidate.at(support.at, Side::Right).deflection - support.settlement;
         let clearance = -support.acts.sign() * w;
-        if clearance.abs() <= ROUNDING * size { 0.0 } else { clearance }
+        if clearance.abs() <= FORCE_ROUNDING * size { 0.0 } else { clearance }
     };
     (model.supports.iter().map(clearance).collect(), size)
 }
@@ -131,7 +131,7 @@ pub(crate) fn forces(model: &Model, acts: &[bool], candidate: &Candidate) -> (Ve
 /// The supports that carry force in a solution; two-way supports always count.
 pub(crate) fn acting(model: &Model, candidate: &Candidate) -> Vec<bool> {
     let (forces, all) = forces(model, &vec![true; model.supports.len()], candidate);
-    let pushes = forces.iter().map(|force| *force > ROUNDING * all);
+    let pushes = forces.iter().map(|force| *force > FORCE_ROUNDING * all);
     model.supports.iter().zip(pushes).map(|(s, pushes)| pushes || !s.is_one_way()).collect()
 }
 
@@ -141,7 +141,7 @@ pub(crate) fn asked_for(model: &Model, acts: &[bool], candidate: &Candidate) -> 
     let (forces, all) = forces(model, acts, candidate);
     let (clear, _) = clearances(model, candidate);
     let support = |(i, support): (usize, &Support)| {
-        let asked = if acts[i] { forces[i] > ROUNDING * all } else { clear[i] < 0.0 };
+        let asked = if acts[i] { forces[i] > FORCE_ROUNDING * all } else { clear[i] < 0.0 };
         !support.is_one_way() || asked
     };
     model.supports.iter().enumerate().map(support).collect()

@@ -100,7 +100,7 @@ fn few(model: &Model) -> Option<Count> {
     let ends = 2 * (beam.segments.len() + foundation.segments.len() + loads.len());
     let cells = 1 + ends + supports.len() + hinges.len() + gap.len();
     // One element for each cell.
-    let elements = cells.saturating_add((waves / REACH).ceil() as usize);
+    let elements = cells.saturating_add((waves / LONGEST_SERIES).ceil() as usize);
     Some(Count { cells, elements, fewest: elements, series: 0, is_even: true })
 }
 

@@ -168,7 +168,7 @@ mod tests {
     }
 
     /// The smallest distance at which two positions of the beam are different.
-    const APART: f64 = 17.0 * f64::EPSILON * 8.0;
+    const DISTINCT: f64 = 17.0 * f64::EPSILON * 8.0;
 
     #[test]
     fn nodes_are_the_ends_and_the_free_hinges_from_left_to_right() {
@@ -330,10 +330,10 @@ mod tests {
             // hinge.
             assert_eq!(found.first_free_piece(&[1.0]), Some([4.0, 8.0]), "{x}");
         }
-        let left = Mechanism::of(&beam(&[4.0]).with_support(Support::pinned(4.0 - APART)));
+        let left = Mechanism::of(&beam(&[4.0]).with_support(Support::pinned(4.0 - DISTINCT)));
         assert_eq!(groups(&left), [[2, 3]]);
         assert_eq!(left.first_free_piece(&[1.0]), Some([4.0, 8.0]));
-        let right = Mechanism::of(&beam(&[4.0]).with_support(Support::pinned(4.0 + APART)));
+        let right = Mechanism::of(&beam(&[4.0]).with_support(Support::pinned(4.0 + DISTINCT)));
         assert_eq!(groups(&right), [[0, 1]]);
         assert_eq!(right.first_free_piece(&[1.0]), Some([0.0, 4.0]));
     }

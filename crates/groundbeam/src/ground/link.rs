@@ -75,7 +75,7 @@ impl<R: Real> TwoPort<R> {
 }
 
 /// Number of coefficients of u(s) where k or μ varies. With b·h ≤ 2 the first omitted term is below 1/20!.
-const TERMS: usize = 20;
+const SURFACE_TERMS: usize = 20;
 
 /// The coefficients of u(s) on a short varying stretch, from its end values.
 pub(crate) fn settled<R: Real>(
@@ -90,16 +90,16 @@ pub(crate) fn settled<R: Real>(
 /// Two solutions of −(μu')' + ku = 0 as power series about the middle of a short stretch. Their first terms
 /// are 1 and s.
 struct Pair<R> {
-    one: [R; TERMS],
-    rising: [R; TERMS],
+    one: [R; SURFACE_TERMS],
+    rising: [R; SURFACE_TERMS],
 }
 
 impl<R: Real> Pair<R> {
     fn new(spring: &[R], shear: &[R], half: f64) -> Self {
         let solution = |first: [R; 2]| {
-            let mut c = [R::ZERO; TERMS];
+            let mut c = [R::ZERO; SURFACE_TERMS];
             c[..2].copy_from_slice(&first);
-            for j in 0..TERMS - 2 {
+            for j in 0..SURFACE_TERMS - 2 {
                 // (j+1) [μu']_(j+1) = a² [ku]_j, solved for the newest coefficient of u.
                 let push: R = spring.iter().zip(c[..=j].iter().rev()).map(|(k, c)| *k * *c).sum();
                 let mut flux = push * (half * half) / (j + 1) as f64;
@@ -115,7 +115,7 @@ impl<R: Real> Pair<R> {
 
     /// The two amplitudes for given end values, divided by their determinant; no cancellation.
     fn amplitudes(&self, [left, right]: [R; 2]) -> ([R; 2], R) {
-        let parts = |c: &[R; TERMS]| {
+        let parts = |c: &[R; SURFACE_TERMS]| {
             let even: R = c.iter().copied().step_by(2).sum();
             let odd: R = c.iter().copied().skip(1).step_by(2).sum();
             [even, odd]

@@ -20,15 +20,15 @@ pub(super) struct Side {
 }
 
 /// Relative rounding error of a sum: a few dozen operations on each term.
-const ROUNDING: f64 = 256.0 * f64::EPSILON;
+const SUM_ROUNDING: f64 = 256.0 * f64::EPSILON;
 
 /// Limit on Newton's steps for one candidate; far above the number needed.
-const MOST_STEPS: usize = 200;
+const CANDIDATE_STEPS: usize = 200;
 
 impl LiftOffCandidate {
     /// Whether the pressure is tensile at factor 0.
     pub fn is_tensile_at_zero(&self) -> bool {
-        lowest(&self.staying.coefficients).1 < -ROUNDING * self.staying.size
+        lowest(&self.staying.coefficients).1 < -SUM_ROUNDING * self.staying.size
     }
 
     /// The largest factor below `factor` at which the pressure of this candidate is not negative, and the
@@ -39,7 +39,7 @@ impl LiftOffCandidate {
     /// iterates decrease and never pass the root.
     pub fn first_tension_below(&self, factor: f64) -> Option<(f64, f64)> {
         let (mut factor, mut found) = (factor, None);
-        for _ in 0..MOST_STEPS {
+        for _ in 0..CANDIDATE_STEPS {
             let Some(s) = self.tension_at(factor) else { break };
             let [stays, grows] =
                 [&self.staying, &self.growing].map(|side| value(&side.coefficients, s));
@@ -55,7 +55,7 @@ impl LiftOffCandidate {
 
     /// Whether a factor is so small that the increasing loads change the candidate only by rounding error.
     pub fn is_nothing(&self, factor: f64) -> bool {
-        factor * self.growing.size <= ROUNDING * self.staying.size
+        factor * self.growing.size <= SUM_ROUNDING * self.staying.size
     }
 
     /// The position of the most negative pressure at a factor, if there is one.
@@ -69,7 +69,7 @@ impl LiftOffCandidate {
             (grows.coefficients, grows.size)
         };
         let (s, lowest) = lowest(&coefficients);
-        (lowest < -ROUNDING * size).then_some(s)
+        (lowest < -SUM_ROUNDING * size).then_some(s)
     }
 
     fn position(&self, s: f64) -> f64 {
@@ -160,21 +160,21 @@ mod tests {
     #[test]
     fn tension_exceeds_rounding_error() {
         let constant = |part: f64| {
-            let [staying, growing] = [side(&[-ROUNDING * part], 2.0), side(&[0.0], 3.0)];
+            let [staying, growing] = [side(&[-SUM_ROUNDING * part], 2.0), side(&[0.0], 3.0)];
             LiftOffCandidate { x: [0.0, 1.0], staying, growing }
         };
         assert!(!constant(1.9).is_tensile_at_zero() && constant(2.1).is_tensile_at_zero());
         assert_eq!(constant(13.9).tension_at(4.0), None);
         assert_eq!(constant(14.1).tension_at(4.0), Some(-1.0));
         let grows = |part: f64| {
-            let [staying, growing] = [side(&[1.0], 2.0), side(&[-ROUNDING * part], 3.0)];
+            let [staying, growing] = [side(&[1.0], 2.0), side(&[-SUM_ROUNDING * part], 3.0)];
             LiftOffCandidate { x: [0.0, 1.0], staying, growing }
         };
         assert_eq!(grows(2.9).tension_at(f64::INFINITY), None);
         assert_eq!(grows(3.1).tension_at(f64::INFINITY), Some(-1.0));
         // The sums of the terms are 2 and 3. So a factor λ counts as zero if 3λ is at most 256 ε times 2.
-        assert!(constant(0.0).is_nothing(ROUNDING * 0.66));
-        assert!(!constant(0.0).is_nothing(ROUNDING * 0.67));
+        assert!(constant(0.0).is_nothing(SUM_ROUNDING * 0.66));
+        assert!(!constant(0.0).is_nothing(SUM_ROUNDING * 0.67));
         // A pressure of zero is not tensile.
         let nothing = LiftOffCandidate {
             x: [0.0, 1.0],

@@ -28,11 +28,11 @@ const MOST_PIECES: usize = 200;
 const MOST_CHANGES: usize = 2000;
 /// Tolerance below which a force is zero, relative to all forces and loads, or a clearance, relative to the
 /// deflections. It is the accuracy of the factor at which a range begins.
-const ZERO: f64 = 1e-11;
+const ZERO_FORCE: f64 = 1e-11;
 
 /// At the loss of equilibrium no certificate exists, because nothing supports the beam. The fields are
 /// computed at this fraction of the factor.
-const NEARLY: f64 = 1.0 - 1e-6;
+const BEFORE_LOSS: f64 = 1.0 - 1e-6;
 
 /// A range of factors with the same active supports.
 struct FactorRange {
@@ -73,7 +73,7 @@ pub(crate) fn first_lift_off(
             // The beam cannot lift off beyond the factor of the loss of equilibrium, except by rounding
             // error.
             let factor = (from + least).min(loss);
-            prove(parts, factor.min(NEARLY * loss), &acts, stability, cancel)?;
+            prove(parts, factor.min(BEFORE_LOSS * loss), &acts, stability, cancel)?;
             return Ok(FirstLiftOff::At { factor, x });
         }
         if piece.growth == f64::INFINITY {
@@ -140,7 +140,7 @@ impl Margins {
         let each = || 0..acts.len();
         let margin = each().map(|i| if acts[i] { forces[i] } else { clear[i] });
         let all = all + size_of_loads(model);
-        let zero = each().map(|i| ZERO * if acts[i] { all } else { size });
+        let zero = each().map(|i| ZERO_FORCE * if acts[i] { all } else { size });
         Margins { margin: margin.collect(), zero: zero.collect() }
     }
 
@@ -317,8 +317,8 @@ mod tests {
         near(margin[0], 0.5);
         near(margin[1], 0.2);
         // Forces are compared with the reactions and the loads, clearances with the largest deflection.
-        near(zero[0], ZERO * (0.5 + WEIGHT));
-        near(zero[1], ZERO * 0.7);
+        near(zero[0], ZERO_FORCE * (0.5 + WEIGHT));
+        near(zero[1], ZERO_FORCE * 0.7);
     }
 
     #[test]

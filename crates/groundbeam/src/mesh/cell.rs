@@ -56,8 +56,8 @@ pub(crate) struct Varies<R = f64> {
 pub(crate) const GROUND: usize = Foundation::MOST_CONTROL_VALUES;
 
 /// Radius of a circle around a cell's middle, in half lengths, inside which EI and μ must have no complex
-/// zero. The series of their reciprocals then converge like the powers of 1/`FREE`.
-const FREE: f64 = 10.0;
+/// zero. The series of their reciprocals then converge like the powers of 1/`ZERO_FREE_RADIUS`.
+const ZERO_FREE_RADIUS: f64 = 10.0;
 
 impl<R: Real> Cell<R> {
     /// The coefficients of w − g₀, which is u in contact, from those of w.
@@ -204,7 +204,7 @@ impl<R: Real> Cell<R> {
     /// Whether EI, k and μ vary little enough for short power series.
     pub fn is_smooth(&self) -> bool {
         let uneven_shear = self.beam_shear.filter(|_| self.beam_shear_varies());
-        let is_free = |c: &[R]| is_free_of_zeros(&values(c), FREE);
+        let is_free = |c: &[R]| is_free_of_zeros(&values(c), ZERO_FREE_RADIUS);
         (!self.beam_varies() || is_free(&self.stiffness_along()))
             && uneven_shear.is_none_or(|shear| is_free(&shear))
             && (!self.ground_varies()

@@ -132,7 +132,7 @@ impl Mesh {
             let node = &self.nodes[i];
             let pushed = node.force != 0.0 || node.pinned || node.spring != 0.0;
             let jump = at(left, 1.0) - at(right, -1.0);
-            let stiffness_jumps = jump.abs() > ROUNDING * at(left, 1.0);
+            let stiffness_jumps = jump.abs() > ROUNDING_JUMP * at(left, 1.0);
             let ground_jumps = left.shear_layer_ends()[1] != right.shear_layer_ends()[0]
                 || left.gap_slope != right.gap_slope
                 || right.ground_force != 0.0;
@@ -172,7 +172,7 @@ impl Mesh {
 }
 
 /// Largest relative jump of a stiffness that counts as a rounding error.
-const ROUNDING: f64 = 1e-13;
+const ROUNDING_JUMP: f64 = 1e-13;
 
 /// Maximum number of halvings of a cell.
 const MOST_HALVINGS: u32 = 40;

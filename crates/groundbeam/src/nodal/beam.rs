@@ -10,14 +10,14 @@ use crate::element::element::Element;
 use crate::mesh::cell::Cell;
 
 /// Maximum length of an element relative to √(EI/P).
-pub(crate) const REACH: f64 = 1.0;
+pub(crate) const LONGEST_ELEMENT: f64 = 1.0;
 
 /// Number of coefficients of w(s). The first omitted term is below 1/18! of the sum.
-pub(crate) const TERMS: usize = 18;
+pub(crate) const NODAL_TERMS: usize = 18;
 
 /// Coefficients of w(s) are omitted if they are below this fraction of the larger of the coefficients of s²
 /// and s³.
-const LEAST: f64 = 1e-17;
+const NEGLIGIBLE_TERM: f64 = 1e-17;
 
 /// A uniform beam element and the loads on it.
 #[derive(Debug, Clone, Copy, Default)]
@@ -120,18 +120,18 @@ impl Beam {
     }
 
     /// Coefficients of w(s), s ∈ \[0, 1\], from (w, θ, d₁, d₂), and the number of significant ones.
-    pub fn unfold(&self, [w, theta, d1, d2]: [f64; 4]) -> ([f64; TERMS], usize) {
+    pub fn unfold(&self, [w, theta, d1, d2]: [f64; 4]) -> ([f64; NODAL_TERMS], usize) {
         let [_, _, _, c3, c4, c5] = self.c;
         let ([f0, f1], h) = (self.load, self.length);
         let [a, b] = self.bends(d1 - (f0 * c4 + f1 * c5), h * d2 - (f0 * c3 + f1 * c4));
-        let mut c = [0.0; TERMS];
+        let mut c = [0.0; NODAL_TERMS];
         (c[0], c[1], c[2], c[3]) = (w, h * theta, 0.5 * a, b / 6.0);
         (c[4], c[5]) = ((self.t * a + f0) / 24.0, (self.t * b + f1) / 120.0);
         let mut known = if c[4] == 0.0 && c[5] == 0.0 { 4 } else { 6 };
         if self.t != 0.0 {
-            let least = LEAST * c[2].abs().max(c[3].abs());
+            let least = NEGLIGIBLE_TERM * c[2].abs().max(c[3].abs());
             known = 6;
-            while known < TERMS && c[known - 2].abs().max(c[known - 1].abs()) > least {
+            while known < NODAL_TERMS && c[known - 2].abs().max(c[known - 1].abs()) > least {
                 for j in [known, known + 1] {
                     c[j] = c[j - 2] * self.t / (j * (j - 1)) as f64;
                 }

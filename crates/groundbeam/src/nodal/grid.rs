@@ -4,7 +4,7 @@
 //! of its own where EI, k or μ varies, where the beam has shear deformation, and where loads act on the
 //! ground.
 
-use super::beam::{Beam, REACH};
+use super::beam::{Beam, LONGEST_ELEMENT};
 use super::form::Form;
 use super::layer::Layer;
 use crate::element::element::Element;
@@ -209,7 +209,7 @@ fn pieces(cell: &Cell, axial_force: f64, length: f64) -> usize {
         return parts(&operator, length);
     }
     let wave = (axial_force / cell.stiffness).abs().sqrt();
-    (wave * length / REACH).ceil().max(1.0) as usize
+    (wave * length / LONGEST_ELEMENT).ceil().max(1.0) as usize
 }
 
 /// The two-port of Winkler springs (μ = 0): each end of an element carries the springs of half the element.

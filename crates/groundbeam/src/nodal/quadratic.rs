@@ -20,7 +20,7 @@ pub(super) struct Row<const N: usize> {
 }
 
 /// A pivot is rounding error if it is below this fraction of its terms.
-const ROUNDING: f64 = 1e-15;
+const PIVOT_ROUNDING: f64 = 1e-15;
 
 impl<const N: usize> Quadratic<N> {
     pub const ZERO: Self = Quadratic { h: [[0.0; N]; N], g: [0.0; N] };
@@ -68,7 +68,7 @@ impl<const N: usize> Quadratic<N> {
     /// pivot.
     pub fn eliminate(&mut self, e: usize, size: f64) -> Result<Row<N>, NotSolved> {
         let pivot = self.h[e][e];
-        if pivot.is_nan() || pivot <= ROUNDING * size || pivot <= 0.0 {
+        if pivot.is_nan() || pivot <= PIVOT_ROUNDING * size || pivot <= 0.0 {
             return Err(NotSolved);
         }
         let mut by = self.h[e].map(|h| -h / pivot);

@@ -7,7 +7,7 @@ use crate::nodal::newton::Line;
 use crate::numeric::line_search;
 
 /// Rounding level of the energy's slope at the start of a step, relative to the work of the forces.
-const LEAST: f64 = 1e-28;
+const ROUNDING_SLOPE: f64 = 1e-28;
 
 impl Workspace {
     /// Line search between the deflection before the step and the current one. Both satisfy K w = F − f with the forces
@@ -32,7 +32,7 @@ impl Workspace {
         };
         let fall = -slope(0.0);
         let work: f64 = f1.iter().zip(w1).map(|(f, w)| (f * w).abs()).sum();
-        if fall.is_nan() || fall <= LEAST * work {
+        if fall.is_nan() || fall <= ROUNDING_SLOPE * work {
             return None;
         }
         let slope = std::cell::RefCell::new(slope);

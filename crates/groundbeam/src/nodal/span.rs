@@ -5,7 +5,7 @@
 //! two are eliminated. Back-substitution computes them from the other four, so that a long span does not amplify
 //! rounding error.
 
-use super::beam::{Beam, TERMS};
+use super::beam::{Beam, NODAL_TERMS};
 use super::grid::Grid;
 use super::quadratic::{NotSolved, Quadratic, Row};
 use super::stand::Stand;
@@ -32,7 +32,7 @@ impl Piece {
     }
 
     /// Coefficients of w(s), s ∈ [0, 1], and the number of significant ones.
-    pub fn series(&self, own: [f64; 4]) -> Option<([f64; TERMS], usize)> {
+    pub fn series(&self, own: [f64; 4]) -> Option<([f64; NODAL_TERMS], usize)> {
         self.beam.as_ref().map(|beam| beam.unfold(own))
     }
 }
@@ -52,7 +52,7 @@ const D: usize = 4;
 const T: usize = 5;
 
 /// Largest rotational stiffness of a free hinge, relative to the bending stiffness of the next piece.
-const FREE: f64 = 1e-14;
+const FREE_HINGE: f64 = 1e-14;
 
 const NONE: Row<6> = Row { by: [0.0; 6], constant: 0.0 };
 
@@ -167,7 +167,7 @@ fn join(
     if let Some(spring) = stand.hinge {
         // Replaces d₂ by t, the sum of d₂ and the rotation jump of the hinge.
         let bending = own.h[3][3];
-        if bending + spring <= FREE * next.stiffness[3][3] {
+        if bending + spring <= FREE_HINGE * next.stiffness[3][3] {
             return Err(NotSolved);
         }
         let mut with_jump = Quadratic::<5>::ZERO;

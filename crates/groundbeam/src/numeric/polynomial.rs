@@ -8,13 +8,13 @@ use std::ops::{Deref, DerefMut};
 
 /// Maximum number of coefficients: that of a rotation with 20 coefficients times a shear stiffness of degree
 /// 5.
-pub(crate) const MOST: usize = 25;
+pub(crate) const MOST_COEFFICIENTS: usize = 25;
 
 /// Coefficients stored without heap memory, because each step creates a few such lists for each cell.
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) struct Coefficients<R = f64> {
     count: usize,
-    held: [R; MOST],
+    held: [R; MOST_COEFFICIENTS],
 }
 
 impl<R: Real> Default for Coefficients<R> {
@@ -25,14 +25,14 @@ impl<R: Real> Default for Coefficients<R> {
 
 impl<R: Real> Coefficients<R> {
     pub fn zeros(count: usize) -> Self {
-        debug_assert!(count <= MOST);
-        Coefficients { count: count.min(MOST), held: [R::ZERO; MOST] }
+        debug_assert!(count <= MOST_COEFFICIENTS);
+        Coefficients { count: count.min(MOST_COEFFICIENTS), held: [R::ZERO; MOST_COEFFICIENTS] }
     }
 
     /// The same polynomial with at least `count` coefficients, padded with zeros.
     pub fn at_least(mut self, count: usize) -> Self {
-        debug_assert!(count <= MOST);
-        self.count = self.count.max(count.min(MOST));
+        debug_assert!(count <= MOST_COEFFICIENTS);
+        self.count = self.count.max(count.min(MOST_COEFFICIENTS));
         self
     }
 
@@ -70,7 +70,7 @@ impl<R: Real> FromIterator<R> for Coefficients<R> {
     fn from_iter<T: IntoIterator<Item = R>>(c: T) -> Self {
         let mut all = Self::default();
         for c in c {
-            debug_assert!(all.count < MOST);
+            debug_assert!(all.count < MOST_COEFFICIENTS);
             if let Some(next) = all.held.get_mut(all.count) {
                 *next = c;
                 all.count += 1;
@@ -139,10 +139,10 @@ pub(crate) fn integral(c: &[f64], half: f64, start: f64) -> Coefficients {
 }
 
 /// 1/(j + 1).
-const PARTS: [f64; MOST] = {
-    let mut all = [0.0; MOST];
+const PARTS: [f64; MOST_COEFFICIENTS] = {
+    let mut all = [0.0; MOST_COEFFICIENTS];
     let mut j = 0;
-    while j < MOST {
+    while j < MOST_COEFFICIENTS {
         all[j] = 1.0 / (j + 1) as f64;
         j += 1;
     }
@@ -204,10 +204,10 @@ pub(crate) fn inner<R: Real>(f: &[R], g: &[R], order: usize) -> R {
 }
 
 /// ∫ s^(2n) ds over \[−1, 1\].
-pub(crate) const POWERS: [f64; MOST] = {
-    let mut all = [0.0; MOST];
+pub(crate) const POWERS: [f64; MOST_COEFFICIENTS] = {
+    let mut all = [0.0; MOST_COEFFICIENTS];
     let mut n = 0;
-    while n < MOST {
+    while n < MOST_COEFFICIENTS {
         all[n] = 2.0 / (2 * n + 1) as f64;
         n += 1;
     }

@@ -7,7 +7,7 @@ use crate::solution::fields::{Reaction, Side};
 use groundbeam_proof::{self as proof, Answer, NotProven, Proof, Scalar};
 
 /// Distance below which a beam is close to a support, as a fraction of the deflection there.
-const NEAR: f64 = 1e-6;
+const CLOSE_TO_SUPPORT: f64 = 1e-6;
 
 /// The proof of a solution, in numbers of the given type.
 pub(super) fn prove<S: Scalar>(candidate: &Candidate) -> Result<Proof, NotProven> {
@@ -181,7 +181,7 @@ fn end_at_support(
     let at = support.at;
     let here = candidate.at(at, Side::Right);
     let largest = here.deflection.abs().max(support.settlement.abs());
-    let close = (here.deflection - support.settlement).abs() <= NEAR * largest;
+    let close = (here.deflection - support.settlement).abs() <= CLOSE_TO_SUPPORT * largest;
     if !(support.is_one_way() && reaction.force == 0.0 && close) {
         return;
     }
