@@ -65,7 +65,7 @@ fn install(python: &Path) {
     build.args(["--auditwheel", "skip", "--interpreter"]).arg(python).arg("--out").arg(&wheels);
     build.env("CARGO_TARGET_DIR", target()).env("PIP_DISABLE_PIP_VERSION_CHECK", "1");
     if cfg!(debug_assertions) {
-        build.args(["--profile", "dev"]).env("CARGO_PROFILE_DEV_OPT_LEVEL", "2");
+        build.args(["--profile", "dev"]);
     } else {
         build.arg("--release");
     }
