@@ -1,7 +1,7 @@
 //! The coefficients of the beam equation on a cell, with or without contact: (EI w″)″ − (N w′)′ + κ w = F −
 //! G′.
 
-use crate::element::element::MOST;
+use crate::element::element::MOST_COMPRESSION;
 use crate::mesh::cell::{Cell, GROUND};
 use crate::model::Profile;
 use crate::numeric::polynomial::value;

@@ -310,7 +310,7 @@ fn assemble<R: Real>(
 mod tests {
     use super::*;
     use crate::element::ExactElement;
-    use crate::element::element::REACH;
+    use crate::element::element::LONGEST_SERIES;
     use crate::numeric::polynomial::jet;
 
     fn operator(n: f64, k: f64) -> Operator {

@@ -15,7 +15,7 @@ use crate::contact::continuation::secant;
 use crate::contact::intervals::{Interval, joined, longest_difference, positions};
 use crate::contact::obstacle;
 use crate::contact::state::ContactState;
-use crate::element::element::MOST;
+use crate::element::element::MOST_COMPRESSION;
 use crate::equilibrium::one_way;
 use crate::mesh::mesh::Mesh;
 use crate::model::Model;

@@ -6,7 +6,7 @@ use crate::chain::elimination::Chain;
 use crate::chain::node::{ChainCell, ChainNode};
 use crate::contact::bonded::{Bonded, folds};
 use crate::contact::intervals::Interval;
-use crate::element::element::MOST;
+use crate::element::element::MOST_COMPRESSION;
 use crate::element::operator::{Operator, ZoneKind};
 use crate::element::{ExactElement, cut_equally};
 use crate::existence::rigid_motions::held_rigidly;

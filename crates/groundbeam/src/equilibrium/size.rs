@@ -7,7 +7,7 @@
 //! length of 10⁻⁴ l, and series elements must be as short as these layers.
 
 use crate::element;
-use crate::element::element::REACH;
+use crate::element::element::LONGEST_SERIES;
 use crate::element::operator::{Operator, ZoneKind, wave_number};
 use crate::error::{Error, TooLarge};
 use crate::mesh::mesh::Mesh;

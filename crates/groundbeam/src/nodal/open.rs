@@ -1,6 +1,6 @@
 //! w, w' and the settlement of the ground at the nodes between contact zones, in closed form.
 
-use super::beam::TERMS;
+use super::beam::NODAL_TERMS;
 use super::grid::{Grid, Run};
 use super::hull::{Hull, Zone};
 use super::span::Span;
@@ -36,7 +36,7 @@ pub(crate) fn beam(grid: &Grid, span: &Span, v: &[f64; 4], derivative: bool, int
         if !derivative {
             return values(&series, terms, s, &mut into[nodes]);
         }
-        let (mut slope, scale) = ([0.0; TERMS], sign / length);
+        let (mut slope, scale) = ([0.0; NODAL_TERMS], sign / length);
         for (j, c) in series.iter().enumerate().take(terms).skip(1) {
             slope[j - 1] = j as f64 * c * scale;
         }
@@ -45,13 +45,13 @@ pub(crate) fn beam(grid: &Grid, span: &Span, v: &[f64; 4], derivative: bool, int
 }
 
 /// Evaluates a series at many positions, with its significant terms only.
-fn values(c: &[f64; TERMS], terms: usize, s: impl Fn(usize) -> f64, into: &mut [f64]) {
+fn values(c: &[f64; NODAL_TERMS], terms: usize, s: impl Fn(usize) -> f64, into: &mut [f64]) {
     match terms {
         0..=4 => horner::<4>(c, s, into),
         5..=6 => horner::<6>(c, s, into),
         7..=10 => horner::<10>(c, s, into),
         11..=14 => horner::<14>(c, s, into),
-        _ => horner::<TERMS>(c, s, into),
+        _ => horner::<NODAL_TERMS>(c, s, into),
     }
 }
 
@@ -59,7 +59,7 @@ fn values(c: &[f64; TERMS], terms: usize, s: impl Fn(usize) -> f64, into: &mut [
 /// before.
 const WIDTH: usize = 4;
 
-fn horner<const N: usize>(c: &[f64; TERMS], s: impl Fn(usize) -> f64, into: &mut [f64]) {
+fn horner<const N: usize>(c: &[f64; NODAL_TERMS], s: impl Fn(usize) -> f64, into: &mut [f64]) {
     for (block, values) in into.chunks_mut(WIDTH).enumerate() {
         let s: [f64; WIDTH] = std::array::from_fn(|i| s(block * WIDTH + i));
         let mut sums = [c[N - 1]; WIDTH];
