@@ -76,6 +76,16 @@ fn slits_that_close_slowly_under_the_line_search_are_closed() {
     solved(Family::Extreme, 1641);
 }
 
+/// The bonded beam is a mechanism on its contact set, or nearly one. Steps without stabilising springs do not stiffen them.
+#[test]
+fn stabilising_springs_hold_mechanisms_until_their_forces_are_rounding_error() {
+    for (family, number) in [(Family::Shearing, 7824), (Family::Hinged, 8306), (Family::Hard, 2829)]
+    {
+        let gap = solved(family, number).certificate().relative_gap();
+        assert!(gap < 1e-18, "{family:?} {number}: {gap:e}");
+    }
+}
+
 #[test]
 fn an_open_beam_between_clamps_has_an_estimate_of_rounding_size() {
     let solution = solved(Family::Settled, 8817);

@@ -17,7 +17,7 @@ use crate::contact::obstacle;
 use crate::contact::state::edges_not_converged;
 use crate::contact::state::{ContactState, Unconverged};
 use crate::contact::stopping::{
-    BLIND, CONVERGED_MOVE, JITTER, LEAST_PART, NEAR, NOT_SHORTENED, ON_ONE_POINT, ROUNDING_MOVE,
+    BLIND, CONVERGED_MOVE, JITTER, LEAST_PART, NEAR, NOT_SHORTENED, ROUNDING_GAP, ROUNDING_MOVE,
     SAME, SOFTEN, SOFTEST_SPRING, STALE_STEPS, STIFFEN, StepLimit, WEIGHTLESS,
 };
 use crate::contact::undecided::differ_by_rounding;
@@ -188,7 +188,7 @@ impl Search<'_, '_> {
     /// The beam balanced on one point, with the rotation of the deflection `like`.
     fn balanced(&mut self, contact: &[Interval], like: &ContactState) -> Option<ContactState> {
         let found = self.bonded.solve_held(contact, &[GivenRotation::as_in(like)]).ok()?;
-        let holds = self.confirms(contact, &found) && (self.judge)(&found) <= ON_ONE_POINT;
+        let holds = self.confirms(contact, &found) && (self.judge)(&found) <= ROUNDING_GAP;
         holds.then_some(found)
     }
 
@@ -226,8 +226,11 @@ impl Search<'_, '_> {
     ) -> Option<ContactState> {
         let found = &trial.found;
         if let Some(springs) = &trial.springs {
-            let is_unchanged = !self.needs_springs && self.moved <= ROUNDING_MOVE;
-            let is_balanced = springs.at_rest && is_unchanged && self.holds(found);
+            let is_unchanged = self.moved <= ROUNDING_MOVE || self.jitters(contact, found);
+            let is_balanced = is_unchanged && {
+                let gap = (self.judge)(found);
+                gap <= ROUNDING_GAP || springs.at_rest && !self.needs_springs && gap <= GAP
+            };
             let edge_error = EdgeError::of(&[contact, asked], self.length());
             return is_balanced.then(|| ContactState { edge_error, ..found.as_ref().clone() });
         }
@@ -339,8 +342,10 @@ impl Search<'_, '_> {
         if let Some(step) = self.history.last_mut() {
             step.step = shortened.part;
         }
-        let change = if shortened.part < NOT_SHORTENED { STIFFEN } else { SOFTEN };
-        self.epsilon = (self.epsilon * change).max(SOFTEST_SPRING);
+        if springs.is_some() {
+            let change = if shortened.part < NOT_SHORTENED { STIFFEN } else { SOFTEN };
+            self.epsilon = (self.epsilon * change).max(SOFTEST_SPRING);
+        }
         if shortened.part < LEAST_PART {
             // The energy is certain to fall only along the contact set from the scan of a deflection, not from edge
             // Newton.

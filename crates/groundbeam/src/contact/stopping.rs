@@ -71,9 +71,10 @@ pub(crate) const SOFTEN: f64 = 0.1;
 /// Fraction of a step below which the line search has reached rounding error.
 pub(crate) const LEAST_PART: f64 = 1e-9;
 
-/// Largest relative energy gap of a beam that is balanced on one point: the moment of the spring that prescribes its
-/// rotation is then rounding error. Hinged 1017 has a gap of 3e-10 at a false balance, Gap 738 one of 9e-30.
-pub(crate) const ON_ONE_POINT: f64 = 1e-18;
+/// Largest relative energy gap at which the forces of springs that restrain a mechanism are rounding error: a spring that
+/// prescribes a rotation, or the stabilising springs. Hinged 1017 has a gap of 3e-10 at a false balance, Gap 738 one of
+/// 9e-30, Hinged 8306 one of 1e-21.
+pub(crate) const ROUNDING_GAP: f64 = 1e-18;
 
 /// Relative decrement below which a decrease of the energy is rounding error.
 pub(crate) const LEAST_FALL: f64 = 1e-26;
