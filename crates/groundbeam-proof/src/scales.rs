@@ -12,17 +12,17 @@ use crate::size::Size;
 pub(crate) struct FieldScales {
     /// U, the larger of the largest |w| and |u|.
     pub deflection: f64,
-    /// The larger of the largest |w′| and U/λ.
+    /// The larger of the largest |w′| and U/Λ.
     pub slope: f64,
-    /// The largest of max|M|, p_max λ² and F₀λ.
+    /// The largest of max|M|, p_max Λ² and F₀Λ.
     pub moment: f64,
-    /// The largest of max|V|, p_max λ and F₀.
+    /// The largest of max|V|, p_max Λ and F₀.
     pub shear_force: f64,
     /// The larger of the largest p and k_max U.
     pub pressure: f64,
     /// The larger of two forces: the sum of all loads, converted to forces, and the largest reaction.
     pub force: f64,
-    /// `force` times λ, for moments of supports.
+    /// `force` times Λ, for moments of supports.
     pub turning: f64,
 }
 
@@ -39,7 +39,7 @@ struct Largest {
 }
 
 impl FieldScales {
-    /// Computes the scales. λ is the smaller of the length and the largest (4EI/k)^¼; F₀ is the largest
+    /// Computes the scales. Λ is the smaller of the length and the largest (4EI/k)^¼; F₀ is the largest
     /// single load, converted to a force.
     pub fn of<S: Scalar>(fields: &Fields<S>, bounds: &[PieceBounds]) -> Self {
         let most = Largest::of(fields, bounds);
