@@ -8,7 +8,7 @@
 //! |∫(p̄ − p*)| ≤ (1 + γ)[(Φ₀ + μe_θ)/(1 + g) + ε_pθ],   e_θ ≤ ε_φ + (e_V + |η|)/S,   e_V(1 + P/S) ≤ ε_T + rest.
 //! ```
 //!
-//! So ε_T ≤ A + κε_T with κ = (1 + γ)μ/(S + P + μ), and ε_T ≤ A/(1 − κ) if κ < 1.
+//! So ε_T ≤ A + χε_T with χ = (1 + γ)μ/(S + P + μ), and ε_T ≤ A/(1 − χ) if χ < 1.
 
 use crate::contact_set::EdgeShift;
 use crate::pointwise::{PieceBounds, Pointwise};

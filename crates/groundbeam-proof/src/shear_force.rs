@@ -7,7 +7,7 @@
 //! concentrated forces and springs inside:
 //!
 //! ```text
-//! ε_T = min_h {(2s₂K + 2P sup|e| + Σs₂√κ_θ)/h + ½hq} + P max|c′| + max|β| + Σmax(θp_o, θ′p_i) + Σ(ε_a + |λ|a) + Σs₂√κ,
+//! ε_T = min_h {(2s₂K + 2P sup|e| + Σs₂√κ_θ)/h + ½hq} + P max|c′| + max|β| + Σ(θp_o + θ′p_i) + Σ(ε_a + |λ|a) + Σs₂√κ,
 //! ε_V = |δ′| + Pε_φ + |β| + ε_T,   q = max(ε_p + γp + (1 + γ)η).
 //! ```
 //!
