@@ -17,4 +17,28 @@ impl<S: Scalar> Compression<S> {
     pub fn misfit(&self, turned: Size) -> Size {
         (Size::of((1.0 - self.margin).next_up()) * Size::of(self.force.high()) * turned).root()
     }
+
+    /// ((s₂ + N_c)² + s₂²)^½/√σ, which takes the place of s₂ = √(2E) in bounds from test functions.
+    pub fn test_factor(&self, energy: Size, turned: Size) -> Size {
+        let root = (2.0 * energy).root();
+        let missed = root + self.misfit(turned);
+        (missed.square() + root.square()).over(self.margin).root()
+    }
+
+    /// (((1 − σ)N)^½ + N(σΣhc′²)^½/s₂)², which takes the place of P in K². With the factor of `test_factor`, K² then
+    /// bounds the contribution of the misfit s − Pw*′. By Cauchy's inequality,
+    ///
+    /// ```text
+    /// (s₂ + N_c)K₁/√σ + s₂((1 − σ)NZ/σ)^½ + N(ZΣhc′²)^½ ≤ (((s₂ + N_c)² + s₂²)/σ)^½ (K₁² + PZ)^½,   Z = ∫z′².
+    /// ```
+    pub fn as_tension(&self, energy: Size, turned: Size) -> Size {
+        let force = Size::of(self.force.high());
+        let convex = (Size::of((1.0 - self.margin).next_up()) * force).root();
+        if turned == Size::ZERO {
+            return convex.square();
+        }
+        let closed = force * (self.margin * turned).root();
+        let root = (2.0 * energy.value()).sqrt().next_down();
+        (convex + closed.over(root)).square()
+    }
 }

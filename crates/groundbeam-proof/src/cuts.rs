@@ -27,8 +27,8 @@ pub(crate) fn more_cuts<S: Scalar>(frame: &Frame<S>) -> Vec<usize> {
     let mut cuts = vec![0];
     for i in 1..last {
         (passed, ahead) = (passed + waves[i - 1], ahead - waves[i - 1]);
-        let ends = waves[i - 1] > 0.0 && waves[i] == 0.0;
-        let enough = (passed > 2.0 || (ends && passed > 1.0)) && ahead > 1.0;
+        let most = if waves[i] == 0.0 { 1.0 } else { 2.0 };
+        let enough = passed > most && ahead > 1.0;
         if enough || frame.nodes[i].is_free_hinge() {
             cuts.push(i);
             passed = 0.0;
@@ -36,4 +36,58 @@ pub(crate) fn more_cuts<S: Scalar>(frame: &Frame<S>) -> Vec<usize> {
     }
     cuts.push(last);
     cuts
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{fewest_cuts, more_cuts};
+    use crate::given_claim::with_fields;
+    use serde_json::json;
+
+    /// The few and the many cuts of a beam with (4EI/k)^¼ = 1 and pieces of these lengths; a negative length is open.
+    fn cuts(lengths: &[f64], hinges: &str) -> [Vec<usize>; 2] {
+        let total: f64 = lengths.iter().map(|length| length.abs()).sum();
+        let model = format!("[beam]\nlength = {total}\nEI = 6\n[foundation]\nk = 24\n{hinges}");
+        let mut to = 0.0;
+        let piece = |length: &f64| {
+            let from = to;
+            to += length.abs();
+            let half = 0.5 * length.abs();
+            json!({"x": [from, to], "half": half, "touches": *length > 0.0, "deflection": [1]})
+        };
+        let pieces: Vec<_> = lengths.iter().map(piece).collect();
+        with_fields(&model, &json!({"pieces": pieces}), |fields| {
+            [fewest_cuts(fields.frame), more_cuts(fields.frame)]
+        })
+    }
+
+    #[test]
+    fn cuts_are_separated_by_waves_of_contact() {
+        for (lengths, expected) in [
+            // More than two waves since the last cut, and more than one ahead.
+            (&[1.5; 5][..], &[0, 2, 4, 5][..]),
+            (&[1.5, 1.5, 0.5], &[0, 3]),
+            (&[1.0; 4], &[0, 4]),
+            (&[1.0; 5], &[0, 3, 5]),
+            // At the end of a contact zone, more than one wave since the last cut.
+            (&[1.5, -3.0, 1.5], &[0, 1, 3]),
+            (&[1.0, -3.0, 1.5], &[0, 3]),
+            (&[1.5, -3.0, 1.0], &[0, 3]),
+            (&[0.75, 0.75, -0.5, 0.75, 0.75], &[0, 2, 5]),
+            // Open pieces are not counted.
+            (&[-9.0, 1.5, 1.5], &[0, 3]),
+            (&[-9.0, 1.5, 1.0, 1.5], &[0, 3, 4]),
+        ] {
+            let last = lengths.len();
+            assert_eq!(cuts(lengths, ""), [vec![0, last], expected.to_vec()], "{lengths:?}");
+        }
+    }
+
+    #[test]
+    fn a_free_hinge_is_a_cut() {
+        let free = "[[hinge]]\nat = 1.5\n";
+        assert_eq!(cuts(&[1.5; 5], free), [vec![0, 1, 5], vec![0, 1, 3, 5]]);
+        let elastic = "[[hinge]]\nat = 1.5\nrotational_spring = 1\n";
+        assert_eq!(cuts(&[1.5; 5], elastic), [vec![0, 5], vec![0, 2, 4, 5]]);
+    }
 }

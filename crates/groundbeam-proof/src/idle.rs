@@ -84,3 +84,128 @@ fn is_clear<S: Scalar>(
     };
     inside && near.filter(|i| holds(*i)).all(clear)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::given_claim::with_fields;
+    use crate::wide::Wide;
+    use serde_json::json;
+
+    /// The frame of four pieces of the length 0.25 at these heights, with supports and their reactions.
+    fn with_frame(
+        heights: [f64; 4],
+        supports: &str,
+        reactions: &[f64],
+        of: impl FnOnce(&Frame<Wide>),
+    ) {
+        let model = format!("[beam]\nlength = 1\nEI = 1\n[foundation]\nk = 1\n{supports}");
+        let piece = |(i, w): (usize, &f64)| {
+            let from = 0.25 * i as f64;
+            json!({"x": [from, from + 0.25], "half": 0.125, "touches": false, "deflection": [w]})
+        };
+        let pieces: Vec<_> = heights.iter().enumerate().map(piece).collect();
+        let reactions: Vec<_> = reactions.iter().map(|force| json!({"force": force})).collect();
+        let document = json!({"pieces": pieces, "reactions": reactions});
+        with_fields(&model, &document, |fields| of(fields.frame));
+    }
+
+    fn support(x: f64, acts: Acts, settlement: f64) -> Held<Wide> {
+        let [x, settlement] = [x, settlement].map(Wide::of);
+        Held { x, acts, node: None, springs: None, settlement, claimed: [Wide::zero(); 2] }
+    }
+
+    /// A support that pushes up at 2 is clear of w = 1 and not of w = 3; one that pulls down, of w = 3 and not of w = 1.
+    #[test]
+    fn a_support_must_be_clear_of_every_piece_at_its_position() {
+        let heights = [1.0, 3.0, 1.0, 3.0];
+        with_frame(heights, "", &[], |frame| {
+            for step in 0..=16 {
+                let x = f64::from(step) / 16.0;
+                let over = |i: &usize| 0.25 * *i as f64 <= x && x <= 0.25 * (i + 1) as f64;
+                let pieces: Vec<usize> = (0..4).filter(over).collect();
+                for (acts, height) in [(Acts::Up, 1.0), (Acts::Down, 3.0)] {
+                    let support = support(x, acts, 2.0);
+                    let clear = is_clear(frame, &|_| 0.0, &support);
+                    let exact = pieces.iter().all(|i| heights[*i] == height);
+                    assert_eq!(clear, exact, "{x} {acts:?}");
+                }
+            }
+            for x in [-0.01, 1.01] {
+                assert!(!is_clear(frame, &|_| 0.0, &support(x, Acts::Up, 9.0)));
+            }
+        });
+    }
+
+    #[test]
+    fn the_clearance_of_a_support_exceeds_the_bound_on_each_piece() {
+        with_frame([1.0, 1.5, 1.5, 1.5], "", &[], |frame| {
+            for (x, wanted, clear) in [
+                (0.125, [0.9, 9.0], true),
+                (0.125, [1.1, 0.0], false),
+                (0.25, [0.9, 0.4], true),
+                (0.25, [1.1, 0.4], false),
+                (0.25, [0.9, 0.6], false),
+            ] {
+                let wanted = |piece: usize| wanted[piece.min(1)];
+                assert_eq!(is_clear(frame, &wanted, &support(x, Acts::Up, 2.0)), clear, "{x}");
+            }
+        });
+    }
+
+    fn up(settlement: f64) -> String {
+        format!(
+            "[[support]]\nat = 0.125\ntype = 'pinned'\nacts = 'up'\nsettlement = {settlement:?}\n"
+        )
+    }
+
+    /// Under the beam w = 1 a support that pushes up at 2, and above it one that pulls down at 0.5, both without a reaction.
+    #[test]
+    fn supports_without_reactions_must_be_separated() {
+        let both = "[[support]]\nat = 0.25\ntype = 'pinned'\nsettlement = 1\n";
+        let down = "[[support]]\nat = 0.625\ntype = 'pinned'\nacts = 'down'\nsettlement = 0.5\n";
+        let all = both.to_owned() + &up(2.0) + down;
+        with_frame([1.0; 4], &all, &[], |frame| {
+            for (error, wanted) in [(0.4, &[][..]), (0.6, &[2]), (1.1, &[1, 2])] {
+                let error = Size::of(error);
+                let bounds = [PieceBounds { deflection: error, ..PieceBounds::EXACT }; 4];
+                assert_eq!(close(frame, &bounds), wanted, "{error:?}");
+                let decided = decided(frame, &bounds, &[[Size::ZERO; 2]; 3]);
+                assert_eq!(decided.is_ok(), wanted.is_empty(), "{error:?}");
+            }
+        });
+    }
+
+    #[test]
+    fn the_reaction_of_an_active_support_exceeds_its_error() {
+        for (acts, force) in [("up", 6.0), ("down", -6.0)] {
+            let support = format!(
+                "[[support]]\nat = 0.25\ntype = 'pinned'\nacts = '{acts}'\nsettlement = 1\n"
+            );
+            with_frame([1.0; 4], &support, &[force], |frame| {
+                let bounds = [PieceBounds::EXACT; 4];
+                assert!(close(frame, &bounds).is_empty());
+                for (error, decides) in [(5.9, true), (6.0, false), (6.1, false)] {
+                    let found = decided(frame, &bounds, &[[Size::of(error), Size::ZERO]]);
+                    assert_eq!(found.is_ok(), decides, "{acts} {error}");
+                }
+            });
+        }
+    }
+
+    /// The permitted penetration is 10⁻⁹ of the largest deflection.
+    #[test]
+    fn an_estimate_permits_a_penetration_by_rounding() {
+        for (most, depth, permitted) in [
+            (1.0, -1e-3, true),
+            (1.0, 0.9e-9, true),
+            (1.0, 1.1e-9, false),
+            (1000.0, 0.9e-6, true),
+            (1000.0, 1.1e-6, false),
+        ] {
+            with_frame([1.0, 1.0, most, 1.0], &up(1.0 - depth), &[], |frame| {
+                assert_eq!(nearly_clear(frame).is_ok(), permitted, "{most} {depth}");
+            });
+        }
+    }
+}

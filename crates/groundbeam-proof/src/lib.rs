@@ -34,6 +34,7 @@ mod fields;
 mod float;
 mod frame;
 mod given;
+mod given_claim;
 mod ground;
 mod held;
 mod idle;

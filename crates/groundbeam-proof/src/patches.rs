@@ -84,8 +84,7 @@ impl<S: Scalar> Patches<S> {
 fn patches<S: Scalar>(fields: &Fields<S>, i: usize) -> Vec<Patch<S>> {
     let span = &fields.frame.spans[i];
     let [from, to] = span.interval();
-    let open = fields.surface.pieces[i].open.filter(|_| span.layered && !span.touches);
-    let Some(ends) = open else {
+    let Some(ends) = fields.surface.pieces[i].open else {
         let own = match span.free_field() {
             _ if span.touches => span.obstacle(),
             Some(free) => Polynomial::zero() + &free,
@@ -191,5 +190,91 @@ impl<'a, S: Scalar> Surface<'a, S> {
         let rest = largest * reach;
         coefficients[0] = coefficients[0].widened(rest.value());
         Polynomial::from_coefficients(coefficients)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::given_claim::with_fields;
+    use crate::wide::Wide;
+    use serde_json::json;
+
+    /// Zero lies between two numbers that differ by at most this.
+    fn is_zero(what: &str, x: impl Scalar, width: f64) {
+        let [low, high] = [x.low(), x.high()];
+        assert!(low <= 0.0 && 0.0 <= high && high - low <= width, "{what}: {low:e} {high:e}");
+    }
+
+    /// v = 3sinh(b(1 − x))/sinh(b) + 2sinh(bx)/sinh(b). The polynomial about one position contains the value at another, and its
+    /// radius is at most twice the remainder 3(qr)ⁿ/n!.
+    #[test]
+    fn the_taylor_polynomial_of_open_ground_contains_it() {
+        for b in [0.5_f64, 2.0, 32.0] {
+            let model =
+                format!("[beam]\nlength = 1\nEI = 1\n[foundation]\nk = {}\nmu = 2\n", 2.0 * b * b);
+            let piece = json!({"x": [0, 1], "half": 0.5, "touches": false, "deflection": [0]});
+            with_fields(&model, &json!({"pieces": [piece]}), |fields| {
+                let ends = [3.0, 2.0].map(Wide::of);
+                let surface = Surface::of(&fields.frame.spans[0], ends);
+                let at = |t: f64| surface.taylor(t, 0.0).coefficient(0);
+                is_zero("left end", at(-1.0) - ends[0], 1e-27);
+                is_zero("right end", at(1.0) - ends[1], 1e-27);
+                let middle = 5.0 / (2.0 * (0.5 * b).cosh());
+                assert!((at(0.0).middle() / middle - 1.0).abs() < 1e-14, "{b}");
+                let r = if b > 4.0 { 2.0 * LONGEST / b } else { 1.0 };
+                let rest = (1..=TERMS).fold(3.0, |rest, n| rest * 0.5 * b * r / n as f64);
+                for m in [-1.0 + r, 1.0 - r, 0.3 * (1.0 - r)] {
+                    let near = surface.taylor(m, r);
+                    for s in [-r, -0.5 * r, 0.5 * r, r] {
+                        let off = near.value(Wide::of(s)) - at(m + s);
+                        is_zero(&format!("{b} {m} {s}"), off, 4.0 * rest + 1e-27);
+                    }
+                }
+            });
+        }
+    }
+
+    /// The stretches cover the piece, and each contains u = q/k + v at its ends and in its middle. A value is taken from the nearest
+    /// stretch.
+    #[test]
+    fn all_stretches_contain_the_surface_of_loaded_ground() {
+        for (b, count) in [(1.0_f64, 1), (31.0, 8)] {
+            let model = format!(
+                "[beam]\nlength = 1\nEI = 1\n[foundation]\nk = {}\nmu = 1\n\
+                 [[ground_load]]\ndistributed = [1, 2]\nfrom = 0\nto = 1\n",
+                b * b
+            );
+            let piece = json!({"x": [0, 1], "half": 0.5, "touches": false, "deflection": [0]});
+            with_fields(&model, &json!({"pieces": [piece]}), |fields| {
+                let span = &fields.frame.spans[0];
+                let ends = fields.surface.pieces[0].open.expect("open ground");
+                let surface = Surface::of(span, span.above_free_ends(ends));
+                let free = span.free_field().expect("a load on the ground");
+                let all = patches(fields, 0);
+                assert_eq!(all.len(), count);
+                let mut to = -1.0;
+                for patch in &all {
+                    let [low, high] = patch.interval;
+                    assert!(patch.middle + low <= to && patch.middle + high > to, "{b}");
+                    to = patch.middle + high;
+                    for s in [low, 0.0, high] {
+                        let t = patch.middle + s;
+                        let above = surface.taylor(t, 0.0).coefficient(0);
+                        let exact = above + free.value(Wide::of(t));
+                        let found = patch.fields[5].value(Wide::of(t - patch.middle));
+                        is_zero(&format!("{b} {t}"), found - exact, 1e-17);
+                    }
+                }
+                assert!(to >= 1.0);
+                let all = Patches { pieces: vec![all] };
+                for step in -50..=50 {
+                    let t = Wide::of(0.02 * f64::from(step));
+                    let above = surface.taylor(t.middle(), 0.0).coefficient(0);
+                    let off = all.value(5, 0, t) - above - free.value(t);
+                    is_zero(&format!("{b} {step}"), off, 1e-17);
+                }
+            });
+        }
     }
 }

@@ -135,3 +135,139 @@ impl<S: Scalar> Contact<'_, S> {
         (u - piece.obstacle[0].value(S::Coarse::of(t))).low()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fields::Fields;
+    use crate::given_claim::with_fields;
+    use crate::pointwise::PieceBounds;
+    use crate::wide::Wide;
+    use serde_json::json;
+
+    /// Errors of u, w and p.
+    fn errors([settlement, deflection, pressure]: [f64; 3]) -> PieceBounds {
+        let [settlement, deflection, pressure] = [settlement, deflection, pressure].map(Size::of);
+        PieceBounds { settlement, deflection, pressure, ..PieceBounds::EXACT }
+    }
+
+    /// Under a straight beam p = kw is linear. The open length x has x² min(p − ε_p) ≥ 2ε_Cμ on [0, x], and it is at
+    /// most the length that follows from the smallest p − ε_p on [0, 4x].
+    #[test]
+    fn the_open_length_follows_from_the_smallest_pressure_on_it() {
+        let model = "[beam]\nlength = 1\nEI = 1\n[foundation]\nk = 2\nmu = 3\n";
+        for (ends, error) in [([1.0_f64, 1.0], 0.0), ([3.0, 0.5], 0.5), ([0.5, 3.0], 0.5)] {
+            let deflection = [0.5 * (ends[0] + ends[1]), 0.5 * (ends[1] - ends[0])];
+            let document = json!({
+                "pieces": [{"x": [0, 1], "half": 0.5, "touches": true, "deflection": deflection}],
+            });
+            with_fields(model, &document, |fields| {
+                for (side, exponent) in
+                    [0, 1].into_iter().flat_map(|s| (4..60).map(move |n| (s, n)))
+                {
+                    let off = 2.0_f64.powi(-exponent);
+                    let bounds = [errors([off, 2.0 * off, error])];
+                    let contact = Contact { fields, bounds: &bounds };
+                    let deep = 2.0 * 3.0 * 3.0 * off;
+                    let pressed = |x: f64| {
+                        let [near, far] = [ends[side], ends[1 - side]];
+                        2.0 * near.min(near + (far - near) * x.min(1.0)) - error
+                    };
+                    let what = format!("{ends:?} {side} {off:e}");
+                    let Some(open) = contact.opened_at(0, side) else {
+                        assert!(deep > 0.018 * pressed(1.0), "{what}");
+                        continue;
+                    };
+                    let open = open.value();
+                    assert!(open * open * pressed(open) >= deep, "{what}: {open:e}");
+                    let sharp = open * open * pressed(4.0 * open) <= 1.001 * deep;
+                    assert!(open <= 1.0 && sharp, "{what}: {open:e}");
+                }
+            });
+        }
+    }
+
+    /// The beam w = 2 − x touches up to x = 1 with the pressure 2 − x, and beyond it C = exp(1 − x) − (2 − x), about ½(x −
+    /// 1)². So it may touch up to (2ε_C)^½ beyond the edge, and be open within (2ε_C/p)^½ of each end of a touching piece. The
+    /// mirrored beam has the same bounds.
+    #[test]
+    fn the_ends_of_all_pieces_have_bounds_of_the_contact() {
+        let model = "[beam]\nlength = 1.5\nEI = 1\n[foundation]\nk = 1\nmu = 1\n";
+        for mirrored in [false, true] {
+            let piece = |x: [f64; 2], touches: bool| {
+                let half = 0.5 * (x[1] - x[0]);
+                let middle = 2.0 - 0.5 * (x[0] + x[1]);
+                let (x, slope) = match mirrored {
+                    false => (x, -half),
+                    true => ([1.5 - x[1], 1.5 - x[0]], half),
+                };
+                json!({"x": x, "half": half, "touches": touches, "deflection": [middle, slope]})
+            };
+            let mut pieces =
+                [piece([0.0, 0.5], true), piece([0.5, 1.0], true), piece([1.0, 1.5], false)];
+            if mirrored {
+                pieces.reverse();
+            }
+            with_fields(model, &json!({"pieces": pieces}), |fields| {
+                for n in 0..200 {
+                    are_edges(fields, mirrored, 0.01 * 0.9_f64.powi(n));
+                }
+            });
+        }
+    }
+
+    /// Checks the edges of this beam for an error ε_C.
+    fn are_edges(fields: &Fields<Wide>, mirrored: bool, off: f64) {
+        let bounds = [errors([0.25 * off, 0.75 * off, 0.0]); 3];
+        let shown = Contact { fields, bounds: &bounds }.roughly();
+        assert_eq!(shown.failed, [None, None], "{off:e}");
+        let length = (2.0 * off).sqrt();
+        let inside = |p: f64| [0.0, length / p.sqrt()];
+        let mut exact = vec![
+            (0, 0, inside(2.0)),
+            (1, 1, inside(1.5)),
+            (1, 0, inside(1.5)),
+            (2, 1, inside(1.0)),
+            (2, 1, [length, 0.0]),
+            (3, 0, [0.0; 2]),
+        ];
+        let mut tolerances = vec![Size::INFINITE, Size::INFINITE, Size::INFINITE, Size::ZERO];
+        if mirrored {
+            exact = exact.into_iter().rev().map(|(n, side, all)| (3 - n, 1 - side, all)).collect();
+            tolerances.reverse();
+        }
+        assert_eq!(shown.tolerances, tolerances);
+        assert_eq!(shown.edges.len(), exact.len());
+        for (edge, (node, side, exact)) in shown.edges.iter().zip(exact) {
+            assert_eq!((edge.node, edge.side), (node, side), "{edge:?}");
+            for (found, exact) in [edge.outside, edge.inside].into_iter().zip(exact) {
+                let found = found.value();
+                // Near the length of a piece the whole piece may be open.
+                let sharp = found <= 2.6 * exact || (exact > 0.05 && found < 0.501);
+                assert!(exact <= found && sharp, "{edge:?} {exact}");
+            }
+            // The length is 1.5 times the first of the lengths 10⁻¹²·1.5ⁿ with C > ε_C. C has no digits for small errors.
+            let [within, last] = [1.5, 2.25].map(|part| edge.outside.value() / part);
+            let clearance = |y: f64| (-y).exp() - 1.0 + y;
+            let is_first = clearance(within) > off && clearance(last) < 1.001 * off;
+            assert!(is_first || edge.outside == Size::ZERO || off < 1e-8, "{edge:?} {off:e}");
+        }
+    }
+
+    /// On the whole piece p > ε_p is required, on an open piece a clearance that exceeds ε_C away from its ends.
+    #[test]
+    fn contact_without_a_bound_is_told() {
+        let model = "[beam]\nlength = 1\nEI = 1\n[foundation]\nk = 1\nmu = 1\n";
+        let document = |touches: bool| json!({"pieces": [{"x": [0, 1], "half": 0.5, "touches": touches, "deflection": [1]}]});
+        let failed = |touches: bool, error: [f64; 3]| {
+            with_fields(model, &document(touches), |fields| {
+                let bounds = [errors(error)];
+                let [failed, _] = Contact { fields, bounds: &bounds }.roughly().failed;
+                failed.map(|why| why.what)
+            })
+        };
+        assert_eq!(failed(true, [0.0, 0.0, 0.99]), None);
+        assert!(failed(true, [0.0, 0.0, 1.0]).is_some_and(|what| what.contains("pressure")));
+        assert!(failed(false, [0.0; 3]).is_some_and(|what| what.contains("clearance")));
+    }
+}

@@ -53,37 +53,21 @@ impl<S: Scalar> Pointwise<'_, S> {
         kink([bending, layer, springs], [supports, turning], available.low())
     }
 
-    /// P; under a compression, the number (((1 − σ)N)^½ + N(σΣhc′²)^½/s₂)² takes its place. With the factor
-    /// of `test_factor`, K² then bounds the contribution of the misfit s − Pw*′. By Cauchy's inequality,
-    ///
-    /// ```text
-    /// (s₂ + N_c)K₁/√σ + s₂((1 − σ)NZ/σ)^½ + N(ZΣhc′²)^½ ≤ (((s₂ + N_c)² + s₂²)/σ)^½ (K₁² + PZ)^½,   Z = ∫z′².
-    /// ```
+    /// P, or the number that takes its place under a compression.
     fn tension(&self) -> Size {
         let frame = self.fields.frame;
-        let Some(compression) = &frame.compression else {
-            return Size::of(frame.tension.map_or(0.0, S::high));
-        };
-        let force = Size::of(compression.force.high());
-        let convex = (Size::of((1.0 - compression.margin).next_up()) * force).root();
-        let turned = self.fields.closing[1];
-        if turned == Size::ZERO {
-            return convex.square();
+        match &frame.compression {
+            None => Size::of(frame.tension.map_or(0.0, S::high)),
+            Some(compression) => compression.as_tension(self.energy, self.fields.closing[1]),
         }
-        let closed = force * (compression.margin * turned).root();
-        (convex + closed.over(self.energy_root())).square()
     }
 
-    /// s₂, or ((s₂ + N_c)² + s₂²)^½/√σ under a compression.
+    /// s₂, or the number that takes its place under a compression.
     pub(crate) fn test_factor(&self) -> Size {
-        let Some(compression) = &self.fields.frame.compression else { return self.s2() };
-        let missed = self.s2() + compression.misfit(self.fields.closing[1]);
-        (missed.square() + self.s2().square()).over(compression.margin).root()
-    }
-
-    /// A lower bound of s₂.
-    fn energy_root(&self) -> f64 {
-        (2.0 * self.energy.value()).sqrt().next_down()
+        match &self.fields.frame.compression {
+            None => self.s2(),
+            Some(compression) => compression.test_factor(self.energy, self.fields.closing[1]),
+        }
     }
 
     /// The largest EI, P + μ and k between two nodes.
@@ -140,8 +124,11 @@ impl<S: Scalar> Pointwise<'_, S> {
 #[cfg(test)]
 pub(crate) mod tests {
     use super::kink;
+    use crate::given_claim::{balanced, with_fields};
+    use crate::pointwise::Pointwise;
     use crate::random::numbers;
     use crate::size::Size;
+    use serde_json::json;
 
     /// ∫f from 0 to h by Gauss's rule with 5 points, exact for polynomials up to the degree 9.
     pub(crate) fn integral(h: f64, f: impl Fn(f64) -> f64) -> f64 {
@@ -177,5 +164,29 @@ pub(crate) mod tests {
             let bound = kink(stiff.map(Size::of), held.map(Size::of), available).value();
             assert!(least <= bound * (1.0 + 1e-9) && bound <= 1.01 * least, "{least} {bound}");
         }
+    }
+
+    /// The longer side of x between two pins 1.5 apart is at least 0.75. On a stiff beam the longest test function is the best one,
+    /// K² = 4EI/h.
+    #[test]
+    fn a_test_function_ends_before_the_next_support() {
+        let pin = |at: f64| format!("[[support]]\nat = {at}\ntype = 'pinned'\n");
+        let model = format!(
+            "[beam]\nlength = 1.75\nEI = 1\n[foundation]\nk = 1e-9\n{}{}",
+            pin(0.25),
+            pin(1.75)
+        );
+        let piece = |x: [f64; 2]| json!({"x": x, "half": 0.5 * (x[1] - x[0]), "touches": false, "deflection": [0]});
+        let document =
+            json!({"pieces": [piece([0.0, 0.25]), piece([0.25, 1.0]), piece([1.0, 1.75])]});
+        with_fields(&model, &document, |fields| {
+            let balanced = balanced(3);
+            let pointwise = Pointwise { fields, balanced: &balanced, energy: Size::ZERO };
+            assert_eq!(pointwise.obstacles(), [0, 1, 3]);
+            for (nodes, available) in [(0..1, 0.125), (1..3, 0.75)] {
+                let ratio = pointwise.short_kink(nodes).value() / (4.0 / available);
+                assert!((1.0..1.0 + 1e-6).contains(&ratio), "{ratio}");
+            }
+        });
     }
 }

@@ -40,7 +40,7 @@ impl<S: Scalar> Pointwise<'_, S> {
         let error = fixed + turned * bounds.slope;
         let axial = self.fields.frame.axial_force().unwrap_or_else(S::zero);
         let whole = (S::of(stiffness.high()) + axial).high();
-        match span.touches && whole > 0.0 {
+        match span.touches {
             true => error.over((S::one() + S::of(span.shear.low()).div(S::of(whole))).low()),
             false => error,
         }
@@ -122,5 +122,178 @@ impl<S: Scalar> Pointwise<'_, S> {
                 piece.pressure = piece.pressure.least(self.pressure(i, piece));
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::balance::Balanced;
+    use crate::fields::Fields;
+    use crate::given_claim::{balanced, with_fields};
+    use crate::wide::Wide;
+    use serde_json::json;
+
+    /// A claim, its balance, and the bounds of its errors.
+    struct Claim<'a, 'b> {
+        fields: &'a mut Fields<'b, Wide>,
+        balanced: Balanced<Wide>,
+        bounds: PieceBounds,
+    }
+
+    impl Claim<'_, '_> {
+        fn pointwise(&self) -> Pointwise<'_, Wide> {
+            Pointwise { fields: self.fields, balanced: &self.balanced, energy: Size::ZERO }
+        }
+
+        fn first_slope(&self) -> Size {
+            let stiffness = varying(&self.fields.frame.spans[0]).expect("a varying stiffness");
+            self.pointwise().first_slope(0, stiffness, &self.bounds)
+        }
+    }
+
+    /// The straight beam w = 2 − x with EI = ⅛ and the tension P = ¼, φ = −1 − `turned`, on ground with k = ¼. μ rises from ¼
+    /// to ¾ and S falls from 1 to ½. So α = μ/(S + P) ≤ 1, |α′|(S + P) ≤ |μ′| + |S′| = 1 and 1 + P/S ≥ 5/4. The load is the
+    /// pressure 1 − x/4.
+    fn with_claim<T>(turned: f64, touches: bool, of: impl FnOnce(&mut Claim) -> T) -> T {
+        let model = "[beam]\nlength = 1\nEI = 0.125\naxial_force = 0.25\n[[beam.segment]]\nfrom = 0\nto = 1\n\
+                     shear_stiffness = [1, 0.5]\n[foundation]\nk = 0.25\nmu = 0.25\n\
+                     [[foundation.segment]]\nfrom = 0\nto = 1\nk = 0.25\nmu = [0.25, 0.75]\n\
+                     [[load]]\ndistributed = [1, 0.75]\n";
+        let mut piece = json!({
+            "x": [0, 1], "half": 0.5, "touches": touches, "deflection": [1.5, -0.5], "rotation": [-1.0 - turned],
+        });
+        if !touches {
+            piece["settlement"] = json!([1, 0.5]);
+        }
+        with_fields(model, &json!({"pieces": [piece]}), |fields| {
+            if !touches {
+                // Without the pressure of the ground the load is not balanced.
+                fields.residual.pieces[0].constant = Wide::zero();
+                fields.residual.pieces[0].rest = Size::ZERO;
+            }
+            of(&mut Claim {
+                fields,
+                balanced: balanced(1),
+                bounds: PieceBounds { ..PieceBounds::EXACT },
+            })
+        })
+    }
+
+    fn same(what: &str, found: Size, expected: f64) {
+        let ratio = found.value() / expected;
+        assert!((1.0..1.0 + 1e-9).contains(&ratio), "{what}: {found:?} {expected}");
+    }
+
+    /// The smallest bound of ε_T over lengths, from A, B and p₀ + C, with D = 1/((1 + P/S)S) = 8/5.
+    fn first_force([moved, closed, spread]: [f64; 3]) -> f64 {
+        let force = |j: i32| {
+            let h = 0.5_f64.powi(j);
+            (moved / h + closed + 0.5 * h * spread) / (1.0 - 0.8 * h)
+        };
+        (0..24).map(force).fold(f64::INFINITY, f64::min)
+    }
+
+    /// Checks the first bound of the slope, beside an error 10⁻³ of the moment. The numbers are the bound without ε_T, A and B,
+    /// and p₀ + C.
+    fn is_first_slope(
+        what: &str,
+        turned: f64,
+        change: impl FnOnce(&mut Claim),
+        [resting, moved, closed, spread]: [f64; 4],
+    ) {
+        with_claim(turned, true, |claim| {
+            claim.bounds.balanced_moment = Size::of(1e-3);
+            change(claim);
+            let expected = resting + 1.6 * first_force([moved, closed, spread]);
+            same(what, claim.first_slope(), expected);
+        });
+    }
+
+    /// Checks the first bound from (14b) for one error at a time.
+    #[test]
+    fn the_first_slope_follows_from_the_change_of_moment_on_the_piece() {
+        let size = Size::of;
+        is_first_slope("no error", 0.0, |_| (), [0.0, 2e-3, 0.0, 1.0]);
+        is_first_slope(
+            "rotation",
+            0.0,
+            |c| c.bounds.rotation = size(0.1),
+            [0.14, 2e-3, 0.0, 1.0 + 0.05 + 0.14],
+        );
+        is_first_slope("moment", 0.0, |c| c.bounds.moment = size(0.1), [0.0, 2e-3, 0.0, 1.8]);
+        is_first_slope(
+            "settlement",
+            0.0,
+            |c| c.bounds.settlement = size(0.4),
+            [0.0, 2e-3, 0.0, 1.1],
+        );
+        is_first_slope(
+            "deflection",
+            0.0,
+            |c| c.bounds.deflection = size(0.1),
+            [0.0, 0.052, 0.0, 1.0],
+        );
+        // η = S/8 ≤ 1/8 and η′ = 1/16.
+        is_first_slope("misfit", 0.125, |_| (), [0.35, 2e-3, 0.0, 1.0 + 0.0625 + 0.35]);
+        is_first_slope(
+            "balance",
+            0.0,
+            |c| c.balanced.pieces[0].added[1] = size(0.1),
+            [0.16, 2e-3, 0.0, 1.16],
+        );
+        is_first_slope(
+            "tension",
+            0.0,
+            |c| c.balanced.pieces[0].drawn = size(0.1),
+            [0.16, 2e-3, 0.1, 1.16],
+        );
+        is_first_slope(
+            "closing",
+            0.0,
+            |c| c.fields.deflection.pieces[0].bounds[1] = size(0.4),
+            [0.0, 2e-3, 0.1, 1.0],
+        );
+        let pulled = |c: &mut Claim| {
+            c.fields.pressures[0].depth = size(0.2);
+            c.balanced.factors[1] = Wide::of(-0.25);
+        };
+        is_first_slope("pressure", 0.0, pulled, [0.0, 2e-3, 0.0, 1.25 * 1.2]);
+        is_first_slope(
+            "residual",
+            0.0,
+            |c| c.fields.residual.pieces[0].constant = Wide::of(-0.1),
+            [0.0, 2e-3, 0.0, 1.1],
+        );
+        is_first_slope(
+            "rest of the residual",
+            0.0,
+            |c| c.fields.residual.pieces[0].rest = size(0.1),
+            [0.16, 2e-3, 0.0, 1.0 + 0.1 + 0.16],
+        );
+    }
+
+    /// Where both touch, (1 + α)|p − p*| ≤ kε_u + |α′|(S + P)ε_θ with α ≥ ¼/(1 + ¼). On open ground (μC′)′ has no divisor, and
+    /// the first slope takes the pressure of a beam in contact there.
+    #[test]
+    fn the_pressure_needs_the_slope_and_the_slope_the_pressure() {
+        for touches in [true, false] {
+            with_claim(0.0, touches, |claim| {
+                (claim.bounds.settlement, claim.bounds.slope) = (Size::of(0.4), Size::of(0.2));
+                let found = claim.pointwise().varying_pressure(0, &claim.bounds);
+                same("pressure", found, 0.3 / if touches { 1.2 } else { 1.0 });
+                let mut lowered = [PieceBounds { pressure: Size::INFINITE, ..claim.bounds }];
+                claim.pointwise().lower_pressures(&mut lowered);
+                assert_eq!(lowered[0].pressure, found);
+                lowered[0].pressure = Size::of(0.1);
+                claim.pointwise().lower_pressures(&mut lowered);
+                assert_eq!(lowered[0].pressure, Size::of(0.1));
+            });
+        }
+        with_claim(0.0, false, |claim| {
+            claim.bounds.balanced_moment = Size::of(1e-3);
+            let pressure = claim.pointwise().open_pressure(0).value();
+            same("slope", claim.first_slope(), 1.6 * first_force([2e-3, 0.0, pressure]));
+        });
     }
 }

@@ -6,10 +6,10 @@ use groundbeam_proof::Verification;
 use serde_json::{Value, json};
 
 /// Change of a listed number.
-const CHANGE: f64 = 1e-3;
+pub const CHANGE: f64 = 1e-3;
 
 /// A right answer of `cases/attacks.json` that lists the exact fields: model, document and exact solution.
-fn right(name: &str) -> (String, Value, Value) {
+pub fn right(name: &str) -> (String, Value, Value) {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../cases/attacks.json");
     let text = std::fs::read_to_string(path).expect("cases/attacks.json");
     let all: Vec<Value> = serde_json::from_str(&text).expect("attacks");
@@ -33,16 +33,16 @@ fn number(value: &Value) -> f64 {
     value.as_str().and_then(|x| x.parse().ok()).expect("a number")
 }
 
-fn region(ends: &Value) -> Value {
+pub fn region(ends: &Value) -> Value {
     json!({"from": number(&ends[0]), "to": number(&ends[1])})
 }
 
-fn verified(model: &str, document: &Value) -> Verification {
+pub fn verified(model: &str, document: &Value) -> Verification {
     one_document::verified(model, &document.to_string()).expect("bounds")
 }
 
 /// Adds to a number of a document, and returns the new document.
-fn with(document: &Value, pointer: &str, change: f64) -> Value {
+pub fn with(document: &Value, pointer: &str, change: f64) -> Value {
     let mut changed = document.clone();
     let place = changed.pointer_mut(pointer).unwrap_or_else(|| panic!("{pointer}"));
     *place = json!(place.as_f64().expect("a number") + change);
@@ -51,13 +51,13 @@ fn with(document: &Value, pointer: &str, change: f64) -> Value {
 
 /// The document is not proven, and this bound covers the change. It exceeds the change by at most a quarter, because the
 /// search for the largest excess ends there.
-fn covers_change(what: &str, found: &Verification, bound: f64) {
+pub fn covers_change(what: &str, found: &Verification, bound: f64) {
     assert!(found.shortfall.is_some(), "{what}");
     assert!((1.0 - 1e-9..1.25).contains(&(bound / CHANGE)), "{what}: {bound:e}");
 }
 
 /// The document is not proven, and this bound is the change.
-fn is_error(what: &str, found: &Verification, bound: f64) {
+pub fn is_error(what: &str, found: &Verification, bound: f64) {
     assert!(found.shortfall.is_some(), "{what}");
     assert!((bound / CHANGE - 1.0).abs() < 1e-9, "{what}: {bound:e}");
 }

@@ -6,6 +6,7 @@ use super::{COUNT, beam, claim, force, framed, integral, load, polynomial};
 use crate::anchors::{between, beyond, from_mean};
 use crate::balance::Balance;
 use crate::ball::Ball;
+use crate::compression::Compression;
 use crate::cuts::fewest_cuts;
 use crate::fields::Fields;
 use crate::model::{Acts, Support, SupportKind};
@@ -186,4 +187,34 @@ fn the_moment_of_redistributed_loads_is_bounded() {
         sharpest = sharpest.max(most / bound);
     }
     assert!(sharpest > 0.3, "{sharpest}");
+}
+
+/// Cauchy's inequality for random test functions; the two sides are equal if K₁ : (PZ)^½ = s₂ + N_c : s₂.
+#[test]
+fn the_compression_in_test_functions_is_bounded_and_sharp() {
+    let mut random = numbers();
+    for _ in 0..1000 {
+        let [force, energy, turned, slope] = [0; 4].map(|_| 10.0_f64.powf(3.0 * random()));
+        let margin = 0.5 + 0.49 * random();
+        let compression = Compression { force: Ball::of(force), margin };
+        let [e, t] = [energy, turned].map(Size::of);
+        let (factor, tension) = (compression.test_factor(e, t), compression.as_tension(e, t));
+        let [factor, tension] = [factor, tension].map(Size::value);
+        let root = (2.0 * energy).sqrt();
+        let misfit = ((1.0 - margin) * force * turned).sqrt();
+        let is_bound = |stiffness: f64| {
+            let exact = (root + misfit) * stiffness / margin.sqrt()
+                + root * ((1.0 - margin) * force * slope / margin).sqrt()
+                + force * (slope * turned).sqrt();
+            let bound = factor * (stiffness * stiffness + tension * slope).sqrt();
+            assert!(exact <= bound * (1.0 + 1e-12), "{exact} {bound}");
+            exact / bound
+        };
+        is_bound(10.0_f64.powf(3.0 * random()));
+        let sharp = is_bound((root + misfit) / root * (tension * slope).sqrt());
+        assert!(sharp >= 1.0 - 1e-12, "{sharp}");
+    }
+    let compression = Compression { force: Ball::of(4.0), margin: 0.75 };
+    let [none, energy] = [0.0, 0.5].map(Size::of);
+    assert!((compression.as_tension(energy, none).value() - 1.0).abs() < 1e-12);
 }

@@ -1,0 +1,62 @@
+//! Tests supports in closed form: one-way supports without a reaction, and hinges at supports that restrain the slope.
+
+use crate::one_document::{document, verified};
+use groundbeam_proof::{Acts, Scalar, Support, SupportKind, Wide, read_model, verify};
+use serde_json::{Value, json};
+
+/// A beam above a gap of 100 on pins at 0 and 2.
+const BEAM: &str = "[foundation]\nk = 1\n[[gap]]\nat = 0\nvalue = 100\n[beam]\nlength = 2\nEI = 1\n\
+                    [[support]]\nat = 0\ntype = 'pinned'\n[[support]]\nat = 2\ntype = 'pinned'\n";
+
+/// A symmetric deflection with these coefficients of t on the left half, and the forces of both pins.
+fn symmetric(left: [f64; 4], force: f64) -> Value {
+    let [a, b, c, d] = left;
+    let piece = |from: u32, w: [f64; 4]| json!({"x": [from, from + 1], "half": 0.5, "touches": false, "deflection": w});
+    json!({
+        "pieces": [piece(0, left), piece(1, [a, -b, c, -d])],
+        "reactions": [{"force": force}, {"force": force}],
+        "contact": [],
+    })
+}
+
+/// Under the force 6 at the middle w = 3x/2 − x³/2 on the left half. A one-way support at ½, where w = 11/16, has no reaction and
+/// no node of its own.
+#[test]
+fn a_support_without_a_reaction_must_be_clear_of_the_beam() {
+    let document = symmetric([0.6875, 0.5625, -0.1875, -0.0625], 3.0).to_string();
+    for (acts, sign) in [("up", 1.0), ("down", -1.0)] {
+        for (clearance, is_clear) in [(1e-3, true), (1e-9, true), (0.0, false), (-1e-3, false)] {
+            let model = format!(
+                "{BEAM}[[load]]\npoint = 6\nat = 1\n\
+                 [[support]]\nat = 0.5\ntype = 'pinned'\nacts = '{acts}'\nsettlement = {:?}\n",
+                0.6875 + sign * clearance
+            );
+            let what = format!("{acts} {clearance}");
+            match verified(&model, &document) {
+                Ok(found) => assert!(is_clear && found.shortfall.is_none(), "{what}"),
+                Err(why) => assert!(!is_clear && why.what.contains("too close"), "{what}: {why}"),
+            }
+        }
+    }
+}
+
+/// Under end moments 2 and with a hinge k_φ = 4 at the middle, w = 9x/4 − x² on the left half. The slope has two values at the
+/// hinge, so only a pin may stand there.
+#[test]
+fn a_hinge_at_a_support_that_restrains_the_slope_is_refused() {
+    let loads = "[[load]]\nmoment = 2\nat = 0\n[[load]]\nmoment = -2\nat = 2\n\
+                 [[hinge]]\nat = 1\nrotational_spring = 4\n";
+    let document = document(&symmetric([0.875, 0.625, -0.25, 0.0], 0.0).to_string());
+    let turning = SupportKind::Spring { spring: Wide::zero(), rotational_spring: Wide::one() };
+    for (kind, restrains) in
+        [(SupportKind::Fixed, true), (turning, true), (SupportKind::Pinned, false)]
+    {
+        let mut model = read_model::<Wide>(&(BEAM.to_owned() + loads), None).expect("a model");
+        let (at, settlement) = (Wide::one(), Wide::of(1.25));
+        model.supports.push(Support { at, kind, settlement, acts: Acts::Both });
+        match verify(&model, &document) {
+            Ok(found) => assert!(!restrains && found.shortfall.is_none(), "{kind:?}"),
+            Err(why) => assert!(restrains && why.what.contains("restrains the slope"), "{why}"),
+        }
+    }
+}
