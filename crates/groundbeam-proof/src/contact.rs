@@ -237,13 +237,13 @@ impl<S: Scalar> Contact<'_, S> {
     /// Whether the slope of the exact clearance cannot decrease at a node where the beam is open. The node
     /// must not cause a jump of the flux, a corner of g₀ must increase the slope, and a force on a beam with
     /// shear deformation, [C*′] = F/(S + P), must act downward.
-    fn bends_open(&self, node: usize) -> bool {
+    pub(crate) fn bends_open(&self, node: usize) -> bool {
         let frame = self.fields.frame;
         let corner = || (frame.spans[node].gap_slope() - frame.spans[node - 1].gap_slope()).low();
         let here = &frame.nodes[node];
         let alone = here.rigid.is_none() && here.spring.is_none() && here.force.low() >= 0.0;
         let down = alone || !frame.kinks(node);
-        down && frame.even(node) && corner() >= 0.0
+        down && frame.even(node) && (!here.corner || corner() >= 0.0)
     }
 
     /// Adds a concentrated force. Its interval includes zero unless contact is proven at the node.

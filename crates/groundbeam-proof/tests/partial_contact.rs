@@ -305,6 +305,28 @@ fn contact_at_a_corner_of_the_ground_is_proven_only_if_the_ground_pushes() {
     }
 }
 
+/// A force or a support at x = 1 that pushes the beam up lifts a beam with shear deformation off the ground there, [C*′] =
+/// F/(S + P). A support that carries nothing may push up. A beam without shear deformation has no kink and stays in contact.
+#[test]
+fn contact_under_a_kink_is_proven_only_if_a_load_bends_the_beam_down() {
+    let pin = "[[support]]\nat = 1\ntype = 'pinned'\nsettlement = 1\n";
+    let spring = "[[support]]\nat = 1\nspring = 1\nsettlement = 1\n";
+    let pushing = "[[support]]\nat = 1\nspring = 1\nsettlement = 0.999999\n";
+    for (what, at_rest, shearing) in [
+        ("no force", AT_REST, true),
+        ("a load", AtRest { force: 1e-6, ..AT_REST }, true),
+        ("an upward force", AtRest { force: -1e-6, ..AT_REST }, false),
+        ("an idle pin", AtRest { supports: pin, reactions: &[0.0], ..AT_REST }, false),
+        ("a pushing pin", AtRest { supports: pin, reactions: &[1e-6], ..AT_REST }, false),
+        ("an idle spring", AtRest { supports: spring, reactions: &[0.0], ..AT_REST }, false),
+        ("a pushing spring", AtRest { supports: pushing, reactions: &[1e-6], ..AT_REST }, false),
+    ] {
+        assert!(at_rest.is_proven(what), "{what}");
+        let at_rest = AtRest { beam: SHEARING, ..at_rest };
+        assert_eq!(at_rest.is_proven(what), shearing, "{what}");
+    }
+}
+
 /// A beam that is clamped at x = 1 at the height of level Winkler ground. The left part, s = 1 − x, carries 3 at its end above
 /// a gap, w = 3s²/2 − s³/2. The right part is not loaded and rests: w = 0 in contact without pressure. The smallest action
 /// or step there makes the claim undecided.

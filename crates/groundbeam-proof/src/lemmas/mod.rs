@@ -3,6 +3,7 @@
 #![cfg(test)]
 
 mod beam;
+mod contact;
 mod ground;
 
 use crate::answer::{Answer, Force, Piece};
