@@ -226,11 +226,11 @@ impl Search<'_, '_> {
     ) -> Option<ContactState> {
         let found = &trial.found;
         if let Some(springs) = &trial.springs {
-            let is_unchanged = self.moved <= ROUNDING_MOVE || self.jitters(contact, found);
-            let is_balanced = is_unchanged && {
-                let gap = (self.judge)(found);
-                gap <= ROUNDING_GAP || springs.at_rest && !self.needs_springs && gap <= GAP
-            };
+            let is_unchanged = self.moved <= ROUNDING_MOVE;
+            let at_rest = is_unchanged && !self.needs_springs && springs.at_rest;
+            let is_balanced = at_rest && self.holds(found)
+                || (is_unchanged || self.jitters(contact, found))
+                    && (self.judge)(found) <= ROUNDING_GAP;
             let edge_error = EdgeError::of(&[contact, asked], self.length());
             return is_balanced.then(|| ContactState { edge_error, ..found.as_ref().clone() });
         }
