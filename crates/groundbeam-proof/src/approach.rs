@@ -7,8 +7,8 @@ use crate::polynomial::half_width;
 use crate::scalar::Scalar;
 use crate::size::Size;
 
-/// Maximum number of halvings on one piece.
-const HALVINGS: usize = 2000;
+/// Maximum numbers of intervals: for the sign of the clearance on a piece, and for its slope beside a node.
+const INTERVALS: [usize; 2] = [4002, 122];
 
 /// The neighbourhood of a touching end of an open piece.
 #[derive(Debug, Clone, Copy)]
@@ -191,8 +191,8 @@ fn fall<C: Scalar>(piece: &OpenPiece<C>, side: usize, t: f64) -> C {
 /// Whether C decreases towards the touching end faster than the limit, between a far position and a near one.
 fn falls<C: Scalar>(piece: &OpenPiece<C>, side: usize, [far, near]: [f64; 2], limit: Size) -> bool {
     let mut open = vec![[far, near]];
-    let mut left = 60;
-    while let Some([far, near]) = open.pop() {
+    for _ in 0..INTERVALS[1] {
+        let Some([far, near]) = open.pop() else { return true };
         let [a, b] = if side == 0 { [near, far] } else { [far, near] };
         if !(a < b) {
             return false;
@@ -205,20 +205,19 @@ fn falls<C: Scalar>(piece: &OpenPiece<C>, side: usize, [far, near]: [f64; 2], li
             continue;
         }
         // Halving cannot succeed at the near end itself.
-        if left == 0 || !(fall(piece, side, near).high() < -limit.value()) || !(a < m && m < b) {
+        if !(fall(piece, side, near).high() < -limit.value()) {
             return false;
         }
-        left -= 1;
         open.extend([[far, m], [m, near]]);
     }
-    true
+    false
 }
 
 /// Whether C > limit on an interval of t.
 pub(crate) fn clear<C: Scalar>(piece: &OpenPiece<C>, [from, to]: [f64; 2], limit: Size) -> bool {
     let mut open = vec![[from, to]];
-    let mut left = HALVINGS;
-    while let Some([a, b]) = open.pop() {
+    for _ in 0..INTERVALS[0] {
+        let Some([a, b]) = open.pop() else { return true };
         if !(a < b) {
             return false;
         }
@@ -234,20 +233,27 @@ pub(crate) fn clear<C: Scalar>(piece: &OpenPiece<C>, [from, to]: [f64; 2], limit
         if value.low() >= lost.value() {
             continue;
         }
-        if left == 0 || !(value.low() >= limit.value()) || !(a < m && m < b) {
+        if !(value.low() >= limit.value()) {
             return false;
         }
-        left -= 1;
         open.extend([[a, m], [m, b]]);
     }
-    true
+    false
 }
 
 #[cfg(test)]
 mod tests {
-    use super::varying_flux;
+    use super::{clear, falls, varying_flux};
+    use crate::answer::Piece;
+    use crate::ball::Ball;
+    use crate::clearance::OpenPiece;
+    use crate::coefficient::Coefficient;
+    use crate::frame::Span;
     use crate::random::numbers;
+    use crate::scalar::Scalar;
     use crate::size::Size;
+    use crate::units::Units;
+    use crate::wide::Wide;
 
     const COUNT: usize = 2000;
 
@@ -330,6 +336,10 @@ mod tests {
             let load = Size::of(ground.most(ground.k, 1.0) * most + load);
             let bound = varying_flux(stiff, load, ground.length).value();
             assert!(flux.abs() <= bound, "{flux} {bound}");
+            let along = |h: f64| 2.0 * stiff.value() / h + h * load.value();
+            let lengths = (1..=1000).map(|i| ground.length * f64::from(i) / 1000.0);
+            let least = lengths.map(along).fold(f64::INFINITY, f64::min);
+            assert!((1.0 - 1e-4..1.0 + 1e-12).contains(&(bound / least)), "{bound} {least}");
             largest = largest.max(flux.abs() / bound);
         }
         assert!(largest > 0.3, "{largest}");
@@ -352,5 +362,95 @@ mod tests {
             largest = largest.max(work / bound);
         }
         assert!(largest > 0.3, "{largest}");
+    }
+
+    /// Open ground with constant k and μ under a beam. C is the clearance, as a function of t.
+    struct Open {
+        length: f64,
+        ground: [f64; 2],
+        ends: [f64; 2],
+        w: [f64; 4],
+    }
+
+    impl Open {
+        fn random(random: &mut impl FnMut() -> f64) -> Self {
+            let [length, k, mu] = [0; 3].map(|_| 10.0_f64.powf(random() - 0.3));
+            let w = [0; 4].map(|_| random());
+            let ends =
+                [w[0] - w[1] + w[2] - w[3], w.iter().sum()].map(|w: f64| w + 1.5 * random().abs());
+            Open { length, ground: [k, mu], ends, w }
+        }
+
+        fn piece(&self) -> OpenPiece<Ball> {
+            let (x, w) = ([0.0, self.length], self.w.to_vec());
+            let piece = Piece { x, half: 0.5 * self.length, deflection: w, ..Piece::default() };
+            let units = Units { length: 0, force: 0 };
+            let mut span = Span::of(&piece, x.map(Wide::of), units).expect("a piece");
+            let [k, mu] = self.ground.map(|number| Coefficient::Even(Wide::of(number)));
+            (span.spring, span.shear, span.layered) = (k, mu, true);
+            OpenPiece::of(&span, self.ends.map(Wide::of), None, [Size::ZERO; 3])
+        }
+
+        /// C and C′, with C′ with respect to x.
+        fn clearance(&self, t: f64) -> [f64; 2] {
+            let b = (self.ground[0] / self.ground[1]).sqrt();
+            let (half, whole) = (0.5 * self.length, (b * self.length).sinh());
+            let [far, near] = [b * half * (1.0 - t), b * half * (1.0 + t)];
+            let [left, right] = self.ends;
+            let [c0, c1, c2, c3] = self.w;
+            [
+                (left * far.sinh() + right * near.sinh()) / whole
+                    - (c0 + t * (c1 + t * (c2 + t * c3))),
+                b * (right * near.cosh() - left * far.cosh()) / whole
+                    - (c1 + t * (2.0 * c2 + t * 3.0 * c3)) / half,
+            ]
+        }
+
+        /// The smallest value of a function of t on an interval.
+        fn least([from, to]: [f64; 2], of: impl Fn(f64) -> f64) -> f64 {
+            (0..=2000)
+                .map(|i| of(from + (to - from) * f64::from(i) / 2000.0))
+                .fold(f64::INFINITY, f64::min)
+        }
+    }
+
+    /// The clearance of a random piece exceeds a limit, or it does not. The claim is right, and it is made unless the
+    /// clearance is near the limit.
+    #[test]
+    fn a_clearance_above_a_limit_is_shown() {
+        let mut random = numbers();
+        let mut shown = 0;
+        for _ in 0..400 {
+            let (open, limit) = (Open::random(&mut random), 0.5 * random().abs());
+            let interval = [-random().abs(), random().abs()];
+            let least = Open::least(interval, |t| open.clearance(t)[0]);
+            let clears = clear(&open.piece(), interval, Size::of(limit));
+            assert!(
+                if clears { least >= limit - 1e-12 } else { least < limit + 1e-4 },
+                "{least} {limit}"
+            );
+            shown += i32::from(clears);
+            assert!(!clear(&open.piece(), [interval[1], interval[0]], Size::ZERO));
+        }
+        assert!((50..350).contains(&shown), "{shown}");
+    }
+
+    /// The clearance of a random piece decreases towards one end faster than a limit, or it does not.
+    #[test]
+    fn a_fall_of_the_clearance_is_shown() {
+        let mut random = numbers();
+        let mut shown = 0;
+        for i in 0..800 {
+            let (open, limit, side) = (Open::random(&mut random), 0.5 * random().abs(), i % 2);
+            let sign = if side == 0 { 1.0 } else { -1.0 };
+            let interval = [-sign * random().abs(), -sign];
+            let ordered = if side == 0 { [interval[1], interval[0]] } else { interval };
+            let least = Open::least(ordered, |t| sign * open.clearance(t)[1]);
+            let falling = falls(&open.piece(), side, interval, Size::of(limit));
+            let right = if falling { least >= limit - 1e-12 } else { least < 1.05 * limit + 0.05 };
+            assert!(right, "{least} {limit}");
+            shown += i32::from(falling);
+        }
+        assert!((50..750).contains(&shown), "{shown}");
     }
 }

@@ -299,9 +299,15 @@ static POWERS: [[f64; CAPACITY]; CAPACITY] = {
 
 #[cfg(test)]
 mod tests {
-    use super::Series;
+    use super::{Energies, Series};
+    use crate::answer::Answer;
+    use crate::fields::Fields;
+    use crate::given::frame;
+    use crate::model::{Course, Model};
     use crate::polynomial::{HIGHEST_COURSE, Polynomial};
     use crate::random::numbers;
+    use crate::read::read_model;
+    use serde_json::{Value, json};
 
     /// ∫ over −1 ≤ t ≤ 1 by the midpoint rule.
     fn integral(of: impl Fn(f64) -> f64) -> f64 {
@@ -325,5 +331,169 @@ mod tests {
             assert!(slope.less(&a.derivative(0.5)).times(&slope).abs() < 1e-10, "{degrees:?}");
             assert!(a.less(&a).times(&a).abs() < 1e-15);
         }
+    }
+
+    /// ∫ from a to b by Simpson's rule.
+    fn along([a, b]: [f64; 2], of: impl Fn(f64) -> f64) -> f64 {
+        let h = (b - a) / 2000.0;
+        let part = |i: u32| {
+            let x = a + 2.0 * h * f64::from(i);
+            h / 3.0 * (of(x) + 4.0 * of(x + h) + of(x + 2.0 * h))
+        };
+        (0..1000).map(part).sum()
+    }
+
+    /// A model whose segment of the ground varies: a load on such ground cannot be read from a file.
+    fn model(text: &str, ground: [[f64; 2]; 2]) -> Model<f64> {
+        let mut model = read_model::<f64>(text, None).expect("a model");
+        for segment in &mut model.ground.segments {
+            let [spring, shear] = ground.map(|ends| Course::Varying(ends.to_vec()));
+            (segment.spring, segment.shear) = (spring, shear);
+        }
+        model
+    }
+
+    /// The energies of a document agree with given ones: twice the strain energy without axial force, ∫EIκ₀², ∫Pw′² and the
+    /// work of the loads.
+    fn agree(model: &Model<f64>, document: &Value, [strain, curled, axial, work]: [f64; 4]) {
+        let answer = Answer::from_json(&document.to_string()).expect("an answer");
+        let frame = frame(model, &answer, Some(0.5), &[]).expect("a frame");
+        let found = Energies::of(&Fields::of(&frame).expect("fields"));
+        for (found, exact) in [
+            (found.strain, 0.5 * (strain + curled + f64::abs(axial))),
+            (found.potential, 0.5 * (strain + axial) - work),
+        ] {
+            let found = frame.units.restored(found, 1, 1);
+            assert!((found / exact - 1.0).abs() < 1e-10, "{found} {exact}");
+        }
+    }
+
+    /// Contact with a layer along the whole beam, with every kind of load and support.
+    #[test]
+    fn the_energies_of_a_beam_in_contact_are_integrals() {
+        let text = "[beam]\nlength = 2\nEI = 3\naxial_force = 0.5\n[[beam.segment]]\nfrom = 1\nto = 2\nEI = [2, 4]\n\
+            [foundation]\nk = 2\nmu = 1.5\nright = { ends = 2, as = 'free' }\n\
+            [[foundation.segment]]\nfrom = 1\nto = 2\nk = 1\n\
+            [[gap]]\nat = 0\nvalue = 0.1\n[[gap]]\nat = 2\nvalue = 0.3\n\
+            [[load]]\ndistributed = [3, 1]\n[[load]]\ndistributed_moment = [0.5, 2]\n\
+            [[load]]\ncurvature = 0.25\nfrom = 0\nto = 1\n[[load]]\npoint = 5\nat = 1\n[[load]]\nmoment = 2\nat = 2\n\
+            [[ground_load]]\ndistributed = [0.5, 1.5]\nfrom = 0\nto = 2\n[[ground_load]]\npoint = 0.75\nat = 1\n\
+            [[ground_load]]\npoint = 3\nat = -1\n[[hinge]]\nat = 1\nrotational_spring = 2\n\
+            [[support]]\nat = 0\nspring = 4\nrotational_spring = 3\nsettlement = 0.05\n\
+            [[support]]\nat = 2\nspring = 6\nacts = 'up'\nsettlement = 0.2\n";
+        // w = 1 + 0.3x − 0.2x² and, from the hinge on, 1.1 − 0.4(x − 1) + 0.1(x − 1)³.
+        let document = json!({
+            "pieces": [
+                {"x": [0, 1], "half": 0.5, "touches": true, "deflection": [1.1, 0.05, -0.05]},
+                {"x": [1, 2], "half": 0.5, "touches": true, "deflection": [0.9125, -0.1625, 0.0375, 0.0125]},
+            ],
+            "reactions": [{"support": 0, "force": 0}, {"support": 1, "force": 1}],
+        });
+        let right = |x: f64| x >= 1.0;
+        let w = |x: f64| match right(x) {
+            false => 1.0 + 0.3 * x - 0.2 * x * x,
+            true => 1.1 - 0.4 * (x - 1.0) + 0.1 * (x - 1.0).powi(3),
+        };
+        let slope = |x: f64| if right(x) { -0.4 + 0.3 * (x - 1.0).powi(2) } else { 0.3 - 0.4 * x };
+        let bent = |x: f64| if right(x) { 0.6 * (x - 1.0) } else { -0.4 - 0.25 };
+        let (u, turned) = (|x: f64| w(x) - 0.1 - 0.1 * x, |x: f64| slope(x) - 0.1);
+        let linear = |x: f64, [a, b]: [f64; 2]| a + (b - a) * (x - 1.0);
+        let bending = |x: f64| if right(x) { linear(x, [2.0, 4.0]) } else { 3.0 };
+        let spring = |x: f64| if right(x) { linear(x, [1.0, 3.0]) } else { 2.0 };
+        let shear = |x: f64| if right(x) { linear(x, [2.0, 1.0]) } else { 1.5 };
+        let both = |of: &dyn Fn(f64) -> f64| along([0.0, 1.0 - 1e-15], of) + along([1.0, 2.0], of);
+        let stored = |x: f64| {
+            bending(x) * bent(x).powi(2) + spring(x) * u(x).powi(2) + shear(x) * turned(x).powi(2)
+        };
+        // The ground on the left has K = √(kμ) and the decay √(k/μ).
+        let outside = 3.0_f64.sqrt() * u(0.0).powi(2);
+        let pushed = 3.0 * (-(2.0_f64 / 1.5).sqrt()).exp();
+        let springs = 4.0 * (w(0.0) - 0.05).powi(2) + 6.0 * (w(2.0) - 0.2).powi(2);
+        let turning = 3.0 * 0.3 * 0.3 + 2.0 * (-0.4 - (0.3 - 0.4_f64)).powi(2);
+        let strain = both(&stored) + springs + turning + outside;
+        let loads =
+            |x: f64| (3.0 - x) * w(x) + (0.5 + 0.75 * x) * slope(x) + (0.5 + 0.5 * x) * u(x);
+        let work = both(&loads) + 5.0 * w(1.0) + 2.0 * slope(2.0) + 0.75 * u(1.0) + pushed * u(0.0);
+        let axial = 0.5 * both(&|x| slope(x).powi(2));
+        agree(
+            &model(text, [[1.0, 3.0], [2.0, 1.0]]),
+            &document,
+            [strain, 3.0 * 0.25 * 0.25, axial, work],
+        );
+    }
+
+    /// Open ground beyond x = 1 with a load along it and a force at 1.5: u = q/k + v with μv″ = kv, u′(2) = 0.
+    #[test]
+    fn the_energies_of_open_ground_are_integrals() {
+        let text = "[beam]\nlength = 2\nEI = 3\n[foundation]\nk = 2\nmu = 1.5\n\
+            left = { ends = 0, as = 'free' }\nright = { ends = 2, as = 'free' }\n\
+            [[gap]]\nat = 1\nvalue = 0\n[[gap]]\nat = 2\nvalue = 100\n\
+            [[ground_load]]\ndistributed = [0.5, 1.5]\nfrom = 0\nto = 2\n[[ground_load]]\npoint = 0.75\nat = 1.5\n";
+        let piece = |x: [f64; 2], touches: bool| json!({"x": x, "half": 0.5 * (x[1] - x[0]), "touches": touches, "deflection": [0.75]});
+        let document = json!({"pieces": [piece([0.0, 1.0], true), piece([1.0, 1.5], false), piece([1.5, 2.0], false)]});
+        let (k, mu, force, b) = (2.0, 1.5, 0.75, (2.0_f64 / 1.5).sqrt());
+        let (sinh, cosh) = ((0.5 * b).sinh(), (0.5 * b).cosh());
+        let (free, rise) = (|x: f64| (0.5 + 0.5 * x) / k, 0.5 / k);
+        // v = A cosh b(x − 1) + B sinh b(x − 1) up to 1.5, v = C cosh b(2 − x) + (rise/b) sinh b(2 − x) beyond.
+        let a = 0.75 - free(1.0);
+        let equations = [rise / b * sinh - a * cosh, force / (mu * b) - a * sinh - rise / b * cosh];
+        let whole = sinh * sinh + cosh * cosh;
+        let c = (sinh * equations[1] - cosh * equations[0]) / whole;
+        let d = (sinh * equations[0] + cosh * equations[1]) / whole;
+        let u = |x: f64| match x {
+            _ if x <= 1.0 => [0.75, 0.0],
+            _ if x <= 1.5 => {
+                let (s, c) = ((b * (x - 1.0)).sinh(), (b * (x - 1.0)).cosh());
+                [free(x) + a * c + d * s, rise + b * (a * s + d * c)]
+            }
+            _ => {
+                let (s, h) = ((b * (2.0 - x)).sinh(), (b * (2.0 - x)).cosh());
+                [free(x) + c * h + rise / b * s, rise - b * c * s - rise * h]
+            }
+        };
+        let parts = [[0.0, 1.0], [1.0 + 1e-15, 1.5], [1.5 + 1e-15, 2.0]];
+        let all = |of: &dyn Fn(f64) -> f64| parts.map(|part| along(part, of)).iter().sum::<f64>();
+        let strain = all(&|x| k * u(x)[0].powi(2) + mu * u(x)[1].powi(2));
+        let work = all(&|x| (0.5 + 0.5 * x) * u(x)[0]) + force * u(1.5)[0];
+        agree(&model(text, [[1.0; 2]; 2]), &document, [strain, 0.0, 0.0, work]);
+    }
+
+    /// Ground that the beam does not touch: Winkler ground under a load with u = q/k, and a layer with u = 1 + x and a varying
+    /// μ, where q = ku − μ′.
+    #[test]
+    fn the_energies_of_loaded_ground_apart_from_the_beam_are_integrals() {
+        let beam = "[beam]\nlength = 2\nEI = 3\n[[gap]]\nat = 0\nvalue = 100\n";
+        let flat = json!({"x": [0, 2], "half": 1, "touches": false, "deflection": [0], "open": [1, 3], "settlement": [2, 1]});
+        let load = "[[ground_load]]\ndistributed = [0.5, 1.5]\nfrom = 0\nto = 2\n";
+        let mut document = json!({"pieces": [flat]});
+        let work = along([0.0, 2.0], |x| (0.5 + 0.5 * x).powi(2) / 2.0);
+        agree(
+            &model(&format!("{beam}{load}[foundation]\nk = 2\n"), [[1.0; 2], [1.0, 3.0]]),
+            &document,
+            [work, 0.0, 0.0, work],
+        );
+        let load = "[[ground_load]]\ndistributed = [0, 2]\nfrom = 0\nto = 2\n";
+        let layer = "[foundation]\nk = 1\nmu = 1\n[[foundation.segment]]\nfrom = 0\nto = 2\nk = 1\n";
+        let outside = 1.0 + 3.0_f64.sqrt() * 9.0;
+        let strain = along([0.0, 2.0], |x| (1.0 + x).powi(2) + (1.0 + x)) + outside;
+        let work = along([0.0, 2.0], |x| x * (1.0 + x));
+        agree(
+            &model(&format!("{beam}{load}{layer}"), [[1.0; 2], [1.0, 3.0]]),
+            &document,
+            [strain, 0.0, 0.0, work],
+        );
+        // The same beam bends and shears: w = 1 − x², φ = −x, S = 4, P = −0.5.
+        document["pieces"][0]["deflection"] = json!([0, -2, -1]);
+        document["pieces"][0]["rotation"] = json!([-1, -1]);
+        let beam = beam.replace("EI = 3", "EI = 3\nshear_stiffness = 4\naxial_force = -0.5");
+        let bent = 3.0 * 2.0 + 4.0 * along([0.0, 2.0], |x| (x - 2.0 * x).powi(2));
+        let axial = -0.5 * along([0.0, 2.0], |x| 4.0 * x * x);
+        let moment = "[[load]]\ndistributed_moment = 3\n";
+        let work = work + 3.0 * along([0.0, 2.0], |x| -x);
+        agree(
+            &model(&format!("{beam}{load}{layer}{moment}"), [[1.0; 2], [1.0, 3.0]]),
+            &document,
+            [strain + bent, 0.0, axial, work],
+        );
     }
 }

@@ -149,8 +149,8 @@ fn whole<S: Scalar>(n: u128) -> S {
     let lost = n.abs_diff(rounded).abs_diff(l as u128) as f64;
     match (l == 0.0, rounded <= n) {
         (true, _) => S::of(h),
-        (_, true) => (S::of(h) + S::of(l)).widened(lost * ABOVE),
-        (_, false) => (S::of(h) - S::of(l)).widened(lost * ABOVE),
+        (_, true) => (S::of(h) + S::of(l)).widened(lost),
+        (_, false) => (S::of(h) - S::of(l)).widened(lost),
     }
 }
 
@@ -171,7 +171,7 @@ fn of_digits<S: Scalar>(mut digits: u128, mut exponent: i32) -> Option<S> {
         return None;
     }
     let twos = exponent;
-    while exponent < 0 && digits.is_multiple_of(5) {
+    while digits.is_multiple_of(5) {
         (digits, exponent) = (digits / 5, exponent + 1);
     }
     while exponent > 0 && digits < 1 << 120 {
@@ -241,5 +241,30 @@ impl Scalar for f64 {
 
     fn widened(self, _: f64) -> Self {
         self
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::expm1_by_series;
+    use crate::scalar::Scalar;
+    use crate::{Ball, Wide};
+
+    /// With few terms the remainder is larger than all rounding errors. Its bound is at most twice the next term.
+    #[test]
+    fn the_remainder_of_the_series_is_bounded() {
+        for terms in 2..=5 {
+            for x in [-0.0625, -0.04, -0.01, -0.24] {
+                let exact = Wide::of(x).expm1();
+                let (wide, ball) =
+                    (expm1_by_series(Wide::of(x), terms), expm1_by_series(Ball::of(x), terms));
+                for [middle, radius] in
+                    [[wide.middle(), wide.radius()], [ball.middle(), ball.radius()]]
+                {
+                    let ratio = radius / (exact - Wide::of(middle)).size();
+                    assert!((1.0..2.5).contains(&ratio), "{terms} {x}: {ratio}");
+                }
+            }
+        }
     }
 }
