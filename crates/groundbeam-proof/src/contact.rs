@@ -6,7 +6,7 @@
 
 use crate::approach::Approach;
 use crate::contact_set::{Contact, ContactForce, ContactRegion, EdgeShift, Shown, more};
-use crate::polynomial::{Budget, below};
+use crate::polynomial::{Budget, Polynomial, below};
 use crate::refusal::NotProven;
 use crate::scalar::Scalar;
 use crate::size::Size;
@@ -179,30 +179,8 @@ impl<S: Scalar> Contact<'_, S> {
             return Ok(EdgeShift { node, side, outside, inside: Size::ZERO, beyond });
         }
         let (field, error) = (self.fields.pressures[i].field.coarse(), self.bounds[i].pressure);
-        let end = span.interval()[side];
-        let at_end = (field.value(S::Coarse::of(end)).low() - error.value()).next_down();
-        // The length from the end inward on which p − ε_p is bounded: four times the required length if p
-        // changes little, otherwise more.
-        let first = (4.0 * missing.over(at_end).over(span.half.low())).value();
-        let mut part = if at_end > 0.0 && first > SHORTEST_PART { first } else { SHORTEST_PART };
-        loop {
-            part = if part < 1.0 { part } else { 1.0 };
-            let m = if side == 0 { end + 0.5 * part } else { end - 0.5 * part };
-            let about = field.shifted(m);
-            let r = (0.5 * part).next_up() + 4.0 * f64::EPSILON;
-            let lost = about.tail(r) + error;
-            let least = (about.coefficient(0).low() - lost.value()).next_down();
-            let inside = missing.over(least);
-            let available = ((part - 1e-12).next_down() * span.half.low()).next_down();
-            if inside.value() <= available {
-                most = most.least(inside);
-                break;
-            }
-            if part == 1.0 {
-                break;
-            }
-            part *= 4.0;
-        }
+        let piece = (span.interval()[side], span.half.low());
+        most = most.least(balanced_inside(&field, error, missing, piece, side));
         match most < Size::INFINITE {
             true => Ok(EdgeShift { node, side, outside, inside: most, beyond }),
             false => Err(self.failed("the position of a region's edge has no bound", node)),
@@ -251,15 +229,101 @@ impl<S: Scalar> Contact<'_, S> {
         let frame = self.fields.frame;
         let jump = self.fields.surface.nodes[node].jump;
         let (low, high) = (
-            (jump.low() - tolerance.value()).next_down(),
-            (jump.high() + tolerance.value()).next_up(),
+            (jump.low() - tolerance.value()).next_down().max(0.0),
+            (jump.high() + tolerance.value()).next_up().max(0.0),
         );
-        let low = if contact && low > 0.0 { low } else { 0.0 };
-        let high = if high > 0.0 { high } else { 0.0 };
+        let low = if contact { low } else { 0.0 };
         let below = frame.units.restored(low, 1, 0);
         let below = if below > 1e-280 { below } else { 0.0 };
         let force = [below, frame.units.restored(high, 1, 0)];
         shown.pressed[node] = below > 0.0;
         shown.set.forces.push(ContactForce { x: frame.place(node), force });
+    }
+}
+
+/// A length θ′ from the end of a piece inward with (p − ε)θ′ at least the missing force, with the smallest p on it; infinite if
+/// none is found. `end` is t at this end, and `half` the length per t.
+fn balanced_inside<C: Scalar>(
+    field: &Polynomial<C>,
+    error: Size,
+    missing: Size,
+    (end, half): (f64, f64),
+    side: usize,
+) -> Size {
+    let at_end = (field.value(C::of(end)).low() - error.value()).next_down();
+    // The length from the end inward on which p − ε is bounded: four times the required length if p changes little,
+    // otherwise more.
+    let first = (4.0 * missing.over(at_end).over(half)).value();
+    let mut part = if at_end > 0.0 && first > SHORTEST_PART { first } else { SHORTEST_PART };
+    loop {
+        part = part.min(1.0);
+        let m = if side == 0 { end + 0.5 * part } else { end - 0.5 * part };
+        let about = field.shifted(m);
+        let r = (0.5 * part).next_up() + 4.0 * f64::EPSILON;
+        let lost = about.tail(r) + error;
+        let least = (about.coefficient(0).low() - lost.value()).next_down();
+        let inside = missing.over(least);
+        let available = ((part - 1e-12).next_down() * half).next_down();
+        if inside.value() <= available {
+            return inside;
+        }
+        if part == 1.0 {
+            return Size::INFINITE;
+        }
+        part *= 4.0;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::balanced_inside;
+    use crate::ball::Ball;
+    use crate::polynomial::Polynomial;
+    use crate::random::numbers;
+    use crate::scalar::Scalar;
+    use crate::size::Size;
+
+    /// On the length θ′ from the end the pressure less its error balances the missing force. Where the pressure is nearly
+    /// constant, θ′ is the least such length.
+    #[test]
+    fn the_length_inside_an_edge_balances_the_missing_force() {
+        let mut random = numbers();
+        let mut found = 0;
+        for i in 0..1000 {
+            let (side, half) = (i % 2, 3.0_f64.powf(random()));
+            let sign = if side == 0 { -1.0 } else { 1.0 };
+            let steep = if i % 3 == 0 { 1e-6 } else { 2.0 };
+            let c = [1.0 + 0.5 * random(), steep * random(), steep * random()];
+            let p = |t: f64| c[0] + t * (c[1] + t * c[2]);
+            let error = 0.3 * random().abs();
+            let missing = half * 10.0_f64.powf(2.0 * random() - 2.0);
+            let field = <Polynomial<Ball>>::from_coefficients(c.map(Ball::of));
+            let inside =
+                balanced_inside(&field, Size::of(error), Size::of(missing), (sign, half), side);
+            let (near, whole) = (p(sign) - error, inside.value());
+            if steep < 1.0 {
+                let wanted = missing / near;
+                let ratio = whole / wanted;
+                let fits = wanted < 0.999 * half;
+                assert!(
+                    if fits {
+                        (1.0 - 1e-5..1.0 + 1e-5).contains(&ratio)
+                    } else {
+                        wanted > 0.99 * half || ratio < 1.1
+                    },
+                    "{ratio}"
+                );
+            }
+            if whole < f64::INFINITY {
+                found += 1;
+                let places = (0..=100).map(|j| sign * (1.0 - whole / half * f64::from(j) / 100.0));
+                let least = places.map(p).fold(f64::INFINITY, f64::min) - error;
+                assert!(
+                    whole <= half && whole * least >= missing * (1.0 - 1e-12),
+                    "{whole} {least} {missing}"
+                );
+            }
+        }
+        assert!(found > 500, "{found}");
     }
 }

@@ -369,7 +369,7 @@ mod tests {
         "extremes": {"deflection": {"min": {"x": 0, "value": 1}, "max": {"x": 2, "value": 3}}},
         "certificate": {"gap": 1e-20},
         "left_of_jumps": {"x": [1], "moment": [3]},
-        "proof": {"energy": 1e-30, "bounds": {"deflection": 1e-14, "edges": [1e-13]}, "log": [],
+        "proof": {"energy": 1e-30, "bounds": {"deflection": 1e-14, "edges": [1e-13, null]}, "log": [],
                   "places": {"moment": {"max": [[0, 1], [2, 2]]}}, "checks": [{"bound": 1}]}
     }"#;
 
@@ -393,7 +393,7 @@ mod tests {
         let places = vec![[0.0, 1.0], [2.0, 2.0]];
         assert_eq!(document.places, [("moment".to_owned(), true, places)]);
         assert_eq!(document.extremes.len(), 2);
-        assert_eq!(document.bounds[1], ("edges".to_owned(), vec![1e-13]));
+        assert_eq!(document.bounds[1], ("edges".to_owned(), vec![1e-13, f64::INFINITY]));
         let not_covered: Vec<&str> = document.not_covered.iter().map(String::as_str).collect();
         let named = ["certificate", "existence", "proof.checks", "proof.energy", "reactions.at"];
         assert_eq!(not_covered, named);
@@ -403,7 +403,7 @@ mod tests {
     fn each_combination_is_a_separate_document() {
         let text = format!(
             r#"{{"combinations": [{TEXT}, {{"name": "ULS"}}], "envelope": {{"x": [1]}},
-               "proof": {{"envelope": [1]}}}}"#
+               "proof": {{"envelope": [1]}}, "model_digest": "sha256:00"}}"#
         );
         let documents = Document::read(&text).unwrap();
         assert_eq!(documents.len(), 2);
@@ -411,7 +411,11 @@ mod tests {
         for key in ["envelope", "proof.envelope"] {
             assert!(documents[1].not_covered.contains(key));
         }
+        assert_eq!(documents[1].model_digest.as_deref(), Some("sha256:00"));
         assert!(Answer::from_json(&text).is_err());
+        let two_digests = text.replace("\"sha256:00\"}", "\"sha256:01\"}");
+        assert_ne!(two_digests, text);
+        assert!(Document::read(&two_digests).is_err());
     }
 
     #[test]

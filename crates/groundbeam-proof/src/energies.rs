@@ -473,7 +473,8 @@ mod tests {
             [work, 0.0, 0.0, work],
         );
         let load = "[[ground_load]]\ndistributed = [0, 2]\nfrom = 0\nto = 2\n";
-        let layer = "[foundation]\nk = 1\nmu = 1\n[[foundation.segment]]\nfrom = 0\nto = 2\nk = 1\n";
+        let layer =
+            "[foundation]\nk = 1\nmu = 1\n[[foundation.segment]]\nfrom = 0\nto = 2\nk = 1\n";
         let outside = 1.0 + 3.0_f64.sqrt() * 9.0;
         let strain = along([0.0, 2.0], |x| (1.0 + x).powi(2) + (1.0 + x)) + outside;
         let work = along([0.0, 2.0], |x| x * (1.0 + x));

@@ -209,3 +209,30 @@ impl<S: Scalar> Search<'_, S> {
         kept
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::PlacedExtreme;
+
+    /// The distance from the nearest interval, and the largest distance from a place in it.
+    #[test]
+    fn a_listed_place_is_compared_with_the_nearest_interval() {
+        for (listed, places, distance, error) in [
+            (1.0, vec![[1.0, 1.0]], 0.0, 0.0),
+            (1.0, vec![[1.0, 1.5]], 0.0, 0.5),
+            (1.5, vec![[1.0, 1.5]], 0.0, 0.5),
+            (1.125, vec![[1.0, 1.5]], 0.0, 0.375),
+            (1.375, vec![[1.0, 1.5]], 0.0, 0.375),
+            (0.75, vec![[1.0, 1.5], [3.0, 4.0]], 0.25, 0.75),
+            (1.75, vec![[1.0, 1.5], [3.0, 4.0]], 0.25, 0.75),
+            (2.75, vec![[1.0, 1.5], [3.0, 4.0]], 0.25, 1.25),
+            (1.0, vec![], 0.0, f64::INFINITY),
+        ] {
+            let field = "moment".to_owned();
+            let placed = PlacedExtreme { field, is_max: true, listed, places };
+            assert_eq!(placed.distance(), distance, "{placed:?}");
+            let off = placed.error();
+            assert!(off >= error && (off == error || off - error < 1e-15), "{placed:?}: {off}");
+        }
+    }
+}
