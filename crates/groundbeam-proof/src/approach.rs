@@ -244,16 +244,22 @@ pub(crate) fn clear<C: Scalar>(piece: &OpenPiece<C>, [from, to]: [f64; 2], limit
 #[cfg(test)]
 mod tests {
     use super::{clear, falls, varying_flux};
-    use crate::answer::Piece;
+    use crate::answer::{Answer, Piece};
     use crate::ball::Ball;
     use crate::clearance::OpenPiece;
     use crate::coefficient::Coefficient;
+    use crate::contact_set::Contact;
+    use crate::fields::Fields;
     use crate::frame::Span;
+    use crate::given::frame;
+    use crate::pointwise::PieceBounds;
     use crate::random::numbers;
+    use crate::read::read_model;
     use crate::scalar::Scalar;
     use crate::size::Size;
     use crate::units::Units;
     use crate::wide::Wide;
+    use serde_json::{Value, json};
 
     const COUNT: usize = 2000;
 
@@ -452,5 +458,112 @@ mod tests {
             shown += i32::from(falling);
         }
         assert!((50..750).contains(&shown), "{shown}");
+    }
+
+    /// The curvature of the clearance of a random piece is at least its bound, which is sharp on short intervals.
+    #[test]
+    fn the_curvature_of_the_clearance_has_a_lower_bound() {
+        let mut random = numbers();
+        for _ in 0..400 {
+            let open = Open::random(&mut random);
+            let piece = open.piece();
+            let (m, r) = (0.5 * random(), 0.5 * random().abs().powi(3));
+            let (half, rate) = (0.5 * open.length, open.ground[0] / open.ground[1]);
+            let curvature = |t: f64| {
+                let w = open.w[0] + t * (open.w[1] + t * (open.w[2] + t * open.w[3]));
+                let bent = (2.0 * open.w[2] + 6.0 * open.w[3] * t) / (half * half);
+                rate * (open.clearance(t)[0] + w) - bent
+            };
+            let least = Open::least([m - r, m + r], curvature);
+            let bound = piece.curvature(m, r, piece.settlement(m));
+            // u″ changes by at most b² times the change of u.
+            let change = rate * (open.clearance(m + r)[0] - open.clearance(m - r)[0]).abs();
+            let most =
+                least - 8.0 * r * (rate * rate + rate + 1.0) * (5.0 + 1.0 / half.powi(2)) - change;
+            assert!(bound <= least + 1e-12 && bound >= most, "{bound} {least} {most}");
+        }
+    }
+
+    /// The approach to x = 1 on the open piece from 1 to 2, with the same error bounds on all pieces: those of u and w, of the
+    /// slope and of the pressure. Returns θ, the bound of the flux and μ|C′|.
+    fn approach_at_one(model: &str, document: &Value, errors: [f64; 3]) -> Option<[f64; 3]> {
+        let model = read_model::<Wide>(model, None).expect("a model");
+        let answer = Answer::from_json(&document.to_string()).expect("an answer");
+        let frame = frame(&model, &answer, None, &[]).expect("a frame");
+        let fields = Fields::of(&frame).expect("fields");
+        let units = frame.units;
+        let [u, slope, p] = errors;
+        let size = |x: f64, force: i32, length: i32| Size::of(units.scaled(x, force, length));
+        let (settlement, slope, pressure) = (size(u, 0, 1), Size::of(slope), size(p, 1, -1));
+        let deflection = settlement;
+        let bounds = PieceBounds { settlement, deflection, slope, pressure, ..PieceBounds::EXACT };
+        let bounds = vec![bounds; answer.pieces.len()];
+        let contact = Contact { fields: &fields, bounds: &bounds };
+        let found = contact.shown_open(1, &mut Vec::new())?[0].expect("an approach");
+        let restored =
+            |size: Size, force: i32, length: i32| units.restored(size.value(), force, length);
+        Some([restored(found.theta, 0, 1), restored(found.flux, 1, 0), restored(found.steep, 1, 0)])
+    }
+
+    fn piece(ends: [f64; 2], touches: bool, w: &[f64]) -> Value {
+        json!({"x": ends, "half": 0.5 * (ends[1] - ends[0]), "touches": touches, "deflection": w})
+    }
+
+    /// Endless ground with √(k/μ) = 2 and w = 3 − 2x: u = exp(2 − 2x), μ(u − w)″ = 2 at the edge. The error of the slope u′ is
+    /// at most b coth(bL/2) ε_u at the end of the open length L = ½.
+    #[test]
+    fn the_error_of_an_edge_follows_from_the_errors_of_slope_and_settlement() {
+        let model = "[beam]\nlength = 2\nEI = 1\n[foundation]\nk = 2\nmu = 0.5\nleft = { ends = 0, as = 'free' }\n";
+        let document = json!({"pieces": [piece([0.0, 1.0], true, &[2.0, -1.0]), piece([1.0, 2.0], false, &[0.0, -1.0])]});
+        for [error, slope] in [[1e-6, 1e-9], [1e-9, 1e-6], [1e-5, 1e-5], [0.02, 0.02]] {
+            let found = approach_at_one(model, &document, [error, slope, 0.01]);
+            let [theta, flux, steep] = found.expect("open ground");
+            let exact = error / f64::tanh(0.5);
+            assert!((1.0..1.0 + 1e-7).contains(&(flux / exact)), "{flux} {exact}");
+            let ratio = theta / ((2.0 * exact + slope) / 4.0);
+            assert!((1.0..2.3).contains(&ratio), "{error} {slope}: {ratio}");
+            assert!(steep < 1e-14);
+        }
+        for (pressure, shown) in [(1.99, true), (2.01, false)] {
+            let found = approach_at_one(model, &document, [1e-6, 1e-6, pressure]);
+            assert_eq!(found.is_some(), shown, "{pressure}");
+        }
+    }
+
+    /// The same with contact on both sides of the open piece, between hinges: L = ½.
+    #[test]
+    fn half_of_an_open_length_between_regions_is_open() {
+        let model = "[beam]\nlength = 3\nEI = 1\n[foundation]\nk = 0.01\nmu = 1\n[[hinge]]\nat = 1\n[[hinge]]\nat = 2\n";
+        let w = [
+            piece([0.0, 1.0], true, &[0.75, 0.0]),
+            piece([1.0, 2.0], false, &[0.5, 0.0, 0.25]),
+            piece([2.0, 3.0], true, &[0.75]),
+        ];
+        let found = approach_at_one(model, &json!({"pieces": w}), [1e-6, 1e-9, 1e-6]);
+        let [theta, flux, steep] = found.expect("open ground");
+        let exact = 0.1 * 1e-6 / f64::tanh(0.1 * 0.25);
+        assert!((1.0..1.0 + 1e-6).contains(&(flux / exact)), "{flux} {exact}");
+        assert!(theta == 0.0 && (0.9..1.0).contains(&steep), "{theta} {steep}");
+    }
+
+    /// μ = 1 + x and the stored u = 2 − x + ¼(x − 1)², with w = 2 − x. Then ku − (μu′)′ is at most 1 on the open piece, and ku −
+    /// (μw′)′ = 2 at the edge.
+    #[test]
+    fn the_error_of_an_edge_of_varying_ground_contains_its_residual() {
+        let model = "[beam]\nlength = 2\nEI = 1\n[foundation]\nk = 1\nmu = 1\nleft = { ends = 0, as = 'free' }\n\
+            [[foundation.segment]]\nfrom = 0\nto = 2\nk = 1\nmu = [1, 3]\n";
+        let mut open = piece([1.0, 2.0], false, &[0.5, -0.5]);
+        (open["open"], open["settlement"]) = (json!([1, 0.25]), json!([0.5625, -0.375, 0.0625]));
+        let document = json!({"pieces": [piece([0.0, 1.0], true, &[1.5, -0.5]), open]});
+        for error in [1e-4, 1e-6, 1e-3] {
+            let found = approach_at_one(model, &document, [error, 1e-9, 0.01]);
+            let ratio =
+                found.expect("open ground")[1] / (2.0 * (2.0 * 3.0 * error * (1.0 + error)).sqrt());
+            assert!((1.0..1.0 + 1e-7).contains(&ratio), "{error}: {ratio}");
+        }
+        for (pressure, shown) in [(1.99, true), (2.01, false)] {
+            let found = approach_at_one(model, &document, [1e-9, 1e-9, pressure]);
+            assert_eq!(found.is_some(), shown, "{pressure}");
+        }
     }
 }

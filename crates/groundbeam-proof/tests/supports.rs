@@ -23,7 +23,7 @@ struct Case {
 const TURNING: &str = "cantilever on a spring that resists force and rotation";
 const ONE_WAY: &str = "beam on a one-way support and a one-way spring";
 
-const CASES: [Case; 11] = [
+const CASES: [Case; 12] = [
     Case {
         name: "cantilever under a force",
         model: "length = 2\n[[load]]\npoint = 3\nat = 2\n[[support]]\nat = 0\ntype = 'fixed'\n",
@@ -114,6 +114,15 @@ const CASES: [Case; 11] = [
         exact: &[[0.0, 2.25, -1.0, 0.0, 0.0], [0.5, 1.75, -1.0, 0.0, 0.0]],
         reactions: &[[0.0, 0.0], [0.0, 0.0]],
         change: &[[0.0, 1.0, 1.0, 0.0, 0.0], [2.0, 1.0, -1.0, 0.0, 0.0]],
+    },
+    Case {
+        name: "beam with a free hinge under a force",
+        model: "length = 2\n[[load]]\npoint = 12\nat = 1\n[[hinge]]\nat = 1\n\
+                [[support]]\nat = 0\ntype = 'fixed'\n[[support]]\nat = 2\ntype = 'pinned'\n",
+        nodes: &[0.0, 1.0, 2.0],
+        exact: &[[0.0, 0.0, 6.0, -2.0, 0.0], [8.0, -4.0, 0.0, 0.0, 0.0]],
+        reactions: &[[12.0, -12.0], [0.0, 0.0]],
+        change: &[[0.0, 0.0, 1.0, 0.0, 0.0], [0.0, 2.0, -1.0, 0.0, 0.0]],
     },
     Case {
         name: ONE_WAY,
