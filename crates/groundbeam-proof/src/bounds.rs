@@ -70,3 +70,27 @@ pub struct Scales {
     /// Scale of concentrated forces: the sum of the loads \[N\].
     pub force: f64,
 }
+
+#[cfg(test)]
+mod tests {
+    use super::Bound;
+
+    #[test]
+    fn an_error_is_compared_with_its_scale() {
+        for scale in [1e-3, 1.0, 1e3] {
+            for (share, small) in [
+                (0.0, true),
+                (9e-7, true),
+                (1.1e-6, false),
+                (f64::INFINITY, false),
+                (f64::NAN, false),
+            ] {
+                assert_eq!(
+                    Bound { error: share * scale, scale }.is_small(),
+                    small,
+                    "{share} {scale}"
+                );
+            }
+        }
+    }
+}

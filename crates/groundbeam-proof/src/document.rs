@@ -441,6 +441,14 @@ mod tests {
             assert_ne!(text, TEXT, "{right}");
             assert!(Document::read(&text).is_err(), "{wrong}");
         }
+        // A test of the limits: 100,000 pieces and 26 coefficients.
+        for (count, many) in [(100_000, false), (100_001, true), (100_002, true)] {
+            let text = format!(r#"{{"pieces": [{}{{}}]}}"#, "{},".repeat(count - 1));
+            let error = Document::read(&text).unwrap_err().to_string();
+            assert_eq!(error.contains("more than 100000"), many, "{count}: {error}");
+        }
+        let longest = format!("\"deflection\": [{}1]", "1,".repeat(25));
+        assert!(Document::read(&TEXT.replacen("\"deflection\": [1, 2]", &longest, 1)).is_ok());
         let long = format!("\"deflection\": [{}1]", "1,".repeat(26));
         assert!(Document::read(&TEXT.replacen("\"deflection\": [1, 2]", &long, 1)).is_err());
     }

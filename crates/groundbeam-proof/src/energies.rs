@@ -497,4 +497,124 @@ mod tests {
             [strain + bent, 0.0, axial, work],
         );
     }
+
+    /// A layer from x = 1 to 5 beside Winkler ground: contact up to 2, from 3 to 3.5 and under the force at 4.5, open ground
+    /// between, with a force at 2.5, and open ground beyond. The surface is u = q/k + v between given values.
+    #[test]
+    fn the_energies_of_a_layer_that_begins_under_the_beam_are_integrals() {
+        let (k, mu, b) = (2.0, 0.5, 2.0_f64);
+        let text = "[beam]\nlength = 5\nEI = 3\n[foundation]\nk = 2\nmu = 0.5\nright = { ends = 5, as = 'free' }\n\
+            [[foundation.segment]]\nfrom = 0\nto = 1\nk = 2\nmu = 0\n\
+            [[ground_load]]\ndistributed = [0.5, 0.9]\nfrom = 1\nto = 5\n[[ground_load]]\npoint = 0.75\nat = 2.5\n";
+        let nodes = [0.0, 1.0, 2.0, 2.5, 3.0, 3.5, 4.5, 5.0];
+        let touches = [true, true, false, false, true, false, false];
+        let piece = |i: usize| {
+            let x = [nodes[i], nodes[i + 1]];
+            json!({"x": x, "half": 0.5 * (x[1] - x[0]), "touches": touches[i], "deflection": [0.75]})
+        };
+        let pieces: Vec<Value> = (0..7).map(piece).collect();
+        let document = json!({"pieces": pieces, "forces": [{"x": 4.5, "force": 1}]});
+        let load = |x: f64| 0.5 + 0.1 * (x - 1.0);
+        let rise = 0.1 / k;
+        // u and u′ on a stretch with given ends.
+        let between = |ends: [f64; 2], u: [f64; 2], x: f64| {
+            let [left, right] = [u[0] - load(ends[0]) / k, u[1] - load(ends[1]) / k];
+            let (far, near, whole) =
+                (b * (ends[1] - x), b * (x - ends[0]), (b * (ends[1] - ends[0])).sinh());
+            let slope = b * (right * near.cosh() - left * far.cosh()) / whole;
+            [load(x) / k + (left * far.sinh() + right * near.sinh()) / whole, rise + slope]
+        };
+        // At 2.5 the flux falls by the force; at the free end it is zero.
+        let jump = |u: f64| {
+            mu * (between([2.0, 2.5], [0.75, u], 2.5)[1] - between([2.5, 3.0], [u, 0.75], 2.5)[1])
+        };
+        let middle = (0.75 - jump(0.0)) / (jump(1.0) - jump(0.0));
+        let flux = |u: f64| between([4.5, 5.0], [0.75, u], 5.0)[1];
+        let last = -flux(0.0) / (flux(1.0) - flux(0.0));
+        let mut strain = k * 0.75 * 0.75 * (1.0 + 1.0 + 0.5);
+        let mut work = 0.75 * middle;
+        for touched in [[1.0, 2.0], [3.0, 3.5]] {
+            work += along(touched, |x| load(x) * 0.75);
+        }
+        for (ends, u) in [
+            ([2.0, 2.5], [0.75, middle]),
+            ([2.5, 3.0], [middle, 0.75]),
+            ([3.5, 4.5], [0.75, 0.75]),
+            ([4.5, 5.0], [0.75, last]),
+        ] {
+            let at = |x: f64| between(ends, u, x);
+            strain += along(ends, |x| k * at(x)[0].powi(2) + mu * at(x)[1].powi(2));
+            work += along(ends, |x| load(x) * at(x)[0]);
+        }
+        agree(&model(text, [[2.0; 2], [0.0; 2]]), &document, [strain, 0.0, 0.0, work]);
+    }
+
+    /// A layer that the beam does not touch, under a load along the beam, a force at x = 1 and a force on the ground beside it:
+    /// u′ and u at the right end follow from u at the left end, where μu′ = Ku − T.
+    #[test]
+    fn the_energies_of_a_loaded_layer_without_contact_are_integrals() {
+        let text = "[beam]\nlength = 2\nEI = 3\n[foundation]\nk = 2\nmu = 0.5\nright = { ends = 2, as = 'free' }\n\
+            [[gap]]\nat = 0\nvalue = 100\n[[ground_load]]\ndistributed = [0.5, 1.5]\nfrom = 0\nto = 2\n\
+            [[ground_load]]\npoint = 0.75\nat = 1\n[[ground_load]]\npoint = 3\nat = -1\n";
+        let piece = |from: f64| json!({"x": [from, from + 1.0], "half": 0.5, "touches": false, "deflection": [0]});
+        let document = json!({"pieces": [piece(0.0), piece(1.0)]});
+        let (k, mu, b, outside) = (2.0, 0.5, 2.0_f64, 1.0);
+        let pushed = 3.0 * (-b).exp();
+        let (load, rise) = (|x: f64| 0.5 + 0.5 * x, 0.5 / k);
+        let onward = |from: f64, [u, slope]: [f64; 2], x: f64| {
+            let (v, turn, z) = (u - load(from) / k, slope - rise, b * (x - from));
+            [
+                load(x) / k + v * z.cosh() + turn / b * z.sinh(),
+                rise + v * b * z.sinh() + turn * z.cosh(),
+            ]
+        };
+        let at = |left: f64, x: f64| {
+            let first = [left, (outside * left - pushed) / mu];
+            if x <= 1.0 {
+                return onward(0.0, first, x);
+            }
+            let [u, slope] = onward(0.0, first, 1.0);
+            onward(1.0, [u, slope - 0.75 / mu], x)
+        };
+        let end = |left: f64| at(left, 2.0)[1];
+        let left = -end(0.0) / (end(1.0) - end(0.0));
+        let both = |of: &dyn Fn(f64) -> f64| along([0.0, 1.0], of) + along([1.0 + 1e-15, 2.0], of);
+        let strain = both(&|x| k * at(left, x)[0].powi(2) + mu * at(left, x)[1].powi(2));
+        let work = both(&|x| load(x) * at(left, x)[0]) + 0.75 * at(left, 1.0)[0] + pushed * left;
+        let strain = strain + outside * left * left;
+        agree(&model(text, [[0.0; 2]; 2]), &document, [strain, 0.0, 0.0, work]);
+    }
+
+    /// A free layer with constant k and μ is softest at its ends: 1/g = √(kμ) tanh(bL). This bound of g holds on
+    /// all pieces.
+    #[test]
+    fn the_flexibility_of_a_free_layer_is_that_of_its_end() {
+        let text = "[beam]\nlength = 2\nEI = 3\n[foundation]\nk = 2\nmu = 0.5\nright = { ends = 2, as = 'free' }\n\
+            [[foundation.segment]]\nfrom = 0\nto = 0.75\nk = 2\nmu = 0\n";
+        let model = read_model::<f64>(text, None).expect("a model");
+        let nodes = [0.0, 0.75, 1.0, 1.25, 1.5, 2.0];
+        let piece = |i: usize| {
+            let x = [nodes[i], nodes[i + 1]];
+            json!({"x": x, "half": 0.5 * (x[1] - x[0]), "touches": false, "deflection": [0]})
+        };
+        let document = json!({"pieces": (0..5).map(piece).collect::<Vec<_>>()});
+        let answer = Answer::from_json(&document.to_string()).expect("an answer");
+        let frame = frame(&model, &answer, None, &[]).expect("a frame");
+        let fields = Fields::of(&frame).expect("fields");
+        assert_eq!(fields.surface.pieces[0].flexibility.value(), f64::INFINITY);
+        let least = f64::tanh(2.0 * 1.25);
+        for piece in &fields.surface.pieces[1..] {
+            let stiffness = frame.units.restored(piece.flexibility.value().powi(-2), 1, -1);
+            assert!(
+                (least * (1.0 - 1e-12)..1.6 * least).contains(&stiffness),
+                "{stiffness} {least}"
+            );
+        }
+        let at_ends = [1, 4].map(|i| fields.surface.pieces[i].flexibility.value().powi(-2));
+        let at_ends = at_ends.map(|stiffness| frame.units.restored(stiffness, 1, -1));
+        assert!(
+            at_ends.iter().all(|stiffness| stiffness / least < 1.0 + 1e-9),
+            "{at_ends:?} {least}"
+        );
+    }
 }

@@ -158,11 +158,7 @@ impl<S: Scalar> Pointwise<'_, S> {
         let axial = self.fields.frame.axial_force().unwrap_or_else(S::zero);
         let residual = &self.fields.residual.pieces[i];
         let load = Size::of(residual.constant.size()) + residual.rest + residual.misfit[1];
-        let error = sheared_pressure([stiffness, axial, shear], [settled, bent, load]);
-        match span.touches {
-            true => error.over((S::one() + shear.div(stiffness + axial)).low()),
-            false => error,
-        }
+        sheared_pressure([stiffness, axial, shear], [settled, bent, load], span.touches)
     }
 
     /// ε_w = sup|e| + max|c|, and ε_φ = min_h {2 sup|e|/h + s_γ/h^½ + min(½h max(ε_κ + |c″|), s(h/3)^½)} +
@@ -199,16 +195,19 @@ impl<S: Scalar> Pointwise<'_, S> {
     }
 }
 
-/// kε_u + μS/(S + P)·[ε_κ + (|r| + |η′|)/S] from S, P and μ and from kε_u, ε_κ and |r| + |η′|.
+/// ε_p from S, P and μ and from kε_u, ε_κ and |r| + |η′|, with its divisor where the beam touches.
 fn sheared_pressure<S: Scalar>(
     [stiffness, axial, shear]: [S; 3],
     [settled, bent, load]: [Size; 3],
+    touches: bool,
 ) -> Size {
     let whole = stiffness + axial;
     if !(whole.low() > 0.0) {
         return Size::INFINITE;
     }
-    settled + Size::of((shear * stiffness.div(whole)).high()) * (bent + load.over(stiffness.low()))
+    let factor = Size::of((shear * stiffness.div(whole)).high());
+    let error = settled + factor * (bent + load.over(stiffness.low()));
+    if touches { error.over((S::one() + shear.div(whole)).low()) } else { error }
 }
 
 #[cfg(test)]
@@ -239,12 +238,12 @@ mod tests {
                         false => (stiffness * bent + r) / whole,
                     };
                     let error = u - shear * curved;
-                    let part = shear / whole;
                     let bound = sheared_pressure(
                         [stiffness, axial, shear].map(Ball::of),
                         [u, bent, r].map(|x| Size::of(x.abs())),
+                        touches,
                     );
-                    let bound = bound.value() / if touches { 1.0 + part } else { 1.0 };
+                    let bound = bound.value();
                     assert!(error.abs() <= bound * (1.0 + 1e-9), "{error} {bound}");
                     let aligned = u >= 0.0 && bent <= 0.0 && r <= 0.0;
                     assert!(!aligned || error.abs() >= bound * (1.0 - 1e-9), "{error} {bound}");

@@ -119,7 +119,7 @@ struct Joint<C> {
     spring: C,
     turning: C,
     hinge: Option<C>,
-    /// Whether z = 0, and whether z′ = 0.
+    /// Whether z = 0, and whether z′ = 0. A joint that holds z′ holds z.
     held: [bool; 2],
 }
 
@@ -211,8 +211,7 @@ impl<C: Scalar> Left<C> {
         match self.held {
             [true, true] => true,
             [true, false] => c.low() > 0.0,
-            [false, true] => a.low() > 0.0,
-            [false, false] => a.low() > 0.0 && (c - (b * b).div(a)).low() > 0.0,
+            [false, _] => a.low() > 0.0 && (c - (b * b).div(a)).low() > 0.0,
         }
     }
 
@@ -246,8 +245,7 @@ impl<C: Scalar> Left<C> {
         let inverse = match self.held {
             [true, true] => [zero; 3],
             [true, false] => [zero, zero, C::one().div(c)],
-            [false, true] => [C::one().div(a), zero, zero],
-            [false, false] => {
+            [false, _] => {
                 let determinant = a * c - b * b;
                 [c.div(determinant), -b.div(determinant), a.div(determinant)]
             }
@@ -324,6 +322,7 @@ mod tests {
 
     /// σ under a compression; `None` if no bound is proven.
     fn margin_in<S: Scalar>(model: &Model<f64>, compression: f64) -> Option<f64> {
+        let length = model.beam.length;
         let support = |support: &Support<f64>| Support {
             at: S::of(support.at),
             kind: match support.kind {
@@ -362,8 +361,8 @@ mod tests {
         };
         let rotation = if model.beam.shear_stiffness.is_some() { vec![0.0] } else { Vec::new() };
         let piece = |i: u32| Piece {
-            x: [0.25 * f64::from(i), 0.25 * f64::from(i + 1)],
-            half: 0.125,
+            x: [i, i + 1].map(|i| 0.25 * length * f64::from(i)),
+            half: 0.125 * length,
             deflection: vec![0.0],
             rotation: rotation.clone(),
             ..Piece::default()
@@ -403,6 +402,19 @@ mod tests {
             assert!(left <= 0.1 && left > 0.07, "{supports:?}: {left}");
             let left = margin(&model, 0.5 * critical).expect("stable");
             assert!(left <= 0.5 && left > 0.4, "{supports:?}: {left}");
+        }
+    }
+
+    /// A cantilever of the length 4: P = π²EI/(2l)².
+    #[test]
+    fn the_critical_load_of_a_cantilever_decreases_with_the_square_of_its_length() {
+        let mut model = beam(&[(0.0, SupportKind::Fixed)], None, None);
+        for length in [0.25, 4.0] {
+            model.beam.length = length;
+            let critical = (0.5 * PI / length).powi(2);
+            assert_eq!(margin(&model, 1.0001 * critical), None, "{length}");
+            let left = margin(&model, 0.4 * critical).expect("stable");
+            assert!((left - 0.6).abs() < 1e-6, "{length}: {left}");
         }
     }
 

@@ -23,7 +23,7 @@ struct Holds {
 
 impl Holds {
     fn is_enough(self) -> bool {
-        self.places + usize::from(self.turning) > 1 && self.places > 0
+        self.places + usize::from(self.turning) > 1
     }
 }
 
@@ -103,7 +103,7 @@ impl<S: Scalar> Pointwise<'_, S> {
             // Half of |t| ≤ part.
             let h = [(part * span.half.low()).next_down(), (part * span.half.high()).next_up()];
             let (area, norm) = bump(h, [span.spring.high(), span.shear.size()].map(Size::of));
-            least > 0.0 && area * least > (self.s2() * norm).value().next_up()
+            area * least > (self.s2() * norm).value().next_up()
         })
     }
 }
