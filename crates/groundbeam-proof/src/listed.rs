@@ -239,11 +239,11 @@ impl<S: Scalar> Comparison<'_, S> {
     }
 
     /// The distance of a pressure at an edge from the smallest interval that contains zero and the pressures
-    /// on both sides. `edge` contains the edge: a neighbouring piece counts if it meets the piece there.
+    /// on both sides, which are not negative in a proven contact set. `edge` contains the edge: a neighbouring piece counts if it meets the piece there.
     fn off_an_edge(&self, listed: f64, (piece, t): (usize, S), edge: [f64; 2]) -> f64 {
         let units = self.fields.frame.units;
         let listed = units.scaled(S::of(listed), 1, -1);
-        let [mut low, mut high] = [0.0; 2];
+        let mut high = 0.0;
         let spans = &self.fields.frame.spans;
         let [from, to] = self.document.answer.pieces[piece].x.map(|end| holds(&[edge], end));
         let first = if from { piece.saturating_sub(1) } else { piece };
@@ -257,11 +257,9 @@ impl<S: Scalar> Comparison<'_, S> {
                 t
             };
             let value = self.patches.value(PRESSURE, i, t);
-            low = if value.low() < low { value.low() } else { low };
-            high = if value.high() > high { value.high() } else { high };
+            high = f64::max(high, value.high());
         }
-        let off =
-            Size::below_zero(listed.low() - low).worst(Size::below_zero(high - listed.high()));
+        let off = Size::below_zero(listed.low()).worst(Size::below_zero(high - listed.high()));
         units.restored(off.value(), 1, -1)
     }
 

@@ -9,6 +9,7 @@ mod listed;
 mod one_document;
 mod open_ground;
 mod partial_contact;
+mod places;
 mod point_contact;
 mod reader;
 mod right_answers;

@@ -146,6 +146,8 @@ fn a_moved_edge_is_not_proven_and_the_bound_covers_the_settlement() {
             let what = format!("{beam:?} {shift:e}");
             assert!(found.shortfall.is_some() && found.proof.contact.is_err(), "{what}");
             assert_eq!([found.edges.error, found.forces.error], [f64::INFINITY; 2], "{what}");
+            assert_eq!(found.error_of("pressure"), f64::INFINITY, "{what}");
+            assert_eq!(found.without_bound(), found.proof.contact.as_ref().err(), "{what}");
             let surface = |edge: f64, x: f64| match x <= edge {
                 true => 2.0 - x,
                 false => (2.0 - edge) * (edge - x).exp(),
@@ -365,5 +367,122 @@ fn an_unloaded_part_beside_a_clamp_is_in_contact() {
         "[[support]]\nat = 1.5\nspring = 1\n",
     ] {
         assert!(!contact(added), "{added}");
+    }
+}
+
+/// At the edge the pressure jumps from 1 to 0. A listed pressure between both is right, on the left and on the right of the
+/// jump. Other fields are compared there as elsewhere.
+#[test]
+fn listed_numbers_at_an_edge_are_compared() {
+    for key in ["stations", "left_of_jumps"] {
+        for (listed, off) in [(0.0, 0.0), (0.5, 0.0), (1.0, 0.0), (-0.5, 0.5), (1.5, 0.5)] {
+            let mut document = document(BEAMS[0], 1.0, 0.0);
+            document[key] = json!({"x": [1], "pressure": [listed]});
+            let found = verified(BEAMS[0], &document);
+            assert_eq!((found.checked.at_edges, found.checked.values), (1, 0));
+            assert!((found.error_of("pressure") - off).abs() < 1e-12, "{key} {listed}");
+            assert_eq!(found.shortfall.is_some(), off > 0.0, "{key} {listed}");
+        }
+        let mut document = document(BEAMS[0], 1.0, 0.0);
+        document[key] = json!({"x": [1], "deflection": [1.25]});
+        let found = verified(BEAMS[0], &document);
+        assert_eq!((found.checked.at_edges, found.checked.values), (0, 1));
+        assert!((found.error_of("deflection") - 0.25).abs() < 1e-9, "{key}");
+    }
+}
+
+/// The same beam in other units, 2ᵐ of length and 2ⁿ of force: every error has the same digits.
+#[test]
+fn documents_in_other_units_have_the_same_errors() {
+    let errors = |[length, force]: [i32; 2]| {
+        let by = |x: f64, f: i32, l: i32| x * 2.0_f64.powi(f * force + l * length);
+        let text = format!(
+            "[beam]\nlength = {}\nEI = {}\n[foundation]\nk = {}\nmu = {}\nleft = {{ ends = 0, as = 'free' }}\n\
+             [[load]]\ndistributed = [{}, {}]\nfrom = 0\nto = {}\n[[load]]\npoint = {}\nat = 0\n\
+             [[ground_load]]\ndistributed = {}\nfrom = {}\nto = {}\n",
+            by(2.0, 0, 1),
+            by(0.5, 1, 2),
+            by(1.0, 1, -2),
+            by(1.0, 1, 0),
+            by(2.0, 1, -1),
+            by(1.0, 1, -1),
+            by(1.0, 0, 1),
+            by(1.0, 1, 0),
+            by(1e-7, 1, -1),
+            by(2.5, 0, 1),
+            by(3.0, 0, 1),
+        );
+        let mut document = document(BEAMS[0], 1.0, 1e-7);
+        let times = |value: &Value, f: i32, l: i32| match value {
+            Value::Array(all) => {
+                all.iter().map(|x| by(x.as_f64().expect("a number"), f, l)).collect()
+            }
+            one => json!(by(one.as_f64().expect("a number"), f, l)),
+        };
+        for piece in document["pieces"].as_array_mut().expect("pieces") {
+            piece["pressure"] =
+                if piece["touches"] == true { json!([1.5, -0.5]) } else { json!([1e-9, 0, 1e-8]) };
+            for (key, f, l) in [
+                ("x", 0, 1),
+                ("half", 0, 1),
+                ("deflection", 0, 1),
+                ("open", 0, 1),
+                ("pressure", 1, -1),
+            ] {
+                if !piece[key].is_null() {
+                    piece[key] = times(&piece[key], f, l);
+                }
+            }
+        }
+        for (list, keys) in [
+            ("forces", [("x", 0, 1), ("force", 1, 0)]),
+            ("contact", [("from", 0, 1), ("to", 0, 1)]),
+        ] {
+            for one in document[list].as_array_mut().expect("a list") {
+                for (key, f, l) in keys {
+                    one[key] = times(&one[key], f, l);
+                }
+            }
+        }
+        let place = by(1.0, 0, 1);
+        document["stations"] = json!({
+            "x": [by(0.25, 0, 1), place],
+            "moment": [by(1e-9, 1, 1), by(2e-9, 1, 1)],
+            "pressure": [by(1.7, 1, -1), by(-0.25, 1, -1)],
+        });
+        document["extremes"] = json!({
+            "deflection": {"max": {"x": by(0.5, 0, 1), "value": by(1.5, 0, 1)}, "min": {"x": by(1.5, 0, 1), "value": by(0.25, 0, 1)}},
+            "moment": {"max": {"x": by(0.5, 0, 1), "value": by(1e-8, 1, 1)}},
+            "gap": {"max": {"x": by(2.0, 0, 1), "value": by(0.25, 0, 1)}},
+        });
+        let document = one_document::document(&document.to_string());
+        let model = read_model::<Wide>(&text, None).expect("a model");
+        let found = verify(&model, &document).expect("bounds");
+        let unit = |name: &str| match name {
+            "deflection" | "settlement" | "gap" | "edges" => (0, 1),
+            "moment" | "reaction_moments" | "hinge_moments" => (1, 1),
+            "shear_force" | "forces" | "reactions" | "end_forces" => (1, 0),
+            "pressure" => (1, -1),
+            _ => (0, 0),
+        };
+        let back = |x: f64, (f, l): (i32, i32)| by(x, -f, -l);
+        let mut all: Vec<f64> = Vec::new();
+        for (name, errors) in found.errors() {
+            all.extend(errors.iter().map(|x| back(*x, unit(name))));
+        }
+        for (name, bound) in found.named() {
+            all.push(back(bound.scale, unit(name)));
+        }
+        for placed in &found.extremes {
+            all.push(back(placed.error(), (0, 1)));
+            all.extend(placed.places.iter().flatten().map(|x| back(*x, (0, 1))));
+        }
+        all.extend(found.without_pressure.iter().flatten().map(|x| back(*x, (0, 1))));
+        all
+    };
+    let one = errors([0, 0]);
+    assert!(one.len() > 30 && one.iter().filter(|x| x.is_finite()).count() > 30, "{one:?}");
+    for units in [[10, 0], [0, 40], [-9, 31]] {
+        assert_eq!(errors(units), one, "{units:?}");
     }
 }

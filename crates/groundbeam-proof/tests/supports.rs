@@ -288,6 +288,8 @@ fn the_bound_of_a_wrong_reaction_covers_its_error() {
                     let ratio = bound.error / change.abs();
                     let what = format!("{} {i} {key}: {ratio}", case.name);
                     let covered = (1.0 - 1e-9..5.0).contains(&ratio);
+                    let name = if key == "force" { "reactions" } else { "reaction_moments" };
+                    assert!(found.error_of(name) >= bound.error, "{what}: {name}");
                     assert!(found.shortfall.is_some() && covered, "{what}");
                 }
             }
@@ -361,5 +363,25 @@ fn a_one_way_spring_holds_the_beam_only_if_it_acts_for_certain() {
         let found = case.verified(&case.document(epsilon));
         assert_eq!(found.proof.bounds.deflection.error < f64::INFINITY, holds, "{epsilon}");
         assert!(epsilon < 1.0 || found.proof.unique.is_err(), "{epsilon}");
+    }
+}
+
+/// The reactions of two springs follow from a wrong deflection, κ(w + εz): they are wrong by κεz, 4ε at one end and ε at the
+/// other.
+#[test]
+fn the_bound_of_a_spring_covers_the_error_of_the_deflection() {
+    let case = CASES.iter().find(|case| case.name == "beam on two springs").expect("a case");
+    for epsilon in [1e-3, 1.0, 1e3, -1e3] {
+        let mut document = case.document(epsilon);
+        for (i, [at, spring]) in [[0.0, 4.0], [2.0, 1.0]].into_iter().enumerate() {
+            let w = value(&case.exact[0], 0, at) + epsilon * value(&case.change[0], 0, at);
+            document["reactions"][i]["force"] = json!(spring * w);
+        }
+        let found = case.verified(&document);
+        for (i, [at, spring]) in [[0.0, 4.0], [2.0, 1.0]].into_iter().enumerate() {
+            let error = (spring * epsilon * value(&case.change[0], 0, at)).abs();
+            let bound = found.proof.reactions[i].force.error;
+            assert!(bound >= error * (1.0 - 1e-9), "{epsilon} {i}: {bound} {error}");
+        }
     }
 }

@@ -1,0 +1,281 @@
+//! Tests numbers that a document lists at ends, edges and jumps, and positions of extremes: wrong ones are refused.
+
+use crate::one_document;
+use groundbeam_proof::{Answer, GroundEnd, NotProven, Verification, Wide, prove, read_model};
+use serde_json::{Value, json};
+
+/// A beam at rest, w = 1, half on a shear layer and half on Winkler ground.
+const AT_REST: &str = "[beam]\nlength = 2\nEI = 1\n[foundation]\nk = 1\nmu = 1\nleft = { ends = 0, as = 'free' }\n\
+    [[foundation.segment]]\nfrom = 1\nto = 2\nk = 1\nmu = 0\n[[load]]\ndistributed = 1\n";
+
+fn at_rest() -> Value {
+    let piece = |from: f64| json!({"x": [from, from + 1.0], "half": 0.5, "touches": true, "deflection": [1], "pressure": [1]});
+    json!({"pieces": [piece(0.0), piece(1.0)], "forces": [{"x": 0, "force": 0}], "contact": [{"from": 0, "to": 2}]})
+}
+
+/// A simple beam of length 4 under end moments above a gap, w = 4x − x², M = 2, V = 0.
+const SIMPLE: &str = "[beam]\nlength = 4\nEI = 1\n[foundation]\nk = 1\n[[gap]]\nat = 0\nvalue = 100\n\
+    [[load]]\nmoment = 2\nat = 0\n[[load]]\nmoment = -2\nat = 4\n\
+    [[support]]\nat = 0\ntype = 'pinned'\n[[support]]\nat = 4\ntype = 'pinned'\n";
+
+fn simple() -> Value {
+    json!({
+        "pieces": [{"x": [0, 4], "half": 2, "touches": false, "deflection": [4, 0, -4]}],
+        "reactions": [{"force": 0}, {"force": 0}],
+        "contact": [],
+    })
+}
+
+/// A clamp at 0 and a pin at 2, joined by a hinge at 1 under the load 12: w = 6x² − 2x³, then 8 − 4x.
+const HINGED: &str = "[beam]\nlength = 2\nEI = 1\n[foundation]\nk = 1\n[[gap]]\nat = 0\nvalue = 100\n\
+    [[load]]\npoint = 12\nat = 1\n[[hinge]]\nat = 1\n\
+    [[support]]\nat = 0\ntype = 'fixed'\n[[support]]\nat = 2\ntype = 'pinned'\n";
+
+fn hinged() -> Value {
+    json!({
+        "pieces": [
+            {"x": [0, 1], "half": 0.5, "touches": false, "deflection": [1.25, 2.25, 0.75, -0.25]},
+            {"x": [1, 2], "half": 0.5, "touches": false, "deflection": [2, -2]},
+        ],
+        "reactions": [{"force": 12, "moment": -12}, {"force": 0}],
+        "contact": [],
+    })
+}
+
+fn verify(model: &str, document: &Value) -> Result<Verification, NotProven> {
+    one_document::verified(model, &document.to_string())
+}
+
+fn verified(model: &str, document: &Value) -> Verification {
+    verify(model, document).expect("bounds")
+}
+
+fn is_proven(model: &str, document: &Value) -> bool {
+    verified(model, document).shortfall.is_none()
+}
+
+/// A document with one more key.
+fn with(mut document: Value, key: &str, value: Value) -> Value {
+    document[key] = value;
+    document
+}
+
+/// A region that continues beyond the end of a layer is listed as one region. If no regions are listed, their widths are the
+/// errors.
+#[test]
+fn a_region_across_the_end_of_a_layer_is_one_region() {
+    let found = verified(AT_REST, &at_rest());
+    assert_eq!(found.shortfall, None);
+    let holds = |[low, high]: &[f64; 2]| *low < 1.0 && 1.0 < *high && high - low < 1e-12;
+    assert!(!found.without_pressure.is_empty() && found.without_pressure.iter().all(holds));
+    // Without the end of the layer under the beam the pressure has a bound everywhere.
+    let segment = "[[foundation.segment]]\nfrom = 1\nto = 2\nk = 1\nmu = 0\n";
+    let layer = AT_REST.replace(segment, "right = { ends = 2, as = 'free' }\n");
+    assert!(is_proven(&layer, &at_rest()));
+    assert!(verified(&layer, &at_rest()).without_pressure.is_empty());
+    assert_eq!((found.checked.forces, found.checked.regions), (1, 1));
+    for regions in
+        [json!([{"from": 0, "to": 1}]), json!([{"from": 0, "to": 1}, {"from": 1, "to": 2}])]
+    {
+        assert!(!is_proven(AT_REST, &with(at_rest(), "contact", regions)));
+    }
+    let mut unlisted = at_rest();
+    unlisted.as_object_mut().expect("an object").remove("contact");
+    let found = verified(AT_REST, &unlisted);
+    assert!(found.shortfall.is_none() && found.edges.error < 1e-12, "{:?}", found.edges);
+    let ends = json!({"left": 0, "right": 0});
+    assert_eq!(verified(AT_REST, &with(at_rest(), "end_forces", ends)).checked.forces, 3);
+}
+
+#[test]
+fn only_a_solved_document_is_proven() {
+    assert!(is_proven(AT_REST, &with(at_rest(), "status", json!("solved"))));
+    let why = verify(AT_REST, &with(at_rest(), "status", json!("no-equilibrium")))
+        .expect_err("no bounds");
+    assert!(why.what.contains("`no-equilibrium`"), "{why}");
+}
+
+#[test]
+fn a_listed_position_lies_on_the_beam() {
+    for (x, inside) in [
+        (0.0, true),
+        (-1e-15, true),
+        (2.0, true),
+        (2.000_000_000_000_001, true),
+        (-1e-9, false),
+        (2.000_000_001, false),
+        (-1.0, false),
+        (9.0, false),
+    ] {
+        let document = with(at_rest(), "stations", json!({"x": [x], "deflection": [1]}));
+        assert_eq!(is_proven(AT_REST, &document), inside, "{x}");
+    }
+    let left = json!({"x": [0, 1, 2], "deflection": [1, 1, 1]});
+    assert!(is_proven(AT_REST, &with(at_rest(), "left_of_jumps", left)));
+    for at in [0.0, 0.5, 2.0] {
+        let hinges = json!([{"at": at, "rotation": 0, "moment": 0}]);
+        assert!(!is_proven(HINGED, &with(hinged(), "hinges", hinges)), "{at}");
+    }
+}
+
+#[test]
+fn two_forces_at_one_position_are_refused() {
+    let both = |x: f64| json!([{"x": 0, "force": 0}, {"x": 1, "force": 0}, {"x": x, "force": 0}]);
+    for (x, right) in [(1.0, false), (1.000_000_000_000_001, false), (2.0, true)] {
+        assert_eq!(is_proven(AT_REST, &with(at_rest(), "forces", both(x))), right, "{x}");
+    }
+}
+
+/// V = 0 exactly, so that a listed V must be zero but for rounding error, although its error is small against the loads. The
+/// deflection must be right to 10⁻⁶ of its largest value, 4.
+#[test]
+fn a_listed_number_is_compared_with_its_own_field() {
+    for (field, value, right) in [
+        ("shear_force", 0.0, true),
+        ("shear_force", 2e-12, true),
+        ("shear_force", 1e-9, false),
+        ("shear_force", -1e-9, false),
+        ("deflection", 3.000_003, true),
+        ("deflection", 3.000_005, false),
+    ] {
+        let document = with(simple(), "stations", json!({"x": [1], field: [value]}));
+        assert_eq!(is_proven(SIMPLE, &document), right, "{field} {value}");
+    }
+}
+
+/// w is largest at x = 2. Its place must be right to 10⁻⁶ of the length.
+#[test]
+fn a_place_is_compared_with_the_length() {
+    for (shift, right) in
+        [(0.0, true), (3.6e-6, true), (-3.6e-6, true), (4.4e-6, false), (-4.4e-6, false)]
+    {
+        let extremes = json!({"deflection": {"max": {"x": 2.0 + shift, "value": 4}}});
+        assert_eq!(is_proven(SIMPLE, &with(simple(), "extremes", extremes)), right, "{shift}");
+    }
+}
+
+/// w is smallest at both supports. The largest value, 4, is not at x = 0.5.
+#[test]
+fn an_extreme_is_that_of_the_whole_beam() {
+    let claims = |places: Value| {
+        let document =
+            with(hinged(), "extremes", json!({"deflection": {"min": {"x": 0, "value": 0}}}));
+        let places = json!({"places": {"deflection": {"min": places}}});
+        is_proven(HINGED, &with(document, "proof", places))
+    };
+    assert!(claims(json!([[0, 1e-3], [1.999, 2]])));
+    assert!(!claims(json!([[0, 1e-3]])) && !claims(json!([[1.999, 2]])));
+    let extremes = json!({"deflection": {"max": {"x": 0.5, "value": 1.25}}});
+    let found = verified(HINGED, &with(hinged(), "extremes", extremes));
+    let error = found.error_of("deflection");
+    assert!(found.shortfall.is_some() && (2.75 - 1e-9..3.5).contains(&error), "{error}");
+}
+
+/// The claim w = 4x − x² + ε(x − x³/16) has a moment ⅜εx and a shear force ⅜ε that are wrong. The positions of the exact
+/// extremes are 2 of w, the ends of w′, and the whole beam of M and V, on which they are constant.
+#[test]
+fn the_places_of_a_wrong_claim_contain_the_exact_ones() {
+    for epsilon in [1e-2, -1e-2, 1e-5, -1e-5] {
+        // In t = (x − 2)/2: x − x³/16 = 1.5 + 0.5t − 1.5t² − 0.5t³.
+        let w = [4.0 + 1.5 * epsilon, 0.5 * epsilon, -4.0 - 1.5 * epsilon, -0.5 * epsilon];
+        let ends = json!({"min": {"x": 1, "value": 0}, "max": {"x": 3, "value": 0}});
+        let fields = ["deflection", "slope", "rotation", "moment", "shear_force", "gap"];
+        let extremes: Value =
+            fields.iter().map(|field| ((*field).to_owned(), ends.clone())).collect();
+        let mut document = with(simple(), "extremes", extremes);
+        document["pieces"][0]["deflection"] = json!(w);
+        let found = verified(SIMPLE, &document);
+        assert_eq!(found.extremes.len(), 12);
+        for placed in &found.extremes {
+            let all: &[f64] = match (placed.field.as_str(), placed.is_max) {
+                ("deflection", true) | ("gap", false) => &[2.0],
+                ("slope" | "rotation", true) => &[0.0],
+                ("slope" | "rotation", false) => &[4.0],
+                ("moment" | "shear_force", _) => &[0.0, 0.7, 1.9, 2.0, 3.1, 4.0],
+                _ => &[0.0, 4.0],
+            };
+            for x in all {
+                let held = placed.places.iter().any(|[low, high]| low <= x && x <= high);
+                assert!(held, "{epsilon} {x}: {placed:?}");
+            }
+        }
+    }
+}
+
+/// Pieces must cover the beam from end to end, without a gap and without a piece of length zero.
+#[test]
+fn pieces_cover_the_beam() {
+    let model = read_model::<Wide>(AT_REST, None).expect("a model");
+    let refused = |document: &Value| {
+        let answer = Answer::from_json(&document.to_string()).expect("an answer");
+        prove(&model, &answer).is_err()
+    };
+    assert!(!refused(&at_rest()));
+    let mut apart = at_rest();
+    apart["pieces"][1]["x"] = json!([1.001, 2]);
+    assert!(refused(&apart));
+    let piece = |x: [f64; 2]| json!({"x": x, "half": 0.5, "touches": true, "deflection": [1]});
+    for ends in [[-1.0, 0.0], [2.0, 3.0]] {
+        let mut longer = at_rest();
+        let pieces = longer["pieces"].as_array_mut().expect("pieces");
+        pieces.insert(if ends[0] < 0.0 { 0 } else { 2 }, piece(ends));
+        assert!(refused(&longer), "{ends:?}");
+    }
+    let mut empty = at_rest();
+    empty["pieces"].as_array_mut().expect("pieces").insert(1, piece([1.0, 1.0]));
+    assert!(refused(&empty));
+}
+
+/// A node stands for a position of the model that is a rounding error away. Two positions that are so near are refused.
+#[test]
+fn a_node_stands_for_one_position() {
+    let text = |length: f64, loads: &[f64]| {
+        let load = |at: &f64| format!("[[load]]\npoint = 0\nat = {at}\n");
+        let all: String = loads.iter().map(load).collect();
+        format!(
+            "[beam]\nlength = {length}\nEI = 1\n[foundation]\nk = 1\n[[load]]\ndistributed = 1\n{all}"
+        )
+    };
+    let answer = |nodes: &[f64]| {
+        let piece = |x: &[f64]| json!({"x": x, "half": 0.5 * (x[1] - x[0]), "touches": true, "deflection": [1]});
+        let pieces: Vec<Value> = nodes.windows(2).map(piece).collect();
+        Answer::from_json(&json!({"pieces": pieces}).to_string()).expect("an answer")
+    };
+    for length in [1.0, 1024.0] {
+        let ulp = f64::EPSILON * length;
+        for (load, nodes, right) in [
+            (vec![0.5], vec![0.0, 0.5, 1.0], true),
+            (vec![0.5], vec![0.0, 0.5 + 12.0 * f64::EPSILON, 1.0], true),
+            (vec![0.5], vec![0.0, 0.5 - 12.0 * f64::EPSILON, 1.0], true),
+            (vec![0.5], vec![0.0, 0.5 + 40.0 * f64::EPSILON, 1.0], false),
+            (vec![0.5], vec![0.0, 0.5 - 40.0 * f64::EPSILON, 1.0], false),
+            (
+                vec![0.5, 0.5 + 24.0 * f64::EPSILON],
+                vec![0.0, 0.5, 0.5 + 24.0 * f64::EPSILON, 1.0],
+                false,
+            ),
+            (
+                vec![0.5, 0.5 + 64.0 * f64::EPSILON],
+                vec![0.0, 0.5, 0.5 + 64.0 * f64::EPSILON, 1.0],
+                true,
+            ),
+        ] {
+            let [load, nodes] =
+                [load, nodes].map(|all| all.iter().map(|x| length * x).collect::<Vec<f64>>());
+            let model = read_model::<Wide>(&text(length, &load), None).expect("a model");
+            let found = prove(&model, &answer(&nodes));
+            assert_eq!(found.is_ok(), right, "{length} {load:?} {nodes:?} {ulp}: {found:?}");
+        }
+    }
+}
+
+/// A surface that is held at the end of the beam would have an infinite stiffness there.
+#[test]
+fn ground_held_at_the_end_of_the_beam_is_refused() {
+    let mut model = read_model::<Wide>(AT_REST, None).expect("a model");
+    let answer = Answer::from_json(&at_rest().to_string()).expect("an answer");
+    model.ground.ends[0] =
+        GroundEnd::Held(model.supports.first().map_or(groundbeam_proof::Scalar::of(0.0), |s| s.at));
+    let why = prove(&model, &answer).expect_err("no bounds");
+    assert!(why.what.contains("held at the end"), "{why}");
+}
