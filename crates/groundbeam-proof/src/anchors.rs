@@ -194,7 +194,7 @@ impl<S: Scalar> Pointwise<'_, S> {
     fn pressed(&self, node: usize) -> Option<Size> {
         let surface = &self.fields.surface;
         let force = self.kept(self.balanced.factors[node].size()) * surface.nodes[node].force.low();
-        (surface.touches[node] && force > 0.0)
+        (force > 0.0)
             .then(|| self.s2() * surface.flexibility_at(node) + self.energy.over(force.next_down()))
     }
 
@@ -234,11 +234,10 @@ impl<S: Scalar> Pointwise<'_, S> {
     /// d₁ = s₂√g in a layer, (2E/(kh))^½ on Winkler ground.
     fn pressing(&self, i: usize, [s, sheared]: [Size; 2]) -> Option<[Anchor; 2]> {
         let span = &self.fields.frame.spans[i];
-        let kept = self.kept(self.balanced.factor(i).value());
         let mut best: Option<[Anchor; 2]> = None;
         for part in parts_of(span) {
             let least = self.least_pressure(i, part);
-            if !(least > 0.0 && kept > 0.5) {
+            if !(least > 0.0) {
                 continue;
             }
             // |t| ≤ part is an interval of the length 2·part·half.
@@ -378,9 +377,13 @@ fn distance(a: f64, b: f64) -> Size {
 #[cfg(test)]
 mod tests {
     use super::{along_slope, between, beyond, from_mean, parts_of};
-    use crate::answer::Piece;
+    use crate::answer::{Answer, Piece, Reaction};
+    use crate::fields::Fields;
     use crate::frame::Span;
+    use crate::given::frame;
+    use crate::pointwise::Pointwise;
     use crate::random::numbers;
+    use crate::read::read_model;
     use crate::scalar::Scalar;
     use crate::size::Size;
     use crate::test_functions::tests::integral;
@@ -445,6 +448,51 @@ mod tests {
             let units = Units { length: 0, force: 0 };
             let span = Span::of(&piece, [0.0, 1.6].map(Wide::of), units).expect("a piece");
             assert_eq!(parts_of(&span).collect::<Vec<_>>(), wanted);
+        }
+        // The exact end of a piece is not the stored one: |t| ≤ 0.875 at the right or at the left end.
+        for exact in [[0.0, 1.5], [0.1, 1.6]] {
+            let piece =
+                Piece { x: [0.0, 1.6], half: 0.8, deflection: vec![1.0], ..Piece::default() };
+            let units = Units { length: 0, force: 0 };
+            let span = Span::of(&piece, exact.map(Wide::of), units).expect("a piece");
+            assert_eq!(parts_of(&span).collect::<Vec<_>>(), [0.5, 0.25, 0.0625]);
+        }
+    }
+
+    /// Loads larger by a quarter than the claimed pressure and the claimed forces of supports: λ = ¼, and at least ¾ of p and
+    /// of R remain.
+    #[test]
+    fn redistributed_pressures_and_reactions_keep_their_share() {
+        let springs = "[[support]]\nat = 0\ntype = 'pinned'\nacts = 'up'\n[[support]]\nat = 2\ntype = 'pinned'\nacts = 'up'\n\
+            [[gap]]\nat = 0\nvalue = 100\n";
+        for (rest, load, touches) in [("", 1.25, true), (springs, 1.25, false)] {
+            let text = format!(
+                "[beam]\nlength = 2\nEI = 1\n[foundation]\nk = 1\n{rest}[[load]]\ndistributed = {load}\n"
+            );
+            let model = read_model::<Wide>(&text, None).expect("a model");
+            let w = if touches { vec![1.0] } else { vec![0.0] };
+            let piece =
+                Piece { x: [0.0, 2.0], half: 1.0, touches, deflection: w, ..Piece::default() };
+            let reaction = |support| Reaction { support, force: 1.0, moment: 0.0 };
+            let reactions = if touches { Vec::new() } else { vec![reaction(0), reaction(1)] };
+            let answer = Answer { pieces: vec![piece], reactions, ..Answer::default() };
+            let frame = frame(&model, &answer, None, &[]).expect("a frame");
+            let fields = Fields::of(&frame).expect("fields");
+            let (_, balanced) = fields.energy().expect("a balance");
+            assert!((balanced.factor(0).value() - 0.25).abs() < 1e-12);
+            let energy = Size::of(1e-3);
+            let pointwise = Pointwise { fields: &fields, balanced: &balanced, energy };
+            if touches {
+                let least = frame.units.restored(pointwise.least_pressure(0, 0.9), 1, -1);
+                assert!(least <= 0.75 && least > 0.75 - 1e-12, "{least}");
+            } else {
+                let kept = frame.units.restored(
+                    1e-3 / pointwise.pushed(0).expect("a bound").value(),
+                    1,
+                    0,
+                );
+                assert!(kept <= 0.75 && kept > 0.75 - 1e-12, "{kept}");
+            }
         }
     }
 }

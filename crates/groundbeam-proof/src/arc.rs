@@ -86,3 +86,46 @@ fn exponential<C: Scalar>(x: C) -> C {
     }
     value
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Arc, exponential};
+    use crate::answer::Piece;
+    use crate::ball::Ball;
+    use crate::coefficient::Coefficient;
+    use crate::frame::Span;
+    use crate::scalar::Scalar;
+    use crate::units::Units;
+    use crate::wide::Wide;
+
+    /// u lies between zero and its values at the ends.
+    #[test]
+    fn the_surface_is_bounded_by_its_ends() {
+        for (ends, least, most) in [
+            ([0.5, 2.0], 0.0, 2.0),
+            ([-0.5, 2.0], -0.5, 2.0),
+            ([0.5, -2.0], -2.0, 2.0),
+            ([-0.5, -2.0], -2.0, 2.0),
+            ([-3.0, -2.0], -3.0, 3.0),
+        ] {
+            let piece =
+                Piece { x: [0.0, 2.0], half: 1.0, deflection: vec![0.0], ..Piece::default() };
+            let units = Units { length: 0, force: 0 };
+            let mut span = Span::of(&piece, [0.0, 2.0].map(Wide::of), units).expect("a piece");
+            (span.spring, span.shear) =
+                (Coefficient::Even(Wide::of(3.0)), Coefficient::Even(Wide::of(0.5)));
+            let arc = Arc::of(&span, ends.map(Wide::of));
+            assert!(arc.least() == least && (most..most + 1e-12).contains(&arc.size()), "{ends:?}");
+        }
+    }
+
+    #[test]
+    fn a_small_exponential_keeps_its_digits() {
+        for x in [0.0, -0.5, -1.0, -1.5, -20.0, -60.0] {
+            let found = exponential(Ball::of(x));
+            let ratio = found.middle() / f64::exp(x);
+            assert!((ratio - 1.0).abs() < 1e-12 && found.radius() < 1e-12 * found.middle(), "{x}");
+        }
+        assert_eq!(exponential(Ball::of(f64::NEG_INFINITY)).size(), f64::INFINITY);
+    }
+}

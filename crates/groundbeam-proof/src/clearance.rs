@@ -299,3 +299,90 @@ impl<C: Scalar> OpenPiece<C> {
         deepest
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Stretch, above_springs};
+    use crate::answer::{Answer, Piece};
+    use crate::coefficient::Coefficient;
+    use crate::fields::Fields;
+    use crate::frame::Span;
+    use crate::given::frame;
+    use crate::model::Course;
+    use crate::polynomial::{Budget, Line};
+    use crate::random::numbers;
+    use crate::read::read_model;
+    use crate::scalar::Scalar;
+    use crate::size::Size;
+    use crate::units::Units;
+    use crate::wide::Wide;
+    use serde_json::json;
+
+    /// The height by which a beam penetrates Winkler ground under a load, with constant and with varying k.
+    #[test]
+    fn the_depth_of_a_beam_in_loaded_springs_is_bounded() {
+        let mut random = numbers();
+        let mut deep = 0;
+        for i in 0..300 {
+            let units = Units { length: 0, force: 0 };
+            let w = [0; 4].map(|_| random());
+            let piece =
+                Piece { x: [0.0, 2.0], half: 1.0, deflection: w.to_vec(), ..Piece::default() };
+            let mut span = Span::of(&piece, [0.0, 2.0].map(Wide::of), units).expect("a piece");
+            let k = [0; 2].map(|_| if i % 3 == 0 { 1.5 } else { 1.5 + random() });
+            let line = Line::from_coefficients([0.5, 0.5].map(Wide::of));
+            let course = Course::Varying(k.map(Wide::of).to_vec());
+            span.spring = Coefficient::of(&course, &line, [Wide::zero(), Wide::one()], |x| x);
+            let q = [1.0 + 0.5 * random(), 0.4 * random()];
+            span.ground_load = Some(Line::from_coefficients(q.map(Wide::of)));
+            let closed = 0.1 * random().abs();
+            let above = |t: f64| {
+                let spring = 0.5 * (k[0] + k[1]) + 0.5 * (k[1] - k[0]) * t;
+                w[0] + t * (w[1] + t * (w[2] + t * w[3])) - (q[0] + q[1] * t) / spring + closed
+            };
+            let places = (0..=4000).map(|j| f64::from(j) / 2000.0 - 1.0);
+            let most = places.clone().map(above).fold(0.0, f64::max);
+            let width = places.filter(|t| above(*t) > 0.0).count() as f64 / 2000.0;
+            let found = above_springs(&span, Size::of(closed), Size::ZERO, &mut Budget::new(1));
+            let [low, high] = [k[0].min(k[1]), k[0].max(k[1])];
+            let most_found = 1.3 * high / low * (most + if most > 0.0 { closed } else { 0.0 });
+            let depth = found.depth.value();
+            assert!(
+                most - 1e-9 <= depth && (depth <= most_found + 1e-9 || most < 0.1),
+                "{most} {depth}"
+            );
+            assert!(width - 2e-3 <= found.width.value(), "{width} {found:?}");
+            deep += i32::from(most > 0.0);
+        }
+        assert!((50..290).contains(&deep), "{deep}");
+    }
+
+    /// The claimed slope jumps by 0.5 at x = 1, where an open piece begins. The corrected beam has no jump: its slope there is
+    /// that of the left piece, −0.2, whatever is claimed on the right.
+    #[test]
+    fn the_slope_of_the_clearance_is_that_of_the_corrected_beam() {
+        let text = "[beam]\nlength = 2\nEI = 1\n[foundation]\nk = 1\nmu = 1\n[[gap]]\nat = 1\nvalue = 0\n[[gap]]\nat = 2\nvalue = 0.5\n";
+        let model = read_model::<Wide>(text, None).expect("a model");
+        for jump in [0.0, 0.5, -0.5] {
+            let document = json!({"pieces": [
+                {"x": [0, 1], "half": 0.5, "touches": true, "deflection": [1.1, -0.1]},
+                {"x": [1, 2], "half": 0.5, "touches": false, "deflection": [0.9 + 0.5 * jump, -0.1 + 0.5 * jump]},
+            ]});
+            let answer = Answer::from_json(&document.to_string()).expect("an answer");
+            let frame = frame(&model, &answer, None, &[]).expect("a frame");
+            let Fields { deflection, surface, .. } = Fields::of(&frame).expect("fields");
+            let stretch = Stretch {
+                frame: &frame,
+                deflection: &deflection,
+                surface: &surface,
+                first: 1,
+                end: 2,
+                negligible: Size::ZERO,
+            };
+            // u = exp(1 − x), g₀′ = 0.5.
+            let exact = Wide::of(-1.0 + 0.5 + 0.2);
+            let found = stretch.slope_at(1, 0);
+            assert!((found - exact).size() < 1e-14, "{jump}: {found:?}");
+        }
+    }
+}

@@ -42,3 +42,18 @@ impl<S: Scalar> Compression<S> {
         (convex + closed.over(root)).square()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::Compression;
+    use crate::scalar::Scalar;
+    use crate::size::Size;
+    use crate::wide::Wide;
+
+    #[test]
+    fn the_misfit_is_the_norm_of_the_lost_convexity() {
+        let compression = Compression { force: Wide::of(3.0), margin: 0.75 };
+        let misfit = compression.misfit(Size::of(12.0)).value();
+        assert!((3.0..3.0 + 1e-14).contains(&misfit), "{misfit}");
+    }
+}

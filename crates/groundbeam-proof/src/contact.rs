@@ -22,7 +22,7 @@ impl<S: Scalar> Contact<'_, S> {
         let mut shown = Shown::nothing(frame.nodes.len());
         let mut first = 0;
         while first < spans.len() {
-            let mut end = first + 1;
+            let mut end = first;
             while end < spans.len() && spans[end].layered == spans[first].layered {
                 end += 1;
             }

@@ -167,12 +167,12 @@ impl<S: Scalar> Contact<'_, S> {
         let frame = self.fields.frame;
         let x = frame.nodes[node].x;
         let low = (x.low() - before.value()).next_down();
-        let low = if low > 0.0 { frame.units.restored(low, 0, 1) } else { 0.0 };
+        let low = frame.units.restored(low.max(0.0), 0, 1);
         let low = if low > 1e-280 { low } else { 0.0 };
         // The left end of the beam is exactly zero.
         let high =
             if x == S::zero() { after.value() } else { (x.high() + after.value()).next_up() };
-        [low, frame.units.restored(if high > 0.0 { high } else { 0.0 }, 0, 1)]
+        [low, frame.units.restored(high.max(0.0), 0, 1)]
     }
 }
 

@@ -32,7 +32,8 @@ impl Decimal {
                 read.add(digit, step)?;
             }
         }
-        while read.digits != 0 && read.digits.is_multiple_of(10) {
+        // If digits are omitted, the exponent is that of the last stored digit.
+        while !read.cut && read.digits != 0 && read.digits.is_multiple_of(10) {
             (read.digits, read.exponent) = (read.digits / 10, read.exponent.checked_add(1)?);
         }
         Some(read)

@@ -246,6 +246,14 @@ fn decimals_are_read_exactly() {
     }
     let third = Wide::decimal("0.333333333333333333333333333333333333333333333").expect("a number");
     assert!((third * Wide::of(3.0) - Wide::of(1.0)).size() < 1e-30);
+    // Digits after the 37th are omitted: only nonzero ones make the radius larger.
+    let zeros = "0".repeat(40);
+    let exact = Wide::decimal(&format!("1.{zeros}")).expect("a number");
+    assert_eq!((exact.midpoint(), exact.radius()), ([1.0, 0.0], 0.0));
+    for last in ["9", "90", "09"] {
+        let more = Wide::decimal(&format!("1.{zeros}{last}")).expect("a number");
+        assert!(more.high() > 1.0 && more.radius() < 1e-30, "{last}");
+    }
     for wrong in ["", ".", "-", "1e", "NaN", "inf", "1.2.3", "1e999", "0x1", "1_000", "1e300"] {
         assert!(Wide::decimal(wrong).is_none(), "{wrong}");
     }
