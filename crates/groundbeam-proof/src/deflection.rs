@@ -254,7 +254,14 @@ fn bent<S: Scalar>(h: S, value: [S; 2], slope: [S; 2]) -> [Size; 3] {
 
 #[cfg(test)]
 mod tests {
-    use super::bent;
+    use super::{admissible, bent};
+    use crate::answer::{Answer, Piece};
+    use crate::given::frame;
+    use crate::random::numbers;
+    use crate::read::read_model;
+    use crate::scalar::Scalar;
+    use crate::size::Size;
+    use crate::wide::Wide;
 
     /// The cubic on 0 ≤ x ≤ 1 of the length h, its slope and its curvature.
     fn cubic([a, b, s, t]: [f64; 4], h: f64, x: f64) -> [f64; 3] {
@@ -283,6 +290,73 @@ mod tests {
                         assert!(value.abs() <= bound, "{ends:?} {h}: {value} {bound}");
                     }
                 }
+            }
+        }
+    }
+
+    /// The admissible deflection of claims with jumps of w and w′ at every node. It is continuous, its slope is continuous but
+    /// for hinges, it satisfies supports and clamps, and a rigid correction is linear.
+    #[test]
+    fn an_admissible_deflection_has_no_jumps_and_satisfies_the_supports() {
+        let mut random = numbers();
+        for case in 0..300 {
+            let pinned =
+                |at: usize| format!("[[support]]\nat = {at}\ntype = 'pinned'\nsettlement = 0.25\n");
+            let clamp = |at: usize| format!("[[support]]\nat = {at}\ntype = 'fixed'\n");
+            let hinge = |at: usize| format!("[[hinge]]\nat = {at}\n");
+            let all = [
+                String::new(),
+                pinned(2),
+                clamp(0),
+                pinned(1) + &pinned(4),
+                clamp(3) + &hinge(1),
+                clamp(5) + &pinned(2),
+            ];
+            // The stiff beam is shorter than a wave length, so that its corrections are rigid.
+            let bending = if case % 2 == 0 { 1000.0 } else { 1e-3 };
+            let text = format!(
+                "[beam]\nlength = 5\nEI = {bending}\n[foundation]\nk = 1\n{}",
+                all[case / 2 % all.len()]
+            );
+            let model = read_model::<Wide>(&text, None).expect("a model");
+            let piece = |i: u32| Piece {
+                x: [f64::from(i), f64::from(i + 1)],
+                half: 0.5,
+                deflection: (0..4).map(|_| 0.1 * random()).collect(),
+                ..Piece::default()
+            };
+            let answer = Answer { pieces: (0..5).map(piece).collect(), ..Answer::default() };
+            let frame = frame(&model, &answer, None, &[]).expect("a frame");
+            let found = admissible(&frame).expect("a deflection");
+            let near = |a: Wide, b: Wide| assert!((a - b).size() < 1e-12, "{text}: {a:?} {b:?}");
+            let slope = |i: usize, side: usize| {
+                found.claimed[i].rotation[side] + found.pieces[i].slope[side]
+            };
+            for (i, (claimed, c)) in found.claimed.iter().zip(&found.pieces).enumerate() {
+                let ends = [0, 1].map(|side| found.values[i + side] - claimed.value[side]);
+                near(ends[1] - ends[0], c.rise);
+                if bending > 1.0 && c.bounds[2] == Size::ZERO {
+                    near(c.rise, c.slope[0] * frame.spans[i].h);
+                    near(c.slope[0], c.slope[1]);
+                }
+                for side in [0, 1] {
+                    assert!(ends[side].size() <= c.bounds[0].value() + 1e-12);
+                    assert!(c.slope[side].size() <= c.bounds[1].value() + 1e-12);
+                }
+                if i > 0 && !frame.nodes[i].is_hinged() {
+                    near(slope(i - 1, 1), slope(i, 0));
+                }
+            }
+            for (i, node) in frame.nodes.iter().enumerate() {
+                if let Some(settled) = node.rigid {
+                    near(found.values[i], settled);
+                }
+                if node.clamped {
+                    near(if i < 5 { slope(i, 0) } else { slope(4, 1) }, Wide::of(0.0));
+                }
+                // At a hinge each neighbour has its claimed slope, unless a chain of rigid corrections arrives there.
+                let [piece, side] = found.felt[i];
+                assert!(piece + side == i && piece < 5);
             }
         }
     }

@@ -377,7 +377,8 @@ mod tests {
             [[gap]]\nat = 0\nvalue = 0.1\n[[gap]]\nat = 2\nvalue = 0.3\n\
             [[load]]\ndistributed = [3, 1]\n[[load]]\ndistributed_moment = [0.5, 2]\n\
             [[load]]\ncurvature = 0.25\nfrom = 0\nto = 1\n[[load]]\npoint = 5\nat = 1\n[[load]]\nmoment = 2\nat = 2\n\
-            [[ground_load]]\ndistributed = [0.5, 1.5]\nfrom = 0\nto = 2\n[[ground_load]]\npoint = 0.75\nat = 1\n\
+            [[ground_load]]\ndistributed = [0.2, 0.6]\nfrom = 0\nto = 2\n[[ground_load]]\npoint = 0.75\nat = 1\n\
+            [[ground_load]]\ndistributed = [0.3, 0.9]\nfrom = 0\nto = 2\n\
             [[ground_load]]\npoint = 3\nat = -1\n[[hinge]]\nat = 1\nrotational_spring = 2\n\
             [[support]]\nat = 0\nspring = 4\nrotational_spring = 3\nsettlement = 0.05\n\
             [[support]]\nat = 2\nspring = 6\nacts = 'up'\nsettlement = 0.2\n";

@@ -221,7 +221,6 @@ fn stiffness<S: Scalar>(
 fn steps<S: Scalar>(model: &Model<S>, courses: &[[Option<&Course<S>>; 2]], frame: &mut Frame<S>) {
     let (shear, stiffness) = (model.ground.shear, model.beam.shear_stiffness);
     let same = |a: Option<&Course<S>>, b: Option<&Course<S>>, base: Option<S>| match (a, b) {
-        (None, None) => true,
         (Some(a), Some(b)) if std::ptr::eq(a, b) => true,
         _ => a.map_or(base, |a| a.end(1)) == b.map_or(base, |b| b.end(0)),
     };
@@ -366,4 +365,110 @@ fn gap<S: Scalar>(
         frame.nodes[*node].corner = slope(node - 1) != slope(*node);
     }
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::frame;
+    use crate::answer::{Answer, Piece};
+    use crate::model::{Action, Extent, Load};
+    use crate::read::read_model;
+    use crate::scalar::Scalar;
+    use crate::wide::Wide;
+
+    fn answer(count: u32) -> Answer {
+        let piece = |i: u32| Piece {
+            x: [f64::from(i), f64::from(i + 1)],
+            half: 0.5,
+            deflection: vec![0.0],
+            rotation: vec![0.0],
+            ..Piece::default()
+        };
+        Answer { pieces: (0..count).map(piece).collect(), ..Answer::default() }
+    }
+
+    /// μ and S jump at the ends of segments, not inside a segment in which they vary.
+    #[test]
+    fn a_node_is_a_step_where_a_coefficient_jumps() {
+        for (segments, steps) in [
+            ("", [false; 3]),
+            (
+                "[[foundation.segment]]\nfrom = 0\nto = 2\nk = 1\nmu = [1, 2]\n",
+                [false, true, false],
+            ),
+            (
+                "[[foundation.segment]]\nfrom = 0\nto = 2\nk = 1\nmu = [2, 1]\n",
+                [false, false, false],
+            ),
+            ("[[foundation.segment]]\nfrom = 1\nto = 2\nk = 1\nmu = 3\n", [true, true, false]),
+            (
+                "[[foundation.segment]]\nfrom = 0\nto = 1\nk = 1\nmu = 3\n[[foundation.segment]]\nfrom = 1\nto = 2\nk = 1\nmu = 2\n",
+                [true, true, false],
+            ),
+            ("[[foundation.segment]]\nfrom = 1\nto = 4\nk = 2\nmu = 1\n", [false; 3]),
+            ("[[beam.segment]]\nfrom = 1\nto = 3\nshear_stiffness = 9\n", [true, false, true]),
+            ("[[beam.segment]]\nfrom = 1\nto = 3\nshear_stiffness = 5\nEI = 7\n", [false; 3]),
+        ] {
+            let text = format!(
+                "[beam]\nlength = 4\nEI = 1\nshear_stiffness = 5\n[foundation]\nk = 1\nmu = 1\n{segments}"
+            );
+            let model = read_model::<Wide>(&text, None).expect("a model");
+            let found = frame(&model, &answer(4), None, &[]).expect("a frame");
+            assert_eq!([1, 2, 3].map(|i: usize| found.nodes[i].stepped), steps, "{segments}");
+        }
+    }
+
+    /// A load on the ground acts downward, and a load on the beam lies on it.
+    #[test]
+    fn loads_that_the_theorem_does_not_cover_are_refused() {
+        let text = "[beam]\nlength = 2\nEI = 1\nshear_stiffness = 5\n[foundation]\nk = 1\nmu = 1\n";
+        let model = read_model::<Wide>(text, None).expect("a model");
+        let point = |at: f64, size: f64| Extent::Point { at: Wide::of(at), size: Wide::of(size) };
+        let spread = |start: f64, end: f64| Extent::Distributed {
+            from: Wide::of(0.0),
+            to: Wide::of(1.0),
+            start: Wide::of(start),
+            end: Wide::of(end),
+        };
+        for (on_ground, extent, right) in [
+            (true, point(1.0, 1.0), true),
+            (true, point(1.0, 0.0), true),
+            (true, point(1.0, -1e-9), false),
+            (true, point(-1.0, 1.0), true),
+            (true, point(-1.0, -1.0), false),
+            (true, spread(1.0, 0.0), true),
+            (true, spread(1.0, -1.0), false),
+            (true, spread(-1.0, 1.0), false),
+            (false, spread(-1.0, 1.0), true),
+            (false, point(1.0, -1.0), true),
+            (false, point(-1.0, 1.0), false),
+            (false, point(3.0, 1.0), false),
+        ] {
+            let mut model = model.clone();
+            model.loads.push(Load { action: Action::Force, extent, on_ground });
+            assert_eq!(
+                frame(&model, &answer(2), None, &[]).is_ok(),
+                right,
+                "{on_ground} {extent:?}"
+            );
+        }
+    }
+
+    #[test]
+    fn a_field_has_at_most_26_coefficients() {
+        let text = "[beam]\nlength = 2\nEI = 1\nshear_stiffness = 5\n[foundation]\nk = 1\n";
+        let model = read_model::<Wide>(text, None).expect("a model");
+        for (count, right) in [(25, true), (26, true), (27, false), (28, false)] {
+            let changes: [fn(&mut Piece) -> &mut Vec<f64>; 3] = [
+                |piece| &mut piece.deflection,
+                |piece| &mut piece.rotation,
+                |piece| &mut piece.pressure,
+            ];
+            for change in changes {
+                let mut answer = answer(2);
+                *change(&mut answer.pieces[1]) = vec![0.0; count];
+                assert_eq!(frame(&model, &answer, None, &[]).is_ok(), right, "{count}");
+            }
+        }
+    }
 }
