@@ -446,7 +446,7 @@ mod tests {
     fn a_fall_of_the_clearance_is_shown() {
         let mut random = numbers();
         let mut shown = 0;
-        for i in 0..800 {
+        for i in 0..400 {
             let (open, limit, side) = (Open::random(&mut random), 0.5 * random().abs(), i % 2);
             let sign = if side == 0 { 1.0 } else { -1.0 };
             let interval = [-sign * random().abs(), -sign];
@@ -457,7 +457,7 @@ mod tests {
             assert!(right, "{least} {limit}");
             shown += i32::from(falling);
         }
-        assert!((50..750).contains(&shown), "{shown}");
+        assert!((25..375).contains(&shown), "{shown}");
     }
 
     /// The curvature of the clearance of a random piece is at least its bound, which is sharp on short intervals.

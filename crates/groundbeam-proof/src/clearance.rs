@@ -385,4 +385,32 @@ mod tests {
             assert!((found - exact).size() < 1e-14, "{jump}: {found:?}");
         }
     }
+
+    /// An open piece between two regions, with jumps of the claim at both ends: the flux of the surface is that of u between the
+    /// corrected heights, (μb/sinh z)(u_R cosh z − u_L) at the right end. The layer begins at x = 1 beside Winkler ground, and the
+    /// jump of the flux at its free end, under the beam, is that of a level surface, zero.
+    #[test]
+    fn the_surface_joins_the_corrected_beam() {
+        let text = "[beam]\nlength = 4\nEI = 1e6\n[foundation]\nk = 1\nmu = 1\n[[foundation.segment]]\nfrom = 0\nto = 1\nk = 1\nmu = 0\n";
+        let model = read_model::<Wide>(text, None).expect("a model");
+        for jump in [0.0, 0.25, -0.25] {
+            let piece = |i: u32, touches: bool, w: f64| json!({"x": [i, i + 1], "half": 0.5, "touches": touches, "deflection": [w]});
+            let mut document = json!({"pieces": [piece(0, true, 1.0), piece(1, true, 1.0), piece(2, false, 1.0 + jump), piece(3, true, 1.0 - jump)]});
+            // The claimed slope of the open piece is kept by its neighbours on the right.
+            document["pieces"][2]["deflection"] = json!([1.0 + jump, 0.125 * jump]);
+            let answer = Answer::from_json(&document.to_string()).expect("an answer");
+            let frame = frame(&model, &answer, None, &[]).expect("a frame");
+            let Fields { deflection, surface, .. } = Fields::of(&frame).expect("fields");
+            let [left, right] = [2, 3].map(|node: usize| deflection.values[node].middle());
+            let z = frame.spans[2].h.middle()
+                * (frame.spans[2].spring.middle() / frame.spans[2].shear.middle()).sqrt();
+            let factor =
+                (frame.spans[2].spring.middle() * frame.spans[2].shear.middle()).sqrt() / z.sinh();
+            let exact = [factor * (right - left * z.cosh()), factor * (right * z.cosh() - left)];
+            for (flux, exact) in surface.pieces[2].flux.iter().zip(exact) {
+                assert!((flux.middle() - exact).abs() < 1e-12 * factor, "{jump}: {flux:?} {exact}");
+            }
+            assert!(surface.nodes[1].jump.size() < 1e-12 * factor, "{:?}", surface.nodes[1]);
+        }
+    }
 }

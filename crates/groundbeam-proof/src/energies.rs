@@ -550,17 +550,18 @@ mod tests {
         agree(&model(text, [[2.0; 2], [0.0; 2]]), &document, [strain, 0.0, 0.0, work]);
     }
 
-    /// A layer that the beam does not touch, under a load along the beam, a force at x = 1 and a force on the ground beside it:
-    /// u′ and u at the right end follow from u at the left end, where μu′ = Ku − T.
+    /// A layer that the beam does not touch, under a load along the beam, forces at x = 1 and at the right end, and forces on the
+    /// ground beside it: u′ and u at the right end follow from u at the left end, where μu′ = Ku − T.
     #[test]
     fn the_energies_of_a_loaded_layer_without_contact_are_integrals() {
-        let text = "[beam]\nlength = 2\nEI = 3\n[foundation]\nk = 2\nmu = 0.5\nright = { ends = 2, as = 'free' }\n\
+        let text = "[beam]\nlength = 2\nEI = 3\n[foundation]\nk = 2\nmu = 0.5\n\
             [[gap]]\nat = 0\nvalue = 100\n[[ground_load]]\ndistributed = [0.5, 1.5]\nfrom = 0\nto = 2\n\
-            [[ground_load]]\npoint = 0.75\nat = 1\n[[ground_load]]\npoint = 3\nat = -1\n";
+            [[ground_load]]\npoint = 0.75\nat = 1\n[[ground_load]]\npoint = 3\nat = -1\n\
+            [[ground_load]]\npoint = 0.25\nat = 2\n[[ground_load]]\npoint = 2\nat = 2.5\n";
         let piece = |from: f64| json!({"x": [from, from + 1.0], "half": 0.5, "touches": false, "deflection": [0]});
         let document = json!({"pieces": [piece(0.0), piece(1.0)]});
         let (k, mu, b, outside) = (2.0, 0.5, 2.0_f64, 1.0);
-        let pushed = 3.0 * (-b).exp();
+        let pushed = [3.0 * (-b).exp(), 2.0 * (-0.5 * b).exp() + 0.25];
         let (load, rise) = (|x: f64| 0.5 + 0.5 * x, 0.5 / k);
         let onward = |from: f64, [u, slope]: [f64; 2], x: f64| {
             let (v, turn, z) = (u - load(from) / k, slope - rise, b * (x - from));
@@ -570,20 +571,50 @@ mod tests {
             ]
         };
         let at = |left: f64, x: f64| {
-            let first = [left, (outside * left - pushed) / mu];
+            let first = [left, (outside * left - pushed[0]) / mu];
             if x <= 1.0 {
                 return onward(0.0, first, x);
             }
             let [u, slope] = onward(0.0, first, 1.0);
             onward(1.0, [u, slope - 0.75 / mu], x)
         };
-        let end = |left: f64| at(left, 2.0)[1];
+        let end = |left: f64| mu * at(left, 2.0)[1] + outside * at(left, 2.0)[0] - pushed[1];
         let left = -end(0.0) / (end(1.0) - end(0.0));
+        let right = at(left, 2.0)[0];
         let both = |of: &dyn Fn(f64) -> f64| along([0.0, 1.0], of) + along([1.0 + 1e-15, 2.0], of);
         let strain = both(&|x| k * at(left, x)[0].powi(2) + mu * at(left, x)[1].powi(2));
-        let work = both(&|x| load(x) * at(left, x)[0]) + 0.75 * at(left, 1.0)[0] + pushed * left;
-        let strain = strain + outside * left * left;
+        let work = both(&|x| load(x) * at(left, x)[0]) + 0.75 * at(left, 1.0)[0];
+        let work = work + pushed[0] * left + pushed[1] * right;
+        let strain = strain + outside * (left * left + right * right);
         agree(&model(text, [[0.0; 2]; 2]), &document, [strain, 0.0, 0.0, work]);
+    }
+
+    /// Two pieces with given settlements at their ends: constant ground, where the surface is u = q/k + v, and varying ground,
+    /// where it is the stored one and counts with the work of its flux, [μu′u] + ∫qu.
+    #[test]
+    fn the_energies_of_a_stored_surface_are_integrals() {
+        let text = "[beam]\nlength = 2\nEI = 3\n[foundation]\nk = 2\nmu = 0.5\nleft = { ends = 0, as = 'free' }\n\
+            right = { ends = 2, as = 'free' }\n[[foundation.segment]]\nfrom = 1\nto = 2\nk = 2\nmu = 0.5\n\
+            [[gap]]\nat = 0\nvalue = 100\n[[ground_load]]\ndistributed = [0.5, 0.9]\nfrom = 0\nto = 2\n";
+        let document = json!({"pieces": [
+            {"x": [0, 1], "half": 0.5, "touches": false, "deflection": [0], "open": [0.3, 0.4]},
+            {"x": [1, 2], "half": 0.5, "touches": false, "deflection": [0], "open": [0.4, 0.5], "settlement": [0.45, 0.05]},
+        ]});
+        let (k, mu, b) = (2.0, 0.5, 2.0_f64);
+        let load = |x: f64| 0.5 + 0.2 * x;
+        let [left, right] = [0.3 - load(0.0) / k, 0.4 - load(1.0) / k];
+        let u = |x: f64| {
+            load(x) / k + (left * (b * (1.0 - x)).sinh() + right * (b * x).sinh()) / b.sinh()
+        };
+        let slope = |x: f64| {
+            0.2 / k + b * (right * (b * x).cosh() - left * (b * (1.0 - x)).cosh()) / b.sinh()
+        };
+        let stored = |x: f64| 0.4 + 0.1 * (x - 1.0);
+        let even = along([0.0, 1.0], |x| k * u(x).powi(2) + mu * slope(x).powi(2));
+        let [first, second] =
+            [along([0.0, 1.0], |x| load(x) * u(x)), along([1.0, 2.0], |x| load(x) * stored(x))];
+        let strain = even + (1.0 * 0.1 * 0.5 - 0.5 * 0.1 * 0.4) + second;
+        agree(&model(text, [[2.0; 2], [0.5, 1.0]]), &document, [strain, 0.0, 0.0, first + second]);
     }
 
     /// A free layer with constant k and μ is softest at its ends: 1/g = √(kμ) tanh(bL). This bound of g holds on

@@ -48,7 +48,7 @@ impl PlacedExtreme {
 
     /// A bound of the distance of the listed position from the nearest exact position.
     pub fn error(&self) -> f64 {
-        let [low, high] = self.nearest().unwrap_or([-f64::INFINITY, f64::INFINITY]);
+        let Some([low, high]) = self.nearest() else { return f64::INFINITY };
         let [below, above] = [self.listed - low, high - self.listed].map(|d| d.abs().next_up());
         if self.listed == low && self.listed == high {
             0.0

@@ -394,7 +394,7 @@ fn listed_numbers_at_an_edge_are_compared() {
 /// The same beam in other units, 2ᵐ of length and 2ⁿ of force: every error has the same digits.
 #[test]
 fn documents_in_other_units_have_the_same_errors() {
-    let errors = |[length, force]: [i32; 2]| {
+    let errors = |[length, force]: [i32; 2], stations: bool| {
         let by = |x: f64, f: i32, l: i32| x * 2.0_f64.powi(f * force + l * length);
         let text = format!(
             "[beam]\nlength = {}\nEI = {}\n[foundation]\nk = {}\nmu = {}\nleft = {{ ends = 0, as = 'free' }}\n\
@@ -445,11 +445,15 @@ fn documents_in_other_units_have_the_same_errors() {
             }
         }
         let place = by(1.0, 0, 1);
+        // Without stations the error of the pressure is that of the pressures stored with the pieces.
+        let place = if stations { place } else { by(0.75, 0, 1) };
         document["stations"] = json!({
             "x": [by(0.25, 0, 1), place],
             "moment": [by(1e-9, 1, 1), by(2e-9, 1, 1)],
-            "pressure": [by(1.7, 1, -1), by(-0.25, 1, -1)],
         });
+        if stations {
+            document["stations"]["pressure"] = json!([by(1.7, 1, -1), by(-0.25, 1, -1)]);
+        }
         document["extremes"] = json!({
             "deflection": {"max": {"x": by(0.5, 0, 1), "value": by(1.5, 0, 1)}, "min": {"x": by(1.5, 0, 1), "value": by(0.25, 0, 1)}},
             "moment": {"max": {"x": by(0.5, 0, 1), "value": by(1e-8, 1, 1)}},
@@ -480,9 +484,43 @@ fn documents_in_other_units_have_the_same_errors() {
         all.extend(found.without_pressure.iter().flatten().map(|x| back(*x, (0, 1))));
         all
     };
-    let one = errors([0, 0]);
-    assert!(one.len() > 30 && one.iter().filter(|x| x.is_finite()).count() > 30, "{one:?}");
-    for units in [[10, 0], [0, 40], [-9, 31]] {
-        assert_eq!(errors(units), one, "{units:?}");
+    for stations in [true, false] {
+        let one = errors([0, 0], stations);
+        assert!(one.iter().filter(|x| x.is_finite()).count() > 30, "{one:?}");
+        for units in [[10, 0], [0, 40], [-9, 31]] {
+            assert_eq!(errors(units, stations), one, "{units:?}");
+        }
+    }
+}
+
+/// The mirrored beam, w = x, lies on the ground from 1 on. The left end of its region is the edge. Its force is listed at a
+/// position that is a rounding error off the end.
+#[test]
+fn a_region_at_the_right_end_is_compared_at_its_edge() {
+    let text = "[beam]\nlength = 2\nEI = 0.5\n[foundation]\nk = 1\nmu = 1\nright = { ends = 2, as = 'free' }\n\
+        [[load]]\ndistributed = [1, 2]\nfrom = 1\nto = 2\n[[load]]\npoint = 1\nat = 2\n";
+    let model = read_model::<Wide>(text, None).expect("a model");
+    for key in ["stations", "left_of_jumps"] {
+        for (listed, off) in [(0.0, 0.0), (0.5, 0.0), (1.0, 0.0), (-0.5, 0.5), (1.5, 0.5)] {
+            let mut document = json!({
+                "pieces": [
+                    {"x": [0, 1], "half": 0.5, "touches": false, "deflection": [0.5, 0.5], "open": [f64::exp(-1.0), 1]},
+                    {"x": [1, 2], "half": 0.5, "touches": true, "deflection": [1.5, 0.5]},
+                ],
+                "forces": [{"x": 2.000_000_000_000_004, "force": 1}],
+                "contact": [{"from": 1, "to": 2}],
+            });
+            document[key] = json!({"x": [1], "pressure": [listed]});
+            let document = one_document::document(&document.to_string());
+            let found = verify(&model, &document).expect("bounds");
+            assert!((found.error_of("pressure") - off).abs() < 1e-12, "{key} {listed}");
+            assert!(found.forces.error < 1e-9, "{key} {listed}");
+            assert_eq!(
+                found.shortfall.is_some(),
+                off > 0.0,
+                "{key} {listed}: {:?}",
+                found.shortfall
+            );
+        }
     }
 }

@@ -91,3 +91,12 @@ fn a_wrong_force_at_a_point_is_not_proven() {
     }
     assert!(shown >= 3, "{shown}");
 }
+
+/// The force is multiplied by 1 + λ, so that it balances the load of a pinned beam: |λ| must be less than ½.
+#[test]
+fn a_point_must_keep_half_of_its_claimed_force() {
+    for (force, kept) in [(0.9, false), (1.1, true), (2.9, true), (3.1, false)] {
+        let found = verified(&model("pinned", force), &document("pinned", 2.0));
+        assert_eq!(found.is_ok(), kept, "{force}");
+    }
+}
