@@ -122,7 +122,7 @@ impl<'a, S: Scalar> Fields<'a, S> {
             force.square().over(stiffness.low())
         };
         for (i, node) in self.frame.nodes.iter().enumerate() {
-            let [w, slope] = self.deflection.at_support(i);
+            let [w, _] = self.deflection.at_support(i);
             if let Some([spring, _]) = node.spring {
                 let factor = Size::of(balanced.factors[i].size());
                 sum += match node.acts {
@@ -139,8 +139,7 @@ impl<'a, S: Scalar> Fields<'a, S> {
             }
             if let Some(turning) = node.turning {
                 let [piece, side] = self.deflection.felt[i];
-                let turned = self.deflection.claimed[piece].rotation[side] - slope
-                    + self.deflection.pieces[piece].slope[side];
+                let turned = self.deflection.pieces[piece].slope[side];
                 // A couple belongs to the cell on its right; at the right end of the beam, to the cell on its left.
                 let cell = if i < self.frame.spans.len() { i } else { i - 1 };
                 let added = balanced.pieces[cell].steepness * Size::of(node.weights.turning);
@@ -177,4 +176,41 @@ fn closing<S: Scalar>(frame: &Frame<S>, deflection: &Deflection<S>) -> [Size; 2]
         both[1] += span.length() * c.bounds[1].square();
     }
     both
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Fields;
+    use crate::answer::{Answer, Piece};
+    use crate::given::frame;
+    use crate::read::read_model;
+    use crate::scalar::Scalar;
+    use crate::wide::Wide;
+
+    /// The norms of the correction of a claim with jumps, on long and stiff pieces that bend.
+    #[test]
+    fn the_norms_of_the_correction_are_sums_over_the_pieces() {
+        let text = "[beam]\nlength = 12\nEI = 50\n[foundation]\nk = 10\n";
+        let model = read_model::<Wide>(text, None).expect("a model");
+        let ends = [0.0, 3.0, 7.0, 12.0];
+        let piece = |i: usize| Piece {
+            x: [ends[i], ends[i + 1]],
+            half: 0.5 * (ends[i + 1] - ends[i]),
+            deflection: vec![[0.0, 0.25, 0.0][i], [0.0, 0.5, -0.5][i]],
+            ..Piece::default()
+        };
+        let answer = Answer { pieces: (0..3).map(piece).collect(), ..Answer::default() };
+        let frame = frame(&model, &answer, None, &[]).expect("a frame");
+        let fields = Fields::of(&frame).expect("fields");
+        let mut exact = [0.0; 2];
+        for (span, c) in frame.spans.iter().zip(&fields.deflection.pieces) {
+            let [_, slope, bent] = c.bounds.map(|bound| bound.value());
+            exact[0] += span.h.middle() * span.bending.middle() * bent * bent;
+            exact[1] += span.h.middle() * slope * slope;
+        }
+        assert!(exact[0] > 0.0);
+        for (found, exact) in fields.closing.iter().zip(exact) {
+            assert!((found.value() / exact - 1.0).abs() < 1e-12, "{found:?} {exact}");
+        }
+    }
 }

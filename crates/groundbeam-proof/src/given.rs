@@ -430,6 +430,12 @@ mod tests {
             start: Wide::of(start),
             end: Wide::of(end),
         };
+        let beside = Extent::Distributed {
+            from: Wide::of(-1.0),
+            to: Wide::of(1.0),
+            start: Wide::of(1.0),
+            end: Wide::of(1.0),
+        };
         for (on_ground, extent, right) in [
             (true, point(1.0, 1.0), true),
             (true, point(1.0, 0.0), true),
@@ -440,6 +446,8 @@ mod tests {
             (true, spread(1.0, -1.0), false),
             (true, spread(-1.0, 1.0), false),
             (false, spread(-1.0, 1.0), true),
+            (false, beside, false),
+            (true, beside, true),
             (false, point(1.0, -1.0), true),
             (false, point(-1.0, 1.0), false),
             (false, point(3.0, 1.0), false),
@@ -452,6 +460,16 @@ mod tests {
                 "{on_ground} {extent:?}"
             );
         }
+    }
+
+    #[test]
+    fn the_corners_of_the_clearance_are_in_order() {
+        let text = "[beam]\nlength = 2\nEI = 1\nshear_stiffness = 5\n[foundation]\nk = 1\n\
+            [[gap]]\nat = 0\nvalue = 1\n[[gap]]\nat = 1\nvalue = 2\n[[gap]]\nat = 2\nvalue = 0\n";
+        let mut model = read_model::<Wide>(text, None).expect("a model");
+        assert!(frame(&model, &answer(2), None, &[]).is_ok());
+        model.gap.swap(1, 2);
+        assert!(frame(&model, &answer(2), None, &[]).is_err());
     }
 
     #[test]

@@ -157,7 +157,8 @@ impl<S: Scalar> Pointwise<'_, S> {
         };
         let axial = self.fields.frame.axial_force().unwrap_or_else(S::zero);
         let residual = &self.fields.residual.pieces[i];
-        let load = Size::of(residual.constant.size()) + residual.rest + residual.misfit[1];
+        let load = [Size::of(residual.constant.size()), residual.rest, residual.misfit[1]];
+        let load = load.into_iter().sum();
         sheared_pressure([stiffness, axial, shear], [settled, bent, load], span.touches)
     }
 

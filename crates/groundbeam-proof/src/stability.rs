@@ -405,11 +405,11 @@ mod tests {
         }
     }
 
-    /// A cantilever of the length 4: P = π²EI/(2l)².
+    /// A cantilever: P = π²EI/(2l)².
     #[test]
     fn the_critical_load_of_a_cantilever_decreases_with_the_square_of_its_length() {
         let mut model = beam(&[(0.0, SupportKind::Fixed)], None, None);
-        for length in [0.25, 4.0] {
+        for length in [0.3, 3.0] {
             model.beam.length = length;
             let critical = (0.5 * PI / length).powi(2);
             assert_eq!(margin(&model, 1.0001 * critical), None, "{length}");

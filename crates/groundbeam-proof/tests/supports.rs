@@ -386,36 +386,39 @@ fn the_bound_of_a_spring_covers_the_error_of_the_deflection() {
     }
 }
 
-/// Claims with jumps: the right answer, moved and turned rigidly on the last piece or on the last half of the only piece, so
-/// that it breaks there. The bounds cover the errors of deflection and slope, which are those of the rigid motion.
+/// Claims with jumps: the right answer, moved and turned rigidly on the first or on the last half of its first or last piece,
+/// so that it breaks there. The bounds cover the errors of deflection and slope, which are those of the rigid motion.
 #[test]
 fn the_bounds_of_a_broken_claim_cover_its_errors() {
-    for case in &CASES {
-        let (from, to) = (case.nodes[case.nodes.len() - 2], case.nodes[case.nodes.len() - 1]);
+    for (case, last) in CASES.iter().flat_map(|case| [(case, false), (case, true)]) {
+        let piece = if last { case.exact.len() - 1 } else { 0 };
+        let (from, to) = (case.nodes[piece], case.nodes[piece + 1]);
         let middle = 0.5 * (from + to);
         for [moved, turned] in [[1e-3, 0.0], [0.0, 1e-3], [1e-3, -2e-3], [-1e-6, 1e-6]] {
             let mut document = case.document(0.0);
             let pieces = document["pieces"].as_array_mut().expect("pieces");
-            let mut last = pieces.pop().expect("a piece");
-            let exact = case.exact[case.exact.len() - 1];
+            let mut half = pieces.remove(piece);
+            let exact = case.exact[piece];
             let mut broken = exact;
             broken[0] += moved - turned * middle;
             broken[1] += turned;
-            for (ends, w) in [([from, middle], exact), ([middle, to], broken)] {
-                last["x"] = json!(ends);
-                last["half"] = json!(0.5 * (ends[1] - ends[0]));
-                last["deflection"] = json!(in_t(&w, ends));
+            let halves = if last { [exact, broken] } else { [broken, exact] };
+            for (i, (ends, w)) in [[from, middle], [middle, to]].into_iter().zip(halves).enumerate()
+            {
+                half["x"] = json!(ends);
+                half["half"] = json!(0.5 * (ends[1] - ends[0]));
+                half["deflection"] = json!(in_t(&w, ends));
                 if case.model.contains("shear_stiffness") {
-                    last["rotation"] =
+                    half["rotation"] =
                         json!(in_t(&[w[1], 2.0 * w[2], 3.0 * w[3], 4.0 * w[4], 0.0], ends));
                 }
-                pieces.push(last.clone());
+                pieces.insert(piece + i, half.clone());
             }
             let found = case.verified(&document);
             let bounds = &found.proof.bounds;
-            let end = moved + turned * (to - middle);
+            let end = moved + turned * if last { to - middle } else { from - middle };
             let off = f64::max(moved.abs(), end.abs());
-            let what = format!("{} {moved} {turned}", case.name);
+            let what = format!("{} {last} {moved} {turned}", case.name);
             for (name, bound, error) in [
                 ("deflection", bounds.deflection.error, off),
                 ("slope", bounds.slope.error, turned.abs()),
