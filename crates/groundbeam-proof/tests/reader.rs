@@ -256,6 +256,149 @@ fn changed_documents_are_read_or_refused() {
     assert!(read > 1000, "{read}");
 }
 
+/// EI of sections with closed forms, E = 1 GPa: π d⁴/64 of a circle, the difference of two of a tube, a T by Steiner's rule.
+#[test]
+fn sections_have_their_second_moments() {
+    let circle = |d: f64| std::f64::consts::PI * d.powi(4) / 64.0;
+    // Flange 1 × 0.1 at the top, web 0.2 × 0.4, with the areas and the depth of the centroid.
+    let (flange, web) = (0.1, 0.08);
+    let centre = (flange * 0.05 + web * 0.3) / (flange + web);
+    let own = 0.1_f64.powi(3) / 12.0 + 0.2 * 0.4_f64.powi(3) / 12.0;
+    let t = own + flange * f64::powi(centre - 0.05, 2) + web * f64::powi(0.3 - centre, 2);
+    for (section, exact) in [
+        ("shape = 'circle', diameter = '0.5 m'", circle(0.5)),
+        ("shape = 'tube', diameter = '0.5 m', wall = '0.1 m'", circle(0.5) - circle(0.3)),
+        ("shape = 'T', width = '1 m', height = '0.5 m', flange = '0.1 m', web = '0.2 m'", t),
+        ("width = '0.5 m', height = '0.2 m'", 0.5 * 0.008 / 12.0),
+    ] {
+        let text = format!(
+            "[beam]\nlength = '2 m'\nE = '1 GPa'\nsection = {{ {section} }}\n[foundation]\nk = '1 MPa'\n"
+        );
+        let found = read(&text).unwrap().beam.bending_stiffness.middle() / 1e9;
+        assert!((found / exact - 1.0).abs() < 1e-14, "{section}: {found} {exact}");
+    }
+    let varying = "section = { shape = 'T', width = '1 m', height = ['0.5 m', '0.6 m'], flange = '0.1 m', web = '0.2 m' }";
+    let text =
+        format!("[beam]\nlength = '2 m'\nE = '1 GPa'\n{varying}\n[foundation]\nk = '1 MPa'\n");
+    assert!(matches!(reason(&text), Reason::Value(_)));
+}
+
+/// The short and the long name of a class of wood are the same material.
+#[test]
+fn classes_of_wood_have_short_names() {
+    let stiffness = |name: &str| {
+        let text = format!(
+            "[beam]\nlength = '2 m'\nmaterial = '{name}'\nI = '1 m^4'\n[foundation]\nk = '1 MPa'\n"
+        );
+        read(&text).map(|model| model.beam.bending_stiffness.middle()).ok()
+    };
+    assert_eq!(stiffness("D30"), Some(11e9));
+    for class in ["D30", "C24", "C14"] {
+        let long = stiffness(&format!("timber {class}"));
+        assert!(long.is_some() && stiffness(class) == long, "{class}");
+    }
+    assert_ne!(stiffness("C30/37"), stiffness("timber C30"));
+    assert_eq!(stiffness("D"), None);
+}
+
+/// Escapes, ends of lines and strings on several lines: the load belongs to the case with the other spelling.
+#[test]
+fn strings_have_one_value_in_all_spellings() {
+    let factor = |case: &str, key: &str| {
+        let text = format!(
+            "{SMALL}[[load]]\npoint = 1\nat = 1\ncase = {case}\n[[combination]]\nname = 'c'\nfactors = {{ {key} = 3 }}\n"
+        );
+        read_model::<Wide>(&text, Some("c")).map(|model| size(&model.loads[0])).ok()
+    };
+    for (case, key) in [
+        (r#""a\b\t\n\f\r\"\\c""#, r#""a\u0008\u0009\u000a\u000c\u000d\u0022\u005cc""#),
+        (r#""\u00e9\U0001F600""#, "'é😀'"),
+        ("\"\"\"\nGH\"\"\"", "GH"),
+        ("\"\"\"\r\nGH\"\"\"", "GH"),
+        ("'''\nGH'''", "GH"),
+        ("\"\"\"G\\\n   \n\t H\"\"\"", "GH"),
+        ("\"\"\"G\\\r\n H\"\"\"", "GH"),
+        ("\"\"\"G\\  \n H\"\"\"", "GH"),
+        ("\"\"\"G\nH\"\"\"", r#""G\nH""#),
+        ("\"\"\"G\"H\"\"\"", "'G\"H'"),
+        ("\"\"\"\"GH\"\"\"\"\"", "'\"GH\"\"'"),
+        ("''''GH'''''", "\"'GH''\""),
+    ] {
+        assert_eq!(factor(case, key), Some(3.0), "{case:?} {key:?}");
+    }
+    for (case, key) in [
+        ("\"G\nH\"", "GH"),
+        ("'G\nH'", "GH"),
+        ("\"G\\\n H\"", "GH"),
+        ("\"G\\ H\"", "GH"),
+        ("\"G\\xH\"", "GH"),
+        ("'G'", "\"\"\"G\"\"\""),
+        ("'G'", "'''G'''"),
+    ] {
+        assert_eq!(factor(case, key), None, "{case:?} {key:?}");
+    }
+}
+
+#[test]
+fn lines_end_with_a_line_feed_or_with_both_characters() {
+    let text = format!("# comment\n{SMALL}# another\n\n[[load]] # here\npoint = 1\nat = 1\n");
+    let dos = text.replace('\n', "\r\n");
+    assert_eq!(read(&text).unwrap(), read(&dos).unwrap());
+    for wrong in ["# a\r", "# a\rb\n", "# a\u{1}\n", "\r", "[a]\r"] {
+        assert!(read(&format!("{SMALL}{wrong}")).is_err(), "{wrong:?}");
+    }
+}
+
+/// Terzaghi's k of clay is that of a square for a beam shorter than its width.
+#[test]
+fn a_short_beam_on_clay_counts_as_a_square() {
+    let spring = |length: &str| {
+        let text = format!(
+            "[beam]\nlength = '{length}'\nEI = '1 MN m^2'\n[foundation]\nwidth = '3 m'\n[foundation.soil]\n\
+             method = 'terzaghi-clay'\nplate_modulus = '20 MN/m^3'\nplate_width = '0.3 m'\n"
+        );
+        read(&text).unwrap().ground.spring.middle()
+    };
+    // k = (k_plate b_plate)(L/B + ½)/(1.5 L/B).
+    for (length, ratio) in [("2 m", 1.0), ("3 m", 1.0), ("6 m", 2.0), ("30 m", 10.0)] {
+        let exact = 6e6 * (ratio + 0.5) / (1.5 * ratio);
+        assert!((spring(length) / exact - 1.0).abs() < 1e-14, "{length}");
+    }
+}
+
+/// A point force on the ground needs a shear layer, and the ground must reach as far as the load.
+#[test]
+fn a_point_force_on_the_ground_needs_a_layer() {
+    let text = |at: f64, segments: &str| {
+        format!(
+            "[beam]\nlength = 4\nEI = 3\n[foundation]\nk = 4\nmu = 5\n{segments}[[ground_load]]\npoint = 1\nat = {at}\n"
+        )
+    };
+    let springs = |from: u32| {
+        format!("[[foundation.segment]]\nfrom = {from}\nto = {}\nk = 4\nmu = 0\n", from + 1)
+    };
+    for (at, right) in [
+        (0.5, true),
+        (1.0, true),
+        (1.5, false),
+        (2.0, true),
+        (3.0, true),
+        (-1.0, true),
+        (5.0, true),
+    ] {
+        assert!(read(&text(at, "")).is_ok(), "{at}");
+        assert_eq!(read(&text(at, &springs(1))).is_ok(), right, "{at}");
+    }
+    let both = springs(1) + &springs(2);
+    assert!(read(&text(2.0, &both)).is_err() && read(&text(3.0, &both)).is_ok());
+    for (end, at) in [
+        ("left = { ends = -1, as = 'free' }\n", -2.0),
+        ("right = { ends = 5, as = 'held' }\n", 6.0),
+    ] {
+        assert!(read(&text(at, end)).is_err() && read(&text(2.0, end)).is_ok(), "{end}");
+    }
+}
+
 /// Files that would take long to read or that nest deeply.
 #[test]
 fn long_files_are_read_in_limited_time() {

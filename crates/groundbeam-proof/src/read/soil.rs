@@ -173,8 +173,8 @@ fn power<S: Scalar>(x: S, a: S) -> Option<S> {
     (raised.low() > 0.0 && raised.high().is_finite()).then_some(raised)
 }
 
-/// ln x = n ln 2 + v + ln(1 + ε) with the exponent n of x, a double v near ln(x/2ⁿ) and ε = x e⁻ᵛ/2ⁿ − 1, by the first three
-/// terms of the series.
+/// ln x = n ln 2 + v + ln(1 + ε) with the exponent n of x, a double v near ln(x/2ⁿ) and ε = x e⁻ᵛ/2ⁿ − 1; ln(1 + ε) differs
+/// from ε by at most ε².
 fn logarithm<S: Scalar>(x: S) -> Option<S> {
     if !(x.low() > 1e-280 && x.high() < 1e280) {
         return None;
@@ -191,8 +191,7 @@ fn logarithm<S: Scalar>(x: S) -> Option<S> {
     if !(size < 1e-8) {
         return None;
     }
-    let series = e * (S::one() - e * (S::one().div(S::of(2.0)) - e.div(S::of(3.0))));
-    let series = series.widened(size * size * size * size);
+    let series = e.widened(size * size);
     Some(S::of(f64::from(n)) * S::decimal(LN_2)? + S::of(v) + series)
 }
 
