@@ -183,6 +183,7 @@ mod tests {
     use super::Fields;
     use crate::answer::{Answer, Piece};
     use crate::given::frame;
+    use crate::pressure::carried;
     use crate::read::read_model;
     use crate::scalar::Scalar;
     use crate::wide::Wide;
@@ -190,12 +191,13 @@ mod tests {
     /// The norms of the correction of a claim with jumps, on long and stiff pieces that bend.
     #[test]
     fn the_norms_of_the_correction_are_sums_over_the_pieces() {
-        let text = "[beam]\nlength = 12\nEI = 50\n[foundation]\nk = 10\n";
+        let text = "[beam]\nlength = 12\nEI = 50\n[foundation]\nk = 10\nmu = 7\n";
         let model = read_model::<Wide>(text, None).expect("a model");
         let ends = [0.0, 3.0, 7.0, 12.0];
         let piece = |i: usize| Piece {
             x: [ends[i], ends[i + 1]],
             half: 0.5 * (ends[i + 1] - ends[i]),
+            touches: true,
             deflection: vec![[0.0, 0.25, 0.0][i], [0.0, 0.5, -0.5][i]],
             ..Piece::default()
         };
@@ -209,6 +211,14 @@ mod tests {
             exact[1] += span.h.middle() * slope * slope;
         }
         assert!(exact[0] > 0.0);
+        let touching = frame.spans.iter().zip(&fields.deflection.pieces);
+        let carried_by = touching.map(|(span, c)| {
+            let [value, slope, _] = c.bounds.map(|bound| bound.value());
+            let springs = span.spring.middle() * value * value;
+            span.h.middle() * (springs + span.shear.middle() * slope * slope)
+        });
+        let ratio = carried(&frame, &fields.deflection).value() / carried_by.sum::<f64>();
+        assert!((ratio - 1.0).abs() < 1e-12, "{ratio}");
         for (found, exact) in fields.closing.iter().zip(exact) {
             assert!((found.value() / exact - 1.0).abs() < 1e-12, "{found:?} {exact}");
         }

@@ -371,7 +371,7 @@ fn gap<S: Scalar>(
 mod tests {
     use super::frame;
     use crate::answer::{Answer, Piece};
-    use crate::model::{Action, Extent, Load};
+    use crate::model::{Action, Acts, Extent, Load, Model, Support, SupportKind};
     use crate::read::read_model;
     use crate::scalar::Scalar;
     use crate::wide::Wide;
@@ -459,6 +459,51 @@ mod tests {
                 right,
                 "{on_ground} {extent:?}"
             );
+        }
+    }
+
+    /// A curvature at a point, and one-way supports that restrain the slope.
+    #[test]
+    fn kinds_that_the_theorem_does_not_cover_are_refused() {
+        let text = "[beam]\nlength = 2\nEI = 1\nshear_stiffness = 5\n[foundation]\nk = 1\nmu = 1\n";
+        let model = read_model::<Wide>(text, None).expect("a model");
+        let is_ok = |model: &Model<Wide>| frame(model, &answer(2), None, &[]).is_ok();
+        for (action, right) in
+            [(Action::Moment, true), (Action::Force, true), (Action::Curvature, false)]
+        {
+            let mut model = model.clone();
+            let extent = Extent::Point { at: Wide::of(1.0), size: Wide::of(1.0) };
+            model.loads.push(Load { action, extent, on_ground: false });
+            assert_eq!(is_ok(&model), right, "{action:?}");
+        }
+        let spring = |turning: f64| SupportKind::Spring {
+            spring: Wide::of(1.0),
+            rotational_spring: Wide::of(turning),
+        };
+        for (kind, acts, right) in [
+            (SupportKind::Pinned, Acts::Up, true),
+            (SupportKind::Fixed, Acts::Both, true),
+            (SupportKind::Fixed, Acts::Up, false),
+            (SupportKind::Fixed, Acts::Down, false),
+            (spring(0.0), Acts::Down, true),
+            (spring(1.0), Acts::Both, true),
+            (spring(1.0), Acts::Up, false),
+        ] {
+            let mut model = model.clone();
+            model.supports.push(Support {
+                at: Wide::of(1.0),
+                kind,
+                settlement: Wide::of(0.0),
+                acts,
+            });
+            assert_eq!(is_ok(&model), right, "{kind:?} {acts:?}");
+        }
+        for (axial, right) in [(1.0, true), (0.0, true)] {
+            let mut model = model.clone();
+            model.beam.axial_force = Wide::of(axial);
+            assert_eq!(is_ok(&model), right, "{axial}");
+            model.beam.axial_force = Wide::of(axial).widened(2.0);
+            assert!(!is_ok(&model), "{axial}");
         }
     }
 

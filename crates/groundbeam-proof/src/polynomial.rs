@@ -308,3 +308,63 @@ pub(crate) fn half_width(a: f64, m: f64, b: f64) -> f64 {
     let (left, right) = ((m - a).next_up(), (b - m).next_up());
     if left >= right { left } else { right }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Budget, Polynomial, below};
+    use crate::ball::Ball;
+    use crate::random::numbers;
+    use crate::scalar::Scalar;
+    use crate::size::Size;
+
+    /// Random cubics minus a size: the depth and the length of the negative part are bounded, and nearly attained.
+    #[test]
+    fn the_negative_part_of_a_polynomial_is_bounded() {
+        let mut random = numbers();
+        let [mut shallow, mut negative] = [0; 2];
+        for case in 0..1000 {
+            let mut c = [0; 4].map(|_| random());
+            c[0] += 0.5;
+            if case % 3 == 0 {
+                (c[2], c[3]) = (0.05 * c[2], 0.05 * c[3]);
+            }
+            let less = 0.2 * random().abs();
+            let ends = match case % 4 {
+                0 => [-1.0, 1.0],
+                1 => [-random().abs(), random().abs()],
+                2 => [0.1 + 0.4 * random().abs(), 0.6 + 0.4 * random().abs()],
+                _ => [-0.6 - 0.4 * random().abs(), -0.1 - 0.4 * random().abs()],
+            };
+            let p = |t: f64| c[0] + t * (c[1] + t * (c[2] + t * c[3])) - less;
+            let step = (ends[1] - ends[0]) / 4000.0;
+            let values = (0..4000).map(|i| p(ends[0] + step * (f64::from(i) + 0.5)));
+            let depth = values.clone().fold(0.0, |depth, value| f64::max(depth, -value));
+            let width = step * values.filter(|value| *value < 0.0).count() as f64;
+            let field = <Polynomial<Ball>>::from_coefficients(c.map(Ball::of));
+            let found = below(&field, Size::of(less), Size::ZERO, ends, &mut Budget::new(4));
+            let [most, long] = [found.depth, found.width].map(Size::value);
+            assert!(
+                most >= depth && long >= width - 2.0 * step,
+                "{case}: {most} {depth} {long} {width}"
+            );
+            let slack = 1.5 * depth + 1.2 * less + 1e-3;
+            assert!(
+                most <= slack && long <= 3.0 * width + 0.2,
+                "{case}: {most} {depth} {long} {width}"
+            );
+            shallow += i32::from(depth == 0.0);
+            negative += i32::from(depth > 0.0);
+        }
+        assert!(shallow > 100 && negative > 100, "{shallow} {negative}");
+    }
+
+    #[test]
+    fn halvings_are_limited_on_a_piece_and_on_all_pieces() {
+        let mut budget = Budget::new(30);
+        budget.begin();
+        let taken = |budget: &mut Budget| (0..10_000).filter(|_| budget.take()).count();
+        assert_eq!(taken(&mut budget), 4000);
+        budget.begin();
+        assert_eq!(taken(&mut budget), 2000);
+    }
+}

@@ -6,7 +6,7 @@
 //! right end.
 
 use crate::one_document;
-use groundbeam_proof::{Model, Verification, Wide, read_model, verify};
+use groundbeam_proof::{Log, Model, Verification, Wide, read_model, verify, verify_and_log};
 use serde_json::{Value, json};
 
 /// A beam and its ground.
@@ -522,5 +522,125 @@ fn a_region_at_the_right_end_is_compared_at_its_edge() {
                 found.shortfall
             );
         }
+    }
+}
+
+/// Open ground over 40 decay lengths, u = exp(1 − x): listed settlements and gaps are right everywhere, and wrong ones are found.
+/// The stored surface of the open piece may be a polynomial; its error counts.
+#[test]
+fn long_open_ground_is_compared_along_its_whole_length() {
+    let text = "[beam]\nlength = 41\nEI = 0.5\n[foundation]\nk = 1\nmu = 1\nleft = { ends = 0, as = 'free' }\n\
+        [[load]]\ndistributed = [2, 1]\nfrom = 0\nto = 1\n[[load]]\npoint = 1\nat = 0\n";
+    let model = read_model::<Wide>(text, None).expect("a model");
+    let u = |x: f64| if x <= 1.0 { 2.0 - x } else { f64::exp(1.0 - x) };
+    let places = [0.0, 0.5, 1.25, 1.5, 3.0, 7.25, 12.0, 20.5, 21.0, 33.75, 40.0, 41.0];
+    let base = json!({
+        "pieces": [
+            {"x": [0, 1], "half": 0.5, "touches": true, "deflection": [1.5, -0.5]},
+            {"x": [1, 41], "half": 20, "touches": false, "deflection": [-19, -20], "open": [1, f64::exp(-40.0)]},
+        ],
+        "forces": [{"x": 0, "force": 1}],
+        "contact": [{"from": 0, "to": 1}],
+    });
+    let verified = |document: &Value| {
+        verify(&model, &one_document::document(&document.to_string())).expect("bounds")
+    };
+    let mut document = base.clone();
+    document["stations"] = json!({
+        "x": places,
+        "settlement": places.map(u),
+        "gap": places.map(|x| u(x) - (2.0 - x)),
+    });
+    document["extremes"] = json!({
+        "settlement": {"max": {"x": 0, "value": 2}},
+        "gap": {"max": {"x": 41, "value": 39.0 + f64::exp(-40.0)}, "min": {"x": 0.5, "value": 0}},
+    });
+    let found = verified(&document);
+    assert_eq!(found.shortfall, None);
+    assert!(found.error_of("settlement") < 1e-13 && found.error_of("gap") < 1e-12);
+    for i in 0..places.len() {
+        for field in ["settlement", "gap"] {
+            let mut wrong = document.clone();
+            wrong["stations"][field][i] =
+                json!(document["stations"][field][i].as_f64().expect("a number") + 1e-3);
+            let error = verified(&wrong).error_of(field);
+            assert!((error - 1e-3).abs() < 1e-9, "{field} {i}: {error}");
+        }
+    }
+    // The chord of u from 1 to 41 is wrong by nearly 0.9 at x = 5.
+    let mut chord = base;
+    chord["pieces"][1]["settlement"] = json!([0.5, -0.5]);
+    let error = verified(&chord).error_of("settlement");
+    assert!(error > 0.9 - f64::exp(-4.0), "{error}");
+}
+
+/// The lines of the log are JSON objects. They contain the problem, the claim and the bounds of the proof.
+#[test]
+fn the_log_has_the_numbers_of_the_proof() {
+    for beam in BEAMS {
+        let document = one_document::document(&document(beam, 1.0, 1e-7).to_string());
+        let mut log = Log::new();
+        let found = verify_and_log(&model(beam), &document, Some(&mut log)).expect("bounds");
+        let lines: Vec<Value> =
+            log.text().lines().map(|line| serde_json::from_str(line).expect("JSON")).collect();
+        let named = |name: &str| -> Vec<&Value> {
+            lines.iter().filter(|line| line["name"] == name).collect()
+        };
+        for (name, count) in [
+            ("problem", 1),
+            ("ground beside the beam", 2),
+            ("node", 3),
+            ("piece", 2),
+            ("admissible at a node", 3),
+            ("closing", 2),
+            ("pull", 2),
+            ("ground", 2),
+            ("clearance", 1),
+            ("energy", 1),
+            ("bounds", 2),
+            ("edge", 2),
+            ("tolerance of a force", 3),
+            ("contact set", 1),
+            ("supports", 1),
+            ("unique", 1),
+        ] {
+            assert_eq!(named(name).len(), count, "{beam:?}: {name}");
+        }
+        assert_eq!(named("round").is_empty(), beam.0.is_none(), "{beam:?}");
+        let exponents = &named("problem")[0]["units"];
+        let unit = |force: i32, length: i32| {
+            let exponent = |i: usize| exponents[i].as_i64().expect("an exponent") as i32;
+            2.0_f64.powi(force * exponent(0) + length * exponent(1))
+        };
+        let most = |key: &str| {
+            let all = named("bounds").into_iter().map(|line| line[key].as_f64().expect("a bound"));
+            all.fold(0.0, f64::max)
+        };
+        let bounds = &found.proof.bounds;
+        for (logged, proven, force, length) in [
+            (named("energy")[0]["E"].as_f64().expect("E"), found.proof.energy, 1, 1),
+            (most("w"), bounds.deflection.error, 0, 1),
+            (most("slope"), bounds.slope.error, 0, 0),
+            (most("rotation"), bounds.rotation.error, 0, 0),
+            (most("M"), bounds.moment.error, 1, 1),
+            (most("V"), bounds.shear_force.error, 1, 0),
+            (most("u"), bounds.settlement.error, 0, 1),
+        ] {
+            let ratio = logged / (proven * unit(-force, -length));
+            let other = logged / (proven * unit(force, length));
+            assert!(
+                (ratio - 1.0).abs() < 1e-9 || (other - 1.0).abs() < 1e-9,
+                "{beam:?}: {ratio} {other}"
+            );
+        }
+        let pieces = named("piece");
+        assert!(pieces[0]["touches"] == true && pieces[1]["touches"] == false);
+        assert_eq!(pieces[0]["phi"].is_null(), beam.0.is_none());
+        assert_eq!(pieces[0]["w"].as_array().expect("a field").len(), 4);
+        assert_eq!(pieces[0]["k"].as_array().expect("a ball").len(), 3);
+        assert_eq!(named("contact set")[0]["shown"], json!([true, true]));
+        assert_eq!(named("unique")[0]["shown"], json!(true));
+        assert_eq!(named("problem")[0]["P"].is_null(), beam.1 == 0.0);
+        assert_eq!(named("node")[0]["acts"], json!(0));
     }
 }
