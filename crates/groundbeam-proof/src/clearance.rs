@@ -361,7 +361,8 @@ mod tests {
     /// that of the left piece, −0.2, whatever is claimed on the right.
     #[test]
     fn the_slope_of_the_clearance_is_that_of_the_corrected_beam() {
-        let text = "[beam]\nlength = 2\nEI = 1\n[foundation]\nk = 1\nmu = 1\n[[gap]]\nat = 1\nvalue = 0\n[[gap]]\nat = 2\nvalue = 0.5\n";
+        let text = "[beam]\nlength = 2\nEI = 1\n[foundation]\nk = 1\nmu = 1\n\
+            [[gap]]\nat = 1\nvalue = 0\n[[gap]]\nat = 2\nvalue = 0.5\n";
         let model = read_model::<Wide>(text, None).expect("a model");
         for jump in [0.0, 0.5, -0.5] {
             let document = json!({"pieces": [
@@ -386,18 +387,19 @@ mod tests {
         }
     }
 
-    /// An open piece between two regions, with jumps of the claim at both ends: the flux of the surface is that of u between the
-    /// corrected heights, (μb/sinh z)(u_R cosh z − u_L) at the right end. The layer begins at x = 1 beside Winkler ground, and the
-    /// jump of the flux at its free end, under the beam, is that of a level surface, zero.
+    /// An open piece between two regions, with jumps of the claim at both ends: the flux of the surface follows from the
+    /// corrected heights, (μb/sinh z)(u_R cosh z − u_L) at the right end. The layer begins at x = 1 beside Winkler ground. Its
+    /// surface is level there, so the flux has no jump.
     #[test]
     fn the_surface_joins_the_corrected_beam() {
-        let text = "[beam]\nlength = 4\nEI = 1e6\n[foundation]\nk = 1\nmu = 1\n[[foundation.segment]]\nfrom = 0\nto = 1\nk = 1\nmu = 0\n";
+        let text = "[beam]\nlength = 4\nEI = 1e6\n[foundation]\nk = 1\nmu = 1\n\
+            [[foundation.segment]]\nfrom = 0\nto = 1\nk = 1\nmu = 0\n";
         let model = read_model::<Wide>(text, None).expect("a model");
         for jump in [0.0, 0.25, -0.25] {
-            let piece = |i: u32, touches: bool, w: f64| json!({"x": [i, i + 1], "half": 0.5, "touches": touches, "deflection": [w]});
-            let mut document = json!({"pieces": [piece(0, true, 1.0), piece(1, true, 1.0), piece(2, false, 1.0 + jump), piece(3, true, 1.0 - jump)]});
-            // The claimed slope of the open piece is kept by its neighbours on the right.
-            document["pieces"][2]["deflection"] = json!([1.0 + jump, 0.125 * jump]);
+            let w = [vec![1.0], vec![1.0], vec![1.0 + jump, 0.125 * jump], vec![1.0 - jump]];
+            let piece = |i: usize| json!({"x": [i, i + 1], "half": 0.5, "touches": i != 2, "deflection": w[i]});
+            let pieces = [0, 1, 2, 3].map(piece);
+            let document = json!({ "pieces": pieces });
             let answer = Answer::from_json(&document.to_string()).expect("an answer");
             let frame = frame(&model, &answer, None, &[]).expect("a frame");
             let Fields { deflection, surface, .. } = Fields::of(&frame).expect("fields");

@@ -430,7 +430,10 @@ mod tests {
             left = { ends = 0, as = 'free' }\nright = { ends = 2, as = 'free' }\n\
             [[gap]]\nat = 1\nvalue = 0\n[[gap]]\nat = 2\nvalue = 100\n\
             [[ground_load]]\ndistributed = [0.5, 1.5]\nfrom = 0\nto = 2\n[[ground_load]]\npoint = 0.75\nat = 1.5\n";
-        let piece = |x: [f64; 2], touches: bool| json!({"x": x, "half": 0.5 * (x[1] - x[0]), "touches": touches, "deflection": [0.75]});
+        let piece = |x: [f64; 2], touches: bool| {
+            let half = 0.5 * (x[1] - x[0]);
+            json!({"x": x, "half": half, "touches": touches, "deflection": [0.75]})
+        };
         let document = json!({"pieces": [piece([0.0, 1.0], true), piece([1.0, 1.5], false), piece([1.5, 2.0], false)]});
         let (k, mu, force, b) = (2.0, 1.5, 0.75, (2.0_f64 / 1.5).sqrt());
         let (sinh, cosh) = ((0.5 * b).sinh(), (0.5 * b).cosh());

@@ -402,7 +402,8 @@ mod tests {
             ),
             ("[[foundation.segment]]\nfrom = 1\nto = 2\nk = 1\nmu = 3\n", [true, true, false]),
             (
-                "[[foundation.segment]]\nfrom = 0\nto = 1\nk = 1\nmu = 3\n[[foundation.segment]]\nfrom = 1\nto = 2\nk = 1\nmu = 2\n",
+                "[[foundation.segment]]\nfrom = 0\nto = 1\nk = 1\nmu = 3\n\
+                 [[foundation.segment]]\nfrom = 1\nto = 2\nk = 1\nmu = 2\n",
                 [true, true, false],
             ),
             ("[[foundation.segment]]\nfrom = 1\nto = 4\nk = 2\nmu = 1\n", [false; 3]),

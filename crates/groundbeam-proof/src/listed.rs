@@ -239,7 +239,8 @@ impl<S: Scalar> Comparison<'_, S> {
     }
 
     /// The distance of a pressure at an edge from the smallest interval that contains zero and the pressures
-    /// on both sides, which are not negative in a proven contact set. `edge` contains the edge: a neighbouring piece counts if it meets the piece there.
+    /// on both sides, which are not negative in a proven contact set. `edge` contains the edge: a neighbouring
+    /// piece counts if it meets the piece there.
     fn off_an_edge(&self, listed: f64, (piece, t): (usize, S), edge: [f64; 2]) -> f64 {
         let units = self.fields.frame.units;
         let listed = units.scaled(S::of(listed), 1, -1);

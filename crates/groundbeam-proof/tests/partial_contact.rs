@@ -455,7 +455,10 @@ fn documents_in_other_units_have_the_same_errors() {
             document["stations"]["pressure"] = json!([by(1.7, 1, -1), by(-0.25, 1, -1)]);
         }
         document["extremes"] = json!({
-            "deflection": {"max": {"x": by(0.5, 0, 1), "value": by(1.5, 0, 1)}, "min": {"x": by(1.5, 0, 1), "value": by(0.25, 0, 1)}},
+            "deflection": {
+                "max": {"x": by(0.5, 0, 1), "value": by(1.5, 0, 1)},
+                "min": {"x": by(1.5, 0, 1), "value": by(0.25, 0, 1)},
+            },
             "moment": {"max": {"x": by(0.5, 0, 1), "value": by(1e-8, 1, 1)}},
             "gap": {"max": {"x": by(2.0, 0, 1), "value": by(0.25, 0, 1)}},
         });

@@ -30,7 +30,10 @@ fn document(support: &str, force: f64) -> Value {
         numbers.into_iter().map(|number| factor * number).collect()
     };
     let [top, foot] = [0.5 * force, 0.5 * force * f64::exp(-1.0)];
-    let piece = |from: f64, w: Vec<f64>, open: [f64; 2]| json!({"x": [from, from + 1.0], "half": 0.5, "touches": false, "deflection": times(w, 0.5 * force), "open": open});
+    let piece = |from: f64, w: Vec<f64>, open: [f64; 2]| {
+        let (x, w) = ([from, from + 1.0], times(w, 0.5 * force));
+        json!({"x": x, "half": 0.5, "touches": false, "deflection": w, "open": open})
+    };
     let reaction = times(reaction, force);
     json!({
         "pieces": [piece(0.0, left, [foot, top]), piece(1.0, right, [top, foot])],
