@@ -1,7 +1,9 @@
 //! Tests numbers that a document lists at ends, edges and jumps, and positions of extremes: wrong ones are refused.
 
 use crate::one_document;
-use groundbeam_proof::{Answer, GroundEnd, NotProven, Verification, Wide, prove, read_model};
+use groundbeam_proof::{
+    Answer, Course, GroundEnd, NotProven, Scalar, Verification, Wide, prove, read_model,
+};
 use serde_json::{Value, json};
 
 /// A beam at rest, w = 1, half on a shear layer and half on Winkler ground.
@@ -278,7 +280,7 @@ fn ground_held_at_the_end_of_the_beam_is_refused() {
     let mut model = read_model::<Wide>(AT_REST, None).expect("a model");
     let answer = Answer::from_json(&at_rest().to_string()).expect("an answer");
     model.ground.ends[0] =
-        GroundEnd::Held(model.supports.first().map_or(groundbeam_proof::Scalar::of(0.0), |s| s.at));
+        GroundEnd::Held(model.supports.first().map_or(Scalar::of(0.0), |s| s.at));
     let why = prove(&model, &answer).expect_err("no bounds");
     assert!(why.what.contains("held at the end"), "{why}");
 }
@@ -389,5 +391,73 @@ fn a_stored_settlement_is_compared_with_the_surface() {
         let found = stored(first, second);
         let error = found.error_of("settlement");
         assert!(found.shortfall.is_some() && (0.125..0.126).contains(&error), "{error}");
+    }
+}
+
+/// The same claims where the support carries R = 3d/x³: the end of the beam is wrong by R(x³/3 + x²(2 − x)/2). The bounds hold
+/// although the support is claimed to be inactive.
+#[test]
+fn the_bounds_hold_if_an_inactive_support_is_active() {
+    let mut bounded = 0;
+    for (acts, at) in [("up", 0.5), ("up", 1.0), ("up", 2.0), ("down", 1.0), ("down", 2.0)] {
+        for distance in [1e-6, 1e-3, 1.0] {
+            let Ok(found) = beside_an_idle_support(at, acts, -distance, 0.0) else { continue };
+            bounded += 1;
+            let error = 3.0 * distance * (1.0 / 3.0 + (2.0 - at) / (2.0 * at));
+            let bound = found.error_of("deflection");
+            assert!(bound >= error * (1.0 - 1e-9), "{acts} {at} {distance}: {bound} {error}");
+        }
+    }
+    assert!(bounded > 3, "{bounded}");
+}
+
+/// A load on Winkler ground with a varying k is not covered; a load on constant ground is, and so is varying ground alone.
+#[test]
+fn loads_on_varying_winkler_ground_are_refused() {
+    for (varies, loaded, right) in
+        [(false, false, true), (true, false, true), (false, true, true), (true, true, false)]
+    {
+        let load =
+            if loaded { "[[ground_load]]\ndistributed = 1e-9\nfrom = 0\nto = 2\n" } else { "" };
+        let text = format!(
+            "[beam]\nlength = 2\nEI = 1\n[foundation]\nk = 1\n[[foundation.segment]]\nfrom = 0\nto = 2\nk = 1\nmu = 0\n\
+             [[load]]\ndistributed = 1\n{load}"
+        );
+        let mut model = read_model::<Wide>(&text, None).expect("a model");
+        if varies {
+            let [one, more] = [1.0, 1.0 + 1e-9].map(Scalar::of);
+            model.ground.segments[0].spring = Course::Varying(vec![one, more]);
+        }
+        let document =
+            json!({"pieces": [{"x": [0, 2], "half": 1, "touches": true, "deflection": [1]}]});
+        let answer = Answer::from_json(&document.to_string()).expect("an answer");
+        let found = prove(&model, &answer);
+        assert_eq!(found.is_ok(), right, "{varies} {loaded}: {found:?}");
+    }
+}
+
+/// A beam that is bent upward between supports at the height of the ground: w = x² − 2x on pins, w = −x²(2 − x)² on clamps. It
+/// touches the ground nowhere, and this is proven although w = 0 at both ends.
+#[test]
+fn a_beam_rises_from_supports_at_the_height_of_the_ground() {
+    let pins = "[[load]]\nmoment = -2\nat = 0\n[[load]]\nmoment = 2\nat = 2\n";
+    for (support, loads, w, [force, moment]) in [
+        ("pinned", pins, json!([-1, 0, 1]), [0.0, 0.0]),
+        ("fixed", "[[load]]\ndistributed = -24\n", json!([-1, 0, 2, 0, -1]), [-24.0, 8.0]),
+    ] {
+        for ground in ["k = 1", "k = 1\nmu = 1"] {
+            let at = |x: u32| format!("[[support]]\nat = {x}\ntype = '{support}'\n");
+            let model = [
+                format!("[beam]\nlength = 2\nEI = 1\n[foundation]\n{ground}\n{loads}"),
+                at(0) + &at(2),
+            ];
+            let document = json!({
+                "pieces": [{"x": [0, 2], "half": 1, "touches": false, "deflection": w}],
+                "reactions": [{"force": force, "moment": moment}, {"force": force, "moment": -moment}],
+                "contact": [],
+            });
+            let found = verified(&model.concat(), &document);
+            assert_eq!(found.shortfall, None, "{support} {ground}");
+        }
     }
 }
