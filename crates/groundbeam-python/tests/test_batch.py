@@ -258,7 +258,7 @@ def test_factors_multiply_the_values_of_the_model() -> None:
     "parameters, words",
     [
         ({"K": [1.0]}, "unknown name"),
-        ({"load[2]": [1.0]}, "count from 0, and the model has 2"),
+        ({"load[2]": [1.0]}, "numbered from 0, and the model has 2"),
         ({"load[0].from": [1.0]}, "no such number"),
         ({"load[0]": [[1.0, 2.0]]}, "one number for each model"),
         ({"k": [1.0, 2.0], "mu": [1.0, 2.0, 3.0]}, "differ in length: k: 2, mu: 3"),
