@@ -11,8 +11,8 @@ use crate::refusal::NotProven;
 use crate::scalar::Scalar;
 use crate::size::Size;
 
-/// The shortest part of a piece next to an edge, in units of t, on which the pressure is bounded.
-const SHORTEST_PART: f64 = 4e-12;
+/// The shortest part of a piece next to an end, in units of t, on which contact or clearance is decided.
+pub(crate) const SHORTEST_PART: f64 = 4e-12;
 
 impl<S: Scalar> Contact<'_, S> {
     /// The contact set of all layers and of the Winkler ground.
@@ -257,13 +257,8 @@ fn balanced_inside<C: Scalar>(
     let mut part = if at_end > 0.0 && first > SHORTEST_PART { first } else { SHORTEST_PART };
     loop {
         part = part.min(1.0);
-        let m = if side == 0 { end + 0.5 * part } else { end - 0.5 * part };
-        let about = field.shifted(m);
-        let r = (0.5 * part).next_up() + 4.0 * f64::EPSILON;
-        let lost = about.tail(r) + error;
-        let least = (about.coefficient(0).low() - lost.value()).next_down();
+        let [least, available] = pressed_beside(field, error, (end, half), side, part);
         let inside = missing.over(least);
-        let available = ((part - 1e-12).next_down() * half).next_down();
         if inside.value() <= available {
             return inside;
         }
@@ -272,6 +267,21 @@ fn balanced_inside<C: Scalar>(
         }
         part *= 4.0;
     }
+}
+
+/// Lower bounds of p − ε on a part of a piece next to an end, and of the length of the part, which is given in units of t.
+pub(crate) fn pressed_beside<C: Scalar>(
+    field: &Polynomial<C>,
+    error: Size,
+    (end, half): (f64, f64),
+    side: usize,
+    part: f64,
+) -> [f64; 2] {
+    let m = if side == 0 { end + 0.5 * part } else { end - 0.5 * part };
+    let about = field.shifted(m);
+    let lost = about.tail((0.5 * part).next_up() + 4.0 * f64::EPSILON) + error;
+    let least = (about.coefficient(0).low() - lost.value()).next_down();
+    [least, ((part - 1e-12).next_down() * half).next_down()]
 }
 
 #[cfg(test)]

@@ -8,14 +8,12 @@
 
 use crate::approach::clear;
 use crate::clearance::OpenPiece;
+use crate::contact::{SHORTEST_PART, pressed_beside};
 use crate::contact_set::{Contact, EdgeShift, Shown, more};
 use crate::polynomial::{Budget, below};
 use crate::refusal::NotProven;
 use crate::scalar::Scalar;
 use crate::size::Size;
-
-/// The shortest length, in units of t, on which contact or clearance is decided.
-const SHORTEST: f64 = 4e-12;
 
 impl<S: Scalar> Contact<'_, S> {
     /// Bounds of the edges of every piece of a layer. Concentrated forces have bounds only at smooth nodes, where they are
@@ -78,16 +76,13 @@ impl<S: Scalar> Contact<'_, S> {
     pub(crate) fn opened_at(&self, i: usize, side: usize) -> Option<Size> {
         let span = &self.fields.frame.spans[i];
         let (field, error) = (self.fields.pressures[i].field.coarse(), self.bounds[i].pressure);
-        let end = span.interval()[side];
+        let piece = (span.interval()[side], span.half.low());
         let deep = 2.0 * (self.rough_clearance(i) * Size::of(span.shear.high()));
-        let mut part = SHORTEST;
+        let mut part = SHORTEST_PART;
         while part < 1.0 {
-            let m = if side == 0 { end + 0.5 * part } else { end - 0.5 * part };
-            let about = field.shifted(m);
-            let lost = about.tail((0.5 * part).next_up() + 4.0 * f64::EPSILON) + error;
-            let least = (about.coefficient(0).low() - lost.value()).next_down();
+            let [least, available] = pressed_beside(&field, error, piece, side, part);
             let opened = deep.over(least).root();
-            if opened.value() <= ((part - 1e-12).next_down() * span.half.low()).next_down() {
+            if opened.value() <= available {
                 return Some(opened);
             }
             part *= 4.0;
@@ -109,7 +104,7 @@ impl<S: Scalar> Contact<'_, S> {
                 continue;
             }
             let inward = if side == 0 { 1.0 } else { -1.0 };
-            let mut part = SHORTEST;
+            let mut part = SHORTEST_PART;
             while !(self.clearance_at(&piece, ends[side] + inward * part) > limit.value()) {
                 part *= 1.5;
                 if !(part < 1.0) {
