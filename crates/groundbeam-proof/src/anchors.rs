@@ -377,18 +377,17 @@ fn distance(a: f64, b: f64) -> Size {
 #[cfg(test)]
 mod tests {
     use super::{along_slope, between, beyond, from_mean, parts_of};
-    use crate::answer::{Answer, Piece, Reaction};
-    use crate::fields::Fields;
+    use crate::answer::Piece;
     use crate::frame::Span;
-    use crate::given::frame;
+    use crate::given_claim::with_fields;
     use crate::pointwise::Pointwise;
     use crate::random::numbers;
-    use crate::read::read_model;
     use crate::scalar::Scalar;
     use crate::size::Size;
     use crate::test_functions::tests::integral;
     use crate::units::Units;
     use crate::wide::Wide;
+    use serde_json::json;
 
     /// The value of e at a position is ∫g e_φ′ + ∫g_γ γ plus the contribution of the anchors. By Cauchy's inequality its bound
     /// contains s times the norm of g, and s_γ times the norm of g_γ.
@@ -469,30 +468,26 @@ mod tests {
             let text = format!(
                 "[beam]\nlength = 2\nEI = 1\n[foundation]\nk = 1\n{rest}[[load]]\ndistributed = {load}\n"
             );
-            let model = read_model::<Wide>(&text, None).expect("a model");
-            let w = if touches { vec![1.0] } else { vec![0.0] };
-            let piece =
-                Piece { x: [0.0, 2.0], half: 1.0, touches, deflection: w, ..Piece::default() };
-            let reaction = |support| Reaction { support, force: 1.0, moment: 0.0 };
+            let w = if touches { 1.0 } else { 0.0 };
+            let reaction = |support: usize| json!({"support": support, "force": 1, "moment": 0});
             let reactions = if touches { Vec::new() } else { vec![reaction(0), reaction(1)] };
-            let answer = Answer { pieces: vec![piece], reactions, ..Answer::default() };
-            let frame = frame(&model, &answer, None, &[]).expect("a frame");
-            let fields = Fields::of(&frame).expect("fields");
-            let (_, balanced) = fields.energy().expect("a balance");
-            assert!((balanced.factor(0).value() - 0.25).abs() < 1e-12);
-            let energy = Size::of(1e-3);
-            let pointwise = Pointwise { fields: &fields, balanced: &balanced, energy };
-            if touches {
-                let least = frame.units.restored(pointwise.least_pressure(0, 0.9), 1, -1);
-                assert!(least <= 0.75 && least > 0.75 - 1e-12, "{least}");
-            } else {
-                let kept = frame.units.restored(
-                    1e-3 / pointwise.pushed(0).expect("a bound").value(),
-                    1,
-                    0,
-                );
-                assert!(kept <= 0.75 && kept > 0.75 - 1e-12, "{kept}");
-            }
+            let piece = json!({"x": [0, 2], "half": 1, "touches": touches, "deflection": [w]});
+            let document = json!({"pieces": [piece], "reactions": reactions});
+            with_fields(&text, &document, |fields| {
+                let units = fields.frame.units;
+                let (_, balanced) = fields.energy().expect("a balance");
+                assert!((balanced.factor(0).value() - 0.25).abs() < 1e-12);
+                let energy = Size::of(1e-3);
+                let pointwise = Pointwise { fields, balanced: &balanced, energy };
+                if touches {
+                    let least = units.restored(pointwise.least_pressure(0, 0.9), 1, -1);
+                    assert!(least <= 0.75 && least > 0.75 - 1e-12, "{least}");
+                } else {
+                    let kept =
+                        units.restored(1e-3 / pointwise.pushed(0).expect("a bound").value(), 1, 0);
+                    assert!(kept <= 0.75 && kept > 0.75 - 1e-12, "{kept}");
+                }
+            });
         }
     }
 }

@@ -244,17 +244,15 @@ pub(crate) fn clear<C: Scalar>(piece: &OpenPiece<C>, [from, to]: [f64; 2], limit
 #[cfg(test)]
 mod tests {
     use super::{clear, falls, varying_flux};
-    use crate::answer::{Answer, Piece};
+    use crate::answer::Piece;
     use crate::ball::Ball;
     use crate::clearance::OpenPiece;
     use crate::coefficient::Coefficient;
     use crate::contact_set::Contact;
-    use crate::fields::Fields;
     use crate::frame::Span;
-    use crate::given::frame;
+    use crate::given_claim::with_fields;
     use crate::pointwise::PieceBounds;
     use crate::random::numbers;
-    use crate::read::read_model;
     use crate::scalar::Scalar;
     use crate::size::Size;
     use crate::units::Units;
@@ -487,22 +485,25 @@ mod tests {
     /// The approach to x = 1 on the open piece from 1 to 2, with the same error bounds on all pieces: those of u and w, of the
     /// slope and of the pressure. Returns θ, the bound of the flux and μ|C′|.
     fn approach_at_one(model: &str, document: &Value, errors: [f64; 3]) -> Option<[f64; 3]> {
-        let model = read_model::<Wide>(model, None).expect("a model");
-        let answer = Answer::from_json(&document.to_string()).expect("an answer");
-        let frame = frame(&model, &answer, None, &[]).expect("a frame");
-        let fields = Fields::of(&frame).expect("fields");
-        let units = frame.units;
-        let [u, slope, p] = errors;
-        let size = |x: f64, force: i32, length: i32| Size::of(units.scaled(x, force, length));
-        let (settlement, slope, pressure) = (size(u, 0, 1), Size::of(slope), size(p, 1, -1));
-        let deflection = settlement;
-        let bounds = PieceBounds { settlement, deflection, slope, pressure, ..PieceBounds::EXACT };
-        let bounds = vec![bounds; answer.pieces.len()];
-        let contact = Contact { fields: &fields, bounds: &bounds };
-        let found = contact.shown_open(1, &mut Vec::new())?[0].expect("an approach");
-        let restored =
-            |size: Size, force: i32, length: i32| units.restored(size.value(), force, length);
-        Some([restored(found.theta, 0, 1), restored(found.flux, 1, 0), restored(found.steep, 1, 0)])
+        with_fields(model, document, |fields| {
+            let units = fields.frame.units;
+            let [u, slope, p] = errors;
+            let size = |x: f64, force: i32, length: i32| Size::of(units.scaled(x, force, length));
+            let (settlement, slope, pressure) = (size(u, 0, 1), Size::of(slope), size(p, 1, -1));
+            let deflection = settlement;
+            let bounds =
+                PieceBounds { settlement, deflection, slope, pressure, ..PieceBounds::EXACT };
+            let bounds = vec![bounds; fields.frame.spans.len()];
+            let contact = Contact { fields, bounds: &bounds };
+            let found = contact.shown_open(1, &mut Vec::new())?[0].expect("an approach");
+            let restored =
+                |size: Size, force: i32, length: i32| units.restored(size.value(), force, length);
+            Some([
+                restored(found.theta, 0, 1),
+                restored(found.flux, 1, 0),
+                restored(found.steep, 1, 0),
+            ])
+        })
     }
 
     fn piece(ends: [f64; 2], touches: bool, w: &[f64]) -> Value {

@@ -331,45 +331,39 @@ impl<S: Scalar> Balance<'_, S> {
 #[cfg(test)]
 mod tests {
     use super::Balance;
-    use crate::answer::{Answer, Piece};
     use crate::cuts::fewest_cuts;
     use crate::fields::Fields;
-    use crate::given::frame;
-    use crate::read::read_model;
+    use crate::given_claim::with_fields;
     use crate::scalar::Scalar;
     use crate::size::Size;
-    use crate::wide::Wide;
+    use serde_json::json;
 
     /// A claim that pulls on the ground, p = x − 0.1, under an equal load: without the tension 0.005 of the load is not balanced.
     /// It is a load of the beam, as are the redistributed pressures.
     #[test]
     fn omitted_tension_is_a_load_of_the_beam() {
         let text = "[beam]\nlength = 2\nEI = 1\n[foundation]\nk = 1\n[[load]]\ndistributed = [-0.1, 1.9]\n";
-        let model = read_model::<Wide>(text, None).expect("a model");
-        let piece = Piece {
-            x: [0.0, 2.0],
-            half: 1.0,
-            touches: true,
-            deflection: vec![0.9, 1.0],
-            ..Piece::default()
-        };
-        let answer = Answer { pieces: vec![piece], ..Answer::default() };
-        let frame = frame(&model, &answer, None, &[]).expect("a frame");
-        let Fields { surface, pressures, residual, .. } = Fields::of(&frame).expect("fields");
-        let (surface, pressures, residual) = (&surface, &pressures, &residual);
-        let cuts = fewest_cuts(&frame);
-        let balance = Balance { frame: &frame, surface, pressures, residual, cuts, carrier: 0.0 };
-        let balanced = balance.solve().expect("a balance");
-        let factor = balanced.factor(0);
-        let pressing = factor * Size::of(pressures[0].masses[0].size());
-        let load = pressing + (Size::of(1.0) + factor) * pressures[0].tensile_force();
-        let [moment, shear] = balanced.pieces[0].added;
-        let lever = 0.25 * frame.length.high();
-        for (bound, exact) in [(shear, load.value()), (moment, lever * load.value())] {
-            assert!((bound.value() / exact - 1.0).abs() < 1e-12, "{bound:?} {exact}");
-        }
-        let least = frame.units.scaled(0.005, 1, 0);
-        assert!((1.0..4.0).contains(&(pressures[0].tensile_force().value() / least)));
-        assert!(balanced.factors.iter().all(|factor| 0.002 < factor.size() && factor.size() < 0.2));
+        let document = json!({"pieces": [
+            {"x": [0, 2], "half": 1, "touches": true, "deflection": [0.9, 1.0]},
+        ]});
+        with_fields(text, &document, |fields| {
+            let Fields { frame, surface, pressures, residual, .. } = fields;
+            let cuts = fewest_cuts(frame);
+            let balance = Balance { frame, surface, pressures, residual, cuts, carrier: 0.0 };
+            let balanced = balance.solve().expect("a balance");
+            let factor = balanced.factor(0);
+            let pressing = factor * Size::of(pressures[0].masses[0].size());
+            let load = pressing + (Size::of(1.0) + factor) * pressures[0].tensile_force();
+            let [moment, shear] = balanced.pieces[0].added;
+            let lever = 0.25 * frame.length.high();
+            for (bound, exact) in [(shear, load.value()), (moment, lever * load.value())] {
+                assert!((bound.value() / exact - 1.0).abs() < 1e-12, "{bound:?} {exact}");
+            }
+            let least = frame.units.scaled(0.005, 1, 0);
+            assert!((1.0..4.0).contains(&(pressures[0].tensile_force().value() / least)));
+            assert!(
+                balanced.factors.iter().all(|factor| 0.002 < factor.size() && factor.size() < 0.2)
+            );
+        });
     }
 }

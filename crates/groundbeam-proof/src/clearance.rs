@@ -303,15 +303,14 @@ impl<C: Scalar> OpenPiece<C> {
 #[cfg(test)]
 mod tests {
     use super::{Stretch, above_springs};
-    use crate::answer::{Answer, Piece};
+    use crate::answer::Piece;
     use crate::coefficient::Coefficient;
     use crate::fields::Fields;
     use crate::frame::Span;
-    use crate::given::frame;
+    use crate::given_claim::with_fields;
     use crate::model::Course;
     use crate::polynomial::{Budget, Line};
     use crate::random::numbers;
-    use crate::read::read_model;
     use crate::scalar::Scalar;
     use crate::size::Size;
     use crate::units::Units;
@@ -363,27 +362,26 @@ mod tests {
     fn the_slope_of_the_clearance_is_that_of_the_corrected_beam() {
         let text = "[beam]\nlength = 2\nEI = 1\n[foundation]\nk = 1\nmu = 1\n\
             [[gap]]\nat = 1\nvalue = 0\n[[gap]]\nat = 2\nvalue = 0.5\n";
-        let model = read_model::<Wide>(text, None).expect("a model");
         for jump in [0.0, 0.5, -0.5] {
             let document = json!({"pieces": [
                 {"x": [0, 1], "half": 0.5, "touches": true, "deflection": [1.1, -0.1]},
                 {"x": [1, 2], "half": 0.5, "touches": false, "deflection": [0.9 + 0.5 * jump, -0.1 + 0.5 * jump]},
             ]});
-            let answer = Answer::from_json(&document.to_string()).expect("an answer");
-            let frame = frame(&model, &answer, None, &[]).expect("a frame");
-            let Fields { deflection, surface, .. } = Fields::of(&frame).expect("fields");
-            let stretch = Stretch {
-                frame: &frame,
-                deflection: &deflection,
-                surface: &surface,
-                first: 1,
-                end: 2,
-                negligible: Size::ZERO,
-            };
-            // u = exp(1 − x), g₀′ = 0.5.
-            let exact = Wide::of(-1.0 + 0.5 + 0.2);
-            let found = stretch.slope_at(1, 0);
-            assert!((found - exact).size() < 1e-14, "{jump}: {found:?}");
+            with_fields(text, &document, |fields| {
+                let Fields { frame, deflection, surface, .. } = fields;
+                let stretch = Stretch {
+                    frame,
+                    deflection,
+                    surface,
+                    first: 1,
+                    end: 2,
+                    negligible: Size::ZERO,
+                };
+                // u = exp(1 − x), g₀′ = 0.5.
+                let exact = Wide::of(-1.0 + 0.5 + 0.2);
+                let found = stretch.slope_at(1, 0);
+                assert!((found - exact).size() < 1e-14, "{jump}: {found:?}");
+            });
         }
     }
 
@@ -394,25 +392,29 @@ mod tests {
     fn the_surface_joins_the_corrected_beam() {
         let text = "[beam]\nlength = 4\nEI = 1e6\n[foundation]\nk = 1\nmu = 1\n\
             [[foundation.segment]]\nfrom = 0\nto = 1\nk = 1\nmu = 0\n";
-        let model = read_model::<Wide>(text, None).expect("a model");
         for jump in [0.0, 0.25, -0.25] {
             let w = [vec![1.0], vec![1.0], vec![1.0 + jump, 0.125 * jump], vec![1.0 - jump]];
             let piece = |i: usize| json!({"x": [i, i + 1], "half": 0.5, "touches": i != 2, "deflection": w[i]});
             let pieces = [0, 1, 2, 3].map(piece);
             let document = json!({ "pieces": pieces });
-            let answer = Answer::from_json(&document.to_string()).expect("an answer");
-            let frame = frame(&model, &answer, None, &[]).expect("a frame");
-            let Fields { deflection, surface, .. } = Fields::of(&frame).expect("fields");
-            let [left, right] = [2, 3].map(|node: usize| deflection.values[node].middle());
-            let z = frame.spans[2].h.middle()
-                * (frame.spans[2].spring.middle() / frame.spans[2].shear.middle()).sqrt();
-            let factor =
-                (frame.spans[2].spring.middle() * frame.spans[2].shear.middle()).sqrt() / z.sinh();
-            let exact = [factor * (right - left * z.cosh()), factor * (right * z.cosh() - left)];
-            for (flux, exact) in surface.pieces[2].flux.iter().zip(exact) {
-                assert!((flux.middle() - exact).abs() < 1e-12 * factor, "{jump}: {flux:?} {exact}");
-            }
-            assert!(surface.nodes[1].jump.size() < 1e-12 * factor, "{:?}", surface.nodes[1]);
+            with_fields(text, &document, |fields| {
+                let Fields { frame, deflection, surface, .. } = fields;
+                let [left, right] = [2, 3].map(|node: usize| deflection.values[node].middle());
+                let z = frame.spans[2].h.middle()
+                    * (frame.spans[2].spring.middle() / frame.spans[2].shear.middle()).sqrt();
+                let factor = (frame.spans[2].spring.middle() * frame.spans[2].shear.middle())
+                    .sqrt()
+                    / z.sinh();
+                let exact =
+                    [factor * (right - left * z.cosh()), factor * (right * z.cosh() - left)];
+                for (flux, exact) in surface.pieces[2].flux.iter().zip(exact) {
+                    assert!(
+                        (flux.middle() - exact).abs() < 1e-12 * factor,
+                        "{jump}: {flux:?} {exact}"
+                    );
+                }
+                assert!(surface.nodes[1].jump.size() < 1e-12 * factor, "{:?}", surface.nodes[1]);
+            });
         }
     }
 }

@@ -180,47 +180,42 @@ fn closing<S: Scalar>(frame: &Frame<S>, deflection: &Deflection<S>) -> [Size; 2]
 
 #[cfg(test)]
 mod tests {
-    use super::Fields;
-    use crate::answer::{Answer, Piece};
-    use crate::given::frame;
+    use crate::given_claim::with_fields;
     use crate::pressure::carried;
-    use crate::read::read_model;
     use crate::scalar::Scalar;
-    use crate::wide::Wide;
+    use serde_json::json;
 
     /// The norms of the correction of a claim with jumps, on long and stiff pieces that bend.
     #[test]
     fn the_norms_of_the_correction_are_sums_over_the_pieces() {
         let text = "[beam]\nlength = 12\nEI = 50\n[foundation]\nk = 10\nmu = 7\n";
-        let model = read_model::<Wide>(text, None).expect("a model");
         let ends = [0.0, 3.0, 7.0, 12.0];
-        let piece = |i: usize| Piece {
-            x: [ends[i], ends[i + 1]],
-            half: 0.5 * (ends[i + 1] - ends[i]),
-            touches: true,
-            deflection: vec![[0.0, 0.25, 0.0][i], [0.0, 0.5, -0.5][i]],
-            ..Piece::default()
+        let piece = |i: usize| {
+            let w = [[0.0, 0.25, 0.0][i], [0.0, 0.5, -0.5][i]];
+            let x = [ends[i], ends[i + 1]];
+            json!({"x": x, "half": 0.5 * (x[1] - x[0]), "touches": true, "deflection": w})
         };
-        let answer = Answer { pieces: (0..3).map(piece).collect(), ..Answer::default() };
-        let frame = frame(&model, &answer, None, &[]).expect("a frame");
-        let fields = Fields::of(&frame).expect("fields");
-        let mut exact = [0.0; 2];
-        for (span, c) in frame.spans.iter().zip(&fields.deflection.pieces) {
-            let [_, slope, bent] = c.bounds.map(|bound| bound.value());
-            exact[0] += span.h.middle() * span.bending.middle() * bent * bent;
-            exact[1] += span.h.middle() * slope * slope;
-        }
-        assert!(exact[0] > 0.0);
-        let touching = frame.spans.iter().zip(&fields.deflection.pieces);
-        let carried_by = touching.map(|(span, c)| {
-            let [value, slope, _] = c.bounds.map(|bound| bound.value());
-            let springs = span.spring.middle() * value * value;
-            span.h.middle() * (springs + span.shear.middle() * slope * slope)
+        let pieces = [0, 1, 2].map(piece);
+        let document = json!({ "pieces": pieces });
+        with_fields(text, &document, |fields| {
+            let mut exact = [0.0; 2];
+            for (span, c) in fields.frame.spans.iter().zip(&fields.deflection.pieces) {
+                let [_, slope, bent] = c.bounds.map(|bound| bound.value());
+                exact[0] += span.h.middle() * span.bending.middle() * bent * bent;
+                exact[1] += span.h.middle() * slope * slope;
+            }
+            assert!(exact[0] > 0.0);
+            let touching = fields.frame.spans.iter().zip(&fields.deflection.pieces);
+            let carried_by = touching.map(|(span, c)| {
+                let [value, slope, _] = c.bounds.map(|bound| bound.value());
+                let springs = span.spring.middle() * value * value;
+                span.h.middle() * (springs + span.shear.middle() * slope * slope)
+            });
+            let ratio = carried(fields.frame, &fields.deflection).value() / carried_by.sum::<f64>();
+            assert!((ratio - 1.0).abs() < 1e-12, "{ratio}");
+            for (found, exact) in fields.closing.iter().zip(exact) {
+                assert!((found.value() / exact - 1.0).abs() < 1e-12, "{found:?} {exact}");
+            }
         });
-        let ratio = carried(&frame, &fields.deflection).value() / carried_by.sum::<f64>();
-        assert!((ratio - 1.0).abs() < 1e-12, "{ratio}");
-        for (found, exact) in fields.closing.iter().zip(exact) {
-            assert!((found.value() / exact - 1.0).abs() < 1e-12, "{found:?} {exact}");
-        }
     }
 }
