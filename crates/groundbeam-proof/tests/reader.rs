@@ -366,7 +366,7 @@ fn a_short_beam_on_clay_counts_as_a_square() {
     }
 }
 
-/// A point force on the ground needs a shear layer, and the ground must reach as far as the load.
+/// The reader refuses a point force on Winkler ground, and a point force beyond the end of the ground.
 #[test]
 fn a_point_force_on_the_ground_needs_a_layer() {
     let text = |at: f64, segments: &str| {

@@ -5,6 +5,7 @@
 mod beam;
 mod contact;
 mod ground;
+mod stability;
 
 use crate::answer::{Answer, Force, Piece};
 use crate::ball::Ball;

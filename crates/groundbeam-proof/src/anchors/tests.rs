@@ -1,0 +1,117 @@
+//! Compares the bounds from anchors with norms of kernels and with exact shares.
+
+#![cfg(test)]
+
+use super::{along_slope, between, beyond, from_mean, parts_of};
+use crate::answer::Piece;
+use crate::frame::Span;
+use crate::given_claim::with_fields;
+use crate::pointwise::Pointwise;
+use crate::random::numbers;
+use crate::scalar::Scalar;
+use crate::size::Size;
+use crate::test_functions::tests::integral;
+use crate::units::Units;
+use crate::wide::Wide;
+use serde_json::json;
+
+/// The value of e at a position is ∫g e_φ′ + ∫g_γ γ plus the contribution of the anchors. By Cauchy's inequality its bound
+/// contains s times the norm of g, and s_γ times the norm of g_γ.
+#[test]
+fn bounds_between_and_beyond_anchors_have_the_norms_of_the_kernels() {
+    let mut random = numbers();
+    for _ in 0..200 {
+        let [h, over, s, sheared, near, far, slope] =
+            [0; 7].map(|_| 10.0_f64.powf(2.0 * random() - 1.0));
+        let [short, long] = [over, h].map(Size::of);
+        let flexure = [s, sheared].map(Size::of);
+        let is_bound = |bound: Size, exact: f64| {
+            let ratio = bound.value() / exact;
+            assert!((1.0 - 1e-12..1.001).contains(&ratio), "{ratio}");
+        };
+        // In the middle between two anchors g = ½ min(x, h − x) and g_γ = ±½.
+        let bent = (2.0 * integral(0.5 * h, |x| (0.5 * x).powi(2))).sqrt();
+        is_bound(between(long, flexure), s * bent + sheared * (0.25 * h).sqrt());
+        // Beyond two anchors g = o − x and g_γ = 1 on the overhang, g = o(1 − x/h) and g_γ = o/h between them.
+        let outside = integral(over, |x| (over - x).powi(2));
+        let bent = (outside + integral(h, |x| (over * (1.0 - x / h)).powi(2))).sqrt();
+        let slid = (over + integral(h, |_| (over / h).powi(2))).sqrt();
+        let exact = near + (near + far) * over / h + s * bent + sheared * slid;
+        is_bound(beyond([near, far].map(Size::of), short, [h; 2], flexure), exact);
+        // Beyond an anchor at the distance h from a position with a bound of e_φ: g = o up to the anchor.
+        let bent = (outside + integral(h, |_| over * over)).sqrt();
+        let exact = slope * over + s * bent + sheared * over.sqrt();
+        is_bound(along_slope([slope, h].map(Size::of), short, flexure), exact);
+    }
+}
+
+/// At a distance y from the middle, e differs from its tangent there by at most s(y³/3)^½ + s_γy^½. The bound adds the mean
+/// of this number to the mean of |e|, and its value at the ends to (1 + √2) times the sum.
+#[test]
+fn a_bound_of_the_mean_gives_a_bound_of_both_ends() {
+    let mut random = numbers();
+    for _ in 0..200 {
+        let [half, s, sheared, mean] = [0; 4].map(|_| 10.0_f64.powf(2.0 * random() - 1.0));
+        // The substitution y = v² gives polynomials.
+        let root = half.sqrt();
+        let average = |f: &dyn Fn(f64) -> f64| integral(root, |v| 2.0 * v * f(v)) / half;
+        let bent = |v: f64| s * v.powi(3) / 3.0_f64.sqrt();
+        let slid = |v: f64| sheared * v;
+        let off = average(&|v| bent(v) + slid(v));
+        let exact = (1.0 + 2.0_f64.sqrt()) * (mean + off) + bent(root) + slid(root);
+        let [curved, sheared] = [s * half * root, sheared * root].map(Size::of);
+        let ratio = from_mean(Size::of(mean), curved, sheared).value() / exact;
+        assert!((1.0 - 1e-12..1.001).contains(&ratio), "{ratio}");
+    }
+}
+
+/// A piece of length 1.6 with half = 1 covers |t| ≤ 0.8.
+#[test]
+fn pressures_are_bounded_within_the_piece_only() {
+    for (half, wanted) in [(1.0, &[0.5, 0.25, 0.0625][..]), (0.8, &[0.9, 0.5, 0.25, 0.0625])] {
+        let piece = Piece { x: [0.0, 1.6], half, deflection: vec![1.0], ..Piece::default() };
+        let units = Units { length: 0, force: 0 };
+        let span = Span::of(&piece, [0.0, 1.6].map(Wide::of), units).expect("a piece");
+        assert_eq!(parts_of(&span).collect::<Vec<_>>(), wanted);
+    }
+    // The exact end of a piece is not the stored one: |t| ≤ 0.875 at the right or at the left end.
+    for exact in [[0.0, 1.5], [0.1, 1.6]] {
+        let piece = Piece { x: [0.0, 1.6], half: 0.8, deflection: vec![1.0], ..Piece::default() };
+        let units = Units { length: 0, force: 0 };
+        let span = Span::of(&piece, exact.map(Wide::of), units).expect("a piece");
+        assert_eq!(parts_of(&span).collect::<Vec<_>>(), [0.5, 0.25, 0.0625]);
+    }
+}
+
+/// Loads larger by a quarter than the claimed pressure and the claimed forces of supports: λ = ¼, and at least ¾ of p and
+/// of R remain.
+#[test]
+fn redistributed_pressures_and_reactions_keep_their_share() {
+    let springs = "[[support]]\nat = 0\ntype = 'pinned'\nacts = 'up'\n[[support]]\nat = 2\ntype = 'pinned'\nacts = 'up'\n\
+        [[gap]]\nat = 0\nvalue = 100\n";
+    for (rest, load, touches) in [("", 1.25, true), (springs, 1.25, false)] {
+        let text = format!(
+            "[beam]\nlength = 2\nEI = 1\n[foundation]\nk = 1\n{rest}[[load]]\ndistributed = {load}\n"
+        );
+        let w = if touches { 1.0 } else { 0.0 };
+        let reaction = |support: usize| json!({"support": support, "force": 1, "moment": 0});
+        let reactions = if touches { Vec::new() } else { vec![reaction(0), reaction(1)] };
+        let piece = json!({"x": [0, 2], "half": 1, "touches": touches, "deflection": [w]});
+        let document = json!({"pieces": [piece], "reactions": reactions});
+        with_fields(&text, &document, |fields| {
+            let units = fields.frame.units;
+            let (_, balanced) = fields.energy().expect("a balance");
+            assert!((balanced.factor(0).value() - 0.25).abs() < 1e-12);
+            let energy = Size::of(1e-3);
+            let pointwise = Pointwise { fields, balanced: &balanced, energy };
+            if touches {
+                let least = units.restored(pointwise.least_pressure(0, 0.9), 1, -1);
+                assert!(least <= 0.75 && least > 0.75 - 1e-12, "{least}");
+            } else {
+                let kept =
+                    units.restored(1e-3 / pointwise.pushed(0).expect("a bound").value(), 1, 0);
+                assert!(kept <= 0.75 && kept > 0.75 - 1e-12, "{kept}");
+            }
+        });
+    }
+}
