@@ -231,8 +231,10 @@ impl Search<'_, '_> {
             let is_balanced = at_rest && self.holds(found)
                 || (is_unchanged || self.jitters(contact, found))
                     && (self.judge)(found) <= ROUNDING_GAP;
-            let edge_error = EdgeError::of(&[contact, asked], self.length());
-            return is_balanced.then(|| ContactState { edge_error, ..found.as_ref().clone() });
+            return is_balanced.then(|| {
+                let edge_error = EdgeError::of(&[contact, asked], self.length());
+                ContactState { edge_error, ..found.as_ref().clone() }
+            });
         }
         let (moved, before) = (self.moved, self.before);
         let lengths = contact.iter().map(|[from, to]| to - from).filter(|length| *length > 0.0);
