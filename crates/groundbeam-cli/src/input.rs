@@ -5,7 +5,7 @@ use crate::command::Printed;
 use crate::failure::Failure;
 use crate::status::Status;
 use groundbeam::Error;
-use groundbeam::proof::Reason;
+use groundbeam::proof::{Reason, Wide, read_model};
 use groundbeam_file::{Diagnostics, Document, read_bounded, read_file};
 use groundbeam_report::calculation::Source;
 use groundbeam_report::{Context, Units, text};
@@ -98,7 +98,7 @@ impl Input {
     /// Whether the file has a key that the second reader does not know. The second reader reads model files
     /// for proofs.
     pub fn is_not_proven_as_written(&self) -> bool {
-        let read = groundbeam::proof::read_model::<f64>(&self.text, None);
+        let read = read_model::<Wide>(&self.text, None);
         read.is_err_and(|error| matches!(error.reason, Reason::NotRead(_)))
     }
 

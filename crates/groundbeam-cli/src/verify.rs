@@ -85,7 +85,7 @@ impl ModelFile {
         })?;
         let folder = path.parent().unwrap_or(Path::new(""));
         let of_solver = Input::of(name.clone(), &bytes, folder);
-        let of_any = proof::read_model::<f64>(text, None).map_err(|error| error.reason);
+        let of_any = proof::read_model::<Wide>(text, None).map_err(|error| error.reason);
         let (digest, units, combinations) = match (of_solver, of_any) {
             (Ok(input), _) => {
                 let names = input.document.combinations().into_iter().map(|c| c.name);

@@ -27,6 +27,7 @@ mod decimal;
 mod deflection;
 mod document;
 mod edge_forces;
+mod enclosing;
 mod energies;
 mod estimate;
 mod extremes;
@@ -81,6 +82,7 @@ pub use ball::Ball;
 pub use bounds::{Bound, Bounds, ReactionBound, Scales};
 pub use contact_set::{ContactForce, ContactRegion, ContactSet};
 pub use document::{Document, Extreme};
+pub use enclosing::{Enclosing, prove, read_model, verify, verify_and_log};
 pub use estimate::{Estimate, estimate};
 pub use extremes::PlacedExtreme;
 pub use json::JsonError;
@@ -90,9 +92,9 @@ pub use model::{
     Action, Acts, Beam, BeamSegment, Course, Extent, GapCorner, Ground, GroundEnd, GroundSegment,
     Hinge, Load, Model, Support, SupportKind,
 };
-pub use proof::{Proof, prove};
-pub use read::{ReadError, Reason, read_model};
+pub use proof::Proof;
+pub use read::{ReadError, Reason};
 pub use refusal::NotProven;
 pub use scalar::Scalar;
-pub use verification::{Verification, verify, verify_and_log};
+pub use verification::Verification;
 pub use wide::Wide;

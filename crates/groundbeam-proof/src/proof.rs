@@ -84,11 +84,6 @@ impl Proof {
     }
 }
 
-/// Bounds the distance of the answer from the solution of the model.
-pub fn prove<S: Scalar>(model: &Model<S>, answer: &Answer) -> Result<Proof, NotProven> {
-    proven(model, answer, None, |_, proof| proof)
-}
-
 /// Proves an answer. Passes the proof and the fields that are constructed from the answer to `conclude`.
 /// Writes a log if one is given.
 pub(crate) fn proven<S: Scalar, T>(

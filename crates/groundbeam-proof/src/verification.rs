@@ -42,21 +42,8 @@ pub struct Verification {
     pub shortfall: Option<NotProven>,
 }
 
-/// Proves a document: its answer, and the other listed numbers.
-///
-/// # Errors
-///
-/// The reason why nothing is proven.
-pub fn verify<S: Scalar>(model: &Model<S>, document: &Document) -> Result<Verification, NotProven> {
-    verify_and_log(model, document, None)
-}
-
-/// Proves a document and writes the log of the proof.
-///
-/// # Errors
-///
-/// The reason why nothing is proven.
-pub fn verify_and_log<S: Scalar>(
+/// Proves a document: its answer, and the other listed numbers. Writes a log if one is given.
+pub(crate) fn verified<S: Scalar>(
     model: &Model<S>,
     document: &Document,
     log: Option<&mut Log>,

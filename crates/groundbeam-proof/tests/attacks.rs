@@ -3,7 +3,7 @@
 //! Claims: `docs/proof.md`.
 
 use groundbeam_proof::{
-    Answer, NotProven, Proof, ReadError, Reason, SupportKind, Wide, prove, read_model,
+    Answer, NotProven, Proof, ReadError, Reason, Scalar, SupportKind, Wide, prove, read_model,
 };
 use serde_json::Value;
 
@@ -72,12 +72,12 @@ fn fields(answer: &Answer, x: f64) -> [f64; 3] {
 /// The largest of error over bound for deflection, slope and moment at the stations and for reactions, and the energy of
 /// the error over E.
 fn worst(attack: &Attack, answer: &Answer, proof: &Proof) -> f64 {
-    let model = read_model::<f64>(&attack.model, None).expect("a model");
+    let model = read_model::<Wide>(&attack.model, None).expect("a model");
     let number = |value: &Value| value.as_str().and_then(|x| x.parse().ok()).unwrap_or(f64::NAN);
     let mut worst: f64 = 0.0;
     for station in attack.truth["stations"].as_array().expect("stations") {
         let [w, slope, bent] = fields(answer, number(&station["x"]));
-        let moment = -model.beam.bending_stiffness * bent;
+        let moment = -model.beam.bending_stiffness.middle() * bent;
         for (claimed, name, bound) in [
             (w, "deflection", proof.bounds.deflection.error),
             (slope, "slope", proof.bounds.slope.error),
@@ -120,7 +120,7 @@ fn contact_is_true(attack: &Attack, proof: &Proof) {
     for (region, [from, to]) in contact.regions.iter().zip(&exact) {
         assert!(holds(region.from, *from) && holds(region.to, *to), "{}: {region:?}", attack.name);
     }
-    let length = read_model::<f64>(&attack.model, None).expect("a model").beam.length;
+    let length = read_model::<Wide>(&attack.model, None).expect("a model").beam.length.middle();
     for (end, x) in [0.0, length].into_iter().enumerate() {
         let wanted = number(&attack.truth["end_forces"][end]);
         let found = contact.forces.iter().find(|force| force.x == x);

@@ -35,7 +35,7 @@ def test_a_model_in_code_equals_the_file_bit_for_bit() -> None:
 
 def test_ground_loads_troughs_trains_and_checks_equal_those_of_a_file() -> None:
     """In the arguments of a model, added to a model, and as tables of a file."""
-    beam, foundation = gb.Beam("20 m", EI="6 MN m^2"), gb.Foundation(k="40 MN/m^2", mu="2 MN")
+    beam, foundation = gb.Beam("20 m", EI="6 GN m^2"), gb.Foundation(k="40 MN/m^2", mu="2 MN")
     weight = gb.Load.distributed("30 kN/m", case="G")
     neighbour = gb.GroundLoad.point("10 kN", at="-1 m", case="G")
     backfill = gb.GroundLoad.distributed(["0 kN/m", "5 kN/m"], "20 m", "23 m")
@@ -59,7 +59,7 @@ def test_ground_loads_troughs_trains_and_checks_equal_those_of_a_file() -> None:
     added = added.with_train(train).with_checks(checks)
     in_file = gb.Model.from_dict(
         {
-            "beam": {"length": 20, "EI": 6e6},
+            "beam": {"length": 20, "EI": 6e9},
             "foundation": {"k": 40e6, "mu": 2e6},
             "load": [{"distributed": 30e3, "case": "G"}],
             "ground_load": [

@@ -9,7 +9,7 @@
 #[cfg(target_family = "wasm")]
 mod module;
 
-use groundbeam_proof::{Ball, Document, Log, Scalar, Wide, read_model, verify_and_log};
+use groundbeam_proof::{Ball, Document, Enclosing, Log, Wide, read_model, verify_and_log};
 
 /// The solution of the model in a document, and the proofs of the document in each type of numbers, with
 /// their logs.
@@ -31,9 +31,8 @@ pub fn results(input: &str) -> String {
     let combination = Some(combination).filter(|name| !name.is_empty());
     let wide = proof::<Wide>(file, combination, document);
     let ball = proof::<Ball>(file, combination, document);
-    let double = proof::<f64>(file, combination, document);
     let solution = solution(document);
-    format!("solution: {solution}\nwide: {wide}\nball: {ball}\ndouble: {double}\n")
+    format!("solution: {solution}\nwide: {wide}\nball: {ball}\n")
 }
 
 /// Solution of the model in the document.
@@ -47,7 +46,7 @@ fn solution(document: &Document) -> String {
 
 /// The proof in one type of numbers. The model is read from the file, or from the document if the reader
 /// refuses the file.
-fn proof<S: Scalar>(file: &str, combination: Option<&str>, document: &Document) -> String {
+fn proof<S: Enclosing>(file: &str, combination: Option<&str>, document: &Document) -> String {
     let read = read_model::<S>(file, combination);
     let model = match (read, &document.model) {
         (Err(_), Some(own)) => read_model::<S>(own, None),

@@ -59,25 +59,10 @@ const FOREIGN: &[&str] = &["gap_survey", "gap_trough", "train"];
 
 /// Reads a model file. Returns the model under the loads of a combination, or under all loads with their
 /// values in the file.
-///
-/// Numbers are converted to m, N and rad if the file has units; otherwise they are unchanged. Decimals and
-/// unit factors are exact. A scalar that cannot represent a number exactly encloses it.
-///
-/// ```
-/// use groundbeam_proof::{Wide, Scalar, read_model};
-///
-/// let text = "[beam]\nlength = '10 ft'\nE = '30 GPa'\nsection = { width = '1 m', height = '0.8 m' }\n\
-///             [foundation]\nk = '40 MN/m^2'\n[[load]]\npoint = '600 kN'\nat = '1 m'\n";
-/// let model = read_model::<Wide>(text, None)?;
-/// assert_eq!(model.beam.length.middle(), 3.048);
-/// assert_eq!(model.beam.bending_stiffness.middle(), 1.28e9);
-/// # Ok::<(), groundbeam_proof::ReadError>(())
-/// ```
-///
-/// # Errors
-///
-/// The first fault of the file, with its position.
-pub fn read_model<S: Scalar>(text: &str, combination: Option<&str>) -> Result<Model<S>, ReadError> {
+pub(crate) fn read_model<S: Scalar>(
+    text: &str,
+    combination: Option<&str>,
+) -> Result<Model<S>, ReadError> {
     read(text, combination).map_err(|fault: Fault| fault.placed(text))
 }
 

@@ -1,0 +1,116 @@
+//! The functions that read models and prove answers, for the number types whose operations enclose rounding errors.
+//!
+//! They are compiled here for each type. Otherwise every crate that calls them would compile the whole proof again.
+
+use crate::answer::Answer;
+use crate::ball::Ball;
+use crate::document::Document;
+use crate::log::Log;
+use crate::model::Model;
+use crate::proof::{Proof, proven};
+use crate::read::{self, ReadError};
+use crate::refusal::NotProven;
+use crate::scalar::Scalar;
+use crate::verification::{Verification, verified};
+use crate::wide::Wide;
+
+/// A number type whose operations enclose their rounding errors, so that a proof in it is a theorem: [`Ball`] or [`Wide`].
+pub trait Enclosing: Scalar {
+    #[doc(hidden)]
+    fn read(text: &str, combination: Option<&str>) -> Result<Model<Self>, ReadError>;
+
+    #[doc(hidden)]
+    fn prove(model: &Model<Self>, answer: &Answer) -> Result<Proof, NotProven>;
+
+    #[doc(hidden)]
+    fn verify(
+        model: &Model<Self>,
+        document: &Document,
+        log: Option<&mut Log>,
+    ) -> Result<Verification, NotProven>;
+}
+
+macro_rules! compiled {
+    ($($number:ty),*) => {$(
+        impl Enclosing for $number {
+            fn read(text: &str, combination: Option<&str>) -> Result<Model<Self>, ReadError> {
+                read::read_model(text, combination)
+            }
+
+            fn prove(model: &Model<Self>, answer: &Answer) -> Result<Proof, NotProven> {
+                proven(model, answer, None, |_, proof| proof)
+            }
+
+            fn verify(
+                model: &Model<Self>,
+                document: &Document,
+                log: Option<&mut Log>,
+            ) -> Result<Verification, NotProven> {
+                verified(model, document, log)
+            }
+        }
+    )*};
+}
+
+compiled!(Ball, Wide);
+
+/// Reads a model file. Returns the model under the loads of a combination, or under all loads with their
+/// values in the file.
+///
+/// Numbers are converted to m, N and rad if the file has units; otherwise they are unchanged. Decimals and
+/// unit factors are exact, or enclosed if the number type cannot represent them.
+///
+/// ```
+/// use groundbeam_proof::{Wide, Scalar, read_model};
+///
+/// let text = "[beam]\nlength = '10 ft'\nE = '30 GPa'\nsection = { width = '1 m', height = '0.8 m' }\n\
+///             [foundation]\nk = '40 MN/m^2'\n[[load]]\npoint = '600 kN'\nat = '1 m'\n";
+/// let model = read_model::<Wide>(text, None)?;
+/// assert_eq!(model.beam.length.middle(), 3.048);
+/// assert_eq!(model.beam.bending_stiffness.middle(), 1.28e9);
+/// # Ok::<(), groundbeam_proof::ReadError>(())
+/// ```
+///
+/// # Errors
+///
+/// The first fault of the file, with its position.
+pub fn read_model<S: Enclosing>(
+    text: &str,
+    combination: Option<&str>,
+) -> Result<Model<S>, ReadError> {
+    S::read(text, combination)
+}
+
+/// Bounds the distance of the answer from the solution of the model.
+///
+/// # Errors
+///
+/// The reason why nothing is proven.
+pub fn prove<S: Enclosing>(model: &Model<S>, answer: &Answer) -> Result<Proof, NotProven> {
+    S::prove(model, answer)
+}
+
+/// Proves a document: its answer, and the other listed numbers.
+///
+/// # Errors
+///
+/// The reason why nothing is proven.
+pub fn verify<S: Enclosing>(
+    model: &Model<S>,
+    document: &Document,
+) -> Result<Verification, NotProven> {
+    S::verify(model, document, None)
+}
+
+/// Proves a document. Writes the log of the proof if one is given.
+///
+/// # Errors
+///
+/// The reason why nothing is proven.
+pub fn verify_and_log<S: Enclosing>(
+    model: &Model<S>,
+    document: &Document,
+    log: Option<&mut Log>,
+) -> Result<Verification, NotProven> {
+    S::verify(model, document, log)
+}
