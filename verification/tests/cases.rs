@@ -8,7 +8,7 @@ use groundbeam::{
 use groundbeam_testing::expect_file;
 use groundbeam_verification::cases::answers::Answers;
 use groundbeam_verification::cases::{Case, all, manual::manual};
-use groundbeam_verification::estimated::estimated_bounds;
+use groundbeam_verification::proven::proven_bounds;
 
 fn readable() -> Vec<Case> {
     let (cases, faults): (Vec<_>, Vec<_>) = all().into_iter().partition(Result::is_ok);
@@ -100,7 +100,7 @@ fn farther_off_than_proven(exact: &Solution, mesh: &Solution) -> Option<String> 
         let range = exact.range(field);
         range.max.value.abs().max(range.min.value.abs())
     };
-    let [settlement, moment, _] = estimated_bounds(mesh);
+    let [settlement, moment, _] = proven_bounds(mesh);
     let settlement = settlement + 1e-10 * size(Field::Settlement);
     let moment = moment + 1e-10 * size(Field::Moment);
     const STATIONS: usize = 2000;

@@ -4,7 +4,7 @@ use groundbeam::{
     Beam, Error, Field, Foundation, Load, Method, Model, NotConverged, Options, Outcome, Solution,
     Support, solution::Side, solve, solve_with,
 };
-use groundbeam_verification::estimated::estimated_bounds;
+use groundbeam_verification::proven::proven_bounds;
 use groundbeam_verification::random::{Family, model};
 use groundbeam_verification::reference::Answer;
 
@@ -122,7 +122,7 @@ fn the_error_of_a_mesh_is_within_its_own_bound() {
             let Some(exact) = solved(&model, &Options::default()) else { continue };
             let Some(coarse) = solved(&model, &options) else { continue };
             count += 1;
-            let [own, other] = [&coarse, &exact].map(|solution| estimated_bounds(solution)[0]);
+            let [own, other] = [&coarse, &exact].map(|solution| proven_bounds(solution)[0]);
             let bound = own + other;
             let l = model.beam.length;
             for i in 0..=40 {
@@ -166,7 +166,7 @@ fn bounds_cover_the_answers_in_sixty_digits() {
     let mut relative = Vec::new();
     for answer in Answer::all().into_iter().filter(|a| !TOO_STIFF.contains(&a.name.as_str())) {
         let Ok(Outcome::Equilibrium(solution)) = solve(&answer.parsed()) else { continue };
-        let [bound, ..] = estimated_bounds(&solution);
+        let [bound, ..] = proven_bounds(&solution);
         if !bound.is_finite() {
             continue;
         }

@@ -6,7 +6,7 @@
 use groundbeam::{
     Beam, Field, Foundation, Load, Model, Outcome, Solution, model::GroundEnd, solve,
 };
-use groundbeam_verification::estimated::estimated_bounds;
+use groundbeam_verification::proven::proven_bounds;
 
 const SPRING: f64 = 9.0;
 const SHEAR: f64 = 4.0;
@@ -129,7 +129,7 @@ fn ground_cut_near_the_beam_is_softer() {
         let ground = Foundation::pasternak(SPRING, SHEAR);
         let ground = ground.with_ends(end(-distance), end(10.0 + distance));
         let solution = solved(&Model { foundation: ground, ..footing() });
-        let [error, ..] = estimated_bounds(&solution);
+        let [error, ..] = proven_bounds(&solution);
         (solution.value(Field::Deflection, 0.0), error)
     };
     let (endless, _) = sunk(|_| GroundEnd::Endless, 1.0);

@@ -3,7 +3,7 @@
 use groundbeam::{
     Error, Field, Method, Model, Options, Outcome, Solution, solution::Side, solve, solve_with,
 };
-use groundbeam_verification::estimated::estimated_bounds;
+use groundbeam_verification::proven::proven_bounds;
 use groundbeam_verification::random::{Family, model};
 
 fn exact(model: &Model) -> Result<Solution, String> {
@@ -85,7 +85,7 @@ fn active_set_solutions_stay_within_their_certificate() {
                     certificate.gap()
                 ));
             }
-            let [bound, ..] = estimated_bounds(&coarse);
+            let [bound, ..] = proven_bounds(&coarse);
             for i in 0..=20 {
                 let x = model.beam.length * f64::from(i) / 20.0;
                 let error = (coarse.settlement(x) - exact.settlement(x)).abs();
@@ -193,7 +193,7 @@ fn mirrored_models_have_mirrored_solutions() {
             // A stiff beam that a settled pin holds deep in the ground: its bending is in the last digits of
             // its deflection, so only the accuracy of the certificate is reached.
             let bounds = match family {
-                Family::Settled => [&a, &b].map(estimated_bounds),
+                Family::Settled => [&a, &b].map(proven_bounds),
                 _ => [[0.0; 3]; 2],
             };
             let bound = |i: usize| bounds[0][i] + bounds[1][i];

@@ -7,7 +7,7 @@ use groundbeam::{
     Beam, Error, Field, Foundation, Load, Method, Model, NodalSolution, NodalSolver, Options,
     Outcome, Solution, model::Profile, own_buckling_load, solution::Side, solve, solve_with,
 };
-use groundbeam_verification::estimated::estimated_bounds;
+use groundbeam_verification::proven::proven_bounds;
 
 fn exact(model: &Model) -> Solution {
     match solve(model) {
@@ -161,7 +161,7 @@ fn the_mesh_converges_within_its_own_bounds() {
             let excess = proof.primal_energy() - wanted.certificate().primal_energy();
             // Forces at nodes let the beam enter the ground between the nodes.
             assert!(excess >= -proof.gap() && excess <= proof.gap() * (1.0 + 1e-9), "{proof:?}");
-            let [bound, ..] = estimated_bounds(&found);
+            let [bound, ..] = proven_bounds(&found);
             for i in 0..=20 {
                 let x = 0.2 * f64::from(i);
                 let [_, _, u] = fields(&found, x);

@@ -1,17 +1,20 @@
-//! Tests the Python package: builds it as a wheel, installs it into a virtual environment, and runs its
-//! Python tests.
+//! Tests the Python package: copies it into a virtual environment with the library that Cargo has compiled, checks its
+//! types, and runs its Python tests.
+//!
+//! `.ci/run` builds the wheel and installs it as users do.
 //!
 //! The test needs Python 3.10 or later and packages from its index. Without them it reports that it was
 //! skipped, or fails if `GROUNDBEAM_DEMAND` names `python`.
 
 use groundbeam_testing::{environment, succeed, tools_or_skip};
+use std::env::consts;
+use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::thread;
 
 /// Packages that the tests need.
-const NEEDS: [&str; 10] = [
-    "maturin>=1.9,<2",
+const NEEDS: [&str; 9] = [
     "numpy",
     "pytest",
     "pytest-xdist",
@@ -56,34 +59,29 @@ fn workplace() -> PathBuf {
     Path::new(env!("CARGO_TARGET_TMPDIR")).join("python")
 }
 
-/// Builds the wheel and installs it.
+/// Copies the package and its compiled library into the environment.
 fn install(python: &Path) {
-    let wheels = workplace().join("wheels");
-    let _ = std::fs::remove_dir_all(&wheels);
-    let mut build = Command::new(python);
-    build.current_dir(folder()).args(["-m", "maturin", "build", "--quiet", "--locked"]);
-    build.args(["--auditwheel", "skip", "--interpreter"]).arg(python).arg("--out").arg(&wheels);
-    build.env("CARGO_TARGET_DIR", target()).env("PIP_DISABLE_PIP_VERSION_CHECK", "1");
-    if cfg!(debug_assertions) {
-        build.args(["--profile", "dev"]);
-    } else {
-        build.arg("--release");
+    let ask = ["-c", "import sysconfig; print(sysconfig.get_path('platlib'), end='')"];
+    let answer = Command::new(python).args(ask).output().expect("Python");
+    let place = String::from_utf8(answer.stdout).expect("a path that is text");
+    let package = Path::new(&place).join("groundbeam");
+    let _ = fs::remove_dir_all(&package);
+    fs::create_dir_all(&package).expect("a folder in the environment");
+    for entry in fs::read_dir(folder().join("python/groundbeam")).expect("the package") {
+        let file = entry.expect("a file of the package").path();
+        if file.is_file() {
+            fs::copy(&file, package.join(file.file_name().expect("a name"))).expect("copied");
+        }
     }
-    succeed(&mut build);
-    let made =
-        std::fs::read_dir(&wheels).expect("wheels").map(|entry| entry.expect("a file").path());
-    let wheels: Vec<PathBuf> = made.collect();
-    let [wheel] = &wheels[..] else { panic!("one wheel, not {wheels:?}") };
-    let name = spelled(wheel.clone());
-    assert!(name.contains("-cp310-abi3-"), "one wheel for every Python from 3.10 on: {name}");
-    let install = ["-m", "pip", "install", "--quiet", "--no-deps", "--force-reinstall", &name];
-    run(python, &install);
+    let module = if cfg!(windows) { "_native.pyd" } else { "_native.abi3.so" };
+    fs::copy(library(), package.join(module)).expect("the compiled library");
 }
 
-/// Folder of the compiled files: this test is in `target/debug/deps`.
-fn target() -> PathBuf {
+/// The library that Cargo compiles beside this test.
+fn library() -> PathBuf {
     let own = std::env::current_exe().expect("this test is a file");
-    own.ancestors().nth(3).expect("target/debug/deps").to_owned()
+    let name = format!("{}groundbeam_native{}", consts::DLL_PREFIX, consts::DLL_SUFFIX);
+    own.parent().expect("the folder of this test").join(name)
 }
 
 /// Runs Python outside the sources, so that it imports the installed package.

@@ -1,6 +1,6 @@
 //! The text of an answer and of its certificate: one line for each quantity, every number with all its bits.
 
-use crate::estimated::estimated_bounds;
+use crate::proven::proven_bounds;
 use groundbeam::{Error, Existence, Field, Outcome, Solution, Verdict, solution::Side};
 use std::fmt::Write;
 
@@ -99,7 +99,7 @@ pub fn verdict(existence: &Existence) -> String {
 pub fn certificate(solution: &Solution) -> String {
     let proof = solution.certificate();
     let energies = [proof.primal_energy(), proof.dual_energy(), proof.gap(), proof.relative_gap()];
-    let [settlement, moment, _] = estimated_bounds(solution);
+    let [settlement, moment, _] = proven_bounds(solution);
     line("energies", &energies) + &line("bounds", &[settlement, moment])
 }
 

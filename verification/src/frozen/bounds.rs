@@ -22,7 +22,7 @@ use super::Frozen;
 use super::answer::STEPS;
 use super::bits::Difference;
 use super::record::Record;
-use crate::estimated::estimated_bounds;
+use crate::proven::proven_bounds;
 use groundbeam::{Error, Field, Outcome, Solution, solution::Side};
 
 /// The limit of an edge, as a fraction of the length.
@@ -88,7 +88,7 @@ impl<'a> Comparison<'a> {
         let short = |edges: &[f64]| edges.windows(2).any(|pair| pair[1] - pair[0] <= EDGE * l);
         let has_short_intervals =
             short(&frozen.answer.numbers("contact")) || short(&edges(solution));
-        let bounds = estimated_bounds(solution);
+        let bounds = proven_bounds(solution);
         Comparison { frozen, solution, error, bounds, has_short_intervals, found: Vec::new() }
     }
 
