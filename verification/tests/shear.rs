@@ -171,6 +171,35 @@ fn columns_buckle_at_the_load_of_engesser() {
     }
 }
 
+/// Where S + P is small, w and φ change rapidly, so cells are short. A beam with one segment and a beam with the same
+/// stiffness in many segments have the same solution.
+#[test]
+fn a_compression_near_the_least_shear_stiffness_keeps_the_accuracy() {
+    let model = |axial: f64, parts: u32| {
+        let mut beam = Beam::uniform(10.0, 1e6).with_axial_force(axial);
+        for i in 0..parts {
+            let [from, to] = [i, i + 1].map(|i| 10.0 * f64::from(i) / f64::from(parts));
+            let shear = Profile::linear(10.0 - 0.9 * from, 10.0 - 0.9 * to);
+            beam = beam.with_shearing_segment(from, to, 1e6, shear);
+        }
+        Model::new(beam, Foundation::pasternak(0.1, 0.1))
+            .with_support(Support::fixed(0.0))
+            .with_support(Support::fixed(10.0))
+            .with_load(Load::uniform_force(0.0, 10.0, 1.0))
+    };
+    for axial in [-0.9, -0.99, -0.999] {
+        let [one, many] = [1, 64].map(|parts| solved(&model(axial, parts)));
+        let gap = one.certificate().relative_gap();
+        assert!(gap < 1e-18, "{axial}: {gap:e}");
+        for i in 0..=20 {
+            let x = 0.5 * f64::from(i);
+            let [a, b] = [&one, &many].map(|solution| solution.value(Field::Deflection, x));
+            let most = 1e-9 * largest(&one, Field::Deflection);
+            assert!((a - b).abs() <= most, "{axial} {x}: {a} {b}");
+        }
+    }
+}
+
 /// A force causes a kink, with a concentrated contact force μF/(S + P + μ); at a pin that pushes up the kink opens and
 /// the beam lifts off.
 #[test]

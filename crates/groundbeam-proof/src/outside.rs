@@ -16,6 +16,7 @@
 use crate::beside::{LoadedStretch, Row};
 use crate::frame::Frame;
 use crate::model::{Extent, GroundEnd, Load, Model};
+use crate::positions::is_near;
 use crate::refusal::NotProven;
 use crate::scalar::Scalar;
 use crate::units::Units;
@@ -72,9 +73,11 @@ impl<S: Scalar> Beside<'_, S> {
     /// The distance of a position from the beam's end, positive outside the beam.
     fn outward(&self, at: S) -> S {
         let at = self.units.metres(at);
-        // The distance of the beam's end must be exactly 0, because −0 is sorted before 0.
+        let end = [S::zero(), self.length][self.side];
+        // The distance of the beam's end must be exactly 0, because −0 is sorted before 0. In an estimate, positions that
+        // differ by rounding error are equal.
         match self.side {
-            _ if at == [S::zero(), self.length][self.side] => S::zero(),
+            _ if at == end || !S::ENCLOSES && is_near(at, end, self.length) => S::zero(),
             0 => -at,
             _ => at - self.length,
         }

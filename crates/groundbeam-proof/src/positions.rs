@@ -23,6 +23,11 @@ pub(crate) struct Positions<S> {
     units: Units,
 }
 
+/// Whether two positions on a beam differ by rounding error at most.
+pub(crate) fn is_near<S: Scalar>(a: S, b: S, length: S) -> bool {
+    (a - b).size() <= NEAR * length.low()
+}
+
 impl<S: Scalar> Positions<S> {
     pub fn of(answer: &Answer, length: S, units: Units) -> Result<Self, NotProven> {
         let first =
@@ -65,7 +70,7 @@ impl<S: Scalar> Positions<S> {
     }
 
     fn reached(&self, node: usize, at: S) -> bool {
-        (at - self.stored[node]).size() <= NEAR * self.length.low()
+        is_near(at, self.stored[node], self.length)
     }
 
     /// The node of a position of the model. The node then represents this exact position. In an estimate,

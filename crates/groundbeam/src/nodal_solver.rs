@@ -102,6 +102,7 @@ impl NodalSolver {
         self.grids.clear();
         self.grids.push(grid);
         self.workspace.work = Work::default();
+        self.workspace.history.clear();
         self.workspace.zones.clone_from(&into.contact);
         self.finish(model, into).or_else(|_| self.search(model, elements, into))
     }

@@ -196,9 +196,9 @@ fn newton(balance: &[f64; 2], slope: &[[f64; 2]; 2], free: usize, whole: f64) ->
     [(a * s[1][1] - b * s[0][1]) / d, (b * s[0][0] - a * s[1][0]) / d]
 }
 
-/// Residual of (5.10): the change in a sweep with ρ = 1/Gᵢᵢ, relative to the largest pressure.
+/// Residual of (5.10): the change in a sweep with ρ = 1/Gᵢᵢ, relative to the largest pressure before or after it.
 fn change(before: &[f64], next: &[f64], rho: &[f64], diagonal: &[f64]) -> f64 {
-    let largest = next.iter().fold(0.0, |m: f64, p| m.max(p.abs()));
+    let largest = before.iter().chain(next).fold(0.0, |m: f64, p| m.max(p.abs()));
     let mut worst: f64 = 0.0;
     for i in 0..next.len() {
         let moved = (next[i] - before[i]).abs() / (rho[i] * diagonal[i]).min(1.0);

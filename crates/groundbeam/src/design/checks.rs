@@ -4,6 +4,7 @@ use super::limit_states::{LimitState, LimitStates};
 use crate::existence::rigid_motions::Mechanism;
 use crate::existence::statics::static_reactions;
 use crate::model::Model;
+use crate::numeric::tolerance::SUM_ROUNDING;
 use crate::solution::field::Field;
 use crate::solution::fields::EndForces;
 use crate::solution::solution::Solution;
@@ -223,7 +224,7 @@ impl Limits {
         {
             // A resultant exactly at the edge passes.
             let found = (x / l - 0.5).abs();
-            let found = if (found - limit).abs() <= TOTAL_ROUNDING { limit } else { found };
+            let found = if (found - limit).abs() <= SUM_ROUNDING { limit } else { found };
             add(Checked::Eccentricity, limit, found, Some(x));
         }
         if let Some(limit) = self.overturning {
@@ -248,14 +249,11 @@ fn ground_reaction(solution: &Solution) -> (f64, Option<f64>) {
     moment -= model.beam.axial_force * (ends[1] - ends[0]);
     // If supports carry the whole beam, the contact force is rounding error.
     let total = left.abs() + right.abs();
-    match force.abs() <= TOTAL_ROUNDING * total {
+    match force.abs() <= SUM_ROUNDING * total {
         true => (0.0, None),
         false => (force, Some(moment / force)),
     }
 }
-
-/// Rounding error of a sum of forces, relative to the sum of their absolute values.
-const TOTAL_ROUNDING: f64 = 8.0 * f64::EPSILON;
 
 /// The factor on all overturning loads at which a beam tips; infinite if no load lifts the beam. For each
 /// motion that lifts a part of the beam and that no support prevents, the factor is the work of the holding
@@ -270,7 +268,7 @@ pub fn overturning(model: &Model) -> f64 {
             let of_group = || reactions[group.clone()].iter().map(|reaction| reaction.sum);
             let work: f64 = of_group().sum();
             // A moment does no work where the beam lifts without turning.
-            if work.abs() > TOTAL_ROUNDING * of_group().map(f64::abs).sum::<f64>() {
+            if work.abs() > SUM_ROUNDING * of_group().map(f64::abs).sum::<f64>() {
                 sums[usize::from(work < 0.0)] += work.abs();
             }
         }

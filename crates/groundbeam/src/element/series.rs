@@ -11,7 +11,8 @@
 //! follows from those before it.
 //!
 //! The series converges up to the nearest zero of EI or S + N in the complex plane. This zero is at least ten
-//! half lengths away ([`Cell::is_smooth`](crate::mesh::cell::Cell::is_smooth)). One recurrence gives four
+//! half lengths away ([`Cell::is_smooth`](crate::mesh::cell::Cell::is_smooth),
+//! [`Cell::shear_is_smooth`](crate::mesh::cell::Cell::shear_is_smooth)). One recurrence gives four
 //! solutions without load and one with load. Rigid motions, deformations and γ are separate unknowns, so no
 //! stiffness is a difference of large numbers.
 

@@ -14,7 +14,7 @@ use crate::mesh::mesh::Mesh;
 use crate::model::Model;
 use crate::model::compressed;
 
-/// The buckling load of the beam on its supports, without ground \[N\]: a lower bound, accurate to twelve
+/// The buckling load of a valid model's beam on its supports, without ground \[N\]: a lower bound, accurate to twelve
 /// digits; infinite if the beam does not buckle.
 ///
 /// Below this load the energy of bending, springs and compression is positive definite. The elimination of a
@@ -76,7 +76,8 @@ fn least_unstable(model: &Model, is_stable: impl Fn(f64) -> bool) -> f64 {
 }
 
 fn is_stable(model: &Model, compression: f64) -> bool {
-    if folds(&compressed(model, compression), &[], &|_: &_| ZoneKind::Open) {
+    let model = &compressed(model, compression);
+    if folds(model, &[], &|_: &_| ZoneKind::Open) {
         return false;
     }
     let operator = |cell: &_| Operator::of(cell, -compression, ZoneKind::Open);

@@ -13,6 +13,7 @@ use crate::error::{Error, TooLarge};
 use crate::mesh::mesh::Mesh;
 use crate::model::problem::Bytes;
 use crate::model::{Model, Part, Problem};
+use crate::nodal::beam::LONGEST_ELEMENT;
 use crate::nodal::grid::{fewest_in, is_even};
 use crate::options::{Method, Options};
 
@@ -101,7 +102,9 @@ fn few(model: &Model) -> Option<Count> {
     let cells = 1 + ends + supports.len() + hinges.len() + gap.len();
     // One element for each cell.
     let elements = cells.saturating_add((waves / LONGEST_SERIES).ceil() as usize);
-    Some(Count { cells, elements, fewest: elements, series: 0, is_even: true })
+    let open_waves = (beam.axial_force.abs() / softest).sqrt() * beam.length;
+    let fewest = cells.saturating_add((open_waves / LONGEST_ELEMENT).ceil() as usize);
+    Some(Count { cells, elements, fewest, series: 0, is_even: true })
 }
 
 /// An upper estimate of the memory of a solve of a valid model \[bytes\], from the number of elements. The method
@@ -237,6 +240,7 @@ mod tests {
         let model = Model { loads: loads.collect(), ..Model::new(beam, ground) };
         let (quick, count) = (few(&model).unwrap_or_default(), Count::of(&model));
         assert!(count.elements > 100 && quick.elements >= count.elements, "{quick:?} {count:?}");
+        assert!(quick.fewest >= count.fewest, "{quick:?} {count:?}");
         assert!(quick.cells >= count.cells);
     }
 

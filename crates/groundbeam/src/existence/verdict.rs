@@ -2,6 +2,7 @@
 
 use crate::existence::rigid_motions::Mechanism;
 use crate::model::Model;
+use crate::numeric::tolerance::SUM_ROUNDING;
 
 /// The verdict on the existence of an equilibrium.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -126,9 +127,11 @@ pub struct Existence {
 }
 
 impl Existence {
-    /// The loads' resultant, down positive \[N\].
+    /// The loads' resultant, down positive \[N\]; zero if it is rounding error of the static reactions.
     pub fn resultant(&self) -> f64 {
-        self.static_reactions[0] + self.static_reactions[1]
+        let [left, right] = self.static_reactions;
+        let total = left + right;
+        if total.abs() <= SUM_ROUNDING * (left.abs() + right.abs()) { 0.0 } else { total }
     }
 
     /// The position of the resultant on a beam of length `l` \[m\]; `None` if the resultant is zero.
@@ -218,6 +221,12 @@ mod tests {
         let couple = existence(&beam().with_load(Load::point_moment(1.0, 2.0)));
         assert_eq!(couple.static_reactions, [-0.5, 0.5]);
         assert_eq!((couple.resultant(), couple.resultant_position(4.0)), (0.0, None));
+        // So has a couple of two forces, whose static reactions are rounded.
+        let beam = Model::new(Beam::uniform(1.0, 1.0), Foundation::winkler(1.0));
+        let forces = [Load::point_force(0.1, 1.0), Load::point_force(0.3, -1.0)];
+        let couple = existence(&Model { loads: forces.to_vec(), ..beam });
+        assert_ne!(couple.static_reactions[0], -couple.static_reactions[1]);
+        assert_eq!((couple.resultant(), couple.resultant_position(1.0)), (0.0, None));
     }
 
     fn with_contact(model: &Model, contact: &[[f64; 2]]) -> Verdict {

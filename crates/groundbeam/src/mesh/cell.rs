@@ -55,7 +55,7 @@ pub(crate) struct Varies<R = f64> {
 /// Number of coefficients of k(s) and μ(s).
 pub(crate) const GROUND: usize = Foundation::MOST_CONTROL_VALUES;
 
-/// Radius of a circle around a cell's middle, in half lengths, inside which EI and μ must have no complex
+/// Radius of a circle around a cell's middle, in half lengths, inside which EI, S + N, k and μ must have no complex
 /// zero. The series of their reciprocals then converge like the powers of 1/`ZERO_FREE_RADIUS`.
 const ZERO_FREE_RADIUS: f64 = 10.0;
 
@@ -203,13 +203,21 @@ impl<R: Real> Cell<R> {
 
     /// Whether EI, k and μ vary little enough for short power series.
     pub fn is_smooth(&self) -> bool {
-        let uneven_shear = self.beam_shear.filter(|_| self.beam_shear_varies());
         let is_free = |c: &[R]| is_free_of_zeros(&values(c), ZERO_FREE_RADIUS);
         (!self.beam_varies() || is_free(&self.stiffness_along()))
-            && uneven_shear.is_none_or(|shear| is_free(&shear))
             && (!self.ground_varies()
                 || (is_free(&self.subgrade_along())
                     && (self.shear_layer.value() == 0.0 || is_free(&self.shear_layer_along()))))
+    }
+
+    /// Whether S + N varies little enough for short power series, with the axial force N.
+    pub fn shear_is_smooth(&self, axial_force: f64) -> bool {
+        let uneven = self.beam_shear.filter(|_| self.beam_shear_varies());
+        uneven.is_none_or(|shear| {
+            let mut both = values(&shear);
+            both[0] += axial_force;
+            is_free_of_zeros(&both, ZERO_FREE_RADIUS)
+        })
     }
 
     /// Whether open ground on a length of 2·`half` in the cell is one short power series.

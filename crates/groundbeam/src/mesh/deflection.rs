@@ -7,6 +7,7 @@ use crate::mesh::mesh::Mesh;
 use crate::mesh::varying;
 use crate::numeric::polynomial::{Coefficients, jet, value, with_slope};
 use crate::numeric::real::Real;
+use crate::numeric::tolerance::SUM_ROUNDING;
 
 /// A point of the beam: a cell and its coordinate s ∈ \[−1, 1\].
 #[derive(Debug, Clone, Copy, PartialEq, PartialOrd)]
@@ -107,7 +108,7 @@ impl Deflection<'_> {
     /// ground's surface (ψ = ψ' = 0 except for rounding), 1 at a pin, otherwise 0.
     pub fn held_zeros(&self, cell: usize) -> [usize; 2] {
         let coefficients = self.cell(cell);
-        let is_rounding = |value: f64, size: f64| value.abs() <= 8.0 * f64::EPSILON * size;
+        let is_rounding = |value: f64, size: f64| value.abs() <= SUM_ROUNDING * size;
         [-1.0, 1.0].map(|s| {
             let node = &self.mesh.nodes[cell + usize::from(s > 0.0)];
             if !(node.pinned || node.clamped) {

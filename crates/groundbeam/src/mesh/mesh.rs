@@ -75,7 +75,8 @@ impl Mesh {
     /// Like [`Self::build`], except that cells whose data are not short power series are halved first. `cut` appends
     /// positions within a cell.
     pub fn graded(model: &Model, more: &[f64], cut: impl Fn(&Cell, &mut Vec<f64>)) -> Self {
-        Self::cut(model, more, |cell, x| graded(cell, &cut, x))
+        let axial = model.beam.axial_force;
+        Self::cut(model, more, |cell, x| graded(cell, axial, &cut, x))
     }
 
     /// Calls `each` for every cell of a [graded](Self::graded) mesh with one part per cell, together with the
@@ -83,9 +84,10 @@ impl Mesh {
     /// itself.
     pub fn each_graded(model: &Model, mut each: impl FnMut(&Cell, usize)) -> usize {
         let coarse = cells_between(model, &positions(model, &[]));
+        let axial = model.beam.axial_force;
         for cell in &coarse {
             let settles = pieces_of_settled(cell);
-            each_smooth(cell, MOST_HALVINGS, &mut |cell| each(cell, settles));
+            each_smooth(cell, axial, MOST_HALVINGS, &mut |cell| each(cell, settles));
         }
         coarse.len()
     }
@@ -177,9 +179,9 @@ const ROUNDING_JUMP: f64 = 1e-13;
 /// Maximum number of halvings of a cell.
 const MOST_HALVINGS: u32 = 40;
 
-fn graded(cell: &Cell, cut: &impl Fn(&Cell, &mut Vec<f64>), x: &mut Vec<f64>) {
+fn graded(cell: &Cell, axial_force: f64, cut: &impl Fn(&Cell, &mut Vec<f64>), x: &mut Vec<f64>) {
     let mut first = true;
-    each_smooth(cell, MOST_HALVINGS, &mut |part| {
+    each_smooth(cell, axial_force, MOST_HALVINGS, &mut |part| {
         if !std::mem::take(&mut first) {
             x.push(part.x[0]);
         }
@@ -188,12 +190,12 @@ fn graded(cell: &Cell, cut: &impl Fn(&Cell, &mut Vec<f64>), x: &mut Vec<f64>) {
 }
 
 /// Calls `each` with the smooth parts of a cell, from left to right. Halves the cell as often as needed.
-fn each_smooth(cell: &Cell, halvings: u32, each: &mut impl FnMut(&Cell)) {
-    if halvings == 0 || cell.is_smooth() {
+fn each_smooth(cell: &Cell, axial_force: f64, halvings: u32, each: &mut impl FnMut(&Cell)) {
+    if halvings == 0 || cell.is_smooth() && cell.shear_is_smooth(axial_force) {
         return each(cell);
     }
-    each_smooth(&cell.part([-1.0, 0.0]), halvings - 1, each);
-    each_smooth(&cell.part([0.0, 1.0]), halvings - 1, each);
+    each_smooth(&cell.part([-1.0, 0.0]), axial_force, halvings - 1, each);
+    each_smooth(&cell.part([0.0, 1.0]), axial_force, halvings - 1, each);
 }
 
 /// Number of equal parts of a cell such that u₀ is a short power series in each part.

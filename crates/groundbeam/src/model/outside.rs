@@ -3,6 +3,7 @@
 use crate::model::foundation::Foundation;
 use crate::model::foundation::GroundEnd;
 use crate::numeric::real::Real;
+use crate::numeric::tolerance::same_place;
 
 /// A stretch of ground with constant k and μ > 0 outside the beam.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -46,8 +47,12 @@ impl Foundation {
         if shear.value() == 0.0 {
             return GroundOutside { layers: Vec::new(), held: false };
         }
-        // 0.0 − x instead of −x, which would be −0 at the beam's end.
-        let outward = |x: f64| if right { x - l } else { 0.0 - x };
+        // A position within rounding error of the beam's end is the beam's end. 0.0 − x instead of −x, which would be
+        // −0 there.
+        let outward = |x: f64| {
+            let distance = if right { x - l } else { 0.0 - x };
+            if distance.abs() <= same_place(l) { 0.0 } else { distance }
+        };
         let mut stretches = vec![(0.0, spring, shear)];
         for (i, segment) in self.segments.iter().enumerate() {
             let (near, far) =
@@ -112,6 +117,13 @@ mod tests {
             let beyond = at_both_ends.beyond(right, 10.0, [1.0, 2.0]);
             assert_eq!(beyond.layers.iter().map(|layer| layer.subgrade).collect::<Vec<_>>(), [3.0]);
             assert_eq!(at_both_ends.beyond(right, 10.0, [1.0, 0.0]), GroundOutside::default());
+        }
+        let l = 0.1 + 0.2;
+        let within_rounding = Foundation::pasternak(1.0, 2.0)
+            .with_segment(-1.0, 1e-17, 3.0, 4.0)
+            .with_segment(0.3, 5.0, 3.0, 4.0);
+        for right in [false, true] {
+            assert_eq!(within_rounding.beyond(right, l, [1.0, 2.0]).layers[0].subgrade, 3.0);
         }
     }
 }

@@ -114,7 +114,7 @@ impl Train {
         }
         for part in &self.uniform {
             let [from, to] = [part.to, part.from]
-                .map(|behind| snapped((position - behind).clamp(0.0, l), &marks, near));
+                .map(|behind| snapped((position - behind).max(0.0).min(l), &marks, near));
             if to > from {
                 loaded.loads.push(Load::uniform_force(from, to, part.intensity));
             }

@@ -1,6 +1,8 @@
 //! Compensated sums, with the sum of the absolute values of their terms, which distinguishes zero from
 //! rounding error.
 
+use crate::numeric::tolerance::SUM_ROUNDING;
+
 /// A sum with the sum of the absolute values of its terms, so that zero can be distinguished from rounding.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Sum {
@@ -37,7 +39,7 @@ impl Sum {
     }
 
     pub fn is_zero(&self) -> bool {
-        self.sum.abs() <= 8.0 * f64::EPSILON * self.size
+        self.sum.abs() <= SUM_ROUNDING * self.size
     }
 
     pub fn is_negative(&self) -> bool {

@@ -7,6 +7,9 @@ pub(crate) fn same_place(l: f64) -> f64 {
     if distance.is_finite() { distance.max(0.0) } else { 0.0 }
 }
 
+/// The rounding error of a sum, relative to the sum of the absolute values.
+pub(crate) const SUM_ROUNDING: f64 = 8.0 * f64::EPSILON;
+
 /// The accuracy of the position of a turning point, as a fraction of the beam's length. It is larger than
 /// [`same_place`]: a field is flat at a turning point, and the gap is flat at an edge of contact as well, so
 /// that rounding of values moves the point by more than rounding of positions.

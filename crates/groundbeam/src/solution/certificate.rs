@@ -87,7 +87,7 @@ fn energy_of_single_loads(model: &Model) -> f64 {
         match load.action() {
             Action::Force => forces += size,
             Action::Moment => moments += size,
-            Action::Curvature => moments += ei * size,
+            Action::Curvature => moments += ei * load.extent().largest(),
         }
     }
     let sunk = forces * (forces / (k * l));
