@@ -37,8 +37,9 @@ pub struct Options {
     /// The method.
     pub method: Method,
     /// Number of equal elements along the beam for the methods with a mesh. Loads, supports and other parts
-    /// of the model add nodes. On Winkler ground [`Method::ActiveSet`] doubles the number until the energy
-    /// gap is no larger than the strain energy. [`Method::Exact`] ignores the number.
+    /// of the model add nodes. [`Method::ActiveSet`] doubles the number if its discrete problem is not solved and,
+    /// on Winkler ground, until the energy gap is no larger than the strain energy. [`Method::Exact`] ignores the
+    /// number.
     pub elements: usize,
     /// The start of `Uzawa` and `Psor`.
     pub start: Start,

@@ -26,7 +26,7 @@ use crate::nodal::edges::{Coarse, coarse};
 use crate::numeric::elementary::{exp2, log2, power};
 
 /// Computes a start for phase B: a deflection of the beam and its contact. Each `level` has a finer mesh and shorter
-/// steps than the one before. Level 1 does not stiffen the beam.
+/// steps than the one before. Levels count from 0; level 1 does not stiffen the beam.
 pub(crate) fn follow(model: &Model, level: u32, cancel: &Cancel) -> Result<Start, Unconverged> {
     let longest = LONGEST_STEP / f64::from(level + 1);
     let mut doublings = if level == 1 { 0.0 } else { stiffening(model) };

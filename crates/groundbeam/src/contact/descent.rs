@@ -118,7 +118,7 @@ fn moved(mesh: &Mesh, found: &ContactState) -> Vec<MeshZone> {
     found.zones.iter().map(|zone| MeshZone { from: point(zone.from), to: point(zone.to) }).collect()
 }
 
-/// The coefficients of ψ = w − g₀.
+/// The coefficients of ψ = w − g₀ − u₀.
 fn obstacle(mesh: &Mesh, coefficients: &[f64]) -> Vec<f64> {
     let w = Deflection { mesh, terms: TERMS, coefficients };
     (0..mesh.cells.len()).flat_map(|i| w.obstacle(i).to_vec()).collect()

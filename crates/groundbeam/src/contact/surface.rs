@@ -96,7 +96,7 @@ impl<R: Real> Surface<R> {
             }
             left = Some(zone.to);
         }
-        if left != Some(end) || zones.is_empty() {
+        if left != Some(end) {
             self.open(w, run, left, None);
         }
     }

@@ -4,7 +4,8 @@
 //!
 //! w = w₀ + hθ₀ s + A s²c₂ + B s³c₃ + F₀ s⁴c₄ + F₁ s⁵c₅, cₙ = Σ (t s²)ⁱ/(2i + n)!.
 //!
-//! F₀ is (f − g')h⁴/EI at the left end, F₁ its change over the element. The series holds for P = 0 and for tension.
+//! F₀ is (f − g')h⁴/EI at the left end, F₁ its change over the element. The series holds for tension and
+//! for compression.
 
 use crate::element::element::Element;
 use crate::mesh::cell::Cell;

@@ -252,7 +252,7 @@ pub(crate) struct Grid {
     /// Loads, supports and hinges at the first node of each run, and at the last node of the grid.
     pub nodes: Vec<Node>,
     pub axial_force: f64,
-    /// Stiffness √(kμ) of the ground outside the left and the right end.
+    /// Stiffness of the ground outside the left and the right end; √(kμ) if the ground is uniform and infinite.
     pub outside: [f64; 2],
     /// Whether each contact zone may be wrong by one node, because the next grid is only a few times finer.
     pub rough: bool,

@@ -250,7 +250,7 @@ impl Workspace {
             if settled && spring.is_none_or(|spring| self.springs_are_unloaded(grid, spring)) {
                 return Ok(());
             }
-            if step > 0 && step >= whole {
+            if step >= whole {
                 let Some(part) = self.shorten(grid) else { return Ok(()) };
                 if let Some(step) = self.history.last_mut() {
                     step.step = part;

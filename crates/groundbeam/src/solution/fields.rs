@@ -137,7 +137,7 @@ pub(crate) struct SolutionPiece<R = f64> {
     pub moment: Coefficients<R>,
     /// Coefficients of p(s).
     pub pressure: Coefficients<R>,
-    /// On open ground: u at both ends.
+    /// On open ground: u − u₀ at both ends, with the free-field settlement u₀.
     pub open: Option<[R; 2]>,
     /// On open varying ground: coefficients of u(s).
     pub settlement: Coefficients<R>,

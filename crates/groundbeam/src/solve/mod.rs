@@ -85,8 +85,9 @@ pub(crate) fn solve_in(
 /// Maximum number of times that the elements of the method `active-set` are halved.
 const MOST_HALVINGS: usize = 12;
 
-/// Solves by the chosen method. The method `active-set` halves its elements until the energy gap is no larger
-/// than the strain energy, because on Winkler ground a contact zone may be shorter than an element.
+/// Solves by the chosen method. The method `active-set` halves its elements if its discrete problem is not solved. On
+/// Winkler ground it also halves them until the energy gap is no larger than the strain energy, because a contact zone
+/// may be shorter than an element.
 fn uncancelled(
     model: &Model,
     options: &Options,
