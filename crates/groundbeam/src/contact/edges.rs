@@ -226,46 +226,66 @@ impl Search<'_, '_> {
     ) -> Option<ContactState> {
         let found = &trial.found;
         if let Some(springs) = &trial.springs {
-            let is_unchanged = self.moved <= ROUNDING_MOVE;
-            let at_rest = is_unchanged && !self.needs_springs && springs.at_rest;
-            let is_balanced = at_rest && self.holds(found)
-                || (is_unchanged || self.jitters(contact, found))
-                    && (self.judge)(found) <= ROUNDING_GAP;
-            return is_balanced.then(|| {
+            return self.is_balanced(contact, found, springs).then(|| {
                 let edge_error = EdgeError::of(&[contact, asked], self.length());
                 ContactState { edge_error, ..found.as_ref().clone() }
             });
         }
-        let (moved, before) = (self.moved, self.before);
-        let lengths = contact.iter().map(|[from, to]| to - from).filter(|length| *length > 0.0);
-        let shortest = lengths.fold(self.length(), f64::min) / self.length();
-        let is_settled =
-            moved <= CONVERGED_MOVE * shortest || moved <= ROUNDING_MOVE && moved >= 0.25 * before;
-        let l = self.length();
         self.visited.push(Visited { contact: contact.to_vec(), found: Rc::clone(found) });
-        if is_settled || self.jitters(contact, found) {
-            if let Some(rest) = self.without_weightless(contact, found) {
-                return Some(rest);
-            }
-            if let Some(corner) = self.on_a_corner(contact, found) {
-                return Some(corner);
-            }
-            if self.holds(found) || is_settled {
-                let last =
-                    self.visited.len().saturating_sub(if is_settled { 1 } else { STALE_STEPS });
-                let trials = self.visited[last..].iter().map(|one| &one.contact[..]);
-                let trials: Vec<&[Interval]> = trials.chain([asked]).collect();
-                let edge_error = EdgeError::of(&trials, l);
-                return Some(ContactState { edge_error, ..found.as_ref().clone() });
-            }
-        }
-        let same = SAME * l;
-        let returns = |one: &Visited| longest_difference(&one.contact, asked) <= same;
-        if moved <= SAME {
+        self.settled(contact, found, asked).or_else(|| self.returned(asked))
+    }
+
+    /// Whether the stabilising springs of a mechanism carry no force.
+    fn is_balanced(
+        &mut self,
+        contact: &[Interval],
+        found: &ContactState,
+        springs: &Springs,
+    ) -> bool {
+        let is_unchanged = self.moved <= ROUNDING_MOVE;
+        let at_rest = is_unchanged && !self.needs_springs && springs.at_rest;
+        at_rest && self.holds(found)
+            || (is_unchanged || self.jitters(contact, found)) && (self.judge)(found) <= ROUNDING_GAP
+    }
+
+    /// The solution, if the trial contact has converged or if only rounding error moves it.
+    fn settled(
+        &mut self,
+        contact: &[Interval],
+        found: &ContactState,
+        asked: &[Interval],
+    ) -> Option<ContactState> {
+        let (moved, l) = (self.moved, self.length());
+        let lengths = contact.iter().map(|[from, to]| to - from).filter(|length| *length > 0.0);
+        let shortest = lengths.fold(l, f64::min) / l;
+        let has_converged = moved <= CONVERGED_MOVE * shortest
+            || moved <= ROUNDING_MOVE && moved >= 0.25 * self.before;
+        if !has_converged && !self.jitters(contact, found) {
             return None;
         }
-        // Rounding error decides between the contacts of a cycle; the one with the fewest zones is taken.
-        let first = self.visited.iter().position(returns)?;
+        let part = self.without_weightless(contact, found);
+        if let Some(part) = part.or_else(|| self.on_a_corner(contact, found)) {
+            return Some(part);
+        }
+        if !self.holds(found) && !has_converged {
+            return None;
+        }
+        let trials = if has_converged { 1 } else { STALE_STEPS };
+        let last = &self.visited[self.visited.len().saturating_sub(trials)..];
+        let trials: Vec<&[Interval]> =
+            last.iter().map(|one| &one.contact[..]).chain([asked]).collect();
+        Some(ContactState { edge_error: EdgeError::of(&trials, l), ..found.clone() })
+    }
+
+    /// The solution with the fewest zones among the trials of a cycle, if the iteration returns to an earlier contact:
+    /// rounding error decides between them.
+    fn returned(&mut self, asked: &[Interval]) -> Option<ContactState> {
+        let l = self.length();
+        if self.moved <= SAME {
+            return None;
+        }
+        let is_same = |one: &Visited| longest_difference(&one.contact, asked) <= SAME * l;
+        let first = self.visited.iter().position(is_same)?;
         let mut cycle: Vec<Visited> = self.visited.drain(first..).collect();
         let trials: Vec<&[Interval]> = cycle.iter().map(|one| &one.contact[..]).collect();
         let edge_error = EdgeError::of(&trials, l);
