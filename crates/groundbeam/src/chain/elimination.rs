@@ -10,10 +10,8 @@
 //! settlement of beam and ground, and μ/h is not added to the much smaller support stiffness.
 
 use crate::chain::hinge::HingeRotation;
-use crate::chain::links::{Surfaces, add_link, counted};
-use crate::chain::mirror::mirror_cell;
-use crate::chain::node::{ChainCell, ChainNode, CondensedStiffness, NotDefinite, THETA, U, W};
-use crate::chain::node::{Tie, TiedTwoPort};
+use crate::chain::links::{add_open_ground, counted};
+use crate::chain::node::{ChainCell, ChainNode, CondensedStiffness, NotDefinite, THETA, Tie, U, W};
 use crate::element::element::{Basis, Element, mirror_shape};
 use crate::numeric::real::sum;
 
@@ -101,12 +99,8 @@ impl Chain {
                 back.ended = end_surface(&mut state)?;
             }
             let cell = &self.cells[here.min(ahead)];
-            if MIRRORED {
-                let (element, links) = mirror_cell(cell);
-                state = cross(&element, &links, [node, next], &state, &mut back)?;
-            } else {
-                state = cross(&cell.element, &cell.links, [node, next], &state, &mut back)?;
-            }
+            let cell = if MIRRORED { cell.mirrored() } else { *cell };
+            state = cross(&cell, [node, next], &state, &mut back)?;
             returns.push(back);
         }
         Ok((state, returns))
@@ -187,8 +181,7 @@ fn in_order(row: &[f64; 6], c: &[[f64; 4]; 4]) -> [f64; 6] {
 }
 
 fn cross(
-    element: &Element,
-    links: &[TiedTwoPort],
+    ChainCell { element, open }: &ChainCell,
     [node, next]: [&ChainNode; 2],
     state: &CondensedStiffness,
     back: &mut BackSubstitution,
@@ -196,18 +189,15 @@ fn cross(
     // The stiffness to be condensed to the right node, in (w_l, θ_l, d₁, d₂ | u_l, u_r). In short open ground the
     // coupling of the two ends is much stiffer than their supports. Then δ = u_r − u_l replaces u_l, so that the
     // rounding error of the coupling does not mask the supports.
-    let stiff = |tied: &TiedTwoPort| {
-        tied.left == Tie::SurfaceLeft
-            && tied.right == Tie::SurfaceRight
-            && tied.two_port.series > state.s[U][U]
-    };
-    back.rise = links.iter().any(stiff);
+    back.rise = open
+        .is_some_and(|open| open.ties == [Tie::Surface; 2] && open.two_port.series > state.s[U][U]);
     let surface_left =
         if back.rise { [0.0, 0.0, 0.0, 0.0, -1.0, 1.0] } else { [0.0, 0.0, 0.0, 0.0, 1.0, 0.0] };
-    let surfaces = Surfaces {
-        left: counted(surface_left, node, element.end_row(false)),
-        right: counted([0.0, 0.0, 0.0, 0.0, 0.0, 1.0], next, element.end_row(true)),
-    };
+    let beam = [false, true].map(|right| element.end_row(right));
+    let surfaces = [
+        counted(surface_left, node, beam[0]),
+        counted([0.0, 0.0, 0.0, 0.0, 0.0, 1.0], next, beam[1]),
+    ];
     let mut k = [[0.0; 6]; 6];
     let mut q = [0.0; 6];
     for i in 0..4 {
@@ -265,8 +255,8 @@ fn cross(
     }
     // A two-port between the surface and the beam's right end depends on w_r alone. It is added after the congruence,
     // because rounding error of the congruence would otherwise restrain the rotation of a free beam.
-    for tied in links {
-        add_link(tied, &surfaces, |row| in_order(row, &c), &mut m, &mut f);
+    if let Some(open) = open {
+        add_open_ground(open, surfaces, beam, |row| in_order(row, &c), &mut m, &mut f);
     }
     let free = [!node.pinned, !node.clamped, node.surface[0] || node.surface[1]];
     condense(&m, &f, free, node.settlement, back)
@@ -391,8 +381,10 @@ impl BackSubstitution {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::chain::node::OpenGround;
     use crate::element::ExactElement;
     use crate::element::operator::{Operator, ZoneKind};
+    use crate::ground::link::TwoPort;
     use crate::mesh::mesh::Mesh;
     use crate::model::{Beam, Foundation, Load, Model};
 
@@ -407,20 +399,16 @@ mod tests {
             let cell = Mesh::build(&model, &[], |_| 1).cells[0];
             let element =
                 ExactElement::new(&Operator::of(&cell, 0.0, ZoneKind::Open), length).element;
-            let tied = TiedTwoPort {
-                two_port: crate::ground::link::TwoPort::uniform(
-                    cell.subgrade,
-                    cell.shear_layer,
-                    length,
-                ),
-                left: Tie::SurfaceLeft,
-                right: Tie::Beam { row: element.end_row(true), gap: 0.0 },
+            let open = OpenGround {
+                two_port: TwoPort::uniform(cell.subgrade, cell.shear_layer, length),
+                ties: [Tie::Surface, Tie::Beam { gap: 0.0 }],
             };
+            let cell = ChainCell { element, open: Some(open) };
             let free = ChainNode { surface: [true; 2], surface_spring: 0.3, ..Default::default() };
             let mut behind = CondensedStiffness::default();
             apply(&free, &mut behind, 1.0);
             let nodes = [&free, &ChainNode::default()];
-            let ahead = cross(&element, &[tied], nodes, &behind, &mut BackSubstitution::default());
+            let ahead = cross(&cell, nodes, &behind, &mut BackSubstitution::default());
             let s = ahead.expect("a free end").s;
             assert!(s[W][W] > 0.3 && s[W][THETA] == 0.0 && s[THETA][THETA] == 0.0, "{s:?}");
         }

@@ -3,5 +3,4 @@
 pub(crate) mod elimination;
 pub(crate) mod hinge;
 pub(crate) mod links;
-pub(crate) mod mirror;
 pub(crate) mod node;

@@ -3,11 +3,11 @@
 use crate::element::element::Element;
 use crate::ground::link::TwoPort;
 
-/// A cell: its element and the two-ports of open ground in it.
-#[derive(Debug, Clone, Default)]
+/// A cell: its element, and the open ground under it.
+#[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct ChainCell {
     pub element: Element,
-    pub links: Vec<TiedTwoPort>,
+    pub open: Option<OpenGround>,
 }
 
 /// A node: its loads and supports, and the sides on which the settlement of the surface is an unknown.
@@ -52,26 +52,29 @@ pub(crate) struct CondensedStiffness {
     pub r: [f64; 3],
 }
 
-/// The point to which one end of a two-port is connected.
+/// What one end of open ground is connected to, at the same end of the cell.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Tie {
-    /// The free surface of the ground at the left node of the cell.
-    SurfaceLeft,
-    /// The free surface of the ground at the right node of the cell.
-    SurfaceRight,
-    /// The beam at a point of the cell: u = row·v − gap.
-    Beam {
-        /// The coefficients of the element's unknowns v.
-        row: [f64; 4],
-        /// g₀ + u₀ at this point.
-        gap: f64,
-    },
+    /// The free surface of the ground at the node.
+    Surface,
+    /// The beam: u = w − gap with g₀ + u₀.
+    Beam { gap: f64 },
 }
 
-/// A two-port of unloaded ground within one cell.
+/// Open, unloaded ground under a cell, tied to the surface or to the beam at its left and right end.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct TiedTwoPort {
+pub(crate) struct OpenGround {
     pub two_port: TwoPort,
-    pub left: Tie,
-    pub right: Tie,
+    pub ties: [Tie; 2],
+}
+
+impl ChainCell {
+    /// The mirrored cell, so that the elimination from left to right also runs from right to left.
+    pub fn mirrored(&self) -> Self {
+        let open = self.open.map(|OpenGround { two_port, ties: [left, right] }| OpenGround {
+            two_port: two_port.mirrored(),
+            ties: [right, left],
+        });
+        ChainCell { element: self.element.mirrored(), open }
+    }
 }

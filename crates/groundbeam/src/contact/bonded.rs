@@ -92,10 +92,7 @@ pub(crate) fn chain_of(
     elements: impl Iterator<Item = Element>,
 ) -> Chain {
     let layout = Layout::of(mesh, zones);
-    let cell = |(i, element): (usize, Element)| {
-        layout.chain_cell(mesh, i, element, |s| element.end_row(s > 0.0))
-    };
-    let cells = elements.enumerate().map(cell).collect();
+    let cells = layout.cells(mesh, elements);
     Chain { nodes: layout.nodes(mesh), cells, meeting: layout.meeting_node(mesh) }
 }
 

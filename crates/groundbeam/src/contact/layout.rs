@@ -1,7 +1,7 @@
-//! Contact zones cell by cell: the parts of cells in contact, the nodes in contact, and the two-ports between them.
+//! Contact zones on a mesh whose nodes are the ends of the zones: the cells and nodes in contact, and the open ground
+//! between them.
 
-use crate::chain::node::{ChainCell, ChainNode};
-use crate::chain::node::{Tie, TiedTwoPort};
+use crate::chain::node::{ChainCell, ChainNode, OpenGround, Tie};
 use crate::element::element::Element;
 use crate::element::operator::{Operator, ZoneKind};
 use crate::mesh::cell::gap_at;
@@ -18,20 +18,18 @@ const NARROW_GAP: f64 = 1e-2;
 /// Contact of the cells and nodes of a mesh.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Layout {
-    /// Parts \[s_from, s_to\] of cells in contact, ordered by cell. Equal ends are a point contact.
-    parts: Vec<(usize, [f64; 2])>,
+    /// Whether each cell is in contact.
+    touching: Vec<bool>,
     /// Whether each node is in contact, as an end of the cell on its left and on its right.
-    pub touched: Vec<[bool; 2]>,
+    touched: Vec<[bool; 2]>,
 }
 
 impl Layout {
+    /// The contact of zones whose ends are nodes.
     pub fn of(mesh: &Mesh, zones: &[MeshZone]) -> Self {
-        let mut parts = Vec::with_capacity(mesh.cells.len());
+        let mut touching = vec![false; mesh.cells.len()];
         let mut touched = vec![[false; 2]; mesh.nodes.len()];
         let mut touch = |cell: usize, s: f64| {
-            if s.abs() < 1.0 {
-                return;
-            }
             let (node, side, next) = if s < 0.0 {
                 (cell, 1, cell.checked_sub(1))
             } else {
@@ -44,30 +42,23 @@ impl Layout {
                 touched[node][1 - side] = true;
             }
         };
-        for zone in zones {
-            let (from, to) = (zone.from, zone.to);
-            if from == to && from.s.abs() == 1.0 {
-                touch(from.cell, from.s);
+        for MeshZone { from, to } in zones {
+            touch(from.cell, from.s);
+            touch(to.cell, to.s);
+            if from == to {
                 continue;
             }
             for cell in from.cell..=to.cell {
                 let start = if cell == from.cell { from.s } else { -1.0 };
                 let end = if cell == to.cell { to.s } else { 1.0 };
-                if end > start || from == to {
-                    parts.push((cell, [start, end]));
+                if start < end {
+                    touching[cell] = true;
+                    touch(cell, start);
+                    touch(cell, end);
                 }
-                touch(cell, start);
-                touch(cell, end);
             }
         }
-        Layout { parts, touched }
-    }
-
-    /// The parts of cell i in contact.
-    pub fn parts(&self, i: usize) -> impl DoubleEndedIterator<Item = [f64; 2]> + '_ {
-        let first = self.parts.partition_point(|(cell, _)| *cell < i);
-        let end = first + self.parts[first..].partition_point(|(cell, _)| *cell == i);
-        self.parts[first..end].iter().map(|(_, part)| *part)
+        Layout { touching, touched }
     }
 
     /// The node at which the sweeps meet: the middle of the longest contact interval, otherwise a rigid support.
@@ -117,11 +108,12 @@ impl Layout {
             })
             .collect();
         // In contact, ∫(k u₀z + μu₀′z′) over a cell is ∫q z plus μu₀′z at its ends.
-        for &(i, part) in self.parts.iter().filter(|(i, _)| mesh.cells[*i].has_free_field()) {
-            let cell = &mesh.cells[i];
-            let [from, to] = part.map(|s| cell.shear_layer * cell.free_field_at(s)[1]);
-            nodes[i].force -= from;
-            nodes[i + 1].force += to;
+        for (i, cell) in mesh.cells.iter().enumerate() {
+            if self.touching[i] && cell.has_free_field() {
+                let [from, to] = [-1.0, 1.0].map(|s| cell.shear_layer * cell.free_field_at(s)[1]);
+                nodes[i].force -= from;
+                nodes[i + 1].force += to;
+            }
         }
         for GroundRun { cells, pasternak, beyond } in ground_runs(mesh) {
             if !pasternak {
@@ -170,12 +162,11 @@ impl Layout {
     /// stiff two-port.
     fn distances_to_contact(&self, mesh: &Mesh, cells: &Range<usize>) -> Vec<f64> {
         let x = |node: usize| mesh.nodes[node].x;
-        let at = |cell: usize, s: f64| mesh.cells[cell].global(s);
         let mut distance = vec![f64::INFINITY; cells.len() + 1];
         let mut last = f64::NEG_INFINITY;
         for node in cells.start..=cells.end {
-            if node > cells.start {
-                last = self.parts(node - 1).last().map_or(last, |part| at(node - 1, part[1]));
+            if node > cells.start && self.touching[node - 1] {
+                last = x(node);
             }
             distance[node - cells.start] = x(node) - last;
             if self.touched[node].contains(&true) {
@@ -184,8 +175,8 @@ impl Layout {
         }
         let mut next = f64::INFINITY;
         for node in (cells.start..=cells.end).rev() {
-            if node < cells.end {
-                next = self.parts(node).next().map_or(next, |part| at(node, part[0]));
+            if node < cells.end && self.touching[node] {
+                next = x(node);
             }
             let distance = &mut distance[node - cells.start];
             *distance = distance.min(next - x(node));
@@ -196,39 +187,22 @@ impl Layout {
         distance
     }
 
-    /// The two-ports of open ground in cell i. `row` gives w at s as a linear combination of the element's four
-    /// unknowns.
-    pub fn links(&self, mesh: &Mesh, i: usize, row: impl Fn(f64) -> [f64; 4]) -> Vec<TiedTwoPort> {
+    /// The open ground under cell i.
+    fn open_ground(&self, mesh: &Mesh, i: usize) -> Option<OpenGround> {
         let cell = &mesh.cells[i];
-        if cell.shear_layer <= 0.0 {
-            return Vec::new();
+        if cell.shear_layer <= 0.0 || self.touching[i] {
+            return None;
         }
-        let beam = |s: f64| Tie::Beam { row: row(s), gap: gap_at(cell, s) };
-        let mut links = Vec::new();
-        let mut left = if self.touched[i][1] { beam(-1.0) } else { Tie::SurfaceLeft };
-        let mut at = -1.0;
-        let mut link_to = |to: f64, left: Tie, right: Tie, at: f64| {
-            if to > at {
-                links.push(TiedTwoPort { two_port: cell_part(cell, at, to), left, right });
-            }
+        let tie = |touches: bool, s: f64| {
+            if touches { Tie::Beam { gap: gap_at(cell, s) } } else { Tie::Surface }
         };
-        for [from, to] in self.parts(i) {
-            link_to(from, left, beam(from), at);
-            (left, at) = (beam(to), to);
-        }
-        let right = if self.touched[i + 1][0] { beam(1.0) } else { Tie::SurfaceRight };
-        link_to(1.0, left, right, at);
-        links
+        let ties = [tie(self.touched[i][1], -1.0), tie(self.touched[i + 1][0], 1.0)];
+        Some(OpenGround { two_port: cell_part(cell, -1.0, 1.0), ties })
     }
 
-    /// A chain cell: its element and the two-ports of open ground.
-    pub fn chain_cell(
-        &self,
-        mesh: &Mesh,
-        i: usize,
-        element: Element,
-        row: impl Fn(f64) -> [f64; 4],
-    ) -> ChainCell {
-        ChainCell { element, links: self.links(mesh, i, row) }
+    /// The cells of the chain for this contact, from their elements.
+    pub fn cells(&self, mesh: &Mesh, elements: impl Iterator<Item = Element>) -> Vec<ChainCell> {
+        let cell = |(i, element)| ChainCell { element, open: self.open_ground(mesh, i) };
+        elements.enumerate().map(cell).collect()
     }
 }

@@ -265,7 +265,7 @@ impl<'a> FreeBeam<'a> {
         let cells: Vec<ChainCell> = mesh
             .cells
             .iter()
-            .map(|c| ChainCell { element: element(c, mesh.axial_force).element, links: vec![] })
+            .map(|c| ChainCell { element: element(c, mesh.axial_force).element, open: None })
             .collect();
         let meeting = nodes.iter().position(|n| n.pinned || n.spring > 0.0).unwrap_or(0);
         let chain = Chain { nodes, cells, meeting };

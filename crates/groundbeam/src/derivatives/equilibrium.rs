@@ -63,8 +63,8 @@ impl<'a> Equilibrium<'a> {
         }
         for cell in &mut chain.cells {
             cell.element.load = [0.0; 4];
-            for tie in cell.links.iter_mut().flat_map(|link| [&mut link.left, &mut link.right]) {
-                if let Tie::Beam { gap, .. } = tie {
+            for tie in cell.open.iter_mut().flat_map(|open| &mut open.ties) {
+                if let Tie::Beam { gap } = tie {
                     *gap = 0.0;
                 }
             }

@@ -103,7 +103,7 @@ pub(crate) fn mirror_shape(v: &[f64; 4], h: f64, basis: Basis) -> [f64; 4] {
 }
 
 /// Coefficients of the mirrored element's unknowns v': row·v = row·(Q v') with Q of [`mirror_shape`].
-pub(crate) fn mirror_row(row: &[f64; 4], h: f64, basis: Basis) -> [f64; 4] {
+fn mirror_row(row: &[f64; 4], h: f64, basis: Basis) -> [f64; 4] {
     let [a, b, c, d] = *row;
     match basis {
         Basis::Deformation => [a, a * h - b, a - c, d - b + c * h],

@@ -84,7 +84,7 @@ fn is_stable(model: &Model, compression: f64) -> bool {
     let mesh = Mesh::graded(model, &[], |cell, x| cut_equally(&operator(cell), cell, x));
     let cell = |cell: &crate::mesh::cell::Cell| ChainCell {
         element: ExactElement::new(&operator(cell), cell.length()).element,
-        links: Vec::new(),
+        open: None,
     };
     let nodes = mesh.nodes.iter().map(|n| ChainNode {
         pinned: n.pinned,
