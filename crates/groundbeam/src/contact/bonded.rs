@@ -7,7 +7,7 @@ use crate::contact::intervals::{Interval, zones_of};
 use crate::contact::layout::Layout;
 use crate::contact::state::{ContactState, turned};
 use crate::contact::stopping::{STIFFEN, STIFFEST_SPRING, ULPS};
-use crate::element::element::{Element, TERMS};
+use crate::element::element::Element;
 use crate::element::operator::{Operator, ZoneKind};
 use crate::element::{ExactElement, cut, cut_equally};
 use crate::mesh::cell::Cell;
@@ -15,7 +15,7 @@ use crate::mesh::deflection::MeshZone;
 use crate::mesh::mesh::{Mesh, Node};
 use crate::model::Model;
 use crate::numeric::elementary::power;
-use crate::numeric::polynomial::value;
+use crate::numeric::polynomial::{TERMS, value};
 use std::borrow::Cow;
 
 /// The bonded problem of one beam, on contact intervals that change from step to step.

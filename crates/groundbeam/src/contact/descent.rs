@@ -8,13 +8,12 @@
 use crate::contact::obstacle;
 use crate::contact::state::ContactState;
 use crate::contact::stopping::{LEAST_FALL, LEAST_PART};
-use crate::element::element::TERMS;
 use crate::mesh::deflection::{BeamPoint, Deflection, MeshZone};
 use crate::mesh::energy::{Motion, beam_form, ground_work};
 use crate::mesh::mesh::Mesh;
 use crate::model::Model;
 use crate::numeric::line_search::settle;
-use crate::numeric::polynomial::{Coefficients, rescale};
+use crate::numeric::polynomial::{Coefficients, TERMS, rescale};
 
 /// A step from a deflection towards the beam bonded to the ground on its contact.
 #[derive(Debug, Clone)]
@@ -48,13 +47,13 @@ pub(crate) fn shorten(
     let delta = difference(&from, &to);
     let turn = difference(&turned_from, &turned_to);
     let form = |deflection: &[f64], rotation: &[f64]| {
-        let motion = Motion { terms: TERMS, deflection, rotation };
+        let motion = Motion { deflection, rotation };
         beam_form(&mesh, motion, motion)
     };
     let beam = form(&delta, &turn);
-    let fall = beam + ground_work(&mesh, TERMS, &zones, &delta, &delta) + spring_work;
+    let fall = beam + ground_work(&mesh, &zones, &delta, &delta) + spring_work;
     let psi = obstacle(&mesh, &to);
-    let energy = form(&to, &turned_to) + ground_work(&mesh, TERMS, &zones, &psi, &psi);
+    let energy = form(&to, &turned_to) + ground_work(&mesh, &zones, &psi, &psi);
     // Newton's estimate of twice the remaining decrease of the energy, relative to twice the strain energy.
     let decrement = if fall == 0.0 { 0.0 } else { fall / energy.abs() };
     let whole = Shortened { part: 1.0, between: None };
@@ -62,15 +61,15 @@ pub(crate) fn shorten(
     if decrement.is_nan() || decrement <= LEAST_FALL {
         return whole;
     }
-    let bonded_work = ground_work(&mesh, TERMS, &zones, &psi, &delta);
+    let bonded_work = ground_work(&mesh, &zones, &psi, &delta);
     let along = |from: &[f64], delta: &[f64], t: f64| -> Vec<f64> {
         from.iter().zip(delta).map(|(a, d)| a + t * d).collect()
     };
     let at = |t: f64| along(&from, &delta, t);
     let slope = |t: f64| {
         let w = at(t);
-        let zones = obstacle::contact(&Deflection { mesh: &mesh, terms: TERMS, coefficients: &w });
-        let ground = ground_work(&mesh, TERMS, &zones, &obstacle(&mesh, &w), &delta);
+        let zones = obstacle::contact(&Deflection { mesh: &mesh, coefficients: &w });
+        let ground = ground_work(&mesh, &zones, &obstacle(&mesh, &w), &delta);
         (ground - bonded_work) - (1.0 - t) * beam - spring_work
     };
     let t = settle(fall, slope);
@@ -78,7 +77,7 @@ pub(crate) fn shorten(
         return Shortened { part: t, between: None };
     }
     let coefficients = at(t);
-    let w = Deflection { mesh: &mesh, terms: TERMS, coefficients: &coefficients };
+    let w = Deflection { mesh: &mesh, coefficients: &coefficients };
     let zones = obstacle::contact(&w);
     let rotation = along(&turned_from, &turn, t);
     Shortened { part: t, between: Some(ContactState::exact(mesh, coefficients, rotation, zones)) }
@@ -120,6 +119,6 @@ fn moved(mesh: &Mesh, found: &ContactState) -> Vec<MeshZone> {
 
 /// The coefficients of ψ = w − g₀ − u₀.
 fn obstacle(mesh: &Mesh, coefficients: &[f64]) -> Vec<f64> {
-    let w = Deflection { mesh, terms: TERMS, coefficients };
+    let w = Deflection { mesh, coefficients };
     (0..mesh.cells.len()).flat_map(|i| w.obstacle(i).to_vec()).collect()
 }

@@ -9,7 +9,6 @@ use crate::contact::springs;
 use crate::contact::state::{ContactState, Unconverged, turned};
 use crate::contact::surface::{PointForce, Surface, SurfacePart};
 use crate::element::ExactElement;
-use crate::element::element::TERMS;
 use crate::element::operator::{Operator, ZoneKind};
 use crate::error::NotConverged;
 use crate::mesh::cell::Cell;
@@ -21,7 +20,7 @@ use crate::nodal::hull::Zone;
 use crate::nodal::newton::Workspace;
 use crate::nodal::quadratic::NotSolved;
 use crate::nodal::{levels, newton, open};
-use crate::numeric::polynomial::rescale;
+use crate::numeric::polynomial::{TERMS, rescale};
 
 /// The nodes in contact on a grid, and the motion of the beam on them.
 pub(crate) struct Solved {
@@ -61,7 +60,7 @@ impl Solved {
             point_forces.extend((from..=to).map(force));
         }
         let (coefficients, rotation) = deflections(&grid, &mesh, &ends, &workspace);
-        let w = Deflection { mesh: &mesh, terms: TERMS, coefficients: &coefficients };
+        let w = Deflection { mesh: &mesh, coefficients: &coefficients };
         let mut parts = Vec::with_capacity(last);
         for (cell, own) in mesh.cells.iter().enumerate() {
             if own.shear_layer == 0.0 {
@@ -74,7 +73,6 @@ impl Solved {
             }
         }
         ContactState {
-            terms: TERMS,
             rotation,
             zones,
             history: workspace.history,

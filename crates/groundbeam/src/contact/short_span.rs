@@ -19,7 +19,7 @@ use crate::numeric::polynomial::value;
 use crate::numeric::real::Real;
 
 /// Maximum number of cells of a short span; three are a gap and the cells beside it.
-const MOST_CELLS: usize = 4;
+pub(crate) const MOST_CELLS: usize = 4;
 /// Maximum length of a short span in decay lengths √(μ/k) of the ground. In longer spans the differences keep twelve
 /// digits.
 const LONGEST: f64 = 0.03;

@@ -2,23 +2,21 @@
 
 use crate::contact::edge_error::EdgeError;
 use crate::contact::surface::Surface;
-use crate::element::element::TERMS;
 use crate::error::NotConverged;
 use crate::mesh::cell::Cell;
 use crate::mesh::deflection::{Deflection, MeshZone};
 use crate::mesh::energy::Motion;
 use crate::mesh::mesh::Mesh;
-use crate::numeric::polynomial::{Coefficients, derivative};
+use crate::numeric::polynomial::{Coefficients, TERMS, derivative};
 use crate::numeric::step::Step;
 
 /// The deflection of a beam on a mesh, and its contact zones.
 #[derive(Debug, Clone)]
 pub(crate) struct ContactState {
     pub mesh: Mesh,
-    pub terms: usize,
-    /// `terms` coefficients of w(s) for each cell.
+    /// [`TERMS`] coefficients of w(s) for each cell.
     pub coefficients: Vec<f64>,
-    /// `terms` coefficients of φ(s), the rotation of the sections, for each cell; empty if the beam has no shear
+    /// [`TERMS`] coefficients of φ(s), the rotation of the sections, for each cell; empty if the beam has no shear
     /// deformation.
     pub rotation: Vec<f64>,
     /// Contact zones, each from its first to its last point. If the ground acts at nodes, every node of a zone is in contact.
@@ -42,7 +40,6 @@ impl ContactState {
     ) -> Self {
         ContactState {
             mesh,
-            terms: TERMS,
             coefficients,
             rotation,
             zones,
@@ -54,18 +51,17 @@ impl ContactState {
     }
 
     pub fn deflection(&self) -> Deflection<'_> {
-        Deflection { mesh: &self.mesh, terms: self.terms, coefficients: &self.coefficients }
+        Deflection { mesh: &self.mesh, coefficients: &self.coefficients }
     }
 
     /// The deflection and the rotation of the beam.
     pub fn motion(&self) -> Motion<'_> {
-        let ContactState { terms, coefficients, rotation, .. } = self;
-        Motion { terms: *terms, deflection: coefficients, rotation }
+        Motion { deflection: &self.coefficients, rotation: &self.rotation }
     }
 
     /// The coefficients of φ(s) in cell i; those of w' if the beam has no shear deformation.
     pub fn rotation(&self, i: usize) -> Coefficients {
-        match self.rotation.get(i * self.terms..(i + 1) * self.terms) {
+        match self.rotation.get(i * TERMS..(i + 1) * TERMS) {
             Some(rotation) => rotation.into(),
             None => turned(&self.mesh.cells[i], self.deflection().cell(i)),
         }

@@ -19,7 +19,6 @@ use crate::contact::flexibility::Flexibility;
 use crate::contact::nodes;
 use crate::contact::state::{ContactState, Unconverged};
 use crate::element::ExactElement;
-use crate::element::element::TERMS;
 use crate::element::operator::{Operator, ZoneKind};
 use crate::error::NotConverged;
 use crate::mesh::cell::Cell;
@@ -383,7 +382,6 @@ fn found(
     ContactState {
         rotation: Vec::new(),
         mesh,
-        terms: TERMS,
         coefficients,
         zones,
         history,

@@ -4,12 +4,10 @@
 use super::equilibrium::{Equilibrium, Loads, Span};
 use super::linear::Linear;
 use super::output::{Follows, Read, Reading};
+use crate::contact::short_span::MOST_CELLS;
 use crate::mesh::deflection::BeamPoint;
 use crate::numeric::dual::Dual;
 use std::collections::BTreeSet;
-
-/// Maximum number of elements of a [short span](crate::contact::short_span).
-const SHORT_SPAN_ELEMENTS: usize = 4;
 
 impl Equilibrium<'_> {
     /// The elements on which an output depends at fixed data.
@@ -45,7 +43,7 @@ impl Equilibrium<'_> {
                 read.extend(end.cell.saturating_sub(1)..(end.cell + 2).min(cells.len()));
             }
             if let [Some(from), Some(to)] = ends
-                && to.cell <= from.cell + SHORT_SPAN_ELEMENTS
+                && to.cell <= from.cell + MOST_CELLS
             {
                 read.extend(from.cell..=to.cell);
             }

@@ -2,12 +2,11 @@
 
 use super::linear::Linear;
 use super::tangent::{Motion, Moved};
-use crate::element::element::TERMS;
 use crate::mesh::energy::{Motion as Field, beam_form, ground_work, work_of_loads};
 use crate::mesh::free_field::{self, Line};
 use crate::model::SupportKind;
 use crate::numeric::dual::Dual;
-use crate::numeric::polynomial::{Coefficients, derivative, inner, value};
+use crate::numeric::polynomial::{Coefficients, TERMS, derivative, inner, value};
 use crate::numeric::real::Real;
 use crate::solution::fields::Side;
 
@@ -17,7 +16,7 @@ impl<const N: usize> Linear<'_, N> {
         let (mesh, still) = (self.mesh(), self.equilibrium);
         let lifted = |c: &[f64]| c.iter().map(|c| Dual::from(*c)).collect::<Vec<Dual<N>>>();
         let (deflection, rotation) = (lifted(&still.deflection), lifted(&still.rotation));
-        let own = Field { terms: TERMS, deflection: &deflection, rotation: &rotation };
+        let own = Field { deflection: &deflection, rotation: &rotation };
         let mut psi = Vec::with_capacity(deflection.len());
         let mut energy = Dual::ZERO;
         for (i, (cell, w)) in mesh.cells.iter().zip(deflection.chunks(TERMS)).enumerate() {
@@ -38,8 +37,7 @@ impl<const N: usize> Linear<'_, N> {
                 energy += inner(&moment, &curvature, 0) * (0.5 * half) - inner(&moment, &turned, 0);
             }
         }
-        energy +=
-            (beam_form(mesh, own, own) + ground_work(mesh, TERMS, self.zones(), &psi, &psi)) * 0.5;
+        energy += (beam_form(mesh, own, own) + ground_work(mesh, self.zones(), &psi, &psi)) * 0.5;
         energy -= work_of_loads(mesh, own);
         // ½b(u, u) − ∫q u = ½b(u − u₀, u − u₀) − ½∫q u₀.
         if self.frame.model.has_ground_loads() {

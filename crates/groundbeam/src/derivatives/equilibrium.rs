@@ -5,7 +5,7 @@ use crate::chain::elimination::Chain;
 use crate::chain::node::Tie;
 use crate::contact::bonded::chain_of;
 use crate::element::ExactElement;
-use crate::element::element::{Element, TERMS};
+use crate::element::element::Element;
 use crate::element::operator::Operator;
 use crate::ground::link::TwoPort;
 use crate::mesh::cell::Cell;
@@ -13,7 +13,7 @@ use crate::mesh::deflection::{BeamPoint, MeshZone};
 use crate::mesh::ground_runs::ground_runs;
 use crate::mesh::mesh::Mesh;
 use crate::mesh::open_ground::open_links;
-use crate::numeric::polynomial::derivative;
+use crate::numeric::polynomial::{TERMS, derivative};
 use crate::numeric::real::Real;
 
 /// The bonded beam in equilibrium, without derivatives.

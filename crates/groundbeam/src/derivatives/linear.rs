@@ -9,7 +9,7 @@ use super::moved::Steps;
 use super::tangent::Tangent;
 use crate::contact::short_span::bonded_fluxes;
 use crate::element::ExactElement;
-use crate::element::element::{Element, TERMS};
+use crate::element::element::Element;
 use crate::element::operator::{Operator, ZoneKind};
 use crate::mesh::cell::gap_at;
 use crate::mesh::deflection::{BeamPoint, Deflection, MeshZone};
@@ -17,6 +17,7 @@ use crate::mesh::lifted::Rates;
 use crate::mesh::mesh::Mesh;
 use crate::model::Model;
 use crate::numeric::dual::Dual;
+use crate::numeric::polynomial::TERMS;
 use crate::numeric::real::Real;
 use std::ops::Range;
 
@@ -259,7 +260,7 @@ impl<'a, const N: usize> Linear<'a, N> {
     }
 
     pub fn w(&self) -> Deflection<'_, Dual<N>> {
-        Deflection { mesh: self.mesh(), terms: TERMS, coefficients: &self.deflection }
+        Deflection { mesh: self.mesh(), coefficients: &self.deflection }
     }
 
     /// Computes the settlements and the forces at the ends of a span.

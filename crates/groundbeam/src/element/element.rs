@@ -111,9 +111,6 @@ fn mirror_row(row: &[f64; 4], h: f64, basis: Basis) -> [f64; 4] {
     }
 }
 
-/// Number of coefficients of a series. With |r|·length ≤ 2 the first omitted term is below 1/20! of the sum.
-pub(crate) const TERMS: usize = 20;
-
 /// The longest element, as a multiple of 1/|r|.
 pub(crate) const LONGEST_SERIES: f64 = 2.0;
 

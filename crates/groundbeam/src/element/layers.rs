@@ -4,9 +4,10 @@
 //! the boundary layers cosh(r₂x) and sinh(r₂x). One element can then be as long as the slow wave, for boundary layers of
 //! any width.
 
-use crate::element::element::{LONGEST_SERIES, TERMS};
+use crate::element::element::LONGEST_SERIES;
 use crate::element::operator::Operator;
 use crate::numeric::elementary::exp;
+use crate::numeric::polynomial::TERMS;
 use crate::numeric::real::Real;
 
 /// Real roots so far apart that the larger one gives boundary layers: r₂² ≥ `APART` r₁².

@@ -12,9 +12,9 @@ pub(crate) mod series;
 pub(crate) mod uniform;
 
 use crate::mesh::cell::Cell;
-use crate::numeric::polynomial::{Coefficients, rescale};
+use crate::numeric::polynomial::{Coefficients, TERMS, rescale};
 use crate::numeric::real::Real;
-use element::{Element, LONGEST_SERIES, TERMS};
+use element::{Element, LONGEST_SERIES};
 use layers::Layers;
 use operator::Operator;
 use series::Series;

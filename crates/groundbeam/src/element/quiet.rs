@@ -5,9 +5,10 @@
 //! error, so the two ends are decoupled. From an end, w − w_p solves v″ + σ v′ + π v = 0 with σ = r₁ + r₂ and π = r₁r₂.
 //! The force and the moment there are EI (σπ v + π v′) and EI (π v + σ v′).
 
-use crate::element::element::{Basis, Element, TERMS};
+use crate::element::element::{Basis, Element};
 use crate::element::operator::Operator;
 use crate::element::uniform::bend;
+use crate::numeric::polynomial::TERMS;
 use crate::numeric::real::{Real, sum as sum_of};
 
 /// The length over which the waves from an end decay, as a multiple of 1/λ.

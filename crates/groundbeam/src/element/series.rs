@@ -16,8 +16,9 @@
 //! solutions without load and one with load. Rigid motions, deformations and γ are separate unknowns, so no
 //! stiffness is a difference of large numbers.
 
-use crate::element::element::{Basis, Element, TERMS};
+use crate::element::element::{Basis, Element};
 use crate::element::operator::Polynomials;
+use crate::numeric::polynomial::TERMS;
 use crate::numeric::real::{Real, sum};
 
 /// One number for each of the five solutions: four without load, and the one with load.

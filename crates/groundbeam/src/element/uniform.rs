@@ -13,10 +13,11 @@
 //! If tension dominates bending, the roots lie far apart. Then w is a slow part, again a series, plus [boundary
 //! layers](crate::element::layers).
 
-use crate::element::element::{Basis, Element, TERMS};
+use crate::element::element::{Basis, Element};
 use crate::element::layers::Layers;
 use crate::element::operator::Operator;
 use crate::numeric::elementary::{exp, power, tanh};
+use crate::numeric::polynomial::TERMS;
 use crate::numeric::real::{Real, sum};
 
 /// The even and odd functions of an element.

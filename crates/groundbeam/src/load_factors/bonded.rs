@@ -149,10 +149,10 @@ fn forces_of(found: &ContactState) -> Vec<(f64, Side)> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::element::element::TERMS;
     use crate::mesh::deflection::{BeamPoint, MeshZone};
     use crate::mesh::mesh::Mesh;
     use crate::model::{Beam, Foundation, Support};
+    use crate::numeric::polynomial::TERMS;
     use crate::numeric::polynomial::value;
 
     #[track_caller]

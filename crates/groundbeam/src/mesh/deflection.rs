@@ -5,7 +5,7 @@ use crate::mesh::cell::Cell;
 use crate::mesh::cell::{gap_at, initial, initial_gap_at};
 use crate::mesh::mesh::Mesh;
 use crate::mesh::varying;
-use crate::numeric::polynomial::{Coefficients, jet, value, with_slope};
+use crate::numeric::polynomial::{Coefficients, TERMS, jet, value, with_slope};
 use crate::numeric::real::Real;
 use crate::numeric::tolerance::SUM_ROUNDING;
 
@@ -23,17 +23,16 @@ pub(crate) struct MeshZone {
     pub to: BeamPoint,
 }
 
-/// w on a mesh, as polynomials of `terms` coefficients in each cell.
+/// w on a mesh, as polynomials of [`TERMS`] coefficients in each cell.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Deflection<'a, R = f64> {
     pub mesh: &'a Mesh<R>,
-    pub terms: usize,
     pub coefficients: &'a [R],
 }
 
 impl<R: Real> Deflection<'_, R> {
     pub fn cell(&self, i: usize) -> &[R] {
-        &self.coefficients[i * self.terms..(i + 1) * self.terms]
+        &self.coefficients[i * TERMS..(i + 1) * TERMS]
     }
 
     /// The coefficients of ψ in cell i.

@@ -7,13 +7,12 @@ use crate::mesh::mesh::Mesh;
 use crate::mesh::open_ground::open_link;
 use crate::mesh::varying;
 use crate::numeric::polynomial::inner;
-use crate::numeric::polynomial::{derivative, jet, product, rescale, value};
+use crate::numeric::polynomial::{TERMS, derivative, jet, product, rescale, value};
 use crate::numeric::real::Real;
 
-/// Deflection and rotation of the beam, with `terms` coefficients for each cell.
+/// Deflection and rotation of the beam, with [`TERMS`] coefficients for each cell.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Motion<'a, R = f64> {
-    pub terms: usize,
     pub deflection: &'a [R],
     /// Coefficients of the rotation of the sections; empty if it is w' everywhere.
     pub rotation: &'a [R],
@@ -21,12 +20,12 @@ pub(crate) struct Motion<'a, R = f64> {
 
 impl<R: Real> Motion<'_, R> {
     fn deflection(&self, cell: usize) -> &[R] {
-        &self.deflection[cell * self.terms..(cell + 1) * self.terms]
+        &self.deflection[cell * TERMS..(cell + 1) * TERMS]
     }
 
     /// The coefficients of the rotation in a cell; `None` if the beam has no shear deformation.
     fn rotation(&self, cell: usize) -> Option<&[R]> {
-        self.rotation.get(cell * self.terms..(cell + 1) * self.terms)
+        self.rotation.get(cell * TERMS..(cell + 1) * TERMS)
     }
 
     /// w and φ at s in a cell.
@@ -94,13 +93,12 @@ pub(crate) fn work_of_loads<R: Real>(mesh: &Mesh<R>, motion: Motion<R>) -> R {
 /// are polynomials on the same mesh, and the gap is already subtracted from ψ.
 pub(crate) fn ground_work<R: Real>(
     mesh: &Mesh<R>,
-    terms: usize,
     zones: &[MeshZone],
     psi: &[R],
     delta: &[R],
 ) -> R {
     let of = |c: &'_ [R], point: BeamPoint| {
-        value(&c[point.cell * terms..(point.cell + 1) * terms], point.s)
+        value(&c[point.cell * TERMS..(point.cell + 1) * TERMS], point.s)
     };
     let mut work = R::ZERO;
     for run in ground_runs(mesh) {
@@ -126,7 +124,7 @@ pub(crate) fn ground_work<R: Real>(
                 let end = if cell == zone.to.cell { zone.to.s } else { 1.0 };
                 if end > start {
                     let c = &mesh.cells[cell];
-                    let slice = cell * terms..(cell + 1) * terms;
+                    let slice = cell * TERMS..(cell + 1) * TERMS;
                     let [psi, delta] = [&psi[slice.clone()], &delta[slice]];
                     let part = [start, end];
                     touching += if c.ground_varies() {

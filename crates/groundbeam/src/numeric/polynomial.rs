@@ -6,8 +6,11 @@
 use crate::numeric::real::Real;
 use std::ops::{Deref, DerefMut};
 
-/// Maximum number of coefficients: that of a rotation with 20 coefficients times a shear stiffness of degree
-/// 5.
+/// Number of coefficients of w and φ in a cell. They are power series: with |r|·length ≤ 2 the first omitted term is
+/// below 1/20! of the sum.
+pub(crate) const TERMS: usize = 20;
+
+/// Maximum number of coefficients: that of a rotation times a shear stiffness of degree 5.
 pub(crate) const MOST_COEFFICIENTS: usize = 25;
 
 /// Coefficients stored without heap memory, because each step creates a few such lists for each cell.
