@@ -113,7 +113,8 @@ pub(super) static CORRELATED: Table = Table {
             "what",
             Value::List(&Value::Text("load[0]"), [2, 2]),
             "The names of two random numbers.",
-        ),
+        )
+        .needed(),
         quantity("rho", &RATIO, "The correlation of their normal scores.").needed(),
     ],
 };
