@@ -62,6 +62,16 @@ type Apart = (f64, f64, f64, f64);
 
 #[pymethods]
 impl Answers {
+    #[getter]
+    fn length(&self) -> f64 {
+        self.read.document.model.beam.length
+    }
+
+    /// A position from text, in the units of the file.
+    fn read_position(&self, text: &str) -> Result<f64, Failure> {
+        self.read.position(text)
+    }
+
     /// The name of each combination, with its solution or the exception that a separate solve would raise.
     fn answers(&self, py: Python<'_>) -> PyResult<Vec<(String, Py<PyAny>)>> {
         let each = self.answers.list.iter();

@@ -230,10 +230,9 @@ impl Model {
         Ok((verdict, reactions, motion, sentence))
     }
 
-    /// Parses positions with units, separated by commas.
-    fn positions(&self, list: &str) -> Result<Vec<f64>, Failure> {
-        let found = groundbeam_file::parse_positions(list, self.read.document.units);
-        found.map_err(|found| Failure::wrong(found, "x", list))
+    /// A position from text, in the units of the file.
+    fn read_position(&self, text: &str) -> Result<f64, Failure> {
+        self.read.position(text)
     }
 }
 

@@ -38,6 +38,19 @@ impl Read {
         }
     }
 
+    /// A position from text, in the units of the file.
+    pub fn position(&self, text: &str) -> Result<f64, Failure> {
+        let found = groundbeam_file::parse_positions(text, self.document.units);
+        let found = found.map_err(|found| Failure::wrong(found, "position", text))?;
+        match found[..] {
+            [position] => Ok(position),
+            _ => Err(Failure::Asked(format!(
+                "`{text}` has {} positions: give a list of texts, as in [\"1 m\", \"2 m\"]",
+                found.len()
+            ))),
+        }
+    }
+
     /// The combination with this name; without a name the model as written.
     pub fn combination(&self, name: Option<&str>) -> Result<Combination, Failure> {
         let document = &self.document;

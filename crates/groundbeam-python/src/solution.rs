@@ -77,6 +77,11 @@ impl Solution {
         Ok(PyArray1::from_vec(py, values))
     }
 
+    /// A position from text, in the units of the file.
+    fn read_position(&self, text: &str) -> Result<f64, Failure> {
+        self.read.position(text)
+    }
+
     #[getter]
     fn units(&self) -> &'static str {
         self.read.system()

@@ -6,7 +6,7 @@ import json
 import threading
 import time
 from pathlib import Path
-from typing import Any
+from typing import Any, Callable
 
 import groundbeam as gb
 import numpy as np
@@ -196,3 +196,37 @@ def test_other_threads_run_during_a_solve() -> None:
     thread.join()
     # If a thread kept the lock, this loop would run only once or twice.
     assert ticks > 10
+
+
+PLAIN = "[beam]\nlength=12\nEI=1280\n[foundation]\nk=40\nmu=9\n[[load]]\npoint=900\nat=1.5\n"
+
+
+def test_texts_have_the_units_of_the_model(footing: gb.Model) -> None:
+    """As on the command line: units are given in all places or in none."""
+    plain, solution = gb.Model.from_toml(PLAIN).solve(), footing.solve()
+    assert plain.moment("1.5") == plain.moment(1.5)
+    with pytest.raises(gb.ModelError, match="has a unit, but the file has no units") as refused:
+        plain.moment("1.5 ft")
+    assert refused.value.code == "GB016"
+    assert solution.moment("1.5 ft") == solution.moment(0.4572)
+    with pytest.raises(gb.ModelError, match="has no unit, but the file has units"):
+        solution.moment("1.5")
+
+
+def test_every_call_with_positions_reads_texts_with_the_units_of_the_model(footing: gb.Model) -> None:
+    plain = gb.Model.from_toml(PLAIN)
+    combined = gb.Model.from_toml(PLAIN + 'case="G"\n[[combination]]\nname="a"\nfactors={G=1}\n')
+    rail = gb.Model.from_toml(PLAIN + "[[train]]\naxles=[{at=0,force=9}]\n")
+    calls: list[Callable[[list[str]], object]] = [
+        lambda at: plain.solve().to_csv(at),
+        lambda at: combined.solve_combinations().envelope("moment", at).max.values.tolist(),
+        lambda at: rail.solve_trains().envelope("moment", at).max.values.tolist(),
+        lambda at: gb.solve_many(plain, at=at)["moment"].tolist(),
+        lambda at: gb.calibrate(plain, {"deflection": (at, [20.0])}, ["k"]).values,
+    ]
+    for call in calls:
+        assert call(["1.5"])
+        with pytest.raises(gb.ModelError, match="the file has no units"):
+            call(["1.5 m"])
+    with pytest.raises(gb.ModelError, match="the file has no units"):
+        gb.solve_many([footing, plain], at=["1.5 m"])

@@ -12,7 +12,7 @@ import numpy.typing as npt
 from . import _native
 from ._along import Along
 from ._model import Model
-from ._solution import FIELDS, Array, Positions, positions_of
+from ._solution import FIELDS, Array, Positions, positions_of, refuse_outside
 from ._threads import number_of
 
 if TYPE_CHECKING:
@@ -203,13 +203,14 @@ def solve_many(
         raise ValueError(f"these differ in length: {listed}")
     for model in several:
         model._refuse_more_than_one_answer()
-    positions = np.ascontiguousarray(np.atleast_1d(positions_of(None, at)))
+    # A text must fit every model, so one model of each system of units reads it.
+    read = [positions_of(model._inner, at) for model in {each.units: each for each in several}.values()]
+    positions = np.ascontiguousarray(np.atleast_1d(read[0] if read else np.asarray(at, dtype=np.float64)))
     if positions.ndim != 1:
         raise ValueError("positions are one list")
     beside = not (set(fields) | set(gradients) & set(FIELDS)) - {"settlement"}
     length = max((model.length for model in several), default=0.0)
-    if not beside and not ((positions >= 0.0) & (positions <= length)).all():
-        raise ValueError(f"a position lies outside the beam, which extends from 0 to {length:g}")
+    refuse_outside(positions, length, beside)
     if not several:
         count = 0
     table = _native.solve_many(

@@ -81,7 +81,7 @@ class _Problem:
             if name in FIELDS:
                 if not isinstance(given, tuple):
                     raise ValueError(f"measured `{name}`: give positions and values")
-                at = np.atleast_1d(positions_of(None, given[0])).ravel()
+                at = np.atleast_1d(positions_of(model._inner, given[0])).ravel()
                 value = np.atleast_1d(np.asarray(given[1], dtype=np.float64)).ravel()
                 if at.shape != value.shape:
                     raise ValueError(f"measured `{name}`: {at.size} positions and {value.size} values")

@@ -9,7 +9,7 @@ import numpy as np
 from . import _native
 from ._errors import NoEquilibrium, NotConverged
 from ._frames import frame
-from ._solution import Array, Position, Positions, Solution, positions_of
+from ._solution import Array, Position, Positions, Solution, positions_of, refuse_outside
 
 if TYPE_CHECKING:
     import pandas
@@ -98,13 +98,11 @@ class Combinations(Mapping[str, Answer]):
         """The envelope of a field at positions, over all combinations or those of a limit state. Where the field
         jumps, both sides count."""
         refuse_other_than(self.limit_states, limit_state)
-        at = np.atleast_1d(positions_of(None, x))
+        at = np.atleast_1d(positions_of(self._inner, x))
         if not self.solutions:
             raise ValueError("no combination has an equilibrium: there is no envelope")
         names = list(self.solutions)
-        length = self.solutions[names[0]].length
-        if not ((at >= 0.0) & (at <= length)).all():
-            raise ValueError(f"a position lies outside the beam, which extends from 0 to {length:g}")
+        refuse_outside(at, self._inner.length)
         bounds = self._inner.envelope(field, at.ravel(), limit_state)
         low, high = (
             Bound(values.reshape(at.shape), [names[i] for i in by]) for values, by in bounds

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import html
-from typing import TYPE_CHECKING, NamedTuple, Optional, Sequence, Union, overload
+from typing import TYPE_CHECKING, NamedTuple, Optional, Protocol, Sequence, Union, overload
 
 import numpy as np
 import numpy.typing as npt
@@ -17,7 +17,8 @@ if TYPE_CHECKING:
 
 Array = npt.NDArray[np.float64]
 Position = Union[str, float]
-"""A number in m (or in the file's own unit of length), or text with a unit."""
+"""A number in m (or in the file's own unit of length), or text: with a unit if the file has units, and without a unit
+if it has none."""
 Positions = Union[Sequence[Position], npt.NDArray[np.floating], npt.NDArray[np.integer]]
 """Several positions."""
 
@@ -116,22 +117,33 @@ class Certificate(NamedTuple):
     """The energy gap relative to the strain energy."""
 
 
-def positions_of(native: Union[_native.Model, None], x: Union[Position, Positions]) -> Array:
-    """Positions as numbers. A model with units parses texts with units."""
+class Reader(Protocol):
+    """Reads positions with the units of a model."""
+
+    def read_position(self, text: str) -> float: ...
+
+
+def positions_of(reader: Reader, x: Union[Position, Positions]) -> Array:
+    """Positions as numbers. Texts have the units of the model that reads them."""
     if isinstance(x, str):
-        return np.array(_read(native, x)).reshape(())
-    if isinstance(x, np.ndarray) or not isinstance(x, Sequence):
-        return np.asarray(x, dtype=np.float64)
-    if any(isinstance(each, str) for each in x):
-        numbers = [_read(native, each) if isinstance(each, str) else float(each) for each in x]
-        return np.array(numbers, dtype=np.float64)
-    return np.asarray(x, dtype=np.float64)
+        return np.array(reader.read_position(x))
+    each = list(x) if isinstance(x, Sequence) else x
+    if isinstance(each, list):
+        each = [reader.read_position(one) if isinstance(one, str) else one for one in each]
+    try:
+        return np.asarray(each, dtype=np.float64)
+    except (TypeError, ValueError):
+        raise ValueError(
+            'positions are numbers, texts, or one list of them, as in ["1 m", "2 m"], or an array of numbers'
+        ) from None
 
 
-def _read(native: Union[_native.Model, None], text: str) -> float:
-    reader = native or _native.Model("[beam]\nlength=1\nEI=1\n[foundation]\nk=1\n", "x", True, None, None)
-    [number] = reader.positions(text)
-    return number
+def refuse_outside(at: Array, length: float, beside: bool = False) -> None:
+    """Refuses positions that are not numbers, and positions outside the beam unless the field exists ``beside`` it."""
+    if beside and np.isnan(at).any():
+        raise ValueError("a position is not a number")
+    if not beside and not ((at >= 0.0) & (at <= length)).all():
+        raise ValueError(f"a position lies outside the beam, which extends from 0 to {length:g}")
 
 
 class Solution:
@@ -148,12 +160,8 @@ class Solution:
         return float(values[0]) if at.ndim == 0 else values.reshape(at.shape)
 
     def _positions(self, x: Union[Position, Positions], beside: bool = False) -> Array:
-        at = positions_of(None, x)
-        length = self._inner.length
-        if np.isnan(at).any():
-            raise ValueError("a position is not a number")
-        if not beside and ((at < 0.0) | (at > length)).any():
-            raise ValueError(f"a position lies outside the beam, which extends from 0 to {length:g}")
+        at = positions_of(self._inner, x)
+        refuse_outside(at, self._inner.length, beside)
         return at
 
     # A text is one position, although it is a sequence of texts: the first signature applies.

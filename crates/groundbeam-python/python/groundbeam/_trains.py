@@ -101,7 +101,7 @@ class Passages(Sequence[Passage]):
         """The envelope of a field at positions, over all combinations or those of a limit state. Where the field
         jumps, both sides count."""
         refuse_other_than(self.limit_states, limit_state)
-        at = np.atleast_1d(positions_of(None, x))
+        at = np.atleast_1d(positions_of(self._inner, x))
         found = self._inner.moving_envelope(field, at.ravel(), limit_state)
         if found is None:
             raise ValueError("no position of a train was solved: there is no envelope")
