@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from typing import Mapping
+from typing import Any, Mapping
 
 import numpy as np
 import pytest
@@ -123,3 +123,16 @@ def test_methods_agree() -> None:
 def test_a_model_that_tips_is_not_compared() -> None:
     with pytest.raises(gb.NoEquilibrium):
         rail(load=[{"moment": 1e6, "at": 10.0}]).compare()
+
+
+@pytest.mark.parametrize("x", [25.0, -5.0, float("nan"), [10.0, 25.0]])
+def test_the_envelope_of_trains_refuses_positions_off_the_beam(x: Any) -> None:
+    with pytest.raises(ValueError, match="outside the beam, which extends from 0 to 20"):
+        rail(train=[WHEEL]).solve_trains().envelope("moment", x)
+
+
+@pytest.mark.parametrize("first_axle", [float("nan"), float("inf"), -float("inf")])
+def test_no_solved_position_is_nearest_to_a_number_that_is_not_finite(first_axle: float) -> None:
+    [passage] = rail(train=[WHEEL]).solve_trains()
+    with pytest.raises(ValueError, match="give a finite number"):
+        passage.nearest(first_axle)

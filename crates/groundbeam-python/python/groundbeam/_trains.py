@@ -9,7 +9,7 @@ import numpy as np
 from . import _native
 from ._combinations import refuse_other_than
 from ._frames import frame
-from ._solution import Array, Position, Positions, Solution, positions_of
+from ._solution import Array, Position, Positions, Solution, positions_of, refuse_outside
 
 if TYPE_CHECKING:
     import pandas
@@ -59,6 +59,8 @@ class Passage:
 
     def nearest(self, first_axle: float) -> Tuple[float, Solution]:
         """The solved position nearest to a given one, and its solution."""
+        if not np.isfinite(first_axle):
+            raise ValueError(f"the position of the first axle is {first_axle}: give a finite number")
         found = self._inner.nearest(self._number, first_axle)
         if found is None:
             raise ValueError("no position of the train was solved")
@@ -102,6 +104,7 @@ class Passages(Sequence[Passage]):
         jumps, both sides count."""
         refuse_other_than(self.limit_states, limit_state)
         at = np.atleast_1d(positions_of(self._inner, x))
+        refuse_outside(at, self._inner.length)
         found = self._inner.moving_envelope(field, at.ravel(), limit_state)
         if found is None:
             raise ValueError("no position of a train was solved: there is no envelope")
