@@ -127,3 +127,12 @@ def test_invalid_calibrations_are_refused(
 ) -> None:
     with pytest.raises(ValueError, match=why):
         gb.calibrate(footing, measured, unknown)
+
+
+def test_noise_is_given_for_each_kind_of_measurement(footing: gb.Model) -> None:
+    solution = footing.solve()
+    measured = {"deflection": (X, solution.deflection(X)), "slope": (X, solution.slope(X))}
+    with pytest.raises(ValueError, match="noise of `slope`: give its standard deviation"):
+        gb.calibrate(footing, measured, ["k"], noise={"deflection": 1e-4})
+    with pytest.raises(ValueError, match="noise of `gap`: nothing of this name was measured"):
+        gb.calibrate(footing, measured, ["k"], noise={"deflection": 1e-4, "slope": 1e-4, "gap": 1e-4})

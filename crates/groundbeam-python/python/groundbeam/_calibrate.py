@@ -76,6 +76,12 @@ class _Problem:
         sizes: list[Array] = []
         if noise is None and len(measured) > 1:
             raise ValueError("several kinds of measurements need `noise` for their weights")
+        if isinstance(noise, Mapping):
+            for name in [*measured, *noise]:
+                if name not in noise:
+                    raise ValueError(f"noise of `{name}`: give its standard deviation")
+                if name not in measured:
+                    raise ValueError(f"noise of `{name}`: nothing of this name was measured")
         for name, given in measured.items():
             at: Optional[Array] = None
             if name in FIELDS:
@@ -89,7 +95,7 @@ class _Problem:
                 if isinstance(given, tuple):
                     raise ValueError(f"measured `{name}`: give one value")
                 value = np.array([float(given)])
-            own = noise.get(name) if isinstance(noise, Mapping) else noise
+            own = noise[name] if isinstance(noise, Mapping) else noise
             size = 1.0 if own is None else float(own)
             if not size > 0.0 or not np.isfinite(size):
                 raise ValueError(f"noise of `{name}`: a positive standard deviation")
@@ -139,7 +145,8 @@ def calibrate(
     ``measured`` has fields with positions and values, ``{"settlement": ([1.0, 3.0], [0.004, 0.003])}``, and single
     outputs such as ``"end_force.left"``; ``unknown`` has names of parameters, as in ``Solution.gradient``: ``k``, ``mu``,
     ``EI``, ``k[0]`` of a segment, factors, loads. ``noise`` is the standard deviation of the measurements, one for
-    all or one for each kind; by default it is estimated from the residuals. ``bounds`` limit unknowns. ``start``
+    all, or a dictionary with one for each key of ``measured``. By default it is estimated from the residuals, for
+    measurements of one kind. ``bounds`` limit unknowns. ``start``
     gives starting values; by default they are those of the model. Positive unknowns are transformed to logarithms.
     All are in SI units.
 
