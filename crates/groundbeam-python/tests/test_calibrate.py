@@ -136,3 +136,19 @@ def test_noise_is_given_for_each_kind_of_measurement(footing: gb.Model) -> None:
         gb.calibrate(footing, measured, ["k"], noise={"deflection": 1e-4})
     with pytest.raises(ValueError, match="noise of `gap`: nothing of this name was measured"):
         gb.calibrate(footing, measured, ["k"], noise={"deflection": 1e-4, "slope": 1e-4, "gap": 1e-4})
+
+
+def test_a_model_with_combinations_needs_one_of_them() -> None:
+    loads = [gb.Load.point(600e3, 6.0, case="G"), gb.Load.moment(1e6, 6.0, case="W")]
+    combinations = [gb.Combination("a", {"G": 1.0}), gb.Combination("b", {"G": 1.0, "W": 1.0})]
+    model = gb.Model(
+        gb.Beam(12.0, 1.28e9), gb.Foundation(40e6, 9e6), loads=loads, combinations=combinations
+    )
+    measured = {"deflection": (X, model.solve(combination="a").deflection(X))}
+    with pytest.raises(ValueError, match=r"2 combinations: use calibrate\(combination='a'\)"):
+        gb.calibrate(model, measured, ["k"])
+    found = gb.calibrate(model, measured, ["k"], start={"k": 30e6}, combination="a")
+    assert found.values["k"] == pytest.approx(40e6, rel=1e-7)
+    train = gb.Train([(0.0, 80e3)], name="wheel")
+    with pytest.raises(ValueError, match="the train 'wheel' passes"):
+        gb.calibrate(model.with_train(train), measured, ["k"], combination="a")
