@@ -50,6 +50,17 @@ impl Tipping {
     }
 }
 
+/// The error with a remedy that Python offers. The memory limit is not an argument there.
+pub fn remediable(error: Error) -> Error {
+    match error {
+        Error::TooLarge(mut refused) => {
+            refused.problem.hint = "shorten the beam, or use fewer elements".to_owned();
+            Error::TooLarge(refused)
+        }
+        other => other,
+    }
+}
+
 impl Failure {
     /// Faults in a text.
     pub fn wrong(found: Diagnostics, name: &str, text: &str) -> Self {
@@ -59,7 +70,7 @@ impl Failure {
 
     /// An error of the library, at its location in the text.
     pub fn refused(error: Error, document: &Document, name: &str) -> Self {
-        let problems = match error {
+        let problems = match remediable(error) {
             Error::NotConverged(reached) => return Failure::NotConverged(reached),
             Error::Invalid(problems) => problems,
             Error::Unsupported(problem) => vec![problem],

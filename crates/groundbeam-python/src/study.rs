@@ -37,7 +37,10 @@ impl Study {
             Some(files) => read_held_study(&path, &held(files)),
         };
         let study = study.map_err(|error| match error {
-            StudyError::Unreadable(_, error) => error.into(),
+            StudyError::Unreadable(path, error) => {
+                let place = format!("{}: {error}", path.display());
+                std::io::Error::new(error.kind(), place).into()
+            }
             StudyError::Wrong(found, path, text) => {
                 PyErr::from(Failure::wrong(found, &path.display().to_string(), &text))
             }

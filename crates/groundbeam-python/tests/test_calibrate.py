@@ -152,3 +152,13 @@ def test_a_model_with_combinations_needs_one_of_them() -> None:
     train = gb.Train([(0.0, 80e3)], name="wheel")
     with pytest.raises(ValueError, match="the train 'wheel' passes"):
         gb.calibrate(model.with_train(train), measured, ["k"], combination="a")
+
+
+def test_the_message_about_an_invalid_calibration_names_its_remedy(footing: gb.Model) -> None:
+    for x in (15.0, float("nan")):
+        for field in ("deflection", "settlement"):
+            why = f"measured `{field}`: a position lies outside the beam, which extends from 0 to 12"
+            with pytest.raises(ValueError, match=why):
+                gb.calibrate(footing, {field: ([x], [1e-3])}, ["k"])
+    with pytest.raises(ValueError, match=r"unknown is a list of names, as in \['mu'\]"):
+        gb.calibrate(footing, {"deflection": (X, X)}, "mu")

@@ -230,3 +230,25 @@ def test_every_call_with_positions_reads_texts_with_the_units_of_the_model(footi
             call(["1.5 m"])
     with pytest.raises(gb.ModelError, match="the file has no units"):
         gb.solve_many([footing, plain], at=["1.5 m"])
+
+
+@pytest.mark.parametrize(
+    ("positions", "why"),
+    [
+        ("1 m, 2 m", r'has 2 positions: give a list of texts, as in \["1 m", "2 m"\]'),
+        ([["1 m"]], r'one list of them, as in \["1 m", "2 m"\]'),
+        (1j, "positions are numbers, texts"),
+    ],
+)
+def test_invalid_positions_are_refused_with_a_remedy(footing: gb.Model, positions: Any, why: str) -> None:
+    with pytest.raises(ValueError, match=why):
+        footing.solve().moment(positions)
+
+
+def test_no_message_names_an_option_of_the_command_line(footing: gb.Model) -> None:
+    with pytest.raises(gb.ModelError) as refused:
+        footing.solve("active-set", elements=10**9)
+    assert refused.value.code == "GB617" and "--" not in refused.value.hint
+    assert "use fewer elements" in refused.value.hint
+    [message] = gb.solve_many(footing, method="active-set", elements=10**9).messages
+    assert message is not None and "use fewer elements" in message and "--" not in message

@@ -249,3 +249,15 @@ def test_a_study_and_a_model_can_be_pickled_with_their_files(tmp_path: Path) -> 
     assert same.with_load(gb.Load.point("1 kN", at="2 m")).solve().deflection(6.0) != deflection
     study.run(tmp_path / "after.parquet")
     assert (tmp_path / "after.parquet").read_bytes() == (tmp_path / "before.parquet").read_bytes()
+
+
+def test_a_missing_study_is_named() -> None:
+    with pytest.raises(FileNotFoundError, match="nope.toml: "):
+        gb.Study("nope.toml")
+
+
+def test_foreign_results_have_a_remedy_that_python_has(study: gb.Study, tmp_path: Path) -> None:
+    out = tmp_path / "all.parquet"
+    study.run(out)
+    with pytest.raises(ValueError, match="start again with the option `restart`"):
+        gb.Study(study.path, seed=study.seed + 1).run(out)

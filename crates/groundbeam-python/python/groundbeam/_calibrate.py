@@ -8,7 +8,7 @@ import numpy as np
 
 from ._errors import NoEquilibrium, NotConverged
 from ._model import Model
-from ._solution import FIELDS, Array, Position, Positions, Solution, positions_of
+from ._solution import FIELDS, Array, Position, Positions, Solution, positions_of, refuse_outside
 
 Measured = Mapping[str, Union[float, Tuple[Union[Position, Positions], Union[float, Sequence[float], Array]]]]
 """Fields with positions and values, as ``{"settlement": (x, values)}``; other outputs with one value."""
@@ -66,6 +66,8 @@ class _Problem:
         noise: Union[None, float, Mapping[str, float]],
         combination: Optional[str],
     ) -> None:
+        if isinstance(unknown, str):
+            raise ValueError(f"unknown is a list of names, as in [{unknown!r}]")
         self.model, self.unknown, self.combination = model, list(unknown), combination
         if not self.unknown or len(set(self.unknown)) != len(self.unknown):
             raise ValueError("unknown: the names of one or more parameters, each once")
@@ -86,8 +88,12 @@ class _Problem:
             at: Optional[Array] = None
             if name in FIELDS:
                 if not isinstance(given, tuple):
-                    raise ValueError(f"measured `{name}`: give positions and values")
+                    raise ValueError(f"measured `{name}`: give positions and values as a tuple, (x, values)")
                 at = np.atleast_1d(positions_of(model._inner, given[0])).ravel()
+                try:
+                    refuse_outside(at, model.length)
+                except ValueError as error:
+                    raise ValueError(f"measured `{name}`: {error}") from None
                 value = np.atleast_1d(np.asarray(given[1], dtype=np.float64)).ravel()
                 if at.shape != value.shape:
                     raise ValueError(f"measured `{name}`: {at.size} positions and {value.size} values")

@@ -1,7 +1,7 @@
 //! Solves the models of a batch: applies each row to its model, and converts the result to a row.
 
 use super::parameter::{Parameter, apply};
-use crate::failure::Tipping;
+use crate::failure::{Tipping, remediable};
 use crate::read::Read;
 use groundbeam::{Options, Solver};
 use groundbeam_study::{Row, Trouble, Wanted};
@@ -46,7 +46,7 @@ impl Task {
             Trouble::NoEquilibrium(existence) => {
                 Tipping::of(&model, existence, read.units()).sentence
             }
-            Trouble::Failed(error) => error.to_string(),
+            Trouble::Failed(error) => remediable(error.clone()).to_string(),
         });
         Answered { row, message }
     }

@@ -61,7 +61,7 @@ impl fmt::Display for StoreError {
             StoreError::Foreign(path) => write!(
                 f,
                 "{}: these results are of another study, model, survey, seed or version of the program; \
-                 name another file, or use --restart to start again",
+                 name another file, or start again with the option `restart`",
                 path.display()
             ),
             StoreError::Busy(path) => {

@@ -169,7 +169,8 @@ impl Whole {
         if results.first()? != Some(samples.start) || results.rows() != samples.end - samples.start
         {
             return Err(StoreError::Unlike(format!(
-                "{}: this file does not contain the samples {} to {}; name another file, or use --restart",
+                "{}: this file does not contain the samples {} to {}; name another file, or \
+                 start again with the option `restart`",
                 path.display(),
                 samples.start,
                 samples.end - 1
