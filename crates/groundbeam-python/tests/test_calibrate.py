@@ -156,9 +156,18 @@ def test_a_model_with_combinations_needs_one_of_them() -> None:
 
 def test_the_message_about_an_invalid_calibration_names_its_remedy(footing: gb.Model) -> None:
     for x in (15.0, float("nan")):
-        for field in ("deflection", "settlement"):
-            why = f"measured `{field}`: a position lies outside the beam, which extends from 0 to 12"
-            with pytest.raises(ValueError, match=why):
-                gb.calibrate(footing, {field: ([x], [1e-3])}, ["k"])
+        why = "measured `deflection`: a position lies outside the beam, which extends from 0 to 12"
+        with pytest.raises(ValueError, match=why):
+            gb.calibrate(footing, {"deflection": ([x], [1e-3])}, ["k"])
+    with pytest.raises(ValueError, match="measured `settlement`: a position is not a number"):
+        gb.calibrate(footing, {"settlement": ([float("nan")], [1e-3])}, ["k"])
     with pytest.raises(ValueError, match=r"unknown is a list of names, as in \['mu'\]"):
         gb.calibrate(footing, {"deflection": (X, X)}, "mu")
+
+
+def test_settlements_beside_the_beam_determine_the_ground(footing: gb.Model) -> None:
+    beside = np.array([-2.0, -1.0, -0.5])
+    measured = {"settlement": (beside, footing.solve().settlement(beside))}
+    found = gb.calibrate(guess(footing), measured, ["k", "mu"], noise=1e-6)
+    for name, true in TRUTH.items():
+        assert found.values[name] == pytest.approx(true, rel=1e-6)

@@ -163,3 +163,13 @@ def test_derivatives_of_a_beam_with_shear_deformation() -> None:
     at = solution.at([1.0, 4.0])
     np.testing.assert_allclose(at.slope - at.rotation, np.array([0.5, -0.5]) * force / shear, rtol=1e-10)
     assert solution.rotation(1.0) == at.rotation[0]  # type: ignore[index]
+
+
+def test_settlements_have_derivatives_beside_the_beam(footing: gb.Model) -> None:
+    """As in `solve_many`."""
+    one = footing.solve().gradient("settlement", at=[-1.0, 2.0], with_respect_to=["k", "mu"])
+    many = gb.solve_many(
+        footing, at=[-1.0, 2.0], fields=(), gradients="settlement", with_respect_to=["k", "mu"]
+    )
+    np.testing.assert_array_equal(one.derivatives, many.gradients["settlement"][0])
+    assert one.derivatives[0].all()

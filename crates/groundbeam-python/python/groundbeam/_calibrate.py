@@ -91,7 +91,7 @@ class _Problem:
                     raise ValueError(f"measured `{name}`: give positions and values as a tuple, (x, values)")
                 at = np.atleast_1d(positions_of(model._inner, given[0])).ravel()
                 try:
-                    refuse_outside(at, model.length)
+                    refuse_outside(at, model.length, beside=name == "settlement")
                 except ValueError as error:
                     raise ValueError(f"measured `{name}`: {error}") from None
                 value = np.atleast_1d(np.asarray(given[1], dtype=np.float64)).ravel()

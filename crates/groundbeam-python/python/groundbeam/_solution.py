@@ -270,7 +270,7 @@ class Solution:
         if (at is None) == (output in FIELDS):
             what = "give the positions" if at is None else "it has no position"
             raise ValueError(f"`{output}`: {what}")
-        x = np.asarray(0.0) if at is None else self._positions(at)
+        x = np.asarray(0.0) if at is None else self._positions(at, beside=output == "settlement")
         asked = [(output, float(each), side) for each in x.ravel()]
         value, flat, one_sided = self._inner.gradients(asked, names)
         derivatives = flat.reshape(x.shape + (len(names),))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING, NamedTuple, Optional, Sequence, Tuple, Union, overload
 
 import numpy as np
@@ -59,7 +60,7 @@ class Passage:
 
     def nearest(self, first_axle: float) -> Tuple[float, Solution]:
         """The solved position nearest to a given one, and its solution."""
-        if not np.isfinite(first_axle):
+        if not math.isfinite(first_axle):
             raise ValueError(f"the position of the first axle is {first_axle}: give a finite number")
         found = self._inner.nearest(self._number, first_axle)
         if found is None:
