@@ -149,9 +149,6 @@ def test_a_model_with_combinations_needs_one_of_them() -> None:
         gb.calibrate(model, measured, ["k"])
     found = gb.calibrate(model, measured, ["k"], start={"k": 30e6}, combination="a")
     assert found.values["k"] == pytest.approx(40e6, rel=1e-7)
-    train = gb.Train([(0.0, 80e3)], name="wheel")
-    with pytest.raises(ValueError, match="the train 'wheel' passes"):
-        gb.calibrate(model.with_train(train), measured, ["k"], combination="a")
 
 
 def test_the_message_about_an_invalid_calibration_names_its_remedy(footing: gb.Model) -> None:

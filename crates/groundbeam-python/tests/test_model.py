@@ -82,8 +82,10 @@ def test_ground_loads_troughs_trains_and_checks_equal_those_of_a_file() -> None:
     )
     documents = []
     for model in (at_once, added, in_file):
+        combined = model.solve_combinations()
+        assert combined.limit_states == ["SLS frequent"]
+        checked = json.loads(combined.to_json())["checks"]
         passages = model.solve_trains()
-        checked = json.loads(passages.to_json())["checks"]
         assert passages.limit_states == ["SLS frequent"]
         moment = passages.envelope("moment", 4.0, limit_state="SLS frequent")
         assert moment.max.values == passages.envelope("moment", 4.0).max.values

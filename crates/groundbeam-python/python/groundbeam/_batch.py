@@ -202,7 +202,7 @@ def solve_many(
         listed = ", ".join(f"{name}: {each}" for name, each in counts.items())
         raise ValueError(f"these differ in length: {listed}")
     for model in several:
-        model._refuse_more_than_one_answer(None, None)
+        model._refuse_more_than_one_answer(None)
     # A text must fit every model, so one model of each system of units reads it.
     read = [positions_of(model._inner, at) for model in {each.units: each for each in several}.values()]
     positions = np.ascontiguousarray(np.atleast_1d(read[0] if read else np.asarray(at, dtype=np.float64)))

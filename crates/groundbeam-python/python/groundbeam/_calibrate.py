@@ -154,13 +154,13 @@ def calibrate(
     all, or a dictionary with one for each key of ``measured``. By default it is estimated from the residuals, for
     measurements of one kind. ``bounds`` limit unknowns. ``start``
     gives starting values; by default they are those of the model. Positive unknowns are transformed to logarithms.
-    All are in SI units. A model with combinations needs ``combination``, the loads during the measurement. A model with
-    trains raises ``ValueError``.
+    All are in SI units. A model with combinations or trains needs ``combination``, the loads during the measurement.
 
     The result has the values, their standard errors, and descriptions of combinations that the measurements do not
     determine (docs/derivatives.md#calibration).
     """
-    model._refuse_more_than_one_answer(combination, "calibrate")
+    if combination is None:
+        model._refuse_more_than_one_answer("calibrate")
     problem = _Problem(model, measured, unknown, noise, combination)
     for what in (bounds or {}), (start or {}):
         for name in what:

@@ -174,28 +174,24 @@ class Model:
         ``elements`` is the number of elements for the methods with a mesh: ``active-set``, ``psor`` and ``uzawa``.
 
         Raises ``NoEquilibrium`` with the motion that proves it, ``NotConverged`` if no result could be certified,
-        and ``ModelError`` if the method does not apply to the model. A model with trains raises ``ValueError``, because
-        one result would leave them out: use ``solve_trains``.
+        and ``ModelError`` if the method does not apply to the model. A model with combinations or trains raises
+        ``ValueError`` unless a ``combination`` is chosen. Its loads then act without trains: ``solve_trains`` adds them.
         """
-        self._refuse_more_than_one_answer(combination, "solve_combinations(), or solve")
+        if combination is None:
+            self._refuse_more_than_one_answer("solve_combinations(), or solve")
         return Solution(self._inner.solve(method, elements, combination))
 
-    def _refuse_more_than_one_answer(self, combination: Optional[str], calls: Optional[str]) -> None:
+    def _refuse_more_than_one_answer(self, calls: Optional[str]) -> None:
         """Raises an error if one result would ignore combinations or trains of the file. ``calls`` are those that
         take a combination."""
         names = [name for name, _ in self._inner.combinations()]
-        if names and combination is None and not self._inner.trains:
+        if names:
             instead = f"use {calls}(combination={names[0]!r})" if calls else "give a model without combinations"
             raise ValueError(f"the model has {len(names)} combinations: {instead}")
-        self._refuse_trains(combination)
-
-    def _refuse_trains(self, combination: Optional[str] = None) -> None:
-        """Raises an error if the results would leave out a train of the file."""
         if self._inner.trains:
-            chosen = "" if combination is None else f"combination={combination!r}"
             raise ValueError(
-                f"the train {self._inner.trains[0]!r} passes over the beam, and this call would leave it out: "
-                f"use solve_trains({chosen}), or a model without trains"
+                f"the train {self._inner.trains[0]!r} passes over the beam, and one answer would leave it out: "
+                "use solve_trains()"
             )
 
     def check(self, *, combination: Optional[str] = None) -> Existence:
@@ -215,13 +211,12 @@ class Model:
         self, method: str = "exact", *, elements: int = 100, threads: Optional[int] = None
     ) -> Combinations:
         """Solves each combination. A combination without a solution has the exception that ``solve`` would
-        raise. A model with trains raises ``ValueError``: ``solve_trains`` moves them over the combinations.
+        raise. Trains are left out: ``solve_trains`` moves them over the combinations.
 
         ``threads`` defaults to the number of processors; the results have the same bits with any number.
         """
         if not self._inner.combinations():
             raise ValueError("the model has no combinations: use solve()")
-        self._refuse_trains()
         return Combinations(self._inner.solve_combinations(method, elements, number_of(threads)))
 
     def solve_trains(
@@ -254,7 +249,8 @@ class Model:
         ``elements`` is the number of elements for the methods with a mesh. ``most_sweeps`` limits their
         iterations.
         """
-        self._refuse_more_than_one_answer(combination, "compare")
+        if combination is None:
+            self._refuse_more_than_one_answer("compare")
         found = Comparison(self._inner.compare(elements, most_sweeps, combination))
         exact = found["exact"].answer
         if not isinstance(exact, Solution):
