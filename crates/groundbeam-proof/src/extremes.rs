@@ -190,11 +190,16 @@ impl<S: Scalar> Search<'_, S> {
             if (about.coefficient(0).high() + about.tail(r).value()).next_up() < self.level {
                 continue;
             }
-            if about.tail(r) == Size::ZERO {
+            let slope = about.derivative();
+            // If all values reach the level and all slopes are small, halving would exclude no part.
+            let reaches =
+                (about.coefficient(0).low() - about.tail(r).value()).next_down() >= self.level;
+            if reaches && (slope.coefficient(0).size() + slope.tail(r).value()).next_up() <= steep
+                || about.tail(r) == Size::ZERO
+            {
                 kept.push([a, b]);
                 continue;
             }
-            let slope = about.derivative();
             let [low, high] = [slope.coefficient(0).low(), slope.coefficient(0).high()];
             let least = if low > 0.0 { low } else { -high };
             if (least - slope.tail(r).value()).next_down() > steep {
