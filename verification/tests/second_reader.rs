@@ -259,6 +259,9 @@ fn both_readers_agree_on_every_set_of_combinations() {
                     100 + 7 * case
                 );
             }
+            if random.random_bool(0.3) {
+                text += "[[load]]\npoint = '50 kN'\nat = '2 m'\n";
+            }
             text += &format!("[[combination]]\nset = '{set}'\n");
             match groundbeam_file::parse(&text) {
                 Ok(document) => {

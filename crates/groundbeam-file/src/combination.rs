@@ -10,7 +10,7 @@ use crate::source::Source;
 use crate::{case_names, sets, suggest};
 use groundbeam::{Load, Model, design::LimitStates};
 
-/// Maximum number of combinations in a file.
+/// Maximum number of combinations in a file, on all grounds together.
 pub(crate) const MOST: usize = 1000;
 
 /// A combination as written in the file: its name, and the factors on load cases.
@@ -45,6 +45,8 @@ pub struct Combination {
     pub factors: Vec<(String, f64)>,
     /// Its limit states; empty for the loads as given, or if the file names none.
     pub limit_states: LimitStates,
+    /// Whether all loads act as the file gives them, because it has no combinations of loads.
+    pub as_written: bool,
     /// Whether the combination comes from a set of the Eurocodes. Reports then cite the clauses that require the checks.
     pub eurocode: bool,
     /// The file's model under the factored loads. Loads with the factor 0 are left out.
@@ -61,8 +63,8 @@ impl From<Model> for Combination {
         let loads = (0..model.loads.len()).collect();
         let limit_states = LimitStates::NONE;
         let (name, factors) = (String::new(), Vec::new());
-        let eurocode = false;
-        Combination { name, factors, limit_states, eurocode, model, loads, ground: None }
+        let (as_written, eurocode, ground) = (true, false, None);
+        Combination { name, factors, limit_states, as_written, eurocode, model, loads, ground }
     }
 }
 
@@ -88,7 +90,7 @@ impl Combination {
     /// Factor on a train; `None` if the combination leaves out the train's case. It is 1 without combinations
     /// or without a case.
     pub fn factor_of(&self, train: &MovingTrain) -> Option<f64> {
-        let Some(case) = train.case.as_ref().filter(|_| !self.factors.is_empty()) else {
+        let Some(case) = train.case.as_ref().filter(|_| !self.as_written) else {
             return Some(1.0);
         };
         let named = self.factors.iter().find(|(name, _)| name == case);
@@ -156,7 +158,8 @@ impl Document {
             let (model, loads) = self.under(|case| recipe.factor(case.as_deref()));
             let (name, factors) = (recipe.name.clone(), recipe.factors.clone());
             let Recipe { limit_states, eurocode, .. } = *recipe;
-            Combination { name, factors, limit_states, eurocode, model, loads, ground: None }
+            let (as_written, ground) = (false, None);
+            Combination { name, factors, limit_states, as_written, eurocode, model, loads, ground }
         };
         let Some(band) = &self.band else { return self.recipes.iter().map(combined).collect() };
         let alone = self.recipes.is_empty().then(|| self.as_written());

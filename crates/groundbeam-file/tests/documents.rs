@@ -353,3 +353,75 @@ fn soil_data_are_written_back_as_soil_data() {
         assert_eq!(parse(&written).expect(method).model, model);
     }
 }
+
+/// A beam on ground, before the loads and combinations of a test.
+const BARE: &str = "[beam]\nlength = 12\nEI = 1\n[foundation]\nk = 1\n";
+const UNIFORM: &str = "[[load]]\ndistributed = 2\n";
+
+/// A point load with a case of this name and action.
+fn case(name: &str, action: &str) -> String {
+    format!(
+        "[[load]]\npoint = 1\nat = 3\ncase = '{name}'\n[[case]]\nname = '{name}'\naction = '{action}'\n"
+    )
+}
+
+fn set(name: &str) -> String {
+    format!("[[combination]]\nset = '{name}'\n")
+}
+
+/// The only message about a file with an error.
+#[track_caller]
+fn fault(text: &str) -> (&'static str, usize, String) {
+    let found = parse(text).expect_err(text);
+    let [one] = &*found.iter().collect::<Vec<_>>() else { panic!("{found:?}") };
+    (one.code, one.line, format!("{}; {}", one.message, one.hint))
+}
+
+#[test]
+fn loads_without_a_case_are_a_combination_of_a_set_by_themselves() {
+    let names = |text: &[String]| read(&(BARE.to_owned() + &text.concat())).combination_names();
+    let (uniform, wind) = (UNIFORM.to_owned(), case("W", "wind"));
+    let alone = |label: &str| format!("{label}: loads without a case");
+    assert_eq!(names(&[uniform.clone(), set("EN 1990 6.10")]), [alone("6.10")]);
+    let both = [uniform, wind, set("EN 1990 6.10"), set("EN 1990 quasi-permanent")];
+    assert_eq!(names(&both), ["6.10: 1.5 W", &alone("6.10"), &alone("quasi-permanent")]);
+    let document = read(&(BARE.to_owned() + &both.concat()));
+    assert_eq!(document.combinations()[1].model.loads, [Load::uniform_force(0.0, 12.0, 2.0)]);
+}
+
+#[test]
+fn a_set_without_any_combination_is_refused() {
+    let text = format!("{BARE}{}{}", case("W", "wind"), set("EN 1990 quasi-permanent"));
+    let (code, line, said) = fault(&text);
+    assert_eq!((code, line), ("GB004", text.lines().count()));
+    assert!(said.contains("makes no combination") && said.contains("leave it out"), "{said}");
+    let text = format!("{BARE}{UNIFORM}{}{}", case("W", "wind"), set("EN 1990 seismic"));
+    let (code, _, said) = fault(&text);
+    assert!(code == "GB004" && said.contains("action = \"seismic\""), "{said}");
+}
+
+#[test]
+fn a_train_with_a_case_is_absent_where_no_factor_is_given() {
+    let train = "[[train]]\ncase = 'T'\naxles = [{ at = 0, force = 1 }]\n";
+    let combination = "[[combination]]\nname = 'none'\nfactors = {}\n";
+    let document = read(&format!("{BARE}{UNIFORM}{train}{combination}"));
+    let factor = |text: &Document| text.wanted()[0].factor_of(&document.trains[0]);
+    assert_eq!(factor(&document), None);
+    assert_eq!(factor(&read(&format!("{BARE}{UNIFORM}{train}"))), Some(1.0));
+}
+
+#[test]
+fn a_thousand_combinations_are_the_limit_on_all_grounds_together() {
+    let file = |count: usize, band: &str| {
+        let one = |i| format!("[[combination]]\nname = '{i}'\nfactors = {{ W = 1 }}\n");
+        let all: String = (0..count).map(one).collect();
+        format!("{BARE}{band}{}{all}", case("W", "wind"))
+    };
+    let band = "mu = 1\n[foundation.band]\nk = [0.5, 2]\nmu = [0.5, 2]\n";
+    assert_eq!(read(&file(1000, "")).combinations().len(), 1000);
+    assert_eq!(read(&file(111, band)).combinations().len(), 999);
+    let (code, _, said) = fault(&file(1001, ""));
+    assert!(code == "GB010" && said.contains("more than 1000 combinations;"), "{said}");
+    let (code, _, said) = fault(&file(112, band));
+    assert!(code == "GB010" && said.contains("111 combinations on each of 9 grounds"), "{said}");
+}

@@ -114,9 +114,7 @@ impl<'a> Row<'a> {
             eurocode: combination.eurocode,
             solution: answer.solution(),
             falls: matches!(answer.found, Found::NoEquilibrium(_)),
-            // A combination of the file has a name, and so has each ground of a band.
-            as_given: combination.factors.is_empty()
-                && (combination.name.is_empty() || combination.ground.is_some()),
+            as_given: combination.as_written,
             proof,
         }
     }

@@ -150,7 +150,7 @@ pub(crate) fn bounds_of_band(
 pub(crate) fn noun(answers: &Answers) -> &'static str {
     let all = || answers.list.iter().map(|answer| &answer.label.combination);
     let on_grounds = all().any(|combination| combination.ground.is_some());
-    match on_grounds && all().all(|combination| combination.factors.is_empty()) {
+    match on_grounds && all().all(|combination| combination.as_written) {
         true => "Grounds",
         false => "Combinations",
     }

@@ -109,8 +109,11 @@ pub(super) fn read(
     names.retain(|name| !name.is_empty());
     let described = describe(reader, root, &names);
     let most = MOST / grounds;
+    let has_others =
+        cases.iter().chain(trains.iter().map(|train| &train.case)).any(Option::is_none);
+    let (wanting, made) = (Vec::new(), Vec::new());
     let mut file =
-        File { loads, cases, names, described, most, wanting: Vec::new(), made: Vec::new() };
+        File { loads, cases, names, has_others, described, most, grounds, wanting, made };
     let mut recipes: Vec<Recipe> = Vec::new();
     let mut taken: Vec<(String, Range<usize>)> = Vec::new();
     for table in reader.tables(root, "combination") {
@@ -140,6 +143,11 @@ pub(super) fn read(
                         Vec::new()
                     }
                 };
+                if recipes.len() == most {
+                    let hint = "write the others in another file";
+                    file.too_many(reader, table.span.clone(), hint);
+                    break;
+                }
                 let name = name.map_or_else(String::new, |(name, _)| name.to_owned());
                 let limit_states = states.unwrap_or_default();
                 let (set, eurocode) = (None, false);
@@ -218,9 +226,12 @@ struct File<'a> {
     cases: &'a [Option<String>],
     /// Names of the cases, each once, in the order of the loads.
     names: Vec<&'a str>,
+    /// Whether loads or trains have no case.
+    has_others: bool,
     described: Vec<Described<'a>>,
-    /// Maximum number of combinations in the file.
+    /// Maximum number of combinations in the file, each on all grounds.
     most: usize,
+    grounds: usize,
     /// Cases for which a missing or foreign action has been reported.
     wanting: Vec<&'a str>,
     /// Names of the combinations that come from sets.
@@ -280,7 +291,20 @@ impl<'a> File<'a> {
             return;
         };
         let Some(acting) = self.acting(reader, practice, set, &span) else { return };
-        match sets::expand(practice, set, &acting, self.most.saturating_sub(recipes.len())) {
+        let most = self.most.saturating_sub(recipes.len());
+        match sets::expand(practice, set, &acting, self.has_others, most) {
+            Ok(made) if made.is_empty() => {
+                let message = format!("`{}` makes no combination of the load cases", set.name);
+                let hint = match set.needed() {
+                    Some(action) => {
+                        format!(
+                            "add the loads of a case with action = \"{action}\", or leave the set out"
+                        )
+                    }
+                    None => "the set gives every load the factor 0: leave it out".to_owned(),
+                };
+                reader.report(Fault::new(code::MISSING, span, message, "", hint));
+            }
             Ok(made) => {
                 if let Some(again) = made.iter().find(|made| self.made.contains(&made.name)) {
                     let message = format!("this set makes `{}` twice", again.name);
@@ -297,12 +321,20 @@ impl<'a> File<'a> {
                 }
             }
             Err(sets::TooMany) => {
-                let message = format!("the file has more than {} combinations", self.most);
                 let hint = "give cases that never act together, as winds from two sides, one \
                             `group`, or write the combinations that matter with `factors`";
-                reader.report(Fault::new(code::TOO_MANY, span, message, "", hint));
+                self.too_many(reader, span, hint);
             }
         }
+    }
+
+    fn too_many(&self, reader: &mut Reader, span: Range<usize>, hint: &str) {
+        let each = match self.grounds {
+            1 => String::new(),
+            grounds => format!(" on each of {grounds} grounds"),
+        };
+        let message = format!("the file has more than {} combinations{each}", self.most);
+        reader.report(Fault::new(code::TOO_MANY, span, message, "", hint));
     }
 
     /// Actions of the load cases; `None` if the action of a case is missing or unknown to the set.

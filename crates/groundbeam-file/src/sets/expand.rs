@@ -18,6 +18,9 @@ pub(crate) struct Acting<'a> {
     pub source: Option<&'a str>,
 }
 
+/// Name of the sum without any load case.
+const ALONE: &str = "loads without a case";
+
 /// The number of combinations exceeds the limit.
 #[derive(Debug, PartialEq, Eq)]
 pub(crate) struct TooMany;
@@ -33,11 +36,13 @@ pub(crate) struct Made {
     pub limit_states: LimitStates,
 }
 
-/// Combinations of a set, each once, at most `most` of them.
+/// Combinations of a set, each once, at most `most` of them. `has_others` tells whether the file has loads without
+/// a case; then they alone are also a combination.
 pub(crate) fn expand(
     practice: &Practice,
     set: &Set,
     cases: &[Acting],
+    has_others: bool,
     most: usize,
 ) -> Result<Vec<Made>, TooMany> {
     let mut made = Vec::new();
@@ -48,8 +53,18 @@ pub(crate) fn expand(
             cases.iter().map(|case| formula.always_of(practice, case.action)).collect();
         let (always, label, by_parts) = (&*always, &*formula.label, formula.by_parts);
         for (leads, terms) in formula.terms(practice, cases) {
-            let mut found =
-                Expansion { cases, always, by_parts, most, label, limit_states, leads, made, seen };
+            let mut found = Expansion {
+                cases,
+                always,
+                by_parts,
+                has_others,
+                most,
+                label,
+                limit_states,
+                leads,
+                made,
+                seen,
+            };
             found.permanent(&terms, 0, &mut Vec::new(), &mut Vec::new())?;
             (made, seen) = (found.made, found.seen);
         }
@@ -129,6 +144,7 @@ struct Expansion<'a> {
     always: &'a [Vec<f64>],
     /// Whether permanent cases from the same source have independent factors.
     by_parts: bool,
+    has_others: bool,
     most: usize,
     label: &'a str,
     limit_states: LimitStates,
@@ -218,12 +234,12 @@ impl Expansion<'_> {
     }
 
     fn push(&mut self, chosen: &[(usize, f64)]) -> Result<(), TooMany> {
+        if chosen.is_empty() && !self.has_others {
+            return Ok(());
+        }
         let mut key = vec![0; self.cases.len()];
         for (case, factor) in chosen {
             key[*case] = factor.to_bits();
-        }
-        if chosen.is_empty() {
-            return Ok(());
         }
         if let Some(&same) = self.seen.get(&key) {
             // One combination may belong to several expressions of a code.
@@ -238,10 +254,11 @@ impl Expansion<'_> {
             let case = self.cases[*case].case;
             if *factor == 1.0 { case.to_owned() } else { format!("{factor} {case}") }
         };
-        let sum: Vec<String> = chosen.iter().map(term).collect();
-        let name = format!("{}: {}", self.label, sum.join(" + "))
-            .replace("+ -1 ", "- ")
-            .replace("+ -", "- ");
+        let sum = match chosen {
+            [] => ALONE.to_owned(),
+            _ => chosen.iter().map(term).collect::<Vec<String>>().join(" + "),
+        };
+        let name = format!("{}: {sum}", self.label).replace("+ -1 ", "- ").replace("+ -", "- ");
         let factors = chosen.to_vec();
         self.made.push(Made { name, factors, limit_states: self.limit_states });
         Ok(())
@@ -259,7 +276,7 @@ mod tests {
 
     fn made(set: &str, cases: &[Acting]) -> Vec<String> {
         let (practice, set) = find(set).unwrap();
-        let made = expand(practice, set, cases, 1000).unwrap();
+        let made = expand(practice, set, cases, false, 1000).unwrap();
         made.into_iter().map(|made| made.name).collect()
     }
 
@@ -346,7 +363,7 @@ mod tests {
     fn too_many_combinations_are_refused() {
         let (practice, set) = find("EN 1990 6.10").unwrap();
         let cases = vec![case("Q", "imposed B"); 60];
-        assert_eq!(expand(practice, set, &cases, 1000), Err(TooMany));
+        assert_eq!(expand(practice, set, &cases, false, 1000), Err(TooMany));
     }
     /// EN 1990, table A1.2(B), note 3: one factor for all permanent actions of one source. Static equilibrium
     /// treats the parts separately.
@@ -379,7 +396,7 @@ mod tests {
     fn combinations_have_the_limit_states_of_their_set_and_formula() {
         let (practice, set) = find("ASCE 7-16 LRFD").unwrap();
         let cases = [case("D", "dead"), case("W", "wind")];
-        let made = expand(practice, set, &cases, 1000).unwrap();
+        let made = expand(practice, set, &cases, false, 1000).unwrap();
         let states =
             |name: &str| made.iter().find(|made| made.name == name).unwrap().limit_states.names();
         assert_eq!(states("LRFD 5: 0.9 D + W"), "STR/GEO or EQU");

@@ -132,6 +132,14 @@ pub(crate) fn spellings() -> Vec<&'static str> {
     catalogue::spellings(PRACTICES.iter().flat_map(|practice| &practice.sets))
 }
 
+impl Set {
+    /// An action that every combination of the set contains.
+    pub fn needed(&self) -> Option<&str> {
+        let formula = self.formulas.iter().find(|formula| formula.needs_first)?;
+        formula.terms.first()?.keys().next().map(String::as_str)
+    }
+}
+
 impl Entry for Set {
     fn name(&self) -> &str {
         &self.name

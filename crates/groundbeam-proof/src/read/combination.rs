@@ -11,7 +11,7 @@ use super::toml::Value;
 use crate::{Extent, Load, Scalar};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Maximum number of combinations that sets may make, on all grounds together.
+/// Maximum number of combinations of a file, on all grounds together.
 const MOST: usize = 1000;
 
 /// A combination: its name, and the decimal factor of each load case in it.
@@ -33,7 +33,8 @@ pub(crate) fn select<'g, S: Scalar>(
     let mut seen = BTreeSet::new();
     let mut names: Vec<&str> = loads.iter().filter_map(|cased| cased.case.as_deref()).collect();
     names.retain(|case| seen.insert(*case));
-    let recipes = recipes(root, &names, MOST / grounds.len().max(1))?;
+    let has_caseless = loads.iter().any(|cased| cased.case.is_none());
+    let recipes = recipes(root, &names, has_caseless, MOST / grounds.len().max(1))?;
     let mut found = on_grounds(&recipes, grounds).filter(|(name, ..)| name == wanted.trim());
     let (found, again) = (found.next(), found.next());
     let Some((name, recipe, ground)) = found else {
@@ -103,7 +104,7 @@ fn scaled<S: Scalar>(load: Load<S>, factor: S) -> Load<S> {
 }
 
 /// Every combination of the file.
-fn recipes(root: Section, names: &[&str], most: usize) -> Read<Vec<Recipe>> {
+fn recipes(root: Section, names: &[&str], has_caseless: bool, most: usize) -> Read<Vec<Recipe>> {
     let known: BTreeSet<&str> = names.iter().copied().collect();
     let mut recipes = Vec::new();
     for table in root.tables("combination")? {
@@ -112,8 +113,8 @@ fn recipes(root: Section, names: &[&str], most: usize) -> Read<Vec<Recipe>> {
         table.exclusive("set", "name")?;
         if let Some((set, at)) = table.words("set")? {
             let acting = acting(root, names, at)?;
-            let made = sets::expand(set.trim(), &acting, most.saturating_sub(recipes.len()));
-            match made {
+            let left = most.saturating_sub(recipes.len());
+            match sets::expand(set.trim(), &acting, has_caseless, left) {
                 Ok(made) => recipes.extend(made.into_iter().map(|made| {
                     let factor = |(case, factor): (usize, String)| (names[case].to_owned(), factor);
                     let factors = made.factors.into_iter().map(factor).collect();
@@ -134,6 +135,9 @@ fn recipes(root: Section, names: &[&str], most: usize) -> Read<Vec<Recipe>> {
                 return wrong(at, format!("no load belongs to a case `{case}`"));
             }
             written.insert(case.to_owned(), factor.clone());
+        }
+        if recipes.len() == most {
+            return wrong(table.at, sets::TOO_MANY);
         }
         recipes.push(Recipe { name: name.trim().to_owned(), factors: written });
     }

@@ -15,6 +15,8 @@ static CODES: [&Code; 6] = [
     &asce::OF_2022,
 ];
 
+pub(crate) const TOO_MANY: &str = "the file asks for more than 1000 combinations";
+
 /// A load case and its action.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Acting<'a> {
@@ -33,8 +35,14 @@ pub(crate) struct Made {
     pub factors: Vec<(usize, String)>,
 }
 
-/// The combinations of a set without duplicates, in the order of the set.
-pub(crate) fn expand(name: &str, cases: &[Acting], most: usize) -> Result<Vec<Made>, String> {
+/// The combinations of a set without duplicates, in the order of the set; at least one. `has_caseless` is true if the
+/// file has loads without a case, which are a combination even if no case takes part in it.
+pub(crate) fn expand(
+    name: &str,
+    cases: &[Acting],
+    has_caseless: bool,
+    most: usize,
+) -> Result<Vec<Made>, String> {
     let (code, set) = find(name).ok_or("unknown set of combinations")?;
     for case in cases {
         let action = code.actions.iter().find(|action| action.name == case.action);
@@ -47,7 +55,7 @@ pub(crate) fn expand(name: &str, cases: &[Acting], most: usize) -> Result<Vec<Ma
         }
     }
     let (made, chosen, rows) = (Vec::new(), Vec::new(), Vec::new());
-    let mut found = Expansion { cases, most, made, chosen, rows };
+    let mut found = Expansion { cases, has_caseless, most, made, chosen, rows };
     for formula in set.formulas {
         let always: Vec<Vec<Micro>> =
             cases.iter().map(|case| always(code, formula, case.action)).collect();
@@ -55,12 +63,18 @@ pub(crate) fn expand(name: &str, cases: &[Acting], most: usize) -> Result<Vec<Ma
             found.permanent(formula, &always, &terms, must_act, 0)?;
         }
     }
+    if found.made.is_empty() {
+        return Err("the set makes no combination".to_owned());
+    }
     let name = |(label, factors): (&str, Vec<(usize, Micro)>)| {
         let term = |(case, factor): &(usize, Micro)| match *factor {
             UNIT => cases[*case].name.to_owned(),
             factor => format!("{} {}", decimal(factor), cases[*case].name),
         };
-        let sum: Vec<String> = factors.iter().map(term).collect();
+        let mut sum: Vec<String> = factors.iter().map(term).collect();
+        if sum.is_empty() {
+            sum.push("loads without a case".to_owned());
+        }
         let factors = factors.into_iter().map(|(case, factor)| (case, decimal(factor))).collect();
         let sum = sum.join(" + ").replace("+ -1 ", "- ").replace("+ -", "- ");
         Made { name: format!("{label}: {sum}"), factors }
@@ -146,6 +160,7 @@ fn variable_terms(
 
 struct Expansion<'a> {
     cases: &'a [Acting<'a>],
+    has_caseless: bool,
     most: usize,
     made: Vec<(&'static str, Vec<(usize, Micro)>)>,
     chosen: Vec<(usize, Micro)>,
@@ -234,11 +249,11 @@ impl Expansion<'_> {
         let is_same = |(_, other): &(&str, Vec<(usize, Micro)>)| {
             other.len() == sorted.len() && sorted.iter().all(|entry| other.contains(entry))
         };
-        if sorted.is_empty() || self.made.iter().any(is_same) {
+        if (sorted.is_empty() && !self.has_caseless) || self.made.iter().any(is_same) {
             return Ok(());
         }
         if self.made.len() == self.most {
-            return Err("the file asks for more than 1000 combinations");
+            return Err(TOO_MANY);
         }
         self.made.push((label, self.chosen.clone()));
         Ok(())
