@@ -97,7 +97,7 @@ pub fn run(
     let left: u64 = missing.iter().map(|range| range.end - range.start).sum();
     let before = of - left;
     let progress = |done: u64| Progress { stage: Stage::Solving, done: before + done, before, of };
-    match parts.verify(&table, watch) {
+    match parts.verify(&table, &samples, watch) {
         Err(StoreError::Stopped) => return Ok(Finished::Stopped(progress(0))),
         verified => verified?,
     }

@@ -189,6 +189,23 @@ fn a_part_with_the_name_of_another_part_is_refused() {
 }
 
 #[test]
+fn parts_of_another_shard_are_refused() {
+    let (draws, folder) = study("shards", 64);
+    let out = folder.join("r.parquet");
+    let shard = |number, restart, watch: &mut dyn FnMut(Progress) -> ControlFlow<()>| {
+        run(&draws, &out, Shard { number, of: 2 }, restart, 2, watch)
+    };
+    for (first, second) in [(2, 1), (1, 2)] {
+        shard(first, true, &mut before_merging).unwrap();
+        let part = parts(&out).remove(0);
+        let message = shard(second, false, &mut never).unwrap_err().to_string();
+        assert!(message.starts_with(&part.display().to_string()), "{message}");
+        assert!(message.contains("another shard") && message.contains("--restart"), "{message}");
+    }
+    assert_eq!(shard(1, true, &mut never).unwrap(), Finished::Whole(32));
+}
+
+#[test]
 fn files_of_other_formats_are_refused_as_results() {
     let (draws, folder) = study("other", 64);
     let out = folder.join("r.parquet");

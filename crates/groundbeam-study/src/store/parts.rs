@@ -50,24 +50,40 @@ impl Parts {
         Ok(parts)
     }
 
-    /// Verifies that each part is undamaged and belongs to this study and to the samples in its name.
-    pub fn verify(&self, table: &Table, watch: &mut Watch) -> Result<(), StoreError> {
+    /// Verifies that each part is undamaged, belongs to this study, and has the samples in its name. These are among
+    /// `samples` and in no other part.
+    pub fn verify(
+        &self,
+        table: &Table,
+        samples: &Range<u64>,
+        watch: &mut Watch,
+    ) -> Result<(), StoreError> {
         let all = self.all()?;
-        let samples = all.iter().map(|(range, _)| range.end.saturating_sub(range.start)).sum();
-        let mut verified = counted(samples, watch);
+        let rows = all.iter().map(|(range, _)| range.end.saturating_sub(range.start)).sum();
+        let mut verified = counted(rows, watch);
+        let mut reached = samples.start;
         for (range, path) in all {
             let results = Results::open(&path)?;
             if results.head().get("digest") != table.head.get("digest") {
                 return Err(StoreError::Foreign(self.out.clone()));
             }
-            results.verify(&mut verified)?;
-            let first = results.first()?.unwrap_or(range.start);
-            if (first, first + results.rows()) != (range.start, range.end) {
+            if range.start < reached || range.end > samples.end {
                 return Err(StoreError::Unlike(format!(
-                    "{}: it contains samples {first} to {}, not those of its name; delete this file and run the study \
+                    "{}: these samples belong to another shard or to another part; run that shard, name another output, \
+                     or use --restart, which deletes all parts of this output",
+                    path.display()
+                )));
+            }
+            reached = range.end;
+            results.verify(&mut verified)?;
+            let found = results.samples()?.unwrap_or(range.start..range.start);
+            if found != range {
+                return Err(StoreError::Unlike(format!(
+                    "{}: it contains samples {} to {}, not those of its name; delete this file and run the study \
                      again, which computes them again",
                     path.display(),
-                    (first + results.rows()).saturating_sub(1)
+                    found.start,
+                    found.end.saturating_sub(1)
                 )));
             }
         }
@@ -101,8 +117,9 @@ impl Parts {
         let mut missing = Vec::new();
         let mut reached = of.start;
         for (range, _) in self.all()? {
-            if range.start > reached {
-                missing.push(reached..range.start.min(of.end));
+            let start = range.start.min(of.end);
+            if start > reached {
+                missing.push(reached..start);
             }
             reached = reached.max(range.end);
         }

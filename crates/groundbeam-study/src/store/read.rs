@@ -100,15 +100,25 @@ impl Results {
         })
     }
 
-    /// The number of the first sample.
-    pub fn first(&self) -> Result<Option<u64>, StoreError> {
-        if self.groups() == 0 {
+    /// The samples, which are consecutive.
+    pub fn samples(&self) -> Result<Option<Range<u64>>, StoreError> {
+        let Some(last) = self.groups().checked_sub(1) else { return Ok(None) };
+        let most = rows(self.metadata().row_group(last).num_rows());
+        let [head, tail] = [self.column(0, 0, 1)?, self.column(last, 0, most)?];
+        let (Values::Whole(head), Values::Whole(tail)) = (head.values, tail.values) else {
             return Ok(None);
+        };
+        let (Some(&first), Some(&last)) = (head.first(), tail.last()) else { return Ok(None) };
+        let [first, last] = [first, last].map(i64::cast_unsigned);
+        match last.checked_sub(first).and_then(|steps| steps.checked_add(1)) {
+            Some(samples) if samples == self.rows() => Ok(Some(first..last + 1)),
+            _ => Err(StoreError::Unlike(format!(
+                "{}: it has {} rows from sample {first} to sample {last}; delete this file and run the study again, \
+                 which computes its samples again",
+                self.path.display(),
+                self.rows()
+            ))),
         }
-        Ok(match self.column(0, 0, 1)?.values {
-            Values::Whole(numbers) => numbers.first().copied().map(i64::cast_unsigned),
-            _ => None,
-        })
     }
 
     /// The first rows of a group in one column.
@@ -166,8 +176,7 @@ impl Whole {
         if results.head().get("digest") != head.get("digest") {
             return Err(StoreError::Foreign(path.to_owned()));
         }
-        if results.first()? != Some(samples.start) || results.rows() != samples.end - samples.start
-        {
+        if results.samples()?.as_ref() != Some(samples) {
             return Err(StoreError::Unlike(format!(
                 "{}: this file does not contain the samples {} to {}; name another file, or \
                  start again with the option `restart`",
