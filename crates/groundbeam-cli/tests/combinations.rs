@@ -316,3 +316,17 @@ fn a_set_is_selected_by_its_name() {
     assert_eq!(done.status, 2);
     assert!(done.stderr.contains("`EN 1990 EQU`, `EN 1990 STR/GEO B`"), "{}", done.stderr);
 }
+
+#[test]
+fn a_limit_state_without_a_solved_position_of_a_train_has_no_rows() {
+    let text = tips().replace("name = \"storm\"", "name = \"storm\"\nlimit_state = \"EQU\"")
+        + "[[train]]\naxles = [{ at = 0, force = 0.01 }]\n";
+    let text = text.replace("name = \"heavy\"", "name = \"heavy\"\nlimit_state = \"SLS frequent\"");
+    let folder = Folder::with(&text);
+    folder.run(&["solve", "model.toml", "--csv", "t.csv"]).is_clean(3);
+    let table = folder.read("t.csv");
+    let rows: Vec<Vec<&str>> = table.lines().map(|row| row.split(',').collect()).collect();
+    assert!(rows.iter().all(|row| row.len() == rows[0].len()), "{table}");
+    let of = |state: &str| rows.iter().filter(|row| row.last() == Some(&state)).count();
+    assert!(of("all") > 10 && of("SLS frequent") == of("all") && of("EQU") == 0, "{table}");
+}

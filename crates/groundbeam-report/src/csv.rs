@@ -96,7 +96,7 @@ pub fn envelope(answers: &Answers, positions: &[f64], context: &Context) -> Stri
                 let values = cleaned.map(|value| number(value, unit));
                 values.into_iter().chain(bounds).chain([name(min.by), name(max.by)])
             });
-            cells.collect::<Vec<String>>()
+            Some(cells.collect())
         }
     };
     enveloped(names, answers.limit_states(), of_state, positions, units)
@@ -124,7 +124,7 @@ pub fn trains(passages: &Passages, sections: &[f64], units: Units) -> String {
         let mut rounding = Rounding::new(passages);
         move |x: f64| {
             let mut cells = Vec::new();
-            let Some(bounds) = of_state.at(x) else { return cells };
+            let bounds = of_state.at(x)?;
             for field in of_state.fields() {
                 let both = bounds[field.index()];
                 let unit = units.column(Kind::of(field));
@@ -134,15 +134,16 @@ pub fn trains(passages: &Passages, sections: &[f64], units: Units) -> String {
                 let which = both.iter().map(|found| labels[found.passage].clone());
                 cells.extend(which.filter(|_| several));
             }
-            cells
+            Some(cells)
         }
     };
     enveloped(names, passages.limit_states(), of_state, sections, units)
 }
 
 /// The rows of an envelope over all answers, then over the answers of each limit state. For a limit state, or `None` for
-/// all answers, `of_state` gives a function that returns the cells at a position.
-fn enveloped<R: FnMut(f64) -> Vec<String>>(
+/// all answers, `of_state` gives a function that returns the cells at a position. Without a solution there are no cells
+/// and no row.
+fn enveloped<R: FnMut(f64) -> Option<Vec<String>>>(
     names: impl Iterator<Item = String>,
     states: LimitStates,
     of_state: impl Fn(Option<LimitState>) -> R,
@@ -158,8 +159,9 @@ fn enveloped<R: FnMut(f64) -> Vec<String>>(
         let mut cells = of_state(state);
         let name = state.map_or("all", LimitState::name);
         for &x in positions {
+            let Some(cells) = cells(x) else { continue };
             let last = has_states.then(|| name.to_owned());
-            rows.push(std::iter::once(number(x, place)).chain(cells(x)).chain(last));
+            rows.push(std::iter::once(number(x, place)).chain(cells).chain(last));
         }
     }
     rows.finish()
@@ -202,7 +204,7 @@ fn column(name: &str, unit: Unit) -> String {
     }
 }
 
-/// Rows in memory, where writing cannot fail.
+/// Rows of equal length in memory, where writing cannot fail.
 struct Rows(Writer<Vec<u8>>);
 
 impl Rows {
@@ -212,7 +214,9 @@ impl Rows {
 
     /// Names from the file are escaped, because a table may be shown on a terminal.
     fn push(&mut self, cells: impl IntoIterator<Item = String>) {
-        let _ = self.0.write_record(cells.into_iter().map(|cell| printable(&cell).into_owned()));
+        let cells = cells.into_iter().map(|cell| printable(&cell).into_owned());
+        let written = self.0.write_record(cells);
+        debug_assert!(written.is_ok(), "{written:?}");
     }
 
     fn finish(self) -> String {
