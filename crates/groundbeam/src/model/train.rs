@@ -68,11 +68,12 @@ impl Train {
     }
 
     /// First and last position of the first axle in a passage over the beam \[m\]. The passage begins when
-    /// the first axle reaches the left end. It ends when the last axle, or the rear end of the last finite
-    /// distributed load, leaves the right end.
+    /// the first axle, or the front end of the foremost finite distributed load, reaches the left end. It ends
+    /// when the last axle, or the rear end of the last finite distributed load, leaves the right end.
     pub fn passage(&self, beam_length: f64) -> [f64; 2] {
+        let fronts = self.uniform.iter().map(|part| part.from).filter(|from| from.is_finite());
         let ends = self.uniform.iter().map(|part| part.to).filter(|to| to.is_finite());
-        [0.0, beam_length + ends.fold(self.length(), f64::max)]
+        [fronts.fold(0.0, f64::min), beam_length + ends.fold(self.length(), f64::max)]
     }
 
     /// The same train with every load multiplied by `factor`.
@@ -175,6 +176,16 @@ mod tests {
         assert_eq!(leaving, [Load::point_force(8.0, 4.0), Load::uniform_force(0.0, 7.0, 1.0)]);
         assert_eq!(train.on(&beam, 20.0).loads, [Load::uniform_force(0.0, 10.0, 1.0)]);
         assert_eq!(train.passage(10.0), [0.0, 13.0]);
+    }
+
+    #[test]
+    fn a_passage_begins_when_a_load_ahead_of_the_first_axle_reaches_the_beam() {
+        let part = UniformPart { from: -10.0, to: -5.0, intensity: 1.0 };
+        let train = Train { axles: vec![Axle { behind: 0.0, force: 2.0 }], uniform: vec![part] };
+        assert_eq!(train.passage(20.0), [-10.0, 20.0]);
+        assert_eq!(train.mirrored().passage(20.0), [0.0, 30.0]);
+        let endless = UniformPart { from: f64::NEG_INFINITY, ..part };
+        assert_eq!(Train { uniform: vec![endless], ..train }.passage(20.0), [0.0, 20.0]);
     }
 
     #[test]
