@@ -94,7 +94,10 @@ pub use printable::{is_unprintable, printable};
 pub use profiles::{RolledSection, rail_sections, rolled_sections};
 pub use schema::{model_schema, study_schema};
 pub use sets::{CombinationSet, combination_sets};
-pub use target::{Change, Course, Shape, along_the_beam, change, most_control_values, problem};
+pub use target::{
+    Change, Course, Shape, along_the_beam, change, most_control_values, problem,
+    set_the_same_number,
+};
 pub use trains::{TrainSet, train_sets};
 pub use units::UnitSystem;
 pub use write::write_toml;

@@ -204,8 +204,14 @@ impl<'s> Reader<'s> {
         let name = keys.name;
         let Some(value) = parent.value(key) else { return vec![] };
         let DeValue::Array(array) = value.get_ref() else {
-            let message = format!("a file can have several {name}, so it is a list");
-            self.wrong_type(value, message, format!("write {name} with double brackets"));
+            let (message, hint) = match self.inline(keys, key) {
+                Some(hint) => (format!("`{key}` is a list of tables"), hint),
+                None => (
+                    format!("a file can have several {name}, so it is a list"),
+                    format!("write {name} with double brackets"),
+                ),
+            };
+            self.wrong_type(value, message, hint);
             return vec![];
         };
         let mut sections = Vec::new();
@@ -218,12 +224,22 @@ impl<'s> Reader<'s> {
                 }
                 _ => {
                     let message = format!("each of `{key}` is a table, not a value");
-                    let hint = format!("write {name} and its keys below it");
+                    let hint = self.inline(keys, key);
+                    let hint =
+                        hint.unwrap_or_else(|| format!("write {name} and its keys below it"));
                     self.wrong_type(element, message, hint);
                 }
             }
         }
         sections
+    }
+
+    /// Hint for a list of tables without a heading of their own, such as the axles of a train.
+    fn inline(&self, table: &Table, key: &str) -> Option<String> {
+        let needed = table.keys.iter().filter(|key| key.needed);
+        let lines: Vec<String> = needed.map(|key| key.line(self.plain)).collect();
+        let is_inline = !table.name.starts_with('[');
+        is_inline.then(|| format!("write it as in {key} = [{{ {} }}]", lines.join(", ")))
     }
 
     /// Tables of a list, each a part of the model. `part` returns the part for a number in the list.

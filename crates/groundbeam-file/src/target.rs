@@ -49,6 +49,18 @@ pub fn along_the_beam(parameter: Parameter) -> Option<Property> {
     }
 }
 
+/// Whether two parameters set the same number of a model, so that one of them would have no effect.
+pub fn set_the_same_number(a: Parameter, b: Parameter) -> bool {
+    let includes = |whole, part| match (whole, part) {
+        (Parameter::Value(a, Domain::Whole), Parameter::Value(b, _)) => a == b,
+        (Parameter::Load(a, LoadNumber::Size), Parameter::Load(b, number)) => {
+            a == b && matches!(number, LoadNumber::Start | LoadNumber::End)
+        }
+        _ => whole == part,
+    };
+    includes(a, b) || includes(b, a)
+}
+
 /// Whether this number must be positive.
 pub(crate) fn must_be_positive(parameter: Parameter) -> bool {
     match parameter {

@@ -1,8 +1,9 @@
 //! Tests of valid files in all their forms.
 
+use groundbeam::derivatives::Parameter;
 use groundbeam::model::{Part, Problem};
 use groundbeam::{Load, Support, SupportKind, model::Acts};
-use groundbeam_file::{Document, UnitSystem, parse, write_toml};
+use groundbeam_file::{Document, UnitSystem, parse, set_the_same_number, write_toml};
 
 #[track_caller]
 fn read(text: &str) -> Document {
@@ -424,4 +425,53 @@ fn a_thousand_combinations_are_the_limit_on_all_grounds_together() {
     assert!(code == "GB010" && said.contains("more than 1000 combinations;"), "{said}");
     let (code, _, said) = fault(&file(112, band));
     assert!(code == "GB010" && said.contains("111 combinations on each of 9 grounds"), "{said}");
+}
+
+#[test]
+fn parameters_that_set_the_same_number_are_found() {
+    let same = |a: &str, b: &str| {
+        let [a, b] = [a, b].map(|name| Parameter::named(name).unwrap());
+        assert_eq!(set_the_same_number(a, b), set_the_same_number(b, a));
+        set_the_same_number(a, b)
+    };
+    for (a, b) in
+        [("k", "k"), ("k", "k[]"), ("load[1]", "load[1].start"), ("load[1].end", "load[1]")]
+    {
+        assert!(same(a, b), "{a} {b}");
+    }
+    for (a, b) in [
+        ("k", "mu"),
+        ("k", "k_factor"),
+        ("k[0]", "k[]"),
+        ("load[1]", "load[2].start"),
+        ("load[1].start", "load[1].end"),
+        ("load[1]", "load[1].from"),
+    ] {
+        assert!(!same(a, b), "{a} {b}");
+    }
+}
+
+#[test]
+fn a_train_has_loads_and_a_case_with_a_name() {
+    let train = |keys: &str| fault(&format!("{BARE}{UNIFORM}[[train]]\n{keys}\n"));
+    let (code, line, said) = train("axles = [{ at = 0, force = 1 }]\ncase = ' '");
+    assert_eq!((code, line), ("GB020", 10));
+    assert!(said.contains("the load case has no name"), "{said}");
+    let (code, _, said) = train("uniform = []");
+    assert!(code == "GB004" && said.contains("add at least one to `uniform`"), "{said}");
+}
+
+#[test]
+fn a_hint_shows_a_value_that_is_allowed() {
+    let train = |keys: &str| {
+        let base = "[beam]\nlength = '12 m'\nEI = '1 GN m^2'\n[foundation]\nk = '40 MN/m^2'\n";
+        fault(&format!("{base}[[train]]\nset = 'LM71'\n{keys}\n")).2
+    };
+    let said = train("factor = '2 kN'");
+    assert!(said.ends_with("; give a number without a unit, as in factor = 0.3"), "{said}");
+    let train = |keys: &str| fault(&format!("{BARE}[[train]]\n{keys}\n")).2;
+    for axles in ["'LM71'", "['LM71']"] {
+        let said = train(&format!("axles = {axles}"));
+        assert!(said.contains("as in axles = [{ at = ") && !said.contains("an axle"), "{said}");
+    }
 }

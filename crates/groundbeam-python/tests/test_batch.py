@@ -288,6 +288,17 @@ def test_a_pandas_table_can_hold_the_parameters(footing: gb.Model) -> None:
     assert list(of_table) == list(of_table.extremes) == ["moment"]
 
 
+def test_parameters_that_set_the_same_number_are_refused(footing: gb.Model) -> None:
+    start, both = np.array([11e3, 11e3]), np.array([1e3, 50e3])
+    for parameters in [
+        {"load[1].start": start, "load[1]": both},
+        {"load[1]": both, "load[1].start": start},
+        {"k": gb.Points([[1e7, 2e7, 3e7]]), "k[]": start},
+    ]:
+        with pytest.raises(ValueError, match="set the same number"):
+            gb.solve_many(footing, parameters)
+
+
 def test_positions_off_the_beam_are_refused(footing: gb.Model) -> None:
     for off in (-0.1, 12.1, float("nan")):
         with pytest.raises(ValueError, match="outside the beam"):

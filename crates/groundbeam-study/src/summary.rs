@@ -8,7 +8,7 @@ use crate::statistics::{Moments, Statistics};
 use crate::store::{StoreError, Table, Whole};
 use groundbeam::Model;
 use groundbeam::derivatives::{LoadNumber, Parameter, Property};
-use groundbeam_file::study::{Exceeds, Judged, Plan, Sampling};
+use groundbeam_file::study::{BUILT_IN, Exceeds, Judged, Plan, Sampling};
 use groundbeam_report::{Estimate, Interval, Kind, Limit, Spread, Study, Way, load_kind};
 use std::path::Path;
 
@@ -193,9 +193,10 @@ impl Tally {
             counts: Vec::new(),
         };
         let above_zero = Limit { quantity: String::new(), above: true, limit: 0.0 };
+        let [no_equilibrium, lifts] = BUILT_IN;
         let mut happenings = vec![
-            happening("no equilibrium", None, None),
-            happening("some of the beam lifts off", Some(above_zero), place("lifted_share")),
+            happening(no_equilibrium, None, None),
+            happening(lifts, Some(above_zero), place("lifted_share")),
         ];
         for event in &draws.study().events {
             let (quantity, above) = (judged(event.of), event.side == Exceeds::Above);

@@ -74,6 +74,9 @@ impl Kind {
             None if found == Dimension::TEMPERATURE && unit.starts_with('K') => {
                 "`K` is kelvin; kips are written kip".to_owned()
             }
+            None if self.unit.is_empty() => {
+                format!("give a number without a unit, as in {key} = {}", self.example)
+            }
             None => format!("give a unit as in {}", self.line(key, false)),
         };
         let found = found.describe();

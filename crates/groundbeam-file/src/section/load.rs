@@ -154,7 +154,7 @@ pub(super) fn read(
 }
 
 /// Name of a load case, without surrounding spaces.
-fn case(reader: &mut Reader, table: &Section) -> Option<String> {
+pub(super) fn case(reader: &mut Reader, table: &Section) -> Option<String> {
     let (name, span) = reader.text(table, "case")?;
     let name = name.trim();
     if name.is_empty() {

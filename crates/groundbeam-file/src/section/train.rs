@@ -46,12 +46,18 @@ pub(super) static TABLE: Table = Table {
         tables("axles", &AXLE, "The axles, from the front backward.")
             .also(&["axle", "wheels", "forces"]),
         tables("uniform", &UNIFORM, "Distributed loads that move with the axles."),
-        quantity("from", &OFFSET, "The start position of the first axle; default: x = 0.")
-            .also(ALSO_FROM),
+        quantity(
+            "from",
+            &OFFSET,
+            "The start position of the first axle; default: the first axle, or the front end of the foremost finite \
+             distributed load, reaches the beam.",
+        )
+        .also(ALSO_FROM),
         quantity(
             "to",
             &OFFSET,
-            "The final position of the first axle; default: the last axle leaves the beam.",
+            "The final position of the first axle; default: the last axle and the rear end of the last finite \
+             distributed load leave the beam.",
         )
         .also(ALSO_TO),
         quantity("factor", &RATIO, "A factor on all loads; default: 1."),
@@ -103,7 +109,7 @@ fn read_one(reader: &mut Reader, table: &Section, beam_length: f64) -> MovingTra
         !is_empty
     });
     let (set, mut train) = parts(reader, table);
-    let case = reader.text(table, "case").map(|(case, _)| case.trim().to_owned());
+    let case = super::load::case(reader, table);
     let dynamic = reader.quantity(table, "dynamic").map_or(1.0, |dynamic| dynamic.value);
     train.axles.iter_mut().for_each(|axle| axle.force *= dynamic);
     let factor = match reader.quantity(table, "factor") {
@@ -143,6 +149,10 @@ fn parts(reader: &mut Reader, table: &Section) -> (Option<&'static TrainSet>, Tr
         }
         if lists.1 {
             train.uniform = uniform(reader, table);
+            if !lists.0 && is_empty_list(table, "uniform") {
+                let example = "at least one to `uniform`";
+                reader.missing(table, &["set"], "distributed load", example);
+            }
         }
         return (None, train);
     };
@@ -185,12 +195,18 @@ fn axles(reader: &mut Reader, table: &Section) -> Vec<Axle> {
                 "give the distances of the others behind the first axle, as positive numbers";
             reader.report(Fault::new(code::FIRST_AXLE, span, message, "", hint));
         }
-        None if table.value("axles").is_some_and(|list| list.get_ref().as_array().is_some()) => {
+        None if is_empty_list(table, "axles") => {
             reader.missing(table, &["set"], "axle", "at least one to `axles`");
         }
         _ => {}
     }
     axles
+}
+
+/// Whether the list under a key has no elements.
+fn is_empty_list(table: &Section, key: &str) -> bool {
+    let list = table.value(key).and_then(|list| list.get_ref().as_array());
+    list.is_some_and(|list| list.is_empty())
 }
 
 /// Reads `uniform = [{ from = "5.6 m", load = "80 kN/m" }, …]`. A missing end is at infinity.
@@ -215,7 +231,7 @@ fn uniform(reader: &mut Reader, table: &Section) -> Vec<UniformPart> {
     parts
 }
 
-/// Range of the first axle; by default until the last axle has left the beam.
+/// Range of the first axle; by default from the arrival of the train until it has left the beam.
 fn range(reader: &mut Reader, table: &Section, train: &Train, beam_length: f64) -> [f64; 2] {
     let [start, end] = train.passage(beam_length);
     let from = reader.quantity(table, "from");

@@ -24,6 +24,9 @@ pub(super) static TABLE: Table = Table {
     ],
 };
 
+/// Names of the events that every study has.
+pub const BUILT_IN: [&str; 2] = ["no equilibrium", "some of the beam lifts off"];
+
 /// An event whose probability is estimated.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Event {
@@ -135,6 +138,9 @@ pub(super) fn read(reader: &mut Reader, root: &Section) -> Vec<Event> {
         let name = name.trim().to_owned();
         let fault = match () {
             () if name.is_empty() => Some((code::EMPTY_NAME, "the event's name is empty")),
+            () if BUILT_IN.contains(&&*name) => {
+                Some((code::REPEATED, "every study has an event of this name"))
+            }
             () if events.iter().any(|event| event.name == name) => {
                 Some((code::REPEATED, "another event has this name"))
             }

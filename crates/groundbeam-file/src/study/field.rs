@@ -221,8 +221,10 @@ fn field_of(
         reader.report(Fault::new(code::EXCLUSIVE, own.span.clone(), message, "", problem));
         return None;
     }
-    if random.iter().any(|random| random.target == target) {
-        let message = format!("`{name}` is already a [[random]] number");
+    if let Some(random) =
+        random.iter().find(|random| target::set_the_same_number(random.target, target))
+    {
+        let message = format!("`{name}` is already a [[random]] number, `{}`", random.name);
         let hint = format!("a [[random]] `{name}_factor` may multiply the field");
         reader.report(Fault::new(code::REPEATED, own.span.clone(), message, "", hint));
         return None;

@@ -125,5 +125,16 @@ fn positions(reader: &mut Reader, table: &Section) -> Vec<f64> {
         reader.wrong_type(value, "`at` must be a list".to_owned(), hint);
         return Vec::new();
     };
-    list.iter().map(|at| reader.field("at", at, &POSITION).value).collect()
+    let mut all = Vec::new();
+    for at in list.iter() {
+        let position = reader.field("at", at, &POSITION);
+        if all.contains(&position.value) {
+            let message = "this position is listed twice";
+            let hint = "list each position once";
+            reader.report(Fault::new(code::REPEATED, position.span, message, "", hint));
+        } else {
+            all.push(position.value);
+        }
+    }
+    all
 }

@@ -6,7 +6,7 @@ mod keep;
 mod random;
 mod sampling;
 
-pub use event::{Event, Exceeds, Judged};
+pub use event::{BUILT_IN, Event, Exceeds, Judged};
 pub use field::{Correlation, FieldOf, Method, RandomField, Share};
 pub use keep::Keep;
 pub use random::{Distribution, Joined, Random};

@@ -127,8 +127,12 @@ pub(super) fn read(reader: &mut Reader, root: &Section, document: &Document) -> 
             what.as_ref().map_or(&RATIO, |(_, target, _)| target::kind(*target, &document.model));
         let distribution = distribution(reader, &table, kind, what.as_ref(), document);
         let Some((name, target, span)) = what else { continue };
-        if all.iter().any(|other| other.target == target) {
-            let message = format!("`{name}` is already random");
+        let same = |other: &&Random| target::set_the_same_number(other.target, target);
+        if let Some(other) = all.iter().find(same) {
+            let message = match other.target == target {
+                true => format!("`{name}` is already random"),
+                false => format!("`{}` and `{name}` set the same number", other.name),
+            };
             let hint = "give each number one distribution";
             reader.report(Fault::new(code::REPEATED, span, message, "", hint));
             continue;

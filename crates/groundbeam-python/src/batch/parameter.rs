@@ -5,7 +5,9 @@ use crate::failure::Failure;
 use crate::read::Read;
 use groundbeam::Model;
 use groundbeam::derivatives::{Parameter as Number, Property};
-use groundbeam_file::{Course, Shape, along_the_beam, change, most_control_values, problem};
+use groundbeam_file::{
+    Course, Shape, along_the_beam, change, most_control_values, problem, set_the_same_number,
+};
 use numpy::ndarray::ArrayView2;
 use std::sync::Arc;
 
@@ -74,8 +76,18 @@ impl Parameter {
     }
 }
 
-/// k and μ along the beam need the same stretches, unless one of them is given for the whole beam.
+/// Two parameters cannot set the same number. k and μ along the beam need the same stretches, unless one of them is
+/// given for the whole beam.
 pub fn agree(parameters: &[Parameter]) -> Result<(), Failure> {
+    for (i, one) in parameters.iter().enumerate() {
+        let same = |other: &&Parameter| set_the_same_number(one.target, other.target);
+        if let Some(other) = parameters[..i].iter().find(same) {
+            return Err(Failure::Asked(format!(
+                "parameters `{}` and `{}` set the same number; leave one of them out",
+                other.name, one.name
+            )));
+        }
+    }
     let of_ground = |p: &&Parameter| {
         let is_ground = |property| matches!(property, Property::Spring | Property::Shear);
         p.width > 1 && along_the_beam(p.target).is_some_and(is_ground)
