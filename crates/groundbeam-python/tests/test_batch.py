@@ -269,6 +269,9 @@ def test_factors_multiply_the_values_of_the_model() -> None:
         ({"EI": gb.ControlValues(np.ones((2, 7)))}, "at most 6 control values, but 7 are given"),
         ({"load[0]": gb.Points([1.0, 2.0, 3.0])}, "one number for each model"),
         ({"k": [1.0, 2.0], "mu": gb.Points(np.ones((3, 4)))}, "differ in length: k: 2, mu: 3"),
+        ({"load[1].start": [1.0], "load[1]": [2.0]}, "`load[1].start` and `load[1]` set the same number"),
+        ({"load[1]": [2.0], "load[1].start": [1.0]}, "`load[1]` and `load[1].start` set the same number"),
+        ({"k": gb.Points([1.0, 2.0, 3.0]), "k[]": [1.0]}, "`k` and `k[]` set the same number"),
         ({"k": [[[1.0]]]}, "a row along the beam"),
         ({"k": ["40 MN/m^2"]}, "`k`: takes numbers in SI units"),
     ],
@@ -286,17 +289,6 @@ def test_a_pandas_table_can_hold_the_parameters(footing: gb.Model) -> None:
     of_arrays = gb.solve_many(footing, {"k": [4e7, 5e7], "mu": [9e6, 8e6]}, at=[1.0])
     np.testing.assert_array_equal(of_table["moment"], of_arrays["moment"])
     assert list(of_table) == list(of_table.extremes) == ["moment"]
-
-
-def test_parameters_that_set_the_same_number_are_refused(footing: gb.Model) -> None:
-    start, both = np.array([11e3, 11e3]), np.array([1e3, 50e3])
-    for parameters in [
-        {"load[1].start": start, "load[1]": both},
-        {"load[1]": both, "load[1].start": start},
-        {"k": gb.Points([[1e7, 2e7, 3e7]]), "k[]": start},
-    ]:
-        with pytest.raises(ValueError, match="set the same number"):
-            gb.solve_many(footing, parameters)
 
 
 def test_positions_off_the_beam_are_refused(footing: gb.Model) -> None:
