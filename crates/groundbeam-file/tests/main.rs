@@ -6,6 +6,7 @@ mod errors;
 mod mutations;
 mod output;
 mod properties;
+mod refused;
 mod schema;
 mod segments;
 mod zeros;

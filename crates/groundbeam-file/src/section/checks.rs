@@ -1,5 +1,6 @@
 //! Reads `[checks]`: the limits of a design.
 
+use super::Ground;
 use super::combination::{LIMIT_STATES, limit_states};
 use crate::code;
 use crate::combination::Recipe;
@@ -66,31 +67,37 @@ static JUDGED_IN: Table = Table {
     ],
 };
 
-/// Reads the limits of the file. The bearing width is `width`, unless the table gives a bearing width.
-pub(super) fn read(reader: &mut Reader, root: &Section, width: Option<f64>) -> Limits {
+/// Reads the limits of the file. The bearing width is that of the ground, unless the table gives a bearing width.
+pub(super) fn read(reader: &mut Reader, root: &Section, ground: &Ground) -> Limits {
     let Some(table) = reader.table(root, "checks") else { return Limits::default() };
-    let mut limit = |key| {
+    let mut positive = |key| {
         let field = reader.quantity(&table, key)?;
-        Some(reader.positive(key, field).value)
+        Some(reader.positive(key, field))
+    let own_width = positive("width");
+    let mut limit = |key| positive(key).map(|field| field.value);
     };
     let pressure = limit("bearing_pressure");
     let resistance = limit("bearing_resistance");
-    let own_width = limit("width");
     let settlement = limit("settlement");
     let overturning = limit("overturning");
     let lifted_share = lifted_share(reader, &table);
     let eccentricity = eccentricity(reader, &table);
-    let width = own_width.or(width);
-    if width.is_none() && (pressure.is_some() || resistance.is_some()) {
-        let example = "`width` here or in [foundation]: the bearing width";
-        reader.missing(&table, &["width"], "`width`", example);
+    let width = own_width.as_ref().map(|width| width.value).or(ground.width);
+    if pressure.is_some() || resistance.is_some() {
+        if width.is_none() {
+            let example = "`width` here or in [foundation]: the bearing width";
+            reader.missing(&table, &["width"], "`width`", example);
+        }
+        refuse_other_widths(reader, own_width.as_ref(), ground);
     }
     let bearing_pressure = pressure.zip(width);
     let bearing_resistance = resistance.zip(width);
     let mut judged_in = [None; Checked::ALL.len()];
     if let Some(states) = reader.table(&table, "limit_states") {
         for (what, judged_in) in Checked::ALL.into_iter().zip(&mut judged_in) {
-            *judged_in = limit_states(reader, &states, &what.name().replace('-', "_"));
+            let key = what.name().replace('-', "_");
+            *judged_in = limit_states(reader, &states, &key);
+            refuse_empty(reader, &states, &key);
         }
     }
     Limits {
@@ -103,6 +110,39 @@ pub(super) fn read(reader: &mut Reader, root: &Section, width: Option<f64>) -> L
         judged_in,
     }
 }
+/// Refuses bearing checks whose width is not safe along the whole beam: the checks divide by one width everywhere.
+fn refuse_other_widths(reader: &mut Reader, own: Option<&Field>, ground: &Ground) {
+    let mut widths = ground.local_widths.iter().filter(|width| width.is_readable());
+    if let Some(own) = own {
+        if let Some(narrow) = widths.find(|width| width.profile.smallest() < own.value) {
+            let message = "the checks need a `width` that the ground has everywhere";
+            let hint = "write the smallest width of the ground: it is on the safe side";
+            let fault = Fault::new(code::FACTOR, own.span.clone(), message, "", hint);
+            reader.report_with(fault, narrow.span.clone(), "a smaller width");
+        }
+        return;
+    }
+    let Some(common) = ground.width else { return };
+    let is_common = |value: &f64| *value == common;
+    if let Some(other) = widths.find(|width| !width.profile.control_values().iter().all(is_common))
+    {
+        let message =
+            "the bearing checks use one width, but this one differs from that of [foundation]";
+        let hint = "add `width` to [checks]: the smallest width of the ground is on the safe side";
+        reader.report(Fault::new(code::INCOMPLETE, other.span.clone(), message, "", hint));
+    }
+}
+
+/// Refuses a list without a limit state: the check would never be judged.
+fn refuse_empty(reader: &mut Reader, states: &Section, key: &str) {
+    let Some(value) = states.value(key) else { return };
+    if value.get_ref().as_array().is_some_and(|list| list.is_empty()) {
+        let message = format!("`{key}` names no limit state");
+        let hint = "name one, as in \"STR/GEO\", or leave the key out for the default";
+        reader.report(Fault::new(code::EMPTY_NAME, value.span(), message, "", hint));
+    }
+}
+
 
 /// Gives `bearing_resistance` its limit state, if the file names none. A design resistance belongs to STR/GEO. If the
 /// file has combinations of allowable stress design but no STR/GEO combinations, the value is an allowable pressure.

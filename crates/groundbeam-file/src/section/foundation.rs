@@ -111,12 +111,19 @@ pub(crate) struct Ground {
     pub foundation: Foundation,
     /// Bearing width of the whole beam.
     pub width: Option<f64>,
+    /// Bearing widths of segments, and that of the whole beam if it varies.
+    pub local_widths: Vec<Along>,
     pub band: Option<Band>,
 }
 
 impl Ground {
     fn unreadable() -> Self {
-        Ground { foundation: Foundation::winkler(f64::NAN), width: None, band: None }
+        Ground {
+            foundation: Foundation::winkler(f64::NAN),
+            width: None,
+            local_widths: Vec::new(),
+            band: None,
+        }
     }
 }
 
@@ -164,7 +171,7 @@ fn on_soil(reader: &mut Reader, table: &Section, soil: &Section, beam: &Beam) ->
     }
     let unknown = || Foundation::winkler(f64::NAN);
     let foundation = soil.map_or_else(unknown, |soil| Foundation::on_soil(soil, beam));
-    Ground { foundation, width: Some(width.value), band: None }
+    Ground { foundation, width: Some(width.value), local_widths: Vec::new(), band: None }
 }
 
 /// Ground defined by its constants.
@@ -178,9 +185,14 @@ fn constants(reader: &mut Reader, table: &Section, beam_length: f64) -> Ground {
     let shear = shear.unwrap_or_else(nothing);
     reader.place(table, "shear_layer", &shear.field());
     let whole = Whole::new(reader, beam_length, own, Some(shear), &BODY);
+    let varying = |width: &Along| !width.profile.is_constant();
+    let mut local_widths: Vec<Along> =
+        width.iter().filter(|width| varying(width)).cloned().collect();
     let mut segments = Vec::new();
     for segment in &reader.parts(table, "segment", Part::FoundationSegment) {
-        segments.push(read_segment(reader, segment, &whole, of_area.as_ref()));
+        let (segment, own_width) = read_segment(reader, segment, &whole, of_area.as_ref());
+        segments.push(segment);
+        local_widths.extend(own_width);
     }
     let (subgrade, shear_layer) = whole.complete(reader, table, &mut segments);
     let segment = |Segment { from, to, stiffness, second }| FoundationSegment {
@@ -194,7 +206,7 @@ fn constants(reader: &mut Reader, table: &Section, beam_length: f64) -> Ground {
     let width = width.filter(|width| width.profile.is_constant());
     let width = width.map(|width| width.profile.start()).filter(|width| width.is_finite());
     let foundation = Foundation { subgrade, shear_layer, segments, ends, soil: None };
-    Ground { foundation, width, band: None }
+    Ground { foundation, width, local_widths, band: None }
 }
 
 /// Reads one end of the ground, such as `left = { ends = "-2 m", as = "free" }`.
@@ -232,13 +244,13 @@ fn shear(
     Some(of_area.times(width, &of_area.span))
 }
 
-/// Reads a segment of a foundation with this C2.
+/// Reads a segment of a foundation with this C2, and the segment's own bearing width.
 fn read_segment(
     reader: &mut Reader,
     table: &Section,
     whole: &Whole,
     of_area: Option<&Along>,
-) -> Segment {
+) -> (Segment, Option<Along>) {
     let (ends, way) = whole.ends(reader, table);
     let own = given(reader, table);
     let [own_width, width] = [&own, &whole.given(way)].map(|given| given.factors[1].clone());
@@ -246,14 +258,14 @@ fn read_segment(
     let inherits = own_width.is_some() && table.value("mu").is_none();
     let inherited = of_area.filter(|_| inherits).map(|along| along.between(way));
     let of_area = reader.along(table, "C2").or(inherited);
-    let own_shear = shear(reader, table, of_area.as_ref(), own_width.or(width).as_ref());
+    let own_shear = shear(reader, table, of_area.as_ref(), own_width.clone().or(width).as_ref());
     let mut segment = whole.segment(reader, table, (ends, way), &own, own_shear);
     // Beyond the beam the ground has the values at the beam's ends, so varying ground must end there.
     if whole.varies() && segment.from < whole.length && segment.to > 0.0 {
         segment.from = segment.from.max(0.0);
         segment.to = segment.to.min(whole.length);
     }
-    segment
+    (segment, own_width)
 }
 
 fn given(reader: &mut Reader, table: &Section) -> Given {

@@ -123,7 +123,7 @@ pub(crate) fn read(reader: &mut Reader, root: &Section) -> Contents {
     let hinges = hinge::read(reader, root);
     let foundation = ground.foundation.clone();
     let mut model = Model { beam, foundation, loads, supports, hinges, gap: Vec::new() };
-    let mut limits = checks::read(reader, root, ground.width);
+    let mut limits = checks::read(reader, root, &ground);
     let grounds = ground.band.map_or(1, |band| band.grounds().len());
     let trains = train::read(reader, root, model.beam.length);
     let recipes = combination::read(reader, root, &model.loads, &cases, &trains, grounds);

@@ -1,0 +1,49 @@
+//! Tests of model files that are refused with a remedy that works, and of neighbouring files that are read.
+
+use groundbeam_file::{Document, parse, parse_beside};
+
+const BASE: &str =
+    "[beam]\nlength = 10\nEI = 1\n[foundation]\nk = 1\n[[load]]\npoint = 1\nat = 3\n";
+
+fn read(text: &str) -> Document {
+    parse(text).unwrap_or_else(|found| panic!("{}", found.render("file.toml", text, false)))
+}
+
+/// Checks that the file has one fault, with this code and a hint that contains the words.
+#[track_caller]
+fn refused(text: &str, code: &str, hint: &str) {
+    let found = parse(text).expect_err("the file is read");
+    let shown = found.render("file.toml", text, false);
+    let [one] = found.as_slice() else { panic!("{shown}") };
+    assert!(one.code == code && one.hint.contains(hint), "{shown}");
+}
+
+fn with_widths(whole: &str, segment: &str, checks: &str) -> String {
+    format!(
+        "[beam]\nlength = 12\nEI = 1\n[foundation]\nsubgrade_modulus = 1\nwidth = {whole}\n\
+         [[foundation.segment]]\nfrom = 0\nto = 6\nwidth = {segment}\n\
+         [[load]]\ndistributed = 1\n[checks]\n{checks}\n"
+    )
+}
+
+#[test]
+fn bearing_checks_need_a_width_that_is_safe_for_every_segment() {
+    for check in ["bearing_pressure = 1", "bearing_resistance = 1"] {
+        let with = |width: &str| format!("{check}\n{width}");
+        refused(&with_widths("3", "1", check), "GB007", "add `width` to [checks]");
+        refused(&with_widths("3", "[3, 4]", check), "GB007", "add `width` to [checks]");
+        refused(&with_widths("3", "1", &with("width = 2")), "GB017", "the smallest width");
+        refused(&with_widths("[1, 3]", "3", &with("width = 2")), "GB017", "the smallest width");
+        // Each remedy works.
+        read(&with_widths("3", "1", &with("width = 1")));
+        read(&with_widths("[1, 3]", "3", &with("width = 1")));
+        read(&with_widths("3", "3", check));
+    }
+    read(&with_widths("3", "1", "settlement = 1"));
+}
+
+#[test]
+fn a_check_needs_a_limit_state_in_its_list() {
+    let text = format!("{BASE}[checks]\nsettlement = 1\nlimit_states = {{ settlement = [] }}\n");
+    refused(&text, "GB020", "leave the key out");
+}
