@@ -43,6 +43,36 @@ fn bearing_checks_need_a_width_that_is_safe_for_every_segment() {
 }
 
 #[test]
+fn a_survey_row_with_more_cells_than_the_header_is_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = BASE.to_owned() + "[gap_survey]\nfile = \"levels.csv\"\n";
+    let with = |table: &str| {
+        std::fs::write(folder.path().join("levels.csv"), table).unwrap();
+        parse_beside(&text, folder.path())
+    };
+    let found = with("x,z\n0,1,0\n6,1,5\n").unwrap_err();
+    let places: Vec<_> = found.iter().map(|found| (found.code, found.line, found.column)).collect();
+    assert_eq!(places, [("GB023", 2, 5), ("GB023", 3, 5)]);
+    assert!(found.as_slice()[0].hint.contains("decimal points"));
+    // Cells without text at the end of a row are no cells of decimals.
+    assert_eq!(with("x,z\n0,1.0,\n6,1.5,\n").unwrap().model.gap.len(), 3);
+}
+
+#[test]
+fn a_datum_or_start_that_cannot_be_read_gives_one_message() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("levels.csv"), "x,z\n0,1\n6,2\n").unwrap();
+    for (line, code) in
+        [("datum = \"abc\"", "GB011"), ("datum = [1, 2, 3]", "GB005"), ("start = \"abc\"", "GB011")]
+    {
+        let text = format!("{BASE}[gap_survey]\nfile = \"levels.csv\"\n{line}\n");
+        let found = parse_beside(&text, folder.path()).unwrap_err();
+        let codes: Vec<&str> = found.iter().map(|found| found.code).collect();
+        assert_eq!(codes, [code], "{line}: {found}");
+    }
+}
+
+#[test]
 fn a_check_needs_a_limit_state_in_its_list() {
     let text = format!("{BASE}[checks]\nsettlement = 1\nlimit_states = {{ settlement = [] }}\n");
     refused(&text, "GB020", "leave the key out");

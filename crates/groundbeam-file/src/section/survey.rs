@@ -74,7 +74,9 @@ pub(super) fn read(reader: &mut Reader, table: &Section, length: f64) -> Vec<Gap
         return Vec::new();
     };
     let points = columns.points(&x, &heights);
-    if columns.wrong {
+    let unreadable = start.is_nan() || datum.as_ref().is_some_and(|datum| !datum.is_readable());
+    // Each of these faults has been reported.
+    if columns.wrong || unreadable {
         return Vec::new();
     }
     let mut corners = on_the_beam(&points, start, length);
@@ -177,6 +179,15 @@ impl Columns<'_, '_, '_> {
         let survey = self.survey;
         let mut points: Vec<[f64; 2]> = Vec::with_capacity(survey.rows.len());
         for row in &survey.rows {
+            let spare =
+                row.cells.iter().skip(survey.header.cells.len()).position(|cell| !cell.is_empty());
+            if let Some(spare) = spare {
+                let at = row.cell(survey.header.cells.len() + spare);
+                let message = "this row has more cells than the header";
+                let hint = "write decimal points in place of decimal commas, or name each column in the header";
+                self.report(Fault::new(code::COLUMN, at, message, "", hint));
+                continue;
+            }
             let [at, height] = [x, heights].map(|column| self.number(row, column));
             let (Some(at), Some(height)) = (at, height) else { continue };
             if let Some([before, _]) = points.last()
