@@ -2,6 +2,7 @@
 
 use crate::colour::standard_output_has_colour;
 use crate::command::Verify;
+use crate::distinct;
 use crate::failure::Failure;
 use crate::input::{Input, bytes_of};
 use crate::output::{print, write};
@@ -9,7 +10,7 @@ use crate::status::Status;
 use groundbeam::proof::{self, Document, Log, NotProven, Reason, Verification, Wide};
 use groundbeam_report::{LeftOut, ModelOf, Named, Units, Verified, digest_of_text, json, text};
 use std::fmt::Display;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 pub fn run(request: &Verify) -> Result<Status, Failure> {
     if [&request.result, &request.model].iter().all(|path| path.as_os_str() == "-") {
@@ -18,6 +19,9 @@ pub fn run(request: &Verify) -> Result<Status, Failure> {
     }
     let documents = documents(&request.result)?;
     let model = ModelFile::read(&request.model)?;
+    let log = request.log.as_deref().map(|path| ("--log", path));
+    let inputs = model.files.iter().chain([&request.result, &request.model]);
+    distinct::check(log, inputs.map(PathBuf::as_path))?;
     let mut logs = Vec::new();
     let verified = Verified {
         units: model.units.unwrap_or(Units::PLAIN),
@@ -73,6 +77,8 @@ struct ModelFile {
     units: Option<Units>,
     /// Names of the combinations according to the solver's reader.
     combinations: Vec<String>,
+    /// Files that the model names.
+    files: Vec<PathBuf>,
 }
 
 impl ModelFile {
@@ -86,18 +92,19 @@ impl ModelFile {
         let folder = path.parent().unwrap_or(Path::new(""));
         let of_solver = Input::of(name.clone(), &bytes, folder);
         let of_any = proof::read_model::<Wide>(text, None).map_err(|error| error.reason);
-        let (digest, units, combinations) = match (of_solver, of_any) {
+        let (digest, units, combinations, files) = match (of_solver, of_any) {
             (Ok(input), _) => {
                 let names = input.document.combinations().into_iter().map(|c| c.name);
                 let units = input.units();
-                (input.digest().to_owned(), Some(units), names.collect())
+                let files = input.document.files.iter().map(|file| PathBuf::from(&file.name));
+                (input.digest().to_owned(), Some(units), names.collect(), files.collect())
             }
             (Err(_), Ok(_) | Err(Reason::OutOfRange(_))) => {
-                (digest_of_text(text), None, Vec::new())
+                (digest_of_text(text), None, Vec::new(), Vec::new())
             }
             (Err(failure), Err(_)) => return Err(failure),
         };
-        Ok(ModelFile { name, text: text.to_owned(), digest, units, combinations })
+        Ok(ModelFile { name, text: text.to_owned(), digest, units, combinations, files })
     }
 
     /// Combinations of the file without a document.

@@ -316,3 +316,13 @@ fn positions_of_extremes_are_compared() {
         done.stdout
     );
 }
+
+#[test]
+fn the_log_does_not_replace_an_input() {
+    let (folder, _) = solved(LIFTS, &[]);
+    for input in ["model.toml", "result.json"] {
+        let kept = folder.read(input);
+        verify(&folder, &["--log", input]).fails(2, "this is the same file as the input");
+        assert_eq!(folder.read(input), kept);
+    }
+}
