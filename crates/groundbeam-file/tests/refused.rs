@@ -73,6 +73,12 @@ fn a_datum_or_start_that_cannot_be_read_gives_one_message() {
 }
 
 #[test]
+fn the_load_case_of_the_weight_needs_a_name() {
+    let weight = "section = { width = 1, height = 1 }\nE = 1\nunit_weight = 1\nweight_case = \" \"";
+    refused(&BASE.replace("EI = 1", weight), "GB020", "as in weight_case = \"Q\"");
+}
+
+#[test]
 fn a_check_needs_a_limit_state_in_its_list() {
     let text = format!("{BASE}[checks]\nsettlement = 1\nlimit_states = {{ settlement = [] }}\n");
     refused(&text, "GB020", "leave the key out");

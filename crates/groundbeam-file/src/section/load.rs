@@ -148,18 +148,18 @@ pub(super) fn read(
     let mut cases = Vec::new();
     for table in &tables {
         loads.push(read_one(reader, table, beam_length, curls));
-        cases.push(case(reader, table));
+        cases.push(case(reader, table, "case"));
     }
     (loads, cases)
 }
 
-/// Name of a load case, without surrounding spaces.
-pub(super) fn case(reader: &mut Reader, table: &Section) -> Option<String> {
-    let (name, span) = reader.text(table, "case")?;
+/// Name of a load case under a key, without surrounding spaces.
+pub(super) fn case(reader: &mut Reader, table: &Section, key: &str) -> Option<String> {
+    let (name, span) = reader.text(table, key)?;
     let name = name.trim();
     if name.is_empty() {
         let message = "the load case has no name";
-        let hint = "write its name, as in case = \"Q\", or leave the key out";
+        let hint = format!("write its name, as in {key} = \"Q\", or leave the key out");
         reader.report(Fault::new(code::EMPTY_NAME, span, message, "", hint));
     }
     Some(name.to_owned())
@@ -175,7 +175,7 @@ pub(super) fn read_on_ground(
     let mut loads = Vec::new();
     for table in &tables {
         let load = read_one(reader, table, f64::NAN, &Curls::default());
-        loads.push((load, case(reader, table)));
+        loads.push((load, case(reader, table, "case")));
     }
     loads
 }
@@ -249,9 +249,7 @@ fn stretch(
 ) -> [f64; 2] {
     let advice = match on_ground {
         true => "a distributed load has `from` and `to`",
-        false => {
-            "a distributed load has both `from` and `to`, or neither: then it covers the whole beam"
-        }
+        false => "a distributed load has `from` and `to`; left out: 0 and the length of the beam",
     };
     misplaced(reader, table, kind.key.name, &["at"], advice);
     [("from", 0.0), ("to", beam_length)].map(|(key, default)| {

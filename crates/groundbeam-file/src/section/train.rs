@@ -109,7 +109,7 @@ fn read_one(reader: &mut Reader, table: &Section, beam_length: f64) -> MovingTra
         !is_empty
     });
     let (set, mut train) = parts(reader, table);
-    let case = super::load::case(reader, table);
+    let case = super::load::case(reader, table, "case");
     let dynamic = reader.quantity(table, "dynamic").map_or(1.0, |dynamic| dynamic.value);
     train.axles.iter_mut().for_each(|axle| axle.force *= dynamic);
     let factor = match reader.quantity(table, "factor") {

@@ -43,7 +43,7 @@ pub(super) fn read(
     base: Option<Along>,
     mut areas: Vec<Area>,
 ) -> Vec<OwnLoad> {
-    let case = reader.text(table, "weight_case").map(|(name, _)| name.trim().to_owned());
+    let case = super::load::case(reader, table, "weight_case");
     let Some(weight) = unit_weight(reader, table, material) else {
         if let Some((key, _)) = table.table.get_key_value("weight_case") {
             let message = "`weight_case` is given without `unit_weight`";
