@@ -79,6 +79,21 @@ fn the_load_case_of_the_weight_needs_a_name() {
 }
 
 #[test]
+fn an_eccentricity_is_a_fraction_of_the_length() {
+    for wrong in ["l", "l/", "l/nan", "l/inf", "l/1e300", "l/x"] {
+        let text = format!("{BASE}[checks]\neccentricity = \"{wrong}\"\n");
+        refused(&text, "GB011", "write \"l/6\"");
+    }
+    for wrong in ["\"l/0\"", "\"l/-3\"", "\"l/1\"", "0.6"] {
+        refused(&format!("{BASE}[checks]\neccentricity = {wrong}\n"), "GB017", "write \"l/6\"");
+    }
+    for right in ["\"l/6\"", "\"L / 6\""] {
+        let limits = read(&format!("{BASE}[checks]\neccentricity = {right}\n")).limits;
+        assert_eq!(limits.eccentricity, Some(1.0 / 6.0));
+    }
+}
+
+#[test]
 fn a_check_needs_a_limit_state_in_its_list() {
     let text = format!("{BASE}[checks]\nsettlement = 1\nlimit_states = {{ settlement = [] }}\n");
     refused(&text, "GB020", "leave the key out");

@@ -6,11 +6,10 @@ use crate::code;
 use crate::combination::Recipe;
 use crate::fault::Fault;
 use crate::keys::{ALSO_WIDTH, Key, Table, quantity, table, words};
-use crate::quantity::{RATIO, SETTLEMENT_LIMIT, STRESS_LIMIT, WIDTH};
+use crate::quantity::{RATIO, SETTLEMENT_LIMIT, STRESS_LIMIT, WIDTH, is_within_reach};
 use crate::reader::{Field, Reader};
 use crate::table::Section;
 use groundbeam::design::{Checked, LimitState, LimitStates, Limits};
-use toml::de::DeValue;
 
 pub(super) static TABLE: Table = Table {
     name: "[checks]",
@@ -73,9 +72,9 @@ pub(super) fn read(reader: &mut Reader, root: &Section, ground: &Ground) -> Limi
     let mut positive = |key| {
         let field = reader.quantity(&table, key)?;
         Some(reader.positive(key, field))
+    };
     let own_width = positive("width");
     let mut limit = |key| positive(key).map(|field| field.value);
-    };
     let pressure = limit("bearing_pressure");
     let resistance = limit("bearing_resistance");
     let settlement = limit("settlement");
@@ -110,6 +109,7 @@ pub(super) fn read(reader: &mut Reader, root: &Section, ground: &Ground) -> Limi
         judged_in,
     }
 }
+
 /// Refuses bearing checks whose width is not safe along the whole beam: the checks divide by one width everywhere.
 fn refuse_other_widths(reader: &mut Reader, own: Option<&Field>, ground: &Ground) {
     let mut widths = ground.local_widths.iter().filter(|width| width.is_readable());
@@ -143,7 +143,6 @@ fn refuse_empty(reader: &mut Reader, states: &Section, key: &str) {
     }
 }
 
-
 /// Gives `bearing_resistance` its limit state, if the file names none. A design resistance belongs to STR/GEO. If the
 /// file has combinations of allowable stress design but no STR/GEO combinations, the value is an allowable pressure.
 pub(super) fn judge_resistance(limits: &mut Limits, recipes: &[Recipe]) {
@@ -168,20 +167,24 @@ fn lifted_share(reader: &mut Reader, table: &Section) -> Option<f64> {
 /// A fraction of the length, as `0.25` or in the engineers' form `"l/6"`.
 fn eccentricity(reader: &mut Reader, table: &Section) -> Option<f64> {
     let value = table.value("eccentricity")?;
-    let fraction = match value.get_ref() {
-        DeValue::String(text) => {
-            let parts = text.trim().strip_prefix("l/").or(text.trim().strip_prefix("L/"));
-            parts.and_then(|parts| parts.trim().parse::<f64>().ok())
+    let hint = "write \"l/6\" for the kern, \"l/3\" for EN 1997-1, 6.5.4";
+    let of_length =
+        value.get_ref().as_str().map(str::trim).filter(|text| text.starts_with(['l', 'L']));
+    let field = match of_length {
+        Some(text) => {
+            let parts = text[1..].trim_start().strip_prefix('/').map(str::trim);
+            let parts = parts.and_then(|parts| parts.parse::<f64>().ok());
+            let Some(parts) = parts.filter(|parts| is_within_reach(*parts)) else {
+                let message = format!("`{text}` is not a fraction of the length");
+                reader.report(Fault::new(code::NUMBER, value.span(), message, "", hint));
+                return None;
+            };
+            Field::new(1.0 / parts, value.span())
         }
-        _ => None,
-    };
-    let field = match fraction {
-        Some(parts) => Field::new(1.0 / parts, value.span()),
         None => reader.field("eccentricity", value, &RATIO),
     };
     if field.value <= 0.0 || field.value > 0.5 {
         let message = "the resultant's distance from the middle is at most half the length";
-        let hint = "write \"l/6\" for the kern, \"l/3\" for EN 1997-1, 6.5.4";
         reader.report(Fault::new(code::FACTOR, value.span(), message, "", hint));
     }
     Some(field.value)
