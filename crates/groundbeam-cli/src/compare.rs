@@ -8,7 +8,7 @@ use crate::input::Input;
 use crate::output::print;
 use crate::status::Status;
 use crate::waiting::while_working;
-use groundbeam_report::{Results, text};
+use groundbeam_report::{Results, json, text};
 use groundbeam_run::{self as run, Asked, Found, Overall, Run};
 
 pub fn run(request: &Compare) -> Result<Status, Failure> {
@@ -18,7 +18,7 @@ pub fn run(request: &Compare) -> Result<Status, Failure> {
     }
     let run = Run::of(&input.document);
     if run.asked() != Asked::One {
-        let rule = "methods are compared on one model, but this file has combinations or a train";
+        let rule = "methods are compared on one model, but this file has combinations, a train or a band of the ground";
         return Err(Failure::usage(format!("{}: {rule}", request.file.display())));
     }
     let Compare { elements, most_sweeps, memory_limit, .. } = *request;
@@ -29,12 +29,15 @@ pub fn run(request: &Compare) -> Result<Status, Failure> {
     });
     let answers = answers.map_err(|error| input.refused(&error))?;
     let colour = standard_error_has_colour();
-    let shown = match &answers.list[0].found {
-        Found::NoEquilibrium(existence) => {
-            let model = &input.document.model;
-            text::existence(model, existence, &input.context(), colour)
+    let (model, context) = (&input.document.model, input.context());
+    let (shown, document) = match &answers.list[0].found {
+        Found::NoEquilibrium(existence) => (
+            text::existence(model, existence, &context, colour),
+            json::existence(model, existence, &context),
+        ),
+        Found::NotConverged(reached) => {
+            (text::not_converged(reached, colour), json::not_converged(reached, &context))
         }
-        Found::NotConverged(reached) => text::not_converged(reached, colour),
         _ => {
             let results = Results::new(&answers, input.context());
             print(&match request.json {
@@ -47,5 +50,10 @@ pub fn run(request: &Compare) -> Result<Status, Failure> {
             });
         }
     };
-    Err(Failure::reported(shown, answers.list[0].found.overall().into()))
+    let status: Status = answers.list[0].found.overall().into();
+    if request.json {
+        print(&document)?;
+        return Ok(status);
+    }
+    Err(Failure::reported(shown, status))
 }

@@ -70,5 +70,17 @@ fn compare_reports_methods_that_stop_or_do_not_apply() {
     let one = "case = \"G\"\n[[combination]]\nname = \"one\"\nfactors = { G = 1.35 }\n";
     let combined = FOOTING.to_owned() + one;
     let folder = Folder::with(&combined);
-    folder.run(&["compare", "model.toml"]).fails(2, "this file has combinations or a train");
+    folder
+        .run(&["compare", "model.toml"])
+        .fails(2, "this file has combinations, a train or a band");
+    let banded = FOOTING.replace("[[load]]", "[foundation.band]\nk = [0.5, 2]\n[[load]]");
+    Folder::with(&banded).run(&["compare", "model.toml"]).fails(2, "or a band of the ground");
+}
+
+#[test]
+fn compare_prints_a_document_without_an_equilibrium() {
+    let folder = Folder::with(&tips());
+    let done = folder.run(&["compare", "model.toml", "--json"]);
+    done.is_clean(3);
+    assert_eq!(done.json()["status"], "no-equilibrium");
 }
