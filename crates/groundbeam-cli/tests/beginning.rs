@@ -84,3 +84,31 @@ fn compare_prints_a_document_without_an_equilibrium() {
     done.is_clean(3);
     assert_eq!(done.json()["status"], "no-equilibrium");
 }
+
+#[test]
+fn the_new_command_prints_a_command_for_the_shell() {
+    let folder = Folder::new();
+    for (name, shown, argument) in [
+        ("my file.toml", "my file.toml", "'my file.toml'"),
+        ("it's.toml", "it's.toml", r"'it'\''s.toml'"),
+        ("-", "-", "./-"),
+    ] {
+        let done = folder.run(&["new", name]);
+        done.is_clean(0);
+        assert_eq!(done.stdout, format!("wrote {shown}; next: groundbeam solve {argument}\n"));
+        assert!(folder.path(name).is_file());
+    }
+}
+
+/// A limit of the file size makes the write fail after 512 or 1024 bytes.
+#[cfg(target_os = "linux")]
+#[test]
+fn the_new_command_leaves_no_incomplete_file() {
+    let folder = Folder::new();
+    let script =
+        format!("trap '' XFSZ; ulimit -f 1; {} new own.toml", env!("CARGO_BIN_EXE_groundbeam"));
+    let mut shell = std::process::Command::new("sh");
+    let done = shell.args(["-c", &script]).current_dir(folder.root()).output().unwrap();
+    assert_eq!(done.status.code(), Some(2), "{done:?}");
+    assert_eq!(folder.names(), [""; 0]);
+}
