@@ -25,6 +25,7 @@ pub fn run(request: &Study) -> Result<Status, Failure> {
     let draws = read(request)?;
     let files = draws.study().files();
     distinct::check(request.outputs(), files.iter().map(|file| Path::new(&file.name)))?;
+    let units = request.printed.units(draws.study().document.printed)?;
     let mut watcher = Watcher::new()?;
     let Study { out, restart, threads, .. } = request;
     let watch = &mut |progress| watcher.look(progress);
@@ -49,7 +50,6 @@ pub fn run(request: &Study) -> Result<Status, Failure> {
     };
     let summary = summary.map_err(|error| ended(&error, kept))?;
     let seconds = (solved == draws.plan().samples).then_some(seconds);
-    let units = request.printed.units(draws.study().document.printed)?;
     let context = Context { seconds, ..Context::new(units) };
     draw(request.plot.as_ref(), || Some(svg::study(&summary, &context)))?;
     print(&match request.json {

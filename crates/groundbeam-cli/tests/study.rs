@@ -258,3 +258,12 @@ fn errors_in_a_study_file_are_reported_at_their_location() {
         done.fails(2, "of N as i/N");
     }
 }
+
+#[test]
+fn a_study_refuses_units_and_folders_before_it_solves() {
+    let folder = folder();
+    let study = |more: &[&str]| folder.run(&[&["study", "study.toml"], more].concat());
+    study(&["--out", "r.parquet", "--units", "si"]).fails(2, "the file has no units");
+    study(&["--out", "missing/r.parquet"]).fails(2, "No such file or directory");
+    assert_eq!(folder.names(), ["model.toml", "study.toml"]);
+}

@@ -9,6 +9,7 @@ use super::table::Table;
 use super::write::{Packing, Writer};
 use crate::progress::{Progress, Stage, Watch};
 use std::fs::{self, File, TryLockError};
+use std::io::ErrorKind;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
@@ -33,7 +34,12 @@ impl Parts {
     /// Opens the folder, new or with the parts of an earlier run; `restart` removes these parts.
     pub fn open(out: &Path, restart: bool) -> Result<Self, StoreError> {
         let folder = folder(out);
-        fs::create_dir_all(&folder).map_err(|error| StoreError::io(&folder, &error))?;
+        match fs::create_dir(&folder) {
+            Err(error) if error.kind() != ErrorKind::AlreadyExists => {
+                return Err(StoreError::io(&folder, &error));
+            }
+            _ => {}
+        }
         let lock_path = folder.join("lock");
         let lock = File::create(&lock_path).map_err(|error| StoreError::io(&lock_path, &error))?;
         match lock.try_lock() {
