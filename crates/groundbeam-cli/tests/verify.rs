@@ -326,3 +326,12 @@ fn the_log_does_not_replace_an_input() {
         assert_eq!(folder.read(input), kept);
     }
 }
+
+#[test]
+fn the_second_reader_also_reads_a_fillet_of_zero() {
+    let section =
+        "shape = 'I', width = 0.3, height = [0.6, 0.5], flange = 0.1, web = 0.1, fillet = 0";
+    let model = LIFTS.replace("EI = 1", &format!("E = 1000\nsection = {{ {section} }}"));
+    let (folder, _) = solved(&model, &[]);
+    verify(&folder, &[]).is_clean(0);
+}

@@ -98,3 +98,16 @@ fn a_check_needs_a_limit_state_in_its_list() {
     let text = format!("{BASE}[checks]\nsettlement = 1\nlimit_states = {{ settlement = [] }}\n");
     refused(&text, "GB020", "leave the key out");
 }
+
+#[test]
+fn a_fillet_of_zero_is_none() {
+    let section = |fillet: &str| {
+        let sides = "width = 0.3, height = 0.6, flange = 0.1, web = 0.1";
+        let section = format!("E = 1\nsection = {{ shape = \"I\", {sides}{fillet} }}");
+        BASE.replace("EI = 1", &section)
+    };
+    let sharp = read(&section("")).model;
+    assert_eq!(read(&section(", fillet = 0")).model, sharp);
+    assert_eq!(read(&section(", fillet = [0, 0]")).model, sharp);
+    refused(&section(", fillet = -0.1"), "GB017", "it must be positive");
+}

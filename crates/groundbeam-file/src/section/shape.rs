@@ -210,7 +210,10 @@ fn by_sides(reader: &mut Reader, section: &Section, kind: &Kind) -> Shape {
     let side = |key: &&'static str| side(reader, section, key);
     let mut sides: Vec<Along> = kind.sides.iter().map(side).collect();
     if let Some(given) = fillet.and_then(|key| reader.along(section, key)) {
-        sides.push(reader.positive_along("fillet", given));
+        // A fillet of zero is the default: none.
+        if given.profile != Profile::constant(0.0) {
+            sides.push(reader.positive_along("fillet", given));
+        }
     }
     let span = section.span.clone();
     if let Some(varies) = sides.iter().find(|side| !side.profile.is_constant())
