@@ -1,6 +1,6 @@
 //! Static reactions: the work of the loads in the hat functions of ends and free hinges, (4.25).
 
-use crate::model::{Extent, Load, triangles};
+use crate::model::{Action, Extent, Load, triangles};
 use crate::numeric::sum::Sum;
 
 /// The work F(φ) of the loads in the hat function φ of each node (1 at the node, 0 at all others, linear
@@ -22,23 +22,23 @@ pub(crate) fn static_reactions(loads: &[Load], nodes: &[f64]) -> Vec<Sum> {
         if load.on_ground {
             continue;
         }
-        match (load.action.derivative(), load.extent) {
-            (0, Extent::Point { at, size }) => force_at(holding(at), size, at),
-            (0, Extent::Distributed { from, to, start, end }) => {
+        match (load.action, load.extent) {
+            (Action::Force, Extent::Point { at, size }) => force_at(holding(at), size, at),
+            (Action::Force, Extent::Distributed { from, to, start, end }) => {
                 for (piece, ends, sizes) in cut(nodes, [from, to], [start, end]) {
                     for (force, x) in triangles(ends, sizes) {
                         force_at(piece, force, x);
                     }
                 }
             }
-            (1, Extent::Point { at, size }) => moments.push((holding(at), size)),
-            (1, Extent::Distributed { from, to, start, end }) => {
+            (Action::Moment, Extent::Point { at, size }) => moments.push((holding(at), size)),
+            (Action::Moment, Extent::Distributed { from, to, start, end }) => {
                 for (piece, [a, b], [start, end]) in cut(nodes, [from, to], [start, end]) {
                     moments.push((piece, 0.5 * (start + end) * (b - a)));
                 }
             }
             // A rigid motion has no curvature.
-            _ => {}
+            (Action::Curvature, _) => {}
         }
     }
     for (piece, moment) in moments {
@@ -78,7 +78,6 @@ pub(crate) fn cut(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::Action;
 
     /// The work of a load in a motion r that is linear between nodes, by Simpson's rule on each piece. It is
     /// exact, because the integrand of a linear load is a parabola.
@@ -103,7 +102,7 @@ mod tests {
             (Action::Moment, Extent::Point { at, size }) => size * slope(piece(at)),
             (Action::Force, extent) => spread(extent.ends(), extent.sizes(), &value),
             (Action::Moment, extent) => spread(extent.ends(), extent.sizes(), &|i, _| slope(i)),
-            _ => 0.0,
+            (Action::Curvature, _) => 0.0,
         }
     }
 
