@@ -46,6 +46,8 @@ const fn not_negative(dimension: Dimension) -> Kind {
 pub(crate) const POSITION: Kind = any(Dimension::of(0, 1));
 pub(crate) const DEFLECTION: Kind = any(Dimension::of(0, 1));
 pub(crate) const LENGTH: Kind = positive(Dimension::of(0, 1));
+/// A fillet of zero is none.
+pub(crate) const FILLET: Kind = not_negative(Dimension::of(0, 1));
 pub(crate) const AREA: Kind = positive(Dimension::of(0, 2));
 pub(crate) const SECOND_MOMENT: Kind = positive(Dimension::of(0, 4));
 pub(crate) const FORCE: Kind = any(Dimension::of(1, 0));

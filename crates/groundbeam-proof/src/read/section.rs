@@ -1,7 +1,7 @@
 //! Reads `section = { … }`: a shape with its dimensions, a rolled section or a rail.
 
 use super::error::{Read, wrong};
-use super::fields::{Along, Fields, LENGTH, Section, Values};
+use super::fields::{Along, FILLET, Fields, LENGTH, Section, Values};
 use super::rolled;
 use super::shapes::{Shape, boxed, circle, filled, i_shape, rectangle, t_shape, tube};
 use crate::{Course, Scalar};
@@ -30,7 +30,7 @@ pub(crate) fn read<S: Scalar>(fields: &mut Fields, parent: Section) -> Read<Opti
     }
     let mut fillet = None;
     if shape == "I" {
-        fillet = fields.along(section, "fillet", LENGTH, Values::Linear)?;
+        fillet = fields.along(section, "fillet", FILLET, Values::Linear)?;
     }
     let courses: Vec<&Course<S>> = sides.iter().map(|side| &side.course).collect();
     let measured = match (shape, &courses[..]) {
