@@ -62,8 +62,10 @@ impl Reader<'_> {
                 1 => (1, "value"),
                 count => (count, "values"),
             };
-            let curve = match most {
-                2 => String::new(),
+            let curve = match (most, key) {
+                (2, _) => String::new(),
+                // The model allows fewer control values for the ground (GB204).
+                (_, "k" | "mu") => ", or three control values of a curve".to_owned(),
                 _ => format!(", or up to {most} control values of a curve"),
             };
             let hint = format!(

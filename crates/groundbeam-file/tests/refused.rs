@@ -111,3 +111,21 @@ fn a_fillet_of_zero_is_none() {
     assert_eq!(read(&section(", fillet = [0, 0]")).model, sharp);
     refused(&section(", fillet = -0.1"), "GB017", "it must be positive");
 }
+
+#[test]
+fn remedies_name_what_the_file_may_contain() {
+    let beam = |line: &str| BASE.replace("EI = 1", line);
+    refused(&beam("EI = 1\nnu = 0.2\nshear_area = 0.4"), "GB007", "in place of `EI`");
+    let sides = "width = 1, height = 1";
+    read(&beam(&format!("E = 1\nnu = 0.2\nsection = {{ {sides} }}")));
+    refused(&beam("EI = 1\nG = 1"), "GB007", "in place of `EI` or `I`");
+    read(&beam(&format!("E = 1\nG = 1\nsection = {{ {sides} }}")));
+    for key in ["k = 1\nmu", "k"] {
+        let ground = |values: &str| BASE.replace("k = 1", &format!("{key} = {values}"));
+        refused(&ground("[1, 2, 3, 4, 5, 6, 7]"), "GB005", "or three control values");
+        read(&ground("[1, 2, 4]"));
+    }
+    let load = |line: &str| BASE.replace("point = 1\nat = 3", line);
+    refused(&load("distributed = 1\nat = 3"), "GB008", "left out: 0 and the length of the beam");
+    read(&load("distributed = 1\nfrom = 3"));
+}

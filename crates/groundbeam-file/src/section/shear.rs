@@ -30,7 +30,7 @@ const fn keys(modulus: &'static str) -> Keys {
     Keys {
         product: "shear_stiffness",
         factors: [modulus, "shear_area"],
-        instead: ", or a `section` that has one",
+        instead: ", or a `section` that has one, in place of `EI` or `I`",
     }
 }
 
@@ -82,7 +82,7 @@ impl Shear {
             }
             None => {
                 let message = "`nu` is given without `E`";
-                let hint = "add `E` or a `material`, or give `G` in place of `nu`";
+                let hint = "give `E` or a `material`, and a `section`, in place of `EI`; or `shear_stiffness` in place of `nu`";
                 let fault = Fault::new(code::INCOMPLETE, nu.span.clone(), message, "", hint);
                 reader.report(fault);
                 Along::unreadable(nu.span)

@@ -92,7 +92,7 @@ impl Model {
             let message =
                 format!("{what} restrains the slope, so it cannot act in one direction only");
             let hint = "a one-way support is pinned or has a translational spring only; \
-                        give the rotational restraint as a second support beside it";
+                        give the rotational restraint as a second support at another position";
             found.push(Problem::new("GB408", Part::Support(i), "acts", message, hint));
         }
     }
