@@ -241,7 +241,7 @@ fn errors_in_a_study_file_are_reported_at_their_location() {
     wrong("samples = 3000", uneven, &["16 equal replicates; 2992 can"]);
     let random = "[[random]]\nwhat = \"k[]\"\ndistribution = \"lognormal\"\ncov = 0.1\n[field]";
     wrong("[field]", random, &["`k` is already a [[random]] number, `k[]`"]);
-    wrong("at = [-0.5, 0, 1]", "at = [0, 1, 0]", &["wrong.toml:17:13", "listed twice"]);
+    wrong("at = [-0.5, 0, 1]", "at = [0, 1, 0]", &["wrong.toml:18:13", "listed twice"]);
     wrong(
         "name = \"deep\"",
         "name = \"no equilibrium\"",

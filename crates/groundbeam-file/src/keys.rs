@@ -158,6 +158,14 @@ impl Key {
 }
 
 impl Table {
+    /// Hint for a list of tables without a heading of their own, such as the axles of a train.
+    pub fn inline(&self, key: &str, plain: bool) -> Option<String> {
+        let needed = self.keys.iter().filter(|key| key.needed);
+        let lines: Vec<String> = needed.map(|key| key.line(plain)).collect();
+        let is_inline = !self.name.starts_with('[');
+        is_inline.then(|| format!("write it as in {key} = [{{ {} }}]", lines.join(", ")))
+    }
+
     /// Row of a key. Each section asks only for keys of its own tables.
     pub fn key(&self, name: &str) -> &'static Key {
         let found = self.keys.iter().find(|key| key.name == name);

@@ -204,7 +204,7 @@ impl<'s> Reader<'s> {
         let name = keys.name;
         let Some(value) = parent.value(key) else { return vec![] };
         let DeValue::Array(array) = value.get_ref() else {
-            let (message, hint) = match self.inline(keys, key) {
+            let (message, hint) = match keys.inline(key, self.plain) {
                 Some(hint) => (format!("`{key}` is a list of tables"), hint),
                 None => (
                     format!("a file can have several {name}, so it is a list"),
@@ -224,7 +224,7 @@ impl<'s> Reader<'s> {
                 }
                 _ => {
                     let message = format!("each of `{key}` is a table, not a value");
-                    let hint = self.inline(keys, key);
+                    let hint = keys.inline(key, self.plain);
                     let hint =
                         hint.unwrap_or_else(|| format!("write {name} and its keys below it"));
                     self.wrong_type(element, message, hint);
@@ -232,14 +232,6 @@ impl<'s> Reader<'s> {
             }
         }
         sections
-    }
-
-    /// Hint for a list of tables without a heading of their own, such as the axles of a train.
-    fn inline(&self, table: &Table, key: &str) -> Option<String> {
-        let needed = table.keys.iter().filter(|key| key.needed);
-        let lines: Vec<String> = needed.map(|key| key.line(self.plain)).collect();
-        let is_inline = !table.name.starts_with('[');
-        is_inline.then(|| format!("write it as in {key} = [{{ {} }}]", lines.join(", ")))
     }
 
     /// Tables of a list, each a part of the model. `part` returns the part for a number in the list.
