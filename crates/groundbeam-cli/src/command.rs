@@ -40,7 +40,7 @@ Exit status:
   130  a study was stopped from the keyboard; completed samples are saved
 
 Environment:
-  NO_COLOR  if set, output has no colour";
+  NO_COLOR  if set and not empty, output has no colour";
 
 #[derive(Debug, Subcommand)]
 pub enum Command {
@@ -161,7 +161,7 @@ pub struct Solve {
     #[arg(long, default_value = "exact", value_parser = one_of(METHODS))]
     pub method: Method,
 
-    /// Elements of the mesh; `exact` has none
+    /// Elements of the mesh, 1 to 10 000 000; `exact` has none
     #[arg(long, value_name = "N", default_value_t = 100, value_parser = number().range(1..=10_000_000))]
     pub elements: usize,
 
@@ -201,11 +201,11 @@ pub struct Check {
 /// Units and digits of printed quantities.
 #[derive(Debug, Clone, Copy, Args)]
 pub struct Printed {
-    /// Units of printed results, drawings and tables; JSON is always in SI units
+    /// Units of printed results, drawings and tables; JSON is in SI units, or has the numbers of a file without units
     #[arg(long, default_value = "file", value_parser = one_of(UNITS))]
     pub units: Asked,
 
-    /// Significant digits of results; proven numbers have as many as their bound allows
+    /// Significant digits of results, 2 to 15; proven numbers have as many as their bound allows
     #[arg(long, value_name = "N", default_value_t = RESULT_DIGITS, value_parser = number().range(*DIGITS.start() as u64..=*DIGITS.end() as u64))]
     pub digits: usize,
 }
@@ -267,14 +267,14 @@ pub struct New {
 
 #[derive(Debug, Args)]
 pub struct Compare {
-    /// Model file (TOML) without combinations or trains; `-` for standard input
+    /// Model file (TOML) without combinations, trains or a band; `-` for standard input
     pub file: PathBuf,
 
     /// Print the comparison as one JSON document on standard output, and nothing else
     #[arg(long)]
     pub json: bool,
 
-    /// Elements of the meshes
+    /// Elements of the meshes, 1 to 100 000
     #[arg(long, value_name = "N", default_value_t = 100, value_parser = number().range(1..=100_000))]
     pub elements: usize,
 
@@ -324,7 +324,7 @@ pub struct Study {
     #[arg(long)]
     pub restart: bool,
 
-    /// Draw the probabilities of events and the scatter of results; the file name ends in .svg or .png
+    /// Draw the probabilities of events and the scatter of results; the file name ends in .svg or .png; not with `--shard`
     #[arg(long, value_name = "OUT", conflicts_with = "shard", value_parser = Plot::parser())]
     pub plot: Option<Plot>,
 
