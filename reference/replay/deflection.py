@@ -58,7 +58,7 @@ def at_node(r, i):
 
 
 def felt(r, i):
-    """The neighbour of a node with the smaller coefficients, and its end at the node. Its claimed values act on the springs."""
+    """The piece beside a node with the smaller coefficients, and its end at the node. The forces of springs follow from its claimed values."""
     size = lambda j: sum((upper(c) for c in r.pieces[j].w.coeffs()), arb(0))
     if i == 0 or i < len(r.pieces) and size(i) < size(i - 1):
         return i, 0

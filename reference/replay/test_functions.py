@@ -7,7 +7,7 @@ from energy import compression_misfit
 
 
 def prepare(r):
-    """The factor of K, and the number that replaces P in K²."""
+    """Computes the factor of K, and the value of P in K²."""
     r.beam_energy = r.energy if r.sigma is None else r.energy / r.sigma
     r.test_factor, r.test_tension = r.s2, arb(0) if r.tension is None else high(r.tension)
     if r.sigma is not None:
@@ -58,7 +58,7 @@ def kinks(r):
 
 
 def long_kinks(r, side, least):
-    """z is the distance to x up to an end of the beam, if there is no rigid support between them."""
+    """z(s) = |s - x| between x and one end of the beam, if no rigid support lies between them."""
     count = len(r.pieces)
     layer = ground = arb(0)
     passed = []

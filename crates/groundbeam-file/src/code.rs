@@ -84,7 +84,7 @@ pub struct Code {
     pub meaning: &'static str,
     /// What the user can do, in one or two sentences.
     pub remedy: &'static str,
-    /// The section that explains the subject.
+    /// The part of the documents that explains the subject of the code.
     pub page: Page,
     /// A file in `cases/errors/` with this fault. `None` if only a solve, a study or a model built in code
     /// has it.

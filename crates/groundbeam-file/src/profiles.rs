@@ -83,7 +83,7 @@ pub(crate) fn find_rail(name: &str) -> Result<&'static RolledSection, String> {
     })
 }
 
-/// The section of a list with this name, ignoring case, spaces and hyphens.
+/// The section in a list whose name is `name`. Case, spaces and hyphens are ignored.
 fn named(sections: &'static [RolledSection], name: &str) -> Option<&'static RolledSection> {
     let wanted = plain(name);
     sections.iter().find(|section| plain(&section.name) == wanted)

@@ -137,7 +137,7 @@ fn said(results: &Results) -> (String, Vec<(String, String)>) {
         return (said.to_owned(), rows.collect());
     }
     let said = match answers.overall() {
-        Overall::Solved => "an equilibrium exists in all of them",
+        Overall::Solved => "each has an equilibrium",
         Overall::NoEquilibrium => "at least one of them has no equilibrium",
         Overall::NotConverged => "at least one of them could not be certified",
     };

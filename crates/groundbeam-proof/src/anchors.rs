@@ -342,8 +342,8 @@ pub(crate) fn between(h: Size, [s, sheared]: [Size; 2]) -> Size {
     s * (h.square() * h).over(48.0).root() + 0.5 * (sheared * h.root())
 }
 
-/// A bound of |e| on an overhang o beyond two positions, the nearer one first. `distance` bounds the distance of
-/// the two positions from below and above.
+/// A bound of |e| on an overhang of length o. `near` and `far` are bounds of |e| at two positions beside it, the nearer one
+/// first. `distance` has a lower and an upper bound of the distance between the two positions.
 pub(crate) fn beyond(
     [near, far]: [Size; 2],
     over: Size,

@@ -19,7 +19,7 @@ impl<S: Scalar> Balance<'_, S> {
         (0..self.frame.spans.len()).map(of).sum()
     }
 
-    /// Σβ²h/P, the complementary energy of the transverse force in the tension.
+    /// Σβ²h/P, the complementary energy of the transverse forces β that the axial tension P carries.
     pub fn drawn(&self, balanced: &Balanced<S>) -> Size {
         let Some(tension) = self.frame.tension else { return Size::ZERO };
         let pieces = self.frame.spans.iter().zip(&balanced.pieces);

@@ -221,7 +221,8 @@ impl Log {
             .end();
     }
 
-    /// The bounds of one round: slope, V and p of each piece, and the edges that follow.
+    /// Writes the bounds of one round: slope, V and p of each piece, and the intervals of the contact edges that follow from
+    /// them.
     fn round(&mut self, round: &Round) {
         let bounds = |b: &PieceBounds| list([b.slope, b.shear_force, b.pressure].map(size));
         self.line("round", "5")

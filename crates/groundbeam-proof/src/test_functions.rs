@@ -85,8 +85,8 @@ impl<S: Scalar> Pointwise<'_, S> {
         largest
     }
 
-    /// K² for z = the distance from x to one side, up to the end of the beam, if there is no rigid support
-    /// there: (P + μ)L + kL³/3 + K_eL² + Σ(κ(x − x_j)² + κ_θ). It does not contain EI, so it is the smaller
+    /// K² for the test function z(s) = |s − x| between x and one end of the beam and 0 elsewhere, if no rigid support
+    /// lies between them: (P + μ)L + kL³/3 + K_eL² + Σ(κ(x − x_j)² + κ_θ). It does not contain EI, so it is the smaller
     /// bound for stiff beams.
     pub(crate) fn long_kinks(&self, side: usize, stiffness: &mut [Size]) {
         let frame = self.fields.frame;

@@ -113,7 +113,7 @@ pub struct InPassage {
 }
 
 impl<'a> Passages<'a> {
-    /// The same passages, restricted to a limit state for ranges and envelopes.
+    /// A copy of these passages whose ranges and envelopes are those of one limit state.
     pub fn of_limit_state(&self, state: LimitState) -> Self {
         Passages { state: Some(state), ..self.clone() }
     }

@@ -62,8 +62,8 @@ fn exceeds(count: f64, total: f64, odds: f64, wanted: f64) -> bool {
     sum > wanted
 }
 
-/// The probability of exactly `count` events in `total` samples with these odds: Stirling's formula with its
-/// remainder (Loader, *Fast and accurate computation of binomial probabilities* (2000)).
+/// The probability of exactly `count` events in `total` samples. An event has the probability odds/(1 + odds).
+/// Stirling's formula with its remainder (Loader, *Fast and accurate computation of binomial probabilities* (2000)).
 fn exactly(count: f64, total: f64, odds: f64) -> f64 {
     let other = total - count;
     let expected = [odds, 1.0].map(|share| total * (share / (1.0 + odds)));

@@ -254,7 +254,10 @@ impl Expectation {
     /// The envelope of passages does not contain the quantity.
     pub fn found_in_passages(&self, passages: &Passages) -> Result<Value, String> {
         let Quantity::Extreme { field, largest, position } = self.quantity else {
-            return Err("the envelope of a train has only extremes".to_owned());
+            return Err(
+                "only smallest and largest values of the envelope of a train can be expected"
+                    .to_owned(),
+            );
         };
         let range = passages.range(field).ok_or("nothing was solved")?;
         let most = range[usize::from(largest)].located;

@@ -226,7 +226,7 @@ struct File<'a> {
     cases: &'a [Option<String>],
     /// Names of the cases, each once, in the order of the loads.
     names: Vec<&'a str>,
-    /// Whether loads or trains have no case.
+    /// Whether at least one load or train has no case.
     has_others: bool,
     described: Vec<Described<'a>>,
     /// Maximum number of combinations in the file, each on all grounds.

@@ -128,9 +128,9 @@ fn vlasov<S: Scalar>(fields: &mut Fields, table: Section, width: S) -> Read<[S; 
     Ok([spring, shear])
 }
 
-/// S = −E₀φ′ at the surface and dS/dr, from the rock upward. For a layer let c² = r q, q = h²G/E₀, e = E₀/h and
-/// T = tanh(c)/c. At the top of the layer above the rock, −E₀φ′ is e/T. At the top of another layer it is
-/// e (S + e c² T)/(e + S T), with S = −E₀φ′ at the bottom.
+/// S = −E₀φ′ and dS/dr at the surface, from the rock upward. For a layer let c² = r q, q = h²G/E₀, e = E₀/h and
+/// T = tanh(c)/c. At the top of the layer above the rock S is e/T. At the top of another layer it is
+/// e (S_b + e c² T)/(e + S_b T), with S_b at its bottom.
 fn least_energy<S: Scalar>(layers: &[Layer<S>], rate: S) -> [S; 2] {
     let mut below: Option<[S; 2]> = None;
     for layer in layers.iter().rev() {

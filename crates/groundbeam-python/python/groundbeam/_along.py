@@ -21,7 +21,7 @@ class Along:
         array = np.asarray(values, dtype=np.float64)
         if array.ndim not in (1, 2):
             raise ValueError(
-                f"{type(self).__name__} takes a list of values, or an array of models by values, "
+                f"{type(self).__name__} takes a list of values, or an array with one row of values for each model, "
                 f"not an array of {array.ndim} dimensions"
             )
         self.values = np.atleast_2d(array)

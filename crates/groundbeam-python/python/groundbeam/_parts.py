@@ -208,7 +208,7 @@ class Hinge(Part):
     """A hinge inside the beam. It transmits shear, and the moment of its spring."""
 
     def __init__(self, at: Quantity, rotational_spring: Optional[Quantity] = None) -> None:
-        """Without a rotational spring [N m/rad] it rotates freely."""
+        """Without a rotational spring [N m/rad] the hinge rotates freely."""
         super().__init__(at=at, rotational_spring=rotational_spring)
 
 

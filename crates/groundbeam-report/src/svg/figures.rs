@@ -13,7 +13,7 @@ use crate::quantity::Units;
 use groundbeam::{Field, Model, Solution, existence::RigidMotion};
 use groundbeam_run::{Answers, Passages};
 
-/// The model as given; without equilibrium, with the motion that proves it.
+/// Draws the model. If it has no equilibrium, `motion` is the rigid motion that proves this, and is drawn too.
 pub(crate) fn model(model: &Model, motion: Option<RigidMotion>, context: &Context) -> String {
     let frame = Frame::narrow(model).with_depths(context.depths);
     let drawing = sketch::draw(model, motion, context.units, &frame, &Metrics::new());

@@ -89,7 +89,7 @@ impl Sheet {
         self.entries.push(Entry::Row { label, words, tone });
     }
 
-    /// Adds a row within a row, `             label       words`.
+    /// Adds an indented row that belongs to the row above, `             label       words`.
     pub fn item(&mut self, label: &str, words: &str) {
         let [label, words] = [label, words].map(|text| printable(text).into_owned());
         self.entries.push(Entry::Item { label, words });

@@ -24,8 +24,8 @@ pub(crate) struct Shortened {
     pub between: Option<ContactState>,
 }
 
-/// Fraction of the step from the deflection `now` to the beam `bonded` to the ground on its contact. `spring_work` is the
-/// work ε|w̃ − w|² of the stabilising springs.
+/// Shortens the step from the deflection `now`, w, to the deflection `bonded`, w̃, of the beam bonded to the ground on the
+/// trial contact. `spring_work` is the work ε|w̃ − w|² of the stabilising springs.
 pub(crate) fn shorten(
     model: &Model,
     now: &ContactState,

@@ -1,4 +1,4 @@
-//! A load that moves, represented by a moment and steps at its node.
+//! The derivative with respect to the position of a load: a moment and jumps of w, φ and M at the node of the load.
 //!
 //! If a load moves to the right by δ, the state on its left extends over the length δ. In the cell on the right, w, φ
 //! and M then change by δ times the jumps of their slopes. Cells and nodes keep their positions: cell lengths have no

@@ -56,8 +56,8 @@ pub struct Envelope<'a> {
 pub struct Governing {
     /// The value and its position.
     pub extreme: Extreme,
-    /// The index of the solution; the first one if several attain the value to rounding. The position belongs
-    /// to this solution.
+    /// The index of the solution that attains the extreme; of several that attain it up to rounding, the first. The
+    /// position belongs to this solution.
     pub by: usize,
 }
 

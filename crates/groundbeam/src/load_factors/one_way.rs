@@ -23,7 +23,7 @@ use crate::options::Method;
 use crate::solution::candidate::{Candidate, Workspace};
 use crate::solution::certificate::Certificate;
 
-/// Maximum number of ranges, and of changes of supports at the beginning of one.
+/// Maximum number of ranges of the load factor, and maximum number of changes of supports where a range begins.
 const MOST_PIECES: usize = 200;
 const MOST_CHANGES: usize = 2000;
 /// Tolerance below which a force is zero, relative to all forces and loads, or a clearance, relative to the

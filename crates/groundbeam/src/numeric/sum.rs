@@ -3,7 +3,7 @@
 
 use crate::numeric::tolerance::SUM_ROUNDING;
 
-/// A sum with the sum of the absolute values of its terms, so that zero can be distinguished from rounding.
+/// A sum with the sum of the absolute values of its terms, which decides whether the sum is rounding error.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Sum {
     pub sum: f64,
