@@ -9,7 +9,7 @@ use std::collections::HashMap;
 #[derive(Debug, Serialize)]
 pub struct Number {
     key: String,
-    /// Heading of its table: `[beam]`, `[[load]]`.
+    /// Heading of the table that contains the key: `[beam]`, `[[load]]`.
     table: String,
     /// Index among the tables with this heading, from 1; 0 if there is only one.
     which: usize,

@@ -169,7 +169,7 @@ impl<S: Scalar> Contact<'_, S> {
         let low = (x.low() - before.value()).next_down();
         let low = frame.units.restored(low.max(0.0), 0, 1);
         let low = if low > 1e-280 { low } else { 0.0 };
-        // The left end of the beam is exactly zero.
+        // The position of the left end of the beam is exactly zero.
         let high =
             if x == S::zero() { after.value() } else { (x.high() + after.value()).next_up() };
         [low, frame.units.restored(high.max(0.0), 0, 1)]

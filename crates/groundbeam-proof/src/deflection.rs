@@ -263,7 +263,7 @@ mod tests {
     use crate::size::Size;
     use crate::wide::Wide;
 
-    /// The cubic on 0 ≤ x ≤ 1 of the length h, its slope and its curvature.
+    /// Value, slope and curvature of the cubic on a piece of length h, at the fraction x of the piece.
     fn cubic([a, b, s, t]: [f64; 4], h: f64, x: f64) -> [f64; 3] {
         let (square, cube) = (x * x, x * x * x);
         let value = a * (1.0 - 3.0 * square + 2.0 * cube) + b * (3.0 * square - 2.0 * cube);

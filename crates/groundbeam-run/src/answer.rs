@@ -75,7 +75,7 @@ pub enum Found {
     Unsolved(Error),
 }
 
-/// Joint status of several answers, from the best to the worst.
+/// Combined status of several answers. The variants are ordered from the best to the worst.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Overall {
     /// All answers are solved, or all models are known to have an equilibrium.

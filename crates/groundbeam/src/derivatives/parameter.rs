@@ -57,7 +57,7 @@ pub enum SupportNumber {
     RotationalSpring,
 }
 
-/// A number of a model. Parts are counted from 0, in the order of the model.
+/// A numerical parameter of a model. Parts are counted from 0, in the order of the model.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Parameter {

@@ -90,7 +90,7 @@ pub struct Change {
     pub bound: Bound,
     /// The solution that governs to the left.
     pub from: usize,
-    /// The solution that governs to the right.
+    /// Index of the solution that governs to the right of this position.
     pub to: usize,
 }
 
