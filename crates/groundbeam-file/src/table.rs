@@ -4,7 +4,7 @@ use crate::keys::{Key, Table};
 use groundbeam::model::Part;
 use std::ops::Range;
 use toml::Spanned;
-use toml::de::{DeTable, DeValue};
+use toml::de::{DeArray, DeTable, DeValue};
 
 /// A table with its location and its allowed keys.
 #[derive(Clone)]
@@ -56,5 +56,11 @@ impl<'a> Section<'a> {
 
     pub fn value(&self, key: &str) -> Option<&'a Spanned<DeValue<'a>>> {
         self.table.get(key)
+    }
+
+    /// The value under a key if it is a list without elements.
+    pub fn empty_list(&self, key: &str) -> Option<&'a Spanned<DeValue<'a>>> {
+        let is_empty = |list: &DeArray| list.is_empty();
+        self.value(key).filter(|value| value.get_ref().as_array().is_some_and(is_empty))
     }
 }

@@ -135,12 +135,10 @@ fn refuse_other_widths(reader: &mut Reader, own: Option<&Field>, ground: &Ground
 
 /// Refuses a list without a limit state: the check would never be judged.
 fn refuse_empty(reader: &mut Reader, states: &Section, key: &str) {
-    let Some(value) = states.value(key) else { return };
-    if value.get_ref().as_array().is_some_and(|list| list.is_empty()) {
-        let message = format!("`{key}` names no limit state");
-        let hint = "name one, as in \"STR/GEO\", or leave the key out for the default";
-        reader.report(Fault::new(code::EMPTY_NAME, value.span(), message, "", hint));
-    }
+    let Some(value) = states.empty_list(key) else { return };
+    let message = format!("`{key}` names no limit state");
+    let hint = "name one, as in \"STR/GEO\", or leave the key out for the default";
+    reader.report(Fault::new(code::EMPTY_NAME, value.span(), message, "", hint));
 }
 
 /// Gives `bearing_resistance` its limit state, if the file names none. A design resistance belongs to STR/GEO. If the

@@ -108,12 +108,10 @@ pub(super) fn read(
     }
     names.retain(|name| !name.is_empty());
     let described = describe(reader, root, &names);
-    let most = MOST / grounds;
     let has_others =
         cases.iter().chain(trains.iter().map(|train| &train.case)).any(Option::is_none);
     let (wanting, made) = (Vec::new(), Vec::new());
-    let mut file =
-        File { loads, cases, names, has_others, described, most, grounds, wanting, made };
+    let mut file = File { loads, cases, names, has_others, described, grounds, wanting, made };
     let mut recipes: Vec<Recipe> = Vec::new();
     let mut taken: Vec<(String, Range<usize>)> = Vec::new();
     for table in reader.tables(root, "combination") {
@@ -143,7 +141,7 @@ pub(super) fn read(
                         Vec::new()
                     }
                 };
-                if recipes.len() == most {
+                if recipes.len() == file.most() {
                     let hint = "write the others in another file";
                     file.too_many(reader, table.span.clone(), hint);
                     break;
@@ -229,8 +227,7 @@ struct File<'a> {
     /// Whether at least one load or train has no case.
     has_others: bool,
     described: Vec<Described<'a>>,
-    /// Maximum number of combinations in the file, each on all grounds.
-    most: usize,
+    /// Number of grounds, on each of which every combination acts.
     grounds: usize,
     /// Cases for which a missing or foreign action has been reported.
     wanting: Vec<&'a str>,
@@ -291,7 +288,7 @@ impl<'a> File<'a> {
             return;
         };
         let Some(acting) = self.acting(reader, practice, set, &span) else { return };
-        let most = self.most.saturating_sub(recipes.len());
+        let most = self.most().saturating_sub(recipes.len());
         match sets::expand(practice, set, &acting, self.has_others, most) {
             Ok(made) if made.is_empty() => {
                 let message = format!("`{}` makes no combination of the load cases", set.name);
@@ -328,12 +325,17 @@ impl<'a> File<'a> {
         }
     }
 
+    /// Maximum number of combinations in the file, each on all grounds.
+    fn most(&self) -> usize {
+        MOST / self.grounds
+    }
+
     fn too_many(&self, reader: &mut Reader, span: Range<usize>, hint: &str) {
         let each = match self.grounds {
             1 => String::new(),
             grounds => format!(" on each of {grounds} grounds"),
         };
-        let message = format!("the file has more than {} combinations{each}", self.most);
+        let message = format!("the file has more than {} combinations{each}", self.most());
         reader.report(Fault::new(code::TOO_MANY, span, message, "", hint));
     }
 

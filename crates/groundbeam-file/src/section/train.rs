@@ -149,7 +149,7 @@ fn parts(reader: &mut Reader, table: &Section) -> (Option<&'static TrainSet>, Tr
         }
         if lists.1 {
             train.uniform = uniform(reader, table);
-            if !lists.0 && is_empty_list(table, "uniform") {
+            if !lists.0 && table.empty_list("uniform").is_some() {
                 let example = "at least one to `uniform`";
                 reader.missing(table, &["set"], "distributed load", example);
             }
@@ -195,18 +195,12 @@ fn axles(reader: &mut Reader, table: &Section) -> Vec<Axle> {
                 "give the distances of the others behind the first axle, as positive numbers";
             reader.report(Fault::new(code::FIRST_AXLE, span, message, "", hint));
         }
-        None if is_empty_list(table, "axles") => {
+        None if table.empty_list("axles").is_some() => {
             reader.missing(table, &["set"], "axle", "at least one to `axles`");
         }
         _ => {}
     }
     axles
-}
-
-/// Whether the list under a key has no elements.
-fn is_empty_list(table: &Section, key: &str) -> bool {
-    let list = table.value(key).and_then(|list| list.get_ref().as_array());
-    list.is_some_and(|list| list.is_empty())
 }
 
 /// Reads `uniform = [{ from = "5.6 m", load = "80 kN/m" }, …]`. A missing end is at infinity.

@@ -36,8 +36,8 @@ pub(crate) struct Made {
     pub limit_states: LimitStates,
 }
 
-/// Combinations of a set, each once, at most `most` of them. `has_others` tells whether the file has loads without
-/// a case; then they alone are also a combination.
+/// Combinations of a set, each once, at most `most` of them. `has_others` is true if the file has loads without a case.
+/// These loads alone are then a combination, too.
 pub(crate) fn expand(
     practice: &Practice,
     set: &Set,

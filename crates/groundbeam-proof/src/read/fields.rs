@@ -46,7 +46,7 @@ const fn not_negative(dimension: Dimension) -> Kind {
 pub(crate) const POSITION: Kind = any(Dimension::of(0, 1));
 pub(crate) const DEFLECTION: Kind = any(Dimension::of(0, 1));
 pub(crate) const LENGTH: Kind = positive(Dimension::of(0, 1));
-/// A fillet of zero is none.
+/// The radius of a fillet. A section without fillets has the radius zero.
 pub(crate) const FILLET: Kind = not_negative(Dimension::of(0, 1));
 pub(crate) const AREA: Kind = positive(Dimension::of(0, 2));
 pub(crate) const SECOND_MOMENT: Kind = positive(Dimension::of(0, 4));

@@ -263,9 +263,9 @@ impl Search<'_, '_> {
         if !has_converged && !self.jitters(contact, found) {
             return None;
         }
-        let part = self.without_weightless(contact, found);
-        if let Some(part) = part.or_else(|| self.on_a_corner(contact, found)) {
-            return Some(part);
+        let fewer = self.without_weightless(contact, found);
+        if let Some(answer) = fewer.or_else(|| self.on_a_corner(contact, found)) {
+            return Some(answer);
         }
         if !self.holds(found) && !has_converged {
             return None;

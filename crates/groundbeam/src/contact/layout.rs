@@ -45,9 +45,6 @@ impl Layout {
         for MeshZone { from, to } in zones {
             touch(from.cell, from.s);
             touch(to.cell, to.s);
-            if from == to {
-                continue;
-            }
             for cell in from.cell..=to.cell {
                 let start = if cell == from.cell { from.s } else { -1.0 };
                 let end = if cell == to.cell { to.s } else { 1.0 };

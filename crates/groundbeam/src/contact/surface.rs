@@ -159,14 +159,14 @@ impl<R: Real> Surface<R> {
     }
 }
 
-/// Appends a part, cut into short power series if EI, S or the ground varies.
+/// Appends a part, cut into short power series if EI or the ground varies.
 pub(crate) fn short_parts_of<R: Real>(
     mesh: &Mesh<R>,
     part: &SurfacePart<R>,
     parts: &mut Vec<SurfacePart<R>>,
 ) {
     let cell = &mesh.cells[part.cell];
-    if !cell.beam_varies() && !cell.beam_shear_varies() && !cell.ground_varies() {
+    if !cell.beam_varies() && !cell.ground_varies() {
         return parts.push(*part);
     }
     let short = |s: [f64; 2]| {

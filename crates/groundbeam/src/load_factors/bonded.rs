@@ -152,8 +152,7 @@ mod tests {
     use crate::mesh::deflection::{BeamPoint, MeshZone};
     use crate::mesh::mesh::Mesh;
     use crate::model::{Beam, Foundation, Support};
-    use crate::numeric::polynomial::TERMS;
-    use crate::numeric::polynomial::value;
+    use crate::numeric::polynomial::{TERMS, value};
 
     #[track_caller]
     fn near(found: f64, wanted: f64) {

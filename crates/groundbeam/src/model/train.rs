@@ -114,6 +114,7 @@ impl Train {
             }
         }
         for part in &self.uniform {
+            // `clamp` would panic if the length is not valid.
             let [from, to] = [part.to, part.from]
                 .map(|behind| snapped((position - behind).max(0.0).min(l), &marks, near));
             if to > from {

@@ -77,8 +77,8 @@ pub(crate) fn outward(
     sides.iter().map(|side| side.gains.len()).sum()
 }
 
-/// Sweeps from both ends to the meeting node, in parallel as far as possible. Returns the
-/// stiffness S and the force r of both sides, condensed to (w, θ) of this node.
+/// Sweeps from both ends to the meeting node, on both sides at once while both have elements left. Returns the stiffness
+/// S and the force r of each side, condensed to (w, θ) of this node.
 fn offers(sides: &mut [Side; 2]) -> Result<[Behind; 2], NotSolved> {
     let mut states = [[0.0; 5]; 2];
     let mut reached = [Reached::default(); 2];

@@ -181,7 +181,7 @@ mod tests {
         }
     }
 
-    /// Polynomials with given real roots, at least 0.01 apart, and of pairs of complex roots.
+    /// Polynomials with real roots at least 0.01 apart and with pairs of complex roots.
     #[test]
     fn all_roots_of_random_products() {
         let mut state = 1_u64;

@@ -4,14 +4,14 @@ use crate::model::{Action, Acts, Extent, GapPoint, GroundEnd, Hinge, Load, Model
 use crate::model::{Support, SupportKind};
 use crate::solution::candidate::Candidate;
 use crate::solution::fields::{Reaction, Side};
-use groundbeam_proof::{self as proof, Answer, Enclosing, NotProven, Proof, Scalar};
+use groundbeam_proof::{self as proof, Answer, NotProven, Proof, Scalar, Wide};
 
 /// Distance below which a beam is close to a support, as a fraction of the deflection there.
 const CLOSE_TO_SUPPORT: f64 = 1e-6;
 
-/// The proof of a solution, in numbers of the given type.
-pub(super) fn prove<S: Enclosing>(candidate: &Candidate) -> Result<Proof, NotProven> {
-    proof::prove(&candidate.model.to_prove::<S>(), &answer(candidate))
+/// The proof of a solution.
+pub(super) fn prove(candidate: &Candidate) -> Result<Proof, NotProven> {
+    proof::prove(&candidate.model.to_prove::<Wide>(), &answer(candidate))
 }
 
 impl Model {

@@ -15,7 +15,7 @@ use crate::solution::field::{ByField, Field};
 use crate::solution::fields::{
     ConcentratedForce, ContactZone, EndForces, Fields, Range, Reaction, Side, SolutionPiece,
 };
-use groundbeam_proof::{NotProven, Proof, Scalar, Wide};
+use groundbeam_proof::{NotProven, Proof, Scalar};
 
 /// An equilibrium with its certificate.
 ///
@@ -136,7 +136,7 @@ impl Solution {
     /// rounding error. The proof is a theorem about the model whose numbers are exactly the doubles of this
     /// model.
     pub fn prove(&self) -> Result<Proof, NotProven> {
-        claim::prove::<Wide>(&self.candidate)
+        claim::prove(&self.candidate)
     }
 
     /// Model and solution as input of the proof, for proofs in another number type.
