@@ -119,7 +119,7 @@ def natural(x, force, moment):
     return p, q, a, np.zeros(3 * m), g, slice(0, 3 * n, 3)
 
 
-# The smallest tolerance that the interior-point methods reach with each form of the problem.
+# Smallest stopping tolerance that the interior-point methods reach, for each formulation of the problem.
 TOLERANCE = {natural: 1e-12, stiffness: 1e-9}
 
 
@@ -202,7 +202,9 @@ def by_lapack_natural(x, force, moment):
     put(i, i, u)
     j = i[:-1]
     e = EI / h**3
-    # The shear layer couples the deflections of both ends of an element. Their difference is h·w' + d₁.
+    # The ground acts as a spring of stiffness c between the two ends of an element. The difference of their deflections
+    # is h·w' + d₁. h is the length of the element, and w' is the slope at the left end. d₁ is the distance of the right
+    # end from the tangent at the left end.
     for a, b, value in [(1, 1, c * h * h), (1, 2, c * h), (2, 1, c * h), (2, 2, 12 * e + c), (2, 3, -6 * e), (3, 2, -6 * e), (3, 3, 4 * e)]:
         put(j + a, j + b, value)
     for row, terms in [(4, [(6, 1.0), (0, -1.0), (1, -h), (2, -1.0)]), (5, [(7, h), (1, -h), (3, -1.0)])]:
@@ -235,8 +237,8 @@ def by_opensees(x, force, moment):
         ops.fix(n + i + 1, 1, 0, 1)
         ops.node(2 * n + i + 1, at, 0.0)
         ops.fix(2 * n + i + 1, 1, 1, 1)
-        # Down is negative y. The contact spring acts if its upper node moves down relative to the ground node
-        # below it.
+        # The y axis points upward. The contact spring acts if its beam node moves downward relative to its ground
+        # node.
         ops.element("zeroLength", 4 * n + i, n + i + 1, i + 1, "-mat", 1, "-dir", 2)
         ops.uniaxialMaterial("Elastic", 10 + i, u[i])
         ops.element("zeroLength", 5 * n + i, 2 * n + i + 1, n + i + 1, "-mat", 10 + i, "-dir", 2)

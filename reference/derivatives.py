@@ -19,7 +19,7 @@ from mpmath import mp, mpf
 HERE = Path(__file__).resolve().parent
 DIGITS = 60
 STEP = mpf("1e-18")
-"""Change of a parameter, relative to its size; of a position, relative to the length."""
+"""Change of a parameter, relative to its size. The change of a position is relative to the length of the beam."""
 
 NAMES = (
     "kikuchi-IV",
@@ -88,7 +88,7 @@ HINGED_CONTACT = [[0.0, 2.4769736015252883], [4.759854808229763, 4.9539472030505
 
 
 def topology_of(model, contact):
-    """Contact regions as edges. An end at a breakpoint of the model is fixed."""
+    """The topology with the given contact regions. A region that ends at a breakpoint of the model has a fixed edge."""
     fixed = {float(x) for x in model.breakpoints()}
     edge = lambda x: Edge(mpf(x), float(x) not in fixed)
     intervals = [[edge(a), edge(b)] for a, b in contact if a != b]
@@ -96,7 +96,7 @@ def topology_of(model, contact):
 
 
 def parameters(model):
-    """Names of the numbers of a model, with their sizes and functions that add a change."""
+    """Yields the name and the size of each parameter of a model, and a function that adds a change to it."""
 
     def attribute(name):
         return lambda m, d: setattr(m, name, mpf(getattr(m, name)) + d)
@@ -149,7 +149,7 @@ def parameters(model):
 
 
 def stations(model, system):
-    """The middles of three stretches between nodes: the longest one in contact, the longest one off, and the last."""
+    """The middles of three stretches between nodes: the longest in contact, the longest out of contact, and the last."""
     longest = lambda pieces: max(pieces, key=lambda p: p.b - p.a, default=None)
     shut = longest([p for p in system.pieces if p.contact])
     opened = longest([p for p in system.pieces if not p.contact])
@@ -158,7 +158,7 @@ def stations(model, system):
 
 
 def results(model, system, places):
-    """Name, position (or None) and value of the outputs."""
+    """Yields the name, the position (or None) and the value of each output."""
     for x in places:
         piece = next(p for p in system.pieces if p.a < x < p.b)
         fields = piece.fields(mpf(x))
@@ -197,7 +197,7 @@ def differentiate(name, model, contact):
             system = newton(changed, base.topology, DIGITS - 10)
             ends.append([value for _, _, value in results(changed, system, places)])
         columns[parameter] = (size, [(a - b) / (2 * step) for a, b in zip(*ends)])
-    print(f"{name}: {len(outputs)} outputs by {len(columns)} numbers, {time.time() - begin:.0f} s", flush=True)
+    print(f"{name}: {len(outputs)} outputs, {len(columns)} parameters, {time.time() - begin:.0f} s", flush=True)
     return {
         "name": name,
         "model": model.to_toml(),

@@ -40,17 +40,17 @@ LOADS = {
 }
 
 
-# ---- the frozen text ------------------------------------------------------------------------------
+# ---- models and answers in verification/frozen ----------------------------------------------------
 
 
 def lines_of(folder, title):
-    """The lines of a record, as lists of words."""
+    """The lines of the record with the given title in verification/frozen, each as a list of words."""
     text = (FROZEN / folder / f"{title.split()[0]}.txt").read_text()
     for record in text.split("\n\n"):
         first, *lines = record.strip().splitlines() or [""]
         if first == title:
             return [line.split() for line in lines]
-    raise KeyError(f"{title} is not in {FROZEN / folder}")
+    raise KeyError(f"{title} has no record in {FROZEN / folder}")
 
 
 def numbers(words):
@@ -58,7 +58,7 @@ def numbers(words):
 
 
 def read(title):
-    """A frozen model, if the reference has all its features."""
+    """Reads a model from verification/frozen. Raises an error if the reference does not support the model."""
     model = Model(0.0, 0.0, 0.0, title=title)
     for key, *words in lines_of("models", title):
         known = True
@@ -88,19 +88,19 @@ def read(title):
         else:
             known = False
         if not known:
-            raise NotImplementedError(f"{title}: {key} {' '.join(words)}")
+            raise NotImplementedError(f"{title}: the reference does not support '{key} {' '.join(words)}'")
     return model
 
 
 def from_answer(model, title):
-    """The contact of the frozen answer, as a first guess."""
+    """The contact zones of the answer in verification/frozen, as an initial guess."""
     zones = next(words for words in lines_of("answers", title) if words[0] == "contact")[1:]
     fixed = anchors(model)
     edges = [Edge(mpf(x), x not in fixed) for x in map(float, zones)]
     return Topology([list(pair) for pair in zip(edges[::2], edges[1::2])], [])
 
 
-# ---- doubtful stretches ---------------------------------------------------------------------------
+# ---- stretches whose contact is below the rounding error ------------------------------------------
 
 
 def integral(f, a, b):
@@ -108,7 +108,7 @@ def integral(f, a, b):
 
 
 def force_within(system, a, b):
-    """The contact force on [a, b] from the pressure and from concentrated forces."""
+    """Contact force on [a, b], the sum of the pressure and the concentrated forces."""
     total = mp.fsum(n.atom() for n in system.nodes if a <= n.x <= b)
     for p in system.pieces:
         left, right = max(a, p.a), min(b, p.b)
@@ -124,7 +124,8 @@ def clearances(system, a, b):
 
 
 def unloaded(model, a, b):
-    """A stretch at zero deflection beside a fixed support: open in the solution, and bonded for comparison."""
+    """Solves a model whose stretch [a, b] beside a fixed support has zero deflection. The stretch is open in the
+    solution, and bonded in a second system for comparison."""
     solution = solve(model, DIGITS, elements=400)  # fine enough for the shear layer
 
     def bonded():
@@ -136,7 +137,7 @@ def unloaded(model, a, b):
 
 
 def under_support(model, title):
-    """A stretch of contact around a fixed support, at which deflection and pressure are zero."""
+    """Solves a model with a stretch of contact around a fixed support. Deflection and pressure are zero at the support."""
     mesh = coarse.solve_on_mesh(model, coarse.graded_mesh(model, 80))
     solution = exact(model, from_answer(model, title), DIGITS, mesh, lambda text: None)
     return solution, lambda: solution.system
@@ -146,7 +147,7 @@ def record(title):
     model = Model.from_toml(read(title).to_toml())
     at, l = next(s.at for s in model.supports if s.kind == "fixed"), model.length
     if title == "Extreme 13":
-        # As long as the slits that one version of the contact iteration left in this model.
+        # The stretch has the length of the gaps in the result of one version of the contact iteration.
         a, b = at - 4e-11 * l, at + 4e-11 * l
         solution, bonded = under_support(model, title)
     else:
@@ -167,7 +168,7 @@ def record(title):
     return out
 
 
-# ---- a beam on one corner --------------------------------------------------------------------------
+# ---- a free beam balanced on one corner of the ground ----------------------------------------------
 
 
 def balance(title):
@@ -195,7 +196,8 @@ def balance(title):
         height = lambda t: value + slope * (t - x) + settled * mp.exp(-b * abs(t - c)) - deflection
         tangent = lambda t: slope - (1 if right else -1) * b * settled * mp.exp(-b * abs(t - c))
         ratio = lambda t: height(t) / (t - c) if t != c else tangent(t)
-        # Its derivative is h''(t) (t - c), of one sign on either side of c: it has one root at most.
+        # With the function h(t) = height(t), the derivative of `stationary` is h''(t) (t - c). It does not change its
+        # sign on either side of c, so `stationary` has at most one root on each side.
         stationary = lambda t: tangent(t) * (t - c) - height(t)
         values = [ratio(near), ratio(far)]
         if near != c and stationary(near) * stationary(far) < 0:

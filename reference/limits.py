@@ -14,23 +14,25 @@ RIGID = 1e12
 
 
 def weightless_winkler():
-    """C01 to C03: a long weightless beam under one force on tensionless springs. Outside the
-    contact it is straight, so its length does not matter."""
+    """A long weightless beam under one force on tensionless springs. Outside the contact zone the beam is
+    straight, so its length has no effect."""
     EI, k, F, middle = 1.0, 4.0, 1.0, 5.0
     model = Model(10.0, EI, k, loads=[Load("point", F, middle)])
     half, beta = mp.pi / 2, mpf(1)
     checks = [
         ("contact from 5 - pi/2", middle - half, "from", None, TIGHT),
         ("contact to 5 + pi/2", middle + half, "to", None, TIGHT),
-        ("w under the force, (F b/2k) coth(pi/2)", beta / 8 * mp.coth(half), "deflection", 5.0, TIGHT),
-        ("M under the force, (F/4b) coth(pi/2)", mp.coth(half) / 4, "moment", 5.0, TIGHT),
-        ("slope off contact, (F b^2/k)/sinh(pi/2)", 1 / (4 * mp.sinh(half)), "slope", 0.0, TIGHT),
+        ("w under the force", beta / 8 * mp.coth(half), "deflection", 5.0, TIGHT),
+        ("M under the force", mp.coth(half) / 4, "moment", 5.0, TIGHT),
+        ("slope outside the contact zone", 1 / (4 * mp.sinh(half)), "slope", 0.0, TIGHT),
     ]
-    return "weightless-winkler", model, "long weightless beam, tensionless Winkler", checks
+    note = "long weightless beam on tensionless Winkler ground, with b = (k/(4 EI))^(1/4): w = F b coth(pi/2)/(2 k) and "
+    note += "M = F coth(pi/2)/(4 b) under the force, slope F b^2/(k sinh(pi/2)) outside the contact zone"
+    return "weightless-winkler", model, note, checks
 
 
 def weightless_pasternak(mu):
-    """C04, C05: the same beam on Pasternak ground; g = mu / (2 sqrt(k EI))."""
+    """The beam of `weightless_winkler` on Pasternak ground, with g = mu / (2 sqrt(k EI))."""
     EI, k = 1.0, 4.0
     model = Model(10.0, EI, k, mu, loads=[Load("point", 1.0, 5.0)])
     g = mpf(mu) / 4
@@ -44,29 +46,31 @@ def weightless_pasternak(mu):
           4.0: "0.3607975830140822", 8.0: "0.29144176549724515"}[mu]  # fmt: skip
     checks = [
         ("w under the force", mpf(w0) / 4, "deflection", 5.0, 1e-14),
-        ("M under the force, sqrt(k EI) w", mpf(w0) / 2, "moment", 5.0, 1e-14),
+        ("M under the force", mpf(w0) / 2, "moment", 5.0, 1e-14),
         ("contact from 5 - X", 5 - X, "from", None, TIGHT),
         ("contact to 5 + X", 5 + X, "to", None, TIGHT),
     ]
-    note = f"long weightless beam, tensionless Pasternak, g = mu/(2 sqrt(k EI)) = {mu / 4}; "
-    note += "b X = arccos(sqrt g)/sqrt(1-g), or arccosh(sqrt g)/sqrt(g-1); M0 = w0 sqrt(k EI)"
+    note = f"long weightless beam on tensionless Pasternak ground, with g = mu/(2 sqrt(k EI)) = {mu / 4} and "
+    note += "b = (k/(4 EI))^(1/4); the contact zone extends over X to each side of the force, with "
+    note += "b X = arccos(sqrt g)/sqrt(1-g) for g < 1 and arccosh(sqrt g)/sqrt(g-1) for g > 1; "
+    note += "M = w sqrt(k EI) under the force"
     return f"weightless-pasternak-{mu / 4}", model, note, checks
 
 
 def rigid_winkler(e):
-    """B16: a rigid beam under an eccentric force, contact length 3 (l/2 - e)."""
+    """A rigid beam under a force with the eccentricity e. The contact length is 3 (l/2 - e)."""
     at = 0.5 + e
     model = Model(1.0, RIGID, 1.0, loads=[Load("point", 1.0, at)])
     c = 3 * (1 - mpf(at))
     checks = [
         ("contact from l - 3 (l/2 - e)", 1 - c, "from", None, 1e-11),
-        ("w at the loaded end, 2 F/(k c)", 2 / c, "deflection", 1.0, 1e-11),
+        ("w at the loaded end, 2 F/(k c) with the contact length c", 2 / c, "deflection", 1.0, 1e-11),
     ]
-    return f"rigid-winkler-{e}", model, "rigid beam (limit), outside the middle third", checks
+    return f"rigid-winkler-{e}", model, "limit of a rigid beam, with the force outside the middle third", checks
 
 
 def rigid_pasternak(m):
-    """C13: a rigid beam with the contact length m from the loaded end."""
+    """A rigid beam on Pasternak ground. The contact zone has the length m and begins at the loaded end."""
     k, mu = mpf(1), mpf("0.25")
     lam, m = mp.sqrt(mu / k), mpf(m)
     d = m**2 * (m + 3 * lam) / (3 * (m + 2 * lam) ** 2)
@@ -75,26 +79,28 @@ def rigid_pasternak(m):
     phi = 2 / (k * (m + 2 * lam) ** 2)
     checks = [
         ("contact from l - m", 1 - m, "from", None, 1e-10),
-        ("w at the loaded end, phi (m + lam)", phi * (m + lam), "deflection", 1.0, 1e-10),
-        ("end force k phi lam (m + 2 lam)", k * phi * lam * (m + 2 * lam), "right", None, 1e-10),
+        ("w at the loaded end", phi * (m + lam), "deflection", 1.0, 1e-10),
+        ("end force at the loaded end", k * phi * lam * (m + 2 * lam), "right", None, 1e-10),
     ]
-    note = "rigid beam (limit) on Pasternak, force d = m^2 (m + 3 lam)/(3 (m + 2 lam)^2) from its end, "
-    note += "lam = sqrt(mu/k), phi = 2 F/(k (m + 2 lam)^2) its slope"
+    note = "limit of a rigid beam on Pasternak ground, with the contact length m and lam = sqrt(mu/k); the force F has the "
+    note += "distance m^2 (m + 3 lam)/(3 (m + 2 lam)^2) from the end of the beam; the slope is "
+    note += "phi = 2 F/(k (m + 2 lam)^2), w = phi (m + lam) and the end force is k phi lam (m + 2 lam) at the loaded end"
     return f"rigid-pasternak-{mp.nstr(m, 3)}", model, note, checks
 
 
 def rigid_kikuchi(offset):
-    """C14: M0 at the first lift-off of a rigid beam is 1/2 - 4/27."""
+    """A rigid beam under a force and a moment M0 at its centre. The left end lifts off if M0 > 1/2 - 4/27."""
     moment = float(mpf(1) / 2 - mpf(4) / 27) + offset
     loads = [Load("point", 1.0, 0.5), Load("moment", moment, 0.5)]
     model = Model(1.0, RIGID, 1.0, 1.0, loads=loads)
-    note = "rigid beam (limit); the left end leaves the ground at M0 = 1/2 - 4/27 = 0.351851..."
+    note = "limit of a rigid beam under a force and a moment M0; its left end lifts off at M0 = 1/2 - 4/27 = 0.351851..."
     checks = [("end force 0 at first lift-off", mpf(0), "left", None, 1e-11)] if offset == 0 else []
     return f"rigid-kikuchi{offset:+g}" if offset else "rigid-kikuchi", model, note, checks
 
 
 def free_winkler(beta_l):
-    """B09: free-free, force at the centre, all in contact while b l < pi (Hetenyi)."""
+    """A free-free beam under a force at the centre (Hetenyi). The whole beam is in contact if b l < pi, with
+    b = (k/(4 EI))^(1/4)."""
     model = Model(beta_l, 1.0, 4.0, loads=[Load("point", 1.0, beta_l / 2)])
     b = mpf(beta_l)
     s, c = mp.sin, mp.cos
@@ -104,16 +110,18 @@ def free_winkler(beta_l):
         ("w at the end", mp.cosh(b / 2) * c(b / 2) / (2 * below), "deflection", 0.0, TIGHT),
         ("M under the force", (mp.cosh(b) - c(b)) / (4 * below), "moment", beta_l / 2, TIGHT),
     ]
-    note = "free-free Winkler beam, force at the centre, b = 1, F = 1, k = 4: w_c = (ch + c + 2)/(8 (sh + s)), "
-    note += "w_e = ch(l/2) c(l/2)/(2 (sh + s)), M_c = (ch - c)/(4 (sh + s))"
+    note = "free-free beam on Winkler ground under a force at the centre, with F = 1, EI = 1, k = 4: "
+    note += "w = (cosh l + cos l + 2)/(8 (sinh l + sin l)) and M = (cosh l - cos l)/(4 (sinh l + sin l)) under the force, "
+    note += "w = cosh(l/2) cos(l/2)/(2 (sinh l + sin l)) at the ends"
     return f"free-winkler-{beta_l:.4g}", model, note, checks
 
 
 def ends_loaded(beta_l):
-    """A14, A15: equal forces at both ends of a weightless beam; its middle lifts off if b l > pi."""
+    """A weightless beam under equal forces at both ends. Its middle lifts off if b l > pi, with
+    b = (k/(4 EI))^(1/4)."""
     loads = [Load("point", 1.0, 0.0), Load("point", 1.0, beta_l)]
     model = Model(beta_l, 1.0, 4.0, loads=loads)
-    note = "equal forces at both ends, b = 1: the middle lifts off beyond b l = pi"
+    note = "equal forces at both ends; the middle lifts off if b l > pi, with b = (k/(4 EI))^(1/4) = 1"
     checks = []
     if beta_l == 3.0:
         b = mpf(beta_l)
@@ -124,20 +132,21 @@ def ends_loaded(beta_l):
 
 
 def pinned_winkler():
-    """A05: pinned at both ends, force at the centre, b l = 3 pi, tensionless springs."""
+    """A beam on tensionless springs, pinned at both ends, under a force at the centre. Its length is 3 pi/b, with
+    b = (k/(4 EI))^(1/4)."""
     l = float(3 * mp.pi)
     model = Model(l, 1.0, 4.0, loads=[Load("point", 1.0, l / 2)])
     model.supports = [Support(0.0, "pinned"), Support(l, "pinned")]
     checks = [("w at midspan", mpf("0.12607757"), "deflection", l / 2, 1e-7)]
-    note = "Pavlovic and Tsikkos 1982, figure 2: w EI b^3/F = 0.1254 read off the figure"
+    note = "Pavlovic and Tsikkos 1982: w EI b^3/F = 0.1254 at midspan, read off figure 2, with b = (k/(4 EI))^(1/4)"
     return "pinned-winkler", model, note, checks
 
 
 def held_by_tension():
-    """P > 0 resists rotation: an equilibrium exists although the static reaction at the left is negative."""
+    """The tension P resists rotation, so an equilibrium exists although the static reaction at the left end is negative."""
     loads = [Load("point", 1.0, 0.5), Load("moment", 0.7, 0.5)]
     model = Model(1.0, 1.0, 1.0, 1.0, P=2.0, loads=loads)
-    note = "P = 2: an equilibrium exists although M0 = 0.7 is beyond the static condition"
+    note = "tension P = 2: an equilibrium exists, although the static reaction at the left end is negative"
     return "held-by-tension", model, note, []
 
 
@@ -161,7 +170,8 @@ def all_limits():
 
 
 def compare(record, checks):
-    """The checks as data for the record; raises an error if one fails."""
+    """Compares a record with its closed forms. Returns the name, the value and the relative difference of each closed
+    form. Raises an error if a difference exceeds the tolerance."""
     out = []
     with mp.workdps(40):
         for what, value, field, place, tolerance in checks:
@@ -175,6 +185,6 @@ def compare(record, checks):
             off = abs(got - value) / (abs(value) or 1)
             # The record has 20 digits.
             if off > max(tolerance, 1e-19):
-                raise AssertionError(f"{record['name']}: {what}: {got}, expected {value}")
+                raise AssertionError(f"{record['name']}: {what} is {got}, expected {value}")
             out.append((what, value, off))
     return out

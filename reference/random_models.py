@@ -68,16 +68,17 @@ def free_rays(model):
 
 
 def stands(model, margin=0.02):
-    """Whether an equilibrium exists, with some margin."""
+    """Whether an equilibrium exists with the given margin. The margin is relative to the size of the loads."""
     size = load_size(model)
     return size > 0 and all(work(model, *ray) < -margin * size for ray in free_rays(model))
 
 
-# ---- parts ----------------------------------------------------------------------------------------
+# ---- parts of random models -----------------------------------------------------------------------
 
 
 def uniform_base(r, stiffness=(0.5, 8.0), layer=(0.3, 20.0), shear=True):
-    """Beam and ground with lambda l and b l in the given ranges."""
+    """A random uniform beam and ground, with l (k/(4 EI))^(1/4) in the range `stiffness` and l sqrt(k/mu) in the range
+    `layer`."""
     l = short(log_uniform(r, 0.5, 20.0), 3)
     k = short(log_uniform(r, 0.1, 100.0), 3)
     ratio = log_uniform(r, *stiffness)
@@ -102,7 +103,7 @@ def stretch(r, l):
 
 
 def random_loads(r, l, count, unit=1.0, upward=0.2, moments=True):
-    """Point loads and moments, distributed loads and moments, of about `unit` each."""
+    """Random point loads, point moments, distributed loads and distributed moments. Each has a size of about `unit`."""
     loads = []
     for _ in range(count):
         size = unit * log_uniform(r, 0.3, 3.0)
@@ -128,7 +129,7 @@ def random_loads(r, l, count, unit=1.0, upward=0.2, moments=True):
 
 
 def loaded(r, model, most=6, upward=0.2, weight=0.4):
-    """The model under 1 to `most` loads, sometimes with a weight of its own."""
+    """Adds 1 to `most` random loads to the model, and with the probability `weight` a self-weight."""
     unit = log_uniform(r, 0.1, 10.0)
     model.loads = random_loads(r, model.length, r.randint(1, most), unit, upward)
     if r.random() < weight:
@@ -137,7 +138,7 @@ def loaded(r, model, most=6, upward=0.2, weight=0.4):
     return model
 
 
-# ---- families ---------------------------------------------------------------------------------------
+# ---- families of random models --------------------------------------------------------------------
 
 
 def plain(r, index):
@@ -158,7 +159,7 @@ def cuts(r, l, count):
 
 
 def vary_ground(r, model, count, winkler=0.0):
-    """Ground segments; the first and last may extend beyond the beam's ends."""
+    """Adds ground segments to the model. The first and the last may extend beyond the ends of the beam."""
     l, k, mu = model.length, model.k, model.mu
     points = cuts(r, l, count)
     for a, b in zip(points, points[1:]):
@@ -248,8 +249,9 @@ def gap(r, index):
 
 # ---- hard models -------------------------------------------------------------------------------------
 
-# Loads at a contact edge. The moment was found by secant steps, so that the edge is within 1e-16 of the last
-# load but one; in the second model it is 1e-9 away.
+# Models with a load at a contact edge: the first load of the list in each row. The sixth number of each row is the
+# applied moment, found by the secant method. It moves the edge to within 1e-16 of the load. In the second row the edge
+# has a distance of about 3e-9 from the load.
 EDGE_LOADS = [
     (1.0, 1.0, 1.0, 1.0, 0.5, 0.4851271361921004, [Load("point", 0.1, 0.6)]),
     (1.0, 1.0, 1.0, 1.0, 0.5, 0.4851271351921004, [Load("point", 0.1, 0.6)]),
@@ -278,7 +280,7 @@ def hard(r, index):
 
 
 def nearly_tipping(r, distance):
-    """Random loads and one moment that moves the resultant to distance * l from an end."""
+    """A model with random loads and a moment that moves their resultant to the distance `distance` * l from an end."""
     model = loaded(r, uniform_base(r, (0.1, 6.0)), most=3, upward=0.0, weight=0.5)
     l, total = model.length, work(model, 1.0, 1.0)
     first = work(model, 0.0, l)
@@ -288,7 +290,7 @@ def nearly_tipping(r, distance):
 
 
 def alternating(r, count):
-    """`count` downward forces with upward forces between them, sometimes a moment; little or no weight."""
+    """A model with `count` downward forces, upward forces between them, a small weight, and sometimes a moment."""
     ratio = 6.0 * count
     model = uniform_base(r, (ratio, 2 * ratio), (ratio / 4, 3 * ratio))
     l = model.length
@@ -307,7 +309,7 @@ def alternating(r, count):
 
 
 def heels(r, kind):
-    """Contact at single points: under both ends, and under a corner of the ground."""
+    """A model with contact at single points, such as the ends of the beam or a corner of the ground."""
     model = uniform_base(r, (0.3, 1.0), (1.0, 4.0))
     l = model.length
     f = short(0.2 * model.k * l)
@@ -340,15 +342,15 @@ FAMILIES = {
 }
 
 NOTES = {
-    ("hard", 26): "a force acts at the edge of contact, to 1e-16",
-    ("hard", 27): "a force acts next to the edge of contact, about 3e-9 from it",
-    ("hard", 28): "a force acts at the edge of contact, to 1e-16; Winkler",
-    ("hard", 29): "a moment acts at the edge of contact, to 1e-16",
+    ("hard", 26): "a force acts at the contact edge, to within 1e-16",
+    ("hard", 27): "a force acts at a distance of about 3e-9 from the contact edge",
+    ("hard", 28): "Winkler ground; a force acts at the contact edge, to within 1e-16",
+    ("hard", 29): "a moment acts at the contact edge, to within 1e-16",
 }
 
 
 def make(family, index):
-    """Model `index` of the family, its seed, and the number of rejected draws."""
+    """Returns the model `index` of the family, its seed, and the number of rejected draws."""
     seed = 100000 * (1 + list(FAMILIES).index(family)) + index
     r = random.Random(seed)
     for thrown in range(1000):
@@ -356,4 +358,4 @@ def make(family, index):
         if stands(model, 1e-7 if family == "hard" else 0.02):
             model.title = f"{family} {index:03d}"
             return model, seed, thrown
-    raise RuntimeError(f"no model with an equilibrium in {family} {index}")
+    raise RuntimeError(f"no draw for model {index} of the family {family} has an equilibrium")

@@ -24,19 +24,19 @@ DIGITS = 100
 
 
 def record_of(name, family, seed, model, note=None, log=None):
-    # The solved model is the one read from the text.
+    # The model is read back from its text, so the solved model is exactly the recorded model.
     model = Model.from_toml(model.to_toml())
     return make_record(name, family, seed, model, solve(model, DIGITS, log=log), DIGITS, note)
 
 
 def kikuchi():
-    """The paper's example, cases I to IV."""
+    """Yields the models of the paper's example, cases I to IV."""
     for case, moment in (("I", 0.1), ("II", 0.3), ("III", 0.4), ("IV", 0.49)):
         loads = [Load("point", 1.0, 0.5), Load("moment", moment, 0.5)]
         title = f"Kikuchi 1980, case {case}"
         note = None
         if case in ("III", "IV"):  # off contact the beam is straight and u decays as exp(x - c)
-            note = "with c the edge of contact, w(0) = (1 - c) w(c) and u(0) = w(c) exp(-c)"
+            note = "exact values at the left end: w(0) = (1 - c) w(c) and u(0) = w(c) exp(-c), with the left contact edge c"
         yield f"kikuchi-{case}", Model(1.0, 1.0, 1.0, 1.0, title=title, loads=loads), note
 
 
@@ -77,7 +77,7 @@ def solve_family(family, first, last, log):
             outcome = f"{len(records[-1]['contact'])} regions, {checks}"
         except (Rejected, ArithmeticError) as why:
             outcome = f"REJECTED: {why}"
-        print(f"{name} {time.time() - begin:5.1f} s {thrown} thrown, {outcome}", flush=True)
+        print(f"{name} {time.time() - begin:5.1f} s, {thrown} draws discarded, {outcome}", flush=True)
     write(HERE / "answers" / f"{family}-{first:03d}.json", records)
 
 

@@ -30,7 +30,7 @@ FIELDS = ("deflection", "slope", "moment", "shear_force", "settlement", "gap", "
 
 
 def bernstein(values, ends, x0):
-    """The polynomial with given control values on a segment, in powers of x - x0."""
+    """Returns the polynomial with the given control values on a segment, as coefficients of powers of x - x0."""
     a, b = (mpf(e) for e in ends)
     n = len(values) - 1
     total = [mpf(0)] * (n + 1)
@@ -68,7 +68,7 @@ def plus(p, q):
 
 
 class Model:
-    """The same keys as in a model file; stretches are (from, to, control values)."""
+    """A model with the keys of a model file. EI, k and mu are lists of stretches (from, to, control values)."""
 
     def __init__(self, **given):
         self.__dict__.update(given)
@@ -130,7 +130,8 @@ class Model:
 
 
 class Piece:
-    """A stretch of the beam, with or without contact, and the map of its states from left to right."""
+    """A stretch of the beam with or without contact, and the linear map from the state at its left end to the state
+    at its right end."""
 
     def __init__(self, model, a, b, contact, winkler):
         self.model, self.a, self.b, self.contact, self.winkler = model, a, b, contact, winkler
@@ -167,7 +168,8 @@ class Piece:
         return EI, k, mu, m.initial_gap(middle, x0), m.load("distributed", middle, x0), m.load("distributed_moment", middle, x0)
 
     def series(self, x0, y, loaded):
-        """Taylor coefficients of the state (w, theta, m, V and without contact u, t) about x0."""
+        """Returns the Taylor coefficients at x0 of the state. The state is (w, theta, m, V) in contact, and (w,
+        theta, m, V, u, t) without contact."""
         EI, k, mu, gap, f, g = self.courses(x0)
         N, kappa = [mpf(self.model.P)], [mpf(0)]
         if self.contact:
@@ -195,7 +197,7 @@ class Piece:
         return [w, th, m, v] + ([u, t] if u else [])
 
     def settle(self, y):
-        """Stores the state along the piece, from the state at its left end."""
+        """Computes and stores the state along the piece from the state y at its left end."""
         self.known = []
         for x0, x1 in self.steps:
             series = self.series(x0, y, True)
@@ -222,7 +224,7 @@ class Piece:
 
 
 class System:
-    """The linear problem for given contact zones."""
+    """The linear problem of the beam on ground for given contact zones."""
 
     def __init__(self, model, stretches, cache):
         self.model = model
@@ -273,7 +275,7 @@ class System:
             before = self.pieces[i - 1] if i else None
             after = self.pieces[i] if i < len(self.pieces) else None
             functional = {}
-            # Every quantity as (terms, constant) on both sides.
+            # Expresses each component of the state on both sides of x by the unknowns, as a pair (terms, constant).
             for side, p in (("-", before), ("+", after)):
                 if p is None:
                     continue
@@ -285,7 +287,7 @@ class System:
                         functional[side, q] = ([(starts[j], [mpf(c == q) for c in range(p.size)])], mpf(0))
 
             def linear(*parts):
-                """Linear combination of functionals."""
+                """Returns the linear combination of functionals, given as pairs (factor, functional)."""
                 terms, constant = [], mpf(0)
                 for factor, (t, c) in parts:
                     terms += [(s, [factor * v for v in row]) for s, row in t]
@@ -297,7 +299,8 @@ class System:
                 add(terms, wanted - constant)
 
             def total(side, p):
-                """V plus the flux of the ground."""
+                """Returns the shear force of the beam minus the flux of the ground, as a linear combination. In
+                contact the state V already is this difference."""
                 parts = [(mpf(1), functional[side, 3])]
                 return parts if p.size == 4 else parts + [(mpf(-1), functional[side, 5])]
 
@@ -347,7 +350,7 @@ class System:
             p.settle([y[start + i] for i in range(p.size)])
 
     def left_over(self):
-        """The residual condition at each free edge."""
+        """Returns the residual of the edge condition at each contact edge inside the beam."""
         out = []
         for e in self.free:
             i = self.x.index(min(self.x, key=lambda x: abs(x - e)))
@@ -357,7 +360,7 @@ class System:
 
 
 def solve(model, stretches):
-    """Newton's method on the free edges."""
+    """Solves the model by Newton's method for the contact edges inside the beam."""
     l = mpf(model.length)
     edges = [mpf(e) for s in stretches for e in s]
     free = [i for i, e in enumerate(edges) if 0 < e < l]
@@ -457,7 +460,7 @@ def record(name, model, stretches):
 
 
 def gauss(n=16):
-    """Points and weights on [-1, 1]."""
+    """Returns the points and weights of Gauss quadrature on [-1, 1]."""
     rule = []
     for i in range(n):
         x = mp.cos(mp.pi * (i + mpf(3) / 4) / (n + mpf(1) / 2))
@@ -472,7 +475,7 @@ def gauss(n=16):
 
 
 def drawn(seed):
-    """A random model with short decimals."""
+    """Draws a random model whose numbers are short decimals."""
     r = random.Random(f"varying {seed}")
     short = lambda v: float(f"{v:.3g}")
     decade = lambda low, high: short(10 ** r.uniform(low, high))
@@ -519,8 +522,8 @@ def main():
         answer = json.loads(done.stdout)
         stretches = [[c["from"], c["to"]] for c in answer["contact"]]
         places = [float(x) for x in model.places()]
-        # Edges at marks of the model, contact points and point contact forces inside are left to other
-        # families.
+        # Models with contact points, point contact forces inside the beam, or an edge at a position of the model data
+        # are omitted.
         inner = [e for s in stretches for e in s if 0 < e < model.length]
         plain = all(a < b for a, b in stretches) and not answer["concentrated_forces"]
         if not stretches or not plain or any(abs(e - x) < 1e-9 for e in inner for x in places):

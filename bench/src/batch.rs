@@ -1,4 +1,4 @@
-//! Times many beams: on meshes, by the exact method, on one thread and on two; and a rail of increasing length.
+//! Measures solve times of random beams, footings and rails, on meshes and by the exact method.
 
 use crate::clock::side_by_side;
 use crate::models::{footings, rail, random_beams};
@@ -15,7 +15,7 @@ fn solved(model: &Model) -> Box<Solution> {
     }
 }
 
-/// All results that a study reads, as bits.
+/// Returns the bit patterns of the computed contact edges, left end force and primal energy of each model.
 fn bits(models: &[Model]) -> Vec<u64> {
     let of = |model: &Model| {
         let solution = solved(model);
@@ -26,7 +26,7 @@ fn bits(models: &[Model]) -> Vec<u64> {
     models.iter().flat_map(of).collect()
 }
 
-/// Times 1000 beams of 100 elements.
+/// Times the solves of 1000 random beams with 100 elements each, bonded and in contact.
 pub fn meshes() -> String {
     let models = random_beams(1000);
     let mut solver = NodalSolver::new();
@@ -66,7 +66,7 @@ pub fn meshes() -> String {
     table.finish("")
 }
 
-/// Times models solved and certified by the exact method.
+/// Times the exact method on random footings and on random beams of 50 m length (case C), on one and two threads.
 pub fn exact() -> String {
     let mut table = Table::new(
         "Exact, solved and certified",
@@ -127,7 +127,7 @@ pub fn exact() -> String {
     table.finish("") + &followed()
 }
 
-/// The same model with its first load 2 % larger.
+/// Returns the model with its first load increased by 2 %.
 fn neighbour(model: &Model) -> Model {
     let mut model = model.clone();
     if let Some(load) = model.loads.first_mut() {
@@ -136,7 +136,8 @@ fn neighbour(model: &Model) -> Model {
     model
 }
 
-/// Times neighbouring models. Each model is solved from scratch, and from the contact of the previous model.
+/// Times solves of models after an increase of their first load by 2 %. Each model is solved twice: from scratch, and
+/// with the contact zones before the increase as initial guess.
 fn followed() -> String {
     let mut table = Table::new(
         "A neighbouring model, its first load 2 % larger: from the contact of the previous model, or from scratch",
@@ -145,7 +146,7 @@ fn followed() -> String {
     for (name, models) in [("footings", footings(2000)), ("case C", random_beams(300))] {
         let neighbours: Vec<Model> = models.iter().map(neighbour).collect();
         let mut solver = Solver::new();
-        // Neither time includes the solve of the previous model.
+        // The measured time excludes the solve before the load increase.
         let mut timed = |followed: bool| {
             let (mut seconds, mut steps) = (0.0, 0);
             for (model, neighbour) in models.iter().zip(&neighbours) {
@@ -174,7 +175,7 @@ fn followed() -> String {
     table.finish("")
 }
 
-/// Times a rail of increasing length, by the exact method.
+/// Times the exact method on rails of increasing length.
 pub fn rails() -> String {
     let mut table = Table::new(
         "A rail by the exact method, certified: cost by loads and zones",

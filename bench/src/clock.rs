@@ -1,16 +1,16 @@
-//! Times on a shared machine: the minimum and the median of many runs.
+//! Measures run times on a shared machine, as the minimum and the median of many runs.
 
 use std::time::Instant;
 
-/// Seconds.
+/// Minimum and median of the measured run times \[s\].
 #[derive(Debug, Clone, Copy)]
 pub struct Time {
     pub least: f64,
     pub median: f64,
 }
 
-/// Runs some jobs alternately, `runs` times each, after one run that is not counted. Alternation makes ratios of
-/// medians independent of drifts of the machine's speed.
+/// Times several jobs, `runs` times each, after one run without timing. The jobs alternate, so a drift of the
+/// machine's speed does not change the ratios of their medians.
 pub fn side_by_side<const N: usize>(runs: usize, mut jobs: [&mut dyn FnMut(); N]) -> [Time; N] {
     let mut seconds = [const { Vec::new() }; N];
     for run in 0..=runs {
@@ -28,7 +28,7 @@ pub fn side_by_side<const N: usize>(runs: usize, mut jobs: [&mut dyn FnMut(); N]
     })
 }
 
-/// The peak memory of this process so far \[bytes\], if the system reports it.
+/// Returns the peak memory of this process so far \[bytes\], if the system reports it.
 pub fn peak_memory() -> Option<f64> {
     let status = std::fs::read_to_string("/proc/self/status").ok()?;
     let line = status.lines().find(|line| line.starts_with("VmHWM:"))?;

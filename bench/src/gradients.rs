@@ -1,4 +1,4 @@
-//! Times gradients in comparison with the solve that they differentiate.
+//! Compares the time to compute the gradients of a model with the time to solve the model.
 
 use crate::clock::side_by_side;
 use crate::table::{Table, short};
@@ -7,10 +7,10 @@ use groundbeam::{Field, Model, Outcome, Solution, solution::Side, solve};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
-/// Number of solves and gradients of each model.
+/// Number of timed solves and of timed gradient computations per model.
 const RUNS: usize = 200;
 
-/// Number of ground segments, each with its own k.
+/// Number of ground segments, each with a different subgrade modulus k.
 const SEGMENTS: usize = 100;
 
 pub fn table() -> String {
@@ -35,7 +35,8 @@ pub fn table() -> String {
     table.finish("The 13 outputs are nine settlements, the largest moment, the smallest shear force, an edge and an end force.")
 }
 
-/// Nine settlements, the largest moment, the smallest shear force, an edge of contact, and the force at an end.
+/// Returns nine settlements, the largest moment, the smallest shear force, one contact edge and one end force as the
+/// outputs to differentiate.
 fn outputs(model: &Model) -> Vec<Output> {
     let at = |i: i32| f64::from(i) * model.beam.length / 10.0;
     let settles = (1..10).map(|i| Output::Value(Field::Settlement, at(i), Side::Right));
@@ -62,7 +63,7 @@ fn parameters() -> [Parameter; 8] {
     ]
 }
 
-/// The model on ground whose k varies from segment to segment by up to a third.
+/// Returns the model with k multiplied by a random factor between 0.75 and 1.33 on each ground segment.
 fn on_segments(model: &Model) -> Model {
     let mut rng = ChaCha8Rng::seed_from_u64(3);
     let mut model = model.clone();

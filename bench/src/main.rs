@@ -12,13 +12,13 @@ mod study;
 mod table;
 
 const USAGE: &str = "\
-groundbeam-bench mesh     case B on meshes of 10³ … 10⁶ elements, beside the bonded beam
-groundbeam-bench batch    1000 random beams on meshes; footings and case C exactly, on one thread and two
-groundbeam-bench study    random footings drawn, solved, certified and written, beside the bare solver
-groundbeam-bench rail     a rail of 1 to 10 km, exactly
-groundbeam-bench proof    the proof of an answer beside the solve that gave it
-groundbeam-bench gradients  derivatives beside the solve that they differentiate
-groundbeam-bench all      all of it, into bench/RESULTS.md; what bench/rivals.py wrote is kept";
+groundbeam-bench mesh     case B on meshes of 10³ … 10⁶ elements, in comparison with the bonded beam
+groundbeam-bench batch    1000 random beams on meshes; footings and case C by the exact method, on one thread and on two
+groundbeam-bench study    random footings drawn, solved, certified and written, in comparison with the solver alone
+groundbeam-bench rail     rails of 1 to 10 km by the exact method
+groundbeam-bench proof    the proof of a result in comparison with the solve
+groundbeam-bench gradients  gradients in comparison with the solve
+groundbeam-bench all      all benchmarks, written to bench/RESULTS.md; the section of bench/rivals.py is kept";
 
 fn main() {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -52,7 +52,7 @@ fn main() {
     }
 }
 
-/// Heading of the part about other programs.
+/// Heading of the section of `bench/RESULTS.md` about other programs.
 const RIVALS: &str = "\n## Beside other programs";
 
 fn write(ours: &str) {

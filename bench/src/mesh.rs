@@ -1,4 +1,4 @@
-//! Times case B on meshes: bonded problem, contact, digits, memory.
+//! Measures times, memory and errors of mesh solutions of the long beam (case B), bonded and in contact.
 
 use crate::clock::{peak_memory, side_by_side};
 use crate::models::long_beam;
@@ -10,7 +10,7 @@ use std::process::Command;
 const AXIAL_FORCES: [f64; 2] = [0.0, 0.5];
 const ELEMENTS: [usize; 4] = [1_000, 10_000, 100_000, 1_000_000];
 
-/// The table; the reference is omitted above `most` elements.
+/// Returns a table of solve times, memory and errors. Errors are computed only for meshes with at most `most` elements.
 pub fn table(most: usize) -> String {
     let columns = [
         "P",
@@ -91,7 +91,7 @@ fn errors(found: &NodalSolution, right: &Reference) -> [f64; 2] {
     [error(&found.deflection, &right.deflection), error(&found.force, &right.force)]
 }
 
-/// Peak memory per element in bytes, measured in a separate process.
+/// Returns the peak memory per element \[bytes\], measured in a separate process.
 fn memory(axial_force: f64, n: usize) -> Option<f64> {
     if n < 100_000 {
         return None;
@@ -105,16 +105,17 @@ fn memory(axial_force: f64, n: usize) -> Option<f64> {
     Some((peak(n)? - peak(1000)?) / n as f64)
 }
 
-/// Solves once and prints the peak of memory.
+/// Solves the long beam on a mesh and prints the peak memory of this process \[bytes\].
 pub fn peak(axial_force: f64, n: usize) {
     let mut found = NodalSolution::default();
     NodalSolver::new().solve_into(&long_beam(axial_force), n, &mut found).expect("a beam");
     println!("{}", peak_memory().unwrap_or(f64::NAN));
 }
 
-/// Writes case B on a mesh for other programs, one array after another: positions of the nodes, forces and moments
-/// there, and w and the ground's forces with twice the digits. Prints the number of nodes, and our own smallest times
-/// for the bonded beam and for contact.
+/// Writes the long beam on a mesh to a file that other programs read. The file lists node positions, nodal forces,
+/// nodal moments, deflections and contact forces, and the deflections of the bonded beam. Deflections and contact forces
+/// are computed in double-double arithmetic. The function prints the number of nodes and the smallest solve times
+/// \[s\], bonded and in contact.
 pub fn problem(n: usize, file: &std::path::Path) {
     let model = long_beam(0.0);
     let mut solver = NodalSolver::new();

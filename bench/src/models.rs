@@ -1,13 +1,13 @@
-//! The models that are timed. A model is drawn from its number, so the same number gives the same model.
+//! Generates the benchmark models, most of them at random with fixed seeds.
 
 use groundbeam::{Beam, Foundation, Load, Model, Verdict, exists};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
-/// Case B: `cases/long-beam.toml`.
+/// Model file of the long beam (case B).
 const LONG_BEAM: &str = include_str!("../../cases/long-beam.toml");
 
-/// Case B: a long soft beam with eight contact zones, under an axial force.
+/// Returns case B, a long soft beam with eight contact zones, under an axial force.
 pub fn long_beam(axial_force: f64) -> Model {
     let document = groundbeam_file::parse(LONG_BEAM).expect("the case is readable");
     let mut model = document.model;
@@ -15,8 +15,8 @@ pub fn long_beam(axial_force: f64) -> Model {
     model
 }
 
-/// Case C: beams 50 m long under up to twelve downward loads, four upward loads and two moments. Stiffness
-/// and shear layer vary over three decades.
+/// Returns random beams of 50 m length (case C) under up to twelve downward loads, four upward loads and two moments.
+/// The bending stiffness and the stiffness of the shear layer each vary over three decades.
 pub fn random_beams(count: usize) -> Vec<Model> {
     drawn(count, 1, |rng| {
         let l = 50.0;
@@ -39,7 +39,8 @@ pub fn random_beams(count: usize) -> Vec<Model> {
     })
 }
 
-/// Typical footings: 3 to 6 loads of columns and walls, 1 to 3 contact zones.
+/// Returns random footings of typical size under 3 to 6 loads: column forces, column moments and usually the
+/// self-weight. The footings have 1 to 3 contact zones.
 pub fn footings(count: usize) -> Vec<Model> {
     drawn(count, 2, |rng| {
         let l: f64 = rng.random_range(4.0..16.0);
@@ -63,18 +64,19 @@ pub fn footings(count: usize) -> Vec<Model> {
     })
 }
 
-/// A rail of `length` metres under wagons of four axles, about one axle every five metres. It lifts off between distant
-/// wagons.
+/// Returns a rail of `length` metres under wagons with four axles, about one axle every five metres. The rail lifts
+/// off between distant wagons.
 pub fn rail(length: f64, number: u64) -> Model {
     let mut rng = ChaCha8Rng::seed_from_u64(number);
-    // UIC60 on ballast with a shear layer; the rail's own weight plus half the sleepers'.
+    // The rail is a UIC60 profile on ballast with a shear layer. Its uniform load is its own weight plus half the
+    // weight of the sleepers.
     let mut model = Model::new(Beam::uniform(length, 6.4e6), Foundation::pasternak(30e6, 2e6));
     model.loads.push(Load::uniform_force(0.0, length, 2500.0));
     let mut at = 2.0;
     let mut axle = 0;
     while at < length - 1.0 {
         model.loads.push(Load::point_force(at, rng.random_range(4e4..1.1e5)));
-        // Wagons of four axles, with a longer gap between some of them.
+        // A wagon has four axles in two bogies. The distance between two wagons is random.
         axle += 1;
         at += match axle % 4 {
             1 | 3 => 1.8,
@@ -89,7 +91,7 @@ fn decade(rng: &mut ChaCha8Rng, low: f64, high: f64) -> f64 {
     10_f64.powf(rng.random_range(low..high))
 }
 
-/// The first models of a family that have a unique equilibrium.
+/// Draws random models and returns the first `count` of them that have a unique equilibrium.
 fn drawn(count: usize, family: u64, draw: impl Fn(&mut ChaCha8Rng) -> Model) -> Vec<Model> {
     let mut rng = ChaCha8Rng::seed_from_u64(family);
     let stands = |model: &Model| exists(model).is_ok_and(|e| e.verdict == Verdict::Unique);

@@ -1,4 +1,4 @@
-//! Times proofs in comparison with the solves that they prove.
+//! Compares the time to prove a solution with the time to compute the solution by the exact method.
 
 use crate::clock::side_by_side;
 use crate::models::{footings, long_beam};
@@ -6,7 +6,7 @@ use crate::table::{Table, short};
 use groundbeam::proof::{Answer, Ball, Model as Given, Wide, estimate, prove};
 use groundbeam::{Model, Outcome, Solution, solve};
 
-/// Number of solves and proofs of each model.
+/// Number of timed solves and of timed proofs per model.
 const RUNS: usize = 200;
 
 pub fn table() -> String {

@@ -1,8 +1,8 @@
-//! Numbers with twice the digits: an unevaluated sum of two doubles, after Dekker and Knuth.
+//! Arithmetic with about 32 digits, on unevaluated sums of two doubles (Dekker, Knuth).
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// About 32 digits.
+/// Number with about 32 digits, the sum of two doubles.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Quad {
     high: f64,
@@ -10,7 +10,7 @@ pub struct Quad {
 }
 
 impl Quad {
-    /// The nearest double.
+    /// Returns the nearest double.
     pub fn double(self) -> f64 {
         self.high
     }
@@ -22,7 +22,7 @@ impl From<f64> for Quad {
     }
 }
 
-/// The rounded sum a + b and its rounding error.
+/// Returns the rounded sum a + b and its rounding error.
 fn sum(a: f64, b: f64) -> (f64, f64) {
     let s = a + b;
     let from_b = s - a;

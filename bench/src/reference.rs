@@ -1,8 +1,7 @@
-//! The discrete problem with twice the digits, by another method: stiffnesses in (w, θ, u), block elimination.
+//! Solves the beam in contact on a mesh, in double-double arithmetic, for a given set of contact nodes.
 //!
-//! For a given set of nodes in contact, the bonded system is solved as in textbooks. Then all signs are checked: no
-//! contact force is tensile, and the beam is nowhere below the ground. If all signs are right, the set is the contact
-//! set, however it was found, because the problem is convex.
+//! The caller checks the signs of the solution: no contact force is tensile, and no node of the beam is below the
+//! ground surface. The contact problem is convex, so correct signs prove that the given set is the contact set.
 
 use crate::quad::Quad;
 use groundbeam::{
@@ -10,22 +9,23 @@ use groundbeam::{
     model::{Action, Extent},
 };
 
-/// The result of a reference solve.
+/// Result of a solve in double-double arithmetic.
 pub struct Reference {
     pub deflection: Vec<f64>,
     pub force: Vec<f64>,
-    /// The smallest force relative to the largest, and the largest penetration w − u relative to the largest w.
+    /// Smallest contact force (negative in tension) divided by the largest one; 0 without tension.
     pub smallest_force: f64,
+    /// Largest penetration w − u divided by the largest deflection w.
     pub deepest: f64,
 }
 
-/// Consecutive equal elements: position, first node, count, length.
+/// Consecutive equal elements: position and number of their first node, number of elements, and element length.
 pub type Row = (f64, usize, usize, f64);
 
 type Block = [[Quad; 3]; 3];
 
-/// Solves a model with constant EI, k, μ under point and uniform loads, with contact at the given nodes (all nodes if
-/// it is bonded).
+/// Solves a model with constant EI, k and μ under point and uniform loads. `contact` lists the ranges of nodes in
+/// contact; a bonded beam has all its nodes in contact.
 pub fn solve(model: &Model, rows: &[Row], contact: &[[usize; 2]]) -> Reference {
     let last = rows.last().map_or(0, |row| row.1 + row.2);
     let loads = all_loads(model, rows);
@@ -34,7 +34,8 @@ pub fn solve(model: &Model, rows: &[Row], contact: &[[usize; 2]]) -> Reference {
         contact.iter().for_each(|&[a, b]| touches[a..=b].fill(true));
         touches
     };
-    // Unknowns of node i: (w, θ, u). In contact u = w, and the third is omitted.
+    // The unknowns of node i are the deflection w, the rotation θ and the ground displacement u.
+    // At a contact node u = w, so the third unknown is omitted.
     let mut diagonal = vec![[[Quad::default(); 3]; 3]; last + 1];
     let mut beside = vec![[[Quad::default(); 3]; 3]; last];
     let outside =
@@ -57,7 +58,7 @@ pub fn solve(model: &Model, rows: &[Row], contact: &[[usize; 2]]) -> Reference {
             ground.push(links);
         }
     }
-    // The ground acts on w in contact, on u otherwise.
+    // The ground resists the deflection w at contact nodes, and the ground displacement u at the other nodes.
     let which = |i: usize| if touches[i] { 0 } else { 2 };
     let add = |to: &mut Quad, x: Quad| *to = *to + x;
     for i in 0..last {
@@ -100,13 +101,13 @@ pub fn solve(model: &Model, rows: &[Row], contact: &[[usize; 2]]) -> Reference {
     Reference { smallest_force: smallest, deepest, deflection: w, force: all }
 }
 
-/// Block elimination from left to right: LDLᵗ with blocks of three.
+/// Solves the block tridiagonal system by block LDLᵗ elimination from left to right, with blocks of size three.
 fn eliminate(diagonal: &mut [Block], beside: &[Block], loads: &[[Quad; 2]]) -> Vec<[Quad; 3]> {
     let zero = Quad::default();
     let n = diagonal.len();
     let mut x: Vec<[Quad; 3]> = loads.iter().map(|l| [l[0], l[1], zero]).collect();
     for i in 1..n {
-        // D'ᵢ = Dᵢ − Bᵗ D⁻¹ B.
+        // Eliminates the unknowns of node i − 1 from the equations of node i.
         let solved = solve_block(&diagonal[i - 1], &beside[i - 1], &x[i - 1]);
         for a in 0..3 {
             for m in 0..3 {
@@ -134,7 +135,7 @@ fn eliminate(diagonal: &mut [Block], beside: &[Block], loads: &[[Quad; 2]]) -> V
     x
 }
 
-/// D⁻¹ (B, r).
+/// Returns the solution of a 3 × 3 system with the matrix `d`, for the three columns of `b` and for the column `r`.
 fn solve_block(d: &Block, b: &Block, r: &[Quad; 3]) -> [[Quad; 4]; 3] {
     let mut a = *d;
     let mut x: [[Quad; 4]; 3] = std::array::from_fn(|i| [b[i][0], b[i][1], b[i][2], r[i]]);
@@ -161,10 +162,11 @@ fn solve_block(d: &Block, b: &Block, r: &[Quad; 3]) -> [[Quad; 4]; 3] {
     x
 }
 
-/// The beam's stiffness at an element's left end and between its ends, and the ground's shunt and series stiffness.
+/// Returns the stiffness matrix of the beam at the left end of an element, the coupling matrix between the two ends,
+/// and two stiffnesses of the ground: of the spring under each end, and of the spring between the two ends.
 ///
-/// With t = P h²/EI and cₙ = Σ tⁱ/(2i + n)!, w = w₀ + θ₀ x + A x²c₂ + B x³c₃: one formula for tension, compression and
-/// no axial force.
+/// The stiffness of the beam follows from the Stumpff functions of t = P h²/EI. P is the axial force, and h is the
+/// length of the element. The axial force is positive in tension, and may be negative or zero.
 fn element(model: &Model, h: Quad) -> ([[Quad; 2]; 2], [[Quad; 2]; 2], [Quad; 2]) {
     let q = Quad::from;
     let ei = q(model.beam.bending_stiffness);
@@ -175,18 +177,20 @@ fn element(model: &Model, h: Quad) -> ([[Quad; 2]; 2], [[Quad; 2]; 2], [Quad; 2]
     let kww = ei / h3 * (c1 / d);
     let kwt = ei / h2 * (c2 / d);
     let ktt = ei / h * ((c2 - c3) / d);
-    // θ–θ coupling between the ends, from moment equilibrium V h + M + M' + P (w' − w) = 0 for w = w' = 0, θ = 1.
+    // The coupling between the rotations of the two ends follows from the moment equilibrium of the element under a
+    // unit rotation of its left end.
     let across = kwt * h - ktt;
     let near = [[kww, kwt], [kwt, ktt]];
     let far = [[-kww, kwt], [-kwt, across]];
     let (k, mu) = (q(model.foundation.subgrade), q(model.foundation.shear_layer));
     let z2 = k * h * h / mu;
-    // √(kμ)/sinh z = (μ/h)/c₁(z²); √(kμ) tanh(z/2) = k h c₂/c₁.
+    // With z = h √(k/μ), the ground has a spring of stiffness √(kμ) / sinh z between the two ends of the element, and
+    // a spring of stiffness √(kμ) tanh(z/2) under each end.
     let (s1, s2) = (stumpff(z2, 1), stumpff(z2, 2));
     (near, far, [k * h * s2 / s1, mu / h / s1])
 }
 
-/// Σ tⁱ/(2i + n)!.
+/// Returns the Stumpff function cₙ(t), the sum of tⁱ / (2i + n)! over all i ≥ 0.
 fn stumpff(t: Quad, n: u32) -> Quad {
     let mut term = Quad::from(1.0);
     for i in 1..=n {
@@ -205,7 +209,7 @@ fn mirror(k: &[[Quad; 2]; 2]) -> [[Quad; 2]; 2] {
     [[k[0][0], -k[0][1]], [-k[1][0], k[1][1]]]
 }
 
-/// Nodal forces and moments of all loads.
+/// Returns the nodal forces and moments that are equivalent to all loads.
 fn all_loads(model: &Model, rows: &[Row]) -> Vec<[Quad; 2]> {
     let last = rows.last().map_or(0, |row| row.1 + row.2);
     let (mut at_nodes, even) = loads(model, rows, last);
@@ -219,13 +223,13 @@ fn all_loads(model: &Model, rows: &[Row]) -> Vec<[Quad; 2]> {
     at_nodes
 }
 
-/// The nodal forces and moments as doubles.
+/// Returns the equivalent nodal forces and moments as doubles.
 pub fn nodal_loads(model: &Model, rows: &[Row]) -> [Vec<f64>; 2] {
     let all = all_loads(model, rows);
     [0, 1].map(|i| all.iter().map(|load| load[i].double()).collect())
 }
 
-/// Forces and moments at the nodes, and the uniform load along the whole beam.
+/// Returns the point forces and moments at the nodes, and the uniform load along the whole beam.
 fn loads(model: &Model, rows: &[Row], last: usize) -> (Vec<[Quad; 2]>, f64) {
     let mut at_nodes = vec![[Quad::default(); 2]; last + 1];
     let mut even = 0.0;
@@ -245,7 +249,7 @@ fn loads(model: &Model, rows: &[Row], last: usize) -> (Vec<[Quad; 2]>, f64) {
     (at_nodes, even)
 }
 
-/// The fixed-end force and moment of a uniform load at an element's left end.
+/// Returns the fixed-end force and moment at the left end of an element under the uniform load `f`.
 fn even_load(model: &Model, f: f64, h: Quad) -> [Quad; 2] {
     let q = Quad::from;
     let t = q(model.beam.axial_force) * h * h / q(model.beam.bending_stiffness);

@@ -1,4 +1,4 @@
-//! Times a study in comparison with the bare solver: the cost of drawing, storing and writing samples.
+//! Compares the time of a study with the time of its solves. The difference is the cost of drawing and writing samples.
 
 use crate::clock::side_by_side;
 use crate::table::{Table, short};
@@ -8,7 +8,8 @@ use groundbeam_study::{Draws, Finished, Shard};
 use std::ops::ControlFlow;
 use std::path::Path;
 
-/// The study in `bench/study` with a number of samples; with `kept`, only the extremes of these fields are stored.
+/// Returns the study in `bench/study` with `samples` samples. If `kept` is given, the study stores only the extremes of
+/// the fields in `kept`.
 fn draws(samples: u64, kept: Option<&[Field]>) -> Draws {
     let path = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/study/footings.toml"));
     let mut study = read_study(path).expect("a valid study");
@@ -19,7 +20,7 @@ fn draws(samples: u64, kept: Option<&[Field]>) -> Draws {
     Draws::new(study, plan).expect("a study that can be drawn")
 }
 
-/// Runs only the solver, on models that are drawn beforehand.
+/// Solves models that are drawn beforehand, without storing the results.
 fn bare(models: &[Model], threads: usize) {
     let part = models.len().div_ceil(threads);
     std::thread::scope(|scope| {
@@ -34,7 +35,7 @@ fn bare(models: &[Model], threads: usize) {
     });
 }
 
-/// Times samples that are drawn, solved, certified and written, in comparison with the solver only.
+/// Compares the time to draw, solve, certify and write samples with the time of the solves alone.
 pub fn table(samples: u64) -> String {
     let (all, least) = (draws(samples, None), draws(samples, Some(&[Field::Pressure])));
     let models: Vec<Model> = (0..samples).map(|sample| all.model(&all.draw(sample))).collect();
@@ -79,7 +80,7 @@ pub fn table(samples: u64) -> String {
         ]);
     }
     let size = std::fs::metadata(&out).map_or(0, |file| file.len());
-    // Failure to remove the file does not affect the measurement.
+    // A failure to remove the result file does not affect the measured times.
     let _ = std::fs::remove_file(&out);
     table.finish(&format!("{} bytes a footing in the file of four fields.", size / samples))
 }

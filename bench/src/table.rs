@@ -1,8 +1,8 @@
-//! Tables in Markdown, and a description of the machine.
+//! Formats tables in Markdown, and describes the machine.
 
 use std::process::Command;
 
-/// A table with a heading above it.
+/// Markdown table with a heading.
 #[derive(Debug, Default)]
 pub struct Table {
     text: String,
@@ -20,13 +20,13 @@ impl Table {
         self.text += &line;
     }
 
-    /// The table and a remark below it.
+    /// Returns the table, followed by a remark.
     pub fn finish(self, remark: &str) -> String {
         if remark.is_empty() { self.text } else { format!("{}\n{remark}\n", self.text) }
     }
 }
 
-/// Prints a number with three digits.
+/// Formats a number with three significant digits.
 pub fn short(x: f64) -> String {
     if x == 0.0 {
         "0".to_owned()
@@ -38,7 +38,7 @@ pub fn short(x: f64) -> String {
     }
 }
 
-/// Machine, compiler and date, each as reported by its own tool.
+/// Returns the date, the processor, the number of cores, the program version and the compiler version as text.
 pub fn setting() -> String {
     let said = |program: &str, arguments: &[&str]| {
         let output = Command::new(program).args(arguments).output().ok()?;

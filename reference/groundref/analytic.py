@@ -18,11 +18,11 @@ from .pieces import Piece
 
 
 class Rejected(Exception):
-    """The assumed contact set is wrong; `why` gives the reason."""
+    """Error: the assumed contact set is wrong. The message gives the reason."""
 
 
 class Vanished(Rejected):
-    """A contact interval vanished; `topology` is the contact set without it."""
+    """Error: a contact interval vanished. `topology` is the contact set without this interval."""
 
     def __init__(self, topology):
         super().__init__("a contact interval vanished")
@@ -64,14 +64,14 @@ class Node:
         self.hinge = next((spring for at, spring in model.hinges if at == x), None)
         sides = [p for p in (left, right) if p]
         self.layers = [p for p in sides if p.mu > 0]
-        # does the shear layer touch the beam here?
+        # True if the shear layer touches the beam at this node.
         self.touching = any(p.contact for p in self.layers) or (
             point_contact and bool(self.layers)
         )
 
     @property
     def outer(self):
-        """sqrt(k mu) of the ground outside the beam's end."""
+        """Stiffness sqrt(k mu) of the ground outside the end of the beam."""
         piece = self.right if self.left is None else self.left
         return mp.sqrt(piece.k * piece.mu)
 
@@ -126,7 +126,7 @@ class Node:
         return rows
 
     def flux_jump(self):
-        """[mu u'], including the decaying ground outside the ends; the flux is zero where mu = 0."""
+        """Jump [mu u'] of the flux, including the ground outside the ends of the beam. The flux is zero where mu = 0."""
         row = []
         if self.right and self.right.mu > 0:
             row.append((self.right, "flux", 1))
@@ -139,7 +139,7 @@ class Node:
         return row
 
     def tangency(self):
-        """The extra condition at a free edge."""
+        """The condition that determines the position of a free edge."""
         shut, opened = (self.left, self.right) if self.left.contact else (self.right, self.left)
         if opened.mu > 0:
             return ([(opened, "u slope", 1), (opened, "slope", -1), (opened, "gap slope", 1)], 0)
@@ -162,7 +162,7 @@ class Node:
 
 
 def evaluate(equation, x, shift=0):
-    """Left side of an equation with the current coefficients of the pieces."""
+    """Value of the left side of an equation with the current coefficients of the pieces."""
     terms, constant = equation
     total = mpf(constant) if shift == 0 else mpf(0)
     for piece, name, factor in terms:
@@ -174,7 +174,7 @@ def evaluate(equation, x, shift=0):
 
 
 class System:
-    """Nodes and stretches for one model and one topology, with the linear solve."""
+    """Nodes and stretches of one model with one topology, and the linear equations for their coefficients."""
 
     def __init__(self, model, topology):
         self.model, self.topology = model, topology
@@ -211,7 +211,7 @@ class System:
         )  # fmt: skip
 
     def row(self, equation, x):
-        """An equation as {unknown: factor} and right-hand side."""
+        """Returns the left side of an equation as {unknown: factor}, and its right side."""
         terms, constant = equation
         columns, total = {}, mpf(constant)
         for piece, name, factor in terms:
@@ -226,7 +226,8 @@ class System:
         return columns, -total
 
     def solve(self):
-        """Coefficients for the current edges, then t and dt/dc at the free edges."""
+        """Solves for the coefficients with the current edges c. Returns the residuals t of the conditions at the free
+        edges, and their derivatives dt/dc."""
         rows, right, of_edge = [], [], []
         free = [n for n in self.nodes if n.edge]
         for node in self.nodes:
@@ -236,7 +237,7 @@ class System:
                 right.append([value])
                 of_edge.append((free.index(node), equation, node.x) if node.edge else None)
         if len(rows) != self.n:
-            raise AssertionError("equations and unknowns do not match")
+            raise AssertionError("the number of equations differs from the number of unknowns")
         factors = Elimination(rows, self.n)
         y = factors.solve([r[0] for r in right])
         self.use(y)
@@ -345,7 +346,7 @@ def newton(model, topology, tolerance_digits, limit=60):
             available_left, available_right = edge.x, l - edge.x
             for other in ends:
                 if other is not edge:
-                    # If the neighbour moves too, each gets less than half of the distance.
+                    # If the neighbouring edge is free too, each edge may move by less than half of their distance.
                     share = mpf("0.4") if other.free else mpf("0.9")
                     if other.x < edge.x:
                         available_left = min(available_left, share * (edge.x - other.x))
@@ -369,4 +370,4 @@ def newton(model, topology, tolerance_digits, limit=60):
         if len(lasting) < len(topology.intervals):
             raise Vanished(Topology(lasting, list(topology.points)))
         last = size
-    raise Rejected(f"Newton did not converge, last step {mp.nstr(last, 5)}")
+    raise Rejected(f"Newton's method did not converge; its last step is {mp.nstr(last, 5)}")

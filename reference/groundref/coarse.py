@@ -26,7 +26,7 @@ GAUSS = [  # four points on [0, 1]; exact for a linear load on a cubic shape fun
 
 
 class CoarseSolution:
-    """Nodes x, deflection w, slope, settlement u, nodal contact force, and contact flags."""
+    """Solution on a mesh: nodes x, deflection w, slope, settlement u, nodal contact force, and contact flags."""
 
     def __init__(self, x, w, slope, u, force, touching):
         self.x, self.w, self.slope, self.u = x, w, slope, u
@@ -34,7 +34,7 @@ class CoarseSolution:
 
 
 def graded_mesh(model, elements, finest=1e-4):
-    """Equidistant mesh through all breakpoints, refined geometrically towards each of them."""
+    """Creates an equidistant mesh that contains all breakpoints and is refined geometrically towards each breakpoint."""
     l = model.length
     fixed = model.breakpoints()
     points = set(fixed)
@@ -49,7 +49,7 @@ def graded_mesh(model, elements, finest=1e-4):
 
 
 def thinned(points, fixed, l):
-    """Removes nodes that are too close to the previous one, except breakpoints."""
+    """Removes nodes that are too close to the previous node, except breakpoints."""
     keep = set(fixed)
     out = []
     for x in points:
@@ -63,7 +63,7 @@ def thinned(points, fixed, l):
 
 
 def refined(x, touching, fixed, l, parts=6):
-    """The mesh, refined where contact begins or ends."""
+    """Refines the mesh where contact begins or ends."""
     points = set(x)
     for i in range(len(x) - 1):
         if touching[i] != touching[i + 1]:
@@ -80,7 +80,8 @@ def solve_on_mesh(model, x):
 
 
 def _assemble(model, x):
-    """Banded H (rows of the lower triangle), load vector f, initial gap g0 at the nodes."""
+    """Assembles the banded matrix H (rows of the lower triangle), the load vector f and the initial gap g0 at the nodes.
+    Also returns the unknowns that supports fix."""
     n = len(x)
     H = [[mpfr(0)] * (HALF_BAND + 1) for _ in range(3 * n)]  # H[i][d] = H(i, i - d)
     f = [mpfr(0)] * (3 * n)
@@ -172,7 +173,7 @@ def _assemble(model, x):
 
 
 def _cholesky(H):
-    """Banded L L' = H in the same storage; the diagonal holds 1/L(i, i)."""
+    """Computes the Cholesky factor L with L L' = H. L has the storage of H, but its diagonal entries are 1/L(i, i)."""
     n, b = len(H), HALF_BAND
     L = [row[:] for row in H]
     for i in range(n):
@@ -187,7 +188,7 @@ def _cholesky(H):
         for m in range(max(0, i - b), i):
             d -= Li[i - m] * Li[i - m]
         if not d > 0:
-            raise ArithmeticError("coarse stiffness is not positive definite")
+            raise ArithmeticError("the stiffness matrix of the mesh is not positive definite")
         Li[0] = 1 / gmpy2.sqrt(d)
     return L
 
@@ -228,7 +229,7 @@ def _solve(model, x):
     def gap_of(z):
         return [z[3 * i + 2] - z[3 * i] + g0[i] for i in rows]
 
-    # A common scale of forces and deflections for the start.
+    # The scales of the forces and of the deflections define the starting point of the iteration.
     force = max(max(abs(v) for v in f), mpfr("1e-50"))
     k = mpfr(max([model.k] + [s[2] for s in model.ground_segments]))
     depth = max(force / (k * model.length), max(abs(v) for v in g0))
@@ -258,7 +259,7 @@ def _solve(model, x):
         L = _cholesky(K)
 
         def step(rc):
-            """Newton step for s p = target; rc is the residual of s p."""
+            """Computes the Newton step. rc is the residual of the condition on the products of gap s and force p."""
             r = rd[:]
             for i in rows:
                 v = rc[i] / s[i] - p[i] / s[i] * rp[i]
@@ -285,7 +286,7 @@ def _solve(model, x):
         s = [a + alpha * b for a, b in zip(s, ds)]
         p = [a + alpha * b for a, b in zip(p, dp)]
     else:
-        raise ArithmeticError("interior-point method did not converge")
+        raise ArithmeticError("the interior-point method did not converge")
 
     p_scale, s_scale = max(p), max(s)
     touching = [p[i] * s_scale > s[i] * p_scale for i in rows]

@@ -26,7 +26,8 @@ class Load:
 
 @dataclass
 class Support:
-    """kind: "pinned", "fixed" or "spring" (stiffness `spring` of w, stiffness `rotational` of w')."""
+    """One support. kind: "pinned", "fixed" or "spring". A spring resists w with the stiffness `spring` and w' with
+    the stiffness `rotational`."""
 
     at: float
     kind: str
@@ -63,7 +64,7 @@ class Model:
         return self.k, self.mu
 
     def breakpoints(self):
-        """All positions where the data change, including both ends."""
+        """All positions at which the data change, including both ends of the beam."""
         l = self.length
         points = {0.0, l}
         points.update(x for s in self.beam_segments for x in s[:2])
@@ -117,7 +118,7 @@ class Model:
 
     @staticmethod
     def from_toml(text):
-        """Reads a model file without units and without load cases."""
+        """Reads the text of a model file without units and without load cases."""
         doc = tomllib.loads(text)
         beam, ground = doc["beam"], doc["foundation"]
         model = Model(
@@ -152,11 +153,11 @@ class Model:
 
 
 # ---- values on a stretch [a, b] that lies between two neighbouring breakpoints ---------------
-# `num` turns a double into the number type of the caller (mpmath or gmpy2), exactly.
+# `num` converts a double exactly to the number type of the caller (mpmath or gmpy2).
 
 
 def linear_load(model, kind, a, b, num):
-    """(value at a, slope) of all distributed loads of `kind` on the stretch."""
+    """Returns the value at a and the slope of the sum of all distributed loads of `kind` on the stretch."""
     value, slope = num(0), num(0)
     middle = (a + b) / 2
     for load in model.loads:
@@ -168,7 +169,7 @@ def linear_load(model, kind, a, b, num):
 
 
 def initial_gap(model, a, b, num):
-    """(value at a, slope) of the initial gap on the stretch."""
+    """Returns the value at a and the slope of the initial gap on the stretch."""
     corners = model.gap
     if not corners:
         return num(0), num(0)
@@ -183,7 +184,7 @@ def initial_gap(model, a, b, num):
 
 
 def point_actions(model, x):
-    """(F, M0) of all point loads at the breakpoint x."""
+    """Returns the point forces F and the point moments M0 at the breakpoint x, as two lists."""
     force = [load.value for load in model.loads if load.kind == "point" and load.start == x]
     moment = [load.value for load in model.loads if load.kind == "moment" and load.start == x]
     return force, moment

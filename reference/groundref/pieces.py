@@ -18,7 +18,8 @@ ORDERS = 6  # derivatives 0 .. 5 of everything
 
 
 class Series:
-    """sum c_m t^m / m!, t = x - a, scaled by h^-j so that its coefficients are of order one."""
+    """Power series sum c_m t^m / m! with t = x - anchor. The Cauchy function j is scaled by h^-j, so that its terms are
+    of order one."""
 
     def __init__(self, anchor, coefficients):
         self.anchor, self.c = anchor, coefficients
@@ -35,7 +36,7 @@ class Series:
 
 
 class Wave:
-    """Real or imaginary part of t^n exp(z t), t = x - anchor, n = 0 or 1."""
+    """Real or imaginary part of the function t^n exp(z t) with t = x - anchor and n = 0 or 1."""
 
     def __init__(self, anchor, z, n=0, imaginary=False):
         self.anchor, self.z, self.n, self.imaginary = anchor, mp.mpc(z), n, imaginary
@@ -53,7 +54,10 @@ class Wave:
 
 
 def cauchy_series(a, h, order, recurrence):
-    """The `order` Cauchy functions for the recurrence c_{m+order} = recurrence(c, m)."""
+    """Returns `order` independent solutions of a linear differential equation as Taylor series about a.
+
+    The derivatives c_m of a solution at a satisfy c_{m+order} = recurrence(c, m).
+    """
     functions = []
     for j in range(order):
         c = [mpf(0)] * order
@@ -69,7 +73,7 @@ def cauchy_series(a, h, order, recurrence):
 
 
 def decaying_pair(a, b, z):
-    """Waves for the roots +-z (and their conjugates if z is complex), Re z > 0."""
+    """Returns exp(-z (x - a)) and exp(z (x - b)), or their real and imaginary parts if z is complex. Re z > 0."""
     out = [Wave(a, -z), Wave(b, z)]
     if mp.im(z) != 0:
         out += [Wave(a, -z, imaginary=True), Wave(b, z, imaginary=True)]
@@ -82,7 +86,7 @@ def oscillating_pair(a, omega, n=0):
 
 
 def beam_basis(a, b, EI, S, k):
-    """Four solutions of EI w'''' - S w'' + k w = 0 on [a, b]."""
+    """Returns four independent solutions of EI w'''' - S w'' + k w = 0 on [a, b]."""
     h = b - a
     fastest = mp.sqrt((abs(S) + mp.sqrt(S * S + 4 * EI * k)) / (2 * EI))
     if fastest * h < 1:
@@ -107,7 +111,7 @@ def beam_basis(a, b, EI, S, k):
 
 
 def layer_basis(a, b, k, mu):
-    """Two solutions of mu u'' = k u on [a, b]."""
+    """Returns two independent solutions of mu u'' = k u on [a, b]."""
     beta, h = mp.sqrt(k / mu), b - a
     if beta * h < 1:
         return cauchy_series(a, h, 2, lambda c, m: k / mu * c[m])
@@ -116,7 +120,8 @@ def layer_basis(a, b, k, mu):
 
 @dataclass
 class Piece:
-    """One stretch. Load polynomials are (value at a, slope); `contact` states whether it touches."""
+    """Solution on one stretch. Its loads and its gap are linear, stored as (value at a, slope). `contact` states whether
+    the beam touches the ground on this stretch."""
 
     a: mpf
     b: mpf
@@ -167,7 +172,7 @@ class Piece:
             self.seen[x] = beam, self.particular.derivatives(x), layer
         return self.seen[x]
 
-    # ---- linear forms in the unknown coefficients: (list over coefficients, constant) ---------
+    # ---- linear forms in the unknown coefficients: (factors of the coefficients, constant) ----
     def w(self, x, order):
         beam, particular, _ = self.at(x)
         return [f[order] for f in beam] + [mpf(0)] * len(self.layer), particular[order]
@@ -186,7 +191,7 @@ class Piece:
         return self.gap[1] if order == 1 else mpf(0)
 
     def form(self, name, x, shift=0):
-        """A field at x as a linear form; `shift` adds one derivative along x."""
+        """A field at x as a linear form in the coefficients. With shift = 1, it is the derivative of the field along x."""
         scaled = lambda row, factor: ([factor * v for v in row[0]], factor * row[1])
         if name == "w":
             return self.w(x, shift)
@@ -220,7 +225,7 @@ class Piece:
         return constant + mp.fdot(zip(row, self.coefficients))
 
     def fields(self, x):
-        """All result fields at x, as limits from inside this stretch."""
+        """Values of all result fields at x, as limits from inside this stretch."""
         d = [self.value("w", x, order) for order in range(5)]
         out = {"deflection": d[0], "slope": d[1]}
         out["moment"], out["shear_force"] = -self.EI * d[2], -self.EI * d[3]

@@ -1,4 +1,4 @@
-"""Writes a solved model as plain data, and many of them as JSON."""
+"""Converts a solved model to a record of plain data, and a list of records to JSON."""
 
 import json
 import random
@@ -25,14 +25,15 @@ def number(v, scale=None):
 
 
 def position(x):
-    """A position on the beam: a double as its shortest decimal, an edge with 25 digits."""
+    """Formats a position on the beam: a double as its shortest decimal, a free edge with 25 digits."""
     if mpf(float(x)) == x:
         return Number(repr(float(x)))
     return Number(mp.nstr(x, 25, min_fixed=-4, max_fixed=18))
 
 
 def station_places(model, system):
-    """Stations as short decimals: over the whole beam, and one in the middle of every contact zone. None is a node."""
+    """Chooses stations with short decimals: some over the whole beam, and one in the middle of every contact zone. No
+    station is at a node."""
     l = model.length
     draw = random.Random(len(model.breakpoints()) + 1000 * len(model.loads))
     count = 13
@@ -50,7 +51,7 @@ def round_to(v, digits):
 
 
 def regions(system):
-    """Contact zones, merged, followed by contact points; in order."""
+    """Contact zones and contact points from left to right. Adjacent zones are merged."""
     out = []
     for p in system.pieces:
         if p.contact:
@@ -69,7 +70,7 @@ def regions(system):
 
 
 def station_table(model, system):
-    """Rows (x, side, fields); both sides wherever a field jumps."""
+    """Rows (x, side, fields) of all stations and nodes. A position at which a field jumps has a row for each side."""
     rows = []
     for x in station_places(model, system):
         piece = next(p for p in system.pieces if p.a < x < p.b)
@@ -92,7 +93,7 @@ def station_table(model, system):
 
 
 def make_record(name, family, seed, model, solution, digits, note=None):
-    """The record of one model. Solves once more with more digits to count the correct ones."""
+    """Creates the record of one model. A second solve with more digits shows how many digits are correct."""
     with mp.workdps(digits):
         system, scales = solution.system, solution.scales
         balance = balance_report(system)
@@ -161,7 +162,7 @@ def make_record(name, family, seed, model, solution, digits, note=None):
 
 
 def touches_without_force(node, spans, scales):
-    """No gap at a support that is in no contact zone."""
+    """Whether the gap is zero at a node that is in no contact zone, such as a support."""
     if any(a <= node.x <= b for a, b in spans):
         return False
     gaps = [p.fields(node.x)["gap"] for p in (node.left, node.right) if p]
@@ -178,7 +179,7 @@ def reaction_entry(node, force, length):
 
 
 def mesh_difference(solution):
-    """Largest relative difference between the mesh's deflection and the exact one."""
+    """Largest relative difference between the deflection on the mesh and the exact deflection."""
     system, mesh = solution.system, solution.mesh
     worst, pieces = mpf(0), iter(system.pieces)
     piece = next(pieces)
@@ -195,7 +196,7 @@ def short(v):
 
 
 def to_json(records):
-    """JSON with one key per line and arrays on one line: small, and suitable for diffs."""
+    """Formats records as JSON with one key per line and each array on one line. The files are small and suit diffs."""
 
     def write(v):
         if isinstance(v, Number):

@@ -1,4 +1,4 @@
-"""Finds the exact contact intervals from the mesh's contact nodes: guess, solve, check, correct."""
+"""Finds the exact contact intervals from the contact nodes of a mesh, in four steps: guess, solve, check, correct."""
 
 from mpmath import mp, mpf
 
@@ -27,7 +27,7 @@ def anchors(model):
 
 
 def from_mesh(model, solution, shortest, least):
-    """The topology whose contact intervals are the runs of contact nodes."""
+    """The topology whose contact intervals are the runs of contact nodes on the mesh."""
     x, touching = solution.x, list(solution.touching)
     close_small_openings(model, solution, touching, shortest, least)
     fixed, n = anchors(model), len(x)
@@ -132,7 +132,7 @@ def corrected(model, topology, violation):
 
 
 def with_contact(topology, a, b, fixed):
-    """Adds [a, b] to the contact and merges it with intervals that it meets."""
+    """Adds [a, b] to the contact and merges it with contact intervals that overlap it or are next to it."""
     reach = (b - a) * mpf("1e-3")
     if a == b and a in fixed:
         topology.points.append(float(a))
@@ -159,7 +159,7 @@ def with_contact(topology, a, b, fixed):
 
 
 class Solution:
-    """A system that satisfies all signs, with the data found on the way."""
+    """A solved system that satisfies all sign conditions, with data of the search."""
 
     def __init__(self, system, scales, worst, corrections, mesh):
         self.system, self.scales, self.worst = system, scales, worst
@@ -167,7 +167,7 @@ class Solution:
 
 
 def solve(model, digits=100, elements=80, log=None):
-    """The verified solution of `model`, or `Rejected`."""
+    """Returns the verified solution of `model`. Raises `Rejected` if no topology satisfies all sign conditions."""
     say = log or (lambda text: None)
     reasons = []
     for n in (elements, 3 * elements):
@@ -203,9 +203,9 @@ def exact(model, topology, digits, mesh, say, rounds=12):
             if not bad:
                 return Solution(system, scales, worst, corrections, mesh)
             worst_one = min(bad, key=lambda v: v[3])
-            say(f"violated: {worst_one[0]} {mp.nstr(worst_one[1:], 8)}")
+            say(f"violated sign condition: {worst_one[0]} {mp.nstr(worst_one[1:], 8)}")
             topology = corrected(model, system.topology, worst_one)
-    raise Rejected("the signs could not be satisfied")
+    raise Rejected("no topology satisfies all sign conditions")
 
 
 def describe(topology):

@@ -14,7 +14,7 @@ SIGN_TOLERANCE = mpf("1e-40")
 
 
 def samples(piece):
-    """Points inside a stretch: Chebyshev points, and points in geometric progression towards both ends."""
+    """Sample points inside a stretch: Chebyshev points, and points in geometric progression towards both ends."""
     h = piece.b - piece.a
     n = int(min(400, max(48, 6 * piece.fastest() * h)))
     t = {(1 - mp.cos(mp.pi * (2 * i + 1) / (2 * n))) / 2 for i in range(n)}
@@ -24,7 +24,8 @@ def samples(piece):
 
 
 def sign_report(system):
-    """(violations, scales). A violation is (kind, x from, x to, size relative to the scale)."""
+    """Returns the violations of sign conditions, the scales of the fields, and the smallest value of each kind. A violation
+    is (kind, x from, x to, size relative to the scale)."""
     fields = {}
     scales = {name: mpf(0) for name in ("deflection", "slope", "moment", "shear_force",
                                         "settlement", "gap", "pressure")}  # fmt: skip
@@ -81,7 +82,7 @@ def margins(system, scales):
         size = max(values) / scales[scale] if scales[scale] else mpf(0)
         if p.contact and force:
             size = max([size] + [n.atom() / force for n in system.nodes[i : i + 2]])
-        # An opening on both sides of a contact point counts as two.
+        # The openings on the two sides of a contact point count as two openings.
         alone = not p.contact and system.nodes[i].touching
         if runs and runs[-1][0] == p.contact and not alone:
             runs[-1][1] = max(runs[-1][1], size)
@@ -132,7 +133,7 @@ def gauss(n, digits):
 
 
 def integrals(system, digits=45):
-    """Energies, work, and the resultants of ground pressure, all by quadrature."""
+    """Computes energies, work, and the resultants of loads and ground pressure by quadrature."""
     total = {name: mpf(0) for name in ("beam", "ground", "work", "gap", "force", "first",
                                        "loads", "load first")}  # fmt: skip
     rule = gauss(40, 60)
@@ -170,7 +171,7 @@ def integrals(system, digits=45):
             atom = n.atom()
             total["force"] += atom
             total["first"] += atom * n.x
-            # If the shear layer touches on one side only, the gap is taken from that side.
+            # The initial gap is continuous, so the piece on either side gives the same gap.
             total["gap"] += atom * piece.gap_at(n.x)
             if n.support:
                 s = n.support
@@ -197,14 +198,15 @@ def balance_report(system):
     return {
         "energy": energy,
         "force_balance": relative(total["force"] - total["loads"], force),
-        # P turns the beam by P (w(l) - w(0)); T, not V, vanishes at a free end
+        # The axial force P exerts the moment P (w(l) - w(0)). At a free
+        # end the transverse force vanishes, but the shear force may not.
         "moment_balance": relative(total["first"] + axial - total["load first"], force * l),
         "energy_balance": relative(energy - clapeyron, size),
     }
 
 
 def equation_residual(system, scales):
-    """Largest residual of the beam's differential equation at sample points, relative."""
+    """Largest relative residual of the differential equations of beam and shear layer at sample points."""
     worst = mpf(0)
     for p in system.pieces:
         for s in (mpf("0.113"), mpf("0.5"), mpf("0.901")):

@@ -32,7 +32,8 @@ STEPS = (deflection, beside, ground, balance, clearance, energy, stability, poin
 
 
 def results(lines):
-    """The lines of each result of a log, with the name of its combination."""
+    """Splits the lines of a log into results. Returns the name of the load combination and the lines of each
+    result."""
     found = []
     for line in lines:
         if line.get("name") == "result":
@@ -43,7 +44,8 @@ def results(lines):
 
 
 def replay(lines, combination, claimed):
-    """Replays one result and counts the checked inequalities."""
+    """Recomputes all inequalities of one result. The returned problem counts them and lists those that do not
+    hold."""
     problem = Problem(lines)
     for step in STEPS:
         step.check(problem)
@@ -71,7 +73,7 @@ def main(log, result=None):
         for failed in problem.failed:
             print(f"{name}{failed}")
         for part, size in problem.energies.items():
-            print(f"{name}{part}/2 is at most {size.str(3, radius=False)}")
+            print(f"{name}contribution to the energy bound E: {part}/2 is at most {size.str(3, radius=False)}")
         if problem.failed:
             status = max(status, 1)
             print(f"{name}{len(problem.failed)} of {problem.count} inequalities do not hold")

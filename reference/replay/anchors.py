@@ -1,4 +1,5 @@
-"""Bounds of |w − w*| on the parts of the beam from their anchors: positions with a bound of the error (12)."""
+"""Computes bounds of the deflection error |w − w*| on each part of the beam from anchors, the positions where this
+error has a bound (12)."""
 
 from flint import arb
 
@@ -10,14 +11,15 @@ REACHES = (0.9, 0.5, 0.25, 0.0625)
 
 
 class Anchor:
-    """A position or an interval of x with a bound of |e| or of |e_φ|."""
+    """A position x with an upper bound of the deflection error |e| or of the rotation error |e_φ|."""
 
     def __init__(self, x, bound):
         self.x, self.bound = x, bound
 
 
 def flexure(r, part):
-    """s = s₂/√EI_min and s_γ = s₂/√S_min of a part; s_γ = 0 without shear deformation."""
+    """Returns s = s₂/√EI_min and s_γ = s₂/√S_min, bounds of the L² norms of the errors of curvature and shear strain
+    on a part of the beam. s_γ = 0 without shear deformation."""
     spans = [r.pieces[i] for i in part]
     bent = min((low(piece.bending.low) for piece in spans), key=float)
     stiff = [low(piece.stiffness.low) for piece in spans if piece.stiffness is not None]
@@ -26,7 +28,8 @@ def flexure(r, part):
 
 
 def least_pressure(r, i, reach):
-    """A lower bound of (1 − γ)p on |t| ≤ reach of a touching piece; zero if it is not positive."""
+    """Returns a lower bound of (1 − γ)p for |t| ≤ reach on a touching piece, with the pressure p and γ = max|λ|.
+    Returns zero if the bound is not positive or 1 − γ ≤ ½."""
     least = low(r.pieces[i].pressure(arb(0, reach)))
     kept = 1 - gamma(r, i)
     return least * kept if kept > arb("0.5") and least > 0 else arb(0)
@@ -52,7 +55,8 @@ def at_nodes(r, part):
 
 
 def held_slopes(r, part):
-    """The positions where |e_φ| is bounded: clamps, and rotational springs with ½κ_θe_φ² ≤ E."""
+    """Returns the positions where the rotation error e_φ has a bound: clamps with e_φ = 0, and rotational springs
+    with ½κ_θe_φ² ≤ E."""
     found = []
     for i in range(part.start, part.stop + 1):
         if r.nodes[i].clamped:
@@ -63,8 +67,8 @@ def held_slopes(r, part):
 
 
 def pushed(r, i):
-    """The bound of |e| at an active one-way support: E/ρ̄ for a rigid support, (2E/κ)^½ for a spring with κv̄ >
-    (2κE)^½."""
+    """Returns the bound of |e| at an active one-way support: E/ρ̄ for a rigid support, (2E/κ)^½ for a spring with κv̄
+    > (2κE)^½."""
     pushing, node = r.pushing[i], r.nodes[i]
     if node.spring is not None:
         acts = pushing > (2 * high(node.spring[0]) * r.energy).sqrt()
@@ -74,7 +78,8 @@ def pushed(r, i):
 
 
 def pressing(r, i, flexible):
-    """The anchors (12) at both ends of an interval of a touching piece with p̄ ≥ p_m > 0."""
+    """Returns the anchors (12) at both ends of an interval of a touching piece on which the pressure p̄ is at least
+    p_m > 0."""
     piece, (s, slid), best = r.pieces[i], flexible, None
     for reach in REACHES:
         least = least_pressure(r, i, reach)
@@ -96,8 +101,8 @@ def pressing(r, i, flexible):
 
 
 def along(r, part, anchors, slopes, kinks):
-    """The bound on a part with slope jumps of at most `kinks` in total: between anchors, beyond them, and from a
-    bound of the slope."""
+    """Returns the bound of |e| on a part of the beam whose slope jumps add up to at most `kinks`. It is the largest
+    of the bounds between the anchors and on the overhangs; a bound of the slope can lower the latter."""
     s, slid = flexure(r, part)
     anchors = sorted((a for a in anchors if a.bound.is_finite()), key=lambda anchor: float(anchor.x.mid()))
     if not anchors:
@@ -123,7 +128,8 @@ def along(r, part, anchors, slopes, kinks):
 
 
 def best_along(r, part, anchors, slopes, kinks=arb(0)):
-    """The smallest bound from the anchors whose own bounds are at most a level."""
+    """Returns the smallest bound of |e| on a part over several sets of anchors. Each set contains the anchors whose
+    own bounds are at most a level."""
     anchors = sorted(anchors, key=lambda anchor: float(anchor.bound.mid()))
     least, count = along(r, part, anchors, slopes, kinks), 1
     while count < len(anchors):
@@ -136,14 +142,16 @@ def best_along(r, part, anchors, slopes, kinks=arb(0)):
 
 
 def kink(r, i):
-    """|[e_φ]| at an elastic hinge, ½k_φ[e_φ]² ≤ E; zero at other nodes."""
+    """Returns the bound of the error of the hinge rotation |[e_φ]| at an elastic hinge, from ½k_φ[e_φ]² ≤ E; zero at
+    a node without hinge."""
     spring = r.nodes[i].hinge
     return arb(0) if spring is None else (2 * r.beam_energy / low(spring)).sqrt()
 
 
 def deflections(r):
-    """sup|e| on each part; the bound of a part also holds at its hinges for the neighbours. Parts connected by
-    elastic hinges are also bounded together. Under tension one anchor is enough for the whole beam."""
+    """Returns the bound of sup|e| on each part. The bound of a part is also an anchor of its neighbours at the common
+    hinges. Parts connected by elastic hinges are also bounded together. Under tension one anchor is enough for the
+    whole beam."""
     parts = r.parts()
     anchors, slopes = [], [held_slopes(r, part) for part in parts]
     for part in parts:

@@ -1,5 +1,5 @@
-"""The exact equilibrium: residuals (5), the moment δ of the cells, the system (6) of the factors λ, and the
-moments and forces that they add (7)."""
+"""Constructs a pressure in exact equilibrium: residuals (5), the moment δ of the cells, the system (6) of the factors
+λ, and the moments and forces that the factors λ add (7)."""
 
 from flint import arb, arb_poly
 
@@ -14,7 +14,8 @@ def check(r):
 
 
 def pulls(r):
-    """p ≥ −η, and p < 0 on a set with measure at most ω."""
+    """Checks on each touching piece that the pressure p is at least −η, and that p < 0 only on a set of measure at
+    most ω."""
     r.depth, r.width = [], []
     for i, (piece, line) in enumerate(zip(r.pieces, r.all("pull"))):
         r.depth.append(exact(line["depth"]))
@@ -30,19 +31,20 @@ def pull(r, i):
 
 
 def pushes(r, i):
-    """The force of a one-way support in its direction: the claimed one if it is rigid, κ(w̄ − δ)⁺ for a spring."""
+    """Returns the force of a one-way support in its direction: the claimed reaction of a rigid support, or κ(w̄ − δ)⁺
+    of a spring."""
     node = r.nodes[i]
     if node.acts == 0:
         return arb(0)
     if node.spring is not None:
         return positive_part(node.towards(node.spring[0] * r.value[i] - node.spring[1]))
     force = node.towards(node.reaction[0])
-    r.shows(f"the support at node {i} acts in its direction", force >= 0)
+    r.shows(f"the reaction of the one-way support at node {i} acts against its direction", force >= 0)
     return force
 
 
 def residuals(r):
-    """(5) at the nodes."""
+    """Computes the residuals (5) of force and moment at the nodes."""
     r.pushing = [pushes(r, i) for i in range(len(r.nodes))]
     r.at_node = []
     for i, node in enumerate(r.nodes):
@@ -75,15 +77,19 @@ def turned_in(r, a, b):
 
 
 def gamma(r, i):
-    """max|λ| on a piece."""
+    """Returns γ, the largest relative pressure change |λ| on a piece."""
     return largest(r.factor[i], r.factor[i + 1])
 
 
 def solve(r):
-    """The system (6) for λ at the cuts: its pivots must be positive."""
+    """Solves the system (6) for λ, the relative change of the pressure, at the cuts. Checks that all pivots are
+    positive."""
     count, cuts = len(r.pieces), r.cuts
     inner_hinges = [i for i in range(1, count) if r.nodes[i].free_hinge]
-    r.shows("the beam is cut at its ends and free hinges", {0, count, *inner_hinges} <= set(cuts) and cuts == sorted(cuts))
+    r.shows(
+        "the cuts of the beam do not include its ends and all free hinges, or are not sorted",
+        {0, count, *inner_hinges} <= set(cuts) and cuts == sorted(cuts),
+    )
     r.delta, r.delta_slope = [None] * count, [None] * count
     diagonal = [carried(r, node) for node in cuts]
     right = [r.at_node[node][0] for node in cuts]
@@ -99,7 +105,7 @@ def solve(r):
         right[j] += widened
         right[j + 1] += widened
     for j in range(len(cuts)):
-        r.shows(f"(6) pivot {j} is positive", diagonal[j] > 0)
+        r.shows(f"(6) pivot {j} is not positive", diagonal[j] > 0)
         if j + 1 < len(cuts):
             factor = beside[j] / diagonal[j]
             diagonal[j + 1] -= factor * beside[j]
@@ -112,7 +118,8 @@ def solve(r):
 
 
 def masses(r, a, b):
-    """∫φ_jφ_k p plus the terms of inner nodes, clamps and tension; and the margin that tensile pressures require."""
+    """Returns the three entries of the matrix of (6) from one cell: ∫φ_jφ_k p plus the terms of inner nodes, clamps
+    and tension. Also returns the radius by which negative pressures widen these entries."""
     ends = [r.x[a], r.x[b]]
     per_length = 1 / (ends[1] - ends[0])
     points = [(turned_in(r, a, b) + r.carrier * (ends[1] - ends[0]), [-per_length, per_length])]
@@ -139,7 +146,7 @@ def masses(r, a, b):
 
 
 def cell(r, a, b):
-    """δ along a cell; −δ′ at its two ends."""
+    """Computes the moment δ that balances the residuals of a cell, and returns −δ′ at both ends of the cell."""
     ends = [r.at_node[a][1], arb(0)]
     if r.nodes[a].free_hinge:
         ends[0] = -r.pieces[a].ends(r.pieces[a].moment)[0]
@@ -172,8 +179,8 @@ def cell(r, a, b):
 
 
 def give_back(r, factors):
-    """λ at the nodes, |λ| < ½ for all contact forces, and (7): the moment and the shear force from the
-    distributed forces."""
+    """Computes λ at the nodes and (7), the moment and the shear force of the distributed forces. Checks |λ| < ½ for
+    all contact forces."""
     count = len(r.pieces)
     r.factor = [arb(0)] * (count + 1)
     r.added, r.added_shear, r.steep = [None] * count, [None] * count, [None] * count
@@ -193,13 +200,13 @@ def give_back(r, factors):
             r.added[i] = length * load / 4 + couple
             r.added_shear[i] = load + couple / length
             r.steep[i] = upper(slope)
-    # |β|, the transverse force that the tension carries.
+    # `drawn` is |β|, the part of the transverse force that the axial tension carries in addition to Pw′.
     r.drawn = [r.carrier * steep for steep in r.steep]
     if r.carrier > 0:
-        r.shows("only a tension carries a part of the loads", r.tension is not None)
+        r.shows("the axial force carries a part of the loads, but it is no tension", r.tension is not None)
     for i, piece in enumerate(r.pieces):
         if piece.touches:
-            r.shows(f"|lambda| on piece {i} is below 1/2", gamma(r, i) < arb("0.5"))
+            r.shows(f"the relative pressure change |lambda| on piece {i} is not below 1/2", gamma(r, i) < arb("0.5"))
     for i in range(count + 1):
         if not positive_part(r.jump[i]) == 0 or not r.pushing[i] == 0:
-            r.shows(f"|lambda| at node {i} is below 1/2", upper(r.factor[i]) < arb("0.5"))
+            r.shows(f"the relative force change |lambda| at node {i} is not below 1/2", upper(r.factor[i]) < arb("0.5"))

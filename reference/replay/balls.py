@@ -10,16 +10,16 @@ INFINITE = arb("+inf")
 
 
 class NotReplayed(Exception):
-    """A log that cannot be replayed, with the reason."""
+    """Error for a log that cannot be replayed; the message states the reason."""
 
 
 def exact(x):
-    """A double as a ball of radius zero; null in the log means infinite."""
+    """Returns a double as a ball of radius zero. The value null of the log becomes infinity."""
     return INFINITE if x is None else arb(float(x))
 
 
 def ball(parts):
-    """A ball of the log: middle, correction of the middle, radius."""
+    """Returns a ball from its three numbers in the log: midpoint, correction of the midpoint, radius."""
     middle, correction, radius = map(float, parts)
     return arb(middle) + arb(correction) + arb(0, radius)
 
@@ -33,7 +33,7 @@ def poly(coefficients):
 
 
 def upper(x):
-    """The smallest upper bound of |x|, as a ball."""
+    """Returns the upper bound of |x| as a ball of radius zero."""
     return arb(abs(x).upper())
 
 
@@ -57,12 +57,12 @@ def positive_part(x):
 
 
 def negative_part(x):
-    """An upper bound of max(−x, 0)."""
+    """Returns an upper bound of max(−x, 0)."""
     return upper(low(x)) if not x >= 0 else arb(0)
 
 
 def least_of_halves(h, bound):
-    """The smallest value of a bound over a length and its halves."""
+    """Returns the smallest value of bound(h) over the lengths h, h/2, h/4 and so on."""
     found = INFINITE
     for _ in range(HALVINGS):
         found = found.min(bound(h))
@@ -71,7 +71,7 @@ def least_of_halves(h, bound):
 
 
 def ball_of(ends):
-    """The interval between two numbers as one ball."""
+    """Returns one ball that contains the interval between two numbers."""
     return ((ends[0] + ends[1]) / 2).union(ends[0]).union(ends[1])
 
 
@@ -80,7 +80,7 @@ def sorted_pair(a, b):
 
 
 def on(ends, is_true):
-    """Proves a statement on an interval of t by bisection; the statement receives the interval as a ball."""
+    """Proves a statement on an interval of t by bisection; `is_true` receives each subinterval as a ball."""
     todo = [tuple(ends)]
     for _ in range(SUBDIVISIONS):
         if not todo:
@@ -96,20 +96,20 @@ def on(ends, is_true):
 
 
 def least_on(p, t):
-    """A lower bound of a polynomial on an interval of t, given as a ball, from its coefficients about the
-    middle."""
+    """Returns a lower bound of a polynomial on an interval of t, a ball, from the Taylor coefficients at the
+    midpoint."""
     about, reach = p(arb_poly([t.mid(), 1])), arb(t.rad())
     return low(about[0] - sum((upper(about[j]) * reach**j for j in range(1, about.degree() + 1)), arb(0)))
 
 
 def above(p, ends, limit):
-    """Whether a polynomial is larger than a limit on an interval of t."""
+    """Returns whether a polynomial is proven to be larger than a limit on an interval of t."""
     return on(ends, lambda t: least_on(p, t) > limit)
 
 
 def below(p, ends):
-    """Bounds of the negative part of a polynomial on an interval: its depth, and the length where it is
-    negative."""
+    """Returns two bounds for a polynomial on an interval: the size of its most negative value, and the length on
+    which it is negative."""
     depth = measure = arb(0)
     todo = [(low(ends[0]), high(ends[1]))]
     smallest = arb(2) ** -60
@@ -131,21 +131,21 @@ def below(p, ends):
             measure += b - a
         else:
             todo += [(a, arb(middle.mid())), (arb(middle.mid()), b)]
-    raise NotReplayed("the sign of a polynomial is not decided")
+    raise NotReplayed("the sign of a polynomial could not be determined")
 
 
 class Checks:
     """Counts the inequalities and stores those that do not hold."""
 
-    # Radii have 30 bits and depend on the order of operations, so this relative excess over the right side is
-    # allowed.
+    # The radii of balls have 30 bits and depend on the order of operations. The left side of an inequality may
+    # therefore exceed the right side by this relative amount.
     ROUNDING = arb("1e-5")
 
     def __init__(self):
         self.count, self.failed = 0, []
 
     def holds(self, name, left, right):
-        """left ≤ right, except for the rounding of radii. An infinite bound makes no claim."""
+        """Checks left ≤ right up to the rounding of radii. An infinite right side is not checked."""
         if not right.is_finite():
             return
         self.count += 1
@@ -153,13 +153,13 @@ class Checks:
             self.failed.append(f"{name}: {left.str(20)} <= {right.str(20)} does not hold")
 
     def meets(self, name, difference):
-        """A difference that is zero in exact arithmetic."""
+        """Checks that the ball of a difference contains zero; in exact arithmetic the difference is zero."""
         self.count += 1
         if not difference.contains(0):
             self.failed.append(f"{name}: the difference {difference.str(10)} is not zero")
 
     def shows(self, name, is_true):
-        """A statement."""
+        """Checks a statement; `name` is the message if the statement is false."""
         self.count += 1
         if not is_true:
             self.failed.append(name)

@@ -1,4 +1,5 @@
-"""Stiffness K and load T of the ground outside the beam, flux = Ku − T at the beam's end, from its stretches."""
+"""Computes the stiffness K and the load T of the ground outside the beam from the stretches of this ground; the flux
+at the beam's end is Ku − T."""
 
 from flint import arb
 
@@ -6,17 +7,20 @@ from balls import ball, optional
 
 
 def check(r):
-    """K and T computed from the stretches agree with the logged K and T, and replace them."""
+    """Checks that K and T computed from the stretches agree with the logged K and T, and stores the computed
+    values."""
     for line in r.all("ground beside the beam"):
         side = line["side"]
         stiffness, pushed = seen(line["stretches"], line["held"])
-        r.meets(f"K of the ground outside the beam, side {side}", stiffness - r.outside[side])
-        r.meets(f"T of the ground outside the beam, side {side}", pushed - r.pushed[side])
+        r.meets(f"the stiffness K of the ground outside the beam, side {side}", stiffness - r.outside[side])
+        r.meets(f"the load T of the ground outside the beam, side {side}", pushed - r.pushed[side])
         r.outside[side], r.pushed[side] = stiffness, pushed
 
 
 def seen(stretches, held):
-    """From the far end to the beam: S⁺ = K(S + Kt)/(K + St), T⁺ likewise; see `outside.rs` for the formulas."""
+    """Returns the stiffness S and the load T of the ground at the beam's end. Each stretch, from the far end on,
+    replaces S by K(S + Kt)/(K + St) with K = √(kμ) and t = tanh(h√(k/μ)), and T by a similar formula of
+    `outside.rs`."""
     stiffness, pushed, fixed = arb(0), arb(0), held
     for length, ground, spread, force in reversed(stretches):
         (k, mu), h = map(ball, ground), optional(length)

@@ -1,5 +1,5 @@
-"""The gap C̄ = ū + g₀ − w̄ over open ground: the height by which the ground is raised, and the energy of this
-correction (10)."""
+"""Checks the clearance C̄ = ū + g₀ − w̄ over open ground: the height D by which the ground is raised, and the energy
+of this correction (10)."""
 
 from flint import arb
 
@@ -8,8 +8,8 @@ from ground import clearance, least
 
 
 def check(r):
-    """C̄ ≥ −D min(x/d, 1) on the stretches of layers, w̄ − g₀ − q/k ≤ η_o on open Winkler ground, and the sums of
-    their costs."""
+    """Checks C̄ ≥ −D min(x/d, 1) on open stretches of shear layers, w̄ − g₀ − q/k ≤ η_o on open Winkler ground, and
+    the energies of both corrections."""
     line = r.one("clearance")
     r.lifted, r.risen = exact(line["lifted"]), exact(line["risen"])
     r.raised = [exact(ground["raised"]) for ground in r.all("ground")]
@@ -36,8 +36,8 @@ def check(r):
 
 
 def stretch(r, first, end):
-    """‖v‖_b² of the open pieces between two touching nodes, or to the end of the layer.
-    Also proves C̄ ≥ −D min(x/d, 1)."""
+    """Returns ‖v‖_b², twice the energy of the correction v of the ground, for the open pieces between two touching
+    nodes, or from a touching node to the end of the layer. Also proves C̄ ≥ −D min(x/d, 1)."""
     depth = min(r.raised[first:end], key=float) * (1 + r.ROUNDING)
     touching = [r.touches[first], r.touches[end]]
     stiffness = arb(0)
@@ -49,13 +49,13 @@ def stretch(r, first, end):
             if not here[side]:
                 continue
             reach = ramp(r, i, side, here[1 - side], depth)
-            r.shows(f"(10) the clearance next to node {i + side} is not proven", reach is not None)
+            r.shows(f"(10) the lower bound of the clearance next to node {i + side} is not proven", reach is not None)
             if reach is not None:
                 interval[side] = reach
                 stiffness += piece.shear.high / abs((reach - piece.t[side]) * piece.half)
         if interval[0] < interval[1]:
             clear = on(interval, lambda t: least(r, i, t, 0, r.closing[i]) >= -depth)
-            r.shows(f"(10) the clearance on piece {i} is below -D", clear)
+            r.shows(f"(10) the lower bound -D of the clearance on piece {i} is not proven", clear)
     for side, node in ((0, first), (1, end)):
         if node == (0, len(r.pieces))[side] and not touching[side]:
             stiffness += high(r.outside[side])
@@ -63,8 +63,8 @@ def stretch(r, first, end):
 
 
 def ramp(r, i, side, both, depth):
-    """The largest reach, by bisection, with C̄ ≥ −Dx/d up to it: C̄″ ≥ 0 and C̄′ ≥ −D/d at the node, or C̄′ ≥
-    −D/d."""
+    """Returns the farthest position t such that C̄ ≥ −Dx/d is proven between the node and t. The proof uses C̄″ ≥ 0
+    between both and C̄′ ≥ −D/d at the node, or C̄′ ≥ −D/d between both."""
     piece, bar, inward = r.pieces[i], r.closing[i], 1 - 2 * side
     end, part = piece.t[side], arb("0.5") if both else arb(1)
     slope = r.flux[i][side] / piece.shear.ends[side] - piece.d(piece.obstacle + bar)(end)

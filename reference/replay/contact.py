@@ -1,5 +1,5 @@
-"""The exact contact set of layers: open stretches, forces, zones and points, from bounds and the claimed edges
-(section 5)."""
+"""Proves the exact contact set on shear layers, with its open stretches, forces, regions and points, from error
+bounds and the claimed edges (section 5)."""
 
 from flint import arb
 
@@ -9,7 +9,8 @@ from springs import leaves_support, logged_zones, rests
 
 
 class Edge:
-    """An end of a region, side 0 its left one: θ outside, θ′ inside, and the bound of the flux jump for an exact slope."""
+    """A contact edge at the left end (side 0) or right end (side 1) of a contact region. It has the distances θ
+    outside and θ′ inside the region, and bounds of the flux at the edge without the slope error."""
 
     def __init__(self, logged):
         self.node, self.side, outside, inside = logged
@@ -18,18 +19,20 @@ class Edge:
 
 
 class Contact:
-    """Proves the contact of all layers from the bounds of one round and the edges claimed for it."""
+    """Proves the contact set on all shear layers from the error bounds and the claimed edges of one round."""
 
     def __init__(self, r, errors, edges):
         self.r, self.errors, self.at = r, errors, {}
         for edge in edges:
-            # The first round has an edge for each of the two pieces beside it.
+            # In the first round the log can have two entries for one edge, one for each adjacent piece. The larger
+            # of both outside distances is used, and the larger of both inside distances.
             other = self.at.setdefault((edge.node, edge.side), edge)
             other.outside, other.inside = other.outside.max(edge.outside), other.inside.max(edge.inside)
         self.edges = list(self.at.values())
-        # ε_a at the touching nodes, and the nodes where contact with a positive force is proven.
+        # `tolerance` is the error bound ε_a of the force at each touching node. `pressed` contains the nodes where a
+        # positive contact force is proven.
         self.tolerance, self.pressed = [arb(0)] * len(r.nodes), set()
-        # Bounds of the error of μu′ on open pieces at their touching ends.
+        # `steep` contains, by node and side, the error bounds of the flux μu′ at the touching ends of open pieces.
         self.steep = {}
 
     def check(self):
@@ -64,7 +67,9 @@ class Contact:
             node = last + 1
 
     def stretch(self, first, end):
-        """C > ε_u + ε_w up to a reach; from there to θ, C decreases faster than the error of its slope. There (μC′)′ > ε_p."""
+        """Proves an open stretch. Away from touching nodes the clearance C is larger than ε_u + ε_w. Nearer to a
+        touching node, up to the distance θ, C decreases toward the node faster than the error of its slope. Within θ,
+        (μC′)′ > ε_p."""
         r, ends, zones = self.r, [self.r.touches[first], self.r.touches[end]], logged_zones(self.r)
         for i in range(first, end):
             if rests(r, i):
@@ -74,19 +79,23 @@ class Contact:
             for side in (0, 1):
                 if here[side]:
                     reach, found = self.approach(i, side, here[1 - side])
-                    r.shows(f"the approach to node {i + side} is not proven", reach is not None)
+                    r.shows(f"the decrease of the clearance toward node {i + side} is not proven", reach is not None)
                     if reach is not None:
                         interval[side] = reach
                         self.steep[i + side, 1 - side] = found
                 elif (i, side) in zones:
                     interval[side] += (1 - 2 * side) * zones[i, side] / r.pieces[i].half
-                    r.shows(f"(W3) the zone at node {i + side}", leaves_support(r, self.errors[i], i, side, interval[side]))
+                    r.shows(
+                        f"(W3) the growth of g0 - w away from node {i + side} is not proven",
+                        leaves_support(r, self.errors[i], i, side, interval[side]),
+                    )
             limit = self.errors[i]["u"] + self.errors[i]["w"]
             clear = on(interval, lambda t: least(r, i, t, 0) > limit)
-            r.shows(f"the clearance on piece {i} is not larger than its error", clear)
+            r.shows(f"the clearance on piece {i} is not larger than its error bound", clear)
 
     def approach(self, i, side, both):
-        """The reach with the smallest error of the flux for which the approach is proven, and this error."""
+        """Returns the position t from which C is proven to decrease toward a touching node, and the bound of the flux
+        error. Of all such positions it takes the one with the smallest bound."""
         r, piece, error = self.r, self.r.pieces[i], self.errors[i]
         edge = self.at.get((i + side, 1 - side))
         theta = edge.outside if edge else arb(0)
@@ -114,7 +123,8 @@ class Contact:
         return best
 
     def open_flux(self, i, length):
-        """The error of μu′ at the end of open ground of a length (13), or (13a) where k or μ varies."""
+        """Returns the bound (13) of the error of the flux μu′ at the end of open ground with a given length, or the
+        bound (13a) where k or μ varies."""
         r, piece, error = self.r, self.r.pieces[i], self.errors[i]["u"]
         if r.along[i] is None:
             rate = (piece.spring.least / piece.shear.least).sqrt()
@@ -124,14 +134,15 @@ class Contact:
         return 2 * stiff / h + h * load
 
     def presses(self, i, t):
-        """(μC′)′ > ε_p at t of an open piece."""
+        """Returns whether (μC′)′ > ε_p is proven at the position t of an open piece, with the clearance C and the error
+        bound ε_p of the pressure."""
         r, piece = self.r, self.r.pieces[i]
         if r.along[i] is None:
             return piece.shear.low * clearance(r, i, t)[2] > self.errors[i]["p"]
         return piece.pressure_under(r.along[i])(t) > self.errors[i]["p"]
 
     def flux_error(self, node, side):
-        """The error of μu′ on one side of a touching node."""
+        """Returns the bound of the error of the flux μu′ on one side of a touching node."""
         r, j = self.r, node - 1 if side == 0 else node
         if r.layered(node)[side]:
             if r.pieces[j].touches:
@@ -142,23 +153,30 @@ class Contact:
         return arb(0)
 
     def point(self, node):
-        """Contact at a node between open pieces: a > ε_a, and θ = 0 on both sides."""
+        """Proves contact at a node between open pieces: the force a must be larger than its error bound ε_a."""
         r = self.r
-        r.shows(f"the force at the point {node} is not above its error", r.jump[node] > self.tolerance[node])
+        r.shows(
+            f"the point contact force at node {node} is not larger than its error bound",
+            r.jump[node] > self.tolerance[node],
+        )
         self.pressed.add(node)
 
     def region(self, a, b):
-        """p > ε_p on the region, (14) at both edges, and the forces at the inner nodes."""
+        """Proves the contact of a region. It requires p > ε_p on all pieces, (14) at both edges, and forces at the
+        inner nodes that are at least their error bounds."""
         r = self.r
         for i in range(a, b):
             piece, error = r.pieces[i], self.errors[i]["p"]
             r.shows(
-                f"the pressure on piece {i} is not larger than its error",
+                f"the pressure on piece {i} is not larger than its error bound",
                 above(piece.pressure, piece.t, error),
             )
         edges = [self.edge(a, 0), self.edge(b, 1)]
         inside = [edge.inside for edge in edges]
-        r.shows(f"the region from node {a} is not longer than its bounds", inside[0] + inside[1] < r.x[b] - r.x[a])
+        r.shows(
+            f"the intervals of both edges cover the whole contact region that starts at node {a}",
+            inside[0] + inside[1] < r.x[b] - r.x[a],
+        )
         for node in range(a, b + 1):
             if r.smooth(node):
                 continue
@@ -166,14 +184,14 @@ class Contact:
                 if not self.bends_open(node):
                     r.holds(f"the force at node {node}", self.tolerance[node], r.jump[node])
                 far = r.x[node] - r.x[a] > inside[0] and r.x[b] - r.x[node] > inside[1]
-                r.shows(f"an edge may lie at the force at node {node}", far)
+                r.shows(f"a contact edge may lie at node {node}, where a force acts", far)
             known = a < node < b or inside[0 if node == a else 1] == 0
             if known and r.jump[node] > self.tolerance[node]:
                 self.pressed.add(node)
 
     def edge(self, node, side):
-        """Checks the claimed edge at an end of a region: by (14), or with shear deformation by the convexity of
-        C."""
+        """Checks the claimed edge at an end of a region by (14), or with shear deformation by the convexity of the
+        clearance C."""
         r = self.r
         edge = self.at.get((node, side))
         if edge is None:
@@ -188,7 +206,10 @@ class Contact:
             piece = r.pieces[j]
             steep = piece.shear.high * upper(clearance(r, j, piece.t[1 - side])[1])
         else:
-            r.shows(f"nothing is open beyond node {node}", edge.outside == 0)
+            r.shows(
+                f"the interval of the edge at node {node} extends outside the contact region, but no open piece is there",
+                edge.outside == 0,
+            )
         edge.beyond = [outer + steep if open_side else arb(0), negative_part(r.jump[node] - outer)]
         missing = self.tolerance[node] - r.jump[node]
         if not missing <= 0:
@@ -199,26 +220,30 @@ class Contact:
         return edge
 
     def pressed_by(self, i, side, theta):
-        """∫(p − ε_p) over a length from an end of a piece inward."""
+        """Returns ∫(p − ε_p) over the length θ from an end of a piece inward, with the pressure p and its error bound
+        ε_p."""
         piece = self.r.pieces[i]
         x = piece.t[side] + (1 - 2 * side) * theta / piece.half
         whole = (piece.pressure - self.errors[i]["p"]).integral()
         return abs(whole(x) - whole(piece.t[side])) * piece.half
 
     def bends_open(self, node):
-        """Whether the slope of C cannot decrease at a node if the beam is open there: a corner of g₀ points up, F acts downward."""
+        """Returns whether the slope of the clearance C cannot decrease at a node if the beam is out of contact at
+        this node. This requires that a corner of g₀ at the node points up and that a force on the beam at the node
+        acts downward."""
         r, here = self.r, self.r.nodes[node]
         alone = here.rigid is None and here.spring is None and here.force >= 0
         return (alone or not r.kinks(node)) and r.even(node) and (r.corner(node) >= 0 or r.corner(node).contains(0))
 
 
 def limit(contact, i):
-    """ε_C = ε_u + ε_w."""
+    """Returns the error bound of the clearance on a piece, the sum of the bounds of settlement and deflection."""
     return contact.errors[i]["u"] + contact.errors[i]["w"]
 
 
 def opened(contact, i, side, theta):
-    """Whether a touching piece may be open only within θ of an end: (2ε_Cμ/m)^½ ≤ θ, m = min(p − ε_p) there."""
+    """Returns whether a touching piece can be out of contact only within the distance θ from an end. The condition is
+    (2ε_Cμ/m)^½ ≤ θ, where m is the least p − ε_p within this distance."""
     piece = contact.r.pieces[i]
     if not theta > 0 or not theta <= piece.h * (1 + contact.r.ROUNDING):
         return False
@@ -230,8 +255,8 @@ def opened(contact, i, side, theta):
 
 
 def roughly(contact):
-    """The edges of a beam with shear deformation before the slope has a bound: where C > ε_C, and where C would
-    be convex."""
+    """Checks the edges of the first round on a beam with shear deformation, where the slope has no bound yet. It uses
+    C > ε_C on open pieces and the convexity of C on touching pieces."""
     r = contact.r
     for i, piece in enumerate(r.pieces):
         if not piece.layered:
@@ -239,21 +264,24 @@ def roughly(contact):
         if piece.touches:
             error = contact.errors[i]["p"]
             r.shows(
-                f"rough contact: the pressure on piece {i} is not larger than its error",
+                f"in the first round the pressure on piece {i} is not larger than its error bound",
                 above(piece.pressure, piece.t, error),
             )
             for side in (0, 1):
                 theta = contact.at[i + side, side].inside
                 whole = theta * (1 + r.ROUNDING) >= piece.h
-                r.shows(f"rough contact: the edge at node {i + side}", whole or opened(contact, i, side, theta))
+                r.shows(
+                    f"in the first round the edge at node {i + side} is not proven",
+                    whole or opened(contact, i, side, theta),
+                )
             continue
         interval = list(piece.t)
         for side in (0, 1):
             theta = contact.at[i + side, 1 - side].outside
             interval[side] += (1 - 2 * side) * theta / piece.half
             if not r.touches[i + side]:
-                r.shows(f"rough contact: node {i + side} does not touch", theta == 0)
+                r.shows(f"in the first round node {i + side} has an edge, but does not touch the ground", theta == 0)
         clear = on(interval, lambda t: least(r, i, t, 0) > limit(contact, i))
-        r.shows(f"rough contact: the clearance on piece {i}", clear)
+        r.shows(f"in the first round the clearance on piece {i} is not larger than its error bound", clear)
     for node in range(len(r.nodes)):
         contact.tolerance[node] = INFINITE if r.touches[node] else arb(0)

@@ -1,4 +1,5 @@
-"""The admissible deflection w̄ = w + c and rotation φ̄ = φ + c′ from the closing deflection c of the log, with its bounds (3)."""
+"""Computes the admissible deflection w̄ = w + c and rotation φ̄ = φ + c′ from the closing deflection c of the log,
+and checks the bounds (3) of c."""
 
 from flint import arb, arb_poly
 
@@ -6,7 +7,8 @@ from balls import ball, exact, largest, upper
 
 
 def check(r):
-    """w + c has no jumps and satisfies the support conditions, and |c|, |c′|, |c″| are at most the logged bounds."""
+    """Checks that w + c has no jumps and satisfies the support conditions, and that |c|, |c′| and |c″| are at most
+    the logged bounds."""
     lines = r.all("closing")
     r.c = [[exact(b) for b in line["bounds"]] for line in lines]
     r.c_slope = [[ball(s) for s in line["slopes"]] for line in lines]
@@ -17,13 +19,14 @@ def check(r):
 
 
 def on_piece(r, i):
-    """c as a polynomial of t: linear if the piece moves rigidly, otherwise the cubic with given end values and slopes."""
+    """Returns the closing deflection c on a piece as a polynomial of t. It is linear if the piece moves rigidly,
+    otherwise the cubic with the given values and slopes at both ends."""
     piece, slope, bounds = r.pieces[i], r.c_slope[i], r.c[i]
     a = [r.value[i + side] - w for side, w in enumerate(piece.ends(piece.w))]
     along = arb_poly([-piece.t[0], 1]) * (piece.half / piece.h)
     if bounds[2] == 0:
-        r.meets(f"piece {i} is carried rigidly", a[0] + slope[0] * piece.h - a[1])
-        r.meets(f"piece {i} is carried rigidly, slope", slope[0] - slope[1])
+        r.meets(f"the rigid motion of piece {i}", a[0] + slope[0] * piece.h - a[1])
+        r.meets(f"the slope in the rigid motion of piece {i}", slope[0] - slope[1])
         most = [upper(a[0]) + upper(slope[0]) * piece.h, upper(slope[0]), arb(0)]
         closing = a[0] + along * (slope[0] * piece.h)
     else:
@@ -43,7 +46,8 @@ def on_piece(r, i):
 
 
 def at_node(r, i):
-    """φ̄ is continuous except at hinges, and the supports hold."""
+    """Checks that the rotation φ̄ is continuous except at hinges, and that the conditions of rigid supports and
+    clamps hold."""
     node, turn = r.nodes[i], [None, None]
     if i > 0:
         turn[0] = r.pieces[i - 1].ends(r.pieces[i - 1].rotation)[1] + r.c_slope[i - 1][1]
@@ -58,7 +62,8 @@ def at_node(r, i):
 
 
 def felt(r, i):
-    """The piece beside a node with the smaller coefficients, and its end at the node. The forces of springs follow from its claimed values."""
+    """Returns the piece beside a node with the smaller coefficients of w, and the end of this piece at the node (0
+    left, 1 right). The values of this piece at the node determine the forces of springs."""
     size = lambda j: sum((upper(c) for c in r.pieces[j].w.coeffs()), arb(0))
     if i == 0 or i < len(r.pieces) and size(i) < size(i - 1):
         return i, 0
@@ -66,6 +71,6 @@ def felt(r, i):
 
 
 def at_support(r, i):
-    """w and φ at a node, as they act on its springs."""
+    """Returns the claimed w and φ at a node, from the adjacent piece that `felt` chooses."""
     piece, side = r.felt[i]
     return r.pieces[piece].ends(r.pieces[piece].w)[side], r.pieces[piece].ends(r.pieces[piece].rotation)[side]

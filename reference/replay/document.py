@@ -5,10 +5,11 @@ from flint import arb
 
 from balls import NotReplayed, exact, high, upper
 
-# Positions of the model are at most this far from their node, relative to the length.
+# Maximum distance between the positions of a node in the document and in the log, relative to the beam length.
 NEAR = arb("16") * arb(2) ** -52
 
-# Field of `proof.bounds`, key of the bounds in the log, and the exponents of force and length in its unit.
+# Each row contains the name of a quantity in `proof.bounds`, its key in the log, and the exponents of force and
+# length in its unit.
 BOUNDS = (
     ("deflection", "w", 0, 1),
     ("slope", "slope", 0, 0),
@@ -21,7 +22,7 @@ BOUNDS = (
 
 
 def part(document, combination):
-    """The result of a combination in a document."""
+    """Returns the result of one load combination from a result document."""
     if "combinations" not in document:
         return document
     for found in document["combinations"]:
@@ -31,50 +32,55 @@ def part(document, combination):
 
 
 def check(r, document):
-    """The log claims what the document claims, and no bound in the document is smaller than that in the log."""
+    """Checks that log and document claim the same answer, and that no bound in the document is smaller than the same
+    bound in the log."""
     force, length = r.units
     in_log = lambda x, f, l: exact(x) / arb(2) ** (f * force + l * length)
     pieces = document.get("pieces") or []
-    r.shows("the number of pieces differs from the document", len(pieces) == len(r.pieces))
+    r.shows("the number of pieces differs between log and document", len(pieces) == len(r.pieces))
     for i, (piece, claimed) in enumerate(zip(r.pieces, pieces)):
-        r.shows(f"the ends of piece {i} differ from the document", all(
+        r.shows(f"the ends of piece {i} differ between log and document", all(
             upper(end - in_log(x, 0, 1)) <= NEAR * high(r.x[-1]) for end, x in zip(piece.x, claimed["x"])
         ))
-        r.shows(f"the half length of piece {i} differs from the document", piece.half == in_log(claimed["half"], 0, 1))
+        r.shows(
+            f"the half length of piece {i} differs between log and document",
+            piece.half == in_log(claimed["half"], 0, 1),
+        )
         middle = (in_log(claimed["x"][0], 0, 1) + in_log(claimed["x"][1], 0, 1)) / 2
         r.meets(f"the middle of piece {i}", piece.middle - middle)
-        r.shows(f"the contact of piece {i} differs from the document", piece.touches == claimed["touches"])
+        r.shows(f"the contact of piece {i} differs between log and document", piece.touches == claimed["touches"])
         fields = [("deflection", piece.w, 1), ("rotation", piece.phi, 0), ("settlement", piece.settlement, 1)]
         for name, field, exponent in fields:
             coefficients = [in_log(c, 0, exponent) for c in claimed.get(name) or []]
             same = field is None and not coefficients or field is not None and is_same(field, coefficients)
-            r.shows(f"the {name} of piece {i} differs from the document", same)
+            r.shows(f"the {name} of piece {i} differs between log and document", same)
     for force_claimed in document.get("forces") or []:
         x = in_log(force_claimed["x"], 0, 1)
         nearest = min(range(len(r.x)), key=lambda i: float(upper(r.x[i] - x)))
         touches = r.touches[nearest] or not any(r.layered(nearest)) or not force_claimed["force"] > 0
-        r.shows(f"the force at node {nearest} is not in the log", touches)
+        r.shows(f"the document has a force at node {nearest}, but the log has none", touches)
     reactions(r, document.get("reactions") or [], in_log)
     bounds(r, (document.get("proof") or {}).get("bounds") or {}, in_log)
 
 
 def is_same(field, coefficients):
-    """Whether a polynomial has these coefficients, exactly."""
+    """Returns whether a polynomial has exactly the given coefficients."""
     return field.degree() < len(coefficients) and all(field[j] == c for j, c in enumerate(coefficients))
 
 
 def reactions(r, claimed, in_log):
-    """The reactions of the supports agree with the document; missing reactions are zero."""
+    """Checks that the reactions in the log agree with those in the document. A reaction that the document does not
+    list counts as zero."""
     listed = {reaction.get("support", i): reaction for i, reaction in enumerate(claimed)}
     for i, support in enumerate(r.supports):
         reaction = listed.get(i) or {}
         force, moment = in_log(reaction.get("force", 0), 1, 0), in_log(reaction.get("moment") or 0, 1, 1)
         same = support.claimed[0] == force and support.claimed[1] == moment
-        r.shows(f"the reaction of support {i} differs from the document", same)
+        r.shows(f"the reaction of support {i} differs between log and document", same)
 
 
 def bounds(r, claimed, in_log):
-    """No bound of a field in the document is smaller than the largest of the log."""
+    """Checks that the bound of each field in the document is at least the largest bound of this field in the log."""
     for name, key, force, length in BOUNDS:
         if claimed.get(name) is None:
             continue
@@ -84,4 +90,4 @@ def bounds(r, claimed, in_log):
             if bound.is_finite():
                 r.holds(f"the bound of the {name} in the document", bound, in_log(claimed[name], force, length))
             else:
-                r.shows(f"the document bounds the {name}, the log does not", False)
+                r.shows(f"the document has a bound of the {name}, but the log has none", False)

@@ -1,4 +1,5 @@
-"""The bound E of the energy of the error (11), from the parts of beam (9), (9a), ground (8), supports and hinges."""
+"""Checks the bound E of the energy of the error (11), a sum of the parts of beam (9), (9a), ground (8), supports and
+hinges."""
 
 from flint import arb
 
@@ -9,7 +10,7 @@ from ground import root_g_at
 
 
 def check(r):
-    """The sum (11) is at most the logged E; its terms are stored."""
+    """Checks that the sum (11) is at most the logged bound E of the energy of the error, and stores its terms."""
     bent, r.turned, touching, pulled = arb(0), arb(0), arb(0), arb(0)
     bending = misfit = sheared = carried = arb(0)
     for i, piece in enumerate(r.pieces):
@@ -45,12 +46,12 @@ def check(r):
 
 
 def compression_misfit(r):
-    """N_c = ((1 − σ)N Σhc′²)^½."""
+    """Returns N_c, the bound of the residual of the compression N. It is zero without a compression."""
     return arb(0) if r.sigma is None else ((1 - r.sigma) * -r.force * r.turned).sqrt()
 
 
 def moment_norm(r, i):
-    """(9)."""
+    """Returns the bound (9) of (∫δ²)^½ on a piece, where δ is the moment that balances the residuals."""
     piece = r.pieces[i]
     h, (a, b), constant = piece.h, r.delta[i], piece.residual[0]
     square = h * (a * a + a * b + b * b) / 3 + constant * h**3 * (a + b) / 12 + constant * constant * h**5 / 120
@@ -59,14 +60,14 @@ def moment_norm(r, i):
 
 
 def shear_norm(r, i):
-    """(9a)."""
+    """Returns the bound (9a) of (∫δ′²)^½ on a piece, where δ is the moment that balances the residuals."""
     piece, (a, b) = r.pieces[i], r.delta_slope[i]
     h, rest = piece.h, piece.size(piece.residual, 1)
     return upper(h * (a * a + a * b + b * b) / 3).sqrt() + h.sqrt() * (h * rest / 2 + r.added_shear[i])
 
 
 def given_back(r, missed):
-    """(8)."""
+    """Returns the bound (8) of twice the energy of the ground under the pressure change λp."""
     total = arb(0)
     for i, piece in enumerate(r.pieces):
         if not piece.touches:
@@ -85,7 +86,7 @@ def given_back(r, missed):
 
 
 def springs(r):
-    """Σ(κ(w̄ − δ) − R̄)²/κ and Σ(κ_θφ̄ − R̄_θ)²/κ_θ."""
+    """Returns the contribution of spring supports to 2E, twice the bound of the energy of the error."""
     total = arb(0)
     for i, node in enumerate(r.nodes):
         factor = upper(r.factor[i])
@@ -97,7 +98,8 @@ def springs(r):
             total += missed**2 / spring
         if node.turning is not None:
             piece, side = r.felt[i]
-            # A couple belongs to the cell on its right, at the right end of the beam to the one on its left.
+            # The couple of a node belongs to the cell on the right of the node. At the right end of the beam it
+            # belongs to the cell on the left.
             steep = r.steep[min(i, len(r.pieces) - 1)]
             turned = upper(r.c_slope[piece][side])
             total += (node.turning * turned + steep * node.weights["turning"]) ** 2 / node.turning
@@ -105,7 +107,7 @@ def springs(r):
 
 
 def hinges(r):
-    """Σ(k_φ[φ̄] + m)²/k_φ."""
+    """Returns the contribution of elastic hinges to 2E, twice the bound of the energy of the error."""
     total = arb(0)
     for i, node in enumerate(r.nodes):
         if not node.hinged or node.free_hinge:

@@ -1,5 +1,5 @@
-"""The ground's surface ū, the point forces of layers, the residual of ū in the ground's equation (4a), and
-bounds of √g."""
+"""Computes the settlement ū of the ground, the point forces of shear layers and the residual of ū in the equation of
+the ground (4a), and checks the bounds of √g."""
 
 from flint import arb, arb_poly
 
@@ -7,35 +7,42 @@ from balls import exact, high, low, negative_part, upper
 
 
 def check(r):
-    """Solves the open ground between touching nodes, computes the jumps of the flux, and checks √g."""
+    """Solves the open ground between touching nodes, computes the jumps of the flux μu′, and checks the logged bounds
+    of √g."""
     count = len(r.pieces)
     r.u = [None] * (count + 1)
-    # u along open pieces with varying k or μ, and a bound of its residual in the ground's equation.
+    # `along` is u on open pieces with varying k or μ. `missed` is a bound of the residual of u in the equation of the
+    # ground.
     r.along, r.missed = [None] * count, [arb(0)] * count
-    # μu′ at both ends of open pieces.
+    # `flux` is the flux μu′ at both ends of each open piece.
     r.flux = [None] * count
     r.jump = [arb(0)] * (count + 1)
     r.root_g = [exact(line["root_g"]) for line in r.all("ground")]
     r.unclaimed = arb(0)
     for side in (0, 1):
-        r.shows(f"the loads on the ground outside the beam act downward, side {side}", r.pushed[side] >= 0 or r.pushed[side].contains(0))
+        r.shows(
+            f"the loads on the ground outside the beam act upward, side {side}",
+            r.pushed[side] >= 0 or r.pushed[side].contains(0),
+        )
     for i, piece in enumerate(r.pieces):
         if piece.layered and piece.touches:
-            r.shows(f"the nodes of piece {i} touch", r.touches[i] and r.touches[i + 1])
+            r.shows(f"piece {i} touches the ground, but one of its nodes does not", r.touches[i] and r.touches[i + 1])
     for first, end in r.layers():
         flexibility(r, first, end)
         layer(r, first, end)
 
 
 def link(piece):
-    """s₁ and s₂ of (4), with the smallest k and μ of the piece."""
+    """Returns the two stiffnesses (4) of the ground under an open piece, for the smallest k and μ of the piece. K₁ acts
+    between the ends of the piece, and K₂ at each of these ends."""
     spring, shear = piece.spring.least, piece.shear.least
     z, root = (spring / shear).sqrt() * piece.h, (spring * shear).sqrt()
     return root / z.sinh(), root * (z / 2).tanh()
 
 
 def flexibility(r, first, end):
-    """g ≤ 1/(least S₋ + least S₊) on each piece, and g ≤ coth(bL)/√(kμ) with the least k and μ of the layer."""
+    """Checks the logged bound of √g on each piece. It must be at least the root of the smaller of 1/(least K₋ + least
+    K₊) and coth(bL)/√(kμ), the latter with the least k and μ of the layer."""
     stiffness = [behind(r, first, end, 0), behind(r, first, end, 1)]
     spans = r.pieces[first:end]
     spring, shear = (min((low(c.least) for c in of), key=float) for of in zip(*((p.spring, p.shear) for p in spans)))
@@ -47,7 +54,8 @@ def flexibility(r, first, end):
 
 
 def behind(r, first, end, side):
-    """The stiffness of the layer on one side of each node, as if it were open."""
+    """Returns the stiffness of the shear layer on one side of each node, as if the whole layer were out of
+    contact."""
     at_end = first == 0 if side == 0 else end == len(r.pieces)
     stiffness = [r.outside[side] if at_end else arb(0)]
     for i in range(first, end) if side == 0 else reversed(range(first, end)):
@@ -58,7 +66,8 @@ def behind(r, first, end, side):
 
 
 def layer(r, first, end):
-    """u at the nodes of one layer, for each run of open pieces, and the forces at the touching nodes."""
+    """Computes u at the nodes of one layer, one run of open pieces after another, and the forces at the touching
+    nodes."""
     nodes = range(first, end + 1)
     for i in nodes:
         if r.touches[i]:
@@ -80,7 +89,8 @@ def layer(r, first, end):
 
 
 def run(r, first, end, a, b):
-    """The open pieces a to b − 1: solved if k and μ are constant, otherwise as stored."""
+    """Computes u and the flux on the open pieces from a to b − 1. If k and μ are constant, u is solved; otherwise the
+    stored u is used."""
     if all(piece.even_ground for piece in r.pieces[a:b]):
         solve(r, first, end, a, b)
         return
@@ -107,7 +117,8 @@ def run(r, first, end, a, b):
 
 
 def with_ends(piece, ends):
-    """The stored settlement plus a linear function, so that it has these values at the ends."""
+    """Returns the sum of the stored settlement and the linear function that makes it equal to `ends` at both ends of
+    the piece."""
     stored = arb_poly([]) if piece.settlement is None else piece.settlement
     missed = [u - s for u, s in zip(ends, piece.ends(stored))]
     slope = (missed[1] - missed[0]) / (piece.t[1] - piece.t[0])
@@ -115,26 +126,29 @@ def with_ends(piece, ends):
 
 
 def free_fluxes(piece):
-    """The contribution of the load on an open piece to the flux at both ends for u = 0: with v = u − q/k in (4), and μq′/k."""
+    """Returns the flux at both ends of an open piece due to its load q, if u = 0 at both ends. It is the flux (4) of
+    v = u − q/k, plus μq′/k."""
     across, own = link(piece)
     (a, b), slope = piece.ends(piece.free), (piece.shear.along * piece.d(piece.free))[0]
     return [slope - across * (b - a) + own * a, slope - across * (b - a) - own * b]
 
 
 def fluxes(piece, left, right):
-    """μu′ at both ends of an open piece without load (4)."""
+    """Returns the flux μu′ (4) at both ends of an open piece without load."""
     across, own = link(piece)
     return [across * (right - left) - own * left, across * (right - left) + own * right]
 
 
 def rise(r, i):
-    """The increase of w̄ − g₀ along a piece from left to right, computed without the common part."""
+    """Returns the increase of w̄ − g₀ from the left to the right end of a piece, computed without the constant
+    coefficient."""
     left, right = r.pieces[i].ends(r.pieces[i].obstacle + r.closing[i] - (r.pieces[i].obstacle + r.closing[i])[0])
     return right - left
 
 
 def solve(r, first, end, a, b):
-    """The tridiagonal system for u at the nodes between a and b: the flux jumps by Q.
+    """Solves the tridiagonal system for u at the nodes between a and b. At each of these nodes the flux jumps by the
+    load Q on the ground.
 
     u = Au_a + Bρ + G with ρ = u_b − u_a, or Au_b + G where a does not touch: the columns A, B and G lose no digits
     if a short piece gives a large flux for a small difference."""
@@ -179,12 +193,13 @@ def solve(r, first, end, a, b):
 
 
 def jump(r, first, end, node):
-    """The jump of the flux at a node, minus the force on the ground there."""
+    """Returns the jump of the flux at a node, the left value minus the right value, minus the force on the ground at
+    this node."""
     return flux(r, first, end, node, 0) - flux(r, first, end, node, 1) - r.nodes[node].ground_force
 
 
 def flux(r, first, end, node, side):
-    """μu′ on one side of a node."""
+    """Returns the flux μu′ on one side of a node."""
     j = node - 1 if side == 0 else node
     if not first <= j < end:
         if node != (0, len(r.pieces))[side]:
@@ -198,13 +213,13 @@ def flux(r, first, end, node, side):
 
 
 def root_g_at(r, node):
-    """The smallest √g of the pieces next to a node."""
+    """Returns the smaller logged bound of √g of the pieces next to a node, with the settlement g under a unit force."""
     beside = [r.root_g[i] for i in (node - 1, node) if 0 <= i < len(r.pieces)]
     return min((high(x) for x in beside), key=float)
 
 
 def arc(r, i, t):
-    """u and u′ on an open piece of a layer."""
+    """Returns u and u′ at the position t of an open piece of a shear layer."""
     piece = r.pieces[i]
     if r.along[i] is not None:
         return r.along[i](t), piece.d(r.along[i])(t)
@@ -217,7 +232,8 @@ def arc(r, i, t):
 
 
 def clearance(r, i, t, bar=None):
-    """C, C′ and C″ at t on an open piece of a layer; with c as `bar` those of C̄."""
+    """Returns the clearance C and its derivatives C′ and C″ at the position t of an open piece of a shear layer. If
+    `bar` is the closing deflection c, it returns those of C̄ = C − c."""
     piece = r.pieces[i]
     obstacle = piece.obstacle if bar is None else piece.obstacle + bar
     first = piece.d(obstacle)
@@ -230,7 +246,8 @@ def clearance(r, i, t, bar=None):
 
 
 def least(r, i, t, order, bar=None, sign=1):
-    """A lower bound of C, or with order 1 of ±C′, on an interval of t: from its middle and the largest next derivative."""
+    """Returns a lower bound of C, or with `order` 1 of ±C′, on an interval of t. The bound follows from the value at
+    the midpoint and from the largest next derivative."""
     middle, reach = arb(t.mid()), arb(t.rad())
     steep = upper(clearance(r, i, t, bar)[order + 1]) * r.pieces[i].half
     return clearance(r, i, middle, bar)[order] * sign - steep * reach

@@ -1,4 +1,5 @@
-"""Pointwise bounds on each piece, from E: of w, rotation, m, M, u, and of p where both solutions are in contact (section 4)."""
+"""Checks the pointwise error bounds of w, rotation, m, M and u on each piece, and of p where both solutions are in
+contact; all follow from E (section 4)."""
 
 from flint import arb
 
@@ -8,7 +9,8 @@ from test_functions import kinks, prepare
 
 
 def check(r):
-    """The logged bounds of w, rotation, m, M and u, and without shear deformation also those of slope and p."""
+    """Checks the logged bounds of w, rotation, m, M and u, and without shear deformation also the logged bounds of
+    slope and p."""
     prepare(r)
     stiffness = kinks(r)
     for i, (piece, error) in enumerate(zip(r.pieces, r.errors)):
@@ -29,7 +31,8 @@ def check(r):
 
 
 def on_part(r, part, moved):
-    """ε_w = sup|e| + max|c|, and the rotation from sup|e| on intervals of a length h."""
+    """Checks ε_w = sup|e| + max|c|, and the bound of the rotation that follows from sup|e| on intervals of length
+    h."""
     closed = [largest(*(r.c[i][j] for i in part)) for j in (0, 1)]
     curved = largest(*(r.pieces[i].bent(r.errors[i]["M"]) + r.c[i][2] for i in part))
     s, slid = anchors.flexure(r, part)
@@ -43,7 +46,8 @@ def on_part(r, part, moved):
 
 
 def pressure(r, i, error):
-    """ε_p, with shear deformation on a layer (14a) and (14b). On open pieces it bounds the error of (μC′)′."""
+    """Returns ε_p, the bound of the error of the pressure. With shear deformation on a shear layer it is (14a) or
+    (14b). On open pieces ε_p bounds the error of (μC′)′."""
     piece = r.pieces[i]
     settled, bent = piece.spring.high * error["u"], piece.bent(error["M"])
     if piece.stiffness is None or not piece.layered:
@@ -63,7 +67,8 @@ def pressure(r, i, error):
 
 
 def parts_of_pressure(r, i, error):
-    """The two parts of (14b): kε_u + α[|S′|ε_φ + Sε_κ + |r| + |η′|], and |α′|(S + P) = |μ′ − αS′|."""
+    """Returns the two parts of (14b): the constant part kε_u + α[|S′|ε_φ + Sε_κ + |r| + |η′|], and the factor |α′|(S
+    + P) = |μ′ − αS′| of ε_θ."""
     piece = r.pieces[i]
     least = piece.stiffness.low + r.force
     if not least > 0:

@@ -1,5 +1,5 @@
-"""The problem of a proof from its log: pieces with their polynomials, nodes with loads and supports, and the claimed
-bounds."""
+"""Reads the problem of a proof from its log: pieces with their polynomials, nodes with loads and supports, and the
+claimed bounds."""
 
 from math import comb
 
@@ -9,7 +9,8 @@ from balls import Checks, NotReplayed, ball, exact, high, largest, low, optional
 
 
 class Coefficient:
-    """EI, S, k or μ along a piece: a constant, or a polynomial of t. Its bounds are its control values on the piece."""
+    """One of EI, S, k and μ along a piece, a constant or a polynomial of t. The control values of the polynomial on
+    the piece are its bounds."""
 
     def __init__(self, logged, ends):
         self.along = poly(logged) if isinstance(logged[0], list) else arb_poly([ball(logged)])
@@ -34,7 +35,8 @@ class Coefficient:
 
 
 class Piece:
-    """A piece of the beam with t = (x − middle)/half, and the fields of the claimed answer on it."""
+    """A piece of the beam with the coordinate t = (x − middle)/half and the fields of the claimed answer on this
+    piece."""
 
     def __init__(self, line, x):
         self.middle, self.half = ball(line["middle"]), ball(line["half"])
@@ -53,21 +55,22 @@ class Piece:
         self.settlement = optional(line["u"], poly)
         self.even_ground = self.spring.even and self.shear.even
         if (self.stiffness is None) != (self.phi is None):
-            raise NotReplayed("a rotation without a shear stiffness, or the reverse")
+            raise NotReplayed("a piece has a rotation phi without a shear stiffness S, or S without phi")
         if self.q is not None and not self.layered and not self.spring.even:
-            raise NotReplayed("a load on Winkler ground whose k varies")
+            raise NotReplayed("a piece has a load on Winkler ground whose k varies")
         if self.q is not None and not all(q >= 0 or q.contains(0) for q in self.ends(self.q)):
             raise NotReplayed("a load on the ground acts upward")
 
     def fields(self, force):
-        """w′, φ, M, V, T = V + Pw′, p, the residual r of (5), and η = S(w′ − φ) − V."""
+        """Computes w′, φ, M, V, T = V + Pw′, p, the residual r of (5) and the residual η = S(w′ − φ) − V on the
+        piece."""
         self.slope = self.d(self.w)
         self.rotation = self.slope if self.phi is None else self.phi
         self.moment = self.bending * (self.kappa0 - self.d(self.rotation))
         shear_force = self.d(self.moment) - self.g
         self.transverse = shear_force + self.slope * force
         self.obstacle = self.w - self.g0
-        # q/k: the settlement due to the ground's own loads, far from the beam.
+        # `free` is q/k, the free-field settlement under the load q on the ground.
         even = self.q is not None and self.spring.even
         self.free = self.q * (1 / self.spring.along[0]) if even else arb_poly([])
         self.above = self.obstacle - self.free
@@ -78,42 +81,43 @@ class Piece:
             self.misfit = self.stiffness * (self.slope - self.rotation) - shear_force
 
     def pressure_under(self, settlement):
-        """ku − q − (μ(w − g₀)′)′: the pressure if the beam were in contact with ground that has the settlement
-        u."""
+        """Returns ku − q − (μ(w − g₀)′)′, the pressure if the beam were in contact with ground that has the
+        settlement u."""
         pressure = self.spring * settlement - self.d(self.shear * self.d(self.obstacle))
         return pressure if self.q is None else pressure - self.q
 
     def d(self, p):
-        """The derivative with respect to x."""
+        """Returns the derivative of a polynomial p(t) with respect to x."""
         return p.derivative() * (1 / self.half)
 
     def ends(self, p):
         return [p(t) for t in self.t]
 
     def integral(self, p):
-        """∫p dx over the piece."""
+        """Returns ∫p dx over the piece."""
         whole = p.integral()
         return (whole(self.t[1]) - whole(self.t[0])) * self.half
 
     def size(self, p, skip=0):
-        """Σ|cⱼ|τʲ, from the constant coefficient or from a later one."""
+        """Returns a bound of a polynomial on the piece, without its first `skip` terms: the sum of its absolute
+        coefficients times powers of the largest |t|."""
         return sum((upper(p[j]) * self.tau**j for j in range(skip, p.degree() + 1)), arb(0))
 
     def load(self):
-        """A bound of |r|."""
+        """Returns a bound of the residual of the transverse equilibrium on the piece."""
         return self.size(self.residual)
 
     def steepness(self, coefficient):
-        """A bound of the slope of a coefficient."""
+        """Returns a bound of the derivative of S or μ with respect to x on the piece."""
         return arb(0) if coefficient.even else self.size(self.d(coefficient.along))
 
     def bent(self, moment):
-        """ε_κ = ε_M/EI."""
+        """Returns ε_κ = ε_M/EI, the bound of the curvature error, from the bound ε_M of the moment error."""
         return moment / self.bending.low
 
 
 class Node:
-    """A node between pieces, or an end of the beam."""
+    """A node between two pieces or at an end of the beam, with the loads and supports at this node."""
 
     def __init__(self, line):
         self.x, self.force, self.moment = (ball(line[key]) for key in ("x", "F", "M0"))
@@ -126,23 +130,24 @@ class Node:
         # Weights of the supports in the redistribution of residual forces; any nonnegative weights are valid.
         self.weights = dict(zip(("rigid", "spring", "clamp", "turning"), map(exact, line["weights"])))
         if not all(weight >= 0 for weight in self.weights.values()):
-            raise NotReplayed("a negative weight")
+            raise NotReplayed("a support has a negative weight")
         if not (self.ground_force >= 0):
             raise NotReplayed("a load on the ground acts upward")
 
     def towards(self, x):
-        """The component of a force or deflection in the direction in which a one-way support acts."""
+        """Returns the component of a force or deflection in the direction in which the one-way support at the node
+        acts."""
         return -x if self.acts < 0 else x
 
     def stiff(self):
-        """κ and κ_θ."""
+        """Returns the stiffnesses κ and κ_θ of the translational and the rotational spring at the node."""
         spring = arb(0) if self.spring is None else upper(self.spring[0])
         return spring, arb(0) if self.turning is None else upper(self.turning)
 
 
 class Problem(Checks):
-    """One result of a log: the problem, the claimed solution, and the claimed bounds. The modules add their
-    results."""
+    """One result of a log, with the problem, the claimed solution and the claimed bounds. The check of each module
+    adds its results to this object."""
 
     def __init__(self, lines):
         super().__init__()
@@ -150,29 +155,31 @@ class Problem(Checks):
         for line in lines:
             self.lines.setdefault(line["name"], []).append(line)
         if "problem" not in self.lines:
-            raise NotReplayed("nothing is proven of this result")
+            raise NotReplayed("the log has no proof of this result")
         problem = self.one("problem")
         self.force = optional(problem["P"]) or arb(0)
         if not (self.force >= 0 or self.force < 0):
-            raise NotReplayed("an axial force of unknown sign")
+            raise NotReplayed("the sign of the axial force is unknown")
         self.tension = self.force if self.force > 0 else None
         self.sigma = optional(problem["sigma"], exact)
         if (self.force < 0) != (self.sigma is not None):
-            raise NotReplayed("a compression without a critical load")
+            raise NotReplayed(
+                "sigma, the remaining fraction of the convexity, is required under compression, and not allowed otherwise"
+            )
         if self.sigma is not None and not 0 < self.sigma < 1:
-            raise NotReplayed("the remaining convexity is not between 0 and 1")
+            raise NotReplayed("sigma, the remaining fraction of the convexity, is not between 0 and 1")
         self.outside, self.pushed = ([ball(x) for x in problem[key]] for key in ("outside", "pushed"))
         self.cuts, self.carrier = problem["cuts"], exact(problem["carrier"])
         self.units = problem["units"]
         self.nodes = [Node(line) for line in self.all("node")]
         self.x = [node.x for node in self.nodes]
         if len(self.nodes) != len(self.all("piece")) + 1:
-            raise NotReplayed("the numbers of nodes and pieces do not match")
+            raise NotReplayed("the number of nodes is not the number of pieces plus one")
         ends = zip(self.x, self.x[1:])
         self.pieces = [Piece(line, x) for line, x in zip(self.all("piece"), ends)]
         for piece in self.pieces:
             if not piece.h > 0:
-                raise NotReplayed("a piece without length")
+                raise NotReplayed("the length of a piece is not positive")
             piece.fields(self.force)
         admissible = self.all("admissible at a node")
         self.value = [ball(line["w"]) for line in admissible]
@@ -186,30 +193,31 @@ class Problem(Checks):
         for name in ("admissible at a node", "tolerance of a force"):
             self.complete(name, len(self.nodes))
         if any(len(line["bounds"]) != len(self.pieces) for line in self.all("round")):
-            raise NotReplayed("a round without bounds for each piece")
+            raise NotReplayed("a round does not have bounds for every piece")
         self.shears = any(piece.stiffness is not None for piece in self.pieces)
 
     def all(self, name):
         return self.lines.get(name, [])
 
     def complete(self, name, count):
-        """The log has one line with this name for each piece or node, in order."""
+        """Checks that the log has one line with this name for each piece or node, in order."""
         found = [line.get("piece", line.get("node")) for line in self.all(name)]
         if found != list(range(count)):
-            raise NotReplayed(f"the lines `{name}` are not complete")
+            raise NotReplayed(f"the log does not have one line `{name}` for each piece or node, in order")
 
     def one(self, name):
         found = self.all(name)
         if len(found) != 1:
-            raise NotReplayed(f"{len(found)} lines `{name}`")
+            raise NotReplayed(f"the log has {len(found)} lines `{name}` instead of one")
         return found[0]
 
     def layered(self, node):
-        """Whether the pieces on the left and on the right of a node belong to a layer."""
+        """Returns two truth values: whether the piece on the left of a node, and whether the piece on the right,
+        belongs to a shear layer."""
         return [0 <= i < len(self.pieces) and self.pieces[i].layered for i in (node - 1, node)]
 
     def layers(self):
-        """The maximal runs of pieces with μ > 0."""
+        """Yields the first and the last node of each maximal run of pieces with μ > 0."""
         first = None
         for i in range(len(self.pieces) + 1):
             inside = i < len(self.pieces) and self.pieces[i].layered
@@ -220,11 +228,11 @@ class Problem(Checks):
                 first = None
 
     def parts(self):
-        """The parts between hinges, as ranges of pieces."""
+        """Returns the parts of the beam between hinges, as ranges of pieces."""
         return self.cut(lambda node: node.hinged)
 
     def joined_parts(self):
-        """The parts between free hinges."""
+        """Returns the parts of the beam between free hinges, as ranges of pieces."""
         return self.cut(lambda node: node.free_hinge)
 
     def cut(self, at):
@@ -233,18 +241,18 @@ class Problem(Checks):
         return [range(a, b) for a, b in zip(ends, ends[1:])]
 
     def obstacles(self):
-        """Ends of the beam and rigid supports."""
+        """Returns the nodes at the ends of the beam and at rigid supports."""
         last = len(self.pieces)
         return [i for i in range(last + 1) if i in (0, last) or self.nodes[i].rigid is not None]
 
     def corner(self, node):
-        """The jump of g₀′."""
+        """Returns the jump of g₀′ at a node."""
         left, right = self.pieces[node - 1], self.pieces[node]
         return right.ends(right.d(right.g0))[0] - left.ends(left.d(left.g0))[1]
 
     def even(self, node):
-        """Whether μ and S are the same on both sides of a node inside a layer, without hinge and force on the
-        ground."""
+        """Returns whether a node lies inside a shear layer, has no hinge and no force on the ground, and has the same
+        μ and S on both sides."""
         if self.layered(node) != [True, True] or self.nodes[node].hinged or self.nodes[node].ground_force != 0:
             return False
         left, right = self.pieces[node - 1], self.pieces[node]
@@ -256,7 +264,7 @@ class Problem(Checks):
         return all((a.ends[1] - b.ends[0]).contains(0) for a, b in pairs)
 
     def kinks(self, node):
-        """Whether a force or a support causes a jump of the slope at a node, on a beam with shear
+        """Returns whether a force or a support causes a jump of the slope at a node of a beam with shear
         deformation."""
         here = self.nodes[node]
         beside = [self.pieces[i] for i in (node - 1, node) if 0 <= i < len(self.pieces)]
@@ -264,5 +272,6 @@ class Problem(Checks):
         return forced and any(piece.stiffness is not None for piece in beside)
 
     def smooth(self, node):
-        """Whether the kind of a node excludes a point contact force of the exact solution at it."""
+        """Returns whether the exact solution cannot have a point contact force at a node: the node has no corner of
+        g₀, no jump of the slope and no other discontinuity."""
         return self.even(node) and self.corner(node).contains(0) and not self.kinks(node)

@@ -1,4 +1,5 @@
-"""Bounds of the errors of the reactions of supports, and whether each one-way support is active or inactive (section 6)."""
+"""Checks the error bounds of the reactions of supports, and whether each one-way support is proven active or inactive
+(section 6)."""
 
 from flint import arb
 
@@ -8,7 +9,7 @@ from test_functions import lifted_side, straight, turned_side
 
 
 class Support:
-    """A support of the model with the claimed reaction: the force up and the moment that turns the right side down."""
+    """A support of the model with its claimed reaction, an upward force and a clockwise moment."""
 
     def __init__(self, line):
         self.node, self.x, self.acts = line["node"], ball(line["x"]), line["acts"]
@@ -22,7 +23,8 @@ class Support:
 
 
 def check(r):
-    """The logged errors of force and moment, the sums at the nodes, and the state of one-way supports."""
+    """Checks the logged error bounds of forces and moments, the sums of the supports at each node, and the state of
+    one-way supports."""
     r.supports = [Support(line) for line in r.all("support")]
     sums(r)
     decided = True
@@ -33,14 +35,15 @@ def check(r):
         if support.acts:
             clear = is_clear(r, support)
             if support.node is None:
-                r.shows(f"the beam may reach support {i}", clear)
+                r.shows(f"the beam may reach the inactive one-way support {i}", clear)
             decided = decided and (clear or support.towards(support.claimed[0]) > support.errors[0])
     if r.one("supports")["decided"]:
         r.shows("the state of a one-way support is not decided", decided)
 
 
 def sums(r):
-    """The sums of the supports' stiffnesses and claimed reactions equal the values at the nodes."""
+    """Checks that the stiffnesses and claimed reactions of the supports at each node add up to the values of the
+    node."""
     for i, node in enumerate(r.nodes):
         here = [support for support in r.supports if support.node == i]
         springs = [support for support in here if support.springs is not None]
@@ -50,14 +53,20 @@ def sums(r):
             r.meets(f"the {name} at node {i}", found - of_node)
         r.meets(f"the rotational spring at node {i}", total(lambda s: s.springs[1]) - (node.turning or arb(0)))
         rigid = [support for support in here if support.springs is None]
-        r.shows(f"the rigid support at node {i}", (node.rigid is not None) == bool(rigid))
+        r.shows(
+            f"either the model or node {i} of the log has a rigid support, but not both",
+            (node.rigid is not None) == bool(rigid),
+        )
         for support in rigid:
             r.meets(f"the settlement of the support at node {i}", support.settlement - node.rigid)
         for j, sign in ((0, 1), (1, -1)):
             claimed = sum((support.claimed[j] for support in rigid), arb(0))
             r.meets(f"the reaction at node {i}", claimed * sign - node.reaction[j])
         if node.acts:
-            r.shows(f"the one-way support at node {i}", [support.acts for support in here] == [node.acts])
+            r.shows(
+                f"the one-way support at node {i} differs from the supports of the model",
+                [support.acts for support in here] == [node.acts],
+            )
         elif any(support.acts for support in here):
             raise NotReplayed("a one-way support shares its node with a two-way support")
 
@@ -74,7 +83,9 @@ def errors(r, support):
 
 
 def of_springs(r, support):
-    """min(κε_w, s₂√κ + κ|c|), plus the difference of the claimed reaction from κ(w − δ); likewise for rotation."""
+    """Returns the error bounds of force and moment of a spring support. The bound of the force is min(κε_w, s₂√κ +
+    κ|c|) plus the difference of the claimed reaction from κ(w − δ). The bound of the moment is the same with the
+    rotation."""
     w, slope = at_support(r, support.node)
     piece = max(support.node - 1, 0)
     bounds = (r.errors[piece]["w"], r.errors[piece]["rotation"])
@@ -93,7 +104,8 @@ def of_springs(r, support):
 
 
 def of_rigid_support(r, node):
-    """s₂K + W|λ|: z = 1 at the support and 0 at the others, a cubic on each side, or linear."""
+    """Returns s₂K + W|λ|, the error bound of the force of a rigid support. K belongs to a test function z that is 1
+    at this support and 0 at all other rigid supports. z is a cubic on each side, or a linear function."""
     here = r.nodes[node]
     k = (lifted_side(r, node, 0) + lifted_side(r, node, 1) + here.stiff()[0]).min(tilted(r, node))
     given_back = upper(here.reaction[0]) if here.acts else here.weights["rigid"]
@@ -101,7 +113,8 @@ def of_rigid_support(r, node):
 
 
 def tilted(r, node):
-    """K² of the linear function that is 1 at a support and 0 at the only other support, if neither is a clamp."""
+    """Returns K² of the linear test function that is 1 at a rigid support and 0 at the only other rigid support, if
+    neither support is a clamp. Otherwise returns infinity."""
     rigid = [i for i, other in enumerate(r.nodes) if other.rigid is not None]
     if len(rigid) != 2 or any(r.nodes[i].clamped for i in rigid):
         return INFINITE
@@ -110,10 +123,11 @@ def tilted(r, node):
 
 
 def of_clamp(r, node):
-    """s₂K + W_θ|λ′| with z′ = 1 at the clamp: a cubic on both sides, or z = x − xᵢ on the whole beam if there is no other rigid support."""
+    """Returns s₂K + W_θ|λ′|, the error bound of the moment of a clamp at xᵢ. K belongs to a test function z with z′ =
+    1 at the clamp. z is a cubic on both sides, or x − xᵢ on the whole beam if there is no other rigid support."""
     here = r.nodes[node]
     if not here.clamped:
-        # A pin claims no moment; another claim is refused.
+        # The exact moment of a pin is zero, and an answer that claims a moment of a pin is refused.
         return arb(0)
     k = turned_side(r, node, 0) + turned_side(r, node, 1) + here.stiff()[1]
     if sum(other.rigid is not None for other in r.nodes) == 1:
@@ -123,7 +137,8 @@ def of_clamp(r, node):
 
 
 def is_clear(r, support):
-    """−ς(w − δ) > ε_w on every piece that may contain the support."""
+    """Returns whether the beam is proven to be clear of the one-way support, on every piece that may contain this
+    support."""
     found = False
     for piece, error in zip(r.pieces, r.errors):
         if support.x < piece.x[0] or support.x > piece.x[1]:

@@ -1,5 +1,5 @@
-"""The contact set of layers with the bounds of V. With shear deformation it needs several rounds, because slope
-and contact set depend on each other."""
+"""Checks the contact set of shear layers and the bounds of V. With shear deformation this needs several rounds,
+because the bounds of the slope and the contact set depend on each other."""
 
 from balls import INFINITE, NotReplayed, exact
 from contact import Contact, Edge, roughly
@@ -8,7 +8,8 @@ from shear_force import bounds, first_slopes
 
 
 def check(r):
-    """The logged ε_V, ε_a and edges; with shear deformation also ε_θ and ε_p, round by round."""
+    """Checks the logged edges, and the logged error bounds of shear force and contact forces. With shear deformation it
+    also checks the bounds of slope and pressure, round by round."""
     r.shown = r.one("contact set")["shown"]
     edges = [Edge(line["edge"]) for line in r.all("edge")]
     r.contact = None
@@ -23,19 +24,19 @@ def check(r):
     if r.contact is not None:
         same = sorted((e.node, e.side, float(e.outside), float(e.inside)) for e in edges)
         used = sorted((e.node, e.side, float(e.outside), float(e.inside)) for e in r.contact.edges)
-        r.shows("the edges are not those of the last round", same == used)
+        r.shows("the logged edges differ from the edges of the last round", same == used)
         for i, line in enumerate(r.all("tolerance of a force")):
             r.holds(f"eps_a at node {i}", r.contact.tolerance[i], exact(line["error"]))
 
 
 def nothing(r):
-    """Without the contact set the logged bounds of V are infinite."""
+    """Checks that the logged bounds of V are infinite, because no contact set is proven."""
     for i, error in enumerate(r.errors):
-        r.shows(f"eps_V on piece {i} is finite without a contact set", not error["V"].is_finite())
+        r.shows(f"the error bound of V on piece {i} is finite, but no contact set is proven", not error["V"].is_finite())
 
 
 def final(r, errors):
-    """ε_V, and the other bounds that it lowers, from the last round."""
+    """Checks the bounds of V from the last round, and with shear deformation also those of slope and pressure."""
     r.contact.errors = errors
     for i, (force, slope) in enumerate(bounds(r, r.contact)):
         r.holds(f"(15) eps_V on piece {i}", force, r.errors[i]["V"])
@@ -45,11 +46,11 @@ def final(r, errors):
 
 
 def in_rounds(r):
-    """The first round uses rough bounds of the contact; the bounds of each further round follow from the previous
-    one."""
+    """Checks all rounds of a beam with shear deformation. The first round checks the edges without a bound of the
+    slope; the bounds of each further round follow from the previous round."""
     rounds, errors, before = r.all("round"), first_slopes(r), None
     if len(rounds) < 2:
-        raise NotReplayed("the rounds of a beam with shear deformation are not in the log")
+        raise NotReplayed("the beam has shear deformation, but the log has fewer than two rounds")
     for number, line in enumerate(rounds):
         if before is not None and before.shown:
             for error, (force, slope) in zip(errors, bounds(r, before)):
@@ -63,11 +64,11 @@ def in_rounds(r):
         if contact.shown:
             roughly(contact) if number == 0 else contact.check()
         elif number > 0 and number + 1 < len(rounds):
-            r.shows(f"round {number} follows from one that is not proven", False)
+            r.shows(f"round {number} is not proven, but a further round follows", False)
         before, errors = contact, [dict(error) for error in errors]
     r.contact = before
     if before.shown != r.shown[0]:
-        r.shows("the last round differs from the contact set", False)
+        r.shows("the last round and the log differ in whether the contact set is proven", False)
     if before.shown:
         final(r, before.errors)
         return
@@ -78,7 +79,8 @@ def in_rounds(r):
 
 
 def compared(r, number, i, error, claimed):
-    """The bounds of a round. A logged bound replaces the recomputed bound if the recomputed bound is not larger."""
+    """Checks that each recomputed bound of a round is at most the logged bound, and returns the bounds with the
+    logged values."""
     found = dict(error)
     for key, logged in zip(("slope", "V", "p"), map(exact, claimed)):
         r.holds(f"eps_{key} on piece {i} in round {number}", error[key], logged)

@@ -1,4 +1,4 @@
-"""Bounds of the error of the shear force (15), and of the slope with shear deformation, from the contact set
+"""Computes bounds of the error of the shear force (15), and of the slope with shear deformation, from the contact set
 (section 6)."""
 
 from flint import arb, arb_poly
@@ -11,7 +11,7 @@ REACHES = (0, 1, 3, 7, 15)
 
 
 def bounds(r, contact):
-    """ε_V on each piece, and ε_θ with shear deformation, from the bounds and the contact set of one round."""
+    """Returns the error bounds of shear force and slope on each piece, from the bounds and the contact set of one round."""
     errors = contact.errors
     spread, edges = load_errors(r, contact)
     nodes = [node_error(r, contact, i) for i in range(len(r.nodes))]
@@ -40,8 +40,8 @@ def bounds(r, contact):
 
 
 def directly(r, errors, spread, first, end, couples):
-    """min_h {(2s₂K + Σs₂√κ_θ)/h + ½h(q + |P| max|e″|)} + 2|P| max|c′| + max|β|, on a beam without shear deformation,
-    in windows without hinges."""
+    """Returns min_h {(2s₂K + Σs₂√κ_θ)/h + ½h(q + |P| max|e″|)} + 2|P| max|c′| + max|β|, the part of (15a) from a
+    window of pieces. It is infinite if the window has a hinge or shear deformation."""
     window = range(first, end)
     hinged = any(r.nodes[node].hinged for node in range(first + 1, end))
     if r.force == 0 or hinged or any(r.pieces[i].stiffness is not None for i in window):
@@ -56,7 +56,8 @@ def directly(r, errors, spread, first, end, couples):
 
 
 def on_piece(r, error, i, total):
-    """ε_V, and ε_θ = ε_φ + (ε_V + |η|)/S on a beam with shear deformation, from ε_T + |δ′| + |P|ε_φ + |β|."""
+    """Returns ε_V and, on a beam with shear deformation, ε_θ = ε_φ + (ε_V + |η|)/S. `total` is ε_T + |δ′| + |P|ε_φ +
+    |β|."""
     piece = r.pieces[i]
     if piece.stiffness is None:
         return error["V"].min(total), error["slope"]
@@ -65,18 +66,18 @@ def on_piece(r, error, i, total):
 
 
 def slid(r, i):
-    """|P||η|/S."""
+    """Returns |P||η|/S, the contribution of the residual η = S(w′ − φ) − V to the error of the shear force."""
     piece = r.pieces[i]
     return arb(0) if piece.stiffness is None else upper(r.force) * piece.size(piece.misfit) / piece.stiffness.low
 
 
 def stiffened(r, piece):
-    """A lower bound of 1 + P/S."""
+    """Returns a lower bound of 1 + P/S on a piece."""
     return low(1 + r.force / (piece.stiffness.high if r.force > 0 else piece.stiffness.low))
 
 
 def balancing(r, i):
-    """|δ′|."""
+    """Returns a bound of |δ′| on a piece, where δ is the moment that balances the residuals."""
     piece = r.pieces[i]
     return largest(*r.delta_slope[i]) + piece.h * piece.size(piece.residual, 1) + r.added_shear[i]
 
@@ -86,7 +87,8 @@ def swing(r, moved):
 
 
 def mean(r, errors, spread, first, end, part, couples):
-    """min_h {(2s₂K + 2|P|ε_w + Σs₂√κ_θ)/h + ½hq} + |P| max|c′| + max|β| in windows within some pieces."""
+    """Returns min_h {(2s₂K + 2|P|ε_w + Σs₂√κ_θ)/h + ½hq} + |P| max|c′| + max|β|, the part of (15) from a window of
+    pieces."""
     window = range(first, end)
     most = lambda of: max((of(i) for i in window), key=float)
     change = 2 * most(lambda i: errors[i]["m"]) + couples
@@ -99,7 +101,8 @@ def mean(r, errors, spread, first, end, part, couples):
 
 
 def load_errors(r, contact):
-    """q of each piece, and the forces on the parts where only one of the two solutions is in contact."""
+    """Returns two bounds for each piece: q, the error of the pressure of the answer, and the force on the parts where
+    only one of the two solutions is in contact."""
     errors, spread, edges = contact.errors, [], [arb(0)] * len(r.pieces)
     for i, piece in enumerate(r.pieces):
         given_back = gamma(r, i) * piece.size(piece.pressure) + (1 + gamma(r, i)) * r.depth[i]
@@ -117,7 +120,7 @@ def load_errors(r, contact):
 
 
 def open_pressure(r, i):
-    """|ku − q − (μψ′)′| on an open piece."""
+    """Returns a bound of the absolute value of `pressure_under` on an open piece."""
     piece = r.pieces[i]
     if r.along[i] is not None:
         return piece.size(piece.pressure_under(r.along[i]))
@@ -126,7 +129,7 @@ def open_pressure(r, i):
 
 
 def size_beside(piece, p, side, distance):
-    """A bound of a polynomial within a distance of an end of a piece."""
+    """Returns a bound of a polynomial within a distance of one end of a piece."""
     part = upper(distance / piece.half)
     if not part < 1:
         return piece.size(p)
@@ -137,8 +140,8 @@ def size_beside(piece, p, side, distance):
 
 
 def open_pressure_beside(r, i, side, distance):
-    """As open_pressure, within a distance of one end: u − q/k changes by at most its largest slope times
-    the distance."""
+    """Returns the bound of `open_pressure` within a distance of one end of the piece. On this distance u − q/k
+    changes by at most its largest slope times the distance."""
     piece = r.pieces[i]
     if r.along[i] is not None:
         return size_beside(piece, piece.pressure_under(r.along[i]), side, distance)
@@ -152,7 +155,7 @@ def open_pressure_beside(r, i, side, distance):
 
 
 def node_error(r, contact, i):
-    """The error of the forces at a node, and that of its rotational spring."""
+    """Returns the error bound of the forces at a node, and the error bound of the moment of its rotational spring."""
     spring, turning = (r.test_factor * stiffness.sqrt() for stiffness in r.nodes[i].stiff())
     if r.touches[i]:
         size = upper(r.jump[i])
@@ -161,7 +164,8 @@ def node_error(r, contact, i):
 
 
 def edges_of_piece(contact, i):
-    """θ and Φ₀ of the edges at both ends of a piece, without edges whose θ is zero."""
+    """Returns the distance θ and the flux bound Φ₀ of the contact edges at both ends of a piece. Edges with θ = 0 are
+    omitted."""
     piece, found = contact.r.pieces[i], []
     for end in (0, 1):
         edge = contact.at.get((i + end, end if piece.touches else 1 - end))
@@ -173,7 +177,8 @@ def edges_of_piece(contact, i):
 
 
 def beside_edges(r, errors, i, edges, steady, rest):
-    """ε_T next to edges in closed form, without an iteration with the slope: ε_T ≤ A/(1 − κ)."""
+    """Returns the bound ε_T ≤ A₅/(1 − χ) next to contact edges. It is in closed form and needs no iteration with the
+    bound of the slope."""
     piece = r.pieces[i]
     if not piece.stiffness.even or not piece.shear.even:
         return INFINITE
@@ -193,8 +198,8 @@ def beside_edges(r, errors, i, edges, steady, rest):
 
 
 def first_slopes(r):
-    """The bounds before the contact set is proven, for the slope with varying S or μ of a layer, from a single
-    piece."""
+    """Returns the bounds before the contact set is proven. Where S or μ of a shear layer varies, the bound of the
+    slope follows from a single piece."""
     found = []
     for i, error in enumerate(r.errors):
         piece = r.pieces[i]
@@ -209,7 +214,8 @@ def first_slopes(r):
 
 
 def first_slope(r, i):
-    """ε_T ≤ (A/h + B + ½h(p₀ + C))/(1 − ½hD), and the slope that follows."""
+    """Returns the bound of the slope error that follows from ε_T ≤ (A₁/h + A₂ + ½h(p₀ + A₃))/(1 − ½hA₄) on one
+    piece."""
     piece, error = r.pieces[i], r.errors[i]
     misfit, axial = piece.size(piece.misfit), upper(r.force)
     other = balancing(r, i) + r.drawn[i] + axial * error["rotation"] + axial * misfit / piece.stiffness.low

@@ -1,17 +1,17 @@
-"""The exact contact set on Winkler ground, from the signs of w − g₀ − q/k and of its slope near edges (W1 to
-W3)."""
+"""Proves the exact contact set on Winkler ground from the sign of w − g₀ − q/k, and from the sign of its slope near
+edges (W1 to W3)."""
 
 from balls import above, exact, sorted_pair
 
 
 def logged_zones(r):
-    """The lengths of the zones next to edges and supports, by piece and side."""
+    """Returns the logged lengths of the zones next to edges and supports, by piece and side."""
     return {(line["piece"], line["side"]): exact(line["length"]) for line in r.all("zone")}
 
 
 def check(r):
-    """Every piece of Winkler ground has the claimed sign, outside zones at edges and at supports that touch the
-    ground."""
+    """Checks that w − g₀ − q/k has the claimed sign on every piece of Winkler ground, outside the zones at edges and
+    at supports that touch the ground."""
     if not r.shown[1]:
         return
     zones = logged_zones(r)
@@ -22,36 +22,39 @@ def check(r):
         interval, limit = list(piece.t), r.errors[i]["w"]
         for side in (0, 1):
             theta = zones.get((i, side))
-            # At a step of g₀ or of a load on the ground, the sign changes without a zero.
+            # At a step of g₀ or of a load on the ground, w − g₀ − q/k changes sign without being zero.
             steps = field(piece.t[side]) > limit
             if theta is None:
-                r.shows(f"(W1) the edge at node {i + side} has no zone", steps or not needs_zone(r, i, side))
+                r.shows(
+                    f"(W1) the log has no line `zone` for the edge or support at node {i + side}",
+                    steps or not needs_zone(r, i, side),
+                )
                 continue
             interval[side] += (1 - 2 * side) * theta / piece.half
             grows = zone(r, r.errors[i], i, side, field, interval[side], limit)
-            r.shows(f"(W1) the zone at node {i + side}", grows)
+            r.shows(f"(W1) the growth of |w - g0| away from node {i + side} is not proven", grows)
         shown = interval[0] < interval[1] and above(field, interval, limit)
-        r.shows(f"(W2) the sign of w - g0 on piece {i}", shown)
+        r.shows(f"(W2) the sign of w - g0 on piece {i} is not proven", shown)
 
 
 def needs_zone(r, i, side):
-    """Whether w* − g₀ is zero at an end of a piece: at a contact edge, or at a support that touches the
-    ground."""
+    """Returns whether w* − g₀ is zero at an end of a piece because a contact edge or a support that touches the
+    ground is at this end."""
     other = i - 1 + 2 * side
     beside = 0 <= other < len(r.pieces) and not r.pieces[other].layered
     return beside and r.pieces[other].touches != r.pieces[i].touches or (stands(r, i, side) and r.pieces[i].q is None)
 
 
 def stands(r, i, side):
-    """Whether a rigid two-way support at an end of a piece touches the ground: w* = δ = g₀."""
+    """Whether a rigid two-way support at an end of a piece holds the beam exactly at the unloaded surface of the ground."""
     piece, node = r.pieces[i], r.nodes[i + side]
     held = node.rigid is not None and node.acts == 0
     return held and (node.rigid - piece.ends(piece.g0)[side]).contains(0)
 
 
 def rests(r, i):
-    """Whether a piece is unloaded between clamps, or from a clamp to an end, above level ground at their
-    height."""
+    """Returns whether a piece belongs to an unloaded part of the beam between two clamps, or between a clamp and an
+    end of the beam, on level ground at the height of the clamps."""
     last = len(r.pieces)
     parts = lambda node: node in (0, last) or r.nodes[node].clamped
     a = next(node for node in range(i, -1, -1) if parts(node))
@@ -69,23 +72,24 @@ def rests(r, i):
 
 
 def lies(r, i, side):
-    """Whether the slope of w* − g₀ is also zero there: at a clamp of a beam without shear deformation, above
-    level ground."""
+    """Returns whether w* − g₀ and its slope are both zero at an end of a piece. This holds at a clamp of a beam
+    without shear deformation on level ground."""
     piece, node = r.pieces[i], r.nodes[i + side]
     return stands(r, i, side) and node.clamped and piece.stiffness is None and piece.g0.degree() <= 0
 
 
 def leaves_support(r, error, i, side, to):
-    """Whether g₀ − w* grows from zero next to a rigid support that touches open ground of a layer, where u* is
-    nonnegative."""
+    """Returns whether g₀ − w* grows from zero next to a rigid support that touches open ground of a shear layer. The
+    exact settlement u* is nonnegative on this ground."""
     piece = r.pieces[i]
     limit = error["u"] + error["w"]
     return stands(r, i, side) and zone(r, error, i, side, piece.g0 - piece.w, to, limit)
 
 
 def zone(r, error, i, side, field, to, limit):
-    """The field grows inward faster than the error of its slope, up to a value above a limit (W1). At a support
-    that touches the ground it grows from zero (W3), at a clamp by its curvature."""
+    """Returns whether a field grows inward from an end of a piece faster than the error of its slope, up to a value
+    above a limit (W1). At a support that touches the ground the field grows from zero (W3). At a clamp the curvature
+    takes the place of the slope."""
     piece, end = r.pieces[i], r.pieces[i].t[side]
     slope = piece.d(field)
     if lies(r, i, side):

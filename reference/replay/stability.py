@@ -1,5 +1,5 @@
-"""The fraction σ of the convexity of the beam's energy that remains under a compression N: N∫z′² ≤ (1 − σ)a₀(z,
-z), from spans or from elements."""
+"""Checks the fraction σ of the convexity of the beam's energy that remains under a compression N, so that N∫z′² ≤ (1
+− σ)a₀(z, z). The proof uses spans or elements."""
 
 from flint import arb
 
@@ -10,7 +10,8 @@ ELEMENTS = (16, 4, 1)
 
 
 def check(r):
-    """σ is at most its value from the spans between rigid supports, or the elements are stable under N₁ = N/(1 − σ)."""
+    """Checks that σ is at most its value from the spans between rigid supports, or that the elements are stable under
+    N₁ = N/(1 − σ)."""
     if r.sigma is None:
         return
     compression = high(-r.force)
@@ -20,7 +21,7 @@ def check(r):
         return
     load = compression / (1 - r.sigma)
     stable = not r.shears and any(is_stable(r, load, count) for count in ELEMENTS)
-    r.shows("the critical load of the compression is not proven", stable)
+    r.shows("sigma, the remaining fraction of the convexity, is not proven", stable)
 
 
 def is_rigid(node):
@@ -28,8 +29,8 @@ def is_rigid(node):
 
 
 def of_spans(r, compression):
-    """σ = 1 − N max(L²/(π²EI) + 1/S) over the spans. For a beam held by one clamp at an end, 2L takes the place of L,
-    and shear deformation is not covered."""
+    """Returns σ = 1 − N max(L²/(π²EI) + 1/S) over the spans, or `None` if the supports do not allow it. For a beam
+    held by one clamp at an end, 2L takes the place of L, and shear deformation is not covered."""
     last = len(r.pieces)
     rigid = [i for i, node in enumerate(r.nodes) if is_rigid(node)]
     if any(node.hinged for node in r.nodes) or not rigid:
@@ -51,8 +52,8 @@ def of_spans(r, compression):
 
 
 def elements(r, count):
-    """Lengths and smallest EI of elements between supports, hinges and jumps of EI, and the node at the right end of
-    each."""
+    """Yields the length and the smallest EI of each element between supports, hinges and jumps of EI, and the node at
+    the right end of the element, if any."""
     first = 0
     for i in range(1, len(r.nodes)):
         node = r.nodes[i]
@@ -70,7 +71,8 @@ def elements(r, count):
 
 
 def is_stable(r, load, count):
-    """Whether K_bend + springs − Σ N₁/(1 − N₁h²/(4π²EI)) K_geo is positive definite: its pivots are positive."""
+    """Returns whether the matrix K_bend + springs − Σ N₁/(1 − N₁h²/(4π²EI)) K_geo is positive definite, with the
+    bending and geometric stiffness matrices K_bend and K_geo of the elements."""
     matrix, free = {}, []
 
     def unknown(is_free):
@@ -83,7 +85,8 @@ def is_stable(r, load, count):
             matrix[i, j] = matrix.get((i, j), arb(0)) + value
 
     def joint(node):
-        """The unknowns z and z′ at a node, with their supports and springs."""
+        """Adds the unknowns z and z′ at a node with the supports and springs of the node, and returns the indices of
+        both unknowns."""
         place, turn = unknown(not is_rigid(node)), unknown(not node.clamped)
         if node.acts == 0 and node.spring is not None:
             add(place, place, node.spring[0])
@@ -118,8 +121,8 @@ def is_stable(r, load, count):
 
 
 def is_positive(matrix, unknowns):
-    """Whether a symmetric matrix is positive definite, by elimination in balls. The unknowns are coupled only
-    with near ones."""
+    """Returns whether a symmetric matrix is positive definite, by elimination in balls. Each unknown is coupled only
+    with the next seven."""
     for place, i in enumerate(unknowns):
         pivot = matrix.get((i, i), arb(0))
         if not pivot > 0:

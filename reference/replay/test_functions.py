@@ -1,4 +1,5 @@
-"""K² of the test functions z for the errors of the moment and of the reactions (section 4), and s₂ or the factor that replaces it."""
+"""Computes K² of the test functions z for the errors of the moment and of the reactions (section 4), and the factor
+of K: s₂, or its replacement under a compression."""
 
 from flint import arb
 
@@ -7,7 +8,7 @@ from energy import compression_misfit
 
 
 def prepare(r):
-    """Computes the factor of K, and the value of P in K²."""
+    """Computes the factor of K in the error bounds, and the axial force in K, the energy norm of a test function."""
     r.beam_energy = r.energy if r.sigma is None else r.energy / r.sigma
     r.test_factor, r.test_tension = r.s2, arb(0) if r.tension is None else high(r.tension)
     if r.sigma is not None:
@@ -18,20 +19,21 @@ def prepare(r):
 
 
 def stiffest(r, pieces):
-    """The largest EI, P + μ and k on pieces."""
+    """Returns the largest EI, P + μ and k on some pieces."""
     spans = [r.pieces[i] for i in pieces]
     layer = largest(*(piece.shear.high for piece in spans)) + r.test_tension
     return largest(*(piece.bending.high for piece in spans)), layer, largest(*(piece.spring.high for piece in spans))
 
 
 def held(r, nodes):
-    """Σκ and Σκ_θ."""
+    """Returns Σκ and Σκ_θ, the sums of the spring stiffnesses at some nodes."""
     both = [r.nodes[i].stiff() for i in nodes]
     return sum((spring for spring, _ in both), arb(0)), sum((turning for _, turning in both), arb(0))
 
 
 def kink(stiff, springs, available):
-    """z = t(1 − t/h)² on one side: 4EI/h + (2/15)(P + μ)h + kh³/105 + Σκ(4h/27)² + Σκ_θ."""
+    """Returns the least K² over h of the test function z = t(1 − t/h)² on one side of a position. K² is 4EI/h +
+    (2/15)(P + μ)h + kh³/105 + Σκ(4h/27)² + Σκ_θ."""
     (bending, layer, ground), (spring, turning) = stiff, springs
     return least_of_halves(
         available,
@@ -44,8 +46,8 @@ def kink(stiff, springs, available):
 
 
 def kinks(r):
-    """The smallest K on each piece: slope jumps between obstacles, and linear functions to an end of the
-    beam."""
+    """Returns the smallest K on each piece for test functions with a unit kink. These functions end between two rigid
+    supports, or they are linear up to an end of the beam."""
     least = [INFINITE] * len(r.pieces)
     stops = r.obstacles()
     for a, b in zip(stops, stops[1:]):
@@ -58,7 +60,8 @@ def kinks(r):
 
 
 def long_kinks(r, side, least):
-    """z(s) = |s - x| between x and one end of the beam, if no rigid support lies between them."""
+    """Lowers K² of each piece by the test function z(s) = |s − x| between x and one end of the beam, if no rigid
+    support lies between both."""
     count = len(r.pieces)
     layer = ground = arb(0)
     passed = []
@@ -79,7 +82,8 @@ def long_kinks(r, side, least):
 
 
 def next_obstacle(r, node, side):
-    """The next rigid support on one side of a node, or the end of the beam, and whether it is a support."""
+    """Returns the node of the next rigid support on one side of a node, or of the end of the beam, and whether the
+    returned node has a rigid support."""
     while node != (0, len(r.pieces))[side]:
         node += 2 * side - 1
         if r.nodes[node].rigid is not None:
@@ -88,13 +92,15 @@ def next_obstacle(r, node, side):
 
 
 def beside(r, node, other):
-    """The largest stiffnesses and the springs between a node and an obstacle, without those at the node, and the available length."""
+    """Returns the largest stiffnesses and the sums of the springs between two nodes, and the distance of both nodes.
+    Springs at the first node are not included."""
     a, b = min(node, other), max(node, other)
     return stiffest(r, range(a, b)), held(r, [i for i in range(a, b + 1) if i != node]), r.x[b] - r.x[a]
 
 
 def lifted_side(r, node, side):
-    """z = 1 at a support: 1 − 3τ² + 2τ³ up to a distance h, or 1 to the end of the beam."""
+    """Returns K² on one side of a rigid support of a test function z with z = 1 at this support. z is 1 − 3τ² + 2τ³
+    up to a distance h, or 1 up to the end of the beam."""
     other, stands = next_obstacle(r, node, side)
     if other == node:
         return high(r.outside[side]) if not stands else INFINITE
@@ -113,13 +119,13 @@ def lifted_side(r, node, side):
 
 
 def turned_side(r, node, side):
-    """z = t(1 − t/h)² on one side of a clamp."""
+    """Returns K², the square of the energy norm, of the test function z = t(1 − t/h)² on one side of a clamp."""
     other, _ = next_obstacle(r, node, side)
     return arb(0) if other == node else kink(*beside(r, node, other))
 
 
 def straight(r, base, slope):
-    """z = (x − base)·slope over the whole beam."""
+    """Returns K², the square of the energy norm, of the test function z = (x − base)·slope on the whole beam."""
     _, layer, ground = stiffest(r, range(len(r.pieces)))
     length, z = r.x[-1] - r.x[0], lambda x: upper((x - base) * slope)
     ends = [z(r.x[0]), z(r.x[-1])]

@@ -1,12 +1,12 @@
-"""Uniqueness: every part between free hinges is supported at two positions, or at one and against rotation
-(section 7)."""
+"""Checks uniqueness: every part between free hinges must be supported at two positions, or at one position and
+against rotation (section 7)."""
 
 from anchors import REACHES, least_pressure
 
 
 def check(r):
-    """Contact forces count if the contact set proves them, one-way supports if their reaction exceeds its
-    error."""
+    """Checks the claim of uniqueness. A contact force counts as a support if the contact set proves it. A one-way
+    support counts if its reaction exceeds the error bound."""
     if not r.one("unique")["shown"] or r.sigma is not None:
         return
     pressed = set(r.contact.pressed) if r.contact is not None else set()
@@ -21,7 +21,7 @@ def check(r):
     held = set()
     for _ in parts:
         for j, (places, turning) in enumerate(counts):
-            # A supported part supports its neighbours at their hinges.
+            # A part that is supported also supports its neighbours at the common hinges.
             places += (j - 1 in held) + (j + 1 in held)
             if places + turning > 1 and places > 0:
                 held.add(j)
@@ -29,7 +29,8 @@ def check(r):
 
 
 def holds(r, part, pressed):
-    """The positions that support a part, and whether it is supported against rotation."""
+    """Returns the number of positions that support a part of the beam, and whether a clamp or a spring supports this
+    part against rotation."""
     nodes = range(part.start, part.stop + 1)
     stands = lambda node: node.acts == 0 and (node.rigid is not None or node.spring is not None)
     places = sum(stands(r.nodes[i]) or i in pressed for i in nodes) + 2 * any(presses(r, i) for i in part)
@@ -37,7 +38,8 @@ def holds(r, part, pressed):
 
 
 def presses(r, i):
-    """Whether a function z ≥ 0 proves p* > 0 in both halves of an interval of a piece: p_m∫z > s₂‖z‖_b."""
+    """Returns whether a test function z ≥ 0 proves that the exact pressure p* is positive in both halves of an
+    interval of a piece. The condition is p_m∫z > s₂‖z‖_b, with the lower bound p_m of the pressure."""
     piece = r.pieces[i]
     for reach in REACHES if piece.touches else ():
         least, h = least_pressure(r, i, reach), reach * piece.half

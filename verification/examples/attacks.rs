@@ -1,7 +1,7 @@
-//! Claims wrong answers and compares every proven bound with the true solution. For random models, `…
-//! --example attacks -- 10000`, the solver's solution is taken as the true solution; the number of the first
-//! model may follow the number of models. For the models of `reference/answers`, `… --example attacks --
-//! exact 10`, the true solution is known in 60 digits; 10 is the number of wrong answers for each model.
+//! Compares the proven bounds of wrong answers with the true solution. `… --example attacks -- 10000 FIRST` tests
+//! 10000 random models from the number FIRST on; the solution of the solver counts as the true solution. `… --example
+//! attacks -- exact 10` tests ten wrong answers for each model of `reference/answers`, whose true solution is known
+//! in 60 digits.
 
 use groundbeam_verification::attack::{KINDS, Target, random};
 use groundbeam_verification::exact_attack::judge;
@@ -12,12 +12,12 @@ use std::collections::BTreeMap;
 /// Number of wrong answers for each random model.
 const EACH: u64 = 8;
 
-/// The result for one wrong answer.
+/// A wrong answer and its comparison with the true solution.
 struct Case {
     name: String,
     kind: String,
     change: &'static str,
-    /// The result; `None` if nothing is proven about the answer.
+    /// Comparison with the true solution; `None` if nothing is proven about the wrong answer.
     found: Option<Found>,
 }
 
@@ -87,8 +87,8 @@ fn exact(each: u64) -> Vec<Case> {
     Answer::all().into_par_iter().enumerate().flat_map_iter(of_model).collect()
 }
 
-/// Prints by name the numbers of all documents, of documents with bounds and of proven documents, and the
-/// largest ratio of error to bound.
+/// Prints one row for each name: the numbers of all documents, of documents with bounds and of proven documents, and
+/// the largest ratio of error to bound.
 fn documents(cases: &[Case], title: &str, name: impl Fn(&Case) -> String) {
     let mut table: BTreeMap<String, (usize, usize, usize, f64)> = BTreeMap::new();
     for case in cases {

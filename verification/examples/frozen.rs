@@ -5,8 +5,8 @@
 //! … --example frozen -- answer [--folder FOLDER] [FAMILY …]
 //! ```
 //!
-//! `compare` lists every difference beyond the bounds, with `--bits` every difference of a bit. `answer` solves the frozen models
-//! with the present program and writes the answers and certificates over the old ones.
+//! `compare` lists every difference that exceeds its bound; with `--bits` it lists every number that differs in any
+//! bit. `answer` solves the frozen models with the present program and replaces the frozen answers and certificates.
 
 use groundbeam::solve;
 use groundbeam_verification::frozen::{self, Frozen, bits, bounds};
@@ -35,7 +35,7 @@ fn main() -> Result<ExitCode, String> {
         match words.as_str() {
             "compare" => different += compare(&all, by_bits)?,
             "answer" => answer(&folder, &family, &all)?,
-            other => return Err(format!("`{other}`: write `compare` or `answer`")),
+            other => return Err(format!("`{other}` is no command: write `compare` or `answer`")),
         }
         eprintln!("{family}: {} models, {:.1} s", all.len(), start.elapsed().as_secs_f64());
     }
@@ -51,7 +51,7 @@ fn take(arguments: &mut Vec<String>, flag: &str) -> bool {
     arguments.len() < before
 }
 
-/// Prints the differences and counts the models that differ.
+/// Prints the differences and returns the number of models that differ.
 fn compare(all: &[Frozen], by_bits: bool) -> Result<usize, String> {
     let one = |one: &Frozen| {
         if by_bits {

@@ -1,5 +1,5 @@
-//! Applies every function to hostile models and model files, and lists those that panic: `… --example hostile_models --
-//! 10000`. The number of the first model may follow.
+//! Applies every function of the library to hostile models and model files, and lists those that cause a panic. `…
+//! --example hostile_models -- 10000 FIRST` tests 10000 models and 10000 files from the number FIRST on.
 
 use groundbeam_verification::hostile::{exercise, exercise_text, model, mutated, panics, texts};
 use std::time::{Duration, Instant};
@@ -29,7 +29,7 @@ fn main() {
         run(format!("text {number}"), &|| exercise_text(&mutated(text, number)));
     }
     println!(
-        "{failed} of {} panicked; the slowest, {}: {:.1} s",
+        "{failed} of {} models and files caused a panic; the slowest was {} with {:.1} s",
         2 * count,
         slowest.1,
         slowest.0.as_secs_f64()

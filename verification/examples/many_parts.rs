@@ -1,4 +1,5 @@
-//! Measures the times to read, check and cut models with many parts, and their growth with the number of parts: `… --example many_parts -- 10000 100000`.
+//! Measures how the time to read and check a model, and to estimate its memory, grows with the number of parts. `…
+//! --example many_parts -- 10000 100000` compares these two numbers of parts.
 
 use groundbeam::{Options, exists, memory_estimate};
 use groundbeam_file::{UnitSystem, parse, write_toml};

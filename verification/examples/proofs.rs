@@ -1,12 +1,11 @@
-//! Proves the solutions of all models under `cases/` and of the first frozen models of each family, in
-//! comparison with the certificate.
+//! Compares proofs with certificates, for all models under `cases/` and the first frozen models of each family.
 //!
 //! ```text
 //! … --example proofs -- [--most N] [NAME …]
 //! ```
 //!
-//! A name is a part of a case's path or a family. For each model the gap relative to the strain energy is
-//! printed: the gap of the certificate, and the gaps of the proof in `Wide` and `Ball`.
+//! NAME is a part of the path of a case, or of the name of a family. For each model the program prints three gaps
+//! relative to the strain energy: those of the certificate, of the proof in `Wide` and of the proof in `Ball`.
 
 use groundbeam::proof::{Ball, Enclosing, Proof, Wide, prove};
 use groundbeam::{Model, Outcome, Solution, solve};
@@ -17,7 +16,7 @@ use std::time::Instant;
 
 /// The result for one model.
 enum Outcomes {
-    /// Bounds exist; `why` is the first reason why the solution is not proven.
+    /// The solution has bounds. `why` is the first reason why the solution is not proven, if any.
     Bounded {
         times: [f64; 2],
         gaps: [f64; 3],

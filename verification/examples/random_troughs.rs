@@ -1,5 +1,6 @@
-//! The change of the results with twice as many chords, in random models over settlement troughs: `… --example
-//! random_troughs -- 1000`. The number of the first model may follow; `show` and a number print the file of that model.
+//! Prints how much the results of random models over settlement troughs change with twice as many chords. `…
+//! --example random_troughs -- 1000 FIRST` tests 1000 models from the number FIRST on. `… -- show NUMBER` prints the
+//! file of the model with this number.
 
 use groundbeam_verification::troughs::{Result, drawn, result};
 

@@ -1,14 +1,15 @@
-//! The text of an answer and of its certificate: one line for each quantity, every number with all its bits.
+//! Writes an answer and its certificate as text, with one line for each quantity and all bits of each number.
 
 use groundbeam::{Certificate, Error, Existence, Field, Outcome, Solution, Verdict, solution::Side};
 use std::fmt::Write;
 
-/// Number of equal steps between the positions of the fields.
+/// Number of equal steps along the beam. The fields are evaluated at the ends of the steps.
 const STEPS: usize = 40;
-/// Steps between the written positions, if the fields are not written in full.
+/// Number of steps between two positions whose values are written if `in_full` is false.
 const COARSE: usize = 10;
 
-/// The lines of an answer: the fields at all positions, or at five with a digest of all.
+/// Returns the lines of an answer. They contain the fields at all positions if `in_full` is true, otherwise at five
+/// positions. A digest covers the values at all positions.
 pub fn text(outcome: &Result<Outcome, Error>, in_full: bool) -> String {
     match outcome {
         Ok(Outcome::Equilibrium(solution)) => {
@@ -31,7 +32,7 @@ fn of_solution(solution: &Solution, in_full: bool) -> String {
         + &of_fields(solution, in_full)
 }
 
-/// The lines of contact forces, reactions and hinges.
+/// Returns the lines of contact forces, reactions and hinges.
 pub fn forces(solution: &Solution) -> String {
     let ends = solution.end_forces();
     let forces = solution.concentrated_forces().iter().flat_map(|force| [force.at, force.force]);
@@ -70,7 +71,7 @@ fn of_fields(solution: &Solution, in_full: bool) -> String {
     text + &format!("fields_digest {:016x}\n", digest.0)
 }
 
-/// The lines of a verdict and of the static reactions.
+/// Returns the lines of a verdict and of the static reactions.
 pub fn verdict(existence: &Existence) -> String {
     let verdict = match existence.verdict {
         Verdict::Unique => line("verdict unique", &[]),
@@ -94,7 +95,7 @@ pub fn verdict(existence: &Existence) -> String {
     verdict + &line("static_reactions", &existence.static_reactions)
 }
 
-/// The lines of a certificate.
+/// Returns the lines of a certificate.
 pub fn certificate(solution: &Solution) -> String {
     let Certificate {
         primal_energy,
@@ -120,7 +121,7 @@ pub fn certificate(solution: &Solution) -> String {
         )
 }
 
-/// A key and its numbers, each with the shortest decimal that reads back to the same bits.
+/// Returns a line with a key and numbers. Each number is the shortest decimal that reads back to the same bits.
 fn line(key: &str, values: &[f64]) -> String {
     let mut line = key.to_owned();
     for value in values {
@@ -129,7 +130,7 @@ fn line(key: &str, values: &[f64]) -> String {
     line + "\n"
 }
 
-/// The hash FNV-1a of the bits of numbers.
+/// The FNV-1a hash of the bits of numbers.
 struct Digest(u64);
 
 impl Default for Digest {

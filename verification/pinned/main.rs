@@ -38,10 +38,10 @@ const FAMILIES: [Family; 20] = [
     Family::Extreme,
 ];
 
-/// Number of models of every family that are frozen.
+/// Number of frozen models of each family.
 const FIRST: u64 = 200;
-/// Number of models of every family that are frozen with the fields at every position. The models in `NAMED`
-/// also have these fields.
+/// Number of models of each family whose fields are frozen at every position. The fields of the models in `NAMED` are
+/// also frozen at every position.
 const IN_FULL: u64 = 40;
 
 /// Models of each family to which measurements, documents or tests refer by number.
@@ -79,7 +79,7 @@ fn of(lists: &[(Family, &'static [u64])], family: Family) -> &'static [u64] {
     lists.iter().find(|(listed, _)| *listed == family).map_or(&[], |(_, numbers)| numbers)
 }
 
-/// The three records of one model.
+/// The texts of one random model, its answer and its certificate.
 struct Written {
     model: String,
     answer: String,

@@ -1,4 +1,4 @@
-//! The text of a model: one line for each part, every number with all its bits.
+//! Writes a model as text, with one line for each part and all bits of each number.
 
 use groundbeam::{Beam, Foundation, Hinge, Load, Model, Support, SupportKind, model::{Acts, BeamSegment, FoundationSegment, GapPoint, GroundEnd, Profile}};
 

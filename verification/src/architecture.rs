@@ -1,4 +1,4 @@
-//! The code map, the dependencies of the crates, and the rules of `ARCHITECTURE.md`, read from the sources.
+//! Reads the code map and the dependencies of the crates from the sources, for the tests of the rules in `ARCHITECTURE.md`.
 
 use groundbeam_testing::repository;
 use std::collections::BTreeMap;
@@ -6,22 +6,22 @@ use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// A source file: its path in the repository and its text.
+/// A source file with its path in the repository and its text.
 pub struct Source {
-    /// The path, with `/` between folders.
+    /// Path of the file in the repository, with `/` between folders.
     pub path: String,
-    /// Its text.
+    /// Text of the file.
     pub text: String,
 }
 
 impl Source {
-    /// The first sentence of the file's documentation, if it has one.
+    /// Returns the first sentence of the documentation of the file, if there is one.
     pub fn summary(&self) -> Option<String> {
         let lines = self.text.lines().take_while(|line| line.starts_with("//!"));
         let text: Vec<&str> =
             lines.map(|line| line[3..].trim()).take_while(|l| !l.is_empty()).collect();
         let mut text = text.join(" ").replace("\\[", "[").replace("\\]", "]");
-        // Links to items of the crate do not work in this table.
+        // Links to items of the crate do not work in the code map.
         while let Some(from) = text.find("](crate::") {
             let to = text[from..].find(')').map_or(text.len(), |length| from + length + 1);
             text.replace_range(from..to, "]");
@@ -32,7 +32,8 @@ impl Source {
         (!text.is_empty()).then(|| text.to_owned())
     }
 
-    /// The text without the tests at its end; empty for a file that `#![cfg(test)]` excludes from the program.
+    /// Returns the text of the file without the tests at its end. If `#![cfg(test)]` excludes the file from the
+    /// program, the function returns only the lines before this attribute.
     pub fn code(&self) -> &str {
         if let Some((head, _)) = self.text.split_once("\n#![cfg(test)]\n") {
             return head;
@@ -43,7 +44,7 @@ impl Source {
     }
 }
 
-/// All source files below a folder of the repository, sorted by name.
+/// Returns all source files below a folder of the repository, sorted by name.
 pub fn sources(folder: &str) -> Vec<Source> {
     let root = repository();
     let mut found = Vec::new();
@@ -72,7 +73,7 @@ fn spelled(root: &Path, path: &Path) -> String {
     parts.join("/")
 }
 
-/// The crates of the workspace, each with its folder and its dependencies outside of tests.
+/// Returns the crates of the workspace, each with its folder and its dependencies outside of tests.
 pub fn crates() -> BTreeMap<String, (String, Vec<String>)> {
     let root = repository();
     let output = Command::new(env!("CARGO"))
@@ -84,7 +85,7 @@ pub fn crates() -> BTreeMap<String, (String, Vec<String>)> {
     let list = |value: &serde_json::Value| value.as_array().cloned().unwrap_or_default();
     let word = |value: &serde_json::Value| value.as_str().unwrap_or_default().to_owned();
     let each = |package: &serde_json::Value| {
-        // An optional external dependency does not count.
+        // Optional external dependencies are not listed.
         let is_needed = |d: &serde_json::Value| d["optional"] != true || d["path"].is_string();
         let outside_tests = |d: &serde_json::Value| d["kind"].is_null() && is_needed(d);
         let needs = list(&package["dependencies"]);
@@ -96,7 +97,7 @@ pub fn crates() -> BTreeMap<String, (String, Vec<String>)> {
     list(&metadata["packages"]).iter().map(each).collect()
 }
 
-/// The code map: every source file with the first sentence of its documentation.
+/// Returns the code map, a list of all source files with the first sentences of their documentation.
 pub fn map() -> String {
     let mut made = String::from("```text\n");
     for (name, (folder, _)) in crates() {

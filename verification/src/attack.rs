@@ -1,5 +1,4 @@
-//! Makes wrong answers from right documents by random changes, and measures their distance from the true
-//! solution.
+//! Makes wrong answers by random changes of correct answers, and compares their errors with the proven bounds.
 
 use crate::carried;
 use crate::claims::{error_bound, holds_at};
@@ -10,11 +9,11 @@ use rand::seq::IndexedRandom;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
-/// Number of kinds of random model that are tested.
+/// Number of kinds of random models that are tested.
 pub const KINDS: u64 = Family::ALL.len() as u64 + 2;
 
-/// A random model of a kind, with the kind's name: a model of a family, a beam with shear deformation, or a
-/// beam that its tension balances.
+/// Returns a random model of a kind and its name. A kind is a family of models, beams with shear deformation, or
+/// beams whose tension balances the loads.
 pub fn random(kind: u64, number: u64) -> (String, Model) {
     let families = Family::ALL.into_iter().chain([Family::Shearing]);
     match families.into_iter().nth(kind as usize) {
@@ -23,7 +22,7 @@ pub fn random(kind: u64, number: u64) -> (String, Model) {
     }
 }
 
-/// Error of the true values, relative to the largest of their kind.
+/// Rounding error of a true value, relative to the largest value of the field or to the reaction.
 const ROUNDING: f64 = 1e-12;
 
 /// A model with its solution and the proof of this solution.
@@ -42,20 +41,20 @@ pub struct Attack {
     pub(crate) answer: Answer,
 }
 
-/// The result for a wrong answer.
+/// The comparison of a wrong answer with the true solution.
 pub struct Verdict {
     /// Whether the answer is proven.
     pub proven: bool,
-    /// The largest error divided by its bound.
+    /// Largest ratio of error to bound of all quantities.
     pub ratio: f64,
-    /// Error divided by bound, by quantity.
+    /// Ratios of error to bound, each with the name of its quantity.
     pub ratios: Vec<(&'static str, f64)>,
-    /// A false statement, if there is one.
+    /// A false statement of the proof, if there is one.
     pub fault: Option<String>,
 }
 
 impl Target {
-    /// A model and its solution, if the solution has proven bounds.
+    /// Solves and proves a model; `None` if the solution has no proven bounds.
     pub fn of(model: &Model) -> Option<Self> {
         let Ok(Outcome::Equilibrium(solution)) = solve(model) else { return None };
         let (given, right) = solution.claim::<Wide>();
@@ -63,7 +62,7 @@ impl Target {
         Some(Target { solution: *solution, given, right, proof })
     }
 
-    /// An answer with one or two random changes.
+    /// Returns the correct answer with one or two random changes. A number always gives the same changes.
     pub fn attack(&self, number: u64) -> Attack {
         let mut rng = ChaCha8Rng::seed_from_u64(number);
         let mut answer = self.right.clone();
@@ -81,7 +80,7 @@ impl Target {
         Attack { change: change.0, answer }
     }
 
-    /// Compares a wrong answer with its bounds; `None` if nothing is proven of it.
+    /// Compares the errors of a wrong answer with its proven bounds; `None` if nothing is proven about the answer.
     pub fn judge(&self, attack: &Attack) -> Option<Verdict> {
         let proof = prove(&self.given, &attack.answer).ok()?;
         let (ratios, mut fault) = self.errors(&attack.answer, &proof);
@@ -92,7 +91,7 @@ impl Target {
         Some(Verdict { proven: proof.shortfall().is_none(), ratio, ratios, fault })
     }
 
-    /// Error divided by bound for all fields and reactions, and the last one whose ratio exceeds 1.
+    /// Returns the ratio of error to bound of all fields and reactions, and a description of the last ratio above 1.
     fn errors(&self, answer: &Answer, proof: &Proof) -> (Vec<(&'static str, f64)>, Option<String>) {
         let (mut ratios, mut fault) = (Vec::new(), None);
         let mut judge = |name: &'static str, error: f64, bound: f64| {
@@ -127,11 +126,11 @@ impl Target {
         (ratios, fault)
     }
 
-    /// The claims of a document at x: field, value and bound.
+    /// Returns the claims of an answer at x, each as field, value and bound.
     pub(crate) fn fields(&self, piece: &Piece, x: f64, proof: &Proof) -> Vec<(Field, f64, f64)> {
         let (model, bounds) = (self.solution.model(), &proof.bounds);
         let w = derivatives(piece, &piece.deflection, x);
-        // At a joint of two segments, the stiffness of the segment that contains the piece is taken.
+        // Where two segments meet, the stiffness is that of the segment that contains the piece.
         let inside = x.min(piece.x[1] - 1e-12 * model.beam.length);
         let stiffness = model.beam.bending_stiffness_at(inside);
         let truth = |field| self.solution.value(field, x);
@@ -147,7 +146,7 @@ impl Target {
                 [turned[0], turned[1], turned[2]]
             }
         };
-        // The imposed curvature and the distributed moment are taken from the right answer.
+        // Imposed curvatures and distributed moments cancel in the difference between the claimed and the correct answer.
         let right = self.right.pieces.iter().find(|piece| x <= piece.x[1]);
         let right = right.expect("a piece at every position of the beam");
         let exact = match right.rotation.is_empty() {
@@ -180,7 +179,7 @@ impl Target {
     }
 }
 
-/// g₀ at x.
+/// Returns the initial gap g₀ at x.
 fn clearance(model: &Model, x: f64) -> f64 {
     let gap = &model.gap;
     let after = gap.partition_point(|corner| corner.at < x);
@@ -192,7 +191,7 @@ fn clearance(model: &Model, x: f64) -> f64 {
     }
 }
 
-/// A polynomial of a piece and its first three derivatives with respect to x.
+/// Returns the value of a polynomial of a piece at x and its first three derivatives with respect to x.
 fn derivatives(piece: &Piece, coefficients: &[f64], x: f64) -> [f64; 4] {
     let t = (x - 0.5 * (piece.x[0] + piece.x[1])) / piece.half;
     let mut c = coefficients.to_vec();
@@ -205,7 +204,7 @@ fn derivatives(piece: &Piece, coefficients: &[f64], x: f64) -> [f64; 4] {
     found
 }
 
-/// Two contact sets that are both proven for one model must be equal.
+/// Describes the difference between two contact sets that are both proven for one model; `None` if they agree.
 fn differing(claimed: &ContactSet, exact: &ContactSet) -> Option<String> {
     let meet = |a: [f64; 2], b: [f64; 2]| a[0] <= b[1] && b[0] <= a[1];
     let same = claimed.regions.len() == exact.regions.len()
@@ -230,19 +229,19 @@ fn differing(claimed: &ContactSet, exact: &ContactSet) -> Option<String> {
 
 type Change = (&'static str, fn(&mut Answer, &mut ChaCha8Rng, &Target));
 
-/// 10ⁿ with a random sign, n uniform between −15 and −1.
+/// Returns 10ⁿ with a random sign, where n is uniformly distributed between −15 and −1.
 fn tiny(rng: &mut ChaCha8Rng) -> f64 {
     let size = 10.0_f64.powf(rng.random_range(-15.0..-1.0));
     if rng.random_bool(0.5) { size } else { -size }
 }
 
-/// The largest deflection.
+/// Returns the largest absolute deflection.
 fn largest(target: &Target) -> f64 {
     let range = target.solution.range(Field::Deflection);
     range.max.value.abs().max(range.min.value.abs())
 }
 
-/// A random piece.
+/// Returns the index of a random piece.
 fn any(answer: &Answer, rng: &mut ChaCha8Rng) -> usize {
     rng.random_range(0..answer.pieces.len())
 }
@@ -251,7 +250,7 @@ const CHANGES: [Change; 14] = [
     ("an edge moved", move_edge),
     ("a bump", |answer, rng, target| {
         let (i, size) = (any(answer, rng), tiny(rng) * largest(target));
-        // (1 − t²)³ is zero at the ends, with its slope and curvature.
+        // The polynomial (1 − t²)³ and its first two derivatives are zero at both ends of the piece.
         add(&mut answer.pieces[i], &[1.0, 0.0, -3.0, 0.0, 3.0, 0.0, -1.0], size);
     }),
     ("one coefficient", |answer, rng, _| {
@@ -320,7 +319,7 @@ const CHANGES: [Change; 14] = [
         }
     }),
     ("another settlement", |answer, rng, _| {
-        // The proof of varying open ground uses the stored settlement.
+        // Where k or μ varies, the proof uses the stored settlement of open ground.
         let stored: Vec<_> =
             answer.pieces.iter_mut().filter(|piece| !piece.settlement.is_empty()).collect();
         let count = stored.len();
@@ -356,7 +355,7 @@ const CHANGES: [Change; 14] = [
     }),
 ];
 
-/// Moves an end of contact. The functions of both pieces are continued beyond their ends.
+/// Moves a contact edge. The polynomials of the two adjacent pieces are extended or cut to the new edge.
 fn move_edge(answer: &mut Answer, rng: &mut ChaCha8Rng, target: &Target) {
     let pieces = &answer.pieces;
     let is_edge = |i: &usize| pieces[*i].touches != pieces[*i - 1].touches;
@@ -370,7 +369,7 @@ fn move_edge(answer: &mut Answer, rng: &mut ChaCha8Rng, target: &Target) {
     }
 }
 
-/// Adds a polynomial times a size to the deflection, and its slope to the rotation.
+/// Adds the polynomial with the coefficients `terms`, times `size`, to the deflection, and its slope to the rotation.
 fn add(piece: &mut Piece, terms: &[f64], size: f64) {
     let grow = |c: &mut Vec<f64>, j: usize, by: f64| {
         if c.len() <= j {
@@ -386,12 +385,12 @@ fn add(piece: &mut Piece, terms: &[f64], size: f64) {
     }
 }
 
-/// The same functions on another stretch.
+/// Returns a piece on the stretch `x` with the same functions of position as `piece`.
 fn on(piece: &Piece, x: [f64; 2]) -> Piece {
     let half = 0.5 * (x[1] - x[0]);
     let offset = (0.5 * (x[0] + x[1]) - 0.5 * (piece.x[0] + piece.x[1])) / piece.half;
     let ratio = half / piece.half;
-    // Horner's rule with polynomials: p(offset + ratio t).
+    // Horner's rule with polynomials computes p(offset + ratio t).
     let moved = |c: &[f64]| {
         c.iter().rev().fold(Vec::new(), |sum: Vec<f64>, c| {
             let mut next = vec![0.0; sum.len() + 1];

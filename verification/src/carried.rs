@@ -1,11 +1,10 @@
-//! Random beams under tension that are in contact only at one end or at one corner of the ground, so that the
-//! tension balances the loads.
+//! Draws random beams under tension that touch the ground only at one end or one corner, so that the tension balances the loads.
 
 use groundbeam::{Beam, Foundation, Load, Model, Verdict, exists};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
-/// The model with a number; the same number gives the same model.
+/// Returns the random model with the given number. A number always gives the same model.
 pub fn model(number: u64) -> Model {
     let mut rng = ChaCha8Rng::seed_from_u64(number);
     loop {
@@ -33,7 +32,7 @@ fn draw(rng: &mut ChaCha8Rng) -> Model {
         _ => length * rng.random_range(0.2..0.8),
     };
     let mut loads = Vec::new();
-    // The resultant is near the top, so that the beam rotates little.
+    // The loads act near the highest point of the ground, so that the beam rotates little.
     for _ in 0..rng.random_range(1..4) {
         let off = length * rng.random_range(-0.1..0.1);
         let at = (top + off).clamp(0.0, length);

@@ -1,13 +1,12 @@
-//! Compares claimed answers with the true answer: errors relative to proven bounds, and the energy of the
-//! error relative to E.
+//! Compares claimed answers with the true answer by their errors relative to proven bounds, and by the energy of the error.
 
 use groundbeam::proof::Proof;
 use groundbeam::{Field, Model, Solution, SupportKind};
 
-/// Error of the true values, relative to the largest of their field.
+/// Rounding error of a true value, relative to the largest value of the field.
 const ROUNDING: f64 = 1e-10;
 
-/// Each function multiplies one kind of number of a model by a factor.
+/// Changes of a model; each function multiplies one kind of number of the model by a factor.
 pub const CHANGES: [fn(&mut Model, f64); 7] = [
     |model, factor| {
         let stiffness = &mut model.beam.shear_stiffness;
@@ -54,8 +53,8 @@ pub fn holds_at(proof: &Proof, field: Field, x: f64) -> bool {
     }
 }
 
-/// The largest |claimed − true|/bound, at positions where no field jumps. The claimed settlement belongs to the ground of
-/// the claim; without `ground` it is not compared.
+/// Returns the largest ratio of |claimed − true| to the proven bound, at positions where no field jumps. If `ground`
+/// is false, the settlement is not compared, because the claim has another ground.
 pub fn over_bound(claimed: &Solution, truth: &Solution, proof: &Proof, ground: bool) -> f64 {
     let length = truth.model().beam.length;
     let mut worst: f64 = 0.0;
@@ -72,8 +71,8 @@ pub fn over_bound(claimed: &Solution, truth: &Solution, proof: &Proof, ground: b
     worst
 }
 
-/// A part of the energy of the error: ½∫(ΔM)²/EI, and ½∫k(Δu)² along the beam if the grounds are equal.
-/// Integrated by Gauss's rule with two points between the stations of both answers.
+/// Returns the bending energy ½∫(ΔM)²/EI of the moment error ΔM. If `ground` is true, it adds ½∫k(Δu)² along the beam,
+/// with the settlement error Δu. Gauss's rule with two points integrates between neighbouring stations of both answers.
 pub fn energy_of_error(claimed: &Solution, truth: &Solution, ground: bool) -> f64 {
     let model = truth.model();
     let density = |x: f64| {

@@ -1,14 +1,14 @@
-//! Convergence of the mesh methods to the exact solution: errors over the number of elements N, and their slopes.
+//! Measures the errors of the active-set method for several numbers of elements, and the orders of convergence.
 
 use groundbeam::{
     Beam, Field, Foundation, Load, Method, Model, Options, Outcome, Solution, solution::Side,
     solve, solve_with,
 };
 
-/// Numbers of elements.
+/// Numbers of elements of the compared meshes.
 pub const ELEMENTS: [usize; 6] = [10, 20, 40, 80, 160, 320];
 
-/// Kikuchi's example, l = EI = μ = k = 1 with f₀ = 1 and M₀ at mid-length.
+/// Returns Kikuchi's example with l = EI = μ = k = 1, the force f₀ = 1 and the moment M₀ at mid-length.
 pub fn kikuchi(moment: f64) -> Model {
     Model::new(Beam::uniform(1.0, 1.0), Foundation::pasternak(1.0, 1.0))
         .with_load(Load::point_force(0.5, 1.0))
@@ -18,23 +18,23 @@ pub fn kikuchi(moment: f64) -> Model {
 /// The compared quantity.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Quantity {
-    /// w at all stations, relative to the largest w.
+    /// Deflection w at all stations, relative to the largest w.
     Deflection,
-    /// w' at all stations.
+    /// Slope w′ at all stations, relative to the largest w′.
     Slope,
-    /// M at the nodes.
+    /// Moment M at the nodes, relative to the largest M.
     MomentAtNodes,
-    /// M at all stations.
+    /// Moment M at all stations, relative to the largest M.
     Moment,
-    /// V at the nodes, from both sides.
+    /// Shear force V on both sides of the nodes, relative to the largest V.
     ShearAtNodes,
-    /// V at all stations.
+    /// Shear force V at all stations, relative to the largest V.
     Shear,
-    /// p_l, relative to the resultant.
+    /// End force p_l, relative to the resultant of the loads.
     EndForce,
-    /// The left edge of contact, relative to l.
+    /// Position of the left contact edge, relative to the length l.
     Edge,
-    /// The certificate's relative gap.
+    /// Relative gap of the certificate.
     Gap,
 }
 
@@ -68,10 +68,10 @@ impl Quantity {
     }
 }
 
-/// Errors of one quantity, one for each of [`ELEMENTS`].
+/// Errors of one quantity, one error for each number of elements in [`ELEMENTS`].
 pub type Errors = [f64; ELEMENTS.len()];
 
-/// Errors of a quantity against the exact method, for each number of elements.
+/// Returns the errors of a quantity against the exact method, for each number of elements.
 pub fn errors(model: &Model, quantity: Quantity) -> Errors {
     let exact = equilibrium(solve(model));
     ELEMENTS.map(|elements| {
@@ -82,8 +82,8 @@ pub fn errors(model: &Model, quantity: Quantity) -> Errors {
     })
 }
 
-/// The order of convergence: minus the slope of log(error) over log(N), by least squares. Errors below `floor` are
-/// omitted as rounding. `None` if fewer than three remain.
+/// Returns the order of convergence, which is minus the slope of log(error) over log(N) by least squares. Errors up
+/// to `floor` are omitted as rounding errors. Returns `None` if fewer than three errors remain.
 pub fn order(errors: &Errors, floor: f64) -> Option<f64> {
     let points: Vec<(f64, f64)> = ELEMENTS
         .iter()
@@ -110,7 +110,7 @@ fn equilibrium(outcome: Result<Outcome, groundbeam::Error>) -> Solution {
 }
 
 fn error(exact: &Solution, found: &Solution, elements: usize, quantity: Quantity) -> f64 {
-    // Stations that are nodes of every mesh, and three inside each element of the finest mesh.
+    // `nodes` are the positions of the nodes of a mesh of n elements on a beam of unit length.
     let nodes = |n: usize| (0..=n).map(move |i| i as f64 / n as f64);
     let largest = |field| {
         let range = exact.range(field);
@@ -126,6 +126,7 @@ fn error(exact: &Solution, found: &Solution, elements: usize, quantity: Quantity
         };
         stations.flat_map(sides).fold(0.0, f64::max) / largest(field)
     };
+    // The stations are the nodes of every mesh and three positions inside each element of the finest mesh.
     let everywhere = || nodes(4 * ELEMENTS[ELEMENTS.len() - 1]);
     match quantity {
         Quantity::Deflection => over(&mut everywhere(), Field::Deflection),

@@ -1,22 +1,22 @@
-//! An animated picture: a load crosses a footing, and the ends of the footing lift off the ground.
+//! Draws an animated picture of a load that crosses a footing, whose ends lift off the ground.
 
 use groundbeam::{Beam, Field, Foundation, Load, Model, Outcome, Solution, solution::Side, solve};
 use std::fmt::Write;
 
-/// The beam's length \[m\], and the length of ground shown outside each end.
+/// Length of the beam, and length of the ground that is shown outside each end \[m\].
 const LENGTH: f64 = 12.0;
 const BEYOND: f64 = 2.0;
-/// Number of positions of the load from end to end.
+/// Number of steps of the load from one end of the beam to the other end.
 const PLACES: usize = 48;
 /// Number of points along the beam, and along the ground outside each end.
 const POINTS: usize = 40;
 const OUTSIDE: usize = 8;
-/// The page size, and the positions of the undeformed beam and of the pressure diagram.
+/// Width and height of the page, and vertical positions of the undeformed beam and of the pressure diagram.
 const WIDTH: f64 = 800.0;
 const HEIGHT: f64 = 330.0;
 const BEAM_AT: f64 = 110.0;
 const PRESSURE_AT: f64 = 215.0;
-/// The drawn sizes of the largest deflection and of the largest pressure.
+/// Heights in the picture of the largest deflection and of the largest pressure.
 const DEEPEST: f64 = 70.0;
 const DIAGRAM: f64 = 80.0;
 
@@ -26,7 +26,7 @@ fn model(at: f64) -> Model {
         .with_load(Load::uniform_force(0.0, LENGTH, 10e3))
 }
 
-/// The picture as an animated SVG file.
+/// Returns the picture as an animated SVG file.
 ///
 /// # Errors
 ///
@@ -34,7 +34,8 @@ fn model(at: f64) -> Model {
 pub fn picture() -> Result<String, groundbeam::Error> {
     let mut solutions = Vec::new();
     for i in 0..=PLACES {
-        // The load stays inside the ends: exactly over an end the equilibrium would not be unique without the weight.
+        // The load stays inside the ends of the beam. Exactly over an end, the equilibrium would not be unique
+        // without the weight of the beam.
         let at = LENGTH * (0.02 + 0.96 * i as f64 / PLACES as f64);
         if let Outcome::Equilibrium(solution) = solve(&model(at))? {
             solutions.push((at, solution));
@@ -57,9 +58,9 @@ pub fn picture() -> Result<String, groundbeam::Error> {
 /// The picture for one position of the load.
 struct Frame {
     at: f64,
-    /// x, w and the pressure.
+    /// Position x, deflection w and contact pressure.
     beam: Vec<[f64; 3]>,
-    /// x and u, also outside the ends.
+    /// Position x and settlement u of the ground, also outside the ends of the beam.
     ground: Vec<[f64; 2]>,
     ends: [f64; 2],
 }
@@ -119,7 +120,7 @@ fn page(frames: &[&Frame], scale: &Scale) -> String {
         let corners = [[WIDTH, PRESSURE_AT - 25.0], [0.0, PRESSURE_AT - 25.0]];
         path(f.ground.iter().map(|p| [across(p[0]), down(p[1])]).chain(corners), true)
     };
-    // The area between beam and ground; zero in contact.
+    // `gap` is the path around the area between beam and ground. The area is zero in contact.
     let gap = |f: &Frame| {
         let under = f.ground[OUTSIDE..=OUTSIDE + POINTS].iter().rev().map(|p| [p[0], p[1]]);
         let around = f.beam.iter().map(|p| [p[0], p[1]]).chain(under);

@@ -1,8 +1,8 @@
-//! The paper's discrete problem (5.10)–(5.11) with dense matrices.
+//! Solves the paper's discrete problem (5.10)–(5.11) with dense matrices.
 //!
-//! Only for beams with loads at the nodes of a uniform mesh. It shares nothing with the library: stiffness in
-//! the deflections and slopes of both ends as in textbooks, G by its formula (2.4). Under tension exact beam
-//! elements replace (5.2).
+//! The mesh is uniform, and all point loads act at nodes. This file shares no code with the library. The element
+//! stiffness for the deflections and slopes of both ends is taken from textbooks, and the flexibility matrix of the ground
+//! is computed by (2.4). Under tension exact beam elements replace (5.2).
 
 use crate::element;
 use groundbeam::{
@@ -10,22 +10,23 @@ use groundbeam::{
     model::{Action, Extent},
 };
 
-/// The matrices of the Lagrangian (5.9): ½WᵀKW − FᵀW − ½pᵀGp + pᵀw. The deflection is (5.3), the settlement (5.6).
+/// The matrices of the Lagrangian (5.9), ½WᵀKW − FᵀW − ½pᵀGp + pᵀw. The deflection has the form (5.3), the settlement
+/// the form (5.6).
 #[derive(Debug, Clone)]
 pub struct Dense {
     /// Number of nodes.
     pub nodes: usize,
-    /// K of (5.4): w₁, θ₁, w₂, θ₂, …, followed by one additional slope for each hinge, the slope of the
-    /// element to the right of the hinge.
+    /// Stiffness matrix K of (5.4). Its unknowns are w₁, θ₁, w₂, θ₂, …, followed by one additional slope for each
+    /// hinge, the slope of the element to the right of the hinge.
     pub stiffness: Vec<Vec<f64>>,
-    /// F, of the same length.
+    /// Load vector F, with one entry for each unknown.
     pub load: Vec<f64>,
-    /// G of (5.7) and (5.8), N × N.
+    /// Flexibility matrix G of (5.7) and (5.8), with one row for each node.
     pub flexibility: Vec<Vec<f64>>,
 }
 
 impl Dense {
-    /// The problem of a uniform beam on a uniform Pasternak foundation.
+    /// Assembles the problem of a uniform beam on a uniform Pasternak foundation.
     pub fn new(model: &Model, elements: usize) -> Self {
         let nodes = elements + 1;
         let h = model.beam.length / elements as f64;
@@ -38,7 +39,7 @@ impl Dense {
                 ei / h.powi(3) * bend[i][j] + p / (30.0 * h) * pull[i][j]
             }
         };
-        // The end moment of a uniform load of 1 between clamps.
+        // `clamped` is the end moment of an element that is clamped at both ends under a unit uniform load.
         let clamped = match p > 0.0 {
             true => (h / u).powi(2) * (0.5 * u / (0.5 * u).tanh() - 1.0),
             false => h * h / 12.0,
@@ -79,7 +80,8 @@ impl Dense {
                         load[2 * e + 3] -= start * clamped;
                     }
                 }
-                // The moments EI κ₀ at both ends of each element, in opposite directions.
+                // An imposed curvature κ₀ is equivalent to the moments EI κ₀ at both ends of each element, in
+                // opposite directions.
                 (Action::Curvature, Extent::Distributed { start, .. }) => {
                     for e in 0..elements {
                         load[2 * e + 1] -= ei * start;
@@ -104,8 +106,8 @@ impl Dense {
         })
     }
 
-    /// Solves K W + p = F with (G p − w)ᵢ = 0 on the set and p = 0 elsewhere. Returns w and p; `None` if a
-    /// sign condition fails.
+    /// Solves K W + p = F with (G p − w)ᵢ = 0 at the touching nodes and p = 0 at all other nodes. Returns w and p;
+    /// `None` if a sign condition fails.
     fn with_contact(&self, touching: &[usize]) -> Option<(Vec<f64>, Vec<f64>)> {
         let (n, m) = (self.load.len(), touching.len());
         let mut a = vec![vec![0.0; n + m + 1]; n + m];
@@ -134,7 +136,7 @@ impl Dense {
     }
 }
 
-/// Gaussian elimination with the largest pivot; `None` for a singular matrix.
+/// Solves a linear system by Gaussian elimination with the largest pivot; `None` for a singular matrix.
 fn solve(mut a: Vec<Vec<f64>>) -> Option<Vec<f64>> {
     let n = a.len();
     let scale = a.iter().flatten().fold(0.0, |m: f64, x| m.max(x.abs()));

@@ -1,6 +1,6 @@
-//! The cubic element as in textbooks: w, θ at the left end, w, θ at the right end.
+//! Stiffness matrices of the cubic beam element of textbooks; the unknowns are w, θ at the left and w, θ at the right end.
 
-/// Bending stiffness of an element of length h, divided by EI/h³.
+/// Returns the bending stiffness matrix of an element of length h, divided by EI/h³.
 pub fn bending(h: f64) -> [[f64; 4]; 4] {
     [
         [12.0, 6.0 * h, -12.0, 6.0 * h],
@@ -10,7 +10,8 @@ pub fn bending(h: f64) -> [[f64; 4]; 4] {
     ]
 }
 
-/// Stiffness of an element of length h under a tension, by stability functions, divided by EI; u = h √(P/EI).
+/// Returns the stiffness matrix of an element of length h under the tension P, divided by EI. It uses stability
+/// functions of u = h √(P/EI).
 pub fn in_tension(h: f64, u: f64) -> [[f64; 4]; 4] {
     let (sinh, cosh) = (u.sinh(), u.cosh());
     let d = 2.0 - 2.0 * cosh + u * sinh;
@@ -26,7 +27,7 @@ pub fn in_tension(h: f64, u: f64) -> [[f64; 4]; 4] {
     ]
 }
 
-/// Geometric stiffness of an element of length h, divided by P/(30 h).
+/// Returns the geometric stiffness matrix of an element of length h under the axial force P, divided by P/(30 h).
 pub fn geometric(h: f64) -> [[f64; 4]; 4] {
     [
         [36.0, 3.0 * h, -36.0, 3.0 * h],

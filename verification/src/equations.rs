@@ -1,20 +1,19 @@
-//! The index of the paper's equations: the source files that name each equation, or the reason why the program does not
-//! need it.
+//! Lists for each equation of the paper the source files that name it, or the reason why the program does not need it.
 
 use crate::architecture::{Source, sources};
 use std::fmt::Write;
 
-/// Equations of each section of the paper, (2.1) to (5.21).
+/// Numbers of the sections of the paper and of the equations in each section, (2.1) to (5.21).
 pub const SECTIONS: [(u32, u32); 4] = [(2, 13), (3, 12), (4, 25), (5, 21)];
 
-/// Folders of the crates with the paper's equations.
+/// Folders of the crates that name the paper's equations.
 const FOLDERS: [&str; 3] =
     ["crates/groundbeam/src", "crates/groundbeam-proof/src", "verification/src"];
 
 /// Maximum number of files in a row of the index.
 const MOST_FILES: usize = 4;
 
-/// Equations that no source file names: number, statement, reason.
+/// Equations that no source file names, each with its number, its statement and the reason.
 const NOT_NEEDED: &str = "\
 2.7 | p̂ = 0 where the beam is open | part of (2.10)
 2.8 | p̂ = 0 beside the beam | the pressure is defined on the beam only
@@ -44,10 +43,11 @@ const NOT_NEEDED: &str = "\
 5.21 | the condition of the example | (4.25) for the models in `cases/kikuchi-1980/`
 ";
 
-/// The index as a Markdown table, and the equations that neither a file nor `NOT_NEEDED` covers.
+/// Returns the index as a Markdown table, and the faults: equations that neither a file nor `NOT_NEEDED` names, or
+/// that both name.
 pub fn index() -> (String, Vec<String>) {
     let files: Vec<Source> = FOLDERS.iter().flat_map(|folder| sources(folder)).collect();
-    // This file lists equations that no other file names.
+    // This file is not searched, because it lists the equations that no other file names.
     let files = files.into_iter().filter(|file| !file.path.ends_with("src/equations.rs"));
     let files: Vec<Source> = files.collect();
     let mut table = String::from("| equation | where |\n|---|---|\n");
@@ -61,7 +61,7 @@ pub fn index() -> (String, Vec<String>) {
                 (false, None) => places.join("<br>"),
                 (true, Some((statement, reason))) => format!("{statement}: {reason}"),
                 (true, None) => {
-                    missing.push(format!("{name}: no source file names it"));
+                    missing.push(format!("{name}: no source file names this equation"));
                     continue;
                 }
                 (false, Some(_)) => {
@@ -75,7 +75,7 @@ pub fn index() -> (String, Vec<String>) {
     (table, missing)
 }
 
-/// The statement of an equation that the program does not need, and the reason.
+/// Returns the statement of an equation that the program does not need, and the reason.
 fn reason(section: u32, number: u32) -> Option<(&'static str, &'static str)> {
     let name = format!("{section}.{number}");
     let mut rows = NOT_NEEDED.lines().map(|line| line.splitn(3, " | "));
@@ -83,7 +83,7 @@ fn reason(section: u32, number: u32) -> Option<(&'static str, &'static str)> {
     row.and_then(|mut row| Some((row.next()?, row.next()?)))
 }
 
-/// The files that name an equation; those that name it in their first comment come first.
+/// Returns the files that name an equation. Files that name the equation in their first comment come first.
 fn places(files: &[Source], section: u32, number: u32) -> Vec<String> {
     let mut found: Vec<(bool, String)> = Vec::new();
     for file in files {
@@ -129,7 +129,8 @@ fn names(text: &str, section: u32, number: u32) -> bool {
     false
 }
 
-/// The equation at the start of a text after its bracket: `5.14)…`.
+/// Returns the section and the number of the equation at the start of a text without its opening bracket, as in
+/// `5.14)…`.
 fn equation(text: &str) -> Option<(u32, u32)> {
     let (inside, _) = text.split_once(')')?;
     let (section, number) = inside.split_once('.')?;

@@ -1,24 +1,24 @@
-//! Wrong answers for the models of `reference/answers`: their errors against the answers in 60 digits, relative to the
-//! proven bounds.
+//! Compares errors of wrong answers with their proven bounds, for models whose exact answers `reference/answers` contains.
 
 use crate::attack::{Attack, Target};
 use crate::reference::Answer as Exact;
 use groundbeam::proof::{ContactSet, Proof, prove};
 
-/// Error of a comparison: the true values have 20 digits, a double has 16, and a claimed field is evaluated in doubles.
+/// Rounding error of a comparison, relative to the largest value of a field. The true values have 20 digits, but
+/// claimed fields are evaluated in doubles with 16 digits.
 const ROUNDING: f64 = 1e-12;
 
-/// The result for a wrong answer.
+/// The comparison of a wrong answer with the exact answer.
 pub struct Judged {
     /// Whether the answer is proven.
     pub proven: bool,
-    /// Error divided by bound, by quantity.
+    /// Ratios of error to bound, each with the name of its quantity.
     pub ratios: Vec<(&'static str, f64)>,
-    /// A proven contact set that differs from the exact one.
+    /// Description of the difference, if a proven contact set differs from the exact contact set.
     pub fault: Option<String>,
 }
 
-/// Compares a wrong answer with its bounds; `None` if nothing is proven of it.
+/// Compares the errors of a wrong answer with its proven bounds; `None` if nothing is proven about the answer.
 pub fn judge(target: &Target, attack: &Attack, exact: &Exact) -> Option<Judged> {
     let proof = prove(&target.given, &attack.answer).ok()?;
     let mut ratios = fields(target, attack, exact, &proof);
@@ -32,7 +32,7 @@ pub fn judge(target: &Target, attack: &Attack, exact: &Exact) -> Option<Judged> 
     Some(Judged { proven: proof.shortfall().is_none(), ratios, fault })
 }
 
-/// The fields at the stations where none of them jumps.
+/// Returns the ratios of error to bound of all fields, at the stations where no field jumps.
 fn fields(
     target: &Target,
     attack: &Attack,
@@ -75,8 +75,8 @@ fn reactions(
     ratios
 }
 
-/// The distances of the exact concentrated forces from the middles of their intervals, relative to half the
-/// lengths of the intervals.
+/// Returns the distances of the exact concentrated forces from the midpoints of their proven intervals, relative to
+/// half the lengths of the intervals.
 fn forces(contact: &ContactSet, exact: &Exact, length: f64) -> Vec<(&'static str, f64)> {
     let mut truth = vec![(0.0, exact.end_forces["left"]), (length, exact.end_forces["right"])];
     truth.extend(exact.inner_forces.iter().map(|force| (force.x, force.force)));
@@ -89,12 +89,12 @@ fn forces(contact: &ContactSet, exact: &Exact, length: f64) -> Vec<(&'static str
     truth.into_iter().map(ratio).collect()
 }
 
-/// The difference between a contact set and the exact one.
+/// Describes the difference between a contact set and the exact contact set; `None` if they agree.
 fn wrong_contact(contact: &ContactSet, exact: &Exact, length: f64) -> Option<String> {
     let mut shown: Vec<[[f64; 2]; 2]> = Vec::new();
     for region in &contact.regions {
         match shown.last_mut() {
-            // A region is cut where a layer ends.
+            // A proven contact region is cut where a shear layer ends, so adjacent regions are joined.
             Some(last) if last[1] == region.from => last[1] = region.to,
             _ => shown.push([region.from, region.to]),
         }

@@ -1,5 +1,4 @@
-//! Hostile models and model files: extreme numbers, positions that differ by a rounding error, text with random
-//! changes.
+//! Draws hostile models and files with extreme numbers, positions that differ by rounding errors, and random changes of text.
 
 use groundbeam::{
     Beam, Error, Field, Foundation, Hinge, Load, Method, Model, Options, Outcome, Solution,
@@ -16,10 +15,11 @@ use rand::seq::IndexedRandom;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
-/// Memory limit for such models. It refuses most of them, so that no solve takes minutes.
+/// Memory limit for hostile models. The solver refuses every model that needs more memory, so that no solve takes
+/// minutes.
 const MEMORY: u64 = 3_000_000;
 
-/// Applies every function of the library to a model. None of them may panic.
+/// Applies every function of the library to a model. No function may panic.
 pub fn exercise(model: &Model) {
     let context = Context::new(UnitSystem::Plain.into());
     memory_estimate(model, &Options::default());
@@ -51,7 +51,7 @@ pub fn exercise(model: &Model) {
     }
 }
 
-/// Existence; for a model in compression only if it needs no large mesh.
+/// Returns the existence of an equilibrium. If a model in compression needs a large mesh, the memory limit applies.
 fn exists_within(model: &Model) -> Result<groundbeam::Existence, Error> {
     let large = memory_estimate(model, &Options::default()) > MEMORY;
     if model.beam.axial_force < 0.0 && large && model.problems().is_empty() {
@@ -73,7 +73,7 @@ fn show(solution: &Solution, context: &Context) {
     solution.lift_off();
 }
 
-/// Random numbers and choices.
+/// A source of random numbers and choices.
 struct Dice(ChaCha8Rng);
 
 impl Dice {
@@ -95,7 +95,7 @@ impl Dice {
         *all.choose(&mut self.0).expect("not empty")
     }
 
-    /// A positive number, which is extreme with a probability of one third.
+    /// Returns a positive number, which is extreme with a probability of one third.
     fn size(&mut self) -> f64 {
         match self.up_to(5) {
             0 => 1.0,
@@ -110,8 +110,8 @@ impl Dice {
         if self.happens(12) { sign * 0.0 } else { sign * self.size() }
     }
 
-    /// A position on a beam: an end, a round fraction, an earlier position, or a position that differs from one of
-    /// these by a few rounding errors.
+    /// Returns a position on a beam: an end, a round fraction, an earlier position, a random position, or a position
+    /// that differs from one of these by a few rounding errors.
     fn place(&mut self, places: &mut Vec<f64>) -> f64 {
         let length = places[1];
         let at = match self.up_to(3) {
@@ -145,7 +145,8 @@ impl Dice {
     }
 }
 
-/// The model of a number; the same number gives the same model. It may be invalid, and often has no equilibrium.
+/// Returns the random model with the given number. A number always gives the same model. The model may be invalid,
+/// and often has no equilibrium.
 pub fn model(number: u64) -> Model {
     let dice = &mut Dice::of(number, 1);
     let length = dice.size();
@@ -197,7 +198,7 @@ pub fn model(number: u64) -> Model {
     model
 }
 
-/// Segments of beam and ground between sorted positions.
+/// Adds segments of beam and ground between sorted positions.
 fn segments(beam: &mut Beam, ground: &mut Foundation, places: &mut Vec<f64>, dice: &mut Dice) {
     let mut joints = |dice: &mut Dice| {
         let mut joints: Vec<f64> = (0..dice.up_to(4)).map(|_| dice.place(places)).collect();
@@ -255,7 +256,7 @@ fn load(length: f64, places: &mut Vec<f64>, dice: &mut Dice) -> Load {
     }
 }
 
-/// Supports and hinges.
+/// Adds supports and hinges.
 fn joints(model: &mut Model, places: &mut Vec<f64>, dice: &mut Dice) {
     let unit = model.beam.bending_stiffness / model.beam.length;
     for _ in 0..dice.up_to(3) {
@@ -277,7 +278,7 @@ fn joints(model: &mut Model, places: &mut Vec<f64>, dice: &mut Dice) {
     }
 }
 
-/// Replacements in a changed text.
+/// Words that replace a part of a text in [`mutated`].
 const WORDS: [&str; 24] = [
     "0",
     "-1",
@@ -305,7 +306,7 @@ const WORDS: [&str; 24] = [
     "9999999999999999999999",
 ];
 
-/// A text with a few changes: parts are removed, repeated, moved or replaced.
+/// Returns a text with a few changes, in which parts are removed, repeated, moved or replaced.
 pub fn mutated(text: &str, number: u64) -> String {
     let dice = &mut Dice::of(number, 2);
     let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
@@ -349,7 +350,7 @@ pub fn mutated(text: &str, number: u64) -> String {
     lines.join("\n")
 }
 
-/// The model files of the repository, including faulty ones, sorted by name.
+/// Returns the texts of the model files of the repository, including faulty files, sorted by name.
 pub fn texts() -> Vec<String> {
     let cases = repository().join("cases");
     let mut paths = Vec::new();
@@ -365,14 +366,14 @@ pub fn texts() -> Vec<String> {
     paths.iter().filter_map(|path| std::fs::read_to_string(path).ok()).collect()
 }
 
-/// The message of a panic in `exercise`; `None` without a panic.
+/// Returns the message of a panic in `exercise`; `None` if there is no panic.
 pub fn panics(exercise: impl FnOnce()) -> Option<String> {
     let panic = std::panic::catch_unwind(std::panic::AssertUnwindSafe(exercise)).err()?;
     let said = panic.downcast_ref::<String>().map(String::as_str);
     Some(said.or(panic.downcast_ref::<&str>().copied()).unwrap_or("a panic").to_owned())
 }
 
-/// Reads a text, solves the model and writes the result. For an invalid text it writes the diagnostics.
+/// Reads a text, solves the model and writes the result. For an invalid text the function writes the diagnostics.
 pub fn exercise_text(written: &str) {
     match groundbeam_file::parse(written) {
         Ok(document) => {

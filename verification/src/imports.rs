@@ -1,7 +1,7 @@
-//! The imports between the source files of a crate, read from the sources: which file uses which names of which file.
+//! Reads from the source files of a crate which file uses which names of which other file.
 //!
-//! A re-exported name counts for the file that defines it. Unit tests do not count. Method calls carry no path, so they
-//! do not count either.
+//! A re-exported name belongs to the file that defines this name. Unit tests are not counted. Method calls are not
+//! counted either, because they contain no path.
 
 use crate::architecture::{Source, sources};
 use petgraph::algo::tarjan_scc;
@@ -13,14 +13,14 @@ use syn::{Attribute, Item, UseTree};
 
 type Path = Vec<String>;
 
-/// A source file: its module, the names that it defines, and the paths that it contains.
+/// A source file with its module, the names that it defines, and the paths that it contains.
 struct File {
     name: String,
     module: Path,
     defined: BTreeSet<String>,
-    /// The leaves of `use`: the path, and the local name.
+    /// The names that `use` imports, each as a path and a local name.
     uses: Vec<(Path, String)>,
-    /// All other paths, each after the module that contains it.
+    /// All paths outside `use`, each as a pair of the module that contains the path, and the path.
     paths: Vec<(Path, Path)>,
 }
 
@@ -28,7 +28,7 @@ struct File {
 pub struct Imports {
     files: Vec<File>,
     modules: BTreeMap<Path, usize>,
-    /// For a pair of files: the names of the second file that the first file uses.
+    /// For each pair of files, the names of the second file that the first file uses.
     edges: BTreeMap<(usize, usize), BTreeSet<String>>,
 }
 
@@ -46,7 +46,7 @@ impl Imports {
         imports
     }
 
-    /// Cycles of files that import each other, one list per cycle.
+    /// Returns the cycles of files that import each other, one list per cycle.
     pub fn cycles(&self) -> Vec<Vec<String>> {
         let edges = self
             .edges
@@ -55,7 +55,8 @@ impl Imports {
         cycles(edges)
     }
 
-    /// Imports between modules of the crate (top folders or files): the two modules, and `file -> file: names`.
+    /// Returns the imports between modules of the crate (top folders or files). Each import has the using module, the
+    /// used module and a text `file -> file: names`.
     pub fn between_modules(&self) -> Vec<(String, String, String)> {
         let mut found = Vec::new();
         for (&(from, to), names) in &self.edges {
@@ -69,7 +70,7 @@ impl Imports {
         found
     }
 
-    /// Cycles of modules that import each other, one list per cycle.
+    /// Returns the cycles of modules that import each other, one list per cycle.
     pub fn cycles_of_modules(&self) -> Vec<Vec<String>> {
         cycles(self.between_modules().into_iter().map(|(from, to, _)| (from, to)))
     }
@@ -79,7 +80,7 @@ impl Imports {
         let mut found = BTreeSet::new();
         for (path, alias) in &file.uses {
             let whole = self.absolute(&file.module, path);
-            // The import of a module by name is not counted; the names used of it are.
+            // An import of a whole module is not counted, but each used name of this module is counted.
             let is_module = whole.as_ref().is_some_and(|whole| self.modules.contains_key(whole));
             if let Some(whole) = whole.filter(|_| !is_module && file.names(alias)) {
                 found.extend(self.origin(&whole, 0));
@@ -100,7 +101,7 @@ impl Imports {
         }
     }
 
-    /// A path from the root of the crate; `None` if it leads out of the crate.
+    /// Returns a path relative to the root of the crate; `None` if the path leads out of the crate.
     fn absolute(&self, module: &Path, path: &Path) -> Option<Path> {
         let mut base = module.clone();
         let mut rest = path.as_slice();
@@ -121,7 +122,7 @@ impl Imports {
         Some(base.into_iter().chain(rest.iter().cloned()).collect())
     }
 
-    /// The file that defines the item at the end of a path, and the name of the item.
+    /// Returns the file that defines the item at the end of a path, and the name of the item.
     fn origin(&self, path: &[String], depth: usize) -> Option<(usize, String)> {
         let cut = (0..=path.len()).rev().find(|cut| self.modules.contains_key(&path[..*cut]))?;
         let at = self.modules[&path[..cut]];
@@ -208,12 +209,12 @@ impl File {
         self.defined.insert(name.to_string());
     }
 
-    /// Whether the body of the file uses a name. A `pub use` that only re-exports it does not count.
+    /// Whether the body of the file uses a name. A `pub use` that only re-exports the name does not count.
     fn names(&self, alias: &str) -> bool {
         alias == "*" || self.paths.iter().any(|(_, path)| path[0] == alias)
     }
 
-    /// The paths among tokens, including those in macro calls. A single name is a path with one part.
+    /// Collects the paths among tokens, including the paths in macro calls. A single name is a path with one part.
     fn paths_in(&mut self, tokens: TokenStream, module: &Path) {
         let mut path: Path = Vec::new();
         let mut colons = 0;
@@ -248,7 +249,7 @@ impl File {
     }
 }
 
-/// All leaves of a `use`, each with its local name.
+/// Collects all names that a `use` imports, each with its path and its local name.
 fn leaves(tree: &UseTree, before: &mut Path, found: &mut Vec<(Path, String)>) {
     let mut leaf = |last: &str, alias: &str| {
         let own = (last != "self").then(|| last.to_owned());
@@ -271,7 +272,7 @@ fn leaves(tree: &UseTree, before: &mut Path, found: &mut Vec<(Path, String)>) {
     }
 }
 
-/// The top folder or top file of the crate that contains a file.
+/// Returns the top folder or top file of the crate that contains a file.
 pub fn module_of(file: &str) -> &str {
     file.split('/').next().unwrap_or(file).trim_end_matches(".rs")
 }

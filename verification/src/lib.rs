@@ -1,4 +1,4 @@
-//! Checks of groundbeam against known results: code shared by the tests.
+//! Code shared by the tests that compare groundbeam with known results.
 
 pub mod architecture;
 pub mod attack;

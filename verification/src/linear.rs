@@ -1,22 +1,23 @@
-//! Beams with shear deformation, by the simplest elements: w, φ and u linear between nodes, the shear strain
-//! at one point of each element (Hughes, Taylor and Kanoknukulchai 1977), nodal contact by trial.
+//! Solves beams with shear deformation by elements in which deflection w, rotation φ and settlement u are linear. The
+//! shear strain is evaluated at one point of each element (Hughes, Taylor and Kanoknukulchai 1977). The contact set
+//! of the nodes is found by trial.
 
 use groundbeam::{
     Model, SupportKind,
     model::{Action, Extent},
 };
 
-/// A deflection at equally spaced nodes.
+/// Deflection and rotation of a beam at equally spaced nodes.
 #[derive(Debug, Clone)]
 pub struct Linear {
-    /// w at the nodes \[m\].
+    /// Deflection w at the nodes \[m\].
     pub w: Vec<f64>,
-    /// φ at the nodes \[rad\].
+    /// Rotation φ at the nodes \[rad\].
     pub rotation: Vec<f64>,
     touching: Vec<bool>,
 }
 
-/// w, φ and u of a node.
+/// Deflection w, rotation φ and settlement u of a node.
 type Node = [f64; 3];
 type Block = [[f64; 3]; 3];
 
@@ -24,11 +25,11 @@ const W: usize = 0;
 const TURN: usize = 1;
 const U: usize = 2;
 
-/// Maximum number of changes of the contact on one mesh.
+/// Maximum number of changes of the contact set on one mesh.
 const MOST_SWEEPS: usize = 4000;
 
 impl Linear {
-    /// Solves a uniform beam on uniform ground with loads and supports at nodes. The gap is given at both
+    /// Solves a uniform beam on uniform ground with loads and supports at nodes. An initial gap must be given at both
     /// ends of the beam.
     pub fn solve(model: &Model, elements: usize) -> Self {
         let coarse = elements / 4;
@@ -45,11 +46,11 @@ impl Linear {
 struct Mesh {
     h: f64,
     gap: Vec<f64>,
-    /// Springs, force and moment at a node: stiffnesses of w and φ, force and moment.
+    /// Stiffnesses of the springs at each node that act on the deflection w and the rotation φ.
     springs: Vec<[f64; 2]>,
     loads: Vec<[f64; 2]>,
     held: Vec<[bool; 2]>,
-    /// EI, S, P, k and μ.
+    /// Bending stiffness EI, shear stiffness S, axial force P, subgrade k and shear layer μ.
     constants: [f64; 5],
 }
 
@@ -132,14 +133,15 @@ impl Mesh {
         panic!("the contact does not converge");
     }
 
-    /// The contact force of the ground at a node.
+    /// Returns the contact force of the ground at a node.
     fn ground(&self, found: &[Node], i: usize) -> f64 {
         let around = [i.checked_sub(1), Some(i), Some(i + 1).filter(|next| *next < found.len())];
         let row = self.ground_row(i);
         around.iter().zip(row).map(|(at, k)| at.map_or(0.0, |at| k * found[at][U])).sum()
     }
 
-    /// A row of the ground's stiffness: its entries for the previous node, the node itself and the next node.
+    /// Returns a row of the stiffness matrix of the ground, with the entries for the previous node, the node itself
+    /// and the next node.
     fn ground_row(&self, i: usize) -> [f64; 3] {
         let [.., k, mu] = self.constants;
         let h = self.h;
@@ -149,12 +151,13 @@ impl Mesh {
         [beside, sides as f64 * (k * h / 3.0 + mu / h) + end, beside]
     }
 
-    /// The beam bonded to the ground at the nodes in contact: block rows, eliminated from left to right.
+    /// Solves the beam that is bonded to the ground at the nodes in contact. The block rows are eliminated from left
+    /// to right.
     fn bonded(&self, touching: &[bool]) -> Vec<Node> {
         let count = touching.len();
         let [ei, shear, axial, ..] = self.constants;
         let h = self.h;
-        // The unknowns of an element: (w_left, φ_left, w_right, φ_right).
+        // `element` is the stiffness matrix of an element for the unknowns (w_left, φ_left, w_right, φ_right).
         let element = |a: usize, b: usize| {
             let strain = [-1.0 / h, -0.5, 1.0 / h, -0.5];
             let bend = [0.0, -1.0 / h, 0.0, 1.0 / h];
@@ -225,7 +228,7 @@ impl Mesh {
     }
 }
 
-/// M⁻¹ A and M⁻¹ r, by Gaussian elimination with pivoting.
+/// Returns M⁻¹ A and M⁻¹ r by Gaussian elimination with pivoting.
 fn solve_block(mut m: Block, mut a: Block, mut r: Node) -> (Block, Node) {
     for p in 0..3 {
         let best = (p..3).max_by(|&i, &j| m[i][p].abs().total_cmp(&m[j][p].abs())).unwrap_or(p);

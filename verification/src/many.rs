@@ -1,4 +1,4 @@
-//! Models with many parts of one kind.
+//! Makes models with many parts of one kind.
 
 use groundbeam::{Beam, Foundation, Hinge, Load, Model, Support};
 
@@ -7,7 +7,7 @@ use groundbeam::{Beam, Foundation, Hinge, Load, Model, Support};
 pub enum Kind {
     /// Forces at points.
     Points,
-    /// Distributed loads, one beside the other.
+    /// Distributed loads on adjacent stretches of the beam.
     Spread,
     /// Segments of the beam.
     Beam,
@@ -15,7 +15,7 @@ pub enum Kind {
     Ground,
     /// Forces on the ground.
     GroundForces,
-    /// Distributed loads on the ground, one beside the other.
+    /// Distributed loads on adjacent stretches of the ground.
     GroundSpread,
     /// Pins.
     Supports,
@@ -35,7 +35,7 @@ pub const KINDS: [Kind; 8] = [
     Kind::Hinges,
 ];
 
-/// A model with this number of parts of a kind on a beam of 1 km.
+/// Returns a model of a beam of 1 km with `count` parts of a kind.
 pub fn model(kind: Kind, count: usize) -> Model {
     let length = 1000.0;
     let beam = Beam::uniform(length, 1e12);

@@ -1,4 +1,4 @@
-//! The public items of the library, read from its sources: names at the root, and members of every public type.
+//! Reads the public items of the library from its sources: names at the root, and members of every public type.
 
 use crate::architecture::{Source, sources};
 use quote::ToTokens;
@@ -36,7 +36,7 @@ impl PublicApi {
         api
     }
 
-    /// One line for each public item: its name and its members.
+    /// Returns one line for each public item, with its name and its members.
     pub fn lines(&self) -> Vec<String> {
         let exported = self.items.iter().filter(|(name, _)| self.exported.contains(*name));
         exported
@@ -95,7 +95,7 @@ fn is_plain(visibility: &Visibility) -> bool {
     matches!(visibility, Visibility::Public(_))
 }
 
-/// The names that an item adds to its module, if it is public.
+/// Returns the names that an item adds to its module, if the item is public.
 fn public_names(item: &Item) -> Vec<String> {
     let (visibility, names) = match item {
         Item::Use(item) => (&item.vis, leaves(&item.tree)),
@@ -126,7 +126,7 @@ fn fields(fields: &Fields) -> Vec<String> {
     public.filter_map(|field| field.ident.as_ref().map(ToString::to_string)).collect()
 }
 
-/// The name of a function with the number of its arguments.
+/// Returns the name of a function with the number of its arguments.
 fn signature(signature: &Signature) -> String {
     format!("{}({})", signature.ident, signature.inputs.len())
 }

@@ -1,4 +1,4 @@
-//! Random models that have an equilibrium, with parameters over their whole range.
+//! Draws random models that have an equilibrium, with parameters over their whole range.
 
 mod features;
 
@@ -13,28 +13,29 @@ use groundbeam::{
 use rand::{Rng, RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
-/// The features of a family of models.
+/// The families of random models, which differ in the features of their models.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Family {
-    /// Uniform beam and ground, a few loads.
+    /// A uniform beam on uniform ground with a few loads.
     Plain,
-    /// Axial tension.
+    /// A beam under axial tension.
     Tension,
-    /// Stiffness and ground by segments.
+    /// A beam and ground whose stiffnesses change from segment to segment.
     Segments,
-    /// No shear layer.
+    /// A beam on Winkler ground, without a shear layer.
     Winkler,
-    /// Pins, fixed ends, springs; some under compression.
+    /// A beam with pins, clamps or springs, sometimes under compression.
     Supported,
-    /// An initial gap.
+    /// A beam above ground with an initial gap.
     Gap,
-    /// Resultants close to an end, stiffness over sixteen decades, λl up to 10³.
+    /// A beam of extreme stiffness, with the resultant of its loads close to an end. With λ = (k/(4EI))^¼, λl is
+    /// between 10⁻² and 10³.
     Hard,
     /// A long beam with upward loads at several positions, which has many contact zones.
     Long,
     /// All features of the families above.
     Mixed,
-    /// Stiffness and ground that vary along segments, with features of all other families.
+    /// A beam and ground whose stiffnesses vary along segments, with features of all other families.
     Varying,
     /// Imposed curvatures in addition to loads, with features of all other families.
     Curled = 12,
@@ -46,23 +47,23 @@ pub enum Family {
     OneWay = 11,
     /// Ground that ends or changes outside the beam.
     Beside = 16,
-    /// As `Beside`, with loads on the ground, under the beam and outside it.
+    /// Ground that ends or changes outside the beam, with loads on the ground under and outside the beam.
     Neighbours = 17,
     /// Beams with shear deformation from negligible to dominant, with features of all other families.
     Shearing = 30,
     /// All features except tension, under a compression at which the beam is stable only with the ground.
     Compressed = 21,
-    /// As `Compressed`, on beams with shear deformation or with one-way supports, or both, sometimes with
+    /// A compression as in `Compressed`, on beams with shear deformation, one-way supports or both, sometimes with
     /// hinges.
     CompressedToo = 22,
-    /// All features at their extremes: λl up to 10⁴, up to a hundred loads, some upward, resultants near an end.
+    /// All features with extreme values: λl up to 10⁴, up to a hundred loads, some of them upward, and resultants
+    /// near an end.
     Extreme = 20,
 }
 
 impl Family {
-    /// Every family that takes milliseconds per model and that every method solves. It excludes `Extreme`,
-    /// which can take seconds, and `Compressed`, `CompressedToo` and `Shearing`, which only the exact method
-    /// solves.
+    /// All families that every method solves, within milliseconds per model. The list excludes `Extreme`, which can
+    /// take seconds, and `Compressed`, `CompressedToo` and `Shearing`, which only the exact method solves.
     pub const ALL: [Family; 16] = [
         Family::Plain,
         Family::Tension,
@@ -83,7 +84,7 @@ impl Family {
     ];
 }
 
-/// The model of a family with a number; the same family and number give the same model.
+/// Returns the random model of a family with the given number. A family and a number always give the same model.
 pub fn model(family: Family, number: u64) -> Model {
     let mut rng = ChaCha8Rng::seed_from_u64(number);
     rng.set_stream(family as u64);
@@ -99,7 +100,7 @@ pub fn model(family: Family, number: u64) -> Model {
             return model;
         }
     }
-    unreachable!("a family in which one model in a thousand has an equilibrium")
+    unreachable!("none of 1000 drawn models of the family has the required equilibrium")
 }
 
 struct Dice<'a, R>(&'a mut R);
@@ -109,7 +110,7 @@ impl<R: Rng> Dice<'_, R> {
         self.0.random_range(low..high)
     }
 
-    /// A number whose logarithm is uniformly distributed.
+    /// Returns a number whose logarithm is uniformly distributed.
     fn decades(&mut self, low: f64, high: f64) -> f64 {
         10_f64.powf(self.even(low, high))
     }
@@ -122,12 +123,12 @@ impl<R: Rng> Dice<'_, R> {
         self.0.random_bool(probability)
     }
 
-    /// True with probability one fifth; draws no number if `asked` is false.
+    /// Returns true with probability one fifth. If `asked` is false, it returns false and draws no random number.
     fn now_and_then(&mut self, asked: bool) -> bool {
         asked && self.happens(0.2)
     }
 
-    /// A position on [0, 1], sometimes an end or a round fraction.
+    /// Returns a position on [0, 1], sometimes an end or the middle.
     fn place(&mut self) -> f64 {
         match self.up_to(9) {
             0 => 0.0,
@@ -146,7 +147,7 @@ fn draw(family: Family, rng: &mut impl Rng) -> Model {
     let mixed = extreme || compressed || family == Family::Mixed;
     let hard = extreme || family == Family::Hard;
     let curled = family == Family::Curled;
-    // Features of all others.
+    // The following families also have features of all other families.
     let settles = family == Family::Settled;
     let hinged = family == Family::Hinged;
     let one_way = family == Family::OneWay;
@@ -155,7 +156,7 @@ fn draw(family: Family, rng: &mut impl Rng) -> Model {
     let varying = family == Family::Varying || dice.now_and_then(curled || settles || shearing);
     let length = dice.decades(-1.0, 2.0);
     let k = dice.decades(-2.0, 2.0);
-    // The stiffness follows from a drawn value of l (k/4EI)^(1/4).
+    // The bending stiffness EI follows from a drawn value of λl = l (k/4EI)^(1/4).
     let lambda_l = match family {
         Family::Hard => dice.decades(-2.0, 3.0),
         Family::Long => dice.decades(1.0, 2.0),
@@ -163,7 +164,7 @@ fn draw(family: Family, rng: &mut impl Rng) -> Model {
         _ => dice.decades(-1.0, 1.5),
     };
     let stiffness = 0.25 * k * (length / lambda_l).powi(4);
-    // The shear layer follows from a drawn ratio of √(μ/k) and √(EI/k)^(1/2).
+    // The stiffness μ of the shear layer follows from a drawn ratio of μ to √(k EI).
     let shear = match family {
         Family::Winkler => 0.0,
         _ if (mixed || curled || settles || shearing) && dice.happens(0.2) => 0.0,
@@ -198,7 +199,7 @@ fn draw(family: Family, rng: &mut impl Rng) -> Model {
         }
     }
     let beside = matches!(family, Family::Beside | Family::Neighbours);
-    // Winkler ground under the beam's end is not coupled to a shear layer outside it.
+    // Winkler ground under the end of the beam is not coupled to a shear layer outside the beam.
     let layered = shear > 0.0 && !varying && ground.segments.is_empty();
     if beside || (layered && dice.now_and_then(shearing)) {
         ground = change_beside(ground, length, dice);
@@ -207,7 +208,7 @@ fn draw(family: Family, rng: &mut impl Rng) -> Model {
         beam = vary_beam(beam, stiffness, dice);
         ground = vary_ground(ground, length, dice);
     }
-    // A beam with shear deformation, one-way supports, or both.
+    // `kind` is 1 for shear deformation, 2 for one-way supports and 3 for both.
     let kind = if too { 1 + dice.up_to(2) } else { 0 };
     if shearing || kind & 1 > 0 {
         beam = shear_beam(beam, lambda_l, dice);
@@ -260,7 +261,7 @@ fn draw(family: Family, rng: &mut impl Rng) -> Model {
         let mut places: Vec<f64> = (0..corners).map(|_| dice.place()).collect();
         places.sort_by(f64::total_cmp);
         places.dedup();
-        // Clearances of the order of the expected deflections.
+        // The initial gaps are of the order of the expected deflections.
         let size = model.loads.iter().map(|load| size_of(load, length)).sum::<f64>() / (k * length);
         for place in places {
             let clearance = size * dice.even(-0.3, 1.0);
@@ -270,7 +271,8 @@ fn draw(family: Family, rng: &mut impl Rng) -> Model {
     if family == Family::Neighbours {
         add_neighbours(&mut model, dice);
     }
-    // A moment on a beam of a hundred wave lengths would lift it by more than 10⁶ times its settlement.
+    // On a beam of a hundred wave lengths, a moment that moves the resultant to an end would cause a lift of more than
+    // 10⁶ times the settlement.
     if hard && lambda_l < 30.0 {
         bring_to_the_edge(&mut model, dice);
     }
@@ -331,7 +333,7 @@ fn load<R: Rng>(model: &mut Model, family: Family, lambda_l: f64, dice: &mut Dic
     }
 }
 
-/// Adds a moment that moves the resultant close to an end.
+/// Adds a moment that moves the resultant of the loads close to an end of the beam.
 fn bring_to_the_edge<R: Rng>(model: &mut Model, dice: &mut Dice<R>) {
     if !model.supports.is_empty() || dice.happens(0.3) {
         return;
@@ -350,7 +352,7 @@ fn bring_to_the_edge<R: Rng>(model: &mut Model, dice: &mut Dice<R>) {
     model.loads.push(Load::point_moment(at, moment));
 }
 
-/// Adds a uniform load, and scales the other loads close to the factor of first lift-off.
+/// Adds a uniform load, and multiplies the other loads by a factor close to the factor of first lift-off.
 fn bring_to_lift_off<R: Rng>(model: &mut Model, dice: &mut Dice<R>) {
     let (l, own) = (model.beam.length, model.loads.len());
     let size: f64 = model.loads.iter().map(|load| size_of(load, l)).sum();

@@ -1,11 +1,11 @@
-//! The multiprecision answers in `reference/answers`, and the distance of a solution from them.
+//! Reads the multiprecision answers in `reference/answers`, and computes the distance of a solution from such an answer.
 
 use groundbeam::{Field, Model, Solution, model::Extent, solution::Side};
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::path::Path;
 
-/// One answer; `reference/README.md` describes the keys.
+/// The multiprecision answer for one model; `reference/README.md` describes the keys.
 #[derive(Debug, Deserialize)]
 pub struct Answer {
     /// Name of the model.
@@ -16,7 +16,7 @@ pub struct Answer {
     pub model: String,
     /// Regions of contact.
     pub contact: Vec<[f64; 2]>,
-    /// p₀ and p_l.
+    /// Forces p₀ and p_l under the ends of the beam.
     pub end_forces: BTreeMap<String, f64>,
     /// Concentrated contact forces inside the beam.
     #[serde(default)]
@@ -38,7 +38,7 @@ pub struct AnswerReaction {
     pub at: f64,
     /// Force, up.
     pub force: f64,
-    /// Moment, with the sign opposite to the slope.
+    /// Moment of the support, with the sign opposite to that of the slope.
     pub moment: f64,
 }
 
@@ -51,22 +51,22 @@ pub struct InnerForce {
     pub force: f64,
 }
 
-/// The answers in `reference/doubtful.json`: models whose contact is below the rounding error of doubles.
+/// The answers in `reference/doubtful.json`, for models whose contact state depends on the rounding errors of doubles.
 #[derive(Debug, Deserialize)]
 pub struct Doubtful {
     /// Models with a stretch whose force or clearance is below the rounding error.
     pub zones: Vec<DoubtfulZone>,
-    /// A beam that is balanced on one corner of the ground.
+    /// The answer for a beam that is balanced on one corner of the ground.
     pub balance: Balance,
 }
 
-/// An answer with a doubtful stretch.
+/// An answer whose contact is doubtful on one stretch of the beam.
 #[derive(Debug, Deserialize)]
 pub struct DoubtfulZone {
     /// The answer.
     #[serde(flatten)]
     pub answer: Answer,
-    /// The stretch.
+    /// The stretch whose contact is doubtful.
     pub doubtful: Stretch,
 }
 
@@ -77,11 +77,11 @@ pub struct Stretch {
     pub from: f64,
     /// Right end.
     pub to: f64,
-    /// Whether it is in contact.
+    /// Whether the beam is in contact on this stretch.
     pub touches: bool,
 }
 
-/// The answer for a beam on one corner of the ground.
+/// The multiprecision answer for a beam that is balanced on one corner of the ground.
 #[derive(Debug, Deserialize)]
 pub struct Balance {
     /// Name of the model.
@@ -90,7 +90,7 @@ pub struct Balance {
     pub model: String,
     /// Position of the corner.
     pub at: f64,
-    /// Its contact force.
+    /// Contact force at the corner.
     pub force: f64,
     /// Deflection at the corner.
     pub deflection: f64,
@@ -109,7 +109,7 @@ impl Doubtful {
     }
 }
 
-/// Reads the text of a model.
+/// Reads a model from its text.
 pub fn parsed(name: &str, text: &str) -> Model {
     match groundbeam_file::parse(text) {
         Ok(document) => document.model,
@@ -120,23 +120,23 @@ pub fn parsed(name: &str, text: &str) -> Model {
 /// The distances of a solution from an answer, relative to the largest value of each kind.
 #[derive(Debug, Default, Clone, Copy)]
 pub struct Distance {
-    /// The fields at the stations.
+    /// Largest distance of a field at the stations, relative to the largest value of the field.
     pub fields: f64,
-    /// The edges, relative to the length; infinite if the number of regions differs.
+    /// Largest distance of a contact edge, relative to the length; infinite if the number of contact regions differs.
     pub edges: f64,
-    /// The end forces and reactions, relative to all forces.
+    /// Largest distance of an end force or reaction, relative to the largest force.
     pub forces: f64,
 }
 
 impl Distance {
-    /// The largest of the three distances.
+    /// Returns the largest of the three distances.
     pub fn worst(&self) -> f64 {
         self.fields.max(self.edges).max(self.forces)
     }
 }
 
 impl Answer {
-    /// All answers of a folder, sorted by file name.
+    /// Reads all answers in `reference/answers`, sorted by file name.
     pub fn all() -> Vec<Answer> {
         let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../reference/answers");
         let mut files: Vec<_> = std::fs::read_dir(folder)
@@ -164,13 +164,14 @@ impl Answer {
         })
     }
 
-    /// The values of a key at all stations.
+    /// Returns the values of a key at all stations.
     pub(crate) fn numbers(&self, key: &str) -> Vec<f64> {
         let list = self.stations[key].as_array().expect("a list of numbers");
         list.iter().map(|v| v.as_f64().unwrap_or(f64::NAN)).collect()
     }
 
-    /// The largest error of a field at the stations away from edges, minus the rounding of the answer itself.
+    /// Returns the largest error of a field at the stations away from contact edges, minus the rounding error of the
+    /// stored answer.
     pub fn largest_error(&self, solution: &Solution, field: Field) -> f64 {
         let x = self.numbers("x");
         let sides = self.stations["side"].as_array().expect("a list of sides");
@@ -185,14 +186,15 @@ impl Answer {
         largest
     }
 
-    /// The distance of a solution from this answer.
+    /// Returns the distance of a solution from this answer.
     pub fn distance(&self, solution: &Solution) -> Distance {
         let mut distance = Distance::default();
         let l = solution.model().beam.length;
         let x = self.numbers("x");
         let sides = self.stations["side"].as_array().expect("a list of sides");
         for field in Field::of(&solution.model().beam) {
-            // A clearance is a difference of deflections.
+            // The gap is a difference of deflections, so its distance is relative to the larger of gap and
+            // deflection.
             let largest = match field {
                 Field::Gap => self.largest["gap"].max(self.largest["deflection"]),
                 Field::Settlement => {
@@ -202,11 +204,11 @@ impl Answer {
             };
             let wanted = self.numbers(field.name());
             for ((&x, side), wanted) in x.iter().zip(sides).zip(wanted) {
-                // A limit value at an edge is compared at the computed edge.
+                // If a station is at a contact edge, the one-sided value is compared at the computed edge.
                 let edges = solution.contact().iter().flat_map(|region| [region.from, region.to]);
                 let near = |edge: &f64| side != "" && (edge - x).abs() <= 1e-11 * l;
                 let edge = edges.into_iter().find(near);
-                // At a load within rounding of an edge, the order of the two jumps is undetermined.
+                // If a load is within rounding error of an edge, the order of load and edge is undetermined.
                 if edge.is_some() && self.loaded_near(x, 1e-11 * l) {
                     continue;
                 }

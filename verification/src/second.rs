@@ -1,4 +1,4 @@
-//! Compares the models of the first and the second reader, number by number.
+//! Compares the models that two independent file readers make of one file, number by number.
 
 use groundbeam::{
     Foundation, Model, SupportKind,
@@ -7,20 +7,21 @@ use groundbeam::{
 use groundbeam_proof as proof;
 use groundbeam_proof::{Course, Scalar, Wide};
 
-/// The differences, each with its name and both numbers; and the largest difference in units of the last place.
+/// The differences between two models, each with its name and both numbers, and the largest difference in units of
+/// the last place.
 #[derive(Debug, Default)]
 pub struct Comparison {
     /// Number of compared numbers.
     pub numbers: usize,
     /// The largest relative difference, in units of 2⁻⁵².
     pub largest: f64,
-    /// Differences beyond the tolerance.
+    /// Descriptions of the differences that exceed the tolerance.
     pub faults: Vec<String>,
     allowed: f64,
 }
 
 impl Comparison {
-    /// Compares two models; numbers may differ by a relative `allowed` · 2⁻⁵².
+    /// Compares two models whose numbers may differ by a relative `allowed` · 2⁻⁵².
     pub fn of(first: &Model, second: &proof::Model<Wide>, allowed: f64) -> Self {
         let mut comparison = Comparison { allowed, ..Comparison::default() };
         comparison.beam(first, second);
@@ -40,7 +41,8 @@ impl Comparison {
         let difference = (first - second.middle()).abs();
         let ulps = if difference == 0.0 { 0.0 } else { difference / first.abs() / f64::EPSILON };
         self.largest = self.largest.max(ulps);
-        // A decimal has an enclosure of about 100 bits: the difference from its middle is rounding.
+        // The enclosure of a decimal has about 100 bits, so its distance from the midpoint must be as small as a
+        // rounding error.
         let rest = (second - Wide::of(second.middle())).size();
         let is_sharp = rest <= f64::EPSILON * (first.abs() + 1e-12 * largest.abs()) + 1e-280;
         if !(ulps <= self.allowed && is_sharp) {
@@ -50,7 +52,8 @@ impl Comparison {
 
     fn count(&mut self, name: &str, first: usize, second: usize) {
         if first != second {
-            self.faults.push(format!("{name}: {first}, {second} of them"));
+            self.faults
+                .push(format!("{name}: the first model has {first}, the second has {second}"));
         }
     }
 
@@ -185,7 +188,7 @@ impl Comparison {
     }
 }
 
-/// The value at a fraction of the length, by de Casteljau's algorithm.
+/// Returns the value of a polynomial at the fraction t of its length, by de Casteljau's algorithm.
 fn at(course: &Course<Wide>, t: Wide) -> Wide {
     let mut values = match course {
         Course::Constant(value) => vec![*value],

@@ -1,4 +1,4 @@
-//! Random models over settlement troughs, and the change of their results when the number of chords doubles.
+//! Draws random models over settlement troughs, and computes how their results change with twice as many chords.
 
 use groundbeam::{Field, Model, Outcome, Solution, model::GapPoint, solution::Range, solve};
 use groundbeam_file::{Diagnostics, Document, parse};
@@ -6,14 +6,14 @@ use rand::{Rng, RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use std::fmt::Write;
 
-/// S exp(−(x − x₀)²/2i²).
+/// A settlement trough S exp(−(x − x₀)²/2i²).
 #[derive(Debug, Clone, Copy)]
 pub struct Trough {
-    /// x₀.
+    /// Position x₀ of the largest settlement.
     pub at: f64,
-    /// S.
+    /// Largest settlement S.
     pub settlement: f64,
-    /// i.
+    /// Width i of the trough, the distance of the inflection point from x₀.
     pub width: f64,
 }
 
@@ -22,12 +22,13 @@ pub struct Trough {
 pub struct Drawn {
     /// The file.
     pub text: String,
-    /// The troughs that it describes.
+    /// The troughs that the file describes.
     pub troughs: Vec<Trough>,
 }
 
-/// The model of a number; the same number gives the same model. Stiffness, loads and troughs cover more than the range
-/// of practice. Even numbers have Winkler ground, odd ones a shear layer.
+/// Returns the random model with the given number. A number always gives the same model. Stiffness, loads and troughs
+/// cover more than the range of practice. Models with even numbers have Winkler ground, models with odd numbers have a
+/// shear layer.
 pub fn drawn(number: u64) -> Drawn {
     let mut random = ChaCha8Rng::seed_from_u64(number);
     let r = &mut random;
@@ -123,7 +124,7 @@ fn decades(r: &mut impl Rng, from: f64, to: f64) -> f64 {
     10.0_f64.powf(r.random_range(from..to))
 }
 
-/// The model with twice as many chords, each new corner on the curve.
+/// Returns the model with twice as many chords, where each new corner lies on the curve of the troughs.
 pub fn doubled(model: &Model, troughs: &[Trough]) -> Model {
     let depth = |x: f64| {
         let of = |trough: &Trough| {
@@ -138,7 +139,7 @@ pub fn doubled(model: &Model, troughs: &[Trough]) -> Model {
         let straight =
             0.5 * (pair[0].value - depth(pair[0].at) + pair[1].value - depth(pair[1].at));
         let value = straight + depth(at);
-        // Smaller numbers are outside the range of the solver.
+        // The solver does not accept magnitudes below 10⁻⁶⁰ except zero.
         let value = if value.abs() < 1e-60 { 0.0 } else { value };
         gap.extend([pair[0], GapPoint { at, value }]);
     }
@@ -146,8 +147,8 @@ pub fn doubled(model: &Model, troughs: &[Trough]) -> Model {
     Model { gap, ..model.clone() }
 }
 
-/// The change between two solutions: w, M and p relative to their largest magnitude, the edges of contact relative to
-/// the length.
+/// The changes between two solutions. The changes of w, M and p are relative to their largest magnitudes, the changes
+/// of contact edges are relative to the length.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Changed {
     /// The changes of deflection, moment and pressure.
@@ -157,7 +158,7 @@ pub struct Changed {
     pub edges: f64,
 }
 
-/// The differences between two solutions.
+/// Returns the changes between two solutions.
 pub fn changed(coarse: &Solution, fine: &Solution) -> Changed {
     let fields = [Field::Deflection, Field::Moment, Field::Pressure].map(|field| {
         let [a, b]: [Range; 2] = [coarse, fine].map(|solution| solution.range(field));
@@ -173,7 +174,7 @@ pub fn changed(coarse: &Solution, fine: &Solution) -> Changed {
 /// An end of a contact zone.
 struct Edge {
     at: f64,
-    /// The length of the open span at this edge.
+    /// Length of the open span that ends at the contact edge.
     opening: f64,
 }
 
@@ -187,8 +188,9 @@ fn edges(solution: &Solution) -> Vec<Edge> {
     openings.flat_map(ends).collect()
 }
 
-/// The largest distance of an edge of one solution from the edges of the other. Over a shear layer the beam lifts off
-/// at every corner that points down. Such an open span without counterpart changes the contact set by half its length.
+/// Returns the largest distance of an edge in `from` to the nearest edge in `to`. Over a shear layer the beam lifts
+/// off at every corner of the ground that points down. If only one solution has an open span at such a corner, the
+/// distance is half the length of this span.
 fn apart(from: &[Edge], to: &[Edge]) -> f64 {
     let distance = |edge: &Edge| {
         to.iter().map(|other| (edge.at - other.at).abs()).fold(0.5 * edge.opening, f64::min)
@@ -205,20 +207,20 @@ pub enum Result {
     NoEquilibrium,
     /// The method did not converge.
     Failed(String),
-    /// Solved with the chords of the file and with twice as many.
+    /// The model is solved with the chords of the file and with twice as many chords.
     Solved {
         /// Number of chords of the file.
         chords: usize,
-        /// Number of contact zones, with the chords of the file and with twice as many.
+        /// Numbers of contact zones with the chords of the file and with twice as many chords.
         zones: [usize; 2],
-        /// The differences.
+        /// Changes of the results between both solutions.
         changed: Changed,
-        /// Time of the first solution.
+        /// Time of the first solution in seconds.
         seconds: f64,
     },
 }
 
-/// Solves the model of a number twice.
+/// Solves the random model with the given number twice, the second time with twice as many chords.
 pub fn result(number: u64) -> Result {
     let Drawn { text, troughs } = drawn(number);
     let Document { model, chords, .. } = match parse(&text) {

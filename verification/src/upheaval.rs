@@ -1,9 +1,8 @@
-//! Compression by brute force: a mesh of cubic elements on nodal one-way springs, Newton's method in small steps of
-//! compression.
+//! Computes beams under compression on one-way springs at the nodes of a mesh, by Newton's method in small steps of compression.
 //!
-//! It shares nothing with the library: stiffness and geometric stiffness as in textbooks, one spring per node for the
-//! ground, stability by Cholesky factorisation of the whole matrix. It is for uniform beams on uniform Winkler ground,
-//! with an error of second order.
+//! This file shares no code with the library. The stiffness matrices of the cubic elements are taken from textbooks,
+//! and each node has one spring for the ground. A Cholesky factorisation of the whole matrix decides about stability.
+//! The beam and the Winkler ground must be uniform. The error is of second order in the element length.
 
 use crate::element;
 use groundbeam::{
@@ -14,7 +13,8 @@ use groundbeam::{
 /// Maximum number of Newton steps per compression.
 const MOST_STEPS: usize = 40;
 
-/// A one-way spring at a node. It acts on deflections larger than its height.
+/// A spring at a node. A one-way spring that pushes up acts if the deflection is larger than `place`; one that pulls
+/// down acts if the deflection is smaller than `place`.
 #[derive(Debug, Clone, Copy)]
 struct Spring {
     node: usize,
@@ -37,7 +37,8 @@ impl Spring {
 /// The spring constant of a rigid support, as a multiple of EI/h³.
 const RIGID: f64 = 1e4;
 
-/// A uniform beam on springs at its nodes: first the springs of the ground, then the springs of the supports.
+/// A uniform beam on springs at its nodes. The list of springs contains first those of the ground, then those of the
+/// supports.
 #[derive(Debug, Clone)]
 pub struct Meshed {
     length: f64,
@@ -48,12 +49,12 @@ pub struct Meshed {
     springs: Vec<Spring>,
 }
 
-/// The lower band of a symmetric matrix, row by row; the diagonal comes last.
+/// Width of the lower band of a symmetric matrix. The matrix is stored row by row, with the diagonal entry last.
 const WIDTH: usize = 4;
 
 impl Meshed {
-    /// The mesh of a model with uniform beam and ground, μ = 0, uniform loads or nodal forces and moments, and pins or
-    /// translational springs at nodes.
+    /// Makes the mesh of a model with uniform beam and ground and μ = 0. Loads are uniform, or forces and moments at
+    /// nodes; supports are pins or translational springs at nodes.
     pub fn new(model: &Model, elements: usize) -> Self {
         let length = model.beam.length;
         let h = length / elements as f64;
@@ -107,8 +108,8 @@ impl Meshed {
         Meshed { length, elements, bending, geometric, load, springs }
     }
 
-    /// w at the nodes, if Newton's method converges from given w and θ to a state with positive second
-    /// variation; otherwise `None`.
+    /// Returns w and θ at the nodes if Newton's method converges from `start` and the second variation of the energy
+    /// is positive; otherwise `None`.
     pub fn settle(&self, compression: f64, start: &[f64]) -> Option<Vec<f64>> {
         let mut w = start.to_vec();
         let mut touching: Option<Vec<bool>> = None;
@@ -126,7 +127,7 @@ impl Meshed {
         None
     }
 
-    /// Matrix and force of the beam bonded to the springs in contact.
+    /// Returns the stiffness matrix and the load vector of the beam bonded to the springs in contact.
     fn bonded(&self, compression: f64, touching: &[bool]) -> (Vec<[f64; WIDTH]>, Vec<f64>) {
         let mut matrix = self.bending.clone();
         for (row, turn) in matrix.iter_mut().zip(&self.geometric) {
@@ -143,7 +144,8 @@ impl Meshed {
         (matrix, force)
     }
 
-    /// Whether the beam is stable if it is bonded to the ground and the supports where the two functions return true.
+    /// Whether the beam is stable if it is bonded to the ground where `touches` is true and to the supports for which
+    /// `acts` is true.
     pub fn is_stable(
         &self,
         compression: f64,
@@ -157,13 +159,14 @@ impl Meshed {
         cholesky(self.bonded(compression, &touching).0).is_some()
     }
 
-    /// w and θ of the unloaded beam at rest, from which the path without compression starts.
+    /// Returns the w and θ at which Newton's method starts without compression: a level beam that is in contact with
+    /// all springs of the ground.
     pub fn at_rest(&self) -> Vec<f64> {
         let deepest = self.springs.iter().map(|spring| spring.place).fold(0.0, f64::max);
         (0..self.load.len()).map(|i| if i % 2 == 0 { deepest + 1.0 } else { 0.0 }).collect()
     }
 
-    /// w and θ under a compression, reached in this number of steps.
+    /// Returns w and θ under a compression, which increases from zero in `steps` equal steps.
     pub fn branch(&self, compression: f64, steps: usize) -> Option<Vec<f64>> {
         let mut w = self.settle(0.0, &self.at_rest())?;
         for step in 1..=steps {
@@ -172,8 +175,8 @@ impl Meshed {
         Some(w)
     }
 
-    /// The compression at which the path that starts without compression ends, in steps that shrink to a fraction of
-    /// it.
+    /// Returns the compression at which the equilibrium path from zero compression ends. Steps without a solution are
+    /// halved, down to 10⁻⁹ of the first step.
     pub fn critical_compression(&self, first: f64) -> Option<f64> {
         let mut w = self.settle(0.0, &self.at_rest())?;
         let (mut reached, mut step) = (0.0, first);
@@ -187,7 +190,7 @@ impl Meshed {
     }
 }
 
-/// g₀ at x, linear between its corners.
+/// Returns the initial gap g₀ at x, which is linear between its corners.
 fn clearance(model: &Model, x: f64) -> f64 {
     let gap = &model.gap;
     let next = gap.partition_point(|corner| corner.at < x);
@@ -199,7 +202,7 @@ fn clearance(model: &Model, x: f64) -> f64 {
     }
 }
 
-/// L of L Lᵀ for a banded matrix; `None` if the matrix is not positive definite.
+/// Returns the factor L of a banded matrix A = L Lᵀ; `None` if A is not positive definite.
 fn cholesky(mut a: Vec<[f64; WIDTH]>) -> Option<Vec<[f64; WIDTH]>> {
     for i in 0..a.len() {
         for j in i.saturating_sub(WIDTH - 1)..=i {

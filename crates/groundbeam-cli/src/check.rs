@@ -1,4 +1,4 @@
-//! The command `groundbeam check`: decides whether an equilibrium exists.
+//! Runs the command `groundbeam check`, which decides whether an equilibrium exists.
 
 use crate::colour::standard_output_has_colour;
 use crate::command::Check;
@@ -19,7 +19,7 @@ pub fn run(request: &Check) -> Result<Status, Failure> {
     let answers = Run::of(&input.document).check().map_err(|error| input.refused(&error))?;
     let context = input.context().with_seconds(started.elapsed().as_secs_f64());
     let results = Results::new(&answers, context);
-    // The verdict is the requested result, so it goes to standard output in all cases.
+    // The verdict is the result of this command, so it is printed on standard output even if no equilibrium exists.
     print(&match request.json {
         true => results.json(None),
         false => results.text(standard_output_has_colour()),

@@ -1,4 +1,4 @@
-//! The commands of the program and their options, from the command line.
+//! Defines the commands and options of the command line.
 
 use crate::distinct::Output;
 use crate::failure::Failure;
@@ -36,7 +36,7 @@ Exit status:
      Without --strict a check that fails leaves the status 0
   2  the input or the command line is wrong
   3  the model is valid, but it or at least one combination or position has no equilibrium
-  4  the solver did not reach its own tolerance
+  4  the solver did not reach its tolerance
   130  a study was stopped from the keyboard; completed samples are saved
 
 Environment:
@@ -48,11 +48,11 @@ pub enum Command {
     Solve(Solve),
     /// Read a model and decide whether an equilibrium exists, without solving
     Check(Check),
-    /// Prove a result document against its model file
+    /// Prove the numbers of a result document for its model file
     Verify(Verify),
     /// Write a commented starter model file
     New(New),
-    /// Solve a model with every method and show their errors relative to `exact`
+    /// Solve a model with every method and show the errors relative to the method `exact`
     Compare(Compare),
     /// Solve a model thousands of times on random ground and under random loads, and estimate the probability
     /// of events
@@ -61,18 +61,18 @@ pub enum Command {
     /// Merge the shards of a study
     #[cfg(feature = "study")]
     Merge(Merge),
-    /// Show the model on a page in the browser; results follow each change at once
+    /// Show the model on a page in the browser and solve it again after each change
     #[cfg(feature = "serve")]
     Serve(Serve),
-    /// Print the JSON Schema of model files, with which an editor completes and checks them
+    /// Print the JSON Schema of model files, for completion and checks in an editor
     Schema {
-        /// Print the schema of study files instead
+        /// Print the JSON Schema of study files
         #[arg(long)]
         study: bool,
     },
     /// Print a completion script for a shell
     Completions {
-        /// The shell
+        /// Shell for which the script is printed
         shell: Shell,
     },
     /// Print the manual page
@@ -90,19 +90,19 @@ pub struct Solve {
     #[arg(long)]
     pub json: bool,
 
-    /// Add the pieces of the solution to the document, from which `groundbeam verify` proves it
+    /// Add the solution as piecewise polynomials to the document, so that `groundbeam verify` can prove it
     #[arg(long, requires = "json")]
     pub pieces: bool,
 
     /// Prove the solution: existence, uniqueness, contact set, and an error bound for every printed quantity
     ///
     /// The proof encloses all rounding errors. The exit status is 1 if something is not proven. With --json
-    /// the document contains the pieces of the solution and the bounds, which `groundbeam verify` proves
-    /// again.
+    /// the document contains the solution as piecewise polynomials and the bounds, which `groundbeam verify`
+    /// proves again.
     #[arg(long)]
     pub proven: bool,
 
-    /// Write all fields along the beam as a table; for combinations, the envelope
+    /// Write all results along the beam as a table; for combinations, the envelope
     #[arg(long, value_name = "OUT")]
     pub csv: Option<PathBuf>,
 
@@ -116,7 +116,7 @@ pub struct Solve {
     #[arg(long, value_name = "OUT", value_parser = Report::parser())]
     pub report: Option<Report>,
 
-    /// The paper of the report; default: A4 for PDF, the paper of the user's printer for HTML
+    /// Paper size of the report; default: A4 for PDF, the paper size of the user's printer for HTML
     #[arg(long, requires = "report", value_parser = one_of(PAPERS))]
     pub paper: Option<Paper>,
 
@@ -124,9 +124,9 @@ pub struct Solve {
     #[arg(long, value_name = "OUT")]
     pub history: Option<PathBuf>,
 
-    /// Positions at which the fields are listed, as in "0 m, 0.5 m", or 0,0.5 for a file without units
+    /// Positions at which results are listed, as in "0 m, 0.5 m", or 0,0.5 for a file without units
     ///
-    /// For --json and --csv. Default: an equidistant grid with every load, contact edge and extreme.
+    /// Applies to --json and --csv. Default: an equidistant grid with every load, contact edge and extreme.
     #[arg(long, value_name = "LIST", allow_hyphen_values = true)]
     pub at: Option<String>,
 
@@ -143,13 +143,13 @@ pub struct Solve {
     #[arg(long, value_name = "NAME")]
     pub combination: Option<String>,
 
-    /// Solve only the combinations of this set, one of the sets that the file asks for
+    /// Solve only the combinations of this set; the model file must use the set
     #[arg(long, value_name = "NAME", conflicts_with = "combination")]
     pub set: Option<String>,
 
     /// Make the exit status 1 if a check fails or is not judged
     ///
-    /// Default: the verdicts are printed, and the exit status is that of the solution.
+    /// Default: the verdicts are printed and do not change the exit status.
     #[arg(long)]
     pub strict: bool,
 
@@ -161,11 +161,11 @@ pub struct Solve {
     #[arg(long, default_value = "exact", value_parser = one_of(METHODS))]
     pub method: Method,
 
-    /// Elements of the mesh, 1 to 10 000 000; `exact` has none
+    /// Number of elements of the mesh, 1 to 10 000 000; the method `exact` uses no mesh
     #[arg(long, value_name = "N", default_value_t = 100, value_parser = number().range(1..=10_000_000))]
     pub elements: usize,
 
-    /// The ground of the methods with a mesh presses on the nodes alone
+    /// Option of earlier versions; with a mesh, the ground now acts on the nodes only
     #[arg(long, hide = true, value_parser = no_choice_of_pressure)]
     pub pressure: Option<std::convert::Infallible>,
 
@@ -201,17 +201,18 @@ pub struct Check {
 /// Units and digits of printed quantities.
 #[derive(Debug, Clone, Copy, Args)]
 pub struct Printed {
-    /// Units of printed results, drawings and tables; JSON is in SI units, or has the numbers of a file without units
+    /// Units of printed results, drawings and tables; JSON is in SI units, or without units if the file has none
     #[arg(long, default_value = "file", value_parser = one_of(UNITS))]
     pub units: Asked,
 
-    /// Significant digits of results, 2 to 15; proven numbers have as many as their bound allows
+    /// Number of significant digits of results, 2 to 15; a proven number has as many digits as its error bound
+    /// allows
     #[arg(long, value_name = "N", default_value_t = RESULT_DIGITS, value_parser = number().range(*DIGITS.start() as u64..=*DIGITS.end() as u64))]
     pub digits: usize,
 }
 
 impl Printed {
-    /// The requested units, or those of the file.
+    /// Returns the requested units with the requested number of digits. `own` are the units of the file.
     pub fn units(self, own: Units) -> Result<Units, Failure> {
         let rule = "--units: the file has no units, so its numbers cannot be converted";
         let units = own.in_system(self.units).ok_or_else(|| Failure::usage(rule.to_owned()))?;
@@ -219,7 +220,7 @@ impl Printed {
     }
 }
 
-/// Prove a result document against its model file
+/// Prove the numbers of a result document for its model file
 ///
 /// The document comes from `groundbeam solve --json --pieces` or from another program. Each of its numbers is
 /// compared with the exact solution of the model, with arithmetic that encloses all rounding errors. The
@@ -267,14 +268,14 @@ pub struct New {
 
 #[derive(Debug, Args)]
 pub struct Compare {
-    /// Model file (TOML) without combinations, trains or a band; `-` for standard input
+    /// Model file (TOML) without combinations, trains or uncertain ground; `-` for standard input
     pub file: PathBuf,
 
     /// Print the comparison as one JSON document on standard output, and nothing else
     #[arg(long)]
     pub json: bool,
 
-    /// Elements of the meshes, 1 to 100 000
+    /// Number of elements of each mesh, 1 to 100 000
     #[arg(long, value_name = "N", default_value_t = 100, value_parser = number().range(1..=100_000))]
     pub elements: usize,
 
@@ -299,24 +300,23 @@ pub struct Study {
 
     /// File for the results, one row per sample (Parquet)
     ///
-    /// Existing results are resumed; no sample is computed twice. After a stop, run the same command again.
+    /// A run continues an existing file; no sample is computed twice. After a stop, run the same command again.
     #[arg(long, value_name = "OUT")]
     pub out: PathBuf,
 
-    /// Number of samples; replaces the number in the file
+    /// Number of samples; replaces the number in the study file
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     pub samples: Option<u64>,
 
-    /// Seed; replaces the seed in the file
+    /// Seed of the random numbers; replaces the seed in the study file
     #[arg(long, value_name = "S")]
     pub seed: Option<u64>,
 
-    /// Only part i of N equal parts of the samples, with i from 1, as in 3/8; `groundbeam merge` merges all
-    /// parts
+    /// Solve only part i of N equal parts of the samples, as in 3/8; `groundbeam merge` merges all parts
     #[arg(long, value_name = "i/N", value_parser = shard)]
     pub shard: Option<Shard>,
 
-    /// Number of threads; default: the number of processors. The results do not depend on it
+    /// Number of threads; default: the number of processors. The results do not depend on the number of threads
     #[arg(long, value_name = "N", default_value_t = 0, hide_default_value = true, value_parser = number().range(0..=65_535))]
     pub threads: usize,
 
@@ -339,7 +339,7 @@ pub struct Study {
 #[cfg(feature = "study")]
 #[derive(Debug, Args)]
 pub struct Merge {
-    /// The results of all shards, in any order
+    /// Result files of all shards, in any order
     #[arg(required = true)]
     pub files: Vec<PathBuf>,
 
@@ -367,7 +367,7 @@ pub struct Serve {
     /// Initial model file (TOML); default: an example. The file itself is never changed
     pub file: Option<PathBuf>,
 
-    /// Port of this machine to listen on; 0 selects a free one
+    /// Port of this machine to listen on; 0 selects a free port
     #[arg(long, value_name = "N", default_value_t = 0)]
     pub port: u16,
 
@@ -380,7 +380,7 @@ pub struct Serve {
 }
 
 impl Solve {
-    /// Options of the solver.
+    /// Returns the options of the solver.
     pub fn options(&self) -> Options {
         Options {
             method: self.method,
@@ -392,18 +392,18 @@ impl Solve {
         }
     }
 
-    /// Whether the document includes the pieces of the solution.
+    /// Whether the result document includes the pieces of the solution.
     pub fn includes_pieces(&self) -> bool {
         self.pieces || self.proven
     }
 
-    /// The first given option that needs a single result.
+    /// Returns the first of the given options that applies only to a model with a single result.
     pub fn about_one_answer(&self) -> Option<&'static str> {
         let history = self.history.as_ref().map(|_| "--history");
         history.or(self.factors.as_ref().map(|_| "--factors"))
     }
 
-    /// Options that name output files.
+    /// Returns the options that name output files, with the paths of these files.
     pub fn outputs(&self) -> impl Iterator<Item = Output<'_>> {
         let plot = self.plot.as_ref().map(|plot| &plot.path);
         let report = self.report.as_ref().map(|report| &report.path);
@@ -419,12 +419,12 @@ impl Solve {
 
 #[cfg(feature = "study")]
 impl Study {
-    /// The samples to solve.
+    /// Returns the part of the samples that this run solves.
     pub fn shard(&self) -> Shard {
         self.shard.unwrap_or(Shard::WHOLE)
     }
 
-    /// Options that name output files.
+    /// Returns the options that name output files, with the paths of these files.
     pub fn outputs(&self) -> impl Iterator<Item = Output<'_>> {
         let plot = self.plot.as_ref().map(|plot| ("--plot", plot.path.as_path()));
         [("--out", self.out.as_path())].into_iter().chain(plot)

@@ -1,4 +1,4 @@
-//! The command `groundbeam compare`: solves one model with every method.
+//! Runs the command `groundbeam compare`, which solves one model with every method.
 
 use crate::colour::{standard_error_has_colour, standard_output_has_colour};
 use crate::command::Compare;
@@ -18,7 +18,8 @@ pub fn run(request: &Compare) -> Result<Status, Failure> {
     }
     let run = Run::of(&input.document);
     if run.asked() != Asked::One {
-        let rule = "methods are compared on one model, but this file has combinations, a train or a band of the ground";
+        let rule = "`compare` needs a single model, but this file has combinations, a train or a band of the ground; \
+                    use a file without them";
         return Err(Failure::usage(format!("{}: {rule}", request.file.display())));
     }
     let Compare { elements, most_sweeps, memory_limit, .. } = *request;

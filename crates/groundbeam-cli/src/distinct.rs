@@ -5,10 +5,10 @@ use groundbeam_file::output::{Identity, Target};
 use std::io;
 use std::path::Path;
 
-/// An option that names an output, and its path.
+/// Name of an option that writes a file, and the path of this file.
 pub type Output<'a> = (&'static str, &'a Path);
 
-/// Checks that all outputs are different files, and that none is an input file.
+/// Checks that all outputs are different files, and that no output is an input file.
 pub fn check<'a>(
     outputs: impl IntoIterator<Item = Output<'a>>,
     inputs: impl IntoIterator<Item = &'a Path>,
@@ -18,12 +18,12 @@ pub fn check<'a>(
     for input in inputs {
         let shown = format!("the input {}", input.display());
         let input = if input.as_os_str() == "-" { Path::new("/dev/stdin") } else { input };
-        // An input without an identity is a pipe or no longer exists, so no output can replace it.
+        // A pipe, a device or a file that no longer exists has no identity. No output can replace it.
         if let Ok(Some(identity)) = Identity::of(input) {
             taken.push((identity, shown));
         }
     }
-    // Standard output may be redirected to a file.
+    // Standard output may be redirected to a file, which no output may replace.
     if let Ok(Some(identity)) = Identity::of(Path::new("/dev/stdout")) {
         taken.push((identity, "standard output".to_owned()));
     }
@@ -46,8 +46,8 @@ pub fn check<'a>(
     }
 }
 
-/// Identity of the file that an output would replace or create; `None` for a device, a pipe or a standard
-/// stream.
+/// Returns the [`Identity`] of the file that an output would replace or create, or `None` for a device, a pipe or a
+/// standard stream.
 fn identity(path: &Path) -> io::Result<Option<Identity>> {
     match Target::of(path)? {
         Target::File(_) => Identity::of(path),

@@ -1,4 +1,4 @@
-//! Error messages on standard error, and the exit status.
+//! Prints error messages on standard error and returns the exit status.
 
 use crate::colour::standard_error_has_colour;
 use crate::status::Status;
@@ -7,36 +7,36 @@ use std::fmt::Display;
 use std::path::Path;
 use std::process::ExitCode;
 
-/// A failed run: its message and exit status.
+/// Message and exit status of a failed run.
 pub struct Failure {
-    /// The message; it ends in a newline.
+    /// Message with a final newline.
     shown: String,
     status: Status,
 }
 
 impl Failure {
-    /// A fault of the command line.
+    /// Returns the failure for a fault of the command line.
     pub fn usage(message: String) -> Self {
         Failure { shown: headline(&message), status: Status::Wrong }
     }
 
-    /// A file that cannot be read or written.
+    /// Returns the failure for a file that cannot be read or written.
     pub fn file(path: &Path, error: &dyn Display) -> Self {
         Failure::usage(format!("{}: {error}", path.display()))
     }
 
-    /// Faults of a text with their locations.
+    /// Returns the failure for faults of a text, each shown with its location.
     pub fn diagnostics(found: &Diagnostics, name: &str, text: &str) -> Self {
         let shown = found.render(name, text, standard_error_has_colour());
         Failure { shown, status: Status::Wrong }
     }
 
-    /// The failure of a command that reports a result without a solution: for example that no equilibrium exists.
+    /// Returns the failure of a command whose result is no solution, for example because no equilibrium exists.
     pub fn reported(shown: String, status: Status) -> Self {
         Failure { shown, status }
     }
 
-    /// Combines several failures of one file.
+    /// Combines several failures of one file into one failure.
     pub fn together(all: &[Failure]) -> Self {
         let shown: Vec<&str> = all.iter().map(|failure| failure.shown.as_str()).collect();
         Failure { shown: shown.join("\n"), status: Status::Wrong }
@@ -44,7 +44,7 @@ impl Failure {
 
     /// Prints the message and returns the exit status.
     pub fn report(self) -> ExitCode {
-        // If standard error cannot be written, the exit status remains.
+        // A failure to write to standard error does not change the exit status.
         let _ = std::io::Write::write_all(&mut std::io::stderr(), self.shown.as_bytes());
         self.status.into()
     }
@@ -59,7 +59,7 @@ fn headline(message: &str) -> String {
     }
 }
 
-/// Prints a message of clap, which may also be the help or the version.
+/// Prints a message of the library clap: an error, the help or the version. Returns the exit status.
 pub fn usage(error: &clap::Error) -> ExitCode {
     if error.exit_code() == 0 {
         let _ = error.print();
@@ -70,8 +70,8 @@ pub fn usage(error: &clap::Error) -> ExitCode {
     Failure { shown: without_steering(&said), status: Status::Wrong }.report()
 }
 
-/// Escapes control characters in a message of clap. The escape character itself stays because clap uses it
-/// for colours; clap removes it from the user's text.
+/// Escapes control characters in a message of clap. The character U+001B remains because clap uses it for colours;
+/// clap removes it from the user's text.
 fn without_steering(words: &str) -> String {
     words.split_inclusive(['\n', '\u{1b}']).fold(String::new(), |mut shown, part| {
         let end = part.len() - usize::from(part.ends_with(['\n', '\u{1b}']));

@@ -1,4 +1,4 @@
-//! Threads, clock and progress for a run.
+//! Provides threads, a clock and a progress display for a run.
 
 use crate::failure::Failure;
 use crate::input::Input;
@@ -9,14 +9,14 @@ use rayon::prelude::*;
 use std::convert::Infallible;
 use std::time::Instant;
 
-/// Threads on all processors.
+/// Host of a run that uses all processors.
 pub struct Threads<'a> {
     started: Instant,
     done: &'a (dyn Fn() + Sync),
 }
 
 impl<'a> Threads<'a> {
-    /// `done` is called after each piece of work.
+    /// Creates a host that calls `done` after each piece of work.
     pub fn new(done: &'a (dyn Fn() + Sync)) -> Self {
         Threads { started: Instant::now(), done }
     }
@@ -45,13 +45,13 @@ impl Host for Threads<'_> {
     }
 }
 
-/// Solves a run and shows progress. Returns the results and the time \[s\].
+/// Solves the models of a run and shows progress. Returns the results and the run time \[s\].
 pub fn solved(run: &Run, input: &Input, method: &str) -> Result<(Answers, f64), Failure> {
     let started = Instant::now();
     let words = match run.asked() {
         Asked::One | Asked::Methods => format!("solving with the method {method}"),
         Asked::Combinations => format!("solving combinations with the method {method}"),
-        Asked::Trains => format!("moving trains with the method {method}"),
+        Asked::Trains => format!("solving train positions with the method {method}"),
     };
     let answers = while_working(words, run.pieces(), |done| run.solve(&Threads::new(done)));
     let answers = answers.map_err(Failed::refusal).map_err(|error: Error| input.refused(&error))?;

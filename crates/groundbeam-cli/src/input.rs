@@ -1,4 +1,4 @@
-//! Reads the model file or standard input.
+//! Reads a model file, or a model from standard input.
 
 use crate::colour::standard_error_has_colour;
 use crate::command::Printed;
@@ -11,7 +11,7 @@ use groundbeam_report::calculation::Source;
 use groundbeam_report::{Context, Units, text};
 use std::path::Path;
 
-/// Name and bytes of a file, or of standard input for `-`.
+/// Returns the name and the bytes of a file, or of standard input for the path `-`.
 pub fn bytes_of(path: &Path) -> Result<(String, Vec<u8>), Failure> {
     let (name, bytes) = if path.as_os_str() == "-" {
         ("<stdin>".to_owned(), read_bounded(std::io::stdin().lock()))
@@ -22,7 +22,7 @@ pub fn bytes_of(path: &Path) -> Result<(String, Vec<u8>), Failure> {
     Ok((name, bytes))
 }
 
-/// A model and the name of its file.
+/// Model file that has been read, with its name, text, digest and units.
 pub struct Input {
     pub document: Document,
     name: String,
@@ -34,14 +34,14 @@ pub struct Input {
 }
 
 impl Input {
-    /// Reads and parses a file. `-` is standard input; then named files are relative to the working
-    /// directory.
+    /// Reads and parses a model file. The path `-` means standard input; files that the model names are then relative
+    /// to the working directory.
     pub fn read(path: &Path) -> Result<Self, Failure> {
         let (name, bytes) = bytes_of(path)?;
         Input::of(name, &bytes, path.parent().unwrap_or(Path::new("")))
     }
 
-    /// Parses the bytes of a file in a folder.
+    /// Parses the bytes of a model file in this folder.
     pub fn of(name: String, bytes: &[u8], folder: &Path) -> Result<Self, Failure> {
         let wrong = |found: Diagnostics| {
             Failure::diagnostics(&found, &name, &String::from_utf8_lossy(bytes))
@@ -53,18 +53,18 @@ impl Input {
         Ok(Input { document, name, text: text.to_owned(), digest, units })
     }
 
-    /// The same input with the requested units and digits.
+    /// Returns this input with the requested units and digits.
     pub fn printed(self, printed: Printed) -> Result<Self, Failure> {
         let units = printed.units(self.units)?;
         Ok(Input { units, ..self })
     }
 
-    /// Prints the warnings about the file on standard error, for output formats without warnings.
+    /// Prints the warnings about the file on standard error, for commands whose output contains no warnings.
     pub fn show_warnings(&self) {
         if !self.document.warnings.is_empty() {
             let warnings = Diagnostics::from(self.document.warnings.clone());
             let shown = warnings.render(&self.name, &self.text, standard_error_has_colour());
-            // If standard error cannot be written, the result remains.
+            // A failure to print the warnings does not affect the result.
             let _ = std::io::Write::write_all(&mut std::io::stderr(), shown.as_bytes());
         }
     }
@@ -74,13 +74,13 @@ impl Input {
         self.units
     }
 
-    /// The model as written, and its file.
+    /// Returns the model file as the source of a calculation report.
     pub fn source(&self) -> Source<'_> {
         let name = Path::new(&self.name).file_name().and_then(|name| name.to_str());
         Source::of(&self.document, name.unwrap_or(&self.name), &self.text)
     }
 
-    /// Digest of the file and of the tables that it names.
+    /// Digest of the model file and of the files that it names.
     pub fn digest(&self) -> &str {
         &self.digest
     }
@@ -95,20 +95,19 @@ impl Input {
         &self.name
     }
 
-    /// Whether the file has a key that the second reader does not know. The second reader reads model files
-    /// for proofs.
+    /// Whether the file has a key that the proof crate cannot read.
     pub fn is_not_proven_as_written(&self) -> bool {
         let read = read_model::<Wide>(&self.text, None);
         read.is_err_and(|error| matches!(error.reason, Reason::NotRead(_)))
     }
 
-    /// Title, units, limits and digest for reports.
+    /// Context of reports: title, units, limits and digest of the model file.
     pub fn context(&self) -> Context<'_> {
         let of_file = Context::of(&self.document);
         Context { digest: Some(&self.digest), units: self.units, ..of_file }
     }
 
-    /// The error of a model that cannot be solved, at its location in the file.
+    /// Returns the failure for an error of the solver, with its location if the error concerns the model file.
     pub fn refused(&self, error: &Error) -> Failure {
         if let Error::NotConverged(reached) = error {
             let shown = text::not_converged(reached, standard_error_has_colour());

@@ -1,4 +1,4 @@
-//! Values of options: names of choices, output files whose name determines their format, sizes and shards.
+//! Parses values of options: named choices, names of output files, sizes and shards.
 
 use clap::builder::{
     PathBufValueParser, PossibleValue, PossibleValuesParser, RangedU64ValueParser, TypedValueParser,
@@ -30,7 +30,7 @@ impl Plot {
         PathBufValueParser::new().try_map(Plot::of)
     }
 
-    /// A picture whose file name determines the format.
+    /// Returns the picture for this path. The ending of the file name determines the format.
     fn of(path: PathBuf) -> Result<Self, String> {
         let format = match extension(&path).as_str() {
             "svg" => PlotFormat::Svg,
@@ -38,7 +38,7 @@ impl Plot {
             "png" => PlotFormat::Png,
             #[cfg(not(feature = "png"))]
             "png" => return Err(not_built_in("PNG", "png")),
-            _ => return Err("the name of a picture ends in .svg or .png".into()),
+            _ => return Err("the name of a picture must end in .svg or .png".into()),
         };
         Ok(Plot { path, format })
     }
@@ -64,7 +64,7 @@ impl Report {
         PathBufValueParser::new().try_map(Report::of)
     }
 
-    /// A report whose file name determines the format.
+    /// Returns the report for this path. The ending of the file name determines the format.
     fn of(path: PathBuf) -> Result<Self, String> {
         let format = match extension(&path).as_str() {
             #[cfg(feature = "html")]
@@ -73,13 +73,13 @@ impl Report {
             "html" | "htm" => return Err(not_built_in("HTML", "html")),
             "pdf" if groundbeam_pdf::BUILT_IN => ReportFormat::Pdf,
             "pdf" => return Err(groundbeam_pdf::NOT_BUILT_IN.into()),
-            _ => return Err("the name of a report ends in .html or .pdf".into()),
+            _ => return Err("the name of a report must end in .html or .pdf".into()),
         };
         Ok(Report { path, format })
     }
 }
 
-/// The ending of a file name in lower case, without the dot.
+/// Returns the ending of a file name in lower case, without the dot.
 fn extension(path: &Path) -> String {
     path.extension()
         .and_then(|extension| extension.to_str())
@@ -87,13 +87,13 @@ fn extension(path: &Path) -> String {
         .to_ascii_lowercase()
 }
 
-/// Hint for a format that is not built in.
+/// Returns the message for a format that is not built in.
 #[cfg(not(all(feature = "html", feature = "png")))]
 fn not_built_in(form: &str, feature: &str) -> String {
     format!("this program was built without {form}; build it with `--features {feature}`")
 }
 
-/// A value of an option, its name, and its help.
+/// Choice of an option: its name, its help text and its value.
 type Choice<T> = (&'static str, &'static str, T);
 
 pub const PAPERS: [Choice<Paper>; 2] =
@@ -109,7 +109,7 @@ pub const METHODS: [Choice<Method>; 4] = [
     ("exact", "Closed-form solution between the contact edges, no mesh", Method::Exact),
     (
         "active-set",
-        "Forces at the nodes of a mesh, Newton's method on the convex energy",
+        "Newton's method on the convex energy, with forces at the nodes of a mesh",
         Method::ActiveSet,
     ),
     ("psor", "Projected successive over-relaxation, Kikuchi (5.17), (5.18)", Method::Psor),
@@ -125,7 +125,7 @@ pub const STARTS: [Choice<Start>; 2] = [
     ("zero", "Zero pressure", Start::Zero),
 ];
 
-/// Parses the name of a choice.
+/// Returns a parser for the names of these choices.
 pub fn one_of<T: Copy + Send + Sync + 'static, const N: usize>(
     choices: [Choice<T>; N],
 ) -> impl TypedValueParser<Value = T> {
@@ -152,13 +152,11 @@ pub fn shard(written: &str) -> Result<Shard, String> {
     known.ok_or_else(|| "write shard i of N as i/N, with i from 1 to N, as in 3/8".into())
 }
 
-/// The message for an option that only earlier versions had.
+/// Returns the error for the option `--pressure`, which only earlier versions had.
 pub fn no_choice_of_pressure(_: &str) -> Result<std::convert::Infallible, String> {
     let forces =
-        "the ground of `active-set`, `psor` and `uzawa` presses on the nodes alone, Kikuchi (5.5)";
-    Err(format!(
-        "{forces}: for pressure along the beam leave the option out and use `--method exact`"
-    ))
+        "with `active-set`, `psor` and `uzawa` the ground acts on the nodes only, Kikuchi (5.5)";
+    Err(format!("{forces}: omit this option; for pressure along the beam, use `--method exact`"))
 }
 
 /// Parses a number of bytes, as in `8 GB` or `500MB`.

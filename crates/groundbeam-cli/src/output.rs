@@ -1,4 +1,4 @@
-//! Writes results to standard output, and files completely or not at all.
+//! Writes results to standard output and to files. A file is written completely or not at all.
 
 use crate::failure::Failure;
 use crate::input::Input;
@@ -26,7 +26,7 @@ pub fn print(text: &str) -> Result<(), Failure> {
     }
 }
 
-/// Writes a picture if requested. The file name determines the format.
+/// Writes a picture in the format of its file name, if a picture is requested.
 pub fn draw(plot: Option<&Plot>, picture: impl FnOnce() -> Option<Picture>) -> Result<(), Failure> {
     let Some(Plot { path, format }) = plot else { return Ok(()) };
     let Some(picture) = picture() else { return Ok(()) };
@@ -38,7 +38,7 @@ pub fn draw(plot: Option<&Plot>, picture: impl FnOnce() -> Option<Picture>) -> R
     write(path, &bytes)
 }
 
-/// Writes the calculation report if requested.
+/// Writes the calculation report, if a report is requested.
 pub fn report(
     wanted: Option<&Report>,
     paper: Option<Paper>,
@@ -58,7 +58,7 @@ pub fn report(
     write(path, &bytes)
 }
 
-/// Writes an output file completely. A closed pipe is not an error.
+/// Writes an output file completely or not at all. A closed pipe is not an error.
 pub fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
     match groundbeam_file::output::write(path, bytes) {
         Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),

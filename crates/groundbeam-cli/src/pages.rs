@@ -1,5 +1,4 @@
-//! Prints completion scripts, the manual page and the JSON Schema, from the definition of the command line
-//! and of the file keys.
+//! Prints completion scripts, the manual page and the JSON Schema, from the definitions of commands and file keys.
 
 use crate::command::CommandLine;
 use crate::failure::Failure;
@@ -43,13 +42,13 @@ fn page() -> std::io::Result<String> {
             page.extend(section(part)?.bytes());
         }
     }
-    // Exit status and environment keep their line breaks.
+    // The request `.nf` preserves the line breaks of the notes on exit status and environment.
     let notes = command.get_after_long_help().map(ToString::to_string).unwrap_or_default();
     page.extend(format!(".SH NOTES\n.nf\n{notes}\n.fi\n").bytes());
     Ok(String::from_utf8_lossy(&page).into_owned())
 }
 
-/// A command and its options, one level below the sections of the page.
+/// Returns the section of the manual page about one command: its description, synopsis and options.
 fn section(command: &clap::Command) -> std::io::Result<String> {
     let part = Man::new(command.clone());
     let mut text = Vec::new();

@@ -1,4 +1,4 @@
-//! The command `groundbeam solve`.
+//! Runs the command `groundbeam solve`, which solves a model and writes its results.
 
 use crate::colour::{standard_error_has_colour, standard_output_has_colour};
 use crate::command::Solve;
@@ -54,8 +54,8 @@ pub fn run(request: &Solve) -> Result<Status, Failure> {
     })
 }
 
-/// Proof of each solution in the document; `None` without equilibrium. For combinations, the document lists
-/// each solution at all stations of the envelope, so that every printed number is compared with enclosures.
+/// Proves each solution in the result document. Returns an empty list if no model has a solution. For combinations,
+/// each solution is listed at all positions of the envelope, so that every printed number is proven.
 fn proven(
     results: &Results,
     input: &Input,
@@ -74,7 +74,7 @@ fn proven(
     documents.iter().map(|document| prove(input.text(), input.name(), document)).collect()
 }
 
-/// The models to solve, and the name of a single combination.
+/// Returns the models to solve, and the title of the results.
 fn asked(input: &Input, request: &Solve) -> Result<(Run, Option<String>), Failure> {
     let document = &input.document;
     let (run, title) = match (&request.combination, &request.set) {
@@ -96,7 +96,9 @@ fn asked(input: &Input, request: &Solve) -> Result<(Run, Option<String>), Failur
     if let Some(option) = request.about_one_answer() {
         let rule = match run.asked() {
             Asked::One | Asked::Methods => None,
-            Asked::Trains => Some("this option needs a single position, but the file has a train"),
+            Asked::Trains => Some(
+                "this option needs a single load position, but the file has a train; omit the option",
+            ),
             Asked::Combinations => {
                 Some("this option applies to one combination of the file; add --combination NAME")
             }
@@ -108,7 +110,7 @@ fn asked(input: &Input, request: &Solve) -> Result<(Run, Option<String>), Failur
     if request.includes_pieces() && run.asked() == Asked::Trains {
         let (option, rule) = match request.proven {
             true => ("--proven", "train positions cannot be proven; leave the option out"),
-            false => ("--pieces", "the document for a train has no pieces"),
+            false => ("--pieces", "the document for a train has no pieces; leave the option out"),
         };
         return Err(Failure::usage(format!("{option}: {rule}")));
     }
@@ -119,7 +121,7 @@ fn asked(input: &Input, request: &Solve) -> Result<(Run, Option<String>), Failur
     Ok((run.with_options(request.options()).with_growing(growing), title))
 }
 
-/// The loads that grow: those of the listed cases, or all loads.
+/// Returns the loads that grow: the loads of the listed cases, or all loads.
 fn growing(
     input: &Input,
     cases: Option<&str>,
@@ -131,7 +133,7 @@ fn growing(
     Ok(Growing::of_cases(cases, &input.document, combination))
 }
 
-/// Writes the results to the requested outputs.
+/// Writes the results to the requested outputs and returns the exit status.
 fn deliver(
     results: &Results,
     input: &Input,

@@ -1,4 +1,4 @@
-//! The command `groundbeam new`: writes starter model files.
+//! Runs the command `groundbeam new`, which writes a starter model file.
 
 use crate::command::{New, Starter};
 use crate::failure::Failure;
@@ -9,14 +9,15 @@ use std::fs::{OpenOptions, remove_file};
 use std::io::{ErrorKind, Write};
 use std::path::Path;
 
-/// Writes a commented model file, unless the file exists.
+/// Writes a commented model file. An existing file is not replaced.
 pub fn run(request: &New) -> Result<Status, Failure> {
     let path = &request.file;
     let opened = OpenOptions::new().write(true).create_new(true).open(path);
     let written = opened.and_then(|mut file| {
         let written = file.write_all(text(request.kind).as_bytes());
         if written.is_err() {
-            // An incomplete file would prevent the next attempt. The error of the write is reported.
+            // An incomplete file would prevent the next attempt, so it is removed. Only the error of the write is
+            // reported.
             let _ = remove_file(path);
         }
         written
@@ -34,10 +35,10 @@ pub fn run(request: &New) -> Result<Status, Failure> {
     }
 }
 
-/// The path as an argument of a command in a shell.
+/// Returns the path as an argument of a shell command.
 fn argument(path: &Path) -> String {
     let name = path.to_string_lossy();
-    // A leading `-` would begin an option, or mean standard input.
+    // A path with a leading `-` would be read as an option or as standard input.
     let name = if name.starts_with('-') { format!("./{name}") } else { name.into_owned() };
     let is_plain = |c: char| c.is_alphanumeric() || "-_./\\:+,@%".contains(c);
     let name = printable(&name);

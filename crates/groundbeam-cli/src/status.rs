@@ -6,21 +6,21 @@ use std::process::ExitCode;
 /// The exit status of the program.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Status {
-    /// Solved, or the requested action is done.
+    /// The model is solved, or the requested action is done.
     Done,
-    /// Something is not proven.
+    /// A result is not proven, or a check is undecided.
     NotProven,
-    /// A check fails or is not judged.
+    /// A design check fails or is not judged.
     CheckFailed,
     /// The input or the command line is wrong.
     Wrong,
     /// The model is valid, but has no equilibrium.
     NoEquilibrium,
-    /// Proven only for the model in the document.
+    /// The result is proven for the model in the result document, but not for the model file.
     ProvenForDocument,
-    /// The solver did not reach its own tolerance.
+    /// The solver did not reach its tolerance.
     NotConverged,
-    /// Stopped from the keyboard; completed samples are saved.
+    /// The user stopped a study from the keyboard. Completed samples are saved.
     Interrupted,
 }
 
@@ -35,7 +35,7 @@ impl From<Overall> for Status {
 }
 
 impl Status {
-    /// Number of the status.
+    /// Returns the number of the exit status.
     pub fn code(self) -> u8 {
         match self {
             Status::Done => 0,

@@ -1,4 +1,4 @@
-//! The commands `groundbeam study` and `groundbeam merge`
+//! Runs the commands `groundbeam study` and `groundbeam merge`.
 
 use crate::colour::{standard_error_has_colour, standard_output_has_colour};
 use crate::command::{Merge, Study};
@@ -20,7 +20,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
-/// Solves the remaining samples of a study, and prints the summary.
+/// Solves the remaining samples of a study and prints its summary.
 pub fn run(request: &Study) -> Result<Status, Failure> {
     let draws = read(request)?;
     let files = draws.study().files();
@@ -68,7 +68,7 @@ pub fn merge(request: &Merge) -> Result<Status, Failure> {
     let kept = || "nothing is merged".to_owned();
     let merged = merged.map_err(|error| ended(&error, kept))?;
     if Target::of(&request.out).is_ok_and(|target| target == Target::StandardOutput) {
-        // Standard output must contain only the file.
+        // Standard output must contain only the merged file, so no message is printed.
         return Ok(Status::Done);
     }
     print(&format!(
@@ -80,7 +80,7 @@ pub fn merge(request: &Merge) -> Result<Status, Failure> {
     Ok(Status::Done)
 }
 
-/// The samples of the file, with the options of the command line applied.
+/// Reads the study file and applies the options of the command line.
 fn read(request: &Study) -> Result<Draws, Failure> {
     let study = read_study(&request.file).map_err(|error| match error {
         StudyError::Unreadable(path, error) => Failure::file(&path, &error),
@@ -116,7 +116,7 @@ fn failed(error: &StoreError) -> Failure {
     Failure::usage(error.to_string())
 }
 
-/// Failure after a stop or an error.
+/// Returns the failure of a study that the user stopped or that ended with an error.
 fn ended(error: &StoreError, what_is_kept: impl Fn() -> String) -> Failure {
     match error {
         StoreError::Stopped => stopped(&what_is_kept()),
@@ -128,7 +128,7 @@ fn stopped(what_is_kept: &str) -> Failure {
     Failure::reported(format!("stopped: {}\n", printable(what_is_kept)), Status::Interrupted)
 }
 
-/// Shows progress on a terminal, and stops when Ctrl-C is pressed.
+/// Shows progress on a terminal, and stops the run when Ctrl-C is pressed.
 struct Watcher {
     stop: Arc<AtomicBool>,
     begun: Instant,
@@ -142,7 +142,7 @@ impl Watcher {
         let pressed = Arc::clone(&stop);
         let handled = ctrlc::set_handler(move || {
             if pressed.swap(true, Ordering::Relaxed) {
-                // The second Ctrl-C stops at once.
+                // The second Ctrl-C ends the program at once.
                 std::process::exit(i32::from(Status::Interrupted.code()));
             }
         });
@@ -165,7 +165,7 @@ impl Watcher {
         if self.drawn.as_ref().is_none_or(|(drawn, _)| *drawn != stage) {
             self.clear();
             let bar = ProgressBar::new(of).with_style(style(stage));
-            // The rate counts only this run: earlier samples are done but took no time.
+            // The displayed rate excludes the samples of earlier runs.
             bar.set_position(before);
             bar.reset_eta();
             self.drawn = Some((stage, bar));
@@ -181,7 +181,7 @@ impl Watcher {
         }
     }
 
-    /// Duration in seconds.
+    /// Removes the progress display and returns the duration \[s\].
     fn end(&mut self) -> f64 {
         self.clear();
         self.begun.elapsed().as_secs_f64()

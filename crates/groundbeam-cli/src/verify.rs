@@ -1,4 +1,4 @@
-//! The command `groundbeam verify`.
+//! Runs the command `groundbeam verify`, which proves the results in a document.
 
 use crate::colour::standard_output_has_colour;
 use crate::command::Verify;
@@ -52,7 +52,7 @@ pub fn run(request: &Verify) -> Result<Status, Failure> {
     })
 }
 
-/// The results in a document.
+/// Reads the results in a document.
 fn documents(path: &Path) -> Result<Vec<Document>, Failure> {
     let (name, bytes) = bytes_of(path)?;
     let failure = |error: &dyn Display| {
@@ -68,22 +68,22 @@ fn documents(path: &Path) -> Result<Vec<Document>, Failure> {
     if read.is_empty() { Err(failure(&"the document has no results")) } else { Ok(read) }
 }
 
-/// A model file, read by the second reader for the proof.
+/// Model file for a proof. The proof has its own reader of model files.
 struct ModelFile {
     name: String,
     text: String,
     digest: String,
-    /// Units according to the solver's reader; `None` if it refuses the file.
+    /// Units of the file according to the solver's reader; `None` if this reader refuses the file.
     units: Option<Units>,
-    /// Names of the combinations according to the solver's reader.
+    /// Names of the file's combinations according to the solver's reader.
     combinations: Vec<String>,
-    /// Files that the model names.
+    /// Files that the model file names.
     files: Vec<PathBuf>,
 }
 
 impl ModelFile {
-    /// Reads the file. The solver's reader reports faults with their locations, and returns the tables that
-    /// the file names.
+    /// Reads the model file with the solver's reader and with the proof's own reader. The solver's reader reports
+    /// faults with their locations, and lists the files that the model file names.
     fn read(path: &Path) -> Result<Self, Failure> {
         let (name, bytes) = bytes_of(path)?;
         let text = groundbeam_file::text_of(&bytes).map_err(|found| {
@@ -107,7 +107,7 @@ impl ModelFile {
         Ok(ModelFile { name, text: text.to_owned(), digest, units, combinations, files })
     }
 
-    /// Combinations of the file without a document.
+    /// Returns the combinations of the file that have no result in the documents.
     fn left_out(&self, documents: &[Document]) -> Option<LeftOut> {
         let is_there =
             |name: &&String| documents.iter().any(|d| d.combination.as_ref() == Some(*name));
@@ -116,7 +116,7 @@ impl ModelFile {
         (!names.is_empty()).then_some(LeftOut { all, names })
     }
 
-    /// Message if documents do not belong to the file, because their digest or units differ.
+    /// Returns a message if the documents do not belong to the file, because their digest or their units differ.
     fn differs_from(&self, documents: &[Document]) -> Option<String> {
         let mut units = documents.iter().filter_map(|document| document.units.as_deref());
         if let Some(own) = self.units.map(Units::name)
@@ -138,13 +138,13 @@ impl ModelFile {
     }
 }
 
-/// Proves one result. The model is read from the file, or from the document if the second reader does not
-/// know a key of the file.
+/// Proves one result. The model is read from the file, or from the document if the proof's own reader does not know a
+/// key of the file.
 pub fn prove(text: &str, name: &str, document: &Document) -> Result<Named, Failure> {
     prove_and_log(text, name, document, None)
 }
 
-/// A log, preceded by the name of its result.
+/// Returns the text of a log, preceded by a line that names its result.
 fn logged(document: &Document, log: &Log) -> String {
     let combination = serde_json::json!(document.combination);
     format!("{{\"name\":\"result\",\"combination\":{combination}}}\n{}", log.text())
@@ -168,8 +168,9 @@ fn prove_and_log(
     };
     match (&error.reason, &document.model) {
         (Reason::NotRead(_), Some(own)) => {
-            let model = proof::read_model::<Wide>(own, None)
-                .map_err(|error| Failure::usage(format!("the model in the document: {error}")))?;
+            let model = proof::read_model::<Wide>(own, None).map_err(|error| {
+                Failure::usage(format!("the model in the document cannot be read: {error}"))
+            })?;
             named(ModelOf::Document, proof::verify_and_log(&model, document, log))
         }
         (Reason::NotRead(_) | Reason::NoCombination(_) | Reason::OutOfRange(_), _) => {

@@ -8,13 +8,13 @@ use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::thread::{self, JoinHandle};
 use std::time::Duration;
 
-/// Time before progress is shown.
+/// Delay before progress is shown.
 pub const PROGRESS_DELAY: Duration = Duration::from_secs(1);
-/// Time between two updates.
+/// Time between two updates of the progress display.
 const TICK: Duration = Duration::from_millis(120);
 
-/// Runs `work`, which calls its argument after each piece. A terminal shows progress, and the number of
-/// finished pieces if there are several.
+/// Runs `work` and shows progress on a terminal. `work` calls its argument after each finished piece of work. The
+/// number of finished pieces is shown if `pieces` is greater than 1.
 pub fn while_working<T>(
     words: String,
     pieces: usize,
@@ -30,7 +30,7 @@ pub fn while_working<T>(
     done
 }
 
-/// Number of pieces, and counter of finished pieces.
+/// Number of pieces of work, and counter of the finished pieces.
 type Counted = Option<(u64, Arc<AtomicU64>)>;
 
 struct Sign {
@@ -55,7 +55,7 @@ impl Drop for Sign {
     }
 }
 
-/// Shows progress until the sender is dropped.
+/// Shows progress until the sender of `ended` is dropped.
 fn show(ended: &Receiver<()>, words: String, counted: Counted) {
     if !matches!(ended.recv_timeout(PROGRESS_DELAY), Err(RecvTimeoutError::Timeout)) {
         return;

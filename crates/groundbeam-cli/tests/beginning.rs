@@ -65,7 +65,7 @@ fn compare_reports_methods_that_stop_or_do_not_apply() {
     // failure.
     let springs = Folder::with(FOOTING).run(&["compare", "model.toml"]);
     springs.is_clean(0);
-    assert!(springs.stdout.contains("Not solved   psor: the paper's concentrated"));
+    assert!(springs.stdout.contains("Not solved   psor: the concentrated pressures"));
     Folder::with(&tips()).run(&["compare", "model.toml"]).fails(3, "none: ");
     let one = "case = \"G\"\n[[combination]]\nname = \"one\"\nfactors = { G = 1.35 }\n";
     let combined = FOOTING.to_owned() + one;

@@ -208,7 +208,7 @@ fn an_eccentricity_that_does_not_exist_is_not_judged() {
     done.is_clean(0);
     assert!(done.stdout.contains("eccentricity not judged: the loads have no resultant"));
     // The beam is pinned at one end, and no load turns it about this end.
-    let expected = "no load overturns the beam, a factor of 1.5 is required: passes";
+    let expected = "no load overturns the beam; a factor of 1.5 is required: passes";
     assert!(done.stdout.contains(expected), "{}", done.stdout);
     let checks = folder.run(&["solve", "model.toml", "--json"]).json()["checks"].clone();
     assert_eq!(

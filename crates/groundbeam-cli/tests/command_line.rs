@@ -22,7 +22,7 @@ fn invalid_command_lines_are_refused() {
     for arguments in wrong {
         folder.run(arguments).fails(2, "");
     }
-    folder.run(&["solve", "model.toml", "--plot", "p.jpg"]).fails(2, "ends in .svg or .png");
+    folder.run(&["solve", "model.toml", "--plot", "p.jpg"]).fails(2, "must end in .svg or .png");
     assert_eq!(folder.names(), ["model.toml"]);
 }
 
@@ -251,7 +251,7 @@ fn only_regular_files_and_standard_input_are_read() {
             "[beam]\nlength = 1\nEI = 1\n[foundation]\nk = 1\n[[load]]\npoint = 1\nat = 0\n";
         format!("{model}[gap_survey]\nfile = \"{file}\"\n")
     };
-    let said = "it is a pipe or a device, not a file";
+    let said = "this is a pipe or a device, not a file";
     for file in ["/dev/zero", "pipe"] {
         for command in ["solve", "check", "compare", "serve"] {
             folder.run(&[command, file]).fails(2, said);
@@ -268,6 +268,6 @@ fn only_regular_files_and_standard_input_are_read() {
     let said = String::from_utf8_lossy(&done.stderr).into_owned();
     assert_eq!(
         (done.status.code(), &*said),
-        (Some(2), "error: <stdin>: it is longer than 64 MB\n")
+        (Some(2), "error: <stdin>: the file is longer than 64 MB\n")
     );
 }

@@ -1,4 +1,4 @@
-//! Tests that console blocks and pictures in the documents agree with the program.
+//! Tests that console blocks and pictures in the documentation agree with the program.
 //!
 //! In `README.md` and `docs/`, a block that begins with `$ groundbeam …` contains that command and its
 //! output. A line `<!-- drawn: groundbeam … --plot FILE.svg -->` names the command that draws a picture. The

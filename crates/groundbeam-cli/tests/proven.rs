@@ -253,7 +253,8 @@ fn the_html_report_contains_the_bounds() {
     folder.run(&["solve", "model.toml", "--proven", "--report", "r.html"]).is_clean(0);
     let report = folder.read("r.html");
     assert!(
-        report.contains("Results with their bounds") && report.contains("every result is within")
+        report.contains("Results with their bounds")
+            && report.contains("the error of every result")
     );
     assert!(report.matches(" ± ").count() > 20, "{}", report.matches(" ± ").count());
     folder.run(&["solve", "model.toml", "--report", "r.html"]).is_clean(0);

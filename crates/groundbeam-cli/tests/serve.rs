@@ -110,24 +110,27 @@ fn an_invalid_query_is_refused_with_its_key_value_and_allowed_values() {
             ("first_axle=2", &["together with the index of one `train`"]),
             ("first_axle=2&train=all", &["together with the index of one `train`"]),
             ("first_axle=0.9&train=0", &["from 1 to 4 for this train"]),
-            ("train=99", &["train=99", "0 to 1 or `all`: this file has 2 trains"]),
+            ("train=99", &["train=99", "0 to 1 or `all`, because this file has 2 trains"]),
             ("train=2", &["0 to 1"]),
-            ("train=-1", &["from 0, or `all`"]),
+            ("train=-1", &["counted from 0, or `all`"]),
             ("train=0.5", &["from 0, or `all`"]),
             ("train=", &["from 0, or `all`"]),
             ("train=99999999999999999999999", &["from 0, or `all`"]),
-            ("train=0&train=1", &["given once"]),
-            ("combination=three", &["combination=three", "one of: one, two & more"]),
+            ("train=0&train=1", &["given only once"]),
+            (
+                "combination=three",
+                &["combination=three", "one of the combinations one, two & more"],
+            ),
             ("combination=two%20%26%20less", &["combination=two & less"]),
-            ("combination=%ff", &["one of: one"]),
-            ("combination=", &["one of: one"]),
+            ("combination=%ff", &["one of the combinations one"]),
+            ("combination=", &["one of the combinations one"]),
             ("trian=0", &["trian", "combination, train, first_axle"]),
             ("%00=%0a", &["the keys of this address are"]),
         ] {
             refused(&format!("{address}?{query}"), &trains, words);
         }
-        refused(&format!("{address}?train=0"), FOOTING, &["this file has none"]);
-        refused(&format!("{address}?combination=one"), FOOTING, &["this file has none"]);
+        refused(&format!("{address}?train=0"), FOOTING, &["this file has no trains"]);
+        refused(&format!("{address}?combination=one"), FOOTING, &["this file has no combinations"]);
     }
     for width in ["wide", "nan", "0", "-100", "1e999", ""] {
         refused(&format!("/api/view?width={width}"), FOOTING, &["a positive number"]);
@@ -278,7 +281,7 @@ fn a_view_returns_the_text_location_of_every_number() {
     assert_eq!(handles(&heavier), handles(&view));
     let lost = server.post("/api/view", &tips()).json();
     assert_eq!(lost["status"], "no-equilibrium");
-    assert!(lost["sentence"].as_str().unwrap().contains("it tips about its right end"));
+    assert!(lost["sentence"].as_str().unwrap().contains("the beam tips about its right end"));
     assert!(
         lost["picture"]["svg"].as_str().unwrap().contains(r#"class="moves" data-still="matrix("#)
     );
@@ -306,10 +309,14 @@ fn responses_have_the_units_and_digits_of_the_query() {
     assert_eq!(view["shown_in"], json!({ "name": "ft", "size": 0.3048 }));
     assert!(server.post("/api/file/html?units=us", FOOTING).text().contains(" kip-ft"));
     for (path, model, words) in [
-        ("/api/view?units=yards", FOOTING, "`units` is `file`, `si` or `us`"),
-        ("/api/view?digits=1", FOOTING, "`digits` is a whole number from 2 to 15"),
-        ("/api/view?digits=4.5", FOOTING, "`digits` is a whole number from 2 to 15"),
-        ("/api/view?units=us", LIFTS, "`units` is `file` for a file without units"),
+        ("/api/view?units=yards", FOOTING, "`units` must be `file`, `si` or `us`"),
+        ("/api/view?digits=1", FOOTING, "`digits` must be a whole number from 2 to 15"),
+        ("/api/view?digits=4.5", FOOTING, "`digits` must be a whole number from 2 to 15"),
+        (
+            "/api/view?units=us",
+            LIFTS,
+            "`units` must be `file`, because the model file has no units",
+        ),
         ("/api/solve?units=us", FOOTING, "the keys of this address are combination"),
     ] {
         let reply = server.post(path, model);

@@ -209,7 +209,7 @@ fn two_processes_cannot_run_the_same_study() {
             Some(folder.run(&["study", "study.toml", "--out", "r.parquet", "--samples", "40000"]));
         child.kill().unwrap();
     });
-    busy.unwrap().fails(2, "another process is at work");
+    busy.unwrap().fails(2, "another process is writing these results");
 }
 
 #[test]
@@ -238,14 +238,14 @@ fn errors_in_a_study_file_are_reported_at_their_location() {
     let sobol = "samples = 3200\nsampling = \"sobol\"";
     wrong("samples = 3000", sobol, &["even only over powers of two", "4096 samples are even"]);
     let uneven = "samples = 3000\nsampling = \"latin-hypercube\"";
-    wrong("samples = 3000", uneven, &["16 equal replicates; 2992 can"]);
+    wrong("samples = 3000", uneven, &["16 equal replicates; 2992 samples can"]);
     let random = "[[random]]\nwhat = \"k[]\"\ndistribution = \"lognormal\"\ncov = 0.1\n[field]";
-    wrong("[field]", random, &["`k` is already a [[random]] number, `k[]`"]);
+    wrong("[field]", random, &["`k` is a random field and also the [[random]] number `k[]`"]);
     wrong("at = [-0.5, 0, 1]", "at = [0, 1, 0]", &["wrong.toml:18:13", "listed twice"]);
     wrong(
         "name = \"deep\"",
         "name = \"no equilibrium\"",
-        &["every study has an event of this name"],
+        &["this name is reserved: every study has this event"],
     );
     // All faults are reported together.
     wrong("normal\"\nmean = 0.4", "gumble\"\nmeen = 0.4", &["gumble", "meen"]);

@@ -1,16 +1,17 @@
-//! Bands of uncertain ground: lower and upper factors on k and μ, and the pairs of factors that are solved.
+//! Represents uncertain ground by lower and upper factors on k and μ, and lists their combinations.
 
 /// Lower and upper factors on k and μ, relative to their best estimates.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Band {
-    /// Lower and upper factor on k.
+    /// Lower and upper factor on the subgrade modulus k.
     pub spring: [f64; 2],
-    /// Lower and upper factor on μ.
+    /// Lower and upper factor on the stiffness μ of the shear layer.
     pub shear: [f64; 2],
 }
 
 impl Band {
-    /// Pairs of factors on k and μ: first the best estimates, then every combination of low, best and high.
+    /// Returns the pairs of factors on k and μ: first the best estimates (1, 1), then all combinations of lower
+    /// factor, 1 and upper factor.
     pub fn grounds(&self) -> Vec<[f64; 2]> {
         let mut grounds = vec![[1.0, 1.0]];
         for spring in steps(self.spring) {
@@ -23,7 +24,7 @@ impl Band {
         grounds
     }
 
-    /// Name of the ground with these factors: `best ground`, or `0.5 k, 2 mu`.
+    /// Returns the name of the ground with these factors, such as `best ground` or `0.5 k, 2 mu`.
     pub fn name(&self, ground: [f64; 2]) -> String {
         if ground == [1.0, 1.0] {
             return "best ground".to_owned();

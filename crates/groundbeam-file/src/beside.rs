@@ -1,4 +1,4 @@
-//! Files that a model file names: their location, and the tables of numbers that they contain.
+//! Reads the files that a model file names, and the tables of numbers in these files.
 
 use crate::files::read_file;
 use crate::source::Source;
@@ -11,13 +11,13 @@ use std::sync::Arc;
 /// A file that the model file names.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct OtherFile {
-    /// Its path, relative to the working directory.
+    /// Path of the file, relative to the working directory.
     pub name: String,
-    /// Its text. U+FFFD replaces bytes that are not UTF-8.
+    /// Text of the file. U+FFFD replaces bytes that are not UTF-8.
     pub text: String,
 }
 
-/// Location of the files that a model file names.
+/// Source of the files that a model file names: a folder on the disk, or files in memory.
 #[derive(Debug, Clone, Copy)]
 pub struct Beside<'a> {
     folder: &'a Path,
@@ -25,25 +25,25 @@ pub struct Beside<'a> {
 }
 
 impl<'a> Beside<'a> {
-    /// Files in memory that were read from this folder earlier, perhaps on another machine. No other file is
+    /// Uses files in memory that were read from this folder earlier, perhaps on another machine. No other file is
     /// read.
     pub fn held(folder: &'a Path, files: &'a [OtherFile]) -> Self {
         Beside { folder, held: Some(files) }
     }
 
-    /// The same files, with names relative to another folder.
+    /// Returns this source with file names relative to another folder.
     pub(crate) fn from(self, folder: &'a Path) -> Self {
         Beside { folder, ..self }
     }
 
-    /// Path of a file whose name is relative to the folder, and its bytes.
+    /// Returns the path and the bytes of a file whose name is relative to the folder.
     pub(crate) fn read(&self, name: &str) -> (PathBuf, io::Result<Vec<u8>>) {
         let path = self.folder.join(name);
         let bytes = self.read_path(&path);
         (path, bytes)
     }
 
-    /// Bytes of a file.
+    /// Returns the bytes of the file with this path.
     pub(crate) fn read_path(&self, path: &Path) -> io::Result<Vec<u8>> {
         let Some(files) = self.held else { return read_file(path) };
         let name = path.display().to_string();
@@ -53,13 +53,13 @@ impl<'a> Beside<'a> {
 }
 
 impl<'a, P: AsRef<Path> + ?Sized> From<&'a P> for Beside<'a> {
-    /// Files on the disk, in a folder.
+    /// Uses the files on the disk, in this folder.
     fn from(folder: &'a P) -> Self {
         Beside { folder: folder.as_ref(), held: None }
     }
 }
 
-/// A table: its header and its rows. Every cell has its location in the text.
+/// Table in a file: its header, its rows, and the location of each cell in the text.
 pub(crate) struct Table {
     pub file: Arc<OtherFile>,
     pub source: Source,
@@ -67,7 +67,7 @@ pub(crate) struct Table {
     pub rows: Vec<Row>,
 }
 
-/// Cells of one row.
+/// Cells of one row of a table, with their locations in the text.
 pub(crate) struct Row {
     pub cells: Vec<String>,
     /// Byte range of the row in the text.
@@ -76,15 +76,15 @@ pub(crate) struct Row {
 }
 
 impl Row {
-    /// Byte range of a cell; for a missing cell, the end of the row.
+    /// Returns the byte range of a cell. A missing cell has the empty range at the end of the row.
     pub fn cell(&self, i: usize) -> Range<usize> {
         self.spans.get(i).cloned().unwrap_or(self.span.end..self.span.end)
     }
 }
 
 impl Table {
-    /// Reads a file of values. The first row decides whether semicolons, tabs or commas separate them. A `#`
-    /// begins a comment.
+    /// Reads a file of values. The first row decides whether semicolons, tabs or commas separate the values. The
+    /// character `#` begins a comment.
     pub fn read(beside: Beside, file: &str) -> Result<Table, String> {
         let (path, bytes) = beside.read(file);
         let bytes = bytes.map_err(|error| error.to_string())?;
@@ -117,7 +117,7 @@ impl Table {
 
 impl Row {
     fn of(text: &str, span: Range<usize>, record: &StringRecord, separator: char) -> Self {
-        // The position of a record may precede comments and empty lines.
+        // The range of a record may begin with comments and empty lines, which do not belong to the row.
         let mut from = span.start;
         while let Some(line) = text[from..span.end].split_inclusive('\n').next()
             && (line.starts_with('#') || line.trim().is_empty())

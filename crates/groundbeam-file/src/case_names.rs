@@ -1,6 +1,6 @@
-//! Names of load cases without repetition, and the message for an unknown name.
+//! Lists the names of load cases without repetition, and gives the message for an unknown name.
 
-/// Names of the load cases, each once, in the order of the loads.
+/// Returns the names of the load cases, each once, in the order of the loads.
 pub(crate) fn names(cases: &[Option<String>]) -> Vec<&str> {
     let mut names: Vec<&str> = Vec::new();
     for case in cases.iter().flatten() {
@@ -14,7 +14,7 @@ pub(crate) fn names(cases: &[Option<String>]) -> Vec<&str> {
 /// Message for a name that is not a load case.
 pub(crate) const NO_LOAD: &str = "no load belongs to a case `{}`";
 
-/// Hint for a name that resembles no load case.
+/// Returns the hint for a name that resembles no load case.
 pub(crate) fn otherwise(names: &[&str]) -> &'static str {
     match names {
         [] => "no load of the file has a `case`; add a `case` to the loads of this case",

@@ -22,8 +22,8 @@ use std::collections::HashSet;
 ///
 /// # Errors
 ///
-/// One diagnostic for each entry that is not a load case. Byte positions count from the start of `list`, so
-/// that [`Diagnostics::render`] shows them with `list` as the text.
+/// Returns one diagnostic for each entry that is not a load case. Byte positions count from the start of `list`, so
+/// pass `list` as the text to [`Diagnostics::render`].
 pub fn parse_cases(list: &str, document: &Document) -> Result<Vec<String>, Diagnostics> {
     let known = names(&document.cases);
     let mut chosen = list::read(list, |name| {

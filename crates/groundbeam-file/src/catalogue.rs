@@ -1,4 +1,4 @@
-//! Lookup by name in the built-in lists: materials, trains, sets of combinations.
+//! Finds entries by name in the built-in lists of materials, trains and sets of combinations.
 
 use serde::de::DeserializeOwned;
 
@@ -13,7 +13,7 @@ pub(crate) trait Entry {
     }
 }
 
-/// All names of all entries.
+/// Returns all names of all entries, including the alternative names.
 pub(crate) fn spellings<'e, E: Entry + 'e>(
     entries: impl IntoIterator<Item = &'e E>,
 ) -> Vec<&'e str> {
@@ -22,9 +22,10 @@ pub(crate) fn spellings<'e, E: Entry + 'e>(
     entries.into_iter().flat_map(names).collect()
 }
 
-/// The data files of a list, for tests.
+/// Parses the data files of a built-in list. The tests check that these files are valid.
 pub(crate) fn files<F: DeserializeOwned>(texts: &[&str]) -> Vec<F> {
-    let read = |text: &&str| toml::from_str(text).expect("a list that a test has read");
+    let read =
+        |text: &&str| toml::from_str(text).expect("the data files of the built-in lists are valid");
     texts.iter().map(read).collect()
 }
 

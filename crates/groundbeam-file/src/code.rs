@@ -1,4 +1,4 @@
-//! Codes of all diagnostics and their meanings; `docs/diagnostics.md` is generated from this table.
+//! Codes of all diagnostics, with their meanings and remedies; `docs/diagnostics.md` is generated from this table.
 
 pub(crate) const SYNTAX: &str = "GB001";
 pub(crate) const DUPLICATE: &str = "GB002";
@@ -66,28 +66,29 @@ const COMPRESSION: Page = Page { title: "Compression", target: "existence.md#com
 const LIMITS: Page =
     Page { title: "How accurate a mesh is", target: "methods.md#8-how-accurate-a-mesh-is" };
 
-/// A section of the documents.
+/// Section of the documentation that a diagnostic refers to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Page {
     /// Title of the section.
     pub title: &'static str,
-    /// Link from the folder `docs/`.
+    /// Link to the section, relative to the folder `docs/`.
     pub target: &'static str,
 }
 
-/// One row of the table of codes.
+/// Code of a diagnostic, with its meaning and remedy.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Code {
-    /// `GB001` to `GB099`: faults in the text of the file. From `GB101` on: faults of the model.
+    /// Code of the diagnostic. `GB001` to `GB099` are faults in the text of the file. Codes from `GB101` on are
+    /// faults of the model.
     pub code: &'static str,
-    /// The rule that the file or model breaks, or the fault.
+    /// Rule that the file or the model breaks, or description of the fault.
     pub meaning: &'static str,
-    /// What the user can do, in one or two sentences.
+    /// Remedy for the user, in one or two sentences.
     pub remedy: &'static str,
-    /// The part of the documents that explains the subject of the code.
+    /// Section of the documentation that explains the subject of the code.
     pub page: Page,
-    /// A file in `cases/errors/` with this fault. `None` if only a solve, a study or a model built in code
-    /// has it.
+    /// File in `cases/errors/` with this fault. `None` if the fault occurs only in a solve, in a study or in a model
+    /// built in code.
     pub example: Option<&'static str>,
 }
 
@@ -110,7 +111,7 @@ const fn elsewhere(
     Code { code, meaning, remedy, page, example: None }
 }
 
-/// Every code, in ascending order.
+/// All codes of diagnostics, in ascending order.
 #[rustfmt::skip]
 pub const CODES: &[Code] = &[
     row(SYNTAX, FORMAT, "syntax.toml",
@@ -118,25 +119,25 @@ pub const CODES: &[Code] = &[
         "Correct the text at the marked position."),
     row(DUPLICATE, FORMAT, "duplicate.toml",
         "a key or table is given twice",
-        "Keep one of the two, or write tables that may repeat with double brackets."),
+        "Keep only one of the two keys or tables. Write a table that may occur several times with double brackets."),
     row(UNKNOWN_KEY, EDITOR, "unknown-key.toml",
-        "a key or table is not known here",
-        "Correct its spelling, or move it to the table to which it belongs."),
+        "a table contains a key or table that is not allowed in it",
+        "Correct the spelling of the key, or move the key to the table to which it belongs."),
     row(MISSING, FORMAT, "missing.toml",
         "a required key or table is missing",
-        "Add it."),
+        "Add the missing key or table."),
     row(WRONG_TYPE, FORMAT, "wrong-type.toml",
         "a value or table is of the wrong type",
-        "Write it as the message shows."),
+        "Write the value as the message shows."),
     row(EXCLUSIVE, FORMAT, "exclusive.toml",
         "two keys exclude each other",
-        "Keep one of the two."),
+        "Keep only one of the two keys."),
     row(INCOMPLETE, FORMAT, "incomplete.toml",
         "one of two keys that belong together is missing",
         "Add the missing key."),
     row(MISPLACED, LOADS, "misplaced.toml",
-        "a key belongs to another kind of load",
-        "Remove it, or give the load the kind to which the key belongs."),
+        "a key does not belong to this kind of load",
+        "Remove the key, or change the kind of the load."),
     row(UNKNOWN_WORD, FORMAT, "unknown-word.toml",
         "a word is not one of the allowed words",
         "Write one of the words that the message lists."),
@@ -153,10 +154,10 @@ pub const CODES: &[Code] = &[
         "a unit cannot be read",
         "Write the unit as a product, quotient or power of known units, as in `kN/m^2`."),
     row(UNKNOWN_UNIT, UNITS, "unknown-unit.toml",
-        "a unit is not known",
-        "Use a unit of the list."),
+        "a unit is unknown",
+        "Use a unit of the list of units in the documentation."),
     row(WRONG_UNIT, UNITS, "wrong-unit.toml",
-        "a unit is of the wrong kind",
+        "a unit does not fit the quantity",
         "Give a unit of the quantity that the message names."),
     row(MIXED, UNITS, "mixed-units.toml",
         "some quantities have a unit and others do not",
@@ -169,7 +170,7 @@ pub const CODES: &[Code] = &[
         "Add `[beam]` with `length` and `EI`, and `[foundation]` with `k`."),
     row(NOT_UTF8, FORMAT, "not-utf8.toml",
         "the file is not UTF-8 text",
-        "Save it as UTF-8."),
+        "Save the file as UTF-8 text."),
     row(EMPTY_NAME, FORMAT, "empty-name.toml",
         "a name is empty",
         "Write a name, or remove the key."),
@@ -178,10 +179,10 @@ pub const CODES: &[Code] = &[
         "Give each table a different name."),
     row(FILE, SURVEY, "survey-missing.toml",
         "a file that the model names cannot be read",
-        "Correct the name. It is relative to the folder of the model file."),
+        "Correct the name of the file, which is relative to the folder of the model file."),
     row(COLUMN, SURVEY, "survey-column.toml",
         "a column of a table is missing",
-        "Add the column, or name an existing one."),
+        "Add the column, or name an existing column."),
     row("GB101", BEAM, "beam-length.toml",
         "the beam's length must be positive",
         "Give a positive length."),
@@ -193,7 +194,7 @@ pub const CODES: &[Code] = &[
         "Give a finite force, positive in tension, or remove the key."),
     row("GB104", SHEAR, "beam-shear.toml",
         "the shear stiffness of the beam must be positive",
-        "Give a positive shear stiffness, or none for a beam without shear deformation."),
+        "Give a positive shear stiffness, or omit the shear stiffness for a beam without shear deformation."),
     row("GB201", GROUND, "foundation-spring.toml",
         "the spring constant k must be positive",
         "Give a positive k."),
@@ -226,7 +227,7 @@ pub const CODES: &[Code] = &[
         "Divide the segment into segments with constant values."),
     row("GB211", ON_GROUND, "ground-load.toml",
         "a load on the ground must act downward",
-        "Change its sign: downward loads are positive."),
+        "Change the sign of the load. Downward loads are positive."),
     elsewhere("GB212", SOIL,
         "ground defined by soil data is uniform and infinite",
         "Remove the segments and the ends of the ground, or give k and mu in place of the soil data."),
@@ -250,24 +251,24 @@ pub const CODES: &[Code] = &[
         "Give all restraints at this position in one support."),
     row("GB404", HINGES, "hinge-at-an-end.toml",
         "a hinge must be inside the beam",
-        "Move the hinge between the ends of the beam, or remove it."),
+        "Move the hinge to a position between the ends of the beam, or remove the hinge."),
     row("GB405", HINGES, "hinge-spring.toml",
         "a hinge's spring constant must be zero or positive",
         "Give zero for a free hinge, or a positive number."),
     row("GB406", HINGES, "two-hinges.toml",
         "two hinges must not share one position",
-        "Remove one of the two."),
+        "Remove one of the two hinges."),
     row("GB407", HINGES, "hinge-and-moment.toml",
         "a moment or rotational spring must not act at a hinge",
-        "Move one of the two to the side on which the moment or spring acts."),
+        "Move the moment or spring to the side of the hinge on which it acts."),
     row("GB408", SUPPORTS, "one-way-clamp.toml",
-        "only a force can act in a single direction",
-        "Make the one-way support pinned, or give it a translational spring only."),
+        "a one-way support must not restrain rotation",
+        "Make the one-way support pinned, or give the support only a translational spring."),
     row("GB501", GAP, "gap-order.toml",
         "the points of the gap must be in order from left to right",
-        "Sort the points by position, each at a different position."),
+        "Sort the points by position, and give each point a different position."),
     row(CHORDS, TROUGHS, "trough-chords.toml",
-        "settlement troughs need too many chords",
+        "the curve of the settlement troughs needs too many chords",
         "Check the settlement, the loads and the stiffnesses, or give the gap as points."),
     elsewhere("GB603", METHODS,
         "the iterations `psor` and `uzawa` and the nodal method need a shear layer: mu is zero somewhere under the beam",
@@ -286,7 +287,7 @@ pub const CODES: &[Code] = &[
         "Use the method `exact` or `active-set`."),
     elsewhere("GB609", METHODS,
         "only the methods `exact` and `active-set` solve loads on the ground",
-        "Use one of these methods."),
+        "Use the method `exact` or `active-set`."),
     elsewhere("GB611", COMPRESSION,
         "only the method `exact` solves a beam under compression beyond its own buckling load",
         "Use the method `exact`."),
@@ -295,23 +296,23 @@ pub const CODES: &[Code] = &[
         "Omit the load factors. The result then contains the critical compression."),
     elsewhere("GB614", METHODS,
         "only the methods `exact` and `active-set` solve a beam with shear deformation",
-        "Use one of these methods, or omit the shear stiffness."),
+        "Use the method `exact` or `active-set`, or omit the shear stiffness."),
     elsewhere("GB616", LIMITS,
-        "the solve would need too many elements: the waves of a varying or shear-deformable beam are too short",
+        "the solve would need too many elements: the deflection waves of a varying or shear-deformable beam are too short",
         "Increase the bending stiffness, or give constant stiffnesses and no shear stiffness."),
     elsewhere("GB617", LIMITS,
         "the solve would need more memory than the limit",
         "Raise the limit, as in `--memory-limit \"8 GB\"`, shorten the beam, or use fewer elements."),
     row(FIRST_AXLE, TRAINS, "first-axle.toml",
         "the first axle of a train must be at 0",
-        "Give the positions of the other axles as positive distances behind the first."),
+        "Give the positions of the other axles as positive distances behind the first axle."),
     elsewhere(RANGE, STUDIES,
         "a number of a study is outside its range",
         "Give a number in the range that the message names."),
     elsewhere(IMPLAUSIBLE, UNITS,
         "a warning: a quantity has an implausible size",
-        "Check its number and its unit. The model is solved as it is."),
+        "Check the number and the unit of the quantity. The model is solved unchanged."),
     elsewhere(NO_LOADS, LOADS,
         "a warning: the model has no loads",
-        "Add a load, unless the beam is meant to have none."),
+        "Add a load, unless the beam is meant to have no load."),
 ];

@@ -1,4 +1,4 @@
-//! Combinations of load cases: names, factors, and the resulting models.
+//! Computes the models of combinations of load cases, from the names and factors in the file.
 
 use crate::band::Band;
 use crate::code;
@@ -10,24 +10,25 @@ use crate::source::Source;
 use crate::{case_names, sets, suggest};
 use groundbeam::{Load, Model, design::LimitStates};
 
-/// Maximum number of combinations in a file, on all grounds together.
+/// Maximum number of combinations in a file. Each combination counts once for each pair of factors on k and μ.
 pub(crate) const MOST: usize = 1000;
 
-/// A combination as written in the file: its name, and the factors on load cases.
+/// Combination as written in the file, with its name and its factors on load cases.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Recipe {
     pub name: String,
     pub factors: Vec<(String, f64)>,
-    /// Its limit states; empty if neither the file nor the set names any.
+    /// Limit states of the combination; empty if neither the file nor the set names any limit state.
     pub limit_states: LimitStates,
     /// The set of a code of practice from which the combination is generated; `None` if the file gives its factors.
     pub set: Option<&'static str>,
-    /// Whether this set belongs to the Eurocodes.
+    /// Whether `set` belongs to the Eurocodes.
     pub eurocode: bool,
 }
 
 impl Recipe {
-    /// Factor on the loads of a case; 1 for loads without a case.
+    /// Returns the factor on the loads of a load case. The factor is 1 for loads without a case, and 0 for a case
+    /// that the combination does not name.
     pub fn factor(&self, case: Option<&str>) -> f64 {
         case.map_or(1.0, |case| {
             let named = self.factors.iter().find(|(name, _)| name == case);
@@ -36,29 +37,30 @@ impl Recipe {
     }
 }
 
-/// One of the combinations of a file.
+/// Combination of load cases, with the model under the factored loads.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Combination {
-    /// Its name, unique in the file.
+    /// Name of the combination, unique in the file.
     pub name: String,
-    /// The load cases it names, each with its factor. Other cases have the factor 0.
+    /// Load cases that the combination names, each with its factor. Other load cases have the factor 0.
     pub factors: Vec<(String, f64)>,
-    /// Its limit states; empty for the loads as given, or if the file names none.
+    /// Limit states of the combination; empty if the file names no limit states or has no combinations of loads.
     pub limit_states: LimitStates,
-    /// Whether all loads act as the file gives them, because it has no combinations of loads.
+    /// Whether all loads act as the file gives them, because the file has no combinations of loads.
     pub as_written: bool,
     /// Whether the combination comes from a set of the Eurocodes. Reports then cite the clauses that require the checks.
     pub eurocode: bool,
-    /// The file's model under the factored loads. Loads with the factor 0 are left out.
+    /// Model of the file under the factored loads. Loads with the factor 0 are omitted.
     pub model: Model,
-    /// Indices of these loads in the document.
+    /// Indices in the document of the loads whose factor is not 0.
     pub loads: Vec<usize>,
-    /// Factors on k and μ if the file has a [`Band`](crate::Band). The model's ground already includes them.
+    /// Factors on k and μ, if the file has a [`Band`](crate::Band). The ground of `model` already includes these
+    /// factors.
     pub ground: Option<[f64; 2]>,
 }
 
 impl From<Model> for Combination {
-    /// All loads of a model, as a combination without a name.
+    /// Returns the combination without a name, in which all loads of the model act.
     fn from(model: Model) -> Self {
         let loads = (0..model.loads.len()).collect();
         let limit_states = LimitStates::NONE;
@@ -68,16 +70,16 @@ impl From<Model> for Combination {
     }
 }
 
-/// One load case alone.
+/// Single load case, with the model under its loads only.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LoadCase {
-    /// Its name.
+    /// Name of the load case.
     pub name: String,
-    /// The file's model under the loads of this case only.
+    /// Model of the file under the loads of this load case only.
     pub model: Model,
 }
 
-/// Name of a combination on one ground of a band.
+/// Returns the name of a combination on ground with these factors on k and μ.
 fn on(name: &str, band: &Band, ground: [f64; 2]) -> String {
     let place = band.name(ground);
     match name {
@@ -87,8 +89,8 @@ fn on(name: &str, band: &Band, ground: [f64; 2]) -> String {
 }
 
 impl Combination {
-    /// Factor on a train; `None` if the combination leaves out the train's case. It is 1 without combinations
-    /// or without a case.
+    /// Returns the factor on a train, or `None` if the combination omits the load case of the train. The factor is 1
+    /// if the train has no load case or the file has no combinations of loads.
     pub fn factor_of(&self, train: &MovingTrain) -> Option<f64> {
         let Some(case) = train.case.as_ref().filter(|_| !self.as_written) else {
             return Some(1.0);
@@ -97,13 +99,13 @@ impl Combination {
         named.map(|(_, factor)| *factor).filter(|factor| *factor != 0.0)
     }
 
-    /// The same combination with additional loads.
+    /// Returns this combination with additional loads.
     pub fn with_loads(mut self, loads: Vec<Load>) -> Self {
         self.model.loads.extend(loads);
         self
     }
 
-    /// The same combination on ground with factored k and μ.
+    /// Returns this combination with k and μ multiplied by the factors in `ground`.
     fn on(mut self, band: &Band, ground: [f64; 2]) -> Self {
         let [spring, shear] = ground;
         self.model.foundation = self.model.foundation.scaled(spring, shear);
@@ -113,7 +115,7 @@ impl Combination {
     }
 }
 
-/// Hint that lists the most similar names.
+/// Returns a hint that lists the names most similar to `wanted`.
 fn nearest(wanted: &str, names: &[&str]) -> String {
     let near = suggest::nearest_three(wanted, names);
     let near: Vec<String> = near.iter().map(|name| format!("`{name}`")).collect();
@@ -131,15 +133,16 @@ fn unknown(name: &str, message: String, hint: String) -> Diagnostics {
 }
 
 impl Document {
-    /// Whether the file asks for several results: combinations of load cases, or a band of grounds.
+    /// Whether the file has combinations of load cases or a [`Band`], and therefore several results.
     pub fn has_combinations(&self) -> bool {
         !self.recipes.is_empty() || self.band.is_some()
     }
 
-    /// The file's combinations, each with its own model; empty if the file asks for none.
+    /// Returns the combinations of the file, each with its own model. The list is empty if the file has neither
+    /// combinations nor a [`Band`].
     ///
-    /// With a band, each combination is repeated for each ground. A file with a band but without combinations
-    /// applies all loads on each ground.
+    /// With a [`Band`], the list contains each combination once for each pair of factors on k and μ. If a file has a
+    /// [`Band`] but no combinations, the list contains one model under all loads for each pair of factors.
     ///
     /// ```
     /// let text = "[beam]\nlength = 1\nEI = 1\n[foundation]\nk = 1\n
@@ -171,7 +174,7 @@ impl Document {
         all.flat_map(on_each).collect()
     }
 
-    /// Names of the file's combinations, in order.
+    /// Returns the names of the combinations, in the order of [`Document::combinations`].
     pub fn combination_names(&self) -> Vec<String> {
         let written = self.recipes.iter().map(|recipe| &*recipe.name);
         let Some(band) = &self.band else { return written.map(str::to_owned).collect() };
@@ -180,7 +183,8 @@ impl Document {
         alone.into_iter().chain(written).flat_map(on_each).collect()
     }
 
-    /// All combinations of the file. A file without combinations gives one without a name: all loads.
+    /// Returns all combinations of the file. For a file without combinations, returns a single combination without a
+    /// name, in which all loads act.
     pub fn wanted(&self) -> Vec<Combination> {
         match self.has_combinations() {
             true => self.combinations(),
@@ -188,12 +192,12 @@ impl Document {
         }
     }
 
-    /// The combination without a name: all loads and the ground as the file gives them.
+    /// Returns the combination without a name, in which all loads act as the file gives them.
     pub fn as_written(&self) -> Combination {
         Combination::from(self.model.clone())
     }
 
-    /// Title of the results of one combination, such as `Footing: ULS 1`.
+    /// Returns the title of the results of one combination, such as `Footing: ULS 1`.
     pub fn title_of(&self, combination: &Combination) -> String {
         match &self.title {
             Some(title) => format!("{title}: {}", combination.name),
@@ -201,12 +205,12 @@ impl Document {
         }
     }
 
-    /// The combination with this name.
+    /// Returns the combination with this name.
     ///
     /// # Errors
     ///
-    /// No combination has this name, or the file has none. Byte positions count from the start of `name`, so
-    /// that [`Diagnostics::render`] shows it with `name` as the text.
+    /// Returns an error if no combination has this name. Byte positions count from the start of `name`, so pass
+    /// `name` as the text to [`Diagnostics::render`].
     pub fn combination(&self, name: &str) -> Result<Combination, Diagnostics> {
         let wanted = name.trim();
         let mut all = self.combinations();
@@ -222,19 +226,19 @@ impl Document {
         Err(unknown(name, format!("no combination has the name `{wanted}`"), hint))
     }
 
-    /// Names of the sets of combinations that the file asks for, each once.
+    /// Returns the names of the sets of combinations that the file uses, each once.
     pub fn set_names(&self) -> Vec<&'static str> {
         let mut names: Vec<&str> = self.recipes.iter().filter_map(|recipe| recipe.set).collect();
-        // A file asks for a set once, and its combinations follow one another.
+        // A file uses a set at most once, and the combinations of a set are consecutive.
         names.dedup();
         names
     }
 
-    /// The combinations of the set with this name.
+    /// Returns the combinations of the set with this name.
     ///
     /// # Errors
     ///
-    /// As [`Document::combination`], for a name that is not a set of the file.
+    /// Returns an error if the file does not use this set. Byte positions count as in [`Document::combination`].
     pub fn combinations_of_set(&self, name: &str) -> Result<Vec<Combination>, Diagnostics> {
         let wanted = name.trim();
         let asked = sets::find(wanted).map(|(_, set)| &*set.name);
@@ -245,14 +249,15 @@ impl Document {
             return Ok(Document { recipes, ..self.clone() }.combinations());
         }
         let hint = match names[..] {
-            [] => "the file has no set; add a [[combination]] with `set = \"EN 1990 6.10\"`"
+            [] => "the file has no set of combinations; add a [[combination]] with `set = \"EN 1990 6.10\"`"
                 .to_owned(),
             _ => nearest(wanted, &names),
         };
-        Err(unknown(name, format!("the file does not ask for the set `{wanted}`"), hint))
+        Err(unknown(name, format!("the file does not use the set `{wanted}`"), hint))
     }
 
-    /// One combination for each load case alone, in the order of the loads.
+    /// Returns each load case alone, in the order of the loads. The list is empty if the file has no combinations of
+    /// loads.
     pub fn load_cases(&self) -> Vec<LoadCase> {
         if self.recipes.is_empty() {
             return Vec::new();
@@ -264,7 +269,7 @@ impl Document {
         case_names::names(&self.cases).into_iter().map(alone).collect()
     }
 
-    /// The model with a factor on each load, and the indices of the loads with nonzero factor.
+    /// Returns the model with each load multiplied by its factor, and the indices of the loads whose factor is not 0.
     fn under(&self, factor: impl Fn(&Option<String>) -> f64) -> (Model, Vec<usize>) {
         let mut loads = Vec::new();
         let mut scaled = Vec::new();

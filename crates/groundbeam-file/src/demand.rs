@@ -1,22 +1,22 @@
-//! Requirements of a key on its number: the sign, and for a position the body on which it lies.
+//! Requirements on the number of a key: its sign, and whether a position must lie on the beam or on the ground.
 
 /// Signs that a number may have.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Sign {
-    /// Negative, zero or positive.
+    /// The number may be negative, zero or positive.
     Any,
-    /// Zero or positive.
+    /// The number must be zero or positive.
     NotNegative,
-    /// Positive.
+    /// The number must be positive.
     Positive,
 }
 
-/// The body on which a position lies.
+/// Whether a position must lie on the beam or on the ground.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Place {
-    /// The beam, from 0 to its length.
+    /// The position must lie on the beam, between 0 and the length of the beam.
     Beam,
-    /// The ground, which extends beyond the beam.
+    /// The position must lie on the ground, which extends beyond the beam.
     Ground,
 }
 
@@ -27,7 +27,7 @@ mod tests {
     use std::collections::BTreeSet;
     use std::path::{Path, PathBuf};
 
-    /// Keys that the model files of the repository do not use.
+    /// Model file with keys that the other model files of the repository do not use.
     const OTHERS: &str = "\
 [beam]
 length = \"12 m\"
@@ -71,7 +71,7 @@ width = \"1 m\"
 settlement = \"20 mm\"
 ";
 
-    /// All valid model files of `cases/` and `docs/`, with their folders.
+    /// Returns all valid model files of `cases/` and `docs/`, with their folders.
     fn files() -> Vec<(String, PathBuf)> {
         let root = groundbeam_testing::repository();
         let mut all = vec![(OTHERS.to_owned(), root.clone())];
@@ -87,7 +87,8 @@ settlement = \"20 mm\"
         all
     }
 
-    /// Whether a file with this number at a quantity is refused because of the sign.
+    /// Replaces a number of the file. Returns whether the reader refuses the file because of the sign of the new
+    /// number.
     fn is_refused(text: &str, folder: &Path, quantity: &Quantity, number: &str) -> bool {
         let at = quantity.number.clone();
         let unit = quantity.decimal.map_or("", |(_, unit)| unit);
@@ -103,8 +104,8 @@ settlement = \"20 mm\"
     fn recorded_signs_agree_with_the_reader() {
         let mut keys = BTreeSet::new();
         let mut wrong = BTreeSet::new();
-        // A file may refuse μ = 0 because its shear layer would end inside the beam. Then another file
-        // accepts μ = 0.
+        // A key whose sign allows 0 must accept 0 in at least one model file. Some files refuse μ = 0, because the shear
+        // layer would then end inside the beam.
         let (mut may_be_zero, mut was_zero) = (BTreeSet::new(), BTreeSet::new());
         for (text, folder) in files() {
             let Ok(document) = crate::parse_beside(&text, &folder) else { continue };

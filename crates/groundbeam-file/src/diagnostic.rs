@@ -1,4 +1,4 @@
-//! Diagnostics: the fault in a file, its location, and the remedy.
+//! Diagnostics, which describe a fault in a file, its location and its remedy.
 
 use crate::beside::OtherFile;
 use crate::fault::Fault;
@@ -17,46 +17,46 @@ pub enum Severity {
     Warning,
 }
 
-/// Another location in the file that relates to a [`Diagnostic`].
+/// Another location in the file that helps to explain a [`Diagnostic`].
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Related {
-    /// Byte range in the text.
+    /// Byte range of the location in the text.
     pub span: Range<usize>,
-    /// Line, from 1.
+    /// Line of the location, counted from 1.
     pub line: usize,
-    /// Column in characters, from 1.
+    /// Column of the location in characters, counted from 1.
     pub column: usize,
-    /// Short description of this location.
+    /// Short description of the location.
     pub label: String,
 }
 
 /// One fault of a file.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Diagnostic {
-    /// A fixed code, one for each rule; [`CODES`](crate::CODES) lists them.
+    /// Fixed code of the broken rule; [`CODES`](crate::CODES) lists all codes.
     pub code: &'static str,
-    /// Its severity.
+    /// Severity of the diagnostic.
     pub severity: Severity,
-    /// The other file that contains the fault; `None` for the model file itself.
+    /// File with the fault, if the model file names this file; `None` if the fault is in the model file itself.
     pub file: Option<Arc<OtherFile>>,
-    /// The fault, in one sentence.
+    /// Description of the fault, in one sentence.
     pub message: String,
-    /// A few words shown under the location. May be empty.
+    /// Short text that is shown under the location; may be empty.
     pub label: String,
-    /// The remedy. May be empty.
+    /// Description of the remedy; may be empty.
     pub hint: String,
-    /// Location: byte range in the text.
+    /// Byte range of the fault in the text.
     pub span: Range<usize>,
-    /// Line of the location, from 1.
+    /// Line of the fault, counted from 1.
     pub line: usize,
-    /// Column of the location in characters, from 1.
+    /// Column of the fault in characters, counted from 1.
     pub column: usize,
-    /// Other locations that explain this one.
+    /// Other locations that help to explain the fault.
     pub related: Vec<Related>,
 }
 
 impl Diagnostic {
-    /// An error at `fault.at` of the whole text.
+    /// Creates an error at the byte range `fault.at` of the whole text.
     pub(crate) fn new(source: &Source, fault: Fault) -> Self {
         let span = source.whole_characters(fault.at);
         let (line, column) = source.position(span.start);
@@ -82,10 +82,10 @@ impl Diagnostic {
     }
 }
 
-/// Maximum length of a text in characters. A quoted name may be as long as the file.
+/// Maximum length of a text of a diagnostic, in characters. A text may quote a name that is as long as the file.
 const LONGEST: usize = 1000;
 
-/// The first [`LONGEST`] characters of the text.
+/// Shortens a text to its first [`LONGEST`] characters.
 fn shortened(mut text: String) -> String {
     if let Some((end, _)) = text.char_indices().nth(LONGEST) {
         text.truncate(end);
@@ -95,7 +95,7 @@ fn shortened(mut text: String) -> String {
 }
 
 impl fmt::Display for Diagnostic {
-    /// `14:6: [GB015] message (hint)`
+    /// Writes the diagnostic in the form `14:6: [GB015] message (hint)`.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if let Some(file) = &self.file {
             write!(f, "{}:", printable(&file.name))?;
@@ -106,31 +106,31 @@ impl fmt::Display for Diagnostic {
     }
 }
 
-/// All faults of a file, in the order of the text; never empty.
+/// All diagnostics of a file, in the order of the text. The list is never empty.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Diagnostics(Vec<Diagnostic>);
 
 impl Diagnostics {
-    /// Sorts by location, other files last, and removes repeated messages about one location.
+    /// Sorts the diagnostics by location, with those of other files at the end, and removes repeated diagnostics.
     pub(crate) fn new(mut found: Vec<Diagnostic>) -> Self {
         found.sort_by_key(|d| (d.file.is_some(), d.span.start));
         found.dedup();
         Diagnostics(found)
     }
 
-    /// The diagnostics in the order of the text.
+    /// Returns an iterator over the diagnostics, in the order of the text.
     pub fn iter(&self) -> std::slice::Iter<'_, Diagnostic> {
         self.0.iter()
     }
 
-    /// The diagnostics as a slice.
+    /// Returns the diagnostics as a slice.
     pub fn as_slice(&self) -> &[Diagnostic] {
         &self.0
     }
 }
 
 impl From<Vec<Diagnostic>> for Diagnostics {
-    /// Keeps the order of the text.
+    /// Sorts the diagnostics by location and removes repeated diagnostics.
     fn from(found: Vec<Diagnostic>) -> Self {
         Diagnostics::new(found)
     }
@@ -161,7 +161,7 @@ impl IntoIterator for Diagnostics {
 }
 
 impl fmt::Display for Diagnostics {
-    /// One line for each diagnostic. [`Diagnostics::render`] also shows the locations.
+    /// Writes one line for each diagnostic. [`Diagnostics::render`] also quotes the lines of the file.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         for (i, diagnostic) in self.iter().enumerate() {
             if i > 0 {

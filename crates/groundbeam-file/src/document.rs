@@ -1,4 +1,4 @@
-//! A model file after reading: the model, and the location of each of its parts in the file.
+//! Model file after reading, with its model and with the location of each part of the model in the file.
 
 use crate::band::Band;
 use crate::beside::OtherFile;
@@ -20,32 +20,32 @@ use std::sync::Arc;
 /// A model file that has been read and validated.
 #[derive(Debug, Clone)]
 pub struct Document {
-    /// The title that the file gives.
+    /// Title of the model, if the file gives a title.
     pub title: Option<String>,
-    /// The model under all of its loads as written, in SI units or in the file's own consistent system.
+    /// Model under all loads as the file gives them, in SI units or in the file's own consistent system of units.
     pub model: Model,
-    /// Number of chords that replace the curve of settlement troughs in the model's gap, if the file has
-    /// troughs.
+    /// Number of chords (straight segments) that replace the curve of settlement troughs in the gap of the model;
+    /// `None` without troughs.
     pub chords: Option<usize>,
     /// Bearing width of the beam \[m\], if the file gives one for the whole beam.
     pub width: Option<f64>,
-    /// Lower and upper factors on the ground's constants, if the file gives them.
+    /// Lower and upper factors on k and μ, if the file gives such factors.
     pub band: Option<Band>,
     /// Limits of the design checks.
     pub limits: Limits,
-    /// SI units, or the file's own consistent system.
+    /// System of units of the file: SI units, or the file's own consistent system.
     pub units: UnitSystem,
-    /// The units of the file's own quantities, in which results are printed.
+    /// Units of printed results. They follow the units of the quantities in the file.
     pub printed: Units,
-    /// Warnings: implausible sizes, no loads.
+    /// Warnings about quantities of implausible size and about a model without loads.
     pub warnings: Vec<Diagnostic>,
     /// Load case of each load of the model, in the order of the loads; `None` for a load without a case.
     pub cases: Vec<Option<String>>,
     /// Trains that pass over the beam, one at a time.
     pub trains: Vec<MovingTrain>,
-    /// Depth of the section along the beam; empty if it is not known everywhere.
+    /// Depth of the section along the beam; empty if the depth is not known everywhere.
     pub depths: Vec<Depth>,
-    /// All quantities of the file, in the order of the text. Programs edit them to change the model.
+    /// All quantities of the file, in the order of the text. Programs edit these quantities to change the model.
     pub quantities: Vec<Quantity>,
     /// Files that the model file names.
     pub files: Vec<Arc<OtherFile>>,
@@ -54,36 +54,36 @@ pub struct Document {
     pub(crate) places: Places,
 }
 
-/// The depth of the beam's section on a stretch.
+/// Depth of the beam's section on a stretch of the beam.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Depth {
-    /// Left end \[m\].
+    /// Left end of the stretch \[m\].
     pub from: f64,
-    /// Right end \[m\].
+    /// Right end of the stretch \[m\].
     pub to: f64,
-    /// Depth from the left end to the right end \[m\].
+    /// Depth of the section \[m\] as a profile from the left end to the right end of the stretch.
     pub depth: Profile,
 }
 
 /// A number in the file, with its unit if it has one.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Quantity {
-    /// Its key: `k`, `at`, `E`, …
+    /// Key of the number, such as `k`, `at` or `E`.
     pub key: String,
-    /// Its byte range; for a number with a unit, including the quotes.
+    /// Byte range of the number and its unit, including the quotes of a number with a unit.
     pub span: Range<usize>,
-    /// Byte range of the number without the unit; of the whole text for a length as `1'-6"`.
+    /// Byte range of the number without its unit, or of the whole text of a length such as `1'-6"`.
     pub number: Range<usize>,
     /// Byte range of the number and the unit, without quotes.
     pub text: Range<usize>,
-    /// For a length in feet and inches or with a fraction, the equal decimal number and its unit; `None` for
-    /// a decimal number.
+    /// Decimal number and unit that equal a length in feet and inches or with a fraction; `None` for a decimal
+    /// number.
     pub decimal: Option<(f64, &'static str)>,
-    /// Factor of the unit in SI units; 1 without a unit.
+    /// Factor that converts the unit to SI units; 1 without a unit.
     pub unit: f64,
     /// Signs that the number may have.
     pub sign: Sign,
-    /// For a position, the body on which it lies; otherwise `None`.
+    /// Whether a position must lie on the beam or on the ground; `None` for a quantity that is not a position.
     pub place: Option<Place>,
     /// A typical value of this quantity, in SI units.
     pub usual: f64,
@@ -101,8 +101,8 @@ impl Document {
         case.is_some_and(|case| cases.contains(case))
     }
 
-    /// Faults of the model that a solve found, with their locations; empty if the error does not concern the
-    /// model.
+    /// Returns the faults of the model that a solve found, with their locations. The list is empty if the error does
+    /// not concern the model.
     pub fn diagnostics_for(&self, error: &Error) -> Vec<Diagnostic> {
         let problems = match error {
             Error::Invalid(problems) => &problems[..],
@@ -113,22 +113,23 @@ impl Document {
         problems.iter().map(|problem| self.diagnostic_for(problem)).collect()
     }
 
-    /// Byte range of the heading of a part's table.
+    /// Returns the byte range of the heading of the table that describes a part of the model.
     pub fn part_span(&self, part: Part) -> Option<Range<usize>> {
         self.places.parts.get(&part).cloned()
     }
 
-    /// Location of the value of a field; the fields have the names of [`Problem::field`]. If the value was
-    /// left out or has several sources, the heading of its part.
+    /// Returns the location of a value of the model, such as the length of the beam. `field` is a name as in
+    /// [`Problem::field`]. If the file omits the value or computes it from several keys, returns the location of the
+    /// heading of the table.
     pub fn field_span(&self, part: Part, field: &str) -> Option<Range<usize>> {
         let known = self.places.fields.get(&part)?.iter().find(|(name, _)| *name == field);
         known.and_then(|(_, place)| place.clone()).or_else(|| self.part_span(part))
     }
 
-    /// A problem of the model as a diagnostic at its location in the file.
+    /// Converts a problem of the model to a diagnostic at its location in the file.
     ///
-    /// [`parse`](crate::parse) reports the problems of the file. This function serves models that were
-    /// changed afterwards, and problems that a solve finds.
+    /// [`parse`](crate::parse) reports the problems of a file. This function is for models that were changed after
+    /// reading, and for problems that a solve finds.
     pub fn diagnostic_for(&self, problem: &Problem) -> Diagnostic {
         let span = self.field_span(problem.part, problem.field);
         let span = span.or_else(|| self.part_span(problem.part)).unwrap_or(0..0);
@@ -136,7 +137,7 @@ impl Document {
     }
 }
 
-/// A problem of the model as a diagnostic, with its positions as text.
+/// Converts a problem of the model to a diagnostic, and writes its positions in the given units.
 pub(crate) fn diagnostic(
     source: &Source,
     span: Range<usize>,
@@ -148,11 +149,12 @@ pub(crate) fn diagnostic(
     Diagnostic::new(source, fault)
 }
 
-/// Location of each part and field of the model in the text.
+/// Locations of all parts and fields of the model in the text.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Places {
     parts: HashMap<Part, Range<usize>>,
-    /// `None`: the value could not be read, or lies in another part.
+    /// Location of each field of each part. `None` means that the value could not be read, or that another table
+    /// gives it.
     fields: HashMap<Part, Vec<(&'static str, Option<Range<usize>>)>>,
 }
 
@@ -166,12 +168,13 @@ impl Places {
         self.fields.entry(part).or_default().push((name, place));
     }
 
-    /// Location of the part with a problem.
+    /// Returns the location of the table that contains the problem.
     pub fn part_of(&self, problem: &Problem) -> Option<Range<usize>> {
         self.parts.get(&problem.part).cloned()
     }
 
-    /// Location of a problem, unless it only follows from a reported one.
+    /// Returns the location of a problem. Returns `None` if the problem only follows from a fault that is already
+    /// reported.
     pub fn of(&self, problem: &Problem) -> Option<Range<usize>> {
         if problem.numbers.iter().any(|number| number.is_nan()) {
             return None;

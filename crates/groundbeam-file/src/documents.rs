@@ -1,6 +1,7 @@
 //! Tests that the tables of keys in `docs/file-format.md` and `docs/studies.md` agree with the code.
 //!
-//! The tables lie between `<!-- keys of NAME -->` and `<!-- end -->`. `UPDATE_EXPECTED=1` rewrites them.
+//! Each table lies between `<!-- keys of NAME -->` and `<!-- end -->`. With `UPDATE_EXPECTED=1`, the test rewrites
+//! the tables.
 
 use crate::keys::{Key, Table, Value};
 use crate::section::MODEL;
@@ -9,7 +10,7 @@ use groundbeam_testing::{expect_file, read};
 
 const END: &str = "<!-- end -->";
 
-/// A table and all tables below it; the first of several tables with the same keys.
+/// Returns a table and all tables below it. Of several tables with the same keys, only the first table is returned.
 fn tables(root: &'static Table) -> Vec<&'static Table> {
     let mut all = vec![root];
     for key in root.keys {
@@ -59,7 +60,7 @@ fn described(value: &Value) -> String {
     }
 }
 
-/// The text with every table of keys regenerated, and the names of these tables.
+/// Returns the text with all tables of keys regenerated, and the names of these tables.
 fn made(text: &str, tables: &[&'static Table]) -> (String, Vec<String>) {
     let mut made = String::new();
     let mut names = Vec::new();

@@ -1,8 +1,8 @@
-//! A fault in one value, before its location in the file is known.
+//! Fault in one value of a file, before its location in the file is known.
 
 use std::ops::Range;
 
-/// A fault in a value. `at` counts bytes from the start of the value.
+/// Fault in a value of a file. The byte range `at` counts from the start of the value.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Fault {
     pub code: &'static str,
@@ -23,7 +23,7 @@ impl Fault {
         Fault { code, at, message: message.into(), label: label.into(), hint: hint.into() }
     }
 
-    /// The same fault relative to a text that begins `offset` bytes earlier.
+    /// Returns this fault with `offset` added to its byte range.
     pub fn moved(mut self, offset: usize) -> Self {
         self.at = self.at.start + offset..self.at.end + offset;
         self

@@ -4,16 +4,16 @@ use std::fs::{File, Metadata, metadata};
 use std::io::{Error, ErrorKind, Read, Result};
 use std::path::Path;
 
-/// Maximum size of a file in bytes: about a million loads, or three million rows of a survey.
+/// Maximum size of a file \[bytes\]. This size allows about a million loads, or three million rows of a survey.
 const MOST: u64 = 64_000_000;
 
 /// Opens a regular file for reading. Folders, pipes, devices and links to them are refused.
 ///
 /// # Errors
 ///
-/// As [`File::open`], and if the path does not lead to a regular file.
+/// Returns the errors of [`File::open`], and an error if the path does not lead to a regular file.
 pub fn open_file(path: &Path) -> Result<File> {
-    // Opening a pipe without a writer would block.
+    // Opening a pipe without a writer would block, so the path is checked before the file is opened.
     regular(&metadata(path)?)?;
     let file = File::open(path)?;
     regular(&file.metadata()?)?;
@@ -24,7 +24,7 @@ pub fn open_file(path: &Path) -> Result<File> {
 ///
 /// # Errors
 ///
-/// As [`open_file`], and if the file is longer.
+/// Returns the errors of [`open_file`], and an error if the file is longer than 64 MB.
 pub fn read_file(path: &Path) -> Result<Vec<u8>> {
     read_bounded(open_file(path)?)
 }
@@ -33,12 +33,12 @@ pub fn read_file(path: &Path) -> Result<Vec<u8>> {
 ///
 /// # Errors
 ///
-/// Errors of the stream, and [`ErrorKind::FileTooLarge`] if it is longer.
+/// Returns the errors of the stream, and [`ErrorKind::FileTooLarge`] if the stream is longer than 64 MB.
 pub fn read_bounded(stream: impl Read) -> Result<Vec<u8>> {
     let mut bytes = Vec::new();
     stream.take(MOST + 1).read_to_end(&mut bytes)?;
     if bytes.len() as u64 > MOST {
-        return Err(Error::new(ErrorKind::FileTooLarge, "it is longer than 64 MB"));
+        return Err(Error::new(ErrorKind::FileTooLarge, "the file is longer than 64 MB"));
     }
     Ok(bytes)
 }
@@ -48,7 +48,7 @@ fn regular(found: &Metadata) -> Result<()> {
         return Ok(());
     }
     let what = if found.is_dir() { "a folder" } else { "a pipe or a device" };
-    Err(Error::new(ErrorKind::InvalidInput, format!("it is {what}, not a file")))
+    Err(Error::new(ErrorKind::InvalidInput, format!("this is {what}, not a file")))
 }
 
 #[cfg(test)]
@@ -67,11 +67,11 @@ mod tests {
     fn only_regular_files_are_read() {
         let folder = Path::new(env!("CARGO_MANIFEST_DIR"));
         assert!(read_file(&folder.join("Cargo.toml")).is_ok());
-        assert_eq!(read_file(folder).unwrap_err().to_string(), "it is a folder, not a file");
+        assert_eq!(read_file(folder).unwrap_err().to_string(), "this is a folder, not a file");
         #[cfg(unix)]
         for device in ["/dev/zero", "/dev/null"] {
             let error = read_file(Path::new(device)).unwrap_err();
-            assert_eq!(error.to_string(), "it is a pipe or a device, not a file");
+            assert_eq!(error.to_string(), "this is a pipe or a device, not a file");
         }
     }
 }

@@ -1,4 +1,4 @@
-//! Warnings about implausible sizes of quantities and about models without loads.
+//! Warns about implausible sizes of quantities and about models without loads.
 
 use crate::code;
 use crate::diagnostic::{Diagnostic, Severity};
@@ -8,11 +8,11 @@ use crate::reader::Reader;
 use crate::section::Contents;
 use std::ops::Range;
 
-/// Plausible range of μ/(k h²). Layers with a thickness between a third of the beam's height h and thirty
-/// times h have ratios in this range.
+/// Plausible range of μ/(k h²), where h is the height of the beam. Soil layers with a thickness between h/3 and 30 h
+/// have ratios in this range.
 const SHEAR: [f64; 2] = [1e-2, 3e2];
 
-/// Warnings about a file with units. Without units, no size can be judged.
+/// Returns the warnings about a file. In a file without units, the sizes of quantities cannot be judged.
 pub(crate) fn warnings(reader: &Reader, contents: &Contents, units: Units) -> Vec<Diagnostic> {
     let sized = reader.quantities.iter().filter(|seen| seen.has_unit && !units.is_plain());
     let sizes = sized.filter_map(|seen| {
@@ -33,7 +33,7 @@ pub(crate) fn warnings(reader: &Reader, contents: &Contents, units: Units) -> Ve
     all.map(warning).collect()
 }
 
-/// Reports a shear constant that is far from k times the square of the beam's height.
+/// Warns if the shear constant μ is far from k h², where h is the height of the beam.
 fn shear(reader: &Reader, contents: &Contents, units: Units) -> Option<Fault> {
     let given = |key: &str| reader.quantities.iter().find(|seen| seen.key == key);
     let at: Range<usize> = given("mu").or(given("C2"))?.span.clone();
@@ -57,7 +57,7 @@ fn shear(reader: &Reader, contents: &Contents, units: Units) -> Option<Fault> {
 
 #[cfg(test)]
 mod tests {
-    /// Codes and marked text of the warnings about a model.
+    /// Returns the codes and the marked texts of the warnings about a model.
     fn warned(text: &str) -> Vec<(&'static str, String)> {
         let document = crate::parse(text).unwrap();
         let marked = |d: &crate::Diagnostic| (d.code, text[d.span.clone()].to_owned());
@@ -77,7 +77,7 @@ mod tests {
     fn plausible_sizes_give_no_warning() {
         assert_eq!(warned(&footing("30 GPa", "40 MN/m^3", "9 MN", LOAD)), []);
         assert_eq!(warned(&footing("30 GPa", "40 MN/m^3", "0 kN", LOAD)), []);
-        // Without units no size can be judged.
+        // In a file without units, the sizes of quantities cannot be judged.
         let plain =
             "[beam]\nlength = 1\nEI = 1\n[foundation]\nk = 1e9\n[[load]]\npoint = 1\nat = 0.5\n";
         assert_eq!(warned(plain), []);

@@ -1,14 +1,13 @@
-//! Tables of a file and their keys. The reader, suggestions, documents and JSON Schema all use the list that
-//! each section declares.
+//! Describes the tables of a file and their keys, for the reader, the suggestions, the documentation and the JSON Schema.
 
 use crate::quantity::{Kind, RATIO};
 use crate::suggest::nearest;
 
 /// A table of a file.
 pub(crate) struct Table {
-    /// Its name in files and messages: `[beam]`, `[[load]]`.
+    /// Name of the table in files and messages, such as `[beam]` or `[[load]]`.
     pub name: &'static str,
-    /// Its keys, in the order in which messages list them.
+    /// Keys of the table, in the order in which messages list the keys.
     pub keys: &'static [Key],
 }
 
@@ -17,13 +16,14 @@ pub(crate) struct Table {
 pub(crate) struct Key {
     pub name: &'static str,
     pub value: Value,
-    /// Its meaning, for the documents and for editors.
+    /// Meaning of the key, for the documentation and for editors.
     pub meaning: &'static str,
     /// Whether the key is required.
     pub needed: bool,
-    /// Alternative names of the same quantity: names in the library or in other programs, other spellings.
+    /// Alternative names of the key: its names in the library or in other programs, and other spellings.
     pub also: &'static [&'static str],
-    /// Names of a related quantity, in lower case, and how to convert it to this one.
+    /// Names of a related quantity in lower case, and the conversion from the related quantity to the quantity of the
+    /// key.
     pub unlike: Option<(&'static [&'static str], &'static str)>,
 }
 
@@ -33,44 +33,45 @@ pub(crate) enum Value {
     Quantity(&'static Kind),
     /// A quantity whose kind depends on another key of the table.
     Depends,
-    /// One quantity, or a list of two or more along the beam; the number is the maximum.
+    /// One quantity, or a list of at least two quantities along the beam. The number is the maximum length of the
+    /// list.
     Along(&'static Kind, usize),
-    /// An integer in this range.
+    /// Integer in this range.
     Count([u64; 2]),
     /// `true` or `false`.
     Flag,
-    /// Any text; the string is an example.
+    /// Any text. The string is an example of the text.
     Text(&'static str),
-    /// The name of an entry of a built-in list: an example, and all names.
+    /// Name of an entry of a built-in list. The string is an example of a name, and the function returns all names.
     Name(&'static str, fn() -> Vec<&'static str>),
     /// One of several words.
     Word(&'static Words),
-    /// One of several words, or a list of them.
+    /// One of several words, or a list of such words.
     OneOrMore(&'static Words),
-    /// A list of values; the two numbers limit its length.
+    /// List of values. The two numbers are the minimum and the maximum length of the list.
     List(&'static Value, [usize; 2]),
-    /// A table of names with a number each: `{ G = 1.35, Q = 1.5 }`.
+    /// Table that assigns a number to each of several names, such as `{ G = 1.35, Q = 1.5 }`.
     Factors,
     Table(&'static Table),
     /// Any number of tables.
     Tables(&'static Table),
 }
 
-/// Words of which one may be the value of a key.
+/// Words that a key allows as its value.
 pub(crate) struct Words {
     pub all: fn() -> Vec<&'static str>,
-    /// Alternative spellings of each word.
+    /// Alternative spellings of the allowed words.
     pub also: &'static [(&'static str, &'static [&'static str])],
-    /// Message for an unknown word, which replaces `{}`.
+    /// Message for an unknown word. The unknown word replaces `{}`.
     pub message: &'static str,
-    /// Hint if no known word is similar. The list of all words replaces `{}`.
+    /// Hint for an unknown word that resembles no allowed word. The list of all allowed words replaces `{}`.
     pub hint: &'static str,
 }
 
 /// General hint that lists the allowed words.
 pub(crate) const WHAT_CAN_STAND_HERE: &str = "allowed here: {}";
 
-/// Alternative names of keys for a position.
+/// Alternative names of a key for a position.
 pub(crate) const ALSO_AT: &[&str] = &["x", "position", "location", "station"];
 pub(crate) const ALSO_FROM: &[&str] = &["start", "begin", "x1"];
 pub(crate) const ALSO_TO: &[&str] = &["end", "x2"];
@@ -78,7 +79,7 @@ pub(crate) const ALSO_WIDTH: &[&str] = &["b", "breadth"];
 pub(crate) const ALSO_E: &[&str] = &["elastic_modulus", "youngs_modulus", "young", "modulus"];
 pub(crate) const ALSO_NU: &[&str] = &["poisson", "poissons_ratio", "ν"];
 
-/// An optional key; [`Key::needed`] makes it required.
+/// Returns an optional key. The function [`Key::needed`] makes a key required.
 pub(crate) const fn key(name: &'static str, value: Value, meaning: &'static str) -> Key {
     Key { name, value, meaning, needed: false, also: &[], unlike: None }
 }
@@ -120,7 +121,7 @@ pub(crate) const fn tables(name: &'static str, keys: &'static Table, meaning: &'
     key(name, Value::Tables(keys), meaning)
 }
 
-/// Placeholder for names that no table lists.
+/// Placeholder for a key that no table lists.
 static UNLISTED: Key = key("", Value::Depends, "");
 
 impl Key {
@@ -132,12 +133,13 @@ impl Key {
         Key { also, ..self }
     }
 
-    /// The same key, with names of a related quantity and how to convert it.
+    /// Returns this key with the names of a related quantity and its conversion to the quantity of the key.
     pub const fn unlike(self, names: &'static [&'static str], how: &'static str) -> Key {
         Key { unlike: Some((names, how)), ..self }
     }
 
-    /// Kind of quantity that the key expects; a plain number if it expects none.
+    /// Returns the kind of quantity that the key expects. For a key without a quantity, returns the kind of a plain
+    /// number.
     pub fn kind(&self) -> &'static Kind {
         match self.value {
             Value::Quantity(kind) | Value::Along(kind, _) => kind,
@@ -146,7 +148,7 @@ impl Key {
         }
     }
 
-    /// A valid line of a file for this key; `plain` means a file without units.
+    /// Returns a valid line of a model file with this key. `plain` means a file without units.
     pub fn line(&self, plain: bool) -> String {
         let text = |text: &str| format!("{} = \"{text}\"", self.name);
         match self.value {
@@ -158,27 +160,27 @@ impl Key {
 }
 
 impl Table {
-    /// Hint for a list of tables without a heading of their own, such as the axles of a train.
+    /// Returns a hint for a list of tables that have no heading of their own, such as the axles of a train.
     pub fn inline(&self, key: &str, plain: bool) -> Option<String> {
         let needed = self.keys.iter().filter(|key| key.needed);
         let lines: Vec<String> = needed.map(|key| key.line(plain)).collect();
         let is_inline = !self.name.starts_with('[');
-        is_inline.then(|| format!("write it as in {key} = [{{ {} }}]", lines.join(", ")))
+        is_inline.then(|| format!("write the value as in {key} = [{{ {} }}]", lines.join(", ")))
     }
 
-    /// Row of a key. Each section asks only for keys of its own tables.
+    /// Returns the definition of a key of this table.
     pub fn key(&self, name: &str) -> &'static Key {
         let found = self.keys.iter().find(|key| key.name == name);
         debug_assert!(found.is_some(), "{} has no key `{name}`", self.name);
         found.unwrap_or(&UNLISTED)
     }
 
-    /// Names of all keys.
+    /// Returns the names of all keys of the table.
     pub fn names(&self) -> Vec<&'static str> {
         self.keys.iter().map(|key| key.name).collect()
     }
 
-    /// Whether a table with this name, here or below, may be given several times.
+    /// Whether a table with this name, directly in this table or at a deeper level, may be given several times.
     pub fn may_be_several(&self, name: &str) -> bool {
         self.keys.iter().any(|key| match key.value {
             Value::Tables(table) => key.name == name || table.may_be_several(name),
@@ -188,7 +190,7 @@ impl Table {
     }
 }
 
-/// The key that expects a quantity similar to this name, and how to convert it.
+/// Returns the key for which `written` names a related quantity, and the conversion of the related quantity.
 pub(crate) fn becomes(written: &str, keys: &[&Key]) -> Option<(&'static str, &'static str)> {
     let lower = written.to_lowercase();
     let of_key = |key: &&Key| {
@@ -198,7 +200,7 @@ pub(crate) fn becomes(written: &str, keys: &[&Key]) -> Option<(&'static str, &'s
     keys.iter().find_map(of_key)
 }
 
-/// The key that `written` probably means.
+/// Returns the key that the author of the unknown name `written` probably means.
 pub(crate) fn meant(written: &str, keys: &[&Key]) -> Option<&'static str> {
     let lower = written.to_lowercase();
     let other = || keys.iter().find(|key| key.also.contains(&lower.as_str()));
@@ -221,7 +223,7 @@ mod tests {
             assert_eq!(
                 key.also.iter().find(is_name),
                 None,
-                "{place}: another name is a key itself"
+                "{place}: an alternative name is also the name of a key"
             );
             match key.value {
                 Value::Table(below) | Value::Tables(below) => check(below),

@@ -24,13 +24,13 @@
 //! # Ok::<(), groundbeam_file::Diagnostics>(())
 //! ```
 //!
-//! All faults of a file are reported together, each with its location and a remedy. [`Diagnostics::render`]
-//! formats them as text; programs use the fields.
+//! All faults of a file are reported together, each with its location and a remedy. [`Diagnostics::render`] formats
+//! the faults as text; programs read the fields of [`Diagnostic`].
 //!
-//! In a file, either all quantities have a unit or none has. Numbers with units are converted to SI with one
-//! rounding: `"9.3 MPa"` is exactly 9.3e6. Numbers without units form one consistent system.
+//! In a file, either all quantities have a unit or no quantity has one. Numbers with units are converted to SI with
+//! one rounding: `"9.3 MPa"` is exactly 9.3e6. Numbers without units form one consistent system.
 //!
-//! Of the crates that solve models, only this one knows the file format.
+//! The crate [`groundbeam`] is independent of the file format.
 
 mod band;
 mod beside;
@@ -113,17 +113,17 @@ use toml::de::DeTable;
 ///
 /// # Errors
 ///
-/// All faults of the file, including [`Model::problems`](groundbeam::Model::problems); for invalid TOML, only
-/// that fault. The text must not name other files.
+/// Returns all faults of the file, including [`Model::problems`](groundbeam::Model::problems). If the file is invalid
+/// TOML, returns only the syntax faults. The text must not name other files.
 pub fn parse(text: &str) -> Result<Document, Diagnostics> {
     read(text, None, false)
 }
 
-/// Reads a model file in a folder, and the files that it names.
+/// Reads a model file in a folder, and the files that the model file names.
 ///
 /// # Errors
 ///
-/// As [`parse`]. Faults in a named file are reported at their location in that file.
+/// Returns the same faults as [`parse`]. The location of a fault in a named file lies in that file.
 pub fn parse_beside<'a>(
     text: &str,
     beside: impl Into<Beside<'a>>,
@@ -131,8 +131,8 @@ pub fn parse_beside<'a>(
     read(text, Some(beside.into()), false)
 }
 
-/// Reads a model that a program wrote, and the files that it names. Numbers without a unit are in SI units
-/// and may be mixed with numbers that have one.
+/// Reads a model that a program wrote, and the files that the model names. Numbers without a unit are in SI units.
+/// The model may also contain numbers with a unit.
 ///
 /// ```
 /// let text = "[beam]\nlength = '12 m'\nEI = 1.28e9\n[foundation]\nk = '40 MN/m^2'\nmu = 9e6\n";
@@ -144,7 +144,7 @@ pub fn parse_beside<'a>(
 ///
 /// # Errors
 ///
-/// As [`parse_beside`].
+/// Returns the same faults as [`parse_beside`].
 pub fn parse_si(text: &str, beside: Option<Beside>) -> Result<Document, Diagnostics> {
     read(text, beside, true)
 }
@@ -168,7 +168,7 @@ fn read(text: &str, beside: Option<Beside>, bare_is_si: bool) -> Result<Document
     let units = reader.unit_system().unwrap_or(UnitSystem::Plain);
     let printed = units::printed(units, &reader.quantities);
     let is_mixed = reader.found.len() > before;
-    // Lengths with and without units cannot be compared.
+    // Lengths with and without units cannot be compared, so the model of a file with mixed units is not checked.
     if !is_mixed {
         let problems = model.problems();
         for problem in &problems {
@@ -176,8 +176,8 @@ fn read(text: &str, beside: Option<Beside>, bare_is_si: bool) -> Result<Document
                 reader.found.push(document::diagnostic(&source, span, problem, printed));
             }
         }
-        // A model with a problem is never accepted: if no cause has been reported, the problem is reported
-        // for its part.
+        // A model with a problem is never accepted. If no problem has been reported, all problems are reported at the
+        // headings of their tables.
         if reader.found.is_empty() {
             let told = problems.iter().map(|problem| {
                 let span = reader.places.part_of(problem).unwrap_or(0..0);
@@ -218,19 +218,19 @@ fn read(text: &str, beside: Option<Beside>, bare_is_si: bool) -> Result<Document
     }
 }
 
-/// The text of a file, which must be UTF-8.
+/// Returns the text of a file, which must be UTF-8.
 ///
 /// # Errors
 ///
-/// One diagnostic at the first byte that is not UTF-8. Pass `String::from_utf8_lossy` of the bytes to
-/// [`Diagnostics::render`] as the text.
+/// Returns one diagnostic at the first byte that is not UTF-8. To render the diagnostic, pass
+/// `String::from_utf8_lossy` of the bytes as the text to [`Diagnostics::render`].
 pub fn text_of(bytes: &[u8]) -> Result<&str, Diagnostics> {
     std::str::from_utf8(bytes).map_err(|error| {
         let source = Source::new(&String::from_utf8_lossy(bytes));
         let start = error.valid_up_to();
         let wide = bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]);
         let hint =
-            if wide { "this looks like UTF-16; save it as UTF-8" } else { "save it as UTF-8" };
+            if wide { "the file looks like UTF-16; save it as UTF-8" } else { "save it as UTF-8" };
         let message = "the file is not UTF-8 text";
         let fault = Fault::new(code::NOT_UTF8, start..start + 1, message, "not a character", hint);
         Diagnostic::new(&source, fault).into()

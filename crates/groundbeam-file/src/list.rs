@@ -4,7 +4,8 @@ use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::fault::Fault;
 use crate::source::Source;
 
-/// Reads each entry without surrounding spaces. The location of a fault counts from the start of its entry.
+/// Reads each entry of a list without its surrounding spaces. The function `entry` parses one entry. It gives the
+/// location of a fault relative to the start of the entry.
 pub(crate) fn read<T>(
     list: &str,
     mut entry: impl FnMut(&str) -> Result<T, Fault>,

@@ -1,11 +1,11 @@
-//! Materials by name, from the data files in `materials/`.
+//! Finds materials by name in the data files in `materials/`.
 
 use crate::catalogue::{self, Entry};
 use crate::quantity::{ELASTIC_MODULUS, EXPANSION, UNIT_WEIGHT};
 use serde::Deserialize;
 use std::sync::LazyLock;
 
-/// Materials whose values have common sources.
+/// Data file of materials, with the common sources of their values.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Family {
@@ -32,17 +32,17 @@ struct Listed {
 /// A built-in material, which a model file selects with `[beam] material = "…"`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Material {
-    /// Its name.
+    /// Name of the material.
     pub name: String,
-    /// Alternative names.
+    /// Alternative names of the material.
     pub also: Vec<String>,
-    /// E \[N/m²\].
+    /// Elastic modulus E \[N/m²\].
     pub elastic_modulus: f64,
-    /// Weight per volume \[N/m³\]; `None` if the standard does not list it.
+    /// Unit weight \[N/m³\]; `None` if the standard does not list the unit weight.
     pub unit_weight: Option<f64>,
     /// Coefficient of thermal expansion \[1/K\].
     pub expansion: f64,
-    /// Sources of these three values.
+    /// Sources of the elastic modulus, the unit weight and the coefficient of thermal expansion.
     pub sources: [String; 3],
 }
 
@@ -58,7 +58,7 @@ static MATERIALS: LazyLock<Vec<Material>> = LazyLock::new(|| {
     families.into_iter().flat_map(materials_of).collect()
 });
 
-/// All built-in materials.
+/// Returns all built-in materials.
 ///
 /// ```
 /// let materials = groundbeam_file::materials();
@@ -69,12 +69,12 @@ pub fn materials() -> &'static [Material] {
     &MATERIALS
 }
 
-/// The material with this name.
+/// Returns the material with this name or alternative name.
 pub(crate) fn find(name: &str) -> Option<&'static Material> {
     MATERIALS.iter().find(|material| material.is_called(name))
 }
 
-/// All names of all materials.
+/// Returns all names of all materials, including the alternative names.
 pub(crate) fn spellings() -> Vec<&'static str> {
     catalogue::spellings(MATERIALS.iter())
 }
@@ -89,7 +89,7 @@ impl Entry for Material {
     }
 }
 
-/// Names that contain a word, for suggestions: `C30` may mean `C30/37`.
+/// Returns the names of materials that contain a word, for suggestions. For example, `C30` may mean `C30/37`.
 pub(crate) fn holding(word: &str) -> Vec<&'static str> {
     let parts = |name: &str| name.split([' ', '/']).any(|part| part.eq_ignore_ascii_case(word));
     MATERIALS.iter().map(|m| &*m.name).filter(|name| parts(name)).collect()
@@ -111,7 +111,8 @@ fn materials_of(family: Family) -> impl Iterator<Item = Material> {
 mod tests {
     use super::*;
 
-    /// EN 1992-1-1, Table 3.1: E_cm = 22 (f_cm/10)^0.3 GPa with f_cm = f_ck + 8 MPa, printed as whole numbers.
+    /// Checks the elastic moduli of concrete by EN 1992-1-1, Table 3.1:
+    /// E_cm = 22 (f_cm/10)^0.3 GPa with f_cm = f_ck + 8 MPa, rounded to whole numbers.
     #[test]
     fn concrete_follows_its_formula() {
         let concrete = materials().iter().filter(|m| m.name.contains('/'));

@@ -12,8 +12,8 @@ pub(crate) fn is_density(unit: &str) -> bool {
     })
 }
 
-/// How to write a number that has a comma after `whole`. Three digits after a comma may be thousands or
-/// decimals, so both readings are offered.
+/// Returns a hint on how to write a number that has a comma after `whole`. Three digits after a comma may be
+/// thousands or decimals, so the hint offers both readings.
 pub(crate) fn without_comma(whole: &str, after: &str) -> String {
     let mut thousands = whole.to_owned();
     let mut rest = after;

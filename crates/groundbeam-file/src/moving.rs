@@ -1,53 +1,53 @@
-//! A moving train, and the placement of its unbounded uniform loads. Codes of practice apply such loads only
-//! where they are unfavourable.
+//! Places the unbounded uniform loads of a moving train. Codes of practice apply such loads only where they are unfavourable.
 //!
-//! With lift-off, influence lines do not exist. So the program solves a list of placements, and the worst
-//! result governs.
+//! With lift-off, influence lines do not exist. The program therefore solves a list of placements, and the most
+//! unfavourable result governs.
 
 use groundbeam::Load;
 use groundbeam::model::{Train, UniformPart};
 
-/// A train, and the range that it travels.
+/// Train, with the range of positions through which it moves.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MovingTrain {
-    /// Its name in the file.
+    /// Name of the train in the file.
     pub name: String,
-    /// The set it belongs to; `None` if the file gives its loads.
+    /// Name of the built-in train set that defines the train, such as `LM71`; `None` if the file gives the loads of
+    /// the train.
     pub set: Option<String>,
-    /// Its load case. `None`: it passes in every combination with the factor 1.
+    /// Load case of the train. A train without a load case acts in every combination with the factor 1.
     pub case: Option<String>,
-    /// Factor already applied to its loads.
+    /// Factor already applied to the loads of the train.
     pub factor: f64,
-    /// Dynamic factor already applied to its axles.
+    /// Dynamic factor already applied to the axles of the train.
     pub dynamic: f64,
-    /// Placement of its unbounded loads.
+    /// Placement of the unbounded loads of the train.
     pub spread: Spread,
-    /// The train with these factors applied.
+    /// Axles and uniform loads of the train. They include `factor`, and the axles also include `dynamic`.
     pub train: Train,
-    /// First and last position of its first axle \[m\].
+    /// First and last position of the first axle \[m\].
     pub range: [f64; 2],
 }
 
 /// Placement of the unbounded loads of a train.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Spread {
-    /// As the train gives them.
+    /// The unbounded loads act over their whole length.
     #[default]
     Everywhere,
-    /// Only ahead of the train.
+    /// The unbounded loads act only ahead of the train.
     Ahead,
-    /// Only behind the train.
+    /// The unbounded loads act only behind the train.
     Behind,
-    /// On the left half of the beam, for a load without ends.
+    /// A load that is unbounded in both directions acts on the left half of the beam.
     LeftHalf,
-    /// On the right half of the beam.
+    /// A load that is unbounded in both directions acts on the right half of the beam.
     RightHalf,
-    /// Left out.
+    /// The unbounded loads are omitted.
     Nowhere,
 }
 
 impl Spread {
-    /// Name of the placement.
+    /// Returns the name of the placement.
     pub fn name(self) -> &'static str {
         match self {
             Spread::Everywhere => "everywhere",
@@ -60,7 +60,7 @@ impl Spread {
     }
 }
 
-/// Whether a part is unbounded ahead of the train and behind it.
+/// Whether a uniform load has an end ahead of the train, and whether it has an end behind the train.
 fn ends(part: &UniformPart) -> [bool; 2] {
     [part.from.is_finite(), part.to.is_finite()]
 }
@@ -71,7 +71,8 @@ impl MovingTrain {
         self.train.uniform.iter().any(|part| ends(part) != [true, true])
     }
 
-    /// The train with its unbounded loads in each placement, and the loads that then act on the beam.
+    /// Returns the train with each placement of its unbounded loads. Each placement has a list of additional fixed loads
+    /// on one half of the beam.
     pub fn placements(&self, beam_length: f64) -> Vec<(MovingTrain, Vec<Load>)> {
         let has = |which: [bool; 2]| self.train.uniform.iter().any(|part| ends(part) == which);
         let (ahead, behind, lane) = (has([false, true]), has([true, false]), has([false, false]));
@@ -114,7 +115,8 @@ impl MovingTrain {
         (MovingTrain { train, spread, ..self.clone() }, fixed)
     }
 
-    /// The name of the train, followed by the placement of its unbounded loads unless they act everywhere.
+    /// Returns the name of the train, followed by the placement of its unbounded loads unless these loads act
+    /// everywhere.
     pub fn placed_name(&self) -> String {
         match self.spread {
             Spread::Everywhere => self.name.clone(),
@@ -122,13 +124,13 @@ impl MovingTrain {
         }
     }
 
-    /// The train with a partial factor applied.
+    /// Returns the train with its loads multiplied by a partial factor.
     pub fn multiplied(&self, factor: f64) -> MovingTrain {
         let train = self.train.clone().scaled(factor);
         MovingTrain { train, factor: factor * self.factor, ..self.clone() }
     }
 
-    /// A passage without a train: the beam under the other loads.
+    /// Returns a train without axles and loads, for solves without a train.
     pub fn absent() -> MovingTrain {
         MovingTrain {
             name: "no train".to_owned(),

@@ -1,4 +1,4 @@
-//! Decimal numbers as written, and their product with a unit's factor, rounded once.
+//! Reads decimal numbers exactly as written, and multiplies them by the factor of a unit with a single rounding.
 
 use crate::unit::Scale;
 
@@ -6,13 +6,13 @@ use crate::unit::Scale;
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Decimal {
     negative: bool,
-    /// ASCII digits, at least one.
+    /// ASCII digits of the number, at least one digit.
     digits: String,
     exponent: i32,
 }
 
 impl Decimal {
-    /// Reads a number from the start of `text`. Also returns the number of bytes read.
+    /// Reads a number from the start of `text`. Returns the number, and the number of bytes read.
     ///
     /// Accepts the true minus sign U+2212 and `_` between digits, which copied text may contain.
     pub fn read(text: &str) -> Option<(Decimal, usize)> {
@@ -39,7 +39,7 @@ impl Decimal {
             }
             let written = take_digits(&mut power);
             if !written.is_empty() {
-                // Exponents of more than four digits give infinity or zero.
+                // An exponent of more than four digits makes the number infinite or zero.
                 let size = written.parse::<i32>().unwrap_or(99_999).min(99_999);
                 exponent = exponent.saturating_add(if below { -size } else { size });
                 rest = power;
@@ -53,16 +53,16 @@ impl Decimal {
         self.digits.bytes().all(|digit| digit == b'0')
     }
 
-    /// The nearest 64-bit number.
+    /// Returns the nearest 64-bit number.
     pub fn to_f64(&self) -> f64 {
         self.nearest(&self.digits, self.exponent)
     }
 
-    /// The 64-bit number nearest to this number times `scale`.
+    /// Returns the 64-bit number nearest to the product of this number and `scale`.
     ///
-    /// A factor that is a power of ten only moves the decimal point, so "9.3 MPa" is exactly 9.3e6. Other
-    /// factors are fractions of integers (1 in = 254/10⁴ m). Integer multiplication and division give 45
-    /// figures before the only rounding.
+    /// A factor that is a power of ten only moves the decimal point, so "9.3 MPa" is exactly 9.3e6. Other factors are
+    /// fractions of integers (1 in = 254/10⁴ m). Integer multiplication and division give 45 digits before the single
+    /// rounding.
     pub fn times(&self, scale: &Scale) -> f64 {
         let Some((numerator, denominator)) = scale.fraction() else {
             return self.to_f64() * scale.to_f64();
@@ -88,8 +88,9 @@ impl Decimal {
     }
 }
 
-/// `whole / denominator` as decimal digits × 10^exponent. It is exact, or has 45 figures and a final 1 that
-/// stands for the rest, so that rounding is correct.
+/// Returns the decimal digits and the exponent of the quotient `whole / denominator` = digits × 10^exponent.
+/// A quotient with more than 45 digits is cut off, and a digit 1 is appended in place of the remainder. With
+/// this digit, later rounding to a 64-bit number is correct.
 fn divide(whole: u128, denominator: u128) -> (String, i32) {
     let mut digits = (whole / denominator).to_string();
     let mut remainder = whole % denominator;
@@ -117,7 +118,7 @@ fn take(rest: &mut &str, wanted: char) -> bool {
     }
 }
 
-/// Reads digits with single `_` between them.
+/// Reads digits that may be separated by single characters `_`.
 fn take_digits(rest: &mut &str) -> String {
     let mut digits = String::new();
     loop {
@@ -171,7 +172,7 @@ mod tests {
         {
             let (digits, exponent) = divide(whole, denominator);
             let nearest: f64 = format!("{digits}e{exponent}").parse().unwrap();
-            // The operands are exact in f64, except the last denominator, which adds a relative error of 2^-53.
+            // Converting `u128::MAX / 10` to f64 adds a relative error of 2^-53. All other operands are exact in f64.
             let quotient = whole as f64 / denominator as f64;
             assert!((nearest - quotient).abs() <= f64::EPSILON * quotient);
         }

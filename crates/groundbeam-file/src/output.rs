@@ -1,43 +1,43 @@
 //! Output files that are written completely or not at all.
 //!
-//! An [`Output`] writes to a second file in the same folder, syncs it to disk and renames it. Links are
-//! followed, and their target is replaced or created. A device, a pipe or a standard stream is written
-//! directly.
+//! An [`Output`] writes to a second file in the same folder, syncs it to disk and renames it.
+//! Symbolic links are followed, and their target is replaced or created. A device, a pipe or a standard stream
+//! is written directly.
 
 use std::ffi::OsString;
 use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
-/// Maximum number of links that are followed; Linux has the same limit.
+/// Maximum number of symbolic links that are followed from one path; Linux has the same limit.
 const MOST_LINKS: usize = 40;
 
-/// An output that is being written. If it is dropped before [`Output::finish`], the old file remains
+/// An output that is being written. If it is dropped before [`Output::finish`], an existing file remains
 /// unchanged.
 pub struct Output {
     sink: Sink,
 }
 
 enum Sink {
-    /// A standard stream, a device or a pipe.
+    /// A standard stream, a device or a pipe, to which the output is written directly.
     Direct(Box<dyn Write + Send>),
     Replacement(Replacement),
 }
 
-/// A file beside the target that replaces it at the end.
+/// Temporary file that replaces the target when the output is finished.
 struct Replacement {
-    /// The new file. It is locked until the work ends.
+    /// The temporary file. This process locks the file until the output is finished or dropped.
     file: File,
     unfinished: PathBuf,
     target: PathBuf,
     is_finished: bool,
 }
 
-/// Writes a whole file.
+/// Writes `bytes` to a file. The file is written completely or not at all.
 ///
 /// # Errors
 ///
-/// As [`Output::create`] and [`Output::finish`].
+/// Returns the errors of [`Output::create`] and [`Output::finish`].
 pub fn write(path: &Path, bytes: &[u8]) -> io::Result<()> {
     let mut output = Output::create(path)?;
     output.write_all(bytes)?;
@@ -49,7 +49,7 @@ impl Output {
     ///
     /// # Errors
     ///
-    /// The path cannot be written, the links form a loop, or another process is writing the file.
+    /// The path cannot be written, its symbolic links form a loop, or another process is writing the file.
     pub fn create(path: &Path) -> io::Result<Self> {
         let sink = match Target::of(path)? {
             Target::StandardOutput => Sink::Direct(Box::new(io::stdout())),
@@ -62,11 +62,13 @@ impl Output {
         Ok(Output { sink })
     }
 
-    /// Syncs a file to disk, renames it, and syncs its folder.
+    /// Completes the output. A temporary file is synced to disk and renamed to the target, and its folder
+    /// is synced. An output that is written directly is flushed.
     ///
     /// # Errors
     ///
-    /// Errors of the file system; the old file then remains.
+    /// Returns an error of the file system. If the temporary file cannot be synced or renamed, an existing
+    /// target remains unchanged.
     pub fn finish(self) -> io::Result<()> {
         match self.sink {
             Sink::Direct(mut sink) => sink.flush(),
@@ -94,7 +96,7 @@ impl Write for Output {
 
 impl Replacement {
     fn of(target: PathBuf) -> io::Result<Self> {
-        // Opening the old file for writing shows whether it is writable.
+        // Opening an existing target for writing shows whether the target is writable.
         let permissions = match OpenOptions::new().write(true).open(&target) {
             Ok(old) => Some(old.metadata()?.permissions()),
             Err(error) if error.kind() == ErrorKind::NotFound => None,
@@ -120,13 +122,14 @@ impl Replacement {
 impl Drop for Replacement {
     fn drop(&mut self) {
         if !self.is_finished {
-            // The caller reports the first error, so a second one is ignored.
+            // The caller reports the first error, so an error of this removal is ignored.
             let _ = fs::remove_file(&self.unfinished);
         }
     }
 }
 
-/// Name of the temporary file. It lies in the same folder, so that renaming stays within one file system.
+/// Returns the path of the temporary file. The file lies in the folder of the target, so that renaming
+/// stays within one file system.
 fn beside(target: &Path) -> io::Result<PathBuf> {
     let name = target.file_name().ok_or_else(|| {
         io::Error::new(ErrorKind::InvalidInput, "the path does not end with the name of a file")
@@ -137,12 +140,13 @@ fn beside(target: &Path) -> io::Result<PathBuf> {
     Ok(target.with_file_name(hidden))
 }
 
-/// An empty file that this process has locked. A file left by a killed process is used again.
+/// Opens an empty file and locks it for this process. A file that a killed process has left behind is
+/// reused.
 fn locked(path: &Path) -> io::Result<File> {
     loop {
         let file = OpenOptions::new().write(true).create(true).truncate(false).open(path)?;
         match file.try_lock() {
-            // Some file systems have no locks.
+            // Some file systems do not support locks; the file is then used without a lock.
             Ok(()) | Err(TryLockError::Error(_)) => {}
             Err(TryLockError::WouldBlock) => {
                 let message = "another process is writing this file";
@@ -194,22 +198,22 @@ fn folder(path: &Path) -> &Path {
 /// Destination of an output after following all links.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Target {
-    /// The standard output of this process.
+    /// The standard output stream of this process.
     StandardOutput,
-    /// Its standard error.
+    /// The standard error stream of this process.
     StandardError,
-    /// A device, a pipe or an open file of this process, under the path that was given.
+    /// The given path of a device, of a pipe or of an open file of this process.
     Direct(PathBuf),
-    /// A file that exists or can be created.
+    /// The path of a regular file that exists or can be created.
     File(PathBuf),
 }
 
 impl Target {
-    /// Follows the links of a path. The last one may name a file that does not exist.
+    /// Follows the symbolic links of a path. The last link may point to a file that does not exist.
     ///
     /// # Errors
     ///
-    /// A loop of links, a folder, or a path that cannot be read.
+    /// The links form a loop, or the path leads to a folder or cannot be read.
     pub fn of(path: &Path) -> io::Result<Self> {
         let mut target = path.to_owned();
         for _ in 0..=MOST_LINKS {
@@ -243,7 +247,7 @@ impl Target {
     }
 }
 
-/// Number of the open file of this process for a path like `/dev/fd/1`.
+/// Returns the file descriptor that a path such as `/dev/fd/1` names; `None` for other paths.
 fn descriptor(path: &Path) -> Option<u32> {
     let number = path.file_name()?.to_str()?.parse().ok()?;
     let folder = folder(path).canonicalize().ok()?;
@@ -251,7 +255,8 @@ fn descriptor(path: &Path) -> Option<u32> {
     names.contains(&Some(folder)).then_some(number)
 }
 
-/// The identity of a regular file: equal for all paths, links and hard links that lead to it.
+/// Identity of a regular file. All paths and symbolic links to one file have equal identities. On Unix, all
+/// hard links to one file also have equal identities.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Identity(Key);
 
@@ -263,11 +268,13 @@ enum Key {
 }
 
 impl Identity {
-    /// Identity of a file that exists or that an output would create; `None` for a device or a pipe.
+    /// Returns the identity of a file that exists or that an output would create; `None` for a device or a
+    /// pipe.
     ///
     /// # Errors
     ///
-    /// As [`Target::of`].
+    /// Returns the errors of [`Target::of`], or an error if the path of the file or its folder cannot be
+    /// resolved.
     pub fn of(path: &Path) -> io::Result<Option<Self>> {
         match fs::metadata(path) {
             Ok(found) if found.is_file() => {

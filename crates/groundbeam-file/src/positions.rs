@@ -8,8 +8,8 @@ use crate::list;
 use crate::quantity::POSITION;
 use crate::units::UnitSystem;
 
-/// Parses comma-separated positions \[m, or plain\]. As in the file, either all have a unit or none has; 0
-/// needs no unit.
+/// Parses comma-separated positions along the beam. With [`UnitSystem::Si`], every position except 0 needs
+/// a unit, and the results are in metres. With [`UnitSystem::Plain`], no position may have a unit.
 ///
 /// ```
 /// use groundbeam_file::{UnitSystem, parse_positions};
@@ -20,8 +20,9 @@ use crate::units::UnitSystem;
 ///
 /// # Errors
 ///
-/// One diagnostic for each entry that is not a position. Byte positions count from the start of `list`, so
-/// that [`Diagnostics::render`] shows them with `list` as the text.
+/// Returns one diagnostic for each entry that is not a position. The byte positions in a diagnostic count
+/// from the start of `list`, so that [`Diagnostics::render`] can show the diagnostic with `list` as its
+/// text.
 pub fn parse_positions(list: &str, units: UnitSystem) -> Result<Vec<f64>, Diagnostics> {
     list::read(list, |entry| position(entry, units))
 }
@@ -30,7 +31,7 @@ pub fn parse_positions(list: &str, units: UnitSystem) -> Result<Vec<f64>, Diagno
 ///
 /// # Errors
 ///
-/// As [`parse_positions`]; also one diagnostic for each position outside the beam.
+/// Returns the diagnostics of [`parse_positions`], and one diagnostic for each position outside the beam.
 pub fn parse_positions_on_beam(list: &str, document: &Document) -> Result<Vec<f64>, Diagnostics> {
     let (length, units) = (document.model.beam.length, document.printed.of_input());
     list::read(list, |entry| {

@@ -2,8 +2,8 @@
 
 use std::borrow::Cow;
 
-/// The text with escapes, such as `\n` or `\u{1b}`, for all control characters, marks of text direction, line
-/// separators, U+FFFE and U+FFFF.
+/// Replaces all control characters, marks of text direction, line separators, U+FFFE and U+FFFF by escapes
+/// such as `\n` or `\u{1b}`.
 ///
 /// ```
 /// assert_eq!(groundbeam_file::printable("a\u{1b}[31mb"), r"a\u{1b}[31mb");

@@ -1,4 +1,4 @@
-//! Reads a quantity that may vary along the beam: one value, or a list from one end to the other.
+//! Reads a quantity that may vary along the beam: one value, or a list of values from left to right.
 //!
 //! Two values define a linear variation. More values are the control values of a curve ([`Profile`]).
 
@@ -28,28 +28,29 @@ impl Along {
         !self.profile.control_values().iter().any(|value| value.is_nan())
     }
 
-    /// One number that stands for the whole list and has its location; NaN if the list could not be read.
+    /// Returns the first value of the list with the location of the list; NaN if the list could not be
+    /// read.
     pub fn field(&self) -> Field {
         let value = if self.is_readable() { self.profile.start() } else { f64::NAN };
         Field::new(value, self.span.clone())
     }
 
-    /// The quantity between two fractions of the stretch.
+    /// Returns the part of the quantity between two fractions of the length of the stretch.
     pub fn between(&self, [from, to]: [f64; 2]) -> Self {
         Along { profile: self.profile.part(from, to), span: self.span.clone() }
     }
 
-    /// The product with another quantity. The product has its own location.
+    /// Returns the product of two quantities. The location of the product is `span`.
     pub fn times(&self, other: &Along, span: &Range<usize>) -> Self {
-        // The product of two lists of control values could have too many control values, but no key needs such a
-        // product.
+        // The keys allow only factors whose product has at most `Profile::MOST` control values. Therefore,
+        // the value NaN below is never used.
         let profile = self.profile.times(&other.profile);
         Along { profile: profile.unwrap_or(Profile::constant(f64::NAN)), span: span.clone() }
     }
 }
 
 impl Reader<'_> {
-    /// The quantity in `section` under `key`, if given: one value, or a list.
+    /// Reads the quantity under `key` in `section`, if given: one value, or a list of values.
     pub fn along(&mut self, section: &Section, key: &str) -> Option<Along> {
         let Value::Along(kind, most) = section.key(key).value else { return None };
         let value = section.value(key)?;
@@ -64,7 +65,7 @@ impl Reader<'_> {
             };
             let curve = match (most, key) {
                 (2, _) => String::new(),
-                // The model allows fewer control values for the ground (GB204).
+                // k and μ may have at most three control values (GB204).
                 (_, "k" | "mu") => ", or three control values of a curve".to_owned(),
                 _ => format!(", or up to {most} control values of a curve"),
             };
@@ -82,7 +83,8 @@ impl Reader<'_> {
         Some(Along { profile: profile.unwrap_or(Profile::constant(f64::NAN)), span: value.span() })
     }
 
-    /// Each factor must be positive: the product of two negative ones would be accepted.
+    /// Reports a factor of a stiffness that is not positive. Without this check, the product of two negative
+    /// factors would be accepted.
     pub fn positive_along(&mut self, key: &str, factor: Along) -> Along {
         let wrong = factor.profile.control_values().iter().find(|value| **value <= 0.0);
         let Some(&value) = wrong else { return factor };
@@ -91,8 +93,8 @@ impl Reader<'_> {
     }
 }
 
-/// The parts of 0 to `length` that the stretches do not cover, from left to right; empty while a stretch is
-/// unreadable.
+/// Returns the parts of the interval from 0 to `length` that the stretches do not cover, from left to
+/// right. The list is empty if a stretch is unreadable.
 pub(crate) fn left_out(length: f64, stretches: impl Iterator<Item = (f64, f64)>) -> Vec<[f64; 2]> {
     let mut stretches: Vec<(f64, f64)> = stretches.collect();
     let unknown = |&(from, to): &(f64, f64)| from.is_nan() || to.is_nan();

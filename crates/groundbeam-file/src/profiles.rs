@@ -1,5 +1,4 @@
-//! Rolled sections and rails by name, from the data files in `sections/`; areas and second moments from their
-//! dimensions.
+//! Finds rolled sections and rails by name in the data files of `sections/`, and computes their second moments of area.
 
 use crate::quantity::{SECOND_MOMENT_OF_AREA, SHEAR_AREA};
 use crate::suggest;
@@ -10,21 +9,22 @@ use std::sync::LazyLock;
 /// `{ rail = "60E1" }`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RolledSection {
-    /// Its name.
+    /// Name of the section.
     pub name: String,
-    /// Area \[m²\].
+    /// Area of the section \[m²\].
     pub area: f64,
     /// Second moment of area about the horizontal axis \[m⁴\].
     pub inertia: f64,
-    /// Shear area \[m²\]: the webs between the flanges, or half of the area of a tube; `None` for a rail.
+    /// Shear area \[m²\]: the area of the webs between the flanges, or half the area of a circular tube;
+    /// `None` for a rail.
     pub shear_area: Option<f64>,
-    /// Height \[m\]; `None` for a rail.
+    /// Height of the section \[m\]; `None` for a rail.
     pub height: Option<f64>,
-    /// The standard or table it comes from.
+    /// Standard or table from which the section comes.
     pub source: String,
-    /// `one source` if no second source confirms a value; otherwise `None`.
+    /// The text `one source` if no second source confirms a value of the section; otherwise `None`.
     pub remark: Option<String>,
-    /// Area and second moment as printed in the table, if given there.
+    /// Area \[m²\] and second moment of area \[m⁴\] that the source prints, if any.
     printed: Option<[f64; 2]>,
 }
 
@@ -63,8 +63,8 @@ pub fn rail_sections() -> &'static [RolledSection] {
     &RAIL_SECTIONS
 }
 
-/// The section with this name; otherwise a hint with the key of the rail of this name, or with
-/// the three most similar names.
+/// Finds the section with this name. If there is no match, returns a hint with the key of the rail of this
+/// name, or with the three most similar names.
 pub(crate) fn find(name: &str) -> Result<&'static RolledSection, String> {
     named(&SECTIONS, name).ok_or_else(|| {
         if let Some(rail) = named(&RAIL_SECTIONS, name) {
@@ -75,21 +75,22 @@ pub(crate) fn find(name: &str) -> Result<&'static RolledSection, String> {
     })
 }
 
-/// The rail with this name; otherwise a hint that lists all rails. Rails with similar names have different I.
+/// Finds the rail with this name. If there is no match, returns a hint that lists all rails, because rails
+/// with similar names differ in their second moment of area.
 pub(crate) fn find_rail(name: &str) -> Result<&'static RolledSection, String> {
     named(&RAIL_SECTIONS, name).ok_or_else(|| {
         let names: Vec<&str> = RAIL_SECTIONS.iter().map(|section| &*section.name).collect();
-        format!("rails: {}; for others give `I`", names.join(", "))
+        format!("the known rails are {}; for other rails give `I`", names.join(", "))
     })
 }
 
-/// The section in a list whose name is `name`. Case, spaces and hyphens are ignored.
+/// Finds the section with the name `name` in a list. Case, spaces and hyphens are ignored.
 fn named(sections: &'static [RolledSection], name: &str) -> Option<&'static RolledSection> {
     let wanted = plain(name);
     sections.iter().find(|section| plain(&section.name) == wanted)
 }
 
-/// The name in capitals, without spaces and hyphens.
+/// Returns the name in capitals, without spaces and hyphens.
 fn plain(name: &str) -> String {
     name.to_uppercase().replace([' ', '-'], "").replace('×', "X")
 }
@@ -106,22 +107,24 @@ fn printed(area: &str, inertia: &str) -> Option<[f64; 2]> {
     Some([area.parse::<f64>().ok()? * 1e-4, inertia.parse::<f64>().ok()? * 1e-8])
 }
 
-/// Area of a fillet divided by r²: a square without a quarter of a disc.
+/// Area of a fillet of radius r, divided by r². The fillet is a square without a quarter of a disc.
 const AREA: f64 = 1.0 - 0.25 * PI;
-/// First moment of area of a fillet about a side of the square, divided by r³.
+/// First moment of area of a fillet of radius r about one of its straight sides, divided by r³.
 const FIRST: f64 = 5.0 / 6.0 - 0.25 * PI;
-/// Second moment of area of a fillet about its own centroid, divided by r⁴.
+/// Second moment of area of a fillet of radius r about its own centroid, divided by r⁴.
 const OWN: f64 = 1.0 - 0.3125 * PI - FIRST * FIRST / AREA;
 
-/// Area and second moment of four fillets of radius `r` whose corners lie at the height `corner` above the
-/// middle; `towards` is −1 if the fillet lies below its corner, 1 if it lies above.
+/// Computes the area and the second moment of area of four fillets of radius `r`. The corners of the
+/// fillets lie at the height `corner` above and below the middle of the section. `towards` is −1 if the
+/// fillets lie between their corners and the middle, and 1 if they lie on the other side of their corners.
 pub(crate) fn fillets(r: f64, corner: f64, towards: f64) -> [f64; 2] {
     let area = AREA * r * r;
     let lever = corner + towards * FIRST / AREA * r;
     [4.0 * area, 4.0 * (OWN * r.powi(4) + area * lever * lever)]
 }
 
-/// A rolled I-section from its dimensions, with fillets between web and flanges.
+/// Computes a rolled I-section, with fillets between web and flanges, from the dimensions in a line of the
+/// data file.
 fn rolled(cells: Vec<&'static str>) -> Option<RolledSection> {
     let [name, h, b, web, flange, r, area, inertia] = cells[..] else { return None };
     let [h, b, web, flange, r] = numbers(&[h, b, web, flange, r], MM)[..] else { return None };
@@ -141,7 +144,8 @@ fn rolled(cells: Vec<&'static str>) -> Option<RolledSection> {
     })
 }
 
-/// A W shape, with A and I as printed by AISC.
+/// Reads a W shape from a line of the data file. Its area A and its second moment of area I are the values
+/// that AISC prints.
 fn american(cells: Vec<&'static str>) -> Option<RolledSection> {
     let [name, d, _, web, flange, area, inertia] = cells[..] else { return None };
     let [d, web, flange] = numbers(&[d, web, flange], INCH)[..] else { return None };
@@ -158,13 +162,16 @@ fn american(cells: Vec<&'static str>) -> Option<RolledSection> {
     })
 }
 
-/// A hollow section: outer corners of radius 1.5 t, inner ones of radius t (EN 10210-2, annex B).
+/// Computes a hollow section from the dimensions in a line of the data file. The outer corners of a
+/// rectangular section have the radius 1.5 t, the inner corners the radius t, where t is the wall thickness
+/// (EN 10210-2, annex B).
 fn hollow(cells: Vec<&'static str>) -> Option<RolledSection> {
     let [name, h, b, t, a, i] = cells[..] else { return None };
     let [h, b, t] = numbers(&[h, b, t], MM)[..] else { return None };
     let (area, inertia, shear_area);
     if b.is_nan() {
-        // The differences of the squares and of the fourth powers of both diameters, without cancellation.
+        // The area π(h² − inner²)/4 and the second moment of area π(h⁴ − inner⁴)/64 are factored. This avoids
+        // cancellation.
         let inner = h - 2.0 * t;
         area = PI * t * (h - t);
         inertia = area * (h * h + inner * inner) / 16.0;
@@ -209,7 +216,8 @@ fn rail(cells: Vec<&'static str>) -> Option<RolledSection> {
 mod tests {
     use super::*;
 
-    /// Largest deviations of printed from computed values, in percent. Tables print three or four figures.
+    /// Compares the computed areas and second moments of area with the values that the sources print with
+    /// three or four figures.
     #[test]
     fn sections_from_dimensions_have_the_printed_values() {
         let mut count = 0;
@@ -240,7 +248,7 @@ mod tests {
         assert!(find_rail("133RE").is_err());
     }
 
-    /// Constants of the fillet by integration over the square minus the quarter circle about its far corner.
+    /// Compares the constants of the fillet with an integration over a square without a quarter of a disc.
     #[test]
     fn constants_of_a_fillet() {
         let steps = 100_000;

@@ -24,7 +24,8 @@ use toml::de::{DeInteger, DeValue};
 /// A value and its location.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Field {
-    /// NaN if it could not be read; that fault has been reported.
+    /// The value in SI units or as written; NaN for an unreadable value in the file, which has been
+    /// reported.
     pub value: f64,
     pub span: Range<usize>,
 }
@@ -42,18 +43,18 @@ impl Field {
 
 pub(crate) struct Reader<'s> {
     pub source: &'s Source,
-    /// Location of the files that the model names; `None` if it cannot name files.
+    /// Location of the files that the model file names; `None` if the model file must not name files.
     pub beside: Option<Beside<'s>>,
-    /// Named files that have been read.
+    /// Files that the model file names and that have been read.
     pub others: Vec<Arc<OtherFile>>,
     pub found: Vec<Diagnostic>,
     pub quantities: Vec<Seen>,
     pub places: Places,
-    /// Whether numbers without a unit are in SI units and may be mixed with others.
+    /// Whether numbers without a unit are in SI units and may be mixed with numbers with units.
     pub bare_is_si: bool,
-    /// Whether the file seems to have no units; hints depend on it.
+    /// Whether the file seems to have no units. The hints depend on this flag.
     plain: bool,
-    /// Known keys that unknown keys probably mean, each with the start of its table.
+    /// Known keys that the file probably misspells, each with the byte position of its table.
     meant: Vec<(usize, String)>,
 }
 
@@ -77,7 +78,7 @@ impl<'s> Reader<'s> {
         }
     }
 
-    /// Reports a fault, unless the value is text whose quotes were reported already.
+    /// Reports a fault, unless a syntax fault at the same location has been reported already.
     pub fn report(&mut self, fault: Fault) {
         let same = |known: &Diagnostic| known.code == code::SYNTAX && known.span == fault.at;
         if self.found.iter().any(same) {
@@ -102,8 +103,8 @@ impl<'s> Reader<'s> {
         self.found.push(diagnostic.with_related(self.source, related, label));
     }
 
-    /// Reports an unknown word, which replaces `{}` in the message. If no known word is similar, the hint
-    /// lists all known words in place of `{}`.
+    /// Reports an unknown word, which replaces `{}` in `message`. If no known word is similar, the hint is
+    /// `otherwise`, in which the list of all known words replaces `{}`.
     pub fn unknown_word(
         &mut self,
         (written, span): (&str, Range<usize>),
@@ -116,8 +117,8 @@ impl<'s> Reader<'s> {
         self.report(Fault::new(code::UNKNOWN_WORD, span, message, "", hint));
     }
 
-    /// Reports that none of `keys` is given in `section`, unless one of them is misspelt there. `example` is
-    /// a valid line.
+    /// Reports that none of `keys` is given in `section`, unless `section` has a misspelt form of one of
+    /// `keys`. `example` is a valid line.
     pub fn missing(&mut self, section: &Section, keys: &[&str], what: &str, example: &str) {
         let is_misspelt = |key: &&str| {
             self.meant.iter().any(|(table, meant)| *table == section.span.start && meant == key)
@@ -130,7 +131,7 @@ impl<'s> Reader<'s> {
         self.report(Fault::new(code::MISSING, section.span.clone(), message, "", hint));
     }
 
-    /// Reports two keys that exclude each other, at the later one.
+    /// Reports two keys that exclude each other, at the location of the later key.
     pub fn exclusive(&mut self, a: (&str, &Range<usize>), b: (&str, &Range<usize>), hint: &str) {
         let (first, later) = if a.1.start <= b.1.start { (a, b) } else { (b, a) };
         let message = format!("`{}` and `{}` exclude each other", first.0, later.0);
@@ -138,7 +139,7 @@ impl<'s> Reader<'s> {
         self.report_with(fault, first.1.clone(), "given here");
     }
 
-    /// Reports every key of `section` that is not among these names.
+    /// Reports every key of `section` that is not listed in `names`.
     pub fn refuse_all_but(&mut self, section: &Section, names: &[&str]) {
         for (key, _) in section.table.iter().filter(|(key, _)| !names.contains(&&**key.get_ref())) {
             let written = key.get_ref();
@@ -159,26 +160,27 @@ impl<'s> Reader<'s> {
         }
     }
 
-    /// Reports every key of `section` that its table does not have.
+    /// Reports every key of `section` that is not allowed in this table.
     pub fn refuse_unknown(&mut self, section: &Section) {
         self.refuse_all_but(section, &section.keys.names());
     }
 
-    /// The table `[key]`, if given. Unknown keys are reported.
+    /// Reads the table `[key]`, if given, and reports its unknown keys.
     pub fn table<'a>(&mut self, parent: &Section<'a>, key: &str) -> Option<Section<'a>> {
         let section = self.open(parent, key)?;
         self.refuse_unknown(&section);
         Some(section)
     }
 
-    /// The table `[key]`, if given, which describes a part of the model.
+    /// Reads the table `[key]`, if given, which describes the part `part` of the model.
     pub fn part<'a>(&mut self, parent: &Section<'a>, key: &str, part: Part) -> Option<Section<'a>> {
         let section = Section { part: Some(part), ..self.table(parent, key)? };
         self.places.part(part, &section.span);
         Some(section)
     }
 
-    /// The table `[key]`, if given, whose allowed keys depend on a value in it.
+    /// Reads the table `[key]`, if given, without reporting unknown keys, because the allowed keys depend
+    /// on a value in the table.
     pub fn open<'a>(&mut self, parent: &Section<'a>, key: &str) -> Option<Section<'a>> {
         let Value::Table(keys) = parent.key(key).value else { return None };
         let name = keys.name;
@@ -198,7 +200,8 @@ impl<'s> Reader<'s> {
         }
     }
 
-    /// Tables of a list; empty if not given. Unknown keys are reported.
+    /// Reads the tables of the list `key`, and reports their unknown keys. Returns no table if the list is
+    /// not given.
     pub fn tables<'a>(&mut self, parent: &Section<'a>, key: &str) -> Vec<Section<'a>> {
         let Value::Tables(keys) = parent.key(key).value else { return vec![] };
         let name = keys.name;
@@ -207,7 +210,7 @@ impl<'s> Reader<'s> {
             let (message, hint) = match keys.inline(key, self.plain) {
                 Some(hint) => (format!("`{key}` is a list of tables"), hint),
                 None => (
-                    format!("a file can have several {name}, so it is a list"),
+                    format!("`{key}` must be a list, because a file can have several {name}"),
                     format!("write {name} with double brackets"),
                 ),
             };
@@ -223,7 +226,7 @@ impl<'s> Reader<'s> {
                     sections.push(section);
                 }
                 _ => {
-                    let message = format!("each of `{key}` is a table, not a value");
+                    let message = format!("each element of `{key}` must be a table, not a value");
                     let hint = keys.inline(key, self.plain);
                     let hint =
                         hint.unwrap_or_else(|| format!("write {name} and its keys below it"));
@@ -234,7 +237,8 @@ impl<'s> Reader<'s> {
         sections
     }
 
-    /// Tables of a list, each a part of the model. `part` returns the part for a number in the list.
+    /// Reads the tables of the list `key`. The table with the index `i` describes the part `part(i)` of the
+    /// model.
     pub fn parts<'a>(
         &mut self,
         parent: &Section<'a>,
@@ -249,7 +253,7 @@ impl<'s> Reader<'s> {
         sections
     }
 
-    /// The text in `section` under `key`, if given.
+    /// Reads the text under `key` in `section`, if given.
     pub fn text<'a>(
         &mut self,
         section: &Section<'a>,
@@ -259,19 +263,20 @@ impl<'s> Reader<'s> {
         match value.get_ref() {
             DeValue::String(text) => Some((text, value.span())),
             _ => {
-                let hint = format!("write it in quotes, as in {}", self.line(section.keys, key));
+                let hint =
+                    format!("write the text in quotes, as in {}", self.line(section.keys, key));
                 self.wrong_type(value, format!("`{key}` must be text"), hint);
                 None
             }
         }
     }
 
-    /// The integer under `key`, if given.
+    /// Reads the integer under `key` in `section`, if given.
     pub fn count(&mut self, section: &Section, key: &str) -> Option<u64> {
         let Value::Count([least, most]) = section.key(key).value else { return None };
         let value = section.value(key)?;
         let DeValue::Integer(integer) = value.get_ref() else {
-            let hint = format!("write it without quotes, as in {key} = 1000");
+            let hint = format!("write the number without quotes, as in {key} = 1000");
             self.wrong_type(value, format!("`{key}` must be a whole number"), hint);
             return None;
         };
@@ -286,12 +291,12 @@ impl<'s> Reader<'s> {
         fits
     }
 
-    /// The quantity in `section` under `key`, if given.
+    /// Reads the quantity under `key` in `section`, if given.
     pub fn quantity(&mut self, section: &Section, key: &str) -> Option<Field> {
         self.quantity_of(section, key, section.key(key).kind())
     }
 
-    /// The quantity, whose kind depends on another key.
+    /// Reads a quantity, if given, whose kind depends on another key.
     pub fn quantity_of(
         &mut self,
         section: &Section,
@@ -305,12 +310,12 @@ impl<'s> Reader<'s> {
         read
     }
 
-    /// The required quantity in `section` under `key`.
+    /// Reads the required quantity under `key` in `section`.
     pub fn required(&mut self, section: &Section, key: &str) -> Field {
         self.required_of(section, key, section.key(key).kind())
     }
 
-    /// The required quantity, whose kind depends on another key.
+    /// Reads a required quantity, whose kind depends on another key.
     pub fn required_of(&mut self, section: &Section, key: &str, kind: &'static Kind) -> Field {
         self.quantity_of(section, key, kind).unwrap_or_else(|| {
             let row = section.key(key);
@@ -323,14 +328,15 @@ impl<'s> Reader<'s> {
         })
     }
 
-    /// Records the location of a field of the model's part that `section` describes.
+    /// Records the location of a field. The field belongs to the part of the model that `section`
+    /// describes.
     pub fn place(&mut self, section: &Section, name: &'static str, field: &Field) {
         if let Some(part) = section.part {
             self.places.field(part, name, field);
         }
     }
 
-    /// The value under `key`. If the key is required and missing, this is reported.
+    /// Returns the value under `key`, if given, and reports a required key that is missing.
     pub fn value<'a>(
         &mut self,
         section: &Section<'a>,
@@ -344,17 +350,17 @@ impl<'s> Reader<'s> {
         value
     }
 
-    /// A valid line for this file.
+    /// Returns an example of a valid line for `key`, with units if this file has units.
     pub fn line(&self, table: &Table, key: &str) -> String {
         table.key(key).line(self.plain)
     }
 
-    /// A valid list of two values for this file.
+    /// Returns an example of a list of two valid values, with units if this file has units.
     pub fn pair(&self, kind: &Kind) -> String {
         kind.pair(self.plain)
     }
 
-    /// Reads one quantity from any value.
+    /// Reads one quantity from a TOML value of any type.
     pub fn field(&mut self, key: &str, value: &Spanned<DeValue>, kind: &'static Kind) -> Field {
         let span = value.span();
         let written = match value.get_ref() {
@@ -404,8 +410,8 @@ impl<'s> Reader<'s> {
         self.report(Fault::new(code::WRONG_TYPE, value.span(), message, label, hint));
     }
 
-    /// A fault within a TOML string, at its location in the file. In a string with escapes the characters are
-    /// shifted, so the whole string is marked.
+    /// Moves a fault within a TOML string to its location in the file. If the string has escapes, the fault
+    /// marks the whole string.
     fn inside_string(&self, text: &str, span: &Range<usize>, fault: Fault) -> Fault {
         let raw = &self.source.text[span.clone()];
         match raw.find(text) {
@@ -415,7 +421,7 @@ impl<'s> Reader<'s> {
     }
 }
 
-/// A fault that marks a whole value.
+/// Extends a fault to the whole value at `span`.
 fn over(span: &Range<usize>, fault: Fault) -> Fault {
     Fault { at: span.clone(), ..fault }
 }
@@ -430,7 +436,7 @@ fn bare_integer(integer: &DeInteger, kind: &Kind) -> Result<Written, Fault> {
     }
 }
 
-/// Type of a TOML value, with an article.
+/// Returns the name of the type of a TOML value, such as "a number".
 fn type_name(value: &DeValue) -> &'static str {
     match value {
         DeValue::String(_) => "text",

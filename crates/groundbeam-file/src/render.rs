@@ -1,4 +1,4 @@
-//! Formats diagnostics as text: file, line and column, the line itself, a mark, a hint.
+//! Formats diagnostics as text with the file name, the position, the marked line and a hint.
 
 use crate::diagnostic::{Diagnostic, Diagnostics, Severity};
 use crate::printable::{is_unprintable, printable};
@@ -6,12 +6,13 @@ use crate::source::BYTE_ORDER_MARK;
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
 use std::ops::Range;
 
-/// Maximum number of diagnostics shown; [`Diagnostics::iter`] gives all.
+/// Maximum number of diagnostics that are printed; [`Diagnostics::iter`] returns all diagnostics.
 const MOST_SHOWN: usize = 100;
 
 impl Diagnostics {
-    /// The diagnostics with the lines of `text` they refer to, ending in a newline. After the first hundred,
-    /// only the number of the others is given.
+    /// Formats the diagnostics, each with the lines of `text` to which it refers. The result ends with a
+    /// newline. After the first hundred diagnostics, only the number of the remaining diagnostics is
+    /// printed.
     ///
     /// `text` is the parsed text. `colour` adds escape codes for a terminal.
     ///
@@ -53,17 +54,18 @@ impl Diagnostics {
     }
 }
 
-/// A diagnostic in the form that the renderer needs. Names and text from the file are escaped here, because
-/// the renderer prints paths, labels and hints unchanged.
+/// Converts a diagnostic to the form that the renderer needs. Names and text from the file are escaped
+/// here, because the renderer prints paths, labels and hints unchanged.
 fn group<'t>(diagnostic: &'t Diagnostic, file_name: &'t str, text: &str) -> Group<'t> {
-    // Columns do not count the byte order mark, so it is removed from the text.
+    // Column numbers do not include the byte order mark, so it is removed from the text.
     let shown = text.strip_prefix(BYTE_ORDER_MARK).unwrap_or(text);
     let mark = text.len() - shown.len();
     let inside = |span: &Range<usize>| {
         let start = boundary(shown, span.start.saturating_sub(mark));
         start..boundary(shown, span.end.saturating_sub(mark)).max(start)
     };
-    // The renderer searches the whole text, so it receives only the lines it needs.
+    // The renderer searches all text that it receives. Therefore, it receives only the lines of the
+    // diagnostic.
     let spans =
         || std::iter::once(&diagnostic.span).chain(diagnostic.related.iter().map(|r| &r.span));
     let first = spans().map(|span| inside(span).start).min().unwrap_or(0);
@@ -99,14 +101,15 @@ fn group<'t>(diagnostic: &'t Diagnostic, file_name: &'t str, text: &str) -> Grou
     }
 }
 
-/// Lines of the file, with one character in place of each unprintable one, so that columns remain the same.
-/// The renderer itself treats ASCII control characters and line ends.
+/// Replaces each unprintable character outside ASCII by one printable character, so that columns remain the
+/// same. The renderer itself handles ASCII control characters and line ends.
 fn visible(lines: &str) -> String {
     let sign = |c: char| if is_unprintable(c) && !c.is_ascii() { '\u{fffd}' } else { c };
     lines.chars().map(sign).collect()
 }
 
-/// The character boundary at or before `offset`. The caller's text may differ from the parsed one.
+/// Returns the last character boundary at or before `offset`. The caller's text may differ from the parsed
+/// text, so `offset` may lie inside a character or beyond the end of the text.
 fn boundary(text: &str, offset: usize) -> usize {
     (0..=offset.min(text.len())).rev().find(|&i| text.is_char_boundary(i)).unwrap_or(0)
 }

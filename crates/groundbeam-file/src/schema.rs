@@ -1,12 +1,11 @@
-//! JSON Schema (draft 7) of model files and study files, generated from the keys of their tables, for editors
-//! that complete and check TOML.
+//! Generates a JSON Schema (draft 7) with which editors complete and check model files and study files.
 
 use crate::keys::{Key, Table, Value};
 use crate::section::MODEL;
 use crate::study::STUDY;
 use serde_json::{Map, Value as Json, json};
 
-/// Schema of model files.
+/// Returns the JSON Schema of model files.
 ///
 /// ```
 /// let schema = groundbeam_file::model_schema();
@@ -16,7 +15,7 @@ pub fn model_schema() -> String {
     document(&MODEL, "groundbeam model file")
 }
 
-/// Schema of study files.
+/// Returns the JSON Schema of study files.
 pub fn study_schema() -> String {
     document(&STUDY, "groundbeam study file")
 }
@@ -28,7 +27,7 @@ fn document(root: &Table, title: &str) -> String {
     format!("{schema:#}\n")
 }
 
-/// Schema of a table, which allows only its keys.
+/// Returns the JSON Schema of a table. The schema allows only the known keys of the table.
 fn object(table: &Table) -> Json {
     let properties: Map<String, Json> =
         table.keys.iter().map(|key| (key.name.to_owned(), property(key))).collect();

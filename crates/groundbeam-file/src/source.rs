@@ -1,11 +1,11 @@
-//! The text of a file, with line and column of each byte.
+//! Finds the line and the column of a byte in the text of a file.
 
 use std::ops::Range;
 
-/// U+FEFF, which some editors put at the start of a file. It does not count as a column.
+/// Byte order mark U+FEFF, which some editors put at the start of a file. The mark does not count as a column.
 pub(crate) const BYTE_ORDER_MARK: char = '\u{feff}';
 
-/// A text, with the starts of its lines.
+/// A text with the byte positions at which its lines start.
 #[derive(Debug, Clone)]
 pub(crate) struct Source {
     pub text: String,
@@ -21,7 +21,8 @@ impl Source {
         }
     }
 
-    /// Line and column of a byte, both from 1. Columns count characters.
+    /// Returns the line and the column of the byte at `offset`. Both numbers start from 1, and columns count
+    /// characters.
     pub fn position(&self, offset: usize) -> (usize, usize) {
         let offset = self.character_start(offset);
         let line = self.line_starts.partition_point(|&start| start <= offset);
@@ -31,11 +32,11 @@ impl Source {
         (line, before.chars().count() + 1)
     }
 
-    /// The span widened to whole characters inside the text.
+    /// Widens the byte range `span` to whole characters of the text.
     pub fn whole_characters(&self, span: Range<usize>) -> Range<usize> {
         let start = self.character_start(span.start);
         if start == self.text.len() {
-            // The end of the file is shown at the end of its last line.
+            // A fault at the end of the file is shown at the end of the last line.
             let line = self.text.strip_suffix('\n').unwrap_or(&self.text);
             let end = line.strip_suffix('\r').unwrap_or(line).len();
             return end..end;
@@ -64,7 +65,7 @@ mod tests {
     fn columns_count_characters_from_one() {
         let source = Source::new("\u{feff}a = 1\r\nµ = \"½\"\n\n");
         assert_eq!(source.position(0), (1, 1));
-        assert_eq!(source.position(3), (1, 1), "the byte order mark takes no column");
+        assert_eq!(source.position(3), (1, 1), "the byte order mark must not count as a column");
         let second_line = source.text.find('µ').unwrap();
         assert_eq!(source.position(second_line), (2, 1));
         assert_eq!(source.position(second_line + 1), (2, 1), "inside a character: its start");

@@ -1,5 +1,6 @@
-//! Reads a stiffness, given as one number or as a product of two: EI or E and I, k or `subgrade_modulus` and
-//! `width`. A segment inherits missing factors from its parent.
+//! Reads a stiffness from one number, such as EI, or as the product of two factors, such as E and I.
+//!
+//! A segment inherits missing factors from the table of the whole beam or of the whole ground.
 
 use crate::code;
 use crate::fault::Fault;
@@ -7,38 +8,41 @@ use crate::profile::Along;
 use crate::reader::{Field, Reader};
 use crate::table::Section;
 
-/// Keys of a stiffness and its factors.
+/// Keys for a stiffness and for its two factors.
 pub(crate) struct Keys {
     pub product: &'static str,
     pub factors: [&'static str; 2],
-    /// Text that names another way to give the second factor, such as " or …"; may be empty.
+    /// End of an error message, such as " or a `section`". It names an alternative to the second factor, and is
+    /// empty if there is no alternative.
     pub instead: &'static str,
 }
 
-/// Stiffness data of one table.
+/// Stiffness and factors that one table gives.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Given {
     pub product: Option<Along>,
     pub factors: [Option<Along>; 2],
 }
 
-/// Result of combining a table with its parent.
+/// Stiffness that follows from a table and its parent table.
 pub(crate) enum Stiffness {
     Known(Along),
     /// The table has no data for this stiffness.
     NotGiven,
-    /// Only the first (0) or the second (1) factor is known.
+    /// Only one of the two factors is known. The variant contains the index of this factor (0 or 1) and its
+    /// value.
     Half(usize, Along),
 }
 
 impl Given {
-    /// The data for a part of the stretch.
+    /// Returns the stiffness data on a part of the stretch. `way` contains the start and the end of the part as
+    /// fractions of the length of the stretch.
     pub fn between(&self, way: [f64; 2]) -> Self {
         let part = |given: &Option<Along>| given.as_ref().map(|given| given.between(way));
         Given { product: part(&self.product), factors: [0, 1].map(|i| part(&self.factors[i])) }
     }
 
-    /// The stiffness of a table. Missing factors come from `parent`.
+    /// Computes the stiffness of a table. The parent table `parent` supplies missing factors.
     pub fn resolve(&self, reader: &mut Reader, parent: &Given, keys: &Keys) -> Stiffness {
         let own = self.factors.iter().position(|factor| factor.is_some());
         if let Some(product) = &self.product {
@@ -64,7 +68,7 @@ impl Given {
 }
 
 impl Reader<'_> {
-    /// The value of a required stiffness. Missing values are reported.
+    /// Returns the value of a required stiffness. A missing stiffness or a missing factor is reported.
     pub fn settle(&mut self, stiffness: Stiffness, section: &Section, keys: &Keys) -> Along {
         match stiffness {
             Stiffness::Known(known) => return known,
@@ -85,7 +89,8 @@ impl Reader<'_> {
         Along::unreadable(section.span.clone())
     }
 
-    /// Each factor must be positive: the product of two negative ones would be accepted.
+    /// Reports a factor that is not positive. Without this check, the product of two negative factors would be
+    /// accepted.
     pub fn positive(&mut self, key: &str, factor: Field) -> Field {
         if factor.value <= 0.0 {
             let state = if factor.value == 0.0 { "zero" } else { "negative" };
@@ -98,8 +103,8 @@ impl Reader<'_> {
     }
 }
 
-/// Whether the stretches cover 0 to `length`. Unreadable stretches count as covering, because their fault has
-/// been reported.
+/// Whether the stretches cover the interval from 0 to `length`. The result is also true if the ends of a
+/// stretch could not be read. This fault has already been reported, and a second message would not help.
 pub(crate) fn cover(length: f64, stretches: impl Iterator<Item = (f64, f64)>) -> bool {
     let mut stretches: Vec<(f64, f64)> = stretches.collect();
     let unknown = |&(from, to): &(f64, f64)| from.is_nan() || to.is_nan();

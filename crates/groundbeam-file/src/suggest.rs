@@ -2,9 +2,10 @@
 
 use strsim::osa_distance;
 
-/// The candidate most similar to the written word, if one is similar enough.
+/// Returns the candidate most similar to the word `written`, if this candidate is similar enough.
 ///
-/// Words that differ only in case are always similar. Otherwise one edit per three letters is allowed.
+/// Words that differ only in case are always similar. Otherwise one edit per three letters is allowed, but at
+/// least one edit.
 pub(crate) fn nearest<'c>(
     written: &str,
     candidates: impl IntoIterator<Item = &'c str>,
@@ -15,13 +16,13 @@ pub(crate) fn nearest<'c>(
     let mut best: Option<(usize, &str)> = None;
     for candidate in candidates {
         let letters = candidate.chars().count();
-        // At least this number of letters must be added or removed.
+        // The difference of the numbers of letters is a lower bound of the number of edits.
         if letters.abs_diff(length) > allowed {
             continue;
         }
         let distance = osa_distance(&lower, &candidate.to_lowercase());
-        // A word of one or two letters is one edit away from too many others. Only the removal of one extra
-        // letter is accepted.
+        // A candidate of one or two letters resembles too many words. It is accepted only if it has two letters
+        // and the written word has three, or if the two words differ only in case.
         let is_long_enough = letters > 2 || (letters == 2 && length == 3);
         let near = distance == 0 || (distance <= allowed && is_long_enough);
         if near && best.is_none_or(|(least, _)| distance < least) {
@@ -31,7 +32,7 @@ pub(crate) fn nearest<'c>(
     best.map(|(_, candidate)| candidate)
 }
 
-/// Up to three candidates most similar to the written word, the best first.
+/// Returns the three candidates most similar to the word `written`, the most similar first.
 pub(crate) fn nearest_three<'c>(written: &str, candidates: &[&'c str]) -> Vec<&'c str> {
     let lower = written.to_lowercase();
     let mut ranked: Vec<(usize, &str)> = candidates
@@ -42,8 +43,9 @@ pub(crate) fn nearest_three<'c>(written: &str, candidates: &[&'c str]) -> Vec<&'
     ranked.into_iter().take(3).map(|(_, candidate)| candidate).collect()
 }
 
-/// Hint: the similar known word, or the text `otherwise` with all known words in place of `{}`. A text
-/// without `{}` always follows.
+/// Returns a hint about the unknown word `written`. The hint suggests the most similar known word, followed by
+/// the text `otherwise` unless this text contains `{}`. Without a similar word, the hint is the text
+/// `otherwise`, in which the list of all known words replaces `{}`.
 pub(crate) fn advice(written: &str, known: &[&str], otherwise: &str) -> String {
     let explains = !otherwise.is_empty() && !otherwise.contains("{}");
     match nearest(written, known.iter().copied()) {

@@ -11,13 +11,13 @@ use toml::de::{DeTable, DeValue, Error};
 /// Syntax faults of a file.
 pub(crate) struct SyntaxFaults {
     pub found: Vec<Diagnostic>,
-    /// Whether the rest of the file can still be read. Missing quotes and repeated keys leave the text around
-    /// them readable.
+    /// Whether the rest of the file can be read in spite of the faults. Missing quotes and repeated keys do not
+    /// prevent this.
     pub readable: bool,
 }
 
-/// Explains `errors`, at most one on each line: further ones usually follow from the first. `keys` are those
-/// of the file.
+/// Explains TOML syntax errors, at most one per line, because further errors on a line usually follow from the
+/// first one. `keys` lists the allowed keys of the file.
 pub(crate) fn explain(
     source: &Source,
     table: &DeTable,
@@ -44,7 +44,7 @@ pub(crate) fn explain(
     SyntaxFaults { found, readable }
 }
 
-/// The fault, and whether the rest of the file can still be read.
+/// Returns the fault that explains a syntax error, and whether the rest of the file can still be read.
 fn fault(source: &Source, span: Range<usize>, said: &str, keys: &Table) -> (Fault, bool) {
     let written = source.text.get(span.clone()).unwrap_or("");
     let start_of_line =
@@ -57,9 +57,9 @@ fn fault(source: &Source, span: Range<usize>, said: &str, keys: &Table) -> (Faul
         let is_list = keys.may_be_several(written);
         let in_header = line_so_far.trim_start().starts_with('[');
         let hint = if is_list && in_header {
-            "several of these are allowed: write each with double brackets, as in [[load]]"
+            "several tables of this kind are allowed; write each heading with double brackets, as in [[load]]"
         } else if in_header {
-            "put the keys of both under one heading"
+            "put the keys of both tables under one heading"
         } else {
             "keep one of the two"
         };
@@ -82,8 +82,8 @@ fn fault(source: &Source, span: Range<usize>, said: &str, keys: &Table) -> (Faul
         };
     }
     if said.contains("expected `inf`") || said.contains("expected `nan`") {
-        // The word has no quotes and begins like `inf` or `nan`.
-        let hint = "write it in quotes, as in \"pinned\" or \"1.5 kN\"".to_owned();
+        // The parser expects a number if a word without quotes begins like `inf` or `nan`.
+        let hint = "write the value in quotes, as in \"pinned\" or \"1.5 kN\"".to_owned();
         return (new("write text, and numbers with a unit, in quotes", "no quotes", hint), false);
     }
     let advice = if said.starts_with("invalid float") || said.starts_with("invalid integer") {
@@ -102,22 +102,22 @@ fn fault(source: &Source, span: Range<usize>, said: &str, keys: &Table) -> (Faul
         "write key = value, as in length = \"12 m\""
     } else if said.starts_with("invalid basic string") || said.starts_with("invalid literal string")
     {
-        "text ends with the same quote it begins with, on the same line"
+        "text must end with the same quote it begins with, on the same line"
     } else if said.starts_with("cannot recurse") || said.starts_with("recursion limit") {
-        "no value of a model is nested this deeply"
+        "the values are nested too deeply"
     } else {
         ""
     };
     (new(&format!("this is not valid TOML: {said}"), "", advice.to_owned()), false)
 }
 
-/// The text between typographic quotes.
+/// Returns the text between typographic quotes.
 fn between_typographic_quotes(written: &str) -> Option<&str> {
     const QUOTES: [char; 8] = ['“', '”', '„', '‘', '’', '‚', '«', '»'];
     written.trim().strip_prefix(QUOTES)?.strip_suffix(QUOTES).map(str::trim)
 }
 
-/// Location of the nearest key with this name before `offset`.
+/// Returns the location of the last key with this name before `offset`.
 fn first_of(table: &DeTable, name: &str, offset: usize) -> Option<Range<usize>> {
     let mut nearest: Option<Range<usize>> = None;
     let mut waiting = vec![table];
@@ -147,7 +147,7 @@ mod tests {
     use crate::section::MODEL;
     use crate::study::STUDY;
 
-    /// Names of all tables, here and below, that a file may have several times.
+    /// Returns the names of the tables that may occur several times, in this table and in the tables inside it.
     fn several(table: &Table) -> Vec<&'static str> {
         let of = |value| match value {
             Value::Table(table) => several(table),

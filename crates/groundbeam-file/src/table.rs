@@ -13,18 +13,18 @@ pub(crate) struct Section<'a> {
     /// Location of the header, or of the braces of an inline table.
     pub span: Range<usize>,
     pub keys: &'static Table,
-    /// The part of the model that it describes. The locations of its quantities are recorded as fields of
-    /// this part.
+    /// Part of the model that the table describes. The locations of the quantities in the table are recorded as
+    /// fields of this part.
     pub part: Option<Part>,
 }
 
 impl<'a> Section<'a> {
-    /// The whole file.
+    /// Returns the table that represents the whole file.
     pub fn root(table: &'a DeTable<'a>, keys: &'static Table) -> Self {
         Section { table, span: 0..0, keys, part: None }
     }
 
-    /// Its name in files: `[beam]`, `[[load]]`.
+    /// Name of the table in files, such as `[beam]` or `[[load]]`.
     pub fn name(&self) -> &'static str {
         self.keys.name
     }
@@ -33,7 +33,7 @@ impl<'a> Section<'a> {
         self.keys.key(name)
     }
 
-    /// Whether this table and the tables below contain numbers, all without quotes.
+    /// Whether this table and the tables inside it contain numbers, and no number is in quotes.
     pub fn has_bare_numbers_only(&self) -> bool {
         let mut bare = false;
         let mut waiting: Vec<&DeValue> =
@@ -58,7 +58,7 @@ impl<'a> Section<'a> {
         self.table.get(key)
     }
 
-    /// The value under a key if it is a list without elements.
+    /// Returns the value of a key if the value is a list without elements.
     pub fn empty_list(&self, key: &str) -> Option<&'a Spanned<DeValue<'a>>> {
         let is_empty = |list: &DeArray| list.is_empty();
         self.value(key).filter(|value| value.get_ref().as_array().is_some_and(is_empty))

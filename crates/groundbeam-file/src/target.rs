@@ -1,5 +1,4 @@
-//! Numbers of a model that studies and arrays may change: their names, their values, and reasons why some
-//! cannot change.
+//! Changes numbers of a model for studies and for batches of models, and explains why some numbers cannot be changed.
 
 use crate::document::Document;
 use crate::quantity::{
@@ -13,26 +12,26 @@ use groundbeam::{Beam, Foundation, Model, model::Profile};
 /// Interpolation of a quantity between equidistant points along the whole beam.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Course {
-    /// Linear between points.
+    /// Linear between neighbouring points.
     #[default]
     Lines,
-    /// Constant on equal stretches, one number for each.
+    /// Constant on each of several equal stretches, with one number for each stretch.
     Steps,
 }
 
-/// Meaning of several numbers for one quantity along the beam.
+/// Meaning of several numbers that describe one quantity along the beam.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Shape {
-    /// Values at equidistant points.
+    /// Values at equidistant points or on equal stretches.
     Even(Course),
-    /// Control values of one curve, as in a model file ([`Profile`]).
+    /// Control values of one curve along the whole beam, as in a model file ([`Profile`]).
     Curve,
 }
 
-/// A parameter with one number, or with several numbers along the beam and their meaning.
+/// A parameter with one new number, or with several numbers along the beam and their meaning.
 pub type Change<'a> = (Parameter, Shape, &'a [f64]);
 
-/// Maximum number of control values of a curve of a property.
+/// Maximum number of control values of a curve that describes the property along the beam.
 pub fn most_control_values(property: Property) -> usize {
     match property {
         Property::Spring | Property::Shear => Foundation::MOST_CONTROL_VALUES,
@@ -40,7 +39,8 @@ pub fn most_control_values(property: Property) -> usize {
     }
 }
 
-/// The property k, μ or EI of the whole beam, which may also be given at points along it.
+/// Returns the property k, μ or EI if the parameter is its value on the whole beam. Several numbers along the
+/// beam may also describe such a property.
 pub fn along_the_beam(parameter: Parameter) -> Option<Property> {
     match parameter {
         Parameter::Value(Property::ShearStiffness, _) => None,
@@ -61,7 +61,7 @@ pub fn set_the_same_number(a: Parameter, b: Parameter) -> bool {
     includes(a, b) || includes(b, a)
 }
 
-/// Whether this number must be positive.
+/// Whether the number that the parameter sets must be positive.
 pub(crate) fn must_be_positive(parameter: Parameter) -> bool {
     match parameter {
         Parameter::Value(property, _) | Parameter::Factor(property, _) => {
@@ -71,7 +71,8 @@ pub(crate) fn must_be_positive(parameter: Parameter) -> bool {
     }
 }
 
-/// Reason why a number of the model cannot be changed, if any. `name` is the name that the user gave.
+/// Returns the reason why a number of the model cannot be changed, if any. `name` is the name that the user
+/// gave to the number.
 pub fn problem(parameter: Parameter, name: &str, document: &Document) -> Option<String> {
     let model = &document.model;
     if parameter.is_of_ground() && document.model.foundation.soil.is_some() {
@@ -81,7 +82,7 @@ pub fn problem(parameter: Parameter, name: &str, document: &Document) -> Option<
         && index >= model.loads.len()
     {
         let count = model.loads.len();
-        return Some(format!("loads are numbered from 0, and the model has {count}"));
+        return Some(format!("loads are numbered from 0, and the model has {count} of them"));
     }
     if parameter.value(model).is_some() {
         return None;
@@ -95,7 +96,7 @@ pub fn problem(parameter: Parameter, name: &str, document: &Document) -> Option<
         }
         Parameter::Value(_, Domain::Whole) => {
             format!(
-                "the model defines it by segments; `{name}_factor` multiplies it in all of them"
+                "the model defines this number by segments; `{name}_factor` multiplies it in all segments"
             )
         }
         Parameter::Load(..) => "the load has no such number".to_owned(),
@@ -103,7 +104,7 @@ pub fn problem(parameter: Parameter, name: &str, document: &Document) -> Option<
     })
 }
 
-/// Physical quantity of a number, in a model that has it.
+/// Returns the physical quantity of a parameter that exists in the model.
 pub(crate) fn kind(parameter: Parameter, model: &Model) -> &'static Kind {
     match parameter {
         Parameter::Value(Property::Spring, _) => &SPRING_PER_LENGTH,
@@ -121,7 +122,7 @@ pub(crate) fn kind(parameter: Parameter, model: &Model) -> &'static Kind {
     }
 }
 
-/// Changes numbers of the model. Assignments come first, then factors.
+/// Changes numbers of the model. New values are assigned first, and factors are applied afterwards.
 pub fn change<'a>(model: &mut Model, changes: impl Iterator<Item = Change<'a>> + Clone) {
     let multiplies =
         |parameter: Parameter| matches!(parameter, Parameter::Factor(..) | Parameter::LoadFactor);
@@ -146,7 +147,7 @@ pub fn change<'a>(model: &mut Model, changes: impl Iterator<Item = Change<'a>> +
 }
 
 impl Shape {
-    /// Number of stretches that a list of `numbers` values describes.
+    /// Returns the number of stretches that a list of `numbers` values describes.
     pub fn stretches(self, numbers: usize) -> usize {
         match self {
             Shape::Even(Course::Lines) => numbers - 1,
@@ -168,8 +169,8 @@ impl Along<'_> {
         self.shape.stretches(self.values.len())
     }
 
-    /// The profile on one of `count` equal stretches. `count` equals the number of stretches of these values;
-    /// values with one stretch allow any number.
+    /// Returns the profile on one of `count` equal stretches of the beam. The list of values must describe
+    /// `count` stretches, or one curve along the whole beam.
     fn on(self, stretch: usize, count: usize) -> Profile {
         let own = self.stretches();
         if own == count {
@@ -179,7 +180,7 @@ impl Along<'_> {
         self.own(0).part(from, to)
     }
 
-    /// The profile on one of its own stretches.
+    /// Returns the profile on one of the stretches that the list of values describes.
     fn own(self, stretch: usize) -> Profile {
         let values = self.values;
         match self.shape {
@@ -219,7 +220,8 @@ fn vary_ground(model: &mut Model, ground: [Option<Along>; 2]) {
     model.foundation = foundation;
 }
 
-/// Ends of one of `count` equal parts of the beam. Neighbouring parts share the same number bit for bit.
+/// Returns the ends of one of `count` equal parts of the beam. The common end of two neighbouring parts is the
+/// same number bit for bit.
 fn ends(length: f64, part: usize, count: usize) -> [f64; 2] {
     [part, part + 1].map(|i| length * (i as f64 / count as f64))
 }

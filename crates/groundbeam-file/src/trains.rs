@@ -1,4 +1,4 @@
-//! Trains of codes of practice, from the data files in `trains/`.
+//! Reads the trains of codes of practice from the data files in `trains/`.
 
 use crate::catalogue::{self, Entry};
 use crate::quantity::{FORCE, LOAD_PER_LENGTH, POSITION};
@@ -47,15 +47,15 @@ struct ListedPart {
 /// A built-in train, which a model file selects with `[[train]] set = "…"`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TrainSet {
-    /// Its name.
+    /// Name of the train.
     pub name: String,
     /// Alternative names.
     pub also: Vec<String>,
     /// The code of practice.
     pub code: String,
-    /// Clause and figure of the code.
+    /// Clause and figure of the code that define the train.
     pub source: String,
-    /// `one source …` if a value is not confirmed by a second source.
+    /// The remark `one source …` if a value of the train is not confirmed by a second source.
     pub remark: Option<String>,
     /// The train, in N and m.
     pub train: Train,
@@ -73,7 +73,7 @@ static SETS: LazyLock<Vec<TrainSet>> = LazyLock::new(|| {
     practices.into_iter().flat_map(sets_of).collect()
 });
 
-/// All built-in trains.
+/// Returns all built-in trains.
 ///
 /// ```
 /// let sets = groundbeam_file::train_sets();
@@ -84,17 +84,17 @@ pub fn train_sets() -> &'static [TrainSet] {
     &SETS
 }
 
-/// The train with this name.
+/// Returns the train with this name.
 pub(crate) fn find(name: &str) -> Option<&'static TrainSet> {
     SETS.iter().find(|set| set.is_called(name))
 }
 
-/// Main names of all trains.
+/// Returns the main names of all trains.
 pub(crate) fn names() -> Vec<&'static str> {
     SETS.iter().map(|set| &*set.name).collect()
 }
 
-/// All names of all trains.
+/// Returns the main and alternative names of all trains.
 pub(crate) fn spellings() -> Vec<&'static str> {
     catalogue::spellings(SETS.iter())
 }
@@ -172,11 +172,11 @@ mod tests {
         let spread: f64 =
             find("SW/0").unwrap().train.uniform.iter().map(|p| (p.to - p.from) * p.intensity).sum();
         assert!((spread - 2.0 * 15.0 * 133e3).abs() < 1e-6);
-        // EN 1991-2, 6.4.6.1.1: 50 axles of 170 kN over 37.525 + (18 + 2) * 18 metres.
+        // By EN 1991-2, 6.4.6.1.1, the train HSLM-A1 has 50 axles of 170 kN over 37.525 + (18 + 2) * 18 metres.
         let longest = &find("HSLM-A1").unwrap().train;
         assert_eq!((longest.axles.len(), sum("HSLM-A1")), (50, 8500e3));
         assert!((longest.length() - 397.525).abs() < 1e-9);
-        // 72 kip, 50 kip, and two engines of 568 kip.
+        // The loads are 72 kip (HL-93 truck), 50 kip (HL-93 tandem), and two engines of 568 kip (E80).
         let kip = 4448.2216152605;
         for (name, kips) in [("HL-93 truck", 72.0), ("HL-93 tandem", 50.0), ("E80", 1136.0)] {
             assert!((sum(name) / (kips * kip) - 1.0).abs() < 1e-14, "{name}");

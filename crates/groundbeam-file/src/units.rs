@@ -1,4 +1,4 @@
-//! Decides whether a file has units: either all quantities have one or none has. 0 needs no unit.
+//! Decides whether a file has units: either all quantities except 0 have a unit, or none has.
 
 use crate::code;
 use crate::document::Quantity;
@@ -10,17 +10,17 @@ use crate::reader::Reader;
 use crate::unit::{Dimension, Marks, Unit, decimal_length};
 use std::ops::Range;
 
-/// How a file writes quantities, and therefore how results are written.
+/// Notation of the quantities in a file, which is also used for its results.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum UnitSystem {
-    /// All quantities have units. The model is in m, N, rad and their products.
+    /// All quantities have units. The numbers of the model are in m, N, rad and products of these units.
     Si,
-    /// No quantity has a unit. The numbers form one consistent system.
+    /// No quantity has a unit. All numbers belong to one consistent system of units.
     Plain,
 }
 
 impl From<UnitSystem> for Units {
-    /// SI units, or no units.
+    /// Returns SI units, or no units for a file without units.
     fn from(of: UnitSystem) -> Self {
         match of {
             UnitSystem::Si => Units::SI,
@@ -29,7 +29,7 @@ impl From<UnitSystem> for Units {
     }
 }
 
-/// Units for the printed results of a file with these quantities.
+/// Returns the units of printed results for a file with these quantities.
 pub(crate) fn printed(system: UnitSystem, quantities: &[Seen]) -> Units {
     let count = |any: Marks| quantities.iter().filter(|seen| seen.marks.has_any(any)).count();
     let (us, newton) = (count(Marks::US), count(Marks::NEWTON));
@@ -44,8 +44,8 @@ pub(crate) fn printed(system: UnitSystem, quantities: &[Seen]) -> Units {
     }
 }
 
-/// Choices among US units. Each kind of quantity uses the length that is most frequent in its units. A file
-/// without feet gives results in inches.
+/// Chooses among US units for printed results. Each kind of quantity uses the unit of length that is most
+/// frequent in quantities of this kind. A file without feet has results in inches.
 fn us_units(quantities: &[Seen]) -> UsUnits {
     let count = |kind: Option<print::Kind>, marks: Marks| {
         let of_kind = |seen: &&Seen| kind.is_none() || seen.kind.printed == kind;
@@ -69,23 +69,26 @@ pub(crate) struct Seen {
     pub key: String,
     pub kind: &'static Kind,
     pub has_unit: bool,
-    /// Whether it is 0 without a unit, which is allowed in both kinds of file.
+    /// Whether the quantity is 0 without a unit, which is allowed in files with and without units.
     pub is_bare_zero: bool,
-    /// Value in SI units or as written; 0 for entries of a built-in list.
+    /// Value in SI units, or as written in a file without units. It is 0 for the name of a built-in train,
+    /// material or section.
     pub value: f64,
-    /// Flags of its unit.
+    /// Flags of the unit.
     pub marks: Marks,
     pub span: Range<usize>,
 }
 
 impl Seen {
-    /// The name of an entry of a built-in list. The entry has units, so the rest of the file must have them.
+    /// Returns a quantity that represents the name of a built-in train, material or section. Such data have
+    /// units, so the other quantities of the file must also have units.
     pub fn of_built_in(key: &str, kind: &'static Kind, span: Range<usize>) -> Self {
         let (key, marks) = (key.to_owned(), Marks::NONE);
         Seen { key, kind, has_unit: true, is_bare_zero: false, value: 0.0, marks, span }
     }
 
-    /// Location of its number and factor of its unit; `None` if escapes hide the number.
+    /// Returns the location of the number in the text and the factor of its unit; `None` if escape sequences
+    /// hide the number.
     fn located(&self, text: &str) -> Option<Quantity> {
         let written = text.get(self.span.clone())?;
         let quote =
@@ -94,7 +97,7 @@ impl Seen {
             Some(quote) => written.strip_prefix(quote)?.strip_suffix(quote)?,
             None => written,
         };
-        // The sign of inches is escaped in a basic string.
+        // The inch sign is escaped in a basic string.
         let inner = inner.trim();
         let plain = inner.replace("\\\"", "\"");
         if plain.contains('\\') {
@@ -126,8 +129,8 @@ impl Seen {
 }
 
 impl Reader<'_> {
-    /// All quantities in the order of the text. In a file with units a bare 0 is left out, because another
-    /// number in its place would need a unit.
+    /// Returns all quantities in the order of the text. In a file with units, a 0 without a unit is omitted,
+    /// because any other number in its place would need a unit.
     pub fn located(&self, units: UnitSystem) -> Vec<Quantity> {
         let fits = |seen: &&Seen| units == UnitSystem::Plain || !seen.is_bare_zero;
         let all = self.quantities.iter().filter(fits);
@@ -138,8 +141,8 @@ impl Reader<'_> {
         all
     }
 
-    /// Unit system of the file, if it gives any quantity but 0. A mixture is reported at the first quantity
-    /// of the rarer kind.
+    /// Returns the unit system of the file; `None` if no quantity differs from 0. If quantities with and
+    /// without units are mixed, the first quantity of the smaller group is reported.
     pub fn unit_system(&mut self) -> Option<UnitSystem> {
         if self.bare_is_si {
             return Some(UnitSystem::Si);

@@ -10,14 +10,14 @@ use std::ops::Range;
 use toml::de::DeValue;
 
 impl Reader<'_> {
-    /// The word under `key`, if given.
+    /// Returns the word under `key` if the file gives an allowed word.
     pub fn word(&mut self, section: &Section, key: &str) -> Option<&'static str> {
         let Value::Word(words) = section.key(key).value else { return None };
         let written = self.text(section, key)?;
         self.one_of(words, written)
     }
 
-    /// The words under `key`: one, or a list of them.
+    /// Returns the words under `key`, where the file gives one word or a list of words.
     pub fn words(&mut self, section: &Section, key: &str) -> Option<Vec<&'static str>> {
         let Value::OneOrMore(words) = section.key(key).value else { return None };
         let value = self.value(section, key)?;
@@ -30,8 +30,10 @@ impl Reader<'_> {
             match entry.get_ref() {
                 DeValue::String(text) => found.extend(self.one_of(words, (text, entry.span()))),
                 _ => {
-                    let hint =
-                        format!("write each in quotes, as in {key} = [\"{}\"]", (words.all)()[0]);
+                    let hint = format!(
+                        "write each word in quotes, as in {key} = [\"{}\"]",
+                        (words.all)()[0]
+                    );
                     self.wrong_type(entry, format!("`{key}` is a list of words"), hint);
                 }
             }
@@ -39,7 +41,7 @@ impl Reader<'_> {
         Some(found)
     }
 
-    /// The allowed word that was written. Any other word is reported.
+    /// Returns the allowed word that equals `written`. Any other word is reported.
     fn one_of(
         &mut self,
         words: &Words,

@@ -1,4 +1,4 @@
-//! Writes a model as a model file, the inverse of [`parse`](crate::parse), bit for bit.
+//! Writes a model as a model file, from which [`parse`](crate::parse) reads the same numbers bit for bit.
 
 use crate::section::load::{LoadKind, kind_of};
 use crate::section::soil::method_name;
@@ -10,11 +10,12 @@ use groundbeam::{
 };
 use std::fmt::Write;
 
-/// The model as a model file. Reading it gives the same numbers bit for bit.
+/// Returns the model as a model file. Reading the file gives the same numbers bit for bit.
 ///
-/// Ground defined by soil data is written as soil data. With the factors of a band it is written as its
-/// constants, because a file cannot apply such factors to one model. The units are SI, or none. Non-finite
-/// numbers cannot be read again; [`Model::problems`] reports them.
+/// Ground defined by soil data is written as soil data. The only exception is ground whose constants k and μ
+/// have been multiplied by a factor of a range of ground stiffness. Its constants are written, because a file
+/// with such a range describes several models. The numbers have SI units or no units. Non-finite numbers cannot
+/// be read again; [`Model::problems`] reports them.
 ///
 /// ```
 /// use groundbeam::{Beam, Foundation, Load, Model};
@@ -33,7 +34,7 @@ pub fn write_toml(model: &Model, title: Option<&str>, units: UnitSystem) -> Stri
     }
     out.beam(model);
     out.foundation(model);
-    // Loads on the ground are read after all others.
+    // The reader reads loads on the ground after all other loads, so they are written in this order.
     for on_ground in [false, true] {
         for load in model.loads.iter().filter(|load| load.is_on_ground() == on_ground) {
             out.load(load);
@@ -61,7 +62,8 @@ impl Writer {
         let _ = writeln!(self.text, "{key} = {value}");
     }
 
-    /// `{:?}` gives the shortest text that reads back as the same bits, and always a TOML float.
+    /// Returns the text of a number. `{:?}` gives the shortest text that reads back as the same bits, and
+    /// always a TOML float.
     fn number(&self, value: f64, unit: &str) -> String {
         match self.units {
             UnitSystem::Si => format!("\"{value:?} {unit}\""),
@@ -74,7 +76,7 @@ impl Writer {
         self.line(key, &number);
     }
 
-    /// Writes a quantity unless it is 0, its default. −0 is written.
+    /// Writes a quantity unless it equals the default 0. The value −0 is written.
     fn unless_left_out(&mut self, key: &str, value: f64, unit: &str) {
         if value.to_bits() != 0 {
             self.quantity(key, value, unit);
@@ -215,7 +217,7 @@ impl Writer {
         self.quantity("to", to, "m");
     }
 
-    /// One value, or the list of control values.
+    /// Writes one value for a constant profile, or the list of control values.
     fn profile(&mut self, key: &str, profile: &Profile, unit: &str) {
         let numbers = profile.control_values().iter().map(|value| self.number(*value, unit));
         let numbers: Vec<String> = numbers.collect();
@@ -236,7 +238,7 @@ impl Writer {
     }
 }
 
-/// A TOML basic string.
+/// Returns the text as a TOML basic string.
 fn quoted(text: &str) -> String {
     let mut quoted = String::from("\"");
     for c in text.chars() {

@@ -115,7 +115,7 @@ fn a_fillet_of_zero_is_none() {
 #[test]
 fn remedies_name_what_the_file_may_contain() {
     let beam = |line: &str| BASE.replace("EI = 1", line);
-    refused(&beam("EI = 1\nnu = 0.2\nshear_area = 0.4"), "GB007", "in place of `EI`");
+    refused(&beam("EI = 1\nnu = 0.2\nshear_area = 0.4"), "GB007", "replace `EI`");
     let sides = "width = 1, height = 1";
     read(&beam(&format!("E = 1\nnu = 0.2\nsection = {{ {sides} }}")));
     refused(&beam("EI = 1\nG = 1"), "GB007", "in place of `EI` or `I`");
@@ -126,6 +126,10 @@ fn remedies_name_what_the_file_may_contain() {
         read(&ground("[1, 2, 4]"));
     }
     let load = |line: &str| BASE.replace("point = 1\nat = 3", line);
-    refused(&load("distributed = 1\nat = 3"), "GB008", "left out: 0 and the length of the beam");
+    refused(
+        &load("distributed = 1\nat = 3"),
+        "GB008",
+        "the defaults are 0 and the length of the beam",
+    );
     read(&load("distributed = 1\nfrom = 3"));
 }

@@ -1,4 +1,4 @@
-//! Responses to a model file: the view, the result document, and downloads.
+//! Computes the responses to a model file: the view, the result document, and downloaded files.
 
 use crate::question::{Asked, Trains, WrongQuery};
 use crate::reply::{Reply, WrongModel};
@@ -17,22 +17,22 @@ const NAME: &str = "model.toml";
 /// The format of a downloaded file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Form {
-    /// The picture.
+    /// The picture as SVG.
     Svg,
     /// The picture as PNG.
     Png,
-    /// The table of fields.
+    /// The table of fields as CSV.
     Csv,
-    /// The result document.
+    /// The result document as JSON.
     Json,
     /// The report as text.
     Text,
-    /// The calculation report.
+    /// The calculation report as HTML.
     Html,
 }
 
 impl Form {
-    /// The format with this extension of a file name.
+    /// Returns the format that belongs to this extension of a file name.
     pub fn named(name: &str) -> Option<Self> {
         let all = [
             ("svg", Form::Svg),
@@ -57,12 +57,12 @@ impl Form {
     }
 }
 
-/// The result document.
+/// Returns the result document of a model.
 pub fn result(model: &[u8], asked: &Asked, host: &impl Host<Stop = Infallible>) -> Reply {
     reply(found(model, asked, host, |_, results| Ok(Reply::document(200, results.json(None)))))
 }
 
-/// A downloaded file.
+/// Returns results of a model as a file in the format `form`.
 pub fn file(model: &[u8], asked: &Asked, form: Form, host: &impl Host<Stop = Infallible>) -> Reply {
     reply(found(model, asked, host, |read, results| {
         if !results.has_fields() && matches!(form, Form::Svg | Form::Png | Form::Csv) {
@@ -92,7 +92,7 @@ pub fn file(model: &[u8], asked: &Asked, form: Form, host: &impl Host<Stop = Inf
     }))
 }
 
-/// The data that the page shows.
+/// Returns the data that the page shows for a model.
 pub fn view(model: &[u8], asked: &Asked, host: &impl Host<Stop = Infallible>) -> Reply {
     reply(Read::of(model).and_then(|read| {
         let mut asked = asked.clone();
@@ -107,14 +107,14 @@ pub fn view(model: &[u8], asked: &Asked, host: &impl Host<Stop = Infallible>) ->
     }))
 }
 
-/// Reason why a request has no response.
+/// Reason why a request is refused: an invalid query or a faulty model.
 enum Refused {
     Query(WrongQuery),
     Model(WrongModel),
 }
 
 impl Refused {
-    /// An error without a location in the file.
+    /// Returns the refusal for an error that has no location in the file.
     fn said(error: impl Display) -> Self {
         Refused::Model(WrongModel { message: error.to_string(), found: Vec::new() })
     }
@@ -127,14 +127,14 @@ fn reply(answer: Result<Reply, Refused>) -> Reply {
     })
 }
 
-/// A model file after reading.
+/// Contents of a model file that has been read.
 struct Read {
     document: Document,
     text: String,
 }
 
 impl Read {
-    /// Reads a model file that must not refer to other files.
+    /// Reads a model file. References to other files are refused.
     fn of(bytes: &[u8]) -> Result<Self, Refused> {
         let text = groundbeam_file::text_of(bytes);
         let read = text.and_then(|text| Ok((groundbeam_file::parse(text)?, text.to_owned())));
@@ -155,7 +155,7 @@ fn found(
     seen(&read, asked, host, |results| deliver(&read, results))
 }
 
-/// Solves the requested part: one model, or all models of the file.
+/// Solves the requested part of the file: one model, or all models of the file.
 fn seen(
     read: &Read,
     asked: &Asked,

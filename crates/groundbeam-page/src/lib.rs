@@ -1,4 +1,4 @@
-//! Requests and responses of the page: reads a model file and a query, and returns JSON or a file.
+//! Computes the responses of the page from a model file and a query, as JSON or as a file.
 //!
 //! This crate opens no socket, so a server or a worker inside a browser can use it.
 //!

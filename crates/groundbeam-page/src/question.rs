@@ -1,4 +1,4 @@
-//! Parses and checks the query of an address.
+//! Parses and checks the query of a web address.
 
 use crate::reply::Reply;
 use groundbeam::Cancel;
@@ -8,41 +8,41 @@ use serde_json::json;
 /// The requested part of a file; an empty query requests all of it.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Asked {
-    /// One of the file's combinations.
+    /// Name of the requested combination.
     pub combination: Option<String>,
-    /// Positions of the file's trains.
+    /// Requested trains of the file.
     pub train: Option<Trains>,
-    /// The position of the train's first axle \[m\].
+    /// Position of the first axle of the requested train \[m\].
     pub first_axle: Option<f64>,
     /// Width of the picture.
     pub width: Option<f64>,
-    /// The units of texts and pictures.
+    /// Units of the results in texts and pictures.
     pub units: print::Asked,
-    /// The significant digits of results.
+    /// Number of significant digits of results.
     pub digits: Option<usize>,
-    /// Set when the client has disconnected.
+    /// Signal that cancels the solve after the client has disconnected.
     pub cancel: Cancel,
 }
 
 /// The requested trains.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Trains {
-    /// All trains, at all positions.
+    /// All trains of the file, at all positions.
     All,
     /// The train with this index in the file, at one position.
     One(usize),
 }
 
-/// The keys of a result document, which is in SI units.
+/// Keys of a query for a result document, which is always in SI units.
 pub const SOLVE: &[&str] = &["combination", "train", "first_axle"];
-/// The keys of a downloaded file.
+/// Keys of a query for a downloaded file.
 pub const FILE: &[&str] = &["combination", "train", "first_axle", "units", "digits"];
-/// The keys of a calculation report.
+/// Keys of a query for a calculation report.
 pub const REPORT: &[&str] = &["combination", "units", "digits"];
-/// The keys of the view.
+/// Keys of a query for the view.
 pub const VIEW: &[&str] = &["combination", "train", "first_axle", "units", "digits", "width"];
 
-/// Error of an invalid query.
+/// Error of an invalid query, with the key and the value that are refused.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct WrongQuery {
     key: String,
@@ -51,9 +51,9 @@ pub struct WrongQuery {
 }
 
 impl WrongQuery {
-    /// Error for a value that its key does not allow.
+    /// Returns the error for a value that its key does not allow. `allowed` says what the value must be.
     fn value(key: &str, value: &str, allowed: &str) -> Self {
-        let message = format!("`{key}={value}` in the query is refused: `{key}` is {allowed}");
+        let message = format!("`{key}={value}` in the query is refused: `{key}` must be {allowed}");
         WrongQuery { key: key.to_owned(), value: value.to_owned(), message }
     }
 
@@ -77,11 +77,11 @@ impl From<WrongQuery> for Reply {
 }
 
 impl Asked {
-    /// The values of `keys` among the pairs of a query.
+    /// Reads the values of the allowed `keys` from the pairs of a query.
     ///
     /// # Errors
     ///
-    /// A key that is unknown or repeated, or a value that is invalid for every file.
+    /// Returns an error if a key is unknown or repeated, or if a value is invalid for every file.
     pub fn read(pairs: &[(String, String)], keys: &[&str]) -> Result<Asked, WrongQuery> {
         let mut asked = Asked::default();
         for (i, (key, value)) in pairs.iter().enumerate() {
@@ -89,13 +89,13 @@ impl Asked {
                 return Err(WrongQuery::key(key, value, keys));
             }
             if pairs[..i].iter().any(|(earlier, _)| earlier == key) {
-                return Err(WrongQuery::value(key, value, "given once"));
+                return Err(WrongQuery::value(key, value, "given only once"));
             }
             let refused = |allowed: &str| WrongQuery::value(key, value, allowed);
             match key.as_str() {
                 "combination" => asked.combination = Some(value.clone()),
                 "train" => {
-                    let allowed = "the index of a train in the file, from 0, or `all`";
+                    let allowed = "the index of a train in the file, counted from 0, or `all`";
                     asked.train = Some(trains(value).ok_or_else(|| refused(allowed))?);
                 }
                 "first_axle" => {
@@ -131,25 +131,26 @@ fn number(value: &str) -> Option<f64> {
 }
 
 impl Asked {
-    /// The units and the digits for a file; `None` if the question asks for units in a file without units.
+    /// Returns the units and the number of digits of printed results; `None` if the query requests units for a
+    /// file without units.
     pub(crate) fn printed(&self, file: &Document) -> Option<print::Units> {
         let units = file.printed.in_system(self.units)?;
         Some(units.with_digits(self.digits.unwrap_or(print::RESULT_DIGITS)))
     }
 
-    /// Checks that the values refer to combinations and trains of the file.
+    /// Checks that the values of the query are valid for this file.
     pub(crate) fn check(&self, file: &Document) -> Result<(), WrongQuery> {
         if self.printed(file).is_none() {
             let asked = if self.units == print::Asked::Us { "us" } else { "si" };
-            let allowed = "`file` for a file without units";
+            let allowed = "`file`, because the model file has no units";
             return Err(WrongQuery::value("units", asked, allowed));
         }
         if let Some(name) = &self.combination {
             let names = file.combination_names();
             if !names.iter().any(|known| known == name) {
                 let allowed = match names.as_slice() {
-                    [] => "for a file with combinations, but this file has none".to_owned(),
-                    names => format!("one of: {}", names.join(", ")),
+                    [] => "left out, because this file has no combinations".to_owned(),
+                    names => format!("one of the combinations {}", names.join(", ")),
                 };
                 return Err(WrongQuery::value("combination", name, &allowed));
             }
@@ -157,9 +158,9 @@ impl Asked {
         let count = file.trains.len();
         let wrong = |value: &str| {
             let allowed = match count {
-                0 => "for a file with trains, but this file has none".to_owned(),
-                1 => "0 or `all`: this file has one train".to_owned(),
-                _ => format!("0 to {} or `all`: this file has {count} trains", count - 1),
+                0 => "left out, because this file has no trains".to_owned(),
+                1 => "0 or `all`, because this file has one train".to_owned(),
+                _ => format!("0 to {} or `all`, because this file has {count} trains", count - 1),
             };
             Err(WrongQuery::value("train", value, &allowed))
         };
@@ -170,12 +171,12 @@ impl Asked {
         }
         let Some(at) = self.first_axle else { return Ok(()) };
         let Some(Trains::One(i)) = self.train else {
-            let allowed = "only given together with the index of one `train`";
+            let allowed = "given together with the index of one `train`";
             return Err(WrongQuery::value("first_axle", &at.to_string(), allowed));
         };
         let [from, to] = file.trains[i].range;
         if at < from || at > to {
-            let allowed = format!("from {from} to {to} for this train");
+            let allowed = format!("a position from {from} to {to} for this train");
             return Err(WrongQuery::value("first_axle", &at.to_string(), &allowed));
         }
         Ok(())

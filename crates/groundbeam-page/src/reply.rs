@@ -1,4 +1,4 @@
-//! Replies: a document, a file, or an error message.
+//! Replies of the server: a document, a file, or an error message.
 
 use groundbeam_file::{Diagnostic, Severity};
 use serde::Serialize;
@@ -28,7 +28,7 @@ impl Reply {
     }
 }
 
-/// A model that cannot be solved: the error in one line, and the diagnostics of its file.
+/// A model that cannot be solved, with the error in one line and the diagnostics of the model file.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct WrongModel {
     pub message: String,
@@ -48,11 +48,11 @@ impl From<WrongModel> for Reply {
     }
 }
 
-/// Maximum number of listed diagnostics. A file of 4 MiB may have a million.
+/// Maximum number of listed diagnostics. A file of 4 MiB may have a million diagnostics.
 const MOST: usize = 1000;
 
 impl WrongModel {
-    /// JSON such as `{"status": "wrong-model", "diagnostics": […], "count": 1}`.
+    /// Returns JSON such as `{"status": "wrong-model", "diagnostics": […], "count": 1}`.
     fn faults(&self) -> String {
         let WrongModel { message, found } = self;
         let diagnostics: Vec<Fault> = found.iter().take(MOST).map(Fault::of).collect();

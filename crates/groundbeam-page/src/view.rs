@@ -1,4 +1,4 @@
-//! The view of a model on the page: verdict, picture with handles, and all numbers of the text.
+//! Collects the view of a model for the page: verdict, picture with handles, and all numbers of the model file.
 
 use crate::question::Asked;
 use crate::written::Number;
@@ -14,13 +14,13 @@ use serde::Serialize;
 #[derive(Debug, Serialize)]
 pub struct View {
     status: &'static str,
-    /// The verdict as a sentence.
+    /// Verdict on the equilibrium, as a sentence.
     sentence: String,
     title: Option<String>,
-    /// Labels and texts beside the picture.
+    /// Rows beside the picture, each with a label and a text.
     rows: Vec<(String, String)>,
     picture: Option<Picture>,
-    /// The result document without stations, as JSON.
+    /// Result document as JSON, without the values at stations.
     document: String,
     /// The whole report as text.
     report: String,
@@ -30,9 +30,9 @@ pub struct View {
     length: f64,
     /// Whether the file has units.
     has_units: bool,
-    /// The unit in which positions are shown.
+    /// Unit of the positions that the page shows.
     shown_in: Shown,
-    /// The unit of a force that the page writes into the file.
+    /// Unit of the forces that the page writes into the file.
     force: &'static str,
 }
 
@@ -46,7 +46,7 @@ struct Picture {
     handles: Vec<Held>,
 }
 
-/// A handle of the picture, and the numbers of the text that it changes.
+/// A handle of the picture, with the indices of the numbers of the model file that the handle changes.
 #[derive(Debug, Serialize)]
 struct Held {
     name: String,
@@ -55,13 +55,13 @@ struct Held {
     at: f64,
     /// Smallest and largest position of the handle.
     range: [f64; 2],
-    /// Index of the number that gives its position.
+    /// Index of the number that gives the position of the handle.
     position: usize,
-    /// Index of the number that gives its size.
+    /// Index of the number that gives the size of the load, if the handle has such a number.
     size: Option<usize>,
 }
 
-/// A unit: its name, and its size in metres.
+/// A unit of length with its name and its size in metres.
 #[derive(Debug, Serialize)]
 struct Shown {
     name: &'static str,
@@ -104,7 +104,7 @@ impl View {
     }
 }
 
-/// The verdict as a sentence, and the rows beside the picture.
+/// Returns the verdict as a sentence, and the rows beside the picture.
 fn said(results: &Results) -> (String, Vec<(String, String)>) {
     let (answers, context) = (results.answers(), results.context());
     if let Some(one) = results.one() {
@@ -125,8 +125,8 @@ fn said(results: &Results) -> (String, Vec<(String, String)>) {
     let passages = answers.passages();
     if !passages.all.is_empty() {
         let said = match passages.overall() {
-            Overall::NoEquilibrium => "there are positions without an equilibrium",
-            Overall::NotConverged => "there are positions that could not be certified",
+            Overall::NoEquilibrium => "at some positions there is no equilibrium",
+            Overall::NotConverged => "the result at some positions could not be certified",
             Overall::Solved => "the beam is in equilibrium at every position",
         };
         let row = |passage: &Passage| {
@@ -137,9 +137,9 @@ fn said(results: &Results) -> (String, Vec<(String, String)>) {
         return (said.to_owned(), rows.collect());
     }
     let said = match answers.overall() {
-        Overall::Solved => "each has an equilibrium",
-        Overall::NoEquilibrium => "at least one of them has no equilibrium",
-        Overall::NotConverged => "at least one of them could not be certified",
+        Overall::Solved => "each combination has an equilibrium",
+        Overall::NoEquilibrium => "at least one combination has no equilibrium",
+        Overall::NotConverged => "at least one result could not be certified",
     };
     let said = format!("{} combinations: {said}", answers.list.len());
     let row = |answer: &Answer| {
@@ -183,8 +183,8 @@ fn picture(document: &Document, results: &Results, asked: &Asked) -> Option<Pict
     })
 }
 
-/// The handle with its numbers; `None` if no number of the text gives the position, as for an axle or the self-weight
-/// of the beam.
+/// Returns the handle with the indices of the numbers that it changes. Returns `None` if no number of the model
+/// file gives the position of the handle, as for an axle or the self-weight of the beam.
 fn held(document: &Document, combination: &Combination, handle: &Handle) -> Option<Held> {
     let (part, field, size, name) = match handle.grip {
         Grip::Load(i) | Grip::From(i) | Grip::To(i) => {
@@ -206,7 +206,8 @@ fn held(document: &Document, combination: &Combination, handle: &Handle) -> Opti
         Grip::Hinge(i) => (Part::Hinge(i), "at", None, format!("hinge {}", i + 1)),
         Grip::Support(i) => (Part::Support(i), "at", None, format!("support {}", i + 1)),
     };
-    // The ends of the self-weight follow from the length of the beam: the file has no position for them.
+    // The ends of the self-weight follow from the length of the beam, so the file has no numbers for these
+    // positions.
     let position = Number::behind(document, part, field)?;
     document.quantities[position].place?;
     let [x, y] = handle.place;

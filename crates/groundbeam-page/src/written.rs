@@ -1,38 +1,38 @@
-//! Finds all numbers of the model's text, so that the page can change them.
+//! Finds all numbers in the text of a model file, so that the page can change them.
 
 use groundbeam::model::Part;
 use groundbeam_file::{Document, Place, Quantity, Sign};
 use serde::Serialize;
 use std::collections::HashMap;
 
-/// A quantity of the text. Positions are in UTF-16 units, as in browsers.
+/// A quantity in the text of a model file. Positions in the text count UTF-16 units, as in browsers.
 #[derive(Debug, Serialize)]
 pub struct Number {
     key: String,
     /// Heading of the table that contains the key: `[beam]`, `[[load]]`.
     table: String,
-    /// Index among the tables with this heading, from 1; 0 if there is only one.
+    /// Index of the table among the tables with this heading, from 1; 0 if the heading has single brackets.
     which: usize,
-    /// Position of the number without its unit; of the whole text for a length as `1'-6"`.
+    /// Start of the number without its unit. For a length such as `1'-6"`, start of the whole text.
     from: usize,
     to: usize,
-    /// The unit after the number, as written.
+    /// Unit after the number, as written in the text.
     unit: String,
     /// For a length such as `1'-6"`, the equal decimal number and its unit.
     #[serde(skip_serializing_if = "Option::is_none")]
     decimal: Option<(f64, &'static str)>,
-    /// Factor of the unit in SI units.
+    /// Factor that converts the unit to SI units.
     size: f64,
-    /// Signs that the file format allows.
+    /// Signs of the number that the file format allows.
     sign: &'static str,
-    /// The body on which a position lies.
+    /// Whether a position must lie on the beam or on the ground; `None` for a quantity that is not a position.
     place: Option<&'static str>,
-    /// A typical value, in SI units.
+    /// Typical value of the quantity, in SI units.
     usual: f64,
 }
 
 impl Number {
-    /// All quantities of a file, in the order of the text.
+    /// Returns all quantities of a file, in the order of the text.
     pub fn all(document: &Document) -> Vec<Number> {
         let text = document.text();
         let units = Utf16::of(text);
@@ -67,7 +67,7 @@ impl Number {
         }
     }
 
-    /// Index of the quantity from which a field of the model was read.
+    /// Returns the index of the quantity from which a field of the model was read.
     pub fn behind(document: &Document, part: Part, field: &str) -> Option<usize> {
         let span = document.field_span(part, field)?;
         let quantities = &document.quantities;
@@ -76,10 +76,10 @@ impl Number {
     }
 }
 
-/// Headings of a text, read line by line.
+/// Reads the headings of a text line by line.
 struct Headings<'t> {
     lines: std::iter::Peekable<std::str::SplitInclusive<'t, char>>,
-    /// Position up to which lines have been read.
+    /// Byte position up to which lines have been read.
     end: usize,
     last: &'t str,
     counts: HashMap<&'t str, usize>,
@@ -91,8 +91,8 @@ impl<'t> Headings<'t> {
         Headings { lines, end: 0, last: "", counts: HashMap::new() }
     }
 
-    /// The last heading above a position, and its index among equal headings. Successive positions must not
-    /// decrease.
+    /// Returns the last heading above a position, and its index among equal headings. The positions of
+    /// successive calls must not decrease.
     fn above(&mut self, place: usize) -> (&'t str, usize) {
         while let Some(line) = self.lines.next_if(|line| self.end + line.len() <= place) {
             self.end += line.len();
@@ -106,14 +106,15 @@ impl<'t> Headings<'t> {
     }
 }
 
-/// The heading `[beam]` in `[beam] # the footing`; `None` for a line that continues a list.
+/// Returns the heading of a line, such as `[beam]` for `[beam] # the footing`; `None` for a line that continues
+/// a list.
 fn heading(line: &str) -> Option<&str> {
     let end = line.rfind(']')?;
     let is_list = line[..end].contains(['=', ',', '"', '\'']);
     (line.starts_with('[') && !is_list).then_some(&line[..=end])
 }
 
-/// Conversion of byte positions to UTF-16 positions.
+/// Table that converts byte positions to UTF-16 positions.
 struct Utf16(Vec<usize>);
 
 impl Utf16 {
@@ -176,8 +177,8 @@ mod tests {
         let all = Number::all(&document);
         assert_eq!((all[1].key.as_str(), all[1].size), ("EI", 1.0));
     }
-    /// Time \[s\] of two steps on a file with `count` loads: find all numbers, then find the number of the position of
-    /// each load.
+    /// Measures the time \[s\] of two steps on a file with `count` loads. The first step finds all numbers. The
+    /// second step finds, for each load, the number that gives its position.
     fn time(count: usize) -> f64 {
         let load = "[[load]]\npoint = \"5 kN\"\nat = \"1 m\"\n".repeat(count);
         let text = format!(
@@ -192,7 +193,7 @@ mod tests {
         started.elapsed().as_secs_f64()
     }
 
-    /// The time for 16 times as many loads grows about 16 times; quadratic growth would give 256 times. The
+    /// With 16 times as many loads, the time grows about 16 times; quadratic growth would give 256 times. The
     /// shortest of several runs is used, because other programs may interrupt a run.
     #[test]
     fn the_time_is_proportional_to_the_number_of_loads() {

@@ -1,8 +1,8 @@
-//! Calculation reports of [`groundbeam_report`] as PDF.
+//! Writes calculation reports of [`groundbeam_report`] as PDF.
 //!
-//! [typst](https://typst.app) sets the pages from `templates/report.typ`. It takes minutes to build, so it is
-//! only included with the feature `typst` of this crate, or `pdf` of the program. Without it [`report`]
-//! returns an error.
+//! [typst](https://typst.app) sets the pages from `templates/report.typ`. The build of typst takes minutes, so
+//! typst is only included with the feature `typst` of this crate, or with the feature `pdf` of the program.
+//! Without this feature, [`report`] returns an error.
 //!
 //! Equal reports give equal bytes, because a report has no date.
 
@@ -29,7 +29,7 @@ pub const BUILT_IN: bool = cfg!(feature = "typst");
 pub const NOT_BUILT_IN: &str = "this program was built without PDF; build it with PDF, which takes some minutes: `cargo install \
      --path crates/groundbeam-cli --features pdf`; or write a report that ends in .html and print it from a browser";
 
-/// Reason why a report cannot be made.
+/// Reason why a report cannot be written as PDF.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Error(String);
 
@@ -41,11 +41,11 @@ impl fmt::Display for Error {
 
 impl std::error::Error for Error {}
 
-/// A report as a PDF file. Equal reports give equal bytes.
+/// Returns a report as a PDF file. Equal reports give equal bytes.
 ///
 /// # Errors
 ///
-/// If the typesetter is not built in ([`BUILT_IN`]).
+/// Returns an error if the typesetter is not built in ([`BUILT_IN`]), or if it fails.
 pub fn report(report: &Report, paper: Paper) -> Result<Vec<u8>, Error> {
     pdf(report, paper)
 }

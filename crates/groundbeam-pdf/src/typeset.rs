@@ -1,4 +1,4 @@
-//! Sets a report with typst, from one page description, one data file, and fonts.
+//! Typesets a report with typst from a page template, a data file, and fonts.
 
 use crate::Error;
 use groundbeam_report::calculation::{Paper, Report};
@@ -17,7 +17,7 @@ use typst_pdf::PdfOptions;
 /// Layout of the pages.
 const TEMPLATE: &str = include_str!("../templates/report.typ");
 
-/// A report as a PDF file.
+/// Typesets a report as a PDF file.
 pub(crate) fn pdf(report: &Report, paper: Paper) -> Result<Vec<u8>, Error> {
     let options = PdfOptions {
         ident: Smart::Custom(report.digest.clone()),
@@ -27,7 +27,7 @@ pub(crate) fn pdf(report: &Report, paper: Paper) -> Result<Vec<u8>, Error> {
     typst_pdf::pdf(&set(report, paper)?, &options).map_err(|found| failed(&found))
 }
 
-/// Sets the pages of a report.
+/// Typesets the pages of a report.
 fn set(report: &Report, paper: Paper) -> Result<PagedDocument, Error> {
     let pages = Pages::of(report, paper)?;
     typst::compile(&pages).output.map_err(|found| failed(&found))
@@ -42,13 +42,13 @@ fn wrong(what: impl Display) -> Error {
     Error(format!("the report could not be typeset: {what}"))
 }
 
-/// The files that typst can read.
+/// The template, the data and the fonts that typst reads.
 struct Pages {
     library: LazyHash<Library>,
     book: LazyHash<FontBook>,
     fonts: Vec<Font>,
     template: Source,
-    /// `report.json` and its identifier.
+    /// Identifier and content of the file `report.json`.
     data: (FileId, Bytes),
 }
 
@@ -125,7 +125,7 @@ mod tests {
     use groundbeam_run::{OneThread, Run};
     use typst::layout::{Frame, FrameItem};
 
-    /// The report of a model file.
+    /// Returns the calculation report of a model file.
     fn report(text: &str) -> Report {
         let document = groundbeam_file::parse(text).unwrap();
         let answers = Run::of(&document).solve(&OneThread).unwrap();
@@ -135,7 +135,7 @@ mod tests {
 
     const FOOTING: &str = include_str!("../../../docs/strip-footing.toml");
 
-    /// All text on each page, without spaces.
+    /// Returns the text of each page, without spaces.
     fn pages(report: &Report, paper: Paper) -> Vec<String> {
         let mut written = Vec::new();
         for page in set(report, paper).unwrap().pages() {
@@ -160,7 +160,7 @@ mod tests {
         words.chars().filter(|c| !c.is_whitespace()).collect::<String>().replace("_l", "l")
     }
 
-    /// All text of a report, except formulas and words in pictures.
+    /// Returns all texts of a report, except formulas and words in pictures.
     fn said(report: &Report) -> Vec<String> {
         let mut all = vec![report.title.clone(), report.subject.to_owned()];
         all.extend(report.verdicts.iter().flat_map(|v| [v.head.clone(), v.words.clone()]));
@@ -200,7 +200,8 @@ mod tests {
             let report = report(text);
             let written = pages(&report, paper).concat();
             for words in said(&report) {
-                // A long paragraph may continue below the foot of the page on which it begins.
+                // Only the first 60 characters are compared, because a long paragraph may continue on the next
+                // page.
                 let beginning: String = bare(&words).chars().take(60).collect();
                 assert!(written.contains(&beginning), "{words}");
             }

@@ -1,4 +1,4 @@
-//! Bounds of the error e of the deflection on the whole beam, from positions (anchors) where |e| or |e_φ| is bounded.
+//! Bounds the error of the deflection on the whole beam from error bounds at single positions, the anchors.
 
 use crate::coefficient::Coefficient;
 use crate::frame::{Node, Span};
@@ -8,19 +8,21 @@ use crate::scalar::Scalar;
 use crate::size::Size;
 use std::ops::Range;
 
-/// Fractions c such that a lower bound of the pressure is computed on the part |t| ≤ c of a piece.
+/// Fractions of the length of a piece. For each fraction, the proof computes a lower bound of the pressure on a part in
+/// the middle of the piece.
 const PARTS: [f64; 4] = [0.9, 0.5, 0.25, 0.0625];
 
-/// The `PARTS` that lie within the piece; `half` may be less than half the length.
+/// Returns the fractions of `PARTS` for which the middle part lies within the piece. The piece may be shorter than
+/// twice its stored half length.
 pub(crate) fn parts_of<S: Scalar>(span: &Span<S>) -> impl Iterator<Item = f64> {
     let [left, right] = [-span.t[0].high(), span.t[1].low()];
     PARTS.into_iter().filter(move |part| *part <= left && *part <= right)
 }
 
-/// A position with a bound of |e|, or of |e_φ|.
+/// A position with a bound of the error of the deflection or of the rotation.
 #[derive(Debug, Clone, Copy)]
 struct Anchor {
-    /// An interval that contains the position.
+    /// Interval that contains the position of the anchor.
     x: [f64; 2],
     bound: Size,
 }
@@ -28,9 +30,9 @@ struct Anchor {
 /// The anchors on one part of the beam.
 #[derive(Debug, Clone, Default)]
 struct Anchors {
-    /// Positions with a bound of |e|.
+    /// Positions with a bound of the error of the deflection.
     places: Vec<Anchor>,
-    /// Positions with a bound of |e_φ|: clamps and rotational springs.
+    /// Positions with a bound of the error of the rotation: clamps and rotational springs.
     slopes: Vec<Anchor>,
 }
 
@@ -40,20 +42,20 @@ impl Anchors {
     }
 }
 
-/// A part of the beam without free hinges.
+/// A part of the beam without free hinges inside.
 struct Part {
     pieces: Range<usize>,
-    /// A bound of Σ|[e_φ]| over the elastic hinges inside the part.
+    /// Bound of the sum of the absolute jumps of the rotation error at the elastic hinges inside the part.
     kinks: Size,
 }
 
 impl<S: Scalar> Pointwise<'_, S> {
-    /// The parts of the beam between hinges of both kinds, as ranges of pieces.
+    /// Returns the parts of the beam between hinges, free or elastic, as ranges of pieces.
     pub(crate) fn parts(&self) -> Vec<Range<usize>> {
         self.cut(|node| node.is_hinged())
     }
 
-    /// The parts of the beam between free hinges.
+    /// Returns the parts of the beam between free hinges, as ranges of pieces.
     pub(crate) fn joined_parts(&self) -> Vec<Range<usize>> {
         self.cut(|node| node.is_free_hinge())
     }
@@ -71,8 +73,9 @@ impl<S: Scalar> Pointwise<'_, S> {
         parts
     }
 
-    /// s = s₂/√EI_min and s_γ = s₂/√S_min of a part: e′ = e_φ + γ with (∫e_φ′²)^½ ≤ s and (∫γ²)^½ ≤ s_γ,
-    /// where γ = 0 and s_γ = 0 if the part has no shear deformation.
+    /// Returns bounds of two L² norms on a part. The first norm is that of the derivative of the rotation error, and
+    /// the second norm is that of the error of the shear strain. They follow from the bound of the error energy and
+    /// from the smallest bending and shear stiffness. The second bound is zero if the part has no shear deformation.
     pub(crate) fn flexure(&self, part: &Range<usize>) -> [Size; 2] {
         let spans = &self.fields.frame.spans[part.clone()];
         let most = |of: &dyn Fn(&Span<S>) -> Option<&Coefficient<S>>| {
@@ -83,10 +86,12 @@ impl<S: Scalar> Pointwise<'_, S> {
         [most(&|span| Some(&span.bending)), most(&|span| span.stiffness.as_ref())]
     }
 
-    /// sup|e| on each part between hinges. A part needs two anchors, or one anchor and a bound of its slope.
-    /// Its bound then gives anchors of the neighbours at the common hinges. Parts joined by elastic hinges
-    /// also have a common bound, with a kink of at most (2E/k_φ)^½ at each hinge. Under tension, one anchor
-    /// is sufficient: |e(x)| ≤ |e(y)| + (2E/P)^½|x − y|^½.
+    /// Returns a bound of the error of the deflection on each part between hinges.
+    ///
+    /// A part needs two anchors, or one anchor and a bound of the rotation error. The bound of a part provides an
+    /// anchor for each neighbouring part at the common hinge. Parts joined by elastic hinges also have a common bound,
+    /// which contains the jumps of the rotation error at these hinges. Under axial tension, one anchor is sufficient,
+    /// because the error energy of the tension bounds the slope of the error.
     pub(crate) fn deflections(&self, parts: &[Range<usize>]) -> Vec<Size> {
         let frame = self.fields.frame;
         let mut anchors: Vec<Anchors> = parts.iter().map(|part| self.anchors(part)).collect();
@@ -134,7 +139,7 @@ impl<S: Scalar> Pointwise<'_, S> {
         found
     }
 
-    /// Adds an anchor to each neighbour of a bounded part, at their common hinge.
+    /// Adds an anchor at the common hinge to each neighbour of part `j`, if part `j` has a finite bound.
     fn hand_on(&self, j: usize, parts: &[Range<usize>], found: &[Size], anchors: &mut [Anchors]) {
         if !(found[j] < Size::INFINITE) {
             return;
@@ -151,7 +156,8 @@ impl<S: Scalar> Pointwise<'_, S> {
         }
     }
 
-    /// A bound of |[e_φ]| at an elastic hinge, ½k_φ[e_φ]² ≤ E; zero at other nodes.
+    /// Returns a bound of the jump of the rotation error at an elastic hinge. The energy of this jump in the hinge is
+    /// at most the bound of the error energy. At other nodes the result is zero.
     fn kink(&self, node: usize) -> Size {
         match self.fields.frame.nodes[node].hinge {
             None => Size::ZERO,
@@ -159,7 +165,7 @@ impl<S: Scalar> Pointwise<'_, S> {
         }
     }
 
-    /// The anchors of a part.
+    /// Returns the anchors of a part.
     fn anchors(&self, part: &Range<usize>) -> Anchors {
         let frame = self.fields.frame;
         let mut anchors = Anchors::default();
@@ -190,7 +196,9 @@ impl<S: Scalar> Pointwise<'_, S> {
         anchors
     }
 
-    /// Bound of |e| at a touching node with a force ā ≥ (1 − |λ|)a > 0: e = d + C*, and āC* ≤ E.
+    /// Returns a bound of the error of the deflection at a touching node with a positive contact force after
+    /// redistribution. This error is the sum of the error of the ground displacement and the clearance of the exact
+    /// solution. The clearance is at most the bound of the error energy divided by the contact force.
     fn pressed(&self, node: usize) -> Option<Size> {
         let surface = &self.fields.surface;
         let force = self.kept(self.balanced.factors[node].size()) * surface.nodes[node].force.low();
@@ -198,8 +206,10 @@ impl<S: Scalar> Pointwise<'_, S> {
             .then(|| self.s2() * surface.flexibility_at(node) + self.energy.over(force.next_down()))
     }
 
-    /// Bound of |e| at an active one-way support. For a rigid support with ρ̄ ≥ (1 − |λ|)|R|, ρ̄ς(w̄ − w*) ≤
-    /// E. A spring with κv̄ > (2κE)^½ is also active in the exact solution, so ½κe² ≤ E.
+    /// Returns a bound of the error of the deflection at an active one-way support. At a rigid support, the
+    /// redistributed reaction times this error is at most the bound of the error energy. A spring with a sufficiently
+    /// large force is also active in the exact solution. The energy of the error in such a spring is at most the bound
+    /// of the error energy.
     fn pushed(&self, node: usize) -> Option<Size> {
         let pushing = self.fields.residual.pushing[node].low();
         if let Some([spring, _]) = self.fields.frame.nodes[node].spring {
@@ -211,27 +221,24 @@ impl<S: Scalar> Pointwise<'_, S> {
         (kept > 0.0).then(|| self.energy.over(kept))
     }
 
-    /// A lower bound of 1 − γ.
+    /// Returns a lower bound of 1 − `factor`.
     fn kept(&self, factor: f64) -> f64 {
         (1.0 - factor).next_down()
     }
 
-    /// A lower bound p_m of p̄ ≥ (1 − γ)p on the part |t| ≤ `part` of a touching piece.
+    /// Returns a lower bound of the redistributed pressure on the middle part of a touching piece. `part` is the
+    /// fraction of the length of the piece.
     pub(crate) fn least_pressure(&self, i: usize, part: f64) -> f64 {
         let pressure = &self.fields.pressures[i].field;
         let least = pressure.coefficient(0).low() - pressure.tail(part).value();
         (least.next_down() * self.kept(self.balanced.factor(i).value())).next_down()
     }
 
-    /// On an interval of length h with p̄ ≥ p_m > 0 the mean of |d + C*| is at most d₁ + E/(p_m h). The
-    /// difference of e and a linear function is bounded by s and s_γ. So both ends of the interval are
-    /// anchors with
+    /// Returns anchors at both ends of a middle part of a touching piece, with the bound (12) of docs/proof.md and its
+    /// terms for shear deformation.
     ///
-    /// ```text
-    /// |e| ≤ (1 + √2)(d₁ + E/(p_m h) + (2/(5√3)) s(h/2)^{3/2} + ⅔s_γ(h/2)^½) + s(h/2)^{3/2}/√3 + s_γ(h/2)^½,
-    /// ```
-    ///
-    /// d₁ = s₂√g in a layer, (2E/(kh))^½ on Winkler ground.
+    /// The redistributed pressure must have a positive lower bound on the middle part. From the possible middle parts,
+    /// the function chooses the part with the smallest error bound.
     fn pressing(&self, i: usize, [s, sheared]: [Size; 2]) -> Option<[Anchor; 2]> {
         let span = &self.fields.frame.spans[i];
         let mut best: Option<[Anchor; 2]> = None;
@@ -240,7 +247,7 @@ impl<S: Scalar> Pointwise<'_, S> {
             if !(least > 0.0) {
                 continue;
             }
-            // |t| ≤ part is an interval of the length 2·part·half.
+            // Length of the middle part, rounded down.
             let length = (2.0 * part * span.half.low()).next_down();
             let ends = [-part, part].map(|t| span.middle + span.half * S::of(t));
             let half = Size::of((part * span.half.high()).next_up());
@@ -261,7 +268,8 @@ impl<S: Scalar> Pointwise<'_, S> {
         best
     }
 
-    /// The smallest bound of sup|e| on a part. Each trial uses the anchors whose bounds lie below one level.
+    /// Returns the smallest of several error bounds of the deflection on a part. The first bound uses all anchors. Each
+    /// further bound uses only anchors with small error bounds.
     fn best_along(&self, part: &Part, anchors: &Anchors) -> Size {
         let mut sorted = anchors.places.clone();
         sorted.sort_by(|a, b| a.bound.value().total_cmp(&b.bound.value()));
@@ -278,12 +286,12 @@ impl<S: Scalar> Pointwise<'_, S> {
         least
     }
 
-    /// sup|e| on a part whose kinks have a sum of at most j:
+    /// Returns a bound of the error of the deflection on a part. It is the largest of the bounds between neighbouring
+    /// anchors ([`between`]) and on the overhangs beyond the outermost anchors.
     ///
-    /// - between anchors at distance h, the larger bound + s(h³/48)^½ + ½s_γh^½ + ¼jh;
-    /// - on an overhang o beyond anchors b₁ (nearer) and b₂ at distance h,
-    ///   b₁ + (b₁ + b₂)o/h + s(o²(h + o)/3)^½ + s_γ(o(h + o)/h)^½ + jo;
-    /// - where |e_φ| ≤ θ at a distance d from the anchor, b₁ + θo + so(d + o/3)^½ + s_γo^½ + jo.
+    /// The bound on an overhang follows from two anchors ([`beyond`]), or from one anchor and a bound of the rotation
+    /// error ([`along_slope`]). Jumps of the rotation error at elastic hinges increase the bounds. The increase is the
+    /// sum of the jumps times a length: a quarter of the distance of two anchors, or the length of the overhang.
     fn along(&self, part: &Part, anchors: &[Anchor], slopes: &[Anchor]) -> Size {
         let frame = self.fields.frame;
         let [s, sheared] = self.flexure(&part.pieces);
@@ -329,21 +337,25 @@ impl<S: Scalar> Pointwise<'_, S> {
     }
 }
 
-/// A bound of |e| on an interval, from a bound of the mean of |e|, from `curved` = s(h/2)^{3/2} and from
-/// `slid` = s_γ(h/2)^½. These two bound the difference of e and its tangent in the middle. The absolute value
-/// of a linear function is at most 1 + √2 times its mean.
+/// Returns a bound of the error of the deflection on an interval from a bound of its mean absolute value.
+///
+/// The error differs from its tangent in the middle of the interval by at most `curved`/√3 + `slid`. The absolute value
+/// of a linear function is at most 1 + √2 times its mean absolute value.
 pub(crate) fn from_mean(mean: Size, curved: Size, slid: Size) -> Size {
     let mean = mean + 0.2310 * curved + 0.6667 * slid;
     2.4143 * mean + 0.5774 * curved + slid
 }
 
-/// s(h³/48)^½ + ½s_γh^½: the largest excess of |e| over its values at both ends of a length h.
+/// Returns a bound of the difference by which the absolute error of the deflection between two anchors can exceed the
+/// larger of the bounds at the anchors. `h` is the distance of the anchors, and `s` and `sheared` are the bounds of
+/// [`Pointwise::flexure`].
 pub(crate) fn between(h: Size, [s, sheared]: [Size; 2]) -> Size {
     s * (h.square() * h).over(48.0).root() + 0.5 * (sheared * h.root())
 }
 
-/// A bound of |e| on an overhang of length o. `near` and `far` are bounds of |e| at two positions beside it, the nearer one
-/// first. `distance` has a lower and an upper bound of the distance between the two positions.
+/// Returns a bound of the error of the deflection on an overhang of length `over`. `near` and `far` are error bounds at
+/// two positions beside the overhang, the nearer position first. `distance` contains a lower and an upper bound of the
+/// distance between the two positions.
 pub(crate) fn beyond(
     [near, far]: [Size; 2],
     over: Size,
@@ -357,8 +369,9 @@ pub(crate) fn beyond(
     near + turn + bent + slid
 }
 
-/// θo + so(d + o/3)^½ + s_γo^½: the change of e over a length o, if |e_φ| ≤ θ at a position not farther than d from its
-/// start.
+/// Returns a bound of the change of the deflection error over the length `over`. `slope` bounds the rotation error at a
+/// position whose distance from the start of this length is at most `distance`. `s` and `sheared` are the bounds of
+/// [`Pointwise::flexure`].
 pub(crate) fn along_slope(
     [slope, distance]: [Size; 2],
     over: Size,
@@ -368,7 +381,7 @@ pub(crate) fn along_slope(
     slope * over + bent + sheared * over.root()
 }
 
-/// An upper bound of the distance from a to b, zero if b lies left of a.
+/// Returns an upper bound of the distance from a to b; zero if b lies left of a.
 fn distance(a: f64, b: f64) -> Size {
     let d = (b - a).next_up();
     if d <= 0.0 { Size::ZERO } else { Size::of(d) }

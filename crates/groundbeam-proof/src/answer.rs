@@ -1,10 +1,10 @@
-//! The answer to be proven: its fields by piece, its concentrated contact forces and the reactions.
+//! The claimed solution to be proven: deflection and pressure on pieces of the beam, contact forces and reactions.
 
-/// The answer to be proven, as a program or a document states it. Its numbers are exact doubles.
+/// The claimed solution to be proven, as given by a program or a document. Its numbers are exact doubles.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Answer {
-    /// Pieces from left to right. They cover the beam: each piece begins with the double at which the
-    /// previous piece ends.
+    /// Pieces from left to right, which cover the beam. Each piece begins with the double at which the previous piece
+    /// ends.
     pub pieces: Vec<Piece>,
     /// Concentrated contact forces, including those under the ends of the beam.
     pub forces: Vec<Force>,
@@ -12,26 +12,26 @@ pub struct Answer {
     pub reactions: Vec<Reaction>,
 }
 
-/// A part of the beam on which the deflection is a polynomial of t = (x − (x₀ + x₁)/2)/half.
+/// A part of the beam from x₀ to x₁ on which the deflection is a polynomial of t = (x − (x₀ + x₁)/2)/`half`.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Piece {
     /// Left and right end \[m\].
     pub x: [f64; 2],
-    /// The half length \[m\] for which the coefficients are given; it can differ from (x₁ − x₀)/2 by rounding
-    /// error.
+    /// Half length \[m\] of the piece in the definition of t. It can differ from (x₁ − x₀)/2 by rounding error.
     pub half: f64,
     /// Whether beam and ground are in contact on the piece.
     pub touches: bool,
-    /// Coefficients of w(t) \[m\], the constant one first.
+    /// Coefficients of the deflection w(t) \[m\], the constant coefficient first.
     pub deflection: Vec<f64>,
-    /// Coefficients of the rotation φ(t) of the sections \[rad\]. Empty on a piece without shear deformation:
-    /// φ = w′.
+    /// Coefficients of the rotation φ(t) of the cross-sections \[rad\]. The list is empty on a piece without shear
+    /// deformation, where φ = w′.
     pub rotation: Vec<f64>,
     /// Coefficients of the contact pressure p(t) \[N/m\]; empty if the pressure is not stored.
     pub pressure: Vec<f64>,
-    /// On an open piece: the settlement u of the ground at both ends \[m\]; `None` if it is not stored.
+    /// Displacement u of the ground at both ends of an open piece \[m\]; `None` if it is not stored.
     pub open: Option<[f64; 2]>,
-    /// On an open piece over varying ground: the coefficients of u(t) \[m\]; empty if they are not stored.
+    /// Coefficients of the displacement u(t) of the ground \[m\] on an open piece over varying ground; empty if they
+    /// are not stored.
     pub settlement: Vec<f64>,
 }
 
@@ -40,17 +40,17 @@ pub struct Piece {
 pub struct Force {
     /// Position \[m\].
     pub x: f64,
-    /// Force \[N\], positive where it pushes the beam up.
+    /// Contact force \[N\], positive if it pushes the beam up.
     pub force: f64,
 }
 
-/// The force and the moment of a support on the beam.
+/// Force and moment that a support exerts on the beam.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Reaction {
     /// Index of the support in the model's list.
     pub support: usize,
-    /// Force \[N\], positive where it pushes the beam up.
+    /// Force of the support on the beam \[N\], positive if it pushes the beam up.
     pub force: f64,
-    /// Moment \[N·m\], positive if it rotates the right side down.
+    /// Moment of the support on the beam \[N·m\], positive if it rotates the right side of the beam down.
     pub moment: f64,
 }

@@ -1,5 +1,4 @@
-//! Open ground with a shear layer: shows that the clearance of the exact solution is positive next to open pieces of
-//! the answer.
+//! Proves for open pieces of the claimed solution over a shear layer that the exact solution has a positive clearance.
 
 use crate::clearance::OpenPiece;
 use crate::contact_set::{Contact, Zone, more};
@@ -7,30 +6,32 @@ use crate::polynomial::half_width;
 use crate::scalar::Scalar;
 use crate::size::Size;
 
-/// Maximum numbers of intervals: for the sign of the clearance on a piece, and for its slope beside a node.
+/// Maximum numbers of intervals in two proofs: that the clearance exceeds a limit, and that the clearance decreases
+/// towards a node.
 const INTERVALS: [usize; 2] = [4002, 122];
 
-/// The neighbourhood of a touching end of an open piece.
+/// Proven bounds at an end of an open piece where the claimed solution is in contact.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Approach {
-    /// θ: at larger distances from the touching node, the exact solution has no contact on the piece.
+    /// Distance θ from the touching node. At larger distances, the exact solution has no contact on the piece.
     pub theta: Size,
-    /// A bound of the error of μu′ at the node, valid if the exact beam is open on the piece.
+    /// Error bound of the flux μu′ at the node. It is valid if the exact solution has no contact on the piece.
     pub flux: Size,
-    /// μ|C′| at the node.
+    /// μ|C′| at the node, where C is the clearance.
     pub steep: Size,
-    /// t of the position up to which the clearance is proven to be positive by its value.
+    /// Coordinate on the piece, from −1 to 1, at which the proof changes its method. Nearer to the node, the proof
+    /// bounds the slope of the clearance. Farther from the node, it bounds the clearance itself.
     reach: f64,
 }
 
 impl<S: Scalar> Contact<'_, S> {
-    /// Proves that an open piece is open in the exact solution. Returns the [`Approach`] at each
-    /// touching end.
+    /// Proves that an open piece is open in the exact solution. Returns the [`Approach`] at each touching end.
     ///
-    /// Between the reaches C > ε_u + ε_w. From a reach to the touching node, except on the last θ, C
-    /// decreases faster than the bound of its slope's error. Next to a rigid support on the surface of the
-    /// ground, g₀ − w increases from zero; the result lists such zones. No pressure acts where the beam rests
-    /// without load.
+    /// In the middle of the piece, the clearance must exceed the sum of the error bounds of deflection and ground
+    /// displacement. Near a touching end, the clearance must decrease towards the end faster than the error bound of
+    /// its slope. At a rigid support on the surface of the ground, the beam rises from the ground, and the function
+    /// adds the zone next to the support to `zones`. A piece that rests on the ground without load has no pressure and
+    /// needs no proof.
     pub(crate) fn shown_open(
         &self,
         i: usize,
@@ -64,7 +65,7 @@ impl<S: Scalar> Contact<'_, S> {
         Some(OpenPiece::of(span, open, along, [Size::ZERO; 3]))
     }
 
-    /// The approach to the touching end of a piece.
+    /// Returns the [`Approach`] at the touching end `side` of a piece, if it can be proven.
     fn approach(
         &self,
         piece: &OpenPiece<S::Coarse>,
@@ -76,8 +77,8 @@ impl<S: Scalar> Contact<'_, S> {
         let [from, to] = piece.interval;
         let (end, wide) = (piece.interval[side], to - from);
         let inward = if side == 0 { 1.0 } else { -1.0 };
-        // The exact beam is open from `far` to the reach. The bound of the error of u′ follows from the
-        // length of this open ground.
+        // In the exact solution, the ground is open from the point `far` to the point `reach`. The error bound of the
+        // flux at `reach` depends on the distance of the two points.
         let far = end + inward * wide * if both { 0.75 } else { 1.0 - 1e-9 };
         let mut part = if both { 0.25 } else { 0.5 };
         for _ in 0..40 {
@@ -94,11 +95,9 @@ impl<S: Scalar> Contact<'_, S> {
         None
     }
 
-    /// A bound of μ|u − u*|′ at the end of a length L of open ground on which |u − u*| ≤ ε_u.
-    ///
-    /// If k and μ are constant, u − u* is a sum of exponentials: μb coth(bL/2) ε_u. Otherwise (μ(u − u*)′)′ =
-    /// k(u − u*) − ρ, and by the mean value theorem |u − u*|′ ≤ 2ε_u/h at some point of a length h ≤ L. The
-    /// bound is then 2με_u/h + h(kε_u + max|ρ|).
+    /// Returns an error bound of the flux μu′ at the end of a length of open ground. It follows from the error bound of
+    /// the ground displacement on this length, by (13) of docs/proof.md for constant k and μ, and by (13a) for varying
+    /// k or μ.
     fn settlement_flux(&self, i: usize, length: f64) -> Size {
         if !(length > 0.0) {
             return Size::INFINITE;
@@ -116,7 +115,8 @@ impl<S: Scalar> Contact<'_, S> {
         shear * Size::of(factor.high()) * error
     }
 
-    /// A lower bound, on |t − m| ≤ r of an open piece, of (μC′)′ minus the bound of its error.
+    /// Whether the term (μC′)′ of the clearance C exceeds its error bound on an interval of an open piece. `m` is the
+    /// middle of the interval and `r` its half length, in the coordinate of the piece.
     fn presses(&self, i: usize, piece: &OpenPiece<S::Coarse>, m: f64, r: f64) -> bool {
         let (span, error) = (&self.fields.frame.spans[i], more(self.bounds[i].pressure));
         match &self.fields.surface.pieces[i].along {
@@ -132,9 +132,11 @@ impl<S: Scalar> Contact<'_, S> {
         }
     }
 
-    /// The smallest θ found such that C decreases faster than `limit` from the reach to the distance θ from
-    /// the node. If θ > 0, the node is smooth and (μC′)′ > ε_p over the last length θ, with (μC′)′ = ku − q −
-    /// (μψ′)′ except for ρ.
+    /// Returns a distance θ from the node. From `reach` to this distance, the clearance decreases faster than `limit`.
+    /// Small distances are tried first.
+    ///
+    /// A positive θ requires a smooth node. The term (μC′)′ of the clearance C must also exceed its error bound at all
+    /// distances from the node up to θ.
     fn theta(
         &self,
         i: usize,
@@ -172,23 +174,25 @@ impl<S: Scalar> Contact<'_, S> {
     }
 }
 
-/// The minimum of 2με/h + h·load over h ≤ length.
+/// Returns the bound (13a) of docs/proof.md: the minimum of (2·`stiff`)/h + h·`load` over all h ≤ `length`. `stiff` is
+/// μ times the error bound of the ground displacement.
 fn varying_flux(stiff: Size, load: Size, length: f64) -> Size {
     let best = (2.0 * stiff.value() / load.value()).sqrt();
     let h = if best < length { best } else { length };
     (2.0 * stiff).over(h) + Size::of(h) * load
 }
 
-/// C′ at t, positive where C grows towards the touching end.
+/// Returns the slope C′ of the clearance at t, positive if C increases towards the touching end.
 fn fall<C: Scalar>(piece: &OpenPiece<C>, side: usize, t: f64) -> C {
-    // The end of the interval may lie outside the piece by rounding error. The exact end takes its place.
+    // By rounding error, the stored end may lie outside the piece. The exact end of the piece replaces it.
     let t = if t == piece.interval[side] { piece.ends[side] } else { C::of(t) };
     let [_, settling] = piece.arc.at((t - piece.ends[0]) * piece.half);
     let slope = settling - piece.obstacle[1].value(t);
     if side == 0 { -slope } else { slope }
 }
 
-/// Whether C decreases towards the touching end faster than the limit, between a far position and a near one.
+/// Whether the clearance C is proven to decrease faster than `limit` from the position `far` to the position `near`,
+/// which is closer to the touching end.
 fn falls<C: Scalar>(piece: &OpenPiece<C>, side: usize, [far, near]: [f64; 2], limit: Size) -> bool {
     let mut open = vec![[far, near]];
     for _ in 0..INTERVALS[1] {
@@ -204,7 +208,7 @@ fn falls<C: Scalar>(piece: &OpenPiece<C>, side: usize, [far, near]: [f64; 2], li
         if fall(piece, side, near).high() < -gained.value() {
             continue;
         }
-        // Halving cannot succeed at the near end itself.
+        // Halving the interval cannot help if the slope at its near end violates the limit.
         if !(fall(piece, side, near).high() < -limit.value()) {
             return false;
         }
@@ -213,7 +217,7 @@ fn falls<C: Scalar>(piece: &OpenPiece<C>, side: usize, [far, near]: [f64; 2], li
     false
 }
 
-/// Whether C > limit on an interval of t.
+/// Whether the clearance is proven to be at least `limit` between the coordinates `from` and `to` of the piece.
 pub(crate) fn clear<C: Scalar>(piece: &OpenPiece<C>, [from, to]: [f64; 2], limit: Size) -> bool {
     let mut open = vec![[from, to]];
     for _ in 0..INTERVALS[0] {

@@ -1,9 +1,10 @@
-//! The settlement of open ground between two points: the solution of μu″ = ku with given values at both ends.
+//! Computes the displacement of open ground between two points: the solution of μu″ = ku with given values at both ends.
 
 use crate::frame::Span;
 use crate::scalar::Scalar;
 
-/// u on an open piece of length h, with x from its left end, b = √(k/μ), z = bh:
+/// Displacement u of the ground on an open piece of length h with the end values u_L and u_R. The distance x is
+/// measured from the left end. With b = √(k/μ) and z = bh,
 ///
 /// ```text
 /// u = (u_R − u_L) sinh(bx)/sinh z + u_L cosh(b(h/2 − x))/cosh(z/2).
@@ -12,10 +13,10 @@ use crate::scalar::Scalar;
 pub(crate) struct Arc<C> {
     ends: [C; 2],
     decay: C,
-    /// z.
+    /// The product z = bh.
     z: C,
     length: C,
-    /// exp(−2z) − 1 and exp(−z) + 1.
+    /// The divisors exp(−2z) − 1 and exp(−z) + 1 in the formula of u.
     divisors: [C; 2],
 }
 
@@ -28,12 +29,13 @@ impl<C: Scalar> Arc<C> {
         Arc { ends: ends.map(|u| u.coarse()), decay, z, length, divisors }
     }
 
-    /// b².
+    /// Returns b² = k/μ.
     pub fn curvature_factor(&self) -> C {
         self.decay.square()
     }
 
-    /// A lower bound of u: the smaller end value or zero, because u has no negative minimum inside.
+    /// Returns a lower bound of u. It is the smaller end value or zero, because u has no negative minimum inside the
+    /// piece.
     pub fn least(&self) -> f64 {
         let lows = self.ends.map(|u| u.low());
         let least = if lows[0] <= lows[1] { lows[0] } else { lows[1] };
@@ -46,21 +48,22 @@ impl<C: Scalar> Arc<C> {
         }
     }
 
-    /// The larger absolute value of the two ends.
+    /// Returns the larger absolute value of u at the two ends.
     pub fn size(&self) -> f64 {
         self.ends[0].size().max(self.ends[1].size())
     }
 
-    /// u and u′ at a distance x from the left end, 0 ≤ x ≤ h.
+    /// Returns u and u′ at a distance x from the left end, with 0 ≤ x ≤ h.
     pub fn at(&self, x: C) -> [C; 2] {
         let two = C::of(2.0);
         let [difference, left] = [self.ends[1] - self.ends[0], self.ends[0]];
         let a = self.decay * x;
-        // sinh a/sinh z and cosh a/sinh z by exponentials of negative arguments.
+        // The quotients sinh a/sinh z and cosh a/sinh z with a = bx are computed by exponentials of negative
+        // arguments.
         let (fallen, double) = (exponential(a - self.z), (-a.scaled(1)).expm1());
         let sinh = (fallen * double).div(self.divisors[0]);
         let cosh = -(fallen * (double + two)).div(self.divisors[0]);
-        // Here a = b(h/2 − x), and the divisor is cosh(z/2).
+        // In the second term of u, the argument is b(h/2 − x), and the divisor is cosh(z/2).
         let c = self.decay * (self.length.scaled(-1) - x);
         let negative = c.middle() < 0.0;
         let size = if negative { -c } else { c };
@@ -73,7 +76,7 @@ impl<C: Scalar> Arc<C> {
     }
 }
 
-/// exp(x) for x ≤ 0, with a small relative error even where exp(x) is small.
+/// Returns exp(x) for x ≤ 0, with a small relative error even if exp(x) is small.
 fn exponential<C: Scalar>(x: C) -> C {
     let mut halvings = 0;
     let mut size = x.size();
@@ -98,7 +101,7 @@ mod tests {
     use crate::units::Units;
     use crate::wide::Wide;
 
-    /// u lies between zero and its values at the ends.
+    /// Checks that u lies between the smallest and the largest of the three numbers zero, u_L and u_R.
     #[test]
     fn the_surface_is_bounded_by_its_ends() {
         for (ends, least, most) in [

@@ -1,20 +1,19 @@
-//! Exact balance: a moment in equilibrium with the loads, after pressures and reactions change by small factors.
+//! Computes a moment in exact equilibrium with the loads, after small relative changes of pressures and reactions.
 //!
-//! The beam is cut at its ends, at free hinges and at chosen nodes. In each cell a moment δ balances the
-//! residual. δ vanishes at the cuts (at a free hinge M + δ vanishes). A force E_j remains at cut j. It is
-//! distributed over the forces that carry the beam. Pressures and concentrated forces are multiplied by 1 +
-//! λ, with λ continuous and linear between the cuts. Supports carry a share by their weights W_i for force
-//! and W_θi for rotation. With φ_j the hat functions of the cuts
+//! The beam is cut at its ends, at free hinges and at chosen nodes. A cell is the part between two neighbouring cuts.
+//! In each cell, a change δ of the claimed moment M balances the residual of equilibrium. δ vanishes at a cut, except
+//! at a free hinge, where M + δ vanishes.
 //!
-//! ```text
-//! Σ_k M_jk λ_k = E_j,   M_jk = ∫φ_jφ_k p + Σ a_i φ_jφ_k + Σ W_i φ_jφ_k + Σ W_θi φ_j′φ_k′.
-//! ```
+//! A residual force then remains at each cut. It is distributed over pressures, concentrated contact forces and
+//! supports. Pressures and contact forces are multiplied by 1 + λ, where λ is the redistribution factor. This factor
+//! is continuous along the beam and linear in each cell. Forces of supports change in proportion to λ, and moments of
+//! supports in proportion to the slope of λ. The values of λ at the cuts follow from the system of equations (6) of
+//! docs/proof.md.
 //!
-//! Tensile pressures are omitted; the intervals of E_j and M_jk grow by at most their resultant ηω.
+//! Tensile pressures are not redistributed. A bound of their resultant widens the intervals of the system.
 //!
-//! The tension can also carry a share: with any B > 0 it adds ∫Bφ_j′φ_k′ to M_jk and the transverse force β =
-//! Bλ′ to each cell. A single pressure, force or support then makes the system positive definite. The tension
-//! is used only if pressures and supports alone cannot balance the loads, because it adds ∫β²/P to the bound.
+//! If pressures and supports alone cannot balance the loads, the axial tension also carries a transverse force, in
+//! proportion to the slope of λ. This increases the bound of the error energy.
 
 use crate::frame::Frame;
 use crate::ground::Surface;
@@ -24,60 +23,62 @@ use crate::residual::Residual;
 use crate::scalar::Scalar;
 use crate::size::Size;
 
-/// Input of the balance: the fields of the answer and the cuts of the beam.
+/// Data from which the moment in exact equilibrium is computed: the claimed solution and the cuts of the beam.
 pub(crate) struct Balance<'a, S> {
     pub frame: &'a Frame<S>,
     pub surface: &'a Surface<S>,
     pub pressures: &'a [Pressure<S>],
     pub residual: &'a Residual<S>,
-    /// Indices of the nodes, including the first and the last one.
+    /// Indices of the nodes at which the beam is cut, including the first and the last node.
     pub cuts: Vec<usize>,
-    /// B; 0 if the tension carries no load.
+    /// Ratio of the transverse force carried by the axial tension to the slope of the redistribution factor; 0 if the
+    /// tension carries no load.
     pub carrier: f64,
 }
 
-/// The exact balance.
+/// Redistributed forces and changed moments, in exact equilibrium with the loads.
 #[derive(Debug)]
 pub(crate) struct Balanced<S> {
-    /// The nodes at which the beam is cut.
+    /// Indices of the nodes at which the beam is cut.
     pub cuts: Vec<usize>,
-    /// B; 0 if the tension carries no load.
+    /// Ratio of the transverse force carried by the axial tension to the slope of the redistribution factor; 0 if the
+    /// tension carries no load.
     pub carrier: f64,
-    /// λ at the nodes.
+    /// Redistribution factor at each node.
     pub factors: Vec<S>,
     pub pieces: Vec<BalancedPiece<S>>,
 }
 
-/// The exact balance on one piece.
+/// Changes of moment and shear force on one piece that restore exact equilibrium.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct BalancedPiece<S> {
-    /// |λ′| in the cell of the piece.
+    /// Absolute slope of the redistribution factor in the cell that contains the piece.
     pub steepness: Size,
-    /// δ at both ends, without the contribution of the redistributed forces.
+    /// Change of the moment at both ends of the piece, without the effect of the redistributed forces.
     pub moments: [S; 2],
-    /// −δ′ at both ends, without the contribution of the redistributed forces.
+    /// Change of the shear force at both ends of the piece, without the effect of the redistributed forces.
     pub shears: [S; 2],
-    /// Bounds of the moment and of the shear force that the redistributed forces add in the cell.
+    /// Bounds of the moment and of the shear force that the redistribution of forces causes in the cell.
     pub added: [Size; 2],
-    /// |β|, the transverse force carried by the tension.
+    /// Absolute value of the transverse force that the axial tension carries.
     pub drawn: Size,
 }
 
 impl<S: Scalar> Balanced<S> {
-    /// max|λ| on a piece.
+    /// Returns the largest absolute value of the redistribution factor on a piece.
     pub fn factor(&self, piece: usize) -> Size {
         Size::of(self.factors[piece].size()).worst(Size::of(self.factors[piece + 1].size()))
     }
 }
 
-/// One cell between two cuts.
+/// The cell between two neighbouring cuts.
 struct Cell<S> {
     pieces: std::ops::Range<usize>,
     ends: [S; 2],
     length: S,
 }
 
-/// The tridiagonal system for λ at the cuts.
+/// Tridiagonal system of equations for the redistribution factors at the cuts.
 struct System<S> {
     rows: Vec<Row<S>>,
 }
@@ -86,7 +87,7 @@ struct System<S> {
 #[derive(Clone, Copy)]
 struct Row<S> {
     diagonal: S,
-    /// The matrix entry that couples this cut with the next one.
+    /// Matrix entry that couples the equation of this cut with that of the next cut.
     beside: S,
     right: S,
 }
@@ -97,11 +98,11 @@ impl<S: Scalar> System<S> {
         System { rows: vec![Row { diagonal: zero, beside: zero, right: zero }; cuts] }
     }
 
-    /// Gaussian elimination; `None` if a pivot may be zero or negative.
+    /// Solves the system by Gaussian elimination. Returns `None` if a pivot may be zero or negative.
     fn solved(mut self) -> Option<Vec<S>> {
         let rows = &mut self.rows;
         if rows.iter().all(|row| row.right == S::zero()) {
-            // No force remains to be distributed.
+            // No cut has a residual force, so all redistribution factors are zero.
             return Some(rows.iter().map(|row| row.right).collect());
         }
         for j in 0..rows.len() {
@@ -181,8 +182,8 @@ impl<S: Scalar> Balance<'_, S> {
         Cell { pieces, ends, length: ends[1] - ends[0] }
     }
 
-    /// The weight at a node: its concentrated force, the weights of its supports, and the reaction of a one-way
-    /// support.
+    /// Returns the weight of a node in the redistribution of residual forces. It is the sum of the concentrated contact
+    /// force, the weights of two-way supports, and the reaction of a one-way support.
     fn carried_at(&self, node: usize) -> S {
         let weights = &self.frame.nodes[node].weights;
         self.surface.nodes[node].force
@@ -191,8 +192,9 @@ impl<S: Scalar> Balance<'_, S> {
             + self.residual.pushing[node]
     }
 
-    /// The weight for rotation of a cell: the clamps and rotational springs at its left end and inside; in the last
-    /// cell also those at the right end of the beam.
+    /// Returns the weight of clamps and rotational springs in a cell for the redistribution of residual forces. It is
+    /// the sum of their weights at the left end of the cell and inside. The last cell also includes the right end of
+    /// the beam.
     fn turned_in(&self, cell: &Cell<S>) -> S {
         let nodes = &self.frame.nodes;
         let last = cell.pieces.end + 1 == nodes.len();
@@ -201,7 +203,7 @@ impl<S: Scalar> Balance<'_, S> {
         weights.fold(S::zero(), |sum, weights| sum + S::of(weights.clamp) + S::of(weights.turning))
     }
 
-    /// δ just inside the two ends of a cell.
+    /// Returns the change of the moment just inside the two ends of a cell.
     fn end_moments(&self, cell: &Cell<S>) -> [S; 2] {
         let (first, last) = (cell.pieces.start, cell.pieces.end);
         let nodes = &self.frame.nodes;
@@ -220,7 +222,8 @@ impl<S: Scalar> Balance<'_, S> {
         [left, right]
     }
 
-    /// Computes δ along a cell, and −δ′ at the two ends of each piece.
+    /// Computes the change of the moment along a cell, and the change of the shear force at the two ends of each piece.
+    /// Returns the change of the shear force at the two ends of the cell.
     fn shear_forces(&self, cell: &Cell<S>, balanced: &mut Balanced<S>) -> [S; 2] {
         let [left, right] = self.end_moments(cell);
         let inner = |i: usize| {
@@ -246,8 +249,9 @@ impl<S: Scalar> Balance<'_, S> {
         [first, shear]
     }
 
-    /// Adds ∫φ_jφ_k p, the forces at inner nodes and the clamps to the system. Widens the intervals for
-    /// tensile pressures.
+    /// Adds the contributions of a cell to the system of equations: contact pressures, forces at inner nodes, clamps
+    /// and rotational springs, and axial tension. Widens the intervals of the system by the resultant of tensile
+    /// pressures.
     fn masses(&self, cell: &Cell<S>, j: usize, system: &mut System<S>) {
         let per_length = S::one().div(cell.length);
         let mut add = |mass: S, [a, b]: [S; 2]| {
@@ -272,7 +276,7 @@ impl<S: Scalar> Balance<'_, S> {
                 [(cell.ends[1] - span.middle) * per_length, -slope],
                 [(span.middle - cell.ends[0]) * per_length, slope],
             ];
-            // ∫(a + bt)(c + dt)p.
+            // The closure `mass` integrates the pressure times the linear functions a + bt and c + dt over the piece.
             let [whole, turned, spread] = self.pressures[i].masses;
             let mass = |[a, b]: [S; 2], [c, d]: [S; 2]| {
                 a * c * whole + (a * d + b * c) * turned + b * d * spread
@@ -289,16 +293,16 @@ impl<S: Scalar> Balance<'_, S> {
         system.rows[j].beside = system.rows[j].beside.widened(tensile.value());
     }
 
-    /// λ on a cell, and bounds of the moment and shear force that the redistributed forces add there. On a
-    /// simply supported cell of length h, a load F causes a moment of at most Fh/4 and a shear force of at
-    /// most F. A couple C causes a moment of at most C and a shear force of at most C/h.
+    /// Computes the redistribution factor on a cell, and bounds of the moment and shear force that the redistribution
+    /// of forces causes in the cell. On a simply supported cell of length h, a load F causes a moment of at most Fh/4
+    /// and a shear force of at most F. A couple C causes a moment of at most C and a shear force of at most C/h.
     fn give_back(&self, cell: &Cell<S>, ends: [S; 2], balanced: &mut Balanced<S>) {
         let per_length = S::one().div(cell.length);
         let slope = (ends[1] - ends[0]) * per_length;
         for i in cell.pieces.start..=cell.pieces.end {
             let x = self.frame.nodes[i].x;
-            // Each hat function is computed separately, because 1 − φ has a large relative radius near an
-            // end.
+            // The second hat function is not computed as 1 minus the first, because this difference has a large
+            // relative rounding error where it is small.
             let hats = [(cell.ends[1] - x) * per_length, (x - cell.ends[0]) * per_length];
             balanced.factors[i] = match i {
                 _ if i == cell.pieces.start => ends[0],
@@ -338,8 +342,9 @@ mod tests {
     use crate::size::Size;
     use serde_json::json;
 
-    /// A claim that pulls on the ground, p = x − 0.1, under an equal load: without the tension 0.005 of the load is not balanced.
-    /// It is a load of the beam, as are the redistributed pressures.
+    /// The claimed pressure x − 0.1 balances the load, but it is tensile for x < 0.1. The proof omits this tensile
+    /// pressure, so its resultant 0.005 remains as an additional load of the beam. Changes of the compressive pressure
+    /// are also loads of the beam.
     #[test]
     fn omitted_tension_is_a_load_of_the_beam() {
         let text = "[beam]\nlength = 2\nEI = 1\n[foundation]\nk = 1\n[[load]]\ndistributed = [-0.1, 1.9]\n";

@@ -1,4 +1,4 @@
-//! Bounds of the energies that the exact balance adds: of the moment δ, of the tension and of the ground.
+//! Bounds the energies of the moments, transverse forces and pressures that are added for exact equilibrium.
 
 use crate::balance::{Balance, Balanced, BalancedPiece};
 use crate::deflection::Deflection;
@@ -7,7 +7,8 @@ use crate::scalar::Scalar;
 use crate::size::Size;
 
 impl<S: Scalar> Balance<'_, S> {
-    /// ‖δ‖² = Σ∫δ²/EI.
+    /// Returns a bound of ‖δ‖² = Σ∫δ²/EI, twice the complementary energy of the moment δ that balances the
+    /// residual loads.
     pub fn bending(&self, balanced: &Balanced<S>) -> Size {
         let of = |i: usize| {
             let (span, piece) = (&self.frame.spans[i], &self.residual.pieces[i]);
@@ -19,7 +20,8 @@ impl<S: Scalar> Balance<'_, S> {
         (0..self.frame.spans.len()).map(of).sum()
     }
 
-    /// Σβ²h/P, the complementary energy of the transverse forces β that the axial tension P carries.
+    /// Returns a bound of Σβ²h/P over the pieces of length h, twice the complementary energy of the transverse forces
+    /// β that the axial tension P carries.
     pub fn drawn(&self, balanced: &Balanced<S>) -> Size {
         let Some(tension) = self.frame.tension else { return Size::ZERO };
         let pieces = self.frame.spans.iter().zip(&balanced.pieces);
@@ -29,8 +31,13 @@ impl<S: Scalar> Balance<'_, S> {
         pieces.map(of).sum()
     }
 
-    /// A bound of ‖Gδp‖², with δp = λp̄ and |λ| ≤ γ. The kernel of G is positive. In a layer ⟨δp, Gδp⟩ ≤
-    /// Σγ²∫p̄ Gp̄ with Gp̄ ≤ û + |c| + √g‖ū − G(p̄ + q)‖; on Winkler ground it is ∫(δp)²/k.
+    /// Returns a bound of ‖Gδp‖_b², twice the energy of the settlement Gδp under the change δp = λp̄ of the
+    /// pressure p̄, with |λ| ≤ γ.
+    ///
+    /// On Winkler ground, ‖Gδp‖_b² = ∫(δp)²/k. In a shear layer, a pressure causes only downward settlements, so
+    /// the bound is Σγ²∫p̄ Gp̄. The settlement Gp̄ is at most |w − g₀| + |c| + `missed` √g. Here c is the
+    /// correction of the deflection w, g bounds the settlement under a unit force, and `missed` bounds the
+    /// residual of the ground.
     pub fn ground(&self, balanced: &Balanced<S>, deflection: &Deflection<S>, missed: Size) -> Size {
         let mut sum = Size::ZERO;
         for (i, span) in self.frame.spans.iter().enumerate().filter(|(_, span)| span.touches) {
@@ -61,8 +68,9 @@ impl<S: Scalar> Balance<'_, S> {
     }
 }
 
-/// (∫δ²)^½ on a piece of length h. δ is A and B at the ends, and δ″ = −r with |r − r₀| ≤ R; a further moment
-/// is at most |Δδ|. δ is the sum of a chord, a parabola and a part of at most Rx(h − x)/2, so the bound is
+/// Returns a bound of (∫δ²)^½ on a piece of length h. The moment δ has the end values A and B, and δ″ = −r. The
+/// residual load r satisfies |r − r₀| ≤ R with a constant r₀. A further moment of at most |Δδ| is added. The
+/// moment due to r − r₀ is at most Rx(h − x)/2 at the distance x from an end, so the bound is
 ///
 /// ```text
 /// |h(A² + AB + B²)/3 + r₀h³(A + B)/12 + r₀²h⁵/120|^½ + (h⁵/120)^½ R + h^½ |Δδ|.
@@ -85,7 +93,8 @@ mod tests {
     use crate::scalar::Scalar;
     use crate::size::Size;
 
-    /// δ for r = c₀ + c₁t + c₂t² + c₃t³ on |t| ≤ 1, h = 2 half, by integrating twice.
+    /// Returns the moment δ at t for the residual load r = c₀ + c₁t + c₂t² + c₃t³ on |t| ≤ 1. The function
+    /// integrates δ″ = −r twice on the length h = 2 `half`, with the end values a and b.
     fn moment(c: &[f64; 4], half: f64, [a, b]: [f64; 2], t: f64) -> f64 {
         let twice = |t: f64| {
             let terms = c.iter().enumerate();

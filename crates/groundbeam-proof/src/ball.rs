@@ -4,10 +4,10 @@ use crate::float::{ABOVE, HUGE, TINY, magnitude, magnitude_scaled, times_power_o
 use crate::scalar::{Scalar, expm1_by_series};
 use std::ops::{Add, Mul, Neg, Sub};
 
-/// The interval of all numbers x with |x − m| ≤ r.
+/// The interval of all numbers x with |x − m| ≤ r, with the midpoint m and the radius r.
 ///
-/// Each operation adds a bound of its own rounding error to the radius, so the rounding mode is never
-/// changed.
+/// Each operation adds a bound of its own rounding error to the radius r, so no operation needs another rounding
+/// mode.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Ball {
     m: f64,
@@ -18,7 +18,8 @@ impl Ball {
     /// The ball of all numbers.
     pub(crate) const ALL: Ball = Ball { m: 0.0, r: f64::INFINITY };
 
-    /// The ball with this midpoint and this radius. All balls are created by this function.
+    /// Returns the ball with the midpoint `m` and the radius `r`. NaN and huge numbers give the ball of all numbers.
+    /// A tiny midpoint becomes 0, with a larger radius.
     pub(crate) fn new(m: f64, r: f64) -> Self {
         let size = magnitude(m);
         // A comparison with NaN is false, so NaN takes the first branch.
@@ -31,12 +32,12 @@ impl Ball {
         }
     }
 
-    /// A bound of the rounding error and of the underflow of a result.
+    /// Returns a bound of the rounding error and of the underflow error of the result `m` of an operation.
     fn rounding(m: f64) -> f64 {
         magnitude(m) * f64::EPSILON + f64::MIN_POSITIVE
     }
 
-    /// The radius.
+    /// Returns the radius.
     pub fn radius(self) -> f64 {
         self.r
     }
@@ -100,7 +101,7 @@ impl Scalar for Ball {
         if !(self.low() >= 0.0) || !(self.m > 0.0) {
             return Ball::ALL;
         }
-        // √a − q = (a − q²)/(√a + q), and √a ≥ 0.
+        // The error of the root is bounded by its residual: √a − q = (a − q²)/(√a + q), and √a ≥ 0.
         let q = self.m.sqrt();
         let root = Ball::new(q, 0.0);
         let rest = self - root * root;
@@ -133,7 +134,7 @@ impl Scalar for Ball {
             return self.m;
         }
         let x = self.m + self.r;
-        // Two roundings, each at most 2⁻⁵³ of the sum of both sizes.
+        // The sum of the midpoint m and the radius r is rounded twice, each time by at most 2⁻⁵³ (|m| + r).
         x + 2.0 * f64::EPSILON * (magnitude(self.m) + self.r) + f64::MIN_POSITIVE
     }
 

@@ -5,9 +5,9 @@
 pub(crate) struct LoadedStretch<S> {
     /// Length of the stretch; `None` for an infinite stretch, which has no loads.
     pub length: Option<S>,
-    /// k and μ.
+    /// k and μ of the stretch.
     pub ground: [S; 2],
-    /// q at the near and at the far end.
+    /// Distributed load q at the near and at the far end of the stretch.
     pub spread: [S; 2],
     /// The point force at the far end of the stretch.
     pub force: S,
@@ -17,12 +17,12 @@ pub(crate) struct LoadedStretch<S> {
 #[derive(Debug, Clone)]
 pub(crate) struct Row<S> {
     pub stretches: Vec<LoadedStretch<S>>,
-    /// Whether the surface is held at the end of the last stretch.
+    /// Whether the ground surface is fixed at zero settlement at the far end of the last stretch.
     pub held: bool,
 }
 
 impl<S> Row<S> {
-    /// No ground.
+    /// Returns a row without stretches, for an end of the beam without ground outside.
     pub fn none() -> Self {
         Row { stretches: Vec::new(), held: false }
     }

@@ -1,14 +1,15 @@
 //! Bounds of the errors of an answer, each with the scale with which it is compared.
 
-/// An error is small if it is at most this fraction of its scale.
+/// Largest fraction of its scale at which an error counts as small.
 const SMALL: f64 = 1e-6;
 
 /// A bound of the error of one quantity: |claimed − exact| ≤ `error`. It is infinite if no bound is proven.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bound {
-    /// The bound, in the unit of the quantity.
+    /// Bound of the error, in the unit of the quantity.
     pub error: f64,
-    /// The scale of the quantity, in the same unit: a proven lower bound of its largest absolute value.
+    /// Scale with which the error is compared, in the unit of the quantity. Section 8 of docs/proof.md lists the
+    /// scales.
     pub scale: f64,
 }
 
@@ -19,27 +20,27 @@ impl Bound {
     }
 }
 
-/// Bounds of the errors of the fields, each the largest over the beam.
+/// Error bounds of the fields of an answer. Each bound is valid on the whole beam.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bounds {
-    /// Bound of w \[m\].
+    /// Error bound of the deflection w \[m\].
     pub deflection: Bound,
-    /// Bound of w′ \[rad\], also on both sides of hinges.
+    /// Error bound of the slope w′ \[rad\], also on both sides of hinges.
     pub slope: Bound,
-    /// Bound of the rotation of the sections \[rad\].
+    /// Error bound of the rotation of the cross-sections \[rad\].
     pub rotation: Bound,
-    /// Bound of M \[N·m\].
+    /// Error bound of the bending moment M \[N·m\].
     pub moment: Bound,
-    /// Bound of V \[N\].
+    /// Error bound of the shear force V \[N\].
     pub shear_force: Bound,
-    /// Bound of u \[m\].
+    /// Error bound of the displacement u of the ground \[m\].
     pub settlement: Bound,
-    /// Bound of p \[N/m\], outside the intervals that contain the edges of contact.
+    /// Error bound of the contact pressure p \[N/m\], outside the intervals that contain the edges of contact.
     pub pressure: Bound,
 }
 
 impl Bounds {
-    /// All bounds with the names that documents use.
+    /// Returns all bounds with the names that documents use.
     pub fn named(&self) -> [(&'static str, Bound); 7] {
         [
             ("deflection", self.deflection),
@@ -53,21 +54,21 @@ impl Bounds {
     }
 }
 
-/// Bounds of the errors of the reactions of one support.
+/// Error bounds of the reactions of one support.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ReactionBound {
-    /// Bound of the force \[N\].
+    /// Error bound of the reaction force \[N\].
     pub force: Bound,
-    /// Bound of the moment \[N·m\].
+    /// Error bound of the reaction moment \[N·m\].
     pub moment: Bound,
 }
 
 /// Scales of the quantities that are enclosed by intervals.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Scales {
-    /// Scale of the edges of contact: the length of the beam \[m\].
+    /// Scale of the positions of contact edges: the length of the beam \[m\].
     pub length: f64,
-    /// Scale of concentrated forces: the sum of the loads \[N\].
+    /// Scale of concentrated forces \[N\]: the larger of the sum of all loads and the largest reaction.
     pub force: f64,
 }
 

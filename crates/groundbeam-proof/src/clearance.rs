@@ -1,17 +1,23 @@
-//! The clearance C̄ = ū + g₀ − w̄ over open ground: bounds of its negative part, and the energy of a
-//! correction of the surface that removes the penetration.
+//! Bounds the penetration of beam and open ground, and the energy of the surface correction that removes the penetration.
 //!
-//! A stretch of open layer runs between neighbouring touching nodes, or to the end of the layer. At touching
-//! nodes C̄ = 0 by construction. Within a distance d of a touching node C̄ ≥ −τx, elsewhere C̄ ≥ −(deepest).
-//! With D = max(τd, deepest) the ground is raised by v = D min(x/d, 1). v vanishes at every touching node, so
-//! the pressures do no work on it. Its energy is
+//! C̄ = ū + g₀ − w̄ is the clearance between the ground surface ū and the deflection w̄ that are constructed from
+//! the answer. A negative clearance is a penetration.
+//!
+//! Each end of an open stretch of a layer is a touching node or an end of the layer. At touching nodes C̄ = 0 by
+//! construction. Let x be the distance from a touching node. For x ≤ d, the penetration is at most τx with a slope
+//! τ. Elsewhere it is at most `deepest`. The correction raises the ground by v = D min(x/d, 1) with D = max(τd,
+//! `deepest`). v is zero at every touching node, so the pressures do no work on v. The energy of v satisfies
 //!
 //! ```text
-//! ‖v‖_b² ≤ D²(Σ kh + Σ_touching ends μ/d + K₀ or K_l where the stretch reaches an end of the beam).
+//! ‖v‖_b² ≤ D²(Σ kh + Σ μ/d + Σ K).
 //! ```
 //!
-//! On Winkler ground the correction is ū = max(w̄ − g₀, 0), with the norm (Σ k η²ω)^½, where η bounds w̄ − g₀
-//! on an open piece and ω is the length on which w̄ − g₀ is positive.
+//! The sums extend over the pieces of length h of the stretch, over its touching ends, and over the ends of the
+//! beam that the stretch reaches without contact. K is the stiffness of the ground outside an end of the beam.
+//!
+//! On Winkler ground, the correction raises the surface to max(w̄ − g₀, q/k). The norm of this correction is at
+//! most (Σ kη²ω)^½. η bounds the penetration w̄ − g₀ − q/k on an open piece, and ω is the length on which the
+//! penetration is positive.
 
 use crate::arc::Arc;
 use crate::deflection::Deflection;
@@ -21,14 +27,15 @@ use crate::polynomial::{Below, Budget, Polynomial, below, half_width};
 use crate::scalar::Scalar;
 use crate::size::Size;
 
-/// The corrections that make the clearance nonnegative, and their norms.
+/// The heights by which open ground is raised to remove the penetration, and the norms of these corrections.
 #[derive(Debug)]
 pub(crate) struct Clearance {
-    /// (Σ‖v‖_b²)^½ over the stretches of open layers. Each v vanishes at touching nodes, so their energies add.
+    /// (Σ‖v‖_b²)^½, the norm of the correction v of all open layers. The energies of the stretches of open layer
+    /// add, because each v is zero at touching nodes.
     pub lifted: Size,
-    /// (Σ kη²ω)^½ on open Winkler ground.
+    /// (Σ kη²ω)^½, the norm of the correction of open Winkler ground. η is the penetration depth on the length ω.
     pub risen: Size,
-    /// The height by which the ground of each piece is raised: D, or η on Winkler ground.
+    /// The height by which the correction raises the ground of each piece.
     pub raised: Vec<Size>,
 }
 
@@ -71,7 +78,7 @@ pub(crate) fn clearance<S: Scalar>(
     found
 }
 
-/// Bounds of the part of w̄ above g₀ + q/k on an open piece of Winkler ground.
+/// Bounds the depth and the length of the penetration w̄ − g₀ − q/k on an open piece of Winkler ground.
 fn above_springs<S: Scalar>(
     span: &Span<S>,
     closed: Size,
@@ -82,14 +89,15 @@ fn above_springs<S: Scalar>(
         let clear = span.above_free_field().times(-S::one()).coarse();
         return below(&clear, closed, negligible, span.interval(), budget);
     };
-    // Where k varies, q/k is not a polynomial. q − k(w̄ − g₀) has the same sign and is used instead.
+    // If k varies, q/k is not a polynomial. The polynomial q − k(w̄ − g₀) is used instead. It is negative exactly
+    // where the beam penetrates the ground.
     let stiff = Size::of(span.spring.high());
     let clear = (span.spring.times(span.obstacle()).times(-S::one()) + load).coarse();
     let found = below(&clear, stiff * closed, stiff * negligible, span.interval(), budget);
     Below { depth: found.depth.over(span.spring.low()), ..found }
 }
 
-/// Open pieces of a layer between two touching nodes, or from a touching node to the end of the layer.
+/// Consecutive open pieces of a layer. Each end of the stretch is a touching node or an end of the layer.
 struct Stretch<'a, S> {
     frame: &'a Frame<S>,
     deflection: &'a Deflection<S>,
@@ -99,13 +107,14 @@ struct Stretch<'a, S> {
     negligible: Size,
 }
 
-/// The neighbourhood of a touching node in which C̄ ≥ −τx is shown.
+/// Neighbourhood of a touching node. At the distance x from the node, the penetration is proven to be at most τx,
+/// with a constant slope τ.
 struct Ramp {
-    /// The far end, as a value of t.
+    /// The value of t at the end of the neighbourhood away from the node.
     reach: f64,
-    /// A lower bound of the distance d from the node.
+    /// A lower bound of the length d of the neighbourhood.
     distance: f64,
-    /// The depth τd.
+    /// Bound τd of the penetration in the neighbourhood, where τ is the slope and d the length.
     depth: Size,
 }
 
@@ -152,7 +161,7 @@ impl<S: Scalar> Stretch<'_, S> {
         (deepest, if deepest.value() == 0.0 { deepest } else { deepest * stiffness.root() })
     }
 
-    /// C̄′ at a touching node, into the open piece: u′ + g₀′ − w′ − c′.
+    /// Returns the slope of the clearance C̄ = ū + g₀ − w̄ at a touching node, on the side of the open piece.
     fn slope_at(&self, i: usize, side: usize) -> S {
         let span = &self.frame.spans[i];
         let settling = self.surface.pieces[i].flux[side].div(span.shear.at_end(side));
@@ -162,11 +171,11 @@ impl<S: Scalar> Stretch<'_, S> {
     }
 }
 
-/// An open piece of a layer in low precision. Under a load on the ground, v = u − q/k and ψ − q/k take the
-/// place of u and ψ.
+/// An open piece of a layer in numbers of low precision. Under a load on the ground, v = u − q/k replaces u, and
+/// ψ − q/k replaces ψ = w − g₀.
 pub(crate) struct OpenPiece<C> {
     pub arc: Arc<C>,
-    /// ψ = w − g₀, ψ′ and ψ″ with respect to x, as polynomials of t.
+    /// ψ = w − g₀ and its derivatives ψ′ and ψ″ with respect to x, as polynomials of t.
     pub obstacle: [Polynomial<C>; 3],
     pub half: C,
     /// t at both ends.
@@ -176,7 +185,8 @@ pub(crate) struct OpenPiece<C> {
 }
 
 impl<C: Scalar> OpenPiece<C> {
-    /// `along` is u on varying ground. There ψ − u and 0 take the place of ψ and u.
+    /// Returns an open piece with the obstacle ψ = w − g₀. `along` is the settlement u on ground whose k or μ
+    /// varies. On such ground, ψ − u replaces ψ, and 0 replaces u.
     pub fn of<S: Scalar<Coarse = C>>(
         span: &Span<S>,
         ends: [S; 2],
@@ -204,8 +214,9 @@ impl<C: Scalar> OpenPiece<C> {
         self.arc.at((C::of(t) - self.ends[0]) * self.half)
     }
 
-    /// A lower bound of C̄″ on |t − m| ≤ r: b²u − ψ″ − |c″|, with u bounded below by its tangent and its smallest
-    /// curvature.
+    /// Returns a lower bound of the second derivative C̄″ of the clearance on |t − m| ≤ r, computed from C̄″ ≥ b²u
+    /// − ψ″ − |c″|. Here b² = k/μ, and c is the correction of the deflection. u is bounded below by its tangent at
+    /// m and its smallest curvature.
     pub fn curvature(&self, m: f64, r: f64, [u, slope]: [C; 2]) -> f64 {
         let reach = C::of(r) * self.half;
         let least = self.arc.least();
@@ -219,16 +230,17 @@ impl<C: Scalar> OpenPiece<C> {
         (bent * C::of(least) - about.coefficient(0) - lost).low()
     }
 
-    /// A distance d from a touching end within which C̄ ≥ −τx, from the slope C̄′ at the end into the piece. The first
-    /// trial is the whole piece if its other end does not touch.
+    /// Finds a length d at a touching end of a piece, and a slope τ. The penetration is at most τx at each
+    /// distance x ≤ d from the end. `slope` is the slope of the clearance at the end. `alone` states that the
+    /// other end does not touch. The whole piece is then the first trial.
     fn ramp<S: Scalar>(&self, side: usize, slope: S, alone: bool, budget: &mut Budget) -> Ramp {
         let slope = if side == 0 { slope } else { -slope };
         let steep = Size::below_zero(slope.low());
         let [from, to] = self.interval;
         let end = self.interval[side];
         let mut reach = if alone { self.interval[1 - side] } else { 0.5 * (from + to) };
-        // The rounding error of C̄. A bound −τx of at most this depth is accepted, because on a short piece it is
-        // smaller than the bound from values of C̄.
+        // `blurred` is the rounding error of the clearance C̄. A depth τd of at most this error is accepted. On a
+        // short piece, a bound from values of C̄ would be larger.
         let blurred = Size::of(f64::EPSILON * self.arc.size());
         loop {
             let [a, b] = if side == 0 { [end, reach] } else { [reach, end] };
@@ -247,7 +259,8 @@ impl<C: Scalar> OpenPiece<C> {
                 return ramp(Size::ZERO);
             }
             let depth = (steep + fall) * long;
-            // −C̄ at the far end is at least half of the depth τx, so a shorter neighbourhood would not reduce D much.
+            // If the penetration at the far end of the neighbourhood is at least half of `depth`, a shorter
+            // neighbourhood would at most halve the bound of the penetration.
             let at_reach = self.settlement(reach)[0] - self.obstacle[0].value(C::of(reach));
             let deep = depth.value() <= 2.0 * Size::below_zero(at_reach.high()).value();
             if deep || depth <= blurred || !(b - a > 1e-12) || !budget.take() {
@@ -257,10 +270,10 @@ impl<C: Scalar> OpenPiece<C> {
         }
     }
 
-    /// A bound of −C̄ on an interval of t.
+    /// Returns an upper bound of the penetration −C̄ on an interval of t.
     fn deepest(&self, [from, to]: [f64; 2], negligible: Size, budget: &mut Budget) -> Size {
-        // A depth below the rounding error is accepted: at a double zero of C̄, for example beside a clamp, halving
-        // would use the budget of all pieces.
+        // A depth below the rounding error of C̄ is accepted. Otherwise, at a double zero of C̄, for example
+        // beside a clamp, the search would use up the permitted halvings of all pieces.
         let rounding = f64::EPSILON * (Size::of(self.arc.size()) + self.obstacle[0].size(1.0));
         let mut deepest = Size::ZERO;
         let mut open = Vec::new();
@@ -285,8 +298,8 @@ impl<C: Scalar> OpenPiece<C> {
             }
             let here = Size::below_zero(value.low());
             let depth = here + lost;
-            // Accept the depth if it is at most the largest depth so far, if halving would not change it
-            // much, if it is below the rounding error of C̄, or if it is negligible.
+            // A depth is accepted if it is at most the largest depth so far, negligible, or below the rounding
+            // error of C̄. It is also accepted if halving would not change it much.
             let found = depth <= deepest || depth <= negligible || depth <= rounding;
             let blurred = Size::of(0.25 * (value.high() - value.low()));
             let enough = found || depth <= blurred + 1.25 * (here + self.closed[0]);
@@ -317,7 +330,7 @@ mod tests {
     use crate::wide::Wide;
     use serde_json::json;
 
-    /// The height by which a beam penetrates Winkler ground under a load, with constant and with varying k.
+    /// Checks the bound of the depth by which a beam penetrates loaded Winkler ground, with constant and varying k.
     #[test]
     fn the_depth_of_a_beam_in_loaded_springs_is_bounded() {
         let mut random = numbers();
@@ -356,8 +369,8 @@ mod tests {
         assert!((50..290).contains(&deep), "{deep}");
     }
 
-    /// The claimed slope jumps by 0.5 at x = 1, where an open piece begins. The corrected beam has no jump: its slope there is
-    /// that of the left piece, −0.2, whatever is claimed on the right.
+    /// The claimed slope jumps at x = 1, where an open piece begins. The slope of the corrected beam at x = 1 is
+    /// that of the left piece, −0.2, for every size of the jump.
     #[test]
     fn the_slope_of_the_clearance_is_that_of_the_corrected_beam() {
         let text = "[beam]\nlength = 2\nEI = 1\n[foundation]\nk = 1\nmu = 1\n\
@@ -377,7 +390,8 @@ mod tests {
                     end: 2,
                     negligible: Size::ZERO,
                 };
-                // u = exp(1 − x), g₀′ = 0.5.
+                // The surface is u = exp(1 − x), so u′ = −1 at x = 1. The gap has g₀′ = 0.5, and the beam
+                // w′ = −0.2.
                 let exact = Wide::of(-1.0 + 0.5 + 0.2);
                 let found = stretch.slope_at(1, 0);
                 assert!((found - exact).size() < 1e-14, "{jump}: {found:?}");
@@ -385,9 +399,9 @@ mod tests {
         }
     }
 
-    /// An open piece between two regions, with jumps of the claim at both ends: the flux of the surface follows from the
-    /// corrected heights, (μb/sinh z)(u_R cosh z − u_L) at the right end. The layer begins at x = 1 beside Winkler ground. Its
-    /// surface is level there, so the flux has no jump.
+    /// Checks an open piece between two contact regions, where the claimed deflection jumps at both ends. The flux
+    /// μu′ at the ends follows from the corrected deflections of the ends. The layer begins at x = 1 beside
+    /// Winkler ground. The surface of the layer is horizontal at x = 1, so the flux has no jump there.
     #[test]
     fn the_surface_joins_the_corrected_beam() {
         let text = "[beam]\nlength = 4\nEI = 1e6\n[foundation]\nk = 1\nmu = 1\n\

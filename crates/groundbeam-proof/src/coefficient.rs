@@ -1,10 +1,10 @@
-//! A coefficient of the equations along a piece, EI, S, k or μ: constant, or a polynomial of t with its bounds.
+//! A coefficient EI, S, k or μ of the equations on one piece: a constant, or a polynomial of t with bounds of its values.
 
 use crate::model::Course;
 use crate::polynomial::{Line, Polynomial};
 use crate::scalar::Scalar;
 
-/// A coefficient along a piece.
+/// A coefficient EI, S, k or μ on one piece.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Coefficient<S> {
     /// Constant along the piece.
@@ -17,16 +17,16 @@ pub(crate) enum Coefficient<S> {
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Varying<S> {
     along: Polynomial<S>,
-    /// Bounds of its values on the piece.
+    /// Lower and upper bound of the coefficient on the piece.
     bounds: [f64; 2],
-    /// Its values at the ends of the piece.
+    /// Values of the coefficient at the two ends of the piece.
     ends: [S; 2],
 }
 
 impl<S: Scalar> Coefficient<S> {
-    /// The part of a profile on a piece. The profile is defined along a segment from `s` = 0 to 1; the piece
-    /// extends from s = `ends[0]` to `ends[1]`, with s = `line`(t). `scaled` converts the control values to
-    /// the units of the proof.
+    /// Returns the coefficient on a piece that is a part of a segment. The profile is defined along the segment
+    /// from s = 0 to s = 1. The piece extends from s = `ends[0]` to s = `ends[1]`, with s = `line`(t). `scaled`
+    /// converts the control values of the profile to the units of the proof.
     pub fn of(course: &Course<S>, line: &Line<S>, ends: [S; 2], scaled: impl Fn(S) -> S) -> Self {
         let values: Vec<S> = match course {
             Course::Constant(value) => return Coefficient::Even(scaled(*value)),
@@ -45,7 +45,7 @@ impl<S: Scalar> Coefficient<S> {
         Coefficient::Varying(Box::new(Varying { along: in_powers(&values, line), bounds, ends }))
     }
 
-    /// The constant value; `None` if it varies.
+    /// Returns the value of a constant coefficient, or `None` if the coefficient varies.
     pub fn even(&self) -> Option<S> {
         match self {
             Coefficient::Even(value) => Some(*value),
@@ -53,7 +53,7 @@ impl<S: Scalar> Coefficient<S> {
         }
     }
 
-    /// The polynomial of t; `None` if it is constant.
+    /// Returns the polynomial of t of a varying coefficient, or `None` if the coefficient is constant.
     pub fn along(&self) -> Option<&Polynomial<S>> {
         match self {
             Coefficient::Even(_) => None,
@@ -61,7 +61,7 @@ impl<S: Scalar> Coefficient<S> {
         }
     }
 
-    /// The value at the left or at the right end.
+    /// Returns the coefficient at the left end (`side` = 0) or right end (`side` = 1) of the piece.
     pub fn at_end(&self, side: usize) -> S {
         match self {
             Coefficient::Even(value) => *value,
@@ -77,7 +77,7 @@ impl<S: Scalar> Coefficient<S> {
         }
     }
 
-    /// A lower bound on the piece.
+    /// Returns a lower bound of the coefficient on the piece.
     pub fn low(&self) -> f64 {
         match self {
             Coefficient::Even(value) => value.low(),
@@ -85,7 +85,7 @@ impl<S: Scalar> Coefficient<S> {
         }
     }
 
-    /// An upper bound on the piece.
+    /// Returns an upper bound of the coefficient on the piece.
     pub fn high(&self) -> f64 {
         match self {
             Coefficient::Even(value) => value.high(),
@@ -93,7 +93,8 @@ impl<S: Scalar> Coefficient<S> {
         }
     }
 
-    /// A value in the middle of the piece, used for decisions only; it is not a bound.
+    /// Returns the rounded value of the coefficient at t = 0. The value is used for decisions only; it is not a
+    /// bound.
     pub fn middle(&self) -> f64 {
         match self {
             Coefficient::Even(value) => value.middle(),
@@ -101,18 +102,19 @@ impl<S: Scalar> Coefficient<S> {
         }
     }
 
-    /// An upper bound of the absolute value on the piece. No coefficient is negative.
+    /// Returns an upper bound of the absolute value of the coefficient on the piece. No coefficient is negative.
     pub fn size(&self) -> f64 {
         self.high()
     }
 
-    /// The least value on the piece, as a number of the proof.
+    /// Returns a lower bound of the coefficient on the piece, in the number type of the proof. For a constant
+    /// coefficient, it is the exact value.
     pub fn least(&self) -> S {
         self.even().unwrap_or_else(|| S::of(self.low()))
     }
 }
 
-/// The control values of the part of a profile between two values of s, by blossoming.
+/// Computes the control values of a profile between s = `a` and s = `b`, by blossoming.
 fn controls<S: Scalar>(values: &[S], [a, b]: [S; 2]) -> Vec<S> {
     let degree = values.len() - 1;
     let control = |j: usize| {
@@ -126,7 +128,7 @@ fn controls<S: Scalar>(values: &[S], [a, b]: [S; 2]) -> Vec<S> {
     (0..=degree).map(control).collect()
 }
 
-/// The profile in powers of t, by de Casteljau's algorithm with s = line(t).
+/// Converts a profile to a polynomial of t, by de Casteljau's algorithm with s = `line`(t).
 fn in_powers<S: Scalar>(values: &[S], line: &Line<S>) -> Polynomial<S> {
     let line = Polynomial::zero() + line;
     let rest = Polynomial::from_coefficients([S::one()]) - &line;
@@ -147,7 +149,7 @@ mod tests {
     use crate::scalar::Scalar;
     use crate::wide::Wide;
 
-    /// A profile by Bernstein's formula.
+    /// Evaluates a profile at s by Bernstein's formula.
     fn course(values: &[f64], s: f64) -> f64 {
         let n = values.len() - 1;
         let mut sum = 0.0;

@@ -1,4 +1,4 @@
-//! The axial compression, and the fraction of the energy's convexity that remains under it.
+//! The axial compression N = −P, and the fraction of the convexity of the energy that remains under this compression.
 
 use crate::scalar::Scalar;
 use crate::size::Size;
@@ -8,28 +8,34 @@ use crate::size::Size;
 pub(crate) struct Compression<S> {
     /// N = −P.
     pub force: S,
-    /// A lower bound of σ, the fraction of the energy's convexity that remains.
+    /// A lower bound of σ, the fraction of the convexity of the energy that remains under the compression.
     pub margin: f64,
 }
 
 impl<S: Scalar> Compression<S> {
-    /// N_c = ((1 − σ)N Σhc′²)^½ from Σhc′².
+    /// Returns N_c = ((1 − σ)N Σhc′²)^½, the bound of the residual of the axial force. σ is `margin` and N is
+    /// `force`. `turned` is Σhc′², where c′ is the slope of the correction of the deflection on a piece of length
+    /// h.
     pub fn misfit(&self, turned: Size) -> Size {
         (Size::of((1.0 - self.margin).next_up()) * Size::of(self.force.high()) * turned).root()
     }
 
-    /// ((s₂ + N_c)² + s₂²)^½/√σ, which takes the place of s₂ = √(2E) in bounds from test functions.
+    /// Returns the factor ((s₂ + N_c)² + s₂²)^½/√σ of the bounds from test functions under compression. Here s₂ =
+    /// √(2E) with the error energy E, N_c is [`Compression::misfit`], and σ is `margin`. Without compression the
+    /// factor is s₂.
     pub fn test_factor(&self, energy: Size, turned: Size) -> Size {
         let root = (2.0 * energy).root();
         let missed = root + self.misfit(turned);
         (missed.square() + root.square()).over(self.margin).root()
     }
 
-    /// (((1 − σ)N)^½ + N(σΣhc′²)^½/s₂)², which takes the place of P in K². With the factor of `test_factor`, K² then
-    /// bounds the contribution of the misfit s − Pw*′. By Cauchy's inequality,
+    /// Returns T = (((1 − σ)N)^½ + N(σΣhc′²)^½/s₂)². Under compression, T replaces the tension P in the energy
+    /// K² = K₁² + P∫z′² of a test function z. The other symbols are those of [`Compression::misfit`] and
+    /// [`Compression::test_factor`]. Let Z = ∫z′². The last two terms on the left side of Cauchy's inequality are
+    /// due to the axial force:
     ///
     /// ```text
-    /// (s₂ + N_c)K₁/√σ + s₂((1 − σ)NZ/σ)^½ + N(ZΣhc′²)^½ ≤ (((s₂ + N_c)² + s₂²)/σ)^½ (K₁² + PZ)^½,   Z = ∫z′².
+    /// (s₂ + N_c)K₁/√σ + s₂((1 − σ)NZ/σ)^½ + N(ZΣhc′²)^½ ≤ (((s₂ + N_c)² + s₂²)/σ)^½ (K₁² + TZ)^½.
     /// ```
     pub fn as_tension(&self, energy: Size, turned: Size) -> Size {
         let force = Size::of(self.force.high());

@@ -1,8 +1,8 @@
-//! The exact contact set: intervals that contain the edges of every region, and the concentrated forces of a layer.
+//! Proves the exact contact set: intervals that contain the edges of every region and the concentrated forces of a layer.
 //!
-//! It follows from the bounds of w, w′, M and u on each piece. In a layer, the open stretches are proven
-//! first, then the regions. On Winkler ground, the sign of w − g₀ decides. If a step fails, its name and
-//! position are returned.
+//! The proof uses the bounds of w, w′, M and u on each piece. In a layer, first the clearance of the open stretches
+//! is proven, then the contact of the regions. On Winkler ground, the sign of w − g₀ decides. If a step fails, the
+//! name and the position of the step are returned.
 
 use crate::approach::Approach;
 use crate::contact_set::{Contact, ContactForce, ContactRegion, EdgeShift, Shown, more};
@@ -11,11 +11,11 @@ use crate::refusal::NotProven;
 use crate::scalar::Scalar;
 use crate::size::Size;
 
-/// The shortest part of a piece next to an end, in units of t, on which contact or clearance is decided.
+/// Length of the shortest part of a piece next to an end, in units of t, on which contact or clearance is decided.
 pub(crate) const SHORTEST_PART: f64 = 4e-12;
 
 impl<S: Scalar> Contact<'_, S> {
-    /// The contact set of all layers and of the Winkler ground.
+    /// Proves the contact set of all layers and of the Winkler ground.
     pub fn shown(&self) -> Shown {
         let frame = self.fields.frame;
         let spans = &frame.spans;
@@ -39,15 +39,16 @@ impl<S: Scalar> Contact<'_, S> {
         shown
     }
 
-    /// Proves the contact of a layer: first the open stretches, then the regions and points.
+    /// Proves the contact set of a layer: first the open stretches, then the contact regions and points.
     fn layer(&self, first: usize, end: usize, shown: &mut Shown) -> Result<(), NotProven> {
         let (spans, touches) = (&self.fields.frame.spans, &self.fields.surface.touches);
-        // The contact on the left and on the right of each node of the layer, where it is proven.
+        // `beside` contains the `Approach` of the open pieces on the left and on the right of each node of the
+        // layer.
         let mut beside: Vec<[Option<Approach>; 2]> = vec![[None; 2]; spans.len() + 1];
         for i in (first..end).filter(|i| !spans[*i].touches) {
-            let [left, right] = self
-                .shown_open(i, &mut shown.zones)
-                .ok_or_else(|| self.failed("the clearance of open ground is too small", i))?;
+            let [left, right] = self.shown_open(i, &mut shown.zones).ok_or_else(|| {
+                self.failed("the clearance of open ground is too small to exclude contact", i)
+            })?;
             beside[i][1] = left;
             beside[i + 1][0] = right;
         }
@@ -75,8 +76,8 @@ impl<S: Scalar> Contact<'_, S> {
         Ok(())
     }
 
-    /// Proves that a point is the only contact in its neighbourhood, if its force exceeds the error bound of
-    /// the force.
+    /// Proves that a contact point is the only contact in its neighbourhood. This requires that the contact force
+    /// exceeds its error bound.
     fn point(
         &self,
         node: usize,
@@ -86,9 +87,10 @@ impl<S: Scalar> Contact<'_, S> {
         let tolerance = self.tolerance(node, beside);
         let alone = beside[node].iter().flatten().all(|side| side.theta == Size::ZERO);
         if !(alone && self.fields.surface.nodes[node].jump.low() > tolerance.value()) {
-            return Err(
-                self.failed("the exact contact at a point may be open, or a short region", node)
-            );
+            return Err(self.failed(
+                "the beam may be open at a contact point, or touch over a short region",
+                node,
+            ));
         }
         self.force(node, tolerance, true, shown);
         let x = self.interval(node, [Size::ZERO; 2]);
@@ -96,7 +98,7 @@ impl<S: Scalar> Contact<'_, S> {
         Ok(())
     }
 
-    /// Proves a contact region between two nodes.
+    /// Proves a contact region between the nodes `a` and `b`.
     fn region(
         &self,
         [a, b]: [usize; 2],
@@ -118,7 +120,9 @@ impl<S: Scalar> Contact<'_, S> {
         shown.edges.extend([left, right]);
         let available = (frame.nodes[b].x - frame.nodes[a].x).low();
         if !((left.inside + right.inside).value() < available) {
-            return Err(self.failed("the region is shorter than the error bounds of its edges", a));
+            return Err(
+                self.failed("a contact region is shorter than the error bounds of its edges", a)
+            );
         }
         for node in (a..=b).filter(|node| !frame.smooth(*node)) {
             let tolerance = self.tolerance(node, beside);
@@ -129,16 +133,17 @@ impl<S: Scalar> Contact<'_, S> {
             }
             let pushes = self.fields.surface.nodes[node].jump.low() >= tolerance.value();
             if !pushes && !self.bends_open(node) {
-                return Err(
-                    self.failed("a concentrated force inside a region may be tensile", node)
-                );
+                return Err(self
+                    .failed("a concentrated force inside a contact region may be tensile", node));
             }
-            // An inner node has contact on both sides if its distance from both edges exceeds the bounds of their
-            // errors.
+            // The exact solution is in contact on both sides of an inner node if the distance of the node from both
+            // edges exceeds the error bounds of the edges.
             let x = frame.nodes[node].x;
             let far = [(x - frame.nodes[a].x).low(), (frame.nodes[b].x - x).low()];
             if !(far[0] > left.inside.value() && far[1] > right.inside.value()) {
-                return Err(self.failed("an edge may lie at a point force", node));
+                return Err(
+                    self.failed("an edge of a contact region may lie at a point force", node)
+                );
             }
             self.force(node, tolerance, true, shown);
         }
@@ -149,8 +154,9 @@ impl<S: Scalar> Contact<'_, S> {
         Ok(())
     }
 
-    /// Bounds of the distance of a region's exact end from the claimed end: θ outward, and θ′ inward with ∫(p
-    /// − ε_p) ≥ ε_a − a over the length θ′.
+    /// Bounds the distance between an end of the exact contact region and the claimed end. The bounds are θ outward
+    /// and θ′ inward. θ′ satisfies ∫(p − ε_p) ≥ ε_a − a over the length θ′. ε_p and ε_a are the error bounds of the
+    /// pressure and of the concentrated force a.
     fn edge(
         &self,
         node: usize,
@@ -159,11 +165,11 @@ impl<S: Scalar> Contact<'_, S> {
     ) -> Result<EdgeShift, NotProven> {
         let approach = beside[node][side];
         let outside = approach.map_or(Size::ZERO, |approach| approach.theta);
-        // The piece of the region at this end.
+        // `i` is the piece of the contact region that ends at `node`.
         let i = if side == 0 { node } else { node - 1 };
         let span = &self.fields.frame.spans[i];
-        // On a beam with shear deformation, one bound of the open length holds without the contact set. It
-        // may be smaller than the bound that follows from the slope.
+        // On a beam with shear deformation, `opened_at` also bounds the length inside the edge that may be open.
+        // This bound does not use the contact set, and may be smaller than the bound from `balanced_inside`.
         let shears = self.fields.frame.shears();
         let rough = if shears { self.opened_at(i, side) } else { None };
         let mut most = rough.unwrap_or(Size::INFINITE);
@@ -187,12 +193,13 @@ impl<S: Scalar> Contact<'_, S> {
         }
     }
 
-    /// ε_a, the bound of the error of a concentrated force: the sum of the bounds of the flux on both sides.
+    /// Returns ε_a, the error bound of a concentrated force: the sum of the error bounds of the flux μu′ on both
+    /// sides of the node.
     fn tolerance(&self, node: usize, beside: &[[Option<Approach>; 2]]) -> Size {
         self.tolerance_beside(node, 0, beside) + self.tolerance_beside(node, 1, beside)
     }
 
-    /// The bound of the error of the flux on one side of a node.
+    /// Returns the error bound of the flux μu′ on one side of a node.
     fn tolerance_beside(&self, node: usize, side: usize, beside: &[[Option<Approach>; 2]]) -> Size {
         let frame = self.fields.frame;
         let last = frame.spans.len();
@@ -212,9 +219,9 @@ impl<S: Scalar> Contact<'_, S> {
         Size::of(frame.outside[side].high()) * self.bounds[i].settlement
     }
 
-    /// Whether the slope of the exact clearance cannot decrease at a node where the beam is open. The node
-    /// must not cause a jump of the flux, a corner of g₀ must increase the slope, and a force on a beam with
-    /// shear deformation, [C*′] = F/(S + P), must act downward.
+    /// Whether the slope of the exact clearance C* cannot decrease at a node where the exact beam is open. The flux
+    /// must have no jump at the node, and a corner of g₀ must increase the slope. On a beam with shear deformation,
+    /// a point force F causes the jump [C*′] = F/(S + P), so F must act downward.
     pub(crate) fn bends_open(&self, node: usize) -> bool {
         let frame = self.fields.frame;
         let corner = || (frame.spans[node].gap_slope() - frame.spans[node - 1].gap_slope()).low();
@@ -224,7 +231,7 @@ impl<S: Scalar> Contact<'_, S> {
         down && frame.even(node) && (!here.corner || corner() >= 0.0)
     }
 
-    /// Adds a concentrated force. Its interval includes zero unless contact is proven at the node.
+    /// Adds the interval of a concentrated force. The interval includes zero unless contact is proven at the node.
     fn force(&self, node: usize, tolerance: Size, contact: bool, shown: &mut Shown) {
         let frame = self.fields.frame;
         let jump = self.fields.surface.nodes[node].jump;
@@ -241,8 +248,9 @@ impl<S: Scalar> Contact<'_, S> {
     }
 }
 
-/// A length θ′ from the end of a piece inward with (p − ε)θ′ at least the missing force, with the smallest p on it; infinite if
-/// none is found. `end` is t at this end, and `half` the length per t.
+/// Returns a length θ′ from the end of a piece inward on which (p − ε)θ′ is at least `missing`, with the smallest p
+/// on this length and the error bound ε of p. The result is infinite if no such length is found. `end` is the value
+/// of t at the end, and `half` is the length per unit of t.
 fn balanced_inside<C: Scalar>(
     field: &Polynomial<C>,
     error: Size,
@@ -251,8 +259,8 @@ fn balanced_inside<C: Scalar>(
     side: usize,
 ) -> Size {
     let at_end = (field.value(C::of(end)).low() - error.value()).next_down();
-    // The length from the end inward on which p − ε is bounded: four times the required length if p changes little,
-    // otherwise more.
+    // `part` is the length from the end on which p − ε is bounded. The first trial is four times the length that is
+    // sufficient for the pressure at the end. Longer parts are tried if p decreases too much.
     let first = (4.0 * missing.over(at_end).over(half)).value();
     let mut part = if at_end > 0.0 && first > SHORTEST_PART { first } else { SHORTEST_PART };
     loop {
@@ -269,7 +277,8 @@ fn balanced_inside<C: Scalar>(
     }
 }
 
-/// Lower bounds of p − ε on a part of a piece next to an end, and of the length of the part, which is given in units of t.
+/// Returns lower bounds of p − ε on a part of a piece next to an end, and of the length of this part. `part` is the
+/// length in units of t.
 pub(crate) fn pressed_beside<C: Scalar>(
     field: &Polynomial<C>,
     error: Size,
@@ -293,8 +302,8 @@ mod tests {
     use crate::scalar::Scalar;
     use crate::size::Size;
 
-    /// On the length θ′ from the end the pressure less its error balances the missing force. Where the pressure is nearly
-    /// constant, θ′ is the least such length.
+    /// Checks that the pressure minus its error has at least the resultant `missing` on the length θ′ from an end
+    /// of the piece. Where the pressure is nearly constant, θ′ is the smallest such length.
     #[test]
     fn the_length_inside_an_edge_balances_the_missing_force() {
         let mut random = numbers();

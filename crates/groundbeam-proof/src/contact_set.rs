@@ -9,47 +9,49 @@ use crate::size::Size;
 /// The exact contact set, with an interval for each edge and each concentrated force.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ContactSet {
-    /// The regions and points of exact contact, from left to right; the list is complete. A region is cut where a shear
-    /// layer ends under the beam.
+    /// The regions and points of exact contact, from left to right. The list is complete. A region is split where a
+    /// shear layer ends under the beam.
     pub regions: Vec<ContactRegion>,
-    /// Intervals that contain the exact concentrated contact forces; the list is complete.
+    /// Intervals that contain the exact concentrated contact forces. The list is complete.
     pub forces: Vec<ContactForce>,
 }
 
 /// One region or point of exact contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ContactRegion {
-    /// An interval that contains the exact left end \[m\].
+    /// An interval that contains the left end of the exact contact region \[m\].
     pub from: [f64; 2],
-    /// An interval that contains the exact right end \[m\]; for a point equal to `from`.
+    /// An interval that contains the right end of the exact contact region \[m\]. For a contact point it equals
+    /// `from`.
     pub to: [f64; 2],
 }
 
 /// A concentrated contact force.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ContactForce {
-    /// Position \[m\], a node of the answer.
+    /// Position of the force \[m\]. It is a node of the answer.
     pub x: f64,
     /// An interval that contains the exact force \[N\], positive where it pushes the beam up.
     pub force: [f64; 2],
 }
 
-/// Bounds of the distance between the ends of a claimed and an exact region.
+/// Bounds of the distances between an end of a claimed contact region and the same end of the exact contact region.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct EdgeShift {
     pub node: usize,
-    /// 0: the left end of the region, 1: its right end.
+    /// Side of the contact region on which the end lies: 0 for the left end, 1 for the right end.
     pub side: usize,
-    /// θ, outward.
+    /// Bound θ of the distance if the exact end lies outside the claimed contact region.
     pub outside: Size,
-    /// θ′, inward.
+    /// Bound θ′ of the distance if the exact end lies inside the claimed contact region.
     pub inside: Size,
-    /// Φ₀ outside and inside: the bound of the jump of the flux for an exact slope.
+    /// Bounds Φ₀ of the jump of the flux μu′ at the end, on the pieces outside and inside the contact region. They do
+    /// not include the effect of the error of the slope.
     pub beyond: [Size; 2],
 }
 
-/// The neighbourhood of an edge on one piece of Winkler ground, or of a support on the surface of open
-/// ground: its length, and the end of the piece at which it lies.
+/// A length on which w* − g₀ is monotone, next to an end of a piece. This end is an edge of contact on Winkler ground, or
+/// a support that touches the surface of open ground.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Zone {
     pub piece: usize,
@@ -57,8 +59,8 @@ pub(crate) struct Zone {
     pub theta: Size,
 }
 
-/// One iteration for a beam with shear deformation: the bounds on the pieces, and the edges that follow from
-/// them.
+/// One iteration of the proof for a beam with shear deformation: the bounds on the pieces, and the edges of contact
+/// that follow from these bounds.
 #[derive(Debug)]
 pub(crate) struct Round {
     pub shown: bool,
@@ -73,27 +75,27 @@ impl Round {
     }
 }
 
-/// The proven regions, forces and edges, and the steps that fail.
+/// The proven contact regions, contact forces and edges, and the steps of the proof that fail.
 #[derive(Debug)]
 pub(crate) struct Shown {
     pub set: ContactSet,
-    /// The ends of the regions of all layers.
+    /// The ends of the contact regions of all layers.
     pub edges: Vec<EdgeShift>,
-    /// ε_a at the touching nodes of layers.
+    /// ε_a, the error bound of the concentrated force at each node; zero at nodes where no layer touches the beam.
     pub tolerances: Vec<Size>,
-    /// Whether the exact contact force at a node is proven to be positive.
+    /// For each node, whether the exact contact force is proven to be positive.
     pub pressed: Vec<bool>,
-    /// Lengths on which w* − g₀ is monotone: next to an edge on each piece of Winkler ground, and next to a
-    /// support on the surface of open ground.
+    /// Lengths on which w* − g₀ is monotone: next to an edge of contact on a piece of Winkler ground, and next to a
+    /// support that touches the surface of open ground.
     pub zones: Vec<Zone>,
-    /// All iterations for a beam with shear deformation, including the last one.
+    /// All iterations for a beam with shear deformation, including the last iteration.
     pub rounds: Vec<Round>,
-    /// The first step that fails in a layer, and the first that fails on Winkler ground.
+    /// The first step of the proof that fails in a layer, and the first step that fails on Winkler ground.
     pub failed: [Option<NotProven>; 2],
 }
 
 impl Shown {
-    /// An empty contact set for this number of nodes.
+    /// Returns an empty contact set for a beam with this number of nodes.
     pub fn nothing(nodes: usize) -> Self {
         Shown {
             set: ContactSet { regions: Vec::new(), forces: Vec::new() },
@@ -106,7 +108,7 @@ impl Shown {
         }
     }
 
-    /// The contact set, or the first step that fails.
+    /// Returns the contact set, or the first step of the proof that fails.
     pub fn result(self) -> Result<ContactSet, NotProven> {
         let [layer, springs] = self.failed;
         match layer.or(springs) {
@@ -116,20 +118,20 @@ impl Shown {
     }
 }
 
-/// Input of the proof of the contact set.
+/// Input of the proof of the contact set: the fields from the answer, and their error bounds on the pieces.
 pub(crate) struct Contact<'a, S> {
     pub fields: &'a Fields<'a, S>,
     pub bounds: &'a [PieceBounds],
 }
 
-/// Number of iterations between contact set and slope for a beam with shear deformation.
+/// Number of iterations that compute contact set and slope in turn, on a beam with shear deformation.
 const ROUNDS: usize = 3;
 
 impl<S: Scalar> Pointwise<'_, S> {
-    /// Proves the contact set, and with it the bounds of the shear force.
+    /// Proves the contact set and the bounds of the shear force that depend on the contact set.
     ///
-    /// On a beam with shear deformation, the contact set needs the slope, and the slope needs the shear
-    /// force. The iteration starts with the contact that is proven without a slope.
+    /// On a beam with shear deformation, the contact set depends on the slope, and the slope depends on the shear
+    /// force. The iteration starts with the contact that is proven without a bound of the slope.
     pub fn contact(&self, pieces: &mut [PieceBounds]) -> Shown {
         let (fields, frame) = (self.fields, self.fields.frame);
         let (mut rounds, mut past) = (1, Vec::new());
@@ -162,7 +164,8 @@ impl<S: Scalar> Contact<'_, S> {
             .at(self.fields.frame.place(node))
     }
 
-    /// An interval about a node, in the units of the model, clipped to the beam.
+    /// Returns an interval around a node in the units of the model, clipped to the beam. `before` and `after` are
+    /// its lengths on the left and on the right of the node.
     pub fn interval(&self, node: usize, [before, after]: [Size; 2]) -> [f64; 2] {
         let frame = self.fields.frame;
         let x = frame.nodes[node].x;
@@ -176,7 +179,7 @@ impl<S: Scalar> Contact<'_, S> {
     }
 }
 
-/// A size that is strictly larger than a given one.
+/// Returns a size that is strictly larger than `size`.
 pub(crate) fn more(size: Size) -> Size {
     1.0001 * size + Size::of(1e-250)
 }

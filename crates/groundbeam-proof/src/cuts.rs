@@ -1,17 +1,17 @@
-//! The nodes at which the balance cuts the beam, from its hinges and the wave lengths of contact between them.
+//! Selects the nodes that divide the beam into cells for the balance: free hinges, and nodes between long lengths of contact.
 
 use crate::frame::Frame;
 use crate::scalar::Scalar;
 
-/// The nodes at which the beam is cut: both ends and free hinges.
+/// Returns the nodes at which the beam is always cut: both ends and the free hinges.
 pub(crate) fn fewest_cuts<S: Scalar>(frame: &Frame<S>) -> Vec<usize> {
     let last = frame.spans.len();
     (0..=last).filter(|i| *i == 0 || *i == last || frame.nodes[*i].is_free_hinge()).collect()
 }
 
-/// As [`fewest_cuts`], with additional cuts. A cut is added after more than two wave lengths of contact since
-/// the last cut (one wave length at the end of a contact zone), if more than one wave length of contact
-/// follows.
+/// Returns the cuts of [`fewest_cuts`] and additional cuts. An additional cut needs more than two wave lengths
+/// (4EI/k)^¼ of contact since the last cut, and more than one wave length of contact on its right. At the end of a
+/// contact zone, one wave length since the last cut is sufficient.
 pub(crate) fn more_cuts<S: Scalar>(frame: &Frame<S>) -> Vec<usize> {
     let last = frame.spans.len();
     let waves: Vec<f64> = frame
@@ -44,7 +44,8 @@ mod tests {
     use crate::given_claim::with_fields;
     use serde_json::json;
 
-    /// The few and the many cuts of a beam with (4EI/k)^¼ = 1 and pieces of these lengths; a negative length is open.
+    /// Returns the results of [`fewest_cuts`] and [`more_cuts`] for a beam with (4EI/k)^¼ = 1. `lengths` are the
+    /// lengths of the pieces; a negative length denotes an open piece.
     fn cuts(lengths: &[f64], hinges: &str) -> [Vec<usize>; 2] {
         let total: f64 = lengths.iter().map(|length| length.abs()).sum();
         let model = format!("[beam]\nlength = {total}\nEI = 6\n[foundation]\nk = 24\n{hinges}");
@@ -64,17 +65,17 @@ mod tests {
     #[test]
     fn cuts_are_separated_by_waves_of_contact() {
         for (lengths, expected) in [
-            // More than two waves since the last cut, and more than one ahead.
+            // A cut needs more than two wave lengths of contact since the last cut, and more than one on its right.
             (&[1.5; 5][..], &[0, 2, 4, 5][..]),
             (&[1.5, 1.5, 0.5], &[0, 3]),
             (&[1.0; 4], &[0, 4]),
             (&[1.0; 5], &[0, 3, 5]),
-            // At the end of a contact zone, more than one wave since the last cut.
+            // At the end of a contact zone, a cut needs more than one wave length of contact since the last cut.
             (&[1.5, -3.0, 1.5], &[0, 1, 3]),
             (&[1.0, -3.0, 1.5], &[0, 3]),
             (&[1.5, -3.0, 1.0], &[0, 3]),
             (&[0.75, 0.75, -0.5, 0.75, 0.75], &[0, 2, 5]),
-            // Open pieces are not counted.
+            // Open pieces do not count as contact.
             (&[-9.0, 1.5, 1.5], &[0, 3]),
             (&[-9.0, 1.5, 1.0, 1.5], &[0, 3, 4]),
         ] {

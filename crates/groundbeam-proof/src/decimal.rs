@@ -1,13 +1,13 @@
-//! A decimal number from its text: its digits as an integer, and a power of ten.
+//! Reads a decimal number from text: its digits as an integer, and a power of ten.
 
-/// A decimal number with the digits of the file.
+/// A decimal number as written in the file: a sign, and digits times a power of ten.
 pub(crate) struct Decimal {
     pub negative: bool,
     /// At most 37 digits.
     pub digits: u128,
-    /// Power of ten of the last digit.
+    /// Power of ten of the last stored digit.
     pub exponent: i32,
-    /// Whether nonzero digits after the stored ones were omitted.
+    /// Whether nonzero digits after the stored digits were omitted.
     pub cut: bool,
 }
 
@@ -32,14 +32,15 @@ impl Decimal {
                 read.add(digit, step)?;
             }
         }
-        // If digits are omitted, the exponent is that of the last stored digit.
+        // Trailing zeros are removed. They stay if digits were omitted, because the last stored digit then bounds
+        // the omitted part.
         while !read.cut && read.digits != 0 && read.digits.is_multiple_of(10) {
             (read.digits, read.exponent) = (read.digits / 10, read.exponent.checked_add(1)?);
         }
         Some(read)
     }
 
-    /// Appends a digit. `step` is the change of the power of ten of the last digit.
+    /// Appends a digit. `step` is the change of the exponent: 0 before the decimal point, −1 after it.
     fn add(&mut self, digit: u8, step: i32) -> Option<()> {
         if !digit.is_ascii_digit() {
             return None;

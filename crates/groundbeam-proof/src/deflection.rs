@@ -1,11 +1,11 @@
-//! The admissible deflection w̄ = w + c and rotation φ̄ = φ + c′. Both satisfy the supports; w̄ is continuous, φ̄ is
-//! continuous except at hinges.
+//! The admissible deflection w̄ = w + c and rotation φ̄ = φ + c′, from the claimed fields and the rigid supports.
 //!
-//! Where the beam has no shear deformation, φ = w′. c closes the jumps of the claimed fields. On a piece
-//! shorter than a wave length (4EI/k)^¼, the correction is rigid: c is linear and continues the correction of
-//! the neighbour. On a longer piece, and on the longest piece between two rigid supports, the correction
-//! bends the piece: c is the cubic with given values a and slopes b at both ends. With A the largest |a| and
-//! B the largest |b|
+//! w̄ and φ̄ satisfy the supports. w̄ is continuous, and φ̄ is continuous except at hinges. Where the beam has no
+//! shear deformation, φ = w′. The correction c closes the jumps of the claimed fields. On a piece shorter than a
+//! wave length (4EI/k)^¼, the correction is rigid: c is linear and continues the correction of the neighbouring
+//! piece. On a longer piece, and on the longest piece between two rigid supports, the correction bends the piece: c
+//! is the cubic with given values a and slopes b at both ends. Let h be the length of the piece, A the largest |a|
+//! and B the largest |b|. Then
 //!
 //! ```text
 //! bend: |c| ≤ A + 0.3Bh, |c′| ≤ 3A/h + B, |c″| ≤ 12A/h² + 6B/h;   rigid: |c| ≤ A + Bh, |c′| ≤ B, c″ = 0.
@@ -17,25 +17,25 @@ use crate::refusal::NotProven;
 use crate::scalar::Scalar;
 use crate::size::Size;
 
-/// c on one piece.
+/// The correction c of the deflection on one piece.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Correction<S> {
     /// c′ at both ends.
     pub slope: [S; 2],
-    /// c at the right end minus c at the left end.
+    /// Rise of the correction c: its value at the right end of the piece minus its value at the left end.
     pub rise: S,
-    /// Bounds of |c|, |c′| and |c″|.
+    /// Upper bounds of |c|, |c′| and |c″| on the piece, where c is the correction.
     pub bounds: [Size; 3],
 }
 
-/// The claimed fields at both ends of a piece.
+/// The claimed deflection, slope and rotation at both ends of a piece.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Claimed<S> {
     /// w.
     pub value: [S; 2],
     /// w′.
     pub slope: [S; 2],
-    /// φ; equal to w′ on a piece without shear deformation.
+    /// Rotation φ at both ends of the piece; equal to w′ on a piece without shear deformation.
     pub rotation: [S; 2],
 }
 
@@ -48,20 +48,20 @@ impl<S: Scalar> Claimed<S> {
     }
 }
 
-/// The admissible deflection.
+/// The admissible deflection w̄ = w + c: the claimed fields at the ends of each piece, and the corrections c.
 #[derive(Debug)]
 pub(crate) struct Deflection<S> {
     pub pieces: Vec<Correction<S>>,
     pub claimed: Vec<Claimed<S>>,
     /// w̄ at the nodes.
     pub values: Vec<S>,
-    /// For each node, the piece whose claimed values act on the springs of the node, and the end of this
-    /// piece. It is the neighbour with the smaller coefficients, because its values have less rounding error.
+    /// For each node, a piece and an end of this piece. Their claimed values act on the springs of the node. The
+    /// piece is the neighbour with the smaller coefficients, because its values have less rounding error.
     pub felt: Vec<[usize; 2]>,
 }
 
 impl<S: Scalar> Deflection<S> {
-    /// w and φ at a node, as they act on its springs.
+    /// Returns the claimed deflection w and rotation φ that act on the springs of a node.
     pub fn at_support(&self, node: usize) -> [S; 2] {
         let [piece, side] = self.felt[node];
         let claimed = &self.claimed[piece];
@@ -69,7 +69,8 @@ impl<S: Scalar> Deflection<S> {
     }
 }
 
-/// Selects the pieces with a bending correction, then computes the corrections from left to right.
+/// Computes the admissible deflection. The pieces with a bending correction are selected first. Then the
+/// corrections are computed from left to right.
 pub(crate) fn admissible<S: Scalar>(frame: &Frame<S>) -> Result<Deflection<S>, NotProven> {
     let claimed: Vec<_> = frame.spans.iter().map(Claimed::of).collect();
     let bends = bending(frame);
@@ -90,13 +91,13 @@ pub(crate) fn admissible<S: Scalar>(frame: &Frame<S>) -> Result<Deflection<S>, N
     }
     let values: Option<Vec<S>> = walk.values.iter().copied().collect();
     let (Some(values), Some(pieces)) = (values, walk.corrections()) else {
-        return Err(NotProven::new("the corrections of the pieces cannot be joined"));
+        return Err(NotProven::new("the deflections of neighbouring pieces cannot be joined"));
     };
     let felt = (0..frame.nodes.len()).map(|node| felt(frame, node)).collect();
     Ok(Deflection { pieces, claimed, values, felt })
 }
 
-/// The piece next to a node with the smaller coefficients of w, and its end at the node.
+/// Returns the piece next to a node whose coefficients of w are smaller, and the end of this piece at the node.
 fn felt<S: Scalar>(frame: &Frame<S>, node: usize) -> [usize; 2] {
     let size = |piece: usize| frame.spans[piece].deflection.size(1.0);
     match (node.checked_sub(1), node < frame.spans.len()) {
@@ -106,8 +107,8 @@ fn felt<S: Scalar>(frame: &Frame<S>, node: usize) -> [usize; 2] {
     }
 }
 
-/// Selects the pieces with a bending correction: pieces of a wave length or more, and the longest piece
-/// between two neighbouring rigid supports.
+/// Selects the pieces with a bending correction: pieces of at least one wave length, and the longest piece between
+/// two neighbouring rigid supports.
 fn bending<S: Scalar>(frame: &Frame<S>) -> Vec<bool> {
     let length = |i: usize| frame.spans[i].h.middle();
     let mut bends: Vec<bool> = frame
@@ -132,7 +133,7 @@ fn bending<S: Scalar>(frame: &Frame<S>) -> Vec<bool> {
     bends
 }
 
-/// w̄ at the nodes and φ̄ on both sides of them; `None` before they are set.
+/// State of the computation: w̄ at the nodes and φ̄ on both sides of each node. A value is `None` before it is set.
 struct Walk<'a, S> {
     frame: &'a Frame<S>,
     claimed: &'a [Claimed<S>],
@@ -143,8 +144,8 @@ struct Walk<'a, S> {
 }
 
 impl<S: Scalar> Walk<'_, S> {
-    /// Sets the values of every chain. A chain is a run of pieces with rigid corrections, or a single node
-    /// between two pieces with bending corrections.
+    /// Sets w̄ and φ̄ at the nodes of every chain. A chain is a run of pieces with rigid corrections, or a single
+    /// node between two pieces with bending corrections.
     fn chains(&mut self) {
         let last = self.frame.spans.len();
         let mut first = 0;
@@ -158,13 +159,13 @@ impl<S: Scalar> Walk<'_, S> {
         }
     }
 
-    /// Sets the values of one chain between two nodes.
+    /// Sets w̄ and φ̄ at the nodes of one chain between two nodes.
     fn chain(&mut self, first: usize, end: usize) {
         let nodes = &self.frame.nodes;
         let support = (first..=end).find(|i| nodes[*i].rigid.is_some());
         let start = support.unwrap_or(first);
-        // The piece whose claimed values are kept: the first piece of a chain, or the shorter neighbour of a
-        // single node.
+        // The claimed values of one piece are kept: those of the piece of the chain next to `start`, or those of
+        // the shorter neighbour of a single node.
         let length = |i: usize| self.frame.spans[i].h.middle();
         let keeps = match (start > 0, start < self.frame.spans.len()) {
             (true, true) if start < end => (start, 0),
@@ -194,8 +195,8 @@ impl<S: Scalar> Walk<'_, S> {
         }
     }
 
-    /// The slope on one side of a node: the given slope; at a hinge, the claimed slope of the piece on this
-    /// side.
+    /// Returns the rotation on one side of a node. At a hinge, this is the claimed rotation of the piece on this
+    /// side; elsewhere it is `slope`.
     fn handed_on(&self, node: usize, side: usize, slope: S) -> S {
         let piece = (node + side).checked_sub(1).and_then(|piece| self.claimed.get(piece));
         match piece {
@@ -212,7 +213,7 @@ impl<S: Scalar> Walk<'_, S> {
         self.turns[node][side].unwrap_or_else(S::zero)
     }
 
-    /// c and c′ at the left end of a piece.
+    /// Returns the correction c and its slope c′ at the left end of a piece.
     fn left_of(&self, piece: usize) -> [S; 2] {
         [
             self.value(piece) - self.claimed[piece].value[0],
@@ -220,7 +221,7 @@ impl<S: Scalar> Walk<'_, S> {
         ]
     }
 
-    /// c on every piece.
+    /// Computes the correction c of every piece; `None` if w̄ is not set at a node.
     fn corrections(&self) -> Option<Vec<Correction<S>>> {
         let known = |i: usize| self.values[i].is_some() && self.values[i + 1].is_some();
         (0..self.frame.spans.len()).map(|i| known(i).then(|| self.correction(i))).collect()
@@ -241,7 +242,7 @@ impl<S: Scalar> Walk<'_, S> {
     }
 }
 
-/// Bounds of the cubic with given values and slopes at both ends, of its slope and of its curvature.
+/// Bounds the cubic with given values and slopes at both ends of a piece of length h, its slope and its curvature.
 fn bent<S: Scalar>(h: S, value: [S; 2], slope: [S; 2]) -> [Size; 3] {
     let most = |x: [S; 2]| Size::of(x[0].size()).worst(Size::of(x[1].size()));
     let (largest, steepest) = (most(value), most(slope));
@@ -263,7 +264,8 @@ mod tests {
     use crate::size::Size;
     use crate::wide::Wide;
 
-    /// Value, slope and curvature of the cubic on a piece of length h, at the fraction x of the piece.
+    /// Returns value, slope and curvature of a cubic at the fraction x of a piece of length h. The cubic has the
+    /// values a and b and the slopes s and t at the ends of the piece.
     fn cubic([a, b, s, t]: [f64; 4], h: f64, x: f64) -> [f64; 3] {
         let (square, cube) = (x * x, x * x * x);
         let value = a * (1.0 - 3.0 * square + 2.0 * cube) + b * (3.0 * square - 2.0 * cube);
@@ -294,8 +296,9 @@ mod tests {
         }
     }
 
-    /// The admissible deflection of claims with jumps of w and w′ at every node. It is continuous, its slope is continuous but
-    /// for hinges, it satisfies supports and clamps, and a rigid correction is linear.
+    /// Checks the admissible deflection of claims with jumps of w and w′ at every node. The deflection is
+    /// continuous, and its slope is continuous except at hinges. The deflection satisfies supports and clamps. A
+    /// rigid correction is linear.
     #[test]
     fn an_admissible_deflection_has_no_jumps_and_satisfies_the_supports() {
         let mut random = numbers();
@@ -312,7 +315,7 @@ mod tests {
                 clamp(3) + &hinge(1),
                 clamp(5) + &pinned(2),
             ];
-            // The stiff beam is shorter than a wave length, so that its corrections are rigid.
+            // If the beam is stiff, its pieces are shorter than a wave length, so their corrections are rigid.
             let bending = if case % 2 == 0 { 1000.0 } else { 1e-3 };
             let text = format!(
                 "[beam]\nlength = 5\nEI = {bending}\n[foundation]\nk = 1\n{}",
@@ -354,7 +357,7 @@ mod tests {
                 if node.clamped {
                     near(if i < 5 { slope(i, 0) } else { slope(4, 1) }, Wide::of(0.0));
                 }
-                // At a hinge each neighbour has its claimed slope, unless a chain of rigid corrections arrives there.
+                // The claimed values that act on the springs of a node are those of an adjacent piece.
                 let [piece, side] = found.felt[i];
                 assert!(piece + side == i && piece < 5);
             }

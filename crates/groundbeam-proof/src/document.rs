@@ -1,4 +1,4 @@
-//! The document of a result: the claimed answer, the listed values, and the keys that no proof covers.
+//! Reads the document of a result: the claimed answer, the listed values, and the keys that the proof does not cover.
 
 use crate::json::{self, Json, JsonError};
 use crate::json_object::{
@@ -13,53 +13,53 @@ const MOST_PIECES: usize = 100_000;
 /// Maximum number of coefficients of a polynomial.
 const MOST_COEFFICIENTS: usize = 26;
 
-/// The data of a document about one model.
+/// The contents of a document for one model.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Document {
-    /// `status`: `solved`, `no-equilibrium`, …
+    /// Value of the key `status`, such as `solved` or `no-equilibrium`.
     pub status: Option<String>,
-    /// `units`: `SI`, or the units of the numbers.
+    /// Value of the key `units`: `SI`, or the names of the units of the numbers.
     pub units: Option<String>,
-    /// `model_digest`: the digest of the model file and of the tables that it names.
+    /// Value of the key `model_digest`: the digest of the model file and of the tables that the file names.
     pub model_digest: Option<String>,
-    /// `model`: the solved model as the text of a model file, if the model does not follow from the original
-    /// file in closed form.
+    /// Value of the key `model`: the text of the solved model as a model file. The key is present if the solved
+    /// model does not follow from the original file in closed form.
     pub model: Option<String>,
     /// Name of the combination of load cases.
     pub combination: Option<String>,
-    /// Pieces, concentrated forces and reactions.
+    /// The claimed answer: pieces, concentrated forces and reactions.
     pub answer: Answer,
-    /// Listed regions of contact as (from, to); both are equal for a point. `None` if the document lists no
-    /// regions.
+    /// Listed contact regions as (left end, right end) \[m\]. Both ends of a contact point are equal. `None` if the
+    /// document lists no regions.
     pub contact: Option<Vec<[f64; 2]>>,
-    /// Listed contact forces under the beam's left and right end.
+    /// Listed contact forces under the left and the right end of the beam \[N\].
     pub end_forces: Option<[f64; 2]>,
-    /// Fields along the beam. Where a field jumps, the value on the right; at the right end of the beam, the value on
-    /// the left.
+    /// Fields at positions along the beam. Where a field jumps, the value on the right is listed. At the right end
+    /// of the beam, the value on the left is listed.
     pub stations: Stations,
     /// Fields on the left of the positions where a field jumps.
     pub left_of_jumps: Stations,
     /// Listed extremes.
     pub extremes: Vec<Extreme>,
-    /// Listed open stretches: from, to, position and size of the largest gap.
+    /// Listed open stretches as (left end, right end, position of the largest gap, largest gap) \[m\].
     pub lift_off: Vec<[f64; 4]>,
-    /// Listed hinges: position, rotation and moment.
+    /// Listed hinges as (position \[m\], rotation \[rad\], moment \[N·m\]).
     pub hinges: Vec<[f64; 3]>,
-    /// Listed error bounds by name, with one or several values each.
+    /// Names and values of the listed error bounds. An error bound has one or several values.
     pub bounds: Vec<(String, Vec<f64>)>,
-    /// Intervals that are claimed to contain all positions of an extreme: field, whether it is the largest value,
-    /// intervals.
+    /// Claimed positions of extremes: name of the field, whether the extreme is the largest value, and intervals
+    /// that contain all positions of the extreme.
     pub places: Vec<(String, bool, Vec<[f64; 2]>)>,
-    /// Other keys with numbers. The proof does not cover them.
+    /// Other keys with numbers, which the proof does not cover.
     pub not_covered: BTreeSet<String>,
 }
 
-/// Fields at positions of the beam.
+/// Values of fields at positions along the beam.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Stations {
     /// The positions \[m\].
     pub x: Vec<f64>,
-    /// Name and values of each field, one for each position.
+    /// Name of each field, and its values at the positions.
     pub fields: Vec<(String, Vec<f64>)>,
 }
 
@@ -68,7 +68,7 @@ pub struct Stations {
 pub struct Extreme {
     /// Name of the field.
     pub field: String,
-    /// `true`: the largest value; `false`: the smallest one.
+    /// Whether the extreme is the largest value of the field; otherwise it is the smallest value.
     pub is_max: bool,
     /// The listed position \[m\].
     pub x: f64,
@@ -77,11 +77,11 @@ pub struct Extreme {
 }
 
 impl Document {
-    /// Reads a document: one result, or one for each of its combinations.
+    /// Reads a document that contains one result, or one result for each combination.
     ///
     /// # Errors
     ///
-    /// The text is not JSON, contains a key twice, or does not have the form of a result.
+    /// Returns an error if the text is not JSON, contains a key twice, or does not have the form of a result.
     pub fn read(text: &str) -> Result<Vec<Document>, JsonError> {
         let mut root = object(json::read(text)?, "the document")?;
         let Some(combinations) = root.remove("combinations") else {
@@ -144,13 +144,13 @@ impl Document {
         }
         let mut seen = BTreeSet::new();
         for (i, mut reaction) in elements(root, "reactions")?.into_iter().enumerate() {
-            // If reactions have no `support`, they are a complete list in the order of the model.
+            // Reactions without the key `support` are listed for all supports, in the order of the model.
             let support = match reaction.remove("support") {
                 None => i,
                 Some(support) => index(support)?,
             };
             if !seen.insert(support) {
-                return wrong(format!("`reactions` has support {support} twice"));
+                return wrong(format!("`reactions` lists support {support} twice"));
             }
             let force = number(&mut reaction, "force")?;
             let moment = optional(&mut reaction, "moment")?.unwrap_or(0.0);
@@ -247,17 +247,17 @@ impl Answer {
     ///
     /// # Errors
     ///
-    /// As [`Document::read`]; also for a document with several results.
+    /// Returns the errors of [`Document::read`], and an error if the document contains several results.
     pub fn from_json(text: &str) -> Result<Answer, JsonError> {
         let mut read = Document::read(text)?;
         match (read.pop(), read.len()) {
             (Some(document), 0) => Ok(document.answer),
-            _ => wrong("the document holds several results, or none"),
+            _ => wrong("the document must contain exactly one result"),
         }
     }
 }
 
-/// One of the `pieces`. An unknown key is refused: it may change the meaning of the others.
+/// Reads one element of `pieces`. An unknown key is an error, because it may change the meaning of the other keys.
 fn piece(mut piece: Object) -> Result<Piece, JsonError> {
     let x = pair(&mut piece, "x")?;
     let Some(x) = x else { return wrong("a piece has no `x`") };
@@ -284,7 +284,7 @@ fn piece(mut piece: Object) -> Result<Piece, JsonError> {
     }
 }
 
-/// A text that a document may contain in two places. Both must be equal.
+/// Returns a text that a document may contain in two places. Two different texts are an error.
 fn agreed(
     own: Option<String>,
     other: &Option<String>,
@@ -299,7 +299,7 @@ fn agreed(
     }
 }
 
-/// Adds the remaining keys of an object that contain numbers.
+/// Adds the names of the remaining keys of an object that contain numbers.
 fn rest(path: &str, object: &Object, not_covered: &mut BTreeSet<String>) {
     for (key, _) in object.iter().filter(|(_, value)| value.has_number()) {
         let name = if path.is_empty() { key.clone() } else { format!("{path}.{key}") };
@@ -307,24 +307,24 @@ fn rest(path: &str, object: &Object, not_covered: &mut BTreeSet<String>) {
     }
 }
 
-/// A bound that a document claims; `null` makes no claim.
+/// Reads an error bound that a document claims. The value `null` claims no bound, and is returned as infinity.
 fn claimed(bound: Json, name: &str) -> Result<f64, JsonError> {
     match bound {
         Json::Number(bound) => Ok(bound),
         Json::Null => Ok(f64::INFINITY),
-        _ => wrong(format!("`{name}` contains a value that is not a bound")),
+        _ => wrong(format!("`{name}` contains a value that is neither a number nor null")),
     }
 }
 
-/// The index of a support, a whole number from 0.
+/// Reads the index of a support, a whole number from 0.
 fn index(value: Json) -> Result<usize, JsonError> {
     match value {
         Json::Number(n) if (0.0..1e9).contains(&n) && n.fract() == 0.0 => Ok(n as usize),
-        _ => wrong("`support` is not a whole number"),
+        _ => wrong("`support` must be a whole number from 0"),
     }
 }
 
-/// Coefficients of a polynomial; an empty list if the key is missing.
+/// Reads the coefficients of a polynomial. Returns an empty list if the key is missing.
 fn coefficients(parent: &mut Object, key: &str) -> Result<Vec<f64>, JsonError> {
     let read = numbers(parent, key)?.unwrap_or_default();
     if read.len() > MOST_COEFFICIENTS {
@@ -333,7 +333,7 @@ fn coefficients(parent: &mut Object, key: &str) -> Result<Vec<f64>, JsonError> {
     Ok(read)
 }
 
-/// Fields at positions; none if the key is missing.
+/// Reads fields at listed positions. Returns no positions if the key is missing.
 fn stations(root: &mut Object, key: &str) -> Result<Stations, JsonError> {
     let Some(value) = root.remove(key) else { return Ok(Stations::default()) };
     let mut value = object(value, key)?;

@@ -1,24 +1,32 @@
-//! Bound of the error of the shear force next to an edge of contact, on a beam with shear deformation, in
-//! closed form instead of an iteration with the slope.
+//! Bounds the error of the shear force next to an edge of contact in closed form, on a beam with shear deformation.
 //!
-//! Where only one of the two solutions is in contact, the difference of their forces follows from the error e_θ of the
-//! slope at the edge. With g = μ/(S + P), and Φ₀ the part of the flux jump that does not depend on the slope,
+//! Within the distance θ of the edge, only the claimed solution or only the exact solution is in contact. The
+//! difference of their contact forces depends on the error e_θ of the slope at the edge. This error depends on the
+//! error e_V of the shear force, and e_V depends on the error bound ε_T of the transverse force T. Section 6 of
+//! docs/proof.md derives the bounds
 //!
 //! ```text
 //! |∫(p̄ − p*)| ≤ (1 + γ)[(Φ₀ + μe_θ)/(1 + g) + ε_pθ],   e_θ ≤ ε_φ + (e_V + |η|)/S,   e_V(1 + P/S) ≤ ε_T + rest.
 //! ```
 //!
-//! So ε_T ≤ A + χε_T with χ = (1 + γ)μ/(S + P + μ), and ε_T ≤ A/(1 − χ) if χ < 1.
+//! Here p̄ is the balanced pressure and p* the exact pressure, and g = μ/(S + P). ε_p and ε_φ are the error bounds
+//! of the pressure and of the rotation φ. γ is the factor of the redistributed pressures, and η = S(w′ − φ) − V is
+//! the residual of the shear force. Φ₀ bounds the jump of the flux at the edge without the effect of the error of
+//! the slope.
+//!
+//! Together these bounds have the form ε_T ≤ A + χε_T with χ = (1 + γ)μ/(S + P + μ). A contains the terms without
+//! ε_T. If χ < 1, then ε_T ≤ A/(1 − χ).
 
 use crate::contact_set::EdgeShift;
 use crate::pointwise::{PieceBounds, Pointwise};
 use crate::scalar::Scalar;
 use crate::size::Size;
 
-/// For the edges at the left and right end of one piece: the length on which only one solution is in contact, and Φ₀.
+/// Edges of contact at the left and right end of one piece. For each edge: the length on which only the claimed or
+/// only the exact solution is in contact, and the bound Φ₀ of the jump of the flux.
 pub(crate) type EdgesOfPiece = [Option<[Size; 2]>; 2];
 
-/// The edges at the ends of every piece.
+/// Assigns the edges of contact to the ends of every piece.
 pub(crate) fn edges_of_pieces(edges: &[EdgeShift], count: usize) -> Vec<EdgesOfPiece> {
     let mut all = vec![[None; 2]; count];
     for edge in edges {
@@ -26,7 +34,7 @@ pub(crate) fn edges_of_pieces(edges: &[EdgeShift], count: usize) -> Vec<EdgesOfP
             0 => (edge.node.checked_sub(1), Some(edge.node)),
             _ => (Some(edge.node), edge.node.checked_sub(1)),
         };
-        // The left end of a region is the right end of the piece outside it, and vice versa.
+        // The left end of a contact region is the right end of the piece outside the region, and vice versa.
         let places = [(outer, 1 - edge.side, edge.outside), (inner, edge.side, edge.inside)];
         for ((piece, end, theta), force) in places.into_iter().zip(edge.beyond) {
             if let Some(place) = piece.filter(|piece| *piece < count && theta > Size::ZERO) {
@@ -38,8 +46,10 @@ pub(crate) fn edges_of_pieces(edges: &[EdgeShift], count: usize) -> Vec<EdgesOfP
 }
 
 impl<S: Scalar> Pointwise<'_, S> {
-    /// ε_T on a piece with edges at its ends. `steady` bounds all other contributions to ε_T on half of the
-    /// piece, and `rest` those to ε_V(1 + P/S). Each edge lies within one half.
+    /// Returns ε_T, the error bound of the transverse force T, on a piece with edges of contact at its ends.
+    /// `steady` bounds the contributions to ε_T that are not due to these edges. `rest` is the term in ε_V(1 +
+    /// P/S) ≤ ε_T + `rest`, where ε_V is the error bound of the shear force V. Each edge must lie within one half
+    /// of the piece, otherwise the result is infinite.
     pub(crate) fn beside_edges(
         &self,
         i: usize,

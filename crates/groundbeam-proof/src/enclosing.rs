@@ -1,6 +1,7 @@
 //! The functions that read models and prove answers, for the number types whose operations enclose rounding errors.
 //!
-//! They are compiled here for each type. Otherwise every crate that calls them would compile the whole proof again.
+//! These functions are compiled here for each number type. Otherwise every crate that calls them would compile the
+//! whole proof again.
 
 use crate::answer::Answer;
 use crate::ball::Ball;
@@ -14,7 +15,8 @@ use crate::scalar::Scalar;
 use crate::verification::{Verification, verified};
 use crate::wide::Wide;
 
-/// A number type whose operations enclose their rounding errors, so that a proof in it is a theorem: [`Ball`] or [`Wide`].
+/// A number type whose operations enclose their rounding errors, so that proofs are rigorous: [`Ball`] or
+/// [`Wide`].
 pub trait Enclosing: Scalar {
     #[doc(hidden)]
     fn read(text: &str, combination: Option<&str>) -> Result<Model<Self>, ReadError>;
@@ -73,7 +75,7 @@ compiled!(Ball, Wide);
 ///
 /// # Errors
 ///
-/// The first fault of the file, with its position.
+/// Returns the first fault of the file and its position.
 pub fn read_model<S: Enclosing>(
     text: &str,
     combination: Option<&str>,
@@ -85,16 +87,16 @@ pub fn read_model<S: Enclosing>(
 ///
 /// # Errors
 ///
-/// The reason why nothing is proven.
+/// Returns the reason why nothing is proven.
 pub fn prove<S: Enclosing>(model: &Model<S>, answer: &Answer) -> Result<Proof, NotProven> {
     S::prove(model, answer)
 }
 
-/// Proves a document: its answer, and the other listed numbers.
+/// Proves the answer of a document and its other listed numbers.
 ///
 /// # Errors
 ///
-/// The reason why nothing is proven.
+/// Returns the reason why nothing is proven.
 pub fn verify<S: Enclosing>(
     model: &Model<S>,
     document: &Document,
@@ -102,11 +104,11 @@ pub fn verify<S: Enclosing>(
     S::verify(model, document, None)
 }
 
-/// Proves a document. Writes the log of the proof if one is given.
+/// Proves a document, and writes the log of the proof if `log` is given.
 ///
 /// # Errors
 ///
-/// The reason why nothing is proven.
+/// Returns the reason why nothing is proven.
 pub fn verify_and_log<S: Enclosing>(
     model: &Model<S>,
     document: &Document,

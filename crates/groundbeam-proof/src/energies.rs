@@ -1,7 +1,7 @@
-//! The energies of a claimed deflection with its ground: strain energy and potential energy, in doubles.
+//! Computes the strain energy and the potential energy of a claimed deflection and its ground, in doubles.
 //!
-//! E is compared with these energies. They are not bounds, because they contain the rounding errors of the
-//! sums.
+//! The error energy E is compared with these energies. The energies are not bounds, because they contain the
+//! rounding errors of the sums.
 
 use crate::coefficient::Coefficient;
 use crate::deflection::Deflection;
@@ -14,9 +14,12 @@ use crate::scalar::Scalar;
 /// The energies of an answer \[N·m\], in the units of the proof.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Energies {
-    /// ½∫EI(φ′ − κ₀)² + ½∫EIκ₀² + ½∫S(w′ − φ)² + ½∫|P|w′² + ½b(u, u) and the energy of springs and elastic hinges.
+    /// Strain energy: ½∫EI(φ′ − κ₀)² + ½∫EIκ₀² + ½∫S(w′ − φ)² + ½∫|P|w′² + ½b(u, u) plus the energy of springs and
+    /// elastic hinges. φ is the rotation, κ₀ the imposed curvature, and ½b(u, u) the energy of the ground.
     pub strain: f64,
-    /// J = ½∫EI(φ′ − κ₀)² + ½∫S(w′ − φ)² + ½∫Pw′² + ½b(u, u) and the energy of springs and hinges, less the work of the loads.
+    /// Potential energy J: ½∫EI(φ′ − κ₀)² + ½∫S(w′ − φ)² + ½∫Pw′² + ½b(u, u) plus the energy of springs and
+    /// hinges, minus the work of the loads. φ is the rotation, κ₀ the imposed curvature, and ½b(u, u) the energy
+    /// of the ground.
     pub potential: f64,
 }
 
@@ -45,7 +48,8 @@ impl Energies {
     }
 }
 
-/// Twice the strain energy without axial force, ∫EIκ₀², ∫Pw′², and the work of the loads.
+/// Sums over the pieces and nodes: twice the strain energy without axial force, ∫EIκ₀², ∫Pw′², and the work of the
+/// loads.
 #[derive(Default)]
 struct Sums {
     strain: f64,
@@ -80,8 +84,8 @@ impl Sums {
         self.work += half * Series::of(&span.moment).times(rotation);
     }
 
-    /// ∫(ku² + μu′²) and ∫qu. On open ground of a layer the first integral is the flux times u at both ends,
-    /// plus ∫qu.
+    /// Adds ∫(ku² + μu′²) and ∫qu on one piece. On open ground of a layer, the first integral is ∫qu plus the flux
+    /// μu′ times u at the right end, minus the flux times u at the left end.
     fn ground<S: Scalar>(
         &mut self,
         fields: &Fields<S>,
@@ -148,7 +152,8 @@ impl Sums {
     }
 }
 
-/// ∫qu on an open piece, u = q/k + v with v″ = b²v: ∫q²/k + (μ/k)\[qv′ − q′v\].
+/// Returns ∫qu = ∫q²/k + (μ/k)\[qv′ − q′v\] on an open piece with constant k and μ. The settlement is u = q/k + v
+/// with μv″ = kv.
 fn pushed<S: Scalar>(span: &Span<S>, load: &Series<2>, ends: [f64; 2], flux: [f64; 2]) -> f64 {
     let half = span.half.middle();
     let [k, mu] = [&span.spring, &span.shear].map(Coefficient::middle);
@@ -186,11 +191,11 @@ fn weighted<S: Scalar, const N: usize>(c: &Coefficient<S>, a: &Series<N>, b: &Se
     }
 }
 
-/// A field in doubles as a Legendre series Σ aₖPₖ(t), orthogonal on −1 ≤ t ≤ 1.
+/// A field in doubles as a series Σ aₖPₖ(t) of Legendre polynomials, which are orthogonal on −1 ≤ t ≤ 1.
 #[derive(Clone, Copy)]
 struct Series<const N: usize = CAPACITY> {
     len: usize,
-    /// Coefficients; zero from `len` on.
+    /// Coefficients of the series; zero from the index `len` on.
     a: [f64; N],
 }
 
@@ -202,7 +207,8 @@ impl<const N: usize> Series<N> {
         for (c, power) in p.coefficients().iter().zip(&POWERS) {
             let c = c.middle();
             series.len += 1;
-            // Four coefficients at a time; those above tʲ are zero.
+            // The loop adds four coefficients at a time. Legendre coefficients of tʲ with an index above j are
+            // zero.
             let fours = series.a.chunks_mut(4).zip(power.chunks(4));
             for (a, part) in fours.take(series.len.div_ceil(4)) {
                 a.iter_mut().zip(part).for_each(|(a, part)| *a += c * part);
@@ -211,7 +217,7 @@ impl<const N: usize> Series<N> {
         series
     }
 
-    /// The derivative with respect to x: P′ₖ₊₁ = (2k + 1)Pₖ + P′ₖ₋₁.
+    /// Returns the derivative with respect to x, by P′ₖ₊₁ = (2k + 1)Pₖ + P′ₖ₋₁. `half` is dx/dt.
     fn derivative(&self, half: f64) -> Self {
         let mut derived = Series { len: self.len.saturating_sub(1), ..Self::ZERO };
         let mut above = [0.0; 2];
@@ -223,7 +229,7 @@ impl<const N: usize> Series<N> {
     }
 
     fn less<const M: usize>(mut self, other: &Series<M>) -> Self {
-        // The assertion at compile time that M ≥ N.
+        // This constant compiles only if N ≥ M.
         let _ = const { N - M };
         self.len = self.len.max(other.len);
         for (a, less) in self.a.iter_mut().zip(&other.a[..other.len]) {
@@ -232,7 +238,7 @@ impl<const N: usize> Series<N> {
         self
     }
 
-    /// ∫ of the product over −1 ≤ t ≤ 1.
+    /// Returns the integral of the product of two series over −1 ≤ t ≤ 1.
     fn times<const M: usize>(&self, other: &Series<M>) -> f64 {
         let both = self.a[..self.len].iter().zip(&other.a[..other.len]);
         both.zip(&SQUARES).map(|((a, b), square)| a * b * square).sum()
@@ -252,7 +258,7 @@ impl<const N: usize> Series<N> {
 }
 
 impl Series {
-    /// The product with t: tPₖ = ((k + 1)Pₖ₊₁ + kPₖ₋₁)/(2k + 1).
+    /// Returns the product of the series and t, by tPₖ = ((k + 1)Pₖ₊₁ + kPₖ₋₁)/(2k + 1).
     fn raised(&self) -> Self {
         let mut raised = Series { len: self.len + 1, ..Self::ZERO };
         for k in 0..self.len {
@@ -266,7 +272,7 @@ impl Series {
     }
 }
 
-/// ∫Pₖ² over −1 ≤ t ≤ 1, 2/(2k + 1).
+/// Integrals ∫Pₖ² = 2/(2k + 1) of the squared Legendre polynomials over −1 ≤ t ≤ 1.
 const SQUARES: [f64; CAPACITY] = {
     let mut squares = [0.0; CAPACITY];
     let mut k = 0;
@@ -277,7 +283,7 @@ const SQUARES: [f64; CAPACITY] = {
     squares
 };
 
-/// Legendre coefficients of tʲ. All are nonnegative, and their sum is 1.
+/// Legendre coefficients of the powers tʲ. All are nonnegative, and the coefficients of each power have the sum 1.
 static POWERS: [[f64; CAPACITY]; CAPACITY] = {
     let mut powers = [[0.0; CAPACITY]; CAPACITY];
     powers[0][0] = 1.0;

@@ -1,4 +1,4 @@
-//! The energies of an answer in doubles: an error estimate without proof, computed in every solve.
+//! Estimates the error energy and the energies of an answer in doubles, without proof. Every solve computes this estimate.
 
 use crate::answer::Answer;
 use crate::energies::Energies;
@@ -9,14 +9,14 @@ use crate::idle;
 use crate::model::Model;
 use crate::refusal::NotProven;
 
-/// The largest energy of unbalanced loads, relative to the strain energy, that counts as rounding error.
+/// Largest energy of unbalanced loads that is treated as rounding error, relative to the strain energy.
 const ROUNDING: f64 = 1e-8;
 
-/// The energies of an answer, in plain doubles.
+/// The error energy and the energies of an answer, computed in doubles.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Estimate {
-    /// E \[N·m\]: the difference between the potential energy and the reciprocal energy of the fields that
-    /// are constructed from the answer.
+    /// Error energy E \[N·m\]: the difference between the potential energy and the reciprocal energy of the fields
+    /// that are constructed from the answer.
     pub energy: f64,
     /// The strain energy of beam, ground and springs \[N·m\].
     pub strain_energy: f64,
@@ -24,13 +24,13 @@ pub struct Estimate {
     pub potential_energy: f64,
 }
 
-/// Estimates the energies of an answer. Under compression, `stability` is the fraction of the energy's
-/// convexity that remains: 1 minus the compression divided by its critical value. If it is `None`, it is
-/// computed from supports and stiffness alone.
+/// Estimates the energies of an answer. Under compression, `stability` is the fraction of the convexity of the
+/// energy that remains: 1 minus the compression divided by the critical compression. If `stability` is `None`, the
+/// fraction is computed from supports and stiffness alone.
 ///
 /// # Errors
 ///
-/// The reason why no balanced pressure or no admissible deflection can be constructed from the answer.
+/// Returns the reason why no balanced pressure or no admissible deflection can be constructed from the answer.
 pub fn estimate(
     model: &Model<f64>,
     answer: &Answer,
@@ -45,7 +45,7 @@ pub fn estimate(
         Err(_) => fields.nearly_balanced_energy(ROUNDING * energies.strain)?,
     };
     let restored = |x: f64| frame.units.restored(x, 1, 1);
-    // An exact zero is rounded up to TINY.
+    // An energy of exactly zero is stored as a number of at most `TINY`, because sizes are rounded up.
     let energy = if energy.value() <= TINY { 0.0 } else { energy.value() };
     Ok(Estimate {
         energy: restored(energy),

@@ -1,8 +1,8 @@
-//! Intervals that contain every position where an exact field has its largest or smallest value.
+//! Finds intervals that contain every position where an exact field has its largest or smallest value.
 //!
-//! With |f − f*| ≤ ε, a position of the largest value has f ≥ f(x₀) − 2ε, for any x₀. Inside a piece, f*′ is
-//! zero at such a position. So parts with |f′| > ε′ are excluded, where |f′ − f*′| ≤ ε′. At the ends of pieces
-//! only the values are compared.
+//! Let f be the field of the answer, f* the exact field, and |f − f*| ≤ ε. At a position of the largest value of
+//! f*, f ≥ f(x₀) − 2ε for any x₀. Inside a piece, f*′ is zero at such a position. So parts with |f′| > ε′ are
+//! excluded, where ε′ bounds |f′ − f*′|. At the ends of pieces, only the values of f are compared.
 
 use crate::bounds::Bounds;
 use crate::document::Extreme;
@@ -12,7 +12,8 @@ use crate::polynomial::{Budget, Polynomial, half_width};
 use crate::scalar::Scalar;
 use crate::size::Size;
 
-/// The shortest intervals of t that are halved: with a bound of the error of the derivative, and without one.
+/// Lengths of the shortest intervals of t that are halved: with an error bound of the derivative, and without such
+/// a bound.
 const SHORTEST: [f64; 2] = [1e-13, 1e-9];
 
 /// The proven positions of a listed extreme in the exact solution.
@@ -20,24 +21,24 @@ const SHORTEST: [f64; 2] = [1e-13, 1e-9];
 pub struct PlacedExtreme {
     /// Name of the field.
     pub field: String,
-    /// `true`: the largest value; `false`: the smallest one.
+    /// Whether the extreme is the largest value of the field; otherwise it is the smallest value.
     pub is_max: bool,
     /// The listed position \[m\].
     pub listed: f64,
-    /// Intervals that contain all positions of the exact extreme \[m\], from left to right; empty if no interval
-    /// is proven.
+    /// Intervals that contain all positions of the exact extreme \[m\], from left to right. The list is empty if no
+    /// interval is proven.
     pub places: Vec<[f64; 2]>,
 }
 
 impl PlacedExtreme {
-    /// The interval that contains the listed position; otherwise the nearest interval.
+    /// Returns the interval that contains the listed position, or otherwise the nearest interval.
     pub fn nearest(&self) -> Option<[f64; 2]> {
         let off = |place: &[f64; 2]| self.distance_from(*place);
         self.places.iter().copied().min_by(|a, b| off(a).total_cmp(&off(b)))
     }
 
-    /// The distance of the listed position from the nearest interval; zero inside an interval, and also if no
-    /// interval is proven.
+    /// Returns the distance of the listed position from the nearest interval. The distance is zero inside an
+    /// interval, and also if no interval is proven.
     pub fn distance(&self) -> f64 {
         self.nearest().map_or(0.0, |place| self.distance_from(place))
     }
@@ -46,7 +47,8 @@ impl PlacedExtreme {
         (low - self.listed).max(self.listed - high).max(0.0)
     }
 
-    /// A bound of the distance of the listed position from the nearest exact position.
+    /// Returns the largest distance of the listed position from a position in the nearest interval. The distance is
+    /// infinite if no interval is proven.
     pub fn error(&self) -> f64 {
         let Some([low, high]) = self.nearest() else { return f64::INFINITY };
         let [below, above] = [self.listed - low, high - self.listed].map(|d| d.abs().next_up());
@@ -64,15 +66,16 @@ impl PlacedExtreme {
 struct Search<'a, S: Scalar> {
     fields: &'a Fields<'a, S>,
     field: usize,
-    /// 1 for the largest value, −1 for the smallest value: the search maximises `sign` times the field.
+    /// Sign of the extreme: 1 for the largest value, −1 for the smallest value. The search maximises `sign` times the
+    /// field.
     sign: f64,
-    /// Positions with a smaller value are excluded.
+    /// Positions where `sign` times the field is smaller than this level are excluded.
     level: f64,
-    /// The error bound of the derivative on each piece; infinite if unknown.
+    /// The error bound of the derivative of the field on each piece; infinite if no bound is known.
     steep: Vec<Size>,
 }
 
-/// The positions of a listed extreme.
+/// Finds the positions of a listed extreme in the exact solution.
 pub(crate) fn placed<S: Scalar>(
     extreme: &Extreme,
     fields: &Fields<S>,
@@ -102,7 +105,7 @@ fn search<'a, S: Scalar>(
         Size::of(frame.units.scaled(S::of(error), force, length).high())
     };
     let error = match extreme.field.as_str() {
-        // The pressure has no error bound in an interval that contains an edge.
+        // The pressure has no error bound in an interval that contains an edge of contact.
         "pressure" => return None,
         "gap" => scaled(bounds.deflection.error, 0, 1) + scaled(bounds.settlement.error, 0, 1),
         name => scaled(error(name)?, force, length),
@@ -111,7 +114,7 @@ fn search<'a, S: Scalar>(
         return None;
     }
     let sign = if extreme.is_max { 1.0 } else { -1.0 };
-    // The largest value that is found at an end of a piece or at the listed position.
+    // `top` is the largest value of `sign` times the field at the ends of pieces and at the listed position.
     let mut top = -f64::INFINITY;
     let mut raise = |piece: usize, t: S| {
         let value = (patches.value(field, piece, t) * S::of(sign)).low();
@@ -137,7 +140,7 @@ fn search<'a, S: Scalar>(
 }
 
 impl<S: Scalar> Search<'_, S> {
-    /// The intervals that may contain the extreme, from left to right; adjacent intervals are merged.
+    /// Returns the intervals that may contain the extreme, from left to right. Adjacent intervals are merged.
     fn places(&self, patches: &Patches<S>) -> Vec<[f64; 2]> {
         let frame = self.fields.frame;
         let mut found: Vec<[f64; 2]> = Vec::new();
@@ -174,7 +177,7 @@ impl<S: Scalar> Search<'_, S> {
         found
     }
 
-    /// The parts of a stretch that may contain an extreme, from left to right.
+    /// Returns the parts of a patch that may contain the extreme, from left to right. A patch is a part of a piece.
     fn on_patch(&self, patch: &Patch<S>, piece: usize, budget: &mut Budget) -> Vec<[f64; 2]> {
         let field = patch.fields[self.field].times(S::of(self.sign)).coarse();
         let span = &self.fields.frame.spans[piece];
@@ -191,7 +194,8 @@ impl<S: Scalar> Search<'_, S> {
                 continue;
             }
             let slope = about.derivative();
-            // If all values reach the level and all slopes are small, halving would exclude no part.
+            // If all values are at least `level` and all slopes are within their error bound, halving would
+            // exclude no part.
             let reaches =
                 (about.coefficient(0).low() - about.tail(r).value()).next_down() >= self.level;
             if reaches && (slope.coefficient(0).size() + slope.tail(r).value()).next_up() <= steep
@@ -219,7 +223,8 @@ impl<S: Scalar> Search<'_, S> {
 mod tests {
     use super::PlacedExtreme;
 
-    /// The distance from the nearest interval, and the largest distance from a place in it.
+    /// Checks the distance of a listed position from the nearest interval, and its largest distance from a position
+    /// in this interval.
     #[test]
     fn a_listed_place_is_compared_with_the_nearest_interval() {
         for (listed, places, distance, error) in [

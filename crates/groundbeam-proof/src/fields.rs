@@ -1,5 +1,4 @@
-//! The admissible and balanced fields that are constructed from an answer, and the bound E of the difference
-//! of their energies.
+//! The admissible and balanced fields that are constructed from an answer, and the bound E of their energy difference.
 
 use crate::balance::{Balance, Balanced};
 use crate::clearance::{Clearance, clearance};
@@ -24,9 +23,11 @@ pub(crate) struct Fields<'a, S> {
     pub pressures: Vec<Pressure<S>>,
     pub residual: Residual<S>,
     pub clearance: Clearance,
-    /// ‖c‖²_beam = Σ h EI c″² and Σ h c′².
+    /// ‖c‖²_beam = Σ h EI c″² and Σ h c′², the squared norms of the correction c of the deflection.
     pub closing: [Size; 2],
-    /// ‖c‖_b + Σ|r|√g + Ση(ω/k)^½.
+    /// Bound ‖c‖_b + Σ|r|√g + Ση(ω/k)^½ of the residual of the ground. The terms are due to the correction c of
+    /// the deflection, to the residual forces r of a layer with the flexibility g, and to the tensile pressures of
+    /// at most η on the length ω.
     missed: Size,
 }
 
@@ -45,8 +46,8 @@ impl<'a, S: Scalar> Fields<'a, S> {
         Ok(Fields { frame, deflection, surface, pressures, residual, clearance, closing, missed })
     }
 
-    /// E and the balance from which it follows. The tension carries loads only if pressures and supports
-    /// alone are not sufficient.
+    /// Returns the bound E of the error energy, and the balance from which E is computed. The axial tension
+    /// carries loads only if pressures and supports alone cannot carry them.
     pub fn energy(&self) -> Result<(Size, Balanced<S>), NotProven> {
         match (self.least_energy(0.0), self.frame.tension) {
             (Err(_), Some(_)) => self.least_energy(self.frame.carrier),
@@ -54,9 +55,10 @@ impl<'a, S: Scalar> Fields<'a, S> {
         }
     }
 
-    /// An estimate of E for a beam without tension that is held at one point. In each cell a transverse force
-    /// β carries the remaining loads, and its work on the slope is added. No theorem covers this case, so the
-    /// energy must not exceed `rounding`.
+    /// Estimates the error energy of a beam without tension that is supported at one point. The theorem of
+    /// docs/proof.md does not cover this case. In each cell, a fictitious transverse force carries the loads that
+    /// are not balanced. Its work on the slope is added to the error energy. An added work above `rounding` is an
+    /// error.
     pub fn nearly_balanced_energy(&self, rounding: f64) -> Result<Size, NotProven> {
         let (energy, balanced) = self.least_energy(self.frame.carrier)?;
         let work = |i: usize| {
@@ -70,7 +72,8 @@ impl<'a, S: Scalar> Fields<'a, S> {
         Err(NotProven::new("the contact pressure does not balance the loads"))
     }
 
-    /// E and the balance: the smaller E of a balance with few cuts and one with more cuts.
+    /// Computes one balance with few cuts and one with more cuts. Returns the balance with the smaller bound E,
+    /// and this E.
     fn least_energy(&self, carrier: f64) -> Result<(Size, Balanced<S>), NotProven> {
         let (few, more) = (fewest_cuts(self.frame), more_cuts(self.frame));
         let with_more = (more.len() > few.len()).then(|| self.energy_with(more, carrier));
@@ -82,9 +85,16 @@ impl<'a, S: Scalar> Fields<'a, S> {
         }
     }
 
-    /// E ≤ ½[(‖δ‖ + ‖c‖_beam)² + (‖η‖ + ‖δ′‖)² + ‖hinges‖² + (‖c‖_P + (Σβ²h/P)^½)² + Σκc² + Σκ_θc′² + Ḡ²],
-    /// with Ḡ = ‖c‖_b + Σ|r|√g + Ση(ω/k)^½ + ‖Gδp‖ + (Σ‖v‖²)^½ + (Σkη_o²ω_o)^½. Under a compression, the sum
-    /// X of the beam terms without ‖c‖_P² is replaced by (√X + N_c)²/σ.
+    /// Computes the bound E of equation (11) of `docs/proof.md`, where the symbols are defined:
+    ///
+    /// ```text
+    /// E = ½[(‖δ‖ + ‖c‖_beam)² + (‖η‖ + ‖δ′‖)² + ‖hinges‖² + (‖c‖_P + (Σβ²h/P)^½)² + ‖supports‖² + Ḡ²],
+    /// Ḡ = ‖c‖_b + Σ|r|√g + Ση(ω/k)^½ + ‖Gδp‖ + (Σ‖v‖²)^½ + (Σkη_o²ω_o)^½.
+    /// ```
+    ///
+    /// Under compression, E = ½[(√X + N_c)²/σ + Ḡ²]. X is the sum of the terms of E in brackets, without Ḡ² and
+    /// without the term that contains P. N_c bounds the residual of the axial force, and σ is the fraction of the
+    /// convexity of the energy that remains under compression.
     fn energy_with(
         &self,
         cuts: Vec<usize>,
@@ -113,8 +123,9 @@ impl<'a, S: Scalar> Fields<'a, S> {
         Ok((energy, balanced))
     }
 
-    /// Σ(κ(w̄ − δ) − R̄)²/κ + Σ(κ_θw̄′ − R̄_θ)²/κ_θ over the springs. The differences consist of κc and the
-    /// redistributed forces.
+    /// Returns the squared norm of the residuals of the springs. It is the sum of (residual force)²/κ and
+    /// (residual moment)²/κ_θ, with the stiffness κ of translational and κ_θ of rotational springs. A residual
+    /// consists of the spring force due to the correction of the deflection and of the redistributed force.
     fn supports(&self, balanced: &Balanced<S>) -> Size {
         let mut sum = Size::ZERO;
         let missed = |stiffness: S, change: S, added: Size| {
@@ -140,7 +151,8 @@ impl<'a, S: Scalar> Fields<'a, S> {
             if let Some(turning) = node.turning {
                 let [piece, side] = self.deflection.felt[i];
                 let turned = self.deflection.pieces[piece].slope[side];
-                // A couple belongs to the cell on its right; at the right end of the beam, to the cell on its left.
+                // A couple belongs to the cell on its right; at the right end of the beam, it belongs to the cell
+                // on its left.
                 let cell = if i < self.frame.spans.len() { i } else { i - 1 };
                 let added = balanced.pieces[cell].steepness * Size::of(node.weights.turning);
                 sum += missed(turning, turned, added);
@@ -149,7 +161,8 @@ impl<'a, S: Scalar> Fields<'a, S> {
         sum
     }
 
-    /// Σ(k_φ[w̄′] + m)²/k_φ at elastic hinges.
+    /// Returns Σ(k_φθ + m)²/k_φ, the squared norm of the residuals of the elastic hinges. k_φ is the rotational
+    /// stiffness of a hinge, θ its rotation, and m the moment at the hinge.
     fn hinges(&self, balanced: &Balanced<S>) -> Size {
         let mut sum = Size::ZERO;
         for (i, node) in self.frame.nodes.iter().enumerate() {
@@ -168,7 +181,7 @@ impl<'a, S: Scalar> Fields<'a, S> {
     }
 }
 
-/// ‖c‖²_beam = Σ h EI c″² and Σ h c′².
+/// Returns ‖c‖²_beam = Σ h EI c″² and Σ h c′², the squared norms of the correction c of the deflection.
 fn closing<S: Scalar>(frame: &Frame<S>, deflection: &Deflection<S>) -> [Size; 2] {
     let mut both = [Size::ZERO; 2];
     for (span, c) in frame.spans.iter().zip(&deflection.pieces) {
@@ -185,7 +198,7 @@ mod tests {
     use crate::scalar::Scalar;
     use serde_json::json;
 
-    /// The norms of the correction of a claim with jumps, on long and stiff pieces that bend.
+    /// Checks the norms of the correction of a claim with jumps. The pieces are long, so their corrections bend.
     #[test]
     fn the_norms_of_the_correction_are_sums_over_the_pieces() {
         let text = "[beam]\nlength = 12\nEI = 50\n[foundation]\nk = 10\nmu = 7\n";

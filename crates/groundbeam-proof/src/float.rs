@@ -1,19 +1,21 @@
-//! Doubles: the limits of balls, and exact scaling by powers of two.
+//! Limits of balls of doubles, and exact scaling of doubles by powers of two.
 
-/// 1 + 16u, u = 2⁻⁵³: larger than (1 + u)¹², the rounding error of a radius from at most ten operations.
+/// Factor 1 + 16u with u = 2⁻⁵³. It is larger than (1 + u)¹², which covers the rounding errors of a radius from at
+/// most ten operations.
 pub(crate) const ABOVE: f64 = 1.0 + 8.0 * f64::EPSILON;
-/// Smaller midpoints are replaced by 0, so that no rounding error is lost among subnormal numbers.
+/// Smallest midpoint of a ball. Smaller midpoints are replaced by 0, so that no rounding error is lost among
+/// subnormal numbers.
 pub(crate) const TINY: f64 = 1e-290;
-/// Larger midpoints and radii are replaced by an infinite radius, so that every overflow gives an infinite
-/// radius.
+/// Largest midpoint or radius of a ball. A ball with a larger number gets an infinite radius, so that every
+/// overflow gives an infinite radius.
 pub(crate) const HUGE: f64 = 1e290;
 
-/// |x|; 0 for −0, and NaN for NaN.
+/// Returns |x|. The result is 0 for −0, and NaN for NaN.
 pub(crate) fn magnitude(x: f64) -> f64 {
     x.abs()
 }
 
-/// x·2ⁿ, which is exact or below the smallest midpoint; `None` if it overflows.
+/// Returns x·2ⁿ, or `None` if the product overflows. The product is exact unless it is below the smallest midpoint.
 pub(crate) fn times_power_of_two(x: f64, exponent: i32) -> Option<f64> {
     let scaled = scale(x, exponent);
     if !(magnitude(scaled) <= HUGE) {
@@ -28,7 +30,7 @@ pub(crate) fn magnitude_scaled(r: f64, exponent: i32) -> f64 {
     if r == 0.0 { 0.0 } else { scale(r, exponent) * ABOVE + f64::MIN_POSITIVE }
 }
 
-/// x·2ⁿ by several factors, each of which is a power of two in the range of doubles.
+/// Multiplies x by 2ⁿ in several steps. Each factor is a power of two in the range of doubles.
 pub(crate) fn scale(mut x: f64, mut exponent: i32) -> f64 {
     while exponent > 500 && x != 0.0 && magnitude(x) <= HUGE {
         (x, exponent) = (x * power_of_two(500), exponent - 500);

@@ -1,5 +1,4 @@
-//! The problem on the pieces of the answer: stiffness, ground, loads and claimed deflection piece by piece, loads
-//! and supports node by node.
+//! The problem on the pieces of the answer: stiffness, ground, loads and deflection by piece, loads and supports by node.
 
 use crate::answer::{Answer, Piece};
 use crate::beside::Row;
@@ -12,47 +11,47 @@ use crate::scalar::Scalar;
 use crate::size::Size;
 use crate::units::Units;
 
-/// A piece of the beam, with t = (x − x_mid)/half on it.
+/// A piece of the beam. Its coordinate is t = (x − x_mid)/half.
 #[derive(Debug, Clone)]
 pub(crate) struct Span<S> {
-    /// Its exact ends.
+    /// Exact positions of the two ends of the piece.
     pub x: [S; 2],
-    /// Its length.
+    /// Length of the piece.
     pub h: S,
-    /// x_mid, the middle of the stored ends.
+    /// x_mid, the middle between the stored ends of the piece.
     pub middle: S,
     pub half: S,
-    /// 1/half, the factor from a derivative with respect to t to one with respect to x.
+    /// 1/half, the factor that converts a derivative with respect to t to a derivative with respect to x.
     pub per_length: S,
-    /// t at both ends.
+    /// Values of t at both ends of the piece.
     pub t: [S; 2],
-    /// The largest |t| on the piece, at least 1.
+    /// Largest |t| on the piece, but at least 1.
     pub tau: f64,
     /// ∫tʲ over the piece.
     powers: Vec<S>,
     pub touches: bool,
     /// w(t).
     pub deflection: Polynomial<S>,
-    /// φ(t) of a piece with shear deformation; otherwise φ = w′.
+    /// Rotation φ(t) of a piece with shear deformation; `None` if φ = w′.
     pub rotation: Option<Box<Polynomial<S>>>,
     /// EI.
     pub bending: Coefficient<S>,
-    /// The shear stiffness of a beam with shear deformation, S.
+    /// Shear stiffness S of a beam with shear deformation.
     pub stiffness: Option<Coefficient<S>>,
     /// k.
     pub spring: Coefficient<S>,
-    /// μ; exactly 0 on Winkler ground.
+    /// Stiffness μ of the shear layer; exactly 0 on Winkler ground.
     pub shear: Coefficient<S>,
     /// Whether μ > 0.
     pub layered: bool,
-    /// f, g and κ₀ of the loads and g₀, each linear in t.
+    /// Loads on the beam and gap, each linear in t: distributed force f, distributed moment g, imposed curvature κ₀, gap g₀.
     pub force: Line<S>,
     pub moment: Line<S>,
     pub curvature: Line<S>,
     pub gap: Line<S>,
-    /// q of the loads on the ground, linear in t; `None` if it is zero.
+    /// Distributed load q on the ground, linear in t; `None` without such a load.
     pub ground_load: Option<Line<S>>,
-    /// u as the answer stores it on open ground: at both ends, and along varying ground.
+    /// Settlement u that the answer stores on open ground: at both ends, and as a polynomial along varying ground.
     pub stored: Option<[S; 2]>,
     pub settlement: Option<Box<Polynomial<S>>>,
 }
@@ -61,31 +60,31 @@ pub(crate) struct Span<S> {
 #[derive(Debug, Clone)]
 pub(crate) struct Node<S> {
     pub x: S,
-    /// Point force and point moment.
+    /// Point force and point moment on the beam at the node.
     pub force: S,
     pub moment: S,
-    /// Q, a point force on the ground.
+    /// Point force Q on the ground at the node.
     pub ground_force: S,
-    /// The settlement of a rigid support.
+    /// Settlement of the rigid support at the node; `None` without a rigid support.
     pub rigid: Option<S>,
-    /// Whether a clamp restrains the slope.
+    /// Whether a clamp at the node restrains the slope.
     pub clamped: bool,
-    /// The directions in which the support acts. A one-way support is the only support of its node.
+    /// The directions in which the support at the node acts. A one-way support is the only support at its node.
     pub acts: Acts,
-    /// The sum of the stiffnesses κ of the translational springs, and the sum of κδ with the settlements δ;
-    /// `turning`: the sum of the rotational stiffnesses.
+    /// Sum of the stiffnesses κ of the translational springs at the node, and sum of κδ with their settlements δ. `turning` is
+    /// the sum of the rotational stiffnesses.
     pub spring: Option<[S; 2]>,
     pub turning: Option<S>,
-    /// k_φ of a hinge; exactly 0 for a free hinge.
+    /// Rotational stiffness k_φ of a hinge at the node; exactly 0 for a free hinge, `None` without a hinge.
     pub hinge: Option<S>,
-    /// The stored reaction of rigid supports: force up, and moment with the sign of the left side of the equilibrium
-    /// equation.
+    /// Stored reaction of the rigid supports at the node: the upward force, and the moment that turns the right side of the
+    /// beam upward.
     pub reaction: [S; 2],
     /// Weights of the supports at the node in the redistribution of forces.
     pub weights: Weights,
-    /// Whether a positive concentrated contact force is stored.
+    /// Whether the answer stores a positive concentrated contact force at the node.
     pub pressed: bool,
-    /// Whether g₀ has a corner.
+    /// Whether the gap g₀ has a corner at the node.
     pub corner: bool,
     /// Whether μ or S jumps at the node.
     pub stepped: bool,
@@ -109,14 +108,14 @@ pub(crate) struct Weights {
 pub(crate) struct Held<S> {
     pub x: S,
     pub acts: Acts,
-    /// The node of the support; `None` for an inactive support, which is a one-way support without reaction.
-    /// No piece needs to end at an inactive support.
+    /// Node of the support; `None` for an inactive support, which is a one-way support without reaction. An inactive support
+    /// may lie inside a piece.
     pub node: Option<usize>,
-    /// κ and κ_θ; `None` for a rigid support.
+    /// Stiffnesses κ and κ_θ of a translational and a rotational spring; `None` for a rigid support.
     pub springs: Option<[S; 2]>,
-    /// δ.
+    /// Settlement δ of the support.
     pub settlement: S,
-    /// The claimed force up, and the moment that turns the right side down.
+    /// Claimed reaction: the upward force, and the moment that turns the right side of the beam downward.
     pub claimed: [S; 2],
 }
 
@@ -127,17 +126,17 @@ pub(crate) struct Frame<S> {
     pub nodes: Vec<Node<S>>,
     /// The supports of the model, in the order of the model.
     pub supports: Vec<Held<S>>,
-    /// The tension P; none if it is zero.
+    /// Tension P; `None` if P ≤ 0.
     pub tension: Option<S>,
-    /// B, the weight of the tension in the redistribution of forces. The balance holds for any positive B.
+    /// Weight B of the tension in the redistribution of forces. The balance holds for any positive B.
     pub carrier: f64,
-    /// The compression; none if P ≥ 0.
+    /// Axial compression; `None` if P ≥ 0.
     pub compression: Option<Compression<S>>,
-    /// Stiffness K₀, K_l of the ground outside the beam: flux = K u. Exactly 0 without such ground.
+    /// Stiffness K₀ and K_l of the ground outside the beam, in the flux Ku − T at each end. Exactly 0 without such ground.
     pub outside: [S; 2],
-    /// T₀, T_l of the loads on the ground outside the beam: flux = K u − T.
+    /// Forces T₀ and T_l due to loads on the ground outside the beam, in the flux Ku − T at each end of the beam.
     pub pushed: [S; 2],
-    /// The ground outside the beam, from which `outside` and `pushed` follow.
+    /// Ground outside the two ends of the beam. `outside` and `pushed` follow from this ground.
     pub rows: [Row<S>; 2],
     pub length: S,
     pub units: Units,
@@ -165,22 +164,22 @@ impl<S: Scalar> Node<S> {
         }
     }
 
-    /// Whether the slopes on the two sides may differ.
+    /// Whether a hinge lets the slopes on the two sides of the node differ.
     pub fn is_hinged(&self) -> bool {
         self.hinge.is_some()
     }
 
-    /// Whether no moment is transmitted.
+    /// Whether the node is a free hinge, which transmits no moment.
     pub fn is_free_hinge(&self) -> bool {
         self.hinge == Some(S::zero())
     }
 }
 
 impl<S: Scalar> Span<S> {
-    /// The geometry of a piece and its claimed deflection.
+    /// Returns the geometry of a piece and its claimed deflection.
     ///
-    /// Requires |t_L + 1| ≤ ¼ and |t_R − 1| ≤ ¼. Otherwise the sum of the coefficients would not bound the
-    /// function.
+    /// Requires |t_L + 1| ≤ ¼ and |t_R − 1| ≤ ¼ for the values of t at the ends. Otherwise the sum of the coefficients would
+    /// not bound a polynomial on the piece.
     pub fn of(piece: &Piece, x: [S; 2], units: Units) -> Result<Self, NotProven> {
         let wrong = |what: &str| NotProven::new(what).at(piece.x[0]);
         if piece.deflection.is_empty() {
@@ -216,7 +215,7 @@ impl<S: Scalar> Span<S> {
         let middle = (ends[0] + ends[1]).scaled(-1);
         let t = match S::ENCLOSES {
             true => x.map(|x| (x - middle).div(half)),
-            // In doubles, differences of nearby positions keep the digits of a short piece far from zero.
+            // In doubles, t is computed from differences of nearby positions. So a short piece far from zero keeps its digits.
             false => {
                 let stretch = (ends[1] - ends[0]).scaled(-1);
                 [(x[0] - ends[0]) - stretch, (x[1] - ends[1]) + stretch].map(|x| x.div(half))
@@ -256,17 +255,17 @@ impl<S: Scalar> Span<S> {
         })
     }
 
-    /// Whether k and μ are constant.
+    /// Whether k and μ are constant on the piece.
     pub fn has_even_ground(&self) -> bool {
         self.spring.even().is_some() && self.shear.even().is_some()
     }
 
-    /// An upper bound of the length.
+    /// Returns an upper bound of the length of the piece.
     pub fn length(&self) -> Size {
         Size::of(self.h.high())
     }
 
-    /// The linear function through two points (x, value), as a polynomial of t.
+    /// Returns the linear function through two points (x, value), as a polynomial of t.
     pub fn line(&self, [from, to]: [S; 2], [start, end]: [S; 2]) -> Line<S> {
         if start == end {
             return Line::from_coefficients([start]);
@@ -275,7 +274,7 @@ impl<S: Scalar> Span<S> {
         Line::from_coefficients([start + slope * (self.middle - from), slope * self.half])
     }
 
-    /// ∫tᵏp dx over the piece, for k = 0, …, N − 1.
+    /// Returns ∫tᵏp dx over the piece, for k = 0, …, N − 1.
     pub fn integrals<const N: usize>(&self, p: &Polynomial<S>) -> [S; N] {
         let c = p.coefficients();
         let count = c.len() + N;
@@ -287,7 +286,7 @@ impl<S: Scalar> Span<S> {
         })
     }
 
-    /// The derivative with respect to x.
+    /// Returns the derivative of p with respect to x.
     pub fn derivative(&self, p: &Polynomial<S>) -> Polynomial<S> {
         p.derivative_times(self.per_length)
     }
@@ -297,13 +296,13 @@ impl<S: Scalar> Span<S> {
         self.gap.coefficient(1) * self.per_length
     }
 
-    /// q/k on ground with constant k and μ: the free-field settlement; `None` without loads on the ground.
+    /// Returns the free-field settlement q/k; `None` if k varies, or without a load on the ground.
     pub fn free_field(&self) -> Option<Line<S>> {
         let spring = self.spring.even()?;
         self.ground_load.as_ref().map(|load| load.times(S::one().div(spring)))
     }
 
-    /// u − q/k at the ends of the piece.
+    /// Returns u − q/k at the ends of the piece, from u at these ends.
     pub fn above_free_ends(&self, [left, right]: [S; 2]) -> [S; 2] {
         match self.free_field() {
             None => [left, right],
@@ -324,7 +323,7 @@ impl<S: Scalar> Span<S> {
         self.deflection - &self.gap
     }
 
-    /// ku − q − (μ(w − g₀)′)′: the pressure on a beam in contact, with the settlement u in the first term.
+    /// Returns the pressure ku − q − (μ(w − g₀)′)′ of a beam in contact. `settlement` is u in the first term.
     pub fn pressure_under(&self, settlement: &Polynomial<S>) -> Polynomial<S> {
         let mut pressure = self.spring.times(*settlement);
         if self.layered {
@@ -353,13 +352,13 @@ impl<S: Scalar> Span<S> {
         self.derivative(moment) - &self.moment
     }
 
-    /// The interval of t that contains the piece, in doubles.
+    /// Returns an interval of t, in doubles, that contains the piece.
     pub fn interval(&self) -> [f64; 2] {
         [self.t[0].low(), self.t[1].high()]
     }
 }
 
-/// ∫tʲ from t_L to t_R for j = 0, …, `count` − 1.
+/// Returns the integrals ∫tʲ from t_L to t_R for j = 0, …, `count` − 1.
 fn powers<S: Scalar>(ends: [S; 2], count: usize) -> Vec<S> {
     let mut power = ends;
     let integral = |j: usize| {
@@ -371,7 +370,7 @@ fn powers<S: Scalar>(ends: [S; 2], count: usize) -> Vec<S> {
 }
 
 impl<S: Scalar> Frame<S> {
-    /// The depth of penetration that is negligible: 10⁻²⁴ of the deflection.
+    /// Returns the largest penetration that is neglected: 10⁻²⁴ of the largest |w| in the middle of a piece.
     pub fn negligible(&self) -> Size {
         let sizes = self.spans.iter().map(|span| span.deflection.coefficient(0).size());
         let largest = sizes.fold(0.0, |most, size| if size > most { size } else { most });
@@ -384,13 +383,14 @@ impl<S: Scalar> Frame<S> {
         [left, self.spans.get(node).is_some_and(|span| span.layered)]
     }
 
-    /// Whether a piece on the left or on the right of a node touches.
+    /// Whether the pieces on the left and on the right of a node touch the ground.
     pub fn touching(&self, node: usize) -> [bool; 2] {
         let left = node > 0 && self.spans[node - 1].touches;
         [left, self.spans.get(node).is_some_and(|span| span.touches)]
     }
 
-    /// Whether μ and S are continuous at a node inside a layer, without hinge and without force on the ground.
+    /// Whether a node lies inside a shear layer, μ and S are continuous at the node, and neither a hinge nor a force on the
+    /// ground is at the node.
     pub fn even(&self, node: usize) -> bool {
         self.layered(node) == [true; 2]
             && !self.nodes[node].stepped
@@ -398,8 +398,7 @@ impl<S: Scalar> Frame<S> {
             && !self.nodes[node].is_hinged()
     }
 
-    /// Whether a force causes a jump of the slope at a node: a load or a reaction on a beam with shear
-    /// deformation.
+    /// Whether a point force or a reaction causes a jump of the slope at a node. This requires shear deformation.
     pub fn kinks(&self, node: usize) -> bool {
         let here = &self.nodes[node];
         let forced = here.force != S::zero() || here.rigid.is_some() || here.spring.is_some();
@@ -408,29 +407,29 @@ impl<S: Scalar> Frame<S> {
         forced && beside.into_iter().any(shears)
     }
 
-    /// Whether a node lies inside the layer and has no hinge, no force on the ground, no corner of g₀, no
-    /// jump of μ or S, and, on a beam with shear deformation, no force.
+    /// Whether a node lies inside a shear layer and has no hinge, no force on the ground, no corner of g₀ and no jump of μ or
+    /// S. On a beam with shear deformation, the node must also have no point force and no support.
     pub fn smooth(&self, node: usize) -> bool {
         self.even(node) && !self.nodes[node].corner && !self.kinks(node)
     }
 
-    /// Whether a piece has shear deformation.
+    /// Whether any piece of the beam has shear deformation.
     pub fn shears(&self) -> bool {
         self.spans.iter().any(|span| span.stiffness.is_some())
     }
 
-    /// P; none if it is zero.
+    /// Axial force P; `None` if P = 0.
     pub fn axial_force(&self) -> Option<S> {
         self.tension.or(self.compression.as_ref().map(|compression| -compression.force))
     }
 
-    /// A position in the units of the model.
+    /// Returns the position of a node in the units of the model.
     pub fn place(&self, node: usize) -> f64 {
         self.units.restored(self.nodes[node].x.middle(), 0, 1)
     }
 }
 
-/// The pieces of an answer with the exact ends of each.
+/// Returns the pieces of an answer with their exact ends.
 pub(crate) fn spans<S: Scalar>(
     answer: &Answer,
     exact: &[S],

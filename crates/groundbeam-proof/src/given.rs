@@ -1,5 +1,4 @@
-//! Builds the problem on the pieces from model and answer. It checks ranges, and assigns loads and supports
-//! to nodes.
+//! Builds the problem on the pieces from model and answer: checks ranges, and assigns loads and supports to nodes.
 
 use crate::answer::{Answer, Reaction};
 use crate::beside::Row;
@@ -19,22 +18,22 @@ use crate::stability::margin;
 use crate::units::Units;
 use crate::values::{in_range, positive};
 
-/// Node indices of the parts of the model.
+/// Node indices of the segments, loads, supports, hinges and corners of the gap of the model.
 struct Places {
     beam: Vec<[usize; 2]>,
     ground: Vec<[usize; 2]>,
-    /// The nodes of each load; `None` for a load outside the beam.
+    /// First and last node of each load; `None` for a load outside the beam.
     loads: Vec<Option<[usize; 2]>>,
-    /// The node of each support; `None` for an inactive support.
+    /// Node of each support; `None` for an inactive support.
     supports: Vec<Option<usize>>,
     hinges: Vec<usize>,
     gap: Vec<usize>,
 }
 
-/// The problem on the pieces of the answer, in the units of the proof.
+/// Returns the problem on the pieces of the answer, in the units of the proof.
 ///
-/// σ is the fraction of the energy's convexity that remains under compression. If it is not given, a lower
-/// bound of σ is proven. The supports in `placed` have nodes although they have no reaction.
+/// `stability` is σ, the fraction of the convexity of the energy that remains under compression. If it is `None`, a
+/// lower bound of σ is proven. The supports with the indices `placed` have nodes although they have no reaction.
 pub(crate) fn frame<S: Scalar>(
     model: &Model<S>,
     answer: &Answer,
@@ -148,7 +147,7 @@ fn places<S: Scalar>(
     Ok(Places { beam, ground, loads, supports, hinges, gap })
 }
 
-/// Nodes at which the answer has a positive concentrated force.
+/// Returns the nodes at which the answer has a positive concentrated force.
 fn pressed<S: Scalar>(answer: &Answer, positions: &Positions<S>) -> Result<Vec<usize>, NotProven> {
     let mut pressed = Vec::new();
     for force in &answer.forces {
@@ -179,7 +178,7 @@ fn stiffness<S: Scalar>(
         span.spring = even(ground.spring, -2);
         span.shear = even(ground.shear, 0);
     }
-    // The profiles of μ and S on each piece that lies in a segment.
+    // `courses` contains the profiles of μ and S for each piece that lies in a segment.
     let mut courses = vec![[None; 2]; frame.spans.len()];
     for (piece, j) in pieces_of(places.beam.iter().copied(), frame.spans.len())? {
         let segment = &beam.segments[j];
@@ -210,14 +209,14 @@ fn stiffness<S: Scalar>(
         }
         span.stiffness = shear;
         if span.stiffness.is_some() != span.rotation.is_some() {
-            let what = "a rotation is given on a piece without shear deformation, or is missing on a piece with it";
+            let what = "a piece has a rotation without shear deformation, or shear deformation without a rotation";
             return Err(NotProven::new(what).at(units.restored(span.x[0].middle(), 0, 1)));
         }
     }
     Ok(())
 }
 
-/// Finds the nodes at which μ or S jumps. A profile has no jump inside its segment.
+/// Marks the nodes at which μ or S jumps. A profile has no jump inside its segment.
 fn steps<S: Scalar>(model: &Model<S>, courses: &[[Option<&Course<S>>; 2]], frame: &mut Frame<S>) {
     let (shear, stiffness) = (model.ground.shear, model.beam.shear_stiffness);
     let same = |a: Option<&Course<S>>, b: Option<&Course<S>>, base: Option<S>| match (a, b) {
@@ -231,7 +230,7 @@ fn steps<S: Scalar>(model: &Model<S>, courses: &[[Option<&Course<S>>; 2]], frame
     }
 }
 
-/// The pieces that lie in segments, each with the index of its segment. Segments do not overlap.
+/// Returns the pieces that lie in segments, each with the index of its segment. Overlapping segments are an error.
 fn pieces_of(
     segments: impl Iterator<Item = [usize; 2]>,
     pieces: usize,
@@ -250,8 +249,8 @@ fn pieces_of(
     Ok(found)
 }
 
-/// A piece as a part of a segment. s = line(t) increases from 0 to 1 along the segment, and between the two
-/// `ends` along the piece.
+/// A piece as a part of a segment. The coordinate s = `line`(t) increases from 0 to 1 along the segment. On the
+/// piece it increases between the two `ends`.
 struct Part<S> {
     line: Line<S>,
     ends: [S; 2],
@@ -270,7 +269,7 @@ impl<S: Scalar> Part<S> {
         }
     }
 
-    /// The coefficient on the piece of a profile with the unit N m^`length`.
+    /// Returns the coefficient on the piece for a profile with the unit N m^`length`.
     fn course(&self, course: &Course<S>, length: i32) -> Result<Coefficient<S>, NotProven> {
         if matches!(course, Course::Varying(values) if values.len() > HIGHEST_COURSE + 1) {
             return Err(NotProven::new("a coefficient varies with a degree above 5"));
@@ -280,7 +279,8 @@ impl<S: Scalar> Part<S> {
     }
 }
 
-/// Whether a load on the ground may act upward. Under such a load the settlement is not an upper bound of Gp.
+/// Whether a load on the ground may act upward. Under such a load, the settlement is not an upper bound of the
+/// settlement Gp due to the contact pressure p.
 fn lifts<S: Scalar>(load: &Load<S>) -> bool {
     let sizes = match load.extent {
         Extent::Point { size, .. } => [size; 2],
@@ -353,7 +353,9 @@ fn gap<S: Scalar>(
     }
     for (pair, nodes) in corners.windows(2).zip(places.gap.windows(2)) {
         if !((pair[1][0] - pair[0][0]).low() > 0.0) {
-            return Err(NotProven::new("the corners of the clearance are not in increasing order"));
+            return Err(NotProven::new(
+                "the positions of the initial gap are not in increasing order",
+            ));
         }
         for span in frame.spans.iter_mut().take(nodes[1]).skip(nodes[0]) {
             span.gap = span.line([pair[0][0], pair[1][0]], [pair[0][1], pair[1][1]]);

@@ -1,4 +1,4 @@
-//! The fields of a claim for tests, from the texts of a model file and of a document.
+//! Constructs the fields of a claim for tests, from the texts of a model file and of a document.
 
 #![cfg(test)]
 
@@ -12,7 +12,7 @@ use crate::size::Size;
 use crate::wide::Wide;
 use serde_json::Value;
 
-/// Passes the fields that are constructed from a claim.
+/// Constructs the fields of a claim and passes them to the function `of`.
 pub(crate) fn with_fields<T>(
     model: &str,
     document: &Value,
@@ -24,7 +24,7 @@ pub(crate) fn with_fields<T>(
     of(&mut Fields::of(&frame).expect("fields"))
 }
 
-/// The balance of a claim in which nothing is redistributed.
+/// Returns the balance of a claim in which no force is redistributed.
 pub(crate) fn balanced(pieces: usize) -> Balanced<Wide> {
     let zero = Wide::zero();
     let piece = BalancedPiece {

@@ -1,16 +1,15 @@
 //! The ground's surface ū, the concentrated forces of the layer, and the residual of the ground's equation.
 //!
-//! Where beam and ground touch, ū = w̄ − g₀. Open ground of a layer is solved exactly: on a piece of length h, with
-//! b = √(k/μ), z = bh, r = √(kμ),
+//! Where beam and ground touch, ū = w̄ − g₀. Open ground of a layer is solved exactly. On a piece of length h with b = √(k/μ),
+//! z = bh and r = √(kμ), the flux μu′ is
 //!
 //! ```text
-//! flux at the left end  = −(s₁(u_L − u_R) + s₂u_L),   at the right end = s₁(u_R − u_L) + s₂u_R,
-//! s₁ = r/sinh z, s₂ = r tanh(z/2),   flux = μu′,
+//! at the left end: −(s₁(u_L − u_R) + s₂u_L),   at the right end: s₁(u_R − u_L) + s₂u_R,   s₁ = r/sinh z,   s₂ = r tanh(z/2).
 //! ```
 //!
-//! and outside the beam flux = K₀u on the left, −K_lu on the right. At a touching node the jump of the flux,
-//! a = flux(x−) − flux(x+), is a concentrated force. Its negative part r is omitted. This adds at most |r|√g
-//! to the bound, with g = 1/(S₋ + S₊), S₋ and S₊ the stiffness of the layer on both sides of the node.
+//! Outside the beam the flux is K₀u on the left and −K_lu on the right. At a touching node, the jump a = flux(x−) − flux(x+) is
+//! a concentrated force. Its negative part min(a, 0) is omitted, so the residual has at most the norm |min(a, 0)|√g. Here g =
+//! 1/(S₋ + S₊), and S₋ and S₊ are the stiffness of the layer on both sides of the node.
 
 use crate::deflection::Deflection;
 use crate::frame::{Frame, Span};
@@ -19,29 +18,29 @@ use crate::scalar::{Scalar, positive_part};
 use crate::size::Size;
 use std::ops::Range;
 
-/// The settlement of the ground's surface, and the forces on it.
+/// The settlement of the ground's surface, and the forces on the surface.
 #[derive(Debug)]
 pub(crate) struct Surface<S> {
     pub pieces: Vec<SurfacePiece<S>>,
     pub nodes: Vec<SurfaceNode<S>>,
-    /// Whether beam and layer touch at a node.
+    /// Whether beam and layer touch at each node.
     pub touches: Vec<bool>,
-    /// Σ|r|√g over the forces and (Σ∫ρ²/k)^½ over the pressures that p̄ omits.
+    /// Bound Σ|r|√g + (Σ∫ρ²/k)^½ of the residual forces r and residual pressures ρ, with the flexibility g of the layer.
     pub unclaimed: Size,
 }
 
 /// The surface on one piece.
 #[derive(Debug, Clone)]
 pub(crate) struct SurfacePiece<S> {
-    /// ū at both ends of an open piece of a layer.
+    /// Settlement ū at both ends of an open piece of a layer.
     pub open: Option<[S; 2]>,
-    /// ū on an open piece of a layer whose k or μ varies.
+    /// Settlement ū along an open piece of a layer whose k or μ varies.
     pub along: Option<Box<Polynomial<S>>>,
-    /// max|ρ| of the residual pressure of ū on such a piece; zero elsewhere.
+    /// Largest residual pressure |ρ| of ū on an open piece whose k or μ varies; zero on other pieces.
     pub missed: Size,
-    /// μū′ at both ends of an open piece of a layer.
+    /// Flux μū′ at both ends of an open piece of a layer.
     pub flux: [S; 2],
-    /// A bound of √g(x, x) on a piece of a layer; infinite on Winkler ground.
+    /// Upper bound of √g(x, x) on a piece of a layer with the flexibility g; infinite on Winkler ground.
     pub flexibility: Size,
 }
 
@@ -51,12 +50,12 @@ pub(crate) struct SurfaceNode<S> {
     /// The jump of the flux.
     pub jump: S,
     pub settlement: S,
-    /// The concentrated force: the positive part of the jump.
+    /// Concentrated contact force: the positive part of the jump of the flux.
     pub force: S,
 }
 
 impl<S> Surface<S> {
-    /// √g at a node: the smaller bound of the two neighbouring pieces.
+    /// Returns the bound of √g at a node: the smaller bound of both adjacent pieces. g is the flexibility of the layer.
     pub fn flexibility_at(&self, node: usize) -> Size {
         let right = self.pieces.get(node).map_or(Size::INFINITE, |piece| piece.flexibility);
         let left = node.checked_sub(1).map_or(Size::INFINITE, |i| self.pieces[i].flexibility);
@@ -106,7 +105,7 @@ fn touches<S: Scalar>(frame: &Frame<S>, node: usize) -> bool {
     (layered[0] && touching[0]) || (layered[1] && touching[1]) || (any && frame.nodes[node].pressed)
 }
 
-/// The ground beyond a node, condensed to the node: flux = S u − T.
+/// The ground on one side of a node, condensed to the node. The flux is Su − T with `stiffness` S and `pushed` T.
 #[derive(Clone, Copy)]
 pub(crate) struct Behind<S> {
     stiffness: S,
@@ -114,13 +113,13 @@ pub(crate) struct Behind<S> {
 }
 
 impl<S: Scalar> Behind<S> {
-    /// The ground with an additional force on the surface at the node.
+    /// Returns the condensed ground with an additional force on the surface at the node.
     fn loaded(self, force: S) -> Self {
         Behind { pushed: self.pushed + force, ..self }
     }
 }
 
-/// q/k at both ends of an open piece, its increase from left to right, and μq′/k.
+/// Free-field settlement q/k at both ends of an open piece, its increase from left to right, and μq′/k.
 #[derive(Clone, Copy)]
 struct FreeField<S> {
     ends: [S; 2],
@@ -128,12 +127,12 @@ struct FreeField<S> {
     slope: S,
 }
 
-/// An open piece with u = q/k + v. If k or μ varies, the smallest values are used.
+/// An open piece with the settlement u = q/k + v. If k or μ varies, the smallest values of k and μ are used.
 pub(crate) struct Link<S> {
     /// s₁ and s₂.
     across: S,
     own: S,
-    /// The free field; zero without a load on the piece.
+    /// Free-field settlement q/k; zero without a load on the piece.
     free: FreeField<S>,
 }
 
@@ -142,7 +141,7 @@ impl<S: Scalar> Link<S> {
         let (spring, shear) = (span.spring.least(), span.shear.least());
         let root = (spring * shear).sqrt();
         let z = spring.div(shear).sqrt() * span.h;
-        // e = exp(−z) − 1: sinh z = −e(2 + e)/(2(1 + e)), tanh(z/2) = −e/(2 + e), without cancellation for small z.
+        // e = exp(−z) − 1 avoids cancellation for small z: sinh z = −e(2 + e)/(2(1 + e)), tanh(z/2) = −e/(2 + e).
         let e = (-z).expm1();
         let sum = e + S::of(2.0);
         let across = (root * (e + S::one()).scaled(1)).div(-e * sum);
@@ -158,35 +157,36 @@ impl<S: Scalar> Link<S> {
         Link { across, own: (root * -e).div(sum), free }
     }
 
-    /// S + s₁ + s₂, with S the stiffness of the ground beyond the piece.
+    /// Returns the stiffness of the piece and of the ground `behind` it, at the near end of the piece with its far end fixed.
     fn divisor(&self, behind: Behind<S>) -> S {
         behind.stiffness + self.own + self.across
     }
 
-    /// The same piece with u measured from another height, so that small differences of u keep their digits.
+    /// Returns the piece with u measured from another height, so that small differences of u keep their digits.
     fn above(&self, height: S) -> Self {
         let ends = self.free.ends.map(|free| free - height);
         Link { free: FreeField { ends, ..self.free }, ..*self }
     }
 
-    /// The rise of q/k and μq′/k from the near end outward.
+    /// Returns the increase of q/k from the near to the far end, and μq′/k with the derivative in this direction.
     fn outward(&self, near: usize) -> [S; 2] {
         let FreeField { rise, slope, .. } = self.free;
         if near == 0 { [rise, slope] } else { [-rise, -slope] }
     }
 
-    /// The right side of (S + s₁ + s₂)u = s₁u_far + source, with u at the near end and `behind` the ground beyond it.
+    /// Returns the force at the near end due to the loads on the piece and on the ground `behind` it, if u = 0 at the far end.
     fn source(&self, behind: Behind<S>, near: usize) -> S {
         let [rise, slope] = self.outward(near);
         behind.pushed + slope + self.own * self.free.ends[near] - self.across * rise
     }
 
-    /// u at the near end, from u at the far end.
+    /// Returns u at the near end, from u at the far end.
     fn near(&self, behind: Behind<S>, near: usize, far: S) -> S {
         (self.across * far + self.source(behind, near)).div(self.divisor(behind))
     }
 
-    /// This piece and all ground behind it, condensed to the near end by sums of positive terms.
+    /// Condenses this piece and the ground `behind` its near end to the far end of the piece, using only sums of positive
+    /// terms.
     fn behind(&self, behind: Behind<S>, near: usize) -> Behind<S> {
         let part = self.across.div(self.divisor(behind));
         Behind {
@@ -195,12 +195,12 @@ impl<S: Scalar> Link<S> {
         }
     }
 
-    /// As `behind`, with the surface held at u = 0.
+    /// Condenses this piece to its far end if the surface is fixed at u = 0 at its near end.
     fn behind_held(&self, near: usize) -> Behind<S> {
         Behind { stiffness: self.across + self.own, pushed: self.own_push(near) }
     }
 
-    /// s₂b + s₁(b − a) minus the outward μq′/k, with a, b = q/k at the near and the far end.
+    /// Returns the force at the far end due to the loads on the piece, if u = 0 at the near end.
     fn own_push(&self, near: usize) -> S {
         let [rise, slope] = self.outward(near);
         self.own * self.free.ends[1 - near] + self.across * rise - slope
@@ -214,14 +214,14 @@ impl<S: Scalar> Link<S> {
         [across - self.own * left, across + self.own * right]
     }
 
-    /// The flux at the right end minus the flux at the left end, s₂(u_L + u_R − q_L/k − q_R/k).
+    /// Returns the flux at the right end minus the flux at the left end, from the sum of u − q/k at both ends.
     fn flux_gained(&self, [left, right]: [S; 2]) -> S {
         let [a, b] = self.free.ends;
         self.own * ((left - a) + (right - b))
     }
 }
 
-/// A maximal run of pieces with μ > 0.
+/// A shear layer: a maximal run of pieces with μ > 0.
 pub(crate) struct Layer<'a, S> {
     pub(crate) frame: &'a Frame<S>,
     deflection: &'a Deflection<S>,
@@ -259,14 +259,14 @@ impl<'a, S: Scalar> Layer<'a, S> {
         Layer { frame, deflection, links, first, behind: [left, right] }
     }
 
-    /// The last node of the layer.
+    /// Returns the last node of the layer.
     pub(crate) fn end(&self) -> usize {
         self.first + self.links.len()
     }
 
-    /// √g on each piece. g ≤ 1/(min S₋ + min S₊): S is monotone along a piece with constant k and μ, so its minimum is at
-    /// one of the ends. Also g ≤ coth(bL)/√(kμ) with the smallest k and μ of the layer and its length L: g decreases as k,
-    /// μ or the length of the layer increase, and is largest at a free end.
+    /// Bounds √g on each piece by two bounds of the flexibility g. First, g ≤ 1/(min S₋ + min S₊). Along a piece with constant
+    /// k and μ, the stiffnesses S₋ and S₊ of the layer on both sides are monotone, so they are smallest at an end. Second, g is
+    /// largest at a free end of the layer, and decreases as k, μ or the length increase. So g ≤ 1/`least_stiffness`.
     fn flexibility(&self, surface: &mut Surface<S>) {
         let least = |side: usize, i: usize| {
             let [a, b] = [i, i + 1].map(|j| self.behind[side][j].stiffness.low());
@@ -280,7 +280,7 @@ impl<'a, S: Scalar> Layer<'a, S> {
         }
     }
 
-    /// A lower bound of √(kμ) tanh(bL): the stiffness at the end of a layer of this length with constant k and μ.
+    /// Returns a lower bound of √(kμ) tanh(bL) with b = √(k/μ), the stiffness at the end of a layer of length L.
     fn least_stiffness(&self) -> f64 {
         let spans = &self.frame.spans[self.first..self.end()];
         let least = |of: &dyn Fn(&Span<S>) -> S| {
@@ -302,12 +302,12 @@ impl<'a, S: Scalar> Layer<'a, S> {
         self.deflection.values[node] - span.gap.value(span.t[piece.1])
     }
 
-    /// The force on the surface at a node.
+    /// Returns the point force on the ground at a node.
     fn force(&self, node: usize) -> S {
         self.frame.nodes[node].ground_force
     }
 
-    /// Solves the open pieces, run by run.
+    /// Solves the open pieces of the layer, run by run.
     fn solve(&self, surface: &mut Surface<S>) {
         let nodes = self.first..=self.end();
         let touching: Vec<usize> = nodes.filter(|node| surface.touches[*node]).collect();
@@ -339,14 +339,14 @@ impl<'a, S: Scalar> Layer<'a, S> {
         }
     }
 
-    /// u at the right end of a layer without contact. Without loads u = 0.
+    /// Returns u at the right end of a layer without contact. Without loads u = 0.
     fn free_end(&self) -> S {
         let [left, right] = [0, 1].map(|side| self.behind[side][self.links.len()]);
         let pushed = left.pushed + right.pushed + self.force(self.end());
         if pushed == S::zero() { pushed } else { pushed.div(left.stiffness + right.stiffness) }
     }
 
-    /// Solves from the left end of the layer to the first touching node.
+    /// Solves the open ground from the left end of the layer to the first touching node.
     fn leading(&self, node: usize, held: S, surface: &mut Surface<S>) {
         let mut u = held;
         for i in (0..node - self.first).rev() {
@@ -362,7 +362,7 @@ impl<'a, S: Scalar> Layer<'a, S> {
         }
     }
 
-    /// Solves from the last touching node to the right end of the layer.
+    /// Solves the open ground from the last touching node to the right end of the layer.
     fn trailing(&self, node: usize, surface: &mut Surface<S>) {
         let mut u = self.held(node);
         for i in node - self.first..self.links.len() {
@@ -378,7 +378,7 @@ impl<'a, S: Scalar> Layer<'a, S> {
         }
     }
 
-    /// Solves between two touching nodes: condensation from the left, then back-substitution from the right.
+    /// Solves the open ground between two touching nodes: condensation from the left, then back-substitution from the right.
     /// Heights are measured from the left node, so that short runs keep the digits of differences.
     fn between(&self, from: usize, to: usize, surface: &mut Surface<S>) {
         let start = self.held(from);
@@ -406,18 +406,18 @@ impl<'a, S: Scalar> Layer<'a, S> {
         }
     }
 
-    /// The increase of w̄ − g₀ along a piece from left to right, computed without the common constant.
+    /// Returns the increase of w̄ − g₀ along a piece from left to right, computed without the constant terms of w̄ and g₀.
     fn rise(&self, piece: usize) -> S {
         let span = &self.frame.spans[piece];
         span.obstacle().rise(span.t) + self.deflection.pieces[piece].rise
     }
 
-    /// The jump of the flux at a node, minus the force on the ground there.
+    /// Returns the jump of the flux at a node, minus the force on the ground at this node.
     pub(crate) fn jump_at(&self, node: usize, surface: &Surface<S>) -> S {
         self.flux_at(node, 0, surface) - self.flux_at(node, 1, surface) - self.force(node)
     }
 
-    /// The flux on one side of a node.
+    /// Returns the flux μu′ on one side of a node.
     fn flux_at(&self, node: usize, side: usize, surface: &Surface<S>) -> S {
         let piece = if side == 0 { node.checked_sub(1) } else { Some(node) };
         let piece = piece.filter(|piece| (self.first..self.end()).contains(piece));
@@ -435,7 +435,7 @@ impl<'a, S: Scalar> Layer<'a, S> {
         }
     }
 
-    /// The concentrated forces at touching nodes.
+    /// Computes the concentrated forces at touching nodes.
     fn forces(&self, surface: &mut Surface<S>) {
         for node in self.first..=self.end() {
             if !surface.touches[node] {

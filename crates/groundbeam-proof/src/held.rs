@@ -1,5 +1,4 @@
-//! Assigns supports with their stored reactions, and hinges, to the nodes; computes the weights of the
-//! supports in the balance.
+//! Assigns supports with their stored reactions, and hinges, to the nodes; computes the weights of supports in the balance.
 
 use crate::answer::{Answer, Reaction};
 use crate::frame::{Frame, Held};
@@ -8,7 +7,7 @@ use crate::refusal::NotProven;
 use crate::scalar::Scalar;
 use crate::values::not_negative;
 
-/// The stored reaction of each support of the model; `None` if the answer does not list it.
+/// Returns the stored reaction of each support of the model; `None` if the answer does not list the reaction.
 pub(crate) fn reactions<S: Scalar>(
     model: &Model<S>,
     answer: &Answer,
@@ -25,12 +24,12 @@ pub(crate) fn reactions<S: Scalar>(
     Ok(all)
 }
 
-/// Whether a one-way support has no reaction, and so needs no node.
+/// Whether a one-way support has no reaction. Such a support needs no node.
 pub(crate) fn is_idle<S: Scalar>(support: &Support<S>, reaction: &Option<Reaction>) -> bool {
     support.acts != Acts::Both && reaction.is_none_or(|reaction| reaction.force == 0.0)
 }
 
-/// Assigns the supports to nodes, and reads the stored reactions of the rigid ones. Inactive supports have no
+/// Assigns the supports to nodes, and reads the stored reactions of the rigid supports. Inactive supports have no
 /// node.
 pub(crate) fn supports<S: Scalar>(
     model: &Model<S>,
@@ -82,7 +81,7 @@ pub(crate) fn supports<S: Scalar>(
     Ok(())
 }
 
-/// Adds a support to its node.
+/// Adds a support to its node. `clamps` states whether the support restrains the slope rigidly.
 fn hold<S: Scalar>(
     held: Held<S>,
     clamps: bool,
@@ -133,8 +132,7 @@ pub(crate) fn hinges<S: Scalar>(
         if node.hinge.replace(spring).is_some() {
             return refused("two hinges have the same position");
         }
-        // The slope has two values at a hinge, so a support that restrains the slope there makes the model
-        // invalid.
+        // The slope has two values at a hinge, so a support there must not restrain the slope.
         if node.clamped || node.turning.is_some() {
             return refused("a hinge is at a support that restrains the slope");
         }
@@ -145,8 +143,11 @@ pub(crate) fn hinges<S: Scalar>(
     Ok(())
 }
 
-/// Weights in the balance: W = 10 max(Σ|F|, Σ|R|, EI max|κ₀|/l, κ|δ|) for a rigid support, Wl² for a clamp,
-/// and Wl for the tension. The weight of a spring is its force at the largest deflection, but at most W.
+/// Computes the weights in the balance, in the units of the proof. The weight W of a rigid support is ten times
+/// the largest of four numbers: the sum of all loads, the sum of all stored reactions, the largest EI|κ₀| with the
+/// imposed curvature κ₀, and the largest product of stiffness and settlement of a spring. With the length l of the
+/// beam, the weight of a clamp is Wl², and the weight of the tension is Wl. The weight of a spring is its force at
+/// the largest deflection, but at most W, or Wl² for a rotational spring.
 pub(crate) fn weights<S: Scalar>(frame: &mut Frame<S>) {
     let (mut forces, mut reactions, mut largest) = (0.0, 0.0, 0.0);
     let mut moved = 0.0;
@@ -164,14 +165,14 @@ pub(crate) fn weights<S: Scalar>(frame: &mut Frame<S>) {
         moved = larger(moved, span.deflection.coefficient(0).size());
     }
     let all = 10.0 * larger(larger(forces, reactions), largest);
-    // Without loads every weight is valid. The unit of force is taken.
+    // Without loads every weight is valid, and W = 1 is used.
     let rigid = if all > 0.0 && all < 1e60 { all } else { 1.0 };
     let clamp = rigid * frame.length.square().middle();
     frame.carrier = rigid * frame.length.middle();
     let limited = |force: f64, most: f64| if force < most { force } else { most };
     for node in &mut frame.nodes {
         if node.acts != Acts::Both {
-            // The weight of a one-way support is its reaction.
+            // The reaction of a one-way support is its weight, so no weight is set here.
             continue;
         }
         let weights = &mut node.weights;

@@ -1,9 +1,13 @@
-//! One-way supports: proves which are active, and from which the exact beam is separated.
+//! Proves which one-way supports are active, and from which one-way supports the exact beam is separated.
 //!
-//! Let ς = 1 for a support that pushes up, and −1 for a support that pulls down. A support without reaction
-//! must satisfy −ς(w − δ) > ε_w. Then the corrected deflection w̄ is admissible, and the exact reaction is
-//! zero, because |w̄ − w| and |w − w*| are at most ε_w. A closer support has its own node: a rigid support
-//! with w̄ = δ and R̄ = 0, a spring with R̄ = κv̄⁺. Then all bounds hold for both states of the support.
+//! Let δ be the settlement of a support. Let ς = 1 for a support that pushes up, and ς = −1 for a support that
+//! pulls down. A support without reaction must satisfy −ς(w − δ) > ε_w, where ε_w bounds |w̄ − w| and |w − w*|.
+//! Here w, w̄ and w* are the claimed, the corrected and the exact deflection. Then w̄ is admissible, and the exact
+//! reaction is zero.
+//!
+//! If a support does not satisfy this inequality, a node is added at its position. At this node, a rigid support
+//! has w̄ = δ and no reaction. A spring of stiffness κ has the reaction ςκ max(ς(w̄ − δ), 0). With this node, the
+//! bounds are valid whether the support is active or inactive.
 
 use crate::frame::{Frame, Held};
 use crate::model::Acts;
@@ -12,7 +16,7 @@ use crate::refusal::NotProven;
 use crate::scalar::Scalar;
 use crate::size::Size;
 
-/// The supports without a node that the exact beam may touch, as indices of the model.
+/// Returns the indices of the supports of the model that have no node although the exact beam may touch them.
 pub(crate) fn close<S: Scalar>(frame: &Frame<S>, bounds: &[PieceBounds]) -> Vec<usize> {
     let within = |piece: usize| bounds[piece].deflection.value();
     let supports = frame.supports.iter().enumerate();
@@ -20,8 +24,8 @@ pub(crate) fn close<S: Scalar>(frame: &Frame<S>, bounds: &[PieceBounds]) -> Vec<
     idle.filter(|(_, support)| !is_clear(frame, &within, support)).map(|(i, _)| i).collect()
 }
 
-/// Fails at the first one-way support whose state is not proven. The state is proven if the reaction exceeds
-/// its error bound, or if the beam is separated from the support.
+/// Returns an error at the first one-way support whose state is not proven. The state is proven if the reaction
+/// exceeds its error bound, or if the exact beam is separated from the support.
 pub(crate) fn decided<S: Scalar>(
     frame: &Frame<S>,
     bounds: &[PieceBounds],
@@ -42,8 +46,8 @@ pub(crate) fn too_close() -> NotProven {
     NotProven::new("the beam is too close to a one-way support to decide whether it is active")
 }
 
-/// Fails at the first inactive support that the claimed deflection penetrates by more than rounding error. An
-/// estimate uses this check.
+/// Returns an error at the first inactive support that the claimed deflection penetrates by more than the rounding
+/// error. The estimate without proof uses this check.
 pub(crate) fn nearly_clear<S: Scalar>(frame: &Frame<S>) -> Result<(), NotProven> {
     let sizes = frame.spans.iter().map(|span| Size::of(span.deflection.coefficient(0).size()));
     let rounding = ROUNDING * sizes.fold(Size::ZERO, Size::worst).value();
@@ -57,11 +61,11 @@ pub(crate) fn nearly_clear<S: Scalar>(frame: &Frame<S>) -> Result<(), NotProven>
     }
 }
 
-/// Rounding error of a deflection, relative to the largest one.
+/// Rounding error of a deflection, relative to the largest deflection.
 const ROUNDING: f64 = 1e-9;
 
-/// Whether the distance between the claimed deflection and a support exceeds the required distance on every
-/// piece that contains the support.
+/// Whether the distance between the claimed deflection and a support exceeds `wanted` on every piece that contains
+/// the support.
 fn is_clear<S: Scalar>(
     frame: &Frame<S>,
     wanted: &impl Fn(usize) -> f64,
@@ -92,7 +96,9 @@ mod tests {
     use crate::wide::Wide;
     use serde_json::json;
 
-    /// The frame of four pieces of the length 0.25 at these heights, with supports and their reactions.
+    /// Builds the problem for four pieces of length 0.25 with the constant deflections `heights`, and passes it to
+    /// `of`. `supports` contains support tables of a model file, and `reactions` the reaction forces of these
+    /// supports.
     fn with_frame(
         heights: [f64; 4],
         supports: &str,
@@ -115,7 +121,8 @@ mod tests {
         Held { x, acts, node: None, springs: None, settlement, claimed: [Wide::zero(); 2] }
     }
 
-    /// A support that pushes up at 2 is clear of w = 1 and not of w = 3; one that pulls down, of w = 3 and not of w = 1.
+    /// Checks supports with the settlement 2. A beam with the deflection w = 1 is clear of a support that pushes
+    /// up, but not of a support that pulls down. For a beam with w = 3, the opposite is true.
     #[test]
     fn a_support_must_be_clear_of_every_piece_at_its_position() {
         let heights = [1.0, 3.0, 1.0, 3.0];
@@ -159,7 +166,8 @@ mod tests {
         )
     }
 
-    /// Under the beam w = 1 a support that pushes up at 2, and above it one that pulls down at 0.5, both without a reaction.
+    /// Checks one-way supports without reaction at the beam w = 1: a support with the settlement 2 that pushes up,
+    /// and a support with the settlement 0.5 that pulls down.
     #[test]
     fn supports_without_reactions_must_be_separated() {
         let both = "[[support]]\nat = 0.25\ntype = 'pinned'\nsettlement = 1\n";
@@ -193,7 +201,7 @@ mod tests {
         }
     }
 
-    /// The permitted penetration is 10⁻⁹ of the largest deflection.
+    /// Checks that the permitted penetration is 10⁻⁹ of the largest deflection.
     #[test]
     fn an_estimate_permits_a_penetration_by_rounding() {
         for (most, depth, permitted) in [

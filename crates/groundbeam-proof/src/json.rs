@@ -1,5 +1,4 @@
-//! A strict reader of JSON. It accepts a single value with unique keys and finite doubles, without text after
-//! the value.
+//! A strict reader of JSON: a single value with unique keys and finite doubles, without text after the value.
 
 use std::collections::BTreeMap;
 use std::fmt;
@@ -14,9 +13,9 @@ const DEEPEST: usize = 32;
 /// The reason why a document cannot be read.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct JsonError {
-    /// Line in the document, from 1; 0 if the fault has no single position.
+    /// Line of the fault in the document, counted from 1; 0 if the fault has no single position.
     pub line: usize,
-    /// Character in the line, from 1; 0 if the fault has no single position.
+    /// Character of the fault in its line, counted from 1; 0 if the fault has no single position.
     pub column: usize,
     /// The fault.
     pub what: String,
@@ -116,7 +115,7 @@ impl Reader<'_> {
         self.skip_spaces();
         self.values += 1;
         if self.values > MOST {
-            return Err("the document has too many values");
+            return Err("the document has more than 10 million values");
         }
         match self.peek() {
             Some(b'[' | b'{') if depth == DEEPEST => Err("values are nested too deeply"),
@@ -184,7 +183,7 @@ impl Reader<'_> {
         }
     }
 
-    /// Skips digits. Returns whether there was at least one.
+    /// Skips digits. Returns whether at least one digit was skipped.
     fn digits(&mut self) -> bool {
         let start = self.at;
         while self.peek().is_some_and(|byte| byte.is_ascii_digit()) {

@@ -1,17 +1,17 @@
-//! Values of expected kinds from a JSON object: numbers, texts, lists and objects under their keys.
+//! Reads values of expected kinds from a JSON object: numbers, texts, lists and objects.
 
 use crate::json::{Json, JsonError};
 use std::collections::BTreeMap;
 
-/// An object from which each read value is removed. The remaining keys are unknown.
+/// A JSON object. Each value is removed when it is read, so the remaining keys are unknown.
 pub(crate) type Object = BTreeMap<String, Json>;
 
-/// The fault of a document with another form.
+/// Returns the error of a document that does not have the expected form.
 pub(crate) fn wrong<T>(what: impl Into<String>) -> Result<T, JsonError> {
     Err(JsonError { line: 0, column: 0, what: what.into() })
 }
 
-/// The value as an object.
+/// Converts a value to an object.
 pub(crate) fn object(value: Json, name: &str) -> Result<Object, JsonError> {
     match value {
         Json::Object(object) => Ok(object),
@@ -19,7 +19,7 @@ pub(crate) fn object(value: Json, name: &str) -> Result<Object, JsonError> {
     }
 }
 
-/// The value as a list.
+/// Converts a value to a list.
 pub(crate) fn list(value: Json, name: &str) -> Result<Vec<Json>, JsonError> {
     match value {
         Json::List(list) => Ok(list),
@@ -27,13 +27,13 @@ pub(crate) fn list(value: Json, name: &str) -> Result<Vec<Json>, JsonError> {
     }
 }
 
-/// The objects of a list; an empty list if the key is missing.
+/// Reads a list of objects. Returns an empty list if the key is missing.
 pub(crate) fn elements(parent: &mut Object, key: &str) -> Result<Vec<Object>, JsonError> {
     let Some(value) = parent.remove(key) else { return Ok(Vec::new()) };
     list(value, key)?.into_iter().map(|element| object(element, key)).collect()
 }
 
-/// A text; `None` if it is missing or null.
+/// Reads a text. Returns `None` if the text is missing or null.
 pub(crate) fn text_of(parent: &mut Object, key: &str) -> Result<Option<String>, JsonError> {
     match parent.remove(key) {
         None | Some(Json::Null) => Ok(None),
@@ -42,7 +42,7 @@ pub(crate) fn text_of(parent: &mut Object, key: &str) -> Result<Option<String>, 
     }
 }
 
-/// A number; `None` if it is missing or null.
+/// Reads a number. Returns `None` if the number is missing or null.
 pub(crate) fn optional(parent: &mut Object, key: &str) -> Result<Option<f64>, JsonError> {
     match parent.remove(key) {
         None | Some(Json::Null) => Ok(None),
@@ -51,12 +51,12 @@ pub(crate) fn optional(parent: &mut Object, key: &str) -> Result<Option<f64>, Js
     }
 }
 
-/// A number that must be present.
+/// Reads a number. A missing number is an error.
 pub(crate) fn number(parent: &mut Object, key: &str) -> Result<f64, JsonError> {
     optional(parent, key)?.map_or_else(|| wrong(format!("`{key}` is missing")), Ok)
 }
 
-/// The value as a list of numbers.
+/// Converts a value to a list of numbers.
 pub(crate) fn all_numbers(value: Json, name: &str) -> Result<Vec<f64>, JsonError> {
     let number = |value| match value {
         Json::Number(number) => Ok(number),
@@ -65,7 +65,7 @@ pub(crate) fn all_numbers(value: Json, name: &str) -> Result<Vec<f64>, JsonError
     list(value, name)?.into_iter().map(number).collect()
 }
 
-/// A list of numbers; `None` if it is missing or null.
+/// Reads a list of numbers. Returns `None` if the list is missing or null.
 pub(crate) fn numbers(parent: &mut Object, key: &str) -> Result<Option<Vec<f64>>, JsonError> {
     match parent.remove(key) {
         None | Some(Json::Null) => Ok(None),
@@ -73,7 +73,7 @@ pub(crate) fn numbers(parent: &mut Object, key: &str) -> Result<Option<Vec<f64>>
     }
 }
 
-/// Two numbers; `None` if the key is missing or null.
+/// Reads a list of two numbers. Returns `None` if the list is missing or null.
 pub(crate) fn pair(parent: &mut Object, key: &str) -> Result<Option<[f64; 2]>, JsonError> {
     match parent.remove(key) {
         None | Some(Json::Null) => Ok(None),
@@ -81,7 +81,7 @@ pub(crate) fn pair(parent: &mut Object, key: &str) -> Result<Option<[f64; 2]>, J
     }
 }
 
-/// Two numbers.
+/// Converts a value to a list of two numbers.
 pub(crate) fn two(value: Json, name: &str) -> Result<[f64; 2], JsonError> {
     match all_numbers(value, name)?[..] {
         [a, b] => Ok([a, b]),

@@ -1,10 +1,10 @@
-//! The kinds of model that the theorem covers.
+//! Finds the features of a model that the theorem of the proof does not cover.
 
 use crate::model::{Acts, Extent, Model, SupportKind};
 use crate::refusal::NotProven;
 use crate::scalar::Scalar;
 
-/// The first feature of a model that the theorem does not cover.
+/// Returns the first feature of a model that the theorem does not cover.
 pub(crate) fn not_covered<S: Scalar>(model: &Model<S>) -> Option<NotProven> {
     let axial = model.beam.axial_force;
     let point_curvature = model.loads.iter().any(|load| {

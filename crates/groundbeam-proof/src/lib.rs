@@ -2,10 +2,10 @@
 //!
 //! The problem is a beam in unilateral contact with a Winkler or Pasternak foundation. The proof does not depend on the
 //! method that found the answer. It builds an admissible deflection and an exactly balanced pressure from the answer, and
-//! bounds the difference of the two energies. `docs/proof.md` states the theorem.
+//! bounds the difference of their energies. `docs/proof.md` states the theorem.
 
 #![forbid(unsafe_code)]
-// `!(a <= b)` refuses if a number is NaN; `a > b` would accept it.
+// The code writes `!(a <= b)` to refuse NaN; `a > b` would accept NaN.
 #![allow(clippy::neg_cmp_op_on_partial_ord)]
 
 mod anchors;

@@ -1,4 +1,4 @@
-//! Compares the other numbers of a document with the fields of its answer.
+//! Compares the listed numbers of a document with the fields of its answer.
 
 use crate::contact_set::ContactSet;
 use crate::document::{Document, Extreme, Stations};
@@ -12,56 +12,56 @@ use crate::scalar::Scalar;
 use crate::size::Size;
 use std::ops::Range;
 
-/// Two positions are different if their distance exceeds this fraction of the length.
+/// Two positions are different if their distance exceeds this fraction of the length of the beam.
 const NEAR: f64 = 16.0 * f64::EPSILON;
 
-/// Number of listed numbers that were compared, by kind.
+/// Numbers of listed values that were compared, by kind.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Checked {
     /// Number of positions at which the fields are listed.
     pub stations: usize,
-    /// Number of values at all stations.
+    /// Number of field values at all stations, and of largest gaps of open stretches.
     pub values: usize,
-    /// Number of pressures in intervals that contain an edge, where no bound is proven.
+    /// Number of listed pressures in intervals that contain an edge of contact. These pressures have no proven bound.
     pub at_edges: usize,
     /// Number of extremes.
     pub extremes: usize,
-    /// Number of regions and points of contact.
+    /// Number of listed contact regions and contact points.
     pub regions: usize,
-    /// Number of concentrated forces, including those under the ends.
+    /// Number of listed concentrated forces, including the forces under the ends of the beam.
     pub forces: usize,
     /// Number of error bounds that the document claims.
     pub bounds: usize,
 }
 
-/// Bounds of the errors of single listed numbers. All are infinite if the contact set is not proven.
+/// Error bounds of single listed numbers. The bounds of edges and forces are infinite if the contact set is not proven.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct ListedErrors {
-    /// Errors of both ends of each listed region of contact \[m\]. If no regions are listed, the errors of
-    /// the proven regions.
+    /// Error bounds of both ends of each listed contact region \[m\]. If no regions are listed, the error bounds of the
+    /// proven regions.
     pub edges: Vec<[f64; 2]>,
-    /// Errors of each of the `forces` \[N\].
+    /// Error bound of each of the listed `forces` \[N\].
     pub forces: Vec<f64>,
-    /// Errors of the `end_forces`, left and right \[N\], if they are listed.
+    /// Error bounds of the `end_forces` \[N\], left and right; `None` if no end forces are listed.
     pub end_forces: Option<[f64; 2]>,
-    /// The largest exact force that is not listed, that is, listed as zero \[N\].
+    /// Upper bound of the exact forces that are not listed \[N\]. Such forces count as listed with the value zero.
     pub unlisted: f64,
-    /// Errors of rotation \[rad\] and moment \[N·m\] of each of the `hinges`.
+    /// Error bounds of rotation \[rad\] and moment \[N·m\] of each of the `hinges`.
     pub hinges: Vec<[f64; 2]>,
 }
 
 impl ListedErrors {
-    /// The largest error of an edge.
+    /// Returns the largest error bound of an edge of contact \[m\].
     pub fn largest_edge(&self) -> f64 {
         largest(self.edges.iter().flatten())
     }
 
-    /// The largest error of a force.
+    /// Returns the largest error bound of a concentrated contact force \[N\].
     pub fn largest_force(&self) -> f64 {
         largest(self.forces.iter().chain(self.end_forces.iter().flatten()).chain([&self.unlisted]))
     }
 
-    /// Infinite errors: nothing is proven about the listed numbers of a document.
+    /// Returns infinite error bounds for the listed regions and forces of a document, if nothing is proven about them.
     fn nothing(document: &Document) -> Self {
         let regions = document.contact.as_ref().map_or(1, |listed| listed.len().max(1));
         ListedErrors {
@@ -74,7 +74,7 @@ impl ListedErrors {
     }
 }
 
-/// The largest of several errors, or zero.
+/// Returns the largest of several errors, or zero if there are none.
 fn largest<'a>(errors: impl Iterator<Item = &'a f64>) -> f64 {
     errors.map(|error| Size::of(*error)).fold(Size::ZERO, Size::worst).value()
 }
@@ -82,13 +82,13 @@ fn largest<'a>(errors: impl Iterator<Item = &'a f64>) -> f64 {
 /// Bounds of the differences between listed numbers and the pieces of the answer.
 #[derive(Debug, Default)]
 pub(crate) struct Differences {
-    /// Differences of each field, in the order of [`FIELDS`].
+    /// Largest difference between listed and computed values of each field, in the order of [`FIELDS`].
     pub fields: [f64; 8],
-    /// Distances of edges and concentrated forces from the exact ones.
+    /// Error bounds of the listed edges of contact and concentrated forces.
     pub contact: ListedErrors,
-    /// The positions of the listed extremes.
+    /// Proven positions of the listed extremes in the exact solution.
     pub extremes: Vec<PlacedExtreme>,
-    /// Intervals on which the pressure has no bound \[m\].
+    /// Intervals on which the pressure has no error bound \[m\].
     pub without_pressure: Vec<[f64; 2]>,
     pub checked: Checked,
     /// Listed fields with unknown names.
@@ -97,7 +97,7 @@ pub(crate) struct Differences {
     pub failed: Option<NotProven>,
 }
 
-/// Compares stations, extremes, contact and forces, and finds the positions of the exact extremes.
+/// Compares listed stations, extremes, contact and forces, and finds the positions of the exact extremes.
 pub(crate) fn differences<S: Scalar>(
     document: &Document,
     fields: &Fields<S>,
@@ -143,9 +143,9 @@ pub(crate) fn differences<S: Scalar>(
     found
 }
 
-/// Intervals on which the pressure has no bound \[m\]. On Winkler ground it is bounded everywhere. On a shear
-/// layer the exact pressure jumps at an edge of contact, so an interval that contains an edge has no bound.
-/// If the contact set is not proven, the whole beam has no bound.
+/// Returns the intervals on which the pressure has no error bound \[m\]. On Winkler ground, the pressure is bounded
+/// everywhere. On a shear layer, the exact pressure jumps at an edge of contact, so the pressure has no bound on an
+/// interval that contains an edge. If the contact set is not proven, the pressure has no bound on the whole beam.
 fn without_pressure<S: Scalar>(fields: &Fields<S>, proof: &Proof) -> Vec<[f64; 2]> {
     let (frame, length) = (fields.frame, proof.scales.length);
     if !frame.spans.iter().any(|span| span.layered) {
@@ -174,8 +174,8 @@ impl<S: Scalar> Comparison<'_, S> {
         self.document.answer.pieces.last().map_or(0.0, |piece| piece.x[1])
     }
 
-    /// Piece and t of a position, by the stored ends of the pieces. A node belongs to the piece on its right; the right end of
-    /// the beam to the last piece.
+    /// Returns the piece that contains a position, and the value of t at the position, by the stored ends of the pieces. A
+    /// node belongs to the piece on its right. The right end of the beam belongs to the last piece.
     fn place(&self, x: f64) -> Result<(usize, S), NotProven> {
         let (pieces, near) = (&self.document.answer.pieces, NEAR * self.length());
         if !(-near <= x && x <= self.length() + near) {
@@ -193,15 +193,15 @@ impl<S: Scalar> Comparison<'_, S> {
         Ok((i, t))
     }
 
-    /// |listed − field| in the units of the model.
+    /// Returns |listed − field| at a position of a piece, in the units of the model.
     fn difference(&self, field: usize, listed: f64, (piece, t): (usize, S)) -> f64 {
         let ((_, force, length), units) = (FIELDS[field], self.fields.frame.units);
         let off = units.scaled(S::of(listed), force, length) - self.patches.value(field, piece, t);
         units.restored(off.size(), force, length)
     }
 
-    /// Compares the fields at listed positions, on the left or on the right of each position. At the right end of
-    /// the beam, the value on the left is used.
+    /// Compares the fields at listed positions, on the left of each position if `on_left`, otherwise on the right. At the
+    /// right end of the beam, the value on the left is used.
     fn stations(
         &self,
         listed: &Stations,
@@ -238,9 +238,9 @@ impl<S: Scalar> Comparison<'_, S> {
         Ok(())
     }
 
-    /// The distance of a pressure at an edge from the smallest interval that contains zero and the pressures
-    /// on both sides, which are not negative in a proven contact set. `edge` contains the edge: a neighbouring
-    /// piece counts if it meets the piece there.
+    /// Returns the distance of a listed pressure near an edge of contact from the smallest interval that contains zero and
+    /// the pressures on both sides of the edge. In a proven contact set, these pressures are not negative. `edge` is an
+    /// interval that contains the edge. A neighbouring piece is included if its common node with the piece lies in `edge`.
     fn off_an_edge(&self, listed: f64, (piece, t): (usize, S), edge: [f64; 2]) -> f64 {
         let units = self.fields.frame.units;
         let listed = units.scaled(S::of(listed), 1, -1);
@@ -264,10 +264,11 @@ impl<S: Scalar> Comparison<'_, S> {
         units.restored(off.value(), 1, -1)
     }
 
-    /// The larger of |listed − the largest value of the field| and |listed − the field at the listed position|.
+    /// Compares a listed extreme with the field: bounds |listed − field at the listed position| and |listed − largest
+    /// value|.
     ///
-    /// The largest value is at least the value at the position, on both sides. It exceeds the listed value by at
-    /// most the largest value of field − listed.
+    /// The largest value of the field is at least the values on the left and on the right of the listed position. It exceeds
+    /// the listed value by at most the largest value of field − listed.
     fn extreme(&self, extreme: &Extreme, found: &mut Differences) -> Result<(), NotProven> {
         let Some(field) = field_named(&extreme.field) else {
             found.unknown.push(format!("extremes.{}", extreme.field));
@@ -289,7 +290,8 @@ impl<S: Scalar> Comparison<'_, S> {
         Ok(())
     }
 
-    /// As `extreme`, for the largest gap of an open stretch. The stretch ends at listed edges or at an end of the beam.
+    /// Compares the largest gap of a listed open stretch with the field, as `extreme` does. The stretch must end at listed
+    /// edges or at an end of the beam.
     fn lift_off(
         &self,
         [from, to, x, value]: &[f64; 4],
@@ -299,7 +301,9 @@ impl<S: Scalar> Comparison<'_, S> {
         let edges = self.document.contact.iter().flatten().flatten();
         let ends: Vec<f64> = edges.copied().chain([0.0, self.length()]).collect();
         if !(ends.contains(from) && ends.contains(to) && from <= x && x <= to) {
-            return Err(NotProven::new("a listed stretch does not end at a listed edge").at(*from));
+            return Err(
+                NotProven::new("a listed open stretch does not end at a listed edge").at(*from)
+            );
         }
         let first = pieces.partition_point(|piece| piece.x[0] < *from);
         let range = first..pieces.partition_point(|piece| piece.x[1] <= *to).max(first);
@@ -315,7 +319,7 @@ impl<S: Scalar> Comparison<'_, S> {
         Ok(())
     }
 
-    /// |listed − computed| of the rotation and of the moment of a hinge.
+    /// Compares the listed rotation and moment of a hinge with the computed values.
     fn hinge(
         &self,
         [at, rotation, moment]: &[f64; 3],
@@ -333,7 +337,7 @@ impl<S: Scalar> Comparison<'_, S> {
         Ok(())
     }
 
-    /// The largest excess of a field over its listed extreme on some pieces.
+    /// Returns the largest excess of a field over its listed extreme on some pieces.
     fn beyond(&self, field: usize, extreme: &Extreme, pieces: Range<usize>) -> f64 {
         let ((_, force, length), units) = (FIELDS[field], self.fields.frame.units);
         let listed = units.scaled(S::of(extreme.value), force, length);
@@ -352,7 +356,7 @@ impl<S: Scalar> Comparison<'_, S> {
         units.restored(deepest.value(), force, length)
     }
 
-    /// Checks stored pressures of open pieces, where the pressure is zero.
+    /// Compares the stored pressures of open pieces with zero.
     fn idle_pressures(&self, found: &mut Differences) {
         let units = self.fields.frame.units;
         for (piece, span) in self.document.answer.pieces.iter().zip(&self.fields.frame.spans) {
@@ -364,8 +368,8 @@ impl<S: Scalar> Comparison<'_, S> {
         }
     }
 
-    /// Refuses two listed forces at one position. A reader would add them, but each is compared with the exact
-    /// force.
+    /// Refuses two listed forces at one position. A reader of the document would add the forces, but the proof compares each
+    /// force with the exact force.
     fn forces_at_one_place(&self) -> Option<NotProven> {
         let mut places: Vec<f64> = self.document.answer.forces.iter().map(|f| f.x).collect();
         places.sort_by(f64::total_cmp);
@@ -374,7 +378,7 @@ impl<S: Scalar> Comparison<'_, S> {
         Some(NotProven::new("two concentrated forces are listed at one position").at(pair[0]))
     }
 
-    /// Compares listed concentrated forces with the exact ones. A force that is not listed counts as zero.
+    /// Compares listed concentrated forces with the exact forces. A force that is not listed counts as zero.
     fn forces(&self, contact: &ContactSet, found: &mut ListedErrors) {
         let (near, length) = (NEAR * self.length(), self.length());
         let error = |x: f64, force: f64| {
@@ -396,18 +400,18 @@ impl<S: Scalar> Comparison<'_, S> {
     }
 }
 
-/// The larger one; NaN counts as infinite.
+/// Replaces `most` by `value` if `value` is larger. NaN counts as infinite.
 fn enlarge(most: &mut f64, value: f64) {
     *most = Size::of(*most).worst(Size::of(value)).value();
 }
 
-/// The largest distance of a number from the numbers of an interval, rounded up.
+/// Returns the largest distance of a number from the numbers in an interval, rounded up.
 fn farthest(x: f64, [low, high]: [f64; 2]) -> f64 {
     let [below, above] = [x - low, high - x].map(|d| if d == 0.0 { 0.0 } else { d.next_up() });
     Size::of(if below >= above { below } else { above }).value()
 }
 
-/// The largest distances of both ends of the listed regions from the exact ones.
+/// Returns the largest distances of both ends of each listed contact region from the exact ends.
 fn edges(document: &Document, contact: &ContactSet) -> Result<Vec<[f64; 2]>, NotProven> {
     let mut shown: Vec<[[f64; 2]; 2]> = Vec::new();
     for region in &contact.regions {
@@ -418,7 +422,7 @@ fn edges(document: &Document, contact: &ContactSet) -> Result<Vec<[f64; 2]>, Not
         }
     }
     let Some(listed) = &document.contact else {
-        // The edges of the pieces lie within the proven intervals.
+        // The claimed edges lie within the proven intervals, so the width of an interval bounds the error of its edge.
         let width = |[low, high]: [f64; 2]| (high - low).next_up();
         return Ok(shown.into_iter().map(|ends| ends.map(width)).collect());
     };

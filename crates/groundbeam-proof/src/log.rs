@@ -1,9 +1,8 @@
-//! The log of a proof: its inputs and its inequalities, with one JSON object in each line. An independent
-//! program can recompute them.
+//! Writes the log of a proof: its inputs and its inequalities, with one JSON object in each line.
 //!
-//! Numbers are in the units of the proof. A double is written as the shortest decimal that is read back as
-//! the same double. A ball is written as a list: its middle, a correction of the middle, and its radius.
-//! `docs/verify.md` describes the lines.
+//! An independent program can recompute the inequalities. Lengths and forces are scaled by powers of two. A double is
+//! written as the shortest decimal that is read back as the same double. A ball is an interval. It is written as the
+//! list of its midpoint, a correction of the midpoint, and its radius. `docs/verify.md` describes the lines.
 
 use crate::beside::Row;
 use crate::coefficient::Coefficient;
@@ -21,13 +20,13 @@ pub struct Log {
     text: String,
 }
 
-/// A line that is being written.
+/// A line of the log that is being written.
 struct Line<'a> {
     text: &'a mut String,
 }
 
 impl Line<'_> {
-    /// Adds a key with its JSON text.
+    /// Adds a key and its value in JSON to the line.
     fn with(self, key: &str, json: impl AsRef<str>) -> Self {
         self.text.push_str(&format!(",\"{key}\":{}", json.as_ref()));
         self
@@ -54,7 +53,8 @@ impl Log {
         Line { text: &mut self.text }
     }
 
-    /// Writes the problem, the claimed fields, the corrected fields, and the bounds.
+    /// Writes the problem, the claimed solution and its corrections, the error energy, the error bounds on each piece,
+    /// and the contact set.
     pub(crate) fn record<S: Scalar>(
         &mut self,
         pointwise: &Pointwise<S>,
@@ -120,8 +120,8 @@ impl Log {
         self.contact(shown);
     }
 
-    /// Writes the supports with the error bounds of force and moment, and for each one-way support whether its state is
-    /// proven.
+    /// Writes the supports with the error bounds of force and moment, and whether the states of all one-way
+    /// supports are proven.
     pub(crate) fn supports<S: Scalar>(
         &mut self,
         frame: &Frame<S>,
@@ -148,7 +148,7 @@ impl Log {
         self.line("unique", "7").with("shown", is_unique.to_string()).end();
     }
 
-    /// The ground outside one end of the beam, listed outward.
+    /// Writes the ground outside one end of the beam, from the beam outward.
     fn row<S: Scalar>(&mut self, side: usize, row: &Row<S>) {
         let stretches = row.stretches.iter().map(|stretch| {
             list([
@@ -221,8 +221,8 @@ impl Log {
             .end();
     }
 
-    /// Writes the bounds of one round: slope, V and p of each piece, and the intervals of the contact edges that follow from
-    /// them.
+    /// Writes one iteration of the proof of the contact set: the error bounds of slope, shear force and pressure on
+    /// each piece, and the error bounds of the contact edges that follow from them.
     fn round(&mut self, round: &Round) {
         let bounds = |b: &PieceBounds| list([b.slope, b.shear_force, b.pressure].map(size));
         self.line("round", "5")
@@ -259,7 +259,8 @@ impl Log {
     }
 }
 
-/// 0 for a support that acts in both directions, 1 if it only pushes up, −1 if it only pulls down.
+/// Returns the code of the directions of a support: 0 if it acts in both directions, 1 if it only pushes up, −1 if
+/// it only pulls down.
 fn acts(acts: Acts) -> String {
     let sign = match acts {
         Acts::Both => 0,
@@ -269,13 +270,14 @@ fn acts(acts: Acts) -> String {
     sign.to_string()
 }
 
-/// The node and the side of an edge, θ and θ′.
+/// Lists the node and the side of a contact edge, and the outward and inward error bounds of its position.
 fn edge(edge: &EdgeShift) -> String {
     let lengths = [edge.outside, edge.inside].map(size);
     list([edge.node, edge.side].map(|n| n.to_string()).into_iter().chain(lengths))
 }
 
-/// A ball, or the list of balls of a polynomial.
+/// Writes a constant coefficient as a ball, and a varying coefficient as a list of balls, one for each coefficient of
+/// its polynomial.
 fn coefficient<S: Scalar>(coefficient: &Coefficient<S>) -> String {
     match coefficient.along() {
         Some(along) => polynomial(along),

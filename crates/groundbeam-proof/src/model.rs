@@ -14,11 +14,11 @@ pub struct Model<S> {
     pub ground: Ground<S>,
     /// The loads on the beam and on the ground.
     pub loads: Vec<Load<S>>,
-    /// The supports of the beam. An answer refers to a support by its index in this list.
+    /// The supports of the beam. A claimed solution refers to a support by its index in this list.
     pub supports: Vec<Support<S>>,
     /// Hinges inside the beam.
     pub hinges: Vec<Hinge<S>>,
-    /// Corners of the initial clearance, from left to right. Empty: the clearance is zero.
+    /// Corners of the initial clearance g₀, from left to right. The clearance is zero if the list is empty.
     pub gap: Vec<GapCorner<S>>,
 }
 
@@ -31,7 +31,7 @@ pub struct Beam<S> {
     pub bending_stiffness: S,
     /// Shear stiffness S \[N\] outside the segments, positive; `None` for a beam without shear deformation.
     pub shear_stiffness: Option<S>,
-    /// Stretches with other stiffnesses. They may adjoin, but not overlap.
+    /// Segments of the beam with their own stiffnesses. Segments may adjoin but must not overlap.
     pub segments: Vec<BeamSegment<S>>,
     /// Axial force P \[N\], tension positive, constant along the beam.
     pub axial_force: S,
@@ -46,49 +46,51 @@ pub struct BeamSegment<S> {
     pub to: S,
     /// Bending stiffness EI \[N·m²\] along the segment.
     pub bending_stiffness: Course<S>,
-    /// Shear stiffness S \[N\] along the segment; `None` for the stiffness of the beam.
+    /// Shear stiffness S \[N\] along the segment; `None` if the segment has the shear stiffness of the beam.
     pub shear_stiffness: Option<Course<S>>,
 }
 
-/// The ground: springs, connected by a shear layer where μ > 0.
+/// The ground: springs that are connected by a shear layer where μ > 0.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Ground<S> {
-    /// Spring constant k \[N/m²\] outside the segments: force per length of beam and per settlement; positive.
+    /// Subgrade modulus k \[N/m²\] outside the segments, positive: the force per unit length of beam and unit
+    /// settlement.
     pub spring: S,
-    /// Shear constant μ \[N\] outside the segments; not negative.
+    /// Stiffness μ \[N\] of the shear layer outside the segments, not negative.
     pub shear: S,
-    /// Stretches with other constants, under the beam and outside it. They may adjoin, but not overlap. The ground outside
-    /// the beam has the constants of the beam's end until a segment begins; each segment continues outward until the next
-    /// one.
+    /// Segments of the ground with their own k and μ, under the beam and outside it. Segments may adjoin but must
+    /// not overlap. Outside the beam, a segment continues outward until the next segment begins. Between the beam's
+    /// end and the first segment outside the beam, k and μ have their values at the beam's end.
     pub segments: Vec<GroundSegment<S>>,
-    /// How the ground ends on the left and on the right.
+    /// End conditions of the ground on the left and on the right.
     pub ends: [GroundEnd<S>; 2],
 }
 
-/// A stretch of ground with constants of its own.
+/// A segment of the ground with its own k and μ.
 #[derive(Debug, Clone, PartialEq)]
 pub struct GroundSegment<S> {
     /// Left end \[m\].
     pub from: S,
     /// Right end \[m\].
     pub to: S,
-    /// Spring constant k \[N/m²\] along the segment, positive.
+    /// Subgrade modulus k \[N/m²\] along the segment, positive.
     pub spring: Course<S>,
-    /// Shear constant μ \[N\] along the segment: zero everywhere or positive everywhere.
+    /// Stiffness μ \[N\] of the shear layer along the segment, zero everywhere or positive everywhere.
     pub shear: Course<S>,
 }
 
-/// A number that is constant along a stretch, or a polynomial of the position.
+/// A quantity along a stretch: a constant, or a polynomial of the position.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Course<S> {
-    /// Constant along the stretch.
+    /// The quantity has this constant value along the stretch.
     Constant(S),
-    /// At least two Bernstein coefficients from the left end to the right end; two coefficients make the number linear.
+    /// The quantity is the polynomial with these Bernstein coefficients, from the left end of the stretch to the
+    /// right end. The list has at least two coefficients; two coefficients make the quantity linear.
     Varying(Vec<S>),
 }
 
 impl<S: Copy> Course<S> {
-    /// The value at the left or at the right end.
+    /// The value at the left end of the stretch (`side` is 0) or at its right end (`side` is 1).
     pub(crate) fn end(&self, side: usize) -> Option<S> {
         match self {
             Course::Constant(value) => Some(*value),
@@ -98,24 +100,25 @@ impl<S: Copy> Course<S> {
     }
 }
 
-/// The end of the ground outside one end of the beam.
+/// The end of the ground on one side of the beam.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum GroundEnd<S> {
     /// The ground is infinite.
     Endless,
-    /// The surface ends at this position \[m\] and is free there: μu′ = 0. The position is the beam's end or
+    /// The surface of the ground has a free end at this position \[m\]: μu′ = 0. The position is the beam's end or
     /// outside the beam.
     Free(S),
-    /// The surface is held at this position \[m\], outside the beam: u = 0.
+    /// The surface of the ground is held at this position \[m\] outside the beam: u = 0.
     Held(S),
 }
 
 /// The effect of a load.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Action {
-    /// A force \[N\] or \[N/m\], positive down.
+    /// A point force \[N\] or a distributed force \[N/m\], positive down.
     Force,
-    /// A moment \[N·m\] or \[N\], positive if it rotates the right side down: it does the work M₀·w′.
+    /// A point moment M₀ \[N·m\] or a distributed moment \[N\], positive if it rotates the right side down. A point
+    /// moment does the work M₀·w′.
     Moment,
     /// An imposed curvature κ₀ \[1/m\] along a stretch of the beam: M = −EI (w″ − κ₀).
     Curvature,
@@ -124,14 +127,14 @@ pub enum Action {
 /// Position and size of a load.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Extent<S> {
-    /// At a point.
+    /// A load at a point.
     Point {
         /// Position \[m\].
         at: S,
-        /// Size: force \[N\] or moment \[N·m\].
+        /// Size of the point force \[N\] or of the point moment \[N·m\].
         size: S,
     },
-    /// Along a stretch, linear between its ends.
+    /// A load along a stretch, linear between the ends of the stretch.
     Distributed {
         /// Left end \[m\].
         from: S,
@@ -160,26 +163,27 @@ pub struct Load<S> {
 pub struct Support<S> {
     /// Position \[m\].
     pub at: S,
-    /// The motions that the support restrains.
+    /// Whether the support is pinned, fixed or elastic.
     pub kind: SupportKind<S>,
-    /// Settlement δ \[m\], positive down.
+    /// Settlement δ \[m\] of the support, positive down.
     pub settlement: S,
     /// The directions in which the support acts.
     pub acts: Acts,
 }
 
-/// The motions that a support restrains.
+/// Restraint of deflection and rotation by a support.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum SupportKind<S> {
-    /// A rigid support without rotational restraint: w = δ.
+    /// A rigid support without rotational restraint: the deflection w is the settlement δ of the support.
     Pinned,
-    /// A rigid support that also prevents rotation: w = δ and w′ = 0.
+    /// A rigid support that also prevents rotation: w is the settlement δ of the support, and w′ = 0.
     Fixed,
-    /// An elastic support: a force κ(w − δ) and a moment κ_θ w′ oppose the motion.
+    /// An elastic support with the settlement δ. It applies the force κ(w − δ) against the deflection and the moment
+    /// κ_θ w′ against the rotation.
     Spring {
-        /// κ \[N/m\], not negative.
+        /// Stiffness κ \[N/m\] of the translational spring, not negative.
         spring: S,
-        /// κ_θ \[N·m/rad\], not negative.
+        /// Stiffness κ_θ \[N·m/rad\] of the rotational spring, not negative.
         rotational_spring: S,
     },
 }
@@ -196,7 +200,8 @@ pub enum Acts {
 }
 
 impl Acts {
-    /// The component of a deflection or of an upward force in the direction in which a one-way support acts.
+    /// Reverses the sign of the deflection or upward reaction `x` if the support only pulls the beam down. A positive
+    /// result means that the beam is pressed against a one-way support.
     pub(crate) fn towards<S: Scalar>(self, x: S) -> S {
         match self {
             Acts::Both | Acts::Up => x,
@@ -210,7 +215,8 @@ impl Acts {
 pub struct Hinge<S> {
     /// Position \[m\].
     pub at: S,
-    /// Rotational spring k_φ \[N·m/rad\]: the hinge transmits M = −k_φ\[w′\]. It is 0 for a free hinge.
+    /// Stiffness k_φ \[N·m/rad\] of the rotational spring, 0 for a free hinge. The hinge transmits the moment M =
+    /// −k_φ\[w′\], where \[w′\] is the hinge rotation.
     pub rotational_spring: S,
 }
 

@@ -1,17 +1,20 @@
 //! Stiffness and load of the ground outside the beam, condensed to the beam's end.
 //!
-//! The ground outside the beam is a row of stretches with constant k and μ. Over a stretch of length h with K = √(kμ) and t
-//! = tanh(h√(k/μ)) the stiffness S of all ground beyond it becomes S⁺ = K(S + Kt)/(K + St). The recursion starts with S = K
-//! on an infinite stretch, with S = 0 where the layer ends free or meets Winkler ground, and with S⁺ = K/t where the
-//! surface is held.
+//! The ground outside the beam consists of stretches with constant k and μ. They are condensed one by one, from the
+//! outermost stretch inward. S is the stiffness of all ground beyond a stretch, and S⁺ is the stiffness at the end of
+//! the stretch nearer to the beam. For a stretch of length h, with K = √(kμ), z = h√(k/μ) and t = tanh z, S⁺ = K(S +
+//! Kt)/(K + St). The outermost stretch has S⁺ = K if it is infinite, and S⁺ = K/t if the surface is held at its outer
+//! end. S = 0 at a free end of the shear layer and where the layer meets Winkler ground.
 //!
-//! With loads on the ground, flux = S u − T. With q at the near and the far end, q′ = (q_n − q_f)/h,
+//! With loads on the ground and the settlement u, the force in the shear layer is S u − T at the outer end of a
+//! stretch and S⁺u − T⁺ at its inner end. The distributed load is q_f at the outer end and q_n at the inner end, with
+//! the slope q′ = (q_n − q_f)/h. The load term at the inner end is
 //!
 //! ```text
-//! T⁺ = (T + μq′/k − S q_f/k) K/(K cosh z + S sinh z) + S⁺q_n/k − μq′/k,   T⁺ = S⁺q_n/k − μq′/k − (q_f/k)K/sinh z if held,
+//! T⁺ = (T + μq′/k − S q_f/k) K/(K cosh z + S sinh z) + S⁺q_n/k − μq′/k,   T⁺ = S⁺q_n/k − μq′/k − (q_f/k)K/sinh z if held.
 //! ```
 //!
-//! and a point force Q adds to T at its position.
+//! A point force Q on the ground is added to T at the position of the force.
 
 use crate::beside::{LoadedStretch, Row};
 use crate::frame::Frame;
@@ -22,8 +25,9 @@ use crate::scalar::Scalar;
 use crate::units::Units;
 use crate::values::{constant, not_negative, positive};
 
-/// Sets the ground outside the beam, and K₀, K_l, T₀, T_l with flux = K u − T at the beam's ends. They are exactly zero
-/// where the layer ends with the beam.
+/// Stores in `frame` the ground outside each end of the beam, with its stiffness K and its load term T. With the
+/// settlement u of the beam's end, the shear layer transmits the force K u − T there. K and T are exactly zero if the
+/// layer ends at the beam's end.
 pub(crate) fn beside<S: Scalar>(model: &Model<S>, frame: &mut Frame<S>) -> Result<(), NotProven> {
     for side in [0, 1] {
         let span = if side == 0 { &frame.spans[0] } else { &frame.spans[frame.spans.len() - 1] };
@@ -55,10 +59,10 @@ struct Beside<'a, S> {
 }
 
 fn unclear() -> NotProven {
-    NotProven::new("two positions in the ground outside the beam are too close")
+    NotProven::new("two positions in the ground outside the beam are too close to tell apart")
 }
 
-/// Whether a < b; an error if the balls overlap.
+/// Returns whether a < b. Fails if the balls `a` and `b` overlap without being equal.
 fn is_before<S: Scalar>(a: S, b: S) -> Result<bool, NotProven> {
     if a == b || (a - b).low() > 0.0 {
         Ok(false)
@@ -74,8 +78,9 @@ impl<S: Scalar> Beside<'_, S> {
     fn outward(&self, at: S) -> S {
         let at = self.units.metres(at);
         let end = [S::zero(), self.length][self.side];
-        // The distance of the beam's end must be exactly 0, because −0 is sorted before 0. In an estimate, positions that
-        // differ by rounding error are equal.
+        // A position at the beam's end must have the distance +0, because −0 is sorted before 0. If the numbers do not
+        // enclose their rounding error, a position that differs from the beam's end only by rounding error also has
+        // the distance 0.
         match self.side {
             _ if at == end || !S::ENCLOSES && is_near(at, end, self.length) => S::zero(),
             0 => -at,
@@ -83,13 +88,14 @@ impl<S: Scalar> Beside<'_, S> {
         }
     }
 
-    /// The two ends of a stretch of the model, the one nearer to the beam first.
+    /// The distances of both ends of a stretch from the beam's end, beginning with the end nearer to the beam.
     fn ends(&self, from: S, to: S) -> [S; 2] {
         let (near, far) = if self.side == 0 { (to, from) } else { (from, to) };
         [self.outward(near), self.outward(far)]
     }
 
-    /// The stretches of constant ground, listed outward to the end of the layer, and whether the surface is held there.
+    /// Returns the stretches of constant k and μ, listed outward to the end of the shear layer, and whether the
+    /// ground's surface is held at that end.
     fn row(&self, own: [S; 2]) -> Result<(Vec<Stretch<S>>, bool), NotProven> {
         let zero = S::zero();
         let mut grounds = vec![(zero, own)];
@@ -134,7 +140,7 @@ impl<S: Scalar> Beside<'_, S> {
         Ok((row, held))
     }
 
-    /// Cuts the row at the ends of the loads on it.
+    /// Cuts the stretches at the positions of point loads and at the ends of distributed loads.
     fn cut(&self, row: Vec<Stretch<S>>) -> Result<Vec<Stretch<S>>, NotProven> {
         let mut places = Vec::new();
         for load in self.loads() {
@@ -166,7 +172,7 @@ impl<S: Scalar> Beside<'_, S> {
         self.model.loads.iter().filter(|load| load.on_ground)
     }
 
-    /// The sum of the point forces at a distance outside the beam.
+    /// The sum of the point forces on the ground at the distance `x` from the beam's end.
     fn forces_at(&self, x: S) -> Result<S, NotProven> {
         let mut sum = S::zero();
         for load in self.loads() {
@@ -175,7 +181,7 @@ impl<S: Scalar> Beside<'_, S> {
                 if at == x {
                     sum = sum + self.units.scaled(size, 1, 0);
                 } else {
-                    // This call fails unless the order of the two positions is certain.
+                    // This call fails unless it is certain which of the positions `at` and `x` is nearer to the beam.
                     is_before(at, x)?;
                 }
             }
@@ -183,7 +189,8 @@ impl<S: Scalar> Beside<'_, S> {
         Ok(sum)
     }
 
-    /// q at the near and at the far end of a stretch. Each load covers the whole stretch, or lies outside of it.
+    /// The load q at the near and at the far end of a stretch. Each distributed load covers the whole stretch or
+    /// lies outside the stretch.
     fn spread_over(&self, [near, far]: [S; 2]) -> Result<[S; 2], NotProven> {
         let mut sum = [S::zero(); 2];
         for load in self.loads() {
@@ -203,7 +210,7 @@ impl<S: Scalar> Beside<'_, S> {
         Ok(sum)
     }
 
-    /// The ground on this side with its loads.
+    /// The ground outside this end of the beam, cut into stretches with their loads.
     fn loaded(&self, own: [S; 2]) -> Result<Row<S>, NotProven> {
         let (row, held) = self.row(own)?;
         let with_loads = |stretch: Stretch<S>| {
@@ -220,7 +227,8 @@ impl<S: Scalar> Beside<'_, S> {
 }
 
 impl<S: Scalar> Row<S> {
-    /// K and T of all ground on this side.
+    /// The stiffness K and the load term T of this ground. With the settlement u of the beam's end, the shear layer
+    /// transmits the force K u − T there.
     fn seen(&self) -> Result<(S, S), NotProven> {
         let mut seen: Option<(S, S)> = None;
         for stretch in self.stretches.iter().rev() {
@@ -254,7 +262,9 @@ impl<S: Scalar> Row<S> {
             });
         }
         match seen {
-            None if self.held => Err(NotProven::new("the ground is held at the end of the beam")),
+            None if self.held => Err(NotProven::new(
+                "not covered: ground whose surface is held at the end of the beam",
+            )),
             seen => Ok(seen.unwrap_or((S::zero(), S::zero()))),
         }
     }
@@ -286,7 +296,7 @@ mod tests {
         Load { action: Action::Force, extent, on_ground: true }
     }
 
-    /// A beam from 0 to 2 with jumps of the ground constants and loads on both sides of it.
+    /// A model of a beam from x = 0 to x = 2. The ground on both sides of the beam has loads and jumps of k and μ.
     fn model(ends: [GroundEnd<f64>; 2]) -> Model<f64> {
         let segments = vec![
             segment(-0.7, 0.0, 1.9, 0.6),
@@ -319,8 +329,8 @@ mod tests {
         }
     }
 
-    /// K and T by linear elements up to a distance `far`, from −(μu′)′ + ku = q. K u − T is the flux at the
-    /// beam's end. At `far` the ground is held or free.
+    /// Computes K and T by linear finite elements for −(μu′)′ + ku = q up to the distance `far`, where the ground is
+    /// held or free. With the settlement u of the beam's end, the shear layer transmits the force K u − T there.
     fn by_elements(model: &Model<f64>, side: usize, far: f64, held: bool) -> [f64; 2] {
         let h = 1.0 / 4000.0;
         let count = (far / h).round() as usize;

@@ -1,8 +1,9 @@
-//! The fields of an answer as polynomials on stretches of its pieces, for the comparison with listed numbers.
+//! The fields of a claimed solution as polynomials on short stretches, for comparison with the numbers in a document.
 //!
-//! On a stretch |s| ≤ r, s = t − m, all fields are polynomials. The surface of open ground of a layer, a sum of
-//! exponentials, is replaced by its Taylor polynomial about m; the radius of the constant coefficient contains the
-//! remainder.
+//! Each piece of the beam is divided into stretches. t is the coordinate on a piece, and m is the middle of a stretch.
+//! On the stretch every field is a polynomial of s = t − m. The settlement of a shear layer out of contact is a sum of
+//! exponentials. It is replaced by its Taylor polynomial about m. The constant coefficient is a ball, whose radius
+//! includes the remainder of the Taylor series.
 
 use crate::fields::Fields;
 use crate::frame::Span;
@@ -10,7 +11,7 @@ use crate::polynomial::Polynomial;
 use crate::scalar::Scalar;
 use crate::size::Size;
 
-/// The fields of documents: name, and exponents of force and length in the unit.
+/// Name of each field in a result document, with the exponents of force and length in its unit.
 pub(crate) const FIELDS: [(&str, i32, i32); 8] = [
     ("deflection", 0, 1),
     ("slope", 0, 0),
@@ -28,27 +29,27 @@ pub(crate) const MOMENT: usize = 3;
 pub(crate) const GAP: usize = 6;
 pub(crate) const PRESSURE: usize = 7;
 
-/// The index of a field in [`FIELDS`].
+/// The index in [`FIELDS`] of the field with this name.
 pub(crate) fn field_named(name: &str) -> Option<usize> {
     FIELDS.iter().position(|(known, ..)| *known == name)
 }
 
-/// Maximum number of stretches of one piece of open ground, and maximum number of additional stretches of all
-/// pieces. If the decay of the ground requires more, the remainder of the series is large and nothing is
-/// proven.
+/// Maximum number of stretches on one piece out of contact. The maximum is lower if the stretches of all pieces could
+/// exceed `MOST_OF_ALL`, but it is at least 1. If a fast decay of the settlement requires more stretches, the
+/// remainder of the Taylor series is large and nothing is proven.
 const MOST: usize = 2000;
 const MOST_OF_ALL: usize = 20_000;
-/// Maximum number of decay lengths √(μ/k) in half a stretch of open ground.
+/// Maximum half-length of a stretch out of contact, in decay lengths √(μ/k).
 const LONGEST: f64 = 2.0;
-/// Number of coefficients of the Taylor polynomial of open ground.
+/// Number of coefficients of the Taylor polynomial of the settlement out of contact.
 const TERMS: usize = 26;
 
-/// The fields on one stretch of a piece.
+/// Polynomials of all fields on one stretch of a piece.
 #[derive(Debug)]
 pub(crate) struct Patch<S> {
-    /// The middle m of the stretch, in t.
+    /// The middle m of the stretch, in the coordinate t of the piece.
     pub middle: f64,
-    /// An interval of s that contains the stretch.
+    /// An interval of s = t − m that contains the stretch.
     pub interval: [f64; 2],
     /// The fields in the order of [`FIELDS`], as polynomials of s = t − m.
     pub fields: [Polynomial<S>; 8],
@@ -66,7 +67,7 @@ impl<S: Scalar> Patches<S> {
         Patches { pieces: (0..fields.frame.spans.len()).map(|i| patches(fields, i)).collect() }
     }
 
-    /// The value of a field at t on a piece.
+    /// The value of a field at the coordinate t of a piece.
     pub fn value(&self, field: usize, piece: usize, t: S) -> S {
         let patches = &self.pieces[piece];
         let after = patches.partition_point(|patch| patch.middle <= t.middle());
@@ -114,7 +115,7 @@ fn patches<S: Scalar>(fields: &Fields<S>, i: usize) -> Vec<Patch<S>> {
     (0..=last).map(on_stretch).collect()
 }
 
-/// All fields as polynomials of s = t − m. `own` is the settlement as a polynomial of s.
+/// Returns all fields on a stretch as polynomials of s = t − `middle`. `own` is the polynomial of the settlement.
 fn patch<S: Scalar>(
     fields: &Fields<S>,
     i: usize,
@@ -127,7 +128,7 @@ fn patch<S: Scalar>(
     let slope = span.derivative(&span.deflection);
     let rotation = span.rotation.as_deref().unwrap_or(&slope);
     let moment = span.bending_moment(rotation);
-    // Documents list V = M′, also under distributed moments.
+    // In result documents the shear force is V = M′, also under distributed moments.
     let shear_force = span.derivative(&moment);
     let gap = match span.touches {
         true => Polynomial::zero(),
@@ -140,14 +141,14 @@ fn patch<S: Scalar>(
     Patch { middle, interval, fields }
 }
 
-/// The surface of an open piece with constant k and μ, measured from its free field: μv″ = kv with given
-/// values at both ends.
+/// The settlement v of a piece out of contact with constant k and μ, relative to the free field. It satisfies μv″ =
+/// kv and has given values at both ends.
 struct Surface<'a, S> {
     span: &'a Span<S>,
     ends: [S; 2],
     /// √(k/μ).
     rate: S,
-    /// √(k/μ)·half, the decay per t.
+    /// Decay rate √(k/μ)·`half` of the settlement with respect to t, where `half` is half the length of the piece.
     decay: S,
 }
 
@@ -157,18 +158,19 @@ impl<'a, S: Scalar> Surface<'a, S> {
         Surface { span, ends, rate, decay: rate * span.half }
     }
 
-    /// The Taylor polynomial about m on |t − m| ≤ r.
+    /// The Taylor polynomial about m of the settlement v, valid for |t − m| ≤ r.
     ///
-    /// With z = bh and the distances d, e of m from both ends, u′ = b u_R cosh(bd)/sinh z − b u_L cosh(be)/sinh z and u =
-    /// u_R sinh(bd)/sinh z + u_L sinh(be)/sinh z. |u| is largest at an end, so the remainder of the series is at most
-    /// max|u|(qr)ⁿ/n!, q = b·half.
+    /// Let b = √(k/μ), let L be the length of the piece, and let v_L and v_R be the settlements of its left and right
+    /// end. With the distances d and e of m from the left and from the right end, sinh(bL) v = v_R sinh(bd) + v_L
+    /// sinh(be). The slope satisfies sinh(bL) v′ = b v_R cosh(bd) − b v_L cosh(be). |v| is largest at an end. So the
+    /// remainder after n terms is at most max(|v_L|, |v_R|)(qr)ⁿ/n!, where q is the decay rate with respect to t.
     fn taylor(&self, m: f64, r: f64) -> Polynomial<S> {
         let span = self.span;
         let at = span.middle + span.half * S::of(m);
         let [near, far] = [at - span.x[0], span.x[1] - at].map(|d| self.rate * d);
         let two = |x: S| (-x.scaled(1)).expm1();
         let whole = two(self.rate * span.h);
-        // sinh(a)/sinh(z) and cosh(a)/sinh(z), with z = a + b.
+        // `sinh` computes sinh(a)/sinh(z), and `cosh` computes cosh(a)/sinh(z), with z = a + b.
         let sinh = |a: S, b: S| ((-b).expm1() + S::one()) * two(a).div(whole);
         let cosh = |a: S, b: S| -(((-b).expm1() + S::one()) * (two(a) + S::of(2.0)).div(whole));
         let [left, right] = self.ends;
@@ -200,14 +202,14 @@ mod tests {
     use crate::wide::Wide;
     use serde_json::json;
 
-    /// Zero lies between two numbers that differ by at most this.
+    /// Checks that the interval of `x` contains zero and has at most the given width.
     fn is_zero(what: &str, x: impl Scalar, width: f64) {
         let [low, high] = [x.low(), x.high()];
         assert!(low <= 0.0 && 0.0 <= high && high - low <= width, "{what}: {low:e} {high:e}");
     }
 
-    /// v = 3sinh(b(1 − x))/sinh(b) + 2sinh(bx)/sinh(b). The polynomial about one position contains the value at another, and its
-    /// radius is at most twice the remainder 3(qr)ⁿ/n!.
+    /// Checks the Taylor polynomial of v = (3 sinh(b(1 − x)) + 2 sinh(bx))/sinh(b). It must contain the values of v at
+    /// other positions, and its radius must be at most twice the bound of the remainder.
     #[test]
     fn the_taylor_polynomial_of_open_ground_contains_it() {
         for b in [0.5_f64, 2.0, 32.0] {
@@ -235,8 +237,9 @@ mod tests {
         }
     }
 
-    /// The stretches cover the piece, and each contains u = q/k + v at its ends and in its middle. A value is taken from the nearest
-    /// stretch.
+    /// Checks that the stretches of a piece cover the piece. Checks that the polynomial of each stretch contains the
+    /// settlement of loaded ground at the ends and in the middle of the stretch. Also checks settlements along the
+    /// piece, which are taken from the nearest stretch.
     #[test]
     fn all_stretches_contain_the_surface_of_loaded_ground() {
         for (b, count) in [(1.0_f64, 1), (31.0, 8)] {

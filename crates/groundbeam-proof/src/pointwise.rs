@@ -1,4 +1,4 @@
-//! Pointwise bounds on the whole beam: of settlement, bending moment, deflection and slope.
+//! Pointwise error bounds of settlement, bending moment, deflection and slope on the whole beam.
 
 use crate::balance::Balanced;
 use crate::fields::Fields;
@@ -6,18 +6,18 @@ use crate::scalar::Scalar;
 use crate::size::Size;
 use std::ops::Range;
 
-/// The bounds on one piece, in the units of the proof.
+/// Error bounds of the fields on one piece, in the units of the proof.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct PieceBounds {
     pub deflection: Size,
     pub slope: Size,
     pub rotation: Size,
-    /// Error of the moment m in equilibrium, M = m − δ.
+    /// Error bound of the balanced moment m, which is in exact equilibrium with the loads.
     pub balanced_moment: Size,
     pub moment: Size,
     pub shear_force: Size,
     pub settlement: Size,
-    /// Error of the pressure where both solutions are in contact.
+    /// Error bound of the pressure where both the claimed and the exact solution are in contact.
     pub pressure: Size,
 }
 
@@ -55,7 +55,7 @@ pub(crate) struct Pointwise<'a, S> {
 }
 
 impl<S: Scalar> Pointwise<'_, S> {
-    /// The bounds on all pieces, except the bound of the shear force.
+    /// Computes the error bounds on all pieces, except the bounds of the shear force.
     pub fn bounds(&self) -> Vec<PieceBounds> {
         let mut bounds = vec![PieceBounds::NOTHING; self.fields.frame.spans.len()];
         self.moments(&mut bounds);
@@ -74,7 +74,9 @@ impl<S: Scalar> Pointwise<'_, S> {
         (2.0 * self.energy).root()
     }
 
-    /// A bound of ½∫EI e_φ′² and of the energy of e in springs: E/σ.
+    /// Bound of the strain energy of the error in beam and springs. Without compression it is the bound E of the total
+    /// error energy. Under compression it is E/σ, where 1 − σ bounds the ratio of the compression to the critical
+    /// compression.
     pub(crate) fn beam_energy(&self) -> Size {
         match &self.fields.frame.compression {
             None => self.energy,
@@ -82,8 +84,12 @@ impl<S: Scalar> Pointwise<'_, S> {
         }
     }
 
-    /// |u − u*|. In a layer d(x) = b(d, g(x, ·)) ≤ s₂√g for the difference d of the surfaces, plus |c| on a touching piece
-    /// and D on an open one. On Winkler ground u* = max(w* − g₀, 0).
+    /// Bound of the settlement error |u − u*|.
+    ///
+    /// In a shear layer, the error of the corrected settlement is at most √(2E g). E bounds the error energy, and g is
+    /// the settlement under a unit force at the position of the force. The bound of the correction is added. On
+    /// Winkler ground u* = max(w* − g₀, 0). So the bound is that of the deflection plus a correction. On a piece in
+    /// contact, this correction is the largest tensile pressure divided by k.
     fn settlement(&self, i: usize, deflection: Size) -> Size {
         let fields = self.fields;
         let (span, raised) = (&fields.frame.spans[i], fields.clearance.raised[i]);
@@ -96,13 +102,16 @@ impl<S: Scalar> Pointwise<'_, S> {
         deflection + if span.touches { sunk } else { raised }
     }
 
-    /// |M − M*| on each piece: s₂ K(z) + |δ| with
+    /// Sets the bounds of the moment error: |M − M*| ≤ √(2E) K + |δ|.
+    ///
+    /// E bounds the error energy, and δ is the difference between the claimed and the balanced moment. K is a norm of
+    /// a test function z, with the stiffnesses K₀ and K_l of the ground outside the beam:
     ///
     /// ```text
-    /// K² = ∫EI z″² + ∫(P + μ)z′² + ∫kz² + K₀z(0)² + K_lz(l)² + Σκz² + Σκ_θz′²
+    /// K² = ∫EI z″² + ∫(P + μ)z′² + ∫kz² + K₀z(0)² + K_lz(l)² + Σκz² + Σκ_θz′².
     /// ```
     ///
-    /// for any z with a unit kink at x, z = 0 at rigid supports and z′ = 0 at clamps.
+    /// z may be any function with a unit jump of slope at x, z = 0 at rigid supports and z′ = 0 at clamps.
     fn moments(&self, bounds: &mut [PieceBounds]) {
         let frame = self.fields.frame;
         let mut stiffness = vec![Size::INFINITE; frame.spans.len()];
@@ -132,15 +141,19 @@ impl<S: Scalar> Pointwise<'_, S> {
         (0..nodes.len()).filter(stops).collect()
     }
 
-    /// |p − p*| where both are in contact: kε_u + |μ′|ε_θ + με_w″ in a layer, kε_u on Winkler ground.
+    /// Bound ε_p of the pressure error |p − p*| where the claimed and the exact solution are both in contact.
     ///
-    /// On a beam with shear deformation w″(1 + P/S) = φ′ + (p − f + r + η′)/S, so that in a layer
+    /// ε_u, ε_θ and ε_κ bound the errors of settlement, slope and curvature. On Winkler ground ε_p = kε_u. In a layer
+    /// ε_p = kε_u + |μ′|ε_θ + με_κ.
+    ///
+    /// On a beam with shear deformation and the load f, w″(1 + P/S) = φ′ + (p − f + r + η′)/S, where r is the residual
+    /// of the transverse equilibrium and η = S(w′ − φ) − V. If ε_κ bounds the error of φ′, the bound in a layer is
     ///
     /// ```text
     /// ε_p = {kε_u + μS/(S + P)·[ε_κ + (|r| + |η′|)/S]}/(1 + μ/(S + P)).
     /// ```
     ///
-    /// On open pieces it bounds the error of μC″, without the divisor.
+    /// On pieces out of contact, the expression in braces bounds the error of μC″, where C is the clearance.
     pub(crate) fn pressure(&self, i: usize, bounds: &PieceBounds) -> Size {
         let span = &self.fields.frame.spans[i];
         let bent = bounds.moment.over(span.bending.low());
@@ -162,8 +175,17 @@ impl<S: Scalar> Pointwise<'_, S> {
         sheared_pressure([stiffness, axial, shear], [settled, bent, load], span.touches)
     }
 
-    /// ε_w = sup|e| + max|c|, and ε_φ = min_h {2 sup|e|/h + s_γ/h^½ + min(½h max(ε_κ + |c″|), s(h/3)^½)} +
-    /// max|c′| with ε_κ = ε_M/EI. Where the beam has no shear deformation ε_θ = ε_φ.
+    /// Sets the error bounds of deflection and rotation on a part of the beam between hinges.
+    ///
+    /// e is the error of the corrected deflection, c is the correction, and ε_κ = ε_M/EI bounds the error of the
+    /// curvature. The error of the deflection is at most sup|e| + max|c|. With s and s_γ of [`Self::flexure`], the
+    /// error of the rotation is at most
+    ///
+    /// ```text
+    /// min_h {2 sup|e|/h + s_γ/√h + min(½h max(ε_κ + |c″|), s√(h/3))} + max|c′|.
+    /// ```
+    ///
+    /// Where the beam has no shear deformation, this is also the bound of the slope.
     fn on_part(&self, part: &Range<usize>, error: Size, bounds: &mut [PieceBounds]) {
         let frame = self.fields.frame;
         let closed = &self.fields.deflection.pieces;
@@ -196,7 +218,8 @@ impl<S: Scalar> Pointwise<'_, S> {
     }
 }
 
-/// ε_p from S, P and μ and from kε_u, ε_κ and |r| + |η′|, with its divisor where the beam touches.
+/// In contact, computes the error bound of the pressure. Out of contact, computes the error bound of μC″, where C is
+/// the clearance. `settled`, `bent` and `load` bound the errors of ku, φ′ and the equilibrium.
 fn sheared_pressure<S: Scalar>(
     [stiffness, axial, shear]: [S; 3],
     [settled, bent, load]: [Size; 3],
@@ -219,8 +242,9 @@ mod tests {
     use crate::scalar::Scalar;
     use crate::size::Size;
 
-    /// Errors of u, φ′ and of the balance of a beam with shear deformation, and the resulting error of w″ and
-    /// p. The bound holds, and it is attained, for p where both are in contact and for μC″ where neither is.
+    /// Takes random errors of ku, φ′ and the equilibrium of a beam with shear deformation. Checks that the error bound
+    /// holds and is attained. In contact it bounds the error of p, and out of contact that of μC″, where C is the
+    /// clearance.
     #[test]
     fn the_pressure_bound_of_a_timoshenko_beam_is_sharp() {
         let mut random = numbers();
@@ -231,8 +255,9 @@ mod tests {
             for touches in [true, false] {
                 for signs in [[1.0, 1.0, 1.0], [1.0, -1.0, -1.0]] {
                     let [u, bent, r] = [settled * signs[0], turned * signs[1], load * signs[2]];
-                    // (S + P)w″ = Sφ′ + p + r. In contact p = u − μw″; on open ground p = 0 and μC″ = u −
-                    // μw″.
+                    // The errors of the fields satisfy (S + P)w″ = Sφ′ + p + r, where r is the residual of the
+                    // equilibrium. In contact p = ku − μw″. Out of contact p = 0, and the clearance C satisfies μC″ =
+                    // ku − μw″. The variable `u` is the error of ku.
                     let whole = stiffness + axial;
                     let curved = match touches {
                         true => (stiffness * bent + u + r) / (whole + shear),

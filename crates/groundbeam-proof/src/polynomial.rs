@@ -6,7 +6,7 @@ use std::ops::{Add, Mul, Sub};
 
 /// The highest degree of a claimed deflection.
 pub(crate) const HIGHEST: usize = 25;
-/// The highest degree of a coefficient that varies.
+/// The highest degree of a coefficient that varies along a piece, such as EI or k.
 pub(crate) const HIGHEST_COURSE: usize = 5;
 
 /// Maximum number of coefficients of the product of a field and a varying coefficient.
@@ -23,8 +23,7 @@ const NUMBERS: [f64; CAPACITY] = {
     numbers
 };
 
-/// Σ cⱼ tʲ with at most N coefficients, stored without heap memory, because most polynomials are used in one
-/// formula only.
+/// The polynomial Σ cⱼ tʲ with at most N coefficients, stored without heap memory.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Polynomial<S, const N: usize = CAPACITY> {
     len: usize,
@@ -68,7 +67,7 @@ impl<S: Scalar, const N: usize> Polynomial<S, N> {
         self.derivative_times(S::one())
     }
 
-    /// The derivative times a factor.
+    /// The derivative with respect to t, multiplied by a factor.
     pub fn derivative_times(&self, factor: S) -> Self {
         let mut derived = Self::zero();
         derived.len = self.len.saturating_sub(1);
@@ -101,12 +100,12 @@ impl<S: Scalar, const N: usize> Polynomial<S, N> {
         above(to) - above(from)
     }
 
-    /// Σ|cⱼ|τʲ, a bound of the absolute value on |t| ≤ τ.
+    /// Σ|cⱼ|τʲ, an upper bound of the polynomial's absolute value on |t| ≤ τ.
     pub fn size(&self, tau: f64) -> Size {
         Size::of(raised(self.coefficients(), tau, S::size))
     }
 
-    /// As [`Self::size`], without the constant coefficient.
+    /// Upper bound of the absolute value on |t| ≤ τ of the polynomial without its constant coefficient.
     pub fn tail(&self, tau: f64) -> Size {
         match self.coefficients() {
             [] => Size::ZERO,
@@ -118,7 +117,7 @@ impl<S: Scalar, const N: usize> Polynomial<S, N> {
         Polynomial { len: self.len, c: self.c.map(S::coarse) }
     }
 
-    /// The coefficients about another point: the polynomial of t − m.
+    /// Returns the polynomial in powers of t − m.
     pub fn shifted(mut self, m: f64) -> Self {
         if m == 0.0 {
             return self;
@@ -133,8 +132,7 @@ impl<S: Scalar, const N: usize> Polynomial<S, N> {
     }
 }
 
-/// Σ size(cⱼ)τʲ, rounded up once at the end to cover 2n rounding errors of 2⁻⁵³ each and at most n
-/// underflows.
+/// Upper bound of Σ size(cⱼ)τʲ. The sum is increased once at the end, to cover its rounding errors and underflows.
 fn raised<S: Copy>(coefficients: &[S], tau: f64, size: impl Fn(S) -> f64) -> f64 {
     let sum = coefficients.iter().rev().fold(0.0, |sum, c| sum * tau + size(*c));
     if sum == 0.0 { 0.0 } else { sum * (1.0 + 64.0 * f64::EPSILON) + f64::MIN_POSITIVE }
@@ -178,7 +176,7 @@ impl<S: Scalar> Mul for &Polynomial<S> {
     }
 }
 
-/// The number of remaining halvings, on one piece and on all pieces together.
+/// Remaining numbers of interval halvings on the current piece and on all pieces together.
 #[derive(Debug)]
 pub(crate) struct Budget {
     piece: usize,
@@ -186,21 +184,21 @@ pub(crate) struct Budget {
 }
 
 impl Budget {
-    /// Maximum number of halvings on one piece.
+    /// Maximum number of interval halvings on one piece.
     const PIECE: usize = 4000;
-    /// Maximum average number of halvings per piece.
+    /// Maximum number of interval halvings on all pieces, divided by the number of pieces.
     const AVERAGE: usize = 200;
 
     pub fn new(pieces: usize) -> Self {
         Budget { piece: 0, all: Self::AVERAGE * pieces }
     }
 
-    /// Starts the count of halvings for another piece.
+    /// Allows the maximum number of halvings on a new piece.
     pub fn begin(&mut self) {
         self.piece = Self::PIECE;
     }
 
-    /// Uses one halving; `false` if none is left.
+    /// Counts one interval halving. Returns `false` if no more halvings are allowed.
     pub fn take(&mut self) -> bool {
         let left = self.piece > 0 && self.all > 0;
         if left {
@@ -215,7 +213,7 @@ impl Budget {
 pub(crate) struct Below {
     /// The function is at least −depth.
     pub depth: Size,
-    /// The measure, in units of t.
+    /// The measure of the set where the function is negative, in units of t.
     pub width: Size,
 }
 
@@ -223,12 +221,13 @@ impl Below {
     pub const NOWHERE: Below = Below { depth: Size::ZERO, width: Size::ZERO };
 }
 
-/// Bounds the negative part of a polynomial minus a size on an interval.
+/// Bounds the negative part of `p` − `less` on an interval.
 ///
-/// On an interval about m of half width r, the value is at least c₀ − Σ_{j≥1}|cⱼ|rʲ with the coefficients cⱼ
-/// about m. If the derivative has one sign, |p′| ≥ σ > 0, the smallest value v is at an end, and p < 0 on a
-/// length of at most −v/σ. Otherwise the interval is halved, unless its middle is nearly as deep as the bound
-/// or the depth is negligible. If no halvings remain, the interval counts with its bound and its whole width.
+/// On an interval with the middle m and the half-width r, `p` is at least c₀ − Σ_{j≥1}|cⱼ|rʲ, where cⱼ are the
+/// coefficients about m. If the derivative has one sign with |p′| ≥ σ > 0, the smallest value v is at an end, and the
+/// function is negative on a length of at most −v/σ. Otherwise the interval is halved. An interval is not halved if
+/// the value at its middle is nearly as low as the bound, if the depth is negligible, or if no halvings remain. Then
+/// the bound is accepted, and the function counts as negative on the whole interval.
 pub(crate) fn below<C: Scalar>(
     p: &Polynomial<C>,
     less: Size,
@@ -288,7 +287,7 @@ pub(crate) fn below<C: Scalar>(
         }
         let here = Size::below_zero((about.coefficient(0) - C::of(less.value())).low());
         let depth = Size::below_zero(low) + lost;
-        // Accept a depth that halving would not change much, that is below the rounding error, or that is
+        // Accept the depth if halving would not change it much, if it is below the rounding error, or if it is
         // negligible.
         let c0 = about.coefficient(0);
         let blurred = Size::of(0.25 * (c0.high() - c0.low()));
@@ -303,7 +302,7 @@ pub(crate) fn below<C: Scalar>(
     found
 }
 
-/// The larger of the two distances of m from the ends, rounded up.
+/// The larger of the two distances of `m` from the ends `a` and `b`, rounded up.
 pub(crate) fn half_width(a: f64, m: f64, b: f64) -> f64 {
     let (left, right) = ((m - a).next_up(), (b - m).next_up());
     if left >= right { left } else { right }
@@ -317,7 +316,8 @@ mod tests {
     use crate::scalar::Scalar;
     use crate::size::Size;
 
-    /// Random cubics minus a size: the depth and the length of the negative part are bounded, and nearly attained.
+    /// Checks for random cubic polynomials that the bounds of the depth and of the length of the negative part hold
+    /// and are nearly attained.
     #[test]
     fn the_negative_part_of_a_polynomial_is_bounded() {
         let mut random = numbers();

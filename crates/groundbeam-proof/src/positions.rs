@@ -1,29 +1,29 @@
-//! Assigns the positions of the model to the nodes of the answer, one to one.
+//! Assigns each position of the model, such as that of a load or a support, to one node of the claimed solution.
 
 use crate::answer::Answer;
 use crate::refusal::NotProven;
 use crate::scalar::Scalar;
 use crate::units::Units;
 
-/// Maximum distance of a position of the model from its node, as a fraction of the length.
+/// Maximum distance of a position of the model from its node, as a fraction of the beam's length.
 const NEAR: f64 = 16.0 * f64::EPSILON;
-/// Minimum distance of two positions of the model, as a fraction of the length.
+/// Minimum distance of two positions of the model, as a fraction of the beam's length.
 const APART: f64 = 32.0 * f64::EPSILON;
-/// The shortest piece, as a fraction of the length.
+/// Minimum length of a piece, as a fraction of the beam's length.
 const SHORTEST: f64 = 1e-20;
 
-/// The nodes, which are the ends of the pieces: the doubles of the answer, and the exact positions of the model that they
-/// stand for.
+/// The nodes, which are the ends of the pieces of the claimed solution. A node has a position that is stored as a
+/// double. It may also have the exact position in the model of which this double is the rounded value.
 #[derive(Debug)]
 pub(crate) struct Positions<S> {
-    /// The doubles of the answer, in the units of the proof.
+    /// Stored positions of the nodes, in the scaled unit of length.
     stored: Vec<S>,
     given: Vec<Option<S>>,
     length: S,
     units: Units,
 }
 
-/// Whether two positions on a beam differ by rounding error at most.
+/// Whether two positions on a beam differ at most by rounding error.
 pub(crate) fn is_near<S: Scalar>(a: S, b: S, length: S) -> bool {
     (a - b).size() <= NEAR * length.low()
 }
@@ -73,14 +73,15 @@ impl<S: Scalar> Positions<S> {
         is_near(at, self.stored[node], self.length)
     }
 
-    /// The node of a position of the model. The node then represents this exact position. In an estimate,
-    /// positions that differ by rounding error share a node, which represents the first of them.
+    /// Finds the node at a position of the model. From then on, the node has this exact position. If the numbers do
+    /// not enclose their rounding error, positions that differ only by rounding error share a node, which has the
+    /// first of these positions.
     pub fn find(&mut self, at: S) -> Result<usize, NotProven> {
         let node = self.nearest(at);
         let place = self.units.restored(at.middle(), 0, 1);
         if !self.reached(node, at) {
             return Err(NotProven::new(
-                "a load, support, hinge or step of the model is not at an end of a piece",
+                "a load, support, hinge, gap corner or end of a segment is not at an end of a piece",
             )
             .at(place));
         }
@@ -101,7 +102,8 @@ impl<S: Scalar> Positions<S> {
         at.high() < 0.0 || (at - self.length).low() > 0.0
     }
 
-    /// As `find`, for the end of a stretch: a position outside the beam counts as the beam's end.
+    /// Finds the node at an end of a stretch, as [`Self::find`] does. For a position outside the beam, returns the
+    /// node at the beam's end.
     pub fn find_clipped(&mut self, at: S) -> Result<usize, NotProven> {
         if at.high() < 0.0 {
             Ok(0)
@@ -112,21 +114,23 @@ impl<S: Scalar> Positions<S> {
         }
     }
 
-    /// The node at which the answer has a force.
+    /// The node at the position `x` of a claimed force; `None` if no node is at this position.
     pub fn of_force(&self, x: f64) -> Option<usize> {
         let at = self.units.metres(S::of(x));
         let node = self.nearest(at);
         self.reached(node, at).then_some(node)
     }
 
-    /// The exact positions of the nodes, checked to increase.
+    /// Returns the exact positions of the nodes, after a check that they increase from left to right.
     pub fn exact(self) -> Result<Vec<S>, NotProven> {
         let stored = self.stored.iter().zip(&self.given);
         let exact: Vec<S> = stored.map(|(stored, given)| given.unwrap_or(*stored)).collect();
         let place = |x: S| self.units.restored(x.middle(), 0, 1);
         for ends in exact.windows(2) {
             if !((ends[1] - ends[0]).low() >= SHORTEST * self.length.high()) {
-                return Err(NotProven::new("the ends of a piece are too close").at(place(ends[0])));
+                return Err(
+                    NotProven::new("the ends of a piece are too close together").at(place(ends[0]))
+                );
             }
         }
         if !S::ENCLOSES {

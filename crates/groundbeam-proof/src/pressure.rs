@@ -1,5 +1,4 @@
-//! The pressure p = k(w − g₀) − (μ(w − g₀)′)′ where beam and ground are in contact, from the claimed deflection, and its
-//! tensile part.
+//! The contact pressure p = k(w − g₀) − (μ(w − g₀)′)′ of the claimed deflection, and the tensile part of the pressure.
 
 use crate::deflection::Deflection;
 use crate::frame::{Frame, Span};
@@ -7,7 +6,7 @@ use crate::polynomial::{Budget, Polynomial, below};
 use crate::scalar::Scalar;
 use crate::size::Size;
 
-/// The pressure on one piece; zero on an open piece.
+/// The pressure on one piece; zero on a piece out of contact.
 #[derive(Debug)]
 pub(crate) struct Pressure<S> {
     pub field: Polynomial<S>,
@@ -15,9 +14,9 @@ pub(crate) struct Pressure<S> {
     pub obstacle: Size,
     /// ∫p, ∫tp and ∫t²p.
     pub masses: [S; 3],
-    /// p ≥ −η.
+    /// Bound η of the tensile pressure: p ≥ −η.
     pub depth: Size,
-    /// ω: p < 0 on a length of at most ω. With p ≥ −η, the tensile part max(−p, 0) has a resultant of at most ηω.
+    /// Bound ω of the length on which p < 0. The tensile part max(−p, 0) has a resultant of at most ηω.
     pub width: Size,
 }
 
@@ -37,12 +36,12 @@ impl<S: Scalar> Pressure<S> {
         Pressure { field, obstacle: obstacle.size(span.tau), masses, depth: tensile.depth, width }
     }
 
-    /// The bound ηω of the resultant of the tensile part.
+    /// Upper bound of the resultant of the tensile pressure.
     pub fn tensile_force(&self) -> Size {
         self.depth * self.width
     }
 
-    /// The resultant of max(p, 0).
+    /// Upper bound of the resultant of the compressive pressure max(p, 0).
     pub fn pressing(&self) -> Size {
         Size::of(self.masses[0].size()) + self.tensile_force()
     }
@@ -58,7 +57,8 @@ pub(crate) fn pressures<S: Scalar>(frame: &Frame<S>, budget: &mut Budget) -> Vec
     frame.spans.iter().map(of).collect()
 }
 
-/// ‖c‖_b² on the pieces that touch: Σ h(k c² + μ c′²).
+/// Upper bound of the squared energy norm of the correction c of the deflection. It is Σ h(k c² + μ c′²) over the
+/// pieces in contact, where h is the length of a piece.
 pub(crate) fn carried<S: Scalar>(frame: &Frame<S>, deflection: &Deflection<S>) -> Size {
     let pieces = frame.spans.iter().zip(&deflection.pieces).filter(|(span, _)| span.touches);
     pieces
@@ -70,7 +70,8 @@ pub(crate) fn carried<S: Scalar>(frame: &Frame<S>, deflection: &Deflection<S>) -
         .sum()
 }
 
-/// Σ η(ω/k)^½: a bound of the change of the ground's surface by the tensile parts, in the energy norm.
+/// Upper bound of the energy norm of the ground's displacement due to the tensile pressure. It is Σ η(ω/k)^½ over the
+/// pieces, with the largest tensile pressure η on the length ω.
 pub(crate) fn tension_norm<S: Scalar>(frame: &Frame<S>, pressures: &[Pressure<S>]) -> Size {
     let pieces = frame.spans.iter().zip(pressures);
     pieces.map(|(span, p)| p.depth * p.width.over(span.spring.low()).root()).sum()

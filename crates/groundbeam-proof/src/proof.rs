@@ -1,4 +1,4 @@
-//! The proof: an admissible deflection, an exactly balanced pressure, and a bound of the difference of their energies.
+//! Proves a claimed solution by an admissible deflection, a balanced pressure, and a bound of the difference of their energies.
 
 use crate::answer::Answer;
 use crate::bounds::{Bound, Bounds, ReactionBound, Scales};
@@ -17,37 +17,40 @@ use crate::scalar::Scalar;
 use crate::scales::FieldScales;
 use crate::size::Size;
 
-/// The proven quantities of an answer, with their bounds.
+/// What is proven about a claimed solution, with error bounds.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Proof {
-    /// E \[N·m\]: a bound of the sum of two energies: the energy of the error of deflection and settlement,
-    /// and the energy of the error of moment and pressure.
+    /// Upper bound E \[N·m\] of the error energy. It bounds the sum of two energies: that of the errors of deflection
+    /// and settlement, and that of the errors of moment and pressure.
     pub energy: f64,
     /// The strain energy of beam, ground and springs \[N·m\]. It is an estimate, for comparison with E.
     pub strain_energy: f64,
-    /// Error bounds of the fields that hold at every point of the beam. A finite bound of w proves that a solution exists.
+    /// Error bounds of the fields. Each bound holds at every point of the beam. A finite bound of w proves that a
+    /// solution exists.
     pub bounds: Bounds,
     /// Error bounds of the reactions, for each support of the model.
     pub reactions: Vec<ReactionBound>,
-    /// The exact contact set, with an interval for every edge and every concentrated force; otherwise the
-    /// step that fails. The other bounds hold in both cases.
+    /// The exact contact set, with an interval for every contact edge and every concentrated contact force. If the
+    /// contact set is not proven, the error states the reason. All other bounds hold in either case.
     pub contact: Result<ContactSet, NotProven>,
     /// `Ok` if the solution is unique.
     pub unique: Result<(), NotProven>,
     /// `Ok` if each one-way support is proven to be active or inactive. The bounds hold in both cases.
     pub supports: Result<(), NotProven>,
-    /// The scales of edges and concentrated forces.
+    /// The scales with which the errors of contact edges and of concentrated forces are compared.
     pub scales: Scales,
 }
 
 impl Proof {
-    /// The first reason why the answer is not proven; `None` if it is proven.
+    /// The first reason why the claimed solution is not proven; `None` if it is proven.
     ///
-    /// An answer is proven if a solution exists and is unique, if the contact set and the active supports are
-    /// proven, and if every error is at most 10⁻⁶ of its scale.
+    /// A claimed solution is proven if an exact solution exists and is unique, if the contact set and the active
+    /// supports are proven, and if every error is at most 10⁻⁶ of its scale.
     pub fn shortfall(&self) -> Option<NotProven> {
         if !(self.bounds.deflection.error < f64::INFINITY) {
-            return Some(NotProven::new("no equilibrium is proven: the deflection has no bound"));
+            return Some(NotProven::new(
+                "no equilibrium is proven, because the deflection has no error bound",
+            ));
         }
         let too_large = |name: &str, bound: Bound| {
             let Bound { error, scale } = bound;
@@ -68,7 +71,7 @@ impl Proof {
         set.or_else(fields).or_else(|| self.intervals(too_large)).or_else(supports)
     }
 
-    /// The first interval of an edge or of a concentrated force that is too wide.
+    /// The reason for the first contact edge or concentrated force whose interval is too wide.
     fn intervals(&self, too_large: impl Fn(&str, Bound) -> Option<NotProven>) -> Option<NotProven> {
         let set = self.contact.as_ref().ok()?;
         let width = |[low, high]: [f64; 2]| (high - low).next_up();
@@ -84,8 +87,8 @@ impl Proof {
     }
 }
 
-/// Proves an answer. Passes the proof and the fields that are constructed from the answer to `conclude`.
-/// Writes a log if one is given.
+/// Proves a claimed solution. Calls `conclude` with the fields constructed from the claimed solution and with the
+/// proof. Writes a log if one is given.
 pub(crate) fn proven<S: Scalar, T>(
     model: &Model<S>,
     answer: &Answer,
@@ -103,14 +106,14 @@ pub(crate) fn proven<S: Scalar, T>(
     }
 }
 
-/// The result of an attempt to prove an answer.
+/// The result of an attempt to prove a claimed solution.
 enum Attempt {
     Done(Box<Proof>),
-    /// Supports without a node that the exact beam may reach.
+    /// Supports at which nodes must be added, because the exact beam may touch these supports.
     Close(Vec<usize>),
 }
 
-/// The proof of the answer from which the fields were constructed.
+/// Attempts to prove the claimed solution from which `fields` were constructed.
 fn of_fields<S: Scalar>(
     fields: &Fields<S>,
     answer: &Answer,
@@ -127,7 +130,7 @@ fn of_fields<S: Scalar>(
     }
     let (energy, balanced) = fields.energy()?;
     if !(energy.value() < f64::INFINITY) {
-        return Err(NotProven::new("the bound of the energy is infinite"));
+        return Err(NotProven::new("the bound of the error energy is infinite"));
     }
     let pointwise = Pointwise { fields, balanced: &balanced, energy };
     let mut pieces = pointwise.bounds();
@@ -162,7 +165,8 @@ fn of_fields<S: Scalar>(
     })))
 }
 
-/// Adds the differences between the stored pressures and settlements and those that follow from the deflection.
+/// Adds to the error bounds of pressure and settlement the difference between the stored values and the values that
+/// follow from the deflection.
 fn add_stored<S: Scalar>(answer: &Answer, fields: &Fields<S>, bounds: &mut [PieceBounds]) {
     let units = fields.frame.units;
     for (i, (piece, bounds)) in answer.pieces.iter().zip(bounds).enumerate() {
@@ -184,8 +188,8 @@ fn add_stored<S: Scalar>(answer: &Answer, fields: &Fields<S>, bounds: &mut [Piec
             bounds.settlement += match &fields.surface.pieces[i].along {
                 Some(along) => (*stored - along).size(span.tau),
                 None if span.touches => (*stored - &span.obstacle()).size(span.tau),
-                // y = stored − u satisfies ky − (μy′)′ = ρ. So |y| is at most the largest of max|ρ|/k and its
-                // absolute values at both ends.
+                // y, the stored minus the computed settlement, satisfies ky − (μy′)′ = ρ with the residual ρ of the
+                // stored settlement. So |y| is at most max|ρ|/k plus the larger |y| at the two ends.
                 None => {
                     let missed = span.missed_by(stored).size(span.tau);
                     off_the_ends(span.t.map(|t| stored.value(t))) + missed.over(span.spring.low())
@@ -195,7 +199,7 @@ fn add_stored<S: Scalar>(answer: &Answer, fields: &Fields<S>, bounds: &mut [Piec
     }
 }
 
-/// u at both ends of a piece.
+/// The settlement u at both ends of a piece.
 fn settled_ends<S: Scalar>(fields: &Fields<S>, i: usize) -> [S; 2] {
     let span = &fields.frame.spans[i];
     let at_ends = |field: Polynomial<S>| span.t.map(|t| field.value(t));
@@ -207,14 +211,15 @@ fn settled_ends<S: Scalar>(fields: &Fields<S>, i: usize) -> [S; 2] {
     }
 }
 
-/// A bound in the units of the model.
+/// Converts an error bound and its scale to the units of the model.
 fn bound<S>(frame: &Frame<S>, error: Size, scale: f64, force: i32, length: i32) -> Bound {
     let restored = |x: f64| frame.units.restored(x, force, length);
     Bound { error: restored(error.value()), scale: restored(scale) }
 }
 
-/// The largest bounds of all pieces, in the units of the model. The pressure of a layer has no bound if its contact set is
-/// not proven, because the bound holds only where both solutions are in contact.
+/// Largest error bound of each field over all pieces, in the units of the model. The bound of the pressure of a layer
+/// holds only where the claimed and the exact solution are in contact. So it is infinite if the contact set is not
+/// proven.
 fn largest<S: Scalar>(
     frame: &Frame<S>,
     pieces: &[PieceBounds],

@@ -1,8 +1,10 @@
 //! Bounds of the error of the reactions of supports.
 //!
-//! The error of a spring's reaction is at most κ|w − w*|, and also at most s₂√κ + κ|c|. The error of a rigid
-//! support's reaction is at most s₂K + W|λ|, with K of a test function z with z = 1 at the support and z = 0
-//! at all others. The error of a clamp's moment is at most s₂K + W_θ|λ′|, with z′ = 1.
+//! E bounds the error energy, and K is the norm of a test function z in `test_functions.rs`. The force of a spring has
+//! an error of at most κ|w − w*|, and also of at most √(2Eκ) + κ|c|, where c is the correction of the deflection. The
+//! force of a rigid support has an error of at most √(2E) K + W|λ|, with z = 1 at the support and z = 0 at all other
+//! rigid supports. The moment of a clamp has an error of at most √(2E) K + W_θ|λ′|, with z′ = 1 at the clamp. The
+//! residual forces are redistributed to the supports with the weights W and W_θ and the factor λ.
 
 use crate::frame::Held;
 use crate::model::Acts;
@@ -30,8 +32,11 @@ impl<S: Scalar> Pointwise<'_, S> {
         frame.supports.iter().map(of).collect()
     }
 
-    /// min(κε_w, s₂√κ + κ|c|) plus the difference between the claimed reaction and κ(w − δ); for rotation
-    /// with κ_θ.
+    /// Error bounds of force and moment of a spring support.
+    ///
+    /// ε_w bounds the error of the deflection, E bounds the error energy, and c is the correction of the deflection.
+    /// The bound of the force is min(κε_w, √(2Eκ) + κ|c|) plus the difference between the claimed reaction and κ(w −
+    /// δ). The bound of the moment is analogous, with κ_θ and the rotation.
     fn of_springs(
         &self,
         held: &Held<S>,
@@ -40,7 +45,8 @@ impl<S: Scalar> Pointwise<'_, S> {
         bounds: &[PieceBounds],
     ) -> [Size; 2] {
         let [w, slope] = self.fields.deflection.at_support(node);
-        // The piece whose claimed values act on the spring: at a hinge its bounds differ from those of its neighbour.
+        // The deflection and rotation of this piece act on the spring. At a hinge, the error bounds of the
+        // neighbouring piece can differ.
         let [piece, _] = self.fields.deflection.felt[node];
         let closed = self.fields.deflection.pieces[piece].bounds;
         let errors = [bounds[piece].deflection, bounds[piece].rotation];
@@ -81,7 +87,7 @@ impl<S: Scalar> Pointwise<'_, S> {
     fn of_clamp(&self, node: usize) -> Size {
         let here = &self.fields.frame.nodes[node];
         if !here.clamped {
-            // A pin has no moment. A claimed moment of a pin has already been refused.
+            // A pin has no moment. `held.rs` refuses a claimed moment of a pin.
             return Size::ZERO;
         }
         let own = here.turning.map_or(Size::ZERO, |turning| Size::of(turning.high()));
@@ -93,8 +99,8 @@ impl<S: Scalar> Pointwise<'_, S> {
         self.test_factor() * stiffness.root() + steep * Size::of(here.weights.clamp)
     }
 
-    /// The node of the next rigid support on one side of a node; otherwise the end of the beam. Also returns
-    /// whether it is a support.
+    /// Returns the node of the next rigid support on one side of a node, and `true`. If no rigid support lies on
+    /// this side, returns the node at the end of the beam, and `false`.
     fn next(&self, node: usize, side: usize) -> (usize, bool) {
         let nodes = &self.fields.frame.nodes;
         let mut next = node;
@@ -107,8 +113,8 @@ impl<S: Scalar> Pointwise<'_, S> {
         (next, false)
     }
 
-    /// Between a node and the next obstacle: the largest EI, P + μ and k, the distance, and the sums of the spring
-    /// stiffnesses, without those at the node.
+    /// Returns three quantities between `node` and `next`: the largest EI, P + μ and k; the distance; and the sums
+    /// of the spring stiffnesses κ and κ_θ without the springs at `node`.
     fn beside(&self, node: usize, next: usize) -> ([Size; 3], S, [Size; 2]) {
         let frame = self.fields.frame;
         let (from, to) = if next < node { (next, node) } else { (node, next) };
@@ -121,9 +127,10 @@ impl<S: Scalar> Pointwise<'_, S> {
         (self.largest(from..to), frame.nodes[to].x - frame.nodes[from].x, springs)
     }
 
-    /// K² on one side: the smaller of two bounds. Either z decreases from 1 to 0 over a length that ends
-    /// before the next support. Or z = 1 up to the end of the beam, if no support lies on this side: K² = kL
-    /// + K_e + Σκ.
+    /// The contribution of one side of a rigid support to the squared norm K² of a test function z. It is the smaller
+    /// of two bounds. In the first bound, z decreases from 1 to 0 before the next rigid support. The second bound
+    /// applies only if no rigid support lies on this side. Then z = 1 up to the end of the beam at the distance L, and
+    /// K² = kL + K_e + Σκ. K_e is the stiffness of the ground outside this end.
     fn lifted_side(&self, node: usize, side: usize) -> Size {
         let (next, held) = self.next(node, side);
         let ([bending, layer, ground], available, [springs, turning]) = self.beside(node, next);
@@ -138,7 +145,8 @@ impl<S: Scalar> Pointwise<'_, S> {
         least.least(lift([bending, layer, ground], [springs, turning], available.low()))
     }
 
-    /// K² on one side for z = t(1 − t/h)².
+    /// The contribution of one side of a clamp to the squared norm K² of the test function z = t(1 − t/h)², where t is
+    /// the distance from the clamp and h a length.
     fn turned_side(&self, node: usize, side: usize) -> Size {
         let (next, _) = self.next(node, side);
         if next == node {
@@ -148,7 +156,8 @@ impl<S: Scalar> Pointwise<'_, S> {
         kink(largest, springs, available.low())
     }
 
-    /// K² for the linear function that is 1 at a support and 0 at the only other support. Neither may be a
+    /// The squared norm K² of the linear test function that is 1 at a rigid support and 0 at the only other rigid
+    /// support. The result is infinite if the beam does not have exactly two rigid supports, or if one of them is a
     /// clamp.
     fn tilted(&self, node: usize) -> Size {
         let nodes = &self.fields.frame.nodes;
@@ -164,7 +173,8 @@ impl<S: Scalar> Pointwise<'_, S> {
         }
     }
 
-    /// K² for z = x − x_i if the clamp is the only rigid support.
+    /// The squared norm K² of the test function z = x − x_i, where x_i is the position of a clamp. The result is
+    /// infinite if the beam has another rigid support.
     fn turned(&self, node: usize) -> Size {
         let nodes = &self.fields.frame.nodes;
         if nodes.iter().filter(|node| node.rigid.is_some()).count() > 1 {
@@ -173,7 +183,7 @@ impl<S: Scalar> Pointwise<'_, S> {
         self.straight(|x| x - nodes[node].x, S::one())
     }
 
-    /// K² of a linear function over the whole beam.
+    /// Upper bound of the squared norm K² of a linear test function `z` on the whole beam.
     fn straight(&self, z: impl Fn(S) -> S, slope: S) -> Size {
         let frame = self.fields.frame;
         let count = frame.spans.len();
@@ -193,8 +203,9 @@ impl<S: Scalar> Pointwise<'_, S> {
     }
 }
 
-/// The smallest K² for z = 1 − 3τ² + 2τ³, τ = t/h, h at most the available length:
-/// 12EI/h³ + 6(P + μ)/(5h) + 13kh/35 + Σ(κ + κ_θ(3/(2h))²).
+/// The smallest squared norm K² of the test functions z = 1 − 3τ² + 2τ³ with τ = t/h, where t is the distance from a
+/// support. The length h is at most `available`. For a given h, K² = 12EI/h³ + 6(P + μ)/(5h) + 13kh/35 + Σ(κ +
+/// κ_θ(3/(2h))²).
 fn lift(
     [bending, layer, ground]: [Size; 3],
     [springs, turning]: [Size; 2],
@@ -217,7 +228,8 @@ mod tests {
     use crate::size::Size;
     use crate::test_functions::tests::integral;
 
-    /// K² by integration, with the springs at the positions where |z| and |z′| are largest.
+    /// Computes the squared norm K² of the test function z by integration. The springs are at the positions where |z|
+    /// and |z′| are largest.
     fn exact([bending, layer, ground]: [f64; 3], [springs, turning]: [f64; 2], h: f64) -> f64 {
         let z = |t: f64| 1.0 - 3.0 * (t / h).powi(2) + 2.0 * (t / h).powi(3);
         let slope = |t: f64| 6.0 * (t / h) * (t / h - 1.0) / h;

@@ -7,7 +7,7 @@ use std::fmt;
 pub struct NotProven {
     /// The reason.
     pub what: String,
-    /// The position \[m\], if the reason has one.
+    /// Position on the beam \[m\] to which the reason refers; `None` for a reason without a position.
     pub at: Option<f64>,
 }
 
@@ -17,7 +17,7 @@ impl NotProven {
         NotProven { what: what.into(), at: None }
     }
 
-    /// The same reason at a position \[m\].
+    /// Adds a position \[m\] to the reason.
     pub fn at(self, at: f64) -> Self {
         NotProven { at: Some(at), ..self }
     }

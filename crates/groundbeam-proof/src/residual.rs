@@ -1,13 +1,16 @@
-//! The residual of equilibrium (3.12) of the claimed deflection and pressures: forces along the pieces,
-//! forces at the nodes, and jumps of the moment.
+//! The residual of equilibrium (3.12) of the claimed deflection and pressures, on pieces and at nodes.
 //!
-//! With M = −EI(φ′ − κ₀), V = M′ − g and T = V + Pw′, φ = w′ where the beam has no shear deformation,
+//! M = −EI(φ′ − κ₀) is the bending moment, with the rotation φ of the cross-sections and the imposed curvature κ₀.
+//! V = M′ − g is the shear force, and T = V + Pw′ the transverse force under the axial tension P. The residuals are
 //!
 //! ```text
 //! r(x) = f − p + T′ on pieces,   r_i = F_i − a_i − R_i + [T]_i,   q_i = M₀_i − R_θi − [M]_i at nodes.
 //! ```
 //!
-//! m = M + δ is in equilibrium if δ″ = −r, [δ′]_i = −r_i, [δ]_i = q_i.
+//! f and g are the distributed forces and moments, and F_i and M₀_i the point forces and moments. a_i are the contact
+//! forces at the nodes, and R_i and R_θi the forces and moments of the supports. Square brackets denote jumps at the
+//! nodes. φ = w′ where the beam has no shear deformation. A moment M + δ is in equilibrium with the loads if δ″ = −r on
+//! the pieces, and [δ′]_i = −r_i and [δ]_i = q_i at the nodes.
 
 use crate::deflection::Deflection;
 use crate::frame::{Frame, Span};
@@ -18,21 +21,22 @@ use crate::pressure::Pressure;
 use crate::scalar::{Scalar, positive_part};
 use crate::size::Size;
 
-/// The residual of one piece.
+/// The residual of equilibrium on one piece.
 #[derive(Debug)]
 pub(crate) struct PieceResidual<S> {
     /// ∫r.
     pub force: S,
-    /// ∫r(x)(X_R − x), the moment about the right end.
+    /// ∫r(x)(X_R − x), the moment of the residual about the right end X_R of the piece.
     pub moment: S,
-    /// The constant coefficient of r, and a bound of the other terms.
+    /// Constant coefficient of the polynomial r(x), the residual on the piece. `rest` is a bound of all other terms
+    /// of r.
     pub constant: S,
     pub rest: Size,
     /// M at both ends.
     pub bending: [S; 2],
     /// T at both ends.
     pub shear: [S; 2],
-    /// On a piece with shear deformation, bounds of η = S(w′ − φ) − V and of η′.
+    /// Bounds of the misfit η = S(w′ − φ) − V of the shear force V, and of η′; zero without shear deformation.
     pub misfit: [Size; 2],
 }
 
@@ -42,7 +46,8 @@ pub(crate) struct Residual<S> {
     pub pieces: Vec<PieceResidual<S>>,
     /// r_i and q_i at the nodes.
     pub nodes: Vec<[S; 2]>,
-    /// The force of the one-way support at a node in its direction, not negative; zero at other nodes.
+    /// Force of the one-way support at each node, positive in the direction in which the support can act; zero at
+    /// other nodes.
     pub pushing: Vec<S>,
 }
 
@@ -59,8 +64,9 @@ pub(crate) fn residual<S: Scalar>(
     Residual { pieces, nodes, pushing }
 }
 
-/// The force of a one-way support in its direction: the claimed force of a rigid support, or κ times the
-/// positive part of w̄ − δ for a spring.
+/// Force of a one-way support, positive in the direction in which the support can act. For a rigid support, it is the
+/// claimed force. For a spring, it is the spring force at the admissible deflection, or zero if this force has the
+/// opposite direction.
 fn pushes<S: Scalar>(frame: &Frame<S>, deflection: &Deflection<S>, i: usize) -> S {
     let node = &frame.nodes[i];
     match (node.acts, node.spring) {
@@ -95,7 +101,7 @@ fn on_piece<S: Scalar>(frame: &Frame<S>, pressures: &[Pressure<S>], i: usize) ->
     }
 }
 
-/// Bounds of η = S(w′ − φ) − V and of η′ on a piece with shear deformation.
+/// Bounds of the misfit η = S(w′ − φ) − V of the shear force V, and of η′; zero without shear deformation.
 fn misfit<S: Scalar>(
     span: &Span<S>,
     slope: &Polynomial<S>,

@@ -1,8 +1,9 @@
-//! Parts of the beam that rest without load: between clamps, or from a clamp to an end, on level ground.
+//! Parts of the beam that rest without load on level ground, between two clamps or between a clamp and an end of the beam.
 //!
-//! A clamp with w = δ separates the beam into two parts. On a side without loads and springs, over level ground with g₀ =
-//! δ, the state w = δ without pressure is in equilibrium, because u* ≥ 0: loads on the ground act downward. The solution
-//! there is unique, so w* = δ and p* = 0.
+//! A clamp separates the beam into two parts. Consider a part without loads and springs, over level ground at the
+//! height of the clamp. Loads on the ground act downward, so they do not lift the ground. Therefore this part is in
+//! equilibrium if it stays at the height of the clamp without pressure. The solution on this part is unique, so the
+//! exact pressure on it is zero.
 
 use crate::contact_set::Contact;
 use crate::frame::{Frame, Node};
@@ -27,7 +28,7 @@ impl<S: Scalar> Contact<'_, S> {
     }
 }
 
-/// Whether a piece has no loads and lies over ground of this constant height.
+/// Whether a piece has no loads and lies over level ground with the initial gap `height`.
 fn is_bare<S: Scalar>(frame: &Frame<S>, piece: usize, height: S) -> bool {
     let span = &frame.spans[piece];
     let none = |line: &Line<S>| line.size(span.tau) == Size::ZERO;
@@ -35,8 +36,8 @@ fn is_bare<S: Scalar>(frame: &Frame<S>, piece: usize, height: S) -> bool {
     level && none(&span.force) && none(&span.moment) && none(&span.curvature)
 }
 
-/// Whether a resting part at this height ends at this node: at a two-way clamp at the same height, or at a
-/// free end without load.
+/// Whether a resting part with w = `height` may end at a node: at a two-way clamp with the settlement `height`, or
+/// at a free end without load.
 fn ends<S: Scalar>(node: &Node<S>, height: S) -> bool {
     match node.clamped {
         true => node.rigid == Some(height) && node.acts == Acts::Both,

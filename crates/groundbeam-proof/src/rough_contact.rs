@@ -1,10 +1,14 @@
-//! Bounds of the contact on each piece of a layer before the slope has a bound. On a beam with shear
-//! deformation, the slope needs the shear force, and the shear force needs the lengths where only one of the
-//! two solutions is in contact.
+//! Bounds of the edges of contact on each piece of a shear layer, without a bound of the slope.
 //!
-//! With |C − C*| ≤ ε_C = ε_u + ε_w the exact beam is in contact on an open piece only where C ≤ ε_C, near its touching
-//! ends. On a touching piece with p > ε_p the exact clearance is convex wherever it is positive, μC*″ ≥ m = min(p − ε_p),
-//! and at most ε_C. So the exact beam is open only within (2ε_Cμ/m)^½ of the ends of the piece.
+//! On a beam with shear deformation, the bound of the slope needs a bound of the shear force. The bound of the shear
+//! force needs the lengths on which only the exact or only the claimed beam is in contact.
+//!
+//! ε_C is the error bound of the clearance between beam and ground, and ε_p that of the pressure p. On a piece out of
+//! contact, the exact beam is in contact only where the claimed clearance is at most ε_C, near the ends at which the
+//! piece touches the ground. On a piece in contact with p > ε_p, the exact clearance is at most ε_C. Wherever the
+//! exact clearance is positive, it is convex. Its second derivative is at least m/μ, with the stiffness μ of the
+//! layer and the smallest value m of p − ε_p. So the exact beam is out of contact only within the distance
+//! (2ε_Cμ/m)^½ of the ends of the piece.
 
 use crate::approach::clear;
 use crate::clearance::OpenPiece;
@@ -16,8 +20,8 @@ use crate::scalar::Scalar;
 use crate::size::Size;
 
 impl<S: Scalar> Contact<'_, S> {
-    /// Bounds of the edges of every piece of a layer. Concentrated forces have bounds only at smooth nodes, where they are
-    /// zero.
+    /// Bounds of the edges of contact of every piece of a shear layer. The error bound of the concentrated contact
+    /// force is zero at nodes out of contact and infinite at nodes in contact.
     pub fn roughly(&self) -> Shown {
         let frame = self.fields.frame;
         let mut shown = Shown::nothing(frame.nodes.len());
@@ -36,7 +40,7 @@ impl<S: Scalar> Contact<'_, S> {
                         beyond: [Size::INFINITE; 2],
                     })
                 }),
-                // The left end of an open piece is the right end of a region.
+                // The left end of a piece out of contact is the right end of a contact region.
                 false => self.touched(i).map(|outside| {
                     [0, 1].map(|side| EdgeShift {
                         node: i + side,
@@ -59,7 +63,7 @@ impl<S: Scalar> Contact<'_, S> {
         more(self.bounds[i].settlement + self.bounds[i].deflection)
     }
 
-    /// The lengths at both ends of a touching piece on which the exact beam may be open.
+    /// The lengths at both ends of a piece in contact on which the exact beam may be out of contact.
     fn opened(&self, i: usize) -> Result<[Size; 2], NotProven> {
         let field = self.fields.pressures[i].field.coarse();
         let error = more(self.bounds[i].pressure);
@@ -71,8 +75,10 @@ impl<S: Scalar> Contact<'_, S> {
         Ok([0, 1].map(|side| self.opened_at(i, side).unwrap_or(length)))
     }
 
-    /// (2ε_Cμ/m)^½, with m the smallest p − ε_p on a part of the piece of this length; `None` if no such part
-    /// is found. It requires p > ε_p on the whole piece.
+    /// Bound (2ε_Cμ/m)^½ of the length at one end of a piece in contact on which the exact beam may be out of
+    /// contact. ε_C and ε_p are the error bounds of the clearance and of the pressure p, and μ is the stiffness of
+    /// the layer. m is the smallest value of p − ε_p on a stretch at least as long as the bound. Returns `None` if no
+    /// such stretch is found. Requires p > ε_p on the whole piece.
     pub(crate) fn opened_at(&self, i: usize, side: usize) -> Option<Size> {
         let span = &self.fields.frame.spans[i];
         let (field, error) = (self.fields.pressures[i].field.coarse(), self.bounds[i].pressure);
@@ -90,9 +96,10 @@ impl<S: Scalar> Contact<'_, S> {
         None
     }
 
-    /// The lengths at both ends of an open piece on which the exact beam may be in contact.
+    /// The lengths at both ends of a piece out of contact on which the exact beam may be in contact.
     fn touched(&self, i: usize) -> Result<[Size; 2], NotProven> {
-        let too_small = || self.failed("the clearance of open ground is too small", i);
+        let too_small =
+            || self.failed("the clearance of open ground is too small to exclude contact", i);
         let span = &self.fields.frame.spans[i];
         let touches = &self.fields.surface.touches;
         let piece = self.open_piece(i).ok_or_else(too_small)?;
@@ -146,8 +153,9 @@ mod tests {
         PieceBounds { settlement, deflection, pressure, ..PieceBounds::EXACT }
     }
 
-    /// Under a straight beam p = kw is linear. The open length x has x² min(p − ε_p) ≥ 2ε_Cμ on [0, x], and it is at
-    /// most the length that follows from the smallest p − ε_p on [0, 4x].
+    /// Checks the bound x of the length on which the exact beam may be out of contact, for a linear pressure p. ε_C
+    /// and ε_p are the error bounds of the clearance and of p. x must be at least (2ε_Cμ/m)^½, where m is the
+    /// smallest value of p − ε_p on [0, x]. x must be at most this root if m is the smallest value on [0, 4x].
     #[test]
     fn the_open_length_follows_from_the_smallest_pressure_on_it() {
         let model = "[beam]\nlength = 1\nEI = 1\n[foundation]\nk = 2\nmu = 3\n";
@@ -182,9 +190,10 @@ mod tests {
         }
     }
 
-    /// The beam w = 2 − x touches up to x = 1 with the pressure 2 − x, and beyond it C = exp(1 − x) − (2 − x), about ½(x −
-    /// 1)². So it may touch up to (2ε_C)^½ beyond the edge, and be open within (2ε_C/p)^½ of each end of a touching piece. The
-    /// mirrored beam has the same bounds.
+    /// The beam w = 2 − x is in contact up to x = 1 with the pressure p = 2 − x. Beyond x = 1 the clearance is
+    /// exp(1 − x) − (2 − x), about ½(x − 1)². Let ε_C be the error bound of the clearance. The exact beam may be in contact
+    /// up to the distance (2ε_C)^½ beyond x = 1. It may be out of contact within the distance (2ε_C/p)^½ of each end
+    /// of a piece in contact. The mirrored beam has the same bounds.
     #[test]
     fn the_ends_of_all_pieces_have_bounds_of_the_contact() {
         let model = "[beam]\nlength = 1.5\nEI = 1\n[foundation]\nk = 1\nmu = 1\n";
@@ -211,7 +220,8 @@ mod tests {
         }
     }
 
-    /// Checks the edges of this beam for an error ε_C.
+    /// Checks the bounds of the edges of contact of the beam w = 2 − x, or of its mirror image, for the error bound
+    /// `off` of the clearance.
     fn are_edges(fields: &Fields<Wide>, mirrored: bool, off: f64) {
         let bounds = [errors([0.25 * off, 0.75 * off, 0.0]); 3];
         let shown = Contact { fields, bounds: &bounds }.roughly();
@@ -237,11 +247,12 @@ mod tests {
             assert_eq!((edge.node, edge.side), (node, side), "{edge:?}");
             for (found, exact) in [edge.outside, edge.inside].into_iter().zip(exact) {
                 let found = found.value();
-                // Near the length of a piece the whole piece may be open.
+                // If no bound shorter than the piece is found, the bound is the length 0.5 of the piece.
                 let sharp = found <= 2.6 * exact || (exact > 0.05 && found < 0.501);
                 assert!(exact <= found && sharp, "{edge:?} {exact}");
             }
-            // The length is 1.5 times the first of the lengths 10⁻¹²·1.5ⁿ with C > ε_C. C has no digits for small errors.
+            // `outside` is 1.5 times the shortest tried length at which the clearance exceeds `off`. For a small
+            // `off`, the rounding error of the clearance is too large for this check.
             let [within, last] = [1.5, 2.25].map(|part| edge.outside.value() / part);
             let clearance = |y: f64| (-y).exp() - 1.0 + y;
             let is_first = clearance(within) > off && clearance(last) < 1.001 * off;
@@ -249,7 +260,8 @@ mod tests {
         }
     }
 
-    /// On the whole piece p > ε_p is required, on an open piece a clearance that exceeds ε_C away from its ends.
+    /// A piece in contact has bounds only if the pressure exceeds its error bound on the whole piece. A piece out of
+    /// contact has bounds only if the clearance exceeds its error bound away from the ends of the piece.
     #[test]
     fn contact_without_a_bound_is_told() {
         let model = "[beam]\nlength = 1\nEI = 1\n[foundation]\nk = 1\nmu = 1\n";

@@ -1,4 +1,4 @@
-//! The number type of the proof: `f64` for an estimate, `Ball` and `Wide` for a theorem.
+//! The number type of the proof: `f64` for an estimate, `Ball` and `Wide` for enclosures, which make the proof a theorem.
 
 use crate::decimal::Decimal;
 use crate::float::{ABOVE, HUGE, scale};
@@ -21,14 +21,15 @@ pub trait Scalar:
     /// A type with fewer digits, sufficient for the signs of clearances.
     type Coarse: Scalar;
 
-    /// Whether values enclose their rounding error. Doubles do not, so they give estimates.
+    /// Whether values of this type enclose their rounding error. Doubles do not, so a proof in doubles is only an
+    /// estimate.
     const ENCLOSES: bool;
 
     /// The exact value of a double. A value that is not finite gives a ball of infinite radius.
     fn of(x: f64) -> Self;
 
-    /// A decimal number: an optional sign, digits with an optional point, an optional exponent (`-0.8`, `1e-5`).
-    /// `None` if the text is not such a number.
+    /// Reads a decimal number: an optional sign, digits with an optional point, and an optional exponent (`-0.8`,
+    /// `1e-5`). Returns `None` if the text is not such a number.
     fn decimal(text: &str) -> Option<Self> {
         let read = Decimal::read(text)?;
         let mut value: Self = of_digits(read.digits, read.exponent)?;
@@ -38,10 +39,10 @@ pub trait Scalar:
         (value.size() <= HUGE).then_some(if read.negative { -value } else { value })
     }
 
-    /// The quotient; infinite radius if the other ball contains 0.
+    /// The quotient of `self` and `other`. Its radius is infinite if `other` contains 0.
     fn div(self, other: Self) -> Self;
 
-    /// The square root; infinite radius if the ball contains a negative number.
+    /// The square root. Its radius is infinite if `self` contains a negative number.
     fn sqrt(self) -> Self;
 
     /// exp(x) − 1 for x ≤ 0.
@@ -59,7 +60,7 @@ pub trait Scalar:
     /// An upper bound of x.
     fn high(self) -> f64;
 
-    /// The middle of the ball, as a double: used for trial decisions, never as a bound.
+    /// The midpoint of the ball, as a double. It may guide a search, but it is never a bound.
     fn middle(self) -> f64;
 
     /// Middle, correction of the middle and radius of the ball. They represent the ball exactly.
@@ -68,7 +69,7 @@ pub trait Scalar:
     /// The same number in the type with fewer digits.
     fn coarse(self) -> Self::Coarse;
 
-    /// The same ball with a radius larger by a size. An `f64` is returned unchanged.
+    /// The ball with its radius increased by `by`. An `f64` is returned unchanged.
     fn widened(self, by: f64) -> Self;
 
     /// Zero.
@@ -87,17 +88,17 @@ pub trait Scalar:
     }
 }
 
-/// exp(x) − 1 for x ≤ 0 by the first terms of its series, at most 18.
+/// Computes exp(x) − 1 for x ≤ 0 by the first `terms` terms of its power series, with `terms` ≤ 18.
 ///
-/// x is halved until |x| ≤ 2⁻⁴; e(e + 2) doubles the argument again. Σ xʲ/j! up to n is x/n! times a
-/// polynomial with the integer coefficients n!/j!, which are exact doubles for n ≤ 18. The remainder is at
-/// most 2|x|ⁿ⁺¹/(n+1)!.
+/// The argument x is first halved until |x| ≤ 2⁻⁴. With e = exp(x) − 1, the formula exp(2x) − 1 = e(e + 2) then reverts
+/// each halving. The sum of xʲ/j! up to j = n is x/n! times a polynomial with the integer coefficients n!/j!,
+/// which are exact doubles for n ≤ 18. The remainder is at most 2|x|ⁿ⁺¹/(n+1)!.
 pub(crate) fn expm1_by_series<S: Scalar>(x: S, terms: u32) -> S {
     if !(x.high() <= 1.0) {
         return S::of(f64::INFINITY);
     }
     if !(x.low() >= -700.0) {
-        // The result lies between −1 and exp(high) − 1.
+        // exp(x) − 1 lies between −1 and exp(high) − 1, where `high` is the upper end of x.
         return if x.high() < -690.0 {
             S::of(-1.0).widened(1e-280)
         } else {
@@ -121,7 +122,8 @@ pub(crate) fn expm1_by_series<S: Scalar>(x: S, terms: u32) -> S {
     }
     let mut e = (y * sum).div(S::of(coefficient)).widened(rest / coefficient * ABOVE);
     for _ in 0..halvings {
-        // (e + 1)² − 1 has a small radius near e = −1; e(e + 2) keeps the digits near e = 0.
+        // For e = exp(x) − 1, both (e + 1)² − 1 and e(e + 2) are exp(2x) − 1. The first formula has a small radius
+        // near e = −1, and the second has a small relative error near e = 0.
         let square = (e + S::one()).square() - S::one();
         e = if e.size() > 0.5 { square } else { e * (e + S::of(2.0)) };
     }
@@ -143,7 +145,7 @@ pub(crate) fn positive_part<S: Scalar>(x: S) -> S {
 /// An integer as a number of this type.
 fn whole<S: Scalar>(n: u128) -> S {
     let h = n as f64;
-    // The nearest double of an integer below 2¹²⁸ is again an integer below 2¹²⁸.
+    // All integers here are below 2¹²³, so the nearest double is an integer that fits `u128`.
     let rounded = h as u128;
     let l = n.abs_diff(rounded) as f64;
     let lost = n.abs_diff(rounded).abs_diff(l as u128) as f64;
@@ -162,7 +164,8 @@ fn power_of_five<S: Scalar>(n: u32) -> S {
     }
 }
 
-/// digits·10ⁿ, exact if the number type can represent it.
+/// The number digits·10ⁿ with n = `exponent`, exact if the number type can represent it. Returns `None` if |n| >
+/// 400.
 fn of_digits<S: Scalar>(mut digits: u128, mut exponent: i32) -> Option<S> {
     if digits == 0 {
         return Some(S::zero());
@@ -250,7 +253,8 @@ mod tests {
     use crate::scalar::Scalar;
     use crate::{Ball, Wide};
 
-    /// With few terms the remainder is larger than all rounding errors. Its bound is at most twice the next term.
+    /// With few terms, the remainder of the series of exp(x) − 1 exceeds all rounding errors. The bound of the
+    /// remainder is twice its first term.
     #[test]
     fn the_remainder_of_the_series_is_bounded() {
         for terms in 2..=5 {

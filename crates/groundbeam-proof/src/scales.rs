@@ -1,4 +1,4 @@
-//! Scales for the comparison of error bounds: proven lower bounds of the largest absolute values of the fields.
+//! Scales for the comparison of error bounds: proven lower bounds of the largest deflection, slope, forces and pressure.
 
 use crate::fields::Fields;
 use crate::patches::FIELDS;
@@ -7,27 +7,29 @@ use crate::polynomial::{Line, Polynomial};
 use crate::scalar::Scalar;
 use crate::size::Size;
 
-/// The scale of every quantity: a lower bound in the units of the proof.
+/// The scales of all quantities. Each scale is a lower bound in the units of the proof.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct FieldScales {
-    /// U, the larger of the largest |w| and |u|.
+    /// Scale U of deflection and settlement: the larger of max|w| and max|u|.
     pub deflection: f64,
-    /// The larger of the largest |w′| and U/Λ.
+    /// Scale of the slope: the larger of max|w′| and U/Λ, with the characteristic length Λ.
     pub slope: f64,
-    /// The largest of max|M|, p_max Λ² and F₀Λ.
+    /// Scale of the bending moment: the largest of max|M|, Λ² max p and F₀Λ, with the largest load or reaction F₀ and
+    /// the characteristic length Λ.
     pub moment: f64,
-    /// The largest of max|V|, p_max Λ and F₀.
+    /// Scale of the shear force: the largest of max|V|, Λ max p and F₀, with the largest load or reaction F₀ and the
+    /// characteristic length Λ.
     pub shear_force: f64,
-    /// The larger of the largest p and k_max U.
+    /// Scale of the pressure: the larger of max p and U max k, with the scale U of the deflection.
     pub pressure: f64,
-    /// The larger of two forces: the sum of all loads, converted to forces, and the largest reaction.
+    /// Scale of the forces: the larger of the sum of all loads and the largest load or reaction, all converted to forces.
     pub force: f64,
-    /// `force` times Λ, for moments of supports.
+    /// Scale of the moments of supports: `force` times the characteristic length Λ.
     pub turning: f64,
 }
 
-/// Lower bounds of the largest values of the exact fields: the largest values at nodes and middles of the pieces, minus the
-/// error bounds.
+/// Lower bounds of the largest absolute values of the exact fields: the largest claimed values at the nodes and
+/// the middles of the pieces, minus the error bounds.
 #[derive(Default)]
 struct Largest {
     deflection: f64,
@@ -39,8 +41,8 @@ struct Largest {
 }
 
 impl FieldScales {
-    /// Computes the scales. Λ is the smaller of the length and the largest (4EI/k)^¼; F₀ is the largest
-    /// single load, converted to a force.
+    /// Computes the scales. Λ is the smaller of the length and the largest (4EI/k)^¼. F₀ is the largest single
+    /// load or reaction, converted to a force.
     pub fn of<S: Scalar>(fields: &Fields<S>, bounds: &[PieceBounds]) -> Self {
         let most = Largest::of(fields, bounds);
         let wave = wave(fields);
@@ -64,8 +66,8 @@ impl FieldScales {
     }
 }
 
-/// The largest absolute values of the fields of documents at nodes and middles of pieces, as the answer claims them. The
-/// rotation has the scale of the slope; the gap has the sum of the scales of deflection and settlement.
+/// Returns the largest absolute values of the claimed fields at the nodes and the middles of the pieces. The value
+/// for the rotation is that of the slope. The value for the gap is the sum of those for deflection and settlement.
 pub(crate) fn claimed<S: Scalar>(fields: &Fields<S>) -> [f64; 8] {
     let exact = vec![PieceBounds::EXACT; fields.frame.spans.len()];
     let most = Largest::of(fields, &exact);
@@ -116,7 +118,7 @@ fn shown<S: Scalar>(claimed: S, error: Size) -> f64 {
     (value - error.value()).next_down()
 }
 
-/// The smaller of the length and the largest (4EI/k)^¼.
+/// Characteristic length Λ: the smaller of the length of the beam and the largest (4EI/k)^¼, slightly reduced.
 fn wave<S: Scalar>(fields: &Fields<S>) -> f64 {
     let spans = fields.frame.spans.iter();
     let waves = spans.map(|span| (4.0 * span.bending.low() / span.spring.high()).sqrt().sqrt());
@@ -124,7 +126,7 @@ fn wave<S: Scalar>(fields: &Fields<S>) -> f64 {
     slightly_less(if wave < length { wave } else { length })
 }
 
-/// The largest load or reaction, and the sum of all loads, converted to forces.
+/// Returns the largest load or reaction, and the sum of all loads. All of them are converted to forces.
 fn loads<S: Scalar>(fields: &Fields<S>, wave: f64) -> (f64, f64) {
     let (mut most, mut sum) = (0.0, 0.0);
     for span in &fields.frame.spans {
@@ -134,7 +136,7 @@ fn loads<S: Scalar>(fields: &Fields<S>, wave: f64) -> (f64, f64) {
         let (force, couple) = (at_ends(&span.force), at_ends(&span.moment));
         let curled = span.bending.low() * at_ends(&span.curvature) / wave;
         most = larger(larger(most, larger(force * wave, couple)), curled);
-        // The mean of |y| of a linear function y is at least 0.41 times its largest value.
+        // For a linear function y, the mean of |y| is at least 0.41 times the largest |y|.
         sum += 0.4 * (force + couple / wave) * span.h.low();
     }
     for (i, node) in fields.frame.nodes.iter().enumerate() {
@@ -154,7 +156,7 @@ fn larger(a: f64, b: f64) -> f64 {
     if b > a { b } else { a }
 }
 
-/// A slightly smaller number, which covers the rounding error of a few operations.
+/// Reduces a number by more than the rounding error of a few operations.
 fn slightly_less(x: f64) -> f64 {
     x * (1.0 - 1e-12)
 }

@@ -1,23 +1,12 @@
-//! Bounds of the error of the shear force, from the change of moment over a window and the errors of the
-//! loads in the window.
+//! Bounds of the error of the shear force, from the error of the moment over a window and the errors of the loads in it.
 //!
-//! T̃ = (m − M*)′ + P(e′ − c′) + β is the error of the transverse force, and β is the transverse force that
-//! the tension carries in the balance. On a window of length h without rigid support its mean is at most
-//! (2s₂K + 2P sup|e|)/h + P max|c′| + max|β|, and it differs from its mean by the errors of pressure,
-//! concentrated forces and springs inside:
+//! A window is a stretch of the beam without rigid supports inside. The mean error of the transverse force over a
+//! window follows from the errors of moment and deflection at the ends of the window. The error at one position
+//! differs from this mean by the errors of pressure, concentrated forces and springs inside the window. Formula (15)
+//! of docs/proof.md is the smallest bound over all lengths of the window.
 //!
-//! ```text
-//! ε_T = min_h {(2s₂K + 2P sup|e| + Σs₂√κ_θ)/h + ½hq} + P max|c′| + max|β| + Σ(θp_o + θ′p_i) + Σ(ε_a + |λ|a) + Σs₂√κ,
-//! ε_V = |δ′| + Pε_φ + |β| + ε_T,   q = max(ε_p + γp + (1 + γ)η).
-//! ```
-//!
-//! Where a beam without shear deformation has no hinge in the window, T̃ − Pe′ takes the place of T̃. This
-//! gives a bound of the error of V from the error of the curvature, without the errors of deflection and
-//! slope:
-//!
-//! ```text
-//! ε_V = |δ′| + |β| + min_h {(2s₂K + Σs₂√κ_θ)/h + ½h(q + P max|e″|)} + 2P max|c′| + max|β| + forces,   |e″| ≤ ε_M/EI + |c″|.
-//! ```
+//! Under an axial force, formula (15a) of docs/proof.md uses the error of the curvature instead of the errors of
+//! deflection and slope. It applies to beams without shear deformation and to windows without hinges.
 
 use crate::coefficient::Coefficient;
 use crate::contact_set::Shown;
@@ -30,7 +19,7 @@ use crate::size::Size;
 use crate::test_functions::least_of_halves;
 use std::ops::Range;
 
-/// The errors of the forces inside a window, and the errors of its rotational springs.
+/// Returns the sum of the errors of the forces inside a window, and the sum of the errors of its rotational springs.
 fn inside(window: &Range<usize>, loads: &[LoadError], nodes: &[[Size; 2]]) -> [Size; 2] {
     let [mut forces, mut couples] = [Size::ZERO; 2];
     for i in window.clone() {
@@ -51,7 +40,7 @@ fn size_beside<S: Scalar>(span: &Span<S>, p: &Polynomial<S>, side: usize, distan
     }
     let end = span.interval()[side];
     let middle = if side == 0 { end + 0.5 * part } else { end - 0.5 * part };
-    // The margin allows for rounding of the end and the middle.
+    // `8.0 * f64::EPSILON` covers the rounding errors of `end` and `middle`.
     let reach = 0.5 * part + 8.0 * f64::EPSILON;
     p.shifted(middle).size(reach).least(p.size(span.tau))
 }
@@ -62,15 +51,15 @@ const REACHES: [usize; 5] = [0, 1, 3, 7, 15];
 /// The error of the loads on one piece.
 #[derive(Clone, Copy)]
 struct LoadError {
-    /// q, per length.
+    /// Error q of the load per length.
     spread: Size,
-    /// Force error of the lengths where only one of the two solutions is in contact.
+    /// Error of the contact force on lengths where only the exact or only the claimed beam is in contact.
     edges: Size,
 }
 
 impl<S: Scalar> Pointwise<'_, S> {
-    /// Lowers the bounds of the shear force on all pieces, and of the slope on a beam with shear deformation.
-    /// It needs the contact set of all layers, or rough bounds of it.
+    /// Lowers the bounds of the shear force on all pieces, and the bounds of the slope on a beam with shear
+    /// deformation. The method needs the contact set of all layers, or rough bounds of this set.
     pub fn shear_forces(&self, shown: &Shown, bounds: &mut [PieceBounds]) {
         if shown.failed[0].is_some() {
             return;
@@ -106,11 +95,13 @@ impl<S: Scalar> Pointwise<'_, S> {
         }
     }
 
-    /// The bounds of V, and of w′ where the beam has shear deformation, from a bound of ε_T + |δ′| + |P|ε_φ:
-    /// with η = S(w′ − φ) − V
+    /// Lowers the error bounds of the shear force V and, with shear deformation, of the slope w′. `all` is an error
+    /// bound of T − Pφ, with the transverse force T, the tension P and the rotation φ. Without shear deformation,
+    /// T − Pφ is the shear force. With the error bound ε_φ of φ and the misfit η = S(w′ − φ) − V, the error bounds ε_V of
+    /// V and ε_θ of w′ are
     ///
     /// ```text
-    /// ε_V = (ε_T + |δ′| + |P|ε_φ + |P||η|/S)/(1 + P/S),   ε_θ = ε_φ + (ε_V + |η|)/S.
+    /// ε_V = (all + |P||η|/S)/(1 + P/S),   ε_θ = ε_φ + (ε_V + |η|)/S.
     /// ```
     fn on_piece(&self, i: usize, all: Size, bounds: &mut PieceBounds) {
         let frame = self.fields.frame;
@@ -151,7 +142,8 @@ impl<S: Scalar> Pointwise<'_, S> {
         a.worst(b) + long * self.fields.residual.pieces[i].rest + self.balanced.pieces[i].added[1]
     }
 
-    /// ε_T in windows that contain a piece and lie within a range of pieces.
+    /// Error bound of the transverse force on a piece by formula (15) of docs/proof.md. `window` is a range of pieces
+    /// around the piece.
     fn mean(
         &self,
         window: Range<usize>,
@@ -163,8 +155,9 @@ impl<S: Scalar> Pointwise<'_, S> {
         self.steady(window, 1.0, bounds, loads, couples) + forces
     }
 
-    /// The bound of V minus |δ′| + |β| from the error of the curvature, under an axial force, in windows
-    /// without hinges on a beam without shear deformation.
+    /// Error bound of the shear force by formula (15a) of docs/proof.md, without its first terms |δ′| + |β|.
+    /// The bound is infinite without an axial force, with a hinge inside the window, and on a beam with shear
+    /// deformation.
     fn directly(
         &self,
         window: Range<usize>,
@@ -194,7 +187,8 @@ impl<S: Scalar> Pointwise<'_, S> {
         least + 2.0 * (axial * turned) + drawn + forces
     }
 
-    /// The part of ε_T without edges and concentrated forces, in windows within a part of a range of pieces.
+    /// Part of the bound (15) of docs/proof.md that comes neither from edges of contact nor from concentrated forces.
+    /// It is the smallest value over lengths up to `part` times the length of the range of pieces `window`.
     fn steady(
         &self,
         window: Range<usize>,
@@ -221,7 +215,7 @@ impl<S: Scalar> Pointwise<'_, S> {
         least + tension * turned + drawn
     }
 
-    /// The errors of the pressure on all pieces.
+    /// Computes the errors of the loads on all pieces from the errors of the pressure.
     fn load_errors(&self, shown: &Shown, bounds: &[PieceBounds]) -> Vec<LoadError> {
         let spans = &self.fields.frame.spans;
         let on_piece = |i: usize| {
@@ -236,9 +230,10 @@ impl<S: Scalar> Pointwise<'_, S> {
             LoadError { spread, edges: Size::ZERO }
         };
         let mut errors: Vec<LoadError> = (0..spans.len()).map(on_piece).collect();
-        // The exact beam may be in contact on θ of an open piece, and open on θ′ of a touching one.
+        // The exact beam may be in contact on a length θ of an open piece, and out of contact on a length θ′ of
+        // a piece in contact.
         for edge in &shown.edges {
-            // θ > 0 only at an end of an open piece, θ′ > 0 only at an end of a touching one.
+            // θ is positive only at an end of an open piece, and θ′ is positive only at an end of a piece in contact.
             let [outer, inner] = match edge.side {
                 0 => [edge.node.wrapping_sub(1), edge.node],
                 _ => [edge.node, edge.node.wrapping_sub(1)],
@@ -257,8 +252,8 @@ impl<S: Scalar> Pointwise<'_, S> {
         errors
     }
 
-    /// A bound of |ku − q − (μψ′)′| on an open piece of a layer: the pressure if the exact beam is in contact
-    /// there.
+    /// Upper bound of the pressure that an open piece of a shear layer would have in contact: |ku − q − (μψ′)′| with
+    /// the load q on the ground and ψ = w − g₀, the deflection minus the initial gap.
     pub(crate) fn open_pressure(&self, i: usize) -> Size {
         let span = &self.fields.frame.spans[i];
         if let Some(along) = &self.fields.surface.pieces[i].along {
@@ -271,8 +266,9 @@ impl<S: Scalar> Pointwise<'_, S> {
         Size::of(span.spring.high()) * settled + Size::of(span.shear.high()) * bent
     }
 
-    /// As `open_pressure`, within a distance of one end of the piece. v = u − q/k changes by at most the
-    /// distance times its largest slope, which occurs at an end.
+    /// Upper bound of the pressure of `open_pressure`, but only within a distance of one end of the piece. There,
+    /// u − q/k (settlement minus free-field settlement) changes by at most the distance times its largest slope. The
+    /// largest slope occurs at an end of the piece.
     fn open_pressure_beside(&self, i: usize, side: usize, distance: Size) -> Size {
         let (span, surface) = (&self.fields.frame.spans[i], &self.fields.surface.pieces[i]);
         if let Some(along) = &surface.along {
@@ -293,7 +289,7 @@ impl<S: Scalar> Pointwise<'_, S> {
         whole.least(self.open_pressure(i))
     }
 
-    /// The error of the forces at a node, and the error of its rotational spring.
+    /// Returns the error of the forces at a node, and the error of the moment of its rotational spring.
     fn node_error(&self, node: usize, shown: &Shown) -> [Size; 2] {
         let (frame, surface) = (self.fields.frame, &self.fields.surface);
         let here = &frame.nodes[node];
@@ -302,7 +298,7 @@ impl<S: Scalar> Pointwise<'_, S> {
         if surface.touches[node] {
             let (jump, factor) = (&surface.nodes[node].jump, self.balanced.factors[node].size());
             let size = Size::of(jump.size());
-            // At a smooth node the exact solution has no concentrated force.
+            // The exact solution has no concentrated contact force at a node for which `Frame::smooth` is true.
             let missed = if frame.smooth(node) { size } else { shown.tolerances[node] };
             force += missed + Size::of(factor) * size;
         }

@@ -1,9 +1,10 @@
-//! The error of the shear force of a beam with shear deformation, V − S(w′ − φ), in the energy norm.
+//! The energy of the error of the shear force on a beam with shear deformation, a part of the energy bound E.
 //!
-//! With V = M′ − g, η = S(w′ − φ) − V and the balancing moment δ, its contribution to E is
+//! V = M′ − g is the claimed shear force, with the distributed moment g. The misfit η = S(w′ − φ) − V compares V with
+//! the claimed shear deformation w′ − φ. δ is the moment that balances the residual of equilibrium. The energy is
 //!
 //! ```text
-//! ½∫(S(w̄′ − φ̄) − V − δ′)²/S ≤ ½(‖η‖ + ‖δ′‖)²,   ‖x‖² = ∫x²/S.
+//! ½∫(η − δ′)²/S ≤ ½(‖η‖ + ‖δ′‖)²,   ‖x‖² = ∫x²/S.
 //! ```
 
 use crate::balance::Balanced;
@@ -12,7 +13,8 @@ use crate::residual::Residual;
 use crate::scalar::Scalar;
 use crate::size::Size;
 
-/// (‖η‖ + ‖δ′‖)² over the pieces with shear deformation.
+/// Computes (‖η‖ + ‖δ′‖)² over the pieces with shear deformation, from bounds of the misfit η and of the balancing
+/// shear force δ′, with ‖x‖² = ∫x²/S.
 pub(crate) fn shearing_energy<S: Scalar>(
     frame: &Frame<S>,
     residual: &Residual<S>,
@@ -30,9 +32,10 @@ pub(crate) fn shearing_energy<S: Scalar>(
     (misfit.root() + balancing.root()).square()
 }
 
-/// (∫δ′²)^½ on a piece of length h. δ′ is a and b at the ends, and δ″ = −r, where r differs from a constant
-/// by at most R; a further shear force is at most Δ′. δ′ is the sum of a chord, a part of at most ½hR and Δ′,
-/// so the bound is
+/// Bound of the norm (∫δ′²)^½ of the balancing shear force δ′ on a piece of length h, with the values a and b at the
+/// ends. δ″ differs from a constant by at most R = `rest`, and a further shear force is at most Δ′ = `added`. δ′ is
+/// the sum of the linear function through a and b, a deviation of at most ½hR, and the further shear force. So the
+/// bound is
 ///
 /// ```text
 /// |h(a² + ab + b²)/3|^½ + ½h^{3/2} R + h^½ Δ′.
@@ -51,8 +54,8 @@ mod tests {
     use crate::scalar::Scalar;
     use crate::size::Size;
 
-    /// δ′ for r = c₁t + c₂t² + c₃t³ on |t| ≤ 1, h = 2 half: its chord minus half times the antiderivative of r without its
-    /// chord.
+    /// Computes δ′ for δ″ = C − r with r = c₁t + c₂t² + c₃t³ on |t| ≤ 1. The constant C follows from the values a and
+    /// b of δ′ at the ends. `half` is half the length of the piece.
     fn shear(c: &[f64; 3], half: f64, [a, b]: [f64; 2], t: f64) -> f64 {
         let once = |t: f64| {
             let terms = c.iter().enumerate();

@@ -2,7 +2,7 @@
 
 use std::ops::{Add, AddAssign, Mul};
 
-/// An upper bound of a norm. NaN becomes infinity, so that every comparison with it refuses.
+/// An upper bound of a norm. NaN becomes infinity, so that NaN never passes a comparison with a limit.
 #[derive(Debug, Clone, Copy, PartialEq, PartialOrd)]
 pub(crate) struct Size(f64);
 
@@ -10,12 +10,12 @@ impl Size {
     pub const ZERO: Size = Size(0.0);
     pub const INFINITE: Size = Size(f64::INFINITY);
 
-    /// A size from a bound that is already rounded up.
+    /// Creates a size from a bound that is already rounded up.
     pub fn of(x: f64) -> Self {
         if x >= 0.0 { Size(x) } else { Size::INFINITE }
     }
 
-    /// The absolute value of a lower bound below zero; otherwise zero.
+    /// Returns the absolute value of a lower bound if the bound is negative, and otherwise zero.
     pub fn below_zero(low: f64) -> Self {
         if low >= 0.0 { Size::ZERO } else { Size::of(-low) }
     }
@@ -24,7 +24,8 @@ impl Size {
         self.0
     }
 
-    /// The quotient by a lower bound of the divisor; infinite unless the bound is positive.
+    /// Divides by a lower bound of the divisor and rounds up. The quotient is infinite unless the lower bound is
+    /// positive.
     pub fn over(self, low: f64) -> Self {
         if self.0 == 0.0 && low > 0.0 {
             Size::ZERO
@@ -43,18 +44,18 @@ impl Size {
         self * self
     }
 
-    /// The larger one.
+    /// The larger of two sizes.
     pub fn worst(self, other: Size) -> Self {
         if other.0 <= self.0 { self } else { other }
     }
 
-    /// The smaller one.
+    /// The smaller of two sizes.
     pub fn least(self, other: Size) -> Self {
         if other.0 < self.0 { other } else { self }
     }
 }
 
-/// The next larger double of a nonnegative one; infinity and NaN are unchanged.
+/// Returns the next larger double of a nonnegative double. Infinity and NaN remain unchanged.
 fn up(x: f64) -> f64 {
     f64::from_bits(x.to_bits() + u64::from(x < f64::INFINITY))
 }

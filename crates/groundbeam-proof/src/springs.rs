@@ -1,4 +1,4 @@
-//! The exact contact set on Winkler ground: the closure of the set where w* > g₀.
+//! The exact contact set on Winkler ground: the closure of the set where the exact beam presses on the springs.
 
 use crate::contact_set::{Contact, ContactRegion, Shown, Zone, more};
 use crate::model::Acts;
@@ -8,8 +8,8 @@ use crate::scalar::Scalar;
 use crate::size::Size;
 
 impl<S: Scalar> Contact<'_, S> {
-    /// Proves the contact on Winkler ground between two nodes. Every edge has a zone on both sides. Outside
-    /// these zones, the sign of w* − g₀ is proven.
+    /// Proves the contact set on Winkler ground between two nodes, except in a short zone on each side of every edge
+    /// of contact.
     pub(crate) fn springs(
         &self,
         first: usize,
@@ -19,16 +19,18 @@ impl<S: Scalar> Contact<'_, S> {
         let spans = &self.fields.frame.spans;
         let differs = |i: usize, j: usize| spans[i].touches != spans[j].touches;
         let mut zones = vec![[Size::ZERO; 2]; end - first];
-        // Where the beam rests without load, it is in contact without pressure. The claim of the answer is
-        // not needed there.
+        // On a piece where the exact beam rests without load, it is in contact without pressure. This needs no proof
+        // from the claimed fields.
         for i in (first..end).filter(|i| !self.rests(*i)) {
             let field = self.signed(i);
             let edges = [i > first && differs(i - 1, i), i + 1 < end && differs(i, i + 1)];
             let mut interval = spans[i].interval();
             for side in [0, 1] {
-                // Under a load on the ground, w* − g₀ − q/k is not zero at such a support.
+                // At a rigid support at the height of the ground, the clearance is zero only without a load on the
+                // ground.
                 let stands = self.stands(i, side) && spans[i].ground_load.is_none();
-                // At a jump of a load on the ground or of g₀, the sign may change without a zero.
+                // At a jump of the initial gap or of a load on the ground, the clearance may change its sign without
+                // a zero.
                 let at_end = field.value(S::Coarse::of(interval[side])).low();
                 let steps = at_end > more(self.bounds[i].deflection).value();
                 if (!edges[side] || steps) && !stands {
@@ -40,7 +42,7 @@ impl<S: Scalar> Contact<'_, S> {
                     )?;
                 interval[side] = to;
                 shown.zones.push(Zone { piece: i, side, theta });
-                // At a support on the surface of the ground, the edge is the support.
+                // At a rigid support on the surface of the ground, the edge of contact is the position of the support.
                 if !stands {
                     zones[i - first][side] = theta;
                 }
@@ -76,31 +78,32 @@ impl<S: Scalar> Contact<'_, S> {
         Ok(())
     }
 
-    /// w − g₀ − q/k on a touching piece, and its negative on an open piece.
+    /// Returns w − g₀ − q/k on a piece in contact and its negative on an open piece, with the initial gap g₀ and the
+    /// free-field settlement q/k.
     fn signed(&self, i: usize) -> Polynomial<S::Coarse> {
         let span = &self.fields.frame.spans[i];
         let field = span.above_free_field();
         if span.touches { field } else { field.times(-S::one()) }.coarse()
     }
 
-    /// Whether the end of a piece is a rigid two-way support at the height of the ground: w* = δ = g₀.
+    /// Whether the end of a piece is a rigid two-way support whose settlement equals the initial gap.
     pub(crate) fn stands(&self, i: usize, side: usize) -> bool {
         let (span, node) = (&self.fields.frame.spans[i], &self.fields.frame.nodes[i + side]);
         let gap = span.gap.value(span.t[side]);
         node.rigid == Some(gap) && node.acts == Acts::Both
     }
 
-    /// Whether the slope of w* − g₀ is also zero at this end: at a clamp of a beam without shear deformation,
-    /// above level ground.
+    /// Whether the exact deflection equals the initial gap at an end of a piece, in value and in slope. This is
+    /// proven at a clamp of a beam without shear deformation, at the height of level ground.
     fn lies(&self, i: usize, side: usize) -> bool {
         let (span, node) = (&self.fields.frame.spans[i], &self.fields.frame.nodes[i + side]);
         let shears = span.stiffness.is_some();
         self.stands(i, side) && node.clamped && !shears && span.gap.tail(1.0) == Size::ZERO
     }
 
-    /// The shortest zone in which g₀ − w* increases from zero, next to a rigid support on the surface of open
-    /// ground of a layer. In this zone the exact beam is above the ground, because u* ≥ 0: loads on the
-    /// ground act downward.
+    /// Finds a short zone beside a rigid support at the height of the ground, on an open piece of a shear layer. In
+    /// this zone the exact beam lies above the initial surface of the ground. Loads on the ground act downward, so
+    /// the ground does not rise, and the exact beam is not in contact.
     pub(crate) fn leaves_support(&self, i: usize, side: usize) -> Option<(Size, f64)> {
         let bounds = &self.bounds[i];
         let field = self.fields.frame.spans[i].obstacle().times(-S::one()).coarse();
@@ -108,9 +111,9 @@ impl<S: Scalar> Contact<'_, S> {
         self.stands(i, side).then(|| self.zone(i, side, &field, limit)).flatten()
     }
 
-    /// The shortest zone found, as its length and the t of its inner end. In the zone the field grows inward faster than
-    /// the error bound of its slope, up to a value above a limit. Where the exact slope is zero, the curvature takes the
-    /// place of the slope.
+    /// Finds a short zone at an end of a piece. In the zone `field` grows inward faster than the error bound of its
+    /// slope, up to a value above `limit`. If the exact slope is known to be zero at the end, the second derivative
+    /// is compared instead. Returns the length of the zone and the coordinate t of its inner end.
     fn zone(
         &self,
         i: usize,
@@ -123,8 +126,8 @@ impl<S: Scalar> Contact<'_, S> {
         let end = span.interval()[side];
         let inward = if side == 0 { 1.0 } else { -1.0 };
         let lies = self.lies(i, side);
-        // The derivatives are with respect to t: `half`, or its square, times the derivatives with respect to
-        // x.
+        // A first derivative with respect to t is `half` times that with respect to x, and a second derivative
+        // `half`² times.
         let (growth, error) = if lies {
             let bent = bounds.moment.over(span.bending.low());
             (field.derivative().derivative(), more(bent) * half.square())
@@ -135,7 +138,7 @@ impl<S: Scalar> Contact<'_, S> {
         let far = (2.0 * limit.over(at_end)).value();
         let mut long = if lies { (2.0 * far).sqrt() } else { far };
         if end + inward * long == end {
-            // The bound is below the rounding error of t. The shortest interval of doubles is tried first.
+            // `long` is below the rounding error of t, so the search starts with the shortest interval of doubles.
             long = 2.0 * f64::EPSILON;
         }
         for _ in 0..12 {

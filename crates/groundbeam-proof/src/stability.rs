@@ -1,17 +1,23 @@
 //! The fraction of the convexity of the beam's energy that remains under an axial compression.
 //!
-//! With N = |P| and a₀ = ∫EI z″² + Σκz² + Σκ_θz′² + Σk_φ[z′]² over the two-way supports, one of two methods
-//! proves a number σ > 0 with N∫z′² ≤ (1 − σ)a₀(z, z) for all z.
+//! N = |P| is the compression. For a deflection z, a₀(z, z) = ∫EI z″² + Σκz² + Σκ_θz′² + Σk_φ[z′]² is twice the strain energy of
+//! the beam and its two-way supports. κ and κ_θ are the stiffnesses of translational and rotational springs, and k_φ those
+//! of hinges. One of two methods proves a number σ > 0 with N∫z′² ≤ (1 − σ)a₀(z, z) for all deflections z.
 //!
-//! 1. Spans between rigid supports, without hinges. With L, EI and S of each span, ∫z′ = 0 on a span, so
+//! 1. The first method applies to spans between rigid supports, without hinges. ∫z′ = 0 on a span, so with the length L,
+//!    EI and S of each span
 //!
 //! ```text
-//! σ = 1 − N max(L²/(π²EI) + 1/S);   one clamp at an end and nothing else: 2L for L, without shear.
+//! σ = 1 − N max(L²/(π²EI) + 1/S).
 //! ```
 //!
-//! 2. Any supports and hinges, without shear. The beam is cut into elements. z is the sum of its cubic interpolant and a
-//!    function ζ that is clamped at the ends of the elements, ∫ζ′² ≤ (h/2π)²∫ζ″². So σ = 1 − N/N₁ if the matrix K_bend +
-//!    springs − Σ N₁/(1 − N₁h²/(4π²EI)) K_geo of the elements is positive definite.
+//! On a beam without shear deformation whose only support is a clamp at one end, 2L replaces L.
+//!
+//! 2. The second method applies to any supports and hinges, without shear deformation. The beam is divided into elements
+//!    of length h. z is the sum of its cubic interpolant and a function ζ that is clamped at the ends of the elements, so
+//!    ∫ζ′² ≤ (h/2π)²∫ζ″². K_bend and K_geo are the bending and the geometric stiffness matrices of the elements. Let N₁ be a
+//!    compression for which the matrix K_bend + springs − Σ N₁/(1 − N₁h²/(4π²EI)) K_geo is positive definite. Then
+//!    σ = 1 − N/N₁.
 
 use crate::frame::{Frame, Node};
 use crate::model::Acts;
@@ -21,13 +27,14 @@ use crate::size::Size;
 /// Lower bounds of π² and 4π².
 const PI_SQUARED: f64 = 9.869_604;
 const FOUR_PI_SQUARED: f64 = 39.478_417;
-/// Numbers of elements per length of the beam, in the order of the trials. With fewer elements, the result
-/// for a stiff beam has more digits.
+/// Numbers of elements along the whole beam, in the order in which they are tried. On a stiff beam, fewer elements
+/// have smaller rounding errors.
 const ELEMENTS: [f64; 3] = [16.0, 4.0, 1.0];
-/// The largest N₁/N that is tried.
+/// The largest ratio N₁/N that is tried, with the compression N and a compression N₁ under which the beam is stable.
 const MOST: f64 = 64.0;
 
-/// A lower bound of σ for a compression N; `None` if no bound is found.
+/// Lower bound of the fraction σ of the energy's convexity that remains under the compression N; `None` if no bound
+/// is found.
 pub(crate) fn margin<S: Scalar>(frame: &Frame<S>, compression: S) -> Option<f64> {
     let by_spans = of_spans(frame, compression);
     if by_spans.is_some_and(|margin| margin > 0.5) || frame.shears() {
@@ -47,7 +54,8 @@ fn is_rigid<S: Scalar>(node: &Node<S>) -> bool {
     node.rigid.is_some() && node.acts == Acts::Both
 }
 
-/// σ from the spans between rigid supports, or of a beam that one clamp holds.
+/// Computes the remaining fraction σ of the convexity from the spans between rigid supports, or for a beam whose only
+/// support is a clamp at one end.
 fn of_spans<S: Scalar>(frame: &Frame<S>, compression: S) -> Option<f64> {
     let nodes = &frame.nodes;
     let last = nodes.len() - 1;
@@ -55,7 +63,7 @@ fn of_spans<S: Scalar>(frame: &Frame<S>, compression: S) -> Option<f64> {
         return None;
     }
     let rigid: Vec<usize> = (0..=last).filter(|i| is_rigid(&nodes[*i])).collect();
-    // L²/(π²EI) + 1/S of a stretch.
+    // `flexibility` computes an upper bound of L²/(π²EI) + 1/S for a stretch of the beam with the length L.
     let flexibility = |from: usize, to: usize, length: f64| {
         let mut most = Size::ZERO;
         let mut sheared = Size::ZERO;
@@ -84,7 +92,8 @@ fn of_spans<S: Scalar>(frame: &Frame<S>, compression: S) -> Option<f64> {
     (left > 0.0).then_some(left)
 }
 
-/// σ from the largest N₁/N for which the matrix of the elements is positive definite.
+/// Computes the remaining fraction σ = 1 − N/N₁ of the convexity under the compression N. N₁ is the largest
+/// compression found for which the stiffness matrix of the elements is positive definite.
 fn of_elements<S: Scalar, C: Scalar>(
     frame: &Frame<S>,
     compression: S,
@@ -100,7 +109,7 @@ fn of_elements<S: Scalar, C: Scalar>(
     if stable(high) {
         low = high;
     }
-    // Bisect until σ has an accuracy of ten percent.
+    // The bisection of the ratio N₁/N ends when the remaining fraction σ is accurate to ten percent.
     while high - low > 0.1 * (low - 1.0) && high - 1.0 > 1e-3 {
         let (mean, least) = (f64::sqrt((high - 1.0) * (low - 1.0)), 0.125 * (high - 1.0));
         let middle = 1.0 + if mean >= least { mean } else { least };
@@ -119,7 +128,8 @@ struct Joint<C> {
     spring: C,
     turning: C,
     hinge: Option<C>,
-    /// Whether z = 0, and whether z′ = 0. A joint that holds z′ holds z.
+    /// Whether a support prevents the deflection z, and whether it prevents the slope z′. A joint that
+    /// prevents the slope also prevents the deflection.
     held: [bool; 2],
 }
 
@@ -135,14 +145,15 @@ impl<C: Scalar> Joint<C> {
     }
 }
 
-/// An element of the beam, and the joint at its right end, if there is one.
+/// An element of the beam, with the joint at its right end if a node lies at this end.
 struct Element<C> {
     length: C,
     bending: C,
     end: Option<Joint<C>>,
 }
 
-/// The elements between supports, hinges and jumps of EI; `count` is the number of equal elements per length of the beam.
+/// Divides the beam between supports, hinges and jumps of EI into elements; `count` is the number of equal
+/// elements along the whole beam.
 fn elements<S: Scalar, C: Scalar>(
     frame: &Frame<S>,
     count: f64,
@@ -179,18 +190,19 @@ fn elements<S: Scalar, C: Scalar>(
     elements
 }
 
-/// The stiffness of the whole beam on the left of a position, condensed to its deflection and slope.
+/// Stiffness of the part of the beam to the left of a position, condensed to the deflection and the slope at
+/// this position.
 #[derive(Clone, Copy)]
 struct Left<C> {
-    /// Entries for (z, z), (z, z′) and (z′, z′).
+    /// Entries of the stiffness matrix for (z, z), (z, z′) and (z′, z′), with the deflection z.
     stiffness: [C; 3],
-    /// Whether z = 0, and whether z′ = 0.
+    /// Whether a support prevents the deflection z, and whether it prevents the slope z′.
     held: [bool; 2],
 }
 
 impl<C: Scalar> Left<C> {
     /// Adds the supports of a node and eliminates its hinge. Returns the stiffness on the right side of the
-    /// node; `None` if it is not proven to be positive.
+    /// node; `None` if the rotational stiffness at the hinge is not proven to be positive.
     fn at(self, joint: &Joint<C>) -> Option<Left<C>> {
         let [mut a, mut b, mut c] = self.stiffness;
         (a, c) = (a + joint.spring, c + joint.turning);
@@ -205,7 +217,7 @@ impl<C: Scalar> Left<C> {
         Some(Left { stiffness: [a, b, c], held: joint.held })
     }
 
-    /// Whether the stiffness of the free components is positive definite.
+    /// Whether the stiffness matrix of the components that no support prevents is proven to be positive definite.
     fn is_positive(&self) -> bool {
         let [a, b, c] = self.stiffness;
         match self.held {
@@ -215,7 +227,8 @@ impl<C: Scalar> Left<C> {
         }
     }
 
-    /// The stiffness at the right end of an element under a compression.
+    /// Computes the condensed stiffness at the right end of an element under the compression `load`; `None` if the
+    /// stiffness at the left end is not proven to be positive definite.
     fn across(self, element: &Element<C>, load: C) -> Option<Left<C>> {
         let h = element.length;
         let waves = (load * h * h).div(element.bending * C::of(FOUR_PI_SQUARED));
@@ -231,8 +244,8 @@ impl<C: Scalar> Left<C> {
         let turned = entry(6.0, 3.0) * h1;
         let steep = entry(4.0, 4.0) * h2;
         let across = entry(2.0, -1.0) * h2;
-        // The stiffness of z and z′ at the left end. The coupling with the right end is (−own, turned;
-        // −turned, across).
+        // `joined` is the stiffness matrix for z and z′ at the left end, including the element. `coupling` couples
+        // the left end of the element with its right end.
         let [a, b, c] = self.stiffness;
         let joined = Left { stiffness: [a + own, b + turned, c + steep], held: self.held };
         if !joined.is_positive() {
@@ -241,7 +254,7 @@ impl<C: Scalar> Left<C> {
         let [a, b, c] = joined.stiffness;
         let coupling = [[-own, turned], [-turned, across]];
         let zero = C::zero();
-        // The inverse of the stiffness of the free components.
+        // `inverse` is the inverse of the stiffness matrix of those components of (z, z′) that no support prevents.
         let inverse = match self.held {
             [true, true] => [zero; 3],
             [true, false] => [zero, zero, C::one().div(c)],
@@ -260,7 +273,7 @@ impl<C: Scalar> Left<C> {
     }
 }
 
-/// Whether the matrix of the elements is positive definite.
+/// Returns `Some(())` if the stiffness matrix of all elements is proven to be positive definite.
 fn is_stable<C: Scalar>(first: &Joint<C>, elements: &[Element<C>], load: C) -> Option<()> {
     let nothing = Left { stiffness: [C::zero(); 3], held: [false; 2] };
     let mut left = nothing.at(first)?;

@@ -8,7 +8,7 @@ use crate::size::Size;
 use std::ops::Range;
 
 impl<S: Scalar> Span<S> {
-    /// ρ = ku − (μu′)′ − q: the residual of a settlement of open ground in the ground's equation.
+    /// Residual ρ = ku − (μu′)′ − q of a settlement u of open ground in the ground's equation.
     pub fn missed_by(&self, settlement: &Polynomial<S>) -> Polynomial<S> {
         let flux = self.shear.times(self.derivative(settlement));
         let missed = self.spring.times(*settlement) - &self.derivative(&flux);
@@ -20,9 +20,10 @@ impl<S: Scalar> Span<S> {
 }
 
 impl<S: Scalar> Layer<'_, S> {
-    /// Sets ū on a stretch in which k or μ varies: the stored settlement û with the values at the nodes. Its
-    /// residual is ρ = kû − (μû′)′ − q along the pieces, and the jump r of the flux at open nodes. It adds at
-    /// most (Σ∫ρ²/k)^½ + Σ|r|√g to Ḡ of (11).
+    /// Sets the settlement ū on pieces where k or μ varies: the stored settlement plus a linear function that
+    /// corrects the values at the nodes. The residual of ū in the ground's equation consists of ρ = kū − (μū′)′ − q
+    /// along the pieces and of the jump r of the flux at open nodes. With the flexibility g of the ground at a node,
+    /// it adds at most (Σ∫ρ²/k)^½ + Σ|r|√g to the bound Ḡ in (11) of docs/proof.md.
     pub(crate) fn as_stored(&self, pieces: Range<usize>, surface: &mut Surface<S>) {
         let mut missed = Size::ZERO;
         for i in pieces.clone() {
@@ -50,7 +51,8 @@ impl<S: Scalar> Layer<'_, S> {
         }
     }
 
-    /// ū at a node: w̄ − g₀ in contact, otherwise the stored value on one side.
+    /// Settlement of the ground at a node. At a node in contact, it is the deflection minus the initial gap. At an
+    /// open node, it is the stored settlement of the piece on the left, or else of the piece on the right.
     pub(crate) fn stored_at(&self, node: usize, surface: &Surface<S>) -> S {
         if surface.touches[node] {
             return self.held(node);
@@ -62,7 +64,7 @@ impl<S: Scalar> Layer<'_, S> {
     }
 }
 
-/// The stored settlement of a piece plus a linear function, so that it has these values at the ends.
+/// Adds a linear function to the stored settlement of a piece, so that the sum has the given values at the ends.
 fn with_ends<S: Scalar>(span: &Span<S>, ends: [S; 2]) -> Polynomial<S> {
     let stored = span.settlement.as_deref().copied().unwrap_or_else(Polynomial::zero);
     let missed = [0, 1].map(|side| ends[side] - stored.value(span.t[side]));

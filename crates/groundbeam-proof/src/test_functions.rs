@@ -1,8 +1,11 @@
-//! K² of the test functions z for the errors of the moment and of the reactions.
+//! The energy K² of the test functions z that bound the errors of the moment and of the reactions.
 //!
 //! ```text
 //! K² = ∫EI z″² + ∫(P + μ)z′² + ∫kz² + K₀z(0)² + K_lz(l)² + Σκz² + Σκ_θz′².
 //! ```
+//!
+//! K₀ and K_l are the stiffnesses of the ground beyond the left and the right end of the beam. κ and κ_θ are the
+//! stiffnesses of translational and rotational springs.
 
 use crate::pointwise::Pointwise;
 use crate::scalar::Scalar;
@@ -12,7 +15,7 @@ use std::ops::Range;
 /// Maximum number of halvings of a length in the search for the smallest bound.
 const HALVINGS: usize = 24;
 
-/// The smallest bound over a length and its halves.
+/// Returns the smallest value of a bound over the lengths h, h/2, h/4, ….
 pub(crate) fn least_of_halves(mut h: f64, bound: impl Fn(f64) -> Size) -> Size {
     let mut least = Size::INFINITE;
     for _ in 0..HALVINGS {
@@ -22,8 +25,9 @@ pub(crate) fn least_of_halves(mut h: f64, bound: impl Fn(f64) -> Size) -> Size {
     least
 }
 
-/// The smallest K² for z = t(1 − t/h)² on one side, h at most the available length: 4EI/h + (2/15)(P + μ)h + kh³/105 +
-/// Σκ(4h/27)² + Σκ_θ, from EI, P + μ and k and from the sums of κ and κ_θ.
+/// Smallest energy K² of the test function z = t(1 − t/h)² at the distance t from a position, over lengths h up to
+/// the available length. K² = 4EI/h + (2/15)(P + μ)h + kh³/105 + Σκ(4h/27)² + Σκ_θ, with the stiffnesses κ of
+/// translational and κ_θ of rotational springs.
 pub(crate) fn kink(
     [bending, layer, ground]: [Size; 3],
     [springs, turning]: [Size; 2],
@@ -40,7 +44,8 @@ pub(crate) fn kink(
 }
 
 impl<S: Scalar> Pointwise<'_, S> {
-    /// K² for z = t(1 − t/h)² on the longer side of x between two obstacles.
+    /// Bound of the energy K² of the test function z = t(1 − t/h)² at the distance t from any position between two
+    /// nodes at which test functions vanish. z extends to the farther of the two nodes.
     pub(crate) fn short_kink(&self, nodes: Range<usize>) -> Size {
         let frame = self.fields.frame;
         let available = (frame.nodes[nodes.end].x - frame.nodes[nodes.start].x).scaled(-1);
@@ -53,7 +58,7 @@ impl<S: Scalar> Pointwise<'_, S> {
         kink([bending, layer, springs], [supports, turning], available.low())
     }
 
-    /// P, or the number that takes its place under a compression.
+    /// The tension P. Under compression, `Compression::as_tension` replaces P.
     fn tension(&self) -> Size {
         let frame = self.fields.frame;
         match &frame.compression {
@@ -62,7 +67,8 @@ impl<S: Scalar> Pointwise<'_, S> {
         }
     }
 
-    /// s₂, or the number that takes its place under a compression.
+    /// The factor s₂ = √(2E) with the bound E of the energy of the error. Under compression,
+    /// `Compression::test_factor` replaces s₂.
     pub(crate) fn test_factor(&self) -> Size {
         match &self.fields.frame.compression {
             None => self.s2(),
@@ -70,7 +76,7 @@ impl<S: Scalar> Pointwise<'_, S> {
         }
     }
 
-    /// The largest EI, P + μ and k between two nodes.
+    /// The largest EI, P + μ and k of the pieces between two nodes.
     pub(crate) fn largest(&self, nodes: Range<usize>) -> [Size; 3] {
         let frame = self.fields.frame;
         let tension = self.tension();
@@ -85,9 +91,11 @@ impl<S: Scalar> Pointwise<'_, S> {
         largest
     }
 
-    /// K² for the test function z(s) = |s − x| between x and one end of the beam and 0 elsewhere, if no rigid support
-    /// lies between them: (P + μ)L + kL³/3 + K_eL² + Σ(κ(x − x_j)² + κ_θ). It does not contain EI, so it is the smaller
-    /// bound for stiff beams.
+    /// Lowers the energy K² on each piece to that of the test function z(s) = |s − x| between a position x of the
+    /// piece and one end of the beam, with z = 0 elsewhere. L is the distance from x to this end. No rigid support
+    /// may lie between. With the stiffness K_e of the ground beyond the end and springs at the positions x_j, the
+    /// energy is K² = (P + μ)L + kL³/3 + K_eL² + Σ(κ(x − x_j)² + κ_θ). It does not contain EI, so it is small for
+    /// stiff beams.
     pub(crate) fn long_kinks(&self, side: usize, stiffness: &mut [Size]) {
         let frame = self.fields.frame;
         let count = frame.spans.len();
@@ -95,7 +103,8 @@ impl<S: Scalar> Pointwise<'_, S> {
         let mut held: Vec<usize> = Vec::new();
         for step in 0..count {
             let i = if side == 0 { step } else { count - 1 - step };
-            // The outer and the inner node of the piece. x may be anywhere on the piece.
+            // `outer` is the node of the piece towards the end of the beam, and `inner` is the opposite node. All
+            // distances start at `inner`, so the bound holds for every position x of the piece.
             let (outer, inner) = (i + side, i + 1 - side);
             let node = &frame.nodes[outer];
             if node.rigid.is_some() {
@@ -130,7 +139,7 @@ pub(crate) mod tests {
     use crate::size::Size;
     use serde_json::json;
 
-    /// ∫f from 0 to h by Gauss's rule with 5 points, exact for polynomials up to the degree 9.
+    /// Integral of f from 0 to h by Gauss's rule with 5 points, which is exact for polynomials up to the degree 9.
     pub(crate) fn integral(h: f64, f: impl Fn(f64) -> f64) -> f64 {
         let [a, b] =
             [2.0, -2.0].map(|sign: f64| (5.0 + sign * (10.0_f64 / 7.0).sqrt()).sqrt() / 3.0);
@@ -139,7 +148,8 @@ pub(crate) mod tests {
         points.iter().map(|(x, w)| 0.5 * h * w * f(0.5 * h * (1.0 + x))).sum()
     }
 
-    /// K² of z = t(1 − t/h)² by integration, with the springs at the positions where |z| and |z′| are largest.
+    /// Computes the energy K² of z = t(1 − t/h)² by numerical integration. Translational springs are where |z| is
+    /// largest, and rotational springs where |z′| is largest.
     fn exact([bending, layer, ground]: [f64; 3], [springs, turning]: [f64; 2], h: f64) -> f64 {
         let z = |t: f64| t * (1.0 - t / h).powi(2);
         let slope = |t: f64| (1.0 - t / h) * (1.0 - 3.0 * t / h);
@@ -166,8 +176,8 @@ pub(crate) mod tests {
         }
     }
 
-    /// The longer side of x between two pins 1.5 apart is at least 0.75. On a stiff beam the longest test function is the best one,
-    /// K² = 4EI/h.
+    /// Any position between two pins at a distance of 1.5 is at least 0.75 away from one of them. On a stiff beam the
+    /// longest test function has the smallest energy K² = 4EI/h.
     #[test]
     fn a_test_function_ends_before_the_next_support() {
         let pin = |at: f64| format!("[[support]]\nat = {at}\ntype = 'pinned'\n");

@@ -1,7 +1,9 @@
-//! Uniqueness of the solution. Two solutions have the same u and p. They differ by a rigid motion that
-//! vanishes at all supports and wherever p* > 0. It does not rotate an elastic hinge, because both solutions
-//! have the same M. The solution is unique if every part between free hinges is held in two positions, or in one
-//! position with its rotation prevented.
+//! Proves that the solution is unique.
+//!
+//! Two solutions have the same settlement, pressure and bending moment. Their deflections differ by a rigid motion
+//! that vanishes at all supports and wherever the pressure is positive. This motion does not rotate an elastic hinge,
+//! because both solutions have the same bending moment. The solution is unique if every part between free hinges is
+//! held at two positions, or at one position with its rotation prevented.
 
 use crate::anchors::parts_of;
 use crate::contact_set::Shown;
@@ -17,7 +19,7 @@ use std::ops::Range;
 struct Holds {
     places: usize,
     turning: bool,
-    /// Whether the left and the right end of the part are held positions.
+    /// Whether supports or contact forces prevent the deflection of the left end and of the right end of the part.
     ends: [bool; 2],
 }
 
@@ -27,8 +29,8 @@ impl Holds {
     }
 }
 
-/// The first part that is a mechanism. A restrained part holds the neighbours at the common hinges; such a hinge
-/// counts as one position.
+/// Returns the index of the first part that is a mechanism. A restrained part restrains its neighbours at the
+/// common hinges. Each of these hinges counts as one held position.
 fn first_mechanism(holds: &[Holds]) -> Option<usize> {
     let mut held = vec![false; holds.len()];
     let next = |held: &[bool]| {
@@ -46,12 +48,13 @@ fn first_mechanism(holds: &[Holds]) -> Option<usize> {
 }
 
 impl<S: Scalar> Pointwise<'_, S> {
-    /// Whether the solution is unique. Contact forces count if the contact set proves them, one-way supports if their
-    /// reaction exceeds the bound of its error.
+    /// Proves that the solution is unique. Contact forces count as restraints if the contact set proves them.
+    /// One-way supports count if their reaction exceeds its error bound.
     pub fn unique(&self, shown: &Shown, reactions: &[[Size; 2]]) -> Result<(), NotProven> {
         let frame = self.fields.frame;
         if frame.compression.is_some() {
-            // The two-way supports alone make the energy of the beam strictly convex.
+            // Under compression, the two-way supports alone make the energy of the beam strictly convex, so the
+            // solution is unique.
             return Ok(());
         }
         let mut pressed = match shown.failed[0] {
@@ -78,7 +81,8 @@ impl<S: Scalar> Pointwise<'_, S> {
         }
     }
 
-    /// The supports, forces and pressures that hold a part. A support at a hinge holds both parts.
+    /// Counts the supports, contact forces and pressures that restrain a part. A support at a hinge restrains
+    /// both adjacent parts.
     fn holds(&self, part: &Range<usize>, pressed: &[bool]) -> Holds {
         let nodes = &self.fields.frame.nodes;
         let inside = part.start..=part.end;
@@ -92,7 +96,9 @@ impl<S: Scalar> Pointwise<'_, S> {
         Holds { places: at_nodes + pieces, turning, ends: [held(part.start), held(part.end)] }
     }
 
-    /// Whether p* > 0 is proven in both halves of an interval of a piece: a function z ≥ 0 with p_m∫z > s₂‖z‖_b.
+    /// Whether the exact pressure is proven to be positive somewhere in each half of an interval of a piece. The
+    /// weighted integral of the smallest claimed pressure over each half must exceed the error bound of this
+    /// integral.
     fn presses(&self, i: usize) -> bool {
         let span = &self.fields.frame.spans[i];
         if !span.touches {
@@ -108,8 +114,8 @@ impl<S: Scalar> Pointwise<'_, S> {
     }
 }
 
-/// For z = 1 − (2t/h)² on a length h that lies between two bounds: a lower bound of ∫z = 2h/3, and a bound of ‖z‖_b, ‖z‖_b²
-/// = 8kh/15 + 16μ/(3h).
+/// Lower bound of the integral 2h/3 and upper bound of the energy norm (8kh/15 + 16μ/(3h))^½ of the weight function
+/// 1 − (2t/h)² on |t| ≤ h/2, for a length h between two given bounds.
 fn bump([low, high]: [f64; 2], [ground, layer]: [Size; 2]) -> (f64, Size) {
     let norm = (8.0 * (ground * Size::of(high))).over(15.0) + (16.0 * layer).over(3.0).over(low);
     ((0.666 * low).next_down(), norm.root())
@@ -138,17 +144,16 @@ mod tests {
     fn a_support_at_a_hinge_counts_as_one_position() {
         let clamped = Holds { places: 2, turning: true, ends: [true, true] };
         let alone = |places: usize, ends: [bool; 2]| Holds { places, turning: false, ends };
-        // The support at the hinge holds both parts; the second one may rotate about it.
+        // A part whose only support is at its hinge to a clamped part can rotate about this support.
         assert_eq!(first_mechanism(&[clamped, alone(1, [true, false])]), Some(1));
         assert_eq!(first_mechanism(&[alone(1, [false, true]), clamped]), Some(0));
         assert_eq!(first_mechanism(&[clamped, alone(2, [true, false])]), None);
         assert_eq!(first_mechanism(&[clamped, alone(1, [false, true])]), None);
         assert_eq!(first_mechanism(&[clamped, alone(0, [false, false])]), Some(1));
-        // A part between two restrained parts.
+        // A part without supports between two restrained parts is no mechanism.
         assert_eq!(first_mechanism(&[clamped, alone(0, [false, false]), clamped]), None);
         assert_eq!(first_mechanism(&[clamped, alone(1, [true, false]), clamped]), None);
-        // A prevented rotation without a held position is not sufficient, nor is a held position without a
-        // prevented rotation.
+        // A prevented rotation alone is not sufficient, and one held position alone is not sufficient.
         let turning = Holds { places: 0, turning: true, ends: [false; 2] };
         assert_eq!(first_mechanism(&[turning]), Some(0));
         assert_eq!(first_mechanism(&[Holds { places: 1, ..turning }]), None);

@@ -6,7 +6,8 @@ use crate::model::{Action, Extent, Load, Model, SupportKind};
 use crate::refusal::NotProven;
 use crate::scalar::Scalar;
 
-/// The units of the proof: a power of two of metres and a power of two of newtons.
+/// The units of the proof. The unit of length is a power of two of metres, and the unit of force a power of two
+/// of newtons.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Units {
     pub length: i32,
@@ -14,13 +15,18 @@ pub(crate) struct Units {
 }
 
 impl Units {
-    /// Units such that the length and the largest load lie in [1, 2).
+    /// Chooses the units such that the length and the largest load lie in [1, 2).
     pub fn of<S: Scalar>(model: &Model<S>) -> Result<Self, NotProven> {
-        let length = exponent(model.beam.length)
-            .ok_or_else(|| NotProven::new("the length is not a positive number in range"))?;
+        let length = exponent(model.beam.length).ok_or_else(|| {
+            NotProven::new("the length of the beam is not between 1e-290 m and 1e290 m")
+        })?;
         let in_length = Units { length, force: 0 };
-        let stiffness = exponent(in_length.of_power(model.beam.bending_stiffness, 2))
-            .ok_or_else(|| NotProven::new("EI is not a positive number in range"))?;
+        let stiffness =
+            exponent(in_length.of_power(model.beam.bending_stiffness, 2)).ok_or_else(|| {
+                NotProven::new(
+                    "EI, divided by the square of the length, is not between 1e-290 N and 1e290 N",
+                )
+            })?;
         let mut force = None;
         for load in &model.loads {
             larger(&mut force, exponent(in_length.load_as_force(load, stiffness)));
@@ -36,7 +42,8 @@ impl Units {
         Ok(Units { length, force: force.unwrap_or(stiffness) })
     }
 
-    /// A load as a force: a moment divided by the length, a load per length times the length.
+    /// Converts a load to a force. A moment is divided by the length, and a load per length is multiplied by the
+    /// length. A curvature is multiplied by EI and divided by the length.
     fn load_as_force<S: Scalar>(self, load: &Load<S>, stiffness: i32) -> S {
         let (size, spread) = match load.extent {
             Extent::Point { size, .. } => (size, 0),
@@ -51,22 +58,22 @@ impl Units {
         }
     }
 
-    /// A number with the unit mⁿ, converted to these units.
+    /// Converts a number with the unit mⁿ to the units of the proof.
     fn of_power<S: Scalar>(self, x: S, length: i32) -> S {
         x.scaled(-length * self.length)
     }
 
-    /// A number with the unit Nᶠ mⁿ, converted to these units.
+    /// Converts a number with the unit Nᶠ mⁿ to the units of the proof.
     pub fn scaled<S: Scalar>(self, x: S, force: i32, length: i32) -> S {
         x.scaled(-force * self.force - length * self.length)
     }
 
-    /// A length, converted to these units.
+    /// Converts a length to the units of the proof.
     pub fn metres<S: Scalar>(self, x: S) -> S {
         self.scaled(x, 0, 1)
     }
 
-    /// A bound with the unit Nᶠ mⁿ, converted to the units of the model and rounded up.
+    /// Converts a bound with the unit Nᶠ mⁿ back to the units of the model and rounds it up.
     pub fn restored(self, x: f64, force: i32, length: i32) -> f64 {
         let shift = force * self.force + length * self.length;
         let back = f64::scaled(x, shift);
@@ -80,7 +87,7 @@ impl Units {
     }
 }
 
-/// n with 2ⁿ ≤ |x| < 2ⁿ⁺¹. `None` for zero, infinite or tiny numbers.
+/// Returns the exponent n with 2ⁿ ≤ |x| < 2ⁿ⁺¹; `None` if |x| is not between 1e-290 and 1e290.
 fn exponent<S: Scalar>(x: S) -> Option<i32> {
     let x = x.middle().abs();
     (1e-290..=1e290).contains(&x).then(|| (x.to_bits() >> 52) as i32 - 1023)

@@ -5,12 +5,12 @@ use crate::model::Course;
 use crate::refusal::NotProven;
 use crate::scalar::Scalar;
 
-/// The value of a constant profile.
+/// Returns the value of a constant profile, and an error for a varying profile.
 pub(crate) fn constant<S: Scalar>(course: &Course<S>) -> Result<S, NotProven> {
     match course {
         Course::Constant(value) => Ok(*value),
         Course::Varying(_) => {
-            Err(NotProven::new("a segment of the ground outside the beam has varying constants"))
+            Err(NotProven::new("k or mu varies in a segment of the ground outside the beam"))
         }
     }
 }
@@ -27,7 +27,7 @@ pub(crate) fn in_range<S: Scalar>(
     }
 }
 
-/// A positive number within the range of the computation.
+/// Returns the number if it is positive and within the range of the computation.
 pub(crate) fn positive<S: Scalar>(x: S, name: &str) -> Result<S, NotProven> {
     if x.low() >= 1e-60 && x.high() <= 1e60 {
         Ok(x)
@@ -36,7 +36,7 @@ pub(crate) fn positive<S: Scalar>(x: S, name: &str) -> Result<S, NotProven> {
     }
 }
 
-/// As `positive`, but zero is allowed.
+/// Returns the number if it is zero, or if it is positive and within the range of the computation.
 pub(crate) fn not_negative<S: Scalar>(x: S, name: &str) -> Result<S, NotProven> {
     if x == S::zero() { Ok(x) } else { positive(x, name) }
 }

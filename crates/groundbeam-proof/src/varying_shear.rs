@@ -1,15 +1,15 @@
-//! The pressure and a first bound of the slope of a beam with shear deformation on a shear layer where S or μ
-//! varies.
+//! Bounds of the pressure and of the slope of a beam with shear deformation on a shear layer where S or μ varies.
 //!
-//! With a = μ/(S + P) the slope w′ = (Sφ + T + η)/(S + P) and T′ = p − f + r give, where both answers touch,
+//! By (14b) of docs/proof.md, the bound of the pressure needs a bound of the slope. The bound of the slope needs a
+//! bound of the shear force, and the bound of the shear force needs a bound of the pressure. So the first bound of
+//! the slope uses only a length h of one piece. There, the error bound ε_T of the transverse force satisfies
 //!
 //! ```text
-//! (1 + a)(p − p*) = k(u − u*) − a[S′(φ − φ*) + S(φ′ − φ*′) + r + η′] − a′(S + P)(w′ − w*′).
+//! ε_T ≤ A/h + B + ½h(p₀ + C + Dε_T).
 //! ```
 //!
-//! So the bound of the pressure needs that of the slope, this needs that of the shear force, and this needs
-//! that of the pressure. On a length h of one piece ε_T ≤ A/h + B + ½h(p₀ + C + Dε_T), with C + Dε_T the
-//! right side above and p₀ the pressure where only one of the two solutions is in contact. For h < 2/D
+//! A/h + B comes from the errors of moment, deflection and axial force. C + Dε_T bounds the right side of (14b), and
+//! p₀ bounds the pressure where only the exact or only the claimed beam is in contact. For h < 2/D
 //!
 //! ```text
 //! ε_T ≤ (A/h + B + ½h(p₀ + C))/(1 − ½hD).
@@ -22,7 +22,7 @@ use crate::scalar::Scalar;
 use crate::size::Size;
 use crate::test_functions::least_of_halves;
 
-/// S of a piece with shear deformation on a shear layer where S or μ varies.
+/// Returns the shear stiffness S of a piece with shear deformation on a shear layer, if S or μ varies.
 fn varying<S>(span: &Span<S>) -> Option<&Coefficient<S>>
 where
     S: Scalar,
@@ -32,7 +32,8 @@ where
 }
 
 impl<S: Scalar> Pointwise<'_, S> {
-    /// |p − p*| where both are in contact. On open pieces it bounds the error of (μC′)′, without the divisor 1 + a.
+    /// Error bound of the pressure where the exact and the claimed beam are both in contact, from (14b) of
+    /// docs/proof.md. On open pieces it is the error bound of (μC′)′, with the clearance C.
     pub(crate) fn varying_pressure(&self, i: usize, bounds: &PieceBounds) -> Size {
         let span = &self.fields.frame.spans[i];
         let Some(stiffness) = varying(span) else { return Size::INFINITE };
@@ -46,8 +47,8 @@ impl<S: Scalar> Pointwise<'_, S> {
         }
     }
 
-    /// The two parts of the bound of (1 + a)(p − p*): kε_u + a[|S′|ε_φ + Sε_κ + |r| + |η′|], and the factor
-    /// |a′|(S + P) = |μ′ − aS′| of the error of the slope.
+    /// Returns the two parts of the bound of the right side of (14b) in docs/proof.md: the part without the error of
+    /// the slope, and the factor of the error of the slope.
     fn parts_of_pressure(
         &self,
         i: usize,
@@ -68,8 +69,8 @@ impl<S: Scalar> Pointwise<'_, S> {
         [settled + factor * forces, span.steepness(&span.shear) + factor * steep]
     }
 
-    /// Bounds of the slope and of the pressure on pieces with shear deformation where S or μ varies. They use
-    /// only the change of moment within the piece.
+    /// Lowers the bounds of the slope and of the pressure on pieces with shear deformation where S or μ varies.
+    /// The bounds use only the change of moment within the piece.
     pub(crate) fn first_slopes(&self, bounds: &mut [PieceBounds]) {
         for (i, piece) in bounds.iter_mut().enumerate() {
             let span = &self.fields.frame.spans[i];
@@ -84,7 +85,8 @@ impl<S: Scalar> Pointwise<'_, S> {
         let span = &self.fields.frame.spans[i];
         let (tension, stiffened) = (self.axial_size(), self.stiffened(stiffness));
         let misfit = self.fields.residual.pieces[i].misfit[0];
-        // ε_θ has a part that does not depend on ε_T, `resting`, and the part ε_T/(S + P).
+        // The error bound of the slope is `resting` plus `by_force` times the error bound of the transverse force.
+        // `resting` does not depend on the transverse force.
         let other = self.balancing_shear(i)
             + self.balanced.pieces[i].drawn
             + tension * bounds.rotation
@@ -115,7 +117,7 @@ impl<S: Scalar> Pointwise<'_, S> {
         resting + force * by_force
     }
 
-    /// Lowers the bounds of the pressure that need the slope.
+    /// Lowers the bounds of the pressure on pieces where S or μ varies, from the bounds of the slope.
     pub(crate) fn lower_pressures(&self, bounds: &mut [PieceBounds]) {
         for (i, piece) in bounds.iter_mut().enumerate() {
             if varying(&self.fields.frame.spans[i]).is_some() {
@@ -134,7 +136,7 @@ mod tests {
     use crate::wide::Wide;
     use serde_json::json;
 
-    /// A claim, its balance, and the bounds of its errors.
+    /// A claimed answer, its balance, and the bounds of its errors.
     struct Claim<'a, 'b> {
         fields: &'a mut Fields<'b, Wide>,
         balanced: Balanced<Wide>,
@@ -152,9 +154,10 @@ mod tests {
         }
     }
 
-    /// The straight beam w = 2 − x with EI = ⅛ and the tension P = ¼, φ = −1 − `turned`, on ground with k = ¼. μ rises from ¼
-    /// to ¾ and S falls from 1 to ½. So α = μ/(S + P) ≤ 1, |α′|(S + P) ≤ |μ′| + |S′| = 1 and 1 + P/S ≥ 5/4. The load is the
-    /// pressure 1 − x/4.
+    /// Calls a function with the claim of a straight beam. The beam w = 2 − x has EI = ⅛, the tension P = ¼ and the
+    /// rotation φ = −1 − `turned`. The ground has k = ¼. μ rises from ¼ to ¾, and the shear stiffness S falls from 1
+    /// to ½. The ratio α = μ/(S + P) is at most 1. |α′|(S + P) is at most |μ′| + |S′| = 1, and 1 + P/S is at least
+    /// 5/4. The load equals the pressure 1 − x/4.
     fn with_claim<T>(turned: f64, touches: bool, of: impl FnOnce(&mut Claim) -> T) -> T {
         let model = "[beam]\nlength = 1\nEI = 0.125\naxial_force = 0.25\n[[beam.segment]]\nfrom = 0\nto = 1\n\
                      shear_stiffness = [1, 0.5]\n[foundation]\nk = 0.25\nmu = 0.25\n\
@@ -168,7 +171,8 @@ mod tests {
         }
         with_fields(model, &json!({"pieces": [piece]}), |fields| {
             if !touches {
-                // Without the pressure of the ground the load is not balanced.
+                // A beam out of contact has no pressure that balances the load, so this test sets the residual to
+                // zero.
                 fields.residual.pieces[0].constant = Wide::zero();
                 fields.residual.pieces[0].rest = Size::ZERO;
             }
@@ -185,7 +189,8 @@ mod tests {
         assert!((1.0..1.0 + 1e-9).contains(&ratio), "{what}: {found:?} {expected}");
     }
 
-    /// The smallest bound of ε_T over lengths, from A, B and p₀ + C, with D = 1/((1 + P/S)S) = 8/5.
+    /// Smallest bound (`moved`/h + `closed` + ½h·`spread`)/(1 − 0.8h) of the error of the transverse force over the
+    /// lengths h = 1, ½, ¼, ….
     fn first_force([moved, closed, spread]: [f64; 3]) -> f64 {
         let force = |j: i32| {
             let h = 0.5_f64.powi(j);
@@ -194,8 +199,8 @@ mod tests {
         (0..24).map(force).fold(f64::INFINITY, f64::min)
     }
 
-    /// Checks the first bound of the slope, beside an error 10⁻³ of the moment. The numbers are the bound without ε_T, A and B,
-    /// and p₀ + C.
+    /// Checks the first bound of the slope for an error 10⁻³ of the moment and one further error, given by `turned`
+    /// or `change`. `resting` is the bound of the slope without the error of the transverse force.
     fn is_first_slope(
         what: &str,
         turned: f64,
@@ -210,7 +215,7 @@ mod tests {
         });
     }
 
-    /// Checks the first bound from (14b) for one error at a time.
+    /// Checks the first bound of the slope for one error at a time.
     #[test]
     fn the_first_slope_follows_from_the_change_of_moment_on_the_piece() {
         let size = Size::of;
@@ -234,7 +239,7 @@ mod tests {
             |c| c.bounds.deflection = size(0.1),
             [0.0, 0.052, 0.0, 1.0],
         );
-        // η = S/8 ≤ 1/8 and η′ = 1/16.
+        // The misfit η = S(w′ − φ) − V of the shear force is S/8 ≤ 1/8, and |η′| = 1/16.
         is_first_slope("misfit", 0.125, |_| (), [0.35, 2e-3, 0.0, 1.0 + 0.0625 + 0.35]);
         is_first_slope(
             "balance",
@@ -273,8 +278,9 @@ mod tests {
         );
     }
 
-    /// Where both touch, (1 + α)|p − p*| ≤ kε_u + |α′|(S + P)ε_θ with α ≥ ¼/(1 + ¼). On open ground (μC′)′ has no divisor, and
-    /// the first slope takes the pressure of a beam in contact there.
+    /// For a beam in contact, the error bound of the pressure from (14b) of docs/proof.md has the divisor 1 + α with
+    /// α = μ/(S + P) ≥ 0.2. On open ground there is no such divisor, and the first bound of the slope uses the
+    /// pressure that a beam in contact with this ground would have.
     #[test]
     fn the_pressure_needs_the_slope_and_the_slope_the_pressure() {
         for touches in [true, false] {

@@ -19,9 +19,9 @@ use std::collections::BTreeSet;
 /// The proven parts of a document.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Verification {
-    /// The proof of the answer. The errors of fields and reactions include those of the listed numbers.
+    /// The proof of the answer. The errors of fields and reactions include the errors of the listed numbers.
     pub proof: Proof,
-    /// The errors of the gap u + g₀ − w.
+    /// Bound of the error of the gap u + g₀ − w.
     pub gap: Bound,
     /// The largest error of a listed edge of contact; infinite if the contact set is not proven.
     pub edges: Bound,
@@ -29,27 +29,29 @@ pub struct Verification {
     pub forces: Bound,
     /// The errors of each listed edge and of each listed concentrated force.
     pub listed: ListedErrors,
-    /// The positions of the listed extremes.
+    /// The proven positions of the listed extremes.
     pub extremes: Vec<PlacedExtreme>,
     /// Intervals on which the pressure has no bound \[m\]: intervals that contain edges of contact on a shear
     /// layer, or the whole beam if the contact set is not proven.
     pub without_pressure: Vec<[f64; 2]>,
     /// Number of listed numbers that were compared.
     pub checked: Checked,
-    /// Keys whose numbers the proof does not cover.
+    /// Keys of the document whose numbers the proof does not cover.
     pub not_covered: BTreeSet<String>,
     /// The first reason why the document is not proven; `None` if it is proven.
     pub shortfall: Option<NotProven>,
 }
 
-/// Proves a document: its answer, and the other listed numbers. Writes a log if one is given.
+/// Proves the answer of a document, and then its other listed numbers. Writes a log if a log is given.
 pub(crate) fn verified<S: Scalar>(
     model: &Model<S>,
     document: &Document,
     log: Option<&mut Log>,
 ) -> Result<Verification, NotProven> {
     if let Some(status) = document.status.as_deref().filter(|status| *status != "solved") {
-        return Err(NotProven::new(format!("the status of the document is `{status}`")));
+        return Err(NotProven::new(format!(
+            "the status of the document is `{status}`, not `solved`"
+        )));
     }
     if document.answer.pieces.is_empty() {
         return Err(NotProven::new("the document has no `pieces`"));
@@ -106,8 +108,8 @@ fn compared<S: Scalar>(document: &Document, fields: &Fields<S>, mut proof: Proof
 }
 
 impl Verification {
-    /// All bounds with the names that documents use. Edges, forces and reactions have the largest bound of
-    /// each kind.
+    /// All bounds with the names that documents use. The bounds of edges, forces and reactions are the largest
+    /// of each kind.
     pub fn named(&self) -> Vec<(&'static str, Bound)> {
         let mut named = self.proof.bounds.named().to_vec();
         named.push(("gap", self.gap));
@@ -136,14 +138,14 @@ impl Verification {
         if has_none { f64::INFINITY } else { self.error_of(field) }
     }
 
-    /// The first step that fails, if a quantity has no finite bound.
+    /// Returns the first failed step of the proof. It is the reason why a quantity has no finite bound.
     pub fn without_bound(&self) -> Option<&NotProven> {
         let contact = self.proof.contact.as_ref().err();
         contact.or(self.proof.unique.as_ref().err()).or(self.shortfall.as_ref())
     }
 
-    /// The errors of edges, forces and reactions, one for each number in the order of the document. The names are those of
-    /// the bounds in documents.
+    /// Bounds of the errors of edges, forces and reactions, one for each number in the order of the document.
+    /// The names are those of the bounds in a document.
     pub fn errors_of_numbers(&self) -> Vec<(&'static str, Vec<f64>)> {
         let (listed, reactions) = (&self.listed, self.proof.reactions.iter());
         let mut errors = vec![
@@ -158,15 +160,15 @@ impl Verification {
         errors
     }
 
-    /// The errors of the fields, one number for each field, and the errors of edges, forces and reactions.
+    /// Bounds of the errors of the fields, one for each field, and of edges, forces and reactions, one for each number.
     pub fn errors(&self) -> Vec<(&'static str, Vec<f64>)> {
         let one = |(name, bound): (&'static str, Bound)| (name, vec![bound.error]);
         let fields = self.proof.bounds.named().into_iter().chain([("gap", self.gap)]);
         fields.map(one).chain(self.errors_of_numbers()).collect()
     }
 
-    /// The first bound of the document that is smaller than the proven error. Bounds with unknown names are
-    /// recorded as not covered.
+    /// Returns the first fault among the claimed bounds of the document: a bound that is smaller than the proven
+    /// error. Records bounds with unknown names as not covered.
     fn claimed(&mut self, document: &Document) -> Option<NotProven> {
         let errors = self.errors();
         let mut first = None;
@@ -177,7 +179,7 @@ impl Verification {
             };
             if claimed.len() != proven.len() {
                 let what = format!(
-                    "the document claims {} bounds of `{name}`; it lists {} numbers",
+                    "the document claims {} bounds of `{name}`, but it lists {} numbers",
                     claimed.len(),
                     proven.len()
                 );
@@ -188,7 +190,7 @@ impl Verification {
                 self.checked.bounds += 1;
                 if !(claimed >= proven) && first.is_none() {
                     let what = format!(
-                        "the document claims {claimed:e} as the bound of `{name}`; {proven:e} is proven"
+                        "the document claims {claimed:e} as the bound of `{name}`; the proven bound is {proven:e}"
                     );
                     first = Some(NotProven::new(what));
                 }
@@ -197,7 +199,7 @@ impl Verification {
         first
     }
 
-    /// The first extreme whose claimed intervals do not contain all proven positions.
+    /// Reports the first extreme whose claimed intervals do not contain all proven positions.
     fn claimed_places(&mut self, document: &Document) -> Option<NotProven> {
         let mut first = None;
         for (field, is_max, claimed) in &document.places {
@@ -218,8 +220,8 @@ impl Verification {
         first
     }
 
-    /// The first extreme whose listed position is farther than 10⁻⁶ of the length from every position of the exact
-    /// extreme.
+    /// Reports the first extreme whose listed position is farther than 10⁻⁶ of the length from every position of
+    /// the exact extreme.
     fn misplaced(&self) -> Option<NotProven> {
         let far = 1e-6 * self.proof.scales.length;
         let extreme = self.extremes.iter().find(|extreme| extreme.distance() > far)?;
@@ -229,7 +231,7 @@ impl Verification {
         Some(NotProven::new(what).at(extreme.listed))
     }
 
-    /// The first of gap, edges and forces whose error is not small.
+    /// Reports the first of gap, edges and forces whose error bound is not small.
     fn large(&self) -> Option<NotProven> {
         let all = [
             ("gap", self.gap),
@@ -244,8 +246,8 @@ impl Verification {
     }
 }
 
-/// The first field with a listed number that differs from the answer by more than 10⁻⁶ of the field's own
-/// largest value and by more than rounding error. The scale of the field is not used, because it may be much
+/// Reports the first field with a listed number that differs from the answer by more than 10⁻⁶ of the field's
+/// own largest value and by more than rounding error. The scale of the field is not used, because it may be much
 /// larger than the field's values.
 fn far<S: Scalar>(
     fields: &Fields<S>,
@@ -259,14 +261,14 @@ fn far<S: Scalar>(
         let scale = bound.map_or(0.0, |(_, bound)| bound.scale);
         if !(*difference <= 1e-6 * own + 1e-11 * scale) {
             let name = name.replace('_', " ");
-            let what = format!("a listed {name} differs from the pieces by {difference:.1e}");
+            let what = format!("a listed {name} differs from the answer by {difference:.1e}");
             return Some(NotProven::new(what));
         }
     }
     None
 }
 
-/// Adds the differences of listed numbers to the errors of their fields.
+/// Adds the differences between the listed numbers and the answer to the errors of the fields.
 fn add(proof: &mut Proof, found: &Differences) {
     let bounds = &mut proof.bounds;
     let [deflection, slope, rotation, moment, shear_force, settlement, _, pressure] = found.fields;

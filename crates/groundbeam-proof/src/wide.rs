@@ -22,27 +22,27 @@ pub struct Wide {
 /// 16·2⁻¹⁰⁶.
 const CHARGE: f64 = 4.0 * f64::EPSILON * f64::EPSILON;
 
-/// a + b as a rounded sum and its error, exactly.
+/// Returns the rounded sum a + b and its exact rounding error.
 fn two_sum(a: f64, b: f64) -> (f64, f64) {
     let s = a + b;
     let bb = s - a;
     (s, (a - (s - bb)) + (b - bb))
 }
 
-/// As [`two_sum`], for |a| ≥ |b|.
+/// Returns the result of [`two_sum`] with fewer operations, for |a| ≥ |b|.
 fn fast_two_sum(a: f64, b: f64) -> (f64, f64) {
     let s = a + b;
     (s, b - (s - a))
 }
 
-/// A double as the exact sum of two doubles, each with half the digits.
+/// Splits a double into two doubles with half the digits each. The sum of the two doubles is exact.
 fn split(a: f64) -> (f64, f64) {
     let c = 134_217_729.0 * a;
     let high = c - (c - a);
     (high, a - high)
 }
 
-/// a·b as a rounded product and its error, exactly unless it underflows.
+/// Returns the rounded product a·b and its rounding error, which is exact unless it underflows.
 fn two_product(a: f64, b: f64) -> (f64, f64) {
     let p = a * b;
     let ((ah, al), (bh, bl)) = (split(a), split(b));
@@ -53,7 +53,8 @@ impl Wide {
     /// The ball of all numbers.
     pub(crate) const ALL: Wide = Wide { h: 0.0, l: 0.0, r: f64::INFINITY };
 
-    /// The ball with this midpoint and this radius. All balls are created by this function.
+    /// Creates the ball with the midpoint h + l and the radius r. A ball out of range becomes [`Wide::ALL`], and
+    /// a tiny midpoint becomes zero.
     fn new(h: f64, l: f64, r: f64) -> Self {
         let size = magnitude(h);
         // A comparison with NaN is false, so NaN takes the first branch.
@@ -66,12 +67,12 @@ impl Wide {
         }
     }
 
-    /// A bound of the rounding error and of the underflow of a result.
+    /// Bound of the rounding error of a result, including underflow.
     fn rounding(h: f64) -> f64 {
         magnitude(h) * CHARGE + f64::MIN_POSITIVE
     }
 
-    /// The same number with a midpoint of one double.
+    /// Converts the number to a ball whose midpoint is one double.
     pub fn ball(self) -> Ball {
         Ball::new(self.h, (self.r + magnitude(self.l)) * ABOVE)
     }
@@ -86,7 +87,7 @@ impl Wide {
         [self.h, self.l]
     }
 
-    /// The midpoint as a ball of radius zero.
+    /// The midpoint as an interval of radius zero.
     fn centre(self) -> Wide {
         Wide { r: 0.0, ..self }
     }
@@ -123,7 +124,7 @@ impl Mul for Wide {
         let (ch, cl) = two_product(self.h, other.h);
         let cross = self.h * other.l + self.l * other.h;
         let (h, l) = fast_two_sum(ch, cl + cross);
-        // The last factor covers |h + l| ≤ |h|(1 + u) of each operand.
+        // `ABOVE` covers that |h + l| may exceed |h| by the relative rounding error of a double.
         let propagated =
             magnitude(self.h) * other.r + magnitude(other.h) * self.r + self.r * other.r;
         Wide::new(h, l, (propagated + Wide::rounding(h)) * ABOVE)
@@ -143,7 +144,8 @@ impl Scalar for Wide {
         if !(least > 0.0) {
             return Wide::ALL;
         }
-        // The error of the quotient is bounded by its residual: a/b − q = (a − qb)/b.
+        // For a dividend a and a divisor b, the quotient q has the error (a − qb)/b. So the residual a − qb bounds
+        // the error.
         let first = self.h / other.h;
         let rest = self.centre() - Wide::of(first) * other.centre();
         let (h, l) = fast_two_sum(first, rest.h / other.h);
@@ -159,7 +161,7 @@ impl Scalar for Wide {
         if !(self.low() >= 0.0) || !(self.h > 0.0) {
             return Wide::ALL;
         }
-        // √a − q = (a − q²)/(√a + q), and √a ≥ 0.
+        // The residual a − q² bounds the error of the root q, because √a − q = (a − q²)/(√a + q) and √a ≥ 0.
         let first = self.h.sqrt();
         let rest = self.centre() - Wide::of(first).square();
         let (h, l) = fast_two_sum(first, rest.h / (2.0 * first));
@@ -182,7 +184,7 @@ impl Scalar for Wide {
         let (Some(h), Some(l)) = (h, l) else { return Wide::ALL };
         let mut r = magnitude_scaled(self.r, exponent);
         if l != 0.0 && magnitude(l) < TINY {
-            // The smaller double may have been rounded to a subnormal number.
+            // The scaling may have rounded `l` to a subnormal number.
             r = (r + f64::MIN_POSITIVE) * ABOVE;
         }
         Wide::new(h, l, r)
@@ -202,7 +204,7 @@ impl Scalar for Wide {
         }
         let x = (self.h + self.r) + self.l;
         let sum = magnitude(self.h) + magnitude(self.l) + self.r;
-        // Three roundings, each at most 2⁻⁵³ of the sum of all sizes.
+        // The rounding error of each addition is at most 2⁻⁵³ times the sum of all absolute values.
         x + 2.0 * f64::EPSILON * sum + f64::MIN_POSITIVE
     }
 

@@ -1,4 +1,4 @@
-//! Tests numbers that a document lists for open ground between points of contact, in closed form: settlements, gaps and stretches.
+//! Tests the numbers of open ground between contact points that a document lists: settlements, gaps and stretches, in closed form.
 
 use crate::listed::{CHANGE, covers_change, is_error, region, right, verified, with};
 use groundbeam_proof::Verification;

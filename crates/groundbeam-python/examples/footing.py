@@ -2,7 +2,8 @@
 
 import groundbeam as gb
 
-# 12 m long, EI = 1.28e9 N m^2, on ground with k = 40 MN/m^2 and mu = 9 MN. Numbers are in N and m.
+# The footing is 12 m long and has EI = 1.28e9 N m^2. The ground has k = 40 MN/m^2 and mu = 9 MN.
+# Numbers are in N and m.
 model = (
     gb.Model(gb.Beam.uniform(12.0, 1.28e9), gb.Foundation.pasternak(40e6, 9e6))
     .with_load(gb.Load.point(900e3, 1.5))
@@ -11,9 +12,9 @@ model = (
 try:
     found = model.solve()
     (start, end), lifted = found.contact[0], found.lift_off[0]
-    print(f"touches from {start:.3f} m to {end:.3f} m")
-    print(f"left end presses with {found.end_forces.left / 1e3:.1f} kN")
-    print(f"right end is {lifted.largest_gap * 1e3:.2f} mm above the ground")
+    print(f"the beam is in contact from {start:.3f} m to {end:.3f} m")
+    print(f"the left end presses with {found.end_forces.left / 1e3:.1f} kN")
+    print(f"the right end is {lifted.largest_gap * 1e3:.2f} mm above the ground")
     assert found.certificate.relative_gap < 1e-12
 except gb.NoEquilibrium as why:
     print(f"it tips: {why}")

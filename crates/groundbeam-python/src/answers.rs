@@ -21,20 +21,20 @@ pub struct Answers {
 }
 
 impl Answers {
-    /// The solution, if there is exactly one answer.
+    /// Returns the solution if there is exactly one result.
     pub fn only(&self) -> PyResult<Solution> {
         let answer = self.answers.list.first();
         let answer = answer.ok_or_else(|| Failure::Asked("nothing was solved".to_owned()))?;
         Ok(Solution::of(&self.read, answer)?)
     }
 
-    /// The answers in the form for reports.
+    /// Converts the results to the form that reports use.
     fn results(&self) -> Results<'_> {
         let context = Context::of(&self.read.document).with_seconds(self.seconds);
         Results::new(&self.answers, context)
     }
 
-    /// A solution, or the exception that a separate solve would raise.
+    /// Returns the solution of one result, or the exception that a separate solve would raise.
     fn answer(&self, py: Python<'_>, answer: &Answer) -> PyResult<Py<PyAny>> {
         match Solution::of(&self.read, answer) {
             Ok(solution) => Ok(Py::new(py, solution)?.into_any()),
@@ -48,16 +48,16 @@ impl Answers {
     }
 }
 
-/// A bound of an envelope: its values, and the indices of the governing combinations.
+/// One bound of an envelope: its values at the positions, and the indices of the governing combinations.
 type Line<'py> = (Bound<'py, PyArray1<f64>>, Vec<usize>);
 
-/// A bound of an envelope of passages: its values, positions of the first axle, and indices of the passages.
+/// One bound of an envelope of passages: its values, the positions of the first axle, and the indices of the passages.
 type Moving<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>, Vec<usize>);
 
-/// Values on the ground with the best estimates, and the smallest and the largest over all grounds.
+/// Value on the ground with the best estimates, and the smallest and the largest value over all grounds.
 type Banded = (f64, f64, f64);
 
-/// Errors of deflection, moment, settlement and end forces.
+/// Relative errors of deflection, moment, settlement and end forces.
 type Apart = (f64, f64, f64, f64);
 
 #[pymethods]
@@ -67,25 +67,25 @@ impl Answers {
         self.read.document.model.beam.length
     }
 
-    /// A position from text, in the units of the file.
+    /// Reads a position from text, in the units of the file.
     fn read_position(&self, text: &str) -> Result<f64, Failure> {
         self.read.position(text)
     }
 
-    /// The name of each combination, with its solution or the exception that a separate solve would raise.
+    /// Returns the name of each combination, with its solution or the exception that a separate solve would raise.
     fn answers(&self, py: Python<'_>) -> PyResult<Vec<(String, Py<PyAny>)>> {
         let each = self.answers.list.iter();
         each.map(|answer| Ok((answer.name().to_owned(), self.answer(py, answer)?))).collect()
     }
 
-    /// The load cases, and whether each one alone has an equilibrium.
+    /// Returns the load cases, and whether each load case alone has an equilibrium.
     fn load_cases(&self) -> Vec<(String, bool)> {
         let each = self.answers.alone.iter();
         each.map(|alone| (alone.case.name.clone(), alone.stands())).collect()
     }
 
-    /// The smallest and the largest values of a field at positions on the beam, and the indices of the
-    /// governing combinations. With a limit state, only its combinations count.
+    /// Returns the smallest and the largest values of a field at positions on the beam, and the indices of the
+    /// governing combinations. If a limit state is given, only the combinations of this limit state count.
     fn envelope<'py>(
         &self,
         py: Python<'py>,
@@ -114,8 +114,8 @@ impl Answers {
         self.answers.limit_states().iter().map(LimitState::name).collect()
     }
 
-    /// The smallest and the largest value of a field on the ground with the best estimates of a band, each
-    /// with its range over all grounds.
+    /// Returns the smallest and the largest value of a field on the ground with the best estimates, each with its
+    /// range over all grounds of `[foundation.band]`.
     fn band(&self, name: &str) -> Result<Option<(Banded, Banded)>, Failure> {
         let field = field(name)?;
         let of = |band: run::Banded| (band.best, band.low, band.high);
@@ -136,8 +136,8 @@ impl Answers {
         )
     }
 
-    /// For each passage: combination, train, first and last position of the first axle, ranges without
-    /// equilibrium, and positions at which the method did not reach its tolerance.
+    /// Returns for each passage the combination, the train, the first and last position of the first axle, the
+    /// ranges without equilibrium, and the positions at which the method did not reach its tolerance.
     fn passages(&self) -> Vec<(Option<String>, String, [f64; 2], Vec<[f64; 2]>, Vec<f64>)> {
         let each = self.answers.passages().all.into_iter().map(|passage| {
             (
@@ -151,7 +151,7 @@ impl Answers {
         each.collect()
     }
 
-    /// The solved positions of the first axle in a passage.
+    /// Returns the solved positions of the first axle in a passage.
     fn positions<'py>(
         &self,
         py: Python<'py>,
@@ -162,7 +162,7 @@ impl Answers {
         Ok(PyArray1::from_vec(py, solved))
     }
 
-    /// The solved position nearest to a given one, and its solution.
+    /// Returns the solved position nearest to a given position of the first axle, and the solution at this position.
     fn nearest(&self, passage: usize, first_axle: f64) -> PyResult<Option<(f64, Solution)>> {
         let passage = self.passage(passage)?;
         let Some((first_axle, _)) = passage.nearest(first_axle) else { return Ok(None) };
@@ -175,8 +175,8 @@ impl Answers {
         Ok(solution.map(|solution| (first_axle, solution)))
     }
 
-    /// The smallest and the largest values of a field at sections over all passages, or over those of a limit
-    /// state; `None` if nothing was solved.
+    /// Returns the smallest and the largest values of a field at positions over all passages, or over the
+    /// passages of a limit state; `None` if no position of a train was solved.
     fn moving_envelope<'py>(
         &self,
         py: Python<'py>,
@@ -202,8 +202,8 @@ impl Answers {
         Ok(Some([line(0), line(1)]))
     }
 
-    /// For each method: its name, its solution or an exception, its errors relative to the first method, and
-    /// its duration.
+    /// Returns for each method its name, its solution or an exception, its errors relative to the first method,
+    /// and its duration.
     fn methods(
         &self,
         py: Python<'_>,

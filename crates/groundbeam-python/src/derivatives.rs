@@ -6,13 +6,13 @@ use groundbeam::derivatives::{Output, Parameter};
 use groundbeam::{Model, Solution};
 use groundbeam_report::Units;
 
-/// An output: its name, and for a field the position and the side.
+/// Name of an output; for a field also the position and the side.
 pub type Asked = (String, f64, String);
 
-/// For every output: its value, its derivatives, and the reasons why they are one-sided, if any.
+/// Values of all outputs, their derivatives, and the reasons why derivatives are one-sided.
 pub type Gradients = (Vec<f64>, Vec<f64>, Vec<Vec<String>>);
 
-/// The output with this name. Fields need a position.
+/// Returns the output with this name. For a field the position must be given.
 pub fn output((name, at, from_side): &Asked) -> Result<Output, Failure> {
     if let Some(output) = Output::named(name) {
         return Ok(output);
@@ -26,7 +26,7 @@ pub fn output((name, at, from_side): &Asked) -> Result<Output, Failure> {
     }
 }
 
-/// The parameter with this name.
+/// Returns the parameter with this name.
 pub fn parameter(name: &str) -> Result<Parameter, Failure> {
     Parameter::named(name).ok_or_else(|| {
         let names = Parameter::NAMES;
@@ -34,22 +34,22 @@ pub fn parameter(name: &str) -> Result<Parameter, Failure> {
     })
 }
 
-/// The parameter with this name, if the model has it as a number. If the ground is defined by soil data, its constants are
-/// refused.
+/// Returns the parameter with this name if it is a single number of the model. Returns an error for a constant of a
+/// ground that is defined by soil data.
 pub fn parameter_of(name: &str, model: &Model, on_soil: bool) -> Result<Parameter, Failure> {
     let own = parameter(name)?;
     let why = if on_soil && own.is_of_ground() {
         "the model's ground is defined by soil data"
     } else if own.value(model).is_none() {
-        "the model has no such number, or defines it by varying segments: use a factor"
+        "the model has no such number, or the number varies in segments: use a factor such as `k_factor`"
     } else {
         return Ok(own);
     };
     Err(Failure::Asked(format!("parameter `{name}`: {why}")))
 }
 
-/// Derivatives of all outputs with respect to all parameters. If the ground is defined by soil data, its
-/// constants are refused.
+/// Computes the derivatives of all outputs with respect to all parameters. Returns an error for a constant of a
+/// ground that is defined by soil data.
 pub fn gradients(
     solution: &Solution,
     on_soil: bool,

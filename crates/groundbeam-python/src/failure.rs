@@ -8,31 +8,31 @@ use pyo3::types::PyTuple;
 
 /// Reason why there is no result.
 pub enum Failure {
-    /// The model is invalid: the message, and each fault.
+    /// The model is invalid; with the complete message and the list of all faults.
     Wrong(String, Vec<Diagnostic>),
     /// There is no equilibrium.
     NoEquilibrium(Tipping),
     /// The method did not reach its tolerance.
     NotConverged(Stopped),
-    /// The request itself is invalid.
+    /// An argument of the call is invalid.
     Asked(String),
 }
 
 /// The motion that proves that there is no equilibrium.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Tipping {
-    /// r(0), r(l) and F(r).
+    /// Motion r(0) and r(l) of the ends, and work F(r) of the loads in this motion.
     pub motion: [f64; 3],
-    /// r at the hinges.
+    /// Values of the motion r at the hinges.
     pub hinges: Vec<f64>,
-    /// Static reactions at the ends, and at each free hinge between them.
+    /// Static reactions under the ends and under each free hinge between them.
     pub static_reactions: Vec<f64>,
-    /// The reason, as a sentence.
+    /// Sentence that states why there is no equilibrium.
     pub sentence: String,
 }
 
 impl Tipping {
-    /// The motion of a model without equilibrium.
+    /// Returns the motion that proves that a model has no equilibrium.
     pub fn of(model: &Model, existence: &Existence, units: Units) -> Self {
         let hinges = match existence.verdict {
             Verdict::None(motion) | Verdict::NotUnique(motion) => {
@@ -50,7 +50,7 @@ impl Tipping {
     }
 }
 
-/// The error with a remedy that Python offers. The memory limit is not an argument there.
+/// Replaces the remedy of an error by one that is available in Python, where the memory limit is not an argument.
 pub fn remediable(error: Error) -> Error {
     match error {
         Error::TooLarge(mut refused) => {
@@ -68,7 +68,7 @@ impl Failure {
         Failure::Wrong(shown, found.into_iter().collect())
     }
 
-    /// An error of the library, at its location in the text.
+    /// Converts an error of the library to a failure, with the location of each fault in the text.
     pub fn refused(error: Error, document: &Document, name: &str) -> Self {
         let problems = match remediable(error) {
             Error::NotConverged(reached) => return Failure::NotConverged(reached),

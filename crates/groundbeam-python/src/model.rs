@@ -27,7 +27,7 @@ impl Model {
         Ok(Answers { read: self.read.clone(), answers, seconds })
     }
 
-    /// The equilibrium of a combination under its own loads.
+    /// Solves a combination under its own loads, without trains.
     fn solution(&self, combination: Combination, options: Options) -> PyResult<Solution> {
         let run = Run::without_trains(&self.read.document, combination).with_options(options);
         self.answers(&run, None)?.only()
@@ -49,12 +49,12 @@ pub fn options(method: &str, elements: usize) -> Result<Options, Failure> {
     Ok(Options { method, elements, ..Options::default() })
 }
 
-/// Files in memory, from names and texts.
+/// Converts pairs of names and texts to files in memory.
 pub fn held(files: Vec<(String, String)>) -> Vec<OtherFile> {
     files.into_iter().map(|(name, text)| OtherFile { name, text }).collect()
 }
 
-/// Text of a model file, which must be UTF-8.
+/// Decodes the text of a model file, which must be UTF-8.
 #[pyfunction]
 pub fn text_of(bytes: &[u8], name: &str) -> Result<String, Failure> {
     let text = groundbeam_file::text_of(bytes).map(str::to_owned);
@@ -86,7 +86,7 @@ impl Model {
         Ok(Model { read: Arc::new(Read { document, name: name.to_owned() }) })
     }
 
-    /// Names and texts of the files that the model names.
+    /// Names and texts of the other files to which the model refers.
     #[getter]
     fn files(&self) -> Vec<(String, String)> {
         let files = self.read.document.files.iter();
@@ -119,7 +119,7 @@ impl Model {
         self.read.document.trains.iter().map(|train| train.name.clone()).collect()
     }
 
-    /// All combinations of load cases and grounds: the name, and the factors of the cases.
+    /// Returns all combinations of load cases and grounds, each with its name and the factors of its load cases.
     fn combinations(&self) -> Vec<(String, Vec<(String, f64)>)> {
         let all = self.read.document.combinations();
         all.into_iter().map(|combination| (combination.name, combination.factors)).collect()
@@ -168,7 +168,7 @@ impl Model {
         })
     }
 
-    /// Solves all combinations, each at its index.
+    /// Solves all combinations. The results have the order of the combinations.
     fn solve_combinations(
         &self,
         py: Python<'_>,
@@ -181,7 +181,7 @@ impl Model {
         py.detach(|| self.answers(&run, Some(threads)))
     }
 
-    /// Moves every train over every combination, or over one.
+    /// Moves every train over the beam under every combination, or under one given combination.
     fn solve_trains(
         &self,
         py: Python<'_>,
@@ -217,7 +217,8 @@ impl Model {
         Ok(Answers { read: self.read.clone(), answers, seconds: host.seconds() })
     }
 
-    /// The verdict, the static reactions, the motion that is free or gains work, and a sentence.
+    /// Checks the existence of an equilibrium. Returns the verdict, the static reactions, a motion that is free or in
+    /// which the loads do positive work, and a sentence.
     fn check(&self, combination: Option<&str>) -> Result<Statics, Failure> {
         let combination = self.read.combination(combination)?;
         let model = &combination.model;
@@ -230,11 +231,11 @@ impl Model {
         Ok((verdict, reactions, motion, sentence))
     }
 
-    /// A position from text, in the units of the file.
+    /// Reads a position from text, in the units of the file.
     fn read_position(&self, text: &str) -> Result<f64, Failure> {
         self.read.position(text)
     }
 }
 
-/// Verdict, static reactions, motion, sentence.
+/// Verdict on the existence of an equilibrium, static reactions, motion, and sentence.
 type Statics = (&'static str, Vec<f64>, Option<(f64, f64, f64)>, String);

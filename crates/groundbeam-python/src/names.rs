@@ -3,7 +3,7 @@
 use crate::failure::Failure;
 use groundbeam::{Field, solution::Side};
 
-/// The field with this name.
+/// Returns the field with this name.
 pub fn field(name: &str) -> Result<Field, Failure> {
     Field::named(name).ok_or_else(|| {
         let names = Field::ALL.map(Field::name).join(", ");
@@ -11,7 +11,7 @@ pub fn field(name: &str) -> Result<Field, Failure> {
     })
 }
 
-/// The side with this name.
+/// Returns the side with this name.
 pub fn side(name: &str) -> Result<Side, Failure> {
     match name {
         "left" => Ok(Side::Left),

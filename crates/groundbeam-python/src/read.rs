@@ -1,4 +1,4 @@
-//! A model file after reading, and its runs.
+//! A model file that was read, and the methods that solve its runs.
 
 use crate::failure::Failure;
 use crate::threads::Threads;
@@ -8,7 +8,7 @@ use groundbeam_report::Units;
 use groundbeam_run::{Answers, Failed, Host, Run};
 use pyo3::prelude::*;
 
-/// A text, its name, and the document read from it.
+/// A model file: its name, and the document read from its text.
 pub struct Read {
     pub document: Document,
     pub name: String,
@@ -19,7 +19,7 @@ impl Read {
         self.document.printed
     }
 
-    /// Name of the unit system in results.
+    /// Name of the unit system of the results.
     pub fn system(&self) -> &'static str {
         self.units().name()
     }
@@ -28,7 +28,7 @@ impl Read {
         Failure::refused(error, &self.document, &self.name)
     }
 
-    /// Solves a run of this text. Returns the answers and the duration \[s\].
+    /// Solves a run of the document. Returns the results and the duration \[s\].
     pub fn solve(&self, run: &Run, threads: Option<usize>) -> PyResult<(Answers, f64)> {
         let host = Threads::new(threads);
         match run.solve(&host) {
@@ -38,7 +38,7 @@ impl Read {
         }
     }
 
-    /// A position from text, in the units of the file.
+    /// Reads a position from text, in the units of the file.
     pub fn position(&self, text: &str) -> Result<f64, Failure> {
         let found = groundbeam_file::parse_positions(text, self.document.units);
         let found = found.map_err(|found| Failure::wrong(found, "position", text))?;
@@ -51,7 +51,7 @@ impl Read {
         }
     }
 
-    /// The combination with this name; without a name the model as written.
+    /// Returns the combination with this name, or the loads as written if no name is given.
     pub fn combination(&self, name: Option<&str>) -> Result<Combination, Failure> {
         let document = &self.document;
         let Some(name) = name else { return Ok(document.as_written()) };

@@ -23,7 +23,7 @@ pub struct Solution {
 }
 
 impl Solution {
-    /// The solution of an answer, or the reason why there is none.
+    /// Returns the solution of a result, or the reason why there is none.
     pub fn of(read: &Arc<Read>, answer: &Answer) -> Result<Self, Failure> {
         let Answer { label, found, ground, seconds, .. } = answer.clone();
         match found {
@@ -39,7 +39,7 @@ impl Solution {
         }
     }
 
-    /// Data of a report in addition to the result.
+    /// Returns the data that a report prints in addition to the solution.
     fn context(&self) -> Context<'_> {
         let context = Context::of(&self.read.document).with_seconds(self.seconds);
         let combination = Some(&*self.label.combination).filter(|one| !one.name.is_empty());
@@ -56,8 +56,8 @@ type GradientArrays<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>
 
 #[pymethods]
 impl Solution {
-    /// One field at positions on the beam. Where it jumps, `side` selects the value. The settlement is also
-    /// defined outside the beam.
+    /// Returns one field at positions on the beam. Where the field jumps, `from_side` selects the value. The
+    /// settlement is also defined outside the beam.
     fn field<'py>(
         &self,
         py: Python<'py>,
@@ -77,7 +77,7 @@ impl Solution {
         Ok(PyArray1::from_vec(py, values))
     }
 
-    /// A position from text, in the units of the file.
+    /// Reads a position from text, in the units of the file.
     fn read_position(&self, text: &str) -> Result<f64, Failure> {
         self.read.position(text)
     }
@@ -132,7 +132,7 @@ impl Solution {
         self.found.contact().iter().map(|region| (region.from, region.to)).collect()
     }
 
-    /// Each stretch without contact: start, end, position of the largest gap, and largest gap.
+    /// Start, end, position of the largest gap, and largest gap of each stretch without contact.
     #[getter]
     fn lift_off(&self) -> Vec<(f64, f64, f64, f64)> {
         let each = self.found.lift_off().into_iter();
@@ -161,14 +161,14 @@ impl Solution {
         self.found.hinges().iter().map(|h| (h.at, h.rotation, h.moment)).collect()
     }
 
-    /// Numbers of the certificate, in order.
+    /// Primal energy, dual energy, energy gap, and relative energy gap of the certificate.
     #[getter]
     fn certificate(&self) -> [f64; 4] {
         self.found.certificate().figures().map(|(_, value)| value)
     }
 
-    /// Values of outputs, their derivatives with respect to parameters, one row for each output, and the
-    /// reasons why they are one-sided.
+    /// Returns the values of outputs, their derivatives with respect to parameters with one row for each output,
+    /// and the reasons why derivatives are one-sided.
     fn gradients<'py>(
         &self,
         py: Python<'py>,
@@ -183,7 +183,7 @@ impl Solution {
         Ok((PyArray1::from_vec(py, values), PyArray1::from_vec(py, derivatives), one_sided))
     }
 
-    /// The minimum and the maximum of a field, each as position and value.
+    /// Returns the minimum and the maximum of a field, each as position and value.
     fn range(&self, name: &str) -> Result<(f64, f64, f64, f64), Failure> {
         let range = self.found.range(field(name)?);
         Ok((range.min.x, range.min.value, range.max.x, range.max.value))

@@ -1,4 +1,4 @@
-//! Draws, solves and saves the samples of studies, without Python in the loop.
+//! Draws, solves and saves the samples of studies, without Python code for single samples.
 
 use crate::failure::Failure;
 use crate::model::held;
@@ -89,7 +89,7 @@ impl Study {
         &self.draws.study().model_path
     }
 
-    /// The random numbers of consecutive samples by name, and the fields as arrays of samples by points.
+    /// Returns the random numbers of consecutive samples by name, and the random fields as arrays of samples by points.
     fn draw<'py>(&self, py: Python<'py>, first: u64, count: u64) -> PyResult<Bound<'py, PyDict>> {
         let drawn: Vec<_> =
             py.detach(|| (first..first + count).map(|sample| self.draws.draw(sample)).collect());
@@ -108,7 +108,7 @@ impl Study {
         Ok(table)
     }
 
-    /// Name of the class that `solve_many` needs for the fields of a draw.
+    /// Name of the class that `solve_many` needs for the random fields of the samples.
     #[getter]
     fn shape(&self) -> &'static str {
         match self.draws.study().field.as_ref().map(|field| field.course) {
@@ -117,7 +117,7 @@ impl Study {
         }
     }
 
-    /// Solves the remaining samples. Returns the number of samples solved now.
+    /// Solves the remaining samples. Returns the number of samples that this call solved.
     fn run(
         &self,
         py: Python<'_>,
@@ -138,12 +138,12 @@ impl Study {
         }
     }
 
-    /// Compares a file of results with its checksums.
+    /// Checks a file of results against its checksums. Returns the number of samples.
     fn verify(&self, py: Python<'_>, out: PathBuf) -> PyResult<u64> {
         watched(py, None, |watch| groundbeam_study::verify(&out, watch))
     }
 
-    /// Statistics of all samples, as a document and as a picture.
+    /// Computes the statistics of all samples. Returns a document and a picture.
     fn summary(&self, py: Python<'_>, out: PathBuf) -> PyResult<(String, String)> {
         let context = Context::new(self.draws.study().document.printed);
         let summary =
@@ -158,8 +158,8 @@ pub fn merge(py: Python<'_>, files: Vec<PathBuf>, out: PathBuf) -> PyResult<u64>
     Ok(watched(py, None, |watch| groundbeam_study::merge(&files, &out, watch))?.samples)
 }
 
-/// Runs `work` without the interpreter's lock. Ctrl-C stops it, and a function receives the number of solved
-/// samples.
+/// Runs `work` without the interpreter's lock. Ctrl-C stops the work, and `progress` receives the number of
+/// solved samples.
 fn watched<T: Send>(
     py: Python<'_>,
     progress: Option<Py<PyAny>>,

@@ -12,11 +12,12 @@ use std::sync::mpsc::{self, RecvTimeoutError};
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// Interval between checks for signals and updates of progress.
+/// Interval between two checks for signals and reports of the progress.
 const BETWEEN_LOOKS: Duration = Duration::from_millis(100);
 
-/// Number of threads of a call: the requested number; for 0 the value of `RAYON_NUM_THREADS`, which the
-/// program also uses, or else the number of processors.
+/// Returns the number of threads of a call. It is the requested number if it is positive. Otherwise it is the
+/// value of the variable `RAYON_NUM_THREADS`, which the command-line program also uses, or else the number of
+/// processors.
 pub fn number(asked: usize) -> usize {
     let of_variable = || {
         let variable = std::env::var("RAYON_NUM_THREADS").ok()?;
@@ -30,8 +31,8 @@ pub fn number(asked: usize) -> usize {
     }
 }
 
-/// The results of `work` for 0 to `count`, in this order. Each thread has its own state, which `work` may use
-/// as workspace; the results must not depend on it.
+/// Calls `work` for all numbers below `count` and returns the results in the order of the numbers. Each thread
+/// has its own state, which `work` may use as workspace. The results must not depend on the state.
 pub fn map<S, T: Send>(
     count: usize,
     threads: usize,
@@ -56,7 +57,7 @@ pub fn map<S, T: Send>(
         let (say, ended) = mpsc::channel();
         for _ in 0..number(threads).min(count) {
             let (say, one_thread) = (say.clone(), &one_thread);
-            // The receiver no longer exists if Python has stopped the work.
+            // If Python has stopped the work, the receiver no longer exists.
             let thread = move || drop(say.send(one_thread()));
             if let Err(error) = thread::Builder::new().spawn_scoped(scope, thread) {
                 stop.store(true, Ordering::Relaxed);
@@ -95,14 +96,14 @@ fn tell(progress: Option<&Py<PyAny>>, done: usize, count: usize) -> PyResult<()>
     })
 }
 
-/// The threads of one call of a run; `None` for the thread of the caller.
+/// The number of threads and the start time of one run. Without a number, the work runs on the caller's thread.
 pub struct Threads {
     number: Option<usize>,
     started: Instant,
 }
 
 impl Threads {
-    /// The requested number of threads, as counted by [`number`].
+    /// Sets the number of threads. For the number 0, [`number`] chooses the number of threads.
     pub fn new(number: Option<usize>) -> Self {
         Threads { number, started: Instant::now() }
     }

@@ -100,7 +100,7 @@ def test_gradients_of_a_batch_agree_with_single_gradients(footing: gb.Model) -> 
 
 
 def test_wrong_gradients_are_refused(footing: gb.Model) -> None:
-    with pytest.raises(ValueError, match="given together"):
+    with pytest.raises(ValueError, match="give both of them"):
         gb.solve_many(footing, gradients="largest moment")
     with pytest.raises(ValueError, match="no such number"):
         gb.solve_many(footing, gradients="largest moment", with_respect_to=["load[7]"])

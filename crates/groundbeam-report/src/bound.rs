@@ -3,17 +3,17 @@
 use crate::number::{upper, whole, without_trailing_zeros};
 use crate::quantity::Unit;
 
-/// Marks a number without a bound.
+/// Marks a printed number without a proven bound.
 pub(crate) fn not_proven(words: &str) -> String {
     format!("{words} (not proven)").trim_start().to_owned()
 }
 
-/// A bound rounded up: `2.1e-13`.
+/// Prints an error bound rounded up, as in `2.1e-13`.
 pub(crate) fn bound_alone(error: f64) -> String {
     if error.is_finite() { upper(error) } else { not_proven("") }
 }
 
-/// An interval that contains an exact number, as distances from the printed number.
+/// An interval that contains an exact number. Its ends are distances from the printed number.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Around {
     low: f64,
@@ -21,7 +21,7 @@ pub(crate) struct Around {
 }
 
 impl Around {
-    /// The interval of a value with its error bound.
+    /// Returns the interval of an exact number from a computed value and its error bound.
     pub fn of(printed: f64, value: f64, error: f64) -> Self {
         let off = value - printed;
         match off {
@@ -33,7 +33,7 @@ impl Around {
         }
     }
 
-    /// The interval of the largest or smallest of several exact numbers; `None` for no numbers.
+    /// Returns the interval of the largest or the smallest of several exact numbers; `None` if there are no numbers.
     pub fn extreme(all: impl IntoIterator<Item = Self>, is_max: bool) -> Option<Self> {
         let outer = if is_max { f64::max } else { f64::min };
         let fold =
@@ -41,38 +41,37 @@ impl Around {
         all.into_iter().reduce(fold)
     }
 
-    /// Bound on the distance between the exact and the printed number.
+    /// Bound of the distance between the exact and the printed number.
     pub fn error(self) -> f64 {
         self.high.max(-self.low)
     }
 
-    /// Whether all numbers of this interval are more extreme than all numbers of another one.
+    /// Whether all numbers of this interval are more extreme than all numbers of another interval.
     pub fn leads(self, other: Self, is_max: bool) -> bool {
         if is_max { self.low > other.high } else { self.high < other.low }
     }
 }
 
-/// Significant digits of a double.
+/// Maximum number of significant digits of a double.
 const MOST_DIGITS: i32 = 17;
 
-/// A number with a bound of its error, in a unit: `14.226133301 ± 1.3e-9 mm`. Without a finite bound it is
-/// rounded to six digits and marked as not proven.
+/// Prints a number with its error bound in a unit, as in `14.226133301 ± 1.3e-9 mm`. Without a finite bound the
+/// number is rounded to six digits and marked as not proven.
 ///
-/// |printed − exact| is at most the printed bound. This bound is the error bound of the number plus half a
-/// unit of its last printed digit, rounded up. The number of digits is such that the second part is at most a
-/// twentieth of the first, as far as a double has digits.
+/// |printed − exact| is at most the printed bound. The printed bound is the error bound of the number plus half a
+/// unit of the last printed digit, rounded up. This half unit is at most a twentieth of the error bound, unless the
+/// number would need more digits than a double has.
 pub(crate) fn with_bound(value: f64, error: f64, unit: Unit) -> String {
     rounded_with_bound(value, error, unit, MOST_DIGITS)
 }
 
-/// The number with its bound, with at most `most` digits.
+/// Prints a number with its error bound, with at most `most` digits of the number.
 pub(crate) fn rounded_with_bound(value: f64, error: f64, unit: Unit, most: i32) -> String {
     if !(value.is_finite() && error.is_finite()) {
         return not_proven(&unit.write(value));
     }
     let Some(power) = unit.power_of_ten() else {
-        // The quotient of two doubles, where the unit size is also rounded, has at most three rounding
-        // errors.
+        // The quotient of two doubles has at most three rounding errors, because the unit size is also rounded.
         let quotient = value / unit.size;
         let rounding = 4.0 * f64::EPSILON * quotient.abs();
         let converted = if error == 0.0 { 0.0 } else { unit.upper(error) };
@@ -97,8 +96,8 @@ pub(crate) fn rounded_with_bound(value: f64, error: f64, unit: Unit, most: i32) 
     format!("{number} ± {bound}{unit}")
 }
 
-/// Rounds a number to the digit of 10ⁿ, with at most `most` digits. Returns it in units of 10ᵖ, with a bound
-/// of the rounding error.
+/// Rounds a number to the digit of 10ⁿ with n = `last`, with at most `most` digits. Returns the number in units
+/// of 10ᵖ with p = `power`, and a bound of the rounding error.
 fn rounded_within(value: f64, last: i32, power: i32, most: i32) -> (String, f64) {
     let leading = exponent(value);
     let digits = (leading - last + 1).min(most);
@@ -110,13 +109,13 @@ fn rounded_within(value: f64, last: i32, power: i32, most: i32) -> (String, f64)
     (number, half)
 }
 
-/// The exponent n of a number a·10ⁿ, 1 ≤ a < 10.
+/// Returns the exponent n of a number a·10ⁿ with 1 ≤ a < 10.
 fn exponent(value: f64) -> i32 {
     let written = format!("{value:e}");
     written.split_once('e').and_then(|(_, exponent)| exponent.parse().ok()).unwrap_or(0)
 }
 
-/// The decimal `1.25e-9` divided by 10ᵖ without rounding; the digits stay the same.
+/// Divides a decimal such as `1.25e-9` by 10ᵖ without rounding. The digits stay the same.
 fn shifted(scientific: &str, power: i32) -> String {
     let (mantissa, exponent) = scientific.split_once('e').unwrap_or((scientific, "0"));
     let exponent = exponent.parse::<i32>().unwrap_or(0) - power;
@@ -184,7 +183,7 @@ mod tests {
         assert_eq!(bound_alone(f64::INFINITY), "(not proven)");
     }
 
-    /// The exact largest number lies between the largest lower end and the largest upper end.
+    /// The largest of several exact numbers lies between their largest lower bound and their largest upper bound.
     #[test]
     fn the_extreme_of_intervals_lies_between_the_extremes_of_their_ends() {
         let around = |all: &[(f64, f64)], printed: f64, is_max: bool| {
@@ -193,13 +192,13 @@ mod tests {
         };
         assert_eq!(around(&[], 0.0, true), None);
         assert_eq!(around(&[(3.0, 0.25), (2.0, 0.5)], 3.0, true), Some(0.25));
-        // The second number may be the larger one: it is at most 3.5.
+        // The upper bound of the second number is 3.5, so the second number may be the largest one.
         let error = around(&[(3.0, 0.25), (2.5, 1.0)], 3.0, true).unwrap();
         assert!(error > 0.5 && error < 0.5 + 1e-15, "{error}");
         let error = around(&[(3.0, 0.25), (3.5, 1.0)], 3.0, false).unwrap();
         assert!(error > 0.5 && error < 0.5 + 1e-15, "{error}");
         assert_eq!(around(&[(3.0, 0.25), (2.0, f64::INFINITY)], 3.0, true), Some(f64::INFINITY));
-        // The governing number may be smaller than another one because of rounding.
+        // The printed number 3 is smaller than the second number 3.5, so the bound must be at least 0.5.
         assert!(around(&[(3.0, 0.0), (3.5, 0.0)], 3.0, true).unwrap() >= 0.5);
         let [a, b] = [(3.0, 0.25), (2.0, 0.5)].map(|(value, error)| Around::of(3.0, value, error));
         assert!(a.leads(b, true) && !b.leads(a, true) && b.leads(a, false));

@@ -3,15 +3,17 @@
 use groundbeam::{Existence, Model};
 use serde::Serialize;
 
-/// β, βl, the shear length and the resultant.
+/// Characteristic numbers of a beam on ground: β, βl, the shear length √(μ/k), and the resultant of the
+/// loads.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Characteristics {
-    /// β = (k/4EI)^¼ \[1/m\]: smallest and largest value along the beam.
+    /// Smallest and largest value of β = (k/(4EI))^¼ \[1/m\] along the beam.
     pub beta: [f64; 2],
-    /// βl; ∫β dx if β varies. Below π/4 the beam is nearly rigid. Above π its ends do not influence each
-    /// other (Hetényi).
+    /// Product βl of β and the beam length, or ∫β dx if β varies. Below π/4 the beam is nearly rigid. Above π
+    /// the ends of the beam do not influence each other (Hetényi).
     pub beta_length: f64,
-    /// √(μ/k) \[m\], the decay length of the ground's surface outside the beam: smallest and largest value.
+    /// Smallest and largest value of the shear length √(μ/k) \[m\] along the beam. It is the decay length of
+    /// the ground displacement outside the beam.
     pub shear_length: [f64; 2],
     /// Resultant of the loads.
     pub resultant: Resultant,
@@ -20,7 +22,7 @@ pub struct Characteristics {
 /// The resultant of the loads.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Resultant {
-    /// The force \[N\], positive downward.
+    /// Resultant force \[N\], positive downward.
     pub force: f64,
     /// The position of the resultant \[m\]; `None` if the force is zero.
     pub at: Option<f64>,
@@ -60,8 +62,8 @@ impl Characteristics {
         Characteristics { beta, beta_length, shear_length, resultant }
     }
 
-    /// The characteristics of several valid models with one resultant: the first model, with the ranges over
-    /// all models.
+    /// Computes the characteristic numbers of several valid models with the same resultant. β and the shear
+    /// length range over all models; βl is that of the first model.
     pub(crate) fn of_all(models: &[&Model], existence: &Existence) -> Option<Self> {
         let each = models.iter().map(|model| Characteristics::of(model, existence));
         each.reduce(|all, other| {
@@ -74,7 +76,7 @@ impl Characteristics {
         })
     }
 
-    /// Hetényi's class of the beam.
+    /// Class of the beam by its βl (Hetényi): short, medium or long.
     pub(crate) fn class(&self) -> &'static str {
         use std::f64::consts::PI;
         if self.beta_length < 0.25 * PI {
@@ -87,7 +89,7 @@ impl Characteristics {
     }
 }
 
-/// Non-overlapping segments from left to right; a position is found by bisection.
+/// Non-overlapping segments, sorted from left to right. Bisection finds the segment at a position.
 struct Ordered<'a, S> {
     segments: Vec<&'a S>,
     ends: fn(&S) -> [f64; 2],
@@ -111,17 +113,17 @@ fn widened([low, high]: [f64; 2], value: f64) -> [f64; 2] {
     [low.min(value), high.max(value)]
 }
 
-/// Number of integration steps along a varying segment.
+/// Number of integration steps on each stretch of the beam, if the stiffness of the beam or of the ground varies.
 const STEPS: usize = 256;
 
-/// Whether any segment varies.
+/// Whether the stiffness of the beam or of the ground varies along any segment.
 fn varies(model: &Model) -> bool {
     let beam = model.beam.segments.iter().map(|s| &s.bending_stiffness);
     let ground = model.foundation.segments.iter().flat_map(|s| [&s.subgrade, &s.shear_layer]);
     beam.chain(ground).any(|profile| !profile.is_constant())
 }
 
-/// Parts of the beam on which neither beam nor ground changes segment.
+/// Returns the stretches of the beam between adjacent ends of beam and ground segments.
 fn stretches(model: &Model) -> Vec<[f64; 2]> {
     let l = model.beam.length;
     let beam = model.beam.segments.iter().flat_map(|s| [s.from, s.to]);

@@ -15,23 +15,24 @@ use std::borrow::Cow;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Judged {
     pub check: Check,
-    /// Error bound of the value; infinite if there is none, `None` if no proof is requested.
+    /// Error bound of the checked value. It is infinite if no bound is proven, and `None` if no proof is
+    /// requested.
     pub error: Option<f64>,
 }
 
-/// Whether a limit is satisfied.
+/// Result of the comparison of a value with its limit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Judgement {
-    /// Judged by the computed value only.
+    /// The computed value is compared with the limit, without an error bound; `true` if the check passes.
     Passes(bool),
-    /// All values within the error bound lie on the same side of the limit.
+    /// All values within the error bound lie on the same side of the limit; `true` if the check passes.
     Proven(bool),
-    /// The limit lies within the bound.
+    /// The limit lies within the error bound of the value.
     Undecided,
 }
 
 impl Judgement {
-    /// Name in results.
+    /// Name of the judgement in results.
     pub fn name(self) -> &'static str {
         match self {
             Judgement::Passes(true) => "passes",
@@ -43,7 +44,7 @@ impl Judgement {
     }
 }
 
-/// The requested checks of a solution.
+/// Returns the requested design checks of a solution, each with its error bound.
 pub(crate) fn judged(
     limits: Option<&Limits>,
     solution: &Solution,
@@ -57,13 +58,13 @@ pub(crate) fn judged(
     checks.into_iter().map(of).collect()
 }
 
-/// Error bound of the value of a check. The proof does not cover values that follow from statics:
-/// eccentricity, overturning, force on the effective area.
+/// Error bound of the value of a check. It is infinite for values that follow from statics (eccentricity,
+/// overturning, force on the effective area), because the proof does not cover these values.
 fn error(check: &Check, solution: &Solution, named: &Named, limits: Option<&Limits>) -> f64 {
     match check.what {
         Checked::BearingPressure => {
             let width = limits.and_then(|limits| limits.bearing_pressure).map_or(0.0, |(_, b)| b);
-            // The width and the quotient are each rounded once.
+            // The foundation width and the quotient of pressure and width each have one rounding error.
             let rounding = 4.0 * f64::EPSILON * check.found.abs();
             let error = named.error_of(Field::Pressure) / width * (1.0 + 4.0 * f64::EPSILON);
             (error + rounding).next_up()
@@ -74,25 +75,26 @@ fn error(check: &Check, solution: &Solution, named: &Named, limits: Option<&Limi
     }
 }
 
-/// An answer with the data that checks need.
+/// Result of one combination or train position, with the data that its design checks need.
 #[derive(Debug, Clone)]
 pub(crate) struct Row<'a> {
     pub name: Cow<'a, str>,
-    /// The limit states of the answer; empty if the loads act as given.
+    /// Limit states of the combination; empty for loads as given and for a combination without a limit state.
     pub states: LimitStates,
-    /// Whether its combination comes from a set of the Eurocodes.
+    /// Whether the combination comes from a Eurocode set of combinations.
     pub eurocode: bool,
     pub solution: Option<&'a Solution>,
-    /// Whether no equilibrium exists.
+    /// Whether the model has no equilibrium.
     pub falls: bool,
     /// Whether the loads act as given, without factors.
     pub as_given: bool,
-    /// The proof of the answer; `None` if no proof is requested.
+    /// Proof of the result; `None` if no proof is requested.
     pub proof: Option<&'a Named>,
 }
 
 impl<'a> Row<'a> {
-    /// The row of one answer. The name of an answer with a train contains the train's position.
+    /// Returns the row of one result. If a train is on the beam, the name of the row contains the train's
+    /// position.
     pub fn of(answer: &'a Answer, proof: Option<&'a Named>, units: Units) -> Self {
         let combination = &answer.label.combination;
         let mut name = Cow::Borrowed(&*combination.name);
@@ -119,7 +121,7 @@ impl<'a> Row<'a> {
         }
     }
 
-    /// The row of a single solution.
+    /// Returns the row of a single solution. The context contains its combination and its proof.
     pub fn alone(solution: &'a Solution, context: &Context<'a>) -> Self {
         Row {
             name: Cow::Borrowed(""),
@@ -133,11 +135,11 @@ impl<'a> Row<'a> {
     }
 }
 
-/// Verdict on a check in one limit state, over all its answers.
+/// Verdict on a design check in one limit state, over all results of this limit state.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Verdict {
     pub what: Checked,
-    /// The limit state; `None` for answers without a limit state.
+    /// The limit state; `None` for results without a limit state.
     pub state: Option<LimitState>,
     pub of: Governing,
 }
@@ -145,21 +147,21 @@ pub(crate) struct Verdict {
 /// Reason for a verdict.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Governing {
-    /// Index of the answer with the largest utilization of the limit. The error belongs to the largest of all
-    /// values.
+    /// Index of the result with the largest utilization of the limit, and its check. The error bound applies
+    /// to the largest exact value over all results.
     Judged(usize, Judged),
-    /// An answer without equilibrium.
+    /// Index of a result without equilibrium.
     Falls(usize),
-    /// An answer that is not solved.
+    /// Index of a combination or train position that is not solved.
     Unsolved(usize),
-    /// The loads of an answer have no resultant, and so no eccentricity.
+    /// Index of a result whose loads have no resultant and therefore no eccentricity.
     NoResultant(usize),
-    /// No answer belongs to these limit states.
+    /// No result belongs to these limit states.
     NoCombination(LimitStates),
 }
 
 impl Verdict {
-    /// Whether the limit is satisfied; `None` if it is not judged.
+    /// Whether the limit is satisfied; `None` if the check is not judged.
     pub fn passes(&self) -> Option<bool> {
         match self.of {
             Governing::Judged(_, judged) => Some(judged.check.passes()),
@@ -170,7 +172,7 @@ impl Verdict {
         }
     }
 
-    /// Index of the answer that decides; `None` without an answer.
+    /// Index of the governing result; `None` if no result belongs to the limit states.
     pub fn by(&self) -> Option<usize> {
         match self.of {
             Governing::Judged(by, _)
@@ -181,7 +183,8 @@ impl Verdict {
         }
     }
 
-    /// The clause that requires the check, if the combination that decides comes from the same code.
+    /// Clause of the design code that requires the check; `None` if the governing combination does not come
+    /// from this code.
     pub fn clause(&self, rows: &[Row]) -> Option<&'static str> {
         let eurocode = self.by().is_some_and(|by| rows[by].eurocode);
         self.what.clause().filter(|_| eurocode)
@@ -193,8 +196,9 @@ impl Verdict {
     }
 }
 
-/// The verdicts on all requested checks: one for each limit state of a check that has an answer. Every check
-/// also judges the answers without a limit state.
+/// Returns the verdicts on all requested design checks. Each check has one verdict for each limit state with
+/// results, and one for the results without a limit state. A check without any results has one verdict that
+/// says so.
 pub(crate) fn verdicts(limits: Option<&Limits>, rows: &[Row]) -> Vec<Verdict> {
     let Some(limits) = limits else { return Vec::new() };
     let judged: Vec<Vec<Judged>> = rows
@@ -224,7 +228,8 @@ pub(crate) fn verdicts(limits: Option<&Limits>, rows: &[Row]) -> Vec<Verdict> {
     verdicts
 }
 
-/// The answer that decides a check, among the answers of one limit state; `None` if no answer has a value.
+/// Returns the result that governs a check among the results of one limit state; `None` if the limit state
+/// has no results.
 fn governing(
     what: Checked,
     of_state: &[usize],
@@ -243,7 +248,7 @@ fn governing(
     if let Some(&unsolved) = of_state.iter().find(|&&i| rows[i].solution.is_none()) {
         return Some(Governing::Unsolved(unsolved));
     }
-    // An answer without loads does not take part in a check if another answer has a value.
+    // A result without loads is ignored if another result has a value for the check.
     let is_loaded =
         |i: usize| rows[i].solution.is_some_and(|of| of.existence().static_reactions != [0.0; 2]);
     let lacks = |&&i: &&usize| of_kind(i).is_none() && (worst.is_none() || is_loaded(i));
@@ -253,9 +258,10 @@ fn governing(
     worst.map(|(i, judged)| Governing::Judged(i, judged))
 }
 
-/// The value with the largest utilization, with the error of the largest of all values.
+/// Returns the check with the largest utilization. Its error bound is replaced by an error bound of the
+/// largest exact value over all results.
 fn worst(found: &[(usize, Judged)]) -> Option<(usize, Judged)> {
-    // Of equal values, the first one is kept.
+    // If several checks have the same utilization, the first of them is returned.
     let most = |a: &&(usize, Judged), b: &&(usize, Judged)| {
         a.1.check.utilisation().total_cmp(&b.1.check.utilisation())
     };
@@ -274,7 +280,7 @@ impl Judged {
         let Some(error) = self.error.filter(|error| error.is_finite()) else {
             return Judgement::Passes(self.check.passes());
         };
-        // The limit is rounded once, unless it is zero.
+        // The limit has one rounding error, unless it is zero.
         let [least, most] =
             if limit == 0.0 { [0.0; 2] } else { [limit.next_down(), limit.next_up()] };
         let [low, high] = match error {
@@ -296,7 +302,7 @@ impl Judged {
     }
 }
 
-/// All answers as rows for the checks.
+/// Returns one row per result for the design checks.
 pub(crate) fn rows_of<'a>(answers: &'a Answers, context: &Context<'a>) -> Vec<Row<'a>> {
     let proofs = context.proofs;
     let each = answers.list.iter().enumerate();
@@ -326,7 +332,7 @@ mod tests {
             (0.75, Some(0.125), Judgement::Proven(false)),
             (0.25, Some(0.25), Judgement::Undecided),
             (0.75, Some(0.25), Judgement::Undecided),
-            // The limit itself is a rounded number.
+            // The limit is a rounded number, so a value equal to the limit is undecided.
             (0.5, Some(0.0), Judgement::Undecided),
         ] {
             assert_eq!(settles(found, error).judgement(), expected, "{found} {error:?}");
@@ -342,7 +348,7 @@ mod tests {
         Row { name, states, eurocode: false, solution, falls, as_given: false, proof }
     }
 
-    /// A combination whose value does not govern may govern by its bound.
+    /// A combination with a smaller value can have a larger upper bound than the governing combination.
     #[test]
     fn the_governing_check_covers_the_bounds_of_all_combinations() {
         let all = [vec![settles(0.375, Some(0.0))], vec![settles(0.25, Some(0.5))]];

@@ -1,4 +1,4 @@
-//! Numbers and headings that all reports of several combinations use.
+//! Computes the numbers and headings that all reports of several combinations use.
 
 use crate::bound::Around;
 use crate::context::Context;
@@ -20,14 +20,14 @@ pub(crate) struct Numbered<'a> {
     pub number: usize,
     pub solution: &'a Solution,
     pub sizes: Sizes,
-    /// Factors on k and μ of the ground; `None` without a band.
+    /// Factors on k and μ of the ground; `None` if the file gives no range of ground stiffness.
     pub ground: Option<[f64; 2]>,
     /// The proof of the solution; `None` if no proof is requested.
     pub proof: Option<&'a Named>,
 }
 
 impl Numbered<'_> {
-    /// Its numbers as printed.
+    /// Formats the numbers of the solution.
     pub fn numbers(&self, units: Units) -> Numbers<'_> {
         Numbers::plain(self.solution, units).with_proof(self.proof)
     }
@@ -37,7 +37,7 @@ impl Numbered<'_> {
         if is_max { range.max } else { range.min }
     }
 
-    /// Interval of the exact extreme of a field around the printed value.
+    /// Interval that contains the difference between the exact extreme of a field and the printed value.
     fn around(&self, printed: f64, field: Field, is_max: bool) -> Around {
         let error = self.proof.map_or(f64::INFINITY, |named| named.error_of(field));
         Around::of(printed, self.extreme(field, is_max).value, error)
@@ -59,7 +59,7 @@ pub(crate) fn numbered<'a>(answers: &'a Answers, context: &Context<'a>) -> Vec<N
     each.collect()
 }
 
-/// The combinations of a limit state.
+/// Returns the solved combinations that belong to a limit state.
 pub(crate) fn of_limit_state<'a>(
     answers: &Answers,
     solved: &[Numbered<'a>],
@@ -69,7 +69,8 @@ pub(crate) fn of_limit_state<'a>(
     solved.iter().filter(is_of).copied().collect()
 }
 
-/// Bound of the extreme of a field over all combinations, and whether one combination is proven to govern.
+/// Error bound of the extreme of a field over all combinations, and whether the governing combination is
+/// proven to govern.
 pub(crate) fn bound_of_extreme(
     solved: &[Numbered],
     field: Field,
@@ -86,8 +87,8 @@ pub(crate) fn bound_of_extreme(
     (error, leads)
 }
 
-/// Bounds of the smallest and of the largest value of a field over all combinations at a section, on both of
-/// its sides.
+/// Error bounds of the smallest and of the largest value of a field over all combinations, just to the left and
+/// just to the right of `x`.
 pub(crate) fn bounds_at(solved: &[Numbered], field: Field, x: f64, printed: [f64; 2]) -> [f64; 2] {
     [false, true].map(|is_max| {
         let sides = solved.iter().flat_map(|row| {
@@ -100,8 +101,8 @@ pub(crate) fn bounds_at(solved: &[Numbered], field: Field, x: f64, printed: [f64
     })
 }
 
-/// The largest force under an end of the beam (0: left) over all combinations: combination, force and error
-/// bound.
+/// Returns the largest force under an end of the beam over all combinations, as combination, force and error
+/// bound. `end` is 0 for the left end and 1 for the right end.
 pub(crate) fn largest_end_force<'s, 'a>(
     solved: &'s [Numbered<'a>],
     end: usize,
@@ -120,8 +121,8 @@ pub(crate) fn largest_end_force<'s, 'a>(
     Some((row, most, Around::extreme(all, true)?.error()))
 }
 
-/// Bounds of an extreme on the ground with the best estimates, and bounds of the smallest and the largest
-/// value of this extreme over all grounds.
+/// Three error bounds: of an extreme for the best estimates of k and μ, and of the smallest and the largest value of
+/// this extreme over all computed pairs of k and μ.
 pub(crate) fn bounds_of_band(
     solved: &[Numbered],
     field: Field,
@@ -146,7 +147,8 @@ pub(crate) fn bounds_of_band(
     [best, over(banded.low, false), over(banded.high, true)]
 }
 
-/// Heading of a list of combinations. A band of grounds may exist without combinations of loads.
+/// Heading of the list of combinations. It is `Grounds` if only the ground stiffness varies between the
+/// combinations.
 pub(crate) fn noun(answers: &Answers) -> &'static str {
     let all = || answers.list.iter().map(|answer| &answer.label.combination);
     let on_grounds = all().any(|combination| combination.ground.is_some());

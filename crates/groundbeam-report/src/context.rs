@@ -11,39 +11,40 @@ use groundbeam_run::{Factors, Ground};
 pub struct Context<'a> {
     /// Title of the model.
     pub title: Option<&'a str>,
-    /// Units and digits of numbers.
+    /// Units of the printed numbers, and the number of their digits.
     pub units: Units,
-    /// Duration \[s\]; `None` if it was not measured.
+    /// Duration of the solve \[s\]; `None` if it was not measured.
     pub seconds: Option<f64>,
-    /// Load factors; `None` if not requested.
+    /// Load factors; `None` if they are not requested.
     pub factors: Option<&'a Factors>,
-    /// Origin of the ground's constants; `None` if they are given per length of beam.
+    /// Origin of the ground constants k and μ; `None` if the file gives them per length of the beam.
     pub ground: Option<&'a Ground>,
-    /// Limits of the design checks; `None` if not requested.
+    /// Limits of the design checks; `None` if no checks are requested.
     pub limits: Option<&'a Limits>,
-    /// Number of chords of the initial gap that replace settlement troughs; `None` without troughs.
+    /// Number of straight segments that replace settlement troughs in the initial gap; `None` without troughs.
     pub chords: Option<usize>,
     /// Digest of the model file and of the tables that it names, from [`model_digest`](crate::model_digest);
     /// `None` if the model does not come from a file.
     pub digest: Option<&'a str>,
-    /// A combination that is solved alone; `None` for a model as written.
+    /// The selected combination, if it is solved alone; `None` for the model as written.
     pub combination: Option<&'a Combination>,
     /// Whether the file has more combinations than the requested ones.
     pub selected: bool,
-    /// Whether a document contains the pieces of the solution, which its proof needs.
+    /// Whether the result document contains the piecewise polynomials of the solution, which the proof needs.
     pub pieces: bool,
-    /// Whether a document contains the model, because the second reader does not read the model file.
+    /// Whether the result document contains the model. The proof reads this model if its own file
+    /// reader does not support the model file.
     pub model: bool,
-    /// Depth of the section along the beam, which pictures show; empty if it is not known.
+    /// Depth of the cross-section along the beam, which pictures show; empty if the depth is not known.
     pub depths: &'a [Depth],
     /// Warnings about the file.
     pub warnings: &'a [Diagnostic],
-    /// Proof of each answer, in order; empty if no proof is requested.
+    /// Proof of each result, in the order of the results; empty if no proof is requested.
     pub proofs: &'a [Named],
 }
 
 impl<'a> Context<'a> {
-    /// Title, units, limits and chords of a model file.
+    /// Returns the context of a model file, with its title, units, limits, chords, depths and warnings.
     pub fn of(document: &'a Document) -> Self {
         Context {
             title: document.title.as_deref(),
@@ -55,7 +56,7 @@ impl<'a> Context<'a> {
         }
     }
 
-    /// A context with units only.
+    /// Returns a context that contains only units.
     pub fn new(units: Units) -> Self {
         Context {
             title: None,
@@ -81,33 +82,34 @@ impl<'a> Context<'a> {
         Context { title: Some(title), ..self }
     }
 
-    /// The context with a duration \[s\].
+    /// Sets the duration of the solve \[s\].
     pub fn with_seconds(self, seconds: f64) -> Self {
         Context { seconds: Some(seconds), ..self }
     }
 
-    /// The context with load factors.
+    /// Sets the load factors.
     pub fn with_factors(self, factors: &'a Factors) -> Self {
         Context { factors: Some(factors), ..self }
     }
 
-    /// The context with the origin of the ground's constants.
+    /// Sets the origin of the ground constants k and μ.
     pub fn with_ground(self, ground: &'a Ground) -> Self {
         Context { ground: Some(ground), ..self }
     }
 
-    /// The context with limits of checks.
+    /// Sets the limits of the design checks.
     pub fn with_limits(self, limits: &'a Limits) -> Self {
         Context { limits: Some(limits), ..self }
     }
 
-    /// The title on one line, without control characters for terminals and invalid XML characters.
+    /// The title on one line, with control characters and invalid XML characters escaped; `None` without a
+    /// title.
     pub(crate) fn clean_title(&self) -> Option<String> {
         self.title.map(clean).filter(|title| !title.is_empty())
     }
 }
 
-/// Text of a file on one line, without control characters for terminals and invalid XML characters.
+/// Returns a text on one line, with control characters and invalid XML characters escaped.
 pub(crate) fn clean(words: &str) -> String {
     printable(&words.split_whitespace().collect::<Vec<_>>().join(" ")).into_owned()
 }

@@ -1,4 +1,4 @@
-//! Writes tables: fields along the beam, the envelope of combinations, and the history of the iteration.
+//! Writes CSV tables: fields along the beam, the envelope of combinations, and the history of the iteration.
 
 use crate::bound::bound_alone;
 use crate::combinations::{bounds_at, numbered, of_limit_state};
@@ -16,13 +16,13 @@ use groundbeam::{
 use groundbeam_file::printable;
 use groundbeam_run::{Answers, InPassage, Passage, Passages};
 
-/// All fields at the given positions, in base SI units or in the US units of the file:
-/// `x_m, deflection_m, …`. For plain numbers the header has no units. If a proof is requested, a column with
-/// the error bound follows each field: `deflection_bound_m`.
+/// Returns a CSV table of all fields at the given positions, with the header `x_m, deflection_m, …`. The
+/// values are in base SI units or in the US units of the file. For plain numbers the header has no units. If
+/// a proof is requested, a column with the error bound follows each field: `deflection_bound_m`.
 ///
-/// Where a field jumps (at point loads, supports and contact edges) the position has two rows: first the
-/// values just to the left, then those just to the right. Numbers have enough digits to read back the same
-/// bits. Without a proof, a value that is only rounding error is 0.
+/// Where a field jumps (at point loads, supports and contact edges), the position has two rows. The first row
+/// contains the values just to the left, the second row those just to the right. Numbers have enough digits
+/// to be read back as the same bits. Without a proof, a value that is only rounding error is written as 0.
 pub fn table(solution: &Solution, positions: &[f64], context: &Context) -> String {
     let mut rows = Rows::new();
     let (units, proof) = (context.units, context.proofs.first());
@@ -53,12 +53,13 @@ pub fn table(solution: &Solution, positions: &[f64], context: &Context) -> Strin
     rows.finish()
 }
 
-/// The envelope of all combinations at the given positions:
+/// Returns a CSV table of the envelope of all combinations at the given positions, with the header
 /// `x_m, deflection_min_m, deflection_max_m, deflection_governs_min, deflection_governs_max, …`. If proofs
 /// are requested, the error bounds follow the values: `deflection_min_bound_m, deflection_max_bound_m`.
 ///
-/// Where a field jumps, both sides count. If combinations have limit states, the last column names the limit
-/// state of the row: the rows of `all` combinations come first, then those of each limit state.
+/// Where a field jumps, the envelope includes the values on both sides of the jump. If combinations have
+/// limit states, the last column contains the limit state of the row. The rows for `all` combinations come
+/// first; the rows for each limit state follow.
 pub fn envelope(answers: &Answers, positions: &[f64], context: &Context) -> String {
     let (units, solved) = (context.units, numbered(answers, context));
     let have_bounds = !context.proofs.is_empty();
@@ -102,9 +103,9 @@ pub fn envelope(answers: &Answers, positions: &[f64], context: &Context) -> Stri
     enveloped(names, answers.limit_states(), of_state, positions, units)
 }
 
-/// The envelope of passages at the given sections, as [`envelope`]. The governing columns contain the
-/// position of the first axle; with several passages also the passage,
-/// `deflection_in_min, deflection_in_max`.
+/// Returns a CSV table of the envelope of passages at the given sections, with the columns of [`envelope`].
+/// The governing columns contain the position of the first axle. With several passages, the columns
+/// `deflection_in_min, deflection_in_max` contain the passage.
 pub fn trains(passages: &Passages, sections: &[f64], units: Units) -> String {
     let place = units.column(Kind::Position);
     let labels: Vec<String> = passages.all.iter().map(Passage::label).collect();
@@ -140,9 +141,9 @@ pub fn trains(passages: &Passages, sections: &[f64], units: Units) -> String {
     enveloped(names, passages.limit_states(), of_state, sections, units)
 }
 
-/// The rows of an envelope over all answers, then over the answers of each limit state. For a limit state, or `None` for
-/// all answers, `of_state` gives a function that returns the cells at a position. Without a solution there are no cells
-/// and no row.
+/// Returns the CSV table of an envelope, first over all results, then over the results of each limit state.
+/// `of_state` takes a limit state, or `None` for all results. It returns a function from a position to the
+/// cells of the row. This function returns `None` if no result is solved, and the row is omitted.
 fn enveloped<R: FnMut(f64) -> Option<Vec<String>>>(
     names: impl Iterator<Item = String>,
     states: LimitStates,
@@ -167,11 +168,11 @@ fn enveloped<R: FnMut(f64) -> Option<Vec<String>>>(
     rows.finish()
 }
 
-/// All steps of the iteration: `step, zones, part, decrement`.
+/// Returns a CSV table of all steps of the iteration, with the header `step, zones, part, decrement`.
 ///
-/// `zones` is the number of contact zones. `part` is the fraction of the Newton step (for Uzawa's iteration
-/// its parameter). `decrement` is the energy minus its minimum, relative to the strain energy (for Uzawa's
-/// iteration the relative change of the pressure).
+/// `zones` is the number of contact zones. `part` is the accepted fraction of the full Newton step; for Uzawa's
+/// iteration it is the step parameter ρ. `decrement` is the relative size of the change in the step, as defined
+/// in [`groundbeam::Step`].
 pub fn history(solution: &Solution) -> String {
     let mut rows = Rows::new();
     rows.push(["step", "zones", "part", "decrement"].map(str::to_owned));
@@ -182,16 +183,17 @@ pub fn history(solution: &Solution) -> String {
     rows.finish()
 }
 
-/// The shortest text that reads back as the same bits.
+/// Formats a number in a unit as the shortest text that is read back as the same bits.
 fn number(value: f64, unit: Unit) -> String {
     match unit.size {
         1.0 => ratio(value),
-        // The last bits of a quotient are rounding: 0.12192 m are 0.4 ft.
+        // The last bits of the quotient are rounding error. They are dropped, so that 0.12192 m is written as
+        // 0.4 ft.
         size => ratio(format!("{:.14e}", value / size).parse().unwrap_or(f64::NAN)),
     }
 }
 
-/// A plain number.
+/// Formats a plain number.
 fn ratio(value: f64) -> String {
     // −0 is written as 0.
     format!("{:?}", value + 0.0)
@@ -204,7 +206,7 @@ fn column(name: &str, unit: Unit) -> String {
     }
 }
 
-/// Rows of equal length in memory, where writing cannot fail.
+/// Writes CSV rows of equal length to memory, which cannot fail.
 struct Rows(Writer<Vec<u8>>);
 
 impl Rows {
@@ -212,7 +214,8 @@ impl Rows {
         Rows(WriterBuilder::new().from_writer(Vec::new()))
     }
 
-    /// Names from the file are escaped, because a table may be shown on a terminal.
+    /// Adds a row. Control characters in names from the file are escaped, because a terminal may show the
+    /// table.
     fn push(&mut self, cells: impl IntoIterator<Item = String>) {
         let cells = cells.into_iter().map(|cell| printable(&cell).into_owned());
         let written = self.0.write_record(cells);

@@ -9,7 +9,7 @@ use groundbeam::{
 /// Jumps below this size, relative to the largest value of the field, are rounding error.
 const JUMP: f64 = 1e-9;
 
-/// Largest magnitudes of the fields, which distinguish jumps from rounding.
+/// Largest magnitude of each field, which distinguishes jumps from rounding errors.
 pub(crate) struct Jumps {
     largest: ByField<f64>,
 }
@@ -26,7 +26,8 @@ impl Jumps {
         Jumps { largest }
     }
 
-    /// The values at a position. The first is the left side of a jump, if any field jumps.
+    /// Returns the fields just to the left and just to the right of a position. The left fields are `None` if
+    /// no field jumps at the position.
     pub fn rows(&self, solution: &Solution, x: f64) -> (Option<Fields>, Fields) {
         let right = solution.at(x, Side::Right);
         let inside = x > 0.0 && x < solution.model().beam.length;

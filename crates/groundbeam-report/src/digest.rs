@@ -10,9 +10,9 @@ pub(crate) fn digest(text: &str) -> String {
 
 /// The digest of a model file and of the tables that it names, as `sha256:` and 64 hexadecimal digits.
 ///
-/// Without tables it is the SHA-256 digest of the file's bytes. With tables it is the digest of a text with
-/// one line for the digest of each file: first the model file, then the tables in the order in which the
-/// model names them.
+/// Without tables, the digest is the SHA-256 digest of the file's bytes. With tables, it is the SHA-256
+/// digest of a text that has one line with the digest of each file. The first line is that of the model file;
+/// the lines of the tables follow in the order in which the model names them.
 pub fn model_digest(document: &Document) -> String {
     let tables = document.files.iter().map(|file| file.text.as_str());
     of_files(document.text(), tables)
@@ -38,10 +38,10 @@ mod tests {
 
     #[test]
     fn digests_agree_with_sha256sum() {
-        // printf 'abc' | sha256sum
+        // The shell computes this digest by `printf 'abc' | sha256sum`.
         let abc = "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad";
         assert_eq!(of_files("abc", []), format!("sha256:{abc}"));
-        // sha256sum model.toml table.csv | cut -c 1-64 | sha256sum
+        // The shell computes this digest by `sha256sum model.toml table.csv | cut -c 1-64 | sha256sum`.
         let both = "eba0bd5773c46903773599d5ea8d2d34d4cc1eafe604316a0f39b79b24200b4e";
         assert_eq!(of_files("abc", ["x"]), format!("sha256:{both}"));
     }

@@ -1,4 +1,4 @@
-//! The smallest and the largest value of every field over several answers, from envelopes of combinations and of trains.
+//! Collects the smallest and the largest value of every field from envelopes of combinations and of trains.
 
 use crate::combinations::Numbered;
 use crate::quantity::{Kind, Unit, Units};
@@ -25,7 +25,7 @@ pub(crate) struct End {
     pub x: f64,
     /// The position of the first axle; `None` without a train.
     pub first_axle: Option<f64>,
-    /// The number of the combination or passage with this value, from 1; `None` if there is only one.
+    /// Number of the combination or passage with this value, counted from 1; `None` for a single passage.
     pub number: Option<usize>,
 }
 
@@ -93,10 +93,12 @@ fn end(passage: &Passage, field: Field, located: Located, number: Option<usize>)
     End { value, x, first_axle: Some(first_axle), number }
 }
 
-/// Sets values of passages to zero that are only rounding error. It computes the sizes of each position once.
+/// Sets values of passages that are only rounding error to zero. The typical magnitudes of the fields are
+/// computed once for each train position.
 pub(crate) struct Rounding<'a> {
     passages: Passages<'a>,
-    /// By passage and bits of the position of the first axle; `None` if no position is solved.
+    /// Typical magnitudes of the fields; `None` if no train position is solved. The key contains the index of the
+    /// passage, and the position of the first axle as the bits of its number.
     sizes: BTreeMap<(usize, u64), Option<Sizes>>,
 }
 

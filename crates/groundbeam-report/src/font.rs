@@ -1,4 +1,4 @@
-//! The font of the pictures, and the widths of its words.
+//! Contains the font of the pictures, and computes the width of text in this font.
 
 use ttf_parser::Face;
 
@@ -6,13 +6,13 @@ use ttf_parser::Face;
 pub const REGULAR: &[u8] = include_bytes!("../fonts/Inter-Regular.ttf");
 /// Inter SemiBold, for headings.
 pub const SEMI_BOLD: &[u8] = include_bytes!("../fonts/Inter-SemiBold.ttf");
-/// Font list of the SVG files; the others are for viewers without Inter.
+/// List of font families in the SVG files. A viewer without the font Inter uses a later font of the list.
 pub(crate) const FAMILY: &str = "Inter, 'Helvetica Neue', Arial, sans-serif";
 
 /// Assumed width of characters that the font lacks, in ems.
 const UNKNOWN: f64 = 1.0;
 
-/// Widths of words in the regular weight.
+/// Computes the width of text in the regular weight.
 pub(crate) struct Metrics {
     face: Option<Face<'static>>,
 }

@@ -1,3 +1,3 @@
-//! The fonts of the pictures, for pages that show pictures.
+//! Exports the fonts of the pictures to web pages that show pictures.
 
 pub use crate::font::{REGULAR, SEMI_BOLD};

@@ -28,17 +28,17 @@ impl From<minijinja::Error> for Error {
     }
 }
 
-/// Template of the page.
+/// HTML template of the page.
 const TEMPLATE: &str = include_str!("../templates/report.html");
 /// Style sheet for screen and paper.
 const STYLE: &str = include_str!("../templates/report.css");
 
-/// A report as one HTML file. Without `paper` it uses the paper of the user's printer. Equal reports give
-/// equal bytes.
+/// Returns a report as one HTML file. Without `paper`, the browser's default paper size applies. Equal
+/// reports give equal bytes.
 ///
 /// # Errors
 ///
-/// If there is not enough memory.
+/// Returns an error if there is not enough memory.
 pub fn report(report: &Report, paper: Option<Paper>) -> Result<String, Error> {
     let mut environment = Environment::new();
     // The file extension makes the template engine escape all values for HTML.
@@ -55,7 +55,7 @@ pub fn report(report: &Report, paper: Option<Paper>) -> Result<String, Error> {
     Ok(environment.get_template("report.html")?.render(page)? + "\n")
 }
 
-/// Escapes text, with indices as subscripts.
+/// Escapes text for HTML and writes the indices of `R_l` and `p_l` as subscripts.
 fn indexed(words: &str) -> Value {
     let mut escaped = words.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;");
     for letter in ["R", "p"] {
@@ -65,7 +65,8 @@ fn indexed(words: &str) -> Value {
     Value::from_safe_string(escaped)
 }
 
-/// Escapes text for quotes in a style sheet: all characters except letters and digits become numbers.
+/// Escapes text for a quoted string in a style sheet. All characters except letters and digits are written as
+/// their code points.
 fn css(words: &str) -> Value {
     let sign = |c: char| match c.is_alphanumeric() {
         true => c.to_string(),

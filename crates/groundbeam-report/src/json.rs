@@ -1,10 +1,11 @@
-//! Writes the result document: one JSON object, in SI units or in the file's own consistent system.
+//! Writes the result document as one JSON object, in SI units or in the consistent system of units of the file.
 //!
-//! Numbers have enough digits to read back the same bits. Infinite numbers and NaN are `null`. The order of
-//! the keys is fixed.
+//! Numbers have enough digits to be read back as the same bits. Infinite numbers and NaN are written as
+//! `null`. The order of the keys is fixed.
 //!
-//! `stations` contains each position once. Where a field jumps, it has the value just to the right (at x = l
-//! just to the left). Both sides of a jump are in the table of [`csv`](crate::csv).
+//! The list `stations` contains each position once. Where a field jumps, the list contains the value just to
+//! the right of the position (at x = l just to the left). The table of [`csv`](crate::csv) contains both
+//! sides of a jump.
 
 mod bounds;
 mod checks;
@@ -42,15 +43,16 @@ pub use study::study;
 pub use train::{checked_trains, trains};
 pub use verified::verified;
 
-/// Equal steps of the grid in [`default_stations`].
+/// Number of equal steps of the grid in [`default_stations`].
 const EVEN_STEPS: usize = 100;
 
-/// Default positions: an equidistant grid, every load, support, hinge and contact edge, and every extreme.
+/// Returns the default positions: an equidistant grid, all loads, supports, hinges and contact edges, and all
+/// extremes.
 pub fn default_stations(solution: &Solution) -> Vec<f64> {
     solution.stations(EVEN_STEPS)
 }
 
-/// The document of an equilibrium, with the fields at the given positions of the beam.
+/// Returns the result document of an equilibrium, with the fields at the positions `stations`.
 pub fn solved(solution: &Solution, stations: &[f64], context: &Context) -> String {
     text(&Solved::of(solution, stations, context))
 }
@@ -68,8 +70,8 @@ pub fn not_converged(reached: &Stopped, context: &Context) -> String {
     text(&Unsolved::of(reached, context))
 }
 
-/// Serializing plain structs cannot fail. Control characters for terminals are written as escapes, which a
-/// JSON reader converts back.
+/// Serializes a document as JSON, which cannot fail for plain structs. Control characters for terminals are
+/// written as escapes, which a JSON reader converts back.
 fn text(document: &impl Serialize) -> String {
     let written = serde_json::to_string_pretty(document).unwrap_or_default() + "\n";
     if written.chars().all(|c| c == '\n' || !is_unprintable(c)) {
@@ -150,7 +152,7 @@ impl<'a> Solved<'a> {
     }
 }
 
-/// Numbers of a certificate, by name and in order.
+/// Serializes the numbers of a certificate by name, in a fixed order.
 fn figures<S: Serializer>(proof: &Certificate, to: S) -> Result<S::Ok, S::Error> {
     to.collect_map(proof.figures())
 }
@@ -245,7 +247,7 @@ struct FreeSpan {
     #[serde(flatten)]
     open: LiftOff,
     length: f64,
-    /// `left`, `right`, `both` or `null`.
+    /// Ends of the beam that the free span reaches: `left`, `right`, `both` or `null`.
     reaches_end: Option<&'static str>,
 }
 
@@ -263,7 +265,7 @@ impl FreeSpan {
 
 #[derive(Serialize)]
 struct Held {
-    /// Its index in the model's list of supports.
+    /// Index of the support in the model's list of supports.
     support: usize,
     #[serde(flatten)]
     reaction: Reaction,
@@ -278,7 +280,7 @@ impl Held {
     }
 }
 
-/// Whether a one-way support is active.
+/// State of a one-way support; `None` for a support that acts in both directions.
 fn state(support: &Support, force: f64) -> Option<&'static str> {
     match support.acts {
         Acts::Both => None,
@@ -288,7 +290,7 @@ fn state(support: &Support, force: f64) -> Option<&'static str> {
     }
 }
 
-/// A value for each field, by name.
+/// Values by field. In the document, the key of each value is the name of the field.
 struct ByName<T>(Vec<(Field, T)>);
 
 impl<T> ByName<T> {
@@ -331,21 +333,21 @@ impl Along<Vec<f64>> {
     }
 }
 
-/// The smallest and largest values along the beam, and the governing answers.
+/// Smallest and largest values of a field at positions along the beam, with the governing results.
 #[derive(Serialize)]
 struct Lines<G> {
     min: Vec<f64>,
     max: Vec<f64>,
     governs_min: Vec<G>,
     governs_max: Vec<G>,
-    /// Indices of the passages, if there are several.
+    /// Indices of the passages with the smallest values, if there are several passages.
     #[serde(skip_serializing_if = "Option::is_none")]
     passage_min: Option<Vec<usize>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     passage_max: Option<Vec<usize>>,
 }
 
-/// Data of the smallest and of the largest value.
+/// Entries for the smallest and for the largest value of a field.
 #[derive(Serialize)]
 struct Extremes<T> {
     min: T,

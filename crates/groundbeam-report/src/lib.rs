@@ -1,11 +1,11 @@
 //! Formats results of [`groundbeam`] for users and programs: pure functions from a result to text.
 //!
-//! | module | makes |
+//! | module | writes |
 //! |---|---|
 //! | [`text`] | a report for the terminal, at most 80 columns wide |
 //! | [`json`] | the result document |
 //! | [`csv`] | a table of all fields along the beam, and the history of the iteration |
-//! | [`calculation`] | the calculation report before it is set in type; [`html`] sets it as one file that prints well |
+//! | [`calculation`] | the content of the calculation report; [`html`] writes this content as one printable file |
 //! | [`svg`] | one picture: the beam on its ground, pressure, moment, shear, as SVG or as [PNG](svg::Picture::png) |
 //!
 //! ```
@@ -22,11 +22,11 @@
 //! # Ok::<(), groundbeam::Error>(())
 //! ```
 //!
-//! [`Results`] makes all of them from the [`Answers`](groundbeam_run::Answers) to a file. The functions named
-//! `combinations` show the envelope of combinations of load cases, those named `trains` that of
-//! [`Passages`](groundbeam_run::Passages).
+//! [`Results`] writes all of these texts from the [`Answers`](groundbeam_run::Answers) to a model file. The functions
+//! named `combinations` write the envelope of combinations of load cases. The functions named `trains` write the
+//! envelope of [`Passages`](groundbeam_run::Passages).
 //!
-//! This crate reads no clock, no file and no environment. Equal results give equal bytes.
+//! This crate reads no clock, no file and no environment variable. Equal results give equal bytes.
 
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]

@@ -1,5 +1,4 @@
-//! Names of the kinds of load, and the physical quantities of their sizes, for reports, pictures and the
-//! page.
+//! Gives the name, the physical quantity and the formatted size of a load, for reports, pictures and web pages.
 
 use crate::quantity::{Kind, Units};
 use groundbeam::{Load, model::Action};
@@ -17,7 +16,7 @@ pub fn load_name(load: &Load) -> &'static str {
     }
 }
 
-/// Physical quantity of a load's size.
+/// Physical quantity that states the size of a load, such as a force per length.
 pub fn load_kind(load: &Load) -> Kind {
     match (load.action(), load.extent().is_distributed()) {
         (Action::Force, false) => Kind::Force,
@@ -29,12 +28,13 @@ pub fn load_kind(load: &Load) -> Kind {
     }
 }
 
-/// Whether the load is a moment per length, which has the unit of a force.
+/// Whether the load is a moment per length in a file with units. Its unit is then that of a force.
 pub(crate) fn is_moment_per_length(load: &Load, units: Units) -> bool {
     !units.is_plain() && load.action() == Action::Moment && load.extent().is_distributed()
 }
 
-/// The size of a load with its unit: one number, or the numbers at both ends with `to` between them.
+/// Formats the size of a load with its unit. For a varying load, the text `to` separates the values at both
+/// ends.
 pub(crate) fn load_size(load: &Load, units: Units, to: &str) -> String {
     let unit = units.of_input().unit(load_kind(load), load.extent().largest());
     let [start, end] = load.extent().sizes();

@@ -7,8 +7,8 @@ use crate::verified::Named;
 use groundbeam::proof::{Bound, PlacedExtreme, ReactionBound, Verification};
 use groundbeam::{Field, Solution, solution::Extreme};
 
-/// Intervals of an extreme's position that are wider than this, relative to the length, are printed as
-/// intervals.
+/// Maximum width, relative to the beam length, of a narrow interval for the position of an extreme. A narrow
+/// interval is printed as a value with an error bound. A wider interval is printed with its two ends.
 const NARROW: f64 = 1e-3;
 
 /// Formats the numbers of one solution.
@@ -21,17 +21,17 @@ pub(crate) struct Numbers<'a> {
 }
 
 impl<'a> Numbers<'a> {
-    /// Numbers without bounds.
+    /// Returns the numbers of a solution without error bounds.
     pub fn plain(solution: &Solution, units: Units) -> Self {
         Numbers { units, sizes: Sizes::of(solution), proof: None }
     }
 
-    /// Numbers with the bounds of a proof, if there is one.
+    /// Returns the numbers with the error bounds of `proof`, if it is not `None`.
     pub fn with_proof(self, proof: Option<&'a Named>) -> Self {
         Numbers { proof, ..self }
     }
 
-    /// Whether the numbers have bounds.
+    /// Whether the numbers have error bounds.
     pub fn have_bounds(&self) -> bool {
         self.proof.is_some()
     }
@@ -40,7 +40,8 @@ impl<'a> Numbers<'a> {
         &self.sizes
     }
 
-    /// A number in a unit, with its error bound if requested. `rounded` is printed without a bound.
+    /// Formats a number in a unit. With a proof, `value` is printed with its error bound. Without a proof,
+    /// `rounded` is printed.
     fn write(
         &self,
         unit: Unit,
@@ -57,7 +58,8 @@ impl<'a> Numbers<'a> {
         }
     }
 
-    /// A number with four digits; its bound includes the rounding to these digits.
+    /// Formats a key figure. With a proof, it has four digits, and its error bound includes the rounding to
+    /// these digits.
     fn key(&self, kind: Kind, value: f64, rounded: f64, error: impl Fn(&Named) -> f64) -> String {
         match self.proof {
             None => self.units.write(kind, rounded),
@@ -65,7 +67,7 @@ impl<'a> Numbers<'a> {
         }
     }
 
-    /// The value of a field as a key figure, and its position.
+    /// Formats the value of a field as a key figure, and formats its position.
     pub fn key_of(&self, field: Field, is_max: bool, extreme: Extreme) -> [String; 2] {
         let rounded = self.sizes.value(field, extreme.value);
         let value =
@@ -77,32 +79,33 @@ impl<'a> Numbers<'a> {
         [value, place]
     }
 
-    /// The force under an end of the beam (0: left) as a key figure.
+    /// Formats the force under an end of the beam as a key figure; `end` is 0 for the left end.
     pub fn key_of_end(&self, end: usize, force: f64) -> String {
         let rounded = self.sizes.force(force);
         self.key(Kind::Force, force, rounded, |named| named.error_of_end_force(end))
     }
 
-    /// The value of a field, in a suitable unit or in the given one.
+    /// Formats the value of a field in `unit`, or in a suitable unit for `None`.
     pub fn field(&self, field: Field, value: f64, unit: Option<Unit>) -> String {
         let unit = unit.unwrap_or_else(|| self.units.unit(Kind::of(field), value));
         let rounded = self.sizes.value(field, value);
         self.write(unit, value, rounded, |found| found.error_of(field.name()))
     }
 
-    /// The position of an extreme.
+    /// Formats the position of an extreme without an error bound.
     pub fn place(&self, x: f64) -> String {
         self.units.position(self.sizes.position(x))
     }
 
-    /// A position without a proven bound.
+    /// Formats a position without a proven bound. If the numbers have bounds, the position is marked as not
+    /// proven.
     pub fn place_without_bound(&self, x: f64) -> String {
         let place = self.place(x);
         if self.have_bounds() { not_proven(&place) } else { place }
     }
 
-    /// The position of the largest gap in a lifted stretch. Only the position of the largest gap of all is
-    /// proven.
+    /// Formats the position of the largest gap in a lift-off zone. The proof bounds only the position of the
+    /// largest gap under the whole beam.
     pub fn place_of_gap(&self, x: f64) -> String {
         let found = self.proof.and_then(|named| named.found.as_ref().ok());
         let largest = |e: &PlacedExtreme| e.field == Field::Gap.name() && e.is_max && e.listed == x;
@@ -112,7 +115,7 @@ impl<'a> Numbers<'a> {
         }
     }
 
-    /// The position of an extreme, with its error bound or the interval that contains it.
+    /// Formats the position of an extreme, with its error bound or with the interval of the exact position.
     pub fn place_of(&self, field: Field, is_max: bool, x: f64) -> String {
         let found = self.proof.and_then(|named| named.found.as_ref().ok());
         let placed = found.and_then(|found| {
@@ -135,7 +138,7 @@ impl<'a> Numbers<'a> {
         }
     }
 
-    /// The fraction of the beam that has lifted off, in percent.
+    /// Formats the fraction of the beam that has lifted off, in percent.
     pub fn lifted_share(&self, solution: &Solution) -> String {
         let share = solution.lifted_share();
         match self.proof {
@@ -146,30 +149,31 @@ impl<'a> Numbers<'a> {
         }
     }
 
-    /// One end of a contact zone.
+    /// Formats the position of one end of a contact zone.
     pub fn edge(&self, region: usize, end: usize, x: f64) -> String {
         let unit = self.units.unit(Kind::Position, x);
         let error = |found: &Verification| of(found.listed.edges.get(region).map(|ends| ends[end]));
         self.write(unit, x, self.sizes.position(x), error)
     }
 
-    /// The force under an end of the beam (0: left).
+    /// Formats the force under an end of the beam; `end` is 0 for the left end.
     pub fn end_force(&self, end: usize, force: f64) -> String {
         let error = |found: &Verification| of(found.listed.end_forces.map(|ends| ends[end]));
         self.force(force, error)
     }
 
-    /// One of the point contact forces inside the beam. Documents list those under the ends separately.
+    /// Formats the point contact force with index `i` inside the beam. Forces under the ends of the beam are
+    /// not counted.
     pub fn inner_force(&self, i: usize, force: f64) -> String {
         self.force(force, |found| of(found.listed.forces.get(i + 1).copied()))
     }
 
-    /// The force of a support.
+    /// Formats the reaction force of a support.
     pub fn reaction(&self, support: usize, force: f64) -> String {
         self.force(force, |found| reaction(found, support, |bound| bound.force))
     }
 
-    /// The moment of a support.
+    /// Formats the reaction moment of a support.
     pub fn reaction_moment(&self, support: usize, moment: f64) -> String {
         let unit = self.units.unit(Kind::Moment, moment);
         let error = |found: &Verification| reaction(found, support, |bound| bound.moment);
@@ -181,7 +185,7 @@ impl<'a> Numbers<'a> {
         self.write(unit, force, self.sizes.force(force), error)
     }
 
-    /// Rotation and moment of a hinge.
+    /// Formats the rotation and the moment of a hinge.
     pub fn hinge(&self, i: usize, rotation: f64, moment: f64) -> [String; 2] {
         let error = |which: usize| {
             move |found: &Verification| of(found.listed.hinges.get(i).map(|hinge| hinge[which]))
@@ -194,13 +198,13 @@ impl<'a> Numbers<'a> {
         ]
     }
 
-    /// An extreme; without bounds, rounding errors are set to zero.
+    /// Returns an extreme. Without error bounds, an extreme that is only rounding error is set to zero.
     pub fn extreme(&self, field: Field, extreme: Extreme) -> Extreme {
         if self.have_bounds() { extreme } else { self.sizes.extreme(field, extreme) }
     }
 }
 
-/// A bound; infinite if there is none.
+/// Returns the error bound, or infinity if there is no bound.
 fn of(error: Option<f64>) -> f64 {
     error.unwrap_or(f64::INFINITY)
 }

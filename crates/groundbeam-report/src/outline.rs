@@ -7,7 +7,7 @@ use ttf_parser::gpos::{PairAdjustment, PositioningSubtable};
 use ttf_parser::opentype_layout::Lookup;
 use ttf_parser::{Face, GlyphId, OutlineBuilder, Tag};
 
-/// A picture as an SVG file in which each line of text consists of outlines.
+/// Returns a picture as an SVG file in which each line of text is drawn as outlines.
 pub(crate) fn outlined(picture: &Picture) -> String {
     let faces = [font::REGULAR, font::SEMI_BOLD].map(|bytes| Face::parse(bytes, 0).ok());
     let [Some(regular), Some(bold)] = faces else { return picture.to_string() };
@@ -18,7 +18,7 @@ pub(crate) fn outlined(picture: &Picture) -> String {
 /// The glyphs of a font face, and their kerning.
 struct Letters {
     face: Face<'static>,
-    /// Kerning of pairs of letters.
+    /// Tables of the font with the kerning of pairs of glyphs.
     kerning: Vec<Lookup<'static>>,
 }
 
@@ -64,7 +64,7 @@ impl Letters {
         let _ = write!(out, "\" {style}/>");
     }
 
-    /// Kerning between two letters, in addition to their widths.
+    /// Kerning between two adjacent glyphs, which is added to the width of the left glyph.
     fn between(&self, left: GlyphId, right: GlyphId) -> f64 {
         let pair = |subtable: PositioningSubtable| {
             let PositioningSubtable::Pair(pairs) = subtable else { return None };
@@ -84,7 +84,7 @@ impl Letters {
     }
 }
 
-/// Writes an outline as a path.
+/// Writes the outline of a glyph as an SVG path.
 struct Pen<'a> {
     x: f64,
     y: f64,

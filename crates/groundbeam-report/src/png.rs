@@ -26,7 +26,7 @@ impl Picture {
     ///
     /// # Errors
     ///
-    /// If there is not enough memory for the pixels.
+    /// Returns an error if there is not enough memory for the pixels.
     pub fn png(&self) -> Result<Vec<u8>, Error> {
         let tree = Tree::from_str(&outlined(self), &Options::default());
         let tree = tree.map_err(|error| Error(error.to_string()))?;

@@ -1,4 +1,4 @@
-//! Formats the answers to a file in every form: text, document, table, picture, calculation report.
+//! Formats the results of a model file in every form: text, document, table, picture, calculation report.
 
 use crate::calculation::{self, Report, Source};
 use crate::checked::{Verdict, rows_of, verdicts};
@@ -7,7 +7,7 @@ use crate::svg::{self, Picture};
 use crate::{csv, json, text};
 use groundbeam_run::{Answer, Answers, Asked, Found};
 
-/// The answers to a file, with the context of the report.
+/// The results of a model file, with the context of the report.
 #[derive(Debug, Clone, Copy)]
 pub struct Results<'a> {
     answers: &'a Answers,
@@ -15,8 +15,8 @@ pub struct Results<'a> {
 }
 
 impl<'a> Results<'a> {
-    /// The answers in a context. Ground and load factors come from the answers; for one model also the
-    /// duration.
+    /// Adds a context to the results of a model file. The ground and the load factors of the context come
+    /// from the results. For a single model, the duration also comes from the results.
     pub fn new(answers: &'a Answers, context: Context<'a>) -> Self {
         let (ground, factors) = match (answers.asked, answers.list.first()) {
             (Asked::One, Some(one)) => (one.ground.as_ref(), one.factors.as_ref()),
@@ -31,22 +31,22 @@ impl<'a> Results<'a> {
         Results { answers, context }
     }
 
-    /// The answers.
+    /// The results of all models, combinations or train positions.
     pub fn answers(&self) -> &'a Answers {
         self.answers
     }
 
-    /// The context, with ground and load factors.
+    /// The context, with the ground and the load factors of the results.
     pub fn context(&self) -> &Context<'a> {
         &self.context
     }
 
-    /// The answer, if one model was requested.
+    /// The result, if a single model was requested.
     pub fn one(&self) -> Option<&'a Answer> {
         self.answers.list.first().filter(|_| self.answers.asked == Asked::One)
     }
 
-    /// Whether there are fields to draw and to list.
+    /// Whether a model is solved, so that there are fields to draw and to list.
     pub fn has_fields(&self) -> bool {
         self.answers.solved().next().is_some()
     }
@@ -61,7 +61,7 @@ impl<'a> Results<'a> {
         text::check_rows(&rows_of(self.answers, &self.context), &self.context)
     }
 
-    /// Whether the limit of a check lies within its error bound, so that the check is undecided.
+    /// Whether a check is undecided because its limit lies within the error bound of its value.
     pub fn has_undecided_check(&self) -> bool {
         self.verdicts().iter().any(Verdict::is_undecided)
     }
@@ -71,7 +71,7 @@ impl<'a> Results<'a> {
         self.verdicts().iter().any(|verdict| verdict.passes() != Some(true))
     }
 
-    /// The result document.
+    /// Returns the result document.
     pub fn json(&self, stations: Option<&[f64]>) -> String {
         let (answers, context) = (self.answers, &self.context);
         let Some(one) = self.one() else {
@@ -98,7 +98,7 @@ impl<'a> Results<'a> {
         }
     }
 
-    /// The report for a terminal, with the proven statements.
+    /// Returns the report for a terminal, followed by the proven statements if a proof is requested.
     pub fn text(&self, colour: bool) -> String {
         let report = self.report(colour);
         let units = self.context.units;
@@ -136,12 +136,12 @@ impl<'a> Results<'a> {
         }
     }
 
-    /// The calculation report.
+    /// Returns the calculation report.
     pub fn calculation(&self, source: &Source) -> Report {
         calculation::report(self.answers, &self.context, source)
     }
 
-    /// The table of fields; empty without fields.
+    /// Returns the CSV table of the fields; empty if no model is solved.
     pub fn csv(&self, stations: Option<&[f64]>) -> String {
         let (answers, units) = (self.answers, self.context.units);
         let or = |default: &dyn Fn() -> Vec<f64>| stations.map_or_else(default, <[f64]>::to_vec);
@@ -162,7 +162,7 @@ impl<'a> Results<'a> {
         })
     }
 
-    /// The picture; `None` for a model that was not solved.
+    /// Returns the picture of the results; `None` if a single model was requested and is not solved.
     pub fn picture(&self) -> Option<Picture> {
         let (answers, context) = (self.answers, &self.context);
         match (self.one(), answers.asked) {

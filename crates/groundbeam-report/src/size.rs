@@ -1,11 +1,12 @@
-//! Sets values to zero that are only rounding error.
+//! Sets values that are only rounding error to zero, by comparison with the loads and dimensions of the model.
 
 use groundbeam::{Field, Load, Model, Solution, model::Action, solution::Extreme};
 
-/// Values below this fraction of the natural size are printed as zero.
+/// A field value below this fraction of the typical magnitude of its field is printed as zero.
 const ROUNDING: f64 = 1e-12;
 
-/// Natural sizes of a solution's fields, from loads and lengths.
+/// Typical magnitudes of the fields of a solution, computed from loads, reactions, deflections and the beam
+/// length.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Sizes {
     length: f64,
@@ -25,8 +26,8 @@ impl Sizes {
         let force = load_size(model) + reactions.sum::<f64>();
         let length = model.beam.length;
         let deflection = largest(Field::Deflection).max(largest(Field::Settlement));
-        // Moments that cancel each other cause no contact pressure, but their force is large. The pressure is
-        // at most k times the deflection.
+        // `force` also includes moments that cancel each other and cause no contact pressure. The product of k
+        // and the deflection bounds the contact pressure in this case.
         let (subgrade, _) = model.foundation.largest();
         let pressure = (force / length).min(subgrade * deflection);
         Sizes { length, force, deflection, pressure }
@@ -37,7 +38,7 @@ impl Sizes {
         self.length
     }
 
-    /// The value, or zero if it is only rounding error.
+    /// Returns the value of a field, or zero if the value is only rounding error.
     pub fn value(&self, field: Field, value: f64) -> f64 {
         let Sizes { length, force, deflection, pressure } = *self;
         let natural = field.natural_size(length, force, deflection, pressure);

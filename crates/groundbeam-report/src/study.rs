@@ -1,4 +1,4 @@
-//! Results of a study for reports.
+//! Contains the results of a probabilistic study for reports: probabilities of events, and distributions.
 
 use crate::context::clean;
 use crate::quantity::Kind;
@@ -19,7 +19,8 @@ pub struct Study {
     pub replicates: u64,
     /// Number of independent random numbers per sample.
     pub dimensions: usize,
-    /// Share of the random fields' variance after truncation; `None` without fields.
+    /// Fraction of the variance of the random fields that their truncated series retain; `None` without
+    /// random fields.
     pub variance: Option<f64>,
     /// Number of samples with a certified result.
     pub solved: u64,
@@ -29,7 +30,7 @@ pub struct Study {
     pub not_converged: u64,
     /// Number of samples with an invalid model.
     pub wrong: u64,
-    /// Largest gap of all certificates, relative to the strain energy.
+    /// Largest energy gap of all certificates, relative to the strain energy.
     pub largest_gap: f64,
     /// Estimated probabilities of events.
     pub events: Vec<Estimate>,
@@ -45,40 +46,41 @@ pub struct Estimate {
     /// The limit that decides the event; `None` for events that are always listed and have no limit.
     #[serde(flatten)]
     pub limit: Option<Limit>,
-    /// Number of samples in which it occurs.
+    /// Number of samples in which the event occurs.
     pub count: u64,
-    /// Fraction of the samples in which it occurs.
+    /// Fraction of the samples in which the event occurs.
     pub probability: f64,
     /// 95 % confidence interval of the probability.
     pub interval: Interval,
 }
 
-/// A limit of a number.
+/// A limit of a quantity.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Limit {
-    /// Name of the number's distribution.
+    /// Name of the quantity that has the limit. It is also the name of the distribution of the quantity.
     pub quantity: String,
-    /// Whether the event occurs above the limit; otherwise below.
+    /// Whether the event occurs above the limit. Otherwise the event occurs below the limit.
     pub above: bool,
-    /// The limit.
+    /// Value of the limit.
     pub limit: f64,
 }
 
 /// A confidence interval.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Interval {
-    /// Lower and upper bound.
+    /// Lower and upper bound of the confidence interval.
     pub bounds: [f64; 2],
-    /// Method by which it was computed.
+    /// Method by which the confidence interval was computed.
     pub by: Way,
 }
 
 impl Interval {
-    /// Number of significant digits of its bounds, so that two digits show its width.
+    /// Number of significant digits of the bounds. It is chosen so that the width of the interval has two
+    /// digits.
     pub(crate) fn digits(&self) -> usize {
         let [low, high] = self.bounds;
         let digits = 2.0 + (high / (high - low)).log10().ceil();
-        // NaN if both are zero.
+        // `digits` is NaN if both bounds are zero.
         if digits >= 3.0 { digits.min(6.0) as usize } else { 3 }
     }
 }
@@ -86,16 +88,16 @@ impl Interval {
 /// Method of a confidence interval.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub enum Way {
-    /// From the number of occurrences, exact for any probability.
+    /// Method of Clopper and Pearson. It uses the number of occurrences and is exact for any probability.
     #[serde(rename = "exact for independent samples (Clopper and Pearson)")]
     Counts,
-    /// From the number of occurrences in each independent replicate.
+    /// Method with Student's t distribution. It uses the number of occurrences in each independent replicate.
     #[serde(rename = "the scatter of replicates (Student's t)")]
     Replicates,
 }
 
 impl Way {
-    /// Name of the method.
+    /// Name of the method of the confidence interval.
     pub fn words(self) -> &'static str {
         match self {
             Way::Counts => "exact for independent samples (Clopper and Pearson)",
@@ -104,26 +106,26 @@ impl Way {
     }
 }
 
-/// Distribution of a number over the samples that have it.
+/// Distribution of a quantity over the samples in which the quantity exists.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Spread {
-    /// Name of its column in the results.
+    /// Name of the quantity's column in the results.
     pub name: String,
-    /// Its physical quantity, which determines the unit; `None` for plain numbers.
+    /// Physical quantity, which determines the unit; `None` for plain numbers.
     #[serde(skip)]
     pub kind: Option<Kind>,
-    /// Mean.
+    /// Mean of the quantity.
     pub mean: f64,
-    /// Standard deviation.
+    /// Standard deviation of the quantity.
     pub deviation: f64,
-    /// Minimum, quantiles of 5, 50 and 95 %, maximum.
+    /// Minimum, the quantiles of 5 %, 50 % and 95 %, and maximum.
     pub quantiles: [f64; 5],
-    /// Histogram: number of samples in equal intervals from the minimum to the maximum.
+    /// Histogram: number of samples in each of several equal intervals between the minimum and the maximum.
     pub histogram: Vec<u64>,
 }
 
 impl Spread {
-    /// Label for readers.
+    /// Label of the quantity in reports.
     pub(crate) fn label(&self) -> String {
         match &*self.name {
             "left" | "right" => format!("{} end force", self.name),
@@ -131,7 +133,7 @@ impl Spread {
         }
     }
 
-    /// Magnitude of its largest value, which determines its unit.
+    /// Largest magnitude of the quantity, which determines its unit.
     pub(crate) fn largest(&self) -> f64 {
         let [least, .., most] = self.quantiles;
         least.abs().max(most.abs())

@@ -11,7 +11,7 @@ pub(crate) enum Tone {
 }
 
 impl Tone {
-    /// Name in calculation reports.
+    /// Name of the tone in calculation reports.
     pub fn name(self) -> &'static str {
         match self {
             Tone::Plain | Tone::Heading => "plain",
@@ -21,7 +21,7 @@ impl Tone {
         }
     }
 
-    /// Escape sequence for a terminal.
+    /// Escape sequence of the tone for a terminal.
     pub fn code(self) -> &'static str {
         match self {
             Tone::Plain => "",

@@ -1,4 +1,4 @@
-//! The verdict on equilibrium as a sentence, with its reason from statics.
+//! Writes the verdict on equilibrium as a sentence, with its reason from statics.
 
 mod hinged;
 mod wording;
@@ -13,7 +13,8 @@ pub(crate) use hinged::falls;
 pub use wording::verdict_name;
 pub(crate) use wording::wording;
 
-/// The reason why there is one equilibrium, more than one, or none: one sentence without a full stop.
+/// The reason why there is exactly one equilibrium, more than one equilibrium, or none, as a sentence without a
+/// full stop.
 ///
 /// ```
 /// use groundbeam::{Beam, Foundation, Load, Model};
@@ -25,7 +26,7 @@ pub(crate) use wording::wording;
 /// let existence = groundbeam::exists(&model)?;
 /// assert_eq!(
 ///     sentence(&model, &existence, Units::SI),
-///     "the resultant, 120 kN at x = 5.3 m, acts outside the beam [0, 5] m: it tips about its \
+///     "the resultant, 120 kN at x = 5.3 m, acts outside the beam [0, 5] m: the beam tips about its \
 ///      right end"
 /// );
 /// # Ok::<(), groundbeam::Error>(())
@@ -42,13 +43,14 @@ pub fn sentence(model: &Model, existence: &Existence, units: Units) -> String {
     }
 }
 
-/// The force that would restore equilibrium, or a lower bound of it: one sentence without a full stop.
+/// Sentence on the downward force that would restore equilibrium, without a full stop. `None` if the loads do
+/// no work in the motion.
 pub(crate) fn remedy(motion: RigidMotion, units: Units) -> Option<String> {
     (motion.work > 0.0).then(|| {
         let force = units.write(Kind::Force, motion.work);
         let place = match (motion.left < 0.0, motion.right < 0.0) {
-            (true, false) => " at its left end".to_owned(),
-            (false, true) => " at its right end".to_owned(),
+            (true, false) => " at the left end".to_owned(),
+            (false, true) => " at the right end".to_owned(),
             _ => match motion.lifted {
                 Some([x, _]) => format!(" at x = {}", units.position(x)),
                 None => String::new(),
@@ -58,12 +60,12 @@ pub(crate) fn remedy(motion: RigidMotion, units: Units) -> Option<String> {
     })
 }
 
-/// A rigid motion as a formula, `r(0) = -1, r(l) = 0`, with the work of the loads.
+/// Text on a rigid motion of the beam and the work of the loads in this motion.
 pub(crate) fn motion(model: &Model, motion: RigidMotion, units: Units) -> String {
     let moves = match (motion.left < 0.0, motion.right < 0.0) {
         _ if motion.lifted.is_some() => hinged::moves(model, motion, units),
-        (true, false) => "its left end lifts, its right end stays".to_owned(),
-        (false, true) => "its right end lifts, its left end stays".to_owned(),
+        (true, false) => "the left end lifts, the right end stays".to_owned(),
+        (false, true) => "the right end lifts, the left end stays".to_owned(),
         _ => "it lifts as a whole".to_owned(),
     };
     let lift = units.column(Kind::Position);
@@ -94,7 +96,7 @@ impl Say<'_> {
         self.units.write(Kind::Force, force)
     }
 
-    /// `the resultant, 120 kN at x = 5.3 m,`
+    /// Text on the resultant of the loads, such as `the resultant, 120 kN at x = 5.3 m,`.
     fn resultant(&self) -> String {
         let force = self.existence.resultant();
         let position = self.existence.resultant_position(self.model.beam.length);
@@ -106,7 +108,7 @@ impl Say<'_> {
         }
     }
 
-    /// `[0, 5] m`
+    /// Range of positions on the beam, such as `[0, 5] m`.
     fn beam(&self) -> String {
         let unit = self.units.of_input().unit(Kind::Position, self.model.beam.length);
         let end = unit.number(self.model.beam.length);
@@ -134,9 +136,9 @@ impl Say<'_> {
             );
         }
         let undetermined = match (motion.left < 0.0, motion.right < 0.0) {
-            (true, false) => "its rotation about its right end is not determined",
-            (false, true) => "its rotation about its left end is not determined",
-            _ => "its vertical position is not determined",
+            (true, false) => "the rotation of the beam about its right end is not determined",
+            (false, true) => "the rotation of the beam about its left end is not determined",
+            _ => "the vertical position of the beam is not determined",
         };
         let shown = "any equilibrium shown is one of many";
         let held = !self.model.supports.is_empty();
@@ -145,7 +147,9 @@ impl Say<'_> {
             return format!("the loads have no resultant: {undetermined}, {shown}");
         }
         if held {
-            return format!("the loads leave a motion of the beam free: {undetermined}, {shown}");
+            return format!(
+                "the loads do not prevent a motion of the beam: {undetermined}, {shown}"
+            );
         }
         let end = if motion.left < 0.0 { "right" } else { "left" };
         format!("{} acts exactly over the {end} end: {undetermined}, {shown}", self.resultant())
@@ -169,7 +173,7 @@ impl Say<'_> {
             ),
             Some(_) if force < 0.0 => format!("{} lifts the beam off the ground", self.resultant()),
             Some(pivot) if force == 0.0 => format!(
-                "the loads have a moment but no resultant that could hold the beam down: it tips \
+                "the loads have a moment but no resultant that could hold the beam down: the beam tips \
                  about its {pivot} end"
             ),
             Some(pivot) if motion.work == 0.0 => format!(
@@ -178,7 +182,7 @@ impl Say<'_> {
                 self.resultant()
             ),
             Some(pivot) => format!(
-                "{} acts outside the beam {}: it tips about its {pivot} end",
+                "{} acts outside the beam {}: the beam tips about its {pivot} end",
                 self.resultant(),
                 self.beam()
             ),
@@ -196,7 +200,7 @@ impl Say<'_> {
             let times = significant(critical_compression / compression, 4);
             let critical = self.force(critical_compression);
             format!(
-                "equilibrium is lost where the compression grows to {critical}, {times} times this one"
+                "equilibrium is lost at a compression of {critical}, {times} times the given compression"
             )
         } else {
             "equilibrium is not lost under any larger compression".to_owned()
@@ -241,7 +245,10 @@ mod tests {
         };
         let cases = [
             (beam().with_load(Load::point_force(3.0, 1.0)), "acts inside the beam [0, 4]"),
-            (outside(), "1 at x = 5, acts outside the beam [0, 4]: it tips about its right end"),
+            (
+                outside(),
+                "1 at x = 5, acts outside the beam [0, 4]: the beam tips about its right end",
+            ),
             (
                 beam().with_load(Load::point_force(3.0, -1.0)),
                 "1 upward at x = 3, lifts the beam off",

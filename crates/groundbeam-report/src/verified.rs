@@ -1,4 +1,4 @@
-//! The proven statements about the results of a document.
+//! Contains the proven statements about the results of a document.
 
 use crate::quantity::Units;
 use groundbeam::proof::{NotProven, Verification};
@@ -7,11 +7,12 @@ use groundbeam::{Field, Solution};
 /// The proven statements about a document.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Verified {
-    /// Units of the numbers.
+    /// Units of the numbers in the report.
     pub units: Units,
     /// Reason why the document does not belong to the model file; `None` if it does.
     pub other_model: Option<String>,
-    /// Number of combinations of the model file, and the names of the combinations that the document omits.
+    /// Number of combinations of the model file, and the names of the combinations that the document omits;
+    /// `None` if it omits none.
     pub left_out: Option<LeftOut>,
     /// The proof of each result.
     pub results: Vec<Named>,
@@ -29,9 +30,9 @@ pub struct LeftOut {
 /// The proof of one result.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Named {
-    /// The combination; `None` for the model as written.
+    /// Name of the combination; `None` for the model as written in the file.
     pub combination: Option<String>,
-    /// Origin of the model of the proof.
+    /// Origin of the model that the proof uses.
     pub model: ModelOf,
     /// The proof, or the reason why nothing is proven.
     pub found: Result<Verification, NotProven>,
@@ -40,9 +41,10 @@ pub struct Named {
 /// Origin of the model of a proof.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ModelOf {
-    /// In the model file.
+    /// The proof uses the model of the model file.
     File,
-    /// The document, because the second reader does not read the model file.
+    /// The proof uses the model of the document, because the independent file reader of the proof does not support
+    /// a key of the model file.
     Document,
 }
 
@@ -57,24 +59,25 @@ impl Named {
         self.found.as_ref().map_or_else(Some, |found| found.shortfall.as_ref())
     }
 
-    /// Error bound of a field along the beam; infinite if there is none.
+    /// Error bound of a field along the beam; infinite if no bound is proven.
     pub(crate) fn error_of(&self, field: Field) -> f64 {
         self.found.as_ref().map_or(f64::INFINITY, |found| found.error_of(field.name()))
     }
 
-    /// Error bound of a field at a position; infinite if there is none.
+    /// Error bound of a field at a position; infinite if no bound is proven.
     pub(crate) fn error_at(&self, field: Field, x: f64) -> f64 {
         self.found.as_ref().map_or(f64::INFINITY, |found| found.error_at(field.name(), x))
     }
 
-    /// Error bound of the force under an end of the beam (0: left); infinite if there is none.
+    /// Error bound of the force under an end of the beam (0: left); infinite if no bound is proven.
     pub(crate) fn error_of_end_force(&self, end: usize) -> f64 {
         let listed = self.found.as_ref().ok().and_then(|found| found.listed.end_forces);
         listed.map_or(f64::INFINITY, |ends| ends[end])
     }
 
-    /// Error bound of the lifted share: the errors of all edges, plus the rounding error of the sum of n
-    /// lengths and of the quotient by l, which is at most (n + 8)·2⁻⁵² of the share.
+    /// Error bound of the lifted share: the sum of the errors of all contact edges, divided by l, plus the
+    /// rounding error. The rounding error of the sum of n lengths and of the quotient by l is at most
+    /// (n + 8)·2⁻⁵² of the share.
     pub(crate) fn error_of_lifted_share(&self, solution: &Solution) -> f64 {
         let Ok(found) = &self.found else { return f64::INFINITY };
         let length = solution.model().beam.length;

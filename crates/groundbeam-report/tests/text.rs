@@ -63,7 +63,7 @@ fn the_ground_of_each_combination_is_listed_per_area() {
     assert!(words.contains("Stiffness β = 0.2") && !words.contains("0.2 to 0.2"), "{words}");
     let k = answers.list[0].solution().unwrap().model().foundation.subgrade;
     let area = document.printed.write(Kind::AreaSpring, k / 2.0);
-    assert!(words.contains(&format!("on a width of 2 m: C1 = k/b = {area}, C2")), "{words}");
+    assert!(words.contains(&format!("bearing width b = 2 m: C1 = k/b = {area}, C2")), "{words}");
     assert!(words.contains("of each combination depend on its own solution by "), "{words}");
 }
 

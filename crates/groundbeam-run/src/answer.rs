@@ -1,4 +1,4 @@
-//! One answer: its label, its result, and the ground that was solved.
+//! The answer to one model: its label, its result, and its ground constants.
 
 use crate::growing::Factors;
 use groundbeam::soil::{GroundConstants, SoilModel, SoilRounds};
@@ -12,9 +12,10 @@ use std::sync::Arc;
 /// Identifies the model of an answer: combination, ground, train and method.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Label {
-    /// The combination of load cases on one ground of a band. A file without either is one combination without a name.
+    /// The combination of load cases, with one pair of values of k and μ. A file without combinations and without
+    /// factors on k and μ has one combination without a name.
     pub combination: Arc<Combination>,
-    /// The train on the beam and its position.
+    /// The train on the beam and its position; `None` without a train.
     pub train: Option<Placed>,
     /// Name of the method.
     pub method: &'static str,
@@ -25,7 +26,7 @@ pub struct Label {
 pub struct Placed {
     /// The train.
     pub train: Arc<MovingTrain>,
-    /// Position of its first axle \[m\].
+    /// Position of the first axle of the train \[m\].
     pub first_axle: f64,
 }
 
@@ -35,7 +36,7 @@ impl Label {
         Label { combination: combination.clone(), train: None, method: method.name() }
     }
 
-    /// The model with all its loads, including those of the train.
+    /// The model with all loads, including the loads of the train.
     pub fn model(&self) -> Cow<'_, Model> {
         let model = &self.combination.model;
         match &self.train {
@@ -48,7 +49,7 @@ impl Label {
 /// The answer to one model.
 #[derive(Debug, Clone)]
 pub struct Answer {
-    /// The model that was solved.
+    /// Label of the model that was solved.
     pub label: Label,
     /// The result.
     pub found: Found,
@@ -56,7 +57,7 @@ pub struct Answer {
     pub ground: Option<Ground>,
     /// Load factors; `None` if they were not requested.
     pub factors: Option<Factors>,
-    /// Time of the solve \[s\]; NaN without a clock.
+    /// Computing time of the answer \[s\]; NaN if the host has no clock.
     pub seconds: f64,
 }
 
@@ -65,20 +66,21 @@ pub struct Answer {
 pub enum Found {
     /// An equilibrium, solved.
     Equilibrium(Arc<Solution>),
-    /// An equilibrium exists; it was not computed.
+    /// An equilibrium exists, but it was not computed.
     Exists(Existence),
     /// No equilibrium exists.
     NoEquilibrium(Existence),
     /// The method did not reach its tolerance.
     NotConverged(Stopped),
-    /// The method cannot solve this model. Only [`Run::compare`](crate::Run::compare) gives such an answer.
+    /// The method cannot solve this model. Only [`Run::compare`](crate::Run::compare) returns such an answer.
     Unsolved(Error),
 }
 
 /// Combined status of several answers. The variants are ordered from the best to the worst.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Overall {
-    /// All answers are solved, or all models are known to have an equilibrium.
+    /// All answers are solved, or all models are known to have an equilibrium. [`Found::Unsolved`] is not
+    /// counted.
     Solved,
     /// All models have an equilibrium, but at least one answer was not certified.
     NotConverged,
@@ -87,7 +89,7 @@ pub enum Overall {
 }
 
 impl Overall {
-    /// Name in results.
+    /// Name of the status in results.
     pub fn name(self) -> &'static str {
         match self {
             Overall::Solved => "solved",
@@ -98,11 +100,11 @@ impl Overall {
 }
 
 impl Found {
-    /// The result of a solve. Failed convergence is a result; other errors concern the model.
+    /// Converts the outcome of a solve. A solve that does not converge gives [`Found::NotConverged`].
     ///
     /// # Errors
     ///
-    /// [`Error::Invalid`], [`Error::Unsupported`] and [`Error::TooLarge`], unchanged.
+    /// Returns [`Error::Invalid`], [`Error::Unsupported`] and [`Error::TooLarge`] unchanged.
     pub fn of(solved: Result<Outcome, Error>) -> Result<Self, Error> {
         match solved {
             Ok(Outcome::Equilibrium(solution)) => Ok(Found::Equilibrium(Arc::from(solution))),
@@ -112,7 +114,7 @@ impl Found {
         }
     }
 
-    /// The result of an existence check.
+    /// Converts the result of an existence check.
     pub(crate) fn checked(existence: Existence) -> Self {
         match existence.verdict.stands() {
             true => Found::Exists(existence),
@@ -128,7 +130,7 @@ impl Found {
         }
     }
 
-    /// The existence check, if the solve made one.
+    /// The existence check; `None` if the method did not converge or cannot solve the model.
     pub fn existence(&self) -> Option<&Existence> {
         match self {
             Found::Equilibrium(solution) => Some(solution.existence()),
@@ -148,17 +150,17 @@ impl Found {
 }
 
 impl Answer {
-    /// The name of the combination; empty for a model as written.
+    /// The name of the combination; empty if the file has neither combinations nor factors on k and μ.
     pub fn name(&self) -> &str {
         &self.label.combination.name
     }
 
-    /// Whether its combination belongs to a limit state.
+    /// Whether the combination of this answer belongs to a limit state.
     pub fn is_of(&self, state: LimitState) -> bool {
         self.label.combination.limit_states.contains(state)
     }
 
-    /// The model of its combination, without a train.
+    /// The model of the combination, without the loads of a train.
     pub fn model(&self) -> &Model {
         &self.label.combination.model
     }
@@ -168,7 +170,7 @@ impl Answer {
         self.found.solution()
     }
 
-    /// The existence check, if the solve made one.
+    /// The existence check; `None` if the method did not converge or cannot solve the model.
     pub fn existence(&self) -> Option<&Existence> {
         self.found.existence()
     }
@@ -179,9 +181,9 @@ impl Answer {
 pub struct Ground {
     /// Bearing width of the beam \[m\].
     pub width: f64,
-    /// k and μ.
+    /// Constants k and μ of the ground.
     pub constants: GroundConstants,
-    /// The soil data and the method.
+    /// The soil data, and the method that converts them to constants of the ground.
     pub soil: Option<SoilModel>,
     /// The iterations that computed the constants from the soil data.
     pub rounds: Option<SoilRounds>,
@@ -193,7 +195,8 @@ impl Ground {
         self.soil.as_ref().is_some_and(SoilModel::follows_solution)
     }
 
-    /// The ground of a model after a solve; `None` for a solve that did not converge.
+    /// The ground of a model after a solve; `None` if the solve did not converge or [`Ground::before`] is
+    /// `None`.
     pub(crate) fn solved(model: &Model, width: Option<f64>, found: &Found) -> Option<Self> {
         let before = Ground::before(model, width)?;
         let gamma = before.soil.as_ref().and_then(SoilModel::gamma);
@@ -207,7 +210,7 @@ impl Ground {
         })
     }
 
-    /// The ground of a model before the solve; `None` if it is not uniform or its width is unknown.
+    /// The ground of a model before the solve; `None` if the ground is not uniform or the bearing width is unknown.
     pub(crate) fn before(model: &Model, width: Option<f64>) -> Option<Self> {
         let &Foundation { subgrade, shear_layer, ref segments, ref soil, .. } = &model.foundation;
         let width = soil.as_ref().map(|soil| soil.width).or(width)?;

@@ -1,4 +1,4 @@
-//! All answers to a file: a labelled list, and their joint results.
+//! All answers to a model file as a labelled list, and joint results such as envelopes.
 
 use crate::answer::{Answer, Ground, Overall};
 use crate::trains::{Located, Passage, Swept};
@@ -15,7 +15,7 @@ use groundbeam_file::LoadCase;
 pub enum Asked {
     /// One model.
     One,
-    /// All combinations of load cases on all grounds of a band.
+    /// All combinations of load cases, each with all requested values of k and μ.
     Combinations,
     /// All positions of every train under every combination.
     Trains,
@@ -28,8 +28,8 @@ pub enum Asked {
 pub struct Answers {
     /// The kind of request.
     pub asked: Asked,
-    /// Answers in the order of the combinations. With trains: for each combination in the order of the
-    /// trains, each train from left to right.
+    /// Answers in the order of the combinations. The answers for one combination are in the order of the
+    /// trains, and the answers for one train are in the order of its positions from left to right.
     pub list: Vec<Answer>,
     /// Results for each load case alone, which may have no equilibrium.
     pub alone: Vec<Alone>,
@@ -41,14 +41,14 @@ pub struct Answers {
 /// A load case alone, and its existence check.
 #[derive(Debug, Clone)]
 pub struct Alone {
-    /// The case, and the model under its loads alone.
+    /// The load case, and the model under the loads of this case alone.
     pub case: LoadCase,
     /// Result of the existence check.
     pub existence: Existence,
 }
 
 impl Alone {
-    /// Whether an equilibrium exists.
+    /// Whether the load case alone has an equilibrium.
     pub fn stands(&self) -> bool {
         self.existence.verdict.stands()
     }
@@ -65,7 +65,7 @@ impl Answers {
         Envelope::of(self.solved().map(|(_, solution)| solution))
     }
 
-    /// Limit states of the solved answers; empty if their combinations name none.
+    /// Limit states of the solved answers; empty if no combination names a limit state.
     pub fn limit_states(&self) -> LimitStates {
         let each = self.solved().map(|(answer, _)| answer.label.combination.limit_states);
         each.fold(LimitStates::NONE, LimitStates::and)
@@ -82,30 +82,31 @@ impl Answers {
         Passages { all, state: None }
     }
 
-    /// The joint status. Missing equilibrium counts more than missing convergence.
+    /// The worst status of all answers. A missing equilibrium is worse than missing convergence.
     pub fn overall(&self) -> Overall {
         let each = self.list.iter().map(|answer| answer.found.overall());
         each.chain([self.passages().overall()]).max().unwrap_or(Overall::Solved)
     }
 }
 
-/// Number of equal steps of the envelope in documents and tables.
+/// Number of equal steps along the beam for envelopes in documents and tables.
 const EVEN_STEPS: usize = 100;
 
-/// Several passages: each train under each combination.
+/// The passages of each train under each combination.
 #[derive(Debug, Clone, Default)]
 pub struct Passages<'a> {
-    /// Passages in the order of the combinations, and for each combination in the order of the trains.
+    /// Passages in the order of the combinations. The passages under one combination are in the order of the
+    /// trains.
     pub all: Vec<Passage<'a>>,
     /// Limit state that selects the passages for ranges and envelopes; `None` selects all.
     pub state: Option<LimitState>,
 }
 
-/// A governing value, with its passage.
+/// A governing value, with the passage in which it occurs.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct InPassage {
-    /// The value, its section, and the position of the train.
+    /// The value, its position on the beam, and the position of the train.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub located: Located,
     /// Index of the passage.
@@ -113,7 +114,7 @@ pub struct InPassage {
 }
 
 impl<'a> Passages<'a> {
-    /// A copy of these passages whose ranges and envelopes are those of one limit state.
+    /// A copy of these passages whose ranges and envelopes include only one limit state.
     pub fn of_limit_state(&self, state: LimitState) -> Self {
         Passages { state: Some(state), ..self.clone() }
     }
@@ -126,13 +127,14 @@ impl<'a> Passages<'a> {
         self.all.iter().enumerate().filter(move |(_, passage)| counts(passage))
     }
 
-    /// Limit states of the passages; empty if their combinations name none.
+    /// Limit states of the passages; empty if no combination names a limit state.
     pub fn limit_states(&self) -> LimitStates {
         let each = self.all.iter().map(Passage::limit_states);
         each.fold(LimitStates::NONE, LimitStates::and)
     }
 
-    /// The listed fields, in the order of [`Field::ALL`]. Without shear deformation the rotation is left out.
+    /// The fields that results contain, in the order of [`Field::ALL`]. The rotation is omitted for a beam without shear
+    /// deformation.
     pub fn fields(&self) -> impl Iterator<Item = Field> + Clone + use<> {
         self.all.first().map(Passage::fields).into_iter().flatten()
     }
@@ -163,12 +165,12 @@ impl<'a> Passages<'a> {
         })
     }
 
-    /// Default sections of the envelope of all passages.
+    /// Default sections of the beam for envelopes of all passages.
     pub fn default_stations(&self) -> Vec<f64> {
         self.stations(EVEN_STEPS)
     }
 
-    /// Sections at `even` equal steps of the beam, and the sections of all passages.
+    /// Sections of the beam for envelopes of all passages, with `even` equal steps along the beam.
     pub fn stations(&self, even: usize) -> Vec<f64> {
         let mut x: Vec<f64> = self.all.iter().flat_map(|passage| passage.stations(even)).collect();
         x.sort_by(f64::total_cmp);
@@ -182,7 +184,7 @@ impl<'a> Passages<'a> {
         Some(if max.located.value >= -min.located.value { max } else { min })
     }
 
-    /// The joint status.
+    /// The worst status of all passages.
     pub fn overall(&self) -> Overall {
         self.all.iter().map(Passage::overall).max().unwrap_or(Overall::Solved)
     }
@@ -193,7 +195,7 @@ impl<'a> Passages<'a> {
     }
 }
 
-/// Widens a range to include another one. Of equal values, the first one is kept.
+/// Widens a range to include another range. The first of two equal values is kept.
 fn widen(both: &mut [InPassage; 2], [min, max]: [InPassage; 2]) {
     if min.located.value < both[0].located.value {
         both[0] = min;

@@ -1,28 +1,27 @@
-//! Ranges of results over a band of grounds, from the solves with factors on k and μ.
+//! Computes the ranges of results over uncertain k and μ, from solutions with several factors on k and μ.
 
 use crate::answers::Answers;
 use groundbeam::{Field, envelope::Envelope, solution::ByField};
 
-/// A value on the ground with the best estimates of k and μ, with its range over all solved grounds of a
-/// band.
+/// A value for the best estimates of k and μ, with its range over all solved pairs of k and μ.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Banded {
-    /// Value on the ground with the best estimates.
+    /// Value for the best estimates of k and μ.
     pub best: f64,
-    /// Smallest value on any ground.
+    /// Smallest value over all solved pairs of k and μ.
     pub low: f64,
-    /// Largest value on any ground.
+    /// Largest value over all solved pairs of k and μ.
     pub high: f64,
 }
 
-/// Factors on k and μ of the ground with the best estimates.
+/// Factors on k and μ that give the best estimates.
 pub const BEST: [f64; 2] = [1.0, 1.0];
 
 impl Answers {
-    /// For each field, the smallest and the largest value over all combinations on one ground, with their
-    /// ranges over the grounds. In the order of [`Field::ALL`]; `None` without a band, or without a solution
-    /// on the best ground.
+    /// The smallest and the largest value of each field over all combinations, in the order of [`Field::ALL`].
+    /// Each value is given for the best estimates of k and μ, with its range over all solved pairs of k and μ.
+    /// `None` if the file gives no factors on k and μ, or if no combination is solved for the best estimates.
     pub fn bands(&self) -> Option<ByField<[Banded; 2]>> {
         let mut grounds = vec![BEST];
         for ground in self.solved().filter_map(|(answer, _)| answer.label.combination.ground) {
@@ -44,7 +43,8 @@ impl Answers {
         bands
     }
 
-    /// The smallest and the largest value of each field on a ground; `None` without a solution there.
+    /// The smallest and the largest value of each field over all combinations, for one pair of factors on k and
+    /// μ; `None` if no combination is solved for this pair.
     fn extremes_on(&self, ground: [f64; 2]) -> Option<ByField<[f64; 2]>> {
         let here =
             self.solved().filter(|(answer, _)| answer.label.combination.ground == Some(ground));

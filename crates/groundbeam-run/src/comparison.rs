@@ -15,7 +15,7 @@ const OTHERS: [Method; 3] = [Method::ActiveSet, Method::Psor, Method::Uzawa];
 pub struct Compare {
     /// Number of elements of the mesh.
     pub elements: usize,
-    /// Maximum number of sweeps of an iteration.
+    /// Maximum number of sweeps of an iterative method.
     pub most_sweeps: usize,
     /// Memory limit of a solve, in bytes.
     pub memory_limit: u64,
@@ -29,17 +29,17 @@ impl Default for Compare {
 }
 
 impl Compare {
-    /// Number of calls of [`Host::done`].
+    /// Number of calls of [`Host::done`] in one comparison.
     pub const PIECES: usize = 1 + OTHERS.len();
 }
 
 impl Run {
-    /// Solves the first model by `exact`, and if an equilibrium exists also by the other methods. A method
-    /// that cannot solve this model gives [`Found::Unsolved`].
+    /// Solves the model of the first combination by the method `exact`. If an equilibrium exists, the other
+    /// methods also solve this model. A method that cannot solve the model has the result [`Found::Unsolved`].
     ///
     /// # Errors
     ///
-    /// The errors of `exact` for this model.
+    /// Returns the errors of the method `exact` for this model.
     pub fn compare(&self, compare: Compare, host: &impl Host) -> Result<Answers, Error> {
         let Compare { elements, most_sweeps, memory_limit } = compare;
         let mut answers = Answers { asked: Asked::Methods, ..self.nothing() };
@@ -71,7 +71,8 @@ impl Run {
     }
 }
 
-/// Errors of an answer: the largest difference along the beam, relative to the largest value.
+/// Errors of an answer relative to the exact method. Each error is the largest difference along the beam,
+/// divided by the largest absolute value.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Errors {
@@ -81,7 +82,7 @@ pub struct Errors {
     pub moment: f64,
     /// Error of the settlement of the ground under the beam.
     pub settlement: f64,
-    /// Error of the larger end force, relative to the sum of all downward loads. The pressure itself is not
+    /// Larger of the errors of the two end forces, relative to the resultant of the loads. The pressure is not
     /// compared because it jumps at contact edges.
     pub end_forces: f64,
 }
@@ -113,7 +114,7 @@ impl Errors {
     }
 }
 
-/// The ratio of two magnitudes; 0/0 gives 0.
+/// Ratio of two magnitudes; 0 if the first magnitude is 0.
 fn ratio(part: f64, whole: f64) -> f64 {
     if part == 0.0 { 0.0 } else { part / whole }
 }

@@ -10,36 +10,36 @@ use groundbeam_file::{Combination, Document};
 /// The loads that a load factor multiplies.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Growing {
-    /// Names of load cases; empty if all loads grow.
+    /// Names of the load cases that a load factor multiplies; empty if it multiplies all loads.
     pub cases: Vec<String>,
-    /// Whether each load grows, in the order of the combination's loads.
+    /// Whether a load factor multiplies each load, in the order of the combination's loads.
     grows: Vec<bool>,
 }
 
-/// Load factors with the names of the load cases that grow.
+/// Load factors, with the names of the load cases that they multiply.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Factors {
     /// The load factors.
     pub found: LoadFactors,
-    /// The load cases whose loads grow; empty if all loads grow.
+    /// Names of the load cases that the load factors multiply; empty if they multiply all loads.
     pub cases: Vec<String>,
 }
 
 impl Growing {
-    /// All loads of a combination grow.
+    /// Selects all loads of a combination for multiplication by a load factor.
     pub fn all(combination: &Combination) -> Self {
         Growing { cases: Vec::new(), grows: vec![true; combination.loads.len()] }
     }
 
-    /// The loads of some cases of a document grow.
+    /// Selects the loads of the given load cases of a document for multiplication by a load factor.
     pub fn of_cases(cases: Vec<String>, document: &Document, combination: &Combination) -> Self {
         let grows = combination.loads.iter().map(|&load| document.is_of_case(load, &cases));
         Growing { grows: grows.collect(), cases }
     }
 
-    /// The load factors for the foundation of the model.
+    /// Computes the load factors of a model with the constants k and μ of its foundation.
     pub(crate) fn factors(&self, model: &Model, options: &Options) -> Result<Factors, Error> {
-        // If no case is named, all loads on the beam grow. Temperature loads, a camber and loads on the
+        // If no case is named, all loads on the beam grow, except temperature loads and a camber. Loads on the
         // ground outside the beam keep their values.
         let stays = |load: usize| {
             let stays = |load: &Load| load.is_on_ground() || load.action() == Action::Curvature;

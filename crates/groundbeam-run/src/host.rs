@@ -1,28 +1,30 @@
-//! The services of the program that runs a file: threads, clock and progress.
+//! Interface to the program that runs a model file: threads, clock and display of progress.
 
 use groundbeam::Error;
 use std::convert::Infallible;
 
-/// Threads, clock and progress of the program that runs a file. The answers do not depend on them.
+/// Threads, clock and display of progress of the program that runs a model file. The answers do not depend on
+/// the host.
 pub trait Host: Sync {
     /// Reason for an early stop.
     type Stop;
 
-    /// Results of `work` for 0 to `count`, in this order, on any number of threads.
+    /// Calls `work` for the numbers from 0 to `count - 1` on any number of threads. Returns the results in the
+    /// order of these numbers.
     ///
     /// # Errors
     ///
-    /// If the host stops the work.
+    /// Returns the reason if the host stops the work.
     fn map<T: Send>(
         &self,
         count: usize,
         work: impl Fn(usize) -> T + Sync + Send,
     ) -> Result<Vec<T>, Self::Stop>;
 
-    /// Seconds since a fixed moment; NaN without a clock.
+    /// Seconds since a fixed moment; NaN if the host has no clock.
     fn seconds(&self) -> f64;
 
-    /// Called when one of [`Run::pieces`](crate::Run::pieces) is done.
+    /// Is called after each of the [`Run::pieces`](crate::Run::pieces) parts of the work.
     fn done(&self) {}
 }
 
@@ -56,7 +58,7 @@ pub enum Failed<Stop> {
 }
 
 impl Failed<Infallible> {
-    /// The error of the refused model, if the host never stops the work.
+    /// The error of the refused model. A host whose `Stop` is [`Infallible`] never stops the work.
     pub fn refusal(self) -> Error {
         match self {
             Failed::Refused(error) => error,

@@ -1,11 +1,12 @@
 //! Solves all models that a model file defines.
 //!
-//! A [`Run`] holds the models: one, all combinations of load cases on all grounds of a band, or trains that
-//! move over them. [`Run::solve`] returns [`Answers`]: one list, in which every [`Answer`] has a [`Label`]
-//! with its combination, its train and the train's position, and its method. [`Run::check`] only decides
-//! whether an equilibrium exists. [`Run::compare`] solves one model with every method.
+//! A [`Run`] contains one model, or all combinations of load cases with all requested values of k and μ, or
+//! trains that move over the beam under these combinations. [`Run::solve`] returns [`Answers`], with a list of
+//! [`Answer`]s. Each [`Label`] names the combination, the train with its position, and the method of an answer.
+//! [`Run::check`] only decides whether an equilibrium exists. [`Run::compare`] solves one model with every
+//! method.
 //!
-//! The [`Host`] provides threads, a clock and a display of progress. The answers do not depend on it.
+//! The [`Host`] provides threads, a clock and a display of progress. The answers do not depend on the host.
 //!
 //! ```
 //! use groundbeam_run::{OneThread, Run};

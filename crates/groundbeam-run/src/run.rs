@@ -1,4 +1,4 @@
-//! A run of a model file: solves its combinations, trains and options, and returns a list of answers.
+//! Solves the combinations of a model file, with its trains and options, and returns a list of answers.
 
 use crate::answer::{Answer, Found, Ground, Label, Placed};
 use crate::answers::{Alone, Answers, Asked};
@@ -16,19 +16,20 @@ pub struct Run {
     pub(crate) asked: Asked,
     pub(crate) combinations: Vec<Arc<Combination>>,
     trains: Vec<Arc<MovingTrain>>,
-    /// A single position of a train.
+    /// A train at a single position.
     placed: Option<Placed>,
     load_cases: Vec<LoadCase>,
     pub(crate) width: Option<f64>,
     options: Options,
     growing: Option<Growing>,
     error: f64,
-    /// Whether unbounded train loads are placed, and combinations without trains are also solved.
+    /// Whether unbounded loads of a train are tried in several placements, and combinations are also solved without
+    /// a train.
     placed_loads: bool,
 }
 
 impl Run {
-    /// All models of a file.
+    /// A run of all models of a file.
     pub fn of(document: &Document) -> Self {
         match (document.trains.is_empty(), document.has_combinations()) {
             (false, _) => Run::new(document, Asked::Trains, document.wanted()),
@@ -37,13 +38,13 @@ impl Run {
         }
     }
 
-    /// All combinations of a file, without its trains.
+    /// A run of all combinations of a file, without its trains.
     pub fn of_combinations(document: &Document) -> Self {
         let run = Run::new(document, Asked::Combinations, document.combinations());
         Run { load_cases: document.load_cases(), ..run }
     }
 
-    /// Some combinations of a file, with all positions of its trains.
+    /// A run of some combinations of a file, with all positions of its trains.
     pub fn of_some(document: &Document, combinations: Vec<Combination>) -> Self {
         let trains = !document.trains.is_empty();
         let asked = if trains { Asked::Trains } else { Asked::Combinations };
@@ -52,18 +53,18 @@ impl Run {
         Run { load_cases, ..run }
     }
 
-    /// One combination of a file, with all positions of its trains.
+    /// A run of one combination of a file, with all positions of its trains.
     pub fn of_one(document: &Document, combination: Combination) -> Self {
         let asked = if document.trains.is_empty() { Asked::One } else { Asked::Trains };
         Run::new(document, asked, vec![combination])
     }
 
-    /// One combination of a file, without its trains.
+    /// A run of one combination of a file, without its trains.
     pub fn without_trains(document: &Document, combination: Combination) -> Self {
         Run::new(document, Asked::One, vec![combination])
     }
 
-    /// One combination of a file with one train at one position of its first axle \[m\].
+    /// A run of one combination of a file, with one train at one position of its first axle \[m\].
     pub fn at_position(
         document: &Document,
         combination: Combination,
@@ -85,7 +86,7 @@ impl Run {
         }
     }
 
-    /// A train over one model, with all of the train's loads as given.
+    /// A run of one train over one model. All loads of the train act as given.
     pub fn train(model: Combination, train: MovingTrain) -> Self {
         Run { trains: vec![Arc::new(train)], ..Run::on(Asked::Trains, vec![model]) }
     }
@@ -105,18 +106,18 @@ impl Run {
         }
     }
 
-    /// The same run with other options.
+    /// Returns this run with other options.
     pub fn with_options(self, options: Options) -> Self {
         Run { options, ..self }
     }
 
-    /// The same run with load factors for one model.
+    /// Returns this run with a request for load factors; `None` for no load factors.
     pub fn with_growing(self, growing: Option<Growing>) -> Self {
         Run { growing, ..self }
     }
 
-    /// The same run with another error tolerance for the envelopes of trains, relative to the largest value
-    /// of each field.
+    /// Returns this run with another error tolerance for the envelopes of trains, relative to the largest absolute
+    /// value of each field.
     pub fn with_error(self, error: f64) -> Self {
         Run { error, ..self }
     }
@@ -131,7 +132,7 @@ impl Run {
         &self.combinations
     }
 
-    /// Number of calls of [`Host::done`]: one for each combination, or for each train over each combination.
+    /// Number of calls of [`Host::done`]: one for each combination, or for each train under each combination.
     pub fn pieces(&self) -> usize {
         match self.asked {
             Asked::Trains => self.ways().len(),
@@ -143,7 +144,7 @@ impl Run {
     ///
     /// # Errors
     ///
-    /// The first error of a model, or the error that the host stopped the work.
+    /// Returns the first error of a model, or the reason why the host stopped the work.
     pub fn solve<H: Host>(&self, host: &H) -> Result<Answers, Failed<H::Stop>> {
         let mut answers = self.nothing();
         if self.asked == Asked::Trains {
@@ -168,11 +169,11 @@ impl Run {
         Ok(answers)
     }
 
-    /// Decides whether equilibria exist, without solving.
+    /// Decides for each model whether an equilibrium exists, without solving the model.
     ///
     /// # Errors
     ///
-    /// As [`groundbeam::exists`].
+    /// Returns the errors of [`groundbeam::exists`].
     pub fn check(&self) -> Result<Answers, Error> {
         let mut answers = self.nothing();
         for (combination, train) in self.ways() {
@@ -205,8 +206,9 @@ impl Run {
         Answers { asked: self.asked, list, alone, ground, swept }
     }
 
-    /// Pairs of a combination and a train: each train over each combination that includes it, with the factor
-    /// of its case and its unbounded loads in each placement; finally each combination without a train.
+    /// Returns the passages to solve, each as a combination and a train. If `placed_loads` is true, the loads of a
+    /// train are multiplied by the combination's factor for their load case, each placement of unbounded loads gives
+    /// a separate passage, and each named combination also has a passage without a train.
     fn ways(&self) -> Vec<(Arc<Combination>, Arc<MovingTrain>)> {
         let mut ways = Vec::new();
         for combination in &self.combinations {

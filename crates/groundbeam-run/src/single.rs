@@ -5,7 +5,7 @@ use crate::host::Host;
 use groundbeam::{Error, Options, Solution, solve_near};
 
 /// Solves the model of a label. `width` is the bearing width of the beam. The iteration starts from the
-/// solution `near`.
+/// solution `near` if it is given.
 pub(crate) fn answered(
     label: Label,
     width: Option<f64>,

@@ -1,4 +1,4 @@
-//! Distributions: converts a standard normal number to a number with the same cumulative probability.
+//! Converts a standard normal number to a number of another distribution with the same cumulative probability.
 
 use groundbeam_file::study::Distribution;
 use statrs::distribution::{ContinuousCDF, Normal};
@@ -7,40 +7,42 @@ use std::f64::consts::PI;
 /// Euler's constant γ, the mean of the standard Gumbel distribution.
 const EULER: f64 = 0.577_215_664_901_532_9;
 
-/// Φ⁻¹(u) for 0 < u < 1.
+/// Quantile Φ⁻¹(u) of the standard normal distribution for 0 < u < 1.
 pub fn normal_of(u: f64) -> f64 {
     Normal::standard().inverse_cdf(u)
 }
 
-/// Φ(z).
+/// Cumulative probability Φ(z) of the standard normal distribution.
 fn probability(z: f64) -> f64 {
     Normal::standard().cdf(z)
 }
 
-/// ln(1 + (σ/m)²), the variance of the logarithm of a lognormal number.
+/// Variance ln(1 + (σ/m)²) of the logarithm of a lognormal number with mean m and standard deviation σ.
 pub fn log_variance(mean: f64, deviation: f64) -> f64 {
     (deviation / mean).powi(2).ln_1p()
 }
 
-/// The lognormal number with the same cumulative probability as a standard normal one.
+/// The lognormal number with the same cumulative probability as the standard normal number `z`.
 pub fn lognormal(mean: f64, deviation: f64, z: f64) -> f64 {
     let variance = log_variance(mean, deviation);
     mean * (variance.sqrt() * z - 0.5 * variance).exp()
 }
 
-/// The number whose cumulative probability equals that of `z` in a standard normal distribution.
+/// The number whose cumulative probability in `distribution` equals the cumulative probability of `z` in the
+/// standard normal distribution.
 pub fn of_normal(distribution: &Distribution, z: f64) -> f64 {
     match *distribution {
         Distribution::Normal { mean, deviation } => mean + deviation * z,
         Distribution::Lognormal { mean, deviation } => lognormal(mean, deviation, z),
         Distribution::Gumbel { mean, deviation } => {
-            // F(x) = exp(−exp(−(x − m)/b)). The upper tail uses 1 − Φ(z) = Φ(−z), which keeps its digits.
+            // The Gumbel distribution is F(x) = exp(−exp(−(x − m)/b)) with mode m and scale b. The upper tail
+            // uses 1 − Φ(z) = Φ(−z), which avoids cancellation.
             let scale = deviation * 6.0_f64.sqrt() / PI;
             let exponent = if z < 0.0 { -probability(z).ln() } else { -(-probability(-z)).ln_1p() };
             mean - scale * (EULER + exponent.ln())
         }
         Distribution::Uniform { from, to } => {
-            // The result is measured from the nearer end, so that it keeps its digits.
+            // The distance from the nearer end of the interval is computed, which avoids cancellation.
             let width = to - from;
             if z < 0.0 { from + width * probability(z) } else { to - width * probability(-z) }
         }
@@ -60,7 +62,7 @@ pub fn of_normal(distribution: &Distribution, z: f64) -> f64 {
 mod tests {
     use super::*;
 
-    /// From `scipy.special.ndtri`, SciPy 1.17.
+    /// The reference values are from `scipy.special.ndtri`, SciPy 1.17.
     #[test]
     fn quantiles_of_the_normal_distribution_agree_with_reference_values() {
         for (u, z) in [
@@ -74,8 +76,8 @@ mod tests {
         }
     }
 
-    /// Every distribution has the given mean and deviation, by the trapezoidal rule over z. Its error is
-    /// below rounding for smooth functions times exp(−z²/2).
+    /// Tests the mean and the deviation of every distribution. The moments are integrated over z by the trapezoidal
+    /// rule. The error of this rule is below rounding error for smooth functions times exp(−z²/2).
     #[test]
     fn every_distribution_has_the_given_mean_and_deviation() {
         let step = 0.01;
@@ -97,7 +99,8 @@ mod tests {
             (Distribution::Lognormal { mean, deviation }, [mean, deviation], 1e-12),
             (Distribution::Gumbel { mean, deviation }, [mean, deviation], 1e-9),
             (Distribution::Uniform { from: 1.0, to: 4.0 }, [2.5, 3.0 / 12.0_f64.sqrt()], 1e-9),
-            // The density has a corner at the mode, so the error is of second order only.
+            // The density of the triangular distribution has a kink at the mode, so the trapezoidal rule has only
+            // second order.
             (
                 Distribution::Triangular { from: 1.0, mode: 2.0, to: 4.0 },
                 [7.0 / 3.0, (7.0_f64 / 18.0).sqrt()],

@@ -1,4 +1,4 @@
-//! Sample i of a study: its random numbers and its model.
+//! Computes the random numbers and the model of sample i of a study from its index i.
 
 use crate::distribution::{lognormal, normal_of, of_normal};
 use crate::fields::Field;
@@ -17,7 +17,7 @@ pub enum Impossible {
     Samples(String),
     /// The required correlations are contradictory.
     Correlations,
-    /// The circulant embedding of the field is not positive definite.
+    /// The circulant embedding of the random field is not positive definite.
     Circle,
 }
 
@@ -26,7 +26,7 @@ impl fmt::Display for Impossible {
         match self {
             Impossible::Samples(words) => f.write_str(words),
             Impossible::Correlations => {
-                f.write_str("the correlations of [[correlated]] are contradictory")
+                f.write_str("the correlations in [[correlated]] are contradictory: reduce some values of rho")
             }
             Impossible::Circle => f.write_str(
                 "the circulant method fails for this correlation: use method = \"karhunen-loeve\", more points, or a \
@@ -47,26 +47,26 @@ pub struct Draws {
     dimensions: usize,
     points: Points,
     field: Option<Field>,
-    /// L of L Lᵀ, the correlations of the random numbers; `None` if they are independent.
+    /// Cholesky factor L of the correlation matrix L Lᵀ of the random numbers; `None` if they are independent.
     joined: Option<Vec<Vec<f64>>>,
 }
 
 /// The random numbers and fields of a sample.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Draw {
-    /// The random numbers, in the order of the file.
+    /// The random numbers, in the order of the study file.
     pub numbers: Vec<f64>,
-    /// The random fields at their points, in the order k, μ, EI.
+    /// Values of the random fields at their points. The fields are in the order k, μ, EI.
     pub fields: Vec<Vec<f64>>,
 }
 
 impl Draws {
-    /// The samples of a study under a plan: the plan of the file, or a plan with another number of samples or
-    /// another seed.
+    /// Creates the samples of a study. `plan` may differ from the plan of the study file in the number of samples
+    /// and in the seed.
     ///
     /// # Errors
     ///
-    /// The reason why samples cannot be drawn.
+    /// Returns the reason if samples cannot be drawn.
     pub fn new(study: StudyFile, plan: Plan) -> Result<Self, Impossible> {
         if let Some(problem) = plan.problem() {
             return Err(Impossible::Samples(problem));
@@ -99,7 +99,7 @@ impl Draws {
         &self.study
     }
 
-    /// Number of samples, and the sampling method.
+    /// The sampling plan: number of samples, seed, sampling method and number of replicates.
     pub fn plan(&self) -> Plan {
         self.plan
     }
@@ -109,12 +109,12 @@ impl Draws {
         self.dimensions
     }
 
-    /// The share of the fields' variance in the kept terms; `None` without fields.
+    /// Fraction of the variance of the random fields in the kept terms of their expansion; `None` without fields.
     pub fn variance(&self) -> Option<f64> {
         self.field.as_ref().map(Field::variance)
     }
 
-    /// The random numbers and fields of a sample, counted from 0.
+    /// Draws the random numbers and fields of the sample with this index. The first index is 0.
     pub fn draw(&self, sample: u64) -> Draw {
         let mut normal = vec![0.0; self.dimensions];
         self.points.fill(sample, &mut normal);
@@ -135,8 +135,8 @@ impl Draws {
         let (Some(random), Some(field)) = (&self.study.field, &self.field) else {
             return Vec::new();
         };
-        // Term by term: the first numbers, which are distributed most uniformly, belong to the largest terms
-        // of all fields.
+        // The first normal numbers, which are distributed most uniformly, belong to the first and largest term of
+        // each field. The next numbers belong to the second terms, and so on.
         let count = random.of.len();
         let normal: Vec<Vec<f64>> = (0..count)
             .map(|i| field.of(&numbers.iter().skip(i).step_by(count).copied().collect::<Vec<_>>()))

@@ -6,27 +6,28 @@ use statrs::distribution::{ContinuousCDF, StudentsT};
 /// The confidence level of an interval.
 const CONFIDENCE: f64 = 0.95;
 
-/// Clopper and Pearson's interval (*Biometrika* 26 (1934)), whose coverage is at least the confidence level:
-/// the lower end for `low` events in `total` samples, and the upper end for `high` events.
+/// Computes Clopper and Pearson's interval (*Biometrika* 26 (1934)), whose coverage is at least the confidence
+/// level. The lower end belongs to `low` events in `total` samples, and the upper end to `high` events.
 pub fn of_counts(low: u64, high: u64, total: u64) -> Interval {
-    // A probability x is too low if `low` or more events are too improbable under x, and too high if `high` or fewer
-    // are.
+    // The lower end is the probability below which `low` or more events are too improbable. The upper end is the
+    // probability above which `high` or fewer events are too improbable.
     let lower = least_odds(low, total).map_or(0.0, |odds| odds / (1.0 + odds));
     let upper = least_odds(total - high, total).map_or(1.0, |odds| 1.0 / (1.0 + odds));
     Interval { bounds: [lower, upper], by: Way::Counts }
 }
 
-/// The odds x/(1 − x) at which at least `count` events in `total` samples have the probability of a one-sided
-/// error of the interval; `None` for `count` = 0.
+/// Computes the odds x/(1 − x) at which the probability of at least `count` events in `total` samples equals the
+/// one-sided error, half of (1 − confidence level). Returns `None` for `count` = 0.
 ///
-/// It is a quantile of the beta distribution, found by bisection. The tails of the binomial distribution are
-/// sums of positive terms for any numbers; continued fractions fail from about 10⁹ samples on.
+/// The probability x is a quantile of the beta distribution and is found by bisection. The tails of the binomial
+/// distribution are summed as series of positive terms, which are accurate for any numbers; continued fractions
+/// fail from about 10⁹ samples on.
 fn least_odds(count: u64, total: u64) -> Option<f64> {
     if count == 0 {
         return None;
     }
     let wanted = 0.5 * (1.0 - CONFIDENCE);
-    // Bounds of ln x/(1 − x) for counts of 64 bits.
+    // Bounds of the logarithm of the odds x/(1 − x) for counts of 64 bits.
     let [mut below, mut above] = [-60.0_f64, 60.0];
     loop {
         let middle = 0.5 * (below + above);
@@ -41,12 +42,13 @@ fn least_odds(count: u64, total: u64) -> Option<f64> {
     }
 }
 
-/// Whether the probability of `count` or more events in `total` samples exceeds `wanted`. Terms are added one
-/// by one; each is the previous one times (total − j) odds / (j + 1).
+/// Whether the probability of `count` or more events in `total` samples exceeds `wanted`. The terms of the
+/// probability are added one by one. Each term is the previous term times (total − j) odds / (j + 1), where the
+/// previous term belongs to j events.
 fn exceeds(count: f64, total: f64, odds: f64, wanted: f64) -> bool {
     if count <= total * (odds / (1.0 + odds)) {
-        // The count is at most the mean, so at most the median (Kaas and Buhrman, *Stat. Neerl.* 34 (1980)): the
-        // probability is at least a half.
+        // The count is at most the mean and therefore at most the median (Kaas and Buhrman, *Stat. Neerl.* 34
+        // (1980)). So the probability of `count` or more events is at least one half.
         return true;
     }
     let mut term = exactly(count, total, odds);
@@ -62,14 +64,16 @@ fn exceeds(count: f64, total: f64, odds: f64, wanted: f64) -> bool {
     sum > wanted
 }
 
-/// The probability of exactly `count` events in `total` samples. An event has the probability odds/(1 + odds).
-/// Stirling's formula with its remainder (Loader, *Fast and accurate computation of binomial probabilities* (2000)).
+/// Computes the probability of exactly `count` events in `total` samples, where an event has the probability
+/// odds/(1 + odds). Uses Stirling's formula with its remainder (Loader, *Fast and accurate computation of
+/// binomial probabilities* (2000)).
 fn exactly(count: f64, total: f64, odds: f64) -> f64 {
     let other = total - count;
     let expected = [odds, 1.0].map(|share| total * (share / (1.0 + odds)));
-    // The excess of the count over its mean, computed from the rarer outcome, which keeps its digits.
+    // `more` is the excess of the count over its mean. It is computed from the rarer outcome, whose rounding
+    // error is smaller.
     let more = if odds < 1.0 { count - expected[0] } else { expected[1] - other };
-    // count ln(count / expected), and the same for the samples without the event.
+    // `distance` is the sum of n ln(n / mean of n) over the numbers n of samples with and without the event.
     let distance = count * (more / expected[0]).ln_1p()
         + if other > 0.0 { other * (-more / expected[1]).ln_1p() } else { 0.0 };
     if other == 0.0 {
@@ -80,18 +84,19 @@ fn exactly(count: f64, total: f64, odds: f64) -> f64 {
     scale.sqrt() * (beyond - distance).exp()
 }
 
-/// ln n! minus Stirling's approximation (n + ½) ln n − n + ½ ln 2π.
+/// Returns the remainder ln n! − (n + ½) ln n + n − ½ ln 2π of Stirling's formula.
 fn beyond_stirling(n: f64) -> f64 {
     if n < 16.0 {
         let factorial: f64 = (2..=n as u64).map(|factor| factor as f64).product();
         return factorial.ln() - (n + 0.5) * n.ln() + n - 0.5 * std::f64::consts::TAU.ln();
     }
     let square = n * n;
-    // Bernoulli numbers; the next term is below 1e-14.
+    // The coefficients of Stirling's series follow from the Bernoulli numbers. The first omitted term is below
+    // 2e-14.
     (1.0 / 12.0 - (1.0 / 360.0 - (1.0 / 1260.0 - 1.0 / 1680.0 / square) / square) / square) / n
 }
 
-/// Student's interval of a mean.
+/// Computes Student's confidence interval of the mean of `values`.
 pub fn of_replicates(values: &[f64]) -> [f64; 2] {
     let count = values.len() as f64;
     let mean = values.iter().sum::<f64>() / count;
@@ -106,9 +111,9 @@ pub fn of_replicates(values: &[f64]) -> [f64; 2] {
 mod tests {
     use super::*;
 
-    /// The first three values are those of `scipy.stats.binomtest(k, n).proportion_ci()`. The others are
-    /// tails of the binomial distribution, summed by mpmath with 30 digits; SciPy 1.17 has an error in the
-    /// eighth digit for 1 of 10⁹.
+    /// The first three expected intervals are those of `scipy.stats.binomtest(k, n).proportion_ci()`. The other
+    /// intervals follow from tails of the binomial distribution, summed by mpmath with 30 digits. SciPy 1.17 is
+    /// wrong in the eighth digit for 1 event in 10⁹ samples.
     #[test]
     fn intervals_of_counts_agree_with_reference_values() {
         for (count, total, low, high) in [
@@ -133,7 +138,8 @@ mod tests {
         }
     }
 
-    /// Without an event in n samples the upper end satisfies (1 − x)ⁿ = α/2.
+    /// Tests the interval for no event in n samples, whose upper end x satisfies (1 − x)ⁿ = ½ (1 − confidence
+    /// level). The interval for n events in n samples is its mirror image.
     #[test]
     fn intervals_of_zero_and_of_all_counts_have_their_closed_form() {
         for total in (0..48).map(|power| 1_u64 << power) {
@@ -148,7 +154,7 @@ mod tests {
         }
     }
 
-    /// t = 2.776445 for four degrees of freedom.
+    /// The 97.5 % quantile of the t distribution with four degrees of freedom is 2.776445.
     #[test]
     fn intervals_of_replicates_use_the_t_distribution() {
         let bounds = of_replicates(&[0.1, 0.2, 0.3, 0.4, 0.5]);

@@ -1,13 +1,13 @@
-//! Runs studies: solves one model for many grounds and loads, random or given, and estimates probabilities.
+//! Runs studies: solves one model for many values of ground and loads, random or given, and estimates probabilities.
 //!
-//! | module | holds |
+//! | item | purpose |
 //! |---|---|
-//! | [`Draws`] | sample i of a study: its numbers, which depend only on the seed and on i |
-//! | [`Wanted`], [`Row`] | the stored values of a solution |
+//! | [`Draws`] | random numbers of sample i of a study, which depend only on the seed and on i |
+//! | [`Wanted`], [`Row`] | stored values of a solution |
 //! | [`run()`] | solves the samples part by part, and can be resumed |
 //! | [`merge()`] | merges parts and shards |
 //! | [`verify()`] | compares a file of results with its checksums |
-//! | [`summary()`] | probabilities with their intervals, means and quantiles |
+//! | [`summary()`] | computes probabilities with their confidence intervals, means and quantiles |
 //!
 //! A study file is read by [`groundbeam_file::study`].
 

@@ -1,8 +1,8 @@
-//! Progress of a study, reported to a caller that may stop it.
+//! Reports the progress of a study to a caller that may stop the study.
 
 use std::ops::ControlFlow;
 
-/// The present stage of the work.
+/// The present stage of a study.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Stage {
     /// Existing results are verified against their checksums.
@@ -20,10 +20,10 @@ pub enum Stage {
 pub struct Progress {
     /// The present stage.
     pub stage: Stage,
-    /// Amount of work done: samples verified; samples solved, including those of earlier runs; samples
-    /// merged; columns of row groups read.
+    /// Number of completed units of work. Depending on the stage, a unit is a sample that was verified, solved or
+    /// merged, or a column of a row group that was read. Samples solved in earlier runs are included.
     pub done: u64,
-    /// Amount of work that was done before this run.
+    /// Number of units of work that were completed before this run.
     pub before: u64,
     /// Total amount of work.
     pub of: u64,

@@ -8,13 +8,13 @@ use groundbeam::{Answer, Error, Existence, Field, Model, Solution, Solver, solut
 pub struct Wanted {
     /// Positions \[m\].
     pub at: Vec<f64>,
-    /// Fields at these positions.
+    /// Quantities along the beam whose values are stored at the positions `at`.
     pub fields: Vec<Field>,
-    /// Fields whose smallest and largest values are stored.
+    /// Quantities along the beam whose smallest and largest values are stored.
     pub extremes: Vec<Field>,
     /// Outputs whose derivatives are stored.
     pub outputs: Vec<Output>,
-    /// The parameters of these derivatives.
+    /// Parameters with respect to which the outputs are differentiated.
     pub parameters: Vec<Parameter>,
 }
 
@@ -48,7 +48,7 @@ impl Status {
     }
 }
 
-/// Reason why there is no solution.
+/// Reason why a sample has no solution.
 #[derive(Debug, Clone)]
 pub enum Trouble {
     /// No equilibrium exists.
@@ -62,32 +62,33 @@ pub enum Trouble {
 pub struct Row {
     /// The status.
     pub status: Status,
-    /// The reason why there is no solution; `None` if there is one.
+    /// Reason why the sample has no solution; `None` for a solved sample.
     pub trouble: Option<Box<Trouble>>,
-    /// Point contact forces under both ends \[N\].
+    /// Point contact forces under the left and the right end of the beam \[N\].
     pub end_forces: [f64; 2],
     /// The fraction of the beam that is not in contact.
     pub lifted_share: f64,
-    /// The certificate's gap relative to the strain energy.
+    /// Energy gap of the certificate, relative to the strain energy.
     pub relative_gap: f64,
-    /// r(0), r(l) and F(r) of the motion that proves that no equilibrium exists.
+    /// Displacements of the left and the right end of the beam in the rigid motion or buckling mode that proves
+    /// that no equilibrium exists, and the work of the loads in this motion.
     pub motion: [f64; 3],
     /// Contact zones \[m\].
     pub contact: Vec<[f64; 2]>,
-    /// For each requested field: position and size of the smallest value, position and size of the largest.
+    /// Position and value of the minimum, then position and value of the maximum, for each requested field.
     pub extremes: Vec<[f64; 4]>,
-    /// The requested fields at the requested positions, field by field.
+    /// Values at the requested positions: all values of the first requested quantity, then those of the next one.
     pub values: Vec<f64>,
     /// The derivatives of each requested output with respect to each parameter; NaN for an output that the solution does
     /// not have.
     pub gradients: Vec<f64>,
-    /// Whether some derivative of each requested output is one-sided.
+    /// Whether at least one derivative is one-sided, for each requested output.
     pub one_sided: Vec<bool>,
 }
 
 impl Row {
-    /// Solves a model that is derived from the model of the file, in the workspace of the previous solve. The
-    /// result does not depend on previous solves.
+    /// Solves the model of a sample in the workspace of the previous solve. The result does not depend on
+    /// previous solves.
     pub fn solve(model: &Model, wanted: &Wanted, solver: &mut Solver) -> Self {
         match solver.solve(model) {
             Ok(Answer::Equilibrium(solution)) => Row::of(solution, wanted),
@@ -112,7 +113,8 @@ impl Row {
         }
     }
 
-    /// The values of an equilibrium. Outside the beam there are no fields except the settlement.
+    /// Returns the stored values of an equilibrium. At positions outside the beam only the settlement has a
+    /// value.
     fn of(solution: &Solution, wanted: &Wanted) -> Self {
         let ends = solution.end_forces();
         let on_beam = 0.0..=solution.model().beam.length;
@@ -152,14 +154,14 @@ impl Row {
         }
     }
 
-    /// The values for a model without an equilibrium.
+    /// Returns the row of a model without an equilibrium.
     fn without(existence: Existence, wanted: &Wanted) -> Self {
         let motion = existence.verdict.motion().unwrap_or([f64::NAN; 3]);
         let trouble = Trouble::NoEquilibrium(existence);
         Row { motion, ..Self::empty(Status::NoEquilibrium, trouble, wanted) }
     }
 
-    /// The values for a model that was refused or has no certified solution.
+    /// Returns the row of a model that was refused or has no certified solution.
     fn failed(error: Error, wanted: &Wanted) -> Self {
         let status = match error {
             Error::NotConverged(_) => Status::NotConverged,
@@ -169,7 +171,7 @@ impl Row {
     }
 }
 
-/// The derivatives of the requested outputs; `None` for an output that has none.
+/// Computes the derivatives of the requested outputs. The entry of an output without derivatives is `None`.
 fn gradients(solution: &Solution, wanted: &Wanted) -> Vec<Option<Gradient>> {
     if wanted.outputs.is_empty() {
         return Vec::new();
@@ -177,7 +179,7 @@ fn gradients(solution: &Solution, wanted: &Wanted) -> Vec<Option<Gradient>> {
     let of = |outputs: &[Output]| solution.gradients(outputs, &wanted.parameters);
     match of(&wanted.outputs) {
         Ok(gradients) => gradients.into_iter().map(Some).collect(),
-        // The number of contact zones differs between solutions.
+        // The number of contact zones differs between solutions, so a solution may lack one of the outputs.
         Err(NotDifferentiable::NoSuchOutput) => {
             wanted.outputs.iter().map(|output| of(&[*output]).ok()?.pop()).collect()
         }

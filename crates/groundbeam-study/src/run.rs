@@ -1,4 +1,4 @@
-//! Runs a study on all processors, part by part; it can be resumed.
+//! Solves the samples of a study on all processors and stores them in parts, so that a stopped run can be resumed.
 
 use crate::draws::{Draw, Draws};
 use crate::progress::{Progress, Stage, Watch};
@@ -14,18 +14,18 @@ use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::mpsc::{self, RecvTimeoutError};
 use std::time::{Duration, Instant};
 
-/// Maximum number of samples of a part.
+/// Maximum number of samples that a thread takes at once.
 const MOST_IN_A_PART: u64 = 16_384;
-/// Minimum number of samples of a part.
+/// Minimum number of samples that a thread takes at once, unless fewer remain.
 const FEWEST_IN_A_PART: u64 = 16;
-/// Maximum computing time of a part. After this time the part is written with the samples solved so far.
+/// Time after which a thread stores the samples that it has solved so far.
 const LONGEST: Duration = Duration::from_secs(2);
 /// Number of rows that are converted to columns together.
 const ROWS_AT_ONCE: usize = 64;
 /// Time between two progress reports.
 const BETWEEN_LOOKS: Duration = Duration::from_millis(100);
 
-/// The share of one of several machines in a study.
+/// The share of a study that one of several machines solves.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Shard {
     /// Index of the machine, from 1.
@@ -38,7 +38,8 @@ impl Shard {
     /// The whole study.
     pub const WHOLE: Shard = Shard { number: 1, of: 1 };
 
-    /// Its consecutive samples. The numbers of samples of two shards differ by at most one.
+    /// Returns the consecutive samples of this shard in a study of `of` samples. The numbers of samples of two
+    /// shards differ by at most one.
     pub fn samples(self, of: u64) -> Range<u64> {
         let start = |number: u64| {
             let start = u128::from(of) * u128::from(number) / u128::from(self.of);
@@ -51,7 +52,7 @@ impl Shard {
 /// The result of a run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Finished {
-    /// All samples are in the file. The number counts the samples that this run solved.
+    /// The results file contains all samples. The number counts the samples that this run solved.
     Whole(u64),
     /// The run was stopped; the results so far are stored in parts.
     Stopped(Progress),
@@ -59,9 +60,9 @@ pub enum Finished {
 
 /// Solves the samples of a study that are not solved yet, and writes one file.
 ///
-/// The file depends on the study only: not on the number of threads (0: one per processor), and not on the
-/// number of interruptions. `watch` receives the progress and may stop the run; then every solved sample is
-/// kept. If the process is killed, at most two seconds of work are lost.
+/// The file depends on the study only. It does not depend on the number of threads or interruptions. If `threads`
+/// is 0, the run uses one thread per processor. `watch` receives the progress and may stop the run; every solved
+/// sample is then stored. If the process is killed, at most two seconds of work are lost.
 ///
 /// # Errors
 ///
@@ -135,13 +136,13 @@ pub fn digest(draws: &Draws) -> String {
 ///
 /// # Errors
 ///
-/// The file cannot be read, or contains other results.
+/// Fails if the file cannot be read or contains results of another study.
 pub fn is_done(draws: &Draws, out: &Path, shard: Shard) -> Result<bool, StoreError> {
     let samples = shard.samples(draws.plan().samples);
     Ok(!Parts::wait(out) && Whole::of(out, &Head::of(draws), &samples)?.is_some())
 }
 
-/// Refuses an output that is a file of the study, or that is not a regular file and so could not be read
+/// Refuses an output that is an input file of the study or not a regular file. Only a regular file can be read
 /// again.
 fn refuse_inputs(draws: &Draws, out: &Path) -> Result<(), StoreError> {
     let wrong = |error: std::io::Error| StoreError::File(out.to_owned(), error.to_string());
@@ -180,7 +181,7 @@ struct Work<'a> {
 }
 
 impl Work<'_> {
-    /// Runs the work on this number of threads.
+    /// Solves all samples of `todo` on this number of threads, and reports the number of solved samples to `watch`.
     fn on(
         &self,
         threads: usize,
@@ -195,7 +196,7 @@ impl Work<'_> {
                     if result.is_err() {
                         self.stop.store(true, Ordering::Relaxed);
                     }
-                    // The watcher waits for all threads.
+                    // Sending cannot fail, because the receiver waits for all threads.
                     let _ = say.send(result);
                 });
             }
@@ -218,7 +219,8 @@ impl Work<'_> {
         })
     }
 
-    /// Works on one piece after another.
+    /// Takes one range of samples after another from `todo` and solves it, until no range is left or the run is
+    /// stopped.
     fn thread(&self) -> Result<(), StoreError> {
         let mut solver = Solver::new();
         let next = || self.todo.lock().ok().and_then(|mut todo| todo.pop_front());

@@ -6,14 +6,14 @@
 
 use std::collections::BTreeMap;
 
-/// Number of parts of a range; a multiple of each number of [`HISTOGRAMS`].
+/// Number of equal parts of the range of the numbers. It is a multiple of each number in [`HISTOGRAMS`].
 const PARTS: usize = 20_480;
 /// Possible numbers of parts of a histogram.
 const HISTOGRAMS: [usize; 10] = [1, 2, 4, 5, 8, 10, 16, 20, 32, 40];
-/// The reported quantiles, and the quartiles.
+/// Probabilities of the reported quantiles, then of the two quartiles.
 const QUANTILES: [f64; 7] = [0.0, 0.05, 0.5, 0.95, 1.0, 0.25, 0.75];
 
-/// The result of the first pass. NaN is not counted.
+/// Count, mean, deviation and range of the numbers, computed in the first pass. NaN is not counted.
 #[derive(Debug, Clone, Copy)]
 pub struct Moments {
     count: u64,
@@ -40,18 +40,18 @@ impl Moments {
         self.range = [self.range[0].min(value), self.range[1].max(value)];
     }
 
-    /// The largest number; `None` if there are none.
+    /// The largest number; `None` if no number was added.
     pub fn largest(&self) -> Option<f64> {
         (self.count > 0).then_some(self.range[1])
     }
 
-    /// The start of the second pass; `None` if there are no numbers.
+    /// Starts the second pass. Returns `None` if no number was added.
     pub fn counted(self) -> Option<Counted> {
         (self.count > 0).then(|| Counted { moments: self, parts: vec![Part::EMPTY; PARTS] })
     }
 }
 
-/// One of the equal parts of a range.
+/// One of the equal parts of the range of the numbers.
 #[derive(Debug, Clone, Copy)]
 struct Part {
     count: u64,
@@ -62,7 +62,7 @@ impl Part {
     const EMPTY: Part = Part { count: 0, range: [f64::INFINITY, f64::NEG_INFINITY] };
 }
 
-/// The result of the second pass.
+/// Counts of the numbers in equal parts of their range, computed in the second pass.
 #[derive(Debug, Clone)]
 pub struct Counted {
     moments: Moments,
@@ -70,7 +70,7 @@ pub struct Counted {
 }
 
 impl Counted {
-    /// The part that contains a number; it increases with the number.
+    /// Index of the part that contains a number. The index increases with the number.
     fn part(&self, value: f64) -> usize {
         let [from, to] = self.moments.range;
         let place = (value - from) / (to - from) * PARTS as f64;
@@ -88,7 +88,7 @@ impl Counted {
         *range = [range[0].min(value), range[1].max(value)];
     }
 
-    /// The start of the third pass.
+    /// Starts the third pass.
     pub fn ranked(self) -> Ranked {
         let mut kept = BTreeMap::new();
         for rank in QUANTILES.into_iter().flat_map(|part| self.ranks(part).0) {
@@ -101,8 +101,8 @@ impl Counted {
         Ranked { counted: self, kept }
     }
 
-    /// The two ranks between which a quantile lies, and its relative position between them: Hyndman and Fan's
-    /// type 7.
+    /// Returns the two ranks between which a quantile lies, and the relative position of the quantile between
+    /// these ranks (Hyndman and Fan's type 7).
     fn ranks(&self, part: f64) -> ([u64; 2], f64) {
         let last = self.moments.count - 1;
         let place = part * last as f64;
@@ -110,7 +110,7 @@ impl Counted {
         ([below, (below + 1).min(last)], place - place.floor())
     }
 
-    /// The part that contains the number of this rank, and its rank within the part.
+    /// Returns the part that contains the number of this rank, and the rank of the number within the part.
     fn part_of(&self, rank: u64) -> (usize, u64) {
         let mut before = 0;
         for (i, part) in self.parts.iter().enumerate() {
@@ -123,7 +123,7 @@ impl Counted {
     }
 }
 
-/// The result of the third pass.
+/// The numbers near the quantiles, collected in the third pass.
 #[derive(Debug, Clone)]
 pub struct Ranked {
     counted: Counted,
@@ -136,7 +136,7 @@ pub struct Ranked {
 pub struct Statistics {
     pub mean: f64,
     pub deviation: f64,
-    /// The smallest, the quantiles of 5, 50 and 95 %, the largest.
+    /// The smallest number, the quantiles of 5, 50 and 95 %, and the largest number.
     pub quantiles: [f64; 5],
     pub histogram: Vec<u64>,
 }
@@ -172,9 +172,9 @@ impl Ranked {
         below + between * (above - below)
     }
 
-    /// The number of equal parts recommended by Freedman and Diaconis, *Z. Wahrscheinlichkeitstheorie* 57
-    /// (1981): the width of a part is twice the distance of the quartiles divided by the cube root of the
-    /// count.
+    /// Counts the numbers in equal parts of their range. The width of a part is that of Freedman and Diaconis, *Z.
+    /// Wahrscheinlichkeitstheorie* 57 (1981): twice the distance between the quartiles, divided by the cube root of
+    /// the count.
     fn histogram(&self, [lower, upper]: [f64; 2]) -> Vec<u64> {
         let Moments { count, range: [least, most], .. } = self.counted.moments;
         let width = 2.0 * (upper - lower) / (count as f64).cbrt();
@@ -182,7 +182,7 @@ impl Ranked {
         let advised = match (least < most, width > 0.0) {
             (false, _) => 1.0,
             (true, true) => (most - least) / width,
-            // If most numbers are equal, for example zero, the quartiles coincide and are not used.
+            // If most numbers are equal, for example zero, the quartiles coincide and do not determine a width.
             (true, false) => finest as f64,
         };
         let parts = HISTOGRAMS.into_iter().find(|parts| *parts as f64 >= advised).unwrap_or(finest);
@@ -205,7 +205,8 @@ mod tests {
         Some(ranked.finish())
     }
 
-    /// Compares with sorting, for widely different numbers, many of them equal, and some NaN.
+    /// Tests quantiles against those of the sorted numbers. The numbers differ widely, many of them are equal, and
+    /// some are NaN.
     #[test]
     fn quantiles_agree_with_sorted_numbers() {
         let mut seed = 1_u64;

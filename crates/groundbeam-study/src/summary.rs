@@ -1,4 +1,4 @@
-//! Summary of all samples: probabilities with intervals, means, deviations and quantiles.
+//! Computes probabilities with intervals, means, deviations and quantiles from all samples of a study.
 
 use crate::draws::Draws;
 use crate::interval::{of_counts, of_replicates};
@@ -12,15 +12,16 @@ use groundbeam_file::study::{BUILT_IN, Exceeds, Judged, Plan, Sampling};
 use groundbeam_report::{Estimate, Interval, Kind, Limit, Spread, Study, Way, load_kind};
 use std::path::Path;
 
-/// Minimum number of events for which the error is estimated from the scatter of the replicates.
+/// Minimum number of events for which the error of their probability is estimated from the scatter of the
+/// replicates.
 const ENOUGH: u64 = 10;
 
-/// Reads all results of a study.
+/// Reads all results of a study and computes their summary.
 ///
 /// # Errors
 ///
-/// The file cannot be read, or does not contain all samples of the study; [`StoreError::Stopped`] if `watch`
-/// stops the work.
+/// Fails if the file cannot be read or does not contain all samples of the study. Returns [`StoreError::Stopped`]
+/// if `watch` stops the work.
 pub fn summary(draws: &Draws, out: &Path, watch: &mut Watch) -> Result<Study, StoreError> {
     let table = Table::of(draws);
     let plan = draws.plan();
@@ -30,7 +31,7 @@ pub fn summary(draws: &Draws, out: &Path, watch: &mut Watch) -> Result<Study, St
     let mut tally = Tally::of(draws, &numbers);
     let mut moments = vec![Moments::new(); numbers.len()];
     let mut gaps = Moments::new();
-    // Each number is read three times.
+    // The values of each quantity are read three times.
     let of = (3 * numbers.len() * whole.groups()) as u64;
     let mut done = 0;
     let mut read = |columns: usize| {
@@ -69,14 +70,14 @@ pub fn summary(draws: &Draws, out: &Path, watch: &mut Watch) -> Result<Study, St
     })
 }
 
-/// A number that every sample has.
+/// A quantity that has one value in every sample.
 struct Number {
     name: String,
     kind: Option<Kind>,
     of: Columns,
 }
 
-/// The columns of a number.
+/// The columns from which a quantity is computed.
 enum Columns {
     One(String),
     /// The first column minus the second.
@@ -96,7 +97,7 @@ impl Columns {
     }
 }
 
-/// The numbers of the summary, and the numbers that decide events.
+/// Returns the quantities of the summary and the quantities that decide events.
 fn numbers(draws: &Draws, table: &Table) -> Vec<Number> {
     let one = |name: &str, kind| Number {
         name: name.to_owned(),
@@ -125,7 +126,7 @@ fn numbers(draws: &Draws, table: &Table) -> Vec<Number> {
     all
 }
 
-/// Name of the number that decides an event.
+/// Name of the quantity that decides an event.
 fn judged(of: Judged) -> String {
     match of {
         Judged::LiftedShare => "lifted_share".to_owned(),
@@ -137,7 +138,7 @@ fn judged(of: Judged) -> String {
     }
 }
 
-/// The quantity of a random number.
+/// Kind of physical quantity that a random parameter describes.
 fn kind(of: Parameter, model: &Model) -> Option<Kind> {
     match of {
         Parameter::AxialForce => Some(Kind::Force),
@@ -152,7 +153,7 @@ fn kind(of: Parameter, model: &Model) -> Option<Kind> {
     }
 }
 
-/// The outcomes of the samples of a group.
+/// Reads the statuses of the samples in a group of rows.
 fn statuses(whole: &Whole, group: usize) -> Result<Vec<Status>, StoreError> {
     let mut all = Vec::new();
     whole.words(group, "status", |word| {
@@ -176,7 +177,7 @@ struct Tally {
 struct Happening {
     name: String,
     limit: Option<Limit>,
-    /// Index of the number that decides the event; `None` for the loss of equilibrium.
+    /// Index of the quantity that decides the event; `None` for the loss of equilibrium.
     by: Option<usize>,
     /// For each replicate, the number of samples with the event and the number with unknown outcome.
     counts: Vec<[u64; 2]>,
@@ -208,8 +209,8 @@ impl Tally {
         Tally { statuses: [0; Status::ALL.len()], happenings, samples: 0, each }
     }
 
-    /// Adds samples in order. For a beam without equilibrium every event counts as occurred; a sample without
-    /// a result is unknown.
+    /// Counts the statuses and events of samples in order. Every event counts as occurred for a beam without
+    /// equilibrium, and as unknown for a sample without a result.
     fn add(&mut self, statuses: &[Status], columns: &[Vec<f64>]) {
         for (i, status) in statuses.iter().enumerate() {
             self.statuses[*status as usize] += 1;
@@ -239,7 +240,8 @@ impl Happening {
         if limit.above { columns[by][i] > limit.limit } else { columns[by][i] < limit.limit }
     }
 
-    /// The probability of the event. Samples with unknown outcome widen the interval to both possibilities.
+    /// Estimates the probability of the event. Each sample of unknown outcome widens the interval to include both
+    /// outcomes.
     fn estimate(self, plan: Plan) -> Estimate {
         let [count, open] = [0, 1].map(|i| self.counts.iter().map(|own| own[i]).sum::<u64>());
         let total = plan.samples;
@@ -262,7 +264,7 @@ impl Happening {
     }
 }
 
-/// Means, deviations and quantiles of the numbers that every sample has, in two more passes.
+/// Computes means, deviations and quantiles of the given quantities in two more passes over the file.
 fn spreads(
     whole: &Whole,
     numbers: Vec<Number>,

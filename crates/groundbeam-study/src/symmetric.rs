@@ -1,12 +1,12 @@
 //! Computes eigenvalues, eigenvectors and Cholesky factors of symmetric matrices.
 
-/// A symmetric matrix, row after row.
+/// A symmetric matrix, stored row by row.
 #[derive(Debug, Clone)]
 pub struct Symmetric {
     rows: Vec<Vec<f64>>,
 }
 
-/// Eigenvalues, the largest first, and unit eigenvectors.
+/// Eigenvalues in decreasing order, and their unit eigenvectors.
 #[derive(Debug, Clone)]
 pub struct Eigen {
     pub values: Vec<f64>,
@@ -20,8 +20,8 @@ impl Symmetric {
         Symmetric { rows: (0..size).map(row).collect() }
     }
 
-    /// Cholesky factor: L of L Lᵀ, row by row up to the diagonal; `None` unless the matrix is positive
-    /// definite.
+    /// Computes the Cholesky factor L of the matrix L Lᵀ, row by row up to the diagonal. Returns `None` if the
+    /// matrix is not positive definite.
     pub fn root(&self) -> Option<Vec<Vec<f64>>> {
         let mut root: Vec<Vec<f64>> = Vec::with_capacity(self.rows.len());
         for (i, row) in self.rows.iter().enumerate() {
@@ -39,12 +39,12 @@ impl Symmetric {
         Some(root)
     }
 
-    /// All eigenvalues and eigenvectors: reflections make the matrix tridiagonal, rotations make it diagonal (Golub and
-    /// Van Loan, *Matrix computations*, 4th edition, algorithms 8.3.1 and 8.3.3).
+    /// Computes all eigenvalues and eigenvectors. Reflections make the matrix tridiagonal, and rotations make it
+    /// diagonal (Golub and Van Loan, *Matrix computations*, 4th edition, algorithms 8.3.1 and 8.3.3).
     ///
     /// The error of the eigenvalues is a few rounding errors of the largest one.
     pub fn eigen(mut self) -> Eigen {
-        // Scaled so that squares of small entries do not underflow.
+        // The matrix is scaled so that squares of small entries do not underflow.
         let entries = self.rows.iter().flatten();
         let scale = entries.fold(f64::MIN_POSITIVE, |most, entry| most.max(entry.abs()));
         self.rows.iter_mut().flatten().for_each(|entry| *entry /= scale);
@@ -59,17 +59,18 @@ impl Symmetric {
     }
 }
 
-/// Q T Qᵀ with tridiagonal T.
+/// A symmetric matrix Q T Qᵀ with orthogonal Q and tridiagonal T.
 struct Tridiagonal {
     diagonal: Vec<f64>,
-    /// The entries next to the diagonal.
+    /// The entries of T next to the diagonal.
     beside: Vec<f64>,
     /// The columns of Q.
     vectors: Vec<Vec<f64>>,
 }
 
 impl Tridiagonal {
-    /// Applies Householder reflections I − 2vvᵀ. Each clears a column below the entry next to the diagonal.
+    /// Makes a matrix tridiagonal by Householder reflections I − 2vvᵀ with unit vectors v. Each reflection clears a
+    /// column below the entry next to the diagonal.
     fn of(matrix: Symmetric) -> Self {
         let Symmetric { rows: mut a } = matrix;
         let size = a.len();
@@ -78,12 +79,13 @@ impl Tridiagonal {
         for k in 0..size.saturating_sub(1) {
             let mut v = a[k][k + 1..].to_vec();
             let length = dot(&v, &v).sqrt();
-            // The sign avoids cancellation.
+            // The entry next to the diagonal gets the sign that avoids cancellation in v.
             let reflected = if v[0] > 0.0 { -length } else { length };
             v[0] -= reflected;
             let norm = dot(&v, &v).sqrt();
             v.iter_mut().for_each(|v| *v = if norm > 0.0 { *v / norm } else { 0.0 });
-            // (I − 2vvᵀ) A (I − 2vvᵀ) = A − 2vqᵀ − 2qvᵀ with q = Av − (vᵀAv)v.
+            // The reflection changes the remaining matrix A to (I − 2vvᵀ) A (I − 2vvᵀ) = A − 2vqᵀ − 2qvᵀ with q =
+            // Av − (vᵀAv)v.
             let mut q: Vec<f64> = a[k + 1..].iter().map(|row| dot(&row[k + 1..], &v)).collect();
             let along = dot(&q, &v);
             add(&mut q, -along, &v);
@@ -106,7 +108,7 @@ impl Tridiagonal {
         Tridiagonal { diagonal: (0..size).map(|i| a[i][i]).collect(), beside, vectors }
     }
 
-    /// Finds the eigenvalues from the last to the first, each by steps of the QR algorithm.
+    /// Computes the eigenvalues by the QR algorithm, from the last entry of the diagonal to the first.
     fn diagonalise(&mut self) {
         let size = self.diagonal.len();
         let entries = self.diagonal.iter().chain(&self.beside);
@@ -120,8 +122,10 @@ impl Tridiagonal {
         }
     }
 
-    /// T − σI = QR becomes RQ + σI: one rotation makes the first column of R, the others restore the three diagonals.
-    /// σ is the eigenvalue of the last two rows and columns of T that is nearer to the last entry (Wilkinson).
+    /// Performs one step of the QR algorithm, which replaces T = QR + σI by RQ + σI. The first rotation clears the
+    /// first column of T − σI below the diagonal, and the other rotations restore the tridiagonal form. The shift σ
+    /// is the eigenvalue of the last two rows and columns of T that is nearer to the last entry of the diagonal
+    /// (Wilkinson).
     fn step(&mut self, first: usize, last: usize) {
         let (d, e) = (&mut self.diagonal, &mut self.beside);
         let half = 0.5 * (d[last - 1] - d[last]);
@@ -174,7 +178,8 @@ mod tests {
         (0..size).map(|_| (0..size).map(|_| number()).collect()).collect()
     }
 
-    /// A = V Λ Vᵀ and V Vᵀ = I, to a few rounding errors of the largest eigenvalue.
+    /// Asserts A = V Λ Vᵀ and V Vᵀ = I for a matrix A, to a few rounding errors of its largest eigenvalue. V
+    /// contains the eigenvectors, Λ the eigenvalues.
     fn holds(matrix: &Symmetric) -> Eigen {
         let size = matrix.rows.len();
         let eigen = matrix.clone().eigen();
@@ -204,7 +209,8 @@ mod tests {
         }
     }
 
-    /// The second difference, 2 on the diagonal and −1 beside it, has the eigenvalues 2 − 2 cos(kπ/(n + 1)).
+    /// Tests the matrix of the second difference, which has n rows, 2 on the diagonal and −1 beside it. Its
+    /// eigenvalues are 2 − 2 cos(kπ/(n + 1)) for k = 1, …, n.
     #[test]
     fn eigenvalues_of_the_second_difference_have_their_closed_form() {
         let size = 50;
@@ -220,7 +226,7 @@ mod tests {
         }
     }
 
-    /// Eigenvalues that are equal, zero, or far below the rounding error of the largest.
+    /// Tests eigenvalues that are equal, zero, or far below the rounding error of the largest eigenvalue.
     #[test]
     fn equal_zero_and_tiny_eigenvalues_are_accurate() {
         let ones = holds(&Symmetric::new(30, |_, _| 1.0));
@@ -232,7 +238,7 @@ mod tests {
         holds(&Symmetric::new(40, |i, j| (-0.01 * ((i - j) as f64).powi(2)).exp()));
         holds(&Symmetric::new(40, |i, j| 1e-300 * (-0.1 * (i - j) as f64).exp()));
         let eigen = holds(&Symmetric::new(20, |i, j| 1.0 / (i + j + 1) as f64));
-        // Hilbert's matrix of size 20: 1.9071347204072533 by 50 digits.
+        // The largest eigenvalue of Hilbert's matrix of size 20, computed with 50 digits, is 1.9071347204072533.
         assert!((eigen.values[0] - 1.907_134_720_407_253_3).abs() < 1e-15 * 4.0);
     }
 

@@ -1,20 +1,20 @@
-//! The repository's files: its root, a file's text, and the files below a folder.
+//! Finds the root of the repository, reads a file of the repository, and lists the files below a folder.
 
 use std::path::{Path, PathBuf};
 
 /// The root of the repository.
 pub fn repository() -> PathBuf {
     let own = Path::new(env!("CARGO_MANIFEST_DIR"));
-    own.ancestors().nth(2).expect("the workspace holds this crate").to_path_buf()
+    own.ancestors().nth(2).expect("the repository contains this crate").to_path_buf()
 }
 
-/// The text of a file, its path relative to the repository.
+/// Reads the text of a file. The path is relative to the root of the repository.
 pub fn read(path: &str) -> String {
     let path = repository().join(path);
     std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
 }
 
-/// Every file with this extension in a folder and in the folders below it, by name.
+/// All files with this extension in a folder and in the folders below it, sorted by name.
 pub fn files(folder: &Path, extension: &str) -> Vec<PathBuf> {
     let entries = std::fs::read_dir(folder);
     let entries = entries.unwrap_or_else(|error| panic!("{}: {error}", folder.display()));

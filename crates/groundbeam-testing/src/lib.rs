@@ -1,4 +1,4 @@
-//! Shared by the tests of all crates: the repository's files, generated texts, and external programs.
+//! Provides the tests of all crates with the repository's files, generated texts, and external programs.
 
 mod expected;
 mod files;

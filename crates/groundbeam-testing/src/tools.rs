@@ -1,14 +1,15 @@
-//! External programs that some tests need: finds them, creates virtual environments of Python, skips tests without them.
+//! Finds external programs for tests, creates Python environments, and skips tests whose programs are missing.
 
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// The environment variable that names the tools without which a test fails instead of being skipped: some of
-/// `python`, `browser` and `wasm`, with commas, or `all`.
+/// The environment variable that names required tools. A test fails instead of being skipped if a required tool is
+/// missing. The value is `all`, or names from `python`, `browser` and `wasm`, separated by commas.
 const DEMAND: &str = "GROUNDBEAM_DEMAND";
 
-/// An interpreter with the needed packages. The environment is created in a folder and reused by later runs.
+/// Returns a Python interpreter with the needed packages. Its virtual environment is created in the folder
+/// `place` and reused by later runs.
 pub fn environment(place: &Path, needs: &[&str]) -> Result<PathBuf, String> {
     std::fs::create_dir_all(place).map_err(|error| error.to_string())?;
     let home = place.join("environment");
@@ -21,10 +22,10 @@ pub fn environment(place: &Path, needs: &[&str]) -> Result<PathBuf, String> {
     }
     let system = if cfg!(windows) { "python" } else { "python3" };
     let version = "import sys; sys.exit(sys.version_info < (3, 10))";
-    quietly(Command::new(system).args(["-c", version]), "there is no Python from 3.10 on")?;
+    quietly(Command::new(system).args(["-c", version]), "Python 3.10 or newer is not installed")?;
     let mut make = Command::new(system);
     make.args(["-m", "venv", "--clear"]).arg(&home);
-    quietly(&mut make, "no virtual environment can be made")?;
+    quietly(&mut make, "Python cannot create a virtual environment")?;
     let install = ["-m", "pip", "install", "--quiet", "--disable-pip-version-check"];
     let done = Command::new(&python).args(install).args(needs).output();
     let done = done.map_err(|error| error.to_string())?;
@@ -48,7 +49,7 @@ fn quietly(command: &mut Command, otherwise: &str) -> Result<(), String> {
 ///
 /// # Panics
 ///
-/// If it fails, with what it printed.
+/// Panics if the command fails, with the output of the command.
 #[track_caller]
 pub fn succeed(command: &mut Command) {
     let done = command.output().unwrap_or_else(|error| panic!("{command:?}: {error}"));
@@ -56,11 +57,11 @@ pub fn succeed(command: &mut Command) {
     assert!(done.status.success(), "{shown}\n{told}");
 }
 
-/// The tools of a test. Without them a line on standard error reports that the test was skipped.
+/// Returns the tools of a test. If they are missing, a line on standard error reports that the test was skipped.
 ///
 /// # Panics
 ///
-/// If they are missing and `GROUNDBEAM_DEMAND` names them.
+/// Panics if the tools are missing and `GROUNDBEAM_DEMAND` names them.
 pub fn tools_or_skip<T>(tools: Result<T, String>, name: &str, subject: &str) -> Option<T> {
     let why = match tools {
         Ok(tools) => return Some(tools),
@@ -68,9 +69,12 @@ pub fn tools_or_skip<T>(tools: Result<T, String>, name: &str, subject: &str) -> 
     };
     let demanded = std::env::var(DEMAND).unwrap_or_default();
     let is_demanded = demanded.split(',').any(|one| one == "all" || one == name);
-    assert!(!is_demanded, "{subject} cannot be tested here ({DEMAND}={demanded}): {why}");
+    assert!(
+        !is_demanded,
+        "{DEMAND}={demanded} demands a test of {subject}, which is not possible: {why}"
+    );
     let words = format!("\n*** SKIPPED: {subject} was NOT tested: {why}\n\n");
-    // Not `eprintln!`, whose output is hidden for a passing test.
+    // `eprintln!` is not used, because its output is hidden for a passing test.
     std::io::stderr().write_all(words.as_bytes()).expect("standard error");
     None
 }

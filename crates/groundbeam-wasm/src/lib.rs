@@ -11,10 +11,9 @@ mod module;
 
 use groundbeam_proof::{Ball, Document, Enclosing, Log, Wide, read_model, verify_and_log};
 
-/// The solution of the model in a document, and the proofs of the document in each type of numbers, with
-/// their logs.
+/// Returns the solution of the model in a document, and one proof of the document with its log for each arithmetic.
 ///
-/// The input has three parts separated by zero bytes: the text of the model file, the name of the combination
+/// The input has three parts separated by zero bytes: the text of the model file, the name of the load combination
 /// or nothing, and the document of one result.
 pub fn results(input: &str) -> String {
     let parts: Vec<&str> = input.split('\0').collect();
@@ -44,7 +43,7 @@ fn solution(document: &Document) -> String {
     }
 }
 
-/// The proof in one type of numbers. The model is read from the file, or from the document if the reader
+/// Computes the proof in the arithmetic of `S`. The model is read from the file, or from the document if the reader
 /// refuses the file.
 fn proof<S: Enclosing>(file: &str, combination: Option<&str>, document: &Document) -> String {
     let read = read_model::<S>(file, combination);

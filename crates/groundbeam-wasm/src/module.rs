@@ -1,9 +1,9 @@
-//! Functions of the WebAssembly module: the caller writes a text into its memory, and the results replace it.
+//! Exports the WebAssembly functions: a caller writes a text into the memory, and the results replace the text.
 
 use crate::results;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-/// The input; after `replace` the results.
+/// The input text, which `replace` replaces by the results.
 static TEXT: Mutex<Vec<u8>> = Mutex::new(Vec::new());
 
 fn text() -> MutexGuard<'static, Vec<u8>> {

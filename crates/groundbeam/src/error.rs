@@ -37,15 +37,15 @@ pub struct TooLarge {
 /// A method that stopped without an accepted solution.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Stopped {
-    /// The method.
+    /// The method that stopped.
     pub method: Method,
-    /// Number of iterations.
+    /// Number of iterations of the method.
     pub iterations: usize,
-    /// The reason.
+    /// The reason why the method stopped.
     pub why: NotConverged,
 }
 
-/// Reason why a method stopped without an accepted solution. All numbers are relative.
+/// Reason why a method stopped without an accepted solution. The number of a variant is a relative value.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum NotConverged {
@@ -53,9 +53,11 @@ pub enum NotConverged {
     Sweeps(f64),
     /// The last displacement of a contact edge, as a fraction of the beam's length.
     Edges(f64),
-    /// The bonded system of a trial contact is singular: the beam is a mechanism on it.
+    /// The stiffness matrix of the beam bonded to the ground in trial contact zones is singular. In these zones
+    /// the beam is a mechanism.
     Singular,
-    /// The set of contact nodes still changes, or the solution of a long beam fails the check at its nodes.
+    /// The set of contact nodes still changes, or the nodal solution of a long beam violates equilibrium or a
+    /// sign condition.
     Nodes,
     /// The set of active one-way supports still changes.
     Supports,
@@ -63,9 +65,9 @@ pub enum NotConverged {
     Branch(f64),
     /// The relative gap of the certificate at the factor of first lift-off.
     LiftOff(f64),
-    /// The last change of the rate r = ∫u'²/∫u² of layered soil, from one solution to the next.
+    /// The last relative change of the rate r = ∫u'²/∫u² of layered soil, from one solution to the next.
     Soil(f64),
-    /// The relative gap of the certificate, if it is the rounding error of loads that cancel each other.
+    /// The relative gap of the certificate, for loads that cancel each other to rounding error.
     CancellingLoads(f64),
     /// The relative gap of the certificate.
     Gap(f64),
@@ -79,20 +81,23 @@ impl NotConverged {
             NotConverged::Edges(_) => {
                 "the last move of a contact edge relative to the beam's length"
             }
-            NotConverged::Singular => "the bonded system of a trial contact",
+            NotConverged::Singular => {
+                "the stiffness matrix of the beam bonded in trial contact zones"
+            }
             NotConverged::Nodes => "the set of contact nodes",
             NotConverged::Supports => "the set of active one-way supports",
-            NotConverged::Branch(_) => "the stability margin where the path of equilibria ends",
+            NotConverged::Branch(_) => "the stability margin at the end of the path of equilibria",
             NotConverged::LiftOff(_) => "the certificate's relative gap at first lift-off",
             NotConverged::Soil(_) => "the relative change of the rate r = ∫u'²/∫u²",
             NotConverged::CancellingLoads(_) => {
-                "loads cancel each other to rounding error: the certificate's relative gap"
+                "the certificate's relative gap for loads that cancel each other to rounding error"
             }
             NotConverged::Gap(_) => "the certificate's relative gap",
         }
     }
 
-    /// The value reached; `None` if the quantity is not a number.
+    /// Returns the value of the quantity that [`Self::what`] describes. Returns `None` if this quantity has no
+    /// value or the value is not finite.
     pub fn reached(&self) -> Option<f64> {
         match *self {
             NotConverged::Singular | NotConverged::Nodes | NotConverged::Supports => None,
@@ -106,7 +111,8 @@ impl NotConverged {
         }
     }
 
-    /// The tolerance of that value; `None` if the quantity is not a number.
+    /// Returns the tolerance of the quantity that [`Self::what`] describes; `None` if this quantity has no
+    /// value.
     pub fn tolerance(&self) -> Option<f64> {
         match self {
             NotConverged::Singular | NotConverged::Nodes | NotConverged::Supports => None,
@@ -125,7 +131,7 @@ impl fmt::Display for NotConverged {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             NotConverged::Singular => {
-                return f.write_str("the beam is a mechanism on a trial contact");
+                return f.write_str("the beam bonded in trial contact zones is a mechanism");
             }
             NotConverged::Nodes | NotConverged::Supports => {
                 return write!(f, "{} did not settle", self.what());
@@ -177,7 +183,7 @@ mod tests {
     use crate::model::problem::Bytes;
     use crate::model::{Beam, Foundation, Model, Part};
 
-    /// Every variant. Variants with a number contain `figure`.
+    /// Returns every variant of `NotConverged`. Variants with a number contain `figure`.
     fn all(figure: f64) -> Vec<NotConverged> {
         let all = vec![
             NotConverged::Sweeps(figure),
@@ -191,7 +197,8 @@ mod tests {
             NotConverged::CancellingLoads(figure),
             NotConverged::Gap(figure),
         ];
-        // A new variant needs a number here and an entry above.
+        // This match numbers all variants. A new variant needs a number in the match and an entry in the list
+        // `all`.
         let number = |why: &NotConverged| match why {
             NotConverged::Sweeps(_) => 0,
             NotConverged::Edges(_) => 1,
@@ -219,13 +226,13 @@ mod tests {
         let expected = "\
 the method `uzawa` stopped after 7 iterations: the relative residual of the contact condition (5.10) is 1.2e-3; the tolerance is 1.0e-11
 the method `uzawa` stopped after 7 iterations: the last move of a contact edge relative to the beam's length is 1.2e-3; the tolerance is 1.0e-12
-the method `uzawa` stopped after 7 iterations: the beam is a mechanism on a trial contact
+the method `uzawa` stopped after 7 iterations: the beam bonded in trial contact zones is a mechanism
 the method `uzawa` stopped after 7 iterations: the set of contact nodes did not settle
 the method `uzawa` stopped after 7 iterations: the set of active one-way supports did not settle
-the method `uzawa` stopped after 7 iterations: the stability margin where the path of equilibria ends is 1.2e-3; the tolerance is 1.0e-3
+the method `uzawa` stopped after 7 iterations: the stability margin at the end of the path of equilibria is 1.2e-3; the tolerance is 1.0e-3
 the method `uzawa` stopped after 7 iterations: the certificate's relative gap at first lift-off is 1.2e-3; the tolerance is 1.0e-9
 the method `uzawa` stopped after 7 iterations: the relative change of the rate r = ∫u'²/∫u² is 1.2e-3; the tolerance is 1.0e-12
-the method `uzawa` stopped after 7 iterations: loads cancel each other to rounding error: the certificate's relative gap is 1.2e-3; the tolerance is 1.0e-9
+the method `uzawa` stopped after 7 iterations: the certificate's relative gap for loads that cancel each other to rounding error is 1.2e-3; the tolerance is 1.0e-9
 the method `uzawa` stopped after 7 iterations: the certificate's relative gap is 1.2e-3; the tolerance is 1.0e-9
 ";
         assert_eq!(written(1.23e-3), expected);

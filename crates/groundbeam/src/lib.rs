@@ -1,11 +1,13 @@
-//! Beams in unilateral contact with the ground.
+//! Solves beams in unilateral contact with the ground.
 //!
-//! The unilateral contact of a bending beam with a Pasternak foundation, with exact and proven solutions.
+//! This crate solves the unilateral contact of a bending beam with a Pasternak foundation. Its solutions are
+//! exact up to rounding error, and each has a proven error bound.
 //!
 #![doc = include_str!("../problem.md")]
 //!
-//! [`solve()`] takes a [`Model`] and returns an [`Outcome`]: a [`Solution`] with its [`Certificate`], or no
-//! equilibrium, with the [`RigidMotion`](existence::RigidMotion) that proves it. An invalid model gives an [`Error`].
+//! [`solve()`] takes a [`Model`] and returns an [`Outcome`]. The outcome is a [`Solution`] with its
+//! [`Certificate`], or the verdict that no equilibrium exists, with the [`RigidMotion`](existence::RigidMotion)
+//! that proves it. An invalid model returns an [`Error`].
 //!
 //! ```
 //! use groundbeam::{Beam, Field, Foundation, Load, Model, Outcome, solve};
@@ -68,5 +70,5 @@ pub use solution::{Certificate, Field, Solution};
 pub use solve::{exists, solve, solve_near, solve_with};
 pub use solver::{Answer, Solver};
 
-/// The crate that proves solutions.
+/// The crate that proves error bounds of solutions.
 pub use groundbeam_proof as proof;

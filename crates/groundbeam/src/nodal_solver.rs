@@ -14,7 +14,7 @@ use crate::options::{Method, Options};
 use crate::solve::exists;
 use crate::supported::{self, Way};
 
-/// Solver for models on meshes. It reuses its memory from one solve to the next.
+/// Solver for models on meshes. It reuses its memory in the next solve.
 #[derive(Debug, Clone, Default)]
 pub struct NodalSolver {
     workspace: Workspace,
@@ -22,18 +22,19 @@ pub struct NodalSolver {
 }
 
 impl NodalSolver {
-    /// A solver without a previous solution.
+    /// Creates a solver without a previous solution.
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// Solves the contact problem on about `elements` elements, of equal length between any two required positions. If
-    /// no equilibrium exists, `into` is unchanged; after an error its content is undefined.
+    /// Solves the contact problem on about `elements` elements. Between two neighbouring nodes that the model
+    /// requires, the elements have equal length. If no equilibrium exists, `into` is unchanged. After an error, the
+    /// content of `into` is undefined.
     ///
     /// # Errors
     ///
-    /// As [`solve`](crate::solve()); and [`Error::Unsupported`] for a feature that the nodal method does not
-    /// [support](crate::supported).
+    /// The errors of [`solve`](crate::solve()), and [`Error::Unsupported`] for a feature that the nodal method
+    /// does not [support](crate::supported).
     pub fn solve_into(
         &mut self,
         model: &Model,
@@ -57,7 +58,7 @@ impl NodalSolver {
         Ok(existence)
     }
 
-    /// Solves on grids from coarse to the required one.
+    /// Solves the model on coarse grids first and on the required grid last.
     fn search(
         &mut self,
         model: &Model,
@@ -66,18 +67,18 @@ impl NodalSolver {
     ) -> Result<(), Error> {
         levels::grids(model, elements.max(1), Ground::Nodal, &mut self.grids);
         let (workspace, grids) = (&mut self.workspace, &self.grids);
-        // Coarse grids use the arrays of the workspace, so those of the result keep their length.
+        // The solves on coarse grids use the arrays of the workspace, so `into` is not resized for each grid.
         let found = workspace.approach(grids, newton::ANSWER);
         found.map_err(|NotSolved| stalled(workspace.work.solves))?;
         self.finish(model, into)
     }
 
-    /// Solves from the solution of a similar model in `into`. If the number of nodes is the same, its contact zones are
-    /// the initial guess, and no coarser grid is needed.
+    /// Solves a model with the solution of a similar model in `into` as initial guess. If both models have the
+    /// same number of nodes, the contact zones in `into` are the initial guess, and no coarser grid is needed.
     ///
     /// # Errors
     ///
-    /// As [`NodalSolver::solve_into`].
+    /// The errors of [`NodalSolver::solve_into`].
     pub fn solve_near_into(
         &mut self,
         model: &Model,
@@ -87,8 +88,8 @@ impl NodalSolver {
         self.where_it_stands(model, elements, |solver| solver.search_near(model, elements, into))
     }
 
-    /// Starts from the contact zones in `into`. If this is impossible or does not converge, starts from
-    /// coarse grids.
+    /// Solves from the contact zones in `into`. If the number of nodes differs or the iteration does not
+    /// converge, solves from coarse grids.
     fn search_near(
         &mut self,
         model: &Model,
@@ -107,7 +108,7 @@ impl NodalSolver {
         self.finish(model, into).or_else(|_| self.search(model, elements, into))
     }
 
-    /// Solves on the last grid from an initial guess of its contact zones, and checks the solution.
+    /// Solves the model on the last grid from an initial guess of the contact zones, and checks the solution.
     fn finish(&mut self, model: &Model, into: &mut NodalSolution) -> Result<(), Error> {
         let workspace = &mut self.workspace;
         let swapped = |workspace: &mut Workspace, into: &mut NodalSolution| {
@@ -139,7 +140,7 @@ impl NodalSolver {
     ///
     /// # Errors
     ///
-    /// As [`NodalSolver::solve_into`].
+    /// The errors of [`NodalSolver::solve_into`].
     pub fn bonded_into(
         &mut self,
         model: &Model,

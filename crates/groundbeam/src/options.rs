@@ -5,10 +5,12 @@ use crate::cancel::Cancel;
 /// The method of solution.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Method {
-    /// Closed forms between the contact edges, which are the unknowns; without a mesh.
+    /// The exact method: closed forms between the contact edges, whose positions are the unknowns. It has no
+    /// mesh.
     #[default]
     Exact,
-    /// The discrete problem (5.10), (5.11) with forces at the nodes, (5.5): Newton's method on the convex energy.
+    /// Newton's method for the discrete problem (5.10), (5.11), with ground forces at the nodes as in (5.5).
+    /// The method minimises a convex energy.
     ActiveSet,
     /// Projected successive over-relaxation: (5.17) with (5.18) of the paper.
     Psor,
@@ -36,18 +38,19 @@ impl Method {
 pub struct Options {
     /// The method.
     pub method: Method,
-    /// Number of equal elements along the beam for the methods with a mesh. Loads, supports and other parts
-    /// of the model add nodes. [`Method::ActiveSet`] doubles the number if its discrete problem is not solved and,
-    /// on Winkler ground, until the energy gap is no larger than the strain energy. [`Method::Exact`] ignores the
-    /// number.
+    /// Number of equal elements along the beam for the methods with a mesh. Loads, supports and other parts of the
+    /// model add nodes. [`Method::ActiveSet`] doubles the number while its iteration does not converge. On Winkler
+    /// ground, it also doubles the number while the energy gap exceeds the strain energy. [`Method::Exact`] ignores
+    /// the number.
     pub elements: usize,
-    /// The start of `Uzawa` and `Psor`.
+    /// The initial pressure of [`Method::Uzawa`] and [`Method::Psor`].
     pub start: Start,
-    /// Maximum number of sweeps of `Uzawa` and `Psor`.
+    /// Maximum number of sweeps of [`Method::Uzawa`] and [`Method::Psor`].
     pub most_sweeps: usize,
-    /// The memory limit \[bytes\]; a model whose [estimate](crate::memory_estimate()) exceeds it is refused.
+    /// The memory limit \[bytes\]. A model whose [estimate](crate::memory_estimate()) exceeds this limit is
+    /// refused.
     pub memory_limit: u64,
-    /// A flag that stops the solve.
+    /// A flag with which another thread can stop the solve.
     pub cancel: Cancel,
 }
 
@@ -64,10 +67,10 @@ impl Default for Options {
     }
 }
 
-/// The first pressure of Uzawa's iteration, (5.15).
+/// The initial pressure of Uzawa's iteration, (5.15), and of PSOR.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Start {
-    /// The pressure of the bilateral problem, without its tensile part.
+    /// The pressure of the bilateral problem, with tensile pressures set to zero.
     #[default]
     Bilateral,
     /// Zero pressure.

@@ -8,7 +8,8 @@ use crate::solution::solution::Solution;
 pub enum Outcome {
     /// An equilibrium with its certificate.
     Equilibrium(Box<Solution>),
-    /// No equilibrium exists. Under compression: no stable equilibrium exists on the path from the unloaded
-    /// state. The verdict contains the motion that proves this.
+    /// No equilibrium exists. For a beam under compression it means that no stable equilibrium exists on the path
+    /// from the unloaded state. The [`Existence`] contains the rigid-body motion or the buckling mode that proves
+    /// this verdict.
     NoEquilibrium(Existence),
 }

@@ -1,13 +1,14 @@
-//! The constants k and μ of the ground from soil data.
+//! Computes the constants k and μ of the ground from soil data.
 //!
-//! | [`Soil`] | takes | gives |
+//! | [`Soil`] | data | results |
 //! |---|---|---|
 //! | `Vlasov` | layers of elastic soil on rock, and γ | k and μ |
 //! | `ModifiedVlasov` | the same layers; γ from the solution | k and μ |
 //! | `Vesic`, `Biot`, `MeyerhofBaike`, `Selvadurai` | a modulus and Poisson's ratio | k |
 //! | `TerzaghiClay`, `TerzaghiSand` | a plate load test | k |
 //!
-//! Both constants are per length of *beam*: values per area times the width on which the beam bears.
+//! The constants k and μ apply to the full width of the *beam*: they are the constants per unit width of the ground
+//! times the width on which the beam bears.
 //!
 //! ```
 //! use groundbeam::soil::{LayeredSoil, Soil, SoilLayer, SoilModel};

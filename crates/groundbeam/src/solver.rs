@@ -1,4 +1,4 @@
-//! Solver for a series of models, in one workspace.
+//! Solver for a series of models, which share one workspace.
 
 use crate::error::Error;
 use crate::existence::verdict::Existence;
@@ -9,7 +9,7 @@ use crate::solution::candidate::{Candidate, Workspace};
 use crate::solution::solution::Solution;
 use crate::solve::solve_in;
 
-/// Solves a series of models by the exact method. All solves use the same memory.
+/// Solves a series of models. All solves use the same memory. The default is the exact method.
 ///
 /// ```
 /// use groundbeam::{Answer, Beam, Foundation, Load, Model, Solver};
@@ -33,7 +33,7 @@ use crate::solve::solve_in;
 /// ```
 #[derive(Debug, Clone, Default)]
 pub struct Solver {
-    /// The last solution; `None` if the last model had none.
+    /// Solution of the last model; `None` if the last model has no equilibrium.
     last: Option<Box<Solution>>,
     workspace: Workspace,
     options: Options,
@@ -44,42 +44,45 @@ pub struct Solver {
 pub enum Answer<'a> {
     /// An equilibrium with its certificate.
     Equilibrium(&'a Solution),
-    /// No equilibrium exists. The verdict contains the motion that proves it.
+    /// No equilibrium exists. The [`Existence`] contains the rigid-body motion or the buckling mode that proves
+    /// this verdict.
     NoEquilibrium(Existence),
 }
 
 impl Solver {
-    /// A solver without a previous solution.
+    /// Creates a solver without a previous solution.
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// A solver with these options.
+    /// Creates a solver with the given options.
     pub fn with_options(options: Options) -> Self {
         Solver { options, ..Self::default() }
     }
 
-    /// Solves a model like [`solve`](crate::solve()), with the same bits, independent of previous solves.
+    /// Solves a model. Its solution has the same bits as that of [`solve`](crate::solve()), independent of
+    /// previous solves.
     ///
     /// # Errors
     ///
-    /// As [`solve`](crate::solve()).
+    /// The errors of [`solve`](crate::solve()).
     pub fn solve(&mut self, model: &Model) -> Result<Answer<'_>, Error> {
         self.solve_from(model, false)
     }
 
     /// Solves a model that is similar to the previous one: a load has moved or increased, or the ground has
     /// changed. The iteration starts from the previous contact and needs fewer steps. The certificate is
-    /// checked as in [`Solver::solve`]; the last digits of the solution may differ.
+    /// checked as in [`Solver::solve`], but the last digits of the solution may differ from the solution of
+    /// [`Solver::solve`].
     ///
     /// # Errors
     ///
-    /// As [`solve`](crate::solve()).
+    /// The errors of [`solve`](crate::solve()).
     pub fn solve_next(&mut self, model: &Model) -> Result<Answer<'_>, Error> {
         self.solve_from(model, true)
     }
 
-    /// Takes the last solution; `None` if the last model had none.
+    /// Removes and returns the solution of the last model; `None` if the last model has no equilibrium.
     pub fn take(&mut self) -> Option<Box<Solution>> {
         self.last.take()
     }
@@ -133,7 +136,7 @@ mod tests {
     fn the_next_answer_is_as_good_and_takes_fewer_steps() {
         let mut solver = Solver::new();
         let [mut anew, mut next] = [0; 2];
-        // Decreases the load to full contact and increases it again.
+        // The moment first decreases until the beam is in full contact, and then increases again.
         for i in (0..40).chain((0..40).rev()) {
             let model = footing(0.49 - 0.005 * f64::from(i));
             let Ok(Outcome::Equilibrium(alone)) = solve(&model) else { panic!() };

@@ -1,4 +1,4 @@
-//! The table that states which way of solving supports which feature of a model.
+//! Table that states which features of a model each way of solving supports.
 //!
 //! ```
 //! use groundbeam::supported::{Feature, Way, refusal};
@@ -16,24 +16,24 @@ use crate::options::{Method, Options};
 /// A way to solve a model.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Way {
-    /// [`Method::Exact`].
+    /// The exact method, [`Method::Exact`].
     Exact,
-    /// [`Method::ActiveSet`].
+    /// Newton's method on a mesh, [`Method::ActiveSet`].
     ActiveSet,
-    /// [`Method::Psor`] and [`Method::Uzawa`].
+    /// The iterations on a mesh, [`Method::Psor`] and [`Method::Uzawa`].
     Iteration,
-    /// [`NodalSolver`](crate::NodalSolver): values at the nodes of a long beam.
+    /// The solver for long beams, [`NodalSolver`](crate::NodalSolver).
     Nodes,
-    /// [`load_factors`](crate::load_factors()).
+    /// The computation of load factors, [`load_factors`](crate::load_factors()).
     LoadFactors,
 }
 
 impl Way {
-    /// All ways, in the order of the table's columns.
+    /// All ways of solving, in the order of the table's columns.
     pub const ALL: [Way; 5] =
         [Way::Exact, Way::ActiveSet, Way::Iteration, Way::Nodes, Way::LoadFactors];
 
-    /// The way that the method of these options selects.
+    /// The way of solving that the options select by their method.
     pub(crate) fn of(options: &Options) -> Self {
         match options.method {
             Method::Exact => Way::Exact,
@@ -43,12 +43,12 @@ impl Way {
     }
 }
 
-/// A feature of a model that not every way supports.
+/// A feature of a model that some ways of solving do not support.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Feature {
-    /// Compression beyond the beam's own buckling load, so that the equilibrium is local.
+    /// Compression above the buckling load of the beam without the ground, with a local equilibrium.
     LocalEquilibrium,
-    /// Ground without a shear layer somewhere under the beam, μ = 0.
+    /// Ground without a shear layer (μ = 0) somewhere under the beam.
     NoShearLayer,
     /// A beam with shear deformation.
     BeamShear,
@@ -58,12 +58,12 @@ pub enum Feature {
     Supports,
     /// Hinges.
     Hinges,
-    /// Stiffness or ground that varies along a segment.
+    /// Beam stiffness or ground constants that vary along a segment.
     Varying,
 }
 
 impl Feature {
-    /// All features, in the order of the table's rows; checks use the same order.
+    /// All features, in the order of the table's rows and of the checks.
     pub const ALL: [Feature; 7] = [
         Feature::LocalEquilibrium,
         Feature::NoShearLayer,
@@ -74,8 +74,8 @@ impl Feature {
         Feature::Varying,
     ];
 
-    /// A row of the table: for each way in [`Way::ALL`], the refusal of the feature; `None` if the way
-    /// supports it.
+    /// Row of the table for this feature. For each way in [`Way::ALL`] it contains the error for this feature, or
+    /// `None` if the way supports the feature.
     const fn row(self) -> [Option<&'static Refusal>; 5] {
         use refused::*;
         let yes = None;
@@ -104,8 +104,8 @@ impl Feature {
         }
     }
 
-    /// The part of a model that has the feature, and the field of that part. A local equilibrium is indicated
-    /// by `is_local`.
+    /// Finds the part of a model that has this feature, and the name of the field with the feature in this part.
+    /// `is_local` states whether the equilibrium of the model is local.
     fn of(self, model: &Model, is_local: bool) -> Option<(Part, &'static str)> {
         match self {
             Feature::LocalEquilibrium => is_local.then_some((Part::Beam, "axial_force")),
@@ -131,12 +131,12 @@ impl Feature {
     }
 }
 
-/// The code of the error with which a way refuses a feature; `None` if it supports the feature.
+/// The code of the error with which a way of solving refuses a feature; `None` if the way supports the feature.
 pub fn refusal(feature: Feature, way: Way) -> Option<&'static str> {
     feature.row()[way as usize].map(|refusal| refusal.code)
 }
 
-/// Refuses a model with a feature that the way does not support.
+/// Refuses a model with a feature that the way of solving does not support.
 pub(crate) fn check(model: &Model, way: Way, is_local: bool) -> Result<(), Error> {
     for feature in Feature::ALL {
         if let Some(refusal) = feature.row()[way as usize]
@@ -148,7 +148,8 @@ pub(crate) fn check(model: &Model, way: Way, is_local: bool) -> Result<(), Error
     Ok(())
 }
 
-/// The foundation or the foundation segment without a shear layer under the beam.
+/// Finds the foundation or the foundation segment without a shear layer under the beam; `None` if there is a
+/// shear layer everywhere.
 fn without_shear_layer(model: &Model) -> Option<Part> {
     let ground = &model.foundation;
     let mesh = Mesh::build(model, &[], |_| 1);
@@ -162,7 +163,7 @@ fn without_shear_layer(model: &Model) -> Option<Part> {
 mod tests {
     use super::*;
 
-    /// Each way has its own column. The exact method supports every feature.
+    /// Each way of solving has its own column of the table. The exact method supports every feature.
     #[test]
     fn the_table_has_a_column_for_each_way_of_solving() {
         for (column, way) in Way::ALL.into_iter().enumerate() {

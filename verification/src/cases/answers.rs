@@ -1,4 +1,4 @@
-//! The results of a case, for comparison with its expectations.
+//! Solves a case and computes the quantities that it expects.
 
 use super::expectation::{Expectation, Of, Value};
 use groundbeam::{Error, Solution};
@@ -14,7 +14,8 @@ impl Answers {
     ///
     /// # Errors
     ///
-    /// The first part that cannot be solved; a train may have positions without a certified solution.
+    /// Returns the error of the first model that cannot be solved. A position of a train without a certified solution
+    /// is not an error.
     pub fn of(document: &Document) -> Result<Answers, Error> {
         let answers = Run::of(document).solve(&OneThread).map_err(Failed::refusal)?;
         let stopped = answers.list.iter().find_map(|answer| match &answer.found {
@@ -27,12 +28,12 @@ impl Answers {
         }
     }
 
-    /// The equilibria that exist.
+    /// Returns the solutions of all models that have an equilibrium.
     pub fn solutions(&self) -> Vec<&Solution> {
         self.0.solved().map(|(_, solution)| solution).collect()
     }
 
-    /// The computed value of an expected quantity.
+    /// Returns the computed value of an expected quantity.
     ///
     /// # Errors
     ///
@@ -60,17 +61,17 @@ impl Answers {
         match all.find(|answer| answer.name() == name) {
             Some(answer) => expectation.found(document, &answer.found),
             None if name.is_empty() => {
-                Err("the file has combinations: say which, as in [ULS 1]".to_owned())
+                Err("the file has combinations: write the name of one before the quantity, as in [ULS 1]".to_owned())
             }
             None => Err(format!("the file has no combination `{name}`")),
         }
     }
 
-    /// Checks that the result is as expected.
+    /// Checks that the computed value of a quantity agrees with the expected value.
     ///
     /// # Errors
     ///
-    /// The difference from the expectation.
+    /// Returns a description of the difference between the two values.
     pub fn judge(&self, expectation: &Expectation, document: &Document) -> Result<(), String> {
         let found = self.found(expectation, document);
         expectation.judge(&found.map_err(|what| format!("{}: {what}", expectation.name))?)

@@ -1,4 +1,4 @@
-//! Reads one line `#: quantity = value tolerance`, and compares it with a result.
+//! Reads an expectation from a line `#: quantity = value tolerance`, and compares a result with the expected value.
 
 use super::quantity::Quantity;
 use super::scale::{Kind, scale};
@@ -7,20 +7,20 @@ use groundbeam_file::{Document, UnitSystem};
 use groundbeam_run::{Found, Passages};
 use serde_json::Value as Json;
 
-/// An expectation of one line.
+/// The expected value of a quantity, read from one line of a model file.
 #[derive(Debug, Clone)]
 pub struct Expectation {
-    /// Line of the file, counted from 1.
+    /// Number of the line in the file, counted from 1.
     pub line: usize,
     /// The result to which the quantity belongs.
     pub of: Of,
     /// The text of the quantity.
     pub name: String,
-    /// The text of the value, with its unit.
+    /// Text of the expected value, with its unit.
     pub value: String,
     /// The tolerance.
     pub tolerance: Tolerance,
-    /// The reason for a wide tolerance; may be empty for a tolerance of rounding error.
+    /// Reason for a wide tolerance. It may be empty if the tolerance allows for rounding errors only.
     pub why: String,
     quantity: Quantity,
     /// The expected value in the model's units.
@@ -34,24 +34,24 @@ pub struct Expectation {
 pub enum Of {
     /// The result of a file without combinations.
     File,
-    /// The result of one combination: `[ULS 1] max(moment)`.
+    /// The result of one combination, as in `[ULS 1] max(moment)`.
     Combination(String),
-    /// The envelope: `[envelope] max(moment)`.
+    /// The envelope of all results, as in `[envelope] max(moment)`.
     Envelope,
 }
 
 /// The tolerance of an expectation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Tolerance {
-    /// The same text, or the same number of regions.
+    /// No tolerance: the computed and the expected value must be equal.
     Same,
     /// An absolute tolerance, in the unit of the value.
     Absolute(f64),
-    /// A tolerance relative to the largest of the line's values.
+    /// A tolerance relative to the largest expected value of the line.
     Relative(f64),
 }
 
-/// A computed value, in the form of an expectation.
+/// A computed value that can be compared with an expectation.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Value {
     /// A verdict, or the name of a combination.
@@ -66,15 +66,15 @@ enum Wanted {
     Numbers(Vec<f64>),
 }
 
-/// A tolerance up to this value allows for rounding only, and needs no reason.
+/// A relative tolerance up to this value allows for rounding errors only, and needs no reason.
 const ROUNDING: f64 = 1e-9;
 
 impl Expectation {
-    /// Reads the text after `#:`.
+    /// Reads an expectation from the text after `#:`.
     ///
     /// # Errors
     ///
-    /// A description of what cannot be read.
+    /// Returns a description of the part of the text that is invalid.
     pub fn read(text: &str, line: usize, units: UnitSystem) -> Result<Expectation, String> {
         let (said, why) = text.split_once('#').unwrap_or((text, ""));
         let (of, said) = match said.trim_start().strip_prefix('[').and_then(|s| s.split_once(']')) {
@@ -135,12 +135,14 @@ impl Expectation {
             (_, Tolerance::Relative(size)) => size > ROUNDING,
         };
         if wide && self.why.is_empty() {
-            return Err("a tolerance this wide needs a reason, after `#`".into());
+            return Err(
+                "the tolerance is wider than rounding errors: write a reason after `#`".into()
+            );
         }
         Ok(())
     }
 
-    /// The value in a result; load factors follow from the document alone.
+    /// Returns the value of the quantity in a result. Load factors are computed from the document alone.
     ///
     /// # Errors
     ///
@@ -182,7 +184,7 @@ impl Expectation {
             (Quantity::Used(what, None), Found::Equilibrium(solution)) => {
                 let checks = document.limits.check(solution);
                 let check = checks.iter().find(|check| check.what == what);
-                vec![check.ok_or("the file does not ask for this check")?.utilisation()]
+                vec![check.ok_or("the file does not request this check")?.utilisation()]
             }
             (quantity, Found::Equilibrium(solution)) => quantity.of(solution)?,
             _ => return Err("there is no equilibrium".into()),
@@ -190,7 +192,7 @@ impl Expectation {
         Ok(Value::Numbers(numbers.into_iter().map(|number| number / self.scale).collect()))
     }
 
-    /// The value in an envelope of named solutions.
+    /// Returns the value of the quantity in an envelope of named solutions.
     ///
     /// # Errors
     ///
@@ -211,15 +213,16 @@ impl Expectation {
                 name.map(|name| Value::Word((*name).to_owned()))
                     .ok_or_else(|| "nothing was solved".to_owned())
             }
-            _ => Err("an envelope has only extremes and their governing solutions".to_owned()),
+            _ => Err("an envelope contains only extreme values and the names of their governing solutions".to_owned()),
         }
     }
 
-    /// The verdict on a check in a limit state, from the result document; `None` for other quantities.
+    /// Returns the verdict or the utilisation of a check in a limit state from the result document; `None` for any
+    /// other quantity.
     ///
     /// # Errors
     ///
-    /// If the document has no such check.
+    /// The result document does not contain the check.
     pub fn found_in_verdicts(&self, json: impl Fn() -> String) -> Option<Result<Value, String>> {
         let (Quantity::Used(what, state) | Quantity::Judged(what, state)) = self.quantity else {
             return None;
@@ -247,16 +250,15 @@ impl Expectation {
         })
     }
 
-    /// The value in the envelope of passages.
+    /// Returns the value of the quantity in the envelope of the passages of trains.
     ///
     /// # Errors
     ///
-    /// The envelope of passages does not contain the quantity.
+    /// The envelope of the passages does not contain the quantity.
     pub fn found_in_passages(&self, passages: &Passages) -> Result<Value, String> {
         let Quantity::Extreme { field, largest, position } = self.quantity else {
             return Err(
-                "only smallest and largest values of the envelope of a train can be expected"
-                    .to_owned(),
+                "the envelope of a train contains only smallest and largest values".to_owned()
             );
         };
         let range = passages.range(field).ok_or("nothing was solved")?;
@@ -265,11 +267,12 @@ impl Expectation {
         Ok(Value::Numbers(vec![number / self.scale]))
     }
 
-    /// The distance of a value from the expected one: absolute in its unit, and relative to the largest expected number.
+    /// Returns the difference between a computed and the expected value: first absolute in the unit of the expected
+    /// value, then relative to the largest expected number.
     ///
     /// # Errors
     ///
-    /// The two are not comparable: another text, or another number of regions.
+    /// The two values have different texts or different numbers of regions.
     pub fn distance(&self, found: &Value) -> Result<(f64, f64), String> {
         match (&self.wanted, found) {
             (Wanted::Word(wanted), Value::Word(found)) if wanted == found => Ok((0.0, 0.0)),
@@ -283,11 +286,11 @@ impl Expectation {
         }
     }
 
-    /// Checks that the value is as expected.
+    /// Checks that a computed value agrees with the expected value within the tolerance.
     ///
     /// # Errors
     ///
-    /// The difference from the expectation.
+    /// Returns a description of the difference between the two values.
     pub fn judge(&self, found: &Value) -> Result<(), String> {
         let (absolute, relative) = self.distance(found)?;
         let near = match self.tolerance {
@@ -299,7 +302,7 @@ impl Expectation {
             return Ok(());
         }
         Err(format!(
-            "{} is {}, not {} (off by {absolute:.1e}, relative {relative:.1e})",
+            "{} is {}, not {} (absolute difference {absolute:.1e}, relative difference {relative:.1e})",
             self.name,
             shown(found),
             self.value
@@ -331,7 +334,8 @@ fn word(verdict: Verdict) -> &'static str {
     }
 }
 
-/// `1.5 kN`, `[0, 1.5] m`, `[0, 1], [2, 3] m`, or `none`.
+/// Reads expected numbers such as `1.5 kN`, `[0, 1.5] m`, `[0, 1], [2, 3] m` or `none`. Returns the numbers and the
+/// factor of their unit.
 fn numbers(text: &str, kind: Kind, units: UnitSystem) -> Result<(Wanted, f64), String> {
     if text == "none" {
         return Ok((Wanted::Numbers(Vec::new()), 1.0));

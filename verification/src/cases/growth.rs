@@ -1,4 +1,4 @@
-//! Load factors as quantities that a case expects: `first_lift_off(Q)`, `loss_of_equilibrium(Q, W)`.
+//! Computes the load factors that a case expects, such as `first_lift_off(Q)` or `loss_of_equilibrium(Q, W)`.
 
 use groundbeam::{
     load_factors,
@@ -9,16 +9,16 @@ use groundbeam_file::{Document, parse_cases};
 /// The kind of factor.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Growth {
-    /// The factor of first lift-off.
+    /// The load factor at which the beam first lifts off.
     FirstLiftOff,
-    /// The position at which the beam then lifts off.
+    /// The position at which the beam first lifts off.
     PositionOfLiftOff,
-    /// The factor beyond which no equilibrium exists.
+    /// The load factor beyond which no equilibrium exists.
     LossOfEquilibrium,
 }
 
 impl Growth {
-    /// Reads `first_lift_off` and the other names.
+    /// Returns the kind of factor for a name such as `first_lift_off`.
     pub fn read(name: &str) -> Option<Growth> {
         match name {
             "first_lift_off" => Some(Growth::FirstLiftOff),
@@ -28,7 +28,8 @@ impl Growth {
         }
     }
 
-    /// The value for the loads of the cases in the brackets of `quantity`; empty if there is no limit.
+    /// Returns the load factor, or the position of lift-off, for the load cases in the brackets of `quantity`. The
+    /// list is empty if the requested factor or position does not exist.
     pub fn of(self, quantity: &str, document: &Document) -> Result<Vec<f64>, String> {
         let cases = quantity.split_once('(').map_or("", |(_, rest)| rest.trim_end_matches(')'));
         let cases = parse_cases(cases, document).map_err(|f| f.render("#:", cases, false))?;

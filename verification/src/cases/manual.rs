@@ -6,16 +6,20 @@ use super::expectation::{Expectation, Of, Tolerance, Value};
 use groundbeam_file::Document;
 use std::fmt::Write;
 
-/// The folders in the order of the manual, each with a title and a description.
+/// The folders of cases in the order of the manual, each with a title and a description.
 const CHAPTERS: [(&str, &str, &str); 7] = [
     ("kikuchi-1980/", "The paper's own examples", "Kikuchi's sections 4 and 5."),
     ("textbook/", "Textbooks, manuals and closed forms", "Published numbers and exact solutions."),
     ("footings/", "Structures with units", "Typical structures of practice."),
-    ("combinations/", "Combinations of load cases", "Each solved separately, and their envelope."),
+    (
+        "combinations/",
+        "Combinations of load cases",
+        "Separate solutions of all combinations, and their envelope.",
+    ),
     (
         "ground/",
         "Ground with an initial gap or with ends",
-        "Surveys, troughs, trenches, neighbours.",
+        "Surveyed ground, settlement troughs, trenches and neighbouring loads.",
     ),
     ("limits/", "Limits", "Degenerate and extreme models."),
     ("", "Benchmark", "A model on which other solvers were timed."),
@@ -47,7 +51,8 @@ pub fn manual(cases: &[Case]) -> String {
     text
 }
 
-/// Two tables: the cases with their sources, and all numbers.
+/// Writes two tables for a folder of cases. The first lists the cases with their sources, the second lists all
+/// expected and computed values.
 fn chapter(text: &mut String, folder: &str, cases: &[&Case]) {
     text.push_str("\n| case | model | source | gap |\n|---|---|---|---|\n");
     let mut numbers = "\n| case | quantity | reference | groundbeam | error | tolerance |\n\
@@ -71,7 +76,7 @@ fn chapter(text: &mut String, folder: &str, cases: &[&Case]) {
     text.push_str(&numbers);
 }
 
-/// An upper bound of the largest relative gap of the solutions.
+/// Returns an upper bound of the largest relative gap of the solutions, as text.
 fn largest_gap(answers: &Answers) -> String {
     let gaps = answers.solutions().into_iter().map(|found| found.certificate().relative_gap());
     match gaps.reduce(f64::max) {
@@ -117,7 +122,8 @@ fn row(text: &mut String, expectation: &Expectation, document: &Document, answer
     _ = writeln!(text, "| {of}`{name}` | {value} | {found} | {error} | {tolerance}{why} |");
 }
 
-/// Errors near rounding level differ between processors, so only their order of magnitude is printed.
+/// Formats an error. Errors near rounding level differ between processors, so only their order of magnitude is
+/// printed.
 fn bound(error: f64) -> String {
     match error {
         e if e < 1e-12 => "< 1e-12".to_owned(),
@@ -148,7 +154,7 @@ fn written(found: &Value, expectation: &Expectation) -> String {
     }
 }
 
-/// Eight figures; 0 if the magnitude is at most `smallest`.
+/// Formats a number with eight significant digits, or as 0 if its magnitude is at most `smallest`.
 fn digits(x: f64, smallest: f64) -> String {
     if x.abs() <= smallest {
         return "0".to_owned();

@@ -1,6 +1,6 @@
-//! The model files in `cases/`: each is an example, documentation and a test.
+//! Reads the model files in `cases/`, which serve as examples, documentation and tests.
 //!
-//! The expected results are in the file, in lines that begin with `#:`; `cases/README.md` describes them.
+//! Each file contains its expected results in lines that begin with `#:`; `cases/README.md` describes these lines.
 
 pub mod answers;
 pub mod expectation;
@@ -19,7 +19,7 @@ use std::path::{Path, PathBuf};
 /// A model file with its expected results.
 #[derive(Debug)]
 pub struct Case {
-    /// The file below `cases/`, with `/` between folders.
+    /// Path of the file below `cases/`, with `/` between folders.
     pub path: String,
     /// The model.
     pub document: Document,
@@ -32,7 +32,7 @@ pub struct Case {
 /// A fault in the expectations of a file.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Misread {
-    /// Line of the file, counted from 1; 0 if the fault concerns the whole file.
+    /// Number of the line in the file, counted from 1; 0 if the fault concerns the whole file.
     pub line: usize,
     /// The fault as text.
     pub what: String,
@@ -48,7 +48,7 @@ impl fmt::Display for Misread {
 }
 
 impl Case {
-    /// The models to be solved: the model of the file, or the models of its combinations.
+    /// Returns the models to be solved, either the model of the file or the models of its combinations.
     pub fn models(&self) -> Vec<Model> {
         self.document.wanted().into_iter().map(|combination| combination.model).collect()
     }
@@ -58,7 +58,7 @@ impl Case {
         self.document.title.as_deref().unwrap_or_default()
     }
 
-    /// Reads a file's text.
+    /// Reads a case from the text of its file.
     ///
     /// # Errors
     ///
@@ -95,11 +95,11 @@ pub fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../cases")
 }
 
-/// Every model file below `cases/` except those of `cases/errors`, sorted by name.
+/// Reads every model file below `cases/` except the files of `cases/errors`, sorted by name.
 ///
 /// # Panics
 ///
-/// If a folder or file cannot be read.
+/// Panics if a folder or a file cannot be read.
 pub fn all() -> Vec<Result<Case, (String, Misread)>> {
     let mut files = Vec::new();
     collect(&folder(), "", &mut files);

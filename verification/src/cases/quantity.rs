@@ -1,4 +1,4 @@
-//! The quantities that an expectation may name.
+//! Reads the name of the quantity of an expectation, and returns the value of this quantity in a solution.
 
 use super::growth::Growth;
 use super::scale::Kind;
@@ -35,7 +35,7 @@ pub(super) enum Quantity {
         field: Field,
         largest: bool,
     },
-    /// The utilisation of the limit of a check.
+    /// The utilisation of the limit of a check, with the limit state if the check belongs to one.
     Used(Checked, Option<LimitState>),
     /// Whether a check passes.
     Judged(Checked, Option<LimitState>),
@@ -102,7 +102,7 @@ impl Quantity {
                 let field = Field::named(what).ok_or_else(unknown)?;
                 let (side, text) = match (inside.strip_prefix("left of "), field) {
                     (Some(text), _) => (Side::Left, text),
-                    // The settlement exists outside the beam too.
+                    // The settlement of the ground is also defined outside the beam.
                     (None, Field::Settlement) => {
                         return Ok(Quantity::Settlement(position(inside)?));
                     }
@@ -113,7 +113,7 @@ impl Quantity {
         }
     }
 
-    /// Its dimension; `None` for a verdict.
+    /// Returns the dimension of the quantity; `None` for a verdict or the name of a combination.
     pub(super) fn kind(self) -> Option<Kind> {
         let of = |field: Field| match field.dimension() {
             Dimension::Length => Kind::Length,
@@ -136,7 +136,7 @@ impl Quantity {
             | Quantity::StabilityMargin
             | Quantity::Growth(_)
             | Quantity::Used(..) => Kind::Number,
-            // Work per length of lift is a force.
+            // The work of the loads on a rigid motion is given per metre of lift, so its dimension is that of a force.
             Quantity::FailingWork | Quantity::CriticalCompression => Kind::Force,
             Quantity::Verdict | Quantity::Governs { .. } | Quantity::Judged(..) => return None,
         })

@@ -1,4 +1,4 @@
-//! Units of expected values. Only the reader of the file format knows units, so it reads a small model with the unit.
+//! Computes the factors of the units of expected values, by reading a small model file that contains the unit.
 
 use groundbeam::model::Extent;
 use groundbeam_file::UnitSystem;
@@ -12,20 +12,20 @@ pub enum Kind {
     Angle,
     /// A force.
     Force,
-    /// A moment, or an energy or work.
+    /// A moment, an energy or a work.
     Moment,
     /// A pressure.
     LineLoad,
-    /// A fraction of the largest lift of a rigid motion.
+    /// A number without a unit.
     Number,
 }
 
-/// The factor of a unit to m, N and rad, under the rule of the file.
+/// Returns the factor from a unit to m, N and rad; 1 if the numbers of the file have no units.
 pub fn scale(kind: Kind, unit: &str, units: UnitSystem) -> Result<f64, String> {
     if kind == Kind::Number || units == UnitSystem::Plain {
         return match unit {
             "" => Ok(1.0),
-            _ => Err(format!("`{unit}` is a unit of a value that has none")),
+            _ => Err(format!("the value has no unit: remove `{unit}`")),
         };
     }
     let (load, at) = match kind {

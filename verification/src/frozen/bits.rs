@@ -7,15 +7,15 @@ use std::fmt;
 /// A quantity in which two answers differ.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Difference {
-    /// The family and the number of the model.
+    /// Family and number of the model, such as `Hard 7371`.
     pub title: String,
-    /// The key of the line, and the index of the number.
+    /// Key of the line and index of the number in the line.
     pub quantity: String,
     /// The frozen text.
     pub frozen: String,
     /// The present text.
     pub present: String,
-    /// The size of the difference.
+    /// Size of the difference, with its unit; may be empty.
     pub size: String,
 }
 
@@ -27,7 +27,7 @@ impl fmt::Display for Difference {
     }
 }
 
-/// All differences between a frozen answer and a present one.
+/// Returns all differences in bits between a frozen answer and the present answer.
 pub fn differences(frozen: &Frozen, present: &Frozen) -> Vec<Difference> {
     of_records(&frozen.answer, &present.answer)
 }
@@ -57,7 +57,7 @@ fn of_records(frozen: &Record, present: &Record) -> Vec<Difference> {
     found
 }
 
-/// Number of floating-point numbers from one to the other; `None` if a text is not a number.
+/// Returns the number of floating-point steps between two numbers, given as texts; `None` if a text is not a number.
 fn units_between(a: &str, b: &str) -> Option<u64> {
     let place = |word: &str| {
         let bits = word.parse::<f64>().ok().filter(|value| !value.is_nan())?.to_bits() as i64;

@@ -1,7 +1,7 @@
-//! Frozen random models with the answers of a pinned program version, for comparison with the present program.
+//! Reads frozen random models and the answers of a pinned program version, for comparison with the present program.
 //!
-//! The random families draw their models with the code under test, so a change in a last digit changes the models. The
-//! files in `verification/frozen` contain the models that the program of one commit drew, and its answers.
+//! The random families draw their models with the code under test, so a change in a last digit can change the models.
+//! The files in `verification/frozen` contain the models that the program of one commit drew, and its answers.
 
 pub mod answer;
 pub mod bits;
@@ -21,16 +21,16 @@ pub struct Frozen {
     pub model: Record,
     /// The answer.
     pub answer: Record,
-    /// The certificate; without lines if there is no solution.
+    /// The certificate, a record without lines if there is no solution.
     pub certificate: Record,
 }
 
-/// The folder of the frozen files.
+/// Returns the folder of the frozen files.
 pub fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("frozen")
 }
 
-/// The names of the families in a folder, in alphabetical order.
+/// Returns the names of the families in a folder, in alphabetical order.
 ///
 /// # Errors
 ///
@@ -45,12 +45,12 @@ pub fn families(folder: &Path) -> io::Result<Vec<String>> {
     Ok(names)
 }
 
-/// The file of a family: `kind` is `models`, `answers` or `certificates`.
+/// Returns the path of a file of a family; `kind` is `models`, `answers` or `certificates`.
 pub fn file(folder: &Path, kind: &str, family: &str) -> PathBuf {
     folder.join(kind).join(family).with_extension("txt")
 }
 
-/// All frozen models of a family.
+/// Reads all frozen models of a family.
 ///
 /// # Errors
 ///
@@ -60,7 +60,9 @@ pub fn family(folder: &Path, family: &str) -> io::Result<Vec<Frozen>> {
     let [models, answers, certificates] =
         [read("models")?, read("answers")?, read("certificates")?];
     if models.len() != answers.len() || models.len() != certificates.len() {
-        return Err(io::Error::other(format!("{family}: files of different lengths")));
+        return Err(io::Error::other(format!(
+            "{family}: the files have different numbers of models"
+        )));
     }
     let parts = models.into_iter().zip(answers).zip(certificates);
     let one = |((model, answer), certificate): ((Record, Record), Record)| {
@@ -73,12 +75,12 @@ pub fn family(folder: &Path, family: &str) -> io::Result<Vec<Frozen>> {
 }
 
 impl Frozen {
-    /// The family and the number, such as `Hard 7371`.
+    /// Returns the family and the number of the model, such as `Hard 7371`.
     pub fn title(&self) -> &str {
         &self.model.title
     }
 
-    /// The number within its family.
+    /// Returns the number of the model within its family.
     pub fn number(&self) -> u64 {
         self.title().split_once(' ').and_then(|(_, number)| number.parse().ok()).unwrap_or(0)
     }
@@ -87,7 +89,7 @@ impl Frozen {
     ///
     /// # Errors
     ///
-    /// The first line that does not belong to a model.
+    /// Returns the first line that does not belong to a model.
     pub fn model(&self) -> Result<Model, String> {
         model::read(&self.model)
     }
@@ -97,11 +99,11 @@ impl Frozen {
         self.answer.numbers("fields_deflection").len() > answer::STEPS
     }
 
-    /// The same model with the answer of the present program.
+    /// Solves the model with the present program, and returns the model with the new answer.
     ///
     /// # Errors
     ///
-    /// The first line that does not belong to a model.
+    /// Returns the first line that does not belong to a model.
     pub fn solved_again(&self) -> Result<Frozen, String> {
         let outcome = solve(&self.model()?);
         let certificate = match &outcome {

@@ -1,4 +1,4 @@
-//! Writes a model as text and reads it back: one line for each part, every number with all its bits.
+//! Writes a model as text and reads it back, with one line for each part and all bits of each number.
 
 use super::record::{Line, Record};
 use groundbeam::{
@@ -93,18 +93,18 @@ fn of_support(support: &Support) -> String {
     format!("support {at:?} {kind} {settlement:?} {acts}")
 }
 
-/// The model of a record.
+/// Reads the model of a record.
 ///
 /// # Errors
 ///
-/// The first line that does not belong to a model.
+/// Returns the first line that does not belong to a model.
 pub fn read(record: &Record) -> Result<Model, String> {
     let mut model = Model::new(Beam::uniform(0.0, 0.0), Foundation::winkler(0.0));
     for line in &record.lines {
         let Line { key, words } = line;
         let words: Vec<&str> = words.iter().map(String::as_str).collect();
         add(&mut model, key, &words)
-            .ok_or_else(|| format!("{}: not a part of a model: {line:?}", record.title))?;
+            .ok_or_else(|| format!("{}: the line {line:?} is no part of a model", record.title))?;
     }
     Ok(model)
 }
@@ -167,7 +167,7 @@ fn read_load(key: &str, number: impl Fn(usize) -> Option<f64>) -> Option<Load> {
     }
 }
 
-/// `None` for `-`, otherwise the value that is read.
+/// Returns `Some(None)` for the word `-`, and otherwise the value of the word, if it can be read.
 fn unless_none<T>(word: &str, read: impl Fn(&str) -> Option<T>) -> Option<Option<T>> {
     if word == "-" { Some(None) } else { read(word).map(Some) }
 }

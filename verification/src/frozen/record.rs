@@ -1,4 +1,4 @@
-//! Reads and writes the records of the frozen files: a title and one line for each quantity.
+//! Reads and writes the records of the frozen files, each with a title and one line for each quantity.
 
 use std::path::Path;
 
@@ -11,7 +11,7 @@ pub struct Record {
     pub lines: Vec<Line>,
 }
 
-/// A key and the words after it, most of them numbers.
+/// A line with a key and the words after the key; most words are numbers.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Line {
     /// The first word.
@@ -21,14 +21,14 @@ pub struct Line {
 }
 
 impl Line {
-    /// The words as numbers; NaN for a word that is not a number.
+    /// Returns the words as numbers, with NaN for a word that is not a number.
     pub fn numbers(&self) -> Vec<f64> {
         self.words.iter().map(|word| word.parse().unwrap_or(f64::NAN)).collect()
     }
 }
 
 impl Record {
-    /// A record of a title and the text of its lines.
+    /// Makes a record from a title and the text of its lines.
     pub fn new(title: &str, lines: &str) -> Record {
         let line = |line: &str| {
             let mut words = line.split_whitespace().map(str::to_owned);
@@ -37,7 +37,7 @@ impl Record {
         Record { title: title.to_owned(), lines: lines.lines().filter_map(line).collect() }
     }
 
-    /// All records of a text; empty lines separate them.
+    /// Reads all records of a text, in which empty lines separate the records.
     pub fn all(text: &str) -> Vec<Record> {
         let parts = text.split("\n\n").map(|part| part.trim_start_matches('\n'));
         let record = |part: &str| {
@@ -52,7 +52,7 @@ impl Record {
         Ok(Record::all(&std::fs::read_to_string(path)?))
     }
 
-    /// The text of the record with the empty line that ends it.
+    /// Returns the text of the record with the empty line at its end.
     pub fn text(&self) -> String {
         let mut text = self.title.clone() + "\n";
         for line in &self.lines {
@@ -71,7 +71,7 @@ impl Record {
         self.lines.iter().find(|line| line.key == key)
     }
 
-    /// The numbers of a key; empty if the record has no such line.
+    /// Returns the numbers in the line with a key; empty if the record has no line with this key.
     pub fn numbers(&self, key: &str) -> Vec<f64> {
         self.line(key).map(Line::numbers).unwrap_or_default()
     }

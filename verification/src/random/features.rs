@@ -1,4 +1,4 @@
-//! Features of some families of random models, in addition to beam, ground and loads.
+//! Adds the special features of some families to random models with beam, ground and loads.
 
 use super::{Dice, size_of};
 use groundbeam::{
@@ -7,8 +7,8 @@ use groundbeam::{
 };
 use rand::Rng;
 
-/// A compression between the beam's own buckling load (0 for an unsupported beam) and the buckling load of
-/// the beam on its ground.
+/// Applies a compression between the buckling load of the beam without ground (0 for an unsupported beam) and the
+/// buckling load of the beam on its ground.
 pub(super) fn compress<R: Rng>(model: &mut Model, dice: &mut Dice<R>) {
     let own = groundbeam::own_buckling_load(model);
     let unit = model.beam.bending_stiffness / (model.beam.length * model.beam.length);
@@ -21,8 +21,8 @@ pub(super) fn compress<R: Rng>(model: &mut Model, dice: &mut Dice<R>) {
     }
 }
 
-/// One to three stretches of the beam along which EI is linear, proportional to the third or fourth power of a linear
-/// depth, or a curve.
+/// Varies EI along one to three stretches of the beam. EI is linear, or proportional to the third or fourth power of
+/// a linear depth, or a polynomial with random control values.
 pub(super) fn vary_beam<R: Rng>(mut beam: Beam, stiffness: f64, dice: &mut Dice<R>) -> Beam {
     let length = beam.length;
     for [from, to] in stretches(length, dice) {
@@ -47,7 +47,8 @@ pub(super) fn vary_beam<R: Rng>(mut beam: Beam, stiffness: f64, dice: &mut Dice<
     beam
 }
 
-/// A shear stiffness relative to the wave length of the beam, for the whole beam or in segments, some of which vary.
+/// Sets a shear stiffness of 10⁻² to 10⁴ times EI/L², where L is the wave length of the beam, for the whole beam or on
+/// segments. On some segments the shear stiffness varies.
 pub(super) fn shear_beam<R: Rng>(mut beam: Beam, lambda_l: f64, dice: &mut Dice<R>) -> Beam {
     let length = beam.length;
     let wave = length / lambda_l.max(1.0);
@@ -78,7 +79,7 @@ pub(super) fn shear_beam<R: Rng>(mut beam: Beam, lambda_l: f64, dice: &mut Dice<
 /// Adds one to five one-way supports, rigid or elastic, and loads that lift the beam off some of them.
 pub(super) fn bearings<R: Rng>(mut model: Model, dice: &mut Dice<R>) -> Model {
     let (length, k) = (model.beam.length, model.foundation.subgrade);
-    // A weight, so that the position of every piece is determined.
+    // A uniform weight makes the position of every part of the beam unique.
     model = model.with_load(Load::uniform_force(0.0, length, dice.even(0.1, 0.5) / length));
     for _ in 0..=dice.up_to(4) {
         let at = dice.place() * length;
@@ -99,7 +100,7 @@ pub(super) fn bearings<R: Rng>(mut model: Model, dice: &mut Dice<R>) -> Model {
     model
 }
 
-/// Adds one to four hinges, one in three of them elastic. Sometimes the ground has no shear layer.
+/// Adds one to four hinges, of which one in three is elastic. Sometimes removes the shear layer of the ground.
 pub(super) fn hinge<R: Rng>(mut model: Model, dice: &mut Dice<R>) -> Model {
     let (length, stiffness) = (model.beam.length, model.beam.bending_stiffness);
     if dice.happens(0.25) {
@@ -116,7 +117,7 @@ pub(super) fn hinge<R: Rng>(mut model: Model, dice: &mut Dice<R>) -> Model {
     model
 }
 
-/// As [`vary_beam`], for the ground. One ground in ten has no shear layer.
+/// Varies k and μ along one to three stretches of the ground. One stretch in ten has no shear layer.
 pub(super) fn vary_ground<R: Rng>(
     mut ground: Foundation,
     length: f64,
@@ -139,14 +140,14 @@ pub(super) fn vary_ground<R: Rng>(
     ground
 }
 
-/// Other ground outside the beam, with free or held ends, near and far.
+/// Adds segments of other ground outside the beam, and free or held ends of the ground at various distances.
 pub(super) fn change_beside<R: Rng>(
     mut ground: Foundation,
     length: f64,
     dice: &mut Dice<R>,
 ) -> Foundation {
     let (k, mu) = (ground.subgrade, ground.shear_layer);
-    // Lengths in decay lengths of the ground.
+    // `fade` is the decay length of the ground, the unit of the following lengths.
     let fade = (mu / k).sqrt();
     for right in [false, true] {
         let at = |distance: f64| if right { length + distance } else { -distance };
@@ -172,7 +173,7 @@ pub(super) fn change_beside<R: Rng>(
     ground
 }
 
-/// Forces on the ground of the order of the beam's loads, up to the ends of the ground.
+/// Adds loads on the ground up to its ends. They are of the order of the loads on the beam.
 pub(super) fn add_neighbours<R: Rng>(model: &mut Model, dice: &mut Dice<R>) {
     let (l, ground) = (model.beam.length, model.foundation.clone());
     let size: f64 = model.loads.iter().map(|load| size_of(load, l)).sum();
@@ -198,7 +199,7 @@ pub(super) fn add_neighbours<R: Rng>(model: &mut Model, dice: &mut Dice<R>) {
     }
 }
 
-/// One to three stretches of a beam. In one of three cases the stretch is the whole beam.
+/// Returns up to three stretches of a beam. In one of three cases the only stretch is the whole beam.
 fn stretches<R: Rng>(length: f64, dice: &mut Dice<R>) -> Vec<[f64; 2]> {
     if dice.up_to(2) == 0 {
         return vec![[0.0, length]];
@@ -208,7 +209,8 @@ fn stretches<R: Rng>(length: f64, dice: &mut Dice<R>) -> Vec<[f64; 2]> {
     ends.chunks_exact(2).filter(|pair| pair[0] < pair[1]).map(|pair| [pair[0], pair[1]]).collect()
 }
 
-/// One to three imposed curvatures, whose moments are smaller than, similar to or larger than those of the loads.
+/// Adds one to three imposed curvatures, whose moments are smaller than, similar to or larger than the moments of the
+/// loads.
 pub(super) fn curl<R: Rng>(model: &mut Model, lambda_l: f64, dice: &mut Dice<R>) {
     let l = model.beam.length;
     let loads: f64 = model.loads.iter().map(|load| size_of(load, l)).sum();

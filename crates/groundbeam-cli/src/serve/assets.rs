@@ -1,4 +1,4 @@
-//! Files of the page. The program contains them, so the page needs no other file and no network.
+//! Files of the browser page, which are built into the program. The page needs no other file and no network.
 
 use axum::body::Bytes;
 use groundbeam_report::{fonts, svg};
@@ -30,7 +30,7 @@ pub fn assets() -> [Asset; 10] {
     ]
 }
 
-/// Example models: a name, and the text of a file from the documents or cases.
+/// Names and texts of the example models.
 const EXAMPLES: [(&str, &str); 8] = [
     ("Strip footing", include_str!("../../../../docs/strip-footing.toml")),
     ("Crane base that tips", include_str!("../../../../docs/tipping.toml")),
@@ -48,7 +48,7 @@ const EXAMPLES: [(&str, &str); 8] = [
     ("Kikuchi 1980, case IV", include_str!("../../../../cases/kikuchi-1980/case-4.toml")),
 ];
 
-/// The examples, without the expected results that tests use.
+/// Returns the names and texts of the example models, without the expected results that tests use.
 pub fn examples() -> impl Iterator<Item = (&'static str, String)> {
     EXAMPLES.into_iter().map(|(name, text)| {
         let lines: Vec<&str> = text.lines().filter(|line| !line.starts_with("#:")).collect();

@@ -2,7 +2,7 @@
 
 use std::process::{Command, Stdio};
 
-/// Opens the address. Without a browser the user opens the printed address.
+/// Opens the address in the default browser. If no browser starts, the user can open the printed address.
 pub fn open(url: &str) {
     let (program, arguments): (&str, &[&str]) = if cfg!(target_os = "windows") {
         ("rundll32", &["url.dll,FileProtocolHandler"])

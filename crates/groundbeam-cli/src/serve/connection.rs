@@ -1,4 +1,4 @@
-//! Accepts connections to the server. Each has time limits for silence.
+//! Accepts connections to the server, and closes connections that are silent for too long.
 
 use axum::Router;
 use hyper::server::conn::http1;
@@ -13,19 +13,19 @@ use tokio_io_timeout::TimeoutStream;
 /// Limits of a connection.
 #[derive(Debug, Clone, Copy)]
 pub struct Limits {
-    /// Time for the head of a request, from the end of the previous response or from the start of the
+    /// Time limit for the head of a request, counted from the end of the previous response or from the start of the
     /// connection.
     pub head: Duration,
-    /// Time for the client to accept the next bytes of a response.
+    /// Time limit for the client to accept the next bytes of a response.
     pub write: Duration,
-    /// Maximum number of open connections; further ones wait.
+    /// Maximum number of open connections. Further connections wait.
     pub open: usize,
 }
 
 pub const LIMITS: Limits =
     Limits { head: Duration::from_secs(10), write: Duration::from_secs(30), open: 256 };
 
-/// Pause after a failed accept, for example when all file descriptors are in use.
+/// Pause after a connection could not be accepted, for example because all file descriptors are in use.
 const PAUSE: Duration = Duration::from_millis(200);
 
 /// Accepts connections until the program ends.
@@ -51,7 +51,7 @@ async fn serve(stream: TcpStream, service: TowerToHyperService<Router>, limits: 
     stream.set_write_timeout(Some(limits.write));
     let mut builder = http1::Builder::new();
     builder.timer(TokioTimer::new()).header_read_timeout(limits.head);
-    // An error of the connection cannot be reported to the client.
+    // An error of the connection cannot be reported to the client, so it is ignored.
     let _ = builder.serve_connection(TokioIo::new(Box::pin(stream)), service).await;
 }
 
@@ -65,7 +65,7 @@ mod tests {
     const SHORT: Limits =
         Limits { head: Duration::from_millis(300), write: Duration::from_millis(300), open: 4 };
 
-    /// A server with short limits that ends with the test.
+    /// Starts a server with short time limits. The server stops when the runtime is dropped.
     fn server() -> (tokio::runtime::Runtime, SocketAddr) {
         let runtime = tokio::runtime::Builder::new_multi_thread()
             .worker_threads(1)
@@ -79,7 +79,7 @@ mod tests {
         (runtime, address)
     }
 
-    /// All bytes that the server sends after this request until it closes the connection.
+    /// Sends a request and returns the text that the server sends until it closes the connection.
     #[track_caller]
     fn answer(address: SocketAddr, sent: &str) -> String {
         String::from_utf8_lossy(&bytes(address, sent)).into_owned()
@@ -101,10 +101,10 @@ mod tests {
         assert_eq!(answer(address, ""), "");
         assert_eq!(answer(address, "POST /api/solve HTTP/1.1\r\nHost: "), "");
         let host = format!("Host: {address}\r\n");
-        // A connection that is kept alive after a response, and then silent.
+        // This connection is kept alive after a response, and is then silent.
         let kept = answer(address, &format!("GET /text.js HTTP/1.1\r\n{host}\r\n"));
         assert!(kept.starts_with("HTTP/1.1 200 OK"), "{kept}");
-        // A request whose body does not arrive.
+        // The body of this request does not arrive.
         let head = format!("POST /api/solve HTTP/1.1\r\n{host}Content-Length: 100\r\n\r\n[beam]");
         let late = answer(address, &head);
         assert!(late.starts_with("HTTP/1.1 408 "), "{late}");
@@ -118,12 +118,12 @@ mod tests {
         let idle: Vec<_> = (0..SHORT.open)
             .map(|_| {
                 let mut stream = std::net::TcpStream::connect(address).unwrap();
-                // More requests than the buffers of the system can store.
+                // The responses to 400 requests exceed the buffers of the operating system.
                 let _ = stream.write_all(ask.repeat(400).as_bytes());
                 stream
             })
             .collect();
-        // All connections are in use: this one is served after the others time out.
+        // All connections are in use. This request is served after the other connections time out.
         let last = ask.replace("\r\n\r\n", "\r\nConnection: close\r\n\r\n");
         let taken = bytes(address, &last);
         assert!(taken.starts_with(b"HTTP/1.1 200 OK") && taken.len() > 50_000);

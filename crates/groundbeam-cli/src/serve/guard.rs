@@ -1,7 +1,8 @@
-//! Restricts access to the server to programs on this machine and to its own page.
+//! Restricts access to the server to programs on this machine and to the server's own page.
 //!
-//! A browser also sends requests of foreign pages; their header `Origin` shows this. A foreign name may
-//! resolve to this machine (DNS rebinding); the header `Host` shows this.
+//! A page of another server can make the browser send a request to this server. The header `Origin` of the request then
+//! names the other server. A foreign host name can resolve to the address of this machine (DNS rebinding). The header
+//! `Host` of the request then contains the foreign name.
 
 use super::reply::refusal;
 use super::routes::LONGEST;
@@ -14,12 +15,12 @@ use axum::http::{HeaderValue, Method, StatusCode};
 use axum::middleware::Next;
 use axum::response::Response;
 
-/// The page loads nothing from other servers, and other pages must not embed it.
+/// Content security policy. The page loads only files of this server, and other pages must not embed the page.
 const POLICY: &str = "default-src 'none'; script-src 'self'; style-src 'self'; font-src 'self'; \
     connect-src 'self'; img-src 'self' data: blob:; base-uri 'none'; form-action 'none'; \
     frame-ancestors 'none'";
 
-/// Accepted content types of a model file. The last two are used for bytes of unknown type.
+/// Accepted content types of a model file. Clients use the last two types for bytes of unknown type.
 const TYPES: [&str; 4] = [
     "application/toml",
     "text/plain",
@@ -27,7 +28,7 @@ const TYPES: [&str; 4] = [
     "application/x-www-form-urlencoded",
 ];
 
-/// Accepts requests to a name of this machine, unless a page of another server sends them.
+/// Accepts a request if it is addressed to this machine and was not sent by a page of another server.
 pub async fn guard(State(port): State<u16>, request: Request, next: Next) -> Response {
     let mut response = match fault(&request, port) {
         Some((status, message)) => refusal(status, &message),
@@ -51,7 +52,7 @@ fn fault(request: &Request, port: u16) -> Option<(StatusCode, String)> {
     let names = [format!("127.0.0.1:{port}"), format!("localhost:{port}")];
     let is_here = |host: &str| names.iter().any(|name| name.eq_ignore_ascii_case(host));
     let host = request.uri().authority().map(|a| a.as_str()).or(header(HOST)).unwrap_or_default();
-    // The request line may also name a host, and a header may be repeated: all values are checked.
+    // The request line may also name a host, and a header may be repeated, so all values are checked.
     let all = |name| request.headers().get_all(name).iter().map(|v| v.to_str().unwrap_or_default());
     let foreign = all(HOST).find(|host| !is_here(host));
     if let Some(host) = foreign.or((!is_here(host)).then_some(host)) {
@@ -63,10 +64,10 @@ fn fault(request: &Request, port: u16) -> Option<(StatusCode, String)> {
         let message = format!("requests from pages of `{origin}` are not allowed");
         return Some((StatusCode::FORBIDDEN, message));
     }
-    // A body that is announced as too long is refused before it arrives.
+    // If the announced length of the body is too large, the request is refused before the body arrives.
     let announced = header(CONTENT_LENGTH).and_then(|length| length.parse::<u64>().ok());
     if announced.is_some_and(|length| length > LONGEST as u64) {
-        let message = format!("a model file has at most {LONGEST} bytes");
+        let message = format!("a model file must have at most {LONGEST} bytes");
         return Some((StatusCode::PAYLOAD_TOO_LARGE, message));
     }
     let sent = header(CONTENT_TYPE).map(|value| value.split(';').next().unwrap_or_default().trim());

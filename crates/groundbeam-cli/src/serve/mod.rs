@@ -1,4 +1,4 @@
-//! The command `groundbeam serve`: a page on this machine, and its server.
+//! Runs the command `groundbeam serve`, which starts a server on this machine and opens its page.
 
 mod assets;
 mod browser;
@@ -16,7 +16,7 @@ use std::net::Ipv4Addr;
 use std::path::Path;
 use tokio::net::TcpListener;
 
-/// The initial model, units and digits of the page.
+/// Initial model, units and digits of the page.
 #[derive(Debug, Clone)]
 pub struct Start {
     pub model: Option<StartingModel>,
@@ -25,7 +25,7 @@ pub struct Start {
 
 #[cfg(test)]
 impl Start {
-    /// A page without a model.
+    /// Returns the initial state of a page without a model.
     fn empty() -> Self {
         let units = groundbeam_file::print::Asked::File;
         let printed = Printed { units, digits: groundbeam_file::print::RESULT_DIGITS };
@@ -36,9 +36,9 @@ impl Start {
 /// The initial model of the page.
 #[derive(Debug, Clone)]
 pub struct StartingModel {
-    /// The file's name without its folder.
+    /// Name of the model file without its folder.
     pub name: String,
-    /// Its text, valid or not.
+    /// Text of the model file, valid or not.
     pub text: String,
 }
 
@@ -51,13 +51,13 @@ impl StartingModel {
     }
 }
 
-/// Listens only on the loopback interface, until the program ends.
+/// Runs the server on the loopback interface until the program ends.
 pub fn run(request: &Serve) -> Result<Status, Failure> {
     let model = request.file.as_deref().map(StartingModel::read).transpose()?;
     let start = Start { model, printed: request.printed };
     let broken = |error: std::io::Error| {
         let port = request.port;
-        Failure::usage(format!("port {port} of this machine: {error}"))
+        Failure::usage(format!("cannot use port {port} of this machine: {error}"))
     };
     let runtime = tokio::runtime::Builder::new_multi_thread()
         .worker_threads(2)

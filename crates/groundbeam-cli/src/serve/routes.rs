@@ -1,4 +1,4 @@
-//! Routes of the server and their responses.
+//! Defines the routes of the server and computes the responses.
 
 use super::Start;
 use super::assets::{Asset, assets, examples};
@@ -33,20 +33,21 @@ pub const LONGEST: usize = 4 << 20;
 /// Time limit for the arrival of a model file.
 pub const BODY: Duration = Duration::from_secs(30);
 
-/// State shared by all responses.
+/// State that the responses to all requests share.
 #[derive(Clone)]
 struct Desk {
     start: Arc<Start>,
-    /// One permit per processor, which limits the number of simultaneous solves for results and files.
+    /// Permits for the solves of requested results and files, one per processor. They limit the number of simultaneous
+    /// solves.
     permits: Arc<Semaphore>,
-    /// Separate permits for views of the page, one per processor. A view follows every keystroke and must not
-    /// wait for a long solve.
+    /// Permits for the solves that update the page after a keystroke, one per processor. They are separate from
+    /// `permits`, so that an update does not wait for a long solve.
     quick: Arc<Semaphore>,
     /// Time limit for the arrival of a model file.
     body: Duration,
 }
 
-/// All routes, with the access check of [`guard`].
+/// Returns the router of all routes. The function [`guard`] checks each request.
 pub fn all(start: Start, port: u16, body: Duration) -> Router {
     let processors = std::thread::available_parallelism().map_or(1, usize::from);
     let [permits, quick] = [0, 1].map(|_| Arc::new(Semaphore::new(processors)));
@@ -72,7 +73,7 @@ pub fn all(start: Start, port: u16, body: Duration) -> Router {
         .with_state(desk)
 }
 
-/// The initial model, and the examples.
+/// Returns the initial model, the example models, the units and the digits of the page.
 async fn begin(State(desk): State<Desk>, pairs: Pairs) -> Result<Response, Response> {
     pairs.read(&[]).map_err(sent)?;
     let Start { model, printed } = &*desk.start;
@@ -107,20 +108,23 @@ async fn download(
     model: Model,
 ) -> Response {
     let Some(form) = form.ok().and_then(|Path(form)| Form::named(&form)) else {
-        return refusal(StatusCode::NOT_FOUND, "a file is svg, png, csv, json, txt or html");
+        return refusal(
+            StatusCode::NOT_FOUND,
+            "the address must end in svg, png, csv, json, txt or html",
+        );
     };
-    // A report covers the whole file, so it has no keys for a single position of a train.
+    // A report covers all positions of a train, so its query has no keys for a single position.
     let keys = if form == Form::Html { REPORT } else { FILE };
     let work = move |model: &[u8], asked: &Asked| file(model, asked, form, &host());
     answer(&desk.permits, pairs.read(keys), model, work).await
 }
 
-/// A host with all processors and without a display of progress, because the page shows progress.
+/// Returns a host that uses all processors. The host shows no progress, because the page in the browser shows it.
 fn host() -> Threads<'static> {
     Threads::new(&|| ())
 }
 
-/// Keys and values of a query, in order.
+/// Keys and values of a query, in the order of the query.
 struct Pairs(Vec<(String, String)>);
 
 impl<S: Send + Sync> FromRequestParts<S> for Pairs {
@@ -162,7 +166,8 @@ where
     }
 }
 
-/// Cancels the work when it is dropped: after the response, or when the client disconnects.
+/// Cancels the work of a request when this value is dropped. This happens after the response, or when the client
+/// disconnects.
 struct Client(Cancel);
 
 impl Drop for Client {
@@ -171,8 +176,8 @@ impl Drop for Client {
     }
 }
 
-/// Works on a model on a thread of its own. The work is cancelled if the client disconnects, and holds its
-/// permit until it ends.
+/// Runs the work of a request on a separate thread. The work is cancelled if the client disconnects. The permit for
+/// the work is released when the work ends.
 async fn answer(
     permits: &Arc<Semaphore>,
     asked: Result<Asked, WrongQuery>,
@@ -211,7 +216,7 @@ mod tests {
     use std::time::Instant;
     use tokio::runtime::Runtime;
 
-    /// Numbers of started and of finished works.
+    /// Numbers of started and of finished pieces of work.
     #[derive(Default)]
     struct Works {
         begun: AtomicUsize,
@@ -219,7 +224,7 @@ mod tests {
     }
 
     impl Works {
-        /// A request that works until it is cancelled, and for a short time afterwards.
+        /// Runs until the request is cancelled, and for 50 ms afterwards.
         fn slow(&self, asked: &Asked) -> Reply {
             self.begun.fetch_add(1, Ordering::SeqCst);
             while !asked.cancel.is_cancelled() {
@@ -240,7 +245,8 @@ mod tests {
         }
     }
 
-    /// A server with the page, and with `/slow`: work that needs one permit and ends only when cancelled.
+    /// Starts a server with the routes of the page and with the route `/slow`. The work of `/slow` needs one permit and
+    /// ends only when it is cancelled.
     fn server(works: &Arc<Works>) -> (Runtime, SocketAddr, Arc<Semaphore>) {
         let runtime = tokio::runtime::Builder::new_multi_thread()
             .worker_threads(2)
@@ -271,7 +277,7 @@ mod tests {
         (runtime, address, permits)
     }
 
-    /// Sends a model to an address of the page.
+    /// Sends a model to the server in a POST request with this path.
     fn ask(address: SocketAddr, path: &str) -> TcpStream {
         let model = "[beam]\nlength = \"1 m\"\nEI = \"1 N m^2\"\n[foundation]\nk = \"1 N/m^2\"\n\
             [[load]]\npoint = \"1 N\"\nat = \"0.5 m\"\n";
@@ -299,7 +305,7 @@ mod tests {
         let waiting = ask(address, "/api/solve");
         assert_eq!((permits.available_permits(), works.ended.load(Ordering::SeqCst)), (0, 0));
         drop(aborted);
-        // The response comes with the permit of the work, which has ended.
+        // The response needs the permit of the slow work, so the slow work has ended.
         let reply = reply(waiting);
         assert!(reply.starts_with("HTTP/1.1 200 OK"), "{reply}");
         assert_eq!(works.ended.load(Ordering::SeqCst), 1);

@@ -4,7 +4,7 @@ use groundbeam::{Field, solution::Dimension};
 
 macro_rules! kinds {
     ($($(#[$doc:meta])* $name:ident,)*) => {
-        /// Physical quantity that a number measures.
+        /// Kind of physical quantity, which determines the units in which a number is printed.
         #[derive(Debug, Clone, Copy, PartialEq, Eq)]
         pub enum Kind {
             $($(#[$doc])* $name,)*
@@ -20,7 +20,7 @@ macro_rules! kinds {
 kinds! {
     /// A position or a length along the beam \[m\].
     Position,
-    /// A deflection or gap, usually read in millimetres: w, u, g₀ \[m\].
+    /// A deflection w, a ground displacement u or an initial gap g₀ \[m\].
     Deflection,
     /// A slope or a rotation \[rad\].
     Slope,
@@ -30,15 +30,15 @@ kinds! {
     Force,
     /// A force per length \[N/m\].
     Pressure,
-    /// EI \[N·m²\].
+    /// The bending stiffness EI \[N·m²\].
     BendingStiffness,
-    /// k \[N/m²\].
+    /// The subgrade modulus k per length of beam \[N/m²\].
     Spring,
-    /// μ and P \[N\].
+    /// The stiffness μ of the shear layer, or the compression P \[N\].
     Constant,
-    /// k per area of ground: k over a width \[N/m³\].
+    /// The subgrade modulus per area of ground: k divided by the bearing width \[N/m³\].
     AreaSpring,
-    /// μ per width \[N/m\].
+    /// The stiffness μ of the shear layer divided by the bearing width \[N/m\].
     AreaShear,
     /// A force per area \[Pa\].
     Stress,
@@ -46,21 +46,23 @@ kinds! {
     PerLength,
 }
 
-/// A zero has the technical unit of this value.
+/// Value whose unit (with the tonne-force or the kilogram-force) is also used for a zero.
 pub(super) const TECHNICAL: f64 = 1e4;
 
 /// One tonne-force, 1000 × 9.806 65 N.
 const TF: f64 = 9806.65;
 const KGF: f64 = 9.80665;
 
-/// Units with the kilogram-force; the tonne-force is used from 0.1 tf on.
+/// Lists the two units of a quantity with the tonne-force and the kilogram-force. Values of at least 0.1 tf
+/// are printed with the tonne-force, smaller values with the kilogram-force.
 macro_rules! technical {
     ($tonnes:literal, $kilograms:literal) => {
         Some(const { &[rung(0.1 * TF, TF, $tonnes), rung(0.0, KGF, $kilograms)] })
     };
 }
 
-/// Name and size of the first unit of a ladder that suits a value of this size.
+/// Returns the name and the size of the first unit in `ladder` that is used for values of the magnitude
+/// `size`.
 pub(super) fn fitting(ladder: &[Rung], size: f64) -> (&'static str, f64) {
     let fits = ladder.iter().find(|rung| size >= rung.from);
     let rung = fits.or(ladder.last()).unwrap_or(&BARE);
@@ -68,7 +70,7 @@ pub(super) fn fitting(ladder: &[Rung], size: f64) -> (&'static str, f64) {
 }
 
 impl Kind {
-    /// Kind of a field.
+    /// Returns the kind of quantity of a result along the beam, such as the bending moment.
     pub fn of(field: Field) -> Self {
         match field.dimension() {
             Dimension::Length => Kind::Deflection,
@@ -79,7 +81,7 @@ impl Kind {
         }
     }
 
-    /// A typical value of this kind; a zero has the unit of this value.
+    /// Returns a typical value of this kind of quantity, which determines the unit of a zero.
     pub(super) fn usual(self) -> f64 {
         match self {
             Kind::Deflection | Kind::Slope => 1e-3,
@@ -88,7 +90,8 @@ impl Kind {
         }
     }
 
-    /// n of a unit force × lengthⁿ; `None` for quantities without a force.
+    /// Returns the exponent n of the unit force × lengthⁿ of this kind; `None` for quantities without a
+    /// force.
     pub(super) fn power_of_length(self) -> Option<i32> {
         match self {
             Kind::BendingStiffness => Some(2),
@@ -101,7 +104,8 @@ impl Kind {
         }
     }
 
-    /// Units with the kilogram-force; `None` for quantities without a force.
+    /// Returns the units with the tonne-force and with the kilogram-force; `None` for quantities without a
+    /// force.
     pub(super) fn technical(self) -> Option<&'static [Rung]> {
         match self.power_of_length()? {
             2 => technical!("tf m²", "kgf m²"),
@@ -113,7 +117,8 @@ impl Kind {
         }
     }
 
-    /// Units from the largest to the smallest. The last one serves all smaller values.
+    /// Returns the metric units of this kind in descending order of the values for which they are used. The
+    /// last unit is used for all smaller values.
     pub(super) fn ladder(self) -> &'static [Rung] {
         match self {
             Kind::Position => const { &[rung(0.0, 1.0, "m")] },
@@ -158,16 +163,17 @@ const fn rung(from: f64, size: f64, name: &'static str) -> Rung {
     Rung { from, size, name }
 }
 
-/// Smallest load printed in units of giga, mega and kilo. Loads from 0.1 kN to 100 MN are printed in
-/// kilonewtons.
+/// Smallest loads that are printed in units with the prefixes giga, mega and kilo. Loads from 0.1 kN to 100
+/// MN are printed in kilonewtons.
 const LOADS: [f64; 3] = [1e11, 1e8, 1e2];
-/// Smallest stiffness printed in units of giga, mega and kilo.
+/// Smallest stiffnesses that are printed in units with the prefixes giga, mega and kilo.
 const STIFFNESSES: [f64; 3] = [1e9, 1e6, 1e3];
-/// Smallest stress printed in units of giga, mega and kilo. Stresses from 0.1 kPa to 10 MPa are printed in
-/// kilopascals.
+/// Smallest stresses that are printed in units with the prefixes giga, mega and kilo. Stresses from 0.1 kPa
+/// to 10 MPa are printed in kilopascals.
 const STRESSES: [f64; 3] = [1e9, 1e7, 1e2];
 
-/// Units of giga, mega and kilo from these values on, and the base unit below.
+/// Lists the units with the prefixes giga, mega and kilo, and the base unit. `from` contains the smallest
+/// values that are printed with the three prefixes. Smaller values are printed in the base unit.
 const fn metric(from: [f64; 3], names: [&'static str; 4]) -> [Rung; 4] {
     [
         rung(from[0], 1e9, names[0]),

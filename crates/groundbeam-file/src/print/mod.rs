@@ -13,23 +13,23 @@ use kind::{BARE, TECHNICAL};
 use number::significant;
 use std::ops::RangeInclusive;
 
-/// Significant digits of a result.
+/// Default number of significant digits of a printed result.
 pub const RESULT_DIGITS: usize = 4;
 /// Allowed numbers of significant digits.
 pub const DIGITS: RangeInclusive<usize> = 2..=15;
-/// Significant digits of an input.
+/// Minimum number of significant digits of a printed input.
 const INPUT_DIGITS: usize = 6;
 
 /// The units in which quantities are printed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum System {
-    /// One consistent system without units; no unit is printed.
+    /// A consistent system of units without names. Numbers are printed without units.
     Plain,
-    /// kN, m, mm, MPa.
+    /// SI units, such as kN, m, mm and MPa.
     Si,
-    /// tf, m, mm: metric units with the kilogram-force.
+    /// Metric units with the kilogram-force, such as tf, m and mm.
     Technical,
-    /// ft, in, kip, ksf.
+    /// US units, such as ft, in, kip and ksf.
     Us(UsUnits),
 }
 
@@ -46,7 +46,7 @@ pub enum Asked {
 }
 
 impl Asked {
-    /// The choice of a name.
+    /// Returns the units that the user requests by this name; `None` for an unknown name.
     pub fn named(name: &str) -> Option<Self> {
         match name {
             "file" => Some(Asked::File),
@@ -72,12 +72,13 @@ impl Units {
     /// US units.
     pub const US: Units = Units::new(System::Us(UsUnits::USUAL));
 
-    /// The units of a system, with the digits of results.
+    /// Returns the units of `system`, with the default number of digits of a printed result.
     pub const fn new(system: System) -> Self {
         Units { system, digits: RESULT_DIGITS }
     }
 
-    /// The requested units in place of those of the file; `None` for a file without units.
+    /// Replaces the units of the file by the requested units. Returns `None` if SI or US units are
+    /// requested for a file without units.
     pub fn in_system(self, asked: Asked) -> Option<Self> {
         let system = match (asked, self.system) {
             (Asked::File, own) => own,
@@ -89,22 +90,22 @@ impl Units {
         Some(Units { system, ..self })
     }
 
-    /// The same units with this number of digits.
+    /// Returns these units with the given number of digits.
     pub fn with_digits(self, digits: usize) -> Self {
         Units { digits, ..self }
     }
 
-    /// The same units with the digits of inputs.
+    /// Returns these units with the number of digits for printed inputs, which is at least six.
     pub fn of_input(self) -> Self {
         self.with_digits(self.digits.max(INPUT_DIGITS))
     }
 
-    /// Significant digits of a result.
+    /// Returns the number of significant digits of a printed result.
     pub fn digits(self) -> usize {
         self.digits
     }
 
-    /// Whether numbers are one consistent system without units.
+    /// Whether numbers are printed without units.
     pub fn is_plain(self) -> bool {
         self.system == System::Plain
     }
@@ -114,7 +115,7 @@ impl Units {
         if self.is_plain() { "none" } else { "SI" }
     }
 
-    /// Suitable unit for a quantity of at most this size.
+    /// Returns a suitable unit for quantities whose largest magnitude is `largest`.
     pub fn unit(self, kind: Kind, largest: f64) -> Unit {
         let size = largest.abs();
         let usual = |usual: f64| if size == 0.0 { usual } else { size };
@@ -130,7 +131,8 @@ impl Units {
         Unit { name, size, digits: self.digits }
     }
 
-    /// Unit of a column in a machine-readable table, independent of the size.
+    /// Returns the unit of a column in a machine-readable table. The unit does not depend on the values in
+    /// the column.
     pub fn column(self, kind: Kind) -> Unit {
         match self.system {
             _ if kind == Kind::Slope => Unit {
@@ -146,61 +148,61 @@ impl Units {
         }
     }
 
-    /// A quantity in a suitable unit, such as `600 kN`.
+    /// Formats a quantity in a suitable unit, such as `600 kN`.
     pub fn write(self, kind: Kind, value: f64) -> String {
         self.unit(kind, value).write(value)
     }
 
-    /// A position along the beam.
+    /// Formats a position along the beam in a suitable unit.
     pub fn position(self, x: f64) -> String {
         self.write(Kind::Position, x)
     }
 
-    /// The unit of plain numbers that are followed by a word.
+    /// Returns a unit for dimensionless numbers that are followed by the word `name`.
     pub fn plain(self, name: &'static str) -> Unit {
         Unit { name, size: 1.0, digits: self.digits }
     }
 
-    /// The unit of percentages.
+    /// Returns the unit for percentages.
     pub fn percent(self) -> Unit {
         Unit { name: "%", size: 0.01, digits: self.digits }
     }
 
-    /// A plain number.
+    /// Formats a dimensionless number.
     pub fn ratio(self, value: f64) -> String {
         significant(value, self.digits)
     }
 
-    /// Suffix after a moment per angle.
+    /// Returns the suffix `/rad` of the unit of a moment per angle; empty for numbers without units.
     pub fn per_radian(self) -> &'static str {
         if self.is_plain() { "" } else { "/rad" }
     }
 }
 
-/// A unit with its size in m, N and rad, and the digits of its numbers.
+/// A unit: its name, its size in m, N and rad, and the number of digits of printed values.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Unit {
-    /// Its name; empty for plain numbers.
+    /// Name of the unit; empty for numbers without a unit.
     pub name: &'static str,
-    /// Its size in m, N and rad.
+    /// Size of the unit in m, N and rad.
     pub size: f64,
     /// Significant digits of numbers in this unit.
     pub digits: usize,
 }
 
 impl Unit {
-    /// The number without the unit.
+    /// Formats a value in this unit, without the name of the unit.
     pub fn number(self, value: f64) -> String {
         significant(value / self.size, self.digits)
     }
 
-    /// The number with the unit.
+    /// Formats a value in this unit, followed by the name of the unit.
     pub fn write(self, value: f64) -> String {
         let number = self.number(value);
         if self.name.is_empty() { number } else { format!("{number} {}", self.name) }
     }
 
-    /// Upper bound of `bound` in this unit. If the unit is a power of ten, the decimal division is exact.
+    /// Converts an upper bound to this unit, and rounds it up so that it remains an upper bound.
     pub fn upper(self, bound: f64) -> f64 {
         if self.size == 1.0 {
             bound
@@ -209,32 +211,33 @@ impl Unit {
         }
     }
 
-    /// Exponent of this unit if it is a power of ten.
+    /// Returns the exponent n if the size of this unit is 10ⁿ; otherwise `None`.
     pub fn power_of_ten(self) -> Option<i32> {
         let text = format!("{:e}", self.size);
         text.strip_prefix("1e").and_then(|power| power.parse().ok())
     }
 
-    /// The same unit with this number of digits.
+    /// Returns this unit with the given number of digits.
     pub fn with_digits(self, digits: usize) -> Self {
         Unit { digits, ..self }
     }
 
-    /// The same unit with the digits of inputs.
+    /// Returns this unit with the number of digits for printed inputs, which is at least six.
     pub fn of_input(self) -> Self {
         self.with_digits(self.digits.max(INPUT_DIGITS))
     }
 
-    /// The unit in brackets, ` [kN]`, or an empty text.
+    /// Returns a space and the name of the unit in brackets, such as ` [kN]`; empty for numbers without a
+    /// unit.
     pub fn bracketed(self) -> String {
         if self.name.is_empty() { String::new() } else { format!(" [{}]", self.name) }
     }
 }
 
-/// Units of a duration.
+/// Names of the units of a duration.
 const TIMES: [&str; 3] = ["µs", "ms", "s"];
 
-/// A duration as text.
+/// Formats a duration with a suitable unit.
 pub fn duration(seconds: f64) -> String {
     let [micro, milli, whole] = TIMES;
     if seconds < 1e-3 {
@@ -253,7 +256,8 @@ pub fn units() -> impl Iterator<Item = &'static str> {
     of_quantities.chain(us::names()).chain(TIMES)
 }
 
-/// Whether this text is a unit or the first word of one. A moment may be per radian.
+/// Whether this text is the name of a unit, or the first word of the name of a unit. A suffix `/rad` is
+/// ignored.
 pub fn is_unit(words: &str) -> bool {
     let words = words.strip_suffix("/rad").unwrap_or(words);
     units().any(|unit| unit == words || unit.split(' ').next() == Some(words))

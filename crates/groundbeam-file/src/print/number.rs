@@ -1,7 +1,7 @@
-//! Formats numbers: significant digits, and the true minus sign.
+//! Formats numbers with a given number of significant digits and with the true minus sign.
 
-/// A number with this many significant digits, without trailing zeros. Very large and very small numbers have
-/// an exponent.
+/// Formats a number with `digits` significant digits and without trailing zeros. Very large and very small
+/// numbers are written with an exponent.
 pub fn significant(value: f64, digits: usize) -> String {
     if value.is_nan() || value == 0.0 {
         return if value == 0.0 { "0" } else { "nan" }.to_owned();
@@ -13,11 +13,11 @@ pub fn significant(value: f64, digits: usize) -> String {
         return "inf".to_owned();
     }
     let digits = digits.max(1);
-    // Rounding comes first: 9.9999 with three digits has the exponent of 10.
+    // The number is rounded before its exponent is determined: 9.9999 with three digits becomes 10.
     let scientific = format!("{value:.*e}", digits - 1);
     let (mantissa, exponent) = scientific.split_once('e').unwrap_or((&scientific, "0"));
     let exponent: i32 = exponent.parse().unwrap_or(0);
-    // Further digits are zeros: 12345 with four digits is 12350.
+    // The value is replaced by the rounded value: 12346 with four digits becomes 12350.
     let value: f64 = scientific.parse().unwrap_or(value);
     if (-4..7).contains(&exponent) {
         let decimals = (digits as i32 - 1 - exponent).max(0) as usize;
@@ -30,22 +30,24 @@ pub fn significant(value: f64, digits: usize) -> String {
 /// The true minus sign, U+2212.
 pub const MINUS: char = '\u{2212}';
 
-/// An integer with the true minus sign.
+/// Formats an integer with the true minus sign.
 pub fn whole(value: i32) -> String {
     value.to_string().replace('-', "\u{2212}")
 }
 
-/// The order of magnitude of a number, such as `3e-13`.
+/// Formats a number with one significant digit, an exponent and the true minus sign, such as `3e−13`.
 pub fn order(value: f64) -> String {
     if value == 0.0 { "0".to_owned() } else { format!("{value:.0e}").replace('-', "\u{2212}") }
 }
 
-/// A bound rounded up to two digits, with the true minus sign: `1.64e-14` gives `1.7e−14`.
+/// Formats an upper bound, rounded up to two significant digits, with the true minus sign: 1.64e-14 becomes
+/// `1.7e−14`.
 pub fn above(bound: f64) -> String {
     upper(bound).replace('-', "\u{2212}")
 }
 
-/// A bound rounded up to two digits, for programs.
+/// Formats an upper bound, rounded up to two significant digits, with the ASCII minus sign that programs
+/// read.
 pub fn upper(bound: f64) -> String {
     if bound == 0.0 || !bound.is_finite() {
         return significant(bound, 2);
@@ -54,13 +56,13 @@ pub fn upper(bound: f64) -> String {
     if nearest.parse().is_ok_and(|shown: f64| shown > bound) {
         return nearest;
     }
-    // Adding one unit of the second digit gives the next number with two digits.
+    // The next number with two digits is larger by 0.1 × 10^exponent.
     let exponent = nearest.split_once('e').map_or("0", |(_, exponent)| exponent);
     let step: f64 = format!("0.1e{exponent}").parse().unwrap_or(f64::INFINITY);
     format!("{:.1e}", bound + step)
 }
 
-/// The decimal without trailing zeros.
+/// Removes the trailing zeros after the decimal point.
 pub fn without_trailing_zeros(text: &str) -> &str {
     if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { text }
 }

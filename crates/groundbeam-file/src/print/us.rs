@@ -1,23 +1,23 @@
-//! US units of results: kips or pounds, with feet or inches as in the file.
+//! Chooses the US units of printed quantities: kips or pounds, and feet or inches as in the file.
 
 use super::kind::Kind;
 
 const INCH: f64 = 0.0254;
 const FOOT: f64 = 0.3048;
-/// 0.453 592 37 kg × 9.806 65 m/s².
+/// One pound-force \[N\]: 0.453 592 37 kg × 9.806 65 m/s².
 const POUND: f64 = 4.448_221_615_260_5;
 
-/// Choices among US units.
+/// Choice among US units: feet or inches, and kips or pounds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct UsUnits {
-    /// Kinds of quantity that are printed with inches, one bit each.
+    /// Kinds of quantity that are printed with inches, as a set of bits with one bit for each kind.
     inches: u16,
     /// Whether forces of every size are printed in pounds.
     pounds: bool,
 }
 
-/// Names by the power of length from −3 on, for pounds and inches, kips and inches, pounds and feet, kips and
-/// feet.
+/// Names of the units force × lengthⁿ. The rows are for n from −3 to 2. The columns are for pounds and
+/// inches, kips and inches, pounds and feet, and kips and feet.
 const NAMES: [[&str; 4]; 6] = [
     ["pci", "kci", "pcf", "kcf"],
     ["psi", "ksi", "psf", "ksf"],
@@ -28,11 +28,13 @@ const NAMES: [[&str; 4]; 6] = [
 ];
 
 impl UsUnits {
-    /// Feet for lengths, inches for deflections, pci for the modulus of the ground, kips.
+    /// Usual US units: feet for lengths, inches for deflections, pci for the subgrade modulus, and kips for
+    /// forces.
     pub const USUAL: UsUnits =
         UsUnits { inches: bit(Kind::Deflection) | bit(Kind::AreaSpring), pounds: false };
 
-    /// Inches for these kinds of quantity and for deflections. `pounds`: pounds for forces of every size.
+    /// Chooses inches for the given kinds of quantity and for deflections. If `pounds` is true, forces of
+    /// every size are printed in pounds.
     pub fn new(inches: impl IntoIterator<Item = Kind>, pounds: bool) -> Self {
         let bits = inches.into_iter().fold(bit(Kind::Deflection), |bits, kind| bits | bit(kind));
         UsUnits { inches: bits, pounds }
@@ -43,7 +45,7 @@ impl UsUnits {
         self.inches & bit(kind) != 0
     }
 
-    /// Name and size of the unit for a value of this size.
+    /// Returns the name and the size of the unit for a quantity of the magnitude `value`.
     pub(super) fn unit(self, kind: Kind, value: f64) -> (&'static str, f64) {
         let inches = self.has_inches(kind);
         let length = if inches { INCH } else { FOOT };

@@ -7,26 +7,27 @@ use crate::unit::Dimension;
 /// A kind of quantity that a key expects.
 #[derive(Debug, PartialEq)]
 pub(crate) struct Kind {
-    /// Its description with an article.
+    /// Description of the quantity with an article, such as "a length".
     pub what: &'static str,
     pub dimension: Dimension,
-    /// A valid value in a file.
+    /// Example of a valid value in a file.
     pub example: &'static str,
-    /// The unit suggested after a number without one.
+    /// Unit that a hint suggests for a number without a unit.
     pub unit: &'static str,
-    /// Signs that its number may have.
+    /// Signs that the quantity may have.
     pub sign: Sign,
-    /// For a position, the body on which it lies; otherwise `None`.
+    /// Body on which a position must lie, the beam or the ground; `None` for other quantities.
     pub place: Option<Place>,
-    /// The kind of printed quantity with the same units; `None` for quantities that are not printed.
+    /// Kind of printed quantity that has the units of this quantity; `None` if this quantity is not
+    /// printed.
     pub printed: Option<print::Kind>,
-    /// Plausible range in SI units, and the rule in words.
+    /// Plausible range of the quantity in SI units, and a text that states this range.
     pub plausible: Option<([f64; 2], &'static str)>,
     /// Hints for quantities of another dimension that users may give by mistake.
     pub(super) mistaken: &'static [(Dimension, &'static str)],
 }
 
-/// A kind of quantity of any sign that is not a position and is not printed.
+/// Creates a kind of quantity that may have any sign, is not a position and is not printed.
 pub(super) const fn kind(
     what: &'static str,
     dimension: Dimension,
@@ -55,18 +56,19 @@ impl Kind {
         Kind { printed: Some(kind), ..self }
     }
 
-    /// A radian is dimensionless, so quantities per angle may be given without it.
+    /// Whether a value of this dimension is accepted. A radian is dimensionless, so a quantity per angle
+    /// may be given without the radian.
     pub(super) fn accepts(&self, dimension: Dimension) -> bool {
         dimension == self.dimension
             || (dimension.angle == 0 && Dimension { angle: 0, ..self.dimension } == dimension)
     }
 
-    /// A valid line of a file for `key`; `plain` means a file without units.
+    /// Returns an example of a valid line for `key`. `plain` is true for a file without units.
     pub fn line(&self, key: &str, plain: bool) -> String {
         format!("{key} = {}", self.value(plain))
     }
 
-    /// A valid value as written in a file.
+    /// Returns an example of a valid value as written in a file.
     pub fn value(&self, plain: bool) -> String {
         match self.example.split_once(' ') {
             Some((number, _)) if plain => number.to_owned(),
@@ -74,13 +76,13 @@ impl Kind {
         }
     }
 
-    /// A list of two valid values, the first of which is 0.
+    /// Returns an example of a list of two valid values, the first of which is 0.
     pub fn pair(&self, plain: bool) -> String {
         let zero = if plain { "0".to_owned() } else { format!("\"0 {}\"", self.unit) };
         format!("[{zero}, {}]", self.value(plain))
     }
 
-    /// Hint where this quantity is expected and another value is given.
+    /// Returns the hint for a value that is not a quantity of this kind.
     pub fn advice(&self, key: &str, plain: bool) -> String {
         let what = if plain { "a number" } else { "a number and its unit" };
         format!("write {what}, as in {}", self.line(key, plain))

@@ -24,7 +24,7 @@ pub(crate) const GROUND_POSITION: Kind = kind("a length", Dimension::LENGTH, "1 
 /// level.
 pub(crate) const OFFSET: Kind =
     kind("a length", Dimension::LENGTH, "1 m", "m", &[]).printed_as(print::Kind::Position);
-/// A length behind the first axle of a train.
+/// A distance behind the first axle of a train.
 pub(crate) const BEHIND: Kind = kind("a length", Dimension::LENGTH, "1 m", "m", &[])
     .sign(Sign::NotNegative)
     .printed_as(print::Kind::Position);
@@ -55,8 +55,8 @@ pub(crate) const BENDING_STIFFNESS: Kind = kind(
     "1.2e6 kN m^2",
     "kN m^2",
     &[
-        (STRESS, "an elastic modulus is `E`; give it together with `I` or `section`"),
-        (SECOND_MOMENT, "a second moment of area is `I`; give it together with `E`"),
+        (STRESS, "give an elastic modulus as `E`, together with `I` or `section`"),
+        (SECOND_MOMENT, "give a second moment of area as `I`, together with `E`"),
     ],
 )
 .sign(Sign::Positive)
@@ -66,7 +66,7 @@ pub(crate) const ELASTIC_MODULUS: Kind = kind(
     STRESS,
     "30 GPa",
     "GPa",
-    &[(STIFFNESS, "a bending stiffness is `EI`; it replaces `E` and `I`")],
+    &[(STIFFNESS, "give a bending stiffness as `EI`, in place of `E` and `I`")],
 )
 .sign(Sign::Positive).plausible([3e8, 1e12], "the modulus of a beam is usually between 1 and 300 GPa, and that of a soil belongs in [foundation.soil]");
 /// The modulus of a soil or a rock.
@@ -75,7 +75,7 @@ pub(crate) const SOIL_MODULUS: Kind = kind(
     STRESS,
     "15 MPa",
     "MPa",
-    &[(MODULUS, "a force per volume is a `subgrade_modulus`; it replaces the soil data")],
+    &[(MODULUS, "give a force per volume as `subgrade_modulus`, in place of the soil data")],
 )
 .sign(Sign::Positive)
 .plausible([1e5, 1e11], "the modulus of a soil is usually between 1 and 500 MPa");
@@ -86,7 +86,7 @@ pub(crate) const SHEAR_STIFFNESS: Kind = kind(
     Dimension::FORCE,
     "900 MN",
     "MN",
-    &[(STRESS, "a shear modulus is `G`; give it together with `shear_area` or a `section`")],
+    &[(STRESS, "give a shear modulus as `G`, together with `shear_area` or a `section`")],
 )
 .sign(Sign::Positive);
 pub(crate) const SHEAR_MODULUS: Kind =
@@ -98,7 +98,7 @@ pub(crate) const SPRING_PER_LENGTH: Kind = kind(
     STRESS,
     "40 MN/m^2",
     "MN/m^2",
-    &[(MODULUS, "a force per volume is a `subgrade_modulus`, which needs `width`")],
+    &[(MODULUS, "give a force per volume as `subgrade_modulus`, together with `width`")],
 )
 .sign(Sign::Positive)
 .printed_as(print::Kind::Spring)
@@ -110,7 +110,7 @@ pub(crate) const SUBGRADE_MODULUS: Kind = kind(
     "MN/m^3",
     &[(
         STRESS,
-        "a force per length of beam per deflection is `k`; it replaces the modulus and `width`",
+        "give a force per length of beam per deflection as `k`, in place of `subgrade_modulus` and `width`",
     )],
 )
 .sign(Sign::Positive)
@@ -121,13 +121,13 @@ pub(crate) const SHEAR_CONSTANT: Kind =
         .sign(Sign::NotNegative)
         .printed_as(print::Kind::Constant);
 pub(crate) const AREA_SHEAR: Kind = kind(
-    "a force per length (the shear constant of an area)",
+    "a force per length (the shear constant per width)",
     LINE_LOAD,
     "9 MN/m",
     "MN/m",
     &[(
         Dimension::FORCE,
-        "the shear constant over the whole width is the force `mu`; it replaces `C2`",
+        "give the shear constant over the whole width as the force `mu`, in place of `C2`",
     )],
 )
 .sign(Sign::NotNegative)
@@ -159,7 +159,7 @@ pub(crate) const CURVATURE: Kind = kind(
     "1/m",
     &[(
         Dimension::LENGTH,
-        "a radius is the inverse of a curvature: write for example \"1e-4 1/m\"",
+        "a radius is the inverse of a curvature: give the curvature, as in \"1e-4 1/m\"",
     )],
 )
 .printed_as(print::Kind::PerLength);

@@ -1,4 +1,4 @@
-//! The kinds of quantity in a model, and how a text gives one.
+//! Defines the kinds of quantity in a model file, and reads a quantity from a text.
 
 mod kind;
 mod kinds;

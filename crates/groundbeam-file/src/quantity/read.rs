@@ -9,13 +9,14 @@ use crate::number::Decimal;
 use crate::unit::{Dimension, Marks, Unit, feet_and_inches};
 
 impl Kind {
-    /// A quantity of a built-in list, in N, m and K. NaN if unreadable, which the tests of the list detect.
+    /// Reads a quantity of a built-in list, in N, m and K. An unreadable text gives NaN, which the tests of
+    /// the list detect.
     pub fn listed(&self, text: &str) -> f64 {
         self.read("", text, false).map_or(f64::NAN, |written| written.value)
     }
 
-    /// Value in SI units of a number with a unit, or the number itself without one. `plain` selects the hint
-    /// for a file without units.
+    /// Reads a number with or without a unit. A number with a unit is converted to SI units. `plain`
+    /// selects the hints for a file without units.
     pub fn read(&self, key: &str, text: &str, plain: bool) -> Result<Written, Fault> {
         let start = text.len() - text.trim_start().len();
         let trimmed = text.trim();
@@ -55,8 +56,8 @@ impl Kind {
         Ok(Written { value, has_unit, marks })
     }
 
-    /// Length in metres from feet and inches, or from a fraction of an inch; `None` for other texts and
-    /// quantities.
+    /// Reads a length in feet and inches, or a fraction of an inch, and returns it in metres. Returns
+    /// `None` for other texts and for quantities that are not lengths.
     fn feet_and_inches(&self, text: &str) -> Option<f64> {
         let inches = feet_and_inches(text).filter(|_| self.dimension == Dimension::LENGTH)?;
         Some(Decimal::read(&inches)?.0.times(&Unit::read("in").ok()?.scale))
@@ -84,7 +85,8 @@ impl Kind {
         Fault::new(code::WRONG_UNIT, at, message, found, hint)
     }
 
-    /// Fault for a `trimmed` text that does not begin with a number.
+    /// Returns the fault for a text that does not begin with a number. `trimmed` is this text without
+    /// surrounding spaces.
     fn unreadable(&self, key: &str, text: &str, trimmed: &str, plain: bool) -> Fault {
         let word = trimmed.trim_start_matches(['+', '-', '\u{2212}']);
         let word = word.split_whitespace().next().unwrap_or("").to_lowercase();
@@ -99,9 +101,10 @@ impl Kind {
         Fault::new(code::NUMBER, 0..trimmed.len(), message, "", self.advice(key, plain))
     }
 
-    /// Fault for a number that continues after a comma or a space, which is ambiguous.
+    /// Returns the fault for a number that continues after a comma or a space; `None` if the number does
+    /// not continue.
     fn interrupted(&self, number: &str, rest: &str, length: usize) -> Option<Fault> {
-        // A unit may begin with `1/`.
+        // The text after the number may be a unit that begins with `1/`, such as 1/m.
         let over = rest.strip_prefix('1').and_then(|rest| rest.trim_start().strip_prefix('/'));
         if over.is_some_and(|unit| !unit.trim_start().starts_with(|c: char| c.is_ascii_digit())) {
             return None;
@@ -125,32 +128,33 @@ impl Kind {
     }
 }
 
-/// A value, and whether it had a unit.
+/// Value of a quantity as read from the file, and whether the file gives its unit.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Written {
-    /// The value in SI units if it had a unit; otherwise the number as written.
+    /// Value in SI units if the file gives a unit; otherwise the number in the file.
     pub value: f64,
     pub has_unit: bool,
     pub marks: Marks,
 }
 
-/// Fault for `nan` or `inf`, which TOML and many programs write.
+/// Returns the fault for `nan` or `inf`, which TOML allows and many programs write.
 pub(crate) fn not_finite(written: &str, at: std::ops::Range<usize>) -> Fault {
     let what = if written.contains("nan") { "not a number" } else { "infinite" };
     let message = format!("`{written}` is {what}; a finite number is needed");
     Fault::new(code::NOT_FINITE, at, message, "", "give a finite number, or leave the key out")
 }
 
-/// Whether a number is within the allowed range, so that products and powers of a few such numbers are
+/// Whether a number is within the allowed range. Products and powers of a few numbers in this range are
 /// finite.
 pub(crate) fn is_within_reach(value: f64) -> bool {
     value == 0.0 || (1e-60..=1e60).contains(&value.abs())
 }
 
-/// The allowed range in words.
+/// Text that states the allowed range of numbers.
 pub(crate) const REACH: &str = "allowed values are 0 and magnitudes between 1e-60 and 1e60";
 
-/// Fault for a number outside the allowed range. 64-bit floating point may round it to 0 or infinity.
+/// Returns the fault for a number outside the allowed range. `value` may be 0 or infinity, because 64-bit
+/// floating point may have rounded the number.
 pub(crate) fn out_of_reach(value: f64, at: std::ops::Range<usize>) -> Fault {
     let size = if value.abs() < 1.0 { "small" } else { "large" };
     let message = format!("this number is too {size}");

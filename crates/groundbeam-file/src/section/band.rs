@@ -19,8 +19,8 @@ pub(super) static TABLE: Table = Table {
     ],
 };
 
-/// The band of a ground, if the file gives one. `shears`: the ground has a shear layer, so the band may also
-/// give μ.
+/// Reads the factors on k and μ, if the file gives any. `shears` is true if the ground has a shear layer.
+/// Without a shear layer, the table must not contain `mu`.
 pub(super) fn read(reader: &mut Reader, foundation: &Section, shears: bool) -> Option<Band> {
     let table = reader.table(foundation, "band")?;
     if TABLE.names().iter().all(|key| table.value(key).is_none()) {
@@ -28,11 +28,11 @@ pub(super) fn read(reader: &mut Reader, foundation: &Section, shears: bool) -> O
             &table,
             &TABLE.names(),
             "`k` and no `mu`",
-            "k = [0.5, 2]: lower and upper factor",
+            "k = [0.5, 2]: lower and upper factor on k",
         );
     }
     if let (Some(value), false) = (table.value("mu"), shears) {
-        let message = "a band of `mu` on ground without a shear layer";
+        let message = "the band has factors on `mu`, but the ground has no shear layer";
         let hint = "give the ground a `mu`, or leave the band of `mu` out";
         reader.report(Fault::new(code::FACTOR, value.span(), message, "", hint));
     }
@@ -40,13 +40,13 @@ pub(super) fn read(reader: &mut Reader, foundation: &Section, shears: bool) -> O
     Some(Band { spring: spring?, shear: shear? })
 }
 
-/// Lower factor (at most 1) and upper factor (at least 1); [1, 1] if the file gives none.
+/// Reads the lower factor (at most 1) and the upper factor (at least 1) under `key`. The default is [1, 1].
 fn multiples(reader: &mut Reader, table: &Section, key: &'static str) -> Option<[f64; 2]> {
     let Some(value) = table.value(key) else { return Some([1.0, 1.0]) };
     let values = match value.get_ref() {
         DeValue::Array(values) if values.len() == 2 => values,
         _ => {
-            let message = format!("the band of `{key}` is a list of two factors");
+            let message = format!("the band of `{key}` must be a list of two factors");
             reader.wrong_type(value, message, format!("write for example {key} = [0.5, 2]"));
             return None;
         }

@@ -30,8 +30,8 @@ const EI: Key = along("EI", &BENDING_STIFFNESS, Profile::MOST, "The bending stif
     "stiffness",
     "flexural_rigidity",
 ]);
-const E: Key =
-    along("E", &ELASTIC_MODULUS, 2, "The elastic modulus, with `I` or a `section`.").also(ALSO_E);
+const E: Key = along("E", &ELASTIC_MODULUS, 2, "The elastic modulus; it needs `I` or a `section`.")
+    .also(ALSO_E);
 const MATERIAL: Key = key(
     "material",
     Value::Name("C30/37", materials::spellings),
@@ -48,7 +48,7 @@ static SEGMENT: Table = Table {
     name: "[[beam.segment]]",
     keys: &[
         quantity("from", &POSITION, "The start of the segment.").needed().also(ALSO_FROM),
-        quantity("to", &POSITION, "Its end.").needed().also(ALSO_TO),
+        quantity("to", &POSITION, "The end of the segment.").needed().also(ALSO_TO),
         EI,
         E,
         MATERIAL,
@@ -74,7 +74,8 @@ pub(super) static TABLE: Table = Table {
         quantity(
             "unit_weight",
             &UNIT_WEIGHT,
-            "The weight per volume, or `\"material\"`; default: no self-weight.",
+            "The unit weight of the beam, or `\"material\"` for the unit weight of its \
+             material; default: no self-weight.",
         ),
         text("weight_case", "G", "The load case of the self-weight."),
         quantity("axial_force", &FORCE, "Axial force, tension positive; default: 0.").also(&[
@@ -103,7 +104,7 @@ static BODY: Body = Body {
 pub(super) struct OwnLoad {
     pub load: Load,
     pub case: Option<String>,
-    /// Location of the data it follows from.
+    /// Location in the file of the data from which the load follows.
     pub span: Range<usize>,
 }
 
@@ -113,7 +114,7 @@ pub(super) struct Read {
     /// Loads from self-weight and camber, if the file gives them.
     pub loads: Vec<OwnLoad>,
     pub depths: Vec<Depth>,
-    /// Thermal expansion of the material, if it is the same along the beam.
+    /// Coefficient of thermal expansion \[1/K\] of the beam, if the whole beam has one material.
     pub expansion: Option<f64>,
 }
 
@@ -179,12 +180,13 @@ pub(super) fn read(reader: &mut Reader, root: &Section) -> Read {
     Read { beam, loads, depths, expansion: material.map(|material| material.expansion) }
 }
 
-/// Whether a table gives EI or I directly. Then the section of the parent does not apply there.
+/// Whether a table gives EI or I directly. If so, no section defines the area and the depth of this part of
+/// the beam.
 fn gives_stiffness(table: &Section) -> bool {
     table.value("EI").is_some() || table.value("I").is_some()
 }
 
-/// The EI that a table gives, and its section.
+/// Reads the bending stiffness EI or its factors, and the cross-section, from a table.
 fn given(reader: &mut Reader, table: &Section) -> (Given, Option<Shape>) {
     let product = reader.along(table, "EI");
     let modulus = reader.along(table, "E");
@@ -195,7 +197,7 @@ fn given(reader: &mut Reader, table: &Section) -> (Given, Option<Shape>) {
     let shape = shape::read(reader, table);
     let section = shape.as_ref().map(|shape| shape.inertia.clone());
     if let (Some(inertia), Some(section)) = (&inertia, &section) {
-        let hint = "the section gives I; keep one of the two";
+        let hint = "the section gives I: keep either `I` or `section`";
         reader.exclusive(("I", &inertia.span), ("section", &section.span), hint);
     }
     (Given { product, factors: [modulus, inertia.or(section)] }, shape)

@@ -22,24 +22,32 @@ pub(super) static TABLE: Table = Table {
         quantity(
             "bearing_resistance",
             &STRESS_LIMIT,
-            "The design resistance r_d per effective area, V_d ≤ r_d B′ L′: EN 1997-1, 6.5.2; in allowable stress design the allowable pressure on this area.",
+            "The design resistance r_d per effective area B′ L′ in the check V_d ≤ r_d B′ L′ \
+             (EN 1997-1, 6.5.2); in allowable stress design, the allowable pressure on the \
+             effective area.",
         ),
         quantity(
             "width",
             &WIDTH,
-            "The bearing width for these two checks; default: that of `[foundation]`.",
+            "The bearing width for `bearing_pressure` and `bearing_resistance`; default: the \
+             `width` of `[foundation]`.",
         )
         .also(ALSO_WIDTH),
         quantity(
             "settlement",
             &SETTLEMENT_LIMIT,
-            "The largest allowed downward deflection, EN 1997-1, 6.6.",
+            "The largest allowed downward deflection (EN 1997-1, 6.6).",
         ),
-        quantity("lifted_share", &RATIO, "The fraction of the length that may lift off, 0 to 1."),
+        quantity(
+            "lifted_share",
+            &RATIO,
+            "The largest fraction of the beam length that may lift off, from 0 to 1.",
+        ),
         quantity(
             "eccentricity",
             &RATIO,
-            "The distance of the resultant from the middle, as a fraction of the length or `\"l/6\"`.",
+            "The largest allowed distance of the resultant from the middle of the beam, as a \
+             fraction of the beam length such as 0.25 or `\"l/6\"`.",
         ),
         quantity("overturning", &RATIO, "The smallest allowed load factor at which the beam tips."),
         table(
@@ -51,7 +59,7 @@ pub(super) static TABLE: Table = Table {
 };
 
 const fn judged_in(name: &'static str) -> Key {
-    words(name, &LIMIT_STATES, "The limit states of this check.")
+    words(name, &LIMIT_STATES, "The limit states in which this check is judged.")
 }
 
 static JUDGED_IN: Table = Table {
@@ -66,7 +74,7 @@ static JUDGED_IN: Table = Table {
     ],
 };
 
-/// Reads the limits of the file. The bearing width is that of the ground, unless the table gives a bearing width.
+/// Reads the limits of the file. The default of the bearing width is the width of the ground.
 pub(super) fn read(reader: &mut Reader, root: &Section, ground: &Ground) -> Limits {
     let Some(table) = reader.table(root, "checks") else { return Limits::default() };
     let mut positive = |key| {
@@ -84,7 +92,7 @@ pub(super) fn read(reader: &mut Reader, root: &Section, ground: &Ground) -> Limi
     let width = own_width.as_ref().map(|width| width.value).or(ground.width);
     if pressure.is_some() || resistance.is_some() {
         if width.is_none() {
-            let example = "`width` here or in [foundation]: the bearing width";
+            let example = "the bearing `width` to [checks] or to [foundation]";
             reader.missing(&table, &["width"], "`width`", example);
         }
         refuse_other_widths(reader, own_width.as_ref(), ground);
@@ -110,13 +118,15 @@ pub(super) fn read(reader: &mut Reader, root: &Section, ground: &Ground) -> Limi
     }
 }
 
-/// Refuses bearing checks whose width is not safe along the whole beam: the checks divide by one width everywhere.
+/// Reports widths with which the bearing checks are unsafe. The checks use one width along the whole beam. A
+/// width in `[checks]` must not exceed any local width of the ground. Without a width in `[checks]`, all
+/// widths of the ground must be equal.
 fn refuse_other_widths(reader: &mut Reader, own: Option<&Field>, ground: &Ground) {
     let mut widths = ground.local_widths.iter().filter(|width| width.is_readable());
     if let Some(own) = own {
         if let Some(narrow) = widths.find(|width| width.profile.smallest() < own.value) {
-            let message = "the checks need a `width` that the ground has everywhere";
-            let hint = "write the smallest width of the ground: it is on the safe side";
+            let message = "the `width` of [checks] is larger than a width of the ground";
+            let hint = "write the smallest width of the ground, which is on the safe side";
             let fault = Fault::new(code::FACTOR, own.span.clone(), message, "", hint);
             reader.report_with(fault, narrow.span.clone(), "a smaller width");
         }
@@ -126,23 +136,23 @@ fn refuse_other_widths(reader: &mut Reader, own: Option<&Field>, ground: &Ground
     let is_common = |value: &f64| *value == common;
     if let Some(other) = widths.find(|width| !width.profile.control_values().iter().all(is_common))
     {
-        let message =
-            "the bearing checks use one width, but this one differs from that of [foundation]";
+        let message = "the bearing checks use one width, but this width differs from the width of [foundation]";
         let hint = "add `width` to [checks]: the smallest width of the ground is on the safe side";
         reader.report(Fault::new(code::INCOMPLETE, other.span.clone(), message, "", hint));
     }
 }
 
-/// Refuses a list without a limit state: the check would never be judged.
+/// Reports an empty list of limit states, because the check would never be judged.
 fn refuse_empty(reader: &mut Reader, states: &Section, key: &str) {
     let Some(value) = states.empty_list(key) else { return };
     let message = format!("`{key}` names no limit state");
-    let hint = "name one, as in \"STR/GEO\", or leave the key out for the default";
+    let hint = "write a limit state, such as \"STR/GEO\", or leave the key out for the default";
     reader.report(Fault::new(code::EMPTY_NAME, value.span(), message, "", hint));
 }
 
-/// Gives `bearing_resistance` its limit state, if the file names none. A design resistance belongs to STR/GEO. If the
-/// file has combinations of allowable stress design but no STR/GEO combinations, the value is an allowable pressure.
+/// Sets the limit state of `bearing_resistance`, if the file names none. The default is STR/GEO, because
+/// the value is a design resistance. If the file has combinations of allowable stress design but no STR/GEO
+/// combinations, the value is an allowable pressure, and the limit state is allowable stress.
 pub(super) fn judge_resistance(limits: &mut Limits, recipes: &[Recipe]) {
     let any = |state| recipes.iter().any(|recipe| recipe.limit_states.contains(state));
     if any(LimitState::AllowableStress) && !any(LimitState::StrGeo) {
@@ -151,21 +161,21 @@ pub(super) fn judge_resistance(limits: &mut Limits, recipes: &[Recipe]) {
     }
 }
 
-/// The fraction of the length that may lift off; 0 if the beam must not lift off.
+/// Reads the largest fraction of the beam length that may lift off, between 0 and 1.
 fn lifted_share(reader: &mut Reader, table: &Section) -> Option<f64> {
     let share = reader.quantity(table, "lifted_share")?;
     if share.value < 0.0 || share.value > 1.0 {
-        let message = "`lifted_share` is a fraction of the beam's length, from 0 to 1";
-        let hint = "lifted_share = 0 for a beam that must not lift off";
+        let message = "`lifted_share` must be a fraction of the beam's length, from 0 to 1";
+        let hint = "write lifted_share = 0 for a beam that must not lift off";
         reader.report(Fault::new(code::FACTOR, share.span, message, "", hint));
     }
     Some(share.value)
 }
 
-/// A fraction of the length, as `0.25` or in the engineers' form `"l/6"`.
+/// Reads the largest allowed eccentricity, as a fraction of the beam length such as `0.25` or `"l/6"`.
 fn eccentricity(reader: &mut Reader, table: &Section) -> Option<f64> {
     let value = table.value("eccentricity")?;
-    let hint = "write \"l/6\" for the kern, \"l/3\" for EN 1997-1, 6.5.4";
+    let hint = "write \"l/6\" for the kern, or \"l/3\" for the limit of EN 1997-1, 6.5.4";
     let of_length =
         value.get_ref().as_str().map(str::trim).filter(|text| text.starts_with(['l', 'L']));
     let field = match of_length {
@@ -182,7 +192,7 @@ fn eccentricity(reader: &mut Reader, table: &Section) -> Option<f64> {
         None => reader.field("eccentricity", value, &RATIO),
     };
     if field.value <= 0.0 || field.value > 0.5 {
-        let message = "the resultant's distance from the middle is at most half the length";
+        let message = "`eccentricity` must be positive and at most half the beam length";
         reader.report(Fault::new(code::FACTOR, value.span(), message, "", hint));
     }
     Some(field.value)

@@ -3,45 +3,47 @@
 use super::trough::Trough;
 use groundbeam::{Beam, Load, Model};
 
-/// Allowed change of a field by the chords, relative to its largest magnitude.
+/// Allowed error of a result due to the chords, relative to the largest magnitude of this result along the beam.
 const TOLERANCE: f64 = 1e-3;
 
-/// Chords per width of a trough for the deflection and the moment, to the same number of widths on both sides
-/// of its middle.
+/// Number of chords per trough width for an accurate deflection. It applies up to [`NEAR`] trough widths
+/// from the middle of a trough.
 const PER_WIDTH: f64 = 24.0;
 const NEAR: f64 = 5.0;
-/// Chords per length of the beam where slope jumps of the gap move the contact edges.
+/// Maximum number of chords per beam length for accurate contact edges.
 const PER_LENGTH: f64 = 600.0;
 
-/// Density of chords along the beam. docs/ground.md, *Settlement troughs*, derives the rules:
+/// Density 1/h of chords of the length h along the beam. The section *Settlement troughs* of docs/ground.md
+/// derives these rules for a trough of the width i, the gap g(x), the tolerance ε and the beam length l:
 ///
 /// * deflection: h ≤ i/24, and less for a beam beside the trough;
-/// * moment: 3.3 T(2π/h) ≤ ε T(1/i), where T(q) is the moment of a bonded beam on ground with the gap cos qx;
-/// * pressure: h² (k + μ²/EI)|g″|/12 ≤ ε p̄, where p̄ is the load per length;
+/// * moment: 3.3 T(2π/h) ≤ ε T(1/i), where T(q) is the ratio |M/g″| in a bonded beam for g = cos qx;
+/// * pressure: h² (k + μ²/EI)|g″|/12 ≤ ε p̄, where p̄ is the mean load per length;
 /// * contact edges: μ h|g″| ≤ ε p̄ l or h ≤ l/600.
 pub(super) struct Spacing<'a> {
     troughs: &'a [Trough],
-    /// The chords that deflection and moment need, for each trough.
+    /// Chords of equal length near each trough, for an accurate deflection and an accurate moment.
     even: Vec<Even>,
-    /// 1/h² of the chords that the pressure needs, divided by |g″|.
+    /// Squared density 1/h² of the chords for an accurate pressure, divided by the curvature |g″| of the gap.
     by_curvature: f64,
-    /// 1/h of the chords that the contact edges need, divided by |g″|.
+    /// Density 1/h of the chords for accurate contact edges, divided by the curvature |g″| of the gap.
     by_corner: f64,
-    /// Upper limit of 1/h of the chords that the contact edges need.
+    /// Upper limit of the density 1/h of the chords for accurate contact edges.
     most_for_corners: f64,
 }
 
-/// Chords of equal length near a trough, for the deflection and the moment.
+/// Chords of equal length near a trough, for an accurate deflection and an accurate moment.
 struct Even {
-    /// 1/h².
+    /// Squared density 1/h² of the chords near a trough.
     density: f64,
-    /// Square of the distance from the trough up to which these chords are needed, in widths of the trough.
+    /// Square of the largest distance of the chords from the middle of the trough, in trough widths.
     reach: f64,
 }
 
 impl<'a> Spacing<'a> {
-    /// For a model whose k and μ may have factors between two `multiples`, under the mean load `pressure`. An infinite
-    /// `pressure` stands for a model without loads: then the pressure and the contact edges need no chords.
+    /// Computes the density of chords for a model under the mean load `pressure` \[N/m\]. `multiples` are
+    /// the lower and upper factors on k and on μ. An infinite `pressure` stands for a model without loads,
+    /// in which the pressure and the contact edges need no chords.
     pub fn new(
         model: &Model,
         multiples: [[f64; 2]; 2],
@@ -53,7 +55,8 @@ impl<'a> Spacing<'a> {
         let even = troughs.iter().map(|trough| {
             let of_field = PER_WIDTH / trough.width;
             let of_moment = ranges.bonded().map(|bonded| 1.0 / bonded.longest(trough.width));
-            // A beam beside the trough rests on its tail, which decays over a length of i/t at t widths from the middle.
+            // A beam beside the trough rests on the tail of the trough. At a distance of t trough widths
+            // from the middle, the tail decays over 1/t trough widths.
             let away = ((trough.at.clamp(0.0, l) - trough.at) / trough.width).powi(2);
             Even {
                 density: of_moment.fold(of_field, f64::max).powi(2) * (1.0 + away),
@@ -71,7 +74,7 @@ impl<'a> Spacing<'a> {
         }
     }
 
-    /// 1/h.
+    /// Density 1/h of the chords at the position `x`.
     pub fn chords_per_length(&self, x: f64) -> f64 {
         let (mut density, mut curvature) = (0.0, 0.0);
         for (trough, even) in self.troughs.iter().zip(&self.even) {
@@ -86,24 +89,25 @@ impl<'a> Spacing<'a> {
     }
 }
 
-/// Estimated mean pressure under the beam: forces and moments divided by the length. Each load has its factor
-/// from `factors`.
+/// Estimates the mean pressure \[N/m\] under a beam of the length `l`. Adds the magnitudes of all forces and
+/// the magnitudes of all moments divided by `l`, and divides the sum by `l`. The function `factors` returns
+/// the factor of each load.
 pub(super) fn mean_load(loads: &[Load], l: f64, factors: impl Fn(usize) -> f64) -> f64 {
     let sizes = loads.iter().enumerate().map(|(i, load)| factors(i).abs() * load.as_force(l));
     sizes.sum::<f64>() / l
 }
 
-/// Ranges of the constants along the beam.
+/// Smallest and largest values of the constants of beam and ground along the beam.
 struct Ranges {
-    /// EI.
+    /// Range of the bending stiffness EI.
     bending: [f64; 2],
-    /// The smallest S; `None` without shear deformation.
+    /// Smallest shear stiffness S of the beam; `None` without shear deformation.
     shearing: Option<f64>,
-    /// P; 0 under compression.
+    /// Axial tension of the beam; 0 under compression.
     tension: f64,
-    /// k.
+    /// Range of the subgrade modulus k.
     spring: [f64; 2],
-    /// μ.
+    /// Range of the stiffness μ of the shear layer.
     shear: [f64; 2],
 }
 
@@ -136,7 +140,7 @@ impl Ranges {
         }
     }
 
-    /// Bonded beams with all combinations of the smallest and the largest constants.
+    /// Iterates over the bonded beams with all combinations of the smallest and the largest EI, k and μ.
     fn bonded(&self) -> impl Iterator<Item = Bonded> {
         (0..8).map(|i| Bonded {
             bending: self.bending[i & 1],
@@ -158,7 +162,8 @@ struct Bonded {
 }
 
 impl Bonded {
-    /// M/g″ on ground with the gap g = cos qx.
+    /// Computes the ratio |M/g″| of the bending moment to the second derivative of the gap, for the gap
+    /// g = cos qx.
     fn moment(&self, q: f64) -> f64 {
         let q2 = q * q;
         let bending = self.bending / (1.0 + self.shearing.map_or(0.0, |s| self.bending * q2 / s));
@@ -166,10 +171,12 @@ impl Bonded {
         bending * (ground / (ground + q2 * (self.tension + bending * q2)))
     }
 
-    /// The longest chord for which the moment differs by less than the tolerance.
+    /// Computes the length of the longest chord for which the error of the moment is within the tolerance,
+    /// for a trough of this `width`.
     fn longest(&self, width: f64) -> f64 {
-        // The gap between curve and chords is a periodic row of parabolas. Its first harmonic has the wave length of
-        // a chord; the factor π²/6 accounts for the higher harmonics.
+        // The difference between the gap g and its chords is a periodic row of parabolas, with the length h of
+        // a chord as its period. The moments of all harmonics add up to at most about π²/3 ≈ 3.3 times
+        // T |g″|, where T = `self.moment(2π/h)`.
         let few = TOLERANCE * self.moment(1.0 / width) / 3.3;
         let (mut short, mut long) = (0.0, width);
         for _ in 0..60 {

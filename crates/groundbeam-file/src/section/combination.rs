@@ -33,7 +33,7 @@ pub(super) static LIMIT_STATES: Words = Words {
     hint: "the limit states: {}",
 };
 
-/// The limit states under a key.
+/// Reads the limit states under `key`.
 pub(super) fn limit_states(reader: &mut Reader, table: &Section, key: &str) -> Option<LimitStates> {
     let states = reader.words(table, key)?;
     let states: Vec<LimitState> = states.into_iter().filter_map(LimitState::named).collect();
@@ -43,7 +43,7 @@ pub(super) fn limit_states(reader: &mut Reader, table: &Section, key: &str) -> O
 pub(super) static CASE: Table = Table {
     name: "[[case]]",
     keys: &[
-        text("name", "Q", "The name of the case, as in `case` of the loads.").needed(),
+        text("name", "Q", "The name of the load case, as in the key `case` of its loads.").needed(),
         key(
             "action",
             Value::Name("imposed B", sets::actions),
@@ -55,7 +55,7 @@ pub(super) static CASE: Table = Table {
         text(
             "source",
             "own weight",
-            "Permanent cases of one source share one partial factor; default: each has its own.",
+            "Permanent cases of one source share one partial factor; default: each case has its own factor.",
         )
         .also(&["origin"]),
     ],
@@ -64,8 +64,8 @@ pub(super) static CASE: Table = Table {
 pub(super) static TABLE: Table = Table {
     name: "[[combination]]",
     keys: &[
-        text("name", "ULS 1", "The name; not given with `set`."),
-        key("factors", Value::Factors, "The factors of the cases; default: 0.")
+        text("name", "ULS 1", "The name of the combination; it must not be given with `set`."),
+        key("factors", Value::Factors, "The factors of the load cases; default of each factor: 0.")
             .also(&["factor", "coefficients"]),
         key(
             "set",
@@ -90,8 +90,8 @@ struct Described<'a> {
     source: Option<&'a str>,
 }
 
-/// Combinations of a file in order; a set is replaced by its combinations. Each one will be solved on
-/// `grounds` grounds.
+/// Reads the combinations of the file in order, and replaces each set by its combinations. Each combination
+/// will be solved with `grounds` pairs of factors on k and μ.
 pub(super) fn read(
     reader: &mut Reader,
     root: &Section,
@@ -126,7 +126,7 @@ pub(super) fn read(
                 file.make(reader, &table, states, &mut recipes);
             }
             (Some(set), Some(factors)) => {
-                let hint = "give each a [[combination]] of its own";
+                let hint = "give `set` and `factors` in separate [[combination]] tables";
                 reader.exclusive(("set", &set.span()), ("factors", &factors.span()), hint);
             }
             (None, factors) => {
@@ -142,7 +142,7 @@ pub(super) fn read(
                     }
                 };
                 if recipes.len() == file.most() {
-                    let hint = "write the others in another file";
+                    let hint = "write the other combinations in another file";
                     file.too_many(reader, table.span.clone(), hint);
                     break;
                 }
@@ -163,7 +163,7 @@ pub(super) fn read(
     recipes
 }
 
-/// Reads the cases of `[[case]]`; each must have a load.
+/// Reads the tables `[[case]]`, and reports each case without a load.
 fn describe<'a>(reader: &mut Reader, root: &Section<'a>, names: &[&str]) -> Vec<Described<'a>> {
     let mut described = Vec::new();
     let mut taken = Vec::new();
@@ -188,7 +188,8 @@ fn describe<'a>(reader: &mut Reader, root: &Section<'a>, names: &[&str]) -> Vec<
     described
 }
 
-/// The `name` of a table, checked to be unique among tables of its kind; `None` if absent or empty.
+/// Reads the `name` of a table, and reports a name that another table of this kind already has. Returns
+/// `None` if the name is absent or empty.
 fn named<'a>(
     reader: &mut Reader,
     table: &Section<'a>,
@@ -227,9 +228,9 @@ struct File<'a> {
     /// Whether at least one load or train has no case.
     has_others: bool,
     described: Vec<Described<'a>>,
-    /// Number of grounds, on each of which every combination acts.
+    /// Number of pairs of factors on k and μ with which every combination is solved.
     grounds: usize,
-    /// Cases for which a missing or foreign action has been reported.
+    /// Load cases whose missing or unsuitable action has been reported.
     wanting: Vec<&'a str>,
     /// Names of the combinations that come from sets.
     made: Vec<String>,
@@ -239,8 +240,8 @@ impl<'a> File<'a> {
     /// Reads a table of factors, `factors = { G = 1.35, Q = 1.5 }`.
     fn factors(&self, reader: &mut Reader, value: &Spanned<DeValue>) -> Vec<(String, f64)> {
         let DeValue::Table(table) = value.get_ref() else {
-            let message = "`factors` is a table of cases and numbers".to_owned();
-            let hint = "write it as in factors = { G = 1.35, Q = 1.5 }".to_owned();
+            let message = "`factors` must be a table of load cases and their factors".to_owned();
+            let hint = "write for example factors = { G = 1.35, Q = 1.5 }".to_owned();
             reader.wrong_type(value, message, hint);
             return Vec::new();
         };
@@ -266,7 +267,8 @@ impl<'a> File<'a> {
         Some((name.to_owned(), factor))
     }
 
-    /// Combinations of a set, in the limit states of the set or of the file.
+    /// Adds the combinations of a set to `recipes`. The limit states `states` of the file, if given,
+    /// replace the limit states of the set.
     fn make(
         &mut self,
         reader: &mut Reader,
@@ -277,7 +279,7 @@ impl<'a> File<'a> {
         let Some((written, span)) = reader.text(table, "set") else { return };
         let Some((practice, set)) = sets::find(written.trim()) else {
             if let [first, others @ ..] = &sets::meant(written.trim())[..] {
-                let message = format!("`{}` may mean two sets, which differ", written.trim());
+                let message = format!("`{}` may mean either of two different sets", written.trim());
                 let others: String = others.iter().map(|name| format!(" or `{name}`")).collect();
                 let hint = format!("write `{first}`{others}");
                 reader.report(Fault::new(code::UNKNOWN_WORD, span, message, "", hint));
@@ -291,21 +293,23 @@ impl<'a> File<'a> {
         let most = self.most().saturating_sub(recipes.len());
         match sets::expand(practice, set, &acting, self.has_others, most) {
             Ok(made) if made.is_empty() => {
-                let message = format!("`{}` makes no combination of the load cases", set.name);
+                let message =
+                    format!("the set `{}` has no combination for these load cases", set.name);
                 let hint = match set.needed() {
                     Some(action) => {
                         format!(
                             "add the loads of a case with action = \"{action}\", or leave the set out"
                         )
                     }
-                    None => "the set gives every load the factor 0: leave it out".to_owned(),
+                    None => "the set gives every load the factor 0: leave the set out".to_owned(),
                 };
                 reader.report(Fault::new(code::MISSING, span, message, "", hint));
             }
             Ok(made) => {
                 if let Some(again) = made.iter().find(|made| self.made.contains(&made.name)) {
-                    let message = format!("this set makes `{}` twice", again.name);
-                    let hint = "ask for each set once";
+                    let message =
+                        format!("a set already contains the combination `{}`", again.name);
+                    let hint = "write each set only once";
                     reader.report(Fault::new(code::REPEATED, span, message, "", hint));
                 }
                 for Made { name, factors, limit_states } in made {
@@ -325,7 +329,7 @@ impl<'a> File<'a> {
         }
     }
 
-    /// Maximum number of combinations in the file, each on all grounds.
+    /// Maximum number of combinations in the file, if each is solved with all pairs of factors on k and μ.
     fn most(&self) -> usize {
         MOST / self.grounds
     }
@@ -333,13 +337,14 @@ impl<'a> File<'a> {
     fn too_many(&self, reader: &mut Reader, span: Range<usize>, hint: &str) {
         let each = match self.grounds {
             1 => String::new(),
-            grounds => format!(" on each of {grounds} grounds"),
+            grounds => format!(" for each of {grounds} pairs of factors on k and mu"),
         };
         let message = format!("the file has more than {} combinations{each}", self.most());
         reader.report(Fault::new(code::TOO_MANY, span, message, "", hint));
     }
 
-    /// Actions of the load cases; `None` if the action of a case is missing or unknown to the set.
+    /// Returns the load cases with their actions; `None` if the action of a case is missing or does not
+    /// belong to the code of the set.
     fn acting(
         &mut self,
         reader: &mut Reader,
@@ -374,7 +379,7 @@ impl<'a> File<'a> {
     }
 }
 
-/// Reports a case whose action the set does not know.
+/// Reports a case whose action is missing or does not belong to the code of the set.
 fn wanting(
     reader: &mut Reader,
     (practice, set, span): (&Practice, &Set, &Range<usize>),
@@ -390,17 +395,17 @@ fn wanting(
             let hint = format!("add a [[case]] with name = \"{case}\" and its `action`; {all}");
             reader.report(Fault::new(code::MISSING, span.clone(), message, "", hint));
         }
-        // An action that no code knows has been reported already.
+        // An action that belongs to no code of practice has been reported already.
         Some((action, _)) if !sets::actions().contains(&action) => {}
         Some((action, at)) => {
             let message = format!("`{action}` is not an action of {}", practice.code);
             let fault = Fault::new(code::UNKNOWN_WORD, at, message, "", all);
-            reader.report_with(fault, span.clone(), "which this set is of");
+            reader.report_with(fault, span.clone(), "a set of this code");
         }
     }
 }
 
-/// Entries of a table in the order of the text.
+/// Returns the entries of a table in the order in which the file lists them.
 fn in_order<'t>(table: &'t DeTable) -> Vec<(&'t str, Range<usize>, &'t Spanned<DeValue<'t>>)> {
     let mut entries: Vec<_> =
         table.iter().map(|(key, value)| (key.get_ref().as_ref(), key.span(), value)).collect();
@@ -408,14 +413,15 @@ fn in_order<'t>(table: &'t DeTable) -> Vec<(&'t str, Range<usize>, &'t Spanned<D
     entries
 }
 
-/// A finite number without a unit.
+/// Reads the factor of the case `name`, a finite number without a unit.
 fn number(reader: &mut Reader, name: &str, value: &Spanned<DeValue>) -> Option<f64> {
     let number = match value.get_ref() {
         DeValue::Integer(integer) if integer.radix() == 10 => Decimal::read(integer.as_str()),
         DeValue::Float(float) => Decimal::read(float.as_str()),
         _ => {
             let message = format!("the factor of `{name}` must be a number");
-            let hint = format!("write it without quotes and without a unit, as in {name} = 1.5");
+            let hint =
+                format!("write the factor without quotes and without a unit, as in {name} = 1.5");
             reader.wrong_type(value, message, hint);
             return None;
         }

@@ -1,4 +1,4 @@
-//! Imposed curvature from temperature, shrinkage and camber, using the depth of the beam's section.
+//! Computes the imposed curvature from temperature, shrinkage and camber, with the depth of the beam's section.
 
 use super::beam::OwnLoad;
 use crate::code;
@@ -19,11 +19,12 @@ pub(super) struct Depth {
 #[derive(Default)]
 pub(super) struct Curls {
     pub depths: Vec<Depth>,
-    /// Thermal expansion of its material, if it is the same along the beam.
+    /// Coefficient of thermal expansion \[1/K\] of the beam, if the whole beam has one material.
     pub expansion: Option<f64>,
 }
 
-/// Depths along the beam: the depths of its segments, and the depth of its own section outside them.
+/// Returns the depths along the whole beam: the depths of its segments, and outside the segments the depth
+/// `base` of the beam's own section.
 pub(super) fn all(length: f64, base: Option<Along>, mut segments: Vec<Depth>) -> Vec<Depth> {
     for [from, to] in left_out(length, segments.iter().map(|s| (s.from, s.to))) {
         let depth = base.as_ref().map(|base| base.between([from / length, to / length]));
@@ -32,9 +33,10 @@ pub(super) fn all(length: f64, base: Option<Along>, mut segments: Vec<Depth>) ->
     segments
 }
 
-/// Curvature per unit of the load: 1 for a curvature, α/h for the temperature difference top minus bottom,
-/// −1/h for the difference in shrinkage top minus bottom. A warmer top is longer and bends the ends down:
-/// positive curvature.
+/// Returns the imposed curvature per unit of the load: 1 for a curvature, α/h for a temperature difference
+/// and −1/h for a shrinkage difference. A difference is the value at the top minus the value at the bottom,
+/// α is the coefficient of thermal expansion, and h is the depth. A warmer top bends the ends down, which
+/// is a positive curvature.
 pub(super) fn curvature_per(
     reader: &mut Reader,
     table: &Section,
@@ -56,7 +58,8 @@ pub(super) fn curvature_per(
     reader.positive("expansion", expansion).value / depth
 }
 
-/// Depth given with the load, or otherwise the depth of the section along the whole stretch.
+/// Returns the depth that the load gives, or otherwise the depth of the section, which must be constant
+/// along the load.
 fn depth(reader: &mut Reader, table: &Section, [from, to]: [f64; 2], depths: &[Depth]) -> f64 {
     if let Some(depth) = reader.quantity(table, "depth") {
         return reader.positive("depth", depth).value;
@@ -66,9 +69,9 @@ fn depth(reader: &mut Reader, table: &Section, [from, to]: [f64; 2], depths: &[D
     let Some(known) = known.filter(|known| !known.is_empty()) else {
         let depth = reader.line(table.keys, "depth");
         let message = "the depth of the beam's section is not known along the whole load";
-        let hint = format!("add {depth} here, or give the beam a `section`");
+        let hint = format!("add {depth} to the load, or give the beam a `section`");
         let fault = Fault::new(code::INCOMPLETE, table.span.clone(), message, "", hint);
-        // A stretch that cannot be read has been reported.
+        // A load with unreadable or reversed ends has been reported already.
         if from < to {
             reader.report(fault);
         }
@@ -78,8 +81,7 @@ fn depth(reader: &mut Reader, table: &Section, [from, to]: [f64; 2], depths: &[D
     if !first.is_constant() || known.iter().any(|depth| depth.profile != first) {
         if known.iter().all(|depth| depth.is_readable()) {
             let message = "the depth of the beam's section varies along this load";
-            let hint =
-                "give a [[load]] for each part of the beam, with its `depth`, or a `curvature`";
+            let hint = "give a separate [[load]] with its `depth` for each part of the beam, or give a `curvature`";
             reader.report(Fault::new(code::INCOMPLETE, table.span.clone(), message, "", hint));
         }
         return f64::NAN;
@@ -87,7 +89,8 @@ fn depth(reader: &mut Reader, table: &Section, [from, to]: [f64; 2], depths: &[D
     first.start()
 }
 
-/// Curvature of a camber. The shape is a parabola with this rise at mid-length, w = −4 c x (l − x)/l².
+/// Returns the imposed curvature of a camber c. The shape of the unloaded beam is the parabola w = −4 c x
+/// (l − x)/l², which has the rise c at mid-length.
 pub(super) fn camber(reader: &mut Reader, table: &Section, length: f64) -> Option<OwnLoad> {
     let Field { value: camber, span } = reader.quantity(table, "camber")?;
     let known = !camber.is_nan() && length > 0.0;

@@ -23,8 +23,8 @@ use groundbeam::{
     model::{FoundationSegment, GroundEnd, Profile},
 };
 
-// Keys of k and μ, in `[foundation]` and in `[[foundation.segment]]`. The model limits the number of control
-// values.
+// Keys of k and μ, in `[foundation]` and in `[[foundation.segment]]`. The model reports lists of more than
+// three values.
 const K: Key = along(
     "k",
     &SPRING_PER_LENGTH,
@@ -36,7 +36,7 @@ const MODULUS: Value = Value::Along(&SUBGRADE_MODULUS, 2);
 const SUBGRADE: Key = key(
     "subgrade_modulus",
     MODULUS,
-    "The spring constant per area. It needs `width`: k is their product.",
+    "The spring constant per area. It needs `width`; k is this constant times `width`.",
 )
 .also(&["ks", "k_s", "modulus", "bedding_modulus"]);
 const C1: Key = key("C1", MODULUS, "Another name of `subgrade_modulus`.");
@@ -52,14 +52,14 @@ const C2: Key = along(
     "C2",
     &AREA_SHEAR,
     2,
-    "The shear constant per width. It needs `width`: mu is their product.",
+    "The shear constant per width. It needs `width`; mu is this constant times `width`.",
 );
 
 static SEGMENT: Table = Table {
     name: "[[foundation.segment]]",
     keys: &[
         quantity("from", &POSITION, "The start of the segment.").needed().also(ALSO_FROM),
-        quantity("to", &POSITION, "Its end.").needed().also(ALSO_TO),
+        quantity("to", &POSITION, "The end of the segment.").needed().also(ALSO_TO),
         K,
         SUBGRADE,
         C1,
@@ -73,11 +73,11 @@ static WAYS: Words = Words {
     all: || vec!["free", "held"],
     also: &[],
     message: "`{}` is not a kind of ground end",
-    hint: "\"free\", as beside a trench, or \"held\", as by a wall",
+    hint: "write \"free\" for an end at a trench, or \"held\" for an end at a wall",
 };
 const END: &[Key] = &[
     quantity("ends", &GROUND_POSITION, "The position of the end.").needed(),
-    word("as", &WAYS, "`free`, as beside a trench, or `held`, as by a wall.").needed(),
+    word("as", &WAYS, "The kind of end: `free` at a trench, or `held` at a wall.").needed(),
 ];
 static LEFT: Table = Table { name: "[foundation] left", keys: END };
 static RIGHT: Table = Table { name: "[foundation] right", keys: END };
@@ -109,9 +109,9 @@ static BODY: Body = Body {
 #[derive(Debug)]
 pub(crate) struct Ground {
     pub foundation: Foundation,
-    /// Bearing width of the whole beam.
+    /// Bearing width of the whole beam \[m\]; `None` if it varies or is not given.
     pub width: Option<f64>,
-    /// Bearing widths of segments, and that of the whole beam if it varies.
+    /// Bearing widths of segments. A bearing width that varies along the whole beam is also in this list.
     pub local_widths: Vec<Along>,
     pub band: Option<Band>,
 }
@@ -134,7 +134,7 @@ pub(super) fn read(reader: &mut Reader, root: &Section, beam: &Beam) -> Ground {
                 root,
                 &["foundation"],
                 "`[foundation]`",
-                "[foundation] with `k`, and `mu` if it has a shear layer",
+                "[foundation] with `k`, and with `mu` if the ground has a shear layer",
             );
         }
         return Ground::unreadable();
@@ -155,7 +155,7 @@ pub(super) fn read(reader: &mut Reader, root: &Section, beam: &Beam) -> Ground {
     ground
 }
 
-/// Ground defined by soil data, which excludes all constants.
+/// Reads ground that is defined by soil data, and reports constants of the ground that are also given.
 fn on_soil(reader: &mut Reader, table: &Section, soil: &Section, beam: &Beam) -> Ground {
     for key in ["k", "subgrade_modulus", "C1", "mu", "C2", "segment", "left", "right"] {
         if let Some((name, _)) = table.table.get_key_value(key) {
@@ -174,7 +174,7 @@ fn on_soil(reader: &mut Reader, table: &Section, soil: &Section, beam: &Beam) ->
     Ground { foundation, width: Some(width.value), local_widths: Vec::new(), band: None }
 }
 
-/// Ground defined by its constants.
+/// Reads ground that is defined by its constants k and μ.
 fn constants(reader: &mut Reader, table: &Section, beam_length: f64) -> Ground {
     let ends = ["left", "right"].map(|key| ground_end(reader, table, key));
     let own = given(reader, table);
@@ -222,7 +222,8 @@ fn ground_end(reader: &mut Reader, table: &Section, key: &'static str) -> Ground
     }
 }
 
-/// μ as given, or C2 times a width; `None` if the table gives neither.
+/// Returns the given μ, or μ as the product of the given `C2` (shear constant per width) and the bearing
+/// width; `None` if neither μ nor `C2` is given.
 fn shear(
     reader: &mut Reader,
     table: &Section,
@@ -232,7 +233,7 @@ fn shear(
     let given = reader.along(table, "mu");
     let Some(of_area) = of_area else { return given };
     if let Some(given) = &given {
-        let hint = "C2 times the width is `mu`; give one of the two";
+        let hint = "`mu` is the product of `C2` and `width`; give only `mu` or only `C2`";
         reader.exclusive(("mu", &given.span), ("C2", &of_area.span), hint);
     }
     let Some(width) = width else {
@@ -244,7 +245,8 @@ fn shear(
     Some(of_area.times(width, &of_area.span))
 }
 
-/// Reads a segment of a foundation with this C2, and the segment's own bearing width.
+/// Reads a segment of the ground, and the segment's own bearing width. `of_area` is the value of `C2` (shear
+/// constant per width) in `[foundation]`.
 fn read_segment(
     reader: &mut Reader,
     table: &Section,
@@ -260,7 +262,8 @@ fn read_segment(
     let of_area = reader.along(table, "C2").or(inherited);
     let own_shear = shear(reader, table, of_area.as_ref(), own_width.clone().or(width).as_ref());
     let mut segment = whole.segment(reader, table, (ends, way), &own, own_shear);
-    // Beyond the beam the ground has the values at the beam's ends, so varying ground must end there.
+    // Ground that varies along the beam is constant outside the beam, so its segments are clipped to the
+    // beam.
     if whole.varies() && segment.from < whole.length && segment.to > 0.0 {
         segment.from = segment.from.max(0.0);
         segment.to = segment.to.min(whole.length);

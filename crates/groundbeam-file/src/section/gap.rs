@@ -13,19 +13,18 @@ use crate::table::Section;
 use groundbeam::model::Part;
 use groundbeam::{Model, model::GapPoint};
 
-pub(super) static TABLE: Table =
-    Table {
-        name: "[[gap]]",
-        keys: &[
-            quantity("at", &POSITION, "The position of a point of the gap.").needed().also(ALSO_AT),
-            quantity("value", &CLEARANCE, "The initial gap there, positive if open.")
-                .needed()
-                .also(&["gap", "clearance", "size"]),
-        ],
-    };
+pub(super) static TABLE: Table = Table {
+    name: "[[gap]]",
+    keys: &[
+        quantity("at", &POSITION, "The position of a point of the gap.").needed().also(ALSO_AT),
+        quantity("value", &CLEARANCE, "The initial gap at this point, positive if open.")
+            .needed()
+            .also(&["gap", "clearance", "size"]),
+    ],
+};
 
 /// Sets the model's initial gap: the points of the file or of a survey, plus the troughs. Returns the number
-/// of chords if there are troughs. `pressures` are the mean loads of all requested results.
+/// of chords if there are troughs. `pressures` are the mean loads per length, one for each load combination.
 pub(super) fn read(
     reader: &mut Reader,
     root: &Section,
@@ -79,7 +78,7 @@ fn corners(reader: &mut Reader, root: &Section) -> Vec<GapPoint> {
     tables.iter().map(corner).collect()
 }
 
-/// A fault of a generated point is reported at the table that generated it.
+/// Sets the location of the generated points to `table`, so that faults of these points are reported there.
 fn place_all(reader: &mut Reader, corners: usize, table: &Section) {
     for i in 0..corners {
         reader.places.part(Part::Gap(i), &table.span);

@@ -14,7 +14,7 @@ pub(super) static TABLE: Table = Table {
         quantity(
             "rotational_spring",
             &ROTATIONAL_SPRING,
-            "Its rotational spring; default: 0, a free hinge.",
+            "The rotational spring of the hinge; default: 0, a free hinge.",
         )
         .also(&["k_r", "kr", "rotation", "rotational"]),
     ],

@@ -22,13 +22,13 @@ use toml::de::DeValue;
 /// A kind of load: its key, which determines the quantity, and the resulting load of the model.
 pub(crate) struct LoadKind {
     pub key: Key,
-    /// Its SI unit.
+    /// SI unit of the quantity under this key.
     pub unit: &'static str,
     action: Action,
 }
 
-/// All kinds, in the order in which messages list them. If several kinds give the same load, the first one is
-/// written.
+/// All kinds of load, in the order in which messages list them. If several kinds describe one load of the
+/// model, a written file contains the first of these kinds.
 static KINDS: [LoadKind; 7] = [
     LoadKind { key: POINT, unit: "N", action: Action::Force },
     LoadKind { key: MOMENT_AT, unit: "N m", action: Action::Moment },
@@ -71,13 +71,15 @@ const WARMER: Key = along(
     "temperature_difference",
     &TEMPERATURE,
     2,
-    "Temperature of the top minus that of the bottom: κ₀ = expansion × difference / depth.",
+    "The temperature of the top minus the temperature of the bottom; it causes the curvature κ₀ \
+     = expansion × difference / depth.",
 );
 const SHRUNK: Key = along(
     "shrinkage_difference",
     &STRAIN,
     2,
-    "Shrinkage of the top minus that of the bottom: κ₀ = −difference / depth.",
+    "The shrinkage of the top minus the shrinkage of the bottom; it causes the curvature κ₀ = \
+     −difference / depth.",
 );
 
 impl LoadKind {
@@ -86,7 +88,8 @@ impl LoadKind {
     }
 }
 
-const CASE: Key = text("case", "Q", "The load case of the load: any name.").also(&["load_case"]);
+const CASE: Key =
+    text("case", "Q", "The name of the load case to which the load belongs.").also(&["load_case"]);
 
 pub(super) static TABLE: Table = Table {
     name: "[[load]]",
@@ -123,12 +126,12 @@ pub(super) static ON_GROUND: Table = Table {
         DISTRIBUTED,
         quantity("at", &GROUND_POSITION, "The position of a force at a point.").also(ALSO_AT),
         quantity("from", &GROUND_POSITION, "The start of a distributed force.").also(ALSO_FROM),
-        quantity("to", &GROUND_POSITION, "Its end.").also(ALSO_TO),
+        quantity("to", &GROUND_POSITION, "The end of a distributed force.").also(ALSO_TO),
         CASE,
     ],
 };
 
-/// Kind of a load of the model.
+/// Returns the first kind that describes a load of the model.
 pub(crate) fn kind_of(load: &Load) -> &'static LoadKind {
     let is_distributed = load.extent().is_distributed();
     let same =
@@ -136,7 +139,7 @@ pub(crate) fn kind_of(load: &Load) -> &'static LoadKind {
     KINDS.iter().find(same).unwrap_or(&KINDS[0])
 }
 
-/// The loads, each with its load case.
+/// Reads the loads on the beam, and the load case of each load.
 pub(super) fn read(
     reader: &mut Reader,
     root: &Section,
@@ -153,19 +156,21 @@ pub(super) fn read(
     (loads, cases)
 }
 
-/// Name of a load case under a key, without surrounding spaces.
+/// Reads the name of a load case under `key`, without surrounding spaces.
 pub(super) fn case(reader: &mut Reader, table: &Section, key: &str) -> Option<String> {
     let (name, span) = reader.text(table, key)?;
     let name = name.trim();
     if name.is_empty() {
         let message = "the load case has no name";
-        let hint = format!("write its name, as in {key} = \"Q\", or leave the key out");
+        let hint =
+            format!("write the name of the load case, as in {key} = \"Q\", or leave the key out");
         reader.report(Fault::new(code::EMPTY_NAME, span, message, "", hint));
     }
     Some(name.to_owned())
 }
 
-/// Loads on the ground, each with its load case. `first` is the number of loads before them.
+/// Reads the loads on the ground, each with its load case. `first` is the number of loads that precede them
+/// in the model.
 pub(super) fn read_on_ground(
     reader: &mut Reader,
     root: &Section,
@@ -197,7 +202,7 @@ fn read_one(reader: &mut Reader, table: &Section, beam_length: f64, curls: &Curl
         return nothing(reader, table);
     };
     for (other, other_value) in &given[1..] {
-        let hint = format!("give each load a {} of its own", table.name());
+        let hint = format!("write a separate {} for each load", table.name());
         reader.exclusive(
             (kind.key.name, &value.span()),
             (other.key.name, &other_value.span()),
@@ -210,7 +215,8 @@ fn read_one(reader: &mut Reader, table: &Section, beam_length: f64, curls: &Curl
     let extent = if kind.is_distributed() {
         let [from, to] = stretch(reader, table, kind, on_ground, beam_length);
         let (start, end) = intensity(reader, table, kind, value);
-        // A missing kind has been reported.
+        // The curvature per unit of the load is NaN if the depth or the thermal expansion is unreadable. The
+        // unreadable value has been reported.
         let per = match kind.action {
             Action::Curvature => {
                 curl::curvature_per(reader, table, kind.key.name, [from, to], curls)
@@ -227,7 +233,7 @@ fn read_one(reader: &mut Reader, table: &Section, beam_length: f64, curls: &Curl
         reader.place(table, name, &size);
         Extent::Point { at: at.value, size: size.value }
     };
-    // Every kind of the table makes a valid load, so the placeholder is never used.
+    // Every kind of load that a table allows gives a valid load, so the placeholder is never used.
     Load::new(kind.action, extent, on_ground).unwrap_or_else(|| nothing(reader, table))
 }
 
@@ -239,7 +245,8 @@ fn nothing(reader: &mut Reader, table: &Section) -> Load {
     Load::point_force(f64::NAN, f64::NAN)
 }
 
-/// Reads `from` and `to`. A load on the beam without them covers the whole beam.
+/// Reads the ends `from` and `to` of a distributed load. By default, a load on the beam covers the whole
+/// beam.
 fn stretch(
     reader: &mut Reader,
     table: &Section,
@@ -249,7 +256,9 @@ fn stretch(
 ) -> [f64; 2] {
     let advice = match on_ground {
         true => "a distributed load has `from` and `to`",
-        false => "a distributed load has `from` and `to`; left out: 0 and the length of the beam",
+        false => {
+            "a distributed load has `from` and `to`; the defaults are 0 and the length of the beam"
+        }
     };
     misplaced(reader, table, kind.key.name, &["at"], advice);
     [("from", 0.0), ("to", beam_length)].map(|(key, default)| {
@@ -257,7 +266,7 @@ fn stretch(
             return reader.required(table, key).value;
         }
         let field = reader.quantity(table, key).unwrap_or_else(|| {
-            // If the beam's length is unreadable, so is this end.
+            // If the length of the beam is unreadable, the default of `to` is also unreadable.
             let whole = Field::new(default, table.span.clone());
             reader.place(table, key, &whole);
             whole
@@ -266,7 +275,7 @@ fn stretch(
     })
 }
 
-/// One number for a uniform load, or a list of two: at `from` and at `to`.
+/// Reads the values of a distributed load at `from` and at `to`. A single number describes a uniform load.
 fn intensity(
     reader: &mut Reader,
     table: &Section,
@@ -308,7 +317,7 @@ fn refuse_keys_of_curvatures(reader: &mut Reader, table: &Section, kind: &str) {
     let advice = match kind {
         "temperature_difference" | "shrinkage_difference" => return,
         "curvature" => "a curvature needs no depth",
-        _ => "`depth` belongs to a difference between top and bottom",
+        _ => "`depth` belongs to a `temperature_difference` or a `shrinkage_difference`",
     };
     misplaced(reader, table, kind, &["depth"], advice);
 }

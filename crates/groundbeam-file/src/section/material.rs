@@ -1,4 +1,4 @@
-//! Reads `material = "…"`: E by name, and on request its unit weight and thermal expansion.
+//! Reads `material = "…"`, which gives E and, on request, the unit weight and the thermal expansion.
 
 use crate::code;
 use crate::fault::Fault;
@@ -11,12 +11,12 @@ use crate::table::Section;
 use crate::units::Seen;
 use groundbeam::model::Profile;
 
-/// E of the material that `table` names; otherwise the given E.
+/// Returns E of the material that `table` names; without a material, returns the given E.
 pub(super) fn modulus(reader: &mut Reader, table: &Section, given: Option<Along>) -> Option<Along> {
     let Some(value) = table.value("material") else { return given };
     let value = value.span();
     if let Some(given) = &given {
-        let hint = "the material gives E; keep one of the two";
+        let hint = "the material gives E: keep either `E` or `material`";
         reader.exclusive(("material", &value), ("E", &given.span), hint);
     }
     reader.quantities.push(Seen::of_built_in("material", &ELASTIC_MODULUS, value.clone()));
@@ -26,7 +26,7 @@ pub(super) fn modulus(reader: &mut Reader, table: &Section, given: Option<Along>
     })
 }
 
-/// The material that `table` names. An unknown name is reported.
+/// Finds the material that `table` names, and reports an unknown name.
 fn named(reader: &mut Reader, table: &Section) -> Option<&'static Material> {
     let (written, span) = reader.text(table, "material")?;
     let name = written.trim();
@@ -46,7 +46,7 @@ fn named(reader: &mut Reader, table: &Section) -> Option<&'static Material> {
     found
 }
 
-/// The material of a table that has been checked.
+/// Returns the material that `table` names; `None` if the name is missing or unknown.
 pub(super) fn of(table: &Section) -> Option<&'static Material> {
     materials::find(table.value("material")?.get_ref().as_str()?.trim())
 }

@@ -1,4 +1,4 @@
-//! Readers of the tables of a model file, one source file each, in the order of [`groundbeam::Model`].
+//! Reads the tables of a model file; each table has its own source file.
 
 mod band;
 mod beam;
@@ -70,7 +70,7 @@ pub(crate) static MODEL: Table = Table {
     ],
 };
 
-/// The readable contents of the whole file.
+/// Contents of a model file.
 pub(crate) struct Contents {
     pub title: Option<String>,
     pub model: Model,
@@ -108,7 +108,7 @@ pub(crate) fn read(reader: &mut Reader, root: &Section) -> Contents {
         let part = Part::Load(loads.len());
         reader.places.part(part, &span);
         reader.places.field(part, "start", &Field::new(0.0, span.clone()));
-        // The segments' own tables report faults of `from` and `to`.
+        // Faults of `from` and `to` are reported at the tables of the beam's segments.
         for end in ["from", "to"] {
             reader.places.field(part, end, &Field::unreadable(span.clone()));
         }
@@ -133,7 +133,8 @@ pub(crate) fn read(reader: &mut Reader, root: &Section) -> Contents {
     Contents { title, model, chords, ground, limits, cases, recipes, trains, height, depths: known }
 }
 
-/// Mean load per length for each result that the file asks for.
+/// Computes the mean load per length \[N/m\] for each combination of the file, or for all loads if the file
+/// has no combinations.
 fn mean_loads(model: &Model, cases: &[Option<String>], recipes: &[Recipe]) -> Vec<f64> {
     let mean =
         |factor: &dyn Fn(usize) -> f64| chords::mean_load(&model.loads, model.beam.length, factor);

@@ -1,9 +1,8 @@
-//! Computes segments of the beam (EI, S) and of the ground (k, μ) from their tables and the table for the
-//! whole beam.
+//! Computes segments of the beam (EI, S) and of the ground (k, μ) from their tables and the table for the whole beam.
 //!
-//! A factor that a segment leaves out has the value of the whole beam at the same position. The same holds
-//! for EI or k if the segment gives only S or μ. A variation along the whole beam applies outside the
-//! segments.
+//! EI is the product of `E` and `I`, and k is the product of `subgrade_modulus` and `width`. A segment inherits
+//! a missing factor from the whole beam at the same position. A segment that gives only S or μ inherits EI or k.
+//! Outside the segments, the values for the whole beam apply.
 
 use crate::profile::{Along, left_out};
 use crate::reader::{Field, Reader};
@@ -12,16 +11,16 @@ use crate::table::Section;
 use groundbeam::model::Part;
 use groundbeam::model::Profile;
 
-/// Quantities of the beam or of the ground.
+/// Segments, field names and keys of the beam or of the ground.
 pub(super) struct Body {
     pub segment: fn(usize) -> Part,
-    /// Fields of the model: EI and S, or k and μ.
+    /// Names of two fields of the model: EI and S of the beam, or k and μ of the ground.
     pub fields: [&'static str; 2],
     /// Keys of EI or k.
     pub keys: Keys,
 }
 
-/// A stretch of the beam or of the ground.
+/// A segment of the beam or of the ground.
 pub(super) struct Segment {
     pub from: f64,
     pub to: f64,
@@ -36,7 +35,7 @@ pub(super) struct Whole {
     pub length: f64,
     given: Given,
     stiffness: Stiffness,
-    /// S or μ, for segments that leave it out.
+    /// S or μ of the whole beam, which segments without S or μ inherit.
     second: Option<Along>,
     body: &'static Body,
 }
@@ -53,7 +52,8 @@ impl Whole {
         Whole { length, given, stiffness, second, body }
     }
 
-    /// The quantities given for the whole beam, restricted to a part of it.
+    /// Returns the data given for the whole beam, restricted to the part between two fractions of its
+    /// length.
     pub fn given(&self, way: [f64; 2]) -> Given {
         self.given.between(way)
     }
@@ -65,13 +65,14 @@ impl Whole {
         all.into_iter().flatten().any(|along| !along.profile.is_constant())
     }
 
-    /// Ends of a segment: positions, and fractions of the beam's length.
+    /// Reads the ends of a segment. Returns their positions \[m\], and their positions as fractions of the
+    /// beam length.
     pub fn ends(&self, reader: &mut Reader, table: &Section) -> ([f64; 2], [f64; 2]) {
         let ends = ["from", "to"].map(|key| reader.required(table, key).value);
         (ends, ends.map(|x| (x / self.length).clamp(0.0, 1.0)))
     }
 
-    /// A segment with the values in `own`, and S or μ if it gives one.
+    /// Computes a segment from its own data `own`, and from its own S or μ in `second`, if given.
     pub fn segment(
         &self,
         reader: &mut Reader,
@@ -83,7 +84,7 @@ impl Whole {
         let [name, second_name] = self.body.fields;
         let stiffness = own.resolve(reader, &self.given(way), &self.body.keys);
         let stiffness = match (stiffness, &self.stiffness) {
-            // A wrong value of the whole beam is reported at its own table.
+            // The segment inherits EI or k. A wrong value is reported at the table for the whole beam.
             (Stiffness::NotGiven, Stiffness::Known(whole)) if second.is_some() => {
                 reader.place(table, name, &Field::unreadable(0..0));
                 whole.between(way)
@@ -101,7 +102,8 @@ impl Whole {
         Segment { from, to, stiffness: stiffness.profile, second }
     }
 
-    /// Constants outside all segments. Adds segments where a quantity of the whole beam varies.
+    /// Returns the constants that apply outside all segments. If a quantity varies along the whole beam,
+    /// adds segments that cover the rest of the beam.
     pub fn complete(
         self,
         reader: &mut Reader,
@@ -115,7 +117,8 @@ impl Whole {
         if let (Stiffness::NotGiven | Stiffness::Half(..), Some(last)) = (&stiffness, rightmost)
             && cover(length, stretches.iter().copied())
         {
-            // The segments cover the whole beam, so the constants apply nowhere. They must only be valid.
+            // The segments cover the whole beam, so the returned constants apply nowhere. Any valid constants
+            // are suitable.
             reader.place(table, name, &Field::unreadable(0..0));
             return (last.stiffness.end(), last.second.map(|second| second.end()));
         }
@@ -125,7 +128,7 @@ impl Whole {
         let constants = (start(&stiffness), second.as_ref().map(start));
         let all = [Some(&stiffness), second.as_ref()];
         let varies = all.into_iter().flatten().any(|along| !along.profile.is_constant());
-        // An invalid value at the start has been reported already.
+        // Constants that are invalid at the left end of the beam are reported by the model.
         if !varies || constants.0 <= 0.0 || constants.1.is_some_and(|second| second < 0.0) {
             return constants;
         }

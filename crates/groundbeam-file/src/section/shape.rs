@@ -1,5 +1,4 @@
-//! Reads `section = { … }`: computes area, second moment and shear area of a cross-section from its
-//! dimensions.
+//! Reads `section = { … }`: computes area, second moment and shear area of a cross-section from its dimensions.
 //!
 //! The shear area is A/F with the form factor F of Young, Budynas and Sadegh, *Roark's Formulas for Stress
 //! and Strain*, 8th ed., section 8.10: 6/5 for a rectangle, 10/9 for a circle, 2 for a thin tube. For a box,
@@ -68,7 +67,7 @@ impl Shape {
         Shape { depth: unknown, ..Shape::constant([f64::NAN; 3], span) }
     }
 
-    /// The section between two fractions of the stretch.
+    /// Returns the properties of the section between two fractions of the length of the stretch.
     pub fn between(&self, way: [f64; 2]) -> Self {
         Shape {
             inertia: self.inertia.between(way),
@@ -79,7 +78,8 @@ impl Shape {
     }
 }
 
-/// A shape from its dimensions: \[A, I, shear area\], or the dimension that leaves no room for the others.
+/// A shape of a section. `measure` computes \[A, I, shear area\] from the dimensions, or returns the
+/// dimension that is too large for the other dimensions.
 struct Kind {
     name: &'static str,
     sides: &'static [&'static str],
@@ -161,10 +161,11 @@ fn fits(room: f64, side: &'static str) -> Result<(), &'static str> {
     if room <= 0.0 { Err(side) } else { Ok(()) }
 }
 
-/// The cross-section that `table` gives, if any.
+/// Reads the cross-section that `table` gives, if any.
 pub(super) fn read(reader: &mut Reader, table: &Section) -> Option<Shape> {
     let Some(section) = reader.open(table, "section") else {
-        // A wrong type has been reported. The section counts as given, so that I is not reported as missing.
+        // A value that is not a table has been reported. A placeholder for the section is returned, so that I is
+        // not reported as missing.
         return table.value("section").map(|value| Shape::unreadable(value.span()));
     };
     if section.value("rail").is_some() {
@@ -185,7 +186,8 @@ pub(super) fn read(reader: &mut Reader, table: &Section) -> Option<Shape> {
     })
 }
 
-/// A = b h and I = b h³ / 12. Both dimensions may vary linearly.
+/// Computes a rectangle of the width b and the height h: A = b h and I = b h³/12. Both dimensions may vary
+/// linearly.
 fn rectangle(reader: &mut Reader, section: &Section) -> Shape {
     reader.refuse_all_but(section, &["shape", "width", "height"]);
     let [width, height] = ["width", "height"].map(|key| side(reader, section, key));
@@ -202,7 +204,7 @@ fn rectangle(reader: &mut Reader, section: &Section) -> Shape {
     Shape { inertia, area, shear_area, depth: Some(height) }
 }
 
-/// A shape from its dimensions, each of which may vary linearly.
+/// Computes a shape from its dimensions, each of which may vary linearly.
 fn by_sides(reader: &mut Reader, section: &Section, kind: &Kind) -> Shape {
     let fillet = (kind.name == "I").then_some("fillet");
     let keys = ["shape"].into_iter().chain(kind.sides.iter().copied()).chain(fillet);
@@ -210,7 +212,7 @@ fn by_sides(reader: &mut Reader, section: &Section, kind: &Kind) -> Shape {
     let side = |key: &&'static str| side(reader, section, key);
     let mut sides: Vec<Along> = kind.sides.iter().map(side).collect();
     if let Some(given) = fillet.and_then(|key| reader.along(section, key)) {
-        // A fillet of zero is the default: none.
+        // A fillet radius of zero, which is the default, means no fillet.
         if given.profile != Profile::constant(0.0) {
             sides.push(reader.positive_along("fillet", given));
         }
@@ -252,7 +254,7 @@ fn by_sides(reader: &mut Reader, section: &Section, kind: &Kind) -> Shape {
     Shape { inertia: along(quartic(inertia)), area: along(square(area)), shear_area, depth }
 }
 
-/// A required positive dimension: one value, or a list of two.
+/// Reads a required positive dimension: one value, or a list of two values.
 fn side(reader: &mut Reader, section: &Section, key: &'static str) -> Along {
     let given = reader.along(section, key);
     let given = given.map(|given| reader.positive_along(key, given));
@@ -262,10 +264,10 @@ fn side(reader: &mut Reader, section: &Section, key: &'static str) -> Along {
     })
 }
 
-/// Fractions at which a polynomial of degree 4 is sampled.
+/// Fractions of the length of a stretch at which a polynomial of degree 4 is sampled.
 const QUARTERS: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
 
-/// Polynomial of degree 4 from its values at the quarters.
+/// Returns the polynomial of degree 4 with the given values at the fractions [`QUARTERS`].
 fn quartic([a, b, c, d, e]: [f64; 5]) -> Profile {
     let beside = |a, b, c, d, e| (-13.0 * a + 48.0 * b - 36.0 * c + 16.0 * d - 3.0 * e) / 12.0;
     let middle = (13.0 * (a + e) - 64.0 * (b + d) + 120.0 * c) / 18.0;
@@ -273,7 +275,8 @@ fn quartic([a, b, c, d, e]: [f64; 5]) -> Profile {
     Profile::by_control_values(&values).unwrap_or(Profile::constant(f64::NAN))
 }
 
-/// Polynomial of degree 2, or of degree 1 if its curvature is only rounding.
+/// Returns the polynomial of degree 2 with the given values at the fractions [`QUARTERS`]. If its curvature
+/// is only rounding error, returns a linear polynomial.
 fn square([a, _, c, _, e]: [f64; 5]) -> Profile {
     let bend = 2.0 * c - (a + e);
     if bend.abs() <= 16.0 * f64::EPSILON * (a + e) {
@@ -283,7 +286,7 @@ fn square([a, _, c, _, e]: [f64; 5]) -> Profile {
     Profile::by_control_values(&values).unwrap_or(Profile::constant(f64::NAN))
 }
 
-/// A tabulated section with the name given under a key.
+/// Finds the tabulated section whose name is given under `key`.
 fn named(
     reader: &mut Reader,
     section: &Section,
@@ -328,8 +331,8 @@ mod tests {
         }
     }
 
-    /// Compares with the parts: outer minus inner area, and the T about its own centroid by the parallel-axis
-    /// theorem.
+    /// Compares the area and the second moment of area of a section with the sums over its parts. A hollow
+    /// section is the outer shape minus the inner shape. A T is a flange plus a stem (parallel-axis theorem).
     #[test]
     fn sections_agree_with_the_sums_over_their_parts() {
         let circle = |d: f64| [PI * d * d / 4.0, PI * d.powi(4) / 64.0];
@@ -341,21 +344,21 @@ mod tests {
         let [outer, inner] = [rectangle(2.0, 1.0), rectangle(1.6, 0.6)];
         let hollow = [outer[0] - inner[0], outer[1] - inner[1]];
         close(measured("box", &[2.0, 1.0, 0.2]).unwrap(), hollow);
-        // A flange of 2 × 0.25 over a stem of 0.5 × 0.75.
+        // The T has a flange of 2 × 0.25 over a stem of 0.5 × 0.75.
         let (flange, stem) = (rectangle(2.0, 0.25), rectangle(0.5, 0.75));
         let centre = (flange[0] * 0.125 + stem[0] * 0.625) / (flange[0] + stem[0]);
         let steiner = |part: [f64; 2], at: f64| part[1] + part[0] * (at - centre).powi(2);
         let inertia = steiner(flange, 0.125) + steiner(stem, 0.625);
         close(measured("T", &[2.0, 1.0, 0.25, 0.5]).unwrap(), [flange[0] + stem[0], inertia]);
-        // IPE 300 without fillets: A = 5188 mm², I = 7999 cm⁴.
+        // An IPE 300 without fillets has A = 5188 mm² and I = 7999 cm⁴.
         let [area, inertia] = measured("I", &[150.0, 300.0, 10.7, 7.1]).unwrap();
         assert!((area - 5188.0).abs() < 1.0 && (inertia / 1e4 - 7999.0).abs() < 1.0);
-        // IPE 300 with fillets of 15 mm has the values printed in the tables.
+        // An IPE 300 with fillets of 15 mm has A = 5381 mm² and I = 8356 cm⁴.
         let [area, inertia] = measured("I", &[150.0, 300.0, 10.7, 7.1, 15.0]).unwrap();
         assert!((area - 5381.0).abs() < 1.0 && (inertia / 1e4 - 8356.0).abs() < 1.0);
     }
 
-    /// Compares with the formulas between the sampled fractions.
+    /// Compares the interpolating polynomials with the sampled functions at other fractions of the length.
     #[test]
     fn dimensions_that_vary_along_the_beam() {
         let powers = |t: f64| (3.0 - 2.0 * t, (3.0 - 2.0 * t).powi(4), (3.0 - 2.0 * t).powi(2));

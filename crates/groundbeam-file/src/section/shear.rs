@@ -11,17 +11,18 @@ use crate::stiffness::{Given, Keys, Stiffness};
 use crate::table::Section;
 use groundbeam::model::Profile;
 
-// Keys in `[beam]` and in `[[beam.segment]]`.
+// Keys of the shear stiffness, in `[beam]` and in `[[beam.segment]]`.
 const SHEARS: Value = Value::Along(&SHEAR_STIFFNESS, Profile::MOST);
 pub(super) const STIFFNESS: Key =
     key("shear_stiffness", SHEARS, "The shear stiffness S = κGA; default: no shear deformation.")
         .also(&["kga", "gas", "gav", "shear_rigidity", "timoshenko"]);
 pub(super) const GA: Key = key("GA", SHEARS, "Another name of `shear_stiffness`.");
 pub(super) const MODULUS: Key =
-    along("G", &SHEAR_MODULUS, 2, "The shear modulus, with a `section` or `shear_area`.")
+    along("G", &SHEAR_MODULUS, 2, "The shear modulus; it needs a `section` or `shear_area`.")
         .also(&["shear_modulus"]);
 pub(super) const POISSON: Key =
-    quantity("nu", &RATIO, "Poisson's ratio, in place of `G`: G = E/2(1 + nu).").also(ALSO_NU);
+    quantity("nu", &RATIO, "Poisson's ratio, in place of `G`; it gives G = E/(2 (1 + nu)).")
+        .also(ALSO_NU);
 pub(super) const AREA: Key =
     along("shear_area", &SHEAR_AREA, 2, "The shear area κA; default: that of the section.")
         .also(&["as", "a_s", "av", "a_v"]);
@@ -30,7 +31,7 @@ const fn keys(modulus: &'static str) -> Keys {
     Keys {
         product: "shear_stiffness",
         factors: [modulus, "shear_area"],
-        instead: ", or a `section` that has one, in place of `EI` or `I`",
+        instead: ", or a `section` that has a shear area, in place of `EI` or `I`",
     }
 }
 
@@ -44,13 +45,13 @@ pub(super) struct Shear {
 }
 
 impl Shear {
-    /// The data for a part of the stretch.
+    /// Returns the shear data between two fractions of the length of the stretch.
     pub fn between(&self, way: [f64; 2]) -> Self {
         Shear { given: self.given.between(way), ..self.clone() }
     }
 
-    /// Reads the shear data of `table`, for a beam with these E (the table's own or the whole beam's) and the
-    /// table's own section.
+    /// Reads the shear data of `table`. `modulus` contains the E of the table and the E of the whole beam,
+    /// and `shape` is the table's own section.
     pub fn read(
         reader: &mut Reader,
         table: &Section,
@@ -60,7 +61,7 @@ impl Shear {
     ) -> Self {
         let both = ["shear_stiffness", "GA"].map(|key| reader.along(table, key));
         if let [Some(a), Some(b)] = &both {
-            let hint = "they have the same meaning; keep one of the two";
+            let hint = "`shear_stiffness` and `GA` have the same meaning; keep one of the two";
             reader.exclusive(("shear_stiffness", &a.span), ("GA", &b.span), hint);
         }
         let [named, short] = both;
@@ -68,10 +69,10 @@ impl Shear {
         let shear_modulus = shear_modulus.map(|given| reader.positive_along("G", given));
         let poisson = poisson(reader, table);
         if let (Some(given), Some(poisson)) = (&shear_modulus, &poisson) {
-            let hint = "`nu` gives G = E/2(1 + nu); keep one of the two";
+            let hint = "`nu` gives G = E/(2 (1 + nu)): keep either `G` or `nu`";
             reader.exclusive(("G", &given.span), ("nu", &poisson.span), hint);
         }
-        // With the same Poisson's ratio, another E gives another G.
+        // A segment with its own E inherits Poisson's ratio, so that it has its own G.
         let [own, whole] = modulus;
         let inherited = parent.poisson.clone().filter(|_| own.is_some() && shear_modulus.is_none());
         let of = poisson.clone().or(inherited);
@@ -82,7 +83,7 @@ impl Shear {
             }
             None => {
                 let message = "`nu` is given without `E`";
-                let hint = "give `E` or a `material`, and a `section`, in place of `EI`; or `shear_stiffness` in place of `nu`";
+                let hint = "replace `EI` by a `section` with `E` or a `material`, or replace `nu` by `shear_stiffness`";
                 let fault = Fault::new(code::INCOMPLETE, nu.span.clone(), message, "", hint);
                 reader.report(fault);
                 Along::unreadable(nu.span)
@@ -97,12 +98,13 @@ impl Shear {
         Shear { given, poisson, says_area }
     }
 
-    /// Shear stiffness of a table, if it gives any data for it. Missing values are reported.
+    /// Computes the shear stiffness from the data of a table, and reports missing values. Returns `None` if
+    /// the table gives no data for the shear stiffness.
     pub fn settle(&self, reader: &mut Reader, table: &Section, parent: &Shear) -> Option<Along> {
         let keys = keys(if self.poisson.is_some() { "nu" } else { "G" });
         let mut given = self.given.clone();
         if given.product.is_some() && !self.says_area {
-            // The shear area of a section is not given explicitly.
+            // The file gives the shear stiffness directly, so the shear area of the section is ignored.
             given.factors[1] = None;
         }
         match given.resolve(reader, &parent.given, &keys) {
@@ -114,12 +116,12 @@ impl Shear {
     }
 }
 
-/// Poisson's ratio of the beam's material.
+/// Reads Poisson's ratio of the beam's material, which must lie between 0 and 0.5.
 fn poisson(reader: &mut Reader, table: &Section) -> Option<Field> {
     let poisson = reader.quantity(table, "nu")?;
     if poisson.value < 0.0 || poisson.value > 0.5 {
         let message = "Poisson's ratio must lie between 0 and 0.5";
-        let hint = "0.2 for concrete, 0.3 for steel; for timber give `G`";
+        let hint = "write nu = 0.2 for concrete or nu = 0.3 for steel; for timber give `G`";
         reader.report(Fault::new(code::POISSON, poisson.span.clone(), message, "", hint));
         return Some(Field::unreadable(poisson.span));
     }

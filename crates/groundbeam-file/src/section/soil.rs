@@ -8,7 +8,8 @@ use crate::reader::Reader;
 use crate::table::Section;
 use groundbeam::soil::{Elastic, LayeredSoil, PlateTest, Soil, SoilLayer, SoilModel};
 
-/// A method: its name, its keys, and keys that indicate another method.
+/// A method that computes k and μ from soil data: its name, its keys, the function that reads its data, and
+/// the function that recognises its soils.
 struct Method {
     name: &'static str,
     keys: &'static [&'static str],
@@ -16,7 +17,7 @@ struct Method {
     is_of: fn(&Soil) -> bool,
 }
 
-/// Name of a soil's method in a model file.
+/// Returns the name that a model file uses for the method of a soil.
 pub(crate) fn method_name(soil: &Soil) -> &'static str {
     METHODS.iter().find(|method| (method.is_of)(soil)).map_or("", |method| method.name)
 }
@@ -24,7 +25,8 @@ pub(crate) fn method_name(soil: &Soil) -> &'static str {
 const ELASTIC: &[&str] = &["method", "E", "nu"];
 const PLATE: &[&str] = &["method", "plate_modulus", "plate_width"];
 
-/// Names of the oedometric modulus (no lateral strain).
+/// Keys that probably mean the oedometric modulus (no lateral strain), which is not accepted in place of
+/// `E`.
 const OEDOMETRIC: &[&str] = &["e_s", "es", "e_oed", "eoed", "e_stat", "m_s"];
 const OF_OEDOMETRIC: &str = "write `E`, the modulus with free lateral strain; from an oedometric modulus E_s it is \
                              E = E_s (1 + nu) (1 − 2 nu)/(1 − nu)";
@@ -44,7 +46,7 @@ static LAYER: Table = Table {
 static NAMES: Words = Words {
     all: || METHODS.iter().map(|method| method.name).collect(),
     also: &[],
-    message: "`{}` is not a method to compute ground from soil data",
+    message: "`{}` is not a method that computes k and mu from soil data",
     hint: "methods: {}",
 };
 
@@ -53,18 +55,35 @@ pub(super) static TABLE: Table = Table {
     name: "[foundation.soil]",
     keys: &[
         word("method", &NAMES, "The method that computes k and mu.").needed(),
-        tables("layer", &LAYER, "`…vlasov`: the layers above rock, the uppermost first."),
-        quantity("gamma", &RATIO, "`vlasov`: the parameter of the decay with depth."),
-        quantity("E", &SOIL_MODULUS, "`vesic` to `selvadurai`: the elastic modulus.")
-            .also(ALSO_E)
-            .unlike(OEDOMETRIC, OF_OEDOMETRIC),
-        quantity("nu", &RATIO, "`vesic` to `selvadurai`: Poisson's ratio.").also(ALSO_NU),
+        tables(
+            "layer",
+            &LAYER,
+            "The layers above rock, the uppermost first, for `vlasov` and `modified-vlasov`.",
+        ),
+        quantity("gamma", &RATIO, "The parameter of the decay with depth, for `vlasov`."),
+        quantity(
+            "E",
+            &SOIL_MODULUS,
+            "The elastic modulus, for `vesic`, `biot`, `meyerhof-baike` and `selvadurai`.",
+        )
+        .also(ALSO_E)
+        .unlike(OEDOMETRIC, OF_OEDOMETRIC),
+        quantity(
+            "nu",
+            &RATIO,
+            "Poisson's ratio, for `vesic`, `biot`, `meyerhof-baike` and `selvadurai`.",
+        )
+        .also(ALSO_NU),
         quantity(
             "plate_modulus",
             &SUBGRADE_MODULUS,
-            "`terzaghi-…`: the subgrade modulus of a plate test.",
+            "The subgrade modulus of a plate test, for `terzaghi-clay` and `terzaghi-sand`.",
         ),
-        quantity("plate_width", &WIDTH, "`terzaghi-…`: the width of the plate."),
+        quantity(
+            "plate_width",
+            &WIDTH,
+            "The width of the plate, for `terzaghi-clay` and `terzaghi-sand`.",
+        ),
     ],
 };
 
@@ -119,7 +138,7 @@ const METHODS: [Method; 8] = [
     },
 ];
 
-/// The soil model under a beam with this bearing width.
+/// Reads the soil model under a beam with the bearing width `width`.
 pub(super) fn read(reader: &mut Reader, table: &Section, width: f64) -> Option<SoilModel> {
     let method = method(reader, table)?;
     reader.refuse_all_but(table, method.keys);
@@ -150,7 +169,7 @@ fn elastic(reader: &mut Reader, table: &Section) -> Elastic {
     let poisson = reader.required(table, "nu");
     if poisson.value < 0.0 || poisson.value >= 0.5 {
         let message = "Poisson's ratio of a soil must lie between 0 and 0.5";
-        let hint = "0.2 to 0.35 for sand, 0.4 to 0.45 for wet clay; 0.5 would be a fluid";
+        let hint = "write 0.2 to 0.35 for sand, or 0.4 to 0.45 for wet clay; 0.5 is not allowed";
         reader.report(Fault::new(code::POISSON, poisson.span, message, "", hint));
         return Elastic { modulus, poisson: f64::NAN };
     }

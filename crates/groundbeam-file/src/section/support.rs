@@ -14,7 +14,7 @@ static TYPES: Words = Words {
         ("fixed", &["clamped", "built-in", "encastre", "rigid"]),
     ],
     message: "`{}` is not a support type",
-    hint: "`pinned` prevents deflection, `fixed` also rotation",
+    hint: "`pinned` prevents deflection, and `fixed` prevents deflection and rotation",
 };
 
 static DIRECTIONS: Words = Words {
@@ -24,29 +24,40 @@ static DIRECTIONS: Words = Words {
         ("down", &["tension", "pull", "hold-down", "downward", "downwards"]),
     ],
     message: "`{}` is not a support direction",
-    hint: "`up` only pushes the beam up, `down` only holds it down, `both` does both",
+    hint: "`up` only pushes the beam up, `down` only holds it down, and `both` acts in both directions",
 };
 
 pub(super) static TABLE: Table = Table {
     name: "[[support]]",
     keys: &[
         quantity("at", &POSITION, "The position on the beam.").needed().also(ALSO_AT),
-        word("type", &TYPES, "Rigid: `pinned` requires w = 0, `fixed` also w′ = 0.")
-            .also(&["kind"]),
-        quantity("spring", &SPRING, "Elastic: force per deflection.").also(&[
-            "k",
-            "stiffness",
-            "spring_constant",
-        ]),
-        quantity("rotational_spring", &ROTATIONAL_SPRING, "Elastic: moment per angle.").also(&[
-            "k_r",
-            "kr",
-            "rotation",
-            "rotational",
-        ]),
-        quantity("settlement", &CLEARANCE, "Its settlement, positive downward; default: 0."),
-        word("acts", &DIRECTIONS, "`up` only pushes up, `down` only holds down; default: `both`.")
-            .also(&["direction", "one_way", "only"]),
+        word(
+            "type",
+            &TYPES,
+            "The type of a rigid support: `pinned` requires w = 0, and `fixed` requires w = 0 \
+             and w′ = 0.",
+        )
+        .also(&["kind"]),
+        quantity("spring", &SPRING, "The spring of an elastic support, as a force per deflection.")
+            .also(&["k", "stiffness", "spring_constant"]),
+        quantity(
+            "rotational_spring",
+            &ROTATIONAL_SPRING,
+            "The rotational spring of an elastic support, as a moment per angle.",
+        )
+        .also(&["k_r", "kr", "rotation", "rotational"]),
+        quantity(
+            "settlement",
+            &CLEARANCE,
+            "The settlement of the support, positive downward; default: 0.",
+        ),
+        word(
+            "acts",
+            &DIRECTIONS,
+            "The direction of the reaction: `up` only pushes the beam up, `down` only holds it \
+             down; default: `both`.",
+        )
+        .also(&["direction", "one_way", "only"]),
     ],
 };
 
@@ -66,7 +77,7 @@ fn read_one(reader: &mut Reader, table: &Section) -> Support {
         let springs = [("spring", &spring), ("rotational_spring", &rotational_spring)];
         for (key, field) in springs {
             if let Some(field) = field {
-                let hint = "a support is rigid, with `type`, or elastic, with springs";
+                let hint = "a rigid support has `type`, and an elastic support has springs";
                 reader.exclusive(("type", &word.span()), (key, &field.span), hint);
             }
         }
@@ -78,7 +89,7 @@ fn read_one(reader: &mut Reader, table: &Section) -> Support {
     }
     if spring.is_none() && rotational_spring.is_none() {
         let spring = reader.line(&TABLE, "spring");
-        let example = format!("type = \"pinned\" or type = \"fixed\"; or {spring}");
+        let example = format!("type = \"pinned\", type = \"fixed\" or {spring}");
         let keys = ["type", "spring", "rotational_spring"];
         reader.missing(table, &keys, "`type` and no spring", &example);
     }
@@ -89,7 +100,7 @@ fn read_one(reader: &mut Reader, table: &Section) -> Support {
     Support { at, kind, settlement, acts }
 }
 
-/// Directions in which it acts; both by default.
+/// Reads the directions in which the support acts; the default is both directions.
 fn acts(reader: &mut Reader, table: &Section) -> Acts {
     if let Some(value) = table.value("acts") {
         reader.place(table, "acts", &Field::new(0.0, value.span()));

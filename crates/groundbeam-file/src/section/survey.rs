@@ -16,15 +16,21 @@ use std::ops::Range;
 pub(super) static TABLE: Keys = Keys {
     name: "[gap_survey]",
     keys: &[
-        text("file", "seabed.csv", "The table: a file in the folder of the model file.").needed(),
+        text(
+            "file",
+            "seabed.csv",
+            "The file with the table; its name is relative to the folder of the model file.",
+        )
+        .needed(),
         text("x", "KP", "The column of positions; default: the first."),
         text("level", "z", "The column of levels, positive up; default: the second."),
-        text("clearance", "gap", "A column of clearances in place of levels."),
+        text("clearance", "gap", "The column of clearances, in place of `level`."),
         along(
             "datum",
             &OFFSET,
             2,
-            "The level of the straight underside, or of its two ends; default: the highest level.",
+            "The level of the straight underside of the beam, or the levels of its two ends; \
+             default: the highest level under the beam.",
         ),
         quantity(
             "start",
@@ -41,7 +47,7 @@ pub(super) fn read(reader: &mut Reader, table: &Section, length: f64) -> Vec<Gap
     let [x, level, clearance] = ["x", "level", "clearance"].map(|key| reader.text(table, key));
     let Some((file, span)) = reader.text(table, "file") else { return Vec::new() };
     if let (Some((_, level)), Some((_, clearance))) = (&level, &clearance) {
-        let hint = "the column has levels (positive up) or clearances (positive for an open gap)";
+        let hint = "give either a column of levels (positive up) or a column of clearances (positive for an open gap)";
         reader.exclusive(("level", level), ("clearance", clearance), hint);
     }
     if let (Some((_, clearance)), Some(datum)) = (&clearance, &datum) {
@@ -59,7 +65,7 @@ pub(super) fn read(reader: &mut Reader, table: &Section, length: f64) -> Vec<Gap
         Ok(survey) => survey,
         Err(error) => {
             let message = format!("`{file}` cannot be read: {error}");
-            let hint = "the name is relative to the folder of the model file";
+            let hint = "the file name is relative to the folder of the model file";
             reader.report(Fault::new(code::FILE, span, message, "", hint));
             return Vec::new();
         }
@@ -75,7 +81,7 @@ pub(super) fn read(reader: &mut Reader, table: &Section, length: f64) -> Vec<Gap
     };
     let points = columns.points(&x, &heights);
     let unreadable = start.is_nan() || datum.as_ref().is_some_and(|datum| !datum.is_readable());
-    // Each of these faults has been reported.
+    // Faults in the columns, in `start` and in `datum` have been reported already.
     if columns.wrong || unreadable {
         return Vec::new();
     }
@@ -90,7 +96,7 @@ pub(super) fn read(reader: &mut Reader, table: &Section, length: f64) -> Vec<Gap
     corners
 }
 
-/// A column, and the factor of its unit.
+/// A column of the table: its index, and the factor of its unit.
 struct Column {
     index: usize,
     scale: Option<Scale>,
@@ -108,7 +114,7 @@ impl Columns<'_, '_, '_> {
         self.reader.report_in(&self.survey.source, &self.survey.file, fault);
     }
 
-    /// The column with a name, or with an index.
+    /// Finds the column that the model file names, or otherwise the column with the index `place`.
     fn find(
         &mut self,
         named: Option<(&str, Range<usize>)>,
@@ -133,7 +139,7 @@ impl Columns<'_, '_, '_> {
         };
         let Some(cell) = header.cells.get(index) else {
             let message = format!("the table has no column {} for {what}", index + 1);
-            let hint = "cells are separated by `;`, tabs or commas, as in the first row";
+            let hint = "separate the cells by `;`, tabs or commas, as in the first row";
             self.report(Fault::new(code::COLUMN, header.span.clone(), message, "", hint));
             return None;
         };
@@ -174,7 +180,8 @@ impl Columns<'_, '_, '_> {
         Some(Column { index, scale })
     }
 
-    /// Rows as position and height, in ascending order of position.
+    /// Reads the rows as pairs of position and height, and reports rows that are not in ascending order of
+    /// position.
     fn points(&mut self, x: &Column, heights: &Column) -> Vec<[f64; 2]> {
         let survey = self.survey;
         let mut points: Vec<[f64; 2]> = Vec::with_capacity(survey.rows.len());
@@ -193,7 +200,8 @@ impl Columns<'_, '_, '_> {
             if let Some([before, _]) = points.last()
                 && at <= *before
             {
-                let message = "this row does not lie to the right of the previous one";
+                let message =
+                    "the position in this row is not larger than the position in the previous row";
                 let hint = "sort the rows by position; no two rows may share a position";
                 self.report(Fault::new("GB501", row.cell(x.index), message, "", hint));
                 continue;
@@ -258,8 +266,8 @@ fn split(cell: &str) -> (&str, Option<&str>) {
     (cell.trim(), None)
 }
 
-/// Points along a beam that begins at `start`. If the survey extends beyond an end of the beam, there is a
-/// point at that end.
+/// Clips the points to a beam that begins at `start`. Both ends of the beam are points of the result.
+/// Outside the survey, the height is the height of the nearest point.
 fn on_the_beam(points: &[[f64; 2]], start: f64, length: f64) -> Vec<GapPoint> {
     let at = |x: f64| {
         let right = points.partition_point(|point| point[0] < x);

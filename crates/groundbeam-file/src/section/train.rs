@@ -26,9 +26,13 @@ static UNIFORM: Table = Table {
         quantity(
             "from",
             &OFFSET,
-            "The start of the load behind the first axle; default: unbounded.",
+            "The distance of the start of the load behind the first axle; default: unbounded.",
         ),
-        quantity("to", &OFFSET, "The end of the load behind the first axle; default: unbounded."),
+        quantity(
+            "to",
+            &OFFSET,
+            "The distance of the end of the load behind the first axle; default: unbounded.",
+        ),
         quantity("load", &LOAD_PER_LENGTH, "The force per length, downward.").needed(),
     ],
 };
@@ -43,7 +47,7 @@ pub(super) static TABLE: Table = Table {
             "A train of a code of practice, in place of axles.",
         )
         .also(&["code", "standard"]),
-        tables("axles", &AXLE, "The axles, from the front backward.")
+        tables("axles", &AXLE, "The axles, from the front to the rear.")
             .also(&["axle", "wheels", "forces"]),
         tables("uniform", &UNIFORM, "Distributed loads that move with the axles."),
         quantity(
@@ -75,7 +79,7 @@ pub(super) static TABLE: Table = Table {
     ],
 };
 
-/// Trains of a file. They pass one at a time.
+/// Reads the trains of the file. The trains pass over the beam one at a time.
 pub(super) fn read(reader: &mut Reader, root: &Section, beam_length: f64) -> Vec<MovingTrain> {
     let tables = reader.tables(root, "train");
     let mut trains: Vec<MovingTrain> = Vec::new();
@@ -103,7 +107,7 @@ fn read_one(reader: &mut Reader, table: &Section, beam_length: f64) -> MovingTra
         let is_empty = name.trim().is_empty();
         if is_empty {
             let message = "the train has no name";
-            let hint = "write its name, as in name = \"LM71\", or leave the key out";
+            let hint = "write the name of the train, as in name = \"LM71\", or leave the key out";
             reader.report(Fault::new(code::EMPTY_NAME, span.clone(), message, "", hint));
         }
         !is_empty
@@ -134,7 +138,7 @@ fn read_one(reader: &mut Reader, table: &Section, beam_length: f64) -> MovingTra
     MovingTrain { name, set, case, factor, dynamic, spread, train, range }
 }
 
-/// Axles and distributed loads, from a set or as written in the file.
+/// Reads the axles and the distributed loads of a train, from a set or as written in the file.
 fn parts(reader: &mut Reader, table: &Section) -> (Option<&'static TrainSet>, Train) {
     let mut train = Train::default();
     let Some(set) = table.value("set") else {
@@ -158,7 +162,7 @@ fn parts(reader: &mut Reader, table: &Section) -> (Option<&'static TrainSet>, Tr
     };
     for key in ["axles", "uniform"] {
         if let Some(other) = table.value(key) {
-            let hint = "the set defines the loads: leave one of the two out";
+            let hint = "the set defines the loads of the train: give either the set or the loads";
             reader.exclusive(("set", &set.span()), (key, &other.span()), hint);
         }
     }
@@ -192,7 +196,7 @@ fn axles(reader: &mut Reader, table: &Section) -> Vec<Axle> {
         Some((at, span)) if !at.is_nan() && at != 0.0 => {
             let message = "the first axle of a train must be at 0";
             let hint =
-                "give the distances of the others behind the first axle, as positive numbers";
+                "give the distances of the other axles behind the first axle, as positive numbers";
             reader.report(Fault::new(code::FIRST_AXLE, span, message, "", hint));
         }
         None if table.empty_list("axles").is_some() => {
@@ -213,7 +217,7 @@ fn uniform(reader: &mut Reader, table: &Section) -> Vec<UniformPart> {
         if let (Some(from), Some(to)) = (&from, &to)
             && to.value <= from.value
         {
-            let hint = "both are distances behind the first axle; `to` must be larger than `from`";
+            let hint = "`from` and `to` are distances behind the first axle; `to` must be larger than `from`";
             backward(reader, "a distributed load of the train has no length", &to.span, hint);
         }
         parts.push(UniformPart {
@@ -225,7 +229,8 @@ fn uniform(reader: &mut Reader, table: &Section) -> Vec<UniformPart> {
     parts
 }
 
-/// Range of the first axle; by default from the arrival of the train until it has left the beam.
+/// Reads the range of positions of the first axle. The default range extends from the arrival of the train
+/// until the train has left the beam.
 fn range(reader: &mut Reader, table: &Section, train: &Train, beam_length: f64) -> [f64; 2] {
     let [start, end] = train.passage(beam_length);
     let from = reader.quantity(table, "from");

@@ -10,32 +10,34 @@ use groundbeam::{Model, model::GapPoint};
 pub(super) static TABLE: Table = Table {
     name: "[[gap_trough]]",
     keys: &[
-        quantity("at", &GROUND_POSITION, "The position of the middle, x₀.").needed().also(ALSO_AT),
+        quantity("at", &GROUND_POSITION, "The position x₀ of the middle of the trough.")
+            .needed()
+            .also(ALSO_AT),
         quantity("settlement", &CLEARANCE, "The largest settlement S, positive downward.").needed(),
-        quantity("width", &WIDTH, "The distance i to the point of inflection.")
+        quantity("width", &WIDTH, "The distance i from the middle to the point of inflection.")
             .needed()
             .also(ALSO_WIDTH),
     ],
 };
 
-/// Maximum number of points added for troughs.
+/// Maximum number of points of the gap that are added for troughs.
 pub(super) const MOST_CHORDS: usize = 10_000;
-/// Step for the integration of the density of chords, in widths.
+/// Step for the integration of the density of chords, in trough widths.
 const STEP: f64 = 1.0 / 16.0;
-/// Distance from the middle, in widths, beyond which a trough needs no points: there its depth is below 1e-14
-/// of the maximum.
+/// Distance from the middle of a trough, in trough widths, beyond which the trough needs no points. At this
+/// distance, the depth is below 2e-14 of the maximum.
 const REACH: f64 = 8.0;
 
-/// Smallest nonzero depth of a trough; the smallest number that a model may have.
+/// Smallest magnitude of a nonzero gap, which is the smallest nonzero number that a model may have.
 const LEAST: f64 = 1e-60;
 
-/// A settlement trough, as above a tunnel: S exp(−(x − x₀)²/2i²), Peck (1969).
+/// A settlement trough, such as above a tunnel, with the shape S exp(−(x − x₀)²/(2i²)), Peck (1969).
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Trough {
     pub at: f64,
-    /// S, positive downward.
+    /// Largest settlement S, positive downward.
     pub settlement: f64,
-    /// i, the distance from the middle to the point of inflection.
+    /// Distance i from the middle to the point of inflection.
     pub width: f64,
 }
 
@@ -52,7 +54,8 @@ impl Trough {
         (self.at + self.settlement + self.width).is_finite()
     }
 
-    /// Bound S√(t⁴ − t² + 1) exp(−t²/2)/i² on |g″|, from t². It has no zero.
+    /// Returns an upper bound of the curvature of the trough at the distance of t trough widths from its
+    /// middle, from `t2` = t². The bound is positive at every distance, also at the point of inflection.
     pub fn largest_curvature(&self, t2: f64) -> f64 {
         let size = (self.settlement / (self.width * self.width)).abs();
         size * (t2 * t2 - t2 + 1.0).sqrt() * (-0.5 * t2).exp()
@@ -63,7 +66,7 @@ impl Trough {
         self.settlement * (-0.5 * t * t).exp()
     }
 
-    /// Positions at which the density of chords is sampled, symmetric about the middle.
+    /// Positions at which the density of chords is sampled, symmetric about the middle of the trough.
     fn grid(&self) -> impl Iterator<Item = f64> {
         let steps = (REACH / STEP) as i32;
         let Trough { at, width, .. } = *self;
@@ -71,8 +74,8 @@ impl Trough {
     }
 }
 
-/// The gap of the model plus the troughs, linear between points; the number of chords if it exceeds the
-/// limit.
+/// Returns the points of the polygon that replaces the sum of the model's gap and the troughs. Returns the
+/// number of chords as an error if the number exceeds [`MOST_CHORDS`].
 pub(super) fn sunk(
     model: &Model,
     troughs: &[Trough],
@@ -106,8 +109,8 @@ pub(super) fn sunk(
     Ok(places.into_iter().map(corner).collect())
 }
 
-/// Divides a stretch into chords with equal integrals of their density. Returns the number of points that are
-/// needed.
+/// Divides a stretch into chords so that the integral of the chord density is the same over each chord.
+/// Returns the number of points that the division needs.
 fn divide(stretch: &[(f64, f64, f64)], places: &mut Vec<f64>) -> f64 {
     let whole: f64 = stretch.iter().map(|(from, to, density)| (to - from) * density).sum();
     let parts = whole.ceil().max(1.0);
@@ -126,7 +129,7 @@ fn divide(stretch: &[(f64, f64, f64)], places: &mut Vec<f64>) -> f64 {
     parts - 1.0
 }
 
-/// The gap without troughs.
+/// Computes the gap without troughs at the position `x`.
 fn base(gap: &[GapPoint], x: f64) -> f64 {
     let right = gap.partition_point(|corner| corner.at < x);
     match (right.checked_sub(1).map(|i| gap[i]), gap.get(right)) {
@@ -137,7 +140,8 @@ fn base(gap: &[GapPoint], x: f64) -> f64 {
     }
 }
 
-/// Positions on the beam from left to right, without those that differ only by rounding.
+/// Sorts the positions on the beam from left to right, and merges positions that differ only by rounding
+/// errors.
 fn sorted(places: impl Iterator<Item = f64>, length: f64) -> Vec<f64> {
     let mut places: Vec<f64> = places.filter(|x| (0.0..=length).contains(x)).collect();
     places.sort_by(f64::total_cmp);

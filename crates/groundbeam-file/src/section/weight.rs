@@ -26,15 +26,16 @@ fn unit_weight(reader: &mut Reader, table: &Section, material: Option<&Material>
         return Some(Field::new(weight, value.span()));
     }
     let message = match material {
-        Some(material) => format!("no unit weight of {} is listed", material.name),
-        None => "the beam does not have one named material".to_owned(),
+        Some(material) => format!("the unit weight of the material {} is not known", material.name),
+        None => "the beam does not have one `material` along its whole length".to_owned(),
     };
     let hint = format!("give {}", reader.line(table.keys, "unit_weight"));
     reader.report(Fault::new(code::INCOMPLETE, value.span(), message, "", hint));
     Some(Field::unreadable(value.span()))
 }
 
-/// Loads from self-weight, each with its load case; empty if `table` gives no unit weight.
+/// Computes the loads from self-weight, each with its load case. Returns no load if `table` gives no unit
+/// weight.
 pub(super) fn read(
     reader: &mut Reader,
     table: &Section,
@@ -72,7 +73,7 @@ pub(super) fn read(
             Some(area) => {
                 let [start, end] =
                     [area.profile.start(), area.profile.end()].map(|a| a * weight.value);
-                // A stretch of zero length or an unreadable one has been reported.
+                // A stretch of zero length and an unreadable stretch have been reported already.
                 let known = area.is_readable() && !weight.value.is_nan();
                 if known && from < to {
                     let load = Load::distributed_force(from, to, start, end);

@@ -1,7 +1,8 @@
 //! Generates load combinations from a set of a code of practice and the load cases of a file.
 //!
-//! Superposition fails with lift-off, so no action can be dropped as favourable. All subsets of the variable
-//! cases are combined with all leading actions and all factors of the permanent cases.
+//! Superposition is not valid with lift-off, so no action can be left out because it seems favourable. All
+//! subsets of the variable cases are combined with all leading actions and all factors of the permanent
+//! cases.
 
 use super::{Action, Formula, Practice, Set, Share, states};
 use groundbeam::design::LimitStates;
@@ -12,23 +13,23 @@ use std::collections::BTreeMap;
 pub(crate) struct Acting<'a> {
     pub case: &'a str,
     pub action: &'a str,
-    /// Cases of the same group never act together.
+    /// Group of the case. Cases of one group never act together.
     pub group: Option<&'a str>,
-    /// Permanent cases from the same source have the same factor.
+    /// Source of a permanent case. Permanent cases from one source have one partial factor.
     pub source: Option<&'a str>,
 }
 
-/// Name of the sum without any load case.
+/// Text in the name of a combination that contains only loads without a case.
 const ALONE: &str = "loads without a case";
 
-/// The number of combinations exceeds the limit.
+/// Error: the number of combinations exceeds the limit.
 #[derive(Debug, PartialEq, Eq)]
 pub(crate) struct TooMany;
 
 /// A combination generated from a set.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Made {
-    /// Its name, such as `6.10: 1.35 G + 1.5 Q + 0.9 W`.
+    /// Name of the combination, such as `6.10: 1.35 G + 1.5 Q + 0.9 W`.
     pub name: String,
     /// Indices of the load cases with a nonzero factor, each with its factor, in the order in which the name
     /// lists them.
@@ -36,8 +37,9 @@ pub(crate) struct Made {
     pub limit_states: LimitStates,
 }
 
-/// Combinations of a set, each once, at most `most` of them. `has_others` is true if the file has loads without a case.
-/// These loads alone are then a combination, too.
+/// Generates the combinations of a set, each combination once. More than `most` combinations are an error.
+/// `has_others` is true if the file has loads without a case. In this case, these loads alone are also a
+/// combination.
 pub(crate) fn expand(
     practice: &Practice,
     set: &Set,
@@ -72,12 +74,14 @@ pub(crate) fn expand(
     Ok(made)
 }
 
-/// For each term, the alternative actions with their factors. At most one action of a term acts.
+/// Terms of a formula. Each term lists alternative actions with their factors. At most one action of a term
+/// acts.
 type Terms<'a> = Vec<Vec<(&'a str, f64)>>;
 
 impl Formula {
-    /// Terms of the formula. With leading actions, one list for each action that leads and must act, and one
-    /// without a leading action.
+    /// Returns lists of terms of the formula. The flag of a list is true if an action of its first term
+    /// must act. A formula with leading actions has one list for each leading action, and one list without
+    /// a leading action.
     fn terms<'a>(&'a self, practice: &'a Practice, cases: &[Acting]) -> Vec<(bool, Terms<'a>)> {
         let written: Terms = self
             .terms
@@ -107,13 +111,14 @@ impl Formula {
         variable.iter().map(leads).chain([(false, written.clone())]).collect()
     }
 
-    /// Partial factors of an action; 1 if the formula has none.
+    /// Returns the partial factors of an action; 1 if the formula has no partial factors.
     fn gamma_of<'a>(&self, action: &'a Action) -> &'a [f64] {
         let letter = self.gamma.as_ref();
         letter.and_then(|letter| action.gamma.get(letter)).map_or(&[1.0], Vec::as_slice)
     }
 
-    /// Alternative factors of a permanent action: γ_sup with ξ, and γ_inf.
+    /// Returns the alternative factors of a permanent action. These are γ_sup, multiplied by the reduction
+    /// factor ξ if the formula has ξ, and γ_inf.
     fn always_of(&self, practice: &Practice, action: &str) -> Vec<f64> {
         if let Some(factors) = self.always.get(action) {
             return factors.clone();
@@ -133,7 +138,7 @@ impl Share {
     }
 }
 
-/// The product of decimals, without binary rounding errors.
+/// Rounds a product of decimals to nine decimal places, which removes binary rounding errors.
 fn rounded(product: f64) -> f64 {
     (product * 1e9).round() / 1e9
 }
@@ -151,13 +156,14 @@ struct Expansion<'a> {
     /// Whether every combination contains an action of the first term.
     leads: bool,
     made: Vec<Made>,
-    /// Index of each generated combination; the key has the bits of the factors of all cases.
+    /// Index in `made` of each generated combination. The key consists of the bits of the factors of all
+    /// cases.
     seen: BTreeMap<Vec<u64>, usize>,
 }
 
 impl Expansion<'_> {
-    /// Combines all factors of all permanent cases by recursion over the cases. `rows` records the factor
-    /// chosen for each case.
+    /// Combines all factors of all permanent cases by recursion over the cases. `rows` records the index of
+    /// the factor chosen for each case.
     fn permanent(
         &mut self,
         terms: &Terms,
@@ -189,8 +195,8 @@ impl Expansion<'_> {
         if factors.is_empty() { self.permanent(terms, case + 1, chosen, rows) } else { Ok(()) }
     }
 
-    /// Combines the actions of the first term, or none of them unless one must act; then recurs over the
-    /// other terms.
+    /// Combines the actions of the terms by recursion over the terms. The first term contributes one of its
+    /// actions. If `must` is false, the first term may also contribute no action.
     fn variable(
         &mut self,
         terms: &[Vec<(&str, f64)>],
@@ -207,7 +213,8 @@ impl Expansion<'_> {
         if must { Ok(()) } else { self.variable(others, false, chosen) }
     }
 
-    /// All non-empty subsets of the cases of an action, because several cases may have the same action.
+    /// Combines all non-empty subsets of the cases of one action, because several cases may have this
+    /// action.
     fn subsets(
         &mut self,
         cases: &[usize],
@@ -311,7 +318,8 @@ mod tests {
         ] {
             assert!(found.iter().any(|found| found == name), "{name} in {found:?}");
         }
-        // For each of the two factors of G: Q alone, W alone, either one leading with the other, or neither.
+        // Each of the two factors of G has five combinations: Q alone, W alone, Q leading with W, W leading
+        // with Q, and neither Q nor W.
         assert_eq!(found.len(), 2 * 5);
         let found = made("EN 1990 frequent", &cases);
         assert!(found.contains(&"frequent: G + 0.2 W + 0.3 Q".to_owned()), "{found:?}");
@@ -365,8 +373,8 @@ mod tests {
         let cases = vec![case("Q", "imposed B"); 60];
         assert_eq!(expand(practice, set, &cases, false, 1000), Err(TooMany));
     }
-    /// EN 1990, table A1.2(B), note 3: one factor for all permanent actions of one source. Static equilibrium
-    /// treats the parts separately.
+    /// EN 1990, table A1.2(B), note 3, requires one factor for all permanent actions of one source. In the
+    /// check of static equilibrium, actions of one source may have different factors.
     #[test]
     fn permanent_cases_of_one_source_have_one_factor() {
         let of = |name| Acting { source: Some("own weight"), ..case(name, "permanent") };
@@ -391,7 +399,7 @@ mod tests {
         }
     }
 
-    /// The limit states of `docs/combinations.md`: LRFD 5 is one of strength and of equilibrium.
+    /// Checks the limit states of `docs/combinations.md`: LRFD 5 belongs to strength and to equilibrium.
     #[test]
     fn combinations_have_the_limit_states_of_their_set_and_formula() {
         let (practice, set) = find("ASCE 7-16 LRFD").unwrap();
@@ -417,7 +425,7 @@ mod tests {
         assert!(found.iter().any(|name| name == "bridge C: G + 1.15 T + 0.78 W"), "{found:?}");
     }
 
-    /// EN 1990, expressions (6.11b) and (6.12b).
+    /// Checks combinations of EN 1990, expressions (6.11b) and (6.12b).
     #[test]
     fn accidental_and_seismic_combinations() {
         let cases = [case("G", "permanent"), case("Q", "imposed B"), case("A", "accidental")];

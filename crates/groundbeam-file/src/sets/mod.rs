@@ -1,5 +1,4 @@
-//! Sets of load combinations from codes of practice: the data files in `sets/`, and their application to a
-//! file's load cases.
+//! Reads the sets of load combinations of codes of practice from the data files in `sets/`, and finds a set by its name.
 
 mod expand;
 
@@ -15,7 +14,7 @@ use std::sync::LazyLock;
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Practice {
-    /// Its name, such as `EN 1990`.
+    /// Name of the code, such as `EN 1990`.
     pub code: String,
     /// Whether the code belongs to the Eurocodes.
     #[serde(default)]
@@ -31,10 +30,11 @@ pub(crate) struct Practice {
 #[serde(deny_unknown_fields)]
 struct Action {
     name: String,
-    /// ψ₀, ψ₁, ψ₂ of a variable action; `None` for other actions and in codes without them.
+    /// Combination factors ψ₀, ψ₁ and ψ₂ of a variable action; `None` for other actions and in codes without
+    /// such factors.
     psi: Option<[f64; 3]>,
-    /// Partial factors by the letter of their table, as in EN 1990 (A, B, C): the unfavourable factor, and the
-    /// favourable factor if it differs.
+    /// Lists of partial factors of the action by the letter of their table, such as A, B and C in EN 1990. A
+    /// list contains the unfavourable factor, followed by the favourable factor if the two factors differ.
     #[serde(default)]
     gamma: BTreeMap<String, Vec<f64>>,
     /// Whether the action is permanent.
@@ -46,57 +46,60 @@ struct Action {
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Set {
-    /// Its name in a model file.
+    /// Name of the set in a model file.
     pub name: String,
     /// Alternative names.
     #[serde(default)]
     also: Vec<String>,
-    /// Ambiguous names, which other editions or sets share. A file that uses one is refused.
+    /// Ambiguous names, which also fit other editions of the code or other sets. A file that uses an ambiguous
+    /// name is refused.
     #[serde(default)]
     ambiguous: Vec<String>,
-    /// Clause and table.
+    /// Clause and table of the code that define the set.
     pub source: String,
-    /// `one source` if a value is not confirmed by a second source.
+    /// The remark `one source` if a value of the set is not confirmed by a second source.
     remark: Option<String>,
-    /// Limit states of its combinations.
+    /// Limit states to which the combinations of the set belong.
     limit_states: Vec<String>,
     #[serde(rename = "formula")]
     formulas: Vec<Formula>,
 }
 
-/// One expression of a code. Any of its variable actions may be absent.
+/// One combination expression of a code of practice. A combination may omit the variable actions of the
+/// expression, except that `needs_first` requires an action of the first term.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Formula {
-    /// Prefix of the names of its combinations.
+    /// Prefix of the names of the combinations of this expression.
     label: String,
-    /// Limit states in addition to those of the set.
+    /// Limit states of this expression in addition to the limit states of the set.
     #[serde(default)]
     also_limit_states: Vec<String>,
-    /// Actions that act in every combination, each with its alternative factors, in addition to the permanent
-    /// actions of the code.
+    /// Actions that act in every combination in addition to the permanent actions of the code. Each action has
+    /// a list of alternative factors.
     #[serde(default)]
     always: BTreeMap<String, Vec<f64>>,
-    /// Terms. At most one action of each term acts.
+    /// Terms of the expression. Each term lists alternative actions with their factors. At most one action of
+    /// each term acts in a combination.
     #[serde(default)]
     terms: Vec<BTreeMap<String, f64>>,
     /// Whether every combination contains an action of the first term.
     #[serde(default)]
     needs_first: bool,
-    /// Letter of the table of partial factors; without a letter the partial factors are 1.
+    /// Letter of the table that contains the partial factors. Without a letter, all partial factors are 1.
     gamma: Option<String>,
-    /// ξ, the reduction of unfavourable permanent actions.
+    /// Reduction factor ξ of unfavourable permanent actions.
     xi: Option<f64>,
-    /// Factor of the leading action. Each action with ψ leads in turn.
+    /// Factor of the leading action. Each action with factors ψ is the leading action in some combinations.
     leading: Option<Share>,
-    /// Factor of the accompanying actions with ψ.
+    /// Factor of the accompanying actions, which are the other actions with factors ψ.
     accompanying: Option<Share>,
-    /// Whether parts of one permanent action may have different factors, as for static equilibrium.
+    /// Whether parts of one permanent action may have different factors, as in checks of static equilibrium.
     #[serde(default)]
     by_parts: bool,
 }
 
-/// The partial factor of an action, or its product with one of the ψ.
+/// Factor of a variable action: the partial factor, or the product of the partial factor and ψ₀, ψ₁ or ψ₂.
 #[derive(Debug, Clone, Copy, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Share {
@@ -114,26 +117,27 @@ static PRACTICES: LazyLock<Vec<Practice>> = LazyLock::new(|| {
     ])
 });
 
-/// The set with this name, and its code.
+/// Returns the set with this name and the code of practice that contains the set.
 pub(crate) fn find(name: &str) -> Option<(&'static Practice, &'static Set)> {
     let mut all = PRACTICES.iter().flat_map(|p| p.sets.iter().map(move |set| (p, set)));
     all.find(|(_, set)| set.is_called(name))
 }
 
-/// Sets that a name without an edition or a letter may mean.
+/// Returns the main names of all sets for which `name` is an ambiguous name.
 pub(crate) fn meant(name: &str) -> Vec<&'static str> {
     let all = PRACTICES.iter().flat_map(|p| &p.sets);
     let claims = |set: &&Set| set.ambiguous.iter().any(|ambiguous| ambiguous == name);
     all.filter(claims).map(|set| &*set.name).collect()
 }
 
-/// All names of all sets.
+/// Returns the main and alternative names of all sets.
 pub(crate) fn spellings() -> Vec<&'static str> {
     catalogue::spellings(PRACTICES.iter().flat_map(|practice| &practice.sets))
 }
 
 impl Set {
-    /// An action that every combination of the set contains.
+    /// Returns an action of the first term if every combination of an expression must contain an action of this
+    /// term; `None` otherwise.
     pub fn needed(&self) -> Option<&str> {
         let formula = self.formulas.iter().find(|formula| formula.needs_first)?;
         formula.terms.first()?.keys().next().map(String::as_str)
@@ -150,12 +154,12 @@ impl Entry for Set {
     }
 }
 
-/// Main names of all sets.
+/// Returns the main names of all sets.
 pub(crate) fn names() -> Vec<&'static str> {
     PRACTICES.iter().flat_map(|p| &p.sets).map(|set| set.name.as_str()).collect()
 }
 
-/// Names of all actions, each once.
+/// Returns the names of all actions, each name once.
 pub(crate) fn actions() -> Vec<&'static str> {
     let mut names: Vec<&str> = PRACTICES.iter().flat_map(Practice::actions).collect();
     let mut seen = std::collections::BTreeSet::new();
@@ -163,14 +167,15 @@ pub(crate) fn actions() -> Vec<&'static str> {
     names
 }
 
-/// The limit states with these names. A test checks the names.
+/// Returns the limit states with these names. A test ensures that all names are known.
 fn states(names: &[String]) -> LimitStates {
     let states: Vec<LimitState> = names.iter().filter_map(|name| LimitState::named(name)).collect();
     LimitStates::of(&states)
 }
 
 impl Practice {
-    /// Letter of the partial factors that an expression of the set needs and the action lacks.
+    /// Returns the letter of a table of partial factors that an expression of the set uses, if this table has
+    /// no factors of the action.
     pub fn lacks<'s>(&self, set: &'s Set, action: &str) -> Option<&'s str> {
         let action = self.actions.iter().find(|known| known.name == action)?;
         let letters = set.formulas.iter().filter_map(|formula| formula.gamma.as_deref());
@@ -178,7 +183,7 @@ impl Practice {
         letters.filter(|_| has_factors).find(|letter| !action.gamma.contains_key(*letter))
     }
 
-    /// Names of its actions.
+    /// Returns the names of all actions of the code.
     pub fn actions(&self) -> impl Iterator<Item = &str> {
         self.actions.iter().map(|action| action.name.as_str())
     }
@@ -187,19 +192,19 @@ impl Practice {
 /// A built-in set of combinations, which a model file selects with `[[combination]] set = "…"`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct CombinationSet {
-    /// Its name.
+    /// Name of the set.
     pub name: &'static str,
     /// The code of practice.
     pub code: &'static str,
-    /// Clause and table of the code.
+    /// Clause and table of the code that define the set.
     pub source: &'static str,
-    /// `one source` if a value is not confirmed by a second source.
+    /// The remark `one source` if a value of the set is not confirmed by a second source.
     pub remark: Option<&'static str>,
-    /// Limit states of its combinations.
+    /// Limit states to which the combinations of the set belong.
     pub limit_states: LimitStates,
 }
 
-/// All built-in sets of combinations.
+/// Returns all built-in sets of combinations.
 ///
 /// ```
 /// let sets = groundbeam_file::combination_sets();

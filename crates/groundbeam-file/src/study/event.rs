@@ -16,7 +16,7 @@ pub(super) static TABLE: Table = Table {
         text(
             "quantity",
             "pressure.max",
-            "`lifted_share`, `left`, `right`, or a field's `.min`, `.max`, `.range`.",
+            "The result: `lifted_share`, `left`, `right`, or a field with `.min`, `.max` or `.range`.",
         )
         .needed(),
         key("above", Value::Depends, "The event occurs if the result is above this limit."),
@@ -30,42 +30,42 @@ pub const BUILT_IN: [&str; 2] = ["no equilibrium", "some of the beam lifts off"]
 /// An event whose probability is estimated.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Event {
-    /// Its name.
+    /// Name of the event.
     pub name: String,
-    /// The result that decides whether it occurs.
+    /// Result that decides whether the event occurs.
     pub of: Judged,
-    /// Side of the limit on which it occurs.
+    /// Side of the limit on which the event occurs.
     pub side: Exceeds,
-    /// The limit, in SI units or in the file's own units.
+    /// Limit of the result, in SI units or in the file's own units.
     pub limit: f64,
 }
 
 /// Side of a limit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Exceeds {
-    /// `above`: more than the limit.
+    /// `above`: the event occurs if the result is larger than the limit.
     Above,
-    /// `below`: less than the limit.
+    /// `below`: the event occurs if the result is smaller than the limit.
     Below,
 }
 
 /// A scalar result of a solve.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Judged {
-    /// `lifted_share`: fraction of the beam length that is not in contact, from 0 to 1.
+    /// `lifted_share`: fraction of the beam length that is not in contact with the ground, from 0 to 1.
     LiftedShare,
-    /// `left` and `right`: the point contact force under an end.
+    /// `left` or `right`: concentrated contact force under the left (0) or the right (1) end of the beam.
     EndForce(usize),
-    /// `moment.min`: the smallest value of a field.
+    /// Smallest value of a field along the beam, such as `moment.min`.
     Smallest(Field),
-    /// `moment.max`: the largest value of a field.
+    /// Largest value of a field along the beam, such as `moment.max`.
     Largest(Field),
-    /// `deflection.range`: the largest minus the smallest value.
+    /// Largest value of a field minus its smallest value, such as `deflection.range`.
     Difference(Field),
 }
 
 impl Judged {
-    /// The result with this name.
+    /// Parses the name of a result. The error message lists the allowed names.
     fn parse(name: &str) -> Result<Self, String> {
         let all =
             "lifted_share, left, right, or a field with .min, .max or .range, as in pressure.max";
@@ -87,7 +87,7 @@ impl Judged {
         })
     }
 
-    /// The field whose extremes are needed.
+    /// Returns the field whose extreme values decide the event; `None` for a result that is not a field.
     pub fn field(self) -> Option<Field> {
         match self {
             Judged::Smallest(field) | Judged::Largest(field) | Judged::Difference(field) => {
@@ -122,7 +122,7 @@ pub(super) fn read(reader: &mut Reader, root: &Section) -> Vec<Event> {
         let [above, below] = ["above", "below"].map(|key| reader.quantity_of(&table, key, kind));
         let limit = match (above, below) {
             (Some(above), Some(below)) => {
-                let hint = "for two limits write two events";
+                let hint = "write one [[event]] for each limit";
                 reader.exclusive(("above", &above.span), ("below", &below.span), hint);
                 continue;
             }
@@ -139,7 +139,7 @@ pub(super) fn read(reader: &mut Reader, root: &Section) -> Vec<Event> {
         let fault = match () {
             () if name.is_empty() => Some((code::EMPTY_NAME, "the event's name is empty")),
             () if BUILT_IN.contains(&&*name) => {
-                Some((code::REPEATED, "every study has an event of this name"))
+                Some((code::REPEATED, "this name is reserved: every study has this event"))
             }
             () if events.iter().any(|event| event.name == name) => {
                 Some((code::REPEATED, "another event has this name"))

@@ -1,4 +1,4 @@
-//! Reads `[field]`: random fields of ground and beam along the beam.
+//! Reads the table `[field]`: random fields of k, μ and EI along the beam.
 
 use super::random::{Random, out_of_range, spread};
 use crate::code;
@@ -11,69 +11,73 @@ use crate::table::Section;
 use crate::target::{self, Course};
 use groundbeam::derivatives::{Domain, Parameter, Property};
 
-/// Lognormal fields along the beam, with a common correlation function.
+/// Lognormal random fields along the beam, with a common correlation function.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RandomField {
-    /// Quantities that vary: k, μ, EI, each at most once.
+    /// Quantities that vary along the beam: k, μ or EI, each at most once.
     pub of: Vec<FieldOf>,
-    /// Correlation as a function of distance.
+    /// Correlation function of the distance between two points.
     pub correlation: Correlation,
     /// The correlation length \[m\].
     pub length: f64,
-    /// Number of equidistant points, or of equal stretches, at which the fields are sampled.
+    /// Number of equidistant points or of equal stretches for which the fields are sampled.
     pub points: usize,
-    /// Interpolation between the points.
+    /// Interpolation of the fields between the points.
     pub course: Course,
-    /// Method that computes the fields from independent normal numbers.
+    /// Method that computes the fields from independent standard normal random numbers.
     pub method: Method,
-    /// The correlation of ln k and ln μ at one point.
+    /// Correlation of ln k and ln μ at the same point.
     pub rho: f64,
 }
 
 /// A quantity that varies along the beam.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FieldOf {
-    /// k, μ or EI.
+    /// The property that varies: k, μ or EI.
     pub property: Property,
-    /// Its mean, positive.
+    /// Mean of the quantity, positive.
     pub mean: f64,
-    /// Its standard deviation, positive.
+    /// Standard deviation of the quantity, positive.
     pub deviation: f64,
 }
 
-/// Correlation of the logarithms at two points a distance d apart, with the correlation length L.
+/// Correlation of the logarithms of a quantity at two points, as a function of the distance d and the
+/// correlation length L.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Correlation {
-    /// `exponential`: exp(−d/L), Matérn's function with ν = 1/2.
+    /// `exponential`: the correlation at the distance d is exp(−d/L), Matérn's function with ν = 1/2. L is the
+    /// correlation length.
     Exponential,
-    /// `matern-3/2`: (1 + a) exp(−a) with a = √3 d/L.
+    /// `matern-3/2`: the correlation at the distance d is (1 + a) exp(−a) with a = √3 d/L. L is the correlation
+    /// length.
     Matern3,
-    /// `matern-5/2`: (1 + a + a²/3) exp(−a) with a = √5 d/L.
+    /// `matern-5/2`: the correlation at the distance d is (1 + a + a²/3) exp(−a) with a = √5 d/L. L is the
+    /// correlation length.
     Matern5,
-    /// `gaussian`: exp(−d²/(2L²)).
+    /// `gaussian`: the correlation at the distance d is exp(−d²/(2L²)). L is the correlation length.
     Gaussian,
 }
 
-/// Method that computes a field from independent normal numbers.
+/// Method that computes a random field from independent standard normal random numbers.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Method {
-    /// `karhunen-loeve`: eigenvectors of the covariance matrix, truncated.
+    /// `karhunen-loeve`: a truncated expansion in the eigenvectors of the covariance matrix.
     KarhunenLoeve(Share),
-    /// `circulant`: exact, by circulant embedding of the covariance.
+    /// `circulant`: exact sampling by circulant embedding of the covariance matrix.
     Circulant,
 }
 
 /// Truncation of a Karhunen–Loève expansion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Share {
-    /// This number of terms.
+    /// A given number of terms.
     Terms(usize),
-    /// As many terms as this share of the variance needs.
+    /// The smallest number of terms that represents this share of the variance.
     OfVariance(f64),
 }
 
 const QUANTITY: &[Key] = &[
-    key("mean", Value::Depends, "The mean; default: the model's value."),
+    key("mean", Value::Depends, "The mean of the quantity; default: the model's value."),
     quantity(
         "cov",
         &RATIO,
@@ -116,12 +120,16 @@ pub(super) static TABLE: Table = Table {
         key(
             "points",
             Value::Count([2, MOST_POINTS]),
-            "The number of points; default: four per L, from 8 to 256.",
+            "The number of points along the beam; default: 4 per correlation length, at least 8, at most 256.",
         ),
-        word("between", &COURSES, "The variation between points; default: `lines`."),
+        word("between", &COURSES, "The interpolation between points; default: `lines`."),
         word("method", &METHODS, "The method that samples the fields; default: `karhunen-loeve`."),
         key("terms", Value::Count([1, MOST_POINTS]), "`karhunen-loeve`: the number of terms."),
-        quantity("variance", &RATIO, "`karhunen-loeve`: the share of the variance; default: 0.99."),
+        quantity(
+            "variance",
+            &RATIO,
+            "`karhunen-loeve`: the share of the variance that the terms represent; default: 0.99.",
+        ),
     ],
 };
 const CORRELATIONS: [(&str, Correlation); 4] = [
@@ -138,7 +146,7 @@ const FEWEST_POINTS: f64 = 8.0;
 const VARIANCE: f64 = 0.99;
 
 impl FieldOf {
-    /// Name in files.
+    /// Returns the name of the quantity in files.
     pub fn name(&self) -> &'static str {
         match self.property {
             Property::Spring => "k",
@@ -150,7 +158,7 @@ impl FieldOf {
 }
 
 impl Correlation {
-    /// Name in files.
+    /// Returns the name of the correlation function in files.
     pub fn name(self) -> &'static str {
         CORRELATIONS.iter().find(|(_, known)| *known == self).map_or("", |(name, _)| name)
     }
@@ -217,15 +225,16 @@ fn field_of(
     let target = Parameter::Value(property, Domain::Whole);
     let kind = target::kind(target, &document.model);
     if let Some(problem) = target::problem(target, name, document) {
-        let message = format!("`{name}` cannot vary at random here");
+        let message = format!("`{name}` cannot be a random field in this study");
         reader.report(Fault::new(code::EXCLUSIVE, own.span.clone(), message, "", problem));
         return None;
     }
     if let Some(random) =
         random.iter().find(|random| target::set_the_same_number(random.target, target))
     {
-        let message = format!("`{name}` is already a [[random]] number, `{}`", random.name);
-        let hint = format!("a [[random]] `{name}_factor` may multiply the field");
+        let message =
+            format!("`{name}` is a random field and also the [[random]] number `{}`", random.name);
+        let hint = format!("use the [[random]] number `{name}_factor`, which multiplies the field");
         reader.report(Fault::new(code::REPEATED, own.span.clone(), message, "", hint));
         return None;
     }
@@ -245,8 +254,9 @@ fn rho(reader: &mut Reader, table: &Section, of: &[FieldOf]) -> Option<f64> {
     let Some(rho) = reader.quantity(table, "rho") else { return Some(0.0) };
     let has = |property| of.iter().any(|field| field.property == property);
     if !(has(Property::Spring) && has(Property::Shear)) {
-        let hint = "it is the correlation of ln k and ln mu at one point: give both as fields";
-        let message = "the study does not have fields of both k and mu";
+        let hint =
+            "`rho` is the correlation of ln k and ln mu at one point; give both k and mu as fields";
+        let message = "`rho` needs fields of both k and mu";
         reader.report(Fault::new(code::INCOMPLETE, rho.span, message, "", hint));
         return None;
     }
@@ -263,15 +273,16 @@ fn method(reader: &mut Reader, table: &Section) -> Option<Method> {
     let variance = reader.quantity(table, "variance");
     let (a, b) = (table.value("terms"), &variance);
     if let (Some(a), Some(b)) = (a, b) {
-        let hint = "the share of the variance determines the number of terms";
+        let hint =
+            "the share `variance` determines the number of terms; give only one of the two keys";
         reader.exclusive(("terms", &a.span()), ("variance", &b.span), hint);
         return None;
     }
     if circulant {
         let place = a.map(|a| a.span()).or_else(|| variance.as_ref().map(|v| v.span.clone()));
         let Some(span) = place else { return Some(Method::Circulant) };
-        let message = "the circulant method has no truncated terms";
-        let hint = "leave it out, or use method = \"karhunen-loeve\"";
+        let message = "the method `circulant` does not use `terms` or `variance`";
+        let hint = "leave out `terms` and `variance`, or use method = \"karhunen-loeve\"";
         reader.report(Fault::new(code::MISPLACED, span, message, "", hint));
         return None;
     }

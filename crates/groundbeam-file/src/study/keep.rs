@@ -10,14 +10,15 @@ use crate::table::Section;
 use groundbeam::Field;
 use toml::de::DeValue;
 
-/// Values saved for each sample, in addition to status, end forces, lifted share and the certificate's gap.
+/// Values saved for each sample in addition to the status, the end forces, the lifted share and the relative
+/// energy gap.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Keep {
     /// Fields whose smallest and largest values are saved, with their positions.
     pub extremes: Vec<Field>,
-    /// Fields saved at given positions.
+    /// Fields whose values at the positions `at` are saved.
     pub fields: Vec<Field>,
-    /// The given positions \[m\].
+    /// Positions \[m\] at which the values of `fields` are saved.
     pub at: Vec<f64>,
     /// Whether the random fields are saved at all of their points.
     pub ground: bool,
@@ -58,7 +59,7 @@ pub(super) fn read(reader: &mut Reader, root: &Section) -> Keep {
     let (fields, at) =
         (fields(reader, &table, "fields").unwrap_or_default(), positions(reader, &table));
     if let (true, Some(value)) = (at.is_empty(), table.value("fields")) {
-        let message = "`fields` needs positions, and `at` gives none";
+        let message = "`fields` needs positions, but `at` gives no position";
         let hint =
             format!("add {}", POSITION.line("at", reader.is_plain()).replace("= ", "= [") + "]");
         reader.report(Fault::new(code::INCOMPLETE, value.span(), message, "", hint));
@@ -80,14 +81,14 @@ pub(super) fn read(reader: &mut Reader, root: &Section) -> Keep {
 fn fields(reader: &mut Reader, table: &Section, key: &str) -> Option<Vec<Field>> {
     let value = table.value(key)?;
     let DeValue::Array(list) = value.get_ref() else {
-        let hint = format!("as in {key} = [\"deflection\", \"moment\"]");
+        let hint = format!("write a list, as in {key} = [\"deflection\", \"moment\"]");
         reader.wrong_type(value, format!("`{key}` must be a list"), hint);
         return Some(Vec::new());
     };
     let mut all = Vec::new();
     for word in list.iter() {
         let Some(name) = word.get_ref().as_str() else {
-            let hint = format!("as in {key} = [\"deflection\", \"moment\"]");
+            let hint = format!("write names in quotes, as in {key} = [\"deflection\", \"moment\"]");
             reader.wrong_type(word, "give the name of a field".to_owned(), hint);
             continue;
         };
@@ -112,7 +113,7 @@ fn fields(reader: &mut Reader, table: &Section, key: &str) -> Option<Vec<Field>>
     Some(all)
 }
 
-/// The field with this name, or a hint with similar names.
+/// Returns the field with this name. The error message is a hint with similar names.
 pub(super) fn field(name: &str) -> Result<Field, String> {
     let names = Field::ALL.map(Field::name);
     Field::named(name.trim()).ok_or_else(|| suggest::advice(name, &names, "the fields: {}"))

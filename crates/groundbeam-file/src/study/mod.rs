@@ -1,4 +1,4 @@
-//! Reads study files: the model, its random numbers, the sampling, and the requested results.
+//! Reads study files, which contain the model, its random numbers, the sampling method, and the requested results.
 
 mod event;
 mod field;
@@ -49,33 +49,33 @@ pub(crate) static STUDY: Table = Table {
             "The number of independent hypercubes or sequences; default: 16.",
         ),
         tables("random", &random::TABLE, "A number of the model that is random."),
-        tables("correlated", &random::CORRELATED, "Two random numbers that depend on one another."),
+        tables("correlated", &random::CORRELATED, "The correlation of two random numbers."),
         table("field", &field::TABLE, "Random fields along the beam."),
         table("keep", &keep::TABLE, "The values saved for each sample."),
         tables("event", &event::TABLE, "A condition whose probability is estimated."),
     ],
 };
 
-/// A study file after reading, with its model.
+/// Contents of a study file that has been read, with its model.
 #[derive(Debug, Clone)]
 pub struct StudyFile {
     /// Path of the study file, relative to the working directory.
     pub path: PathBuf,
-    /// The title that the file gives.
+    /// Title of the study, if the file gives one.
     pub title: Option<String>,
-    /// Its text.
+    /// Text of the study file.
     pub text: String,
     /// Path of the model file, relative to the working directory.
     pub model_path: PathBuf,
-    /// The model under all of its loads.
+    /// Contents of the model file, with the model.
     pub document: Document,
-    /// Number of samples, and the sampling method.
+    /// Number of samples, seed and sampling method.
     pub plan: Plan,
     /// Numbers of the model that are random.
     pub random: Vec<Random>,
     /// Correlations between the random numbers.
     pub joined: Vec<Joined>,
-    /// Random fields of ground and beam.
+    /// Random fields of the ground stiffness and of the bending stiffness along the beam.
     pub field: Option<RandomField>,
     /// Values saved for each sample.
     pub keep: Keep,
@@ -87,7 +87,8 @@ pub struct StudyFile {
 ///
 /// # Errors
 ///
-/// A file that cannot be read, all faults of the study file, or all faults of the model file.
+/// Returns an error if a file cannot be read, or if the study file or the model file has faults. The error
+/// lists all faults of the file.
 pub fn read_study(path: &Path) -> Result<StudyFile, StudyError> {
     read(path, folder_of(path).into())
 }
@@ -96,7 +97,7 @@ pub fn read_study(path: &Path) -> Result<StudyFile, StudyError> {
 ///
 /// # Errors
 ///
-/// As [`read_study`].
+/// Returns the same errors as [`read_study`].
 pub fn read_held_study(path: &Path, files: &[OtherFile]) -> Result<StudyFile, StudyError> {
     read(path, Beside::held(folder_of(path), files))
 }
@@ -118,7 +119,7 @@ fn read(path: &Path, beside: Beside) -> Result<StudyFile, StudyError> {
 }
 
 impl StudyFile {
-    /// All files of the study: the study itself, its model, and the files that the model names.
+    /// Returns all files of the study: the study file, the model file, and the files that the model names.
     pub fn files(&self) -> Vec<OtherFile> {
         let of = |path: &Path, text: &str| OtherFile {
             name: path.display().to_string(),
@@ -130,7 +131,7 @@ impl StudyFile {
     }
 }
 
-/// The file that contains a fault.
+/// Faults of the study file, or an error of its model file.
 enum At {
     Study(Diagnostics),
     Model(StudyError),
@@ -152,7 +153,7 @@ fn parse(path: &Path, text: &str, beside: Beside) -> Result<StudyFile, At> {
     let root = Section::root(table.get_ref(), &STUDY);
     if root.table.is_empty() {
         let fault = Fault { message: "the file contains no study".to_owned(), ..no_model() };
-        let hint = "a study has at least `model`, and a [[random]] or a [field]";
+        let hint = "a study needs the key `model` and a table [[random]] or [field]";
         let fault = Fault { hint: hint.to_owned(), ..fault };
         return Err(Diagnostics::from(crate::Diagnostic::new(&source, fault)).into());
     }
@@ -213,7 +214,7 @@ fn parse(path: &Path, text: &str, beside: Beside) -> Result<StudyFile, At> {
 pub enum StudyError {
     /// The study file cannot be read.
     Unreadable(PathBuf, std::io::Error),
-    /// Faults in the file with this name and text: the study or its model.
+    /// Faults in the study file or in the model file, with the path and the text of that file.
     Wrong(Diagnostics, PathBuf, String),
 }
 
@@ -265,8 +266,10 @@ fn model(
                 () => None,
             };
             if let Some(what) = several {
-                let message = format!("`{name}` has {what}: a study needs a model with one result");
-                let hint = "remove them from the model of the study";
+                let message =
+                    format!("`{name}` has {what}, but a study needs a model with one result");
+                let hint =
+                    "use a model file without trains, combinations and ranges of ground stiffness";
                 reader.report(Fault::new(code::EXCLUSIVE, span, message, "", hint));
                 return Ok(None);
             }

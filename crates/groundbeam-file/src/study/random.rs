@@ -1,4 +1,4 @@
-//! Reads `[[random]]` and `[[correlated]]`: random numbers of the model.
+//! Reads `[[random]]` and `[[correlated]]`: random numbers of the model and their correlations.
 
 use crate::code;
 use crate::document::Document;
@@ -18,11 +18,11 @@ use toml::de::DeValue;
 /// A number of the model that is random.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Random {
-    /// Its name in the file: `load[0]`.
+    /// Name of the random number in the file, such as `load[0]`.
     pub name: String,
-    /// The number of the model that it replaces.
+    /// Number of the model that the random number replaces.
     pub target: Parameter,
-    /// Its distribution.
+    /// Distribution of the random number.
     pub distribution: Distribution,
 }
 
@@ -36,14 +36,14 @@ pub enum Distribution {
         /// Standard deviation, positive.
         deviation: f64,
     },
-    /// `lognormal`: its logarithm is normal.
+    /// `lognormal`: the logarithm of the number is normally distributed.
     Lognormal {
         /// Mean, positive.
         mean: f64,
         /// Standard deviation, positive.
         deviation: f64,
     },
-    /// `gumbel`: the type I distribution of the largest value.
+    /// `gumbel`: the type I extreme value distribution of largest values.
     Gumbel {
         /// Mean.
         mean: f64,
@@ -68,12 +68,12 @@ pub enum Distribution {
     },
 }
 
-/// Two correlated random numbers.
+/// Correlation of two random numbers.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Joined {
     /// Indices of the two random numbers, from 0.
     pub of: [usize; 2],
-    /// Correlation of their normal scores.
+    /// Correlation of the normal scores of the two numbers.
     pub rho: f64,
 }
 
@@ -87,7 +87,7 @@ static DISTRIBUTIONS: Words = Words {
 pub(super) static TABLE: Table = Table {
     name: "[[random]]",
     keys: &[
-        text("what", "k_factor", "A number of the model, from the list below.").needed(),
+        text("what", "k_factor", "The name of the random number, such as `load[0]`.").needed(),
         word("distribution", &DISTRIBUTIONS, "The distribution of the number.").needed(),
         key(
             "mean",
@@ -97,9 +97,13 @@ pub(super) static TABLE: Table = Table {
         quantity(
             "cov",
             &RATIO,
-            "Their coefficient of variation: the standard deviation divided by the mean.",
+            "The coefficient of variation of `normal`, `lognormal`, `gumbel`: the standard deviation divided by the mean.",
         ),
-        key("deviation", Value::Depends, "Their standard deviation."),
+        key(
+            "deviation",
+            Value::Depends,
+            "The standard deviation of `normal`, `lognormal`, `gumbel`.",
+        ),
         key("from", Value::Depends, "`uniform`, `triangular`: the smallest value.").also(ALSO_FROM),
         key("to", Value::Depends, "`uniform`, `triangular`: the largest value.").also(ALSO_TO),
         key("mode", Value::Depends, "`triangular`: the most probable value."),
@@ -115,7 +119,8 @@ pub(super) static CORRELATED: Table = Table {
             "The names of two random numbers.",
         )
         .needed(),
-        quantity("rho", &RATIO, "The correlation of their normal scores.").needed(),
+        quantity("rho", &RATIO, "The correlation of the normal scores of the two numbers.")
+            .needed(),
     ],
 };
 
@@ -139,8 +144,9 @@ pub(super) fn read(reader: &mut Reader, root: &Section, document: &Document) -> 
         }
         if let Some(distribution) = distribution {
             if target::must_be_positive(target) && !distribution.is_positive() {
-                let message =
-                    format!("`{name}` must be positive, but this distribution has other values");
+                let message = format!(
+                    "`{name}` must be positive, but the distribution contains negative values or zero"
+                );
                 let hint = "use `lognormal`, or `uniform` or `triangular` with a positive `from`";
                 reader.report(Fault::new(code::RANGE, span, message, "", hint));
                 continue;
@@ -151,7 +157,7 @@ pub(super) fn read(reader: &mut Reader, root: &Section, document: &Document) -> 
     all
 }
 
-/// The number of the model that `what` names.
+/// Returns the name, the parameter and the location of the number that the key `what` names.
 fn target(
     reader: &mut Reader,
     table: &Section,
@@ -166,7 +172,7 @@ fn target(
         return None;
     };
     if let Some(problem) = target::problem(target, name, document) {
-        let message = format!("`{name}` cannot be random here");
+        let message = format!("`{name}` cannot be random in this study");
         reader.report(Fault::new(code::EXCLUSIVE, span, message, "", problem));
         return None;
     }
@@ -201,7 +207,7 @@ fn distribution(
         let from = reader.required_of(table, "from", kind);
         let to = reader.required_of(table, "to", kind);
         if to.value <= from.value {
-            let hint = "`to` is the largest value, `from` the smallest";
+            let hint = "`to` is the largest value and `from` is the smallest value";
             out_of_range(reader, &to, "`to` must be larger than `from`", hint);
             return None;
         }
@@ -226,7 +232,8 @@ fn distribution(
     };
     let deviation = spread(reader, table, kind, mean)?;
     if which == "lognormal" && mean <= 0.0 {
-        let hint = "a lognormal number is positive; for other numbers use `normal`";
+        let hint =
+            "a lognormal number is always positive; use `normal` for a number that may be negative";
         out_of_range(reader, &Field::new(mean, span), "its mean must be positive", hint);
         return None;
     }
@@ -238,7 +245,7 @@ fn distribution(
     }
 }
 
-/// The standard deviation: given directly, or as a fraction of the mean.
+/// Reads the standard deviation, which is given directly or as a fraction of the mean.
 pub(super) fn spread(
     reader: &mut Reader,
     table: &Section,
@@ -249,7 +256,7 @@ pub(super) fn spread(
     let deviation = reader.quantity_of(table, "deviation", kind);
     let given = match (cov, deviation) {
         (Some(cov), Some(deviation)) => {
-            let hint = "the deviation is the mean times `cov`: give one of the two";
+            let hint = "`deviation` is the mean times `cov`; give only one of the two keys";
             reader.exclusive(("cov", &cov.span), ("deviation", &deviation.span), hint);
             return None;
         }
@@ -273,7 +280,7 @@ pub(super) fn spread(
             reader,
             &given,
             "it must be positive",
-            "a random number needs a positive deviation",
+            "a random number needs a positive standard deviation",
         );
         return None;
     }
@@ -285,7 +292,7 @@ pub(super) fn out_of_range(reader: &mut Reader, field: &Field, message: &str, hi
 }
 
 impl Distribution {
-    /// Whether all its values are positive.
+    /// Whether all values of the distribution are positive.
     fn is_positive(&self) -> bool {
         match *self {
             Distribution::Normal { .. } | Distribution::Gumbel { .. } => false,
@@ -308,13 +315,13 @@ pub(super) fn read_joined(reader: &mut Reader, root: &Section, random: &[Random]
     for table in reader.tables(root, "correlated") {
         let rho = reader.required(&table, "rho");
         if rho.value.abs() >= 1.0 {
-            let hint = "0 means independent; replace two fully correlated numbers by one";
+            let hint = "the value 0 means independent numbers; replace two fully correlated numbers by one number";
             out_of_range(reader, &rho, "a correlation lies between -1 and 1", hint);
         }
         let Some(of) = pair(reader, &table, random, &written) else { continue };
         let span = table.span.clone();
         if all.iter().any(|other| other.of == of) {
-            let message = "the correlation of these two has already been given";
+            let message = "the correlation of these two random numbers has already been given";
             let hint = "give it once";
             reader.report(Fault::new(code::REPEATED, span, message, "", hint));
             continue;
@@ -324,7 +331,8 @@ pub(super) fn read_joined(reader: &mut Reader, root: &Section, random: &[Random]
     all
 }
 
-/// Indices of the two named numbers in ascending order. Names of invalid numbers have been reported.
+/// Returns the indices of the two random numbers in the list `what`, in ascending order. The name of a random
+/// number that has already been refused causes no second message.
 fn pair(
     reader: &mut Reader,
     table: &Section,

@@ -11,10 +11,10 @@ use crate::table::Section;
 pub enum Sampling {
     /// `monte-carlo`: independent samples.
     MonteCarlo,
-    /// `latin-hypercube`: the range of each random number is divided into as many equally probable intervals
-    /// as a replicate has samples. Each interval contains one sample.
+    /// `latin-hypercube`: a replicate of n samples divides the range of each random number into n equally
+    /// probable intervals. Each interval contains one sample.
     LatinHypercube,
-    /// `sobol`: Sobol's sequence with Owen scrambling, different in each replicate.
+    /// `sobol`: Sobol's sequence with Owen scrambling. The scrambling is different in each replicate.
     Sobol,
 }
 
@@ -38,7 +38,7 @@ pub(super) static NAMES: Words = Words {
     hint: WHAT_CAN_STAND_HERE,
 };
 
-/// Number of samples, and the sampling method.
+/// Number of samples, seed and sampling method of a study.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Plan {
     /// Number of samples.
@@ -47,15 +47,16 @@ pub struct Plan {
     pub seed: u64,
     /// Sampling method.
     pub sampling: Sampling,
-    /// Number of independent replicates; their scatter estimates the error. It is 1 for `monte-carlo`, where
-    /// all samples are independent.
+    /// Number of independent replicates. The scatter between the replicates estimates the sampling error. The
+    /// number is 1 for `monte-carlo`, where all samples are independent.
     pub replicates: u64,
 }
 
 /// Default number of samples.
 const SAMPLES: u64 = 10_000;
 const REPLICATES: u64 = 16;
-/// Maximum number of samples. Every program that reads the results can represent it exactly.
+/// Maximum number of samples. It is below 2⁵³, so a program that stores numbers as doubles represents it
+/// exactly.
 pub(super) const MOST_SAMPLES: u64 = 1 << 48;
 pub(super) const MOST_REPLICATES: u64 = 1 << 16;
 
@@ -69,7 +70,7 @@ pub(super) fn read(reader: &mut Reader, root: &Section) -> Plan {
     let replicates = match sampling {
         Sampling::MonteCarlo => {
             if let (Some(_), Some(value)) = (written, root.value("replicates")) {
-                let message = "samples of `monte-carlo` are always independent";
+                let message = "`replicates` does not apply to `monte-carlo`, whose samples are always independent";
                 let hint = "leave `replicates` out, or use `latin-hypercube` or `sobol`";
                 reader.report(Fault::new(code::MISPLACED, value.span(), message, "", hint));
             }
@@ -81,12 +82,12 @@ pub(super) fn read(reader: &mut Reader, root: &Section) -> Plan {
 }
 
 impl Plan {
-    /// The plan with another number of samples or another seed.
+    /// Returns the plan with another number of samples or another seed.
     pub fn with(self, samples: Option<u64>, seed: Option<u64>) -> Self {
         Plan { samples: samples.unwrap_or(self.samples), seed: seed.unwrap_or(self.seed), ..self }
     }
 
-    /// Fault in the number of samples, if any.
+    /// Returns the fault in the number of samples, if any.
     pub fn problem(&self) -> Option<String> {
         let Plan { samples, replicates, .. } = *self;
         if !(1..=MOST_SAMPLES).contains(&samples) {
@@ -96,7 +97,7 @@ impl Plan {
             let down = samples - samples % replicates;
             let near = if down == 0 { replicates } else { down };
             return Some(format!(
-                "{samples} samples cannot be divided into {replicates} equal replicates; {near} can"
+                "{samples} samples cannot be divided into {replicates} equal replicates; {near} samples can"
             ));
         }
         let each = samples / replicates;

@@ -1,6 +1,7 @@
 //! Dimensions of units: powers of force, length, angle and temperature.
 
-/// Powers of force, length, angle and temperature difference. A model has no masses or times.
+/// Exponents of force, length, angle and temperature difference in a unit. Mass and time do not occur in a
+/// model.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Dimension {
     pub force: i32,
@@ -16,13 +17,13 @@ impl Dimension {
     pub const ANGLE: Dimension = Dimension { angle: 1, ..Dimension::NONE };
     pub const TEMPERATURE: Dimension = Dimension { temperature: 1, ..Dimension::NONE };
 
-    /// force^`force` × length^`length`
+    /// Returns the dimension force^`force` × length^`length`.
     pub const fn new(force: i32, length: i32) -> Self {
         Dimension { force, length, angle: 0, temperature: 0 }
     }
 
-    /// This dimension times a power of `other`. Exponents saturate at the limits of their type, far beyond
-    /// the exponents of any unit.
+    /// Multiplies this dimension by a power of `other`. Exponents saturate at the limits of their type, which
+    /// are far beyond the exponents of any unit.
     pub fn times(self, other: Dimension, power: i32) -> Self {
         let add = |mine: i32, its: i32| mine.saturating_add(its.saturating_mul(power));
         Dimension {
@@ -33,7 +34,7 @@ impl Dimension {
         }
     }
 
-    /// Its description with an article: "a force per length".
+    /// Describes the dimension in words with an article, such as "a force per length".
     pub fn describe(self) -> String {
         if self == Dimension::TEMPERATURE {
             return "a temperature".to_owned();

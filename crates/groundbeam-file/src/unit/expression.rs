@@ -1,18 +1,20 @@
-//! Parses products, quotients and powers of unit symbols, as engineers write them: `kN/m^2`, `kN/m²`, `kN m`,
-//! `kNm`, `kN·m`, `kN*m`, `kN.m`, `kip-ft`, `kN/m/m`, `kN/(m rad)`, `kN m-2`, `mm4`, `1/m`.
+//! Parses products, quotients and powers of unit symbols in the notations that engineers use.
+//!
+//! Examples are `kN/m^2`, `kN/m²`, `kN m`, `kNm`, `kN·m`, `kN*m`, `kN.m`, `kip-ft`, `kN/m/m`, `kN/(m rad)`, `kN
+//! m-2`, `mm4` and `1/m`.
 
 use super::{Dimension, Marks, Scale, symbol};
 use crate::code;
 use crate::fault::Fault;
 use crate::suggest::nearest;
 
-/// Largest allowed exponent; it keeps the arithmetic small.
+/// Largest allowed exponent of a unit. The limit keeps the integers in conversion factors small.
 const HIGHEST_POWER: i32 = 12;
 /// Maximum depth of nested parentheses.
 const DEEPEST: usize = 8;
 const SUPERSCRIPTS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
 
-/// A unit: its factor to N, m and rad, and its dimension.
+/// A unit with its conversion factor to N, m and rad, its dimension and its flags.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Unit {
     pub scale: Scale,
@@ -23,7 +25,7 @@ pub(crate) struct Unit {
 impl Unit {
     const ONE: Unit = Unit { scale: Scale::ONE, dimension: Dimension::NONE, marks: Marks::NONE };
 
-    /// Reads the whole of `text`, which is not blank.
+    /// Parses the whole of `text`, which must not be blank.
     pub fn read(text: &str) -> Result<Unit, Fault> {
         let mut reader = Reader { text, at: 0 };
         let unit = reader.product(0)?;
@@ -76,11 +78,11 @@ impl Reader<'_> {
         }
     }
 
-    /// Reads a symbol or a parenthesis, with its exponent.
+    /// Parses a symbol or a parenthesis, with its exponent.
     fn factor(&mut self, depth: usize) -> Result<Unit, Fault> {
         self.skip_spaces();
         if self.at == 0 && self.text.starts_with('1') {
-            // 1/m
+            // A unit may begin with 1, as in `1/m`.
             self.advance();
             return Ok(Unit::ONE);
         }
@@ -102,7 +104,7 @@ impl Reader<'_> {
         }
         let word = &self.text[start..self.at];
         if let Some(power) = Self::power_in_words(word) {
-            // "sq ft", "cu in"
+            // The unit begins with a separate word, as in "sq ft" or "cu in".
             self.skip_spaces();
             let from = self.at;
             while self.peek().is_some_and(is_symbol_letter) {
@@ -119,7 +121,7 @@ impl Reader<'_> {
         Ok(first.times(last, self.power()?))
     }
 
-    /// Exponent that a word before a length stands for: `sq` or `cu`.
+    /// Returns the exponent that the word `sq` or `cu` before a length stands for.
     fn power_in_words(word: &str) -> Option<i32> {
         match word {
             "sq" => Some(2),
@@ -128,20 +130,21 @@ impl Reader<'_> {
         }
     }
 
-    /// One symbol, or a force and a length written as one word: `kNm`.
+    /// Parses one symbol, or a force and a length in one word, such as `kNm`. Returns two units, of which the
+    /// first is 1 if there is only one symbol.
     fn symbols(&self, start: usize, word: &str) -> Result<(Unit, Unit), Fault> {
         let unit = |(scale, dimension, marks)| Unit { scale, dimension, marks };
         if let Some(known) = symbol::look_up(word) {
             return Ok((Unit::ONE, unit(known)));
         }
-        // "sqft", "cuin"
+        // The word contains the exponent, as in "sqft" or "cuin".
         if let Some((power, known)) = word.split_at_checked(2).and_then(|(words, length)| {
             let known = symbol::look_up(length).filter(|known| known.1 == Dimension::LENGTH);
             Self::power_in_words(words).zip(known)
         }) {
             return Ok((Unit::ONE, Unit::ONE.times(unit(known), power)));
         }
-        // In a word such as `kNm`, the letter `k` alone is not the force.
+        // At the start of a word such as `kNm`, the letter `k` is a prefix and not the force kip.
         for (i, _) in word.char_indices().skip(1).filter(|(i, _)| !word[..*i].eq("k")) {
             let halves = symbol::look_up(&word[..i]).zip(symbol::look_up(&word[i..]));
             if let Some((force, length)) = halves
@@ -154,7 +157,7 @@ impl Reader<'_> {
         Err(unknown(start, word))
     }
 
-    /// Exponent after a symbol; 1 if there is none.
+    /// Parses the exponent after a symbol; the exponent is 1 if none is written.
     fn power(&mut self) -> Result<i32, Fault> {
         let start = self.at;
         let rest = self.text[self.at..].trim_start();

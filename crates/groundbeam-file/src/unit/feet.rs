@@ -1,14 +1,15 @@
-//! Lengths in feet, inches and fractions of an inch: `12'-6"`, `12 ft 6 in`, `6 1/2 in`, `12' 6 1/2"`.
+//! Parses lengths in feet, inches and fractions of an inch, such as `12'-6"`, `12 ft 6 in`, `6 1/2 in` and `12' 6 1/2"`.
 
 use super::symbol::{FEET, INCHES};
 
-/// Largest denominator of a fraction: 64ths.
+/// Largest allowed denominator of a fraction of a foot or an inch.
 const FINEST: u128 = 64;
-/// Parts per inch. In parts of 10⁻⁶ in, 64ths and six decimals are integers.
+/// An inch is divided into this number of equal parts, so that lengths are computed in whole numbers. All 64ths
+/// of an inch and all decimals with six digits after the point are whole numbers of such parts.
 const PARTS: u128 = 1_000_000;
 
-/// Inches of a length in feet and inches or with a fraction, as a decimal number. `None` for other texts,
-/// including one decimal number with its unit, as in `6.5 in`.
+/// Converts a length in feet and inches, or a length with a fraction, to a decimal number of inches. Returns
+/// `None` for other texts, also for one decimal number with its unit, such as `6.5 in`.
 pub(crate) fn feet_and_inches(text: &str) -> Option<String> {
     let text = text.trim();
     let (sign, text) = match text.strip_prefix(['-', '\u{2212}']) {
@@ -32,24 +33,26 @@ pub(crate) fn feet_and_inches(text: &str) -> Option<String> {
     Some(format!("{sign}{}.{:06}", parts / PARTS, parts % PARTS))
 }
 
-/// Such a length as one decimal number with its unit: feet, or inches if the text has no feet.
+/// Converts a length in feet and inches, or a length with a fraction, to a decimal number with its unit. The
+/// unit is feet if the text contains feet, and inches otherwise.
 pub(crate) fn decimal_length(text: &str) -> Option<(f64, &'static str)> {
     let inches: f64 = feet_and_inches(text)?.parse().ok()?;
     Some(if text.contains(starts_feet) { (inches / 12.0, "ft") } else { (inches, "in") })
 }
 
-/// The text before the unit, if it ends with one of these names.
+/// Returns the text before the unit if the text ends with one of the unit names `names`.
 fn number_and_unit<'t>(text: &'t str, names: &[&str]) -> Option<&'t str> {
     let number = names.iter().filter_map(|name| text.strip_suffix(name));
     number.min_by_key(|number| number.len()).map(str::trim_end)
 }
 
-/// Whether this letter may begin the unit of feet.
+/// Whether a name of the foot begins with this letter.
 fn starts_feet(letter: char) -> bool {
     FEET.iter().any(|name| name.starts_with(letter))
 }
 
-/// Splits a text into feet and inches. The unit of the inches has been removed.
+/// Splits a length into the text of the feet and the text of the inches. The unit of the inches has already
+/// been removed.
 fn feet_before(text: &str) -> Option<(&str, &str)> {
     let at = text.find(starts_feet)?;
     let (feet, rest) = text.split_at(at);
@@ -58,7 +61,7 @@ fn feet_before(text: &str) -> Option<(&str, &str)> {
     Some((feet.trim_end(), rest.strip_prefix('-').unwrap_or(rest).trim_start()))
 }
 
-/// A decimal number, a fraction, or an integer and a fraction, in parts of an inch.
+/// Parses a decimal number, a fraction, or an integer and a fraction. Returns the number times `PARTS`.
 fn parts_of(text: &str) -> Option<u128> {
     let Some((before, below)) = text.split_once('/') else { return decimal(text) };
     let (whole, above) = match before.trim_end().rsplit_once([' ', '-']) {
@@ -77,7 +80,7 @@ fn decimal(text: &str) -> Option<u128> {
     Some(PARTS.checked_mul(count(whole)?)? + count(&part)?)
 }
 
-/// An integer of up to nine digits.
+/// Parses an integer of up to nine digits.
 fn count(text: &str) -> Option<u128> {
     let is_count = (1..=9).contains(&text.len()) && text.bytes().all(|byte| byte.is_ascii_digit());
     is_count.then(|| text.parse().ok()).flatten()

@@ -1,7 +1,7 @@
-//! Parses units: symbols, their combination, and their dimension.
+//! Parses the units of quantities: symbols, combinations of symbols, and their dimensions.
 //!
-//! A model needs only forces, lengths, angles and temperature differences. General unit libraries accept far
-//! more than a quantity and do not report which characters are wrong.
+//! A model needs only forces, lengths, angles and temperature differences. A general unit library would accept
+//! many other units and would not report which characters are wrong.
 
 mod dimension;
 mod expression;

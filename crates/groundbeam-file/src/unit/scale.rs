@@ -1,9 +1,9 @@
 //! The factor of a unit: a fraction of integers times a power of ten.
 
-/// `numerator / denominator × 10^ten`, exact as long as the integers fit.
+/// Factor `numerator / denominator × 10^ten` of a unit. It is exact as long as the integers fit into 128 bits.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Scale {
-    /// `None` if the integers exceed 128 bits.
+    /// Numerator and denominator; `None` if one of them exceeds 128 bits.
     fraction: Option<(u128, u128)>,
     ten: i32,
     approximate: f64,
@@ -12,13 +12,13 @@ pub(crate) struct Scale {
 impl Scale {
     pub const ONE: Scale = Scale { fraction: Some((1, 1)), ten: 0, approximate: 1.0 };
 
-    /// `numerator / denominator × 10^ten`, with both parts nonzero.
+    /// Returns the factor `numerator / denominator × 10^ten`. Numerator and denominator must not be zero.
     pub fn new(numerator: u64, denominator: u64, ten: i32) -> Self {
         let approximate = numerator as f64 / denominator as f64 * 10_f64.powi(ten);
         Scale { fraction: Some((numerator.into(), denominator.into())), ten, approximate }
     }
 
-    /// This factor times a power of `other`.
+    /// Multiplies this factor by a power of `other`.
     pub fn times(self, other: Scale, power: i32) -> Self {
         let mut fraction = self.fraction;
         for _ in 0..power.unsigned_abs() {
@@ -33,23 +33,23 @@ impl Scale {
         }
     }
 
-    /// Numerator and denominator, if exact.
+    /// Returns the numerator and the denominator; `None` if the factor is not stored exactly.
     pub fn fraction(&self) -> Option<(u128, u128)> {
         self.fraction
     }
 
-    /// Exponent of ten beside the fraction.
+    /// Returns the exponent of the power of ten that multiplies the fraction.
     pub fn ten(&self) -> i32 {
         self.ten
     }
 
-    /// The factor, accurate to a few units in the last place.
+    /// Returns the factor as a double, accurate to a few units in the last place.
     pub fn to_f64(self) -> f64 {
         self.approximate
     }
 }
 
-/// The product in lowest terms, so that lbf/lbf is exactly 1.
+/// Multiplies two fractions and reduces the product, so that lbf/lbf is exactly 1.
 fn multiply(a: (u128, u128), b: (u128, u128)) -> Option<(u128, u128)> {
     let (left, right) = (common_divisor(a.0, b.1), common_divisor(b.0, a.1));
     let numerator = (a.0 / left).checked_mul(b.0 / right)?;

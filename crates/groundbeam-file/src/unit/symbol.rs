@@ -1,17 +1,17 @@
 //! Table of unit symbols with their factors and dimensions.
 //!
-//! The factors are exact. The definitions of the inch, the pound and the standard acceleration of free fall
-//! come from NIST Special Publication 811 (2008), appendix B. Only the degree is rounded.
+//! All factors except that of the degree are exact. The definitions of the inch, the pound and the standard
+//! acceleration of free fall come from NIST Special Publication 811 (2008), appendix B.
 
 use super::{Dimension, Marks, Scale};
 
 /// One unit symbol.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Symbol {
-    /// The name that hints use, followed by alternative names.
+    /// Names of the unit: the name that hints use, followed by alternative names.
     pub names: &'static [&'static str],
     pub dimension: Dimension,
-    /// Factor to N, m and rad: numerator, denominator, power of ten.
+    /// Conversion factor to N, m and rad: numerator, denominator and power of ten.
     factor: (u64, u64, i32),
     takes_prefix: bool,
     marks: Marks,
@@ -41,7 +41,7 @@ const fn other(
     Symbol { names, dimension, factor, takes_prefix: false, marks }
 }
 
-/// One pound-force, 0.453 592 37 kg × 9.806 65 m/s² = 4.448 221 615 260 5 N, in 10⁻¹³ N.
+/// The pound-force in units of 10⁻¹³ N: 0.453 592 37 kg × 9.806 65 m/s² = 4.448 221 615 260 5 N.
 const POUND: u64 = 44_482_216_152_605;
 const INCH: u64 = 254;
 const FOOT: u64 = 3048;
@@ -58,34 +58,36 @@ pub(super) const SYMBOLS: &[Symbol] = &[
     metric(&["Pa"], STRESS, 0, Marks::NEWTON),
     metric(&["bar"], STRESS, 5, Marks::NEWTON),
     metric(&["rad"], Dimension::ANGLE, 0, Marks::NONE),
-    // Temperature differences.
+    // The next units are units of temperature differences.
     other(&["K", "°C", "degC"], Dimension::TEMPERATURE, (1, 1, 0), Marks::NONE),
     other(&["°F", "degF"], Dimension::TEMPERATURE, (5, 9, 0), Marks::NONE),
-    // π/180 to 19 figures.
+    // The factor of the degree is π/180, rounded to 19 figures.
     other(&["deg", "°"], Dimension::ANGLE, (1_745_329_251_994_329_577, 1, -20), Marks::NONE),
-    // 1 in = 0.0254 m, 1 ft = 12 in, 1 yd = 3 ft, 1 mil = 0.001 in.
+    // The US units of length are 1 in = 0.0254 m, 1 ft = 12 in, 1 yd = 3 ft and 1 mil = 0.001 in.
     other(INCHES, LENGTH, (INCH, 1, -4), IN),
     other(FEET, LENGTH, (FOOT, 1, -4), FT),
     other(&["yd"], LENGTH, (9144, 1, -4), FT),
     other(&["mil"], LENGTH, (INCH, 1, -7), IN),
-    // 1 kip = 1000 lbf; 1 kgf = 9.806 65 N, 1 tf = 1000 kgf. No quantity of a model is a mass: `lb` is a force.
+    // The units of force are 1 kip = 1000 lbf, 1 kgf = 9.806 65 N and 1 tf = 1000 kgf. `lb` is a force, because
+    // no quantity of a model is a mass.
     other(&["lbf", "lb", "lbs", "pound", "pounds", "#"], FORCE, (POUND, 1, -13), LBF),
     other(&["kip", "kips", "Kip", "Kips", "KIP", "KIPS", "k"], FORCE, (POUND, 1, -10), KIP),
     other(&["kgf", "kp"], FORCE, (980_665, 1, -5), TECHNICAL),
     other(&["tf"], FORCE, (980_665, 1, -2), TECHNICAL),
-    // Pounds or kips per linear foot or inch.
+    // The next units are pounds or kips per foot and per inch of length.
     other(&["plf"], LINE_LOAD, (POUND, FOOT, -9), LBF.with(FT)),
     other(&["klf"], LINE_LOAD, (POUND, FOOT, -6), KIP.with(FT)),
     other(&["pli"], LINE_LOAD, (POUND, INCH, -9), LBF.with(IN)),
     other(&["kli"], LINE_LOAD, (POUND, INCH, -6), KIP.with(IN)),
-    // Pounds, kips or millions of pounds per square inch; pounds, kips or tons of 2000 pounds per square foot.
+    // The next units are pounds, kips or millions of pounds per square inch, and pounds, kips or tons of 2000
+    // pounds per square foot.
     other(&["psi"], STRESS, (POUND, INCH * INCH, -5), LBF.with(IN)),
     other(&["ksi"], STRESS, (POUND, INCH * INCH, -2), KIP.with(IN)),
     other(&["Msi"], STRESS, (POUND, INCH * INCH, 1), KIP.with(IN)),
     other(&["psf"], STRESS, (POUND, FOOT * FOOT, -5), LBF.with(FT)),
     other(&["ksf"], STRESS, (POUND, FOOT * FOOT, -2), KIP.with(FT)),
     other(&["tsf"], STRESS, (2 * POUND, FOOT * FOOT, -2), KIP.with(FT)),
-    // Pounds, kips or tons per cubic inch or cubic foot.
+    // The next units are pounds, kips or tons of 2000 pounds per cubic inch or per cubic foot.
     other(&["pci"], SPECIFIC_WEIGHT, (POUND, INCH * INCH * INCH, -1), LBF.with(IN)),
     other(&["kci"], SPECIFIC_WEIGHT, (POUND, INCH * INCH * INCH, 2), KIP.with(IN)),
     other(&["pcf"], SPECIFIC_WEIGHT, (POUND, FOOT * FOOT * FOOT, -1), LBF.with(FT)),
@@ -93,7 +95,7 @@ pub(super) const SYMBOLS: &[Symbol] = &[
     other(&["tcf"], SPECIFIC_WEIGHT, (2 * POUND, FOOT * FOOT * FOOT, 2), KIP.with(FT)),
 ];
 
-/// The inch and the foot, including the signs that word processors substitute.
+/// Names of the inch, including the signs that word processors substitute.
 pub(super) const INCHES: &[&str] = &["in", "inch", "inches", "\"", "″", "”"];
 pub(super) const FEET: &[&str] = &["ft", "foot", "feet", "'", "′", "’"];
 
@@ -114,14 +116,14 @@ const PREFIXES: &[(&str, i32)] = &[
     ("n", -9),
 ];
 
-/// Symbols for suggestions, the most common first.
+/// Symbols that hints may suggest, the most common symbol first.
 pub(super) const COMMON: &[&str] = &[
     "m", "mm", "cm", "km", "kN", "N", "MN", "GN", "MPa", "kPa", "GPa", "Pa", "bar", "rad", "mrad",
     "deg", "in", "ft", "yd", "mil", "lbf", "kip", "kgf", "tf", "daN", "psi", "ksi", "psf", "ksf",
     "tsf", "pci", "pcf", "kcf", "plf", "klf", "pli", "K", "°C", "°F",
 ];
 
-/// Names and foreign symbols, each with the symbol that it means.
+/// Full names of units, each with the symbol of the unit.
 const NAMES: &[(&str, &str)] = &[
     ("metre", "m"),
     ("metres", "m"),
@@ -163,7 +165,7 @@ const ADVICE: &[(&[&str], &str)] = &[
     (&["MM"], "write millimetres as `mm`"),
 ];
 
-/// Factor, dimension and flags of a symbol with or without a prefix.
+/// Returns the factor, the dimension and the flags of a symbol with or without an SI prefix.
 pub(super) fn look_up(word: &str) -> Option<(Scale, Dimension, Marks)> {
     if let Some(symbol) = SYMBOLS.iter().find(|symbol| symbol.names.contains(&word)) {
         let (numerator, denominator, ten) = symbol.factor;
@@ -176,13 +178,13 @@ pub(super) fn look_up(word: &str) -> Option<(Scale, Dimension, Marks)> {
     })
 }
 
-/// The symbol that the name or foreign symbol `word` means.
+/// Returns the symbol of the unit that has the full name `word`.
 pub(super) fn symbol_for_name(word: &str) -> Option<&'static str> {
     let lower = word.to_lowercase();
     NAMES.iter().find(|(name, _)| *name == lower).map(|&(_, symbol)| symbol)
 }
 
-/// Hint for a symbol that is not supported.
+/// Returns the hint for a symbol that is not supported.
 pub(super) fn advice(word: &str) -> Option<&'static str> {
     ADVICE.iter().find(|(words, _)| words.contains(&word)).map(|&(_, advice)| advice)
 }
@@ -192,14 +194,14 @@ mod tests {
     use super::*;
     use crate::number::Decimal;
 
-    /// The value of "1 symbol" in N, m, rad.
+    /// Returns the value of "1 symbol" in N, m and rad.
     fn one(word: &str) -> f64 {
         let (scale, ..) = look_up(word).unwrap_or_else(|| panic!("{word} is not known"));
         Decimal::read("1").unwrap().0.times(&scale)
     }
 
-    /// NIST Special Publication 811 (2008), appendix B.8, prints these to seven figures, in bold if exact.
-    /// The test uses the exact quotients of the definitions.
+    /// Compares the factors with the values printed in NIST Special Publication 811 (2008), appendix B.8.
+    /// Factors that are printed with rounding are also compared with quotients of exactly defined numbers.
     #[test]
     fn every_symbol_has_its_published_factor() {
         let pound = 4.448_221_615_260_5; // B.8: pound-force, 4.448 222 E+00
@@ -250,7 +252,10 @@ mod tests {
         for (word, quotient, printed) in quotients {
             let factor = one(word);
             assert!((factor / quotient - 1.0).abs() <= 4.0 * f64::EPSILON, "{word}: {factor:e}");
-            assert!((factor / printed - 1.0).abs() <= 5e-7, "{word}: {factor:e} is not as printed");
+            assert!(
+                (factor / printed - 1.0).abs() <= 5e-7,
+                "{word}: {factor:e} differs from the factor printed in NIST SP 811"
+            );
         }
         let tested: Vec<&str> =
             exact.iter().map(|e| e.0).chain(quotients.iter().map(|q| q.0)).collect();

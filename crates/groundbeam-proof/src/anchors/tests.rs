@@ -1,4 +1,4 @@
-//! Compares the bounds from anchors with norms of kernels and with exact shares.
+//! Compares the bounds from anchors with norms of integral kernels, and checks the balanced pressures and reactions.
 
 #![cfg(test)]
 
@@ -15,8 +15,9 @@ use crate::units::Units;
 use crate::wide::Wide;
 use serde_json::json;
 
-/// The value of e at a position is ∫g e_φ′ + ∫g_γ γ plus the contribution of the anchors. By Cauchy's inequality its bound
-/// contains s times the norm of g, and s_γ times the norm of g_γ.
+/// The test writes the error of the deflection at a position as a sum of two integrals and the contributions of the
+/// anchors. The integrands are the derivative of the rotation error and the error of the shear strain, each multiplied
+/// by a kernel. By Cauchy's inequality, the bound of the deflection error contains the norms of the two kernels.
 #[test]
 fn bounds_between_and_beyond_anchors_have_the_norms_of_the_kernels() {
     let mut random = numbers();
@@ -29,30 +30,35 @@ fn bounds_between_and_beyond_anchors_have_the_norms_of_the_kernels() {
             let ratio = bound.value() / exact;
             assert!((1.0 - 1e-12..1.001).contains(&ratio), "{ratio}");
         };
-        // In the middle between two anchors g = ½ min(x, h − x) and g_γ = ±½.
+        // In the middle between two anchors, the kernel of the rotation is half the distance from the nearer anchor.
+        // The kernel of the shear strain is ±½.
         let bent = (2.0 * integral(0.5 * h, |x| (0.5 * x).powi(2))).sqrt();
         is_bound(between(long, flexure), s * bent + sheared * (0.25 * h).sqrt());
-        // Beyond two anchors g = o − x and g_γ = 1 on the overhang, g = o(1 − x/h) and g_γ = o/h between them.
+        // At the end of an overhang beyond two anchors, the kernel of the rotation is the distance from this end.
+        // Between the anchors, it decreases linearly to zero. The kernel of the shear strain is 1 on the overhang and
+        // `over / h` between the anchors.
         let outside = integral(over, |x| (over - x).powi(2));
         let bent = (outside + integral(h, |x| (over * (1.0 - x / h)).powi(2))).sqrt();
         let slid = (over + integral(h, |_| (over / h).powi(2))).sqrt();
         let exact = near + (near + far) * over / h + s * bent + sheared * slid;
         is_bound(beyond([near, far].map(Size::of), short, [h; 2], flexure), exact);
-        // Beyond an anchor at the distance h from a position with a bound of e_φ: g = o up to the anchor.
+        // If the rotation error is bounded at a second position, the kernel of the rotation between this position and
+        // the anchor is the length of the overhang.
         let bent = (outside + integral(h, |_| over * over)).sqrt();
         let exact = slope * over + s * bent + sheared * over.sqrt();
         is_bound(along_slope([slope, h].map(Size::of), short, flexure), exact);
     }
 }
 
-/// At a distance y from the middle, e differs from its tangent there by at most s(y³/3)^½ + s_γy^½. The bound adds the mean
-/// of this number to the mean of |e|, and its value at the ends to (1 + √2) times the sum.
+/// Compares the bound of `from_mean` with a bound from numerical integration. The bound is 1 + √2 times the sum of the
+/// means of two quantities, plus the second quantity at the ends. The first quantity is the absolute error of the
+/// deflection. The second quantity bounds the difference of the error and its tangent in the middle of the interval.
 #[test]
 fn a_bound_of_the_mean_gives_a_bound_of_both_ends() {
     let mut random = numbers();
     for _ in 0..200 {
         let [half, s, sheared, mean] = [0; 4].map(|_| 10.0_f64.powf(2.0 * random() - 1.0));
-        // The substitution y = v² gives polynomials.
+        // With the distance v² from the middle, all integrands are polynomials of v.
         let root = half.sqrt();
         let average = |f: &dyn Fn(f64) -> f64| integral(root, |v| 2.0 * v * f(v)) / half;
         let bent = |v: f64| s * v.powi(3) / 3.0_f64.sqrt();
@@ -65,7 +71,8 @@ fn a_bound_of_the_mean_gives_a_bound_of_both_ends() {
     }
 }
 
-/// A piece of length 1.6 with half = 1 covers |t| ≤ 0.8.
+/// Checks that pressures are bounded only on middle parts within the piece. A piece of length 1.6 with the stored half
+/// length 1 allows fractions up to 0.8.
 #[test]
 fn pressures_are_bounded_within_the_piece_only() {
     for (half, wanted) in [(1.0, &[0.5, 0.25, 0.0625][..]), (0.8, &[0.9, 0.5, 0.25, 0.0625])] {
@@ -74,7 +81,7 @@ fn pressures_are_bounded_within_the_piece_only() {
         let span = Span::of(&piece, [0.0, 1.6].map(Wide::of), units).expect("a piece");
         assert_eq!(parts_of(&span).collect::<Vec<_>>(), wanted);
     }
-    // The exact end of a piece is not the stored one: |t| ≤ 0.875 at the right or at the left end.
+    // One exact end of the piece lies 0.1 inside the stored end, so fractions above 0.875 are not allowed.
     for exact in [[0.0, 1.5], [0.1, 1.6]] {
         let piece = Piece { x: [0.0, 1.6], half: 0.8, deflection: vec![1.0], ..Piece::default() };
         let units = Units { length: 0, force: 0 };
@@ -83,8 +90,8 @@ fn pressures_are_bounded_within_the_piece_only() {
     }
 }
 
-/// Loads larger by a quarter than the claimed pressure and the claimed forces of supports: λ = ¼, and at least ¾ of p and
-/// of R remain.
+/// The loads exceed the claimed pressure and the claimed reactions by a quarter. The proof therefore changes pressures
+/// and reactions by a quarter of their values, and the lower bounds are ¾ of the claimed values.
 #[test]
 fn redistributed_pressures_and_reactions_keep_their_share() {
     let springs = "[[support]]\nat = 0\ntype = 'pinned'\nacts = 'up'\n[[support]]\nat = 2\ntype = 'pinned'\nacts = 'up'\n\

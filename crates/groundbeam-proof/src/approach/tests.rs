@@ -20,7 +20,7 @@ use serde_json::{Value, json};
 
 const COUNT: usize = 2000;
 
-/// A length of varying ground: k, μ and a load as parabolas, given by Bernstein coefficients.
+/// A stretch of varying ground. Its k, μ and load are parabolas, given by Bernstein coefficients.
 struct Ground {
     length: f64,
     k: [f64; 3],
@@ -28,7 +28,7 @@ struct Ground {
     load: [f64; 3],
 }
 
-/// Bernstein's formula.
+/// Returns the value at s of the parabola with these Bernstein coefficients.
 fn parabola([a, b, c]: [f64; 3], s: f64) -> f64 {
     (1.0 - s) * ((1.0 - s) * a + s * b) + s * ((1.0 - s) * b + s * c)
 }
@@ -41,13 +41,13 @@ impl Ground {
         Ground { length: 3.0_f64.powf(random()), k, mu, load }
     }
 
-    /// The largest (`sign` = 1) or smallest (`sign` = −1) value of the parabola `of` along the ground.
+    /// Returns the largest (`sign` = 1) or smallest (`sign` = −1) value of the parabola `of` on the stretch.
     fn most(&self, of: [f64; 3], sign: f64) -> f64 {
         let at = |i: usize| sign * parabola(of, i as f64 / COUNT as f64);
         sign * (0..=COUNT).map(at).fold(f64::NEG_INFINITY, f64::max)
     }
 
-    /// Solves −(μy′)′ + ky = load with linear elements. `ends` has y at both ends; without it the ends
+    /// Solves −(μy′)′ + ky = `load` with linear elements. `ends` prescribes y at both ends; without `ends`, both ends
     /// are free. Returns y at the nodes and −μy′ at the left end.
     fn solve(&self, ends: Option<[f64; 2]>) -> (Vec<f64>, f64) {
         let h = self.length / COUNT as f64;
@@ -84,7 +84,7 @@ impl Ground {
     }
 }
 
-/// Checks (13a) of docs/proof.md.
+/// Checks the bound (13a) of docs/proof.md for the flux at the end of varying ground.
 #[test]
 fn the_flux_at_the_end_of_varying_ground_is_bounded() {
     let mut random = numbers();
@@ -107,7 +107,7 @@ fn the_flux_at_the_end_of_varying_ground_is_bounded() {
     assert!(largest > 0.3, "{largest}");
 }
 
-/// Checks (4a) of docs/proof.md: ‖Gρ‖_b² = ∫ρGρ.
+/// Checks the bound (4a) of docs/proof.md for the energy of the ground under a residual pressure.
 #[test]
 fn the_energy_of_a_residual_pressure_is_bounded_by_its_norm() {
     let mut random = numbers();
@@ -126,7 +126,8 @@ fn the_energy_of_a_residual_pressure_is_bounded_by_its_norm() {
     assert!(largest > 0.3, "{largest}");
 }
 
-/// Open ground with constant k and μ under a beam. C is the clearance, as a function of t.
+/// Open ground with constant k and μ under a beam. The deflection w is a cubic polynomial of the coordinate t, which is
+/// −1 and 1 at the ends.
 struct Open {
     length: f64,
     ground: [f64; 2],
@@ -153,7 +154,7 @@ impl Open {
         OpenPiece::of(&span, self.ends.map(Wide::of), None, [Size::ZERO; 3])
     }
 
-    /// C and C′, with C′ with respect to x.
+    /// Returns the clearance C at t and its derivative C′ with respect to x.
     fn clearance(&self, t: f64) -> [f64; 2] {
         let b = (self.ground[0] / self.ground[1]).sqrt();
         let (half, whole) = (0.5 * self.length, (b * self.length).sinh());
@@ -167,7 +168,7 @@ impl Open {
         ]
     }
 
-    /// The smallest value of a function of t on an interval.
+    /// Returns the smallest value of a function of t on an interval.
     fn least([from, to]: [f64; 2], of: impl Fn(f64) -> f64) -> f64 {
         (0..=2000)
             .map(|i| of(from + (to - from) * f64::from(i) / 2000.0))
@@ -175,8 +176,8 @@ impl Open {
     }
 }
 
-/// The clearance of a random piece exceeds a limit, or it does not. The claim is right, and it is made unless the
-/// clearance is near the limit.
+/// Checks on random pieces that `clear` claims a clearance above a limit only if this is true. It must make the claim
+/// unless the clearance is near the limit.
 #[test]
 fn a_clearance_above_a_limit_is_shown() {
     let mut random = numbers();
@@ -196,7 +197,8 @@ fn a_clearance_above_a_limit_is_shown() {
     assert!((50..350).contains(&shown), "{shown}");
 }
 
-/// The clearance of a random piece decreases towards one end faster than a limit, or it does not.
+/// Checks on random pieces that `falls` claims a decrease of the clearance towards one end, faster than a limit, only
+/// if this is true.
 #[test]
 fn a_fall_of_the_clearance_is_shown() {
     let mut random = numbers();
@@ -215,7 +217,8 @@ fn a_fall_of_the_clearance_is_shown() {
     assert!((25..375).contains(&shown), "{shown}");
 }
 
-/// The curvature of the clearance of a random piece is at least its bound, which is sharp on short intervals.
+/// Checks the lower bound of the curvature of the clearance on random pieces. The bound must be sharp on short
+/// intervals.
 #[test]
 fn the_curvature_of_the_clearance_has_a_lower_bound() {
     let mut random = numbers();
@@ -231,7 +234,8 @@ fn the_curvature_of_the_clearance_has_a_lower_bound() {
         };
         let least = Open::least([m - r, m + r], curvature);
         let bound = piece.curvature(m, r, piece.settlement(m));
-        // u″ changes by at most b² times the change of u.
+        // The ground displacement satisfies u″ = (k/μ)u, so a change of u causes a change of u″ that is k/μ times as
+        // large.
         let change = rate * (open.clearance(m + r)[0] - open.clearance(m - r)[0]).abs();
         let most =
             least - 8.0 * r * (rate * rate + rate + 1.0) * (5.0 + 1.0 / half.powi(2)) - change;
@@ -239,8 +243,9 @@ fn the_curvature_of_the_clearance_has_a_lower_bound() {
     }
 }
 
-/// The approach to x = 1 on the open piece from 1 to 2, with the same error bounds on all pieces: those of u and w, of the
-/// slope and of the pressure. Returns θ, the bound of the flux and μ|C′|.
+/// Returns `theta`, `flux` and `steep` of the `Approach` at x = 1, the left end of the open piece. All pieces have the
+/// same error bounds `errors`. These are a common bound of deflection and ground displacement, a bound of the slope,
+/// and a bound of the pressure.
 fn approach_at_one(model: &str, document: &Value, errors: [f64; 3]) -> Option<[f64; 3]> {
     with_fields(model, document, |fields| {
         let units = fields.frame.units;
@@ -262,8 +267,9 @@ fn piece(ends: [f64; 2], touches: bool, w: &[f64]) -> Value {
     json!({"x": ends, "half": 0.5 * (ends[1] - ends[0]), "touches": touches, "deflection": w})
 }
 
-/// Endless ground with √(k/μ) = 2 and w = 3 − 2x: u = exp(2 − 2x), μ(u − w)″ = 2 at the edge. The error of the slope u′ is
-/// at most b coth(bL/2) ε_u at the end of the open length L = ½.
+/// The deflection is w = 3 − 2x. Contact ends at x = 1, and the open ground to the right has the displacement
+/// u = exp(2 − 2x). So μ(u − w)″ = 2 at x = 1. The error bound of the flux is (13) of docs/proof.md with the open
+/// length L = ½.
 #[test]
 fn the_error_of_an_edge_follows_from_the_errors_of_slope_and_settlement() {
     let model = "[beam]\nlength = 2\nEI = 1\n[foundation]\nk = 2\nmu = 0.5\nleft = { ends = 0, as = 'free' }\n";
@@ -283,7 +289,8 @@ fn the_error_of_an_edge_follows_from_the_errors_of_slope_and_settlement() {
     }
 }
 
-/// The same with contact on both sides of the open piece, between hinges: L = ½.
+/// Checks an open piece of length 1 between two regions of contact. The error bound of the flux is (13) of
+/// docs/proof.md with half of this length.
 #[test]
 fn half_of_an_open_length_between_regions_is_open() {
     let model = "[beam]\nlength = 3\nEI = 1\n[foundation]\nk = 0.01\nmu = 1\n[[hinge]]\nat = 1\n[[hinge]]\nat = 2\n";
@@ -299,8 +306,9 @@ fn half_of_an_open_length_between_regions_is_open() {
     assert!(theta == 0.0 && (0.9..1.0).contains(&steep), "{theta} {steep}");
 }
 
-/// μ = 1 + x and the stored u = 2 − x + ¼(x − 1)², with w = 2 − x. Then ku − (μu′)′ is at most 1 on the open piece, and ku −
-/// (μw′)′ = 2 at the edge.
+/// The ground has k = 1 and μ = 1 + x. The claimed deflection is w = 2 − x. On the open piece from x = 1 to x = 2, the
+/// claimed ground displacement is u = 2 − x + ¼(x − 1)². So the residual ku − (μu′)′ of the open ground is at most 1,
+/// and the contact pressure ku − (μw′)′ at x = 1 is 2.
 #[test]
 fn the_error_of_an_edge_of_varying_ground_contains_its_residual() {
     let model = "[beam]\nlength = 2\nEI = 1\n[foundation]\nk = 1\nmu = 1\nleft = { ends = 0, as = 'free' }\n\

@@ -1,4 +1,4 @@
-//! Reads result documents, right and wrong ones.
+//! Reads valid and invalid result documents.
 
 #![cfg(test)]
 
@@ -92,7 +92,7 @@ fn documents_of_another_form_are_refused() {
         assert_ne!(text, TEXT, "{right}");
         assert!(Document::read(&text).is_err(), "{wrong}");
     }
-    // A test of the limits: 100,000 pieces and 26 coefficients.
+    // This loop checks the limits of 100,000 pieces and 26 coefficients.
     for (count, many) in [(100_000, false), (100_001, true), (100_002, true)] {
         let text = format!(r#"{{"pieces": [{}{{}}]}}"#, "{},".repeat(count - 1));
         let error = Document::read(&text).unwrap_err().to_string();

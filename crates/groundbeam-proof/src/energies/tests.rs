@@ -12,7 +12,7 @@ use crate::random::numbers;
 use crate::read::read_model;
 use serde_json::{Value, json};
 
-/// ∫ over −1 ≤ t ≤ 1 by the midpoint rule.
+/// Integrates a function over −1 ≤ t ≤ 1 by the midpoint rule.
 fn integral(of: impl Fn(f64) -> f64) -> f64 {
     (0..20_000).map(|i| of(-1.0 + (f64::from(i) + 0.5) / 10_000.0) / 10_000.0).sum()
 }
@@ -36,7 +36,7 @@ fn products_are_integrated_and_differentiated() {
     }
 }
 
-/// ∫ from a to b by Simpson's rule.
+/// Integrates a function from a to b by Simpson's rule.
 fn along([a, b]: [f64; 2], of: impl Fn(f64) -> f64) -> f64 {
     let h = (b - a) / 2000.0;
     let part = |i: u32| {
@@ -46,7 +46,8 @@ fn along([a, b]: [f64; 2], of: impl Fn(f64) -> f64) -> f64 {
     (0..1000).map(part).sum()
 }
 
-/// A model whose segment of the ground varies: a load on such ground cannot be read from a file.
+/// Returns a model in which k and μ vary linearly along the segments of the ground. A file cannot contain a load on
+/// such ground.
 fn model(text: &str, ground: [[f64; 2]; 2]) -> Model<f64> {
     let mut model = read_model::<f64>(text, None).expect("a model");
     for segment in &mut model.ground.segments {
@@ -56,8 +57,8 @@ fn model(text: &str, ground: [[f64; 2]; 2]) -> Model<f64> {
     model
 }
 
-/// The energies of a document agree with given ones: twice the strain energy without axial force, ∫EIκ₀², ∫Pw′² and the
-/// work of the loads.
+/// Checks the energies of a document against given sums: twice the strain energy without axial force, ∫EIκ₀², ∫Pw′²
+/// and the work of the loads.
 fn agree(model: &Model<f64>, document: &Value, [strain, curled, axial, work]: [f64; 4]) {
     let answer = Answer::from_json(&document.to_string()).expect("an answer");
     let frame = frame(model, &answer, Some(0.5), &[]).expect("a frame");
@@ -71,7 +72,7 @@ fn agree(model: &Model<f64>, document: &Value, [strain, curled, axial, work]: [f
     }
 }
 
-/// Contact with a layer along the whole beam, with every kind of load and support.
+/// Checks a beam in contact with a layer along its whole length, with every kind of load and support.
 #[test]
 fn the_energies_of_a_beam_in_contact_are_integrals() {
     let text = "[beam]\nlength = 2\nEI = 3\naxial_force = 0.5\n[[beam.segment]]\nfrom = 1\nto = 2\nEI = [2, 4]\n\
@@ -85,7 +86,8 @@ fn the_energies_of_a_beam_in_contact_are_integrals() {
         [[ground_load]]\npoint = 3\nat = -1\n[[hinge]]\nat = 1\nrotational_spring = 2\n\
         [[support]]\nat = 0\nspring = 4\nrotational_spring = 3\nsettlement = 0.05\n\
         [[support]]\nat = 2\nspring = 6\nacts = 'up'\nsettlement = 0.2\n";
-    // w = 1 + 0.3x − 0.2x² and, from the hinge on, 1.1 − 0.4(x − 1) + 0.1(x − 1)³.
+    // The deflection is w = 1 + 0.3x − 0.2x² on the left of the hinge, and w = 1.1 − 0.4(x − 1) + 0.1(x − 1)³ on
+    // its right.
     let document = json!({
         "pieces": [
             {"x": [0, 1], "half": 0.5, "touches": true, "deflection": [1.1, 0.05, -0.05]},
@@ -109,7 +111,7 @@ fn the_energies_of_a_beam_in_contact_are_integrals() {
     let stored = |x: f64| {
         bending(x) * bent(x).powi(2) + spring(x) * u(x).powi(2) + shear(x) * turned(x).powi(2)
     };
-    // The ground on the left has K = √(kμ) and the decay √(k/μ).
+    // The ground on the left of the beam has the stiffness K₀ = √(kμ) and the decay rate √(k/μ).
     let outside = 3.0_f64.sqrt() * u(0.0).powi(2);
     let pushed = 3.0 * (-(2.0_f64 / 1.5).sqrt()).exp();
     let springs = 4.0 * (w(0.0) - 0.05).powi(2) + 6.0 * (w(2.0) - 0.2).powi(2);
@@ -125,7 +127,8 @@ fn the_energies_of_a_beam_in_contact_are_integrals() {
     );
 }
 
-/// Open ground beyond x = 1 with a load along it and a force at 1.5: u = q/k + v with μv″ = kv, u′(2) = 0.
+/// Checks open ground on the right of x = 1, with a distributed load and a point force at x = 1.5. The settlement
+/// is u = q/k + v with μv″ = kv and u′(2) = 0.
 #[test]
 fn the_energies_of_open_ground_are_integrals() {
     let text = "[beam]\nlength = 2\nEI = 3\n[foundation]\nk = 2\nmu = 1.5\n\
@@ -140,7 +143,8 @@ fn the_energies_of_open_ground_are_integrals() {
     let (k, mu, force, b) = (2.0, 1.5, 0.75, (2.0_f64 / 1.5).sqrt());
     let (sinh, cosh) = ((0.5 * b).sinh(), (0.5 * b).cosh());
     let (free, rise) = (|x: f64| (0.5 + 0.5 * x) / k, 0.5 / k);
-    // v = A cosh b(x − 1) + B sinh b(x − 1) up to 1.5, v = C cosh b(2 − x) + (rise/b) sinh b(2 − x) beyond.
+    // For x ≤ 1.5, v = A cosh b(x − 1) + D sinh b(x − 1). For x ≥ 1.5, v = C cosh b(2 − x) + (`rise`/b) sinh b(2 −
+    // x), where `rise` is the slope of q/k. A, C and D are the constants `a`, `c` and `d`.
     let a = 0.75 - free(1.0);
     let equations = [rise / b * sinh - a * cosh, force / (mu * b) - a * sinh - rise / b * cosh];
     let whole = sinh * sinh + cosh * cosh;
@@ -164,8 +168,8 @@ fn the_energies_of_open_ground_are_integrals() {
     agree(&model(text, [[1.0; 2]; 2]), &document, [strain, 0.0, 0.0, work]);
 }
 
-/// Ground that the beam does not touch: Winkler ground under a load with u = q/k, and a layer with u = 1 + x and a varying
-/// μ, where q = ku − μ′.
+/// Checks ground that the beam does not touch: loaded Winkler ground with u = q/k, and a layer with varying μ and
+/// u = 1 + x under the load q = ku − μ′.
 #[test]
 fn the_energies_of_loaded_ground_apart_from_the_beam_are_integrals() {
     let beam = "[beam]\nlength = 2\nEI = 3\n[[gap]]\nat = 0\nvalue = 100\n";
@@ -188,7 +192,7 @@ fn the_energies_of_loaded_ground_apart_from_the_beam_are_integrals() {
         &document,
         [strain, 0.0, 0.0, work],
     );
-    // The same beam bends and shears: w = 1 − x², φ = −x, S = 4, P = −0.5.
+    // With bending and shear deformation, the beam has w = 1 − x², φ = −x, S = 4 and P = −0.5.
     document["pieces"][0]["deflection"] = json!([0, -2, -1]);
     document["pieces"][0]["rotation"] = json!([-1, -1]);
     let beam = beam.replace("EI = 3", "EI = 3\nshear_stiffness = 4\naxial_force = -0.5");
@@ -203,8 +207,9 @@ fn the_energies_of_loaded_ground_apart_from_the_beam_are_integrals() {
     );
 }
 
-/// A layer from x = 1 to 5 beside Winkler ground: contact up to 2, from 3 to 3.5 and under the force at 4.5, open ground
-/// between, with a force at 2.5, and open ground beyond. The surface is u = q/k + v between given values.
+/// Checks a layer from x = 1 to 5 beside Winkler ground. The beam touches the ground up to x = 2, from 3 to 3.5,
+/// and under the force at 4.5. The ground is open elsewhere and carries a force at x = 2.5. The open surface is
+/// u = q/k + v between given end values.
 #[test]
 fn the_energies_of_a_layer_that_begins_under_the_beam_are_integrals() {
     let (k, mu, b) = (2.0, 0.5, 2.0_f64);
@@ -221,7 +226,7 @@ fn the_energies_of_a_layer_that_begins_under_the_beam_are_integrals() {
     let document = json!({"pieces": pieces, "forces": [{"x": 4.5, "force": 1}]});
     let load = |x: f64| 0.5 + 0.1 * (x - 1.0);
     let rise = 0.1 / k;
-    // u and u′ on a stretch with given ends.
+    // `between` returns u and u′ at x on a stretch with given values of u at its ends.
     let between = |ends: [f64; 2], u: [f64; 2], x: f64| {
         let [left, right] = [u[0] - load(ends[0]) / k, u[1] - load(ends[1]) / k];
         let (far, near, whole) =
@@ -229,7 +234,7 @@ fn the_energies_of_a_layer_that_begins_under_the_beam_are_integrals() {
         let slope = b * (right * near.cosh() - left * far.cosh()) / whole;
         [load(x) / k + (left * far.sinh() + right * near.sinh()) / whole, rise + slope]
     };
-    // At 2.5 the flux falls by the force; at the free end it is zero.
+    // The flux decreases by the point force at x = 2.5, and is zero at the free end.
     let jump = |u: f64| {
         mu * (between([2.0, 2.5], [0.75, u], 2.5)[1] - between([2.5, 3.0], [u, 0.75], 2.5)[1])
     };
@@ -254,8 +259,9 @@ fn the_energies_of_a_layer_that_begins_under_the_beam_are_integrals() {
     agree(&model(text, [[2.0; 2], [0.0; 2]]), &document, [strain, 0.0, 0.0, work]);
 }
 
-/// A layer that the beam does not touch, under a load along the beam, forces at x = 1 and at the right end, and forces on the
-/// ground beside it: u′ and u at the right end follow from u at the left end, where μu′ = Ku − T.
+/// Checks a layer that the beam does not touch. A distributed load acts along the beam, point forces act at x = 1
+/// and at the right end, and forces act on the ground outside the beam. u and u′ at the right end follow from u at
+/// the left end and from the flux of the ground outside the left end.
 #[test]
 fn the_energies_of_a_loaded_layer_without_contact_are_integrals() {
     let text = "[beam]\nlength = 2\nEI = 3\n[foundation]\nk = 2\nmu = 0.5\n\
@@ -293,8 +299,8 @@ fn the_energies_of_a_loaded_layer_without_contact_are_integrals() {
     agree(&model(text, [[0.0; 2]; 2]), &document, [strain, 0.0, 0.0, work]);
 }
 
-/// Two pieces with given settlements at their ends: constant ground, where the surface is u = q/k + v, and varying ground,
-/// where it is the stored one and counts with the work of its flux, [μu′u] + ∫qu.
+/// Checks two open pieces with given settlements at their ends. On constant ground the surface is u = q/k + v. On
+/// varying ground the surface is the stored polynomial, and twice its energy is the work [μu′u] + ∫qu.
 #[test]
 fn the_energies_of_a_stored_surface_are_integrals() {
     let text = "[beam]\nlength = 2\nEI = 3\n[foundation]\nk = 2\nmu = 0.5\nleft = { ends = 0, as = 'free' }\n\
@@ -319,8 +325,8 @@ fn the_energies_of_a_stored_surface_are_integrals() {
     agree(&model(text, [[2.0; 2], [0.5, 1.0]]), &document, [strain, 0.0, 0.0, first + second]);
 }
 
-/// A free layer with constant k and μ is softest at its ends: 1/g = √(kμ) tanh(bL). This bound of g holds on
-/// all pieces.
+/// Checks that the flexibility g of a free layer with constant k and μ is largest at its ends. There 1/g = √(kμ)
+/// tanh(bL) for the length L and b = √(k/μ). This g is an upper bound on all pieces.
 #[test]
 fn the_flexibility_of_a_free_layer_is_that_of_its_end() {
     let text = "[beam]\nlength = 2\nEI = 3\n[foundation]\nk = 2\nmu = 0.5\nright = { ends = 2, as = 'free' }\n\

@@ -1,4 +1,4 @@
-//! Compares the frame of a claim with its model and answer, and refuses wrong claims.
+//! Compares the problem that is built from a claim with its model and answer, and checks that invalid claims are refused.
 
 #![cfg(test)]
 
@@ -20,7 +20,7 @@ fn answer(count: u32) -> Answer {
     Answer { pieces: (0..count).map(piece).collect(), ..Answer::default() }
 }
 
-/// μ and S jump at the ends of segments, not inside a segment in which they vary.
+/// Checks that μ and S jump at the ends of segments, and not inside a segment in which they vary.
 #[test]
 fn a_node_is_a_step_where_a_coefficient_jumps() {
     for (segments, steps) in [
@@ -46,7 +46,7 @@ fn a_node_is_a_step_where_a_coefficient_jumps() {
     }
 }
 
-/// A load on the ground acts downward, and a load on the beam lies on it.
+/// Checks that a load on the ground must act downward, and that a load on the beam must lie on the beam.
 #[test]
 fn loads_that_the_theorem_does_not_cover_are_refused() {
     let text = "[beam]\nlength = 2\nEI = 1\nshear_stiffness = 5\n[foundation]\nk = 1\nmu = 1\n";
@@ -86,7 +86,7 @@ fn loads_that_the_theorem_does_not_cover_are_refused() {
     }
 }
 
-/// A curvature at a point, and one-way supports that restrain the slope.
+/// Checks that a curvature at a point and one-way supports that restrain the slope are refused.
 #[test]
 fn kinds_that_the_theorem_does_not_cover_are_refused() {
     let text = "[beam]\nlength = 2\nEI = 1\nshear_stiffness = 5\n[foundation]\nk = 1\nmu = 1\n";

@@ -16,7 +16,8 @@ use crate::scalar::Scalar;
 use crate::size::Size;
 use crate::test_functions::kink;
 
-/// Checks K² of section 4 for z = t(1 − t/h)² with springs where z and z′ are largest.
+/// Checks the bound of the energy K² (section 4 of docs/proof.md) of the test function z = t(1 − t/h)². Springs
+/// lie where z and z′ are largest.
 #[test]
 fn the_energy_of_test_functions_is_bounded() {
     let mut random = numbers();
@@ -40,7 +41,9 @@ fn the_energy_of_test_functions_is_bounded() {
     }
 }
 
-/// Checks K² of section 4 for z = the distance from x to one side, with x at the inner end of each piece.
+/// Checks the bound of the energy K² (section 4 of docs/proof.md) of linear test functions z. On one side of a
+/// position x, z is the distance from x. On the other side, z is zero. The inner ends of the pieces are used for
+/// x.
 #[test]
 fn the_energy_of_linear_test_functions_is_bounded() {
     let mut random = numbers();
@@ -54,7 +57,7 @@ fn the_energy_of_linear_test_functions_is_bounded() {
         let support =
             Support { at: Ball::of(0.4), kind, settlement: Ball::zero(), acts: Acts::Both };
         model.supports = vec![support];
-        // These loads cause a deflection of 1 everywhere.
+        // These loads cause the constant deflection w = 1.
         let outside = (k * mu).sqrt();
         model.loads = vec![
             load([0.0, 1.5], [k; 2]),
@@ -83,14 +86,18 @@ fn the_energy_of_linear_test_functions_is_bounded() {
                     + held * node.turning.map_or(0.0, Ball::middle);
                 let found = found.value();
                 assert!(exact <= found * (1.0 + 1e-6), "{side} {i}: {exact} {found}");
-                assert!(found <= 1.001 * exact, "{side} {i}: {exact} {found} is not sharp");
+                assert!(
+                    found <= 1.001 * exact,
+                    "side {side}, piece {i}: the bound {found} of {exact} is not sharp"
+                );
             }
         }
     }
 }
 
-/// A random error e with e′ = e_φ + γ on 0 ≤ x ≤ h. Returns its values on a grid, and the norms s =
-/// (∫e_φ′²)^½ and s_γ = (∫γ²)^½.
+/// Returns a random error e of the deflection on 0 ≤ x ≤ h: its values on a grid, and two norms. The slope e′ is
+/// the sum of an error e_φ of the rotation and an error γ of the shear strain. The norms are (∫e_φ′²)^½ and
+/// (∫γ²)^½.
 fn random_error(random: &mut impl FnMut() -> f64, h: f64, slides: bool) -> (Vec<f64>, [f64; 2]) {
     let step = h / COUNT as f64;
     let bent = [random(), random(), random(), random()].map(|c| c * 3.0);
@@ -109,8 +116,9 @@ fn random_error(random: &mut impl FnMut() -> f64, h: f64, slides: bool) -> (Vec<
     (values, [s.sqrt(), sheared.sqrt()])
 }
 
-/// Checks (12): bounds of e on an interval from the mean of |e|, and between and beyond two positions from its
-/// values at these positions.
+/// Checks the bounds of section 4 of docs/proof.md for the error e of the deflection. Bound (12) follows from the
+/// mean of |e| on an interval. The other bounds follow from the values of e at two positions, and hold between and
+/// beyond them.
 #[test]
 fn errors_of_the_deflection_are_bounded_by_their_anchors() {
     let mut random = numbers();
@@ -127,7 +135,7 @@ fn errors_of_the_deflection_are_bounded_by_their_anchors() {
         let in_mean = from_mean(Size::of(mean), s * half * half.root(), sheared * half.root());
         let ends = [values[0], values[COUNT]].map(|e| Size::of(e.abs()));
         let inside = ends[0].worst(ends[1]) + between(Size::of(h), [s, sheared]);
-        // The last quarter is the overhang beyond two positions at a distance of one half.
+        // The last quarter of the grid lies beyond two positions at the distance h/2.
         let [far, near] = [COUNT / 4, 3 * COUNT / 4].map(|i| Size::of(values[i].abs()));
         let over = Size::of(0.25 * h);
         let beyond = beyond([near, far], over, [0.5 * h; 2], [s, sheared]);
@@ -144,15 +152,16 @@ fn errors_of_the_deflection_are_bounded_by_their_anchors() {
     assert!(sharpest.iter().all(|ratio| *ratio > 0.6), "{sharpest:?}");
 }
 
-/// Checks (7): a load on a simply supported cell causes a moment of at most a quarter of load times length.
-/// Compares the bound for the redistributed loads with their exact moment.
+/// Checks (7) of docs/proof.md: a load on a simply supported cell causes a moment of at most a quarter of load
+/// times length. The bound for the redistributed loads is compared with their exact moment.
 #[test]
 fn the_moment_of_redistributed_loads_is_bounded() {
     let mut random = numbers();
     let mut sharpest = 0.0_f64;
     for _ in 0..100 {
         let ground = [[0.7, 2.0, 0.0], [0.8, 2.0, 0.0]];
-        // No load balances these linear pressures, so their whole resultant is redistributed.
+        // The load is `part`/2 times the claimed pressure, so the balance redistributes the difference of load and
+        // pressure.
         let [a, b] = [1.0 + 0.3 * random(), 0.4 * random()];
         let pieces = [(true, vec![a, 0.35 * b]), (true, vec![a + 0.75 * b, 0.4 * b])];
         let mut model = beam(1.0, &ground);
@@ -189,7 +198,8 @@ fn the_moment_of_redistributed_loads_is_bounded() {
     assert!(sharpest > 0.3, "{sharpest}");
 }
 
-/// Cauchy's inequality for random test functions; the two sides are equal if K₁ : (PZ)^½ = s₂ + N_c : s₂.
+/// Checks the inequality of [`Compression::as_tension`] for random numbers, and for a stiffness at which its two
+/// sides are equal.
 #[test]
 fn the_compression_in_test_functions_is_bounded_and_sharp() {
     let mut random = numbers();

@@ -1,4 +1,4 @@
-//! Compares the rules of the contact set at nodes inside a region with the jump of the slope of the clearance.
+//! Checks the rule for nodes inside a contact region at which the slope of the clearance cannot decrease.
 
 #![cfg(test)]
 
@@ -7,7 +7,8 @@ use crate::given_claim::with_fields;
 use crate::pointwise::PieceBounds;
 use serde_json::json;
 
-/// Whether a beam over ground with g₀ at 0, 1 and 2 may be bent open only upward at x = 1.
+/// Returns the result of `Contact::bends_open` for the node at x = 1: whether the slope of the clearance cannot
+/// decrease. `gap` is the gap g₀ at x = 0, 1 and 2, and `added` are more tables of the model file.
 fn bends_open(shears: bool, gap: [f64; 3], added: &str) -> bool {
     let stiffness = if shears { "shear_stiffness = 1\n" } else { "" };
     let corner = |(at, value): (usize, &f64)| format!("[[gap]]\nat = {at}\nvalue = {value}\n");
@@ -30,8 +31,8 @@ fn bends_open(shears: bool, gap: [f64; 3], added: &str) -> bool {
     })
 }
 
-/// Where the beam is open, [C*′] = [g₀′] + F/(S + P) at a node with a force F, and [g₀′] on a beam without shear
-/// deformation. The reaction of a support is not known there.
+/// Where the beam is open, the slope of the clearance jumps by [C*′] = [g₀′] + F/(S + P) at a node with a force F.
+/// On a beam without shear deformation the jump is [g₀′]. The sign of a support reaction is unknown.
 #[test]
 fn the_clearance_bends_open_at_upward_corners_and_under_loads() {
     let down = "[[load]]\npoint = 1e-9\nat = 1\n";
@@ -62,8 +63,8 @@ fn the_clearance_bends_open_at_upward_corners_and_under_loads() {
     }
 }
 
-/// A hinge lets the beam have a kink. A force on the ground or a step of μ or S changes the slope of the open ground
-/// or of the beam by an unknown amount.
+/// The slope of the beam may jump at a hinge. A force on the ground, or a jump of μ or S, changes the slope of the
+/// open ground or of the beam by an unknown amount.
 #[test]
 fn the_clearance_may_bend_shut_at_hinges_and_steps() {
     let ground = "[[foundation.segment]]\nfrom = 0\nto = 1\nk = 1\nmu = ";

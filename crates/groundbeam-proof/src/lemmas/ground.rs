@@ -1,4 +1,4 @@
-//! Compares the energies charged to the ground with those of forces and surfaces on open ground, by elements.
+//! Compares the terms of the ground in the error energy with exact energies of forces and surfaces on open ground.
 
 #![cfg(test)]
 
@@ -15,7 +15,8 @@ use crate::pressure::{pressures, tension_norm};
 use crate::random::numbers;
 use crate::scalar::Scalar;
 
-/// A polynomial Σcⱼyʲ as a polynomial of t = y/half − 1 + shift/half, by Horner's rule.
+/// Returns the coefficients of the polynomial Σcⱼyʲ as a polynomial of t, with y = `middle` + `half` t, by Horner's
+/// rule.
 fn of_t(c: &[f64], middle: f64, half: f64) -> Vec<f64> {
     let mut sum = Vec::new();
     for c in c.iter().rev() {
@@ -30,15 +31,15 @@ fn of_t(c: &[f64], middle: f64, half: f64) -> Vec<f64> {
     sum
 }
 
-/// An upper bound of the stiffness of the ground at the far end of a stretch, from the stiffness at the near
-/// end, by linear elements.
+/// Returns an upper bound of the stiffness of the ground at the far end of a stretch, from the stiffness at its near end,
+/// by linear finite elements.
 fn behind(stiffness: f64, [length, k, mu]: Stretch) -> f64 {
     let h = length / COUNT as f64;
     let [own, across] = [k * h / 3.0 + mu / h, k * h / 6.0 - mu / h];
     (0..COUNT).fold(stiffness, |sum, _| own - across * across / (sum + own))
 }
 
-/// A lower bound of the flexibility g(x, x) of open ground at a node, from linear elements of its surface.
+/// Returns a lower bound of the flexibility g(x, x) of open ground at a node, by linear finite elements.
 fn flexibility(frame: &Frame<Ball>, ground: &[Stretch], node: usize) -> f64 {
     let left = ground[..node].iter().fold(frame.outside[0].middle(), |sum, s| behind(sum, *s));
     let right = ground[node..].iter().rev();
@@ -46,8 +47,8 @@ fn flexibility(frame: &Frame<Ball>, ground: &[Stretch], node: usize) -> f64 {
     1.0 / (left + right)
 }
 
-/// Checks (4a) of docs/proof.md: a residual force r has the energy r²g on open ground. A node that is held
-/// above the ground needs the tensile force r = w/g.
+/// Checks (4a) of docs/proof.md: a residual force r on open ground has the energy r²g. A node that is fixed at the
+/// height w above the ground needs the tensile force r = w/g.
 #[test]
 fn the_energy_of_a_residual_force_is_bounded() {
     let mut random = numbers();
@@ -66,7 +67,7 @@ fn the_energy_of_a_residual_force_is_bounded() {
         let surface = surface(&frame, &admissible(&frame).expect("a deflection"));
         let exact = flexibility(&frame, &ground, node);
         let bound = surface.flexibility_at(node).value();
-        // The tolerance allows for rounding in the elements.
+        // The tolerance allows for rounding errors of the finite elements.
         assert!(exact <= bound * bound * (1.0 + 1e-6), "{case}: {exact} {}", bound * bound);
         let force = surface.nodes[node].jump.middle();
         assert!(
@@ -80,21 +81,24 @@ fn the_energy_of_a_residual_force_is_bounded() {
     assert!(sharpest > 0.999, "{sharpest}");
 }
 
-/// ⟨q, Gq⟩ of a load on infinite ground with constant k and μ, by the kernel e^{−b|x−y|}/(2√(kμ)).
+/// Returns the energy ⟨q, Gq⟩ of a load q on infinite ground with constant k and μ, by the kernel
+/// e^{−b|x−y|}/(2√(kμ)) with b = √(k/μ).
 fn energy_of_load(length: f64, [k, mu]: [f64; 2], load: impl Fn(f64) -> f64) -> f64 {
     let h = length / COUNT as f64;
     let fall = (-(k / mu).sqrt() * h).exp();
     let at = |i: usize| load((i as f64 + 0.5) * h) * h;
     let (mut sum, mut before) = (0.0, 0.0);
     for i in 0..COUNT {
-        // Twice the products with all earlier loads, and the square of the load itself.
+        // The energy grows by the square of the load on this interval, and by twice the product of this load and `before`,
+        // the sum of all earlier loads with their decay.
         sum += at(i) * (2.0 * before + at(i));
         before = (before + at(i)) * fall;
     }
     sum / (2.0 * (k * mu).sqrt())
 }
 
-/// For random polynomials p, the tensile part max(−p, 0) has at most the energy η²ω/k and the resultant ηω.
+/// Checks for random polynomials p that the tensile part max(−p, 0) has at most the energy η²ω/k and the resultant
+/// ηω. Here −p is at most η, and p < 0 on the length ω.
 #[test]
 fn the_energy_of_tensile_pressures_is_bounded() {
     let mut random = numbers();
@@ -132,9 +136,9 @@ fn the_energy_of_tensile_pressures_is_bounded() {
     assert!(sharpest > 0.9, "{sharpest}");
 }
 
-/// A stiff beam between two supports above the ground. The answer claims contact everywhere, so the pressure
-/// is tensile, and the forces at the ends are √(kμ)w. No pressure is compressive, so E is at least ½b(u, u)
-/// of the claimed surface, ½w²(kl + 2√(kμ)).
+/// Checks a stiff beam between two supports above the ground. The answer claims contact everywhere, so the pressure and the
+/// end forces √(kμ)w are tensile. The exact pressure is zero, so the bound of the error energy is at least the energy ½b(u,
+/// u) = ½w²(kl + 2√(kμ)) of the claimed surface u.
 #[test]
 fn the_energy_of_a_surface_under_tension_is_bounded() {
     for [k, mu] in [[1.0, 1.0], [30.0, 0.02], [0.02, 30.0]] {
@@ -156,9 +160,10 @@ fn the_energy_of_a_surface_under_tension_is_bounded() {
     }
 }
 
-/// Checks (10) on random open stretches that the beam penetrates, between a contact and an end of the beam or
-/// a second contact. Let v be a surface that is zero at the contacts and c at a distance y from one of them.
-/// Its energy is at least c²(√(kμ) coth(by) + S), S being the stiffness of the ground beyond this point.
+/// Checks (10) of docs/proof.md on random open stretches that the beam penetrates. A stretch lies between a contact and an
+/// end of the beam, or between two contacts. Let v be a surface that is zero at the contacts and c at the distance y from
+/// one of them. The energy of v is at least c²(√(kμ) coth(by) + S), where b = √(k/μ) and S is the stiffness of the ground
+/// beyond this point.
 #[test]
 fn the_energy_of_the_raised_ground_is_bounded() {
     let mut random = numbers();
@@ -172,8 +177,8 @@ fn the_energy_of_the_raised_ground_is_bounded() {
         if both {
             ground.push([0.5, k, mu]);
         }
-        // A linear function, plus a function on the open stretch that is zero with zero slope at the
-        // contacts.
+        // The deflection is the sum of a linear function and a function on the open stretch. The second function
+        // and its slope are zero at the contacts.
         let (start, slope) = (2.0 + random(), 2.0 * random() * rate);
         let (a, b) = (10.0 * random(), 10.0 * random());
         let sunk = |y: f64| {

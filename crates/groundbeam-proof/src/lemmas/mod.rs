@@ -14,13 +14,14 @@ use crate::given::frame;
 use crate::model::{Action, Beam, Course, Extent, Ground, GroundEnd, GroundSegment, Load, Model};
 use crate::scalar::Scalar;
 
-/// Points of a numerical integral.
+/// Number of points of a numerical integral.
 const COUNT: usize = 2000;
 
-/// A stretch of ground: its length, k and μ.
+/// Length, k and μ of a stretch of ground.
 type Stretch = [f64; 3];
 
-/// A beam with the bending stiffness EI on infinite ground that consists of stretches.
+/// Returns a beam with the bending stiffness `bending` on infinite ground. The ground under the beam consists of
+/// the stretches `ground`.
 fn beam(bending: f64, ground: &[Stretch]) -> Model<Ball> {
     let mut to = 0.0;
     let segment = |[length, k, mu]: &Stretch| {
@@ -51,7 +52,7 @@ fn beam(bending: f64, ground: &[Stretch]) -> Model<Ball> {
     }
 }
 
-/// A load on the beam between two positions, linear between its values there.
+/// Returns a load on the beam between two positions. The load is linear between its values at these positions.
 fn load([from, to]: [f64; 2], [start, end]: [f64; 2]) -> Load<Ball> {
     let [from, to, start, end] = [from, to, start, end].map(Ball::of);
     let extent = Extent::Distributed { from, to, start, end };
@@ -63,8 +64,8 @@ fn force(at: f64, size: f64) -> Load<Ball> {
     Load { action: Action::Force, extent, on_ground: false }
 }
 
-/// An answer with one piece for each stretch. For each piece: whether it is in contact, and w as a polynomial
-/// of t.
+/// Returns an answer with one piece for each stretch of ground. `pieces` contains, for each piece, whether it is in
+/// contact, and the coefficients of w as a polynomial of t.
 fn claim(ground: &[Stretch], pieces: &[(bool, Vec<f64>)], forces: &[f64]) -> Answer {
     let mut to = 0.0;
     let piece = |([length, ..], (touches, deflection)): (&Stretch, &(bool, Vec<f64>))| {
@@ -92,7 +93,7 @@ fn polynomial(c: &[f64], x: f64) -> f64 {
     c.iter().rev().fold(0.0, |sum, c| sum * x + c)
 }
 
-/// The integral of a function over 0 ≤ x ≤ length, by the midpoint rule.
+/// Integrates a function over 0 ≤ x ≤ `length` by the midpoint rule.
 fn integral(length: f64, of: impl Fn(f64) -> f64) -> f64 {
     let h = length / COUNT as f64;
     (0..COUNT).map(|i| h * of((i as f64 + 0.5) * h)).sum()

@@ -10,7 +10,8 @@ use crate::scalar::Scalar;
 use crate::wide::Wide;
 use std::f64::consts::PI;
 
-/// A beam of length 1 and EI = 1 with supports at quarters of the length and a hinge in the middle.
+/// Returns a beam with the length 1, EI = 1, the given supports and, optionally, a hinge in the middle. The
+/// supports must lie at quarters of the length.
 fn beam(
     supports: &[(f64, SupportKind<f64>)],
     shear: Option<f64>,
@@ -47,7 +48,8 @@ fn margin(model: &Model<f64>, compression: f64) -> Option<f64> {
     margin_in::<f64>(model, compression)
 }
 
-/// σ under a compression; `None` if no bound is proven.
+/// Returns the proven bound of σ, the fraction of the convexity of the energy that remains under a compression;
+/// `None` if no bound is proven.
 fn margin_in<S: Scalar>(model: &Model<f64>, compression: f64) -> Option<f64> {
     let length = model.beam.length;
     let support = |support: &Support<f64>| Support {
@@ -103,7 +105,7 @@ fn margin_in<S: Scalar>(model: &Model<f64>, compression: f64) -> Option<f64> {
 fn lower_bounds_of_critical_loads_are_sharp() {
     use SupportKind::{Fixed, Pinned};
     let spring = |spring, rotational_spring| SupportKind::Spring { spring, rotational_spring };
-    // The smallest roots of tan z = z and of z tan z = 2; P = z².
+    // `tangent` and `held` are the smallest roots z of tan z = z and of z tan z = 2. The critical load is P = z².
     let tangent: f64 = 4.493_409_457_909_064;
     let held: f64 = 1.076_873_986_311_804;
     for (supports, hinge, critical) in [
@@ -112,15 +114,16 @@ fn lower_bounds_of_critical_loads_are_sharp() {
         (vec![(0.0, Fixed), (1.0, Fixed)], None, 4.0 * PI * PI),
         (vec![(0.0, Fixed)], None, 0.25 * PI * PI),
         (vec![(0.0, Pinned), (0.5, Pinned), (1.0, Pinned)], None, 4.0 * PI * PI),
-        // A spring of 16π²EI/l³ at the middle acts as a support.
+        // A spring of the stiffness 16π²EI/l³ at the middle acts as a rigid support.
         (
             vec![(0.0, Pinned), (0.5, spring(16.0 * PI * PI, 0.0)), (1.0, Pinned)],
             None,
             4.0 * PI * PI,
         ),
-        // A column with a free end on a rotational spring: z tan z = k_θ.
+        // For a column with a free end and a rotational spring k_θ at its other end, the critical load z²
+        // satisfies z tan z = k_θ.
         (vec![(0.0, Pinned), (0.0, spring(0.0, 2.0))], None, held * held),
-        // By symmetry, half the column has the rotational spring 2k_φ at its end.
+        // By symmetry, half of the column has a rotational spring of the stiffness 2k_φ at the hinge.
         (vec![(0.0, Pinned), (1.0, Pinned)], Some(1.0), 4.0 * held_by_hinge()),
     ] {
         let model = beam(&supports, None, hinge);
@@ -132,7 +135,7 @@ fn lower_bounds_of_critical_loads_are_sharp() {
     }
 }
 
-/// A cantilever: P = π²EI/(2l)².
+/// Checks the critical load P = π²EI/(2l)² of a cantilever.
 #[test]
 fn the_critical_load_of_a_cantilever_decreases_with_the_square_of_its_length() {
     let mut model = beam(&[(0.0, SupportKind::Fixed)], None, None);
@@ -145,15 +148,16 @@ fn the_critical_load_of_a_cantilever_decreases_with_the_square_of_its_length() {
     }
 }
 
-/// z² with z tan z = 2k_φ·½ = 1, for half the column, pinned at its end, with a rotational spring 2k_φ in
-/// the middle of the column.
+/// Returns a quarter of the critical load of a pinned column with an elastic hinge k_φ = 1 in its middle. Each
+/// half of the column has the length ½ and a rotational spring 2k_φ at the hinge. So the critical load is (z/½)²
+/// with z tan z = 2k_φ·½ = 1.
 fn held_by_hinge() -> f64 {
     let z: f64 = 0.860_333_589_019_379_8;
     z * z
 }
 
-/// A stiff beam on soft springs, computed in balls. The critical load follows from the equilibrium of
-/// rigid bars.
+/// Checks a stiff beam with a soft hinge in ball arithmetic. The critical load 4k_φ/l follows from the equilibrium
+/// of two rigid bars.
 #[test]
 fn a_stiff_beam_on_soft_springs_keeps_its_digits() {
     let ends = [(0.0, SupportKind::Pinned), (1.0, SupportKind::Pinned)];

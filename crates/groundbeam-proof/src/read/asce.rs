@@ -14,7 +14,7 @@ type Always = &'static [(&'static str, &'static [Micro])];
 
 const SOIL: &[Micro] = &[m(1600), m(900)];
 const SOIL_ASD: &[Micro] = &[m(1000), m(600)];
-/// Factors of soil loads that are not permanent; 0 where they resist the other loads.
+/// Factors of soil loads that are not permanent. The factor is 0 where the soil load resists the other loads.
 const PASSING: &[Micro] = &[m(1600), 0];
 const PASSING_ASD: &[Micro] = &[m(1000), 0];
 
@@ -62,7 +62,7 @@ const ROOF_HALF: Term = &[("roof live", m(500)), ("snow", m(500)), ("rain", m(50
 const ROOF_FULL: Term = &[("roof live", m(1600)), ("snow", m(1600)), ("rain", m(1600))];
 const ROOF_ONE: Term = &[("roof live", m(1000)), ("snow", m(1000)), ("rain", m(1000))];
 const ROOF_MOST: Term = &[("roof live", m(750)), ("snow", m(750)), ("rain", m(750))];
-/// The snow load of the edition of 2022 is a strength-level load.
+/// In the edition of 2022, the snow load is a strength-level load.
 const ROOF_HALF_22: Term = &[("roof live", m(500)), ("snow", m(300)), ("rain", m(500))];
 const ROOF_FULL_22: Term = &[("roof live", m(1600)), ("snow", m(1000)), ("rain", m(1600))];
 const ROOF_ONE_22: Term = &[("roof live", m(1000)), ("snow", m(700)), ("rain", m(1000))];

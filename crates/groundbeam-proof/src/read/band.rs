@@ -1,21 +1,22 @@
-//! Reads `[foundation.band]`: factors on k and μ, and the names of the grounds that they make.
+//! Reads `[foundation.band]`: the factors on k and μ, and the names of the resulting variants of the ground.
 
 use super::error::{Read, wrong};
 use super::fields::{Fields, NUMBER, Quantity, Section};
 use super::toml::{Node, Value};
 use crate::{Course, Ground, Scalar};
 
-/// A ground of a band: its name, and the factors on k and μ.
+/// A variant of the ground: its name, and the factors on k and μ.
 #[derive(Debug, Clone)]
 pub(crate) struct Factored<S> {
     pub name: String,
     factors: [S; 2],
 }
 
-/// A factor as a number and as a double, which names the ground.
+/// A factor as a number of the proof, and as the double that is printed in the name of the variant.
 type Step<S> = (S, f64);
 
-/// The grounds of a band: the best one, then each pair of low, best and high factors. Empty if the file has no band.
+/// The variants of the ground: the best estimate, then each pair of low, best and high factors. The list is empty if
+/// the file has no `[foundation.band]`.
 pub(crate) fn read<S: Scalar>(
     fields: &mut Fields,
     root: Section,
@@ -32,7 +33,7 @@ pub(crate) fn read<S: Scalar>(
     let mut layers = ground.segments.iter().flat_map(|s| super::course::values(&s.shear));
     let shears = is_layer(&ground.shear) || layers.any(is_layer);
     if let (Some(mu), false) = (mu, shears) {
-        return wrong(mu.at, "a band of `mu` on ground without a shear layer");
+        return wrong(mu.at, "the band has factors on `mu`, but the ground has no shear layer");
     }
     let [k, mu] = [factors(fields, k, "k")?, factors(fields, mu, "mu")?];
     let changes = [&k, &mu].map(|steps: &[Step<S>; 3]| (steps[0].1, steps[2].1) != (1.0, 1.0));
@@ -54,7 +55,7 @@ pub(crate) fn read<S: Scalar>(
     Ok(grounds.into_iter().map(|(_, factored)| factored).collect())
 }
 
-/// The low, the best and the high factor.
+/// The low, the best and the high factor on k or on μ.
 fn factors<S: Scalar>(
     fields: &mut Fields,
     node: Option<&Node>,
@@ -63,10 +64,10 @@ fn factors<S: Scalar>(
     let best = (S::one(), 1.0);
     let Some(node) = node else { return Ok([best; 3]) };
     let Value::List(list) = &node.value else {
-        return wrong(node.at, format!("the band of `{key}` is a list of two factors"));
+        return wrong(node.at, format!("the band of `{key}` must be a list of two factors"));
     };
     let [low, high] = &list[..] else {
-        return wrong(node.at, format!("the band of `{key}` is a list of two factors"));
+        return wrong(node.at, format!("the band of `{key}` must be a list of two factors"));
     };
     let [low, high] = [step(fields, low, key)?, step(fields, high, key)?];
     let least = if key == "mu" { low.1 >= 0.0 } else { low.1 > 0.0 };
@@ -78,12 +79,12 @@ fn factors<S: Scalar>(
 
 fn step<S: Scalar>(fields: &mut Fields, node: &Node, key: &str) -> Read<Step<S>> {
     let Quantity { value, exact, .. } = fields.one::<S>(node, key, NUMBER)?;
-    // The nearest double; the name of the ground contains its digits.
+    // The nearest double, which is printed in the name of the variant.
     Ok((value, exact.value::<f64>().unwrap_or(f64::NAN)))
 }
 
 impl<S: Scalar> Factored<S> {
-    /// k and μ multiplied everywhere.
+    /// Multiplies k and μ of the whole ground by the factors.
     pub fn applied(&self, ground: Ground<S>) -> Ground<S> {
         let [spring, shear] = self.factors;
         let mut segments = ground.segments;
@@ -96,7 +97,8 @@ impl<S: Scalar> Factored<S> {
     }
 }
 
-/// The product; exactly 0 if a factor is exactly 0, so that ground without a shear layer has none.
+/// Multiplies `value` by `factor`. The product is exactly 0 if one of them is exactly 0, because μ must be exactly 0
+/// where the ground has no shear layer.
 fn times<S: Scalar>(value: S, factor: S) -> S {
     if value.size() == 0.0 || factor.size() == 0.0 { S::zero() } else { value * factor }
 }

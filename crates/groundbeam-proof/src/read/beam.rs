@@ -34,7 +34,7 @@ const NAMES: [&str; 3] = ["EI", "E", "I"];
 /// The data that follow from the keys of `[beam]`.
 pub(crate) struct ReadBeam<S> {
     pub beam: Beam<S>,
-    /// Own weight and camber.
+    /// Loads from self-weight and camber.
     pub loads: Vec<Cased<S>>,
     /// The depths of the section, from the left end to the right end.
     pub depths: Vec<Depth<S>>,
@@ -42,19 +42,20 @@ pub(crate) struct ReadBeam<S> {
     pub expansion: Option<S>,
 }
 
-/// A quantity of the section on a stretch; `None` if it is not known there.
+/// A quantity of the cross section on a stretch of the beam; `None` if the quantity is not known on the stretch.
 pub(crate) struct Stretch<S> {
     pub ends: [S; 2],
     pub of: Option<Along<S>>,
 }
 
-/// A stretch with its depth, as text and as a number; `None` if the depth is not constant there.
+/// The depth of the cross section on a stretch of the beam, as exact number and as scalar; `None` if the depth is
+/// not constant on the stretch.
 pub(crate) struct Depth<S> {
     pub ends: [S; 2],
     pub of: Option<(Exact, S)>,
 }
 
-/// The keys of a table that concern bending.
+/// Bending data of a table: EI or its factors, the cross section and the material.
 struct Bending<S> {
     given: Given<S>,
     shape: Option<Shape<S>>,
@@ -120,7 +121,7 @@ pub(crate) fn read<S: Scalar>(fields: &mut Fields, root: Section) -> Read<ReadBe
     Ok(ReadBeam { beam, loads, depths: merged(parts.depths), expansion })
 }
 
-/// Depths from left to right; neighbours with equal depths are merged.
+/// The depths from left to right. Neighbouring stretches with equal depths are merged.
 fn merged<S: Scalar>(mut stretches: Vec<Stretch<S>>) -> Vec<Depth<S>> {
     stretches.sort_by(|a, b| a.ends[0].middle().total_cmp(&b.ends[0].middle()));
     let mut depths: Vec<Depth<S>> = Vec::new();
@@ -150,7 +151,7 @@ impl<S: Scalar> Parts<S> {
     }
 }
 
-/// The data of the whole beam.
+/// Length and stiffnesses of the whole beam, as the keys of `[beam]` give them.
 struct Whole<S> {
     given: Given<S>,
     shear: Shear<S>,
@@ -163,7 +164,7 @@ impl<S: Scalar> Whole<S> {
         ends.map(|x| x.div(self.length))
     }
 
-    /// The beam's shear stiffness on a part of its length, if it varies.
+    /// The shear stiffness on a part of the beam's length if it varies along the beam; otherwise `None`.
     fn shear_between(&self, way: [S; 2]) -> Option<Along<S>> {
         let varies = self.shear_stiffness.as_ref().filter(|along| !along.is_constant());
         varies.map(|along| along.between(way))
@@ -196,7 +197,8 @@ impl<S: Scalar> Whole<S> {
         Ok((segment, shape))
     }
 
-    /// Adds segments for a stiffness that varies along the whole beam: it applies outside the given segments.
+    /// If EI or the shear stiffness of the whole beam varies, adds segments with the varying stiffness
+    /// between the given segments.
     fn add_where_it_varies(
         &self,
         bending: &Along<S>,
@@ -222,7 +224,7 @@ fn gives_stiffness(section: Section) -> bool {
     section.table.get("EI").is_some() || section.table.get("I").is_some()
 }
 
-/// EI of a table, and its section.
+/// Reads the bending data of a table: EI or its factors, the cross section and the material.
 fn bending<S: Scalar>(fields: &mut Fields, section: Section) -> Read<Bending<S>> {
     section.exclusive("I", "section")?;
     section.exclusive("E", "material")?;
@@ -230,7 +232,7 @@ fn bending<S: Scalar>(fields: &mut Fields, section: Section) -> Read<Bending<S>>
     let mut modulus = fields.along(section, "E", MODULUS, Values::Linear)?;
     let named = material::named(section)?;
     if let Some((material, at)) = named {
-        // The listed numbers of the section have units.
+        // The data of a material have units, so the quantities of the file must also have units.
         fields.note(at, true)?;
         let Quantity { value, .. } = material.modulus().map_err(|fault| fault.moved(at))?;
         modulus = Some(Along::constant(value, at));
@@ -274,7 +276,7 @@ fn weight<S: Scalar>(
             return wrong(node.at, "the area of the beam's section is not known everywhere");
         };
         if super::course::values(&area.course).len() > 2 {
-            return wrong(node.at, "the area of the beam's section is not linear along it");
+            return wrong(node.at, "the area of the beam's section is not linear along the beam");
         }
         let [start, end] = area.ends().map(|area| area * weight.value);
         let extent = Extent::Distributed { from, to, start, end };
@@ -284,7 +286,7 @@ fn weight<S: Scalar>(
     Ok(loads)
 }
 
-/// The curvature of a camber c, a parabola that rises by c at mid-length: κ₀ = 8c/l².
+/// Reads the camber c of the beam, a parabola that rises by c at mid-length, as the imposed curvature κ₀ = 8c/l².
 fn camber<S: Scalar>(fields: &mut Fields, table: Section, length: S) -> Read<Option<Cased<S>>> {
     let camber: Option<Quantity<S>> = fields.quantity(table, "camber", DEFLECTION)?;
     Ok(camber.map(|Quantity { value, at, .. }| {

@@ -8,7 +8,7 @@ use crate::{
     Action, Course, Extent, Ground, GroundEnd, Hinge, Load, Model, Scalar, Support, SupportKind,
 };
 
-/// Refuses a model that breaks a rule.
+/// Returns an error if the model breaks a rule between its parts.
 pub(crate) fn check<S: Scalar>(model: &Model<S>) -> Read<()> {
     ranges(model)?;
     let supports = sorted(model.supports.iter().map(|support| support.at));
@@ -38,18 +38,18 @@ fn is_same<S: Scalar>(a: S, b: S) -> bool {
     !is_left(a, b) && !is_left(b, a)
 }
 
-/// Whether two neighbouring positions may be equal.
+/// Whether any two neighbouring positions of a sorted list may be equal.
 fn meet<S: Scalar>(places: &[S]) -> bool {
     places.windows(2).any(|pair| is_same(pair[0], pair[1]))
 }
 
-/// The positions next to x on both sides.
+/// The positions of a sorted list next to x, on the left and on the right.
 fn beside<S: Scalar>(places: &[S], x: S) -> [Option<S>; 2] {
     let i = places.partition_point(|place| place.middle() < x.middle());
     [i.checked_sub(1).and_then(|i| places.get(i)).copied(), places.get(i).copied()]
 }
 
-/// The position of a point moment.
+/// The position of a nonzero point moment; `None` for every other load.
 fn turning_load<S: Scalar>(load: &Load<S>) -> Option<S> {
     match (load.action, load.extent) {
         (Action::Moment, Extent::Point { at, size }) if size.middle() != 0.0 => Some(at),
@@ -57,7 +57,7 @@ fn turning_load<S: Scalar>(load: &Load<S>) -> Option<S> {
     }
 }
 
-/// The position of a support that restrains the slope.
+/// The position of a support that restrains the slope; `None` for every other support.
 fn clamp<S: Scalar>(support: &Support<S>) -> Option<S> {
     match support.kind {
         SupportKind::Pinned => None,
@@ -66,7 +66,8 @@ fn clamp<S: Scalar>(support: &Support<S>) -> Option<S> {
     }
 }
 
-/// Checks the ranges of stiffnesses and loads that are computed from others.
+/// Checks the ranges of all stiffnesses and loads. A product, such as EI, can be out of range although its factors are
+/// not.
 fn ranges<S: Scalar>(model: &Model<S>) -> Read<()> {
     let Model { beam, ground, loads, .. } = model;
     let mut positive = vec![beam.bending_stiffness, ground.spring];
@@ -87,7 +88,7 @@ fn ranges<S: Scalar>(model: &Model<S>) -> Read<()> {
         }
     }
     if !positive.into_iter().all(|value| value.low() > 0.0 && is_within_reach(value)) {
-        return out_of_range(0, "a stiffness lies outside 1e-60 to 1e60");
+        return out_of_range(0, "a stiffness is outside the range from 1e-60 to 1e60");
     }
     if !other.into_iter().all(|value| value.middle() == 0.0 || is_within_reach(value)) {
         return out_of_range(
@@ -98,7 +99,8 @@ fn ranges<S: Scalar>(model: &Model<S>) -> Read<()> {
     Ok(())
 }
 
-/// Loads on the ground need ground at their position; point forces also need a shear layer.
+/// Checks the loads on the ground. They must not lie beyond the ends of the ground, and k and μ must be constant along
+/// each segment. Point forces under the beam also need a shear layer.
 fn ground_loads<S: Scalar>(model: &Model<S>) -> Read<()> {
     let ground = &model.ground;
     if !model.loads.iter().any(|load| load.on_ground) {
@@ -106,7 +108,7 @@ fn ground_loads<S: Scalar>(model: &Model<S>) -> Read<()> {
     }
     let varies = |course: &Course<S>| !is_constant(course);
     if ground.segments.iter().any(|segment| varies(&segment.spring) || varies(&segment.shear)) {
-        return wrong(0, "loads on the ground need ground that is constant along each segment");
+        return wrong(0, "loads on the ground need k and mu that are constant along each segment");
     }
     let layers = Layers::of(ground);
     for load in model.loads.iter().filter(|load| load.on_ground) {
@@ -119,7 +121,7 @@ fn ground_loads<S: Scalar>(model: &Model<S>) -> Read<()> {
             GroundEnd::Free(at) | GroundEnd::Held(at) => Some(at),
         });
         if left.is_some_and(|end| is_left(from, end)) || right.is_some_and(|end| is_left(end, to)) {
-            return wrong(0, "the ground does not reach as far as a load on it");
+            return wrong(0, "a load on the ground lies beyond an end of the ground");
         }
         let is_point = matches!(load.extent, Extent::Point { .. });
         let is_under = !is_left(from, S::zero()) && !is_left(model.beam.length, from);
@@ -130,7 +132,8 @@ fn ground_loads<S: Scalar>(model: &Model<S>) -> Read<()> {
     Ok(())
 }
 
-/// The parts of the ground with a shear layer: ends of segments from left to right, and whether each has one.
+/// The positions of the shear layer: the ends of each segment of the ground, from left to right, and whether the
+/// segment has a shear layer.
 struct Layers<S> {
     segments: Vec<([S; 2], bool)>,
     elsewhere: bool,
@@ -146,7 +149,7 @@ impl<S: Scalar> Layers<S> {
         Layers { segments, elsewhere: ground.shear.middle() > 0.0 }
     }
 
-    /// Whether there is a layer on at least one side of x.
+    /// Whether a shear layer lies on at least one side of x.
     fn is_at(&self, x: S) -> bool {
         let right = self.segments.partition_point(|([from, _], _)| !is_left(x, *from));
         let left = self.segments.partition_point(|([from, _], _)| is_left(*from, x));

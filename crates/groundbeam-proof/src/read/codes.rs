@@ -1,28 +1,29 @@
-//! The parts of a code of practice: actions with γ and ψ, and the expressions of its sets of combinations.
+//! The parts of a code of practice: actions with their factors γ and ψ, and the expressions of its sets of combinations.
 
 /// A factor in millionths, so that the product of two decimals with three places is an integer.
 pub(crate) type Micro = i64;
 pub(crate) const UNIT: Micro = 1_000_000;
 
-/// A code: its actions and its sets of combinations.
+/// A code of practice: its actions and its sets of combinations.
 pub(crate) struct Code {
     pub actions: &'static [Action],
     pub sets: &'static [Set],
 }
 
-/// Partial factors by the letter of their table: the unfavourable factor, then the favourable one if it differs.
+/// Partial factors γ, by the letter of their table in the code. The unfavourable factor comes first, then the
+/// favourable factor if it differs.
 pub(crate) type Gammas = &'static [(&'static str, &'static [Micro])];
 
 /// A kind of action.
 pub(crate) struct Action {
     pub name: &'static str,
-    /// ψ₀, ψ₁, ψ₂ of a variable action.
+    /// Combination factors ψ₀, ψ₁, ψ₂ of a variable action.
     pub psi: Option<[Micro; 3]>,
     pub gammas: Gammas,
     pub is_permanent: bool,
 }
 
-/// A set: its names and its expressions.
+/// A set of combinations: its names and its expressions.
 pub(crate) struct Set {
     pub names: &'static [&'static str],
     pub formulas: &'static [Formula],
@@ -31,35 +32,36 @@ pub(crate) struct Set {
 /// Actions that may be present, each with its factor. At most one action of a list is present at a time.
 pub(crate) type Term = &'static [(&'static str, Micro)];
 
-/// The index of a ψ; `None` for the factor 1.
+/// The index of a combination factor ψ; `None` for the factor 1.
 pub(crate) type Psi = Option<usize>;
 
-/// An expression of a code: the actions and factors of its combinations.
+/// An expression of a code of practice: the actions and factors of its combinations.
 pub(crate) struct Formula {
     pub label: &'static str,
-    /// Actions that always act, each with the factors to be tried, in place of those of a permanent action.
+    /// Actions that always act, each with the factors to be tried. These factors replace the partial factors of
+    /// permanent actions.
     pub always: &'static [(&'static str, &'static [Micro])],
     pub terms: &'static [Term],
-    /// Whether every combination contains an action of the first term.
+    /// Whether every combination contains an action of the first element of `terms`.
     pub needs_first: bool,
     /// The letter of the table of partial factors; without a letter the partial factors are 1.
     pub letter: Option<&'static str>,
-    /// ξ, by which the unfavourable factors of permanent actions are multiplied.
+    /// Reduction factor ξ of the unfavourable factors of permanent actions.
     pub xi: Micro,
-    /// The ψ of the leading action, if one action leads.
+    /// Combination factor ψ of the leading action; `None` if the expression has no leading action.
     pub leading: Option<Psi>,
-    /// The ψ of the accompanying actions.
+    /// Combination factor ψ of the accompanying actions; `None` if the expression has no accompanying actions.
     pub accompanying: Option<Psi>,
     /// Whether permanent cases from the same source may have different factors, as in the limit state EQU.
     pub by_parts: bool,
 }
 
-/// A factor given in thousandths.
+/// Converts a factor from thousandths to millionths.
 pub(crate) const fn m(thousandths: Micro) -> Micro {
     thousandths * 1000
 }
 
-/// An action without ψ that is not permanent, or that the expressions list with its own factors.
+/// An action without factors γ and ψ. Its factors are given in the expressions.
 pub(crate) const fn other(name: &'static str) -> Action {
     Action { name, psi: None, gammas: &[], is_permanent: false }
 }

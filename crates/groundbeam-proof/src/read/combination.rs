@@ -1,5 +1,4 @@
-//! Reads `[[combination]]`: factors of load cases, given in the file or by a set of combinations of a code of
-//! practice.
+//! Reads `[[combination]]`: factors of load cases, given in the file or by a set of combinations of a code of practice.
 
 use super::band::Factored;
 use super::case::Cased;
@@ -11,7 +10,7 @@ use super::toml::Value;
 use crate::{Extent, Load, Scalar};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Maximum number of combinations of a file, on all grounds together.
+/// Maximum number of combinations of a file. A combination counts once for each variant of the ground.
 const MOST: usize = 1000;
 
 /// A combination: its name, and the decimal factor of each load case in it.
@@ -20,8 +19,8 @@ struct Recipe {
     factors: BTreeMap<String, String>,
 }
 
-/// The loads of a combination, without loads that have the factor 0, and its ground if the file has a band. Without a
-/// combination: all loads with the values of the file.
+/// Returns the loads of a combination, without loads that have the factor 0. Also returns the variant of the ground if
+/// the file has `[foundation.band]`. If `combination` is `None`, returns all loads with their values in the file.
 pub(crate) fn select<'g, S: Scalar>(
     root: Section,
     loads: Vec<Cased<S>>,
@@ -49,10 +48,11 @@ pub(crate) fn select<'g, S: Scalar>(
     }
 }
 
-/// A combination on a ground: its name, its factors unless all loads act, and the ground if the file has a band.
+/// A combination on one variant of the ground: its name, its factors and the variant. The factors are `None` if all
+/// loads act with their values in the file. The variant is `None` if the file has no `[foundation.band]`.
 type OnGround<'r, 'g, S> = (String, Option<&'r Recipe>, Option<&'g Factored<S>>);
 
-/// Every combination of the file on every ground.
+/// Returns every combination of the file on every variant of the ground.
 fn on_grounds<'r, 'g, S: Scalar>(
     recipes: &'r [Recipe],
     grounds: &'g [Factored<S>],
@@ -73,7 +73,7 @@ fn on_grounds<'r, 'g, S: Scalar>(
     combinations.flat_map(on)
 }
 
-/// The loads with the factors of their cases.
+/// Multiplies the loads by the factors of their cases. Omits loads with the factor 0.
 fn factored<S: Scalar>(loads: Vec<Cased<S>>, recipe: &Recipe) -> Read<Vec<Load<S>>> {
     let mut combined = Vec::new();
     for Cased { load, case, at } in loads {
@@ -103,7 +103,7 @@ fn scaled<S: Scalar>(load: Load<S>, factor: S) -> Load<S> {
     Load { extent, ..load }
 }
 
-/// Every combination of the file.
+/// Reads every combination of the file. Fails if the file has more than `most` combinations.
 fn recipes(root: Section, names: &[&str], has_caseless: bool, most: usize) -> Read<Vec<Recipe>> {
     let known: BTreeSet<&str> = names.iter().copied().collect();
     let mut recipes = Vec::new();
@@ -144,7 +144,7 @@ fn recipes(root: Section, names: &[&str], has_caseless: bool, most: usize) -> Re
     Ok(recipes)
 }
 
-/// The action of each load case, for a set of combinations of a code.
+/// Reads the action of each load case in `names`, for a set of combinations of a code of practice.
 fn acting<'t>(root: Section<'t>, names: &[&str], at: usize) -> Read<Vec<Acting<'t>>> {
     let mut described: BTreeMap<&str, Acting> = BTreeMap::new();
     for table in root.tables("case")? {

@@ -2,7 +2,7 @@
 
 use crate::{Course, Scalar};
 
-/// The coefficients; a single one if the quantity is constant.
+/// The Bernstein coefficients of a quantity. A constant quantity has a single coefficient.
 pub(crate) fn values<S: Scalar>(course: &Course<S>) -> &[S] {
     match course {
         Course::Constant(value) => std::slice::from_ref(value),
@@ -23,7 +23,7 @@ pub(crate) fn is_constant<S>(course: &Course<S>) -> bool {
     matches!(course, Course::Constant(_))
 }
 
-/// The values at the left and at the right end.
+/// The values of a quantity at the left and at the right end of its stretch.
 pub(crate) fn ends<S: Scalar>(course: &Course<S>) -> [S; 2] {
     let values = values(course);
     [values.first(), values.last()].map(|value| value.copied().unwrap_or(S::zero()))
@@ -57,17 +57,18 @@ pub(crate) fn plus<S: Scalar>(a: &Course<S>, b: &Course<S>) -> Course<S> {
     of(values(&a).iter().zip(values(&b)).map(|(a, b)| *a + *b).collect())
 }
 
-/// The product with a number.
+/// The product of a quantity and a number.
 pub(crate) fn scaled<S: Scalar>(course: &Course<S>, factor: S) -> Course<S> {
     of(values(course).iter().map(|value| *value * factor).collect())
 }
 
-/// The part of a quantity between two fractions of its length, 0 at the left end and 1 at the right end.
+/// The part of a quantity between two fractions of its stretch, from 0 at the left end to 1 at the right end.
 pub(crate) fn between<S: Scalar>(course: &Course<S>, [from, to]: [S; 2]) -> Course<S> {
     let given = values(course);
     let degree = given.len() - 1;
     let part = |i: usize| {
-        // The blossom: de Casteljau's algorithm with a separate argument on each level.
+        // Computes the blossom of the polynomial by de Casteljau's algorithm with a separate argument on each
+        // level.
         let mut values = given.to_vec();
         for level in 0..degree {
             let t = if level + i < degree { from } else { to };
@@ -80,7 +81,7 @@ pub(crate) fn between<S: Scalar>(course: &Course<S>, [from, to]: [S; 2]) -> Cour
     of((0..given.len()).map(part).collect())
 }
 
-/// n over k; exact for the degrees that occur.
+/// The binomial coefficient n over k. It is exact for the degrees that occur.
 fn binomial(n: usize, k: usize) -> f64 {
     (0..k).fold(1.0, |product, i| product * (n - i) as f64 / (i + 1) as f64)
 }
@@ -105,7 +106,7 @@ mod tests {
             close(at(&plus(&a, &b), t), at(&a, t) + at(&b, t));
             close(at(&plus(&a, &c), t), at(&a, t) + 5.0);
             close(at(&part, t), at(&a, 0.2 + 0.5 * t));
-            // (1 - t)³3 + 3t(1 - t)²1 + 3t²(1 - t)4 + t³1.5
+            // The Bernstein form of `a` is (1 − t)³·3 + 3t(1 − t)²·1 + 3t²(1 − t)·4 + t³·1.5.
             let s = 1.0 - t;
             close(
                 at(&a, t),

@@ -5,11 +5,11 @@ use std::fmt;
 /// Reason why a model file cannot be read. Reading ends at the first fault.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ReadError {
-    /// Line in the file, from 1.
+    /// Number of the line in the file, counted from 1.
     pub line: usize,
-    /// Character in the line, from 1.
+    /// Number of the character in the line, counted from 1.
     pub column: usize,
-    /// The fault at this position.
+    /// The reason why the file cannot be read.
     pub reason: Reason,
 }
 
@@ -22,7 +22,7 @@ pub enum Reason {
     Syntax(&'static str),
     /// A key or a table occurs twice.
     Twice(String),
-    /// An unknown key for its table.
+    /// A key that its table does not allow.
     Unknown(String),
     /// A required key that is missing.
     Missing(&'static str),
@@ -32,8 +32,8 @@ pub enum Reason {
     Value(String),
     /// A number of the model that is outside the range of the computation.
     OutOfRange(String),
-    /// A key or a method that this reader does not support, because with it the model does not follow from the
-    /// file alone in closed form.
+    /// A key or a method that this reader does not support. With such a key or method, the model does not follow
+    /// from the file alone in closed form.
     NotRead(&'static str),
     /// The file has no combination with the requested name.
     NoCombination(String),
@@ -60,14 +60,14 @@ impl fmt::Display for ReadError {
 
 impl std::error::Error for ReadError {}
 
-/// A reason with the byte of the file where it occurs.
+/// A reason why a file cannot be read, and the byte of the file where the fault is.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Fault {
     pub at: usize,
     pub reason: Reason,
 }
 
-/// The result of a part of the reader.
+/// What a function of this reader returns: a result or a fault.
 pub(crate) type Read<T> = Result<T, Fault>;
 
 /// A fault.
@@ -75,18 +75,18 @@ pub(crate) fn fault<T>(at: usize, reason: Reason) -> Read<T> {
     Err(Fault { at, reason })
 }
 
-/// A fault about a value that the key does not allow.
+/// Returns the fault of a value that its key does not allow.
 pub(crate) fn wrong<T>(at: usize, what: impl Into<String>) -> Read<T> {
     fault(at, Reason::Value(what.into()))
 }
 
-/// A fault about a number outside the range of the computation.
+/// Returns the fault of a number outside the range of the computation.
 pub(crate) fn out_of_range<T>(at: usize, what: impl Into<String>) -> Read<T> {
     fault(at, Reason::OutOfRange(what.into()))
 }
 
 impl Fault {
-    /// The fault with its line and column in a text.
+    /// Converts the position of the fault to its line and column in `text`.
     pub fn placed(self, text: &str) -> ReadError {
         let mut at = self.at.min(text.len());
         while !text.is_char_boundary(at) {

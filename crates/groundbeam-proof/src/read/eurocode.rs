@@ -1,5 +1,4 @@
-//! Load combinations of EN 1990 as tables, transcribed from annex A1 (tables A1.1 to A1.4), annex A2 (tables A2.1 to A2.6)
-//! and the national annex of the United Kingdom.
+//! Load combinations of EN 1990 as tables, from annexes A1 (A1.1 to A1.4) and A2 (A2.1 to A2.6) and the UK national annex.
 
 use super::codes::{Action, Code, Formula, Gammas, Micro, PLAIN, Psi, Set, m, other};
 
@@ -12,13 +11,13 @@ const fn variable(name: &'static str, [a, b, c]: [Micro; 3], gammas: Gammas) -> 
     Action { name, psi: Some([m(a), m(b), m(c)]), gammas, is_permanent: false }
 }
 
-/// Expression (6.10): γ on the leading action, γψ₀ on the others.
+/// Expression (6.10). The leading action has the factor γ, and the accompanying actions have the factor γψ₀.
 const fn fundamental(label: &'static str, letter: &'static str) -> Formula {
     let (leading, accompanying) = (Some(None), Some(Some(0)));
     Formula { label, letter: Some(letter), leading, accompanying, ..PLAIN }
 }
 
-/// Partial factors of 1, with these ψ.
+/// An expression with partial factors of 1 and with the given ψ of the leading and of the accompanying actions.
 const fn ones(label: &'static str, leading: Option<Psi>, accompanying: usize) -> Formula {
     Formula { label, leading, accompanying: Some(Some(accompanying)), ..PLAIN }
 }
@@ -27,7 +26,8 @@ const fn set(names: &'static [&'static str], formulas: &'static [Formula]) -> Se
     Set { names, formulas }
 }
 
-/// Table A1.2: A is EQU, A2 its note 2.
+/// Partial factors of table A1.2. The letter A stands for the limit state EQU, and A2 for the alternative in note 2
+/// to EQU.
 const DEAD: Gammas = &[
     ("A", &[m(1100), m(900)]),
     ("A2", &[m(1350), m(1150)]),
@@ -154,10 +154,11 @@ pub(crate) const BRITISH_BUILDINGS: Code = Code {
     ],
 };
 
-/// Table A2.4 for road traffic, and for other variable actions.
+/// Partial factors of table A2.4, for road traffic and for other variable actions.
 const ROAD: Gammas = &[("B", &[m(1350)]), ("C", &[m(1150)])];
 const OTHER: Gammas = &[("B", &[m(1500)]), ("C", &[m(1300)])];
-/// Settlements are absent where they are favourable.
+/// Partial factors of settlements, for linear and for non-linear analysis. The factor is 0 where a settlement is
+/// favourable.
 const LINEAR: Gammas = &[("B", &[m(1200), 0]), ("C", &[m(1000), 0])];
 const NON_LINEAR: Gammas = &[("B", &[m(1350), 0]), ("C", &[m(1000), 0])];
 

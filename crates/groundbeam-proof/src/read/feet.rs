@@ -27,7 +27,7 @@ pub(crate) fn inches(text: &str) -> Option<String> {
     Some(format!("{minus}{millionths}e-6"))
 }
 
-/// Millionths of a number with decimals, of a fraction, or of a whole number and a fraction.
+/// Reads a number with decimals, a fraction, or a whole number with a fraction. Returns it in millionths.
 fn number(text: &str) -> Option<u128> {
     let Some((above, below)) = text.split_once('/') else {
         let (whole, part) = text.split_once('.').unwrap_or((text, "0"));

@@ -1,4 +1,4 @@
-//! Reads the values of a table: numbers with units, lists that vary along a stretch, and texts.
+//! Reads the values of a table: numbers with units, lists of numbers along a stretch, and texts.
 
 use super::error::{Fault, Read, Reason, fault, out_of_range, wrong};
 use super::feet;
@@ -68,7 +68,7 @@ pub(crate) const EXPANSION: Kind = positive(Dimension::NONE.with_temperature(-1)
 pub(crate) const NUMBER: Kind = any(Dimension::NONE);
 pub(crate) const POSITIVE_NUMBER: Kind = positive(Dimension::NONE);
 
-/// A quantity in m, N, rad, K, and its text in the file.
+/// A quantity: its value in m, N, rad and K, its exact value in the unit of the file, and its position in the file.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Quantity<S> {
     pub value: S,
@@ -79,13 +79,14 @@ pub(crate) struct Quantity<S> {
 /// Number of values that a list may have.
 #[derive(Clone, Copy)]
 pub(crate) enum Values {
-    /// One value, or two for a linear function.
+    /// One value for a constant, or two values for a linear function.
     Linear,
     /// At most this number of Bernstein coefficients.
     Curve(usize),
 }
 
-/// A quantity along a stretch. A constant quantity has exactly the value of the file.
+/// A quantity along a stretch: its values, its exact value if the file gives a single one, and its position in the
+/// file.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Along<S> {
     pub course: Course<S>,
@@ -93,8 +94,8 @@ pub(crate) struct Along<S> {
     pub at: usize,
 }
 
-/// Reads quantities. Either every quantity of a file except 0 has a unit, or none has one. The first quantity
-/// decides.
+/// Reads quantities. Either every nonzero quantity of a file has a unit, or no quantity has a unit. The first
+/// quantity of the file decides which rule applies.
 #[derive(Default)]
 pub(crate) struct Fields {
     has_units: Option<bool>,
@@ -156,7 +157,7 @@ impl<'t> Section<'t> {
         }
     }
 
-    /// Refuses a key that is not allowed together with another one.
+    /// Refuses `key`, which is not allowed together with the key `with`.
     pub fn without(&self, key: &'static str, with: &'static str) -> Read<()> {
         match self.table.place(key) {
             Some(at) => fault(at, Reason::Together(with, key)),
@@ -164,7 +165,7 @@ impl<'t> Section<'t> {
         }
     }
 
-    /// The fault of a missing key.
+    /// Returns the fault that a key is missing.
     pub fn missing<T>(&self, key: &'static str) -> Read<T> {
         fault(self.at, Reason::Missing(key))
     }
@@ -209,7 +210,7 @@ impl Fields {
             Values::Curve(most) => most,
         };
         if list.len() < 2 || list.len() > most {
-            return wrong(node.at, format!("`{key}` has 1 to {most} values"));
+            return wrong(node.at, format!("`{key}` must have 1 to {most} values"));
         }
         let mut all: Vec<Quantity<S>> = Vec::new();
         for node in list {
@@ -258,10 +259,10 @@ impl Fields {
         Ok(Quantity { value, exact, at })
     }
 
-    /// Records whether a quantity has a unit; refuses a mixture.
+    /// Records whether a quantity has a unit. Refuses a file in which only a part of the quantities has units.
     pub fn note(&mut self, at: usize, has_unit: bool) -> Read<()> {
         if *self.has_units.get_or_insert(has_unit) != has_unit {
-            return wrong(at, "either every quantity of a file except 0 has a unit, or none has");
+            return wrong(at, "either every nonzero quantity of a file must have a unit, or none");
         }
         Ok(())
     }
@@ -290,7 +291,7 @@ fn written(text: &str, kind: Kind, key: &str, at: usize) -> Read<(Exact, bool)> 
     Ok((Exact::new(number, unit.factor), true))
 }
 
-/// Converts a value to a scalar; checks the range of its kind and the range of the computation.
+/// Converts a value to a scalar. Checks the range that `kind` requires and the range of the computation.
 fn value<S: Scalar>(exact: &Exact, kind: Kind, key: &str, at: usize) -> Read<S> {
     let value = exact.value::<S>().filter(|value| exact.is_zero() || is_within_reach(*value));
     let Some(value) = value else {
@@ -315,7 +316,7 @@ pub(crate) fn is_within_reach<S: Scalar>(value: S) -> bool {
     (1e-60..=1e60).contains(&value.middle().abs())
 }
 
-/// A quantity from the lists of this crate.
+/// Reads a quantity that is listed as text in this crate.
 pub(crate) fn listed<S: Scalar>(text: &str, kind: Kind) -> Read<Quantity<S>> {
     let (exact, _) = written(text, kind, text, 0)?;
     Ok(Quantity { value: value(&exact, kind, text, 0)?, exact, at: 0 })
@@ -327,7 +328,7 @@ impl<S: Scalar> Along<S> {
         Along { course: Course::Constant(value), exact: None, at }
     }
 
-    /// The part between two fractions of the length.
+    /// The part of the quantity between two fractions of the length of its stretch.
     pub fn between(&self, way: [S; 2]) -> Self {
         Along { course: super::course::between(&self.course, way), ..self.clone() }
     }
@@ -350,7 +351,7 @@ impl<S: Scalar> Along<S> {
 }
 
 impl Fault {
-    /// The fault at another position.
+    /// Moves the fault to another position in the file.
     pub fn moved(self, at: usize) -> Fault {
         Fault { at, ..self }
     }

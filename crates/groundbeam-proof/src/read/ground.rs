@@ -118,7 +118,7 @@ fn given<S: Scalar>(fields: &mut Fields, table: Section) -> Read<Given<S>> {
     Ok(Given { whole, factors: [modulus, width] })
 }
 
-/// μ as given, or as C2 times the width.
+/// Reads μ, or computes μ as C2 times the width.
 fn shear<S: Scalar>(
     fields: &mut Fields,
     table: Section,
@@ -134,18 +134,18 @@ fn shear<S: Scalar>(
     }
 }
 
-/// The values of `[foundation]` along the whole beam.
+/// The values of `[foundation]` for the whole beam.
 struct Whole<S> {
     given: Given<S>,
     spring: Option<Along<S>>,
     shear: Along<S>,
-    /// C2, if it is given instead of μ.
+    /// C2, the stiffness μ of the shear layer per unit width, if it is given instead of μ.
     of_area: Option<Along<S>>,
     length: S,
 }
 
 impl<S: Scalar> Whole<S> {
-    /// Whether a value for the whole beam varies.
+    /// Whether μ, k or a factor of k varies along the whole beam.
     fn varies(&self) -> bool {
         let Given { whole, factors: [modulus, width] } = &self.given;
         let given = [whole, modulus, width].into_iter().flatten();
@@ -160,7 +160,7 @@ impl<S: Scalar> Whole<S> {
         if x.low() >= self.length.high() { S::one() } else { x.div(self.length) }
     }
 
-    /// A segment. Missing values are those of the whole beam.
+    /// Reads a segment. A value that the segment does not give is that of the whole beam.
     fn segment(&self, fields: &mut Fields, table: Section) -> Read<GroundSegment<S>> {
         table.only(&[SEGMENT_KEYS], &[])?;
         let from: Quantity<S> = fields.required(table, "from", POSITION)?;
@@ -187,7 +187,8 @@ impl<S: Scalar> Whole<S> {
             // Outside the beam, a quantity that varies along the beam keeps its value at the beam's end.
             (spring, shear) = (even(spring, table.at)?, even(shear, table.at)?);
         } else if self.varies() {
-            // Ground that varies along the beam must end at the end of the beam.
+            // If the values of the whole beam vary, the segment is cut at the beam's ends. If the segment's own
+            // values vary as well, it must not extend beyond the beam.
             let before = is_left(from, S::zero());
             let behind = is_left(length, to);
             if (before || behind) && own_varies {
@@ -202,7 +203,7 @@ impl<S: Scalar> Whole<S> {
         Ok(GroundSegment { from, to, spring, shear })
     }
 
-    /// μ of a segment that gives μ, C2 or a width.
+    /// Reads μ of a segment that gives μ, C2 or a width; `None` for every other segment.
     fn segment_shear(
         &self,
         fields: &mut Fields,
@@ -218,7 +219,8 @@ impl<S: Scalar> Whole<S> {
         shear(fields, table, of_area.or(inherited).as_ref(), width.as_ref())
     }
 
-    /// Adds segments for ground that varies along the whole beam: it applies outside the given segments.
+    /// If k or μ of the whole beam varies, adds segments with the varying k and μ between the given
+    /// segments.
     fn add_where_it_varies(
         &self,
         spring: &Along<S>,
@@ -235,7 +237,7 @@ impl<S: Scalar> Whole<S> {
     }
 }
 
-/// Replaces a profile of equal values by a constant.
+/// Replaces a polynomial with equal coefficients by a constant. Fails if the coefficients differ.
 fn even<S: Scalar>(course: Course<S>, at: usize) -> Read<Course<S>> {
     let Course::Varying(values) = course else { return Ok(course) };
     match values[..] {

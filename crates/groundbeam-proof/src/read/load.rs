@@ -72,7 +72,7 @@ pub(crate) fn read<S: Scalar>(
     Ok(loads)
 }
 
-/// The loads on the ground, which act downward.
+/// Reads the loads on the ground, which must act downward.
 pub(crate) fn read_on_ground<S: Scalar>(fields: &mut Fields, root: Section) -> Read<Vec<Cased<S>>> {
     let mut loads = Vec::new();
     for table in root.tables("ground_load")? {
@@ -99,7 +99,7 @@ pub(crate) fn read_on_ground<S: Scalar>(fields: &mut Fields, root: Section) -> R
     Ok(loads)
 }
 
-/// The single kind of load that a table gives.
+/// Returns the kind of load that a table gives. Fails unless the table gives exactly one kind.
 fn kind_of<'t>(
     table: Section<'t>,
     keys: &[&'static str],
@@ -123,9 +123,9 @@ fn place<S: Scalar>(fields: &mut Fields, table: Section) -> Read<Quantity<S>> {
     fields.required(table, "at", POSITION)
 }
 
-/// The curvature per unit of a difference between top and bottom: expansion/depth for a temperature, −1/depth
-/// for a shrinkage; `None` for other loads. A warmer top bends the ends of the beam down, which is a positive
-/// curvature.
+/// The curvature per unit difference of temperature or shrinkage between top and bottom. It is expansion/depth for
+/// a temperature and −1/depth for a shrinkage; `None` for other loads. A warmer top bends the ends of the beam
+/// down, which is a positive curvature.
 fn curvature_per<S: Scalar>(
     fields: &mut Fields,
     table: Section,
@@ -151,7 +151,7 @@ fn curvature_per<S: Scalar>(
     Ok(Some(expansion.div(depth)))
 }
 
-/// The depth of the section, which must be constant along the stretch.
+/// The depth of the cross section along a stretch. Fails if the depth is not constant along the stretch.
 fn depth<S: Scalar>(table: Section, [from, to]: [S; 2], depths: &[Depth<S>]) -> Read<S> {
     let first = depths.partition_point(|depth| !is_left(from, depth.ends[1]));
     let under = |i: usize| depths.get(i).filter(|depth| is_left(depth.ends[0], to));

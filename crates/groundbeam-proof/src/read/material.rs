@@ -1,19 +1,21 @@
-//! Materials by name: E, unit weight and expansion.
+//! Materials by name: E, unit weight and thermal expansion.
 //!
-//! Transcribed from the standards: concrete EN 1992-1-1 table 3.1 and 3.1.3; structural steel EN 1993-1-1, 3.2.6;
-//! rail steel with the numbers of structural steel; softwood and hardwood EN 338 tables 1 and 3; glued laminated timber EN 14080
-//! tables 4 and 5; unit weights EN 1991-1-1 annex A; expansion of timber EN 1991-1-5 table C.1.
+//! The values are transcribed from standards. Concrete is from EN 1992-1-1, table 3.1 and 3.1.3, structural steel
+//! from EN 1993-1-1, 3.2.6. Rail steel has the values of structural steel. Softwood and hardwood are from EN 338,
+//! tables 1 and 3, and glued laminated timber is from EN 14080, tables 4 and 5. The unit weights are from EN
+//! 1991-1-1, annex A, and the thermal expansion of timber is from EN 1991-1-5, table C.1.
 
 use super::error::{Read, wrong};
 use super::fields::{EXPANSION, Kind, MODULUS, Quantity, Section, UNIT_WEIGHT, listed};
 use crate::Scalar;
 
-/// A family of materials: the unit weight \[kN/m³\] if it is common to all, the expansion \[10⁻⁶/K\], and the
-/// members.
+/// A family of materials: the unit weight \[kN/m³\] if all materials have the same, the thermal expansion
+/// \[10⁻⁶/K\], and the materials.
 struct Family {
     unit_weight: &'static str,
     expansion: &'static str,
-    /// Name, E \[GPa\], and unit weight \[kN/m³\] if it differs.
+    /// Name, E \[GPa\] and unit weight \[kN/m³\] of each material. The unit weight is empty if it is that of the
+    /// family.
     materials: &'static [(&'static str, &'static str, &'static str)],
 }
 
@@ -127,7 +129,7 @@ fn is_hardwood(name: &str) -> bool {
 /// Classes of softwood whose names may omit `timber`, because no class of concrete has the same number.
 const SHORT: [&str; 5] = ["C14", "C18", "C22", "C24", "C27"];
 
-/// The material that a table names.
+/// Reads the material that a table names. Returns the material and the position of its name.
 pub(crate) fn named(section: Section) -> Read<Option<(Material, usize)>> {
     let Some((name, at)) = section.words("material")? else { return Ok(None) };
     let name = name.trim();
@@ -148,7 +150,7 @@ impl Material {
         quantity(self.modulus, "GPa", MODULUS)
     }
 
-    /// Weight per volume, if the standard lists it.
+    /// Weight per unit volume; `None` if the standard does not list it.
     pub fn unit_weight<S: Scalar>(&self) -> Read<Option<Quantity<S>>> {
         match self.unit_weight {
             "" => Ok(None),

@@ -1,9 +1,11 @@
 //! The second reader of model files: TOML, units and sections read into exact numbers or balls.
 //!
-//! It shares no code with the crate that reads model files for the solver. The tables of rolled sections are the only data
-//! that both read. It refuses four kinds of data with [`Reason::NotRead`]. Modified Vlasov soil needs the solution, troughs an
-//! approximation, surveys are other files, and the positions of a train are not models of the file. Reading ends at the first
-//! fault. `title`, `[checks]` and limit states do not change the model and are not read.
+//! The second reader shares no code with the crate that reads model files for the solver. The tables of rolled
+//! sections are the only data that both readers use. The second reader refuses four kinds of data with
+//! [`Reason::NotRead`]. It refuses modified Vlasov soil, because its k and μ depend on the solution, and gap troughs,
+//! because they are approximated. It refuses gap surveys, because they are separate files, and trains, because each
+//! position of a train is another model. Reading ends at the first fault. The key `title`, the table `[checks]` and
+//! limit states do not change the model and are ignored.
 
 mod asce;
 mod band;

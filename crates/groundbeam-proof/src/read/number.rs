@@ -2,8 +2,7 @@
 
 /// Converts a number of TOML to digits with an optional sign, point and exponent.
 pub(crate) fn of_toml(word: &str) -> Result<String, &'static str> {
-    const NO_NUMBER: &str =
-        "a value is expected here; write text, and a number with its unit, in quotes";
+    const NO_NUMBER: &str = "a value is expected here; put text and numbers with units in quotes";
     let (sign, size) = match word.as_bytes().first() {
         Some(b'-') => ("-", word.get(1..).unwrap_or("")),
         Some(b'+') => ("", word.get(1..).unwrap_or("")),
@@ -45,7 +44,8 @@ pub(crate) fn of_toml(word: &str) -> Result<String, &'static str> {
     Ok(number)
 }
 
-/// Removes the single `_` between digits; `None` if the text has another form.
+/// Removes each single `_` between two digits. Returns `None` if the text has any other character than digits and
+/// such underscores.
 fn grouped(text: &str, is_digit: impl Fn(u8) -> bool) -> Option<String> {
     let bytes = text.as_bytes();
     let digit_at = |i: usize| bytes.get(i).is_some_and(|b| is_digit(*b));
@@ -57,7 +57,8 @@ fn grouped(text: &str, is_digit: impl Fn(u8) -> bool) -> Option<String> {
     is_right.then(|| text.replace('_', ""))
 }
 
-/// A decimal number: ± digits × 10^power, in lowest form. Equal numbers are equal.
+/// A decimal number: ± digits × 10^power without leading or trailing zeros. Numbers of equal value compare as
+/// equal.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Decimal {
     negative: bool,
@@ -67,7 +68,8 @@ pub(crate) struct Decimal {
 }
 
 impl Decimal {
-    /// The number at the beginning of a text, and the text after it. Digits may be grouped by `_`; U+2212 is a minus sign.
+    /// Reads the number at the beginning of a text. Returns the number and the text after the number. Digits may be
+    /// grouped by `_`, and U+2212 is a minus sign.
     pub fn head(text: &str) -> Option<(Decimal, &str)> {
         let (negative, mut rest) = signed(text);
         let mut digits = take_digits(&mut rest);
@@ -85,7 +87,7 @@ impl Decimal {
             let (below, mut after) = signed(exponent);
             let written = take_digits(&mut after);
             if !written.is_empty() {
-                // Powers are limited to 10⁵, which exceeds every range.
+                // The exponent is limited to 10⁵, which lies outside every accepted range.
                 let size = written.parse::<i32>().unwrap_or(100_000).min(100_000);
                 power = power.saturating_add(if below { -size } else { size });
                 rest = after;
@@ -94,7 +96,7 @@ impl Decimal {
         Some((Decimal::of(negative, &digits, power), rest))
     }
 
-    /// The number of a text that consists of a number only.
+    /// Reads a text that consists of a number only; `None` for any other text.
     pub fn whole(text: &str) -> Option<Decimal> {
         Decimal::head(text).filter(|(_, rest)| rest.is_empty()).map(|(number, _)| number)
     }

@@ -9,8 +9,9 @@ pub(crate) fn is_left<S: Scalar>(a: S, b: S) -> bool {
     (b - a).low() > 0.0
 }
 
-/// The parts of 0 to `length` that no stretch covers, from left to right, each with its fractions of the
-/// length. Without stretches the result is the whole length, with the exact fractions 0 and 1.
+/// Returns the parts of the beam from 0 to `length` that no stretch covers, from left to right. The ends of each
+/// part are given as positions and as fractions of `length`. Without stretches, the result is the whole beam with
+/// the exact fractions 0 and 1.
 pub(crate) fn left_out<S: Scalar>(length: S, stretches: &[[S; 2]]) -> Vec<([S; 2], [S; 2])> {
     if stretches.is_empty() {
         return vec![([S::zero(), length], [S::zero(), S::one()])];
@@ -49,7 +50,7 @@ pub(crate) fn overlapping<S: Scalar>(stretches: &[[S; 2]]) -> Option<usize> {
         .map(|p| p[1])
 }
 
-/// `from` and `to` on the beam.
+/// Reads `from` and `to` of a stretch, which must lie on the beam.
 pub(crate) fn stretch<S: Scalar>(fields: &mut Fields, table: Section, length: S) -> Read<[S; 2]> {
     let from: Quantity<S> = fields.required(table, "from", POSITION)?;
     let to: Quantity<S> = fields.required(table, "to", POSITION)?;

@@ -1,4 +1,4 @@
-//! A stiffness as one number or as the product of two.
+//! A stiffness that is given as one number or as the product of two factors.
 
 use super::error::{Read, Reason, fault};
 use super::fields::{Along, Section};
@@ -14,9 +14,9 @@ pub(crate) struct Given<S> {
 /// The stiffness that follows from the keys of a table.
 pub(crate) enum Found<S> {
     Known(Along<S>),
-    /// The table has none of the keys.
+    /// The table has no key of the stiffness or of its factors.
     Nothing,
-    /// One factor is missing: its key.
+    /// One factor of the stiffness is missing; the value is the key of this factor.
     Half(&'static str),
 }
 
@@ -29,7 +29,7 @@ impl<S: Scalar> Given<S> {
         self.whole.is_none() && self.factors.iter().all(Option::is_none)
     }
 
-    /// The same stiffness on a part of its length.
+    /// The stiffness or its factors on a part of their stretch.
     pub fn between(&self, way: [S; 2]) -> Self {
         let part = |along: &Option<Along<S>>| along.as_ref().map(|along| along.between(way));
         Given {
@@ -38,7 +38,7 @@ impl<S: Scalar> Given<S> {
         }
     }
 
-    /// The stiffness. If a table has only one factor, the other factor is taken from `parent`. `names` are
+    /// Computes the stiffness. If a table has only one factor, the other factor is taken from `parent`. `names` are
     /// the keys of the stiffness and of its factors.
     pub fn resolve(&self, parent: &Given<S>, names: [&'static str; 3]) -> Read<Found<S>> {
         let own = self.factors.iter().position(Option::is_some);
@@ -60,7 +60,7 @@ impl<S: Scalar> Given<S> {
 }
 
 impl<S> Found<S> {
-    /// The stiffness, which is required; `name` is its key.
+    /// Returns the stiffness, or the fault of a missing key. `name` is the key of the stiffness.
     pub fn known(self, section: Section, name: &'static str) -> Read<Along<S>> {
         match self {
             Found::Known(along) => Ok(along),

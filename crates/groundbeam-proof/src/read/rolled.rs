@@ -1,21 +1,24 @@
 //! Rolled sections and rails by name: area, second moment and shear area from the listed dimensions.
 //!
-//! The tables of dimensions are plain data, and the only data that both readers share. Rails are transcribed here.
+//! The tables of dimensions are plain data. They are the only data that both readers of model files share. The
+//! rails are transcribed in this file.
 
 use super::error::{Read, wrong};
 use super::fields::{AREA, Along, Fields, LENGTH, Quantity, SECOND_MOMENT, Section, listed};
 use super::shapes::{Measures, Shape, by, corners, filled, i_shape, less, rectangle, tube};
 use crate::{Course, Scalar};
 
-/// Name, height, width, web, flange, fillet in mm.
+/// Rolled I-sections: name, and height, width, web thickness, flange thickness and fillet radius in mm.
 const ROLLED: &str = include_str!("../../../groundbeam-file/sections/rolled.tsv");
-/// Name, depth, width, web, flange in inches, A in in², I in in⁴.
+/// American W-sections: name; depth, width, web thickness and flange thickness in inches; area in in² and second
+/// moment in in⁴.
 const AMERICAN: &str = include_str!("../../../groundbeam-file/sections/w.tsv");
-/// Name, diameter or height, width (empty for a tube), wall in mm.
+/// Hollow sections: name, and diameter or height, width (empty for a tube) and wall thickness in mm.
 const HOLLOW: &str = include_str!("../../../groundbeam-file/sections/hollow.tsv");
 
-/// Rolled rails: names, area and second moment about the horizontal axis. 60E1, 60E2 and 54E1 are from EN 13674-1,
-/// annex A, UIC60 and UIC54 from UIC 860 V, those with RE from AREMA's Manual, chapter 4, AS50 and AS60 from AS 1085.1.
+/// Rolled rails: name, area and second moment of area about the horizontal axis. 60E1, 60E2 and 54E1 are from EN
+/// 13674-1, annex A. UIC60 and UIC54 are from UIC 860 V, the RE rails from AREMA's Manual, chapter 4, and AS50 and
+/// AS60 from AS 1085.1.
 const RAILS: [(&str, &str, &str); 11] = [
     ("60E1", "76.70 cm^2", "3038.3 cm^4"),
     ("60E2", "76.48 cm^2", "3021.5 cm^4"),
@@ -35,7 +38,7 @@ pub(crate) fn read<S: Scalar>(fields: &mut Fields, section: Section) -> Read<Opt
     for key in ["rail", "name"] {
         let Some((name, at)) = section.words(key)? else { continue };
         section.only(&[&[key]], &[])?;
-        // The listed numbers have units.
+        // The data of rolled sections and rails have units, so the quantities of the file must also have units.
         fields.note(at, true)?;
         let wanted = plain(name);
         let found = if key == "rail" { rail(&wanted, at) } else { rolled(&wanted, at) };
@@ -47,7 +50,7 @@ pub(crate) fn read<S: Scalar>(fields: &mut Fields, section: Section) -> Read<Opt
     Ok(None)
 }
 
-/// The name in capitals, without spaces and hyphens.
+/// The name in capitals, without spaces and hyphens, and with X for ×.
 fn plain(name: &str) -> String {
     name.to_uppercase().replace([' ', '-'], "").replace('×', "X")
 }
@@ -105,8 +108,9 @@ fn rolled<S: Scalar>(wanted: &str, at: usize) -> Read<Option<Shape<S>>> {
     Ok(None)
 }
 
-/// A hollow rectangle with outer corners of radius 1.5 t and inner ones of radius t (EN 10210-2, annex B); the shear area is
-/// that of the webs between the flanges.
+/// Area, second moment and shear area of a hollow rectangle with the wall thickness t. Its outer corners have the
+/// radius 1.5 t and its inner corners the radius t (EN 10210-2, annex B). The shear area is the area of the webs
+/// between the flanges.
 fn hollow<S: Scalar>(h: S, b: S, t: S) -> Measures<S> {
     let rounded = |h: S, b: S, radius: S| {
         let [h, b, radius] = [h, b, radius].map(Course::Constant);
@@ -126,7 +130,7 @@ mod tests {
     use super::super::course::ends;
     use super::*;
 
-    /// Printed values of EN 10365, AISC and EN 10210-2, with four or three figures.
+    /// Compares areas and second moments with the printed values of EN 10365, AISC and EN 10210-2.
     #[test]
     fn sections_have_the_printed_values() {
         for (name, area, moment, figures) in [

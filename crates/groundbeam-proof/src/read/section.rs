@@ -6,7 +6,7 @@ use super::rolled;
 use super::shapes::{Shape, boxed, circle, filled, i_shape, rectangle, t_shape, tube};
 use crate::{Course, Scalar};
 
-/// The cross section of a table.
+/// Reads the cross section of a table; `None` if the table has no key `section`.
 pub(crate) fn read<S: Scalar>(fields: &mut Fields, parent: Section) -> Read<Option<Shape<S>>> {
     let Some(section) = parent.table("section")? else { return Ok(None) };
     if let Some(shape) = rolled::read(fields, section)? {

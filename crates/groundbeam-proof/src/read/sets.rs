@@ -1,7 +1,7 @@
-//! Combinations of the load cases of a file from a set of a code of practice.
+//! Combines the load cases of a file by a set of combinations of a code of practice.
 //!
-//! Superposition is not valid with lift-off. So every subset of the variable cases is combined with every leading action and
-//! every factor of the permanent cases.
+//! Superposition is not valid with lift-off. So every subset of the variable cases is combined with every leading
+//! action and every factor of the permanent cases.
 
 use super::codes::{Action, Code, Formula, Micro, Set, UNIT};
 use super::{asce, eurocode};
@@ -15,28 +15,29 @@ static CODES: [&Code; 6] = [
     &asce::OF_2022,
 ];
 
-pub(crate) const TOO_MANY: &str = "the file asks for more than 1000 combinations";
+pub(crate) const TOO_MANY: &str = "the file defines more than 1000 combinations";
 
 /// A load case and its action.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Acting<'a> {
     pub name: &'a str,
     pub action: &'a str,
-    /// At most one case of a group is present at a time.
+    /// Group of the load case. At most one case of a group is present at a time.
     pub group: Option<&'a str>,
-    /// Permanent cases from the same source have the same factor.
+    /// Source of the load case. Permanent cases from the same source have the same factor.
     pub source: Option<&'a str>,
 }
 
-/// A combination of a set: its name, and the decimal factor of each case by its index.
+/// A combination from a set: its name, and the index and the decimal factor of each load case.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Made {
     pub name: String,
     pub factors: Vec<(usize, String)>,
 }
 
-/// The combinations of a set without duplicates, in the order of the set; at least one. `has_caseless` is true if the
-/// file has loads without a case, which are a combination even if no case takes part in it.
+/// Returns the combinations of a set without duplicates, in the order of the set. Fails if the set makes no
+/// combination. `has_caseless` is true if the file has loads without a case. These loads are a combination even if
+/// no case is present.
 pub(crate) fn expand(
     name: &str,
     cases: &[Acting],
@@ -87,7 +88,7 @@ fn find(name: &str) -> Option<(&'static Code, &'static Set)> {
     all.into_iter().find(|(_, set)| set.names.contains(&name))
 }
 
-/// Whether the code gives an action no partial factor for an expression that needs one.
+/// Whether an expression needs a partial factor of an action for which the code gives none.
 fn lacks(action: &Action, formula: &Formula) -> bool {
     let needs = action.is_permanent || action.psi.is_some();
     needs && formula.letter.is_some() && gammas(action, formula).is_none()
@@ -99,7 +100,7 @@ fn gammas(action: &Action, formula: &Formula) -> Option<&'static [Micro]> {
     action.gammas.iter().find(of_letter).map(|(_, factors)| *factors)
 }
 
-/// The factors to be tried for an action that always acts; none for another action.
+/// The factors to be tried for an action that always acts; an empty list for every other action.
 fn always(code: &Code, formula: &Formula, action: &str) -> Vec<Micro> {
     if let Some((_, factors)) = formula.always.iter().find(|(named, _)| *named == action) {
         return factors.to_vec();
@@ -123,11 +124,11 @@ fn decimal(factor: Micro) -> String {
     }
 }
 
-/// The terms of an expression: the possible actions of each, with their factors.
+/// The terms of an expression. Each term lists its possible actions with their factors.
 type Lists = [Vec<(&'static str, Micro)>];
 
-/// The lists of terms of an expression: one list for each leading action and one without a leading action. At most one
-/// action of each term is present. The first value of a pair is true if an action of the first term must act.
+/// Returns the terms of an expression: one list for each leading action, and one list without a leading action. At
+/// most one action of each term is present. The flag of a list is true if an action of its first term must act.
 fn variable_terms(
     formula: &Formula,
     actions: &'static [Action],
@@ -169,7 +170,7 @@ struct Expansion<'a> {
 }
 
 impl Expansion<'_> {
-    /// Tries each factor of each permanent case, from a given case on.
+    /// Tries each factor of each permanent case, starting at the load case with the index `case`.
     fn permanent(
         &mut self,
         formula: &Formula,
@@ -202,8 +203,8 @@ impl Expansion<'_> {
         Ok(())
     }
 
-    /// Tries each action of the first list, and also no action unless one must lead. Then continues with the
-    /// other lists.
+    /// Tries each action of the first term. Also tries the first term without an action, unless one of its actions
+    /// must act. Then continues with the other terms.
     fn variable(
         &mut self,
         label: &'static str,
@@ -219,7 +220,7 @@ impl Expansion<'_> {
         if must_act { Ok(()) } else { self.variable(label, rest, false) }
     }
 
-    /// Each non-empty subset of the cases of an action.
+    /// Tries each non-empty subset of the load cases of an action.
     fn subsets(
         &mut self,
         label: &'static str,

@@ -15,12 +15,12 @@ pub(crate) struct Shape<S> {
     pub area: Along<S>,
     pub second_moment: Along<S>,
     pub shear_area: Option<Along<S>>,
-    /// From the lower to the upper face.
+    /// Depth from the lower to the upper face of the section; `None` if the depth is not known.
     pub depth: Option<Along<S>>,
 }
 
 impl<S: Scalar> Shape<S> {
-    /// The section on a part of the length.
+    /// The cross section on a part of its stretch.
     pub fn between(&self, way: [S; 2]) -> Self {
         Shape {
             area: self.area.between(way),
@@ -31,7 +31,7 @@ impl<S: Scalar> Shape<S> {
     }
 }
 
-/// Area, second moment and shear area.
+/// Area, second moment of area and shear area of a cross section, or the reason why its dimensions are impossible.
 pub(crate) type Measures<S> = Result<[Course<S>; 3], &'static str>;
 
 /// n/d.
@@ -47,8 +47,8 @@ pub(crate) fn less<S: Scalar>(a: &Course<S>, b: &Course<S>) -> Course<S> {
     plus(a, &scaled(b, S::of(-1.0)))
 }
 
-/// a − times·b for dimensions a and b that are linear along the stretch. The result must be positive at both
-/// ends.
+/// Computes a − times·b for dimensions `a` and `b` that are linear along the stretch. Fails unless the result is
+/// positive at both ends of the stretch.
 fn inside<S: Scalar>(a: &Course<S>, b: &Course<S>, times: f64) -> Result<Course<S>, &'static str> {
     let rest = less(a, &scaled(b, S::of(times)));
     let is_possible = super::course::values(&rest).iter().all(|value| value.low() > 0.0);
@@ -77,7 +77,8 @@ pub(crate) fn circle<S: Scalar>(d: &Course<S>) -> Measures<S> {
     Ok([area, second_moment, shear])
 }
 
-/// A = π t (d − t), I = π (d⁴ − (d − 2t)⁴)/64.
+/// A tube with the diameter d and the wall thickness t. It has the area A = π t (d − t) and the second moment of area
+/// I = (π/64)(d⁴ − (d − 2t)⁴).
 pub(crate) fn tube<S: Scalar>(d: &Course<S>, t: &Course<S>) -> Measures<S> {
     let inner = inside(d, t, 2.0)?;
     let pi = pi::<S>().ok_or("π is out of range")?;
@@ -88,7 +89,8 @@ pub(crate) fn tube<S: Scalar>(d: &Course<S>, t: &Course<S>) -> Measures<S> {
     Ok([area, second_moment, shear])
 }
 
-/// A = 2t (b + h − 2t), I = (b h³ − (b − 2t)(h − 2t)³)/12, webs 2t (h − 2t).
+/// A box with the width b, the height h and the wall thickness t. It has the area A = 2t (b + h − 2t), the second
+/// moment of area I = (b h³ − (b − 2t)(h − 2t)³)/12 and the web area 2t (h − 2t).
 pub(crate) fn boxed<S: Scalar>(b: &Course<S>, h: &Course<S>, t: &Course<S>) -> Measures<S> {
     let (width, height) = (inside(b, t, 2.0)?, inside(h, t, 2.0)?);
     let two = scaled(t, S::of(2.0));
@@ -98,7 +100,8 @@ pub(crate) fn boxed<S: Scalar>(b: &Course<S>, h: &Course<S>, t: &Course<S>) -> M
     Ok([area, by(&second_moment, 1.0, 12.0), shear])
 }
 
-/// A = 2bf + w(h − 2f), I = (b h³ − (b − w)(h − 2f)³)/12, web w(h − 2f).
+/// An I-section with the width b, the height h, the flange thickness f and the web thickness w. It has the area A =
+/// 2bf + w(h − 2f), the second moment of area I = (b h³ − (b − w)(h − 2f)³)/12 and the web area w(h − 2f).
 pub(crate) fn i_shape<S: Scalar>(
     b: &Course<S>,
     h: &Course<S>,
@@ -113,7 +116,7 @@ pub(crate) fn i_shape<S: Scalar>(
     Ok([area, by(&second_moment, 1.0, 12.0), shear])
 }
 
-/// An I with a radius in its four corners, at the distance H = h/2 − f from the axis.
+/// Adds fillets to the four corners between web and flanges of an I-section.
 pub(crate) fn filled<S: Scalar>(
     [area, second_moment, shear]: [Course<S>; 3],
     [b, h, flange, web]: [&Course<S>; 4],
@@ -126,9 +129,10 @@ pub(crate) fn filled<S: Scalar>(
     Ok([plus(&area, &corners), plus(&second_moment, &bent), shear])
 }
 
-/// Area and second moment of the fillets of radius r in four corners, which lie at the distance H from the axis. A fillet is a
-/// square minus a quarter of a disc. It has the area (1 − π/4) r², and the first and second moments (5/6 − π/4) r³ and
-/// (1 − 5π/16) r⁴ about the face, on the side of the axis.
+/// Area and second moment of the fillets of radius r in four corners, which lie at the distance H from the axis. A
+/// fillet is a square minus a quarter of a disc, on the side of the corner that faces the axis. A fillet has the
+/// area (1 − π/4) r². Its first and second moments about the face at the distance H are (5/6 − π/4) r³ and (1 −
+/// 5π/16) r⁴.
 pub(crate) fn corners<S: Scalar>(
     face: &Course<S>,
     radius: &Course<S>,
@@ -144,8 +148,9 @@ pub(crate) fn corners<S: Scalar>(
     Ok([area, plus(&less(&steiner, &first), &own)])
 }
 
-/// About the centroid of flange and stem, whose centres are h/2 apart: I = (b f³ + w s³)/12 + A₁A₂/(A₁ + A₂) h²/4, s = h −
-/// f.
+/// A T-section with a flange b × f and a stem w × s, where s = h − f and h is the height of the section. A₁ and A₂ are
+/// the areas of flange and stem. Their centroids are h/2 apart, so the second moment of area is I = (b f³ + w s³)/12 +
+/// (h²/4)·A₁A₂/(A₁ + A₂).
 pub(crate) fn t_shape<S: Scalar>(
     b: &Course<S>,
     h: &Course<S>,
@@ -168,7 +173,7 @@ mod tests {
     use super::super::course::ends;
     use super::*;
 
-    /// Sums of area and of y² over thin strips, about their centroid.
+    /// Area and second moment about the centroid, as sums over thin strips.
     fn strips(width: impl Fn(f64) -> f64, height: f64) -> [f64; 2] {
         let n = 200_000;
         let step = height / f64::from(n);
@@ -202,7 +207,7 @@ mod tests {
         is(boxed(&c(2.0), &c(1.0), &c(0.2)), strips(wall, 1.0), 0.24);
         let i = |y: f64| if !(0.25..=0.75).contains(&y) { 2.0 } else { 0.1 };
         is(i_shape(&c(2.0), &c(1.0), &c(0.25), &c(0.1)), strips(i, 1.0), 0.05);
-        // Fillets of 0.2 between web and flanges.
+        // The fillets between web and flanges have the radius 0.2.
         let web = |y: f64| {
             let above = 0.2 - (y - 0.25).min(0.75 - y).min(0.2);
             0.1 + 2.0 * (0.2 - (0.04 - above * above).sqrt())

@@ -8,32 +8,32 @@ use super::product::{Found, Given};
 use super::shapes::Shape;
 use crate::Scalar;
 
-/// The keys, in `[beam]` and in its segments.
+/// Keys of the shear stiffness in `[beam]` and in its segments.
 pub(crate) const KEYS: &[&str] = &["shear_stiffness", "GA", "G", "nu", "shear_area"];
 const NAMES: [&str; 3] = ["shear_stiffness", "G", "shear_area"];
 
-/// The keys of a table that concern shear.
+/// Shear data of a table: the shear stiffness or its factors, and Poisson's ratio.
 #[derive(Debug, Clone)]
 pub(crate) struct Shear<S> {
     given: Given<S>,
     poisson: Option<Quantity<S>>,
-    /// Whether `shear_area` is given in addition to a section.
+    /// Whether the table gives `shear_area`. Otherwise the shear area is that of the section.
     says_area: bool,
 }
 
 impl<S: Scalar> Shear<S> {
-    /// The data of a table without keys about shear.
+    /// Shear data of a table that has no keys of the shear stiffness.
     pub fn nothing() -> Self {
         Shear { given: Given::nothing(), poisson: None, says_area: false }
     }
 
-    /// The data on a part of the length.
+    /// The shear data on a part of their stretch.
     pub fn between(&self, way: [S; 2]) -> Self {
         Shear { given: self.given.between(way), ..self.clone() }
     }
 
-    /// The shear stiffness of a table. `modulus` has two values of E on the stretch of the table: the value
-    /// of the table, and the value of the whole beam. `shape` is the section of the table.
+    /// Reads the shear data of a table. `modulus` is E of the table and E of the whole beam, both on the stretch of
+    /// the table. `shape` is the section of the table.
     pub fn read(
         fields: &mut Fields,
         section: Section,
@@ -51,7 +51,7 @@ impl<S: Scalar> Shear<S> {
         let own_modulus = fields.along(section, "G", MODULUS, Values::Linear)?;
         let poisson: Option<Quantity<S>> = fields.quantity(section, "nu", NUMBER)?;
         let [own, beams] = modulus;
-        // A table with its own E uses Poisson's ratio of the beam, so it has its own G.
+        // If a table gives E but not G, its G follows from this E and from Poisson's ratio of the beam.
         let inherits = own.is_some() && own_modulus.is_none();
         let inherited = parent.poisson.as_ref().filter(|_| inherits);
         let by_poisson = match (poisson.as_ref().or(inherited), own.or(beams)) {
@@ -73,7 +73,7 @@ impl<S: Scalar> Shear<S> {
         Ok(Shear { given, poisson, says_area })
     }
 
-    /// The shear stiffness of a table; `None` if the table has no key about shear.
+    /// Computes the shear stiffness of a table; `None` if the table has no shear deformation of its own.
     pub fn settle(&self, section: Section, parent: &Shear<S>) -> Read<Option<Along<S>>> {
         let mut given = self.given.clone();
         if given.whole.is_some() && !self.says_area {

@@ -1,7 +1,9 @@
 //! Reads `[foundation.soil]`: k and μ per length of beam from soil data, by the methods that do not need the solution.
 //!
-//! Layers on rock (Vlasov and Leontiev): the soil below u moves by u φ(z), φ(0) = 1, φ = 0 on the rock. The least energy
-//! S(r) = min ∫E₀φ′² + rGφ² over φ has the derivative dS/dr = ∫Gφ². So μ = b dS/dr and k = b (S − r dS/dr).
+//! For layers on rock (Vlasov and Leontiev), the soil at the depth z settles by u φ(z), where u is the settlement of
+//! the surface. φ(0) = 1, and φ = 0 on the rock. E₀ is the constrained modulus and G the shear modulus of the soil.
+//! For a parameter r, let S(r) be the minimum of ∫(E₀φ′² + rGφ²) over φ. It has the derivative dS/dr = ∫Gφ². So μ = b
+//! dS/dr and k = b (S − r dS/dr) for a beam of width b.
 
 use super::error::{Read, Reason, fault, out_of_range, wrong};
 use super::fields::{
@@ -13,7 +15,7 @@ const ELASTIC: &[&str] = &["method", "E", "nu"];
 const PLATE: &[&str] = &["method", "plate_modulus", "plate_width"];
 const LAYERS: &[&str] = &["method", "layer", "gamma"];
 
-/// The parts of the beam from which k follows.
+/// Properties of the beam on which k depends.
 pub(crate) struct Bearing<S> {
     pub width: S,
     pub length: S,
@@ -93,14 +95,15 @@ fn plate<S: Scalar>(fields: &mut Fields, table: Section) -> Read<[S; 2]> {
     Ok([modulus.value, width.value])
 }
 
-/// A layer: E₀, G and the thickness h.
+/// A soil layer with the constrained modulus E₀, the shear modulus G and the thickness h.
 struct Layer<S> {
     constrained: S,
     shear: S,
     thickness: S,
 }
 
-/// Layers on rock with a given γ = Σ h (r G/E₀)^½.
+/// Computes k and μ of layers on rock from the parameter γ of Vlasov's method. γ = Σ h√(rG/E₀) over the layers of
+/// thickness h determines the parameter r of [`least_energy`].
 fn vlasov<S: Scalar>(fields: &mut Fields, table: Section, width: S) -> Read<[S; 2]> {
     table.only(&[LAYERS], &[])?;
     if table.table.get("layer").is_none() {
@@ -128,9 +131,9 @@ fn vlasov<S: Scalar>(fields: &mut Fields, table: Section, width: S) -> Read<[S; 
     Ok([spring, shear])
 }
 
-/// S = −E₀φ′ and dS/dr at the surface, from the rock upward. For a layer let c² = r q, q = h²G/E₀, e = E₀/h and
-/// T = tanh(c)/c. At the top of the layer above the rock S is e/T. At the top of another layer it is
-/// e (S_b + e c² T)/(e + S_b T), with S_b at its bottom.
+/// Computes the smallest energy S and dS/dr for the parameter r, layer by layer from the rock upward. For a layer of
+/// thickness h, let q = h²G/E₀, e = E₀/h, c² = rq and T = tanh(c)/c. At the top of the layer on the rock, S = e/T. At
+/// the top of every other layer, S = e(S_b + ec²T)/(e + S_bT), where S_b is the value of S at the bottom of the layer.
 fn least_energy<S: Scalar>(layers: &[Layer<S>], rate: S) -> [S; 2] {
     let mut below: Option<[S; 2]> = None;
     for layer in layers.iter().rev() {
@@ -152,7 +155,7 @@ fn least_energy<S: Scalar>(layers: &[Layer<S>], rate: S) -> [S; 2] {
     below.unwrap_or([S::zero(); 2])
 }
 
-/// T = tanh(c)/c and dT/d(c²) = (1 − c²T² − T)/2c².
+/// Computes T = tanh(c)/c and dT/d(c²) = (1 − c²T² − T)/(2c²) from c².
 fn tanh_over<S: Scalar>(square: S) -> [S; 2] {
     let c = square.sqrt();
     let e = (S::of(-2.0) * c).expm1();
@@ -163,7 +166,7 @@ fn tanh_over<S: Scalar>(square: S) -> [S; 2] {
 /// ln 2 in 62 digits.
 const LN_2: &str = "0.69314718055994530941723212145817656807550013436025525412068001";
 
-/// x^a of a positive x as 2ⁿ exp(y) with y < 0; `None` outside the range of doubles.
+/// Computes x^a of a positive `x`; `None` if the result is outside the range of doubles.
 fn power<S: Scalar>(x: S, a: S) -> Option<S> {
     let ln_2 = S::decimal(LN_2)?;
     let power = a * logarithm(x)?;
@@ -173,8 +176,8 @@ fn power<S: Scalar>(x: S, a: S) -> Option<S> {
     (raised.low() > 0.0 && raised.high().is_finite()).then_some(raised)
 }
 
-/// ln x = n ln 2 + v + ln(1 + ε) with the exponent n of x, a double v near ln(x/2ⁿ) and ε = x e⁻ᵛ/2ⁿ − 1; ln(1 + ε) differs
-/// from ε by at most ε².
+/// Computes ln x = n ln 2 + v + ln(1 + ε). n is the binary exponent of x, v is a double near ln(2⁻ⁿx), and ε = 2⁻ⁿx
+/// e⁻ᵛ − 1. The term ln(1 + ε) differs from ε by at most ε².
 fn logarithm<S: Scalar>(x: S) -> Option<S> {
     if !(x.low() > 1e-280 && x.high() < 1e280) {
         return None;
@@ -214,8 +217,9 @@ mod tests {
         assert_eq!(logarithm(Wide::of(-1.0)), None);
     }
 
-    /// Vallabhan and Das (1991), one layer: k = E₀γ(sinh γ cosh γ + γ)/2H sinh²γ, μ = GH(sinh γ cosh γ − γ)/2γ sinh²γ. A layer
-    /// that is cut has the same k and μ.
+    /// Compares k and μ with the closed form of Vallabhan and Das (1991) for one layer of thickness H: k = E₀γ(sinh γ
+    /// cosh γ + γ)/(2H sinh²γ), μ = GH(sinh γ cosh γ − γ)/(2γ sinh²γ). A layer that is cut into thinner layers must
+    /// have the k and μ of the uncut layer.
     #[test]
     fn layers_agree_with_the_closed_form_of_one_layer() {
         let layer = |thickness: f64| Layer { constrained: 3.0, shear: 1.2, thickness };

@@ -82,7 +82,7 @@ pub(crate) fn hinges<S: Scalar>(
     Ok(hinges)
 }
 
-/// The corners of the initial gap.
+/// Reads the corners of the initial gap.
 pub(crate) fn gap<S: Scalar>(
     fields: &mut Fields,
     root: Section,

@@ -8,10 +8,10 @@ const POUND: Powers = [0, 0, 0, 1, 0, 0, 0, 0];
 const GRAVITY: Powers = [0, 0, 0, 0, 1, 0, 0, 0];
 /// 5/9.
 const FAHRENHEIT: Powers = [0, 0, 0, 0, 0, -1, 0, 0];
-/// π/180, after the decimal bases.
+/// The factor π/180 of a degree. Its exponent is the last number of `Powers`.
 const DEGREE: Powers = [0, 0, 0, 0, 0, 0, 0, 1];
 
-/// A symbol: its dimension and factor, and whether it may have an SI prefix.
+/// A unit symbol: its dimension and factor, and whether it may have an SI prefix.
 struct Symbol {
     names: &'static [&'static str],
     dimension: Dimension,
@@ -38,12 +38,12 @@ const fn other(
     Symbol { names, dimension, ten, powers, takes_prefix: false }
 }
 
-/// A pound per power of a length.
+/// The factor of a pound per power of a length.
 const fn per(length: Powers, power: i32) -> Powers {
     [-power * length[0], -power * length[1], 0, 1, 0, 0, 0, 0]
 }
 
-/// Twice a force of 1000 pounds: a ton of 2000 pounds.
+/// Multiplies a factor by 2. A ton is twice 1000 pounds.
 const fn twice(powers: Powers) -> Powers {
     let mut powers = powers;
     powers[6] = 1;
@@ -100,7 +100,7 @@ const PREFIXES: [(&str, i32); 13] = [
     ("n", -9),
 ];
 
-/// A symbol with or without a prefix.
+/// Reads a unit symbol with or without an SI prefix.
 pub(super) fn symbol(word: &str) -> Option<Unit> {
     let unit = |symbol: &Symbol, ten| Unit {
         factor: Factor { ten: symbol.ten + ten, powers: symbol.powers },

@@ -25,7 +25,7 @@ impl<'t> Scanner<'t> {
         self.text.as_bytes().get(self.at).copied()
     }
 
-    /// Skips `wanted` if the text continues with it. Returns whether it did.
+    /// Skips `wanted` if the text continues with it. Returns whether `wanted` was skipped.
     pub fn take(&mut self, wanted: &str) -> bool {
         let stands = self.rest().starts_with(wanted);
         if stands {
@@ -34,7 +34,7 @@ impl<'t> Scanner<'t> {
         stands
     }
 
-    /// A syntax fault at this position.
+    /// Returns a syntax fault at the current position.
     pub fn syntax<T>(&self, what: &'static str) -> Read<T> {
         fault(self.at, Reason::Syntax(what))
     }
@@ -73,7 +73,7 @@ impl<'t> Scanner<'t> {
         Ok(())
     }
 
-    /// The end of a line or of the file.
+    /// Skips the rest of a line, which may contain only spaces and a comment.
     pub fn end_of_line(&mut self) -> Read<()> {
         self.skip_spaces();
         if self.peek() == Some(b'#') {
@@ -103,7 +103,7 @@ impl<'t> Scanner<'t> {
         }
     }
 
-    /// The characters of a number or a word.
+    /// Reads the characters of a number or of a word.
     pub fn word(&mut self) -> &'t str {
         let start = self.at;
         while self.peek().is_some_and(|b| b.is_ascii_alphanumeric() || b"_+-.:".contains(&b)) {
@@ -112,7 +112,7 @@ impl<'t> Scanner<'t> {
         self.text.get(start..self.at).unwrap_or("")
     }
 
-    /// A string of any of the four kinds.
+    /// Reads a string of any of TOML's four kinds.
     pub fn string(&mut self) -> Read<String> {
         let quote = if self.peek() == Some(b'"') { b'"' } else { b'\'' };
         let three = if quote == b'"' { "\"\"\"" } else { "'''" };
@@ -129,7 +129,7 @@ impl<'t> Scanner<'t> {
             };
             match character {
                 _ if long && self.rest().starts_with(three) => {
-                    // One or two quotes may precede the closing three.
+                    // One or two quotes that belong to the string may precede the three closing quotes.
                     let quotes = self.rest().bytes().take(5).take_while(|b| *b == quote).count();
                     found.extend((3..quotes).map(|_| char::from(quote)));
                     self.at += quotes;
@@ -146,7 +146,9 @@ impl<'t> Scanner<'t> {
                 }
                 '\r' if long && self.take("\r\n") => found.push('\n'),
                 _ if u8::try_from(character).is_ok_and(is_control) => {
-                    return self.syntax("a string in single quotes must end on the same line");
+                    return self.syntax(
+                        "a new line needs triple quotes; a control character needs an escape",
+                    );
                 }
                 _ => {
                     found.push(character);
@@ -156,7 +158,7 @@ impl<'t> Scanner<'t> {
         }
     }
 
-    /// Reads an escape such as `\n`; in long strings also an escaped end of line.
+    /// Reads an escape such as `\n`. In a string over several lines, also reads an escaped end of line.
     fn escape(&mut self, found: &mut String, long: bool) -> Read<()> {
         let start = self.at;
         self.at += 1;
@@ -186,7 +188,7 @@ impl<'t> Scanner<'t> {
         let is_hex = written.bytes().all(|b| b.is_ascii_hexdigit());
         let code = if is_hex { u32::from_str_radix(written, 16).ok() } else { None };
         let Some(character) = code.and_then(char::from_u32) else {
-            return fault(start, Reason::Syntax("this escape is not a character"));
+            return fault(start, Reason::Syntax("this escape is not a Unicode character"));
         };
         self.at += digits;
         push(found, character)

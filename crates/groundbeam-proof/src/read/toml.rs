@@ -1,8 +1,7 @@
 //! Reads the TOML of model files into a tree of values with their positions. Numbers remain decimal text.
 //!
-//! It reads tables, arrays of tables, inline tables, arrays, strings of all four kinds, numbers, booleans and
-//! comments. It refuses dates, infinities and NaN, because no model needs them. It also refuses duplicate
-//! keys.
+//! The reader accepts tables, arrays of tables, inline tables, arrays, strings of all four kinds, numbers, booleans
+//! and comments. It refuses dates, infinities and NaN, because no model needs them. It also refuses duplicate keys.
 
 use super::error::{Fault, Read, Reason, fault};
 use super::text::Scanner;
@@ -26,7 +25,7 @@ pub(crate) struct Node {
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Value {
     Text(String),
-    /// Digits with an optional sign, point and exponent.
+    /// A number as text: digits with an optional sign, point and exponent.
     Number(String),
     Boolean(bool),
     List(Vec<Node>),
@@ -84,7 +83,7 @@ impl Table {
         Ok(())
     }
 
-    /// The table of a key. A missing table is created with the given origin.
+    /// Returns the value of a key. If the key is missing, adds an empty table with the given origin.
     fn inner(&mut self, (key, at): &(String, usize), origin: Origin) -> &mut Node {
         let new = || (*at, Node { at: *at, value: Value::Table(Table::of(origin)) });
         &mut self.entries.entry(key.clone()).or_insert_with(new).1
@@ -141,7 +140,7 @@ fn add(table: &mut Table, mut names: Vec<Name>, node: Node) -> Read<()> {
     table.add(last, node)
 }
 
-/// The table that the first names of a heading refer to.
+/// Returns the table at a path of names. Adds the tables that are missing.
 fn descend<'t>(root: &'t mut Table, path: &[Name]) -> Read<&'t mut Table> {
     let mut table = root;
     for name in path {
@@ -208,7 +207,7 @@ impl Reader<'_> {
         if self.values > MOST { fault(at, Reason::TooLarge) } else { Ok(()) }
     }
 
-    /// Names with points between them.
+    /// Reads the names of a heading or of a dotted key, which are separated by points.
     fn names(&mut self) -> Read<Vec<Name>> {
         let mut names = Vec::new();
         loop {
@@ -225,7 +224,7 @@ impl Reader<'_> {
         }
     }
 
-    /// `key = value` at this depth of nested lists and tables.
+    /// Reads `key = value` at this depth of nested lists and tables.
     fn pair(&mut self, depth: usize) -> Read<(Vec<Name>, Node)> {
         let names = self.names()?;
         if !self.scanner.take("=") {
@@ -266,7 +265,7 @@ impl Reader<'_> {
             elements.push(self.value(depth)?);
             self.scanner.skip_lines()?;
             if !self.scanner.take(",") && self.scanner.peek() != Some(b']') {
-                return self.scanner.syntax("elements of a list are separated by commas");
+                return self.scanner.syntax("elements of a list must be separated by commas");
             }
         }
     }
@@ -286,7 +285,7 @@ impl Reader<'_> {
                 return Ok(Value::Table(table));
             }
             if !self.scanner.take(",") {
-                return self.scanner.syntax("keys in braces are separated by commas");
+                return self.scanner.syntax("keys in braces must be separated by commas");
             }
         }
     }

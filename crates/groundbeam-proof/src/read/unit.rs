@@ -1,13 +1,13 @@
 //! Units by dimension and exact factor, and numbers with their unit.
 //!
-//! A factor to N, m, rad and K is a product of powers of ten and of a few definitions (inch, pound, standard
-//! gravity, …). Powers are integers, so equal powers cancel exactly. A number times a power of ten remains a
-//! decimal number.
+//! The factor that converts a unit to N, m, rad and K is a product of powers of ten and of a few constants (inch,
+//! pound, standard gravity, …). The exponents are integers, so equal powers cancel exactly. A number times a power
+//! of ten remains a decimal number.
 
 use super::number::Decimal;
 use crate::Scalar;
 
-/// Powers of force, length, angle and temperature difference.
+/// Dimension of a quantity: the exponents of force, length, angle and temperature difference.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Dimension {
     pub force: i32,
@@ -19,7 +19,7 @@ pub(crate) struct Dimension {
 impl Dimension {
     pub const NONE: Dimension = Dimension::of(0, 0);
 
-    /// force^`force` × length^`length`
+    /// The dimension force^`force` × length^`length`.
     pub const fn of(force: i32, length: i32) -> Self {
         Dimension { force, length, angle: 0, temperature: 0 }
     }
@@ -44,8 +44,8 @@ impl Dimension {
         })
     }
 
-    /// Whether a quantity of this dimension may have a unit of another dimension. A radian has the value 1,
-    /// so the unit of a quantity per angle may omit it.
+    /// Whether a quantity of this dimension may have a unit of the dimension `unit`. A radian has the value 1, so
+    /// the unit of a quantity per angle may omit the angle.
     pub fn accepts(self, unit: Dimension) -> bool {
         unit == self || unit == self.with_angle(0)
     }
@@ -53,14 +53,14 @@ impl Dimension {
 
 /// The bases of factors besides ten. 1 in = 0.0254 m, 1 lbf = 4.4482216152605 N and 1 kgf = 9.80665 N are definitions.
 const BASES: [&str; 7] = ["0.0254", "12", "3", "4.4482216152605", "9.80665", "1.8", "2"];
-/// Powers of the bases, and of π/180 after them.
+/// Exponents of the numbers in `BASES`, followed by the exponent of π/180.
 pub(super) type Powers = [i32; 8];
 pub(super) const INCH: Powers = [1, 0, 0, 0, 0, 0, 0, 0];
 pub(super) const ONE: Powers = [0; 8];
 /// Maximum power of a base.
 const HIGHEST: i32 = 50;
 
-/// A factor: 10^ten times powers of the bases and of π/180.
+/// The factor of a unit: 10^`ten` times powers of the numbers in `BASES` and of π/180.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Factor {
     pub ten: i32,
@@ -85,7 +85,7 @@ impl Factor {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Exact {
     number: Decimal,
-    /// Powers of the bases in the unit. The power of ten is part of the number.
+    /// Exponents of `BASES` in the unit. The power of ten is part of `number`.
     powers: Powers,
 }
 
@@ -99,7 +99,7 @@ impl Exact {
         self.number.is_zero()
     }
 
-    /// The value; `None` if the number is outside the range of the scalar.
+    /// The value in N, m, rad and K; `None` if the number is outside the range of the scalar.
     pub fn value<S: Scalar>(&self) -> Option<S> {
         let number = S::decimal(&self.number.text())?;
         let (mut above, mut below) = (None, None);
@@ -133,7 +133,7 @@ pub(crate) struct Unit {
 impl Unit {
     pub const ONE: Unit = Unit { factor: Factor::ONE, dimension: Dimension::NONE };
 
-    /// This unit times a power of another one; `None` if a power is too high.
+    /// This unit times a power of another unit; `None` if an exponent is too high.
     pub fn times(self, other: Unit, power: i32) -> Option<Unit> {
         let factor = self.factor.times(other.factor, power)?;
         Some(Unit { factor, dimension: self.dimension.times(other.dimension, power)? })

@@ -14,7 +14,7 @@ impl Unit {
 
 /// Maximum depth of nested parentheses.
 const DEEPEST: usize = 8;
-/// The highest power of a symbol.
+/// Maximum power of a symbol.
 const HIGHEST_POWER: i32 = 12;
 const RAISED: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
 
@@ -37,7 +37,8 @@ impl Reader<'_> {
         }
     }
 
-    /// Factors with spaces, signs or `/` between them. After a `/` only divisors may follow.
+    /// Reads a product of factors that are separated by spaces, multiplication signs or `/`. After a `/`, only
+    /// divisors may follow.
     fn product(&mut self, depth: usize) -> Option<Unit> {
         let mut unit = self.first(depth)?;
         let mut divided = false;
@@ -61,7 +62,7 @@ impl Reader<'_> {
         }
     }
 
-    /// The first factor of a unit, which may be the 1 of `1/m`.
+    /// Reads the first factor of a unit, which may be the 1 of `1/m`.
     fn first(&mut self, depth: usize) -> Option<Unit> {
         let after = self.rest.strip_prefix('1').map(str::trim_start);
         match after {
@@ -73,7 +74,7 @@ impl Reader<'_> {
         }
     }
 
-    /// A symbol, two symbols in one word, or a product in parentheses, with its power.
+    /// Reads a factor with its power: a symbol, two symbols in one word, or a product in parentheses.
     fn factor(&mut self, depth: usize) -> Option<Unit> {
         self.rest = self.rest.trim_start();
         if self.take("(") {
@@ -109,8 +110,8 @@ impl Reader<'_> {
         if let Some(unit) = in_words {
             return Unit::ONE.times(unit, power);
         }
-        // `kNm` is a force and a length; a power applies to the length. `k` is a symbol only if it stands
-        // alone.
+        // A word such as `kNm` is a force and a length; a power applies to the length. The symbol `k` for kip must
+        // stand alone.
         word.char_indices().skip(1).find_map(|(i, _)| {
             let (force, length) = word.split_at_checked(i).filter(|(force, _)| *force != "k")?;
             let (force, length) = (symbol(force)?, symbol(length)?);
@@ -119,7 +120,7 @@ impl Reader<'_> {
         })
     }
 
-    /// The power after a factor; 1 if none is given.
+    /// Reads the power after a factor; the power is 1 if none is given.
     fn power(&mut self) -> Option<i32> {
         let after = self.rest.trim_start();
         let marked = after.strip_prefix('^').or(after.strip_prefix("**"));
@@ -140,7 +141,7 @@ impl Reader<'_> {
             rest = rest.get(c.len_utf8()..)?;
         }
         let Some(power) = power else {
-            // The minus sign is a separator between two symbols.
+            // Without digits after it, a minus sign separates two symbols.
             return if marked.is_some() || is_raised { None } else { Some(1) };
         };
         let fraction =

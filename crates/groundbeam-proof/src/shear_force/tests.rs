@@ -8,7 +8,8 @@ use crate::given_claim::{balanced, with_fields};
 use crate::wide::Wide;
 use serde_json::json;
 
-/// A bound of 1 + P/S from below has the largest S under a tension, and the least S under a compression.
+/// The lower bound of 1 + P/S uses the largest shear stiffness S if P is a tension, and the smallest S if P is a
+/// compression.
 #[test]
 fn the_axial_force_stiffens_a_beam_with_shear_deformation() {
     for (axial, expected) in [(1.0, 1.25), (0.0, 1.0), (-1.0, 0.5)] {
@@ -29,7 +30,8 @@ fn the_axial_force_stiffens_a_beam_with_shear_deformation() {
     }
 }
 
-/// |a + bt| on the part of a piece within a distance of one end; beyond the piece, on the whole of it.
+/// `size_beside` bounds |a + bt| within a distance of one end of a piece. If the distance is at least half the length
+/// of the piece, it bounds |a + bt| on the whole piece.
 #[test]
 fn a_line_is_bounded_within_a_distance_of_an_end() {
     let model = "[beam]\nlength = 1\nEI = 1\n[foundation]\nk = 1\n";
@@ -54,9 +56,9 @@ fn a_line_is_bounded_within_a_distance_of_an_end() {
     });
 }
 
-/// Under the load q on endless ground with k = 4 and μ = 1, u = q/k + v with v″ = 4v. On a beam with w″ = −2 the pressure
-/// in contact is ku − q − μw″ = 4v + 2. Within the distance d of an end it differs from its value there by at most
-/// 4d times the largest |v′|.
+/// A distributed load q acts on endless ground with k = 4 and μ = 1. The settlement is u = q/k + v with v″ = 4v.
+/// Under a beam with w″ = −2 the pressure in contact is ku − q − μw″ = 4v + 2. Within the distance d of an end of the
+/// piece, this pressure differs from its value at the end by at most 4d times the largest |v′|.
 #[test]
 fn the_pressure_over_loaded_open_ground_is_bounded_near_an_end() {
     for rise in [1.0, -1.0] {
@@ -67,7 +69,8 @@ fn the_pressure_over_loaded_open_ground_is_bounded_near_an_end() {
         );
         let piece =
             json!({"x": [0, 1], "half": 0.5, "touches": false, "deflection": [1, 0, -0.25]});
-        // At both ends u′ = ±2u, as on the ground outside. v has an even and an odd part.
+        // The ground beside the piece is not loaded, so u′ = ±2u at both ends of the piece. v is the sum of an even
+        // and an odd function of the distance y from the middle.
         let tangent = 1.0_f64.tanh();
         let even = -0.25 / (1.0 + tangent);
         let odd = -0.25 * rise / (1.0 + 1.0 / tangent);
@@ -91,9 +94,12 @@ fn the_pressure_over_loaded_open_ground_is_bounded_near_an_end() {
     }
 }
 
-/// The beam w = 2 − x touches on one half with p = 2 − x (or mirrored), and is open on the other half. The spread error of
-/// the touching half is ε_p + γp + (1 + γ)η. That of open ground is zero on a layer and ε_p on springs. Beside the edge the
-/// open half gets θ(p_o + ε_p), and the touching one θ′(1 + γ)p.
+/// The beam w = 2 − x, or its mirror image, is in contact on one half with the pressure p = 2 − x, and out of contact
+/// on the other half. ε_p is the error bound of p, γ the relative change of p in the balance, and η the largest
+/// tensile pressure. On the half in contact the error of the load per length is ε_p + γp + (1 + γ)η. On the open half
+/// it is zero with a shear layer, and ε_p on springs. The exact edge of contact may lie by θ in the open half or by
+/// θ′ in the half in contact. This adds the force error θ(p_o + ε_p) to the open half, with the bound p_o of
+/// `open_pressure_beside`, and θ′(1 + γ)p to the half in contact.
 #[test]
 fn the_errors_of_the_loads_are_those_of_the_pressure_and_of_the_edges() {
     for (mirrored, layer) in [(false, "mu = 1\n"), (true, "mu = 1\n"), (false, "")] {
@@ -131,7 +137,7 @@ fn the_errors_of_the_loads_are_those_of_the_pressure_and_of_the_edges() {
             is(errors[inner].edges, 0.02 * 1.5 * 1.52);
             let open = pointwise.open_pressure_beside(outer, inner, outside).value();
             is(errors[outer].edges, 0.01 * (open + 0.2));
-            // Without lengths of uncertain contact an edge adds nothing.
+            // An edge of contact whose exact position is known adds no error.
             let [outside, inside] = [Size::ZERO; 2];
             shown.edges = vec![EdgeShift { node: 1, side, outside, inside, beyond }];
             let errors = pointwise.load_errors(&shown, &bounds);

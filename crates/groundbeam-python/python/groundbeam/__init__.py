@@ -8,8 +8,8 @@
 ... )
 >>> solution = model.solve()
 >>> [(start, end)] = solution.contact
->>> f"touches from {start:.3f} m to {end:.3f} m"
-'touches from 0.000 m to 6.983 m'
+>>> f"contact from {start:.3f} m to {end:.3f} m"
+'contact from 0.000 m to 6.983 m'
 
 Deflections, forces and settlements are positive down, positions are measured from the left end, moments are sagging.
 """

@@ -15,7 +15,7 @@ class Along:
     """
 
     values: Array
-    """The values, one row per model or one row for all."""
+    """The values, with one row for each model or one row for all models."""
 
     def __init__(self, values: npt.ArrayLike) -> None:
         array = np.asarray(values, dtype=np.float64)
@@ -32,11 +32,11 @@ class Along:
 
 
 class Points(Along):
-    """Values at equidistant points along the whole beam, linear between them."""
+    """Values at equidistant points along the whole beam, with linear variation between the points."""
 
 
 class Steps(Along):
-    """Values on equal stretches of the whole beam, constant on each."""
+    """Values on stretches of equal length along the whole beam, constant on each stretch."""
 
 
 class ControlValues(Along):

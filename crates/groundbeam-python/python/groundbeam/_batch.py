@@ -19,16 +19,16 @@ if TYPE_CHECKING:
     import pandas
 
 STATUSES = np.array(["solved", "no-equilibrium", "not-converged", "wrong"])
-"""Status, indexed by the status codes of the compiled extension."""
+"""Names of the statuses, indexed by the status codes of the compiled extension."""
 
 Progress = Union[None, bool, Callable[[int, int], object]]
 
 Parameters = Union[Mapping[str, Union[npt.ArrayLike, Along]], "pandas.DataFrame"]
-"""Parameter names, each with a number for all models, a number for each, or values along the beam."""
+"""Parameter names, each with one number for all models, one number for each model, or values along the beam."""
 
 
 class Extremes(NamedTuple):
-    """The smallest and the largest values of a field and their positions, one of each per model."""
+    """The smallest and the largest value of a field for each model, with their positions."""
 
     min_x: Array
     min: Array
@@ -48,7 +48,7 @@ class Batch(Mapping[str, Array]):
     status: npt.NDArray[np.str_]
     """Status of each model: ``solved``, ``no-equilibrium``, ``not-converged`` or ``wrong``."""
     messages: list[Optional[str]]
-    """Message for each model without a result; ``None`` for the others."""
+    """Message for each model without a result; ``None`` for each model with a result."""
     end_forces: Array
     """Point contact forces under the left and the right end [N], models by 2."""
     lifted_share: Array
@@ -56,7 +56,7 @@ class Batch(Mapping[str, Array]):
     relative_gap: Array
     """The error bound of the certificate, relative to the strain energy."""
     motion: Array
-    """For models without equilibrium: r(0), r(l) and the work of the loads in this motion, models by 3."""
+    """Motion that proves that a model has no equilibrium: r(0), r(l) and the work of the loads, models by 3."""
     extremes: dict[str, Extremes]
     """Extremes of the requested fields."""
     gradients: dict[str, Array]
@@ -127,7 +127,7 @@ class Batch(Mapping[str, Array]):
         return [(float(start), float(end)) for start, end in regions]
 
     def to_pandas(self) -> pandas.DataFrame:
-        """One row for each model: status, end forces, lifted share, error bound, and the extremes."""
+        """A data frame with one row for each model: status, end forces, lifted share, error bound, and extremes."""
         import pandas
 
         columns: dict[str, Any] = {
@@ -191,19 +191,19 @@ def solve_many(
     given = {} if parameters is None else {str(name): each for name, each in parameters.items()}
     fields, extremes, gradients = _names(fields), _names(extremes), _names(gradients)
     if isinstance(with_respect_to, str):
-        raise ValueError("with_respect_to is a list of names")
+        raise ValueError(f"with_respect_to: give a list of names, as in [{with_respect_to!r}]")
     if bool(gradients) != bool(len(with_respect_to)):
-        raise ValueError("gradients and with_respect_to are given together")
+        raise ValueError("gradients and with_respect_to: give both of them or none of them")
     rows = {name: _rows(name, values) for name, values in given.items()}
     counts = {} if isinstance(models, Model) else {"models": len(several)}
     counts |= {name: len(values) for name, values in rows.items() if len(values) != 1}
     count = next(iter(counts.values()), 1)
     if any(each != count for each in counts.values()):
         listed = ", ".join(f"{name}: {each}" for name, each in counts.items())
-        raise ValueError(f"these differ in length: {listed}")
+        raise ValueError(f"models and parameters differ in length: {listed}")
     for model in several:
         model._refuse_more_than_one_answer(None)
-    # A text must fit every model, so one model of each system of units reads it.
+    # Positions given as text are read once for each system of units of the models.
     read = [positions_of(model._inner, at) for model in {each.units: each for each in several}.values()]
     positions = np.ascontiguousarray(np.atleast_1d(read[0] if read else np.asarray(at, dtype=np.float64)))
     if positions.ndim != 1:
@@ -235,7 +235,7 @@ def solve_many(
 
 
 def _names(names: Union[str, Sequence[str]]) -> list[str]:
-    """A list of names from a list or a single name."""
+    """Converts a list of names or a single name to a list of names."""
     return [names] if isinstance(names, str) else list(names)
 
 
@@ -245,7 +245,7 @@ def _shape(values: Union[npt.ArrayLike, Along]) -> Optional[str]:
 
 
 def _rows(name: str, values: Union[npt.ArrayLike, Along]) -> Array:
-    """One row for each model, or one row for all."""
+    """Values of a parameter, with one row for each model or one row for all models."""
     if isinstance(values, Along):
         return np.ascontiguousarray(values.values)
     try:
@@ -253,7 +253,7 @@ def _rows(name: str, values: Union[npt.ArrayLike, Along]) -> Array:
     except (TypeError, ValueError) as error:
         raise ValueError(f"parameter `{name}`: takes numbers in SI units ({error})") from None
     if array.ndim > 2:
-        raise ValueError(f"parameter `{name}`: one number for each model, or a row along the beam")
+        raise ValueError(f"parameter `{name}`: give one number for each model, or a row along the beam")
     array = array.reshape(-1, 1) if array.ndim < 2 else array
     return np.ascontiguousarray(array)
 

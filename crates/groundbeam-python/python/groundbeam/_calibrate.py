@@ -18,7 +18,7 @@ _STEPS = 200
 _SMALL = 1e-10
 """Step size below which the iteration ends."""
 _FLAT = 1e-14
-"""Expected decrease of the sum of squares, relative to the sum, below which the iteration ends: rounding error."""
+"""Expected relative decrease of the sum of squares below which rounding error dominates and the iteration ends."""
 _FIRST_DAMPING, _HIGHEST_DAMPING = 1e-3, 1e12
 _FARTHEST = 2.0
 """Longest step, in logarithms."""
@@ -34,15 +34,15 @@ class Calibration(NamedTuple):
     standard_errors: dict[str, float]
     """Standard error of each unknown from the noise; NaN at a bound, and if the noise cannot be estimated."""
     correlation: Array
-    """Correlation matrix of their errors; NaN at bounds."""
+    """Correlation matrix of the errors of the unknowns; NaN for unknowns at bounds."""
     residuals: dict[str, Array]
-    """Measured values minus those of the model, for each output."""
+    """Measured values minus computed values, for each output."""
     noise: float
     """Standard deviation of the residuals divided by the given noise; divided by 1 if no noise is given."""
     singular_values: Array
     """Inverse standard errors of combinations of the logarithms of the unknowns, the best determined first."""
     directions: Array
-    """Coefficients of the unknowns in these combinations, one row for each combination."""
+    """Coefficients of the unknowns in the combinations of ``singular_values``, one row for each combination."""
     unidentified: list[str]
     """Descriptions of combinations that the measurements determine only to within a factor of e or worse."""
     at_bound: list[str]
@@ -52,7 +52,7 @@ class Calibration(NamedTuple):
     steps: int
     """Number of solves."""
     solution: Solution
-    """The solution with these values."""
+    """The solution of the model with the estimated values."""
 
 
 class _Problem:
@@ -67,10 +67,10 @@ class _Problem:
         combination: Optional[str],
     ) -> None:
         if isinstance(unknown, str):
-            raise ValueError(f"unknown is a list of names, as in [{unknown!r}]")
+            raise ValueError(f"unknown: give a list of names, as in [{unknown!r}]")
         self.model, self.unknown, self.combination = model, list(unknown), combination
         if not self.unknown or len(set(self.unknown)) != len(self.unknown):
-            raise ValueError("unknown: the names of one or more parameters, each once")
+            raise ValueError("unknown: give the names of one or more parameters, and each name only once")
         self.outputs: list[Tuple[str, float, str]] = []
         self.names: list[str] = list(measured)
         self.shapes: list[int] = []
@@ -104,7 +104,7 @@ class _Problem:
             own = noise[name] if isinstance(noise, Mapping) else noise
             size = 1.0 if own is None else float(own)
             if not size > 0.0 or not np.isfinite(size):
-                raise ValueError(f"noise of `{name}`: a positive standard deviation")
+                raise ValueError(f"noise of `{name}`: give a positive standard deviation")
             if not np.isfinite(value).all():
                 raise ValueError(f"measured `{name}`: a value is not a number")
             self.outputs += [(name, float(x), "right") for x in ([0.0] if at is None else at)]
@@ -171,7 +171,7 @@ def calibrate(
 
 
 class _Scale:
-    """Transformation of the unknowns: positive ones to logarithms, others relative to their own scale."""
+    """Transformation of the unknowns: positive unknowns become logarithms, others are divided by their own scale."""
 
     def __init__(
         self,
@@ -285,7 +285,7 @@ def _judged(problem: _Problem, scale: _Scale, best: _Least) -> Calibration:
     free = np.flatnonzero(~bound)
     over = best.residual.size - free.size
     noise = float(np.sqrt(best.residual @ best.residual / over)) if over > 0 else float("nan")
-    # A given noise replaces the estimate.
+    # A given noise replaces the estimate of the noise.
     size = 1.0 if problem.noise_given else noise
     _, singular, directions = np.linalg.svd(best.jacobian[:, free], full_matrices=False)
     with np.errstate(divide="ignore", invalid="ignore"):
@@ -318,7 +318,7 @@ def _judged(problem: _Problem, scale: _Scale, best: _Least) -> Calibration:
 
 
 def _in_words(names: Sequence[str], row: Array) -> str:
-    """Text for a combination of unknowns, listing only those that contribute to it."""
+    """Text for a combination of unknowns. It lists only the unknowns with a considerable share in the combination."""
     largest = row[np.argmax(np.abs(row))]
     parts = [
         (name, "up" if share * largest > 0.0 else "down")

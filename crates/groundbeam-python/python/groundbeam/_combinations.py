@@ -33,7 +33,7 @@ class Envelope(NamedTuple):
 
 
 class Banded(NamedTuple):
-    """A value for the best estimate of the ground, and its smallest and largest value over the band of the ground."""
+    """A value for the best estimates of k and mu, and its smallest and largest value over all grounds."""
 
     best: float
     low: float
@@ -41,17 +41,17 @@ class Banded(NamedTuple):
 
 
 class Band(NamedTuple):
-    """The smallest and the largest value of a field, each with its range over the grounds."""
+    """The smallest and the largest value of a field, each with its range over all grounds."""
 
     min: Banded
     max: Banded
 
 
 def refuse_other_than(known: list[str], limit_state: Optional[str]) -> None:
-    """Refuses a limit state of which no combination was solved."""
+    """Raises an error for a limit state without a solved combination."""
     if limit_state is not None and limit_state not in known:
         names = ", ".join(known) or "none"
-        raise ValueError(f"no solved combination is of {limit_state}; the limit states: {names}")
+        raise ValueError(f"no solved combination belongs to {limit_state}; solved limit states: {names}")
 
 
 class Combinations(Mapping[str, Answer]):
@@ -89,7 +89,7 @@ class Combinations(Mapping[str, Answer]):
 
     @property
     def limit_states(self) -> list[str]:
-        """The limit states of the solved combinations; empty if they name none."""
+        """The limit states of the solved combinations; empty if the combinations name no limit state."""
         return list(self._inner.limit_states())
 
     def envelope(
@@ -114,7 +114,7 @@ class Combinations(Mapping[str, Answer]):
         ranges over all grounds. Nothing is proven for grounds between the solved ones."""
         found = self._inner.band(field)
         if found is None:
-            raise ValueError("the model has no band of grounds, or no combination was solved on the best ground")
+            raise ValueError("the model has no [foundation.band], or no combination is solved for the best estimates")
         low, high = found
         return Band(Banded(*low), Banded(*high))
 

@@ -1,4 +1,4 @@
-"""One model solved by every method."""
+"""The results of all methods for one model, with their errors relative to the exact method."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ class MethodErrors(NamedTuple):
     moment: float
     settlement: float
     end_forces: float
-    """The larger difference of the two end forces, relative to the resultant."""
+    """The larger of the errors of the two end forces, relative to the resultant."""
 
 
 class MethodAnswer(NamedTuple):
@@ -26,7 +26,7 @@ class MethodAnswer(NamedTuple):
     answer: Union[Solution, NoEquilibrium, NotConverged, ModelError]
     """The solution, or the exception that ``solve`` would raise."""
     errors: Optional[MethodErrors]
-    """The errors; ``None`` without a solution."""
+    """The errors relative to the exact method; ``None`` without a solution."""
     seconds: float
     """Duration [s]."""
 

@@ -21,7 +21,7 @@ class Diagnostic(NamedTuple):
 
 
 class GroundbeamError(Exception):
-    """Base class of the three exceptions below."""
+    """Base class of ``ModelError``, ``NoEquilibrium`` and ``NotConverged``."""
 
 
 class ModelError(GroundbeamError, ValueError):
@@ -73,16 +73,16 @@ class NoEquilibrium(GroundbeamError):
     sentence: str
     """The reason, as a sentence."""
     left: float
-    """r(0): 0 or -1."""
+    """Motion r(0) of the left end: 0 or -1."""
     right: float
-    """r(l): 0 or -1."""
+    """Motion r(l) of the right end: 0 or -1."""
     work: float
-    """F(r), the work of the loads [N m per m of lift]."""
+    """F(r), the work of the loads in the motion r [N m per m of lift]."""
     static_reactions: Tuple[float, ...]
     """Static reactions [N]: forces of supports under both ends and under each free hinge between them, for a rigid
     beam on these supports only."""
     hinges: Tuple[float, ...]
-    """r at the hinges, where the slope of the motion may jump."""
+    """Values of the motion r at the hinges, where its slope may jump."""
 
     def __init__(
         self,

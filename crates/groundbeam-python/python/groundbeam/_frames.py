@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
 
 def frame(table: str) -> pandas.DataFrame:
-    """Data frame of a table with a header. Numbers keep their bits; other cells remain text."""
+    """Data frame of a table with a header. Numbers keep all digits; other cells remain text."""
     import pandas
 
     head, *rows = csv.reader(io.StringIO(table))

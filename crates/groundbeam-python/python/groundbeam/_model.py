@@ -99,7 +99,7 @@ class Model:
 
     @classmethod
     def from_toml(cls, text: str, *, name: str = "model") -> Model:
-        """A model from the text of a model file. Messages use ``name`` for it."""
+        """A model from the text of a model file. Messages use ``name`` as the name of the file."""
         return cls._of(text, name, False)
 
     @classmethod
@@ -158,7 +158,7 @@ class Model:
 
     @property
     def units(self) -> str:
-        """``SI``, or ``none`` for a file in its own consistent system."""
+        """Unit system of the model: ``SI``, or ``none`` for a file in its own consistent system."""
         return self._inner.units
 
     @property
@@ -190,7 +190,7 @@ class Model:
             raise ValueError(f"the model has {len(names)} combinations: {instead}")
         if self._inner.trains:
             raise ValueError(
-                f"the train {self._inner.trains[0]!r} passes over the beam, and one answer would leave it out: "
+                f"the train {self._inner.trains[0]!r} passes over the beam, and one result cannot include it: "
                 "use solve_trains()"
             )
 
@@ -201,7 +201,7 @@ class Model:
         return Existence(verdict, sentence, tuple(reactions), motion)
 
     def combinations(self) -> list[_parts.Combination]:
-        """All combinations of load cases on all grounds of a band, each with the factors of its cases."""
+        """All combinations of load cases, once for each ground of ``[foundation.band]``, with their load factors."""
         return [
             _parts.Combination(name, dict(factors))
             for name, factors in self._inner.combinations()

@@ -24,7 +24,7 @@ class Part:
     """The keys of the table, explained in ``docs/file-format.md``."""
 
     def __init__(self, **keys: Optional[Value]) -> None:
-        """Takes any keys of the model file; those that are ``None`` are left out."""
+        """Accepts any keys of the model file, and omits keys with the value ``None``."""
         self.table = {key: value for key, value in keys.items() if value is not None}
 
     def __repr__(self) -> str:
@@ -213,7 +213,7 @@ class Hinge(Part):
 
 
 class GroundLoad(Part):
-    """A force on the surface of the ground, down positive: it does not act on the beam."""
+    """A force on the surface of the ground, positive downward. It does not act on the beam."""
 
     @classmethod
     def point(cls, force: Quantity, at: Quantity, *, case: Optional[str] = None) -> GroundLoad:
@@ -232,7 +232,7 @@ class Trough(Part):
     """A settlement trough of the ground, S exp(-(x - x0)^2/2i^2)."""
 
     def __init__(self, at: Quantity, settlement: Quantity, width: Quantity) -> None:
-        """The position x0 of its middle, its largest settlement S, and the distance i to the point of inflection."""
+        """Takes the position x0 of the middle, the largest settlement S, and the distance i to the point of inflection."""
         super().__init__(at=at, settlement=settlement, width=width)
 
 
@@ -267,11 +267,11 @@ class Train(Part):
 
 
 LimitStates = Union[str, Sequence[str]]
-"""``STR/GEO``, ``SLS characteristic`` or another limit state, or several."""
+"""One limit state, such as ``STR/GEO`` or ``SLS characteristic``, or a list of limit states."""
 
 
 class Checks(Part):
-    """The limits of a design, and the limit states in which they are judged."""
+    """The limits of a design, and the limit states in which each limit is checked."""
 
     def __init__(
         self,
@@ -308,12 +308,12 @@ class Combination(Part):
         *,
         limit_state: Optional[LimitStates] = None,
     ) -> None:
-        """Cases that are not named have the factor 0. Without a ``limit_state`` every check is judged."""
+        """Load cases without a given factor have the factor 0. Without a ``limit_state`` all limits are checked."""
         super().__init__(name=name, factors=dict(factors), limit_state=limit_state)
 
 
 Gap = Sequence[Tuple[Quantity, Quantity]]
-"""Points of the initial gap: each a position and a gap, positive if open."""
+"""Points of the initial gap. Each point is a position and a gap, which is positive if open."""
 
 
 def tables(

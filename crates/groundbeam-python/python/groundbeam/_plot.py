@@ -16,7 +16,7 @@ BEAM, GROUND, PRESSURE, MOMENT, SHEAR = "#000000", "#b07000", "#0072b2", "#d55e0
 
 
 def figure(solution: Solution) -> Figure:
-    """Four panels: deflection and pressure downward, the moment on the tension side, and shear."""
+    """Draws four panels: deflection and pressure downward, the moment on the tension side, and the shear force."""
     from matplotlib.figure import Figure
 
     drawn = Figure(figsize=(8.0, 9.0), layout="constrained")
@@ -66,5 +66,5 @@ def figure(solution: Solution) -> Figure:
 
 
 def both_sides(x: Array) -> tuple[Array, np.ndarray[tuple[int], np.dtype[np.str_]]]:
-    """Each position twice, with the left and the right side, so that jumps are drawn vertically."""
+    """Repeats each position for its left and its right side, so that jumps are drawn vertically."""
     return np.repeat(x, 2), np.tile(np.array(["left", "right"]), len(x))

@@ -99,9 +99,9 @@ class Gradient(NamedTuple):
     value: Union[float, Array]
     """Value of the output; an array for several positions."""
     derivatives: Array
-    """Derivatives with respect to each parameter, in order; one row per position for several positions."""
+    """Derivatives with respect to each parameter, in the given order; one row per position for several positions."""
     one_sided: list[str]
-    """Reasons why the derivatives hold for small changes in one direction only; empty if they hold in both."""
+    """Reasons why the derivatives hold for small changes in one direction only; empty if all hold in both directions."""
 
 
 class Certificate(NamedTuple):
@@ -112,7 +112,7 @@ class Certificate(NamedTuple):
     dual_energy: float
     """The reciprocal energy of moments and pressures [N m]."""
     gap: float
-    """The difference, an estimate of the energy of the error [N m]."""
+    """The difference of the two energies, an estimate of the energy of the error [N m]."""
     relative_gap: float
     """The energy gap relative to the strain energy."""
 
@@ -124,7 +124,7 @@ class Reader(Protocol):
 
 
 def positions_of(reader: Reader, x: Union[Position, Positions]) -> Array:
-    """Positions as numbers. Texts have the units of the model that reads them."""
+    """Positions as numbers. Positions given as text are read in the units of the model."""
     if isinstance(x, str):
         return np.array(reader.read_position(x))
     each = list(x) if isinstance(x, Sequence) else x
@@ -139,7 +139,7 @@ def positions_of(reader: Reader, x: Union[Position, Positions]) -> Array:
 
 
 def refuse_outside(at: Array, length: float, beside: bool = False) -> None:
-    """Refuses positions that are not numbers, and positions outside the beam unless the field exists ``beside`` it."""
+    """Raises an error for positions that are not numbers, and for positions outside the beam unless ``beside`` is true."""
     if beside and np.isnan(at).any():
         raise ValueError("a position is not a number")
     if not beside and not ((at >= 0.0) & (at <= length)).all():
@@ -164,7 +164,7 @@ class Solution:
         refuse_outside(at, self._inner.length, beside)
         return at
 
-    # A text is one position, although it is a sequence of texts: the first signature applies.
+    # A text is one position, so the first signature applies, although a text is also a sequence of texts.
     @overload
     def deflection(self, x: Position, side: str = "right") -> float: ...  # type: ignore[overload-overlap]
     @overload
@@ -265,7 +265,7 @@ class Solution:
         names of ``solve_many``: ``k``, ``mu_factor``, ``EI[0]``, ``load[1].at``, ``gap[0]``, …
         """
         if isinstance(with_respect_to, str):
-            raise ValueError("with_respect_to is a list of names")
+            raise ValueError(f"with_respect_to: give a list of names, as in [{with_respect_to!r}]")
         names = list(with_respect_to)
         if (at is None) == (output in FIELDS):
             what = "give the positions" if at is None else "it has no position"
@@ -284,7 +284,7 @@ class Solution:
 
     @property
     def units(self) -> str:
-        """``SI``, or ``none`` for a file in its own consistent system."""
+        """Unit system of the model: ``SI``, or ``none`` for a file in its own consistent system."""
         return self._inner.units
 
     @property

@@ -24,19 +24,19 @@ class Estimate(NamedTuple):
 
     name: str
     happened: int
-    """Number of samples in which it occurs."""
+    """Number of samples in which the event occurs."""
     probability: float
     interval: Tuple[float, float]
     """95 % confidence interval of the probability."""
 
 
 class Spread(NamedTuple):
-    """Distribution of a number over the samples that have it."""
+    """Distribution of a column of the results over the samples with a value in this column."""
 
     mean: float
     deviation: float
     quantiles: Tuple[float, float, float, float, float]
-    """Minimum, quantiles of 5, 50 and 95 %, maximum."""
+    """Minimum, 5 %, 50 % and 95 % quantile, and maximum."""
     histogram: Tuple[int, ...]
     """Histogram: number of samples in equal intervals from the minimum to the maximum."""
 
@@ -46,17 +46,17 @@ class Summary:
 
     samples: int
     solved: int
-    """Samples with a certified result."""
+    """Number of samples with a certified result."""
     without_equilibrium: int
     not_converged: int
     wrong: int
-    """Samples with an invalid model; the column ``message`` of the results has the reason."""
+    """Number of samples with an invalid model; the column ``message`` of the results has the reason."""
     largest_gap: float
     """Largest error bound of all certificates, relative to the strain energy."""
     events: dict[str, Estimate]
     """Events by name; ``no equilibrium`` and ``some of the beam lifts off`` are always included."""
     spreads: dict[str, Spread]
-    """Distributions by the columns of the results."""
+    """Distributions of the results by the names of their columns."""
 
     def __init__(self, document: dict[str, Any], picture: str) -> None:
         self._picture = picture
@@ -141,7 +141,7 @@ class Study:
         """The random numbers of consecutive samples, and the random fields as arrays of samples by points."""
         count = self.samples - first if count is None else count
         if first < 0 or count < 0 or first + count > self.samples:
-            raise IndexError(f"there are {self.samples} samples")
+            raise IndexError(f"a sample is out of range: the study has {self.samples} samples")
         return self._inner.draw(first, count)
 
     def parameters(
@@ -167,7 +167,7 @@ class Study:
         solves the third of eight equal parts, which :func:`merge` merges; then there is no summary yet.
         """
         if not 1 <= shard[0] <= shard[1]:
-            raise ValueError("a shard is (i, n), from 1 to n")
+            raise ValueError("shard: give (i, n) with i from 1 to n")
         bar = _Bar() if progress is True else progress or None
         self._inner.run(out, shard, restart, number_of(threads), bar)
         return self.summary(out) if shard[1] == 1 else None

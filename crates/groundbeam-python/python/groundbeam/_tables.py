@@ -1,4 +1,4 @@
-"""Writes tables as the text of a model file. Every model reaches the solver in this form."""
+"""Writes tables as the text of a model file. The solver reads every model in this form."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ Tables = Mapping[str, Value]
 
 
 def write(tables: Tables) -> str:
-    """The tables as TOML: first the keys at the top, then table after table."""
+    """Writes the tables as TOML: first the keys at the top, then table after table."""
     top = [(key, value) for key, value in tables.items() if not _is_heading(value)]
     text = "".join(_line(key, value) for key, value in top)
     for key, value in tables.items():
@@ -26,7 +26,7 @@ def write(tables: Tables) -> str:
 
 
 def _table(name: str, table: Tables, heading: str) -> str:
-    """A table, followed by its subtables that are lists or have a heading of their own."""
+    """A table, followed by its subtables that are lists or have their own heading."""
     below = {key: value for key, value in table.items() if _is_several(value)}
     text = f"\n{heading}\n"
     text += "".join(_line(key, value) for key, value in table.items() if key not in below)
@@ -60,7 +60,7 @@ def _key(key: str) -> str:
 
 def _value(value: Value) -> str:
     if hasattr(value, "tolist"):
-        # Arrays and numbers of numpy.
+        # The value is an array or a number of numpy.
         value = value.tolist()
     if isinstance(value, str):
         return _text(value)
@@ -71,7 +71,7 @@ def _value(value: Value) -> str:
         return f"{{ {pairs} }}"
     if isinstance(value, Sequence):
         return f"[{', '.join(_value(each) for each in value)}]"
-    # The shortest digits that read back as the same bits.
+    # `repr` writes the fewest digits that are read back as the same bits.
     return repr(float(value))
 
 

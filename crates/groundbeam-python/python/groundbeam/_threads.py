@@ -6,7 +6,7 @@ from typing import Optional
 
 
 def number_of(threads: Optional[int]) -> int:
-    """The requested number; 0 if not given, which lets the compiled extension choose."""
+    """The requested number of threads; 0 without a request, and the compiled extension then chooses the number."""
     if threads is None:
         return 0
     if threads < 1:

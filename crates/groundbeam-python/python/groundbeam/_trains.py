@@ -33,10 +33,10 @@ class MovingEnvelope(NamedTuple):
 
 
 class Passage:
-    """The passage of one train over one combination."""
+    """The passage of one train over the beam under the loads of one combination."""
 
     combination: Optional[str]
-    """The combination; ``None`` for the loads as written."""
+    """Name of the combination; ``None`` if all loads of the file act without a combination."""
     train: str
     """The name of the train."""
     range: Tuple[float, float]
@@ -59,7 +59,7 @@ class Passage:
         return self._inner.positions(self._number)
 
     def nearest(self, first_axle: float) -> Tuple[float, Solution]:
-        """The solved position nearest to a given one, and its solution."""
+        """The solved position nearest to a given position of the first axle, and the solution at this position."""
         if not math.isfinite(first_axle):
             raise ValueError(f"the position of the first axle is {first_axle}: give a finite number")
         found = self._inner.nearest(self._number, first_axle)
@@ -95,7 +95,7 @@ class Passages(Sequence[Passage]):
 
     @property
     def limit_states(self) -> list[str]:
-        """The limit states of the solved combinations; empty if they name none."""
+        """The limit states of the solved combinations; empty if the combinations name no limit state."""
         return list(self._inner.limit_states())
 
     def envelope(

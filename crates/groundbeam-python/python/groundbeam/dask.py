@@ -68,7 +68,7 @@ def run(
         # A worker with another version of the package could give other results.
         study._inner.is_done(unfinished, (i, count))
         os.replace(unfinished, names[i])
-        # The cluster need not keep data that are stored locally.
+        # The results are stored locally, so the cluster can delete its copy.
         future.release()
     merge(list(names.values()), out)
     shutil.rmtree(folder)

@@ -1,5 +1,4 @@
-//! Solves many models on all processors, from arrays of parameters to arrays of results, without Python in
-//! the loop.
+//! Solves many models on all processors, from arrays of parameters to arrays of results.
 
 mod parameter;
 mod run;
@@ -16,7 +15,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use run::{Answered, Task, run};
 
-/// A parameter: its name, the shape of a row if given, and its rows.
+/// Name of a parameter, the optional name of the class that gives the meaning of its rows, and the rows.
 type Given<'py> = (String, Option<String>, PyReadonlyArray2<'py, f64>);
 
 /// Solves `count` models, or one model with `count` sets of parameters.
@@ -71,7 +70,7 @@ pub fn solve_many<'py>(
     columns(py, &task.wanted, rows)
 }
 
-/// Converts the rows to columns.
+/// Converts the rows of the models to columns of a dictionary.
 fn columns<'py>(
     py: Python<'py>,
     wanted: &Wanted,
@@ -104,8 +103,8 @@ fn columns<'py>(
     table.set_item("gradients", PyArray1::from_vec(py, gradients))?;
     let one_sided = rows.iter().flat_map(|each| each.row.one_sided.iter().copied()).collect();
     table.set_item("one_sided", PyArray1::from_vec(py, one_sided))?;
-    // The number of contact zones differs between models: one array contains all zones, another the start of
-    // each model.
+    // The number of contact zones differs between models. So one array contains the zones of all models, and
+    // another array contains the index of the first zone of each model.
     let mut starts = vec![0_i64];
     let mut edges: Vec<f64> = Vec::new();
     for Answered { row, .. } in &rows {

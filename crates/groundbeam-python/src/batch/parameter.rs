@@ -1,4 +1,4 @@
-//! Parameters of a model that arrays change.
+//! Parameters of a model, with values from arrays.
 
 use crate::derivatives::parameter;
 use crate::failure::Failure;
@@ -11,21 +11,21 @@ use groundbeam_file::{
 use numpy::ndarray::ArrayView2;
 use std::sync::Arc;
 
-/// Values of one parameter: one row for each model, or one row for all.
+/// Values of one parameter, with one row for each model or one row for all models.
 pub struct Parameter {
     name: String,
     target: Number,
-    /// Meaning of several numbers in a row.
+    /// Meaning of the numbers of a row along the beam.
     shape: Shape,
-    /// Values, row by row.
+    /// Values of all rows, row by row.
     values: Vec<f64>,
-    /// Number of values per row: one, or several along the beam.
+    /// Number of values per row: one value, or several values along the beam.
     width: usize,
 }
 
 impl Parameter {
-    /// A named array, checked against the models. `shape` is the Python class that gives the meaning of a
-    /// row.
+    /// Reads a parameter with its values and checks it against the models. `shape` is the name of the Python
+    /// class that gives the meaning of a row.
     pub fn read(
         name: &str,
         shape: Option<&str>,
@@ -44,7 +44,7 @@ impl Parameter {
             Some("Steps") => Shape::Even(Course::Steps),
             Some("ControlValues") => Shape::Curve,
             Some(other) => return wrong(format!("`{other}` is not a shape")),
-            // For two values, both meanings define the same linear variation.
+            // A row of one or two values has the same meaning as points and as control values.
             None if width <= 2 => Shape::Even(Course::Lines),
             None => {
                 return wrong(format!(
@@ -57,7 +57,7 @@ impl Parameter {
         let most = property.map_or(1, most_control_values);
         if shape == Shape::Curve && width > most {
             return wrong(format!(
-                "a curve has at most {most} control values, but {width} are given; groundbeam.Points takes any number"
+                "a curve has at most {most} control values, but {width} are given; use groundbeam.Points for more values"
             ));
         }
         for read in models {
@@ -76,14 +76,14 @@ impl Parameter {
     }
 }
 
-/// Two parameters cannot set the same number. k and μ along the beam need the same stretches, unless one of them is
-/// given for the whole beam.
+/// Checks that no two parameters set the same number. Checks also that k and μ have the same stretches along the
+/// beam, unless one of them is given for the whole beam.
 pub fn agree(parameters: &[Parameter]) -> Result<(), Failure> {
     for (i, one) in parameters.iter().enumerate() {
         let same = |other: &&Parameter| set_the_same_number(one.target, other.target);
         if let Some(other) = parameters[..i].iter().find(same) {
             return Err(Failure::Asked(format!(
-                "parameters `{}` and `{}` set the same number; leave one of them out",
+                "parameters `{}` and `{}` set the same number; omit one of them",
                 other.name, one.name
             )));
         }
@@ -100,7 +100,7 @@ pub fn agree(parameters: &[Parameter]) -> Result<(), Failure> {
         && stretches(other) > 1
     {
         return Err(Failure::Asked(format!(
-            "`{}` has {} stretches along the beam and `{}` has {}; give both the same number",
+            "`{}` has {} stretches along the beam and `{}` has {}; give both parameters the same number of stretches",
             one.name,
             stretches(one),
             other.name,
@@ -110,7 +110,7 @@ pub fn agree(parameters: &[Parameter]) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Applies the parameters of a row to the model.
+/// Applies row `number` of each parameter to the model.
 pub fn apply(parameters: &[Parameter], number: usize, model: &mut Model) {
     let changes = parameters
         .iter()

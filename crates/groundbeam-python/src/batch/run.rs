@@ -10,14 +10,14 @@ use std::sync::Arc;
 
 /// Data for the threads.
 pub struct Task {
-    /// One model for each result, or one for all.
+    /// One model for each result, or one model for all results.
     pub models: Vec<Arc<Read>>,
     pub parameters: Vec<Parameter>,
     pub wanted: Wanted,
     pub options: Options,
 }
 
-/// Solves all models, each at its index.
+/// Solves all models. The results have the order of the models.
 pub fn run(
     task: &Task,
     count: usize,
@@ -28,14 +28,14 @@ pub fn run(
     crate::threads::map(count, threads, progress, solver, |solver, number| task.row(number, solver))
 }
 
-/// A result, or a message saying why there is none.
+/// Row of a model, with a message if the model has no result.
 pub struct Answered {
     pub row: Row,
     pub message: Option<String>,
 }
 
 impl Task {
-    /// The result for model `number`; it does not depend on the thread or on what that thread solved before.
+    /// Solves model `number`. The result does not depend on the thread or on earlier solves of this thread.
     fn row(&self, number: usize, solver: &mut Solver) -> Answered {
         let Task { models, parameters, wanted, .. } = self;
         let read = &models[if models.len() == 1 { 0 } else { number }];

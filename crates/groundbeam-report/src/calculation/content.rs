@@ -9,26 +9,26 @@ use serde::Serialize;
 /// A whole report.
 #[derive(Debug, Clone, Default, Serialize)]
 pub struct Report {
-    /// Title of the model, or the file name if it has none.
+    /// Title of the model, or the name of the model file if the model has no title.
     pub title: String,
     /// Version of the program.
     pub version: &'static str,
-    /// SHA-256 digest of the input file, in hexadecimal digits.
+    /// SHA-256 digest of the model file, in hexadecimal digits.
     pub digest: String,
     /// Kind of the report, in a few words.
     pub subject: &'static str,
-    /// Main results, one line each.
+    /// Main results of the report, with one line for each result.
     pub verdicts: Vec<Verdict>,
-    /// Key figures.
+    /// Key figures of the report.
     pub key: Vec<Key>,
-    /// Sections, numbered from 1.
+    /// Sections of the report, numbered from 1.
     pub sections: Vec<Section>,
 }
 
-/// A statement with an assessment.
+/// A main result of the report, as a statement with an assessment.
 #[derive(Debug, Clone, Serialize)]
 pub struct Verdict {
-    /// `good`, `doubtful` or `bad`.
+    /// Assessment of the statement: `good`, `doubtful` or `bad`.
     pub tone: &'static str,
     /// Heading of the statement.
     pub head: String,
@@ -43,16 +43,16 @@ pub struct Key {
     pub label: String,
     /// Value with its unit.
     pub value: String,
-    /// Position, or further explanation.
+    /// Position of the value along the beam, or a remark on the value.
     pub note: String,
 }
 
 impl Key {
-    /// Fields whose largest values are key figures.
+    /// Fields whose largest values are key figures of the report.
     pub(crate) const FIELDS: [Field; 4] =
         [Field::Deflection, Field::Moment, Field::Pressure, Field::Gap];
 
-    /// The largest value of a field as a key figure.
+    /// Creates the key figure for the largest value of a field.
     pub(crate) fn largest(field: Field, value: String, note: String) -> Self {
         Key { label: format!("Largest {}", field.label().to_lowercase()), value, note }
     }
@@ -88,9 +88,9 @@ pub enum Block {
     },
     /// A table.
     Table(Table),
-    /// A picture. Figures are numbered through the whole report.
+    /// A picture. The pictures of the whole report are numbered consecutively.
     Figure {
-        /// The picture, as wide as the text.
+        /// The picture in SVG, as wide as the text of the page.
         svg: String,
         /// Caption.
         caption: String,
@@ -100,7 +100,7 @@ pub enum Block {
         /// One formula per line.
         lines: Vec<Equation>,
     },
-    /// A file, with numbered lines.
+    /// A file printed with line numbers.
     Code {
         /// The lines of the file, without line ends.
         lines: Vec<String>,
@@ -110,13 +110,13 @@ pub enum Block {
 /// A labelled statement.
 #[derive(Debug, Clone, Serialize)]
 pub struct Fact {
-    /// Label; empty if the statement continues the previous one.
+    /// Label of the statement; empty if the statement continues the previous statement.
     pub label: String,
-    /// Second label inside the statement; may be empty.
+    /// Label of an item in a list of statements; empty outside lists.
     pub inner: String,
-    /// `plain`, `good`, `doubtful` or `bad`.
+    /// Assessment of the statement: `plain`, `good`, `doubtful` or `bad`.
     pub tone: &'static str,
-    /// Emphasized first words; may be empty.
+    /// Emphasized first words of the statement; may be empty.
     pub head: String,
     /// The statement.
     pub words: String,
@@ -127,20 +127,20 @@ pub struct Fact {
 pub struct Table {
     /// Caption.
     pub caption: String,
-    /// Heads of the columns.
+    /// Headings, units and alignments of the columns of the table.
     pub columns: Vec<Column>,
-    /// Rows, with one cell per column.
+    /// Rows of the table, with one cell for each column.
     pub rows: Vec<Vec<String>>,
     /// Note below the table; may be empty.
     pub note: String,
 }
 
-/// Head and alignment of a column.
+/// Heading, unit and alignment of a column of a table.
 #[derive(Debug, Clone, Serialize)]
 pub struct Column {
-    /// Name of the column.
+    /// Heading of the column.
     pub head: String,
-    /// Unit of the numbers; empty without a unit.
+    /// Unit of the numbers in the column; empty for numbers without a unit.
     pub unit: String,
     /// Whether the column contains numbers, which are right-aligned.
     pub number: bool,
@@ -154,7 +154,7 @@ pub struct Equation {
     pub formula: Formula,
     /// The domain or the meaning of the formula; may be empty.
     pub words: &'static str,
-    /// The number of the formula in the source; empty if it has none.
+    /// Number of the formula in Kikuchi's paper; empty if the paper does not number it.
     pub number: &'static str,
 }
 
@@ -174,17 +174,17 @@ impl Table {
     }
 }
 
-/// A column of numbers with a unit, which may be empty.
+/// Creates a column of numbers with a unit. The unit may be empty.
 pub(super) fn numbers(head: &str, unit: &str) -> Column {
     Column { head: head.to_owned(), unit: unit.to_owned(), number: true }
 }
 
-/// A column of text.
+/// Creates a column of text.
 pub(super) fn wording(head: &str) -> Column {
     Column { head: head.to_owned(), unit: String::new(), number: false }
 }
 
-/// The rows of the terminal report as statements; `None` if there are no rows.
+/// Converts the text that `say` writes to labelled statements; `None` if `say` writes no text.
 pub(super) fn facts(say: impl FnOnce(&mut Sheet)) -> Option<Block> {
     let mut sheet = Sheet::new(false);
     say(&mut sheet);

@@ -1,9 +1,10 @@
-//! The equations of the problem, with their domains and numbers.
+//! The equations of beam, ground and contact for the report, with their domains and equation numbers.
 
 use super::content::{Block, Equation};
 use super::formulas::{self, Formula};
 
-/// The problem in the equations of Kikuchi, or of Timoshenko for a beam with shear deformation.
+/// Equations of beam, ground and contact, numbered as in Kikuchi's paper. If `shears` is true, the beam has
+/// Timoshenko's equations.
 pub(super) fn problem(shears: bool) -> Block {
     let (beam, number, ends) = match shears {
         true => (formulas::SHEARING_BEAM, "", formulas::SHEARING_ENDS),
@@ -19,12 +20,12 @@ pub(super) fn problem(shears: bool) -> Block {
     }
 }
 
-/// Static reactions of a free beam.
+/// Equation for the static reactions of a free beam.
 pub(super) fn static_reactions() -> Block {
     Block::Equations { lines: vec![line(formulas::REACTIONS, "", "(4.25)")] }
 }
 
-/// The error bound of the certificate.
+/// Inequality that bounds the error of a solution by the energy gap.
 pub(super) fn energy_gap() -> Block {
     Block::Equations { lines: vec![line(formulas::ENERGY_GAP, "energy gap", "")] }
 }

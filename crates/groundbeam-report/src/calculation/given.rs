@@ -15,8 +15,8 @@ use groundbeam::{
     model::{Acts, Profile},
 };
 
-/// The section on the input, for the model of a file or for the models of its combinations, with the
-/// existence check if it is known.
+/// Returns the section on the input. `models` contains the model of a file or the models of its combinations.
+/// `existence` is the result of the existence check, if it is known.
 pub(super) fn section(
     models: &[&Model],
     existence: Option<&Existence>,
@@ -27,7 +27,9 @@ pub(super) fn section(
     let units = context.units;
     let model = models.first().copied().unwrap_or(source.model);
     let caption = match motion {
-        Some(_) => "The model as given; dashed: the motion in which the loads do work",
+        Some(_) => {
+            "The model as given; dashed lines show the rigid motion in which the loads do work"
+        }
         None => "The model as given",
     };
     let drawing = figures::model(source.model, motion, context);
@@ -49,7 +51,8 @@ fn unit_name(units: Units, kind: Kind, largest: f64) -> (crate::quantity::Unit, 
     (unit, unit.name)
 }
 
-/// Values of a profile, from one end to the other.
+/// Formats a profile as its constant value or as its values at both ends. A profile with more than two
+/// control values is marked as curved.
 fn profile(units: Units, kind: Kind, profile: &Profile) -> String {
     let unit = units.unit(kind, profile.largest());
     if profile.is_constant() {
@@ -100,8 +103,8 @@ fn supports(model: &Model, units: Units) -> Option<Block> {
             SupportKind::Pinned => "pinned".to_owned(),
             SupportKind::Fixed => "fixed".to_owned(),
             SupportKind::Spring { spring, rotational_spring } => {
-                // The unit of k is a force per length of beam and per deflection. The unit of a spring, force
-                // per deflection, is the unit of k times m.
+                // The constant of a support spring is a force per deflection. Its unit equals the unit of the
+                // contact pressure, which is a force per length of the beam.
                 let linear = units.write(Kind::Pressure, spring);
                 let turning = units.write(Kind::Moment, rotational_spring);
                 let per = units.per_radian();
@@ -135,7 +138,8 @@ fn hinges(model: &Model, units: Units) -> Option<Block> {
     (!table.rows.is_empty()).then_some(Block::Table(table))
 }
 
-/// The points of the gap. Ends of chords are omitted because they follow from the troughs in the input file.
+/// Returns the table of the points of the initial gap. Returns `None` if chords replace settlement troughs,
+/// because the ends of the chords follow from the troughs in the input file.
 fn gap(model: &Model, context: &Context) -> Option<Block> {
     if context.chords.is_some() {
         return None;
@@ -167,7 +171,9 @@ fn loads(source: &Source, units: Units) -> Option<Block> {
         columns.push(wording("case"));
     }
     let mut table = Table::new("Loads as written", columns);
-    table.note = "Forces act downward; moments turn the right side down.".to_owned();
+    table.note =
+        "Positive forces act downward. Positive moments turn the right side of the beam down."
+            .to_owned();
     for (i, load) in model.loads.iter().enumerate() {
         let [from, to] = load.extent().ends();
         let per = if is_moment_per_length(load, units) { " (moment per length)" } else { "" };
@@ -189,7 +195,7 @@ fn loads(source: &Source, units: Units) -> Option<Block> {
     (!table.rows.is_empty()).then_some(Block::Table(table))
 }
 
-/// Assumptions, equations, and the method.
+/// Returns the section on the assumptions, the equations and the solution method.
 pub(super) fn assumptions(model: &Model, method: Method) -> Section {
     let layer = model.foundation.shear_layer > 0.0
         || model.foundation.segments.iter().any(|segment| segment.shear_layer.largest() > 0.0);
@@ -242,7 +248,7 @@ pub(super) fn assumptions(model: &Model, method: Method) -> Section {
     Section::new("Assumptions and method", blocks)
 }
 
-/// The existence check, before the solve.
+/// Returns the section on the existence check, which is made before the solve.
 pub(super) fn statics(model: &Model, existence: &Existence, context: &Context) -> Section {
     let units = context.units;
     let mut blocks: Vec<Block> =
@@ -260,14 +266,14 @@ pub(super) fn statics(model: &Model, existence: &Existence, context: &Context) -
     let sum = print::words(&units.write(Kind::Force, existence.resultant()));
     let place = existence.resultant_position(model.beam.length);
     let place = place.map_or_else(
-        || "nowhere".to_owned(),
+        || "undefined".to_owned(),
         |x| {
             let share = units.ratio(x / model.beam.length);
             format!("x = {} = {share} l", units.position(x))
         },
     );
     let words = format!(
-        "Here R₀ = {left} and R_l = {right}; resultant {sum}, acting at {}.",
+        "Here R₀ = {left} and R_l = {right}. The resultant is {sum}; its position is {}.",
         print::words(&place)
     );
     blocks.push(Block::Text { words });
@@ -279,7 +285,7 @@ pub(super) fn statics(model: &Model, existence: &Existence, context: &Context) -
                 print::words(&words)
             })
             .collect();
-        let words = "For the parts between free hinges, each supported at its ends:";
+        let words = "Static reactions of the parts between free hinges, with each part supported at its ends:";
         blocks.push(Block::Text { words: format!("{words} {}.", each.join(", ")) });
     }
     blocks.extend(facts(|sheet| text::factors::rows(sheet, context)));

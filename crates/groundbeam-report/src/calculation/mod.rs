@@ -1,7 +1,7 @@
 //! The content of the calculation report, used for HTML and PDF.
 //!
 //! It contains the input, the assumptions, the existence check, the results and the certificate. It uses the
-//! words of [`text`](crate::text) and the figures of [`svg`](crate::svg).
+//! sentences of [`text`](crate::text) and the figures of [`svg`](crate::svg).
 
 mod content;
 mod equations;
@@ -25,18 +25,18 @@ use std::sync::Arc;
 pub struct Source<'a> {
     /// Name of the file.
     pub name: &'a str,
-    /// Text of the file, which the report contains with its digest.
+    /// Text of the model file. The report contains this text and its digest.
     pub text: &'a str,
-    /// The model under all of its loads, with the values of the file.
+    /// Model in the file, with all of its loads and without load factors.
     pub model: &'a Model,
     /// Load case of each load, in order; `None` for a load without a case.
     pub cases: &'a [Option<String>],
-    /// Tables that the file names: surveys.
+    /// Files of tables, such as surveys, to which the model file refers.
     pub files: &'a [Arc<OtherFile>],
 }
 
 impl<'a> Source<'a> {
-    /// A model file with its name.
+    /// Returns the source of a report whose model comes from a model file.
     pub fn of(document: &'a Document, name: &'a str, text: &'a str) -> Self {
         let (model, cases, files) = (&document.model, &document.cases, &document.files);
         Source { name, text, model, cases, files }
@@ -52,7 +52,8 @@ pub enum Paper {
     Letter,
 }
 
-/// The report of the answers to a file. Equal results give equal reports, except for the time in the context.
+/// Returns the calculation report for the results of a model file. Equal results give equal reports, except
+/// for the duration in the context.
 pub fn report(answers: &Answers, context: &Context, source: &Source) -> Report {
     let report = match (answers.asked, answers.list.first()) {
         (Asked::One, Some(one)) => {
@@ -84,17 +85,20 @@ pub fn report(answers: &Answers, context: &Context, source: &Source) -> Report {
     }
 }
 
-/// Maximum number of rows of a table in its own section.
+/// Maximum number of rows of a table that stays in its section. Longer tables are moved to the last section.
 const LONGEST: usize = 24;
 
-/// The sections of a report. Long tables are moved to a last section.
+/// Moves long tables to a new last section and returns all sections.
 fn long_tables_last(mut sections: Vec<Section>) -> Vec<Section> {
     let mut tables = Vec::new();
     for block in sections.iter_mut().flat_map(|section| &mut section.blocks) {
         let Block::Table(table) = block else { continue };
         if table.rows.len() > LONGEST {
-            let words =
-                format!("{}: {} rows, in the last section.", table.caption, table.rows.len());
+            let words = format!(
+                "{}: this table has {} rows and is in the last section.",
+                table.caption,
+                table.rows.len()
+            );
             tables.push(std::mem::replace(block, Block::Text { words }));
         }
     }

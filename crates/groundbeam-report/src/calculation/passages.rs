@@ -1,4 +1,4 @@
-//! The calculation report of moving trains: the envelope over all positions.
+//! Writes the calculation report of moving trains, with the envelope over all train positions.
 
 use super::content::{Block, Key, Report, Section, Table, Verdict, facts};
 use super::several::{all_of, table_of};
@@ -13,7 +13,7 @@ use crate::text::{self, train};
 use groundbeam::{Field, Method};
 use groundbeam_run::{Ground, Overall, Passage, Passages};
 
-/// The report of passages.
+/// Returns the report of all passages.
 pub(super) fn trains(passages: &Passages, context: &Context, source: &Source) -> Report {
     let all = &passages.all[..];
     let first = all.iter().find_map(|passage| passage.solved().next());
@@ -81,7 +81,7 @@ fn overall(passages: &Passages) -> Verdict {
     Verdict { tone, head: head.to_owned(), words }
 }
 
-/// The solved positions, and the positions without equilibrium.
+/// Returns the section on the solved train positions and the positions without equilibrium.
 fn ways(all: &[Passage], context: &Context) -> Section {
     let blocks = facts(|sheet| {
         for (i, passage) in all.iter().enumerate() {
@@ -95,7 +95,7 @@ fn ways(all: &[Passage], context: &Context) -> Section {
     Section::new("Positions and equilibrium", blocks.into_iter().collect())
 }
 
-/// The extremes over all passages, and the extremes for each limit state.
+/// Returns the section with the extremes over all passages and the extremes for each limit state.
 fn envelope(passages: &Passages, units: Units) -> Section {
     let caption = "Envelope of all positions, with the position of the first axle";
     let mut blocks = vec![Block::Table(extremes(caption, passages, units))];
@@ -120,7 +120,7 @@ fn envelope(passages: &Passages, units: Units) -> Section {
     Section::new("Envelope", blocks)
 }
 
-/// The extremes, with the section, the position of the first axle, and the passage.
+/// Returns a table of the extremes, each with its position, the position of the first axle, and the passage.
 fn extremes(caption: &str, passages: &Passages, units: Units) -> Table {
     let length = passages.all.first().map_or(1.0, |passage| passage.model().beam.length);
     table_of(caption, &of_passages(passages, units), units.unit(Kind::Position, length))
@@ -138,7 +138,8 @@ fn keys(passages: &Passages, units: Units) -> Vec<Key> {
     Key::FIELDS.into_iter().filter_map(largest).collect()
 }
 
-/// The train at the position of the largest moment, and the envelopes.
+/// Returns the section with the envelopes, and with a picture of the train position that causes the largest
+/// moment.
 fn diagrams(passages: &Passages, context: &Context) -> Section {
     let units = context.units;
     let governing = passages.largest_moment().and_then(|most| {
@@ -146,7 +147,7 @@ fn diagrams(passages: &Passages, context: &Context) -> Section {
         let (first_axle, solution) = passage.nearest(most.located.first_axle)?;
         let at = units.position(first_axle);
         let caption = format!(
-            "{} at the position of the largest moment, first axle at {}",
+            "{} at the train position with the largest moment, first axle at {}",
             clean(&passage.label()),
             print::words(&at)
         );

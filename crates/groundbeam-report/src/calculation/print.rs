@@ -1,10 +1,10 @@
-//! Typography of words and numbers in print.
+//! Typesets words, numbers and units for print.
 
 use crate::number::MINUS;
 use crate::quantity::is_unit;
 
-/// Typesets a sentence: true minus signs, superscript powers of ten, units that stay with their numbers, μ
-/// for mu.
+/// Typesets a sentence with true minus signs, superscript powers of ten, no-break spaces before units, and μ
+/// for `mu`.
 pub(super) fn words(said: &str) -> String {
     let mut printed = String::with_capacity(said.len());
     for (i, word) in said.split(' ').enumerate() {
@@ -12,7 +12,7 @@ pub(super) fn words(said: &str) -> String {
         if i > 0 {
             let bare = word.trim_end_matches([',', '.', ';', ':', ')']);
             let joined = follows_number && (is_unit(bare) || ["%", "l"].contains(&bare));
-            // A unit of two parts, as in kN m.
+            // The words before and after a space can form one unit, such as kN m.
             let (_, before) = printed.rsplit_once(['\u{a0}', ' ']).unwrap_or(("", &printed));
             let second = is_unit(&format!("{before} {bare}"));
             printed.push(if joined || second { '\u{a0}' } else { ' ' });
@@ -31,7 +31,7 @@ fn greek(word: &str) -> String {
     }
 }
 
-/// Typesets a word: its minus sign and its power of ten.
+/// Typesets the minus sign and the power of ten in a word.
 pub(super) fn cell(word: &str) -> String {
     let mut printed = String::with_capacity(word.len());
     let letters: Vec<char> = word.chars().collect();
@@ -55,7 +55,7 @@ pub(super) fn cell(word: &str) -> String {
     printed
 }
 
-/// Whether a word ends in a number. The digits of a digest such as `4e10198` follow a letter.
+/// Whether a word ends in a number. Digits after a letter, as in the digest `4e10198`, are not a number.
 fn ends_in_number(letters: &[char]) -> bool {
     let is_part = |c: &&char| c.is_ascii_digit() || **c == '.';
     let length = letters.iter().rev().take_while(is_part).count();
@@ -63,7 +63,8 @@ fn ends_in_number(letters: &[char]) -> bool {
     length > 0 && !before.is_some_and(char::is_alphanumeric)
 }
 
-/// `e-13` at the start as a superscript power, with its length. No further letter may follow.
+/// Typesets an exponent such as `e-13` at the start of `letters` as a superscript. Returns the superscript
+/// and the number of characters of the exponent. Returns `None` if a letter follows the exponent.
 fn power_of_ten(letters: &[char]) -> Option<(String, usize)> {
     let ['e', rest @ ..] = letters else { return None };
     let sign = usize::from(rest.first().is_some_and(|sign| ['-', MINUS].contains(sign)));
@@ -101,7 +102,7 @@ mod tests {
             let whole = format!("of 12.5\u{a0}{}, and", unit.replace(' ', "\u{a0}"));
             assert_eq!(words(&said), whole);
         }
-        // The last digits of a digest in hexadecimal digits are no number.
+        // The hexadecimal digits at the end of a digest are not typeset as a power of ten.
         assert_eq!(words("SHA-256 1714e4334d4e10198e5"), "SHA-256 1714e4334d4e10198e5");
         // Names and words that look like numbers stay unchanged.
         assert_eq!(words("pile-7 type e4, active-set"), "pile-7 type e4, active-set");

@@ -1,4 +1,4 @@
-//! The certificate, the proof and the origin of the results.
+//! Writes the report's sections on the certificate, the proof and the origin of the results.
 
 use super::content::{Block, Section, facts};
 use super::{Source, equations};
@@ -7,7 +7,7 @@ use crate::digest::digest;
 use crate::text;
 use groundbeam::Solution;
 
-/// The certificate of one solution.
+/// Returns the section on the certificate of one solution.
 pub(super) fn certificate(solution: &Solution) -> Section {
     let (certificate, verdict) = (solution.certificate(), solution.existence().verdict);
     let mut blocks = explained();
@@ -15,7 +15,8 @@ pub(super) fn certificate(solution: &Solution) -> Section {
     Section::new("Certificate", blocks)
 }
 
-/// The certificates of several solutions, in the words of the terminal report.
+/// Returns the section on the certificates of several solutions; `say` writes the text of the terminal
+/// report.
 pub(super) fn certificates(say: impl FnOnce(&mut text::sheet::Sheet)) -> Section {
     let mut blocks = explained();
     blocks.extend(facts(say));
@@ -34,7 +35,8 @@ fn explained() -> Vec<Block> {
     vec![text(words), equations::energy_gap(), text(after)]
 }
 
-/// The proven statements, and the quantities without a bound; `None` if no proof is requested.
+/// Returns the section with the proven statements and the quantities without a bound; `None` if no proof is
+/// requested.
 pub(super) fn proof(context: &Context) -> Option<Section> {
     let first = context.proofs.first()?;
     let mut blocks = Vec::new();
@@ -55,12 +57,13 @@ pub(super) fn proof(context: &Context) -> Option<Section> {
     Some(Section::new("Proof", blocks))
 }
 
-/// The program, the input with its digest, and the command that makes the report.
+/// Returns two sections: the origin of the report (program, digest of the input, command that makes the
+/// report) and the input file.
 pub(super) fn provenance(context: &Context, source: &Source) -> [Section; 2] {
     let name = clean(source.name);
     let units = match context.units.is_plain() {
-        false => "all quantities of the file have units; calculated in m, N and rad",
-        true => "the file has no units: all numbers are in one consistent system",
+        false => "all quantities of the file have units; the program calculates in m, N and rad",
+        true => "the file has no units; all numbers are in one consistent system of units",
     };
     let proven = if context.proofs.is_empty() { "" } else { " --proven" };
     let program = format!("groundbeam {}", env!("CARGO_PKG_VERSION"));
@@ -99,7 +102,8 @@ pub(super) fn provenance(context: &Context, source: &Source) -> [Section; 2] {
     [Section::new("Origin of this report", blocks), Section::new("Input file", texts)]
 }
 
-/// The texts on which the result depends: the model file and the tables that it names, each with its name.
+/// Returns the model file and the tables that it names, each with a label, a name and its text. The result
+/// depends only on these texts.
 fn inputs<'a>(source: &Source<'a>) -> Vec<(&'static str, String, &'a str)> {
     let last = |name: &str| clean(name.rsplit(['/', '\\']).next().unwrap_or(name));
     let tables = source.files.iter().map(|file| ("Table", last(&file.name), file.text.as_str()));

@@ -1,4 +1,4 @@
-//! The calculation report of all combinations: each one, and the envelope with the governing combination.
+//! Writes the calculation report of all combinations: each result, and the envelope with the governing combination.
 
 use super::content::{Block, Key, Report, Section, Table, Verdict, facts, numbers, wording};
 use super::single::{certified, checked, overview, place, proven};
@@ -95,7 +95,7 @@ fn overall(all: &Answers) -> Verdict {
     Verdict { tone, head: head.to_owned(), words }
 }
 
-/// Names, factors and limit states of the combinations.
+/// Returns the table of the names, factors and limit states of the combinations.
 fn list(all: &Answers) -> Block {
     let has_states =
         all.list.iter().any(|answer| !answer.label.combination.limit_states.is_empty());
@@ -121,7 +121,7 @@ fn list(all: &Answers) -> Block {
     Block::Table(table)
 }
 
-/// Existence check of each combination, and of each load case alone.
+/// Returns the section on the existence check of each combination and of each load case alone.
 fn statics(all: &Answers, units: Units) -> Section {
     let heads = |what: &str| {
         vec![
@@ -181,7 +181,7 @@ fn force_unit(all: &Answers, units: Units) -> &'static str {
     units.unit(Kind::Force, largest_reaction(all)).name
 }
 
-/// Contact and extremes, one row per combination.
+/// Returns the section with a table of contact zones and extremes, with one row per combination.
 fn each(all: &Answers, solved: &[Numbered], units: Units) -> Section {
     let value = |row: &Numbered, (field, largest): (Field, bool)| {
         let range = row.solution.range(field);
@@ -228,7 +228,7 @@ fn each(all: &Answers, solved: &[Numbered], units: Units) -> Section {
     Section::new("Every combination", vec![Block::Table(table)])
 }
 
-/// Contact, forces and extremes of every combination, with error bounds.
+/// Returns the section with the contact zones, forces and extremes of every combination, with error bounds.
 fn bounded(all: &Answers, solved: &[Numbered], units: Units) -> Section {
     let mut blocks = Vec::new();
     for row in solved {
@@ -239,7 +239,8 @@ fn bounded(all: &Answers, solved: &[Numbered], units: Units) -> Section {
     Section::new("Every combination", blocks)
 }
 
-/// The extremes over all combinations and the results for the band of grounds, with error bounds.
+/// Returns the section with the extremes over all combinations and over the range of ground stiffness, with
+/// error bounds.
 fn bounded_envelope(all: &Answers, solved: &[Numbered], context: &Context) -> Section {
     let block = facts(|sheet| {
         text::bounded_envelope(sheet, &all.envelope(), solved, context.units);
@@ -249,7 +250,8 @@ fn bounded_envelope(all: &Answers, solved: &[Numbered], context: &Context) -> Se
     Section::new("Envelope", block.into_iter().collect())
 }
 
-/// The extremes over all combinations and for each limit state, with the governing combination.
+/// Returns the section with the extremes over all combinations and for each limit state, with the governing
+/// combination.
 fn envelope(all: &Answers, solved: &[Numbered], units: Units) -> Section {
     let caption = "Envelope: smallest and largest values, and the governing combination";
     let mut blocks = vec![Block::Table(extremes(caption, all, solved, units))];
@@ -271,7 +273,7 @@ pub(super) fn all_of(state: LimitState) -> Block {
     Block::Text { words: text::all_of(state) }
 }
 
-/// The extremes of some combinations.
+/// Returns the table of the extremes over the combinations in `solved`.
 fn extremes(caption: &str, all: &Answers, solved: &[Numbered], units: Units) -> Table {
     let envelope = Envelope::of(solved.iter().map(|row| row.solution));
     let length = all.list.first().map_or(1.0, |answer| answer.model().beam.length);
@@ -282,7 +284,8 @@ fn extremes(caption: &str, all: &Answers, solved: &[Numbered], units: Units) -> 
     )
 }
 
-/// A table of extremes with their positions, the positions of the first axle, and the numbers of the answers.
+/// Returns a table of extremes with their positions, the positions of the first axle, and the numbers of the
+/// governing combinations or passages.
 pub(super) fn table_of(caption: &str, all: &[Extremes], x: Unit) -> Table {
     let ends = || all.iter().flat_map(|of| of.ends);
     let has_axle = ends().any(|end| end.first_axle.is_some());
@@ -310,7 +313,8 @@ pub(super) fn table_of(caption: &str, all: &[Extremes], x: Unit) -> Table {
     table
 }
 
-/// An extreme, with rounding errors set to zero, and the number of its combination.
+/// Returns an extreme and the number of its combination. An extreme that is only rounding error is set to
+/// zero.
 fn known(governing: Governing, field: Field, solved: &[Numbered]) -> (Extreme, usize) {
     let Governing { extreme, by } = governing;
     match solved.get(by) {
@@ -341,7 +345,7 @@ fn keys(all: &Answers, solved: &[Numbered], context: &Context) -> Vec<Key> {
     Key::FIELDS.map(largest).into()
 }
 
-/// The picture of the combination with the largest moment; `None` without a solution.
+/// Returns the picture of the combination with the largest moment; `None` if no combination is solved.
 fn governing(all: &Answers, context: &Context) -> Option<Block> {
     all.solved().next()?;
     let range = all.envelope().range(Field::Moment);
@@ -357,7 +361,7 @@ fn governing(all: &Answers, context: &Context) -> Option<Block> {
     })
 }
 
-/// Figures of the envelopes.
+/// Returns the section with the figures of the envelopes.
 fn diagrams(all: &Answers, units: Units) -> Section {
     let drawn = figures::combinations(all, units).into_iter().zip(figures::OF_ENVELOPES);
     let figures = drawn.map(|(svg, field)| Block::Figure {

@@ -1,4 +1,4 @@
-//! The calculation report of one model: its equilibrium, or the reason why there is none.
+//! Writes the calculation report of one model: its equilibrium, or the reason why it has no result.
 
 use super::content::{Block, Key, Report, Section, Table, Verdict, facts, numbers, wording};
 use super::{Source, given, print, proof};
@@ -56,7 +56,7 @@ pub(super) fn solved(solution: &Solution, context: &Context, source: &Source) ->
     }
 }
 
-/// The section after verdicts and key figures: the checks and the picture.
+/// Returns the first section of the report, with the design checks and one picture.
 pub(super) fn overview(checks: Option<Block>, picture: Block) -> Section {
     Section::new("Checks and picture", checks.into_iter().chain([picture]).collect())
 }
@@ -118,7 +118,7 @@ pub(super) fn stands(model: &Model, existence: &Existence, units: Units) -> Verd
     Verdict { tone: wording.tone.name(), head: wording.head.to_owned(), words }
 }
 
-/// Number of checks that pass; `None` if no check is requested.
+/// Verdict that states how many design checks pass or fail; `None` if no check is requested.
 pub(super) fn checked(checks: &[Judged]) -> Option<Verdict> {
     let undecided = checks.iter().filter(|judged| judged.is_undecided()).count();
     let failed = checks.iter().filter(|judged| judged.passes() == Some(false)).count();
@@ -144,14 +144,14 @@ pub(super) fn checked(checks: &[Judged]) -> Option<Verdict> {
     Some(Verdict { tone, head: "Checks".to_owned(), words })
 }
 
-/// The energy gap of a solve, an error estimate.
+/// Verdict that states the energy gap of the certificate, which is an estimate of the error.
 pub(super) fn certified(gap: f64) -> Verdict {
     let gap = print::cell(&crate::number::order(gap));
     let words = format!("{}, an estimate of the error", text::certificate::energy_gap(&gap));
     Verdict { tone: "good", head: "Certified".to_owned(), words }
 }
 
-/// Whether all results are proven; `None` if no proof is requested.
+/// Verdict that states whether all results are proven; `None` if no proof is requested.
 pub(super) fn proven(proofs: &[Named]) -> Option<Verdict> {
     let first = proofs.first()?;
     let missing = proofs.iter().filter(|named| !named.is_proven()).count();
@@ -164,7 +164,7 @@ pub(super) fn proven(proofs: &[Named]) -> Option<Verdict> {
         (missing, all) => ("bad", "Not proven", format!("{missing} of {all} combinations")),
     };
     let words = match missing {
-        0 => format!("{words}; every result is within its bound"),
+        0 => format!("{words}; the error of every result is at most its bound"),
         _ => print::words(&words),
     };
     Some(Verdict { tone, head: head.to_owned(), words })
@@ -197,7 +197,7 @@ pub(super) fn place(units: Units, x: f64) -> String {
     units.write(Kind::Position, x)
 }
 
-/// Contact zones, lift-off zones, and all point forces.
+/// Returns the section with the contact zones, the lift-off zones and all point forces.
 fn contact(solution: &Solution, written: &Numbers) -> Section {
     let (units, sizes) = (written.units, written.sizes());
     let mut zones: Vec<(f64, f64, Option<Extreme>)> =
@@ -218,7 +218,8 @@ fn contact(solution: &Solution, written: &Numbers) -> Section {
         numbers("largest gap", depth.name),
         numbers("at x", x.name),
     ];
-    let mut table = Table::new("Contact from the left end to the right", columns);
+    let mut table =
+        Table::new("Contact and lift-off zones from the left end to the right end", columns);
     for (from, to, gap) in zones {
         let kind = match gap {
             Some(_) => "lifted off",

@@ -1,4 +1,4 @@
-//! Writes error bounds of joint numbers of several combinations: envelope, extremes, band and checks.
+//! Writes the error bounds of the envelope, extremes, ground stiffness range and checks of several combinations.
 
 use super::ByName;
 use crate::checked::rows_of;
@@ -11,12 +11,12 @@ use groundbeam::Field;
 use groundbeam_run::Answers;
 use serde::Serialize;
 
-/// Bounds in a document of combinations; `null` if there is no bound.
+/// Error bounds in a document of combinations. A missing bound is written as `null`.
 #[derive(Serialize)]
 pub(super) struct Together {
     envelope: ByName<Ends<Vec<f64>>>,
     extremes: ByName<Ends<f64>>,
-    /// Bounds of the largest force under each end.
+    /// Error bounds of the largest force under each end of the beam.
     end_forces: Forces,
     #[serde(skip_serializing_if = "Option::is_none")]
     band: Option<ByName<Ends<Spread>>>,
@@ -24,7 +24,7 @@ pub(super) struct Together {
     checks: Vec<JudgedCheck>,
 }
 
-/// Bounds of the smallest and of the largest value.
+/// Error bounds of the smallest and of the largest value of a field.
 #[derive(Serialize)]
 struct Ends<T> {
     min: T,
@@ -44,11 +44,11 @@ struct Spread {
     high: f64,
 }
 
-/// A check with the bound of its value, `null` if there is none.
+/// A design check with the error bound of its value. A missing bound is written as `null`.
 #[derive(Serialize)]
 pub(super) struct JudgedCheck {
     name: &'static str,
-    /// The governing combination, if there are several.
+    /// Name of the governing combination, if there are several combinations.
     #[serde(skip_serializing_if = "Option::is_none")]
     combination: Option<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -56,7 +56,8 @@ pub(super) struct JudgedCheck {
     value: f64,
     limit: f64,
     bound: Option<f64>,
-    /// `proven-to-pass`, `proven-to-fail`, `undecided`; without a bound `passes` or `fails`.
+    /// Judgement of the check: `proven-to-pass`, `proven-to-fail` or `undecided`; without a bound, `passes`
+    /// or `fails`.
     judgement: &'static str,
 }
 
@@ -75,7 +76,8 @@ impl JudgedCheck {
 }
 
 impl Together {
-    /// Bounds at the stations of the envelope; `None` if no proof is requested or nothing is solved.
+    /// Computes the error bounds of the document. The bounds of the envelope apply at the positions `stations`.
+    /// Returns `None` if no proof is requested or no combination is solved.
     pub fn of(answers: &Answers, stations: &[f64], context: &Context) -> Option<Self> {
         let solved = numbered(answers, context);
         if context.proofs.is_empty() || solved.is_empty() {
@@ -121,7 +123,8 @@ impl Together {
     }
 }
 
-/// The governing result of each check in each limit state, with its combination.
+/// Returns, for each design check in each limit state, the governing value with its bound and its
+/// combination.
 fn checks(answers: &Answers, context: &Context) -> Vec<JudgedCheck> {
     let rows = rows_of(answers, context);
     let all = verdicts(context.limits, &rows);

@@ -10,14 +10,14 @@ pub(super) struct Checked {
     name: &'static str,
     /// The limit state; `null` for loads as given, and for combinations without a limit state.
     limit_state: Option<&'static str>,
-    /// The governing combination, if there are several.
+    /// Name of the governing combination, if there are several combinations.
     #[serde(skip_serializing_if = "Option::is_none")]
     combination: Option<String>,
     value: Option<f64>,
     limit: Option<f64>,
     utilisation: Option<f64>,
     x: Option<f64>,
-    /// The point contact forces under the ends, which a peak pressure does not include.
+    /// Point contact forces under the ends of the beam. The checked peak pressure does not include them.
     #[serde(skip_serializing_if = "Option::is_none")]
     end_forces: Option<EndForces>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -36,7 +36,7 @@ struct Area {
     length: f64,
 }
 
-/// The verdicts; empty if no checks are requested.
+/// Returns the verdicts on the design checks; empty if no checks are requested.
 pub(super) fn of(rows: &[Row], context: &Context) -> Vec<Checked> {
     verdicts(context.limits, rows).iter().map(|verdict| Checked::of(verdict, rows)).collect()
 }

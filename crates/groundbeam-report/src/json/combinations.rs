@@ -19,8 +19,8 @@ use groundbeam_run::{Alone, Answer, Answers, Banded, Found, Overall};
 use serde::Serialize;
 use std::collections::BTreeMap;
 
-/// The document of all combinations, solved or only checked, with the fields at the given positions. `None`
-/// selects the default positions of each result and of the envelope.
+/// Returns the document of all combinations, solved or only checked for existence, with the fields at the
+/// positions `stations`. `None` selects the default positions of each result and of the envelope.
 pub fn combinations(answers: &Answers, stations: Option<&[f64]>, context: &Context) -> String {
     let envelope = answers.envelope();
     let listed = match stations {
@@ -59,8 +59,8 @@ pub fn combinations(answers: &Answers, stations: Option<&[f64]>, context: &Conte
     })
 }
 
-/// Default positions of an envelope: the default positions of all solutions, and the positions where another
-/// combination begins to govern.
+/// Returns the default positions of an envelope: the default positions of all solutions, and the positions
+/// where the governing combination changes.
 pub fn envelope_stations(answers: &Answers) -> Vec<f64> {
     answers.envelope().stations(EVEN_STEPS)
 }
@@ -152,7 +152,7 @@ fn each<'a>(answers: &'a Answers, stations: Option<&[f64]>, context: &Context<'a
 struct Case<'a> {
     name: &'a str,
     stands_alone: bool,
-    /// `physical`, or `not a physical state`.
+    /// State of the load case alone: `physical` or `not a physical state`.
     state: &'static str,
     existence: Proven,
 }
@@ -184,7 +184,7 @@ struct Changed<'a> {
     to: &'a str,
 }
 
-/// An envelope in which combinations have names.
+/// An envelope with the names of its combinations.
 struct Named<'e, 'a> {
     envelope: &'e Envelope<'e>,
     names: &'e [&'a str],

@@ -28,7 +28,8 @@ struct Row {
     seconds: f64,
 }
 
-/// The document of the results of several methods. The first one is the exact method.
+/// Returns the document that compares the results of several methods. The first result is that of the exact
+/// method.
 pub fn comparison(answers: &Answers, context: &Context) -> String {
     let exact = answers.list.first().and_then(Answer::solution);
     let row = |(i, answer): (usize, &Answer)| {

@@ -1,11 +1,12 @@
-//! Writes the envelope over all answers, those of the limit states, and the verdicts on checks.
+//! Writes the envelope over all results, the envelopes of the limit states, and the verdicts on checks.
 
 use super::checks::Checked;
 use super::{Along, ByName, Lines};
 use groundbeam::design::{LimitState, LimitStates};
 use serde::Serialize;
 
-/// `G` is the governing answer at a position, `E` the extremes of a field.
+/// Envelopes, extremes and verdicts of a document. `G` identifies the governing result at a position. `E`
+/// contains the extremes of a field.
 #[derive(Serialize)]
 #[serde(bound(serialize = "Lines<G>: Serialize, E: Serialize"))]
 pub(super) struct Enveloped<G, E> {
@@ -19,7 +20,7 @@ pub(super) struct Enveloped<G, E> {
     checks: Vec<Checked>,
 }
 
-/// The envelope of the answers of one limit state.
+/// The envelope and the extremes over the results of one limit state.
 #[derive(Serialize)]
 #[serde(bound(serialize = "Lines<G>: Serialize, E: Serialize"))]
 struct OfState<G, E> {
@@ -30,7 +31,8 @@ struct OfState<G, E> {
 }
 
 impl<G, E> Enveloped<G, E> {
-    /// `of` gives the envelope of a limit state, or of all answers; `None` without a solved answer.
+    /// Computes the envelopes. `of` returns the envelope and the extremes of a limit state, or of all results
+    /// for `None`. `of` returns `None` if no result is solved.
     pub fn new(
         states: LimitStates,
         of: impl Fn(Option<LimitState>) -> Option<(Along<Lines<G>>, ByName<E>)>,

@@ -11,7 +11,7 @@ use serde::Serialize;
 #[derive(Serialize)]
 pub(super) struct Proven {
     verdict: &'static str,
-    /// Static reactions at the ends, and at each free hinge between them.
+    /// Static reactions at the ends of the beam and at each free hinge between the ends.
     static_reactions: Vec<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     failing_motion: Option<Motion>,
@@ -69,7 +69,7 @@ impl Proven {
 pub(super) struct Motion {
     #[serde(flatten)]
     motion: RigidMotion,
-    /// Displacement r of the motion at each hinge, in the order of the model's hinges.
+    /// Displacement of the rigid motion at each hinge, in the order of the model's hinges.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     hinges: Vec<f64>,
 }

@@ -10,7 +10,7 @@ use serde::Serialize;
 
 #[derive(Serialize)]
 pub(super) struct Grown<'a> {
-    /// The load cases whose loads grow; empty if all loads grow.
+    /// Load cases that the load factor multiplies; empty if the load factor multiplies all loads.
     #[serde(skip_serializing_if = "<[String]>::is_empty")]
     cases: &'a [String],
     first_lift_off: FirstLiftOff,
@@ -27,7 +27,8 @@ struct Loss {
 }
 
 impl<'a> Grown<'a> {
-    /// The load factors. Without a model, the data of a motion omit the hinges.
+    /// Returns the load factors for the document. Without `model`, the data of a rigid motion omit the
+    /// hinges.
     pub fn of(factors: &'a Factors, model: Option<&Model>) -> Self {
         let (when, factor, motion) = match factors.found.loss_of_equilibrium {
             LossOfEquilibrium::AtOnce(motion) => ("at-once", None, Some(motion)),

@@ -12,7 +12,7 @@ pub(super) struct Ground {
     width: f64,
     k: f64,
     mu: f64,
-    /// k and μ per area.
+    /// Spring constant per area of the ground, k divided by `width`.
     #[serde(rename = "C1")]
     area_spring: f64,
     #[serde(rename = "C2")]

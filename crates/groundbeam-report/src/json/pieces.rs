@@ -1,4 +1,4 @@
-//! Writes the pieces of the solution, which the proof reads.
+//! Writes the solution as piecewise polynomials, which the proof reads.
 
 use super::bounds::JudgedCheck;
 use super::{Along, ByName};
@@ -16,7 +16,7 @@ use groundbeam_file::{UnitSystem, write_toml};
 use serde::Serialize;
 use std::collections::BTreeMap;
 
-/// Pieces and point forces of a solution.
+/// Piecewise polynomials and point contact forces of a solution, with its proven statements.
 #[derive(Serialize)]
 pub(super) struct Claimed {
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -29,7 +29,8 @@ pub(super) struct Claimed {
     proof: Option<Proof>,
 }
 
-/// A piece, as polynomials of t = (x − (x₀ + x₁)/2)/half.
+/// Polynomials of the fields between two positions. Their variable is the distance from the middle between the
+/// positions, divided by `half`, which is half the distance between the positions.
 #[derive(Serialize)]
 struct Stretch {
     x: [f64; 2],
@@ -53,7 +54,8 @@ struct Concentrated {
 }
 
 impl Claimed {
-    /// The pieces, and the fields just left of the listed positions where a field jumps.
+    /// Returns the pieces of the solution, and the fields just left of those positions in `positions` where a
+    /// field jumps.
     pub fn of(solution: &Solution, positions: &[f64], context: &Context) -> Self {
         let (_, Answer { pieces, forces, .. }) = solution.claim::<f64>();
         let stretch = |piece: Piece| Stretch {
@@ -77,7 +79,8 @@ impl Claimed {
     }
 }
 
-/// The fields just left of the positions where they differ from those on the right.
+/// Returns the fields just left of the positions where they differ from the fields just right of the
+/// position.
 fn left_of_jumps(solution: &Solution, positions: &[f64]) -> Along<Vec<f64>> {
     let both = positions.iter().map(|&x| (x, [Side::Left, Side::Right].map(|s| solution.at(x, s))));
     let inside = |x: f64| x > 0.0 && x < solution.model().beam.length;
@@ -89,7 +92,8 @@ fn left_of_jumps(solution: &Solution, positions: &[f64]) -> Along<Vec<f64>> {
     Along::fields_at(solution, x, fields)
 }
 
-/// Model file of the solved model: ground as constants, and all loads with their factors.
+/// Writes the solved model as a model file. The ground is written as constants k and μ, and the loads include
+/// all their factors.
 fn model_file(solution: &Solution, units: Units) -> String {
     let mut model = solution.model().clone();
     model.foundation.soil = None;
@@ -100,29 +104,30 @@ fn model_file(solution: &Solution, units: Units) -> String {
 /// The proven statements about the solution.
 #[derive(Serialize)]
 pub(super) struct Proof {
-    /// `proven`, or the first reason why it is not proven.
+    /// `proven`, or the first reason why the solution is not proven.
     statement: String,
     scalar: &'static str,
     #[serde(skip_serializing_if = "Option::is_none")]
     energy: Option<f64>,
-    /// Bounds of each quantity: one for a field, otherwise one for each number in the order of the document;
-    /// `null` if there is none.
+    /// Error bounds by quantity. A field has one bound. Any other quantity has one bound for each of its
+    /// numbers, in the order of the document. A missing bound is written as `null`.
     bounds: BTreeMap<&'static str, Errors>,
-    /// For each extreme, the intervals that contain all exact positions; without such intervals the field is
-    /// left out.
+    /// Intervals that contain all exact positions of the extremes of each field. A field without such
+    /// intervals is omitted.
     #[serde(skip_serializing_if = "ByName::is_empty")]
     places: ByName<Places>,
-    /// Bound of the value of each check, `null` if there is none, and the resulting judgement.
+    /// Design checks, each with the error bound of its value and the resulting judgement. A missing bound is
+    /// written as `null`.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     checks: Vec<JudgedCheck>,
-    /// Reason why a quantity has no bound.
+    /// Reason why a quantity has no error bound, by name of the quantity.
     #[serde(skip_serializing_if = "BTreeMap::is_empty")]
     not_proven: BTreeMap<&'static str, String>,
     exists: bool,
     unique: bool,
 }
 
-/// Bounds of one field, or of several numbers.
+/// Error bound of one field, or error bounds of several numbers.
 #[derive(Serialize)]
 #[serde(untagged)]
 enum Errors {

@@ -15,7 +15,7 @@ struct Document<'a> {
     seconds: Option<f64>,
 }
 
-/// The document of a study: probabilities, means and quantiles.
+/// Returns the document of a study, with probabilities, means and quantiles.
 pub fn study(study: &Study, context: &Context) -> String {
     let units = context.units.name();
     text(&Document { status: "done", units, study, seconds: context.seconds })

@@ -10,8 +10,8 @@ use groundbeam_file::MovingTrain;
 use groundbeam_run::{InPassage, Located, Opened, Overall, Passage, Passages, Uplift};
 use serde::Serialize;
 
-/// The document of passages, with the envelopes at the given sections; `None` selects the default sections.
-/// For a single passage it is the document of that passage.
+/// Returns the document of all passages, with the envelopes at the sections `stations`; `None` selects the
+/// default sections. If there is only one passage, returns the document of this passage.
 pub fn trains(passages: &Passages, stations: Option<&[f64]>, context: &Context) -> String {
     if let [passage] = passages.all[..] {
         let head = Head::new(passage.overall().name(), context);
@@ -122,7 +122,7 @@ struct One<'a> {
     extremes: Option<ByName<Option<Extremes<Located>>>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     uplift: Option<Uplift>,
-    /// The longest and the highest free span; omitted if no position was solved.
+    /// Longest free span and free span with the largest gap; omitted if no position was solved.
     #[serde(skip_serializing_if = "Option::is_none")]
     free_spans: Option<FreeSpans>,
 }
@@ -159,10 +159,10 @@ struct Train<'a> {
     case: Option<&'a str>,
     factor: f64,
     dynamic: f64,
-    /// Placement of the unbounded loads.
+    /// Placement of the loads of infinite length.
     spread: &'static str,
     axles: &'a [Axle],
-    /// An unbounded end is `null`.
+    /// Uniform loads of the train. An end at infinity is written as `null`.
     uniform: &'a [UniformPart],
     range: Stretch,
     /// Number of solved positions.
@@ -184,7 +184,7 @@ impl Stretch {
     }
 }
 
-/// Errors relative to each field's largest value.
+/// Requested and achieved errors of the envelope, relative to the largest value of each field.
 #[derive(Serialize)]
 struct Error {
     stated: f64,
@@ -233,7 +233,7 @@ fn envelope_of_all(passages: &Passages, x: Vec<f64>) -> Along<Lines<f64>> {
     envelope(x, passages.fields(), |x| passages.at(x), true)
 }
 
-/// The envelope; the governing data are positions of the first axle.
+/// Returns the envelope at the positions `x`. The governing data are positions of the first axle.
 fn envelope(
     x: Vec<f64>,
     fields: impl Iterator<Item = Field>,
@@ -260,7 +260,7 @@ fn envelope(
     Along { fields: ByName::of(fields, lines), x }
 }
 
-/// The longest lifted stretch and the one with the largest gap; `null` without lift-off.
+/// Longest free span and free span with the largest gap; `null` without lift-off.
 #[derive(Serialize)]
 struct FreeSpans {
     longest: Option<Span>,

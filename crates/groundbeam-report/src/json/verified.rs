@@ -1,4 +1,4 @@
-//! Writes the proven statements about a result document as a document.
+//! Writes the proven statements about a result document as a JSON document.
 
 use super::text;
 use crate::verified::{ModelOf, Named, Verified};
@@ -6,7 +6,7 @@ use groundbeam::proof::{Bound, PlacedExtreme, Verification};
 use serde::Serialize;
 use std::collections::BTreeMap;
 
-/// The document of `groundbeam verify`.
+/// Returns the document that `groundbeam verify` prints.
 pub fn verified(verified: &Verified) -> String {
     text(&Document {
         status: match (verified.is_proven(), verified.is_of_document()) {
@@ -35,7 +35,7 @@ struct Document<'a> {
     results: Vec<Of<'a>>,
 }
 
-/// Number of combinations of the file, and those that the document does not contain.
+/// Number of combinations in the model file, and names of the combinations that the document omits.
 #[derive(Serialize)]
 struct Missing<'a> {
     all: usize,
@@ -46,7 +46,7 @@ struct Missing<'a> {
 struct Of<'a> {
     combination: Option<&'a str>,
     proven: bool,
-    /// `file` or `document`.
+    /// Origin of the model that the proof uses: `file` or `document`.
     model: &'static str,
     #[serde(skip_serializing_if = "Option::is_none")]
     reason: Option<String>,
@@ -54,10 +54,11 @@ struct Of<'a> {
     energy: Option<f64>,
     #[serde(skip_serializing_if = "BTreeMap::is_empty")]
     bounds: BTreeMap<&'static str, Pair>,
-    /// Bounds of edges, forces and reactions one by one, in the order of the document.
+    /// Error bounds of contact edges, forces and reactions, with one bound for each number in the order of
+    /// the document.
     #[serde(skip_serializing_if = "BTreeMap::is_empty")]
     each: BTreeMap<&'static str, Vec<f64>>,
-    /// For each listed extreme, in the order of the fields, the intervals that contain the exact positions.
+    /// Intervals that contain the exact positions of each listed extreme, in the order of the fields.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     places: Vec<Place<'a>>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -65,14 +66,15 @@ struct Of<'a> {
     not_covered: Vec<&'a str>,
 }
 
-/// An error, `null` if it is infinite, and its scale.
+/// Error bound of a quantity, and the reference value with which the error bound is compared. An infinite error
+/// bound is written as `null`.
 #[derive(Serialize)]
 struct Pair {
     error: f64,
     scale: f64,
 }
 
-/// The proven positions of an extreme; empty if there are none.
+/// Intervals that are proven to contain the positions of an extreme; empty if no interval is proven.
 #[derive(Serialize)]
 struct Place<'a> {
     field: &'a str,

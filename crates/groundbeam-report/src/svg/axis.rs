@@ -2,8 +2,8 @@
 
 use crate::quantity::Unit;
 
-/// Multiples of 1, 2 or 5 times a power of ten in a range, with the largest step that gives at least `least`
-/// of them.
+/// Returns the multiples of a step in a range. The step is 1, 2 or 5 times a power of ten. It is the largest
+/// such step that gives at least `least` multiples.
 pub(super) fn ticks([low, high]: [f64; 2], least: usize) -> Vec<f64> {
     let range = high - low;
     if !(range > 0.0 && range.is_finite()) {
@@ -26,7 +26,7 @@ pub(super) fn ticks([low, high]: [f64; 2], least: usize) -> Vec<f64> {
     within(step).map(|i| i as f64 * step).collect()
 }
 
-/// Ticks of a quantity with a unit: round numbers of this unit.
+/// Returns ticks in a range of a quantity, at round numbers of the unit `unit`.
 pub(super) fn ticks_in(unit: Unit, range: [f64; 2], least: usize) -> Vec<f64> {
     let all = ticks(range.map(|end| end / unit.size), least);
     all.into_iter().map(|tick| tick * unit.size).collect()
@@ -34,8 +34,7 @@ pub(super) fn ticks_in(unit: Unit, range: [f64; 2], least: usize) -> Vec<f64> {
 
 const LEADS: [f64; 3] = [1.0, 2.0, 5.0];
 
-/// The largest of `leads` times a power of ten that is not above a positive value; with `up`, the smallest
-/// that is not below it.
+/// Rounds a positive value down to one of `leads` times a power of ten. If `up` is true, rounds it up.
 pub(super) fn round_down_to(value: f64, leads: &[f64], up: bool) -> f64 {
     let power = value.log10().floor() as i32;
     let size = |lead: f64, power: i32| lead * 10.0_f64.powi(power);

@@ -1,4 +1,4 @@
-//! A drawing: shapes, lines of text, and its vertical extent.
+//! Collects the shapes and the lines of text of a drawing, and writes the drawing as SVG.
 
 use super::paint::{Colour, Fill, Paint, number};
 use crate::font;
@@ -28,7 +28,7 @@ impl Style {
     }
 }
 
-/// Rim and colour of the letters.
+/// Writes the rim and the colour of the letters as SVG attributes.
 impl Display for Style {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         if self.rim {
@@ -48,7 +48,7 @@ pub(crate) struct Text {
     pub words: String,
 }
 
-/// The text for a renderer with fonts.
+/// Writes the text as an SVG text element, for a renderer with fonts.
 impl Display for Text {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         let [x, y] = self.at.map(number);
@@ -73,7 +73,7 @@ enum Shape {
     Arc { ends: [[f64; 2]; 2], radius: f64, clockwise: bool },
 }
 
-/// Name of the element and its coordinates.
+/// Writes the name of the SVG element and its coordinates.
 impl Display for Shape {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         match self {
@@ -109,10 +109,11 @@ impl Display for Shape {
 /// Attributes of a group of elements.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Group {
-    /// Shifted downward.
+    /// The group is shifted downward by this distance.
     Down(f64),
     Ground,
-    /// A moving beam, with the transform that returns it to its straight position.
+    /// A beam that a web page can animate, with the SVG transform of the beam to its unloaded position. `None` for
+    /// a beam with hinges.
     Moves(Option<String>),
 }
 
@@ -138,7 +139,7 @@ enum Element {
 #[derive(Debug, Default)]
 pub(super) struct Canvas {
     elements: Vec<Element>,
-    /// Highest and lowest point of the drawing.
+    /// Coordinates y of the highest and the lowest point of the drawing.
     reach: Option<[f64; 2]>,
 }
 
@@ -147,12 +148,12 @@ impl Canvas {
         Canvas::default()
     }
 
-    /// Highest and lowest point of the drawing.
+    /// Coordinates y of the highest and the lowest point of the drawing.
     pub fn reach(&self) -> [f64; 2] {
         self.reach.unwrap_or([0.0, 0.0])
     }
 
-    /// Includes a height in the extent without drawing.
+    /// Extends the drawing to the coordinate `y` without drawing anything.
     pub fn reserve(&mut self, y: f64) {
         let [top, bottom] = self.reach.unwrap_or([y, y]);
         self.reach = Some([top.min(y), bottom.max(y)]);
@@ -197,7 +198,7 @@ impl Canvas {
         self.elements.push(Element::Shape(shape, paint.into()));
     }
 
-    /// A line of text on the baseline y.
+    /// Adds a line of text; `at` is a point of its baseline.
     pub fn text(&mut self, at: [f64; 2], anchor: Anchor, style: Style, words: &str) {
         if words.is_empty() {
             return;
@@ -224,7 +225,7 @@ impl Canvas {
         self.elements.push(Element::Group(group, other.elements));
     }
 
-    /// The complete picture, from y = 0.
+    /// Returns the complete picture, whose upper edge is at y = 0.
     pub fn finish(self, width: f64, height: f64, title: &str) -> Picture {
         Picture { elements: self.elements, size: [width, height], title: title.to_owned() }
     }
@@ -239,7 +240,7 @@ pub struct Picture {
 }
 
 impl Picture {
-    /// The picture as an SVG file; `text` writes each line of text.
+    /// Returns the picture as an SVG file; the function `text` writes each line of text.
     pub(crate) fn written(&self, text: &dyn Fn(&Text, &mut String)) -> String {
         let [width, height] = self.size.map(number);
         let mut svg = format!(
@@ -264,7 +265,7 @@ impl Display for Picture {
     }
 }
 
-// Writing to a String cannot fail.
+// Writes elements as SVG. Writing to a `String` cannot fail.
 fn write_all(elements: &[Element], text: &dyn Fn(&Text, &mut String), svg: &mut String) {
     for element in elements {
         match element {
@@ -282,7 +283,7 @@ fn write_all(elements: &[Element], text: &dyn Fn(&Text, &mut String), svg: &mut 
     }
 }
 
-/// Escapes text for XML, with true minus signs.
+/// Escapes text for XML.
 fn escaped(words: &str) -> String {
     let mut escaped = String::with_capacity(words.len());
     for c in words.chars() {
@@ -296,7 +297,7 @@ fn escaped(words: &str) -> String {
     escaped
 }
 
-/// Typesets text: a true minus sign before every digit. The hyphen of a unit, as in kip-ft, stays.
+/// Replaces every hyphen before a digit by a true minus sign. Other hyphens, as in the unit kip-ft, remain.
 pub(super) fn printed(words: &str) -> String {
     let mut printed = String::with_capacity(words.len());
     let mut letters = words.chars().peekable();

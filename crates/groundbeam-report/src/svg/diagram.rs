@@ -1,4 +1,4 @@
-//! Draws a field over the beam's length: zero line, curve, labelled extremes.
+//! Draws the diagram of a field along the beam, with its zero line, its curve and its labelled extremes.
 
 use super::axis;
 use super::canvas::{Anchor, Canvas, printed};
@@ -17,7 +17,7 @@ const TOP: f64 = 9.0;
 const HEIGHT: f64 = 136.0;
 /// Height of an empty diagram.
 const EMPTY: f64 = 30.0;
-/// Fraction of the height for the values; the rest is for labels.
+/// Fraction of the diagram's height for the values; the rest of the height is for labels.
 const FILLED: f64 = 0.68;
 /// Length of the longest arrow of a point force.
 const LONGEST_ARROW: f64 = 50.0;
@@ -29,12 +29,12 @@ pub(super) struct Diagram<'a> {
     pub kind: Kind,
     pub units: Units,
     pub colour: Colour,
-    /// Whether positive values point downward.
+    /// Whether positive values are drawn downward.
     pub downward: bool,
     pub values: Vec<(f64, f64)>,
     /// Lower line of an envelope whose upper line is `values`; empty for a single line.
     pub lower: Vec<(f64, f64)>,
-    /// Thin lines: the members of an envelope, or a second line.
+    /// Points of the thin lines, which show the single solutions in an envelope, or a second field.
     pub thin: Vec<Vec<(f64, f64)>>,
     pub extremes: Vec<Extreme>,
     /// Point forces that push the beam up, with their labels.
@@ -172,7 +172,7 @@ impl Diagram<'_> {
         self.thin(canvas, frame, scale);
         let points = on_page(&self.values, frame, scale);
         let zero = scale.y(0.0);
-        // The endpoints close the area and show the jump to the zero line.
+        // Vertical lines at the ends of the beam connect the curve with the zero line.
         let mut closed = vec![[frame.x(0.0), zero]];
         closed.extend(points);
         closed.push([frame.x(frame.length), zero]);
@@ -182,7 +182,7 @@ impl Diagram<'_> {
         labels.avoid_line(&closed);
     }
 
-    /// The area between the two lines of an envelope, and its members.
+    /// Draws the area between the two lines of an envelope, and the thin lines of its solutions.
     fn band(&self, canvas: &mut Canvas, frame: &Frame, scale: &Scale, labels: &mut Labels) {
         let [upper, lower] =
             [&self.values, &self.lower].map(|line| simplified(&on_page(line, frame, scale)));
@@ -204,7 +204,7 @@ impl Diagram<'_> {
         }
     }
 
-    /// Arrows of forces that point up to the zero line.
+    /// Draws the arrows of point forces, which point up to the zero line.
     fn arrows(&self, canvas: &mut Canvas, frame: &Frame, scale: &Scale, labels: &mut Labels) {
         let largest = self.forces.iter().fold(0.0_f64, |most, force| most.max(force.1.abs()));
         let zero = scale.y(0.0);
@@ -275,7 +275,7 @@ impl Scale {
     }
 }
 
-/// A straight arrow, up or down, with its head at the second point.
+/// Draws a straight arrow, up or down, with its head at the second point.
 pub(super) fn arrow(
     canvas: &mut Canvas,
     [x, from]: [f64; 2],

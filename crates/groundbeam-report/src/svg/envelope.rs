@@ -15,10 +15,10 @@ use groundbeam::{
 };
 use groundbeam_run::Answers;
 
-/// Number of equal steps along the beam, finer than the pixels of a screen.
+/// Number of equal steps along the beam. A step is smaller than a pixel of a screen.
 const EVEN_STEPS: usize = 1200;
 
-/// Envelopes of all solved combinations; each combination is a thin line.
+/// Draws the envelopes of all solved combinations, with each combination as a thin line.
 pub fn combinations(answers: &Answers, context: &Context) -> Picture {
     let solutions: Vec<&Solution> = answers.solved().map(|(_, solution)| solution).collect();
     let title = context.clean_title();
@@ -61,7 +61,7 @@ pub(super) fn diagrams(envelope: &Envelope, units: Units) -> [Diagram<'static>; 
     })
 }
 
-/// Lines of the smallest and largest values of all fields, with both sides of every jump.
+/// Returns the lines of the smallest and of the largest values of all fields, with both sides of every jump.
 fn lines(envelope: &Envelope, stations: &[f64]) -> ByField<[Vec<(f64, f64)>; 2]> {
     let mut lines = Field::ALL.map(|_| [Vec::new(), Vec::new()]);
     for &x in stations {

@@ -1,5 +1,4 @@
-//! Draws the figures of calculation reports: one drawing or diagram each, so that a page can break between
-//! them.
+//! Draws the figures of calculation reports. Each figure is one drawing or diagram, so that pages can break between figures.
 
 use super::canvas::Canvas;
 pub(crate) use super::diagram::OF_ENVELOPES;
@@ -13,14 +12,15 @@ use crate::quantity::Units;
 use groundbeam::{Field, Model, Solution, existence::RigidMotion};
 use groundbeam_run::{Answers, Passages};
 
-/// Draws the model. If it has no equilibrium, `motion` is the rigid motion that proves this, and is drawn too.
+/// Draws the model. `motion` is the rigid motion that proves that the model has no equilibrium; it is drawn
+/// as well.
 pub(crate) fn model(model: &Model, motion: Option<RigidMotion>, context: &Context) -> String {
     let frame = Frame::narrow(model).with_depths(context.depths);
     let drawing = sketch::draw(model, motion, context.units, &frame, &Metrics::new());
     alone(drawing, &frame, None, "The model")
 }
 
-/// The deflected beam on the ground.
+/// Draws the deflected beam on the ground.
 pub(crate) fn bent(solution: &Solution, context: &Context) -> String {
     let frame = Frame::narrow(solution.model()).with_depths(context.depths);
     let (units, metrics) = (context.units, Metrics::new());
@@ -28,7 +28,8 @@ pub(crate) fn bent(solution: &Solution, context: &Context) -> String {
     alone(drawing, &frame, Some(units), "Beam and ground")
 }
 
-/// Deflection and ground, gap, pressure with end forces, moment and shear of a solution.
+/// Draws the deflection with the ground's surface, the gap, the contact pressure with the end forces, the
+/// bending moment and the shear force of a solution.
 pub(crate) fn fields(solution: &Solution, units: Units) -> Vec<String> {
     let (samples, edges) = (Samples::of(solution), edges(solution));
     let of = |field: Field| {
@@ -49,13 +50,13 @@ pub(crate) fn fields(solution: &Solution, units: Units) -> Vec<String> {
     drawn(all, solution.model(), units)
 }
 
-/// Envelopes of combinations; empty if nothing was solved.
+/// Draws the envelopes of combinations; empty if no combination is solved.
 pub(crate) fn combinations(all: &Answers, units: Units) -> Vec<String> {
     let Some((_, first)) = all.solved().next() else { return Vec::new() };
     drawn(envelope::diagrams(&all.envelope(), units).into_iter(), first.model(), units)
 }
 
-/// Envelopes of passages; empty if nothing was solved.
+/// Draws the envelopes of passages; empty if no position of a train is solved.
 pub(crate) fn trains(passages: &Passages, units: Units) -> Vec<String> {
     let first = passages.all.iter().find_map(|passage| Some((passage, passage.solved().next()?)));
     let Some((passage, (_, solution))) = first else { return Vec::new() };
@@ -71,7 +72,7 @@ fn drawn<'a>(all: impl Iterator<Item = Diagram<'a>>, model: &Model, units: Units
     all.map(figure).collect()
 }
 
-/// One panel as a separate file, with an axis of positions if requested.
+/// Returns one panel as a separate SVG file, with an axis of positions if `axis` is given.
 fn alone(panel: Canvas, frame: &Frame, axis: Option<Units>, title: &str) -> String {
     const EDGE: f64 = 4.0;
     let [top, bottom] = panel.reach();

@@ -1,5 +1,4 @@
-//! The horizontal scale, the same for all panels: positions along the beam to page coordinates. Also the relative
-//! depth in which the beam is drawn.
+//! Converts positions along the beam to page coordinates, with one scale for all panels. Computes the beam's drawn depth.
 
 use super::ground::farthest;
 use groundbeam::{Model, solution::Side};
@@ -7,7 +6,7 @@ use groundbeam_file::Depth;
 
 /// Width of a picture.
 pub(super) const WIDTH: f64 = 960.0;
-/// Width of a figure on paper, where the same text appears larger.
+/// Width of a figure on paper. It is smaller than [`WIDTH`], so that the text appears larger.
 const NARROW: f64 = 720.0;
 /// Width of the left margin, which contains the numbers of the axes.
 pub(super) const LEFT: f64 = 86.0;
@@ -16,32 +15,35 @@ const BESIDE: f64 = 24.0;
 
 /// Ratio of the drawn margin to the distance of the farthest object outside the beam.
 pub(super) const ROOM: f64 = 1.15;
-/// Widths of the drawn ground outside the beam, relative to its length, if there are objects.
+/// Possible widths of the ground drawn beyond each end of the beam, relative to the beam length, if objects
+/// lie outside the beam.
 const STEPS: [f64; 2] = [0.3, 0.6];
 
-/// The largest and the least drawn depth of a beam whose depth varies, relative to that of a uniform beam.
+/// Largest and smallest drawn depth of a beam with varying depth, relative to the drawn depth of a uniform
+/// beam.
 const DEEPEST: f64 = 1.5;
 const SLIMMEST: f64 = 0.3;
-/// Steps between the ends of a stretch on which the depth varies.
+/// Number of steps between the ends of a stretch on which the beam's depth varies.
 const STEPS_OF_DEPTH: u32 = 16;
 
-/// Scale of x.
+/// Horizontal scale of a picture, and relative depths of the drawn beam.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Frame<'a> {
     /// The beam's length.
     pub length: f64,
-    /// Length of ground shown beyond each end.
+    /// Length of the ground drawn beyond each end of the beam.
     pub margin: f64,
     /// The width of the page.
     pub width: f64,
-    /// Depths of the beam's section, if they vary.
+    /// Depths of the beam's cross-section; empty if the depth does not vary.
     depths: &'a [Depth],
-    /// The largest of them.
+    /// Largest depth of the beam's cross-section.
     largest: f64,
 }
 
 impl<'a> Frame<'a> {
-    /// Shows the ground beyond the ends until its surface is almost level, within limits.
+    /// Returns a frame that shows the ground beyond each end of the beam until its surface is almost level, over at
+    /// least 5 % and at most 15 % of the beam length. Objects outside the beam can increase this width to 60 %.
     pub fn of(model: &Model) -> Self {
         let length = model.beam.length;
         let reach = [0.0, length * (1.0 - f64::EPSILON)].map(|x| {
@@ -67,7 +69,7 @@ impl<'a> Frame<'a> {
         Frame { width, ..self }
     }
 
-    /// The frame of a beam with these depths of its section.
+    /// Returns the frame with the depths of the beam's cross-section.
     pub fn with_depths(self, depths: &'a [Depth]) -> Self {
         let largest = depths.iter().map(|stretch| stretch.depth.largest()).fold(0.0, f64::max);
         let first = depths.first().map(|stretch| stretch.depth);
@@ -81,7 +83,7 @@ impl<'a> Frame<'a> {
         !self.depths.is_empty()
     }
 
-    /// Drawn depth of the beam beside a position, relative to that of a uniform beam.
+    /// Drawn depth of the beam on one side of a position, relative to the drawn depth of a uniform beam.
     pub fn depth(&self, x: f64, side: Side) -> f64 {
         let beside = |stretch: &&Depth| match side {
             Side::Left => stretch.from < x && x <= stretch.to,
@@ -94,7 +96,8 @@ impl<'a> Frame<'a> {
         })
     }
 
-    /// The upper side of the beam from left to right: positions, among them the given ones, and relative depths.
+    /// Returns the upper side of the beam from left to right, as positions and relative depths. The positions
+    /// include `nodes`.
     pub fn upper_side(&self, nodes: &[f64]) -> Vec<(f64, f64)> {
         let mut places = nodes.to_vec();
         for &Depth { from, to, depth } in self.depths {
@@ -115,7 +118,8 @@ impl<'a> Frame<'a> {
         self.width - BESIDE
     }
 
-    /// End of the axis name; on a narrow page it is beside the last number.
+    /// Page coordinate of the right end of the axis name. On a narrow page the name extends into the margin,
+    /// beside the last number.
     pub fn end_of_axis(&self) -> f64 {
         if self.width < WIDTH { self.width - 4.0 } else { self.right() }
     }
@@ -141,7 +145,7 @@ mod tests {
         Frame::of(&model).with_depths(depths)
     }
 
-    /// A beam of 1.2 m that steps to 0.9 m and narrows to 0.6 m.
+    /// The depth of the beam is 1.2 m on the left half. On the right half it decreases from 0.9 m to 0.6 m.
     #[test]
     fn a_beam_of_varying_depth_is_drawn_with_its_depth() {
         let stretch = |from, to, depth| Depth { from, to, depth };

@@ -13,14 +13,15 @@ use groundbeam::{
     model::{Extent, FoundationSegment, GroundEnd, Profile},
 };
 
-/// Height of the largest point force on the ground.
+/// Drawn height of the largest point force on the ground.
 const FORCE: f64 = 34.0;
-/// Height of the largest distributed load.
+/// Drawn height of the largest distributed load on the ground.
 const SPREAD: f64 = 18.0;
-/// Height of a wall above the ground.
+/// Drawn height of a wall above the ground.
 const WALL: f64 = 30.0;
 
-/// Width of the drawn ground beyond each end; shorter if the ground ends.
+/// Widths of the drawn ground beyond the left and the right end of the beam. A width is smaller if the ground
+/// ends within the picture.
 pub(super) fn margins(model: &Model, frame: &Frame) -> [f64; 2] {
     [false, true].map(|right| {
         let end = model.foundation.ends[usize::from(right)].at();
@@ -29,10 +30,10 @@ pub(super) fn margins(model: &Model, frame: &Frame) -> [f64; 2] {
     })
 }
 
-/// The ground below a surface, with its ends. Outside the beam, ground that is stiffer than under the beam's
-/// end is darker, softer ground is paler.
+/// Draws the ground below a surface, with the ends of the ground. Outside the beam, ground that is stiffer
+/// than under the beam's end is darker, and softer ground is paler.
 ///
-/// `line` is the surface on the page, from left to right.
+/// `line` is the ground's surface on the page, from left to right.
 pub(super) fn draw(
     canvas: &mut Canvas,
     model: &Model,
@@ -60,7 +61,7 @@ pub(super) fn draw(
     canvas.polyline(line, false, Fill::NONE.and(edge));
     let corners = [line.first(), line.last()];
     for (corner, end) in corners.into_iter().zip(model.foundation.ends) {
-        // An end beyond the picture is not drawn.
+        // An end of the ground outside the picture is not drawn.
         let is_here = |corner: &[f64; 2]| {
             end.at().is_some_and(|at| (frame.x(at) - corner[0]).abs() < 1e-6 * frame.width)
         };
@@ -75,7 +76,8 @@ pub(super) fn draw(
     }
 }
 
-/// Whether a segment is stiffer than the ground under an end of the beam; `None` if equal.
+/// Whether a segment is stiffer than the ground under an end of the beam; `None` if the stiffnesses are
+/// equal.
 fn is_stiffer(segment: &FoundationSegment, model: &Model, right: bool) -> Option<bool> {
     let middle = |profile: &Profile| 0.5 * (profile.start() + profile.end());
     let end = if right { model.beam.length * (1.0 - f64::EPSILON) } else { 0.0 };
@@ -85,7 +87,7 @@ fn is_stiffer(segment: &FoundationSegment, model: &Model, right: bool) -> Option
     apart.map(|(own, end)| own > end)
 }
 
-/// Writes the constants of segments outside the beam into them if there is room.
+/// Writes the constants k and μ of segments outside the beam into the drawn segments, if there is room.
 pub(super) fn constants(
     canvas: &mut Canvas,
     model: &Model,
@@ -119,7 +121,7 @@ pub(super) fn constants(
     }
 }
 
-/// A line, closed along the bottom of the ground.
+/// Returns the outline of the area between a line and the bottom of the ground.
 fn below(line: &[[f64; 2]], bottom: f64) -> Vec<[f64; 2]> {
     let ends = [line.first(), line.last()].map(|point| point.map_or(0.0, |p| p[0]));
     let mut area = vec![[ends[0], bottom]];
@@ -142,7 +144,7 @@ fn between(line: &[[f64; 2]], from: f64, to: f64) -> Vec<[f64; 2]> {
     part
 }
 
-/// The height of a line at a page coordinate.
+/// Interpolates the vertical page coordinate of a line at a horizontal page coordinate.
 pub(super) fn height(line: &[[f64; 2]], x: f64) -> f64 {
     let ends = [line.first(), line.last()].map(|point| point.map_or(0.0, |p| p[1]));
     let next = line.partition_point(|point| point[0] < x);
@@ -155,13 +157,15 @@ pub(super) fn height(line: &[[f64; 2]], x: f64) -> f64 {
 
 /// The label of a load.
 struct Word {
-    /// Position on the page; for a load outside the picture, its position in the model.
+    /// Position of the label on the page. If the load is outside the picture, it is the position of the load
+    /// in the model.
     at: [f64; 2],
     words: String,
     is_here: bool,
 }
 
-/// Draws loads on the ground: downward to the surface outside the beam, and below the surface under the beam.
+/// Draws loads on the ground. Outside the beam, arrows point down to the ground's surface. Under the beam,
+/// they start at this surface and point down.
 pub(super) struct GroundLoads<'a> {
     pub units: Units,
     pub frame: &'a Frame<'a>,
@@ -189,7 +193,7 @@ impl GroundLoads<'_> {
                 _ => continue,
             });
         }
-        // All arrows are drawn before labels are placed.
+        // All arrows are drawn before the first label is placed, so that labels avoid all arrows.
         for Word { at, words, is_here } in words {
             match is_here {
                 true => self.beside(canvas, at, &words, labels),
@@ -198,7 +202,7 @@ impl GroundLoads<'_> {
         }
     }
 
-    /// Left and right end of the picture.
+    /// Page coordinates of the left and the right end of the drawn ground.
     fn ends(&self) -> [f64; 2] {
         [self.line.first(), self.line.last()].map(|point| point.map_or(0.0, |p| p[0]))
     }
@@ -234,7 +238,7 @@ impl GroundLoads<'_> {
         Word { at: [x, end], words, is_here: true }
     }
 
-    /// A distributed load, divided at the ends of the beam.
+    /// Draws a distributed load, divided at the ends of the beam, and returns its label.
     fn area(
         &self,
         canvas: &mut Canvas,
@@ -320,7 +324,8 @@ impl GroundLoads<'_> {
     }
 }
 
-/// Largest distance from the beam's ends of an object on the ground that a picture should show \[m\].
+/// Largest distance \[m\] between the beam and an object on the ground outside the beam. Objects that
+/// are farther away than `within` are ignored.
 pub(super) fn farthest(model: &Model, within: f64) -> f64 {
     let l = model.beam.length;
     let away = |x: f64| (-x).max(x - l);

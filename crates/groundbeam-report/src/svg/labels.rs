@@ -13,7 +13,7 @@ pub(super) struct Rect {
 }
 
 impl Rect {
-    /// The rectangle around two corners, in any order, with a margin.
+    /// Returns the rectangle with two given opposite corners, enlarged by `margin` on all sides.
     pub fn around([x1, y1]: [f64; 2], [x2, y2]: [f64; 2], margin: f64) -> Self {
         Rect {
             left: x1.min(x2) - margin,
@@ -71,12 +71,12 @@ pub(super) struct Labels<'m> {
     left_out: usize,
 }
 
-/// Objects on the page, sorted into vertical strips. The search time is proportional to the number of
-/// objects, even for thousands of loads.
+/// Objects on the page, sorted into vertical strips. A search visits only the objects of a few strips, so
+/// labels are placed fast even for thousands of loads.
 struct Columns<T> {
     left: f64,
     width: f64,
-    /// Each object with its first strip.
+    /// Objects that overlap each strip, each with the index of the leftmost strip that it overlaps.
     strips: Vec<Vec<(usize, T)>>,
 }
 
@@ -88,7 +88,7 @@ impl<T: Copy> Columns<T> {
         Columns { left: page.left, width, strips: vec![Vec::new(); Self::COUNT] }
     }
 
-    /// The strips between two positions. The outermost strips extend beyond the page.
+    /// Indices of the strips between two positions. The outermost strips extend beyond the page.
     fn between(&self, left: f64, right: f64) -> RangeInclusive<usize> {
         let strip = |x: f64| (((x - self.left) / self.width) as usize).min(Self::COUNT - 1);
         strip(left)..=strip(right)
@@ -100,7 +100,7 @@ impl<T: Copy> Columns<T> {
         self.strips[strips].iter_mut().for_each(|strip| strip.push((first, thing)));
     }
 
-    /// All objects that may lie between two positions, each once.
+    /// Returns all objects that may lie between two positions. Each object is returned once.
     fn near(&self, left: f64, right: f64) -> impl Iterator<Item = &T> {
         let strips = self.between(left, right);
         let start = *strips.start();
@@ -125,7 +125,7 @@ impl<'m> Labels<'m> {
         self.solid.add(solid.left, solid.right, solid);
     }
 
-    /// Makes labels prefer positions off this line.
+    /// Makes labels avoid this line if another position is free.
     pub fn avoid_line(&mut self, points: &[[f64; 2]]) {
         for pair in points.windows(2) {
             let [a, b] = [pair[0], pair[1]];
@@ -138,12 +138,13 @@ impl<'m> Labels<'m> {
         self.left_out
     }
 
-    /// The nearest free position around a point; `None` if labels would overlap.
+    /// Reserves and returns the best free position for a label around a point; `None` if no position is free.
     pub fn around(&mut self, at: [f64; 2], words: &str, size: f64) -> Option<Place> {
         self.near(at, words, size, true)
     }
 
-    /// The nearest free position that is not above the point.
+    /// Reserves and returns the best free position for a label below or beside a point; `None` if no position is
+    /// free.
     pub fn below(&mut self, at: [f64; 2], words: &str, size: f64) -> Option<Place> {
         self.near(at, words, size, false)
     }
@@ -165,7 +166,7 @@ impl<'m> Labels<'m> {
         self.best(&candidates, width, size)
     }
 
-    /// The best free position of several candidates.
+    /// Reserves and returns the best free position among several candidates; `None` if no candidate is free.
     pub fn at(&mut self, candidates: &[Place], words: &str, size: f64) -> Option<Place> {
         let width = self.metrics.width(words, size);
         self.best(candidates, width, size)
@@ -192,7 +193,8 @@ impl<'m> Labels<'m> {
             is_inside
                 && !self.solid.near(label.left, label.right).any(|solid| label.overlaps(solid))
         };
-        // The cost of a crossed line equals that of eight later candidates.
+        // The cost of a candidate is its index in the list, plus 8 for each crossed line. At most four crossed
+        // lines are counted.
         let cost = |(i, place): &(usize, &Place)| {
             let label = around(place);
             let lines = self.lines.near(label.left, label.right);

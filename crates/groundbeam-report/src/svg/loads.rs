@@ -1,4 +1,4 @@
-//! Draws loads with their sizes: arrows, areas of arrows, rotation arrows and curved lines.
+//! Draws the loads on the beam as arrows, rows of arrows, rotation arrows and curved lines, with labels.
 
 use super::canvas::{Anchor, Canvas, Style, printed};
 use super::diagram::arrow;
@@ -13,11 +13,11 @@ use groundbeam::{
     model::{Action, Extent},
 };
 
-/// Height of an area of arrows.
+/// Height of a lane: a horizontal strip above the beam for distributed loads.
 const LANE: f64 = 22.0;
-/// Height reserved above the area for its label.
+/// Height reserved above a lane for the labels of its loads.
 const LANE_LABEL: f64 = 18.0;
-/// Maximum number of lanes; further loads share the last lane.
+/// Maximum number of lanes for distributed loads; further loads share the last lane.
 const MOST_LANES: usize = 3;
 /// Radius of a rotation arrow.
 const RADIUS: f64 = 14.0;
@@ -26,7 +26,7 @@ const RADIUS: f64 = 14.0;
 pub(super) struct Loads<'a> {
     pub units: Units,
     pub frame: &'a Frame<'a>,
-    /// Height of the beam's upper side on the page, by position.
+    /// Function that returns the height of the beam's upper side on the page at a position along the beam.
     pub top: &'a dyn Fn(f64) -> f64,
 }
 
@@ -42,7 +42,7 @@ impl Loads<'_> {
         let mut wanted = Vec::new();
         let lanes = self.spread(canvas, loads, labels, &mut wanted);
         self.points(canvas, loads, labels, lanes, &mut wanted);
-        // The largest loads get the best positions.
+        // The labels of the largest loads are placed first, in the best positions.
         wanted.sort_by(|a, b| b.weight.total_cmp(&a.weight));
         for Wanted { words, places, .. } in wanted {
             let style = Style { colour: Colour::Load, ..LABEL };
@@ -52,7 +52,7 @@ impl Loads<'_> {
         }
     }
 
-    /// Draws loads over stretches, in separate lanes if they overlap. Returns the number of lanes.
+    /// Draws distributed loads, in separate lanes if they overlap. Returns the number of lanes.
     fn spread(
         &self,
         canvas: &mut Canvas,
@@ -90,7 +90,8 @@ impl Loads<'_> {
                 }
                 Action::Moment => {
                     self.turning_row(canvas, [from, to], sizes, base);
-                    // A moment per length has the unit of a force, which could be misread.
+                    // A moment per length has the unit of a force. The text `m/m` shows that the load is a
+                    // moment.
                     let per = if is_moment_per_length(load, self.units) { " m/m" } else { "" };
                     ([0.5; 2], words + per)
                 }
@@ -104,7 +105,7 @@ impl Loads<'_> {
         ends.len()
     }
 
-    /// A force over a stretch: its outline, with arrows inside.
+    /// Draws a distributed force as an outline with arrows inside.
     fn area(&self, canvas: &mut Canvas, [from, to]: [f64; 2], share: [f64; 2], base: f64) {
         let height = |t: f64| LANE * (share[0] + (share[1] - share[0]) * t);
         let width = self.frame.x(to) - self.frame.x(from);
@@ -132,7 +133,7 @@ impl Loads<'_> {
         }
     }
 
-    /// An imposed curvature: the deflected shape that it gives to a straight line between two pins.
+    /// Draws an imposed curvature as the deflected shape of a straight line between two pins.
     fn bent_line(&self, canvas: &mut Canvas, [from, to]: [f64; 2], ends: [f64; 2], base: f64) {
         let [a, b] = [ends[0], ends[1] - ends[0]];
         let bend = |t: f64| 0.5 * a * t * (t - 1.0) + b / 6.0 * t * (t * t - 1.0);
@@ -176,7 +177,8 @@ impl Loads<'_> {
         let mut places = Vec::new();
         for rise in [5.0, 18.0, 31.0, 44.0] {
             for step in 0..40 {
-                // Candidates from the middle outward, alternately to the left and to the right.
+                // The first position of the label is above the middle of the load. Further positions lie
+                // alternately to the left and to the right.
                 let side = if step % 2 == 0 { 0.5 } else { -0.5 };
                 let t = 0.5 + side * f64::from(step) / 41.0;
                 let x = from + (to - from) * t;
@@ -185,11 +187,12 @@ impl Loads<'_> {
                 places.push(Place { x: left, baseline: top - rise });
             }
         }
-        // Candidates beside the ends of the load, if arrows leave no room above it.
+        // The last positions of the label lie beside the ends of the load, in case arrows occupy the space
+        // above the load.
         let level = |x: f64| (self.top)(x) - base - 4.0;
         places.push(Place { x: self.frame.x(to) + 6.0, baseline: level(to) });
         places.push(Place { x: self.frame.x(from) - 6.0 - width, baseline: level(from) });
-        // The area is divided into slices, so that labels of point loads also avoid a sloping area.
+        // No label may cover the drawn load. Narrow rectangles approximate its sloping upper edge.
         let slices = ((self.frame.x(to) - self.frame.x(from)) / 6.0).clamp(1.0, 200.0) as u32;
         for i in 0..slices {
             let [a, b] = [i, i + 1].map(|i| f64::from(i) / f64::from(slices));
@@ -201,7 +204,7 @@ impl Loads<'_> {
         Wanted { words, places, weight: f64::INFINITY }
     }
 
-    /// Point forces and moments, above all lanes.
+    /// Draws point forces and moments. The arrows of point forces extend above all distributed loads.
     fn points(
         &self,
         canvas: &mut Canvas,
@@ -242,7 +245,7 @@ impl Loads<'_> {
         }
     }
 
-    /// A label above a point, to its side, or higher up.
+    /// Returns a label with candidate positions above a point, beside the point, and below the beam.
     fn beside(&self, [x, y]: [f64; 2], words: String, weight: f64, labels: &Labels) -> Wanted {
         let width = labels.width(&words, LABEL.size);
         let mut places = vec![Place { x: x - 0.5 * width, baseline: y - 8.0 }];
@@ -253,10 +256,10 @@ impl Loads<'_> {
         for rise in [21.0, 34.0, 47.0] {
             places.push(Place { x: x - 0.5 * width, baseline: y - rise });
         }
-        // The arrow of a moment is wider than that of a force.
+        // The arrow of a moment is wider than that of a force, so its label needs a larger distance.
         places.push(Place { x: x + RADIUS + 8.0, baseline: y + 8.0 });
         places.push(Place { x: x - RADIUS - 8.0 - width, baseline: y + 8.0 });
-        // Below the beam, as the last candidate.
+        // The last positions of the label lie below the beam.
         for drop in [44.0, 58.0] {
             places.push(Place { x: x - 0.5 * width, baseline: y + drop });
         }
@@ -264,10 +267,12 @@ impl Loads<'_> {
     }
 }
 
-/// An arc over the beam; with `clockwise` it turns the right side down.
+/// Draws the rotation arrow of a moment as an arc. If `clockwise` is true, the moment turns the right side of
+/// the beam down.
 fn turning_arrow(canvas: &mut Canvas, [x, y]: [f64; 2], radius: f64, clockwise: bool) {
     let side = if clockwise { 1.0 } else { -1.0 };
-    // From 20° below the horizontal on one side, over the top, to 20° above it on the other.
+    // The arc starts 20° below the horizontal on one side of its centre. It ends 22° above the horizontal on
+    // the opposite side.
     let point = |degrees: f64, radius: f64| {
         let angle = degrees.to_radians();
         [x + side * radius * angle.cos(), y - radius * angle.sin()]

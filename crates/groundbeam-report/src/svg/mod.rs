@@ -1,7 +1,7 @@
 //! Draws the picture of a solution: the deflected beam on the ground, pressure, moment and shear force.
 //!
-//! Equal solutions give equal bytes. The picture has a white background and needs no style sheet and no
-//! script. It uses the font Inter, with which its labels were measured; a [PNG](Picture::png) contains their
+//! Equal solutions give identical files. The picture has a white background and needs no style sheet and no
+//! script. The widths of the labels are those of the font Inter. A [PNG](Picture::png) contains the labels as
 //! outlines.
 
 mod axis;
@@ -51,7 +51,7 @@ pub use view::{Grip, Handle, View, view};
 /// Maximum number of contact edges that diagrams mark.
 const MOST_EDGES: usize = 40;
 
-/// The picture of one solution.
+/// Draws the picture of one solution.
 pub fn picture(solution: &Solution, context: &Context) -> Picture {
     let metrics = Metrics::new();
     let frame = Frame::of(solution.model()).with_depths(context.depths);
@@ -69,7 +69,8 @@ pub fn picture(solution: &Solution, context: &Context) -> Picture {
     page.finish(WIDTH, height, title.as_deref().unwrap_or("A beam on its ground"))
 }
 
-/// Stacks diagrams below y, with the axis of x under the last one. Returns the height of the page.
+/// Stacks the diagrams below the coordinate `y`, and draws the horizontal axis under the last diagram. Returns
+/// the height of the page.
 fn with_diagrams<'a>(
     page: &mut Canvas,
     diagrams: impl IntoIterator<Item = Diagram<'a>>,
@@ -86,14 +87,15 @@ fn with_diagrams<'a>(
 /// Vertical distance between two panels.
 const PANEL_SPACE: f64 = 22.0;
 
-/// Places a panel below y and returns the position of the next one.
+/// Places a panel below the coordinate `y`. Returns the coordinate of the next panel.
 fn stacked(page: &mut Canvas, panel: Canvas, y: f64) -> f64 {
     let [top, bottom] = panel.reach();
     page.place(panel, y - top);
     y - top + bottom + PANEL_SPACE
 }
 
-/// Title, and the main parameters of the problem.
+/// Writes the title and the notes at the top of the page. Returns the vertical coordinate at which the first
+/// panel begins.
 fn header(page: &mut Canvas, title: Option<&str>, notes: &[&str]) -> f64 {
     let mut y = 16.0;
     if let Some(title) = title {
@@ -108,7 +110,7 @@ fn header(page: &mut Canvas, title: Option<&str>, notes: &[&str]) -> f64 {
     y + 16.0
 }
 
-/// `l = 12 m · EI = … · k = … · μ = … · βl = …`
+/// Line with the main parameters of the problem, such as `l = 12 m · EI = … · k = … · μ = … · βl = …`.
 fn numbers(solution: &Solution, units: Units) -> String {
     let model = solution.model();
     let found = Characteristics::of(model, solution.existence());
@@ -169,7 +171,7 @@ fn diagrams<'a>(
     [pressure, diagram(Field::Moment), diagram(Field::ShearForce)]
 }
 
-/// Point contact forces with their labels.
+/// Positions, values and labels of the point contact forces.
 fn concentrated(solution: &Solution, units: Units, samples: &Samples) -> Vec<(f64, f64, String)> {
     let ends = solution.end_forces();
     let l = solution.model().beam.length;
@@ -194,7 +196,7 @@ fn axis_of_x(page: &mut Canvas, frame: &Frame, units: Units, y: f64) {
     page.text([frame.end_of_axis(), y + 18.0], Anchor::End, TICK, &words);
 }
 
-/// Lines of text with all anchors, weights and kinds of characters on a tinted background.
+/// Draws lines of text with all anchors, weights and kinds of characters on a tinted background.
 #[cfg(test)]
 pub(crate) fn test_card() -> Picture {
     use canvas::Style;

@@ -1,15 +1,15 @@
-//! SVG notation of numbers, colours, fills and strokes, and the colours of a dark page.
+//! Writes numbers, colours, fills and strokes as SVG attributes, and the colours of a dark page as a style sheet.
 
 use std::fmt::{self, Display, Formatter};
 
-/// A number as written in the pictures, rounded to hundredths of a unit.
+/// Writes a number for a picture, rounded to hundredths of a unit.
 pub(super) fn number(value: f64) -> String {
     let text = format!("{value:.2}");
     let text = text.trim_end_matches('0').trim_end_matches('.');
     if text == "-0" { "0".to_owned() } else { text.to_owned() }
 }
 
-/// The value that [`number`] writes.
+/// The value rounded to hundredths, as [`number`] writes it.
 #[cfg(feature = "png")]
 pub(crate) fn rounded(value: f64) -> f64 {
     number(value).parse().unwrap_or(value)
@@ -23,7 +23,7 @@ pub(super) enum Colour {
     Ink,
     FaintInk,
     Rule,
-    /// Lines behind a diagram.
+    /// Colour of the lines behind a diagram.
     FaintRule,
     Beam,
     Ground,
@@ -33,7 +33,7 @@ pub(super) enum Colour {
     Pressure,
     Moment,
     Shear,
-    /// Point forces beside the pressure.
+    /// Colour of the point contact forces in the diagram of the pressure.
     Force,
 }
 
@@ -61,8 +61,8 @@ impl Display for Colour {
     }
 }
 
-/// Style sheet that gives pictures inside an element the colours of a dark page. `within` selects the
-/// element.
+/// Style sheet that gives the pictures inside an element the colours of a dark page. `within` is the CSS
+/// selector of this element.
 pub fn dark_style(within: &str) -> String {
     let rule = |(_, light, dark): &(Colour, &str, &str)| {
         ["fill", "stroke"]
@@ -110,7 +110,7 @@ pub(super) struct Stroke {
     /// Lengths of a dash and of the space after it.
     dashes: Option<[f64; 2]>,
     opacity: f64,
-    /// Whether the attribute for butt line ends is written. Butt ends are also SVG's default.
+    /// Whether the line states explicitly that its ends are butt ends, which are the default of SVG.
     is_cut: bool,
 }
 
@@ -161,7 +161,7 @@ fn write_opacity(f: &mut Formatter<'_>, name: &str, value: f64) -> fmt::Result {
     if value == 1.0 { Ok(()) } else { write!(f, " {name}=\"{value}\"") }
 }
 
-/// Fill and outline of a shape. The default of SVG applies if one is omitted.
+/// Fill and outline of a shape. If the fill or the outline is `None`, the default of SVG applies.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Paint {
     fill: Option<Fill>,

@@ -4,15 +4,15 @@ use crate::curve::Jumps;
 use crate::size::Sizes;
 use groundbeam::{Field, Solution, solution::Fields};
 
-/// Number of equal steps along the beam, finer than the pixels of a screen.
+/// Number of equal steps along the beam. A step is shorter than a pixel of a screen.
 const EVEN_STEPS: usize = 1200;
 /// Maximum number of points that are simplified together, because the time may grow with the square of this
 /// number.
 const TOGETHER: usize = 4096;
-/// A point closer than this to the line between its neighbours is removed, in page units.
+/// Maximum distance of a removed point from the simplified line, in page units.
 const FLAT: f64 = 0.04;
 
-/// Positions and values, with two entries where a field jumps.
+/// Values of all fields at positions along the beam. A position at which a field jumps has two entries.
 pub(super) struct Samples {
     rows: Vec<(f64, Fields)>,
     pub sizes: Sizes,
@@ -30,13 +30,13 @@ impl Samples {
         Samples { rows, sizes: Sizes::of(solution) }
     }
 
-    /// One field, with rounding errors set to zero.
+    /// Positions and values of one field, with rounding errors set to zero.
     pub fn field(&self, field: Field) -> Vec<(f64, f64)> {
         let value = |fields: &Fields| self.sizes.value(field, fields.get(field));
         self.rows.iter().map(|(x, fields)| (*x, value(fields))).collect()
     }
 
-    /// The values of a function of the fields between two positions.
+    /// Positions between `from` and `to`, with the values of a function of the fields.
     pub fn between(&self, from: f64, to: f64, value: impl Fn(&Fields) -> f64) -> Vec<(f64, f64)> {
         let inside = self.rows.iter().filter(|(x, _)| *x >= from && *x <= to);
         inside.map(|(x, fields)| (*x, value(fields))).collect()
@@ -47,8 +47,8 @@ impl Samples {
     }
 }
 
-/// The line with fewer points (Ramer, Douglas and Peucker). The parts of a very long line are simplified
-/// separately.
+/// Simplifies a line to fewer points by the algorithm of Ramer, Douglas and Peucker. The parts of a very long
+/// line are simplified separately.
 pub(super) fn simplified(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
     let mut kept = vec![false; points.len()];
     for first in (0..points.len()).step_by(TOGETHER) {
@@ -57,7 +57,7 @@ pub(super) fn simplified(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
     points.iter().zip(kept).filter(|(_, kept)| *kept).map(|(point, _)| *point).collect()
 }
 
-/// Marks the two end points and the necessary points between them.
+/// Marks the two end points, and the points between them that the simplified line needs.
 fn keep(points: &[[f64; 2]], first: usize, last: usize, kept: &mut [bool]) {
     kept[first] = true;
     kept[last] = true;
@@ -76,7 +76,7 @@ fn keep(points: &[[f64; 2]], first: usize, last: usize, kept: &mut [bool]) {
     }
 }
 
-/// Distance of a point from the line through two others.
+/// Returns a function that computes the distance of a point from the line through two given points.
 fn distance_to([x1, y1]: [f64; 2], [x2, y2]: [f64; 2]) -> impl Fn([f64; 2]) -> f64 {
     let [dx, dy] = [x2 - x1, y2 - y1];
     let length = dx.hypot(dy);

@@ -21,7 +21,8 @@ const BELOW: f64 = 30.0;
 /// Drawn rise of a tipping end.
 const RISE: f64 = 52.0;
 
-/// The drawing, with the beam's underside at y = 0; without equilibrium, with the motion that proves it.
+/// Draws the model with the beam's underside at y = 0. If a `motion` proves that no equilibrium exists, the
+/// beam after this motion is also drawn.
 pub(super) fn draw(
     model: &Model,
     motion: Option<RigidMotion>,
@@ -70,7 +71,8 @@ pub(super) fn draw(
     canvas
 }
 
-/// Draws the ground and its initial gap. Returns its surface and its lowest point.
+/// Draws the ground with the initial gap. Returns the surface line of the ground and the coordinate y of its
+/// lowest point.
 fn ground(
     canvas: &mut Canvas,
     model: &Model,
@@ -101,7 +103,7 @@ fn ground(
     (line, floor)
 }
 
-/// The beam after the motion, dashed.
+/// Draws the beam after a rigid motion as a dashed line.
 fn tipping(canvas: &mut Canvas, model: &Model, motion: RigidMotion, frame: &Frame) {
     let mut corners: Vec<f64> = model.hinges.iter().map(|hinge| hinge.at).collect();
     corners.extend([0.0, model.beam.length]);
@@ -112,7 +114,7 @@ fn tipping(canvas: &mut Canvas, model: &Model, motion: RigidMotion, frame: &Fram
     canvas.polyline(&line, false, Fill::NONE.and(dashes));
 }
 
-/// The beam's length below the ground.
+/// Draws the dimension line with the length of the beam below the ground.
 fn dimension(canvas: &mut Canvas, [left, right]: [f64; 2], y: f64, length: &str) {
     let [thin, thick] = [0.8, 1.6].map(|width| Stroke::new(Colour::FaintInk, width));
     canvas.line([left - 6.0, y], [right + 6.0, y], thin);

@@ -1,4 +1,4 @@
-//! Draws the picture of a study: probabilities of events, and distributions of numbers.
+//! Draws the picture of a study: probabilities of events, and histograms of random numbers and results.
 
 use super::axis;
 use super::canvas::{Anchor, Canvas, Picture, Style, printed};
@@ -16,18 +16,19 @@ use crate::study::{Estimate, Limit, Spread, Study};
 const RIGHT: f64 = WIDTH - 24.0;
 /// Number of panels per row.
 const COLUMNS: usize = 3;
-/// Distance between two panels.
+/// Horizontal distance between two panels.
 const BETWEEN: f64 = 28.0;
 /// Height of the bars.
 const BARS: f64 = 84.0;
-/// Distance below the title of a panel.
+/// Distance between the title of a panel and its bars.
 const TOP: f64 = 24.0;
-/// Distance between two events.
+/// Vertical distance between the rows of two events.
 const ROW: f64 = 24.0;
-/// Left and right end of the probability scale.
+/// Coordinates of the left and right ends of the probability scale.
 const SCALE: [f64; 2] = [LEFT + 270.0, RIGHT - 200.0];
 
-/// Probabilities of events with their intervals, and histograms of random numbers and results.
+/// Draws the probabilities of events with their confidence intervals, and histograms of random numbers and
+/// results.
 pub fn study(study: &Study, context: &Context) -> Picture {
     let metrics = Metrics::new();
     let mut page = Canvas::new();
@@ -50,7 +51,7 @@ pub fn study(study: &Study, context: &Context) -> Picture {
     page.finish(WIDTH, y, title.as_deref().unwrap_or("A study"))
 }
 
-/// One row per event: its probability on a logarithmic scale, with the interval.
+/// Draws one row for each event, with its probability and the confidence interval on a logarithmic scale.
 fn events(study: &Study, metrics: &Metrics) -> Canvas {
     let mut canvas = Canvas::new();
     canvas.text([LEFT, 0.0], Anchor::Start, PANEL_TITLE, "How probable events are");
@@ -88,7 +89,7 @@ fn events(study: &Study, metrics: &Metrics) -> Canvas {
             let dot = Fill::new(Colour::Load).and(Stroke::new(Colour::Paper, 1.0));
             canvas.dot([x(*probability), y], 3.6, dot);
         }
-        // The column is too narrow for more digits.
+        // Probabilities with more than four digits do not fit beside the scale.
         let digits = interval.digits().min(4);
         let [low, high] = interval.bounds.map(|bound| significant(100.0 * bound, digits));
         let words = format!("{} ({low} to {high})", percent(*probability, digits));
@@ -98,14 +99,14 @@ fn events(study: &Study, metrics: &Metrics) -> Canvas {
     canvas
 }
 
-/// A histogram at its position.
+/// Histogram of one quantity, with its position on the page.
 struct Panel<'a> {
     spread: &'a Spread,
     limits: &'a [&'a Limit],
     unit: Unit,
     left: f64,
     width: f64,
-    /// Range of the horizontal axis.
+    /// Range of values on the horizontal axis.
     range: [f64; 2],
 }
 
@@ -115,7 +116,7 @@ impl<'a> Panel<'a> {
         let left = LEFT + column as f64 * (width + BETWEEN);
         let [least, .., most] = spread.quantiles;
         let size = most - least;
-        // A limit is shown if it is close enough.
+        // A limit is shown if its distance from the samples is less than the range of the samples.
         let near = limits.iter().map(|limit| limit.limit);
         let near = near.filter(|limit| *limit > least - size && *limit < most + size);
         let [mut from, mut to] =
@@ -165,7 +166,7 @@ impl<'a> Panel<'a> {
         canvas.reserve(zero + 24.0);
     }
 
-    /// Parts of bars beyond a limit have the colour of the limit.
+    /// Draws the bars. The parts of bars beyond a limit have the colour of the limit.
     fn bars(&self, canvas: &mut Canvas, zero: f64) {
         let counts = &self.spread.histogram;
         let [least, .., most] = self.spread.quantiles;
@@ -189,7 +190,7 @@ impl<'a> Panel<'a> {
         }
     }
 
-    /// A bar, divided at the limits.
+    /// Divides a bar at the limits. Returns the range and the colour of each part.
     fn pieces(&self, [from, to]: [f64; 2]) -> Vec<([f64; 2], Colour)> {
         let mut cuts: Vec<f64> = self.limits.iter().map(|limit| limit.limit).collect();
         cuts.retain(|cut| from < *cut && *cut < to);
@@ -222,7 +223,7 @@ impl<'a> Panel<'a> {
     }
 }
 
-/// The words that fit into the available width.
+/// The text, shortened and ended by `…` if it is wider than `room`.
 fn fitting(words: &str, room: f64, style: Style, metrics: &Metrics) -> String {
     if metrics.width(words, style.size) <= room {
         return words.to_owned();

@@ -1,10 +1,10 @@
-//! Draws supports as triangles, walls and springs, and hinges.
+//! Draws supports as triangles, walls and springs, and hinges as circles.
 
 use super::canvas::Canvas;
 use super::paint::{Colour, Fill, Paint, Stroke};
 use groundbeam::{Support, SupportKind, model::Acts};
 
-/// Height of a support below the beam.
+/// Drawn height of a support below the beam.
 pub(super) const HEIGHT: f64 = 20.0;
 
 /// Draws a support under the point (x, y) of the beam's underside; `outward` is −1 at the left end, 1 at
@@ -12,7 +12,8 @@ pub(super) const HEIGHT: f64 = 20.0;
 pub(super) fn draw(canvas: &mut Canvas, [x, y]: [f64; 2], support: &Support, outward: f64) {
     match support.acts {
         Acts::Both => {}
-        // A seat under the beam, or a loop around it.
+        // A seat under the beam represents a support that acts only upward. A loop around the beam represents a
+        // support that acts only downward.
         Acts::Up => canvas.line([x - 7.0, y], [x + 7.0, y], stroke(2.2)),
         Acts::Down => {
             let hold_down =
@@ -57,7 +58,7 @@ fn stroke(width: f64) -> Paint {
     Fill::NONE.and(Stroke::new(Colour::Ink, width))
 }
 
-/// A line with hatching below it.
+/// Draws the fixed base of a support as a line with hatching below.
 fn base(canvas: &mut Canvas, [x, y]: [f64; 2]) {
     canvas.line([x - 12.0, y], [x + 12.0, y], stroke(1.4));
     for i in 0..5 {

@@ -1,4 +1,4 @@
-//! Draws the first panel: the deflected beam, the ground's surface below and outside it, loads and supports.
+//! Draws the first panel: the deflected beam, the surface of the ground, loads and supports.
 
 use super::axis;
 use super::canvas::{Anchor, Canvas, printed};
@@ -19,7 +19,7 @@ use groundbeam::{
     solution::{Fields, Side},
 };
 
-/// Drawn height between the highest and the lowest point of beam and ground.
+/// Maximum drawn height between the highest and the lowest point of beam and ground.
 const DEPTH: f64 = 92.0;
 /// Drawn thickness of the beam.
 pub(super) const THICKNESS: f64 = 8.0;
@@ -29,10 +29,10 @@ pub(super) const BELOW: f64 = 40.0;
 const PHONE: f64 = 520.0;
 /// Maximum number of lift-off zones whose gap is labelled.
 const MOST_GAPS: usize = 8;
-/// Leading digits of a round magnification.
+/// Allowed leading digits of the magnification of deflections.
 const LEADS: [f64; 9] = [1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 8.0];
 
-/// The panel, with the beam's unloaded underside at y = 0.
+/// Draws the deflected beam on the ground. The beam's unloaded underside is at y = 0.
 pub(super) fn draw(
     solution: &Solution,
     units: Units,
@@ -71,7 +71,8 @@ pub(super) fn draw(
     picture.with_title()
 }
 
-/// Page units per unit of deflection, such that the magnification is a round number; 0 without deflection.
+/// Page units per unit of deflection, such that deflections are magnified by a round number; 0 without
+/// deflections.
 pub(super) fn vertical_scale(solution: &Solution, frame: &Frame, samples: &Samples) -> f64 {
     let largest = |field| {
         let range = solution.range(field);
@@ -92,7 +93,7 @@ pub(super) fn vertical_scale(solution: &Solution, frame: &Frame, samples: &Sampl
     axis::round_down_to(exaggeration, &LEADS, false) * frame.scale()
 }
 
-/// Drawn height of the ground's surface, below the beam and outside it.
+/// Coordinate y of the ground's surface on the page, at a position x under the beam or outside the beam.
 pub(super) fn level(solution: &Solution, scale: f64, x: f64) -> f64 {
     let length = solution.model().beam.length;
     if (0.0..=length).contains(&x) {
@@ -102,17 +103,17 @@ pub(super) fn level(solution: &Solution, scale: f64, x: f64) -> f64 {
     }
 }
 
-/// Drawn thickness of the beam, to the right of a joint.
+/// Drawn thickness of the beam just to the right of the position x.
 pub(super) fn thickness(frame: &Frame, x: f64) -> f64 {
     THICKNESS * frame.depth(x, Side::Right)
 }
 
-/// The ground's surface relative to the beam's unloaded underside: u + g₀.
+/// Position u + g₀ of the ground's surface, measured downward from the beam's unloaded underside.
 fn surface(fields: &Fields) -> f64 {
     fields.deflection + fields.gap
 }
 
-/// g₀ beyond an end, where it has the value at the end.
+/// Initial gap g₀ outside the beam, equal to the initial gap at the end of the beam.
 fn initial_gap_at_end(model: &Model, right: bool) -> f64 {
     let corner = if right { model.gap.last() } else { model.gap.first() };
     corner.map_or(0.0, |corner| corner.value)
@@ -126,8 +127,9 @@ struct Picture<'a> {
     scale: f64,
     canvas: Canvas,
     labels: Labels<'a>,
-    /// The ground's surface on the page, from left to right, and its lowest point.
+    /// Points of the ground's surface on the page, from left to right.
     surface: Vec<[f64; 2]>,
+    /// Coordinate y of the lowest point of the ground's surface on the page.
     floor: f64,
 }
 
@@ -149,7 +151,7 @@ impl Picture<'_> {
         const STEPS: u32 = 60;
         let mut values: Vec<_> =
             (1..=STEPS).rev().map(|i| beyond(f64::from(i) / f64::from(STEPS), false)).collect();
-        // On Winkler ground the surface has a step at the end of the beam.
+        // On Winkler ground the surface of the ground has a step at the end of the beam.
         if let (x, value) = beyond(f64::EPSILON, false)
             && x < 0.0
         {
@@ -166,7 +168,7 @@ impl Picture<'_> {
         ground::draw(&mut self.canvas, model, frame, &line, bottom);
         self.labels.avoid_line(&line);
         self.labels.avoid(Rect::around([0.0, bottom], [frame.width, bottom + 1e3], 0.0));
-        // The beam's underside before loading.
+        // A dashed line marks the beam's underside before loading.
         let dashes = Stroke::new(Colour::FaintInk, 0.8).dashed(5.0, 4.0);
         self.canvas.line([left, 0.0], [right, 0.0], dashes);
         self.labels.avoid_line(&[[left, 0.0], [right, 0.0]]);
@@ -196,7 +198,7 @@ impl Picture<'_> {
         self.canvas.polyline(&outline, true, Fill::new(Colour::Beam));
     }
 
-    /// The upper side of a beam whose depth varies, from right to left.
+    /// Points of the upper side of a beam with variable depth, from right to left.
     fn upper_side(&self) -> Vec<[f64; 2]> {
         let mut line = Vec::new();
         for (x, deflection) in self.samples.all(|f| f.deflection) {
@@ -209,7 +211,7 @@ impl Picture<'_> {
         simplified(&line)
     }
 
-    /// A line along each contact zone; point contacts are dots.
+    /// Draws a line along each contact zone, and a dot at each point contact.
     fn contact(&mut self) {
         for region in self.solution.contact() {
             let points =
@@ -271,7 +273,7 @@ impl Picture<'_> {
         printed(&words)
     }
 
-    /// Small circles, filled if the hinge has a rotational spring.
+    /// Draws each hinge as a small circle, filled if the hinge has a rotational spring.
     fn hinges(&mut self) {
         for hinge in &self.solution.model().hinges {
             let at = [
@@ -292,7 +294,7 @@ impl Picture<'_> {
         loads.draw(&mut self.canvas, &solution.model().loads, &mut self.labels);
     }
 
-    /// Labels of the largest deflection, the gaps, and the contact edges.
+    /// Labels the largest deflection and the largest gaps.
     fn words(&mut self) {
         let sizes = self.samples.sizes;
         let deepest = sizes.extreme(Field::Deflection, self.solution.range(Field::Deflection).max);
@@ -309,7 +311,7 @@ impl Picture<'_> {
                 let fields = self.solution.at(gap.x, Side::Right);
                 let at = [self.frame.x(gap.x), self.scale * surface(&fields)];
                 let words = self.units.write(Kind::Deflection, gap.value);
-                // The length of a free span between two contact zones.
+                // The label of a free span between two contact zones also states the length of the span.
                 let over = match stretch.reaches {
                     [false, false] => format!(" over {}", self.position(stretch.length())),
                     _ => String::new(),
@@ -319,7 +321,7 @@ impl Picture<'_> {
         }
     }
 
-    /// Places text in the ground below a point.
+    /// Writes text in the ground below the point (x, y).
     fn word(&mut self, [x, y]: [f64; 2], words: &str) {
         let words = printed(words);
         if let Some(place) = self.labels.below([x, y + 4.0], &words, LABEL.size) {
@@ -372,7 +374,7 @@ impl Picture<'_> {
         23.0 + self.labels.width(words, NOTE.size) + 18.0
     }
 
-    /// Colours, their opacity, and their meaning.
+    /// Colour, drawn height of the colour sample, and text of each entry of the legend.
     fn legend(&self) -> Vec<(Colour, f64, &'static str)> {
         let contact =
             (!self.solution.contact().is_empty()).then_some((Colour::Pressure, 3.0, "contact"));

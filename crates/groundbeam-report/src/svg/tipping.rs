@@ -1,4 +1,4 @@
-//! Draws a beam without equilibrium: the start of its motion.
+//! Draws the start of the motion of a beam without equilibrium.
 
 use super::canvas::{Anchor, Canvas, Group};
 use super::frame::{Frame, LEFT};
@@ -14,16 +14,17 @@ use crate::context::Context;
 use crate::font::Metrics;
 use groundbeam::{Existence, Model, Verdict};
 
-/// Drawn rise of the highest point above the ground.
+/// Drawn rise of the highest point of the beam above the ground.
 const RISE: f64 = 46.0;
 /// Margin above the panel.
 const TOP: f64 = 8.0;
 
-/// The beam as it tips about an end or a hinge, or rises as a whole. Loads move with it and stay upright.
+/// Draws the beam as it tips about an end or a hinge, or rises as a whole. Loads move with the beam and stay
+/// vertical.
 ///
-/// The moving part is a group of the class `moves`. If the beam moves as one piece, `data-still` is the
-/// transform that returns it to the ground. For a model with an equilibrium, the beam is drawn before
-/// deformation.
+/// The moving part is an SVG group of the class `moves`. If the beam has no hinges, the attribute `data-still`
+/// of this group is the transform that returns the beam to the ground. For a model with an equilibrium, the
+/// beam is drawn before deformation.
 pub fn tipping(model: &Model, existence: &Existence, context: &Context, width: f64) -> View {
     let metrics = Metrics::new();
     let frame = Frame::of(model).on_page(sensible(width)).with_depths(context.depths);
@@ -78,7 +79,7 @@ pub fn tipping(model: &Model, existence: &Existence, context: &Context, width: f
     View { svg, size, left: frame.x(0.0), scale: frame.scale(), handles }
 }
 
-/// The ground with its loads, and the initial position of the beam.
+/// Draws the ground with the supports, and the initial position of the beam.
 fn lying(model: &Model, frame: &Frame) -> Canvas {
     let mut canvas = Canvas::new();
     let line = flat(model, frame);
@@ -100,13 +101,13 @@ fn lying(model: &Model, frame: &Frame) -> Canvas {
     canvas
 }
 
-/// The ground's surface before loading, as far as the ground extends.
+/// Left and right end points of the ground's surface before loading.
 fn flat(model: &Model, frame: &Frame) -> [[f64; 2]; 2] {
     let [left, right] = ground::margins(model, frame);
     [[frame.x(-left), 0.0], [frame.x(frame.length + right), 0.0]]
 }
 
-/// The beam's ends and hinges, between which it remains straight.
+/// Positions of the ends and hinges of the beam. The beam remains straight between them.
 fn nodes(model: &Model) -> Vec<f64> {
     let mut nodes: Vec<f64> = model.hinges.iter().map(|hinge| hinge.at).collect();
     nodes.extend([0.0, model.beam.length]);
@@ -114,7 +115,7 @@ fn nodes(model: &Model) -> Vec<f64> {
     nodes
 }
 
-/// The shear transform that reverses a linear motion.
+/// SVG shear transform that reverses a motion that is linear in x.
 fn laid_back(frame: &Frame, rises: impl Fn(f64) -> f64) -> String {
     let [start, end] = [frame.x(0.0), frame.x(frame.length)];
     let slope = (rises(frame.length) - rises(0.0)) / (end - start);
@@ -134,7 +135,7 @@ mod tests {
         tipping(model, &existence, &Context::new(Units::PLAIN), 800.0)
     }
 
-    /// Heights of the handles of all loads.
+    /// Coordinates y of the handles of all loads.
     fn heights(view: &View) -> Vec<f64> {
         let loads = view.handles.iter().filter(|h| matches!(h.grip, Grip::Load(_)));
         loads.map(|handle| handle.place[1]).collect()
@@ -147,12 +148,12 @@ mod tests {
         let left = at(at(beam(), 0.0), 4.0).with_load(Load::point_moment(2.0, -9.0));
         let view = drawn(&left);
         assert!((heights(&view)[0] - heights(&view)[1] - RISE).abs() < 1e-9);
-        // The handle of the load halfway between the other two.
+        // The moment acts halfway between the two forces, so its handle is halfway between their handles.
         let middle = heights(&view)[2];
         assert!((2.0 * middle - heights(&view)[0] - heights(&view)[1]).abs() < 1e-9);
         let right = at(at(beam(), 0.0), 4.0).with_load(Load::point_moment(2.0, 9.0));
         assert!(heights(&drawn(&right))[1] > heights(&drawn(&right))[0]);
-        // The transform reverses the motion: it lowers the risen end and leaves the other end in place.
+        // The transform in `data-still` returns the lifted end of the beam to the ground.
         assert!(view.svg.contains(r#"data-still="matrix(1, "#), "{}", view.svg);
     }
 

@@ -1,5 +1,4 @@
-//! Draws one picture of the passages of trains: the train at the position of the largest moment, and the
-//! envelopes over all positions of all trains.
+//! Draws the passages of trains: the train where the moment is largest, and the envelopes over all positions.
 
 use super::canvas::{Canvas, Picture};
 use super::diagram::{Diagram, OF_ENVELOPES, worth_naming};
@@ -13,10 +12,10 @@ use crate::size::Sizes;
 use groundbeam::solution::{ByField, Extreme};
 use groundbeam_run::{InPassage, Passages};
 
-/// Equal steps along the beam.
+/// Number of equal steps along the beam at which the envelopes are computed.
 const EVEN_STEPS: usize = 400;
 
-/// The train at the position of the largest moment, and the envelopes of all passages.
+/// Draws the train at the position of the largest moment, and the envelopes of all passages.
 pub fn trains(passages: &Passages, context: &Context) -> Picture {
     let units = context.units;
     let title = context.clean_title();

@@ -1,4 +1,4 @@
-//! Draws the picture for a page: without a heading, with any width, and with handles.
+//! Draws a solution for a web page, without a heading, with any width, and with handles for dragging.
 
 use super::canvas::Canvas;
 use super::frame::{Frame, ROOM};
@@ -9,38 +9,38 @@ use crate::context::Context;
 use crate::font::Metrics;
 use groundbeam::{Model, Solution, model::Extent, solution::Side};
 
-/// A picture with handles. Positions are in units of the picture, from its upper left corner.
+/// A picture with handles for dragging. Coordinates are in picture units and start at the upper left corner.
 #[derive(Debug, Clone, PartialEq)]
 pub struct View {
     /// The picture as an SVG file.
     pub svg: String,
-    /// Its width and height.
+    /// Width and height of the picture.
     pub size: [f64; 2],
-    /// Coordinate of x = 0.
+    /// Horizontal coordinate of the left end of the beam in the picture.
     pub left: f64,
-    /// Drawn length of a unit of length \[1/m\].
+    /// Number of picture units per metre of the model \[1/m\].
     pub scale: f64,
-    /// Its handles.
+    /// Handles of the picture.
     pub handles: Vec<Handle>,
 }
 
-/// A handle of the picture for a position in the model.
+/// A handle with which an object of the model is moved along the beam.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Handle {
     /// The object that the handle moves.
     pub grip: Grip,
-    /// The position along the beam \[m\].
+    /// Position of the object along the beam \[m\].
     pub at: f64,
-    /// Position in the picture.
+    /// Coordinates of the handle in the picture.
     pub place: [f64; 2],
     /// Allowed range of positions in the model \[m\].
     pub range: [f64; 2],
 }
 
-/// The object of a handle, by its index in the model.
+/// The object that a handle moves, with its index in the model.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Grip {
-    /// The point at which a load acts.
+    /// A load that acts at a point.
     Load(usize),
     /// Start of a distributed load.
     From(usize),
@@ -52,21 +52,21 @@ pub enum Grip {
     Hinge(usize),
 }
 
-/// Smallest page width at which labels find positions.
+/// Smallest width of a page on which there is room for the labels.
 const NARROWEST: f64 = 440.0;
-/// Above this width the picture is only magnified.
+/// Largest width of the picture. A wider page only magnifies the picture.
 const WIDEST: f64 = 1400.0;
 /// Margin above the first panel.
 const TOP: f64 = 8.0;
 /// Height of a load's handle above the beam.
 const GRIP: f64 = 24.0;
 
-/// The requested width, within limits.
+/// The requested width, limited to the range from `NARROWEST` to `WIDEST`.
 pub(super) fn sensible(width: f64) -> f64 {
     if width.is_finite() { width.clamp(NARROWEST, WIDEST) } else { WIDEST }
 }
 
-/// The picture of [`picture`](super::picture) without its heading, as wide as the page.
+/// Draws the content of [`picture`](super::picture) without its heading, as wide as the page.
 pub fn view(solution: &Solution, context: &Context, width: f64) -> View {
     let metrics = Metrics::new();
     let frame = Frame::of(solution.model()).on_page(sensible(width)).with_depths(context.depths);
@@ -89,8 +89,8 @@ pub fn view(solution: &Solution, context: &Context, width: f64) -> View {
     View { svg, size, left: frame.x(0.0), scale: frame.scale(), handles }
 }
 
-/// Handles of loads above the beam or on the ground, of hinges in the beam, and of supports below it.
-/// `underside` is the drawn height of the beam, `surface` that of the ground.
+/// Handles of the loads, hinges and supports of a model. `underside` returns the coordinate y of the beam's
+/// underside in the picture, and `surface` returns the coordinate y of the ground's surface.
 pub(super) fn handles(
     model: &Model,
     frame: &Frame,
@@ -103,8 +103,8 @@ pub(super) fn handles(
         place: [frame.x(at), underside(at) - rise],
         range: [0.0, frame.length],
     };
-    // The range ends where the drawn ground ends, so that the picture does not move away from a dragged
-    // object.
+    // A load on the ground can be dragged only within the drawn ground. Beyond it, the margins of the picture
+    // would change during the drag.
     let [left, right] = ground::margins(model, frame);
     let most = frame.margin / ROOM;
     let reach = [-left.min(most), frame.length + right.min(most)];

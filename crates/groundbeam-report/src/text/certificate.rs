@@ -1,28 +1,28 @@
-//! The certificate of one solution as text.
+//! Writes the certificate of one solution as text.
 
 use super::sheet::Sheet;
 use crate::number::order;
 use groundbeam::{Certificate, Verdict};
 
-/// The energy gap, and its range of validity.
+/// Adds the rows with the energy gap, and with its range of validity for a local equilibrium.
 pub(crate) fn rows(sheet: &mut Sheet, certificate: &Certificate, verdict: Verdict) {
     let words = "recomputed from model and result by independent code";
     sheet.row("Certificate", words);
     let gap = order(certificate.relative_gap());
     sheet.item("energy gap", &format!("{gap} of the strain energy, an estimate of the error"));
     if let Verdict::Local(_) = verdict {
-        let words =
-            "the gap holds for the equilibrium with this contact; others, far from it, may exist";
+        let words = "the gap applies to this equilibrium; other equilibria far from it may exist";
         sheet.item("reach", words);
     }
 }
 
-/// `energy gap at most 3e-16 of the strain energy`, with the gap as text.
+/// Text such as `energy gap at most 3e-16 of the strain energy`. The argument is the relative energy gap as
+/// text.
 pub(crate) fn energy_gap(gap: &str) -> String {
     format!("energy gap at most {gap} of the strain energy")
 }
 
-/// The largest energy gap of several solutions.
+/// Adds a row with the largest relative energy gap of several solutions.
 pub(crate) fn of_several(sheet: &mut Sheet, of: &str, gap: f64) {
     sheet.row("Certificate", &format!("{of}; {}", energy_gap(&order(gap))));
 }
@@ -34,7 +34,8 @@ mod tests {
         Beam, Foundation, Load, Method, Model, Options, Outcome, existence::Local, solve_with,
     };
 
-    /// The certificate of Kikuchi's case IV on two elements, whose error exceeds rounding.
+    /// Text of the certificate of Kikuchi's case IV. The mesh has only two elements, so the error exceeds the
+    /// rounding errors.
     fn written(verdict: Verdict) -> String {
         let model = Model::new(Beam::uniform(1.0, 1.0), Foundation::pasternak(1.0, 1.0))
             .with_load(Load::point_force(0.5, 1.0))
@@ -58,6 +59,6 @@ Certificate  recomputed from model and result by independent code
     #[test]
     fn the_text_of_a_local_equilibrium_mentions_other_equilibria() {
         let local = Local { stability_margin: 0.5, critical_compression: 2.0 };
-        assert!(written(Verdict::Local(local)).contains("others, far from it, may exist"));
+        assert!(written(Verdict::Local(local)).contains("other equilibria far from it may exist"));
     }
 }

@@ -1,4 +1,4 @@
-//! Verdicts on design checks, one sentence each.
+//! Writes the verdict on each design check as a sentence.
 
 use super::sheet::{Sheet, Tone};
 use crate::bound::{not_proven, with_bound};
@@ -11,12 +11,13 @@ use groundbeam::{
     design::{Beside, Check, Checked, LimitState},
 };
 
-/// The checks of one solution, followed by a blank line if there are any.
+/// Adds the verdicts on the checks of one solution, followed by a blank line if there are checks.
 pub(crate) fn rows(sheet: &mut Sheet, solution: &Solution, context: &Context) {
     all_rows(sheet, &[Row::alone(solution, context)], context);
 }
 
-/// Each check in each of its limit states, with the answer that has the largest utilization.
+/// Adds a row for each check in each of its limit states. The row states the result with the largest
+/// utilization.
 pub(crate) fn all_rows(sheet: &mut Sheet, rows: &[Row], context: &Context) {
     let verdicts = verdicts(context.limits, rows);
     for (i, verdict) in verdicts.iter().enumerate() {
@@ -38,7 +39,7 @@ pub(crate) fn all_rows(sheet: &mut Sheet, rows: &[Row], context: &Context) {
     sheet.blank();
 }
 
-/// A verdict as a sentence, with its tone.
+/// The verdict as a sentence, with the tone of this sentence.
 pub(crate) fn sentence(verdict: &Verdict, rows: &[Row], context: &Context) -> (String, Tone) {
     let name = noun(verdict.what);
     let (mut words, tone) = match verdict.of {
@@ -73,7 +74,7 @@ pub(crate) fn sentence(verdict: &Verdict, rows: &[Row], context: &Context) -> (S
     (words, tone)
 }
 
-/// The check as the subject of a sentence.
+/// Name of the checked quantity, as the subject of a sentence.
 fn noun(what: Checked) -> &'static str {
     match what {
         Checked::BearingPressure => "peak pressure",
@@ -122,7 +123,8 @@ fn judged_in_words(
         }
         Checked::BearingResistance => {
             let used = numbers.units.percent().write(check.utilisation());
-            // The value of the file is a design resistance in ultimate limit states, an allowable pressure in others.
+            // `bearing_resistance` is a design resistance for ultimate limit states, and an allowable pressure for
+            // other limit states.
             match state.is_none_or(LimitState::is_ultimate) {
                 true => {
                     format!(
@@ -140,11 +142,11 @@ fn judged_in_words(
         Checked::LiftedShare => format!("{found} lifted off, {limit} allowed"),
         Checked::Eccentricity => format!("eccentricity {found}{}, {limit} allowed", place(None)),
         Checked::Overturning if check.found.is_infinite() => {
-            format!("no load overturns the beam, a factor of {limit} is required")
+            format!("no load overturns the beam; a factor of {limit} is required")
         }
         Checked::Overturning => {
             format!(
-                "the beam tips at {found} times the overturning loads, a factor of {limit} is required"
+                "the beam tips at {found} times the overturning loads; a factor of {limit} is required"
             )
         }
     };
@@ -158,7 +160,7 @@ fn judged_in_words(
     (format!("{said}: {verdict}{}", beside(check, solution, numbers)), tone)
 }
 
-/// The smallest number of digits that distinguishes the value from a limit that it exceeds.
+/// Smallest number of digits with which a value that exceeds a limit differs from this limit.
 fn digits(check: &Check, unit: &impl Fn(f64) -> Unit, least: usize) -> usize {
     let same = |digits: &usize| {
         let [a, b] =
@@ -168,7 +170,8 @@ fn digits(check: &Check, unit: &impl Fn(f64) -> Unit, least: usize) -> usize {
     (least..ALL_DIGITS).find(|digits| !same(digits)).unwrap_or(ALL_DIGITS)
 }
 
-/// The concentrated forces that a peak pressure does not include, or the area on which a force is resisted.
+/// Text on the point contact forces that a peak pressure does not include, or on the effective area of a
+/// bearing resistance.
 fn beside(check: &Check, solution: &Solution, numbers: &Numbers) -> String {
     let force = |force: f64| {
         let force = numbers.sizes().force(force);

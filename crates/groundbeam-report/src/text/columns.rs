@@ -4,7 +4,7 @@ use super::COLUMNS;
 use super::sheet::Sheet;
 use crate::quantity::{Kind, Unit, Units};
 
-/// A first column of words, followed by the columns of [`COLUMNS`].
+/// Layout of a table with a first column of text, followed by the columns of [`COLUMNS`].
 pub(super) struct Columns {
     units: [Unit; 4],
     first: usize,
@@ -12,8 +12,8 @@ pub(super) struct Columns {
 }
 
 impl Columns {
-    /// Writes the heading. `first` holds two lines above the first column; `widths` are those of the first column and
-    /// of each other one.
+    /// Writes the heading. `first` contains the two lines above the first column. `widths` contains the width
+    /// of the first column and the width of every other column.
     pub fn headed(
         sheet: &mut Sheet,
         first: [&str; 2],
@@ -21,7 +21,7 @@ impl Columns {
         values: &[[Option<f64>; 4]],
         units: Units,
     ) -> Self {
-        // Both columns of a field have one unit.
+        // The smallest and the largest value of a field have the same unit.
         let units_of_columns = COLUMNS.map(|(field, _)| {
             let same = (0..4).filter(|&column| COLUMNS[column].0 == field);
             let sizes = same.flat_map(|column| values.iter().filter_map(move |row| row[column]));

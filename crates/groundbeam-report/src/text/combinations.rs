@@ -1,5 +1,4 @@
-//! The terminal report of all combinations: a table of them, the envelope, and each load case alone; with
-//! bounds if proofs are requested.
+//! Writes the terminal report of all combinations: a table, the envelope, and each load case alone.
 
 use super::columns::Columns;
 use super::sheet::{Sheet, Tone};
@@ -21,7 +20,8 @@ use groundbeam::{
 };
 use groundbeam_run::{Answer, Answers, Banded, Found, Ground};
 
-/// The report of all combinations, solved or only checked. `colour` adds escape codes for a terminal.
+/// The report of all combinations, whether they are solved or only checked for equilibrium. `colour` adds
+/// escape codes for a terminal.
 pub fn combinations(answers: &Answers, context: &Context, colour: bool) -> String {
     let mut sheet = Sheet::new(colour);
     title(&mut sheet, context);
@@ -82,7 +82,7 @@ pub(crate) fn used_models(answers: &Answers) -> Option<Vec<&Model>> {
     (!models.is_empty() && answers.list.iter().any(follows_solution)).then_some(models)
 }
 
-/// Numbers and names of the combinations.
+/// Adds rows with the numbers and names of the combinations.
 fn names(sheet: &mut Sheet, answers: &Answers) {
     for (i, answer) in answers.list.iter().enumerate() {
         let name = format!("{:>4}  {}", i + 1, clean(answer.name()));
@@ -90,8 +90,8 @@ fn names(sheet: &mut Sheet, answers: &Answers) {
     }
 }
 
-/// The governing quantities on the ground with the best estimates of k and μ, and their ranges over all
-/// grounds.
+/// Adds the governing quantities for the best estimates of k and μ, and their ranges over all solved values of
+/// k and μ.
 fn band(sheet: &mut Sheet, answers: &Answers, units: Units) {
     let Some(bands) = answers.bands() else { return };
     let heading = format!("{:<31}{:>14}{:>18}", "Band of grounds", "best ground", "all grounds");
@@ -104,12 +104,13 @@ fn band(sheet: &mut Sheet, answers: &Answers, units: Units) {
         let range = format!("{} to {}", unit.number(low), unit.write(high));
         sheet.line(&format!("{name:<31}{best:>14}    {range}"));
     }
-    sheet.row("", "over the solved grounds only; nothing is proven for grounds between them");
+    sheet
+        .row("", "the ranges include only the solved k and mu; nothing is proven for other values");
     sheet.blank();
 }
 
-/// The governing quantities with bounds: on the ground with the best estimates of k and μ, and their ranges
-/// over all grounds.
+/// Adds the governing quantities with error bounds: for the best estimates of k and μ, and as ranges over all
+/// solved values of k and μ.
 pub(crate) fn bounded_band(
     sheet: &mut Sheet,
     answers: &Answers,
@@ -126,13 +127,14 @@ pub(crate) fn bounded_band(
         let best = with_bound(best, of_best, unit);
         let [low, high] = [(low, of_low), (high, of_high)].map(|(x, e)| with_bound(x, e, unit));
         let name = extreme_of(field, largest);
-        sheet.row("", &format!("{name}: {best} with the best estimates of k and mu, {low} to {high} over all grounds"));
+        sheet.row("", &format!("{name}: {best} with the best estimates of k and mu, {low} to {high} over all solved values"));
     }
-    sheet.row("", "over the solved grounds only; nothing is proven for grounds between them");
+    sheet
+        .row("", "the ranges include only the solved k and mu; nothing is proven for other values");
     sheet.blank();
 }
 
-/// Numbers, verdicts and names, for reports that contain nothing else.
+/// Adds a table with the numbers, verdicts and names of the combinations, for reports without solutions.
 fn verdicts(sheet: &mut Sheet, answers: &Answers, units: Units) {
     sheet.heading("   #  equilibrium  combination");
     for (i, answer) in answers.list.iter().enumerate() {
@@ -142,7 +144,7 @@ fn verdicts(sheet: &mut Sheet, answers: &Answers, units: Units) {
     }
 }
 
-/// Verdict, contact and extremes, one row each.
+/// Adds a table with the verdict, contact and extremes of each combination.
 fn table(sheet: &mut Sheet, answers: &Answers, solved: &[Numbered], units: Units) {
     let extremes = |row: &Numbered| {
         COLUMNS.map(|(field, largest)| {
@@ -168,8 +170,8 @@ fn table(sheet: &mut Sheet, answers: &Answers, solved: &[Numbered], units: Units
     }
 }
 
-/// Verdict, contact and proof, one row each. The extremes with their bounds follow below for each
-/// combination.
+/// Adds a table with the verdict, contact and proof of each combination. The extremes of each combination
+/// follow further below, with their error bounds.
 fn bounded_table(sheet: &mut Sheet, answers: &Answers, solved: &[Numbered], units: Units) {
     sheet.heading("   #  equilibrium  zones of contact  proof       lifted share");
     let mut rows = solved.iter().peekable();
@@ -187,7 +189,7 @@ fn bounded_table(sheet: &mut Sheet, answers: &Answers, solved: &[Numbered], unit
     }
 }
 
-/// `one`, `many`, or `none: the beam tips about its left end`.
+/// Verdict on a combination, such as `one`, `not unique`, or `none: the beam tips about its left end`.
 fn outcome(answer: &Answer, units: Units) -> String {
     match answer.existence().map(|existence| existence.verdict) {
         Some(verdict @ Verdict::None(motion)) => wording(verdict).with(&falls(motion, units)),
@@ -196,7 +198,7 @@ fn outcome(answer: &Answer, units: Units) -> String {
     }
 }
 
-/// Reasons why combinations have no result or several results.
+/// Adds the reasons why combinations have no result or no unique equilibrium.
 fn failures(sheet: &mut Sheet, answers: &Answers, units: Units) {
     let mut begun = false;
     for (i, answer) in answers.list.iter().enumerate() {
@@ -225,7 +227,7 @@ fn failures(sheet: &mut Sheet, answers: &Answers, units: Units) {
     }
 }
 
-/// Whether each load case alone has an equilibrium.
+/// Adds rows that state whether each load case alone has an equilibrium.
 fn alone(sheet: &mut Sheet, answers: &Answers, units: Units) {
     for (i, case) in answers.alone.iter().enumerate() {
         if i == 0 {
@@ -241,10 +243,11 @@ fn alone(sheet: &mut Sheet, answers: &Answers, units: Units) {
 /// A sentence that replaces the envelope of a limit state if this envelope equals the envelope of all
 /// combinations.
 pub(crate) fn all_of(state: LimitState) -> String {
-    format!("all of these combinations are of {}", state.name())
+    format!("all solved combinations belong to {}", state.name())
 }
 
-/// The envelopes of the limit states, if there is more than one.
+/// Adds the envelopes of the limit states. A sentence replaces an envelope that equals the envelope of all
+/// combinations.
 pub(crate) fn of_limit_states(
     sheet: &mut Sheet,
     answers: &Answers,
@@ -270,7 +273,7 @@ pub(crate) fn of_limit_states(
     }
 }
 
-/// The extremes over all combinations, each with the number of its combination.
+/// Adds the extremes over all combinations, each with the number of its combination.
 fn envelope(
     sheet: &mut Sheet,
     heading: &str,
@@ -296,8 +299,8 @@ fn envelope(
     end_forces(sheet, solved, units);
 }
 
-/// The extremes over all combinations, each with its bound and its combination. The position is added if the
-/// combination is proven to govern.
+/// Adds the extremes over all combinations, each with its error bound and the number of its combination. The
+/// position of an extreme has an error bound if the combination is proven to govern.
 pub(crate) fn bounded_envelope(
     sheet: &mut Sheet,
     envelope: &Envelope,
@@ -328,7 +331,7 @@ pub(crate) fn bounded_envelope(
     end_forces(sheet, solved, units);
 }
 
-/// The largest forces under both ends.
+/// Adds the largest forces under the two ends of the beam.
 fn end_forces(sheet: &mut Sheet, solved: &[Numbered], units: Units) {
     for (end, name) in ["left end", "right end"].into_iter().enumerate() {
         let Some((row, force, error)) = largest_end_force(solved, end) else { continue };

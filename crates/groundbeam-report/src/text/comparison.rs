@@ -1,4 +1,4 @@
-//! The terminal report of a comparison of methods, one row per method.
+//! Writes the terminal report of a comparison of methods, with one row per method.
 
 use super::sheet::Sheet;
 use super::title;
@@ -8,8 +8,8 @@ use crate::quantity::duration;
 use groundbeam::{Error, Field, Solution};
 use groundbeam_run::{Answer, Answers, Errors, Found};
 
-/// The report of the results of several methods, of which the first is exact. `colour` adds escape codes for
-/// a terminal.
+/// The report of the results of several methods. The first method is exact. `colour` adds escape codes for a
+/// terminal.
 pub fn comparison(answers: &Answers, context: &Context, colour: bool) -> String {
     let mut sheet = Sheet::new(colour);
     title(&mut sheet, context);

@@ -1,4 +1,4 @@
-//! Draws beam, ground and contact with characters on a terminal, 80 columns wide.
+//! Draws beam, ground and contact with characters on a terminal, at most 80 columns wide.
 
 use crate::quantity::{Kind, Units};
 use crate::size::Sizes;
@@ -8,11 +8,11 @@ use groundbeam::{
     solution::Side,
 };
 
-/// Columns of the drawing.
+/// Number of text columns of the drawing.
 const WIDTH: usize = 78;
-/// Columns of ground beyond each end.
+/// Number of text columns of ground beyond each end of the beam.
 const BEYOND: usize = 5;
-/// Rows for the deflections of beam and ground.
+/// Number of text rows for the deflections of beam and ground.
 const DEPTH: usize = 7;
 /// Number of text rows of ground below the lowest point of its surface.
 const BELOW: usize = 1;
@@ -21,13 +21,13 @@ const LOAD: &str = "33";
 const CONTACT: &str = "34";
 const GROUND: &str = "2";
 
-/// The deflected beam on the ground, not to scale, with its contact zones. `colour` adds escape codes for a
-/// terminal.
+/// Draws the deflected beam on the ground with its contact zones, not to scale. `colour` adds escape codes for
+/// a terminal.
 pub fn drawing(solution: &Solution, units: Units, colour: bool) -> String {
     let picture = Picture { solution, length: solution.model().beam.length };
     let mut rows = vec![painted(&picture.loads(), LOAD, colour)];
     rows.extend(picture.bent().iter().map(|row| {
-        // The ground is faint, so that the beam is prominent.
+        // The ground has a faint colour, so that the beam is prominent.
         match row.find('░') {
             Some(_) if colour => row.replace('░', &format!("\u{1b}[{GROUND}m░\u{1b}[0m")),
             _ => row.clone(),
@@ -48,13 +48,13 @@ struct Picture<'a> {
 }
 
 impl Picture<'_> {
-    /// Column of a position.
+    /// Text column of a position on the beam.
     fn column(&self, x: f64) -> usize {
         let last = (WIDTH - 2 * BEYOND - 1) as f64;
         BEYOND + (last * (x / self.length).clamp(0.0, 1.0)).round() as usize
     }
 
-    /// Position of a column, also beyond the ends.
+    /// Position of a text column along the beam, also for columns beyond the ends of the beam.
     fn position(&self, column: usize) -> f64 {
         let last = (WIDTH - 2 * BEYOND - 1) as f64;
         self.length * ((column as f64 - BEYOND as f64) / last)
@@ -64,7 +64,8 @@ impl Picture<'_> {
         (BEYOND..WIDTH - BEYOND).contains(&column)
     }
 
-    /// Forces as arrows, moments as rotation arrows, distributed loads as a row of marks.
+    /// Draws the row of loads, with forces as arrows, moments as rotation arrows, and distributed loads as
+    /// marks.
     fn loads(&self) -> String {
         let mut row = vec![' '; WIDTH];
         let model = self.solution.model();
@@ -96,7 +97,7 @@ impl Picture<'_> {
                 let x = self.position(column);
                 let inside = x.clamp(0.0, self.length);
                 let fields = solution.at(inside, Side::Right);
-                // Beyond the ends the initial gap has its value at the end.
+                // Beyond an end of the beam the initial gap has its value at this end.
                 let initial = fields.deflection + fields.gap - fields.settlement;
                 solution.settlement(x) + initial
             })
@@ -118,7 +119,7 @@ impl Picture<'_> {
             if let Some(deflection) = beam[column] {
                 let row = row_of(deflection);
                 rows[row][column] = '━';
-                // The rows between two neighbouring columns are filled, so that a steep beam has no gaps.
+                // If the beam crosses several rows between two columns, diagonal strokes fill the rows between.
                 let last = before.replace(row).unwrap_or(row);
                 let sign = if last < row { '╲' } else { '╱' };
                 for between in rows.iter_mut().take(last.max(row)).skip(last.min(row) + 1) {
@@ -129,7 +130,7 @@ impl Picture<'_> {
         rows.into_iter().map(|row| row.into_iter().collect()).collect()
     }
 
-    /// A row with a bar at each contact zone.
+    /// Draws the row of contact, with a bar at each contact zone and a triangle at each point contact.
     fn contact(&self) -> String {
         let mut row = vec![' '; WIDTH];
         for region in self.solution.contact() {
@@ -142,7 +143,7 @@ impl Picture<'_> {
         row.into_iter().collect()
     }
 
-    /// The positions of the contact edges that fit into the row.
+    /// Row with the positions of the ends of the beam, and of the contact edges for which there is room.
     fn positions(&self, units: Units) -> String {
         let sizes = Sizes::of(self.solution);
         let mut row = vec![' '; WIDTH];

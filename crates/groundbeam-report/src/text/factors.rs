@@ -8,7 +8,7 @@ use crate::verdict::falls;
 use groundbeam::load_factors::{FirstLiftOff, LossOfEquilibrium};
 use groundbeam_run::Factors;
 
-/// The rows with load factors, if requested.
+/// Adds the rows with load factors if they are requested.
 pub(crate) fn rows(sheet: &mut Sheet, context: &Context) {
     let Some(factors) = context.factors else { return };
     let loads = Grows::of(factors);
@@ -19,7 +19,8 @@ pub(crate) fn rows(sheet: &mut Sheet, context: &Context) {
     sheet.row("", &mark(loss(factors.found.loss_of_equilibrium, &loads, context.units)));
 }
 
-/// The growing loads in sentences: `all loads` after `times`, and `the loads are` after `however small`.
+/// Phrases for the loads that a load factor multiplies: `times` is, for example, `all loads`, and `are` is `the
+/// loads are`.
 struct Grows {
     times: String,
     are: String,
@@ -41,14 +42,14 @@ fn lift_off(found: FirstLiftOff, loads: &Grows, units: Units) -> String {
     let Grows { times, are } = loads;
     match found {
         FirstLiftOff::AtOnce => {
-            format!("not on the ground along its whole length, however small {are}")
+            format!("a part of the beam is lifted off, however small {are}")
         }
         FirstLiftOff::At { factor, x } => {
             let (factor, x) = (units.ratio(factor), units.position(x));
             format!("first lift-off at {factor} times {times}, at x = {x}")
         }
         FirstLiftOff::Never => {
-            format!("on the ground along its whole length, however large {are}")
+            format!("the beam is on the ground along its whole length, however large {are}")
         }
     }
 }
@@ -57,13 +58,13 @@ fn loss(found: LossOfEquilibrium, loads: &Grows, units: Units) -> String {
     let Grows { times, are } = loads;
     match found {
         LossOfEquilibrium::AtOnce(motion) => {
-            format!("no equilibrium at factors near zero of {times}: {}", falls(motion, units))
+            format!("no equilibrium, however small {are}: {}", falls(motion, units))
         }
         LossOfEquilibrium::At { factor, motion } => {
             let factor = units.ratio(factor);
             format!("no equilibrium beyond {factor} times {times}: {}", falls(motion, units))
         }
-        LossOfEquilibrium::Never => format!("in equilibrium, however large {are}"),
+        LossOfEquilibrium::Never => format!("the beam is in equilibrium, however large {are}"),
     }
 }
 
@@ -103,7 +104,7 @@ mod tests {
                 FirstLiftOff::AtOnce,
                 LossOfEquilibrium::AtOnce(RigidMotion { left: 0.0, right: -1.0, ..tips }),
                 vec![],
-                "no equilibrium at factors near zero of all loads: the beam tips",
+                "no equilibrium, however small the loads are: the beam tips",
             ),
         ];
         for (lift_off, loss, names, part) in cases {

@@ -1,4 +1,4 @@
-//! The lifted stretches as text: all of one solution, or the governing ones of trains.
+//! Writes the lift-off zones of one solution, or the governing free spans of trains, as text.
 
 use super::MOST_ROWS;
 use super::sheet::Sheet;
@@ -7,7 +7,8 @@ use crate::size::Sizes;
 use groundbeam::{Field, solution::LiftOff};
 use groundbeam_run::{Opened, Passage};
 
-/// One row for each stretch; only the longest ones if there are many.
+/// Adds a table with one row for each lift-off zone. If there are many zones, the table contains only the
+/// longest ones.
 pub(super) fn table(sheet: &mut Sheet, lifted: &[LiftOff], units: Units, sizes: &Sizes) {
     let count = lifted.len();
     let by_length = |a: &&LiftOff, b: &&LiftOff| b.length().total_cmp(&a.length());
@@ -30,7 +31,7 @@ pub(super) fn table(sheet: &mut Sheet, lifted: &[LiftOff], units: Units, sizes: 
     };
     let rows: Vec<[String; 6]> = shown.iter().map(row).collect();
     let heads = ["from", "to", "length", "largest gap", "at", "reaches"].map(str::to_owned);
-    // Columns are as wide as their content.
+    // Each column is as wide as its content.
     let width = |column: usize, least: usize| {
         let longest = rows.iter().map(|row| row[column].chars().count()).max().unwrap_or(0);
         least.max(longest + 1)
@@ -49,7 +50,7 @@ pub(super) fn table(sheet: &mut Sheet, lifted: &[LiftOff], units: Units, sizes: 
     }
 }
 
-/// The ends of the beam that a stretch reaches.
+/// Names the ends of the beam that a lift-off zone reaches.
 fn ends(open: &LiftOff) -> &'static str {
     match open.reaches {
         [true, true] => "both ends",
@@ -59,20 +60,20 @@ fn ends(open: &LiftOff) -> &'static str {
     }
 }
 
-/// The longest free span and the largest clearance over all positions of trains. If there are several trains,
-/// their numbers are added.
+/// Adds the longest free span and the largest clearance over all positions of trains. If there are several
+/// passages, the text also states the number of the governing passage.
 pub(crate) fn of_trains(sheet: &mut Sheet, all: &[Passage], units: Units) {
     let each = || {
         all.iter().enumerate().filter_map(|(i, passage)| {
             let found = passage.free_spans()?;
             let cleaned = |opened: Opened| clean(passage, opened);
-            // A value that is only rounding error is not a clearance.
+            // A gap that is only rounding error is not a clearance.
             let highest = cleaned(found.highest);
             let is_open = highest.stretch.largest_gap.value > 0.0;
             is_open.then(|| (i + 1, cleaned(found.longest), highest))
         })
     };
-    // Of equal values, the first one is kept.
+    // The first of several equal values is kept.
     let longest = each().map(|(number, longest, _)| (number, longest)).reduce(|most, other| {
         if other.1.stretch.length() > most.1.stretch.length() { other } else { most }
     });
@@ -81,7 +82,10 @@ pub(crate) fn of_trains(sheet: &mut Sheet, all: &[Passage], units: Units) {
         if gap(&other.1) > gap(&most.1) { other } else { most }
     });
     let (Some((of_longest, longest)), Some((of_highest, highest))) = (longest, highest) else {
-        sheet.row("Free spans", "none: the beam touches everywhere in every position");
+        sheet.row(
+            "Free spans",
+            "none: the beam touches the ground along its whole length at every solved position",
+        );
         return;
     };
     let place = |x: f64| units.write(Kind::Position, x);
@@ -108,7 +112,7 @@ pub(crate) fn of_trains(sheet: &mut Sheet, all: &[Passage], units: Units) {
     sheet.row("", &format!("the largest clearance {value}, at {}, {when_highest}", place(gap.x)));
 }
 
-/// Sets rounding errors to zero.
+/// Sets rounding errors in the positions and the gap of a free span to zero.
 fn clean(passage: &Passage, opened: Opened) -> Opened {
     let Some((_, solution)) = passage.nearest(opened.first_axle) else { return opened };
     let sizes = Sizes::of(solution);

@@ -1,4 +1,4 @@
-//! The origin of the ground's constants and their values per area as text.
+//! Writes the source of the ground constants, and their values per area, as text.
 
 use super::range;
 use super::sheet::{Sheet, Tone};
@@ -8,7 +8,7 @@ use groundbeam::Model;
 use groundbeam::soil::SoilRounds;
 use groundbeam_run::Ground;
 
-/// The method, the values per area, and warnings.
+/// Adds rows with the method that computes the ground constants, their values per area, and warnings.
 pub fn rows(sheet: &mut Sheet, model: &Model, context: &Context) {
     let Some(ground) = context.ground else { return };
     let units = context.units;
@@ -29,20 +29,20 @@ pub fn rows(sheet: &mut Sheet, model: &Model, context: &Context) {
     }
 }
 
-/// The smallest and the largest k and μ, divided by the width.
+/// Text with the ranges of k and μ, divided by the bearing width.
 fn areas(width: f64, subgrade: [f64; 2], shear_layer: [f64; 2], units: Units) -> String {
     let [area, shear] = [(Kind::AreaSpring, subgrade), (Kind::AreaShear, shear_layer)]
         .map(|(kind, ends)| range(units, kind, ends.map(|value| value / width)));
     let mut words =
-        format!("on a width of {}: C1 = k/b = {area}", units.of_input().position(width));
+        format!("bearing width b = {}: C1 = k/b = {area}", units.of_input().position(width));
     if shear_layer[1] > 0.0 {
         words += &format!(", C2 = mu/b = {shear}");
     }
     words
 }
 
-/// The ground of several models, each with its own k and μ. `models` is empty if there is no solution. `what`
-/// names one solution.
+/// Adds the ground constants of several models, each with its own k and μ. `models` is empty if there is no
+/// solution. `what` is the noun for one solution.
 pub(crate) fn of_each(
     sheet: &mut Sheet,
     what: &str,

@@ -1,4 +1,4 @@
-//! The report for a terminal, at most 80 columns wide.
+//! Writes the report for a terminal, at most 80 columns wide.
 
 pub(crate) mod certificate;
 pub(crate) mod checks;
@@ -42,7 +42,7 @@ pub(crate) use results::{forces, results};
 use sheet::{Sheet, Tone};
 pub use study::study;
 
-/// Maximum number of listed rows of one kind; more are counted.
+/// Maximum number of listed rows of one kind. The report states how many rows were omitted.
 const MOST_ROWS: usize = 20;
 
 /// The report of an equilibrium. `colour` adds escape codes for a terminal.
@@ -64,8 +64,8 @@ pub fn solved(solution: &Solution, context: &Context, colour: bool) -> String {
     sheet.finish()
 }
 
-/// Labels and text beside the picture of a page: contact, forces, extremes, checks. An empty label continues
-/// the previous row.
+/// Rows beside the picture of a web page, each with a label and a text. The rows describe contact, forces,
+/// extremes and checks. An empty label continues the previous row.
 pub fn summary(solution: &Solution, context: &Context) -> Vec<(String, String)> {
     let mut sheet = Sheet::new(false);
     let numbers = Numbers::plain(solution, context.units);
@@ -100,7 +100,8 @@ pub(crate) fn check_rows(rows: &[Row], context: &Context) -> Vec<(String, String
     sheet.into_rows()
 }
 
-/// Motion and remedy of a model without equilibrium, as labels and text.
+/// Labels and texts on the motion of a model without equilibrium, and on the force that would restore
+/// equilibrium.
 pub fn failing(model: &Model, existence: &Existence, context: &Context) -> Vec<(String, String)> {
     let Verdict::None(motion) = existence.verdict else { return Vec::new() };
     let row = |label: &str, words: String| (label.to_owned(), words);
@@ -109,7 +110,7 @@ pub fn failing(model: &Model, existence: &Existence, context: &Context) -> Vec<(
     [motion].into_iter().chain(remedy).collect()
 }
 
-/// The existence check of a model: the verdict without fields, because no equilibrium exists or none was computed.
+/// The report of an existence check. The report contains the verdict, but no fields of a solution.
 pub fn existence(model: &Model, existence: &Existence, context: &Context, colour: bool) -> String {
     let mut sheet = Sheet::new(colour);
     problem(&mut sheet, model, existence, context);
@@ -133,7 +134,7 @@ pub fn load_factors(context: &Context, colour: bool) -> String {
     sheet.finish()
 }
 
-/// Title, beam, ground, loads.
+/// Adds rows on title, beam, ground and loads.
 fn problem(sheet: &mut Sheet, model: &Model, existence: &Existence, context: &Context) {
     let units = context.units;
     title(sheet, context);
@@ -172,7 +173,8 @@ fn title(sheet: &mut Sheet, context: &Context) {
     }
 }
 
-/// Rows on beam and ground; for several models with the ranges of values. All models have the same beam.
+/// Adds rows on beam and ground. For several models, the rows contain ranges of values. All models have the
+/// same beam.
 pub(crate) fn structure(
     sheet: &mut Sheet,
     models: &[&Model],
@@ -221,7 +223,8 @@ pub(crate) fn structure(
     }
 
     if let Some(chords) = context.chords {
-        let words = format!("curve replaced by {chords} chords; the answer is for this polygon");
+        let words =
+            format!("the curve is replaced by {chords} chords; results are for this polygon");
         sheet.row("Trough", &words);
     }
     for warning in context.warnings {
@@ -232,7 +235,7 @@ pub(crate) fn structure(
     sheet.row("Stiffness", &format!("β = {beta}, βl = {beta_length}: {}", found.class()));
 }
 
-/// Shear stiffness of the beam, and the ratio EI/(GA l²); `None` without shear deformation.
+/// Text with the shear stiffness of the beam and the ratio EI/(GA l²); `None` without shear deformation.
 pub(crate) fn shear(model: &Model, units: Units) -> Option<String> {
     let beam = &model.beam;
     let segments: Vec<Profile> = beam.segments.iter().filter_map(|s| s.shear_stiffness).collect();
@@ -246,7 +249,7 @@ pub(crate) fn shear(model: &Model, units: Units) -> Option<String> {
     Some(format!("shear: GA = {stiffness}{part}, EI/(GA l²) = {}", units.ratio(number)))
 }
 
-/// A quantity that may vary: `2 MN`, or `1 to 3 MN`.
+/// Text of a quantity that may vary, such as `2 MN` or `1 to 3 MN`.
 fn spread(units: Units, kind: Kind, base: f64, others: impl Iterator<Item = f64>) -> String {
     let mut all = [base, base];
     for value in others {
@@ -278,7 +281,7 @@ pub(crate) fn verdict_row(sheet: &mut Sheet, model: &Model, existence: &Existenc
     }
 }
 
-/// One row per item; only the first ones if there are many.
+/// Adds one row for each item, or only the first rows if there are many items.
 fn listed<T>(sheet: &mut Sheet, label: &str, items: &[T], write: impl Fn(&T) -> String) {
     for (i, item) in items.iter().take(MOST_ROWS).enumerate() {
         sheet.row(if i == 0 { label } else { "" }, &write(item));
@@ -288,7 +291,8 @@ fn listed<T>(sheet: &mut Sheet, label: &str, items: &[T], write: impl Fn(&T) -> 
     }
 }
 
-/// Columns of tables with several solutions: the field, and whether it is its largest value.
+/// Columns of tables with several solutions. Each column has a field, and `true` for the largest value or
+/// `false` for the smallest value.
 pub(crate) const COLUMNS: [(Field, bool); 4] = [
     (Field::Deflection, true),
     (Field::Moment, false),

@@ -1,4 +1,4 @@
-//! The terminal report of moving trains: one passage alone, or a table of several with the joint envelope.
+//! Writes the terminal report of moving trains: one passage alone, or several passages with their joint envelope.
 
 use super::columns::Columns;
 use super::combinations::all_of;
@@ -69,7 +69,7 @@ pub(crate) fn used_models<'a>(all: &'a [Passage<'a>]) -> Vec<&'a Model> {
     all.iter().flat_map(Passage::solved).map(|(_, solution)| solution.model()).collect()
 }
 
-/// The existence check along the paths of trains. `colour` adds escape codes for a terminal.
+/// The report of the existence checks along the paths of trains. `colour` adds escape codes for a terminal.
 pub fn checked_trains(passages: &Passages, context: &Context, colour: bool) -> String {
     let mut sheet = Sheet::new(colour);
     title(&mut sheet, context);
@@ -89,7 +89,7 @@ pub fn checked_trains(passages: &Passages, context: &Context, colour: bool) -> S
     sheet.finish()
 }
 
-/// Extremes of each passage, one row each.
+/// Adds a table with the extremes of each passage.
 fn table(sheet: &mut Sheet, all: &[Passage], units: Units) {
     let extremes = |passage: &Passage| {
         let of = |(field, largest): (Field, bool)| {
@@ -107,7 +107,7 @@ fn table(sheet: &mut Sheet, all: &[Passage], units: Units) {
     }
 }
 
-/// The envelopes of the limit states, if they differ from the joint envelope.
+/// Adds the envelopes of the limit states. A sentence replaces an envelope that equals the joint envelope.
 fn of_limit_states(sheet: &mut Sheet, passages: &Passages, units: Units) {
     for state in passages.limit_states().iter() {
         if passages.all.iter().all(|passage| passage.limit_states().contains(state)) {
@@ -120,7 +120,7 @@ fn of_limit_states(sheet: &mut Sheet, passages: &Passages, units: Units) {
     }
 }
 
-/// The largest gaps ahead of, between and behind the axles over all passages.
+/// Adds the largest gaps over all passages, ahead of, between and behind the axles.
 fn uplift(sheet: &mut Sheet, all: &[Passage], units: Units) {
     let places = ["ahead of the axles", "between them", "behind them"];
     for (i, place) in places.into_iter().enumerate() {
@@ -129,7 +129,7 @@ fn uplift(sheet: &mut Sheet, all: &[Passage], units: Units) {
             let gap = [uplift.ahead, uplift.between, uplift.behind][i]?;
             Some((number, cleaned(passage, Field::Gap, gap)))
         });
-        // Of equal values, the first one is kept.
+        // The first of several equal values is kept.
         let most =
             each.reduce(|most, other| if other.1.value > most.1.value { other } else { most });
         let words = match most {

@@ -1,4 +1,4 @@
-//! The proven statements about a result document as text.
+//! Writes the proven statements about a result document as text.
 
 use super::sheet::{Sheet, Tone};
 use crate::number::{above, significant};
@@ -8,7 +8,7 @@ use crate::verified::{LeftOut, ModelOf, Named, Verified};
 use groundbeam::Solution;
 use groundbeam::proof::{Bound, NotProven, Verification};
 
-/// Maximum number of listed names; more are counted.
+/// Maximum number of listed names. The report states how many names were omitted.
 const MOST_NAMES: usize = 10;
 
 /// The report of `groundbeam verify`.
@@ -45,7 +45,7 @@ pub fn verified(verified: &Verified, colour: bool) -> String {
     sheet.finish()
 }
 
-/// The proven statements about a result. Its report prints the bounds.
+/// The proven statements about a result, without the error bounds. The report of the result contains the bounds.
 pub fn proof(named: &Named, units: Units, colour: bool) -> String {
     let mut sheet = Sheet::new(colour);
     sheet.heading("Proof");
@@ -53,7 +53,7 @@ pub fn proof(named: &Named, units: Units, colour: bool) -> String {
     sheet.finish()
 }
 
-/// The numbers of several results with their bounds, and the proven statements about each.
+/// The values of several results with their error bounds, and the proven statements about each result.
 pub fn proofs<'a>(
     answers: impl Iterator<Item = (Option<&'a Solution>, &'a Named)>,
     units: Units,
@@ -75,14 +75,14 @@ pub fn proofs<'a>(
     sheet.finish()
 }
 
-/// The statement, existence, uniqueness, contact set and energy, and the quantities without a bound or with a
-/// large bound.
+/// Adds the proven statements on existence, uniqueness, contact set and energy, and lists the quantities
+/// without an error bound or with a large error bound.
 pub(crate) fn proven(sheet: &mut Sheet, named: &Named, units: Units) {
     let found = match &named.found {
         Err(why) => return sheet.toned_row("Not proven", &reason(why), Tone::Bad),
         Ok(found) => found,
     };
-    verdict(sheet, named, found, "the errors are at most the printed ones");
+    verdict(sheet, named, found, "the errors are at most the printed bounds");
     let proof = &found.proof;
     let exists = match proof.bounds.deflection.error.is_finite() {
         true => "an equilibrium exists",
@@ -96,8 +96,8 @@ pub(crate) fn proven(sheet: &mut Sheet, named: &Named, units: Units) {
     match &proof.contact {
         Ok(set) => {
             let words = match set.regions.len() {
-                1 => "exactly one region or point, as printed".to_owned(),
-                n => format!("exactly {n} regions and points, as printed"),
+                1 => "exactly one contact region or point, as printed".to_owned(),
+                n => format!("exactly {n} contact regions and points, as printed"),
             };
             sheet.row("Contact", &words);
         }
@@ -114,7 +114,10 @@ pub(crate) fn proven(sheet: &mut Sheet, named: &Named, units: Units) {
         sheet.row("No bound", &format!("{names}{why}"));
     }
     if let Some(names) = names(&|bound| bound.error.is_finite() && !bound.is_small()) {
-        sheet.row("Not small", &format!("the bound is above a millionth of the scale: {names}"));
+        sheet.row(
+            "Not small",
+            &format!("error bounds above a millionth of the scale of the quantity: {names}"),
+        );
     }
 }
 
@@ -131,7 +134,7 @@ fn result(sheet: &mut Sheet, named: &Named, units: Units) {
     }
 }
 
-/// A reason, followed by its position.
+/// The reason why a statement is not proven, with the position of the failure if there is one.
 pub(crate) fn reason(why: &NotProven) -> String {
     match why.at {
         Some(at) => format!("{} (at x = {})", why.what, significant(at, 6)),
@@ -143,7 +146,7 @@ fn verdict(sheet: &mut Sheet, named: &Named, found: &Verification, errors: &str)
     match (&found.shortfall, named.model) {
         (Some(why), _) => {
             sheet.toned_row("Not proven", &reason(why), Tone::Bad);
-            sheet.row("", "The bounds are proven. An infinite bound gives no information.");
+            sheet.row("", "Every finite error bound is proven. A quantity with an infinite bound is not proven.");
         }
         (None, ModelOf::File) => {
             let words = format!("there is exactly one equilibrium, and {errors}");
@@ -157,7 +160,7 @@ fn verdict(sheet: &mut Sheet, named: &Named, found: &Verification, errors: &str)
     }
 }
 
-/// Each bound with its scale.
+/// Adds the error bound of each quantity, with the scale of the quantity.
 fn bounds(sheet: &mut Sheet, found: &Verification, units: Units) {
     let written = |Bound { error, scale }: Bound, unit: Unit| {
         format!("± {}, scale {}", bound_in(unit, error), unit.with_digits(3).write(scale))
@@ -168,7 +171,7 @@ fn bounds(sheet: &mut Sheet, found: &Verification, units: Units) {
     }
 }
 
-/// The energy of the error, and the strain energy.
+/// Adds a row with the energy of the error and the strain energy.
 fn energy(sheet: &mut Sheet, found: &Verification, units: Units) {
     let (proof, unit) = (&found.proof, units.column(Kind::Moment));
     let strain = unit.with_digits(3).write(proof.strain_energy);
@@ -193,7 +196,7 @@ fn label(name: &str) -> &'static str {
     }
 }
 
-/// The unit of a bound.
+/// The unit of the error bound of a quantity.
 fn unit_of(units: Units, name: &str) -> Unit {
     units.column(match name {
         "deflection" | "settlement" | "gap" => Kind::Deflection,
@@ -205,13 +208,13 @@ fn unit_of(units: Units, name: &str) -> Unit {
     })
 }
 
-/// A bound in a unit, rounded up.
+/// Text of an error bound in the given unit, rounded up.
 fn bound_in(unit: Unit, error: f64) -> String {
     let number = above(unit.upper(error));
     format!("{number} {}", unit.name).trim_end().to_owned()
 }
 
-/// The numbers of compared values, and the keys that were not compared.
+/// Adds rows with the numbers of compared values, and with the keys that were not compared.
 fn checked(sheet: &mut Sheet, found: &Verification) {
     let checked = &found.checked;
     let count = |n: usize, one: &str, many: &str| match n {

@@ -1,4 +1,4 @@
-//! Contact, forces and extremes of one solution as text, rounded or with error bounds.
+//! Writes contact, forces and extremes of one solution as text, rounded or with error bounds.
 
 use super::sheet::Sheet;
 use super::{free_spans, listed};
@@ -11,7 +11,7 @@ use groundbeam::{
 };
 use groundbeam_file::print::DIGITS;
 
-/// Contact, forces and extremes.
+/// Adds rows on contact, forces and extremes of a solution.
 pub(crate) fn results(sheet: &mut Sheet, solution: &Solution, numbers: &Numbers) {
     contact(sheet, solution, numbers);
     forces(sheet, solution, numbers);
@@ -77,7 +77,7 @@ fn lift_off(sheet: &mut Sheet, solution: &Solution, numbers: &Numbers) {
     });
 }
 
-/// A range such as `from 0 to 10.2 m`. The ends have enough digits to differ.
+/// Text of a range, such as `from 0 to 10.2 m`. The ends of the range have enough digits to differ.
 pub(super) fn between(units: Units, from: f64, to: f64) -> String {
     let asked = units.unit(Kind::Position, to);
     let mut all = (asked.digits..=*DIGITS.end()).map(|digits| asked.with_digits(digits));
@@ -166,7 +166,7 @@ fn extremes(sheet: &mut Sheet, solution: &Solution, numbers: &Numbers) {
     }
 }
 
-/// One row for each extreme, with its error bound.
+/// Adds one row for each extreme, with its error bound.
 fn bounded_extremes(sheet: &mut Sheet, solution: &Solution, numbers: &Numbers) {
     sheet.heading("Smallest and largest values");
     for field in Field::of(&solution.model().beam) {

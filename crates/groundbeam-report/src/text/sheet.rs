@@ -15,7 +15,7 @@ pub(crate) enum Entry {
     Blank,
     /// A paragraph that begins at the left edge.
     Heading(String),
-    /// A line of a table, unchanged.
+    /// A line of a table, which is printed without line breaks.
     Line(String),
     /// A labelled row. An empty label continues the previous row. The tone applies to the text before the
     /// first colon.
@@ -24,7 +24,7 @@ pub(crate) enum Entry {
         words: String,
         tone: Tone,
     },
-    /// A row within a row.
+    /// An indented row that belongs to the row above.
     Item {
         label: String,
         words: String,
@@ -54,7 +54,7 @@ impl Sheet {
         text
     }
 
-    /// The rows of the page, for pages with their own layout.
+    /// Labels and texts of all rows, for pages with their own layout.
     pub fn into_rows(self) -> Vec<(String, String)> {
         let row = |entry: Entry| match entry {
             Entry::Row { label, words, .. } => Some((label, words)),
@@ -72,13 +72,13 @@ impl Sheet {
         self.entries.push(Entry::Heading(printable(words).into_owned()));
     }
 
-    /// Adds a line of a table, unchanged.
+    /// Adds a line of a table, which is printed without line breaks.
     pub fn line(&mut self, words: &str) {
         self.entries.push(Entry::Line(printable(words).into_owned()));
     }
 
-    /// Adds a row `label        words`, with wrapped lines aligned. An empty label continues the previous
-    /// row.
+    /// Adds a row `label        words`. Wrapped lines are aligned with `words`. An empty label continues the
+    /// previous row.
     pub fn row(&mut self, label: &str, words: &str) {
         self.toned_row(label, words, Tone::Plain);
     }
@@ -145,14 +145,16 @@ impl Sheet {
     }
 }
 
-/// Number of columns that a text takes in a terminal: two for a Chinese character, none for a combining accent.
+/// Number of terminal columns that a text occupies: two for a Chinese character, none for a combining accent.
 pub(super) fn columns(text: &str) -> usize {
     UnicodeWidthStr::width(text)
 }
 
-/// Lines of at most `width` columns, broken at spaces; a longer word stays whole. Never empty.
+/// Breaks a text at spaces into lines of at most `width` columns. A longer word is not broken. Returns at least
+/// one line.
 fn wrapped(words: &str, width: usize) -> Vec<String> {
-    // Several spaces in a row belong to the columns of a table and stay.
+    // A text that fits into one line keeps its spaces, because several spaces can separate the columns of a
+    // table.
     if columns(words) <= width {
         return vec![words.to_owned()];
     }
@@ -174,7 +176,7 @@ fn wrapped(words: &str, width: usize) -> Vec<String> {
     lines
 }
 
-/// Parts of a text between which a line may break: its words, and texts in brackets such as `[0, 5]`.
+/// Splits a text into parts between which a line may break: words, and texts in brackets such as `[0, 5]`.
 fn unbroken(words: &str) -> Vec<String> {
     let mut parts: Vec<String> = Vec::new();
     for word in words.split_whitespace() {

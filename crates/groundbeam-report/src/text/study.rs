@@ -1,4 +1,4 @@
-//! The report of a study: probabilities with their intervals, means and quantiles.
+//! Writes the report of a study, with probabilities and their intervals, means and quantiles.
 
 use super::sheet::{Sheet, columns};
 use super::{certificate, title};
@@ -16,10 +16,10 @@ pub fn study(study: &Study, context: &Context, colour: bool) -> String {
         words += &format!(", {} replicates", study.replicates);
     }
     sheet.row("Samples", &words);
-    let mut words = format!("{} independent numbers per sample", study.dimensions);
+    let mut words = format!("{} independent random numbers per sample", study.dimensions);
     if let Some(variance) = study.variance {
         words += &format!(
-            "; the terms of the fields contain {} % of the variance",
+            "; the terms of the random fields contain {} % of the variance",
             significant(100.0 * variance, 4)
         );
     }
@@ -28,7 +28,7 @@ pub fn study(study: &Study, context: &Context, colour: bool) -> String {
     for (count, what) in [
         (study.without_equilibrium, "without equilibrium"),
         (study.not_converged, "not converged"),
-        (study.wrong, "refused: the results contain the messages"),
+        (study.wrong, "refused (see the column `message` of the results)"),
     ] {
         if count > 0 {
             words += &format!(", {count} {what}");
@@ -100,7 +100,7 @@ fn line(spread: &Spread, units: Units) -> String {
     format!("{label} {mean:>10} {deviation:>10} {low:>10} {middle:>9} {high:>9}")
 }
 
-/// The text in `width` columns of the terminal, shortened or filled with spaces.
+/// The text, shortened or filled with spaces to `width` columns of the terminal.
 fn cell(text: &str, width: usize) -> String {
     let mut cell = text.to_owned();
     if columns(&cell) > width {

@@ -1,4 +1,4 @@
-//! The terminal report of one train's passage: the train, the envelope, uplift ahead of and behind the axles.
+//! Writes the terminal report of one train's passage: the train, the envelope, and uplift near the axles.
 
 use super::sheet::{COLUMN, Sheet, Tone};
 use super::{certificate, checks, free_spans};
@@ -11,10 +11,10 @@ use groundbeam::Field;
 use groundbeam_file::{MovingTrain, Spread};
 use groundbeam_run::Passage;
 
-/// Maximum number of listed ranges of one kind; more are counted.
+/// Maximum number of listed ranges of one kind. The report states how many ranges were omitted.
 const MOST_RANGES: usize = 8;
 
-/// The report of one passage. The rows on beam and ground precede it.
+/// Adds the report of one passage. The rows on beam and ground precede this report.
 pub(crate) fn train(sheet: &mut Sheet, passage: &Passage, context: &Context) {
     head(sheet, passage, context.units);
     if let Some(combination) = passage.combination() {
@@ -34,7 +34,7 @@ pub(crate) fn train(sheet: &mut Sheet, passage: &Passage, context: &Context) {
     }
 }
 
-/// The placements of unbounded loads.
+/// Adds a row on the placements of unbounded loads, if a train has such loads.
 pub(crate) fn places(sheet: &mut Sheet, all: &[Passage]) {
     if all.iter().any(|passage| passage.moving().spread != Spread::Everywhere) {
         let words = "unbounded loads were placed as listed, and the worst result counts; other placements \
@@ -43,18 +43,18 @@ pub(crate) fn places(sheet: &mut Sheet, all: &[Passage]) {
     }
 }
 
-/// For each check, the position with the largest utilization of its limit.
+/// Adds a row for each check, at the position of the train with the largest utilization.
 pub(crate) fn limits(sheet: &mut Sheet, all: &[Passage], context: &Context) {
     checks::all_rows(sheet, &positions_of(all, context), context);
 }
 
-/// All positions of all passages, as rows for the checks.
+/// All positions of all passages, as input of the checks.
 pub(crate) fn positions_of<'a>(all: &[Passage<'a>], context: &Context<'a>) -> Vec<Row<'a>> {
     let answers = all.iter().flat_map(|passage| passage.answers());
     answers.map(|answer| Row::of(answer, None, context.units)).collect()
 }
 
-/// Name and axles of the train, and its range of positions.
+/// Adds rows with the name and axles of the train, and its range of positions.
 pub(crate) fn head(sheet: &mut Sheet, passage: &Passage, units: Units) {
     let MovingTrain { name, set, factor, dynamic, spread, train, range, .. } = passage.moving();
     let name = clean(name);
@@ -118,7 +118,7 @@ pub(crate) fn positions(sheet: &mut Sheet, passage: &Passage) {
     sheet.row("Positions", &words);
 }
 
-/// Ranges of positions without equilibrium.
+/// Adds rows with the ranges of positions without equilibrium.
 pub(crate) fn ranges(sheet: &mut Sheet, none: &[[f64; 2]], whose: &str, units: Units) {
     for (i, [from, to]) in none.iter().take(MOST_RANGES).enumerate() {
         let [from, to] = [from, to].map(|x| units.position(*x));
@@ -130,7 +130,7 @@ pub(crate) fn ranges(sheet: &mut Sheet, none: &[[f64; 2]], whose: &str, units: U
     }
 }
 
-/// Ranges without equilibrium, and positions without a certified result.
+/// Adds rows with the ranges without equilibrium, and with the positions without a certified result.
 pub(crate) fn failures(sheet: &mut Sheet, passage: &Passage, whose: &str, units: Units) {
     ranges(sheet, passage.without_equilibrium(), whose, units);
     let failed: Vec<f64> = passage.not_converged().collect();
@@ -141,12 +141,12 @@ pub(crate) fn failures(sheet: &mut Sheet, passage: &Passage, whose: &str, units:
     }
 }
 
-/// Extremes with their positions on the beam and the positions of the first axle. If there are several
-/// passages, the number of the passage is added.
+/// Adds a table of the extremes with their positions on the beam and the positions of the first axle. If there
+/// are several passages, the table also contains the numbers of the passages.
 pub(crate) fn envelope(sheet: &mut Sheet, heading: &str, all: &[Extremes], units: Units) {
     let numbers = all.iter().flat_map(|of| of.ends).filter_map(|end| end.number);
     let digits = numbers.max().map(|most| most.to_string().len());
-    // `−65570 lbf-ft` has 13 characters.
+    // A wide value such as `−65570 lbf-ft` has 13 characters.
     let (label, value, place) = match digits {
         None => (13, 12, 9),
         Some(digits) => (12, 15 - digits.max(2), 8),
@@ -172,7 +172,10 @@ pub(crate) fn envelope(sheet: &mut Sheet, heading: &str, all: &[Extremes], units
         let (name, unit) = (extremes.field.label(), extremes.unit);
         if let Some(same) = extremes.everywhere() {
             let (same, width) = (unit.write(same), label + 1 + value - COLUMN);
-            sheet.row(name, &format!("{same:>width$} everywhere, always"));
+            sheet.row(
+                name,
+                &format!("{same:>width$} along the whole beam at every position of the train"),
+            );
             continue;
         }
         let cells = extremes.ends.map(|end| {

@@ -1,4 +1,4 @@
-//! The verdict for beams with free hinges, of which one part may tip.
+//! Writes the verdict on beams with free hinges, where only a part of the beam may tip.
 
 use crate::quantity::Units;
 use groundbeam::{
@@ -6,7 +6,8 @@ use groundbeam::{
     existence::{RigidMotion, static_reactions},
 };
 
-/// The reason why there is one equilibrium, more than one, or none, without the effects of compression.
+/// The reason why there is exactly one equilibrium, more than one equilibrium, or none. The effects of
+/// compression are not included.
 pub(super) fn sentence(model: &Model, existence: &Existence, units: Units) -> String {
     let moves = |motion| moves(model, motion, units);
     match existence.verdict {
@@ -45,7 +46,7 @@ fn is_at_rest(motion: RigidMotion) -> bool {
     motion.lifted.is_some_and(|[from, to]| from < to) && motion.work == 0.0
 }
 
-/// Description of the motion, such as `its hinge at x = 4 lifts, its left end stays`.
+/// Description of the motion, such as `the hinge at x = 4 lifts, the left end stays`.
 pub(super) fn moves(model: &Model, motion: RigidMotion, units: Units) -> String {
     let l = model.beam.length;
     let [from, to] = motion.lifted.unwrap_or([0.0, l]);
@@ -54,11 +55,11 @@ pub(super) fn moves(model: &Model, motion: RigidMotion, units: Units) -> String 
     let after = nodes.iter().find(|x| **x > to).copied();
     let at = |x: f64| {
         if x == 0.0 {
-            "its left end".to_owned()
+            "the left end".to_owned()
         } else if x == l {
-            "its right end".to_owned()
+            "the right end".to_owned()
         } else {
-            format!("its hinge at x = {}", units.position(x))
+            format!("the hinge at x = {}", units.position(x))
         }
     };
     let lifted = if from == to { at(from) } else { format!("all from {} to {}", at(from), at(to)) };
@@ -73,7 +74,7 @@ pub(super) fn moves(model: &Model, motion: RigidMotion, units: Units) -> String 
     }
 }
 
-/// A short description of the motion.
+/// Short description of the motion, such as `the left end lifts`.
 pub(crate) fn falls(motion: RigidMotion, units: Units) -> String {
     match (motion.lifted, motion.left < 0.0, motion.right < 0.0) {
         (None, true, false) => "the beam tips about its right end".to_owned(),
@@ -105,19 +106,19 @@ mod tests {
             (slab(), "every motion that its hinges allow", "", ""),
             (
                 slab().with_load(Load::point_force(6.0, -3.0)),
-                "lift a part of the beam: its right end lifts, its hinge at x = 4 stays",
-                "its right end lifts, its hinge at x = 4 stays; no part of the beam moves into the ground",
-                "of more than 2 at its right end",
+                "lift a part of the beam: the right end lifts, the hinge at x = 4 stays",
+                "the right end lifts, the hinge at x = 4 stays; no part of the beam moves into the ground",
+                "of more than 2 at the right end",
             ),
             (
                 slab().with_load(Load::point_force(2.0, -3.0)),
-                "its hinge at x = 2 lifts, its left end and its hinge at x = 4 stay",
-                "its hinge at x = 2 lifts",
+                "the hinge at x = 2 lifts, the left end and the hinge at x = 4 stay",
+                "the hinge at x = 2 lifts",
                 " at x = 2",
             ),
             (
                 slab().with_load(Load::point_force(6.0, -1.0)),
-                "a motion of the beam is free: its right end lifts",
+                "a motion of the beam is free: the right end lifts",
                 "",
                 "",
             ),

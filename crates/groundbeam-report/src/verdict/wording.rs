@@ -5,13 +5,13 @@ use groundbeam::Verdict;
 
 /// The words for a verdict.
 pub(crate) struct Wording {
-    /// Name in documents.
+    /// Name of the verdict in documents.
     pub name: &'static str,
-    /// Words before the sentence with the reason.
+    /// Words for the verdict before the sentence with its reason.
     pub words: &'static str,
-    /// Words in a cell of a narrow table.
+    /// Words for the verdict in a cell of a narrow table.
     pub short: &'static str,
-    /// Heading in a calculation report.
+    /// Words for the verdict as a heading in a calculation report.
     pub head: &'static str,
     pub tone: Tone,
 }

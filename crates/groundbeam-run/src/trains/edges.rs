@@ -4,11 +4,11 @@ use super::position::first_positions;
 use groundbeam::model::Train;
 use groundbeam::{Error, Model, exists};
 
-/// Number of halvings of an interval: one for each bit of a double.
+/// Number of bisection steps, one for each bit of the mantissa of a double.
 const HALVINGS: usize = 52;
 
-/// Ranges of the first axle's position without equilibrium, from left to right, from positions with a known
-/// decision.
+/// Ranges of positions of the first axle without equilibrium, from left to right. `found` contains positions,
+/// and whether an equilibrium exists at each position.
 pub(super) fn without_equilibrium(
     model: &Model,
     train: &Train,
@@ -31,15 +31,15 @@ pub(super) fn without_equilibrium(
     ranges
 }
 
-/// Number of parts into which the existence check divides each interval between first positions.
+/// Number of equal steps between two neighbouring [`first_positions`] for the existence checks.
 const PARTS: usize = 8;
 
-/// Ranges of the first axle's position without equilibrium, from existence checks alone. The checks run where
-/// axles meet supports, loads and edges of the model, on an equidistant grid, and in between.
+/// Ranges of positions of the first axle without equilibrium, from existence checks alone. Existence is checked at
+/// the [`first_positions`] of a sweep, and at equidistant positions between them.
 ///
 /// # Errors
 ///
-/// As [`exists`].
+/// Returns the errors of [`exists`].
 pub(crate) fn checked(
     model: &Model,
     train: &Train,
@@ -58,7 +58,7 @@ pub(crate) fn checked(
     Ok(without_equilibrium(model, train, found.into_iter()))
 }
 
-/// The boundary between the positions with an equilibrium and the positions without one.
+/// Position of the boundary between the positions with an equilibrium and the positions without an equilibrium.
 fn edge(model: &Model, train: &Train, mut stands: f64, mut falls: f64) -> f64 {
     for _ in 0..HALVINGS {
         let middle = 0.5 * (stands + falls);

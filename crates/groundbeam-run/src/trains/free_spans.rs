@@ -1,4 +1,4 @@
-//! Finds the longest free span and the one with the largest clearance, over all positions of a train.
+//! Finds the longest free span, and the free span with the largest clearance, over all positions of a train.
 
 use super::passage::Passage;
 use groundbeam::solution::LiftOff;
@@ -6,25 +6,25 @@ use groundbeam::solution::LiftOff;
 /// A stretch of the beam without contact, and the position of the train.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Opened {
-    /// Position of the first axle \[m\].
+    /// Position of the first axle of the train \[m\].
     pub first_axle: f64,
-    /// The stretch.
+    /// The stretch of the beam without contact.
     pub stretch: LiftOff,
 }
 
-/// The longest and the highest free span of a passage.
+/// The longest free span of a passage, and the free span with the largest clearance.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FreeSpans {
-    /// The longest span.
+    /// The longest free span.
     pub longest: Opened,
-    /// The span with the largest clearance.
+    /// The free span with the largest clearance.
     pub highest: Opened,
 }
 
 impl Passage<'_> {
-    /// The longest free span and the one with the largest clearance over all solved positions, including
-    /// lifted ends. Of equal spans, the first one is taken. `None` if the beam touches everywhere at all
-    /// positions.
+    /// The longest free span, and the free span with the largest clearance, over all solved positions. Lifted
+    /// ends of the beam are included. The first of several equal spans is taken. `None` if the beam touches the
+    /// ground along its whole length at all solved positions.
     pub fn free_spans(&self) -> Option<FreeSpans> {
         let mut found: Option<FreeSpans> = None;
         for (first_axle, solution) in self.solved() {

@@ -1,12 +1,12 @@
-//! Interpolates results between two solved positions of a train, and estimates the error with a third
-//! position.
+//! Interpolates results between two solved positions of a train, and estimates the error at a third position.
 
 use super::position::{Beside, Position, Section};
 use groundbeam::model::Train;
 use groundbeam::{Field, solution::ByField};
 use std::borrow::Borrow;
 
-/// Fields beside an axle at the fraction t between two solved positions; `None` if the axle is off the beam.
+/// Fields on both sides of an axle, interpolated at the fraction t between two solved positions. `None` if the
+/// axle is off the beam.
 fn beside_axle(ends: [&Section; 2], axle: usize, t: f64) -> Option<Beside> {
     let [start, end] = ends.map(|end| end.under.get(axle).copied().flatten());
     let (start, end) = (start?.leaving(), end?.arriving());
@@ -15,10 +15,10 @@ fn beside_axle(ends: [&Section; 2], axle: usize, t: f64) -> Option<Beside> {
     }))
 }
 
-/// Smallest and largest values at the stations, on their left and right sides.
+/// Smallest and largest values of all fields on the left and right sides of the stations.
 pub(super) struct Table {
     bounds: Vec<[ByField<f64>; 2]>,
-    /// Smallest and largest values over the whole beam.
+    /// Smallest and largest values of all fields over the whole beam.
     all: [ByField<f64>; 2],
 }
 
@@ -55,7 +55,8 @@ fn widen([min, max]: &mut [ByField<f64>; 2], values: &ByField<f64>) {
     }
 }
 
-/// Fields beside an axle that passes x, and the position of the first axle at that moment.
+/// Fields on both sides of an axle that passes the section x, and the position of the first axle at that
+/// moment.
 pub(super) fn passing<S: Borrow<Section>>(
     found: &[S],
     train: &Train,
@@ -69,8 +70,11 @@ pub(super) fn passing<S: Borrow<Section>>(
     Some((at, beside_axle([left, right], axle, t)?))
 }
 
-/// For each field, the amount by which its values in the middle of an interval, or its parabola through middle and ends,
-/// exceed the envelope, relative to the scale of the field.
+/// Error of the envelope for each field in an interval between two positions of the train, relative to the scale
+/// of the field. The error is the amount by which the solution at the middle position lies outside the envelope of the
+/// positions solved before. The parabola through the values at both ends and the middle is compared with this
+/// envelope too. Beside an axle, the error is the difference between the solution and the values interpolated
+/// between both ends.
 pub(super) fn sticks_out(
     middle: &Position,
     ends: [&Position; 2],
@@ -88,7 +92,8 @@ pub(super) fn sticks_out(
         for field in 0..Field::ALL.len() {
             let [min, max] = [bounds[0][field], bounds[1][field]];
             let [a, value, b] = [start[field], values[field], end[field]];
-            // Where contact begins or ends, pressure and gap change between zero and positive values.
+            // Where contact begins or ends, pressure and gap change between zero and positive values, and no
+            // parabola fits.
             let is_one_curve = (a == 0.0) == (value == 0.0) && (b == 0.0) == (value == 0.0);
             let crest = if is_smooth && is_one_curve { crest(a, value, b) } else { value };
             note(field, crest.max(value) - max);
@@ -114,14 +119,15 @@ pub(super) fn sticks_out(
     std::array::from_fn(relative)
 }
 
-/// Whether an axle passes a section between two positions, or is there at one of them.
+/// Whether an axle passes the section x between two positions, or is at the section x at one of them.
 fn is_passed(x: f64, [start, end]: [&Position; 2], train: &Train, near: f64) -> bool {
     let [from, to] = [start, end].map(|position| position.section.first_axle);
     let passing = from - near..=to + near;
     train.axles.iter().any(|axle| passing.contains(&(x + axle.behind)))
 }
 
-/// The extreme of the parabola through three equidistant values if it lies between them; else the middle value.
+/// The extreme of the parabola through three equidistant values if it lies between the outer positions; otherwise
+/// the middle value.
 fn crest(a: f64, middle: f64, b: f64) -> f64 {
     let (slope, bend) = (0.5 * (b - a), a - 2.0 * middle + b);
     if slope.abs() < bend.abs() { middle - 0.5 * slope * slope / bend } else { middle }

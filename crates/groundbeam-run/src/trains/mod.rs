@@ -1,4 +1,4 @@
-//! Trains that move over a beam: choice of positions, and the envelope over all positions.
+//! Trains that move over a beam: chooses their positions, and computes the envelope over all positions.
 
 mod edges;
 mod free_spans;

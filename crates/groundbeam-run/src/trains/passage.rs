@@ -1,4 +1,4 @@
-//! The passage of a train: the envelope over all its positions.
+//! Computes the envelope of the passage of a train over all its positions.
 
 use super::interval::passing;
 use super::position::Section;
@@ -21,18 +21,18 @@ pub struct Located {
     pub x: f64,
     /// The value.
     pub value: f64,
-    /// Position of the first axle \[m\].
+    /// Position of the first axle of the train \[m\].
     pub first_axle: f64,
 }
 
-/// Requested and achieved error, relative to the largest value of each field.
+/// Requested and achieved error of an envelope, relative to the largest value of each field.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Reach {
-    /// Requested error.
+    /// Requested error of each field.
     pub asked: f64,
-    /// Achieved error of each field, in the order of [`Field::ALL`]: the largest amount by which the last
-    /// trial positions exceeded the envelope. If a field jumps, as the pressure at a moving contact edge,
-    /// this remains as large as the jump.
+    /// Achieved error of each field, in the order of [`Field::ALL`]. This error is the largest amount by which
+    /// a solution in the last bisection of an interval lies outside the envelope of the earlier solutions. If a
+    /// field jumps, such as the pressure at a moving contact edge, the error remains as large as the jump.
     pub reached: ByField<f64>,
 }
 
@@ -48,7 +48,7 @@ impl Reach {
     }
 }
 
-/// Largest gaps under the beam during the passage; `None` if the beam does not lift off there.
+/// Largest gaps under the beam during the passage. A gap is `None` if the beam does not lift off at that place.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Uplift {
@@ -65,12 +65,12 @@ pub struct Uplift {
 pub(crate) struct Swept {
     pub combination: Arc<Combination>,
     pub train: Arc<MovingTrain>,
-    /// Range of its answers in the list of all answers.
+    /// Range of the sweep's answers in the list of all answers.
     pub answers: Range<usize>,
-    /// Data of each of these answers.
+    /// Data for the envelope from each answer of the sweep.
     pub sections: Vec<Section>,
     pub reach: Reach,
-    /// Ranges of the first axle's position without equilibrium.
+    /// Ranges of positions of the first axle without equilibrium.
     pub none: Vec<[f64; 2]>,
 }
 
@@ -87,7 +87,7 @@ pub struct Passage<'a> {
     answers: &'a [Answer],
 }
 
-/// Number of equal steps of the envelope in documents and tables.
+/// Number of equal steps along the beam for envelopes in documents and tables.
 const EVEN_STEPS: usize = 100;
 
 impl<'a> Passage<'a> {
@@ -135,12 +135,12 @@ impl<'a> Passage<'a> {
         self.answers
     }
 
-    /// Requested and achieved error.
+    /// Requested and achieved error of the envelope.
     pub fn reach(&self) -> Reach {
         self.swept.reach
     }
 
-    /// Ranges of the first axle's position without equilibrium.
+    /// Ranges of positions of the first axle without equilibrium.
     pub fn without_equilibrium(&self) -> &'a [[f64; 2]] {
         &self.swept.none
     }
@@ -161,7 +161,7 @@ impl<'a> Passage<'a> {
         self.each().filter_map(|(first_axle, found)| Some((first_axle, found.solution()?)))
     }
 
-    /// The joint status of all positions.
+    /// The worst status of all positions.
     pub fn overall(&self) -> Overall {
         if !self.without_equilibrium().is_empty() {
             Overall::NoEquilibrium
@@ -172,7 +172,8 @@ impl<'a> Passage<'a> {
         }
     }
 
-    /// The listed fields, in the order of [`Field::ALL`]. Without shear deformation the rotation is left out.
+    /// The fields that results contain, in the order of [`Field::ALL`]. The rotation is omitted for a beam without shear
+    /// deformation.
     pub fn fields(&self) -> impl Iterator<Item = Field> + Clone + use<> {
         Field::of(&self.model().beam)
     }
@@ -219,7 +220,7 @@ impl<'a> Passage<'a> {
         bounds
     }
 
-    /// The solved position nearest to a position, with its solution.
+    /// The solved position that is nearest to the given position of the first axle, with its solution.
     pub fn nearest(&self, first_axle: f64) -> Option<(f64, &'a Solution)> {
         let away = |at: f64| (at - first_axle).abs();
         self.solved().min_by(|a, b| away(a.0).total_cmp(&away(b.0)))
@@ -250,12 +251,13 @@ impl<'a> Passage<'a> {
         uplift
     }
 
-    /// Default sections of the envelope.
+    /// Default sections of the beam for the envelope.
     pub fn default_stations(&self) -> Vec<f64> {
         self.stations(EVEN_STEPS)
     }
 
-    /// Sections of the envelope: `even` equal steps, corners of the model, and the extremes.
+    /// Sections of the beam for the envelope: the ends of `even` equal steps, the positions of corners and jumps of
+    /// the fields, and the positions of the extremes.
     pub fn stations(&self, even: usize) -> Vec<f64> {
         let l = self.model().beam.length;
         let mut x: Vec<f64> = (0..=even).map(|i| l * (i as f64 / even.max(1) as f64)).collect();
@@ -269,7 +271,7 @@ impl<'a> Passage<'a> {
     }
 }
 
-/// Widens a range to include another one. Of equal values, the first one is kept.
+/// Widens a range to include another range. The first of two equal values is kept.
 fn widen(bounds: &mut [Located; 2], [low, high]: [Located; 2]) {
     if low.value < bounds[0].value {
         bounds[0] = low;

@@ -1,4 +1,4 @@
-//! The first positions of a train, and the values of one position for the envelope.
+//! Chooses the initial positions of a train, and extracts the values at one position for the envelope.
 
 use crate::answer::Answer;
 use groundbeam::model::Train;
@@ -9,12 +9,12 @@ use groundbeam::{
 };
 use std::borrow::Borrow;
 
-/// A position of the train: its answer, and the values that envelopes compare.
+/// A position of the train, with its answer and the values that envelopes compare.
 #[derive(Debug, Clone)]
 pub(crate) struct Position {
     pub answer: Answer,
     pub section: Section,
-    /// Values at the stations, on their left and on their right sides; empty without an equilibrium.
+    /// Values of all fields on the left and right sides of the stations; empty without a solution.
     pub samples: Vec<ByField<f64>>,
 }
 
@@ -27,15 +27,15 @@ impl Borrow<Section> for Position {
 /// Data of a train position for the envelope, in addition to the solution at this position.
 #[derive(Debug, Clone)]
 pub(crate) struct Section {
-    /// Position of the first axle \[m\].
+    /// Position of the first axle of the train \[m\].
     pub first_axle: f64,
-    /// The fields beside each axle; `None` for an axle off the beam.
+    /// The fields on both sides of each axle; `None` for an axle off the beam.
     pub under: Vec<Option<Under>>,
-    /// The range of each field; `None` without an equilibrium.
+    /// The range of each field along the beam; `None` without a solution.
     pub ranges: Option<ByField<Range>>,
 }
 
-/// All fields, in the order of [`Field::ALL`].
+/// Values of all fields, in the order of [`Field::ALL`].
 pub(crate) fn values(fields: Fields) -> ByField<f64> {
     Field::ALL.map(|field| fields.get(field))
 }
@@ -46,7 +46,7 @@ const SHEAR_FORCE: usize = Field::ShearForce.index();
 /// The values of each field just left and just right of an axle that passes a section.
 pub(crate) type Beside = [ByField<f64>; 2];
 
-/// Fields beside an axle on the beam, and their jumps due to the axle.
+/// Fields on both sides of an axle on the beam, and the jumps of the fields due to the axle.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Under {
     pub beside: Beside,
@@ -54,8 +54,9 @@ pub(crate) struct Under {
 }
 
 impl Under {
-    /// The values beside one axle, at x. The shear force jumps by the whole axle load. If the beam has shear
-    /// deformation, it has a kink there, and the ground may carry part of the load.
+    /// Computes the jumps due to an axle at x from the fields on both sides of the axle. The shear force jumps by
+    /// the whole axle load. With shear deformation the slope also jumps, and the ground may carry part of the
+    /// load.
     pub fn of(beside: Beside, model: &Model, train: &Train, axle: usize, x: f64) -> Self {
         let mut jump = [0.0; Field::ALL.len()];
         let own = force(train, axle);
@@ -76,25 +77,25 @@ impl Under {
         Under { beside, jump }
     }
 
-    /// Fields beside an axle that has just passed a fixed load at the same position: only the jumps of the
-    /// axle itself count.
+    /// Fields on both sides of an axle that leaves this position to the right. They include the jumps due to
+    /// the axle, but not the jumps due to a fixed load at this position.
     pub(crate) fn leaving(&self) -> Beside {
         let [_, right] = self.beside;
         [std::array::from_fn(|field| right[field] + self.jump[field]), right]
     }
 
-    /// Fields beside an axle that arrives at this position from the left.
+    /// Fields on both sides of an axle that arrives at this position from the left.
     pub(crate) fn arriving(&self) -> Beside {
         let [left, _] = self.beside;
         [left, std::array::from_fn(|field| left[field] - self.jump[field])]
     }
 }
 
-/// Number of equal steps of the range in the first round.
+/// Number of equal steps of the range of positions in the first round.
 pub(crate) const EVEN_STEPS: usize = 32;
 
-/// First positions: equal steps, and positions where an axle or the end of a distributed load meets a mark of
-/// the model. At the ends of the beam also positions just off them.
+/// Initial positions of the train's first axle. They are the ends of equal steps, and the positions at which an axle
+/// or an end of a distributed load of the train is at one of the [`Model::marks`] or just off the beam.
 pub(crate) fn first_positions(model: &Model, train: &Train, [from, to]: [f64; 2]) -> Vec<f64> {
     let l = model.beam.length;
     let step = |i: usize| from + (to - from) * (i as f64 / EVEN_STEPS as f64);
@@ -118,6 +119,6 @@ pub(crate) fn force(train: &Train, axle: usize) -> f64 {
     train.axles.iter().filter(|other| other.behind == behind).map(|other| other.force).sum()
 }
 
-/// Distance from an end of the beam, relative to its length, for positions just before an axle arrives or
-/// just after it has left.
+/// Distance between an axle and an end of the beam, relative to the length of the beam, just before the axle
+/// arrives or just after it has left.
 pub(crate) const JUST_OFF: f64 = 1e-8;

@@ -1,5 +1,4 @@
-//! Solves the positions of a train: the first positions of `position.rs`, then bisection until the envelope has the
-//! requested error.
+//! Solves the initial positions of a train, then bisects the intervals until the envelope has the requested error.
 
 use super::edges;
 use super::interval::{Table, sticks_out};
@@ -16,36 +15,36 @@ use groundbeam::{
 use groundbeam_file::{Combination, MovingTrain};
 use std::sync::Arc;
 
-/// Number of equal steps of the beam at whose ends envelopes are compared, in addition to marks of the model.
+/// Number of equal steps along the beam at whose ends the fields of different positions are compared.
 const EVEN_STATIONS: usize = 96;
 /// Intervals shorter than this fraction of the beam's length are not bisected.
 const SHORTEST: f64 = 1e-5;
-/// As `SHORTEST`, for an interval with an end without equilibrium: fields may grow without limit near the
-/// position at which the beam tips.
+/// Intervals of which one end has no solution are not bisected if they are shorter than this fraction of the
+/// beam's length. Fields may grow without limit near the position at which the beam tips.
 const SHORTEST_AT_EDGE: f64 = 1e-3;
-/// Largest number of positions.
+/// Number of solved positions above which no interval is bisected.
 const MOST: usize = 20_000;
 
 /// An interval between two neighbouring positions.
 #[derive(Debug, Clone, Copy)]
 struct Between {
-    /// For each field, the amount by which the values in the middle of the bisected interval exceeded the envelope.
-    /// The interval is one half of the bisected one. Infinite if the interval is not from a bisection.
+    /// Error of the envelope for each field, relative to the scale of the field. The error is measured in the middle
+    /// of the bisected interval, of which this interval is one half. The error is infinite before the first
+    /// bisection.
     error: ByField<f64>,
     open: bool,
 }
 
-/// Default error of an envelope, relative to the largest value of each field.
+/// Default error tolerance of an envelope, relative to the largest absolute value of each field.
 pub(crate) const ERROR: f64 = 1e-3;
 
-/// A sweep of a train over a combination, in rounds. `wanted` contains the positions of the first axle to be
-/// solved next, from left to right; `give` takes their answers. The sweep ends when `wanted` is empty.
+/// A sweep of a train over a beam under one combination of loads, in rounds. `wanted` contains the positions of the
+/// first axle that are solved in the next round, from left to right. The sweep ends when `wanted` is empty.
 ///
 /// At a section of the beam a field changes smoothly while the train moves, except when an axle passes.
-/// Between two solved positions the fields beside each axle are therefore interpolated; elsewhere the
-/// envelope is that of the solved positions. The middle of each interval is also solved. The interval is
-/// bisected while its middle, or the maximum of the parabola through middle and ends, exceeds the envelope by
-/// more than the error.
+/// Between two solved positions the fields beside each axle are therefore interpolated. Elsewhere the envelope
+/// contains only the values at the solved positions. Each interval between two solved positions is bisected by
+/// solving its middle. Both halves are bisected again if the error of the envelope exceeds the tolerance.
 pub(crate) struct Sweep {
     combination: Arc<Combination>,
     moving: Arc<MovingTrain>,
@@ -57,7 +56,7 @@ pub(crate) struct Sweep {
 }
 
 impl Sweep {
-    /// A sweep with an error tolerance relative to the largest value of each field.
+    /// A sweep with an error tolerance relative to the largest absolute value of each field.
     pub fn new(combination: Arc<Combination>, moving: Arc<MovingTrain>, error: f64) -> Self {
         let model = &combination.model;
         let l = model.beam.length;
@@ -79,8 +78,9 @@ impl Sweep {
         &self.moving.train
     }
 
-    /// Solves all wanted positions. Each starts from a neighbour of an earlier round and is stored at its
-    /// index, so the result does not depend on the number of threads.
+    /// Solves all positions of the sweep. Each solve starts from the solution at a neighbouring position of an
+    /// earlier round. Each answer is stored at its index. The result therefore does not depend on the number of
+    /// threads.
     pub fn run<H: Host>(
         mut self,
         options: &Options,
@@ -104,7 +104,8 @@ impl Sweep {
         answered(label, None, options, self.near(first_axle), host)
     }
 
-    /// Takes the answers at the wanted positions, in their order.
+    /// Adds the answers at the wanted positions, in the order of these positions, and chooses the positions of
+    /// the next round.
     fn give(&mut self, answers: Vec<Answer>) {
         let wanted = std::mem::take(&mut self.wanted);
         let new: Vec<Position> =
@@ -123,15 +124,15 @@ impl Sweep {
         }
     }
 
-    /// The solution at the nearest solved position, from which the iteration starts. Of two equally near
-    /// positions, the left one is taken.
+    /// The solution from which the iteration starts: the solution at the next position on the left, or, if that
+    /// position has no solution, at the next position on the right.
     fn near(&self, wanted: f64) -> Option<&Solution> {
         let next = self.found.partition_point(|position| position.section.first_axle <= wanted);
         let sides = [next.checked_sub(1), Some(next)];
         sides.into_iter().flatten().find_map(|i| self.found.get(i)?.answer.solution())
     }
 
-    /// The answers, and the other results of the sweep.
+    /// Returns the answers, and the other results of the sweep.
     fn finish(self) -> (Vec<Answer>, Swept) {
         let each = self.between.iter().map(|between| between.error);
         let reached = each.fold([0.0_f64; Field::ALL.len()], |most, error| {
@@ -156,7 +157,8 @@ impl Sweep {
         (answers, swept)
     }
 
-    /// Inserts the middle of each open interval, and computes the amount by which it exceeds the envelope.
+    /// Bisects the open intervals at the solved positions `new`, and computes the error of the envelope in each of
+    /// these intervals.
     fn halve(&mut self, new: Vec<Position>) {
         let table = Table::of(&self.found, self.train(), &self.stations);
         let scale = scale(self.found.iter().chain(&new));
@@ -187,7 +189,7 @@ impl Sweep {
         (self.found, self.between) = (found, between);
     }
 
-    /// Closes short intervals, and intervals without an equilibrium at either end.
+    /// Excludes short intervals, and intervals of which neither end has a solution, from further bisection.
     fn close(&mut self) {
         let l = self.model().beam.length;
         for (between, ends) in self.between.iter_mut().zip(self.found.windows(2)) {
@@ -196,7 +198,8 @@ impl Sweep {
             let shortest = if solved == 2 { SHORTEST } else { SHORTEST_AT_EDGE };
             if length <= shortest * l || solved == 0 {
                 between.open = false;
-                // Both sides of the jump at which an axle arrives or leaves are solved.
+                // The error of an interval that was never bisected counts as zero. Such an interval lies, for
+                // example, at the jump due to an axle that arrives or leaves.
                 if between.error.contains(&f64::INFINITY) {
                     between.error = [0.0; Field::ALL.len()];
                 }
@@ -220,20 +223,20 @@ impl Sweep {
     }
 }
 
-/// The middle of an interval.
+/// The position in the middle of an interval.
 fn middle(ends: &[Position]) -> f64 {
     0.5 * (ends[0].section.first_axle + ends[1].section.first_axle)
 }
 
-/// Whether exactly one of two positions has an equilibrium.
+/// Whether exactly one of two positions has a solution.
 fn is_edge(a: &Position, b: &Position) -> bool {
     a.section.ranges.is_some() != b.section.ranges.is_some()
 }
 
-/// The largest absolute value of each field. The scale of gap and settlement is at least the scale of the
-/// deflection.
+/// The largest absolute value of each field. The scale of gap and settlement is at least `NOTHING` times the
+/// scale of the deflection.
 fn scale<'p>(positions: impl Iterator<Item = &'p Position>) -> ByField<f64> {
-    /// A field smaller than this fraction of the deflection counts as zero.
+    /// Fraction of the deflection below which a gap or a settlement counts as zero.
     const NOTHING: f64 = 1e-6;
     let mut scale = [0.0_f64; Field::ALL.len()];
     for ranges in positions.filter_map(|position| position.section.ranges.as_ref()) {

@@ -10,9 +10,9 @@ use rustfft::{Fft, FftPlanner};
 use std::fmt;
 use std::sync::Arc;
 
-/// Maximum length of the circle, relative to the smallest possible length.
+/// Maximum length of the circle on which the field is periodic, relative to the smallest possible length.
 const LONGEST: usize = 64;
-/// An eigenvalue below this fraction of the largest one is rounding error.
+/// A negative eigenvalue is rounding error if its magnitude is below this fraction of the largest eigenvalue.
 const ROUNDING: f64 = 1e-10;
 
 /// A field as a sum of waves on a circle.
@@ -20,7 +20,7 @@ const ROUNDING: f64 = 1e-10;
 pub struct Circulant {
     /// Number of points on the beam.
     count: usize,
-    /// Amplitudes √(λ/m) of the m waves.
+    /// Amplitudes √(λ/m) of the m waves; λ is the eigenvalue of a wave.
     heights: Vec<f64>,
     transform: Arc<dyn Fft<f64>>,
 }
@@ -32,8 +32,8 @@ impl fmt::Debug for Circulant {
 }
 
 impl Circulant {
-    /// The field for a correlation as a function of the number of steps between two points; `None` if the circulant
-    /// matrix has a negative eigenvalue for every tried length of the period.
+    /// Creates the field from its correlation, which is a function of the number of steps between two points.
+    /// Returns `None` if the circulant matrix has a negative eigenvalue for every tried length of the circle.
     pub fn new(count: usize, correlation: impl Fn(usize) -> f64) -> Option<Self> {
         let least = (2 * (count - 1)).max(2).next_power_of_two();
         let mut size = least;
@@ -61,8 +61,9 @@ impl Circulant {
         self.heights.len()
     }
 
-    /// The field at its points. The numbers are ordered by decreasing wave length: the mean, then cosine and
-    /// sine of each wave.
+    /// Computes the values of the field at its points from independent normal numbers. The first number is the
+    /// factor of the mean. The following numbers are the factors of the cosine and the sine of each wave, from the
+    /// longest to the shortest wave.
     pub fn of(&self, numbers: &[f64]) -> Vec<f64> {
         let size = self.heights.len();
         let half = size / 2;

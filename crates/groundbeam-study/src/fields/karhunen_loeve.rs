@@ -1,7 +1,8 @@
 //! Computes a random field from the eigenvectors of its covariance: z(x) = Σ √λᵢ φᵢ(x) ξᵢ.
 //!
-//! The eigenvalue problem ∫R(x, y) φ(y) dy = λ φ(x) is solved at the field's own points with a quadrature
-//! rule (Nyström's method). With all terms, the covariance at the points is exactly R.
+//! R is the covariance, λᵢ and φᵢ are its eigenvalues and eigenfunctions, and ξᵢ are independent standard normal
+//! numbers. The eigenvalue problem ∫R(x, y) φ(y) dy = λ φ(x) is solved at the field's own points with a
+//! quadrature rule (Nyström's method). With all terms, the covariance of the field at the points is exactly R.
 
 use crate::symmetric::{Eigen, Symmetric};
 use groundbeam_file::study::Share;
@@ -9,10 +10,10 @@ use groundbeam_file::study::Share;
 /// Relative difference below which two entries of an eigenvector count as equal.
 const ROUNDING: f64 = 1e-6;
 
-/// The kept terms, with the largest eigenvalues first.
+/// The kept terms of the expansion, in the order of decreasing eigenvalues.
 #[derive(Debug, Clone)]
 pub struct Expansion {
-    /// √λ φ at the points, term by term.
+    /// Values √λ φ of each term at the points of the field; λ is the eigenvalue and φ the eigenfunction.
     waves: Vec<Vec<f64>>,
     eigenvalues: Vec<f64>,
     /// The sum of all eigenvalues, including those of the dropped terms.
@@ -20,7 +21,7 @@ pub struct Expansion {
 }
 
 impl Expansion {
-    /// The expansion from the correlation of pairs of points and the quadrature weights.
+    /// Computes the Karhunen–Loève expansion from the correlations of pairs of points and the quadrature weights.
     pub fn new(
         count: usize,
         correlation: impl Fn(usize, usize) -> f64,
@@ -64,7 +65,7 @@ impl Expansion {
         &self.eigenvalues
     }
 
-    /// The share of the variance in the kept terms.
+    /// Fraction of the variance of the field in the kept terms.
     pub fn variance(&self) -> f64 {
         (self.eigenvalues.iter().sum::<f64>() / self.total).min(1.0)
     }
@@ -81,8 +82,9 @@ impl Expansion {
     }
 }
 
-/// Chooses the sign of an eigenvector: the first of its entries of largest magnitude is positive. An
-/// antisymmetric wave has two such entries; the tolerance makes the choice independent of rounding.
+/// Returns the sign that makes the first entry of largest magnitude of an eigenvector positive. An antisymmetric
+/// eigenvector has two entries of largest magnitude; the tolerance `ROUNDING` makes the choice between them
+/// independent of rounding error.
 fn sign(vector: &[f64]) -> f64 {
     let largest = vector.iter().fold(0.0_f64, |most, entry| most.max(entry.abs()));
     let first = vector.iter().find(|entry| entry.abs() >= (1.0 - ROUNDING) * largest);

@@ -18,11 +18,12 @@ pub enum Field {
 }
 
 impl Field {
-    /// The field of a study on a beam of this length; `None` if the circulant embedding fails.
+    /// Creates the random field of a study on a beam of length `beam`. Returns `None` if the circulant embedding
+    /// fails.
     pub fn new(random: &RandomField, beam: f64) -> Option<Self> {
         let count = random.points;
-        // Piecewise linear fields have points at the ends of the stretches, piecewise constant fields at
-        // their middles.
+        // The points of a piecewise linear field are the ends of its stretches. The points of a piecewise
+        // constant field are the middles of its stretches.
         let (first, step) = match random.course {
             Course::Lines => (0.0, beam / (count - 1) as f64),
             Course::Steps => (0.5 * beam / count as f64, beam / count as f64),
@@ -33,7 +34,7 @@ impl Field {
                 .map(Field::Circulant),
             Method::KarhunenLoeve(share) => {
                 let at: Vec<f64> = (0..count).map(|i| first + step * i as f64).collect();
-                // The trapezoidal rule for linear variation, the midpoint rule for constant stretches.
+                // Piecewise linear fields use the trapezoidal rule, piecewise constant fields the midpoint rule.
                 let weight = |i: usize| match random.course {
                     Course::Lines if i == 0 || i == count - 1 => 0.5 * step,
                     _ => step,
@@ -53,7 +54,7 @@ impl Field {
         }
     }
 
-    /// The kept share of the variance.
+    /// Fraction of the variance of the field in the kept terms of its expansion.
     pub fn variance(&self) -> f64 {
         match self {
             Field::KarhunenLoeve(expansion) => expansion.variance(),
@@ -70,7 +71,7 @@ impl Field {
     }
 }
 
-/// The correlation at a distance, in correlation lengths.
+/// Correlation of two points at this distance, measured in correlation lengths.
 fn correlation(of: Correlation, distance: f64) -> f64 {
     match of {
         Correlation::Exponential => (-distance).exp(),
@@ -100,9 +101,9 @@ mod tests {
         RandomField { of: Vec::new(), correlation, length, points: 24, course, method, rho: 0.0 }
     }
 
-    /// Tests that the fields have the required covariance. z = A ξ with independent ξ has the covariance A
-    /// Aᵀ; the columns of A are the fields of single numbers. The covariance is exact if the expansion has
-    /// all terms.
+    /// Tests that the fields have the required covariance. If the entries of ξ are independent standard normal
+    /// numbers, the field z = A ξ has the covariance A Aᵀ. Column i of A is the field for ξᵢ = 1 with all other
+    /// entries 0. The covariance is exact if the expansion has all terms.
     #[test]
     fn random_fields_have_the_required_covariance() {
         for which in [
@@ -141,14 +142,15 @@ mod tests {
         }
     }
 
-    /// For the exponential correlation on a stretch of length 2a, with c = 1/L, the eigenvalues are λ = 2c/(ω² + c²)
-    /// with c = ω tan ωa or ω = −c tan ωa: Ghanem and Spanos, *Stochastic finite elements*, equations (2.39) to
-    /// (2.47).
+    /// Tests the eigenvalues λ of the exponential correlation on a stretch of length 2a. Their closed form is λ =
+    /// 2c/(ω² + c²). Here c is 1/(correlation length), and ω solves c = ω tan ωa or ω = −c tan ωa (Ghanem and
+    /// Spanos, *Stochastic finite elements*, equations (2.39) to (2.47)).
     #[test]
     fn eigenvalues_of_the_exponential_correlation_have_their_closed_form() {
         let (a, c) = (1.0_f64, 0.8_f64);
         let root = |even: bool, k: f64| {
-            // ωa lies in (kπ, kπ + π/2) for even eigenfunctions and in (kπ − π/2, kπ) for odd ones; bisection on ωa.
+            // Bisection finds ωa. For an integer k, it lies in (kπ, kπ + π/2) for even eigenfunctions and in (kπ −
+            // π/2, kπ) for odd ones.
             let f = |t: f64| match even {
                 true => c * a * t.cos() - t * t.sin(),
                 false => t * t.cos() + c * a * t.sin(),
@@ -182,7 +184,7 @@ mod tests {
             let found = expansion.eigenvalues();
             exact.iter().zip(found).map(|(e, f)| (e - f).abs()).fold(0.0, f64::max)
         };
-        // The error is of second order in the distance of the points.
+        // The error of the eigenvalues is of second order in the distance between the points.
         let [coarse, fine] = [64, 128].map(error);
         assert!(fine < 1e-3 && coarse / fine > 3.5 && coarse / fine < 4.5, "{coarse} {fine}");
     }

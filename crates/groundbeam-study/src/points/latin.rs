@@ -1,17 +1,17 @@
-//! Latin hypercubes without a stored table: the interval of sample i in each dimension, by a permutation
-//! evaluated at i only.
+//! Computes the coordinates of sample i in a Latin hypercube from a permutation that is evaluated at i only.
 
 use super::mixed;
 
 /// Number of rounds of the Feistel network on numbers of many bits. With four or more rounds the network is a
 /// pseudorandom permutation (Luby and Rackoff 1988).
 const ROUNDS: u32 = 6;
-/// Additional rounds for numbers of few bits, because one round then mixes few bits: `MORE_ROUNDS` divided by the
-/// number of bits of a half.
+/// The number of additional rounds for numbers of 2h bits is this constant divided by h. One round mixes only few
+/// bits of a short number, so short numbers need more rounds.
 const MORE_ROUNDS: u32 = 24;
 
-/// The coordinate of sample `index` of `count` samples: the point at the fraction `uniform` of the sample's
-/// own interval.
+/// Computes a coordinate of sample `index` of `count` samples. The coordinate lies in one of `count` equal
+/// intervals of (0, 1), at the fraction `uniform` of the length of this interval. Each sample has a different
+/// interval.
 pub fn coordinate(index: u64, count: u64, key: u64, uniform: f64) -> f64 {
     let part = permuted(index, count, key);
     ((part as f64 + uniform) / count as f64).min(1.0 - f64::EPSILON)
@@ -21,8 +21,8 @@ pub fn coordinate(index: u64, count: u64, key: u64, uniform: f64) -> f64 {
 fn permuted(index: u64, count: u64, key: u64) -> u64 {
     let bits = u64::BITS - (count - 1).leading_zeros();
     let half = bits.div_ceil(2).max(1);
-    // The network permutes the 2^(2·half) numbers. An image beyond count − 1 is permuted again until it returns to
-    // the range.
+    // The network permutes all numbers below 2^(2·half). An image beyond count − 1 is permuted again until it
+    // returns to the range.
     let mut image = network(index, half, key);
     while image >= count {
         image = network(image, half, key);
@@ -30,7 +30,7 @@ fn permuted(index: u64, count: u64, key: u64) -> u64 {
     image
 }
 
-/// A Feistel network on numbers of 2·half bits.
+/// Applies a Feistel network to a number of 2·half bits.
 fn network(number: u64, half: u32, key: u64) -> u64 {
     let mask = (1_u64 << half) - 1;
     let (mut left, mut right) = (number >> half, number & mask);
@@ -54,7 +54,8 @@ mod tests {
         }
     }
 
-    /// Over many keys every image is equally probable: χ² with 4 degrees of freedom, five σ.
+    /// Tests that all images of an index under the permutations of many keys are equally probable. The tolerance is
+    /// five standard deviations of the χ² distribution with 4 degrees of freedom.
     #[test]
     fn every_image_of_a_permutation_is_equally_probable() {
         for index in 0..5 {

@@ -1,4 +1,4 @@
-//! Points of the unit cube: the point of sample i, from the seed and i only.
+//! Computes the point of sample i in the unit cube from the seed and i only.
 
 mod latin;
 mod sobol;
@@ -29,7 +29,6 @@ impl Points {
         let each = (samples / replicates).max(1);
         let (replicate, index) = (sample / each, sample % each);
         for (dimension, coordinate) in point.iter_mut().enumerate() {
-            // Unused numbers are drawn too, so that dimensions stay independent of each other.
             let uniform = inside(random.next_u64());
             let key = mixed(mixed(seed ^ mixed(replicate)) ^ dimension as u64);
             *coordinate = match (&self.sobol, self.plan.sampling) {
@@ -41,7 +40,7 @@ impl Points {
     }
 }
 
-/// The random numbers of one sample: a separate stream for each seed and sample.
+/// Creates the generator of the random numbers of one sample. Each pair of seed and sample has its own stream.
 fn generator(seed: u64, sample: u64) -> ChaCha8Rng {
     let mut key = [0; 32];
     key[..8].copy_from_slice(&seed.to_le_bytes());
@@ -50,7 +49,7 @@ fn generator(seed: u64, sample: u64) -> ChaCha8Rng {
     random
 }
 
-/// The middle of one of 2⁵³ equal parts of (0, 1); the last one must not round to 1.
+/// Returns the middle of one of 2⁵³ equal parts of (0, 1). The middle of the last part must not round to 1.
 fn inside(bits: u64) -> f64 {
     const PART: f64 = 1.0 / (1_u64 << 53) as f64;
     (((bits >> 11) as f64 + 0.5) * PART).min(1.0 - PART)
@@ -83,7 +82,7 @@ mod tests {
         (0..plan.samples).map(point).collect()
     }
 
-    /// Each of the n equal parts of every dimension holds one point of each replicate.
+    /// Whether each of the n equal parts of every dimension contains exactly one of the n points.
     fn is_a_hypercube(points: &[Vec<f64>]) -> bool {
         let n = points.len();
         (0..points[0].len()).all(|dimension| {
@@ -104,8 +103,8 @@ mod tests {
         }
     }
 
-    /// The first two dimensions of Sobol's sequence are a (0, m, 2)-net in base 2: each box of area 2⁻ᵐ
-    /// contains one point, for any shape of the box. Owen's scrambling preserves this.
+    /// The first two coordinates of the first 2ᵐ Sobol points are a (0, m, 2)-net in base 2: if the unit square
+    /// is divided into 2ᵐ equal boxes of any shape, each box contains one point. Owen's scrambling preserves this.
     #[test]
     fn scrambled_sobol_points_are_still_a_net() {
         let points = all(plan(Sampling::Sobol, 1024, 1), 2);
@@ -134,8 +133,9 @@ mod tests {
         }
     }
 
-    /// An integral with a known value: E[exp(Σ (u − ½))] over 6 dimensions = (2 sinh ½)⁶. The scatter of the
-    /// replicates estimates the error, and evenly spread points reduce it.
+    /// Tests the mean of exp(Σ (uᵢ − ½)) over the unit cube of 6 dimensions with the coordinates uᵢ. Its exact
+    /// value is (2 sinh ½)⁶. The scatter of the replicates estimates the error of the mean, and evenly spread
+    /// points reduce this error.
     #[test]
     fn the_scatter_of_replicates_estimates_the_error_of_an_integral() {
         let exact = (2.0 * 0.5_f64.sinh()).powi(6);
@@ -154,7 +154,7 @@ mod tests {
                 .collect();
             let mean = means.iter().sum::<f64>() / 16.0;
             let variance = means.iter().map(|m| (m - mean).powi(2)).sum::<f64>() / (15.0 * 16.0);
-            // Five standard errors: exceeded once in two million.
+            // A normal variable exceeds five standard errors about once in two million cases.
             assert!((mean - exact).abs() < 5.0 * variance.sqrt(), "{sampling:?}: {mean} {exact}");
             variance.sqrt()
         };

@@ -1,13 +1,12 @@
-//! Sobol's sequence with the direction numbers of Joe and Kuo, scrambled after Owen.
+//! Computes Sobol's sequence with the direction numbers of Joe and Kuo and Owen's scrambling.
 
 use super::mixed;
 use std::sync::LazyLock;
 
-/// Number of binary digits of a coordinate that the sequence determines; 2³² points each have their own
-/// interval.
+/// Number of binary digits of a coordinate that Sobol's sequence determines. They distinguish 2³² points.
 const DIGITS: usize = 32;
 
-/// V₁, …, V₃₂ of every available dimension.
+/// Direction numbers V₁, …, V₃₂ of every available dimension.
 static DIRECTIONS: LazyLock<Vec<[u32; DIGITS]>> = LazyLock::new(|| {
     let lines = include_str!("../../data/sobol.txt").lines().filter(|line| !line.starts_with('#'));
     let read = |line: &str| {
@@ -19,7 +18,8 @@ static DIRECTIONS: LazyLock<Vec<[u32; DIGITS]>> = LazyLock::new(|| {
     std::iter::once(first).chain(lines.map(read)).collect()
 });
 
-/// Direction numbers from a primitive polynomial and m₁, m₂, …: Joe and Kuo (2008), equations (2.1) to (2.3).
+/// Computes direction numbers from a primitive polynomial and its initial numbers m₁, m₂, …: Joe and Kuo (2008),
+/// equations (2.1) to (2.3).
 fn directions(numbers: &[u32]) -> [u32; DIGITS] {
     let (polynomial, initial) = (numbers[0], &numbers[1..]);
     let degree = initial.len();
@@ -39,19 +39,21 @@ fn directions(numbers: &[u32]) -> [u32; DIGITS] {
     v
 }
 
-/// The sequence in some dimensions.
+/// Sobol's sequence in its first dimensions.
 #[derive(Debug, Clone)]
 pub struct Sobol {
     dimensions: usize,
 }
 
 impl Sobol {
-    /// The first dimensions of the sequence; further coordinates are independent random numbers.
+    /// Creates Sobol's sequence in this number of dimensions. Coordinates beyond the available dimensions are
+    /// independent random numbers.
     pub fn new(dimensions: usize) -> Self {
         Sobol { dimensions: dimensions.min(DIRECTIONS.len()) }
     }
 
-    /// A coordinate of point `index`, scrambled by the key; `uniform` determines the remaining digits.
+    /// Computes a coordinate of point `index`, scrambled by the key. `uniform` determines the digits after the
+    /// first 32.
     pub fn coordinate(&self, dimension: usize, index: u64, key: u64, uniform: f64) -> f64 {
         if dimension >= self.dimensions {
             return uniform;
@@ -62,13 +64,13 @@ impl Sobol {
     }
 }
 
-/// The binary digits of a coordinate.
+/// Returns the first 32 binary digits of a coordinate of point `index`, before scrambling.
 fn point(directions: &[u32; DIGITS], index: u64) -> u32 {
     let bits = (0..DIGITS).filter(|i| index >> i & 1 == 1);
     bits.fold(0, |digits, i| digits ^ directions[i])
 }
 
-/// Owen's nested scrambling: whether a digit is inverted depends on all digits before it.
+/// Applies Owen's nested scrambling, in which the inversion of a digit depends on all digits before it.
 fn scrambled(digits: u32, key: u64) -> u32 {
     let mut turned = digits;
     for i in 0..DIGITS {
@@ -83,8 +85,8 @@ fn scrambled(digits: u32, key: u64) -> u32 {
 mod tests {
     use super::*;
 
-    /// Point 1000 of the unscrambled sequence in binary order. SciPy 1.17 uses the same points in Gray-code
-    /// order: its point i is ours with the index i ⊕ (i >> 1).
+    /// Tests point 1000 of the unscrambled sequence of SciPy 1.17. SciPy orders the same points by Gray code: its
+    /// point i is our point i ⊕ (i >> 1).
     #[test]
     fn the_sequence_has_the_points_of_joe_and_kuo() {
         let gray = 1000_u64 ^ (1000 >> 1);

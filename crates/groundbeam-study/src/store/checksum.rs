@@ -1,9 +1,8 @@
-//! Computes and verifies checksums of a file of results: SHA-256 of all its bytes, block by block, stored in
-//! the file's own metadata.
+//! Computes and verifies the SHA-256 checksums of a file of results, which the metadata of the file contain.
 //!
-//! A block contains one group of rows. The last block, the tail, contains the rest: the page index, the
-//! metadata and the footer. The metadata contain the end and the digest of each block, and finally the digest
-//! of the tail, which is computed with zeros in its own place. The checksums cover every byte, and each block
+//! A block contains one group of rows. The last block, the tail, contains the page index, the metadata and the
+//! footer. The metadata contain the end and the digest of each block and finally the digest of the tail. The
+//! digest of the tail is computed with zeros in place of its digits. The checksums cover every byte, and each block
 //! is verified before it is decoded. Other programs can read the file as ordinary Parquet.
 
 use super::StoreError;
@@ -18,7 +17,7 @@ use std::path::{Path, PathBuf};
 
 /// The key of the checksums in the metadata.
 pub const KEY: &str = "groundbeam.checksum";
-/// The first word of the checksums.
+/// Name of the method, which is the first word of the checksums.
 const METHOD: &str = "sha-256";
 /// Characters of a digest.
 const DIGITS: usize = 64;
@@ -32,7 +31,7 @@ pub struct Sealed<W> {
     sink: W,
     digest: Sha256,
     written: u64,
-    /// The metadata so far, without the digest of the tail.
+    /// The text of the checksums of all finished blocks, without the digest of the tail.
     stated: String,
     /// The tail, stored until its digest is known.
     tail: Option<Vec<u8>>,
@@ -51,7 +50,7 @@ impl<W: Write> Sealed<W> {
         let _ = write!(self.stated, " {} {digest}", self.written);
     }
 
-    /// Begins the tail. Returns the checksums for its metadata.
+    /// Begins the tail. Returns the checksums for the metadata, with zeros as the digest of the tail.
     pub fn begin_tail(&mut self) -> KeyValue {
         self.tail = Some(Vec::new());
         KeyValue::new(KEY.to_owned(), format!("{} {}", self.stated, "0".repeat(DIGITS)))
@@ -61,7 +60,7 @@ impl<W: Write> Sealed<W> {
     pub fn finish(mut self) -> io::Result<W> {
         let mut tail = self.tail.take().unwrap_or_default();
         let place = stated_in(&tail);
-        let place = place.ok_or_else(|| io::Error::other("the metadata hold no checksums"))?;
+        let place = place.ok_or_else(|| io::Error::other("the metadata contain no checksums"))?;
         let digits = place.end - DIGITS..place.end;
         self.digest.update(&tail);
         tail[digits].copy_from_slice(hex(self.digest).as_bytes());
@@ -91,7 +90,7 @@ pub struct Checksums {
     path: PathBuf,
     file: File,
     blocks: Vec<Block>,
-    /// Flags of the verified blocks.
+    /// Whether each block has been verified.
     verified: RefCell<Vec<bool>>,
 }
 
@@ -125,7 +124,7 @@ impl Checksums {
         Ok(Checksums { path: path.to_owned(), file, blocks, verified })
     }
 
-    /// Whether a block is unchanged. It is read only once.
+    /// Whether a block is unchanged. An unchanged block is read only once.
     pub fn is_sound(&self, block: usize) -> Result<bool, StoreError> {
         let Some(Block { bytes, digest }) = self.blocks.get(block) else { return Ok(false) };
         if self.verified.borrow()[block] {
@@ -153,7 +152,7 @@ fn damaged_tail(path: &Path) -> StoreError {
     StoreError::Damaged(path.to_owned(), "its metadata".to_owned())
 }
 
-/// The metadata and the eight bytes after them.
+/// Reads the metadata and the eight bytes after them. Returns `None` if the file is not in the format of Parquet.
 fn metadata_of(mut file: &File, length: u64) -> io::Result<Option<Vec<u8>>> {
     let Some(end) = length.checked_sub(8) else { return Ok(None) };
     let mut last = [0; 8];
@@ -172,9 +171,9 @@ fn metadata_of(mut file: &File, length: u64) -> io::Result<Option<Vec<u8>>> {
     Ok(Some(all))
 }
 
-/// Byte range of the checksums in the metadata. It follows their key and length (compact protocol of Thrift:
-/// a string is the byte 0x18, its length in groups of seven bits from the lowest on, and its bytes). The
-/// checksums are the last key: the texts of model and study, which may contain any bytes, precede them.
+/// Byte range of the checksums in the metadata. In the compact protocol of Thrift, the key is followed by the byte
+/// 0x18, the length in groups of seven bits (lowest group first), and the bytes of the checksums. The last
+/// occurrence of the key is used, because the texts of model and study, which may contain any bytes, precede it.
 fn stated_in(metadata: &[u8]) -> Option<Range<usize>> {
     let key = metadata.windows(KEY.len()).rposition(|bytes| bytes == KEY.as_bytes())?;
     let mut place = key + KEY.len();
@@ -195,7 +194,7 @@ fn stated_in(metadata: &[u8]) -> Option<Range<usize>> {
     (length > DIGITS && end <= metadata.len()).then_some(place + 1..end)
 }
 
-/// The blocks listed in the metadata, and the digest of the tail.
+/// Parses the checksums. Returns the blocks and the digest of the tail.
 fn blocks(stated: &[u8]) -> Option<(Vec<Block>, &str)> {
     let mut words =
         std::str::from_utf8(stated).ok()?.strip_prefix(METHOD)?.strip_prefix(' ')?.split(' ');
@@ -210,7 +209,7 @@ fn blocks(stated: &[u8]) -> Option<(Vec<Block>, &str)> {
     Some((blocks, tail))
 }
 
-/// Continues a digest with the bytes of a part of a file.
+/// Adds the bytes of a part of a file to a digest.
 fn digest_on(digest: &mut Sha256, mut file: &File, bytes: Range<u64>) -> io::Result<()> {
     file.seek(SeekFrom::Start(bytes.start))?;
     let mut buffer = vec![0; AT_ONCE];

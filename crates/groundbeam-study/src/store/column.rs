@@ -1,9 +1,9 @@
-//! Converts columns to the representation of Parquet: the existing values, and two levels for each place
-//! where one may exist.
+//! Converts columns to the representation of Parquet, which consists of the existing values and of levels.
 //!
-//! The definition level shows whether a place has a value: 0 for nothing, the largest level for a value. The
-//! repetition level shows whether a place begins a row, 0, or continues its list, 1 (Melnik and others,
-//! *Dremel*, PVLDB 3 (2010), section 4).
+//! Each entry of a column, with or without a value, has two levels. The definition level is 0 if the row has no
+//! value or list, and has its maximum if the entry has a value. The repetition level is 0 for the first entry of a
+//! row and 1 for every further entry of the list in this row (Melnik and others, *Dremel*, PVLDB 3 (2010), section
+//! 4).
 
 use parquet::basic::{LogicalType, Repetition, Type as Physical};
 use parquet::column::reader::ColumnReader;
@@ -20,14 +20,14 @@ pub enum Kind {
     Whole,
     /// Text in every row or in some rows.
     Word(Repetition),
-    /// A number or nothing.
+    /// A number, which may be missing.
     Number,
-    /// A list of numbers or nothing.
+    /// A list of numbers, which may be missing.
     Numbers,
 }
 
 impl Kind {
-    /// The column with this name.
+    /// Returns the schema of a column of this kind with the given name.
     pub fn column(self, name: &str) -> TypePtr {
         let one = |name: &str, physical, logical, repetition| {
             let built = Type::primitive_type_builder(name, physical)
@@ -64,7 +64,7 @@ impl Kind {
 /// The existing values of a column.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Values {
-    /// Integers: the bits of a `u64`.
+    /// Integers, stored as the bits of a `u64`.
     Whole(Vec<i64>),
     /// Numbers.
     Numbers(Vec<f64>),
@@ -76,9 +76,9 @@ pub enum Values {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Column {
     pub values: Values,
-    /// Definition level of each place; empty if every row has a value.
+    /// Definition level of each entry; empty if every row has a value.
     pub definitions: Vec<i16>,
-    /// Repetition level of each place; empty unless the column contains lists.
+    /// Repetition level of each entry; empty unless the column contains lists.
     repetitions: Vec<i16>,
 }
 
@@ -152,7 +152,7 @@ impl Column {
         self.repetitions.extend(other.repetitions);
     }
 
-    /// An empty column for a reader.
+    /// An empty column with the type of values that the reader reads.
     pub fn before(reader: &ColumnReader) -> Result<Self> {
         Ok(Column::empty(match reader {
             ColumnReader::Int64ColumnReader(_) => Values::Whole(Vec::new()),
@@ -217,15 +217,17 @@ impl Column {
 
 /// Error for a kind of column that results do not have.
 fn foreign() -> ParquetError {
-    ParquetError::General("this column does not belong to results of a study".to_owned())
+    ParquetError::General(
+        "the file has a column of a type that results of a study do not have".to_owned(),
+    )
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    /// Levels of a list, an empty list and a missing list. The example is that of the format, with one level
-    /// of nesting.
+    /// Tests the levels of lists of numbers, of an empty list and of a missing list. The Parquet format determines
+    /// the expected levels.
     #[test]
     fn lists_have_their_definition_and_repetition_levels() {
         let lists = [Some(&[1.0, 2.0][..]), Some(&[]), None, Some(&[3.0])];

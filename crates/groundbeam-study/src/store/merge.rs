@@ -19,12 +19,13 @@ pub struct Merged {
     pub files: usize,
 }
 
-/// Merges the shards of a study. The file is the same, to the last bit, as if one machine had run the study.
+/// Merges the shards of a study. The merged file is bitwise equal to the file of one machine that runs the whole
+/// study.
 ///
 /// # Errors
 ///
-/// Files that cannot be read or written, are not of the same study, overlap, or leave samples out;
-/// [`StoreError::Stopped`] if `watch` stops the merge.
+/// Fails if a file cannot be read or written, or if the files belong to different studies, overlap or lack
+/// samples. Returns [`StoreError::Stopped`] if `watch` stops the merge.
 pub fn merge(paths: &[PathBuf], out: &Path, watch: &mut Watch) -> Result<Merged, StoreError> {
     let mut shards: Vec<(Range<u64>, &Path)> = Vec::new();
     let mut known: Option<(Head, TypePtr, &Path)> = None;
@@ -34,13 +35,13 @@ pub fn merge(paths: &[PathBuf], out: &Path, watch: &mut Watch) -> Result<Merged,
         if replaced.is_some()
             && Identity::of(path).map_err(|error| StoreError::io(path, &error))? == replaced
         {
-            let what = "this is one of the files that are merged; name another output";
+            let what = "this output is one of the files that are merged; name another output";
             return Err(StoreError::File(out.to_owned(), what.to_owned()));
         }
         let (head, schema) = (results.head(), results.schema());
         if head.get("digest").is_none() {
             return Err(StoreError::Unlike(format!(
-                "{}: these are not results of a study",
+                "{}: this file contains no results of a study",
                 path.display()
             )));
         }
@@ -48,7 +49,7 @@ pub fn merge(paths: &[PathBuf], out: &Path, watch: &mut Watch) -> Result<Merged,
             None => known = Some((head, schema, path)),
             Some((other, _, first)) if *other != head => {
                 return Err(StoreError::Unlike(format!(
-                    "{} and {} differ in their study, model, seed or version",
+                    "{} and {} differ in their study, model, seed or version; merge only shards of one study",
                     first.display(),
                     path.display()
                 )));

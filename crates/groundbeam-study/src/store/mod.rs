@@ -28,11 +28,11 @@ pub enum StoreError {
     File(PathBuf, String),
     /// A file of results is damaged; the text describes the damage.
     Damaged(PathBuf, String),
-    /// The present results belong to another study.
+    /// The existing results belong to another study.
     Foreign(PathBuf),
     /// Another process works on the same study.
     Busy(PathBuf),
-    /// These files do not form one study.
+    /// The files to be merged do not form one study; the text gives the reason.
     Unlike(String),
     /// The watcher stopped the work.
     Stopped,
@@ -65,7 +65,11 @@ impl fmt::Display for StoreError {
                 path.display()
             ),
             StoreError::Busy(path) => {
-                write!(f, "{}: another process is at work on these results", path.display())
+                write!(
+                    f,
+                    "{}: another process is writing these results; wait until it ends",
+                    path.display()
+                )
             }
             StoreError::Unlike(what) => f.write_str(what),
             StoreError::Stopped => f.write_str("stopped"),

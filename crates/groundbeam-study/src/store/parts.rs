@@ -1,6 +1,7 @@
 //! Stores the parts of a running study in a folder beside the final file.
 //!
-//! The name of a part gives its samples. A process that works here holds a lock that ends with the process.
+//! The name of a part contains the range of its samples. A process that writes parts locks the folder. The lock
+//! ends with the process.
 
 use super::StoreError;
 use super::column::Column;
@@ -13,7 +14,7 @@ use std::io::ErrorKind;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-/// The folder that holds the parts of the results file `out`.
+/// The folder with the parts of the results file `out`.
 fn folder(out: &Path) -> PathBuf {
     let mut name = out.as_os_str().to_owned();
     name.push(".parts");
@@ -31,7 +32,7 @@ pub struct Parts {
 }
 
 impl Parts {
-    /// Opens the folder, new or with the parts of an earlier run; `restart` removes these parts.
+    /// Opens the folder, which is new or contains the parts of an earlier run. `restart` removes these parts.
     pub fn open(out: &Path, restart: bool) -> Result<Self, StoreError> {
         let folder = folder(out);
         match fs::create_dir(&folder) {
@@ -56,8 +57,8 @@ impl Parts {
         Ok(parts)
     }
 
-    /// Verifies that each part is undamaged, belongs to this study, and has the samples in its name. These are among
-    /// `samples` and in no other part.
+    /// Verifies that each part is undamaged, belongs to this study, and contains the samples in its name. The
+    /// samples of a part must be among `samples` and in no other part.
     pub fn verify(
         &self,
         table: &Table,
@@ -101,7 +102,7 @@ impl Parts {
         folder(out).is_dir()
     }
 
-    /// Every complete part and its samples, in their order.
+    /// All complete parts with the ranges of their samples, in the order of the samples.
     pub fn all(&self) -> Result<Vec<(Range<u64>, PathBuf)>, StoreError> {
         let wrong = |error: std::io::Error| StoreError::io(&self.folder, &error);
         let mut all = Vec::new();
@@ -160,7 +161,7 @@ impl Parts {
     }
 }
 
-/// Joins several files, row after row. Returns the number of samples.
+/// Joins several files, row after row, and writes the file `out`.
 pub fn assembled(
     out: &Path,
     table: &Table,

@@ -77,7 +77,7 @@ impl Results {
         Ok((columns, rows(group.metadata().num_rows())))
     }
 
-    /// A group of rows with verified bytes.
+    /// Returns a group of rows after its bytes have been verified.
     fn verified(&self, group: usize) -> Result<Box<dyn RowGroupReader + '_>, StoreError> {
         if !self.checksums.is_sound(group)? {
             let counts = self.metadata().row_groups().iter().map(|group| group.num_rows());
@@ -100,7 +100,8 @@ impl Results {
         })
     }
 
-    /// The samples, which are consecutive.
+    /// Range of the samples in the file; `None` for a file without rows. Fails if the samples are not
+    /// consecutive.
     pub fn samples(&self) -> Result<Option<Range<u64>>, StoreError> {
         let Some(last) = self.groups().checked_sub(1) else { return Ok(None) };
         let most = rows(self.metadata().row_group(last).num_rows());
@@ -121,7 +122,7 @@ impl Results {
         }
     }
 
-    /// The first rows of a group in one column.
+    /// Reads the first `most` rows of one column of a group.
     fn column(&self, group: usize, column: usize, most: usize) -> Result<Column, StoreError> {
         let group = self.verified(group)?;
         let read = || {
@@ -146,7 +147,7 @@ pub fn verify(path: &Path, watch: &mut Watch) -> Result<u64, StoreError> {
     Ok(results.rows())
 }
 
-/// Reports to a watcher the number of verified rows.
+/// Returns a function that adds numbers of verified rows and reports their sum to a watcher.
 pub fn counted(of: u64, watch: &mut Watch) -> impl FnMut(u64) -> Result<(), StoreError> {
     let mut done = 0;
     move |rows| {
@@ -156,7 +157,7 @@ pub fn counted(of: u64, watch: &mut Watch) -> impl FnMut(u64) -> Result<(), Stor
     }
 }
 
-/// A number of rows as stated in the file.
+/// Number of rows that the file states, or 0 if the stated number is negative.
 fn rows(stated: i64) -> usize {
     usize::try_from(stated).unwrap_or(0)
 }
@@ -167,7 +168,7 @@ pub struct Whole {
 }
 
 impl Whole {
-    /// The file, if it exists and contains exactly these samples of the study.
+    /// Opens a file that contains exactly these samples of the study. Returns `None` if the file does not exist.
     pub fn of(path: &Path, head: &Head, samples: &Range<u64>) -> Result<Option<Self>, StoreError> {
         if !path.exists() {
             return Ok(None);
@@ -193,7 +194,7 @@ impl Whole {
         self.results.verify(&mut counted(self.results.rows(), watch))
     }
 
-    /// Number of groups in which its rows are read.
+    /// Number of groups of rows in the file.
     pub fn groups(&self) -> usize {
         self.results.groups()
     }
@@ -207,7 +208,7 @@ impl Whole {
         Ok(definitions.iter().map(number).map(|number| number.unwrap_or(f64::NAN)).collect())
     }
 
-    /// A column of texts in a group of rows.
+    /// Passes each text of a column in a group of rows to `take`.
     pub fn words(
         &self,
         group: usize,

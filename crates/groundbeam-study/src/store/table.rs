@@ -1,4 +1,4 @@
-//! The columns and the header of a file of results.
+//! Computes the columns and the header of a file of results from a study and the rows of its samples.
 
 use super::checksum::hex;
 use super::column::{Column, Kind};
@@ -18,7 +18,7 @@ pub struct Head {
 }
 
 impl Head {
-    /// The header of a study and its plan.
+    /// Creates the header for the results of a study under its plan.
     pub fn of(draws: &Draws) -> Self {
         let (StudyFile { document, text, .. }, plan) = (draws.study(), draws.plan());
         let mut pairs: Vec<(String, String)> = [
@@ -58,8 +58,8 @@ impl Head {
     }
 }
 
-/// Digests of the files that a model names, in order; `None` if it names none. The model contains their
-/// names; their locations are not included.
+/// Digests of the files that a model names, in order; `None` if the model names no file. The text of the model
+/// contains the names of the files. The locations of the files are not included.
 fn files_of(document: &Document) -> Option<String> {
     let digests = document.files.iter().map(|file| hex(Sha256::new_with_prefix(&file.text)));
     let digests: Vec<String> = digests.collect();
@@ -135,7 +135,7 @@ impl Table {
         }
     }
 
-    /// Rows of consecutive samples as columns.
+    /// Converts the rows of consecutive samples to columns.
     fn rows(&self, first: u64, rows: &[(Draw, Row)]) -> Vec<Column> {
         let numbers = |of: &dyn Fn(&(Draw, Row)) -> f64| Column::numbers(rows.iter().map(of));
         let mut columns = vec![

@@ -1,7 +1,7 @@
-//! Writes files of results, compressing rows in groups of one size.
+//! Writes files of results, and compresses rows in groups of equal size.
 //!
-//! A file appears under its name when it is complete and on the disk ([`Output`]), with checksums of all its
-//! bytes.
+//! A file contains checksums of all its bytes. It gets its name only after it is complete and on the disk
+//! ([`Output`]).
 
 use super::StoreError;
 use super::checksum::Sealed;
@@ -18,7 +18,7 @@ use parquet::schema::types::ColumnPath;
 use std::path::Path;
 use std::sync::Arc;
 
-/// Rows of a group, compressed together.
+/// Number of rows in a group, which are compressed together.
 const ROWS_IN_A_GROUP: usize = 1 << 16;
 
 /// The compression level of a file.
@@ -34,8 +34,8 @@ pub enum Packing {
 pub struct Writer<'a> {
     path: &'a Path,
     file: SerializedFileWriter<Sealed<Output>>,
-    /// Rows that wait to be written. The ends of pages depend on the number of rows per call, so this number
-    /// is always the same.
+    /// Rows that are not yet written. Each call of the Parquet writer receives the same number of rows, because
+    /// this number determines where the pages of the file end.
     waiting: Vec<Column>,
     rows: usize,
 }
@@ -51,7 +51,7 @@ impl<'a> Writer<'a> {
         Ok(Writer { path, file, waiting: Vec::new(), rows: 0 })
     }
 
-    /// Appends rows, at most one group.
+    /// Appends at most one group of rows.
     pub fn write(&mut self, columns: Vec<Column>, rows: usize) -> Result<(), StoreError> {
         (self.waiting, self.rows) = (columns, rows);
         self.hand_over()
@@ -111,7 +111,7 @@ impl<'a> Writer<'a> {
         Ok(())
     }
 
-    /// Completes the file and gives it its name.
+    /// Completes the file and gives it its final name.
     pub fn finish(mut self) -> Result<(), StoreError> {
         if self.rows > 0 {
             self.hand_over()?;
@@ -125,7 +125,7 @@ impl<'a> Writer<'a> {
     }
 }
 
-/// Compression and header of a file.
+/// Sets the compression, the statistics and the header of a file.
 fn properties(head: &Head, packing: Packing) -> WriterProperties {
     let pairs = head.pairs.iter();
     let pairs = pairs.map(|(key, value)| KeyValue::new(key.clone(), value.clone())).collect();
@@ -135,7 +135,8 @@ fn properties(head: &Head, packing: Packing) -> WriterProperties {
     };
     WriterProperties::builder()
         .set_compression(compression)
-        // Nearly all numbers are different, and nearly all texts are equal.
+        // Most columns have no dictionary, because nearly all numbers are different. The two columns of texts
+        // have one, because nearly all texts are equal.
         .set_dictionary_enabled(false)
         .set_column_dictionary_enabled(ColumnPath::from("status"), true)
         .set_column_dictionary_enabled(ColumnPath::from("message"), true)

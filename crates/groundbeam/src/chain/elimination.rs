@@ -1,13 +1,16 @@
-//! The linear solve: elimination of beam and ground from both ends to a meeting node.
+//! Solves the linear system: eliminates beam and ground from both ends of the beam to a meeting node.
 //!
-//! A sweep condenses all cells that it has passed to the unknowns x = (w, θ) of the node and, in open ground, u. The
-//! result is a stiffness S and a force r. Across an element, x' = T x + d. For each of w and θ, either x or d is
-//! eliminated, whichever has the larger stiffness. So no stiffness is a small difference of large numbers. Each element
-//! is crossed once in the sweep and once in back-substitution, so the cost is linear in the number of elements.
+//! The unknowns of a node are the deflection w and the rotation θ of the beam and, in open ground, the settlement u
+//! of the surface. A sweep condenses the cells that it has passed to a stiffness and a force at the present node.
+//! An element of length h has the deformations d₁ = w_right − w_left − h θ_left and d₂ = θ_right − θ_left. The
+//! sweep eliminates either w of the passed node or d₁, whichever has the larger stiffness, and likewise either θ or
+//! d₂. So no stiffness is a small difference of large numbers. Each element is crossed once in the sweep and once
+//! in back-substitution, so the cost is linear in the number of elements.
 //!
-//! In a narrow gap, and near the edge of a wide one, a short two-port of stiffness μ/h couples the surface to the beam.
-//! There the third unknown of x is r = u − ψ instead of u. Differences of neighbouring r do not contain the common
-//! settlement of beam and ground, and μ/h is not added to the much smaller support stiffness.
+//! In a narrow gap and near the edge of a wide gap, a short stretch of open ground couples the surface to the beam.
+//! Its stiffness is much larger than that of the supports. There the third unknown of a node is u − ψ instead of u,
+//! where ψ is the deflection of the beam minus the gap. The differences of u − ψ between neighbouring nodes do not
+//! contain the common settlement of beam and ground, and the large stiffness is not added to that of the supports.
 
 use crate::chain::hinge::HingeRotation;
 use crate::chain::links::{add_open_ground, counted};
@@ -23,24 +26,29 @@ pub(crate) struct Chain {
     pub meeting: usize,
 }
 
-/// Back-substitution across a cell: the unknowns at the end that the sweep passed first, from those at the other end.
+/// Back-substitution across a cell, which computes the unknowns of the left node from those of the right node. In a
+/// sweep from the right, the cell is mirrored.
 #[derive(Debug, Clone, Copy, Default)]
 struct BackSubstitution {
-    /// (v₁, v₂, u_left) = constant − gain·(w_right, θ_right, u_right).
+    /// The eliminated unknowns are `constant` minus `gain` times the three unknowns of the right node. They are two
+    /// unknowns of the beam and one of the surface.
     gain: [[f64; 3]; 3],
     constant: [f64; 3],
-    /// v = C (w_right, θ_right, v₁, v₂).
+    /// Whether the eliminated unknown is the value at the left node, for the deflection and for the rotation.
+    /// Otherwise it is a deformation of the element.
     by_left: [bool; 2],
-    /// Whether the third eliminated unknown is u_right − u_left.
+    /// Whether the eliminated surface unknown is the difference of the right and the left surface unknown.
+    /// Otherwise it is the left surface unknown.
     rise: bool,
-    /// (a, b, c) with u = c − a w − b θ at the left node, if the surface ends there.
+    /// Coefficients a, b and c of the settlement c − a w − b θ of the surface at the left node with deflection w
+    /// and rotation θ, if the free surface ends there.
     ended: [f64; 3],
-    /// The hinge at the left node.
+    /// Back-substitution across the hinge at the left node.
     turned: Option<HingeRotation>,
 }
 
 impl Chain {
-    /// Solves for the four unknowns of every element.
+    /// Solves the linear system. Returns the four unknowns of every element.
     pub fn solve(&self) -> Result<Vec<[f64; 4]>, NotDefinite> {
         let last = self.nodes.len() - 1;
         let meet = self.meeting.min(last);
@@ -116,7 +124,8 @@ fn apply(node: &ChainNode, state: &mut CondensedStiffness, sign: f64) {
     state.r[W] += node.force + node.ground_spring * node.gap + node.spring * node.settlement;
     state.r[THETA] += node.moment * sign;
     if node.from_beam {
-        // The surface spring acts on u = ψ + r.
+        // Here the surface unknown is the settlement relative to the beam, but the surface spring acts on the
+        // settlement itself.
         state.s[U][W] += node.surface_spring;
         state.s[W][U] += node.surface_spring;
         state.s[W][W] += node.surface_spring;
@@ -125,7 +134,7 @@ fn apply(node: &ChainNode, state: &mut CondensedStiffness, sign: f64) {
     }
 }
 
-/// Eliminates u at a node where the free surface ends.
+/// Eliminates the settlement of the surface at a node where the free surface ends.
 fn end_surface(state: &mut CondensedStiffness) -> Result<[f64; 3], NotDefinite> {
     let pivot = state.s[U][U];
     if pivot <= 0.0 {
@@ -146,8 +155,9 @@ fn end_surface(state: &mut CondensedStiffness) -> Result<[f64; 3], NotDefinite> 
     Ok(gain)
 }
 
-/// The four unknowns of the element as linear combinations of w_right, θ_right, v₁ and v₂, where vᵢ is either the left
-/// value or dᵢ.
+/// Returns the four unknowns of an element of length `h` as linear combinations of the deflection and the rotation
+/// of the right node and the two eliminated beam unknowns. `by_left` has the meaning of
+/// [`BackSubstitution::by_left`].
 fn transform(h: f64, basis: Basis, by_left: [bool; 2]) -> [[f64; 4]; 4] {
     if basis == Basis::Ends {
         return [
@@ -165,10 +175,14 @@ fn transform(h: f64, basis: Basis, by_left: [bool; 2]) -> [[f64; 4]; 4] {
     if w_known { [own, theta, other, d2] } else { [other, theta, own, d2] }
 }
 
-/// Indices of the four beam unknowns and the two surface unknowns in (w_r, θ_r, u_r | v₁, v₂, u_l).
+/// Positions of six unknowns in the order of condensation: deflection and rotation of the right node, the two
+/// eliminated beam unknowns, and the left and the right surface unknown. In the order of condensation, the three
+/// unknowns of the right node precede the three eliminated unknowns.
 const ORDER: [usize; 6] = [0, 1, 3, 4, 5, 2];
 
-/// Coefficients of these six unknowns, from the coefficients of the element's unknowns v and of the surfaces.
+/// Transforms a row of coefficients to the order of condensation ([`ORDER`]). `row` contains the coefficients of
+/// the four unknowns of the element and of the left and the right surface unknown. `c` is the matrix of
+/// [`transform`].
 fn in_order(row: &[f64; 6], c: &[[f64; 4]; 4]) -> [f64; 6] {
     let mut ordered = [0.0; 6];
     for j in 0..4 {
@@ -186,9 +200,10 @@ fn cross(
     state: &CondensedStiffness,
     back: &mut BackSubstitution,
 ) -> Result<CondensedStiffness, NotDefinite> {
-    // The stiffness to be condensed to the right node, in (w_l, θ_l, d₁, d₂ | u_l, u_r). In short open ground the
-    // coupling of the two ends is much stiffer than their supports. Then δ = u_r − u_l replaces u_l, so that the
-    // rounding error of the coupling does not mask the supports.
+    // `k` is the stiffness of the element and of the cells already condensed. Its unknowns are the four of the
+    // element, and the left and the right surface unknown. In short open ground the coupling of the two surface
+    // unknowns is much stiffer than their supports. Then their difference replaces the left surface unknown, so
+    // that the rounding error of the coupling does not mask the supports.
     back.rise = open
         .is_some_and(|open| open.ties == [Tie::Surface; 2] && open.two_port.series > state.s[U][U]);
     let surface_left =
@@ -226,7 +241,7 @@ fn cross(
         node.clamped || state.s[THETA][THETA] > element.stiffness[3][3],
     ];
     let c = transform(element.length, element.basis, back.by_left);
-    // Congruence transformation for the four beam unknowns, then reordering to (w_r, θ_r, u_r | v₁, v₂, u_l).
+    // The beam unknowns are transformed, and all unknowns are put in the order of condensation.
     let mut half = [[0.0; 4]; 6];
     for i in 0..6 {
         for j in 0..4 {
@@ -253,8 +268,9 @@ fn cross(
             m[ORDER[i]][ORDER[j]] = k[i][j];
         }
     }
-    // A two-port between the surface and the beam's right end depends on w_r alone. It is added after the congruence,
-    // because rounding error of the congruence would otherwise restrain the rotation of a free beam.
+    // Open ground between the surface and the right end of the beam restrains the deflection of this end but not
+    // its rotation. Its stiffness is added after the transformation, because rounding error of the transformation
+    // would otherwise restrain the rotation of a free beam.
     if let Some(open) = open {
         add_open_ground(open, surfaces, beam, |row| in_order(row, &c), &mut m, &mut f);
     }
@@ -262,8 +278,8 @@ fn cross(
     condense(&m, &f, free, node.settlement, back)
 }
 
-/// Eliminates those of the last three unknowns of (w_r, θ_r, u_r | v₁, v₂, u_l) that are `free`. The others are 0,
-/// except that a fixed v₁ is the settlement of the support.
+/// Eliminates those of the last three of six unknowns that are `free`. If the first of these three unknowns is not
+/// free, it equals `settlement`. If one of the other two is not free, it is zero.
 fn condense(
     m: &[[f64; 6]; 6],
     f: &[f64; 6],
@@ -271,7 +287,8 @@ fn condense(
     settlement: f64,
     back: &mut BackSubstitution,
 ) -> Result<CondensedStiffness, NotDefinite> {
-    // LDLᵀ of the eliminated block with the six right-hand sides: three columns and the load.
+    // LDLᵀ factorisation solves for the eliminated unknowns. Its four right-hand sides are the columns of the three
+    // remaining unknowns, and the load.
     let mut a = [[0.0; 3]; 3];
     let mut b = [[0.0; 4]; 3];
     for i in 0..3 {
@@ -340,7 +357,7 @@ fn condense(
     Ok(ahead)
 }
 
-/// Solves S y = r at the meeting node.
+/// Computes the three unknowns of the meeting node from its condensed stiffness and force.
 fn solve_node(node: &ChainNode, both: &CondensedStiffness) -> Result<[f64; 3], NotDefinite> {
     let mut m = [[0.0; 6]; 6];
     let mut f = [0.0; 6];
@@ -357,7 +374,8 @@ fn solve_node(node: &ChainNode, both: &CondensedStiffness) -> Result<[f64; 3], N
 }
 
 impl BackSubstitution {
-    /// Computes (w, θ, u) of the left node and the unknowns v of the cell from (w, θ, u) of the right node.
+    /// Computes the three unknowns of the left node and the unknowns `v` of the element from the three unknowns `y`
+    /// of the right node.
     fn cross(&self, h: f64, basis: Basis, y: [f64; 3], v: &mut [f64; 4]) -> [f64; 3] {
         let e: [f64; 3] =
             std::array::from_fn(|i| self.constant[i] - sum::<f64, 3>(|j| self.gain[i][j] * y[j]));
@@ -367,7 +385,7 @@ impl BackSubstitution {
         [v[0], v[1], if self.rise { y[U] - e[2] } else { e[2] }]
     }
 
-    /// u in the cell just crossed, at a node where the free surface ends.
+    /// Computes the settlement of the surface in the cell just crossed, at a node where the free surface ends.
     fn end(&self, node: &ChainNode, mut y: [f64; 3], forward: bool) -> [f64; 3] {
         let [behind, ahead] = if forward { [0, 1] } else { [1, 0] };
         if node.surface[behind] && !node.surface[ahead] {
@@ -388,8 +406,8 @@ mod tests {
     use crate::mesh::mesh::Mesh;
     use crate::model::{Beam, Foundation, Load, Model};
 
-    /// The rotation of a beam with a free end on open ground has no restraint, not even by rounding error: the free end
-    /// may rise by a million times the settlement of the ground.
+    /// The ground does not restrain the rotation of a beam with a free end on open ground, not even by rounding
+    /// error. So the free end may rise by a million times the settlement of the ground.
     #[test]
     fn a_free_beam_has_zero_rotational_stiffness() {
         for i in 1..200 {

@@ -1,14 +1,14 @@
-//! Hinges: nodes at which θ jumps.
+//! Condenses the rotations of hinges, which are nodes at which the rotation θ of the beam jumps.
 //!
-//! A hinge is an element of length zero, x' = x + (0, δ), with the energy ½ k_φ δ² of its rotation δ. Elimination of θ
-//! gives S' = S − S e (eᵀS e + k_φ)⁻¹ eᵀS with e the unit vector of θ. At a hinge without a spring the row and the
-//! column of θ vanish.
+//! A hinge is an element of length zero. The jump δ of θ has the energy ½ k_φ δ², where k_φ is the stiffness of the
+//! hinge. Elimination of θ on the passed side changes the condensed stiffness S of the node to S − S e (eᵀS e +
+//! k_φ)⁻¹ eᵀS with the unit vector e of θ. At a hinge without a spring the row and the column of θ vanish.
 
 use crate::chain::node::{ChainNode, CondensedStiffness, NotDefinite, THETA};
 use crate::numeric::real::sum;
 
-/// Back-substitution across a hinge: θ_behind = constant − gain·(w, θ_ahead, u), where the sweep goes from behind to
-/// ahead.
+/// Back-substitution across a hinge, which a sweep crosses from its near to its far side. It computes θ_near =
+/// constant − gain · (w, θ_far, u) from the deflection w, the rotations θ and the settlement u.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct HingeRotation {
     gain: [f64; 3],
@@ -16,7 +16,8 @@ pub(super) struct HingeRotation {
 }
 
 impl HingeRotation {
-    /// Condenses the hinge of a node, if there is one. No other load or support may act on θ at the node.
+    /// Condenses the hinge of a node. Returns `None` for a node without a hinge. No other load or support may act
+    /// on the rotation of the node.
     pub fn condense(
         node: &ChainNode,
         state: &mut CondensedStiffness,
@@ -24,7 +25,7 @@ impl HingeRotation {
         let Some(spring) = node.hinge else { return Ok(None) };
         let CondensedStiffness { s, r } = *state;
         let held = s[THETA][THETA] + spring;
-        // Only the ground and the supports behind a hinge without a spring resist the rotation.
+        // If the hinge has no spring, only the ground and the supports on its near side resist the rotation.
         if held.is_nan() || held <= 0.0 {
             return Err(NotDefinite);
         }
@@ -45,7 +46,8 @@ impl HingeRotation {
         Ok(Some(HingeRotation { gain, constant: r[THETA] / held }))
     }
 
-    /// (w, θ, u) behind the hinge, if there is one, from those ahead of it.
+    /// Changes the unknowns `y` on the far side of a hinge to those on its near side. Without a hinge, `y` is
+    /// unchanged.
     pub fn beyond_hinge(turned: Option<Self>, mut y: [f64; 3]) -> [f64; 3] {
         if let Some(HingeRotation { gain, constant }) = turned {
             y[THETA] = constant - sum::<f64, 3>(|i| gain[i] * y[i]);

@@ -1,12 +1,14 @@
-//! Adds the open ground under a cell to the stiffness of the cell. Each end is tied to the surface of the ground at a node
-//! or to the beam.
+//! Adds the open ground under a cell to the stiffness of the cell.
 
 use crate::chain::node::{ChainNode, OpenGround, Tie};
 
-/// u at one end of a cell: the coefficients of the six unknowns of the cell, and the gap to subtract.
+/// Settlement at one end of a cell as a linear function of the six unknowns of the cell: their coefficients, and a
+/// gap that is subtracted.
 pub(super) type Surface = ([f64; 6], f64);
 
-/// u at a node, from the unknown that represents it there: u itself or r = u − ψ. `beam` gives w at the node.
+/// Returns the settlement of the surface at a node from the coefficients `row` of its surface unknown. This unknown
+/// is the settlement itself, or the settlement relative to the beam. `beam` contains the coefficients of the
+/// deflection at the node.
 pub(super) fn counted(row: [f64; 6], node: &ChainNode, beam: [f64; 4]) -> Surface {
     let mut row = row;
     if !node.from_beam {
@@ -16,8 +18,9 @@ pub(super) fn counted(row: [f64; 6], node: &ChainNode, beam: [f64; 4]) -> Surfac
     (row, node.gap)
 }
 
-/// Adds open ground to the stiffness and the force of six unknowns. `surfaces` and `beam` give u of the surface and w of
-/// the beam at both ends of the cell. `turned` transforms coefficients of the cell's unknowns to coefficients of these
+/// Adds open ground to the stiffness `k` and the force `q` of six unknowns. Each end of the ground is tied to the
+/// free surface or to the beam. `surfaces` and `beam` contain the settlement and the deflection at both ends of the
+/// cell as functions of the unknowns of the cell. `turned` transforms their coefficients to those of the six
 /// unknowns.
 pub(super) fn add_open_ground(
     open: &OpenGround,

@@ -1,4 +1,4 @@
-//! Elimination of the discrete beam and ground for given contact zones.
+//! Eliminates the unknowns of the discrete beam and ground for given contact zones.
 
 pub(crate) mod elimination;
 pub(crate) mod hinge;

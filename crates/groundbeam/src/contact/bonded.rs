@@ -1,4 +1,4 @@
-//! The beam bonded to the ground on given intervals, solved exactly.
+//! Solves the beam that is bonded to the ground on given intervals, with exact elements.
 
 use crate::cancel::Cancel;
 use crate::chain::elimination::Chain;
@@ -23,10 +23,10 @@ use std::borrow::Cow;
 pub(crate) struct Bonded<'a> {
     pub model: &'a Model,
     cancel: &'a Cancel,
-    /// Whether all elements are short relative to the waves of the beam, without [quiet](crate::element)
+    /// Whether all elements are short relative to the wavelength of the beam, without [quiet](crate::element)
     /// elements.
     is_fine: bool,
-    /// Elements of the previous step, reused for cells without edges.
+    /// Elements of the previous step, which are reused for unchanged cells.
     known: Vec<Known>,
 }
 
@@ -49,9 +49,10 @@ pub(crate) struct BondedSystem {
 /// The stabilising springs of a bonded beam.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Springs {
-    /// Their work ε|w̃ − w|².
+    /// Work Σ c (w̃ − w)² of the springs with stiffness c, from the deflection w before the step to the bonded
+    /// deflection w̃.
     pub work: f64,
-    /// Whether their forces are rounding error. Then the beam is in equilibrium without them.
+    /// Whether the forces of the springs are rounding error. Then the beam is in equilibrium without the springs.
     pub at_rest: bool,
 }
 
@@ -63,8 +64,8 @@ struct StabilisingSpring {
     rest: f64,
 }
 
-/// Stabilising springs at the nodes of a mesh. They have no force in the deflection `now`. Their stiffness is
-/// ε times that of the ground, lumped from half of each adjoining cell.
+/// Creates stabilising springs at the nodes of a mesh. They have no force in the deflection `now`. Their stiffness is
+/// ε times the stiffness of the ground under half of each adjoining cell.
 fn stabilising_springs(mesh: &Mesh, now: &ContactState, epsilon: f64) -> Vec<StabilisingSpring> {
     let spring = |node: &Node| StabilisingSpring {
         at: node.x,
@@ -85,7 +86,7 @@ fn deflection_at(found: &ContactState, x: f64) -> f64 {
     value(found.deflection().cell(cell), found.mesh.cells[cell].local(x))
 }
 
-/// The chain of a mesh and its elements, bonded on the given zones. The ends of zones must be nodes.
+/// Builds the chain of a mesh from its elements, bonded on the given zones. The ends of zones must be nodes.
 pub(crate) fn chain_of(
     mesh: &Mesh,
     zones: &[MeshZone],
@@ -96,7 +97,7 @@ pub(crate) fn chain_of(
     Chain { nodes: layout.nodes(mesh), cells, meeting: layout.meeting_node(mesh) }
 }
 
-/// The kind of zone in which a cell lies: contact within an interval, open elsewhere.
+/// Returns the kind of zone in which a cell lies: contact within an interval, open outside the intervals.
 pub(crate) fn zone_kind_of(intervals: &[Interval]) -> impl Fn(&Cell) -> ZoneKind + '_ {
     |cell| {
         let x = 0.5 * (cell.x[0] + cell.x[1]);
@@ -106,7 +107,8 @@ pub(crate) fn zone_kind_of(intervals: &[Interval]) -> impl Fn(&Cell) -> ZoneKind
     }
 }
 
-/// Whether compression removes all shear stiffness somewhere, so that the beam buckles in arbitrarily short waves.
+/// Whether compression removes all shear stiffness of the beam at some point, so that the beam buckles in
+/// arbitrarily short waves.
 pub(crate) fn folds(model: &Model, places: &[f64], touch: &impl Fn(&Cell) -> ZoneKind) -> bool {
     let axial = model.beam.axial_force;
     if axial >= 0.0 || !model.beam.shears() {
@@ -122,8 +124,8 @@ impl<'a> Bonded<'a> {
         Bonded { model, cancel, is_fine: false, known: Vec::new() }
     }
 
-    /// The bonded problem with elements that are short relative to the waves of the beam everywhere. Such
-    /// elements represent the response to any load.
+    /// Creates the bonded problem with elements that are short relative to the wavelength of the beam everywhere.
+    /// Such elements represent the response to any load.
     pub fn fine(model: &'a Model, cancel: &'a Cancel) -> Self {
         Bonded { is_fine: true, ..Bonded::new(model, cancel) }
     }
@@ -133,7 +135,7 @@ impl<'a> Bonded<'a> {
         self.solve_with(intervals, &[], |_, _| ())
     }
 
-    /// The bonded beam with prescribed rotations.
+    /// Solves the bonded beam with prescribed rotations.
     pub fn solve_held(
         &mut self,
         intervals: &[Interval],
@@ -150,9 +152,9 @@ impl<'a> Bonded<'a> {
         })
     }
 
-    /// The bonded beam with stabilising springs at all nodes, for a beam that is a mechanism on its trial contact. The
-    /// springs have no force in the deflection `now`. `epsilon` is their stiffness relative to that of the ground; it
-    /// grows until the system is positive definite.
+    /// Solves the bonded beam with stabilising springs at all nodes, for a beam that is a mechanism on its trial
+    /// contact. The springs have no force in the deflection `now`. `epsilon` is their stiffness relative to the
+    /// stiffness of the ground; it grows until the system is positive definite.
     pub fn solve_stabilised(
         &mut self,
         intervals: &[Interval],
@@ -176,8 +178,8 @@ impl<'a> Bonded<'a> {
                     extension = extension.max((w - spring.rest).abs());
                     deflection = deflection.max(w.abs());
                 }
-                // Springs stiffer than the ground can carry the loads at a small extension. So the limit is on the
-                // force of the springs, relative to that of the ground, and not only on the extension.
+                // Springs that are stiffer than the ground can carry the loads at a small extension. So their
+                // extension is multiplied by their stiffness relative to the ground.
                 let at_rest = extension * epsilon.max(1.0) <= ULPS * f64::EPSILON * deflection;
                 return Some((found, Springs { work, at_rest }));
             }
@@ -189,7 +191,7 @@ impl<'a> Bonded<'a> {
         None
     }
 
-    /// The bonded beam with additional nodes at `more` positions. `hold` changes the nodes of its chain.
+    /// Solves the bonded beam with additional nodes at `more` positions. `hold` changes the nodes of its chain.
     fn solve_with(
         &mut self,
         intervals: &[Interval],
@@ -219,8 +221,8 @@ impl<'a> Bonded<'a> {
         Ok(ContactState::exact(mesh, coefficients, rotation, zones))
     }
 
-    /// The mesh of the beam bonded on given intervals, one cell for each element, and its zones. `more` has positions
-    /// of additional nodes.
+    /// Creates the mesh of the beam bonded on given intervals, with one cell for each element, and the zones on this
+    /// mesh. `more` has positions of additional nodes.
     pub fn mesh_on(&self, intervals: &[Interval], more: &[f64]) -> (Mesh, Vec<MeshZone>) {
         let axial = self.model.beam.axial_force;
         let touch = zone_kind_of(intervals);
@@ -235,7 +237,7 @@ impl<'a> Bonded<'a> {
         (mesh, zones)
     }
 
-    /// The system of beam and ground bonded on given intervals, with additional nodes at `more` positions.
+    /// Builds the system of beam and ground bonded on given intervals, with additional nodes at `more` positions.
     pub fn system_on(&mut self, intervals: &[Interval], more: &[f64]) -> BondedSystem {
         let (mesh, zones) = self.mesh_on(intervals, more);
         self.make_elements(&mesh, &zone_kind_of(intervals));
@@ -243,7 +245,7 @@ impl<'a> Bonded<'a> {
         BondedSystem { mesh, zones, chain }
     }
 
-    /// Computes the elements of a mesh. Known elements are reused.
+    /// Computes the elements of a mesh. Elements of the previous step are reused.
     fn make_elements(&mut self, mesh: &Mesh, touch: &impl Fn(&Cell) -> ZoneKind) {
         let axial = self.model.beam.axial_force;
         let before = std::mem::replace(&mut self.known, Vec::with_capacity(mesh.cells.len()));
@@ -259,7 +261,8 @@ impl<'a> Bonded<'a> {
         }
     }
 
-    /// φ on the cells of w. Elements with boundary layers may have several cells.
+    /// Computes the rotation φ of the cross-sections on the cells of w. Elements with boundary layers may have
+    /// several cells.
     fn rotations(&self, mesh: &Mesh, coefficients: &[f64], shapes: &[[f64; 4]]) -> Vec<f64> {
         if !self.model.beam.shears() {
             return Vec::new();
@@ -276,7 +279,7 @@ impl<'a> Bonded<'a> {
         rotations
     }
 
-    /// w as power series, one for each element.
+    /// Returns the deflection w as power series, one for each element.
     fn unfolded(&self, shapes: &[[f64; 4]]) -> Vec<f64> {
         let mut coefficients = Vec::with_capacity(self.known.len() * TERMS);
         for (known, v) in self.known.iter().zip(shapes) {
@@ -285,7 +288,8 @@ impl<'a> Bonded<'a> {
         coefficients
     }
 
-    /// w as power series if there are boundary layers. Elements with boundary layers are cut into parts.
+    /// Returns the deflection w as power series if boundary layers exist. Elements with boundary layers are cut into
+    /// parts.
     fn in_layers(&self, mesh: &Mesh, shapes: &[[f64; 4]]) -> (Mesh, Vec<f64>) {
         let parts = self.known.iter().zip(shapes).map(|(known, v)| known.exact.unfold(v));
         let parts: Vec<([f64; TERMS], [f64; 2])> = parts.collect();
@@ -331,8 +335,9 @@ mod tests {
     use crate::model::{Beam, Foundation, Load};
     use crate::numeric::polynomial::jet;
 
-    /// A gap of length h reduces the ground's force by π h and changes w by O(h), for every h and every position of a
-    /// node in the gap. Rounding error contributes 10⁻¹³ of w.
+    /// A slit of length h without contact changes the deflection and the curvature beside the slit by less than h².
+    /// This is true for every h and every position of a node in the slit. The tolerance for rounding error is
+    /// 10⁻¹³.
     #[test]
     fn fields_beside_a_short_gap_keep_their_digits() {
         let model = Model::new(Beam::uniform(1.0, 10.0), Foundation::pasternak(1.0, 3.4))

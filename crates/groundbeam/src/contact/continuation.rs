@@ -1,9 +1,9 @@
-//! Continuation in the bending stiffness: the start of phase B on a long soft beam.
+//! Computes the start of phase B on a long soft beam by continuation in the bending stiffness.
 //!
-//! The beam is stiffened until it is at most a few waves long between two nodes of the model, where a wave is 1/wave
-//! number. Phase A finds the contact of this stiff beam, and phase B its edges. The stiffness then falls to its own
-//! value in steps. Each step predicts the edges by the secant of the two preceding beams and corrects them by Newton's
-//! method without a line search. A step that does not converge is halved.
+//! The beam is stiffened until at most a few waves fit between two nodes of the model; the length of a wave is 1/wave
+//! number. Phase A finds the contact of this stiff beam, and phase B its edges. The stiffness is then reduced in
+//! steps to the stiffness of the model. Each step predicts the edges by the secant of the two preceding beams and
+//! corrects them by Newton's method without a line search. A step that does not converge is halved.
 
 use crate::cancel::Cancel;
 use crate::contact::bonded::Bonded;
@@ -26,7 +26,7 @@ use crate::nodal::edges::{Coarse, coarse};
 use crate::numeric::elementary::{exp2, log2, power};
 
 /// Computes a start for phase B: a deflection of the beam and its contact. Each `level` has a finer mesh and shorter
-/// steps than the one before. Levels count from 0; level 1 does not stiffen the beam.
+/// steps than the previous level. Levels count from 0; level 1 does not stiffen the beam.
 pub(crate) fn follow(model: &Model, level: u32, cancel: &Cancel) -> Result<Start, Unconverged> {
     let longest = LONGEST_STEP / f64::from(level + 1);
     let mut doublings = if level == 1 { 0.0 } else { stiffening(model) };
@@ -52,7 +52,7 @@ pub(crate) fn follow(model: &Model, level: u32, cancel: &Cancel) -> Result<Start
         if beams > MOST_BEAMS {
             return Err(edges_not_converged(beams, step));
         }
-        // A remainder of the size of rounding error is added to the last step.
+        // The last step is up to 0.1 % longer, so that no further step of the size of rounding error follows.
         let next = if doublings > 1.001 * step { doublings - step } else { 0.0 };
         let predicted = before.as_ref().and_then(|(stiffer, edges)| {
             let part = (doublings - next) / (stiffer - doublings);
@@ -79,10 +79,11 @@ pub(crate) fn follow(model: &Model, level: u32, cancel: &Cancel) -> Result<Start
     Ok(Start { contact, now: Some(found), near: false })
 }
 
-/// Phase A: the contact set of forces at nodes, on meshes from coarse to fine. The forces determine its edges. At the
-/// last level the scan of the deflection determines them: edges from forces stay at a hinge, edges from the scan do not.
+/// Performs phase A: computes the contact set for ground forces at the nodes, on meshes from coarse to fine. The
+/// nodal forces determine the edges of the contact set, except at the last level, where the scan of the deflection
+/// determines them. Edges from forces stay at a hinge; edges from the scan do not.
 fn phase_a(model: &Model, level: u32, cancel: &Cancel) -> Result<Start, Unconverged> {
-    // Elements with shear deformation are power series, which cost ten times as much.
+    // Shear deformation is omitted here, because elements with it are power series, which cost ten times as much.
     let bending = Model { beam: model.beam.clone().without_shear(), ..model.clone() };
     let unsettled = Unconverged { iterations: 0, why: NotConverged::Nodes };
     let per_wave = power(3.0, level as usize);
@@ -96,8 +97,8 @@ fn phase_a(model: &Model, level: u32, cancel: &Cancel) -> Result<Start, Unconver
     Ok(Start { contact, now: Some(found), near: false })
 }
 
-/// log₂ of the factor on EI with which at most [`STIFF_WAVES`] waves fit between two nodes of the model. The wave
-/// number falls at least like EI^(−1/4).
+/// Returns log₂ of the factor on EI at which at most [`STIFF_WAVES`] waves fit between two nodes of the model. With
+/// increasing EI, the wave number decreases at least like EI^(−1/4).
 fn stiffening(model: &Model) -> f64 {
     let axial = model.beam.axial_force;
     let waves = |cell: &Cell| {
@@ -108,7 +109,8 @@ fn stiffening(model: &Model) -> f64 {
     4.0 * log2(cells.iter().map(waves).fold(1.0, f64::max))
 }
 
-/// Newton's method on the edges without a line search. `None` if it does not converge in a few steps.
+/// Corrects the edges by Newton's method without a line search. Returns `None` if it does not converge in a few
+/// steps.
 pub(crate) fn correct(bonded: &mut Bonded, mut contact: Vec<Interval>) -> Option<ContactState> {
     let mut least = f64::INFINITY;
     let mut stale = 0;
@@ -132,13 +134,13 @@ pub(crate) fn correct(bonded: &mut Bonded, mut contact: Vec<Interval>) -> Option
     None
 }
 
-/// Contact set of the deflection.
+/// Returns the contact set of a deflection.
 fn asked(found: &ContactState) -> Vec<Interval> {
     positions(&found.mesh, &found.zones, &[])
 }
 
-/// Extrapolates the edges from `before` to `here` by a fraction `part` of this move, on a beam of length l. `None` if
-/// the number of zones changed or two zones would meet.
+/// Extrapolates the edges from `before` and `here` by a fraction `part` of their move, on a beam of length l. Returns
+/// `None` if the number of zones changed or two zones would meet.
 pub(crate) fn secant(
     before: &[Interval],
     here: &[Interval],

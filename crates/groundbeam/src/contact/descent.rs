@@ -1,9 +1,9 @@
-//! A step of Newton's method on the edges, shortened by a line search so that the energy does not increase.
+//! Shortens a step of Newton's method on the edges by a line search so that the energy does not increase.
 //!
-//! Near the solution each bonded solve squares the error of the edges. Far from it, a bonded solve may give a weakly
-//! supported beam very large deflections. Then the step is shortened to the point where the slope of the convex energy
-//! Φ along it is nearly zero. Both deflections are polynomials on a common mesh, so the slope of Φ on the line between
-//! them is computed exactly.
+//! Near the solution each bonded solve squares the error of the edges. Far from the solution, a bonded solve may give
+//! a weakly supported beam very large deflections. Then the step is shortened to the point where the slope of the
+//! convex energy Φ along the step is nearly zero. The deflections at both ends of the step are polynomials on a
+//! common mesh, so the slope of Φ on the line between them is computed exactly.
 
 use crate::contact::obstacle;
 use crate::contact::state::ContactState;
@@ -15,7 +15,7 @@ use crate::model::Model;
 use crate::numeric::line_search::settle;
 use crate::numeric::polynomial::{Coefficients, TERMS, rescale};
 
-/// A step from a deflection towards the beam bonded to the ground on its contact.
+/// A step from a deflection towards the deflection of the beam bonded to the ground on the trial contact.
 #[derive(Debug, Clone)]
 pub(crate) struct Shortened {
     /// Fraction of the full step.
@@ -24,8 +24,8 @@ pub(crate) struct Shortened {
     pub between: Option<ContactState>,
 }
 
-/// Shortens the step from the deflection `now`, w, to the deflection `bonded`, w̃, of the beam bonded to the ground on the
-/// trial contact. `spring_work` is the work ε|w̃ − w|² of the stabilising springs.
+/// Shortens the step from the deflection w (`now`) to the deflection w̃ (`bonded`) of the beam bonded to the ground
+/// on the trial contact. `spring_work` is the work ε|w̃ − w|² of the stabilising springs.
 pub(crate) fn shorten(
     model: &Model,
     now: &ContactState,
@@ -54,7 +54,7 @@ pub(crate) fn shorten(
     let fall = beam + ground_work(&mesh, &zones, &delta, &delta) + spring_work;
     let psi = obstacle(&mesh, &to);
     let energy = form(&to, &turned_to) + ground_work(&mesh, &zones, &psi, &psi);
-    // Newton's estimate of twice the remaining decrease of the energy, relative to twice the strain energy.
+    // `decrement` is Newton's estimate of the remaining decrease of the energy, relative to the strain energy.
     let decrement = if fall == 0.0 { 0.0 } else { fall / energy.abs() };
     let whole = Shortened { part: 1.0, between: None };
     // A decrease of the size of rounding error gives no search direction.
@@ -83,7 +83,8 @@ pub(crate) fn shorten(
     Shortened { part: t, between: Some(ContactState::exact(mesh, coefficients, rotation, zones)) }
 }
 
-/// The coefficients of a field of a deflection on a finer mesh. `own` gives them in each cell of the deflection.
+/// Returns the coefficients of a field of `found` on a finer mesh. `own` returns the coefficients of the field in a
+/// cell of the mesh of `found`.
 fn on(mesh: &Mesh, found: &ContactState, own: impl Fn(usize) -> Coefficients) -> Vec<f64> {
     let mut coefficients = Vec::with_capacity(mesh.cells.len() * TERMS);
     for cell in &mesh.cells {
@@ -100,12 +101,12 @@ fn on(mesh: &Mesh, found: &ContactState, own: impl Fn(usize) -> Coefficients) ->
     coefficients
 }
 
-/// The zones of a deflection on a finer mesh. Their ends are nodes of both meshes.
+/// Returns the zones of a deflection on a finer mesh. The ends of the zones are nodes of both meshes.
 fn moved(mesh: &Mesh, found: &ContactState) -> Vec<MeshZone> {
     let last = mesh.cells.len() - 1;
     let point = |point: BeamPoint| {
         let cell = &found.mesh.cells[point.cell];
-        // The search starts inside the cell, so that the point stays on its side of a node.
+        // A position just inside the cell is looked up, so that the point stays on its side of a node.
         if point.s < 0.0 {
             let inside = cell.x[0] + f64::EPSILON * cell.x[1];
             BeamPoint { cell: mesh.cell_at(inside.min(cell.x[1])), s: -1.0 }
@@ -117,7 +118,8 @@ fn moved(mesh: &Mesh, found: &ContactState) -> Vec<MeshZone> {
     found.zones.iter().map(|zone| MeshZone { from: point(zone.from), to: point(zone.to) }).collect()
 }
 
-/// The coefficients of ψ = w − g₀ − u₀.
+/// Returns the coefficients of the obstacle in all cells: the deflection minus the initial gap and the free-field
+/// settlement.
 fn obstacle(mesh: &Mesh, coefficients: &[f64]) -> Vec<f64> {
     let w = Deflection { mesh, coefficients };
     (0..mesh.cells.len()).flat_map(|i| w.obstacle(i).to_vec()).collect()

@@ -1,4 +1,4 @@
-//! Error of the contact edges, estimated from the last trial contacts.
+//! Estimates the error of the contact edges from the last trial contacts.
 
 use crate::contact::intervals::{Interval, differences};
 use crate::contact::stopping::JITTER;
@@ -13,7 +13,7 @@ pub(crate) struct EdgeError {
 }
 
 impl EdgeError {
-    /// The error of the edges, from trial contacts that differ by rounding error, on a beam of length l.
+    /// Estimates the error of the edges from trial contacts that differ by rounding error, on a beam of length l.
     pub fn of(trials: &[&[Interval]], l: f64) -> Self {
         let mut error = EdgeError::default();
         for [from, to] in differences(trials) {

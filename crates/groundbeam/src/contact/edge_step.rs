@@ -1,10 +1,10 @@
-//! Edge Newton: the next position of each contact edge, from the concentrated force at it.
+//! Edge Newton: computes the next position of each contact edge from the concentrated force at the edge.
 //!
 //! An edge inside the beam carries no concentrated force. If an edge of the bonded beam is in the wrong position, the
-//! slope of the ground jumps there, and a known concentrated force A acts. Near the solution, a Newton step on each A
-//! at fixed deflection squares the error of the edge. The [scan](crate::contact::obstacle) of the whole beam does the
-//! same at much higher cost. Zones that split, appear or vanish are found by the scan only; the certificate refuses a
-//! solution that misses them.
+//! slope of the ground jumps at the edge, and a known concentrated force A acts. Near the solution, a Newton step on
+//! each A at fixed deflection squares the error of the edge. The [scan](crate::contact::obstacle) of the whole beam
+//! also squares the error, but at much higher cost. Zones that split, appear or vanish are found by the scan only;
+//! the certificate refuses a solution that misses such zones.
 
 use super::surface::can_carry;
 use crate::contact::intervals::Interval;
@@ -15,7 +15,7 @@ use crate::mesh::deflection::{BeamPoint, Deflection, MeshZone};
 use crate::mesh::ground_runs::{GroundRun, ground_runs};
 use crate::mesh::open_ground::open_link;
 
-/// Open ground beside a zone, and the forces on the ground at its two ends.
+/// Open ground beside a contact zone, and the concentrated forces on the ground at the two ends of this open ground.
 pub(super) struct OpenSpan {
     link: TwoPort,
     pub fluxes: [f64; 2],
@@ -32,8 +32,9 @@ impl OpenSpan {
     }
 }
 
-/// The intervals after a Newton step on every edge of the given zones, whose ends are nodes. `None` if edge Newton does
-/// not apply: on Winkler ground, if an end or a point contact is in tension, or if a step is too long.
+/// Computes the contact intervals after a Newton step on every edge of the given zones, whose ends are nodes. Returns
+/// `None` if edge Newton does not apply: on Winkler ground, if an end or a point contact is in tension, or if a step
+/// is too long.
 pub(crate) fn next_intervals(w: &Deflection, zones: &[MeshZone]) -> Option<Vec<Interval>> {
     let runs = ground_runs(w.mesh);
     let [run] = runs.as_slice() else { return None };
@@ -64,9 +65,10 @@ pub(crate) fn next_intervals(w: &Deflection, zones: &[MeshZone]) -> Option<Vec<I
     zones.iter().enumerate().map(interval).collect()
 }
 
-/// Outward move of an edge, from dA = (π − S A/μ) times the move, where S is the stiffness of the open ground at the
-/// edge. The move is 0 at positions that can carry a force: an end of the shear layer or of the beam, or a corner;
-/// `None` if the force there is tension.
+/// Computes the outward move of an edge that makes the concentrated force A at the edge zero. The force changes
+/// by (π − S A/μ) times the move, where π is the pressure and S the stiffness of the open ground at the edge. The
+/// move is 0 at positions that can carry a force: an end of the shear layer or of the beam, or a corner. The
+/// result is `None` if the force at such a position is tension.
 fn outward(w: &Deflection, edge: BeamPoint, force: f64, stiffness: f64) -> Option<f64> {
     if can_carry(w.mesh, edge) {
         return (force >= 0.0).then_some(0.0);

@@ -1,12 +1,13 @@
-//! Phase B of the contact iteration: Newton's method on the contact edges.
+//! Phase B of the contact iteration: finds the contact edges by Newton's method.
 //!
-//! Each step bonds the beam to the ground on the trial contact Z and computes the contact set of the bonded deflection:
-//! by edge Newton near the solution, otherwise by the obstacle problem. The move of the contact is the longest interval
-//! of the symmetric difference. A step whose move is at most half of the least move so far is a full step. Every other
-//! step is shortened by a line search, so that the energy Φ falls.
+//! Each step bonds the beam to the ground on the trial contact Z and computes the contact set of the bonded
+//! deflection. Near the solution edge Newton computes it, otherwise the obstacle problem. The move of the contact is
+//! the longest interval of the symmetric difference between Z and the contact set. A step whose move is at most half
+//! of the least move so far is a full step. Every other step is shortened by a line search, so that the energy Φ
+//! decreases.
 //!
-//! The iteration stops by the edges, not by the energy. A zone with 10⁻¹² of the contact force has 10⁻²⁴ of the energy,
-//! so the energy cannot show whether it touches.
+//! The stopping criterion uses the edges, not the energy. A zone with 10⁻¹² of the contact force has 10⁻²⁴ of the
+//! energy, so the energy cannot show whether the zone is in contact.
 
 use crate::contact::bonded::{Bonded, GivenRotation, Springs};
 use crate::contact::descent::shorten;
@@ -30,26 +31,26 @@ use std::rc::Rc;
 /// A trial contact from which the iteration starts.
 pub(crate) struct Start {
     pub contact: Vec<Interval>,
-    /// The deflection whose contact set this is, if known.
+    /// The deflection whose contact set is `contact`, if known.
     pub now: Option<ContactState>,
-    /// Whether the first step may be edge Newton.
+    /// Whether the first step may use edge Newton.
     pub near: bool,
 }
 
 impl Start {
-    /// A trial contact without a deflection.
+    /// Creates a start from a trial contact without a deflection.
     pub fn on(contact: Vec<Interval>) -> Self {
         Start { contact, now: None, near: false }
     }
 
-    /// The contact set of a deflection.
+    /// Creates a start from a deflection and its contact set.
     pub fn of(found: ContactState) -> Self {
         let contact = positions(&found.mesh, &found.zones, &[]);
         Start { contact, now: Some(found), near: false }
     }
 }
 
-/// Newton's method on the contact edges from a start. `judge` computes the relative energy gap of a solution.
+/// Finds the contact edges by Newton's method from a start. `judge` computes the relative energy gap of a solution.
 pub(crate) fn edges(
     bonded: &mut Bonded,
     start: Start,
@@ -98,17 +99,18 @@ struct Search<'a, 'm> {
     visited: Vec<Visited>,
     /// The deflection from which the next step starts.
     now: Option<Rc<ContactState>>,
-    /// Moves of the contact, relative to the length: the last but one, the last, and the least of all.
+    /// Moves of the contact, relative to the length of the beam: `before` is the last but one, `moved` the last,
+    /// and `least` the least so far.
     before: f64,
     moved: f64,
     least: f64,
-    /// The last move, including shortened steps.
+    /// The last move of the contact. A shortened step resets `moved`, but not this value.
     last: f64,
     /// Number of consecutive steps without progress.
     stale: usize,
-    /// Relative stiffness of the next stabilising springs.
+    /// Stiffness of the next stabilising springs, relative to the stiffness of the ground.
     epsilon: f64,
-    /// Whether the last line search reached rounding error: the next trial then has stabilising springs.
+    /// Whether the last line search was limited by rounding error. The next trial then has stabilising springs.
     needs_springs: bool,
 }
 
@@ -118,17 +120,18 @@ struct Visited {
     found: Rc<ContactState>,
 }
 
-/// The bonded solve of one step.
+/// The result of the bonded solve of one step.
 enum Bond {
-    /// A solution: the beam is balanced on one point and may rotate about it until another point touches.
+    /// A solution in which the beam is balanced on one point and may rotate about it until another point comes into
+    /// contact.
     OnOnePoint(Box<ContactState>),
     Trial(Trial),
 }
 
-/// The beam bonded on a trial contact.
+/// The result of bonding the beam on a trial contact.
 struct Trial {
     found: Rc<ContactState>,
-    /// The stabilising springs if the bonded beam is a mechanism.
+    /// The stabilising springs; `None` unless the bonded beam is a mechanism.
     springs: Option<Springs>,
 }
 
@@ -147,12 +150,12 @@ impl Search<'_, '_> {
         contact.into_iter().map(|ends| ends.map(|x| snapped(x, &self.places, l))).collect()
     }
 
-    /// The contact set of a deflection, from the obstacle problem.
+    /// Computes the contact set of a deflection from the obstacle problem.
     fn scan(&self, found: &ContactState) -> Vec<Interval> {
         positions(&found.mesh, &obstacle::contact(&found.deflection()), &self.places)
     }
 
-    /// Whether the contact set of a deflection is this contact.
+    /// Whether `contact` is the contact set of a deflection, up to rounding error.
     fn confirms(&self, contact: &[Interval], found: &ContactState) -> bool {
         longest_difference(contact, &self.scan(found)) <= ROUNDING_MOVE * self.length()
     }
@@ -169,7 +172,8 @@ impl Search<'_, '_> {
         edges_not_converged(self.history.len(), self.moved)
     }
 
-    /// Bonds the beam on a trial contact. A mechanism is stabilised by springs at the previous deflection.
+    /// Bonds the beam on a trial contact. A mechanism is stabilised by springs that have no force in the previous
+    /// deflection.
     fn bond(&mut self, contact: &[Interval]) -> Result<Bond, Unconverged> {
         if !self.needs_springs
             && let Ok(found) = self.bonded.solve_on(contact)
@@ -185,15 +189,16 @@ impl Search<'_, '_> {
         Ok(Bond::Trial(Trial { found: Rc::new(found), springs: Some(springs) }))
     }
 
-    /// The beam balanced on one point, with the rotation of the deflection `like`.
+    /// Solves the beam balanced on one point, with the rotation of the deflection `like`. Returns `None` if the
+    /// computed deflection does not solve the contact problem.
     fn balanced(&mut self, contact: &[Interval], like: &ContactState) -> Option<ContactState> {
         let found = self.bonded.solve_held(contact, &[GivenRotation::as_in(like)]).ok()?;
         let holds = self.confirms(contact, &found) && (self.judge)(&found) <= ROUNDING_GAP;
         holds.then_some(found)
     }
 
-    /// The contact set of the bonded beam: by edge Newton if the last move was short, otherwise by the scan. The scan
-    /// also decides if edge Newton moves no edge.
+    /// Computes the contact set of the bonded beam: by edge Newton if the last move was short, otherwise by the scan.
+    /// The scan also decides if edge Newton moves no edge.
     fn next_contact(&mut self, contact: &[Interval], trial: &Trial) -> Vec<Interval> {
         let found = &trial.found;
         let l = self.length();
@@ -216,8 +221,8 @@ impl Search<'_, '_> {
         next
     }
 
-    /// The solution, if the trial contact has converged, if only rounding error moves it, or if the iteration returns
-    /// to an earlier contact.
+    /// Returns the solution if the trial contact has converged, if only rounding error moves it, or if the iteration
+    /// returns to an earlier contact.
     fn answer(
         &mut self,
         contact: &[Interval],
@@ -248,7 +253,7 @@ impl Search<'_, '_> {
             || (is_unchanged || self.jitters(contact, found)) && (self.judge)(found) <= ROUNDING_GAP
     }
 
-    /// The solution, if the trial contact has converged or if only rounding error moves it.
+    /// Returns the solution if the trial contact has converged or if only rounding error moves it.
     fn settled(
         &mut self,
         contact: &[Interval],
@@ -277,8 +282,8 @@ impl Search<'_, '_> {
         Some(ContactState { edge_error: EdgeError::of(&trials, l), ..found.clone() })
     }
 
-    /// The solution with the fewest zones among the trials of a cycle, if the iteration returns to an earlier contact:
-    /// rounding error decides between them.
+    /// Returns the solution with the fewest contact zones among the steps of a cycle. The trial contacts of a cycle
+    /// differ only because of rounding error. Returns `None` unless the iteration returns to an earlier contact.
     fn returned(&mut self, asked: &[Interval]) -> Option<ContactState> {
         let l = self.length();
         if self.moved <= SAME {
@@ -302,7 +307,8 @@ impl Search<'_, '_> {
             && (self.moved <= JITTER || differ_by_rounding(found, contact, &asked(), &self.places))
     }
 
-    /// The beam bonded without the zones whose force is rounding error, if the other zones are its contact set.
+    /// Solves the beam bonded without the zones whose force is rounding error. Returns `None` unless the other zones
+    /// are the contact set of this beam.
     fn without_weightless(
         &mut self,
         contact: &[Interval],
@@ -325,8 +331,8 @@ impl Search<'_, '_> {
         let [strong, undecided]: [Vec<Interval>; 2] = [strong, weightless].map(zones);
         let edge_error = EdgeError { moved: self.moved * self.length(), undecided };
         let rest = self.bonded.solve_on(&strong).ok()?;
-        // Zones in tension stay open even if they are in the contact set of the rest, since this is due to rounding
-        // error.
+        // Zones in tension stay open. If the contact set of the beam without these zones contains them, their
+        // tension is rounding error.
         let own = self.scan(&rest);
         let same =
             |zones: &[Interval]| longest_difference(zones, &own) <= ROUNDING_MOVE * self.length();
@@ -334,14 +340,14 @@ impl Search<'_, '_> {
         (is_own && self.holds(&rest)).then_some(ContactState { edge_error, ..rest })
     }
 
-    /// The beam balanced on one end of its only zone, if the zone is as short as rounding error.
+    /// Solves the beam balanced on one end of its only zone, if the length of the zone is rounding error.
     fn on_a_corner(&mut self, contact: &[Interval], found: &ContactState) -> Option<ContactState> {
         let &[[from, to]] = contact else { return None };
         let is_short = from < to && to - from <= SAME * self.length();
         is_short.then(|| [from, to].into_iter().find_map(|at| self.balanced(&[[at; 2]], found)))?
     }
 
-    /// The next trial contact: `asked` after a full step, otherwise the contact of the shortened step.
+    /// Returns the next trial contact: `asked` after a full step, otherwise the contact of the shortened step.
     fn step(
         &mut self,
         contact: Vec<Interval>,
@@ -369,8 +375,8 @@ impl Search<'_, '_> {
             self.epsilon = (self.epsilon * change).max(SOFTEST_SPRING);
         }
         if shortened.part < LEAST_PART {
-            // The energy is certain to fall only along the contact set from the scan of a deflection, not from edge
-            // Newton.
+            // The energy is certain to decrease only along the contact set from the scan of a deflection, not along
+            // the contact set from edge Newton.
             let own = self.scan(&from);
             self.needs_springs =
                 longest_difference(&contact, &own) <= ROUNDING_MOVE * self.length();

@@ -1,8 +1,8 @@
-//! The exact contact problem: the positions of the contact edges are the unknowns.
+//! Solves the exact contact problem, whose unknowns are the positions of the contact edges.
 //!
-//! Between loads, supports, hinges and contact edges, (2.11) has a closed-form solution w. The unknowns are the number
-//! of contact zones and their edges. [Phase B](super::edges) finds them by Newton's method. The following starts are
-//! tried until one leads to a solution:
+//! Between loads, supports, hinges and contact edges, equation (2.11) has a closed-form solution w. The unknowns are
+//! the number of contact zones and the positions of their edges. [Phase B](super::edges) finds these unknowns by
+//! Newton's method. The following starts are tried until one leads to a solution:
 //!
 //! 1. the contact of a neighbouring model, if given;
 //! 2. the whole length of a short beam, or the active nodes of a nodal solve of a long one ([`start`](super::start));
@@ -60,7 +60,7 @@ pub(crate) fn solve(
     Err(Unconverged { iterations, ..last })
 }
 
-/// The model of the initial guess: the free-field settlement as an initial gap, linear between nodes.
+/// Returns the model for the initial guess. Its initial gap contains the free-field settlement, linear between nodes.
 fn with_free_field_as_gap(model: &Model) -> Cow<'_, Model> {
     if !model.has_ground_loads() {
         return Cow::Borrowed(model);
@@ -117,7 +117,7 @@ mod tests {
     use crate::contact::obstacle;
     use crate::model::{Beam, Foundation, Load};
 
-    /// Kikuchi's case IV: the edge from 60-digit arithmetic, and the rate of convergence.
+    /// Tests Kikuchi's case IV: the position of the edge from 60-digit arithmetic, and the rate of convergence.
     #[test]
     fn edges_converge_quadratically() {
         let model = Model::new(Beam::uniform(1.0, 1.0), Foundation::pasternak(1.0, 1.0))

@@ -1,4 +1,4 @@
-//! The flexibility G of the ground at the nodes of a mesh, (5.8), without forming the matrix.
+//! Computes products with the flexibility G of the ground at the nodes of a mesh, (5.8), without forming the matrix.
 //!
 //! Away from the diagonal a column of G decays by a factor from node to node, so products with G cost O(n).
 

@@ -1,4 +1,4 @@
-//! Contact zones as intervals of positions, and conversion to zones of a mesh.
+//! Represents contact zones as intervals of positions, and converts them to zones of a mesh.
 
 use crate::contact::stopping::SLIT;
 use crate::element::operator::ZoneKind;
@@ -10,11 +10,12 @@ use crate::numeric::tolerance::same_place;
 /// A contact zone from one position to another; equal positions are a point contact.
 pub(crate) type Interval = [f64; 2];
 
-/// Zones as positions. An edge within rounding error of one of the model's `places` is set to it.
+/// Converts zones to intervals of positions. An edge within rounding error of one of the model's `places` is moved to
+/// this place.
 pub(crate) fn positions(mesh: &Mesh, zones: &[MeshZone], places: &[f64]) -> Vec<Interval> {
     let l = mesh.cells[mesh.cells.len() - 1].x[1];
     let at = |point: BeamPoint| snapped(mesh.cells[point.cell].global(point.s), places, l);
-    // Without a shear layer, an interval of rounding size carries no force and is not a contact point.
+    // Without a shear layer, an interval as short as rounding error carries no force and is not a contact point.
     let carries = |zone: &MeshZone| mesh.cells[zone.from.cell].shear_layer > 0.0;
     let kept = |(zone, [from, to]): &(&MeshZone, Interval)| from < to || carries(zone);
     let all = zones.iter().map(|zone| (zone, [at(zone.from), at(zone.to)]));
@@ -40,14 +41,15 @@ pub(crate) fn joined(intervals: Vec<Interval>, l: f64) -> Vec<Interval> {
     joined
 }
 
-/// A position x on a beam of length l; the nearest of the model's `places` if it is within rounding error of x.
+/// Returns the nearest of the model's `places` if it is within rounding error of the position x, otherwise x, on a
+/// beam of length l.
 pub(crate) fn snapped(x: f64, places: &[f64], l: f64) -> f64 {
     let near = same_place(l);
     let next = places.partition_point(|place| *place < x - near);
     places.get(next).copied().filter(|place| *place <= x + near).unwrap_or(x)
 }
 
-/// Intervals as zones of a mesh that has nodes at the ends of the intervals.
+/// Converts intervals to zones of a mesh that has nodes at the ends of the intervals.
 pub(crate) fn zones_of(
     mesh: &Mesh,
     intervals: &[Interval],
@@ -65,7 +67,7 @@ pub(crate) fn zones_of(
             _ => zones.push(MeshZone { from: BeamPoint { cell: i, s: -1.0 }, to: end }),
         }
     }
-    // Point contacts: the nearest node, unless a zone contains it.
+    // A point contact becomes a zone at the nearest node, unless another zone contains this node.
     let count = mesh.cells.len();
     for x in intervals.iter().filter(|s| s[1] <= s[0]).map(|s| s[0]) {
         let right = mesh.nodes.partition_point(|n| n.x < x).min(count);
@@ -78,7 +80,8 @@ pub(crate) fn zones_of(
         if zones.iter().any(held) {
             continue;
         }
-        // Only a shear layer carries a force at a point: of two adjoining cells, the one with a shear layer is taken.
+        // Only a shear layer carries a force at a point. So of two adjoining cells, the cell with a shear layer is
+        // chosen.
         let cell = if node == count || (node > 0 && !kind(node)) { node - 1 } else { node };
         let point = BeamPoint { cell, s: if cell == node { -1.0 } else { 1.0 } };
         zones.push(MeshZone { from: point, to: point });
@@ -87,9 +90,10 @@ pub(crate) fn zones_of(
     zones
 }
 
-/// The longest interval of the symmetric difference of two contacts, or the largest distance of a point of contact from
-/// the other contact. Infinite if one contact is empty and the other has a point. Also infinite if a point lies on a
-/// zone and the other contact has the zone without the point: the end of a shear layer beside Winkler ground.
+/// Returns the longest interval of the symmetric difference of two contacts, or the largest distance of a point
+/// contact from the other contact. The result is infinite if one contact is empty and the other has a point contact.
+/// It is also infinite if one contact has both a zone and a point contact on this zone, and the other contact has
+/// only the zone: such a point is the end of a shear layer beside Winkler ground.
 pub(crate) fn longest_difference(a: &[Interval], b: &[Interval]) -> f64 {
     let lengths = differences(&[a, b]).into_iter().map(|[from, to]| to - from);
     let longest = lengths.fold(0.0, f64::max);

@@ -1,5 +1,4 @@
-//! Contact zones on a mesh whose nodes are the ends of the zones: the cells and nodes in contact, and the open ground
-//! between them.
+//! Divides the cells and nodes of a mesh into contact and open ground. The ends of contact zones are nodes.
 
 use crate::chain::node::{ChainCell, ChainNode, OpenGround, Tie};
 use crate::element::element::Element;
@@ -11,8 +10,8 @@ use crate::mesh::mesh::Mesh;
 use crate::mesh::open_ground::cell_part;
 use std::ops::Range;
 
-/// Distance of a node to a point of contact, in units of 1/wave number, below which r = u − ψ is the unknown of the
-/// surface.
+/// Maximum distance of a node from a point of contact, in units of 1/wave number, at which its surface unknown is
+/// the settlement relative to the beam.
 const NARROW_GAP: f64 = 1e-2;
 
 /// Contact of the cells and nodes of a mesh.
@@ -20,12 +19,12 @@ const NARROW_GAP: f64 = 1e-2;
 pub(crate) struct Layout {
     /// Whether each cell is in contact.
     touching: Vec<bool>,
-    /// Whether each node is in contact, as an end of the cell on its left and on its right.
+    /// Whether each node is in contact on its left side and on its right side.
     touched: Vec<[bool; 2]>,
 }
 
 impl Layout {
-    /// The contact of zones whose ends are nodes.
+    /// Determines the contact of cells and nodes from zones whose ends are nodes.
     pub fn of(mesh: &Mesh, zones: &[MeshZone]) -> Self {
         let mut touching = vec![false; mesh.cells.len()];
         let mut touched = vec![[false; 2]; mesh.nodes.len()];
@@ -58,7 +57,8 @@ impl Layout {
         Layout { touching, touched }
     }
 
-    /// The node at which the sweeps meet: the middle of the longest contact interval, otherwise a rigid support.
+    /// Chooses the node at which the sweeps meet: the middle of the longest contact interval, or a rigid support if
+    /// no interval has a length.
     pub fn meeting_node(&self, mesh: &Mesh) -> usize {
         let mut best = (0.0, mesh.nodes.len() / 2);
         let mut start: Option<usize> = None;
@@ -104,7 +104,8 @@ impl Layout {
                 ..ChainNode::default()
             })
             .collect();
-        // In contact, ∫(k u₀z + μu₀′z′) over a cell is ∫q z plus μu₀′z at its ends.
+        // Integration by parts converts the load from the free-field settlement u₀ on a cell in contact to a
+        // distributed load and the point forces −μu₀′ and μu₀′ at the left and the right end of the cell.
         for (i, cell) in mesh.cells.iter().enumerate() {
             if self.touching[i] && cell.has_free_field() {
                 let [from, to] = [-1.0, 1.0].map(|s| cell.shear_layer * cell.free_field_at(s)[1]);
@@ -155,8 +156,8 @@ impl Layout {
         nodes
     }
 
-    /// Distance of each node of a run to the nearest point of contact. Near such a point the open ground is a very
-    /// stiff two-port.
+    /// Distance of each node of a run of ground from the nearest point of contact. Near such a point the open
+    /// ground is very stiff.
     fn distances_to_contact(&self, mesh: &Mesh, cells: &Range<usize>) -> Vec<f64> {
         let x = |node: usize| mesh.nodes[node].x;
         let mut distance = vec![f64::INFINITY; cells.len() + 1];

@@ -1,5 +1,4 @@
-//! Solves the discrete problem (5.5), (5.10), (5.11): forces at nodes, and the exact beam between them in place of
-//! (5.2).
+//! Solves the discrete problem (5.5), (5.10), (5.11) with forces at nodes and exact beam elements in place of (5.2).
 //!
 //! Newton's method finds the nodes in contact on meshes from coarse to fine ([`newton`](crate::nodal::newton)).
 
@@ -22,11 +21,11 @@ use crate::nodal::quadratic::NotSolved;
 use crate::nodal::{levels, newton, open};
 use crate::numeric::polynomial::{TERMS, rescale};
 
-/// The nodes in contact on a grid, and the motion of the beam on them.
+/// The nodes in contact on a grid, and the deflection of the beam for this contact.
 pub(crate) struct Solved {
     grid: Grid,
     workspace: Workspace,
-    /// The nodes between which the beam has one closed form.
+    /// Nodes that divide the beam into parts, each with one closed form.
     ends: Vec<usize>,
 }
 
@@ -37,13 +36,13 @@ impl Solved {
         Solved { grid, workspace, ends }
     }
 
-    /// Number of closed forms that describe the beam: one per element between nodes in contact, a few per stretch off
-    /// the ground.
+    /// Number of closed forms that describe the beam: one per element between nodes in contact, and a few per lifted
+    /// stretch.
     pub fn cells(&self) -> usize {
         self.ends.len() - 1
     }
 
-    /// Deflection, ground surface and ground forces.
+    /// Returns the deflection, the ground surface and the ground forces.
     pub fn state(self) -> ContactState {
         let Solved { grid, workspace, ends } = self;
         let mesh = mesh(&grid, &ends);
@@ -64,8 +63,8 @@ impl Solved {
         let mut parts = Vec::with_capacity(last);
         for (cell, own) in mesh.cells.iter().enumerate() {
             if own.shear_layer == 0.0 {
-                // The certificate uses the pressure of the springs under the deflection: a point force on Winkler
-                // ground has infinite energy.
+                // The certificate uses the pressure of the springs under the deflection, because a point force on
+                // Winkler ground has infinite energy.
                 springs::cover(&w, cell, &mut parts);
             } else {
                 let open = Some([cell, cell + 1].map(|i| settlement[ends[i]]));
@@ -85,7 +84,7 @@ impl Solved {
     }
 }
 
-/// Solves on about `elements` equal elements.
+/// Solves the discrete problem on about `elements` equal elements.
 pub(crate) fn solve(
     model: &Model,
     elements: usize,
@@ -130,9 +129,9 @@ pub(crate) fn point(node: usize, cells: usize) -> BeamPoint {
     }
 }
 
-/// The nodes at which the beam is divided into closed forms: those in contact and their neighbours, and the ends of
-/// pieces off the ground. Beside a zone the beam may sink into the ground by less than an element; a short cell there
-/// keeps the estimate of the error sharp.
+/// Returns the nodes at which the beam is divided into closed forms: nodes in contact and their neighbours, and the
+/// ends of lifted pieces. Beside a zone the beam may penetrate the ground over less than the length of an element; a
+/// short cell there keeps the estimate of the error sharp.
 fn ends(grid: &Grid, workspace: &Workspace) -> Vec<usize> {
     let last = grid.last();
     let near = |&[from, to]: &Zone| from.saturating_sub(1)..=(to + 1).min(last);
@@ -195,7 +194,8 @@ fn deflections(
                 let own = if is_mirrored { piece.mirrored(own) } else { own };
                 return write(first, &mut w, &element(first), &own);
             };
-            // Each cell's middle and half length in the coordinate of the piece, in the direction of the sweep.
+            // The middle and the half length of each cell are fractions of the length of `piece`, measured in the
+            // direction of the sweep.
             let [from, to] = piece.nodes;
             let share = |nodes: usize| 0.5 * nodes as f64 / (to - from) as f64;
             for i in first..end {
@@ -208,7 +208,7 @@ fn deflections(
             }
         });
     }
-    // Rotation in the cells without shear deformation.
+    // This loop computes the rotation in the cells without shear deformation.
     let unset = turns.chunks_exact_mut(TERMS).zip(w.chunks_exact(TERMS)).zip(&mesh.cells);
     for ((turns, w), cell) in unset.filter(|(_, cell)| cell.beam_shear.is_none()) {
         let rotation = turned(cell, w);

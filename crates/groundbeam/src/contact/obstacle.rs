@@ -1,16 +1,17 @@
-//! The obstacle problem: the contact set of the ground under a given deflection, (2.10) for a fixed w.
+//! Solves the obstacle problem (2.10): computes the contact set of the ground under a given deflection w.
 //!
-//! For fixed ψ = w − g₀ − u₀, the surface of the ground is the least u ≥ ψ with −(μu')' + ku ≥ 0. One scan from left to
-//! right finds it. The scan is that of a convex hull, with solutions of −(μu')' + ku = 0 in place of straight lines.
+//! For fixed ψ = w − g₀ − u₀, the surface of the ground is the least u ≥ ψ with −(μu')' + ku ≥ 0. One scan from left
+//! to right computes u. The scan is that of a convex hull, with solutions of −(μu')' + ku = 0 in place of straight
+//! lines.
 //!
 //! * Beam and ground can touch along an interval only where π = kψ − (μψ')' ≥ 0. These candidate intervals, the *arcs*,
 //!   follow from the sign changes of the polynomial π.
-//! * The stack holds the contact intervals of the arcs read so far. A span of unloaded ground, tangent to both, joins a
-//!   new arc to the last one and trims both. An arc on which the ground would be in tension is dropped, and the span is
-//!   extended to the arc before.
+//! * The stack contains the contact intervals of the arcs read so far. A span of unloaded ground, tangent to the last
+//!   arc and to a new arc, joins these two arcs and trims them. An arc on which the ground would be in tension is
+//!   dropped, and the span is extended to the previous arc.
 //! * At the ends a and b of the span the concentrated forces A = μψ'(a) − μu'(a) and B = μu'(b) − μψ'(b) are zero.
-//!   There dA/da = −π(a) and dB/db = π(b), and neither depends on the other end to first order. So Newton's method on
-//!   each in turn converges quadratically.
+//!   There dA/da = −π(a) and dB/db = π(b), and neither force depends on the opposite end to first order. So Newton's
+//!   method on each end in turn converges quadratically.
 //!
 //! The scan trims each arc only from its ends and passes each cell once, so its cost is O(n).
 
@@ -35,12 +36,13 @@ pub(crate) fn contact(w: &Deflection) -> Vec<MeshZone> {
     zones
 }
 
-/// Open ground between two points. A missing point means that the span includes the ground beyond that end of the run.
+/// Open ground between two points. If a point is `None`, the span includes the ground beyond this end of the run.
 #[derive(Debug, Clone, Copy)]
 struct OpenSpan {
     left: Option<BeamPoint>,
     right: Option<BeamPoint>,
-    /// The whole cells strictly between the points, with the ground beyond the run if a point is missing.
+    /// Two-port of the whole cells strictly between the points, including the ground beyond the run if a point is
+    /// `None`.
     middle: Option<TwoPort>,
 }
 
@@ -52,7 +54,7 @@ struct KeptZone {
 }
 
 /// Ratio of two successive forces below which a step of the size of rounding error shows that Newton's method has
-/// converged. A large force on a very short span also gives such a step.
+/// converged. Such a step alone is no proof, because a large force on a very short span also causes it.
 const CONVERGED: f64 = 0.01;
 
 struct Scan<'a> {
@@ -98,7 +100,7 @@ impl Scan<'_> {
     }
 
     /// Ends the last zone where the span begins. If the rest of the zone would be in tension, drops the zone and
-    /// extends the span to the zone before.
+    /// extends the span to the previous zone.
     fn drops_last(&self, stack: &mut Vec<KeptZone>, span: &mut OpenSpan) -> bool {
         let (Some(last), Some(touch)) = (stack.last_mut(), span.left) else { return false };
         last.zone.to = touch;
@@ -131,8 +133,9 @@ impl Scan<'_> {
         }
     }
 
-    /// The arcs: intervals with π ≥ 0, joined over cells unless a corner of ψ separates them, and single points that
-    /// may carry a force (ends of the shear layer, and corners that press into the ground).
+    /// Returns the candidate intervals (arcs), on which the pressure of the ground in full contact is not negative.
+    /// Arcs are joined over cells unless a corner of the obstacle separates them. Also returns single points that
+    /// may carry a force: ends of the shear layer, and corners that press into the ground.
     fn arcs(&self) -> Vec<MeshZone> {
         let cells = self.run.cells.clone();
         let mut arcs: Vec<MeshZone> = Vec::new();
@@ -179,7 +182,7 @@ impl Scan<'_> {
         let tail = span.right.filter(|b| b.s > -1.0).map(|b| part(b.cell, -1.0, b.s));
         let parts = [head, span.middle, tail];
         let whole = parts.into_iter().flatten().reduce(TwoPort::then);
-        // A span of length zero between two points at one node: a rigid two-port.
+        // A span of length zero between two points at one node is a rigid two-port.
         whole.unwrap_or(TwoPort { series: f64::MAX, shunt_left: 0.0, shunt_right: 0.0 })
     }
 
@@ -200,7 +203,7 @@ impl Scan<'_> {
         OpenSpan { left: before.left, right: after.right, middle: chained(inner, after.middle) }
     }
 
-    /// Trims both ends in turn until neither moves.
+    /// Trims the two ends of the span in turn until neither end moves.
     fn tighten(&self, span: &mut OpenSpan, left_limit: BeamPoint, right_limit: BeamPoint) {
         let opened =
             span.left.zip(span.right).and_then(|(a, b)| short_span::opened(self.w, [a, b]));
@@ -220,8 +223,9 @@ impl Scan<'_> {
         }
     }
 
-    /// The concentrated force A at the left end of the span, and dA/da = −π + (S/μ) A, where S is the stiffness of the
-    /// open ground at this end.
+    /// Computes the concentrated force A at the left end of the span, and its derivative dA/da = −π + (S/μ) A with
+    /// respect to the position a of this end. π is the pressure of the ground in full contact, and S the stiffness
+    /// of the open ground at this end.
     fn force_at_left(&self, span: &OpenSpan, point: BeamPoint) -> [f64; 2] {
         let trial = OpenSpan { left: Some(point), ..*span };
         let [psi, slope, pressure] = self.w.obstacle_and_pressure(point);
@@ -235,7 +239,9 @@ impl Scan<'_> {
         [force, (link.shunt_left + link.series) / shear * force - pressure]
     }
 
-    /// The concentrated force B at the right end of the span, and dB/db = π − (S/μ) B.
+    /// Computes the concentrated force B at the right end of the span, and its derivative dB/db = π − (S/μ) B with
+    /// respect to the position b of this end. π is the pressure of the ground in full contact, and S the stiffness
+    /// of the open ground at this end.
     fn force_at_right(&self, span: &OpenSpan, point: BeamPoint) -> [f64; 2] {
         let trial = OpenSpan { right: Some(point), ..*span };
         let [psi, slope, pressure] = self.w.obstacle_and_pressure(point);
@@ -254,7 +260,7 @@ impl Scan<'_> {
         short_span::end_forces(self.w, [span.left, span.right])
     }
 
-    /// Moves the left end of the span to the left until there is no tension at it.
+    /// Moves the left end of the span to the left until the force at this end is not tensile.
     fn trim_left(&self, span: &mut OpenSpan, limit: BeamPoint) {
         let Some(mut point) = span.left else { return };
         if point == limit || self.force_at_left(span, point)[0] >= 0.0 {
@@ -272,7 +278,8 @@ impl Scan<'_> {
                 point = limit;
                 break;
             }
-            // The whole cell opens. It lies between the points unless the right point is in it.
+            // The whole cell opens. It is added to the whole cells of the span, unless the right end of the span is
+            // also in this cell.
             if span.right.is_none_or(|b| b.cell != point.cell) {
                 let opened = self.whole_cells(point.cell, point.cell + 1, None);
                 span.middle = chained(opened, span.middle);
@@ -283,7 +290,7 @@ impl Scan<'_> {
         span.left = Some(point);
     }
 
-    /// Moves the right end of the span to the right until there is no tension at it.
+    /// Moves the right end of the span to the right until the force at this end is not tensile.
     fn trim_right(&self, span: &mut OpenSpan, limit: BeamPoint) {
         let Some(mut point) = span.right else { return };
         if point == limit || self.force_at_right(span, point)[0] >= 0.0 {
@@ -310,8 +317,9 @@ impl Scan<'_> {
         span.right = Some(point);
     }
 
-    /// The position at which a concentrated force changes sign in the given `sense`, between two points of one cell.
-    /// Newton's method is used, with bisection if a step leaves the bracket or does not halve the force.
+    /// Finds the position at which a concentrated force changes sign in the given `sense`, between two points of one
+    /// cell. Newton's method is used. It is replaced by bisection if a step leaves the bracket or does not halve the
+    /// force.
     fn tangent(
         &self,
         cell: usize,
@@ -322,9 +330,9 @@ impl Scan<'_> {
         let half = 0.5 * self.w.mesh.cells[cell].length();
         let mut s = if sense > 0.0 { low } else { high };
         let mut before = f64::INFINITY;
-        // After Newton's method has converged, steps of growing length lead across the root and close the bracket.
+        // After Newton's method has converged, steps of increasing length cross the root and close the bracket.
         let mut closing_step = None;
-        // Twice the number of bisections that double precision allows.
+        // 128 is twice the number of bisections that double precision allows.
         for _ in 0..128 {
             let [f, slope] = force(s);
             if f == 0.0 {
@@ -341,7 +349,7 @@ impl Scan<'_> {
             if good && is_rounding {
                 return newton;
             }
-            // At a corner the force jumps; the side without tension is taken.
+            // At a corner the force jumps, and the side without tension is returned.
             if high - low <= 2.0 * f64::EPSILON {
                 return if sense > 0.0 { high } else { low };
             }

@@ -1,4 +1,4 @@
-//! Equilibrium of a beam that is balanced on one point and may rotate about it.
+//! Computes the equilibrium of a beam that touches the ground at one point only and may rotate about this point.
 
 use crate::cancel::Cancel;
 use crate::contact::bonded::{Bonded, GivenRotation};
@@ -10,16 +10,18 @@ use crate::numeric::polynomial::value;
 use crate::numeric::step::Step;
 use crate::numeric::tolerance::GAP;
 
-/// Distance of the resultant from the end in the limit process, relative to the length.
+/// Distance of the load resultant from an end of the beam, relative to the length of the beam, in the problem that
+/// approximates a resultant exactly over this end.
 const ALMOST: f64 = 1e-6;
 
-/// Trial rotations beyond the limit, relative to the slope in the limit. The first one for which the beam is clear of
-/// the ground is taken.
+/// Trial amounts by which the rotation of the beam exceeds its limit value, relative to the larger of |φ| and |w|/l at
+/// this limit, for the rotation φ and the deflection w of the touching end. The solver takes the first amount whose
+/// solution has an energy gap of at most [`GAP`].
 const BEYOND: [f64; 4] = [0.01, 0.1, 1.0, 10.0];
 
-/// Solves a free beam whose resultant is exactly over one of its ends. Only that end is in contact. As the
-/// resultant tends to the end, the rotation tends to a limit at which the beam leaves the ground
-/// tangentially. The beam is in equilibrium at every larger rotation. One such rotation is taken.
+/// Solves a free beam whose load resultant is exactly over one of its ends. Only this end is in contact. If the
+/// resultant approaches the end, the rotation approaches a limit, at which the beam leaves the ground tangentially.
+/// The beam is in equilibrium at every larger rotation. The function chooses one of these larger rotations.
 pub(crate) fn solve_over_an_end(
     model: &Model,
     resultant: f64,
@@ -36,9 +38,8 @@ pub(crate) fn solve_over_an_end(
     let w = value(limit.deflection().cell(cell), s);
     let tangent = value(&limit.rotation(cell), s);
     let at = if over_left { 0.0 } else { l };
-    // The rotation exceeds the limit, so that the beam is clear of the ground. In the limit process the last contact
-    // interval has a length of order √ALMOST, and the slope has an error of that order, times the decay of the surface
-    // over the length.
+    // The trial rotations exceed the computed limit, which has an error. The computed limit belongs to a resultant at
+    // the distance ALMOST from the end, where the length of the contact interval is of order √ALMOST.
     let turns = BEYOND.into_iter().map(|more| {
         let beyond = more * tangent.abs().max(w.abs() / l);
         vec![GivenRotation {
@@ -49,7 +50,8 @@ pub(crate) fn solve_over_an_end(
     turned_clear(&mut Bonded::new(model, cancel), &[[at, at]], turns, limit.history, judge)
 }
 
-/// The beam bonded on a contact, with the first of the given rotations that the certificate confirms.
+/// Solves the beam in contact with the ground on `contact`, for each of the given rotations. Returns the first
+/// solution whose energy gap is at most [`GAP`].
 pub(crate) fn turned_clear(
     bonded: &mut Bonded,
     contact: &[Interval],

@@ -1,15 +1,20 @@
-//! The contact forces at the ends of a short open span, from the pressure that would close it.
+//! Computes the contact forces at the ends of a short span of open ground from the pressure π that would close the span.
 //!
-//! In a gap that has just opened, u and ψ differ only in the last digits, and so do their slopes. The concentrated
-//! forces A = μψ'(a) − μu'(a) and B = μu'(b) − μψ'(b) are then small differences of large numbers. With e = u − ψ,
-//! −(μe')' + ke = −π between a and b, and e = 0 at both ends, Green's identity avoids these differences:
+//! A span of open ground extends from a to b. Its concentrated end forces are A = μψ'(a) − μu'(a) and B = μu'(b) −
+//! μψ'(b), where μ is the stiffness of the shear layer, u the ground displacement and ψ the obstacle. If the span has
+//! just opened, u and ψ differ only in the last digits, and so do their slopes. A and B are then small differences of
+//! large numbers. The difference e = u − ψ is 0 at a and b, and −(μe')' + ke = −π between a and b, where k is the
+//! subgrade modulus. Green's identity gives the forces without differences of slopes:
 //!
-//! > A = ∫ π φ_a dx,  B = ∫ π φ_b dx,
+//! > A = ∫ π φ_a dx, B = ∫ π φ_b dx,
 //!
-//! where φ_a is the surface of unloaded ground that is 1 at a and 0 at b, φ_b the same with a and b exchanged, and π
-//! includes the point forces −\[μψ'\] of corners. π is computed from the coefficients of ψ, and its sign determines
-//! whether the span opens. The rounding error is ε μψ/h in the differences and ε h (kψ + μψ″) in the integrals. The
-//! formula with the smaller one is used.
+//! where φ_a is the surface of unloaded ground that is 1 at a and 0 at b, and φ_b is the surface that is 0 at a and 1
+//! at b. The pressure π includes the point forces −\[μψ'\] of corners, where \[ \] denotes the jump at the corner. The
+//! power series of ψ determines π, and the sign of π determines whether the span opens.
+//!
+//! For a span of length h and the machine precision ε, the rounding error of the differences of slopes is ε μψ/h, and
+//! the rounding error of the integrals is ε h (kψ + μψ″). The functions use the formula with the smaller rounding
+//! error.
 
 use crate::ground::link::{TwoPort, between, settled};
 use crate::mesh::cell::Cell;
@@ -18,10 +23,10 @@ use crate::numeric::elementary::{cosh, sinh};
 use crate::numeric::polynomial::value;
 use crate::numeric::real::Real;
 
-/// Maximum number of cells of a short span; three are a gap and the cells beside it.
+/// Maximum number of cells of a short span. A span over one cell and parts of both adjacent cells needs three.
 pub(crate) const MOST_CELLS: usize = 4;
-/// Maximum length of a short span in decay lengths √(μ/k) of the ground. In longer spans the differences keep twelve
-/// digits.
+/// Maximum length of a short span, in decay lengths √(μ/k) of the ground. In longer spans, the contact forces from
+/// differences of slopes are accurate to twelve digits.
 const LONGEST: f64 = 0.03;
 
 /// A part of a cell within a short span, and the data of its ground.
@@ -29,12 +34,12 @@ struct SpanPart<R> {
     cell: usize,
     from: f64,
     to: f64,
-    /// Half the length of the part \[m\].
+    /// Half the length of the part of the cell \[m\].
     half: f64,
-    /// b times the length of the part.
+    /// Length of the part of the cell, times the decay rate b = √(k/μ) of the ground.
     length: R,
     stiffness: R,
-    /// If the ground varies: the part as a cell, and its two-port.
+    /// Separate cell for this part, with its two-port, if the ground varies; otherwise `None`.
     varying: Option<(Cell<R>, TwoPort<R>)>,
 }
 
@@ -55,8 +60,9 @@ impl<R: Real> SpanPart<R> {
         Some(part)
     }
 
-    /// Value and flux of unloaded ground at the right end of the part, from those at the left end. With `turned`, from
-    /// right to left. Each step adds positive numbers only.
+    /// Computes the surface φ of unloaded ground and its flux μφ' at the right end of the part from their values at
+    /// the left end. If `turned` is set, computes the values at the left end from those at the right end. All terms
+    /// are positive, so no digits cancel.
     fn cross(&self, phi: R, flux: R, turned: bool) -> [R; 2] {
         if let Some((_, link)) = &self.varying {
             let (behind, ahead) = if turned {
@@ -73,8 +79,9 @@ impl<R: Real> SpanPart<R> {
         [cosh * phi + sinh / stiffness * flux, stiffness * sinh * phi + cosh * flux]
     }
 
-    /// ∫π φ over the part, in units of its half length, for the two φ that are 1 at its left or right end and 0 at the
-    /// other.
+    /// Computes ∫π φ over the part, divided by half the length of the part, for two surfaces φ of unloaded ground.
+    /// The first surface is 1 at the left end of the part and 0 at the right end. The second surface is 0 at the left
+    /// end and 1 at the right end.
     fn under(&self, pi: &[R]) -> [R; 2] {
         let at = |t: f64| value(pi, self.from + t * (self.to - self.from));
         let mut under = [R::ZERO; 2];
@@ -108,13 +115,13 @@ fn half_length<R: Real>(cell: &Cell<R>, [from, to]: [f64; 2]) -> f64 {
     0.25 * (to - from) * cell.length()
 }
 
-/// b times the length of a part, for b² = k/μ.
+/// Computes the length of a part of a cell, times the decay rate b = √(k/μ) of the ground. `half` is half the length.
 fn decay<R: Real>(cell: &Cell<R>, half: f64) -> R {
     (cell.subgrade / cell.shear_layer).sqrt() * 2.0 * half
 }
 
-/// Forces on open ground at both ends of a span, where its surface is at ψ. `link` is the two-port of the span. A
-/// missing end means that the span includes the ground beyond the run.
+/// Computes the forces on open ground at both ends of a span if the ground touches the beam at these ends. `link` is
+/// the two-port of the span. If an end is `None`, the span includes the ground outside the `GroundRun`.
 pub(crate) fn fluxes<R: Real>(
     w: &Deflection<R>,
     ends: [Option<BeamPoint>; 2],
@@ -129,8 +136,8 @@ pub(crate) fn fluxes<R: Real>(
     [link.force_left(left, right), link.force_right(left, right)]
 }
 
-/// The forces on open ground between edges at which the beam is bonded, with the kinks of the beam that the
-/// concentrated forces cause there.
+/// Computes the forces on open ground at both ends of a span between bonded contact zones. The forces include the
+/// effect of the kinks that the concentrated forces at the edges of the zones cause in the beam.
 pub(crate) fn bonded_fluxes<R: Real>(
     w: &Deflection<R>,
     ends: [Option<BeamPoint>; 2],
@@ -146,8 +153,9 @@ pub(crate) fn bonded_fluxes<R: Real>(
     }
 }
 
-/// The end of a span as a point of the open cell beside it, if the beam has a kink there due to the concentrated force
-/// at its bonded edge. Other kinks are corners, which are contained in A and B.
+/// Returns the end of a span as a point of the adjacent open cell, if the concentrated force at this bonded edge
+/// causes a kink of the beam. Otherwise returns the point unchanged. The forces of [`end_forces`] already contain the
+/// point forces at all other kinks.
 fn open_side<R: Real>(w: &Deflection<R>, point: BeamPoint) -> BeamPoint {
     let BeamPoint { cell, s } = point;
     let other = match s {
@@ -159,7 +167,8 @@ fn open_side<R: Real>(w: &Deflection<R>, point: BeamPoint) -> BeamPoint {
     if shears && w.corner(cell.max(other.cell)) == 0.0 { other } else { point }
 }
 
-/// A and B of a span; `None` if the span is not short.
+/// Computes the concentrated forces at the left and right end of a short span from integrals of the pressure π.
+/// Returns `None` if the span is not short or if differences of slopes give the forces with a smaller rounding error.
 pub(crate) fn end_forces<R: Real>(
     w: &Deflection<R>,
     ends: [Option<BeamPoint>; 2],
@@ -182,8 +191,8 @@ pub(crate) fn end_forces<R: Real>(
     let part = |i: usize| SpanPart::of(&w.mesh.cells[i], i, within(i));
     let parts: Vec<SpanPart<R>> = (a.cell..=b.cell).map(part).collect::<Option<_>>()?;
     if whole <= 0.0 {
-        // Two candidate intervals meet at a corner of ψ. Each side takes half of the corner's force; the beam leaves the
-        // ground at the corner if this force is tensile.
+        // The span has no length: it is a corner between two candidate intervals. Each end of the span carries half of
+        // the point force of the corner. The beam leaves the ground at the corner if this force is tensile.
         let half_force = parts.iter().skip(1).map(|part| w.corner(part.cell) * 0.5).sum();
         return Some([half_force; 2]);
     }
@@ -216,10 +225,10 @@ pub(crate) fn end_forces<R: Real>(
     Some(forces)
 }
 
-/// The initial span at a corner in tension between two candidate intervals. On uniform ground with constant π, both forces
-/// vanish where the span reaches |c|/2π to each side of a corner with the tension c. Half of this length still has
-/// tension at both ends, and the tangent points are two or three steps away. `None` if the computed forces are not in
-/// tension.
+/// Computes the initial span at a corner in tension between two candidate intervals. On uniform ground with constant
+/// pressure π, both end forces vanish if the span extends to each side by half the tension force of the corner,
+/// divided by π. The initial span has half of this length, so both ends are still in tension. Returns `None` if the
+/// computed end forces are not in tension.
 pub(crate) fn opened(w: &Deflection, ends: [BeamPoint; 2]) -> Option<[BeamPoint; 2]> {
     let [a, b] = ends;
     if a.cell + 1 != b.cell || a.s < 1.0 || b.s > -1.0 {
@@ -236,7 +245,7 @@ pub(crate) fn opened(w: &Deflection, ends: [BeamPoint; 2]) -> Option<[BeamPoint;
     (forces[0] < 0.0 && forces[1] < 0.0).then_some(points)
 }
 
-/// Sum of the magnitudes of the terms of π in a cell.
+/// Computes the sum of the magnitudes of all terms of the pressure π in a cell.
 fn pressure_size<R: Real>(w: &Deflection<R>, i: usize) -> f64 {
     let cell = &w.mesh.cells[i];
     let subgrade = cell.subgrade.value();
@@ -246,8 +255,8 @@ fn pressure_size<R: Real>(w: &Deflection<R>, i: usize) -> f64 {
     terms.map(|(j, c)| c.value().abs() * (subgrade + bend * (j * j.saturating_sub(1)) as f64)).sum()
 }
 
-/// The surface of unloaded ground over consecutive parts, 0 at the start of the first part and 1 at the end of the
-/// last: its values at all ends of parts.
+/// Computes the surface of unloaded ground over consecutive parts of cells. The surface is 0 at the start of the
+/// first part and 1 at the end of the last part. Returns the values of the surface at the ends of all parts.
 fn shape<'a, R: Real + 'a>(parts: impl Iterator<Item = &'a SpanPart<R>>, turned: bool) -> Vec<R> {
     let mut values = vec![R::ZERO];
     let (mut phi, mut flux) = (R::ZERO, R::ONE);
@@ -258,8 +267,9 @@ fn shape<'a, R: Real + 'a>(parts: impl Iterator<Item = &'a SpanPart<R>>, turned:
     values.iter().map(|value| *value / phi).collect()
 }
 
-/// Gauss's rule with sixteen points on \[−1, 1\], exact to degree 31: the power series of a cell times the ground's
-/// shape function. Abramowitz and Stegun (1964), table 25.4.
+/// Points and weights of Gauss quadrature with sixteen points on \[−1, 1\] (Abramowitz and Stegun, 1964, table 25.4).
+/// The rule is exact to degree 31. The product of the power series of a cell and the shape function of the ground
+/// needs this degree.
 const GAUSS_16: [(f64, f64); 8] = [
     (0.095_012_509_837_637_44, 0.189_450_610_455_068_5),
     (0.281_603_550_779_258_9, 0.182_603_415_044_923_58),

@@ -1,5 +1,4 @@
-//! The contact set on Winkler ground, where ψ = w − g₀ − u₀ ≥ 0, and the intervals of a cell on which a polynomial is
-//! not negative.
+//! Computes the contact zones on ground without a shear layer, and the intervals on which a polynomial is not negative.
 
 use crate::contact::surface::SurfacePart;
 use crate::mesh::deflection::{BeamPoint, Deflection, MeshZone};
@@ -7,7 +6,8 @@ use crate::mesh::ground_runs::GroundRun;
 use crate::numeric::polynomial::{Coefficients, divided, value};
 use crate::numeric::roots::sign_changes;
 
-/// The contact zones on ground without a shear layer, where ψ ≥ 0.
+/// Computes the contact zones on ground without a shear layer: the intervals with w − g₀ − u₀ ≥ 0, where w is the
+/// deflection, g₀ the initial gap and u₀ the free-field settlement.
 pub(super) fn winkler_contact(w: &Deflection, run: &GroundRun) -> Vec<MeshZone> {
     let mut zones: Vec<MeshZone> = Vec::new();
     let mut knots = Vec::new();
@@ -36,9 +36,9 @@ pub(super) fn cover(w: &Deflection, cell: usize, parts: &mut Vec<SurfacePart>) {
     }
 }
 
-/// A polynomial with the sign of ψ inside a cell. ψ is divided by its zeros at supports that hold the beam on the
-/// surface of the ground: one zero at a pinned support, two at a fixed one. Otherwise rounding error would split these
-/// zeros and create open ground between them.
+/// Computes a polynomial that has the sign of the obstacle ψ inside a cell. The polynomial is ψ divided by its zeros
+/// at rigid supports: one zero at a pinned support, two zeros at a fixed support. Without this division, rounding
+/// error could move these zeros into the cell and create open ground there.
 fn without_held_zeros(w: &Deflection, cell: usize) -> Coefficients {
     let mut obstacle = w.obstacle(cell);
     for (s, count) in [-1.0, 1.0].into_iter().zip(w.held_zeros(cell)) {
@@ -65,7 +65,8 @@ pub(super) fn positive_parts<'a>(
     parts.filter(|[a, b]| b > a && value(c, 0.5 * (a + b)) >= 0.0)
 }
 
-/// Appends a part of a cell to the last zone if they adjoin and `may_join` is set; otherwise starts a new zone.
+/// Appends a part of a cell to the last zone if the part adjoins this zone and `may_join` is set. Otherwise starts a
+/// new zone.
 pub(super) fn join(zones: &mut Vec<MeshZone>, cell: usize, [from, to]: [f64; 2], may_join: bool) {
     if let Some(last) = zones.last_mut() {
         let meets = last.to.cell + 1 == cell && last.to.s == 1.0 && from == -1.0;

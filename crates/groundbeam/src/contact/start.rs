@@ -1,12 +1,12 @@
-//! Initial guess of the contact zones.
+//! Computes the initial guess of the contact zones: the whole length of a short beam, or the active nodes of a nodal solve.
 
 use crate::cancel::Cancel;
 use crate::contact::stopping::SHORT;
 use crate::element::operator::wave_number;
 use crate::model::{FoundationSegment, Model};
 
-/// The whole length of a short beam, or the active nodes of a nodal solve of a long one; `None` if this solve is not
-/// possible or has no active nodes.
+/// Returns the whole length of a short beam, or the intervals of active nodes of a nodal solve of a long beam.
+/// Returns `None` if the nodal solve is not possible or has no active nodes.
 pub(crate) fn edges(model: &Model, cancel: &Cancel) -> Option<Vec<[f64; 2]>> {
     if is_short(model) {
         Some(vec![[0.0, model.beam.length]])

@@ -19,19 +19,20 @@ pub(crate) struct ContactState {
     /// [`TERMS`] coefficients of φ(s), the rotation of the sections, for each cell; empty if the beam has no shear
     /// deformation.
     pub rotation: Vec<f64>,
-    /// Contact zones, each from its first to its last point. If the ground acts at nodes, every node of a zone is in contact.
+    /// Contact zones on the mesh. If the ground acts at nodes, every node of a zone is in contact.
     pub zones: Vec<MeshZone>,
     pub history: Vec<Step>,
     /// Number of elements of the discrete problem (5.5), in which the ground acts only at nodes; `None` if the ground
     /// pressure is distributed.
     pub nodal_elements: Option<usize>,
-    /// The surface of the ground, if it differs from the obstacle problem of this deflection in the last digits.
+    /// Surface of the ground, if it differs in the last digits from the solution of the obstacle problem of this
+    /// deflection; otherwise `None`.
     pub surface: Option<Surface>,
     pub edge_error: EdgeError,
 }
 
 impl ContactState {
-    /// A deflection of exact elements, with distributed ground pressure.
+    /// Creates the state of a deflection of exact elements with distributed ground pressure.
     pub fn exact(
         mesh: Mesh,
         coefficients: Vec<f64>,
@@ -59,7 +60,8 @@ impl ContactState {
         Motion { deflection: &self.coefficients, rotation: &self.rotation }
     }
 
-    /// The coefficients of φ(s) in cell i; those of w' if the beam has no shear deformation.
+    /// Returns the coefficients of φ(s), the rotation of the sections, in cell i. Without shear deformation, φ equals
+    /// w'.
     pub fn rotation(&self, i: usize) -> Coefficients {
         match self.rotation.get(i * TERMS..(i + 1) * TERMS) {
             Some(rotation) => rotation.into(),
@@ -68,7 +70,7 @@ impl ContactState {
     }
 }
 
-/// The coefficients of w'(s) in a cell from those of w(s).
+/// Computes the coefficients of w'(s) in a cell from the coefficients of w(s).
 pub(crate) fn turned(cell: &Cell, deflection: &[f64]) -> Coefficients {
     let per_half = 2.0 / cell.length();
     let mut slope = derivative(deflection);
@@ -84,11 +86,12 @@ pub(crate) struct Unconverged {
 }
 
 impl Unconverged {
-    /// The beam is a mechanism on a trial contact.
+    /// Error of an iteration that stops because the beam is a mechanism on a trial contact.
     pub const SINGULAR: Unconverged = Unconverged { iterations: 0, why: NotConverged::Singular };
 }
 
-/// The error for contact edges whose last move is `moved`, relative to the length of the beam.
+/// Returns the error of an iteration whose contact edges have not converged. `moved` is the last move of the edges,
+/// relative to the length of the beam.
 pub(crate) fn edges_not_converged(iterations: usize, moved: f64) -> Unconverged {
     Unconverged { iterations, why: NotConverged::Edges(moved) }
 }

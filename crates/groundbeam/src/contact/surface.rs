@@ -1,4 +1,4 @@
-//! The surface of the ground, the contact pressure and the point forces, from a deflection and its contact zones.
+//! Computes the surface of the ground and the concentrated contact forces from a deflection and its contact zones.
 
 use crate::contact::short_span;
 use crate::ground::link::TwoPort;
@@ -13,9 +13,9 @@ use crate::numeric::real::Real;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct SurfacePart<R = f64> {
     pub cell: usize,
-    /// Ends of the part in the coordinate s of the cell.
+    /// Ends of the part of the cell, in the coordinate s of the cell.
     pub s: [f64; 2],
-    /// u − u₀ at both ends; `None` if the part is in contact.
+    /// Ground displacement u minus free field u₀ at both ends of the part; `None` if the part is in contact.
     pub open: Option<[R; 2]>,
 }
 
@@ -29,10 +29,10 @@ pub(crate) struct PointForce<R = f64> {
 /// The surface of the ground under the beam.
 #[derive(Debug, Clone)]
 pub(crate) struct Surface<R = f64> {
-    /// Parts from left to right. They cover all cells.
+    /// Parts of the surface from left to right. The parts cover all cells.
     pub parts: Vec<SurfacePart<R>>,
-    /// Concentrated forces at all positions that can carry one: ends of the beam and of the shear layer, corners, point
-    /// contacts.
+    /// Concentrated contact forces at all positions that can carry a concentrated force: the ends of the beam and of
+    /// the shear layer, corners and point contacts.
     pub point_forces: Vec<PointForce<R>>,
 }
 
@@ -101,7 +101,7 @@ impl<R: Real> Surface<R> {
         }
     }
 
-    /// Adds the forces at the ends of a zone and at the corners within it.
+    /// Adds the concentrated forces at the ends of a contact zone and at the corners within the zone.
     fn add_zone_atoms(&mut self, w: &Deflection<R>, zone: &MeshZone, flux_in: R, flux_out: R) {
         if can_carry(w.mesh, zone.from) {
             let force = flux_in - w.flux(zone.from);
@@ -140,7 +140,8 @@ impl<R: Real> Surface<R> {
         whole
     }
 
-    /// The parts, each cut into short power series if EI, S or the ground varies.
+    /// Returns the parts of the surface. If EI or the ground varies, each part is divided into parts on which short
+    /// power series are sufficient.
     pub fn short_parts(&self, mesh: &Mesh<R>) -> Vec<SurfacePart<R>> {
         let mut parts = Vec::with_capacity(self.parts.len());
         for part in &self.parts {
@@ -159,7 +160,8 @@ impl<R: Real> Surface<R> {
     }
 }
 
-/// Appends a part, cut into short power series if EI or the ground varies.
+/// Appends a part of the surface. If EI or the ground varies, the part is divided into parts on which short power
+/// series are sufficient.
 pub(crate) fn short_parts_of<R: Real>(
     mesh: &Mesh<R>,
     part: &SurfacePart<R>,
@@ -193,7 +195,7 @@ pub(crate) fn short_parts_of<R: Real>(
     }));
 }
 
-/// Maximum number of halvings of a part.
+/// Maximum number of times that a part of the surface is halved.
 const MOST_HALVINGS: u32 = 40;
 
 fn halved(
@@ -211,9 +213,9 @@ fn halved(
     halved([middle, to], short, halvings - 1, cuts);
 }
 
-/// Whether a concentrated force can act at an end of a contact interval: at the ends of the beam and of the shear
-/// layer, at corners, at hinges, and at kinks of a beam with shear deformation. Elsewhere the ground leaves the beam
-/// tangentially.
+/// Whether a concentrated force can act at an end of a contact interval. It can act at the ends of the beam and of
+/// the shear layer, at corners, at hinges, and at kinks of a beam with shear deformation. At all other positions, the
+/// ground leaves the beam tangentially.
 pub(crate) fn can_carry<R: Real>(mesh: &Mesh<R>, point: BeamPoint) -> bool {
     let node = match point.s {
         -1.0 => point.cell,

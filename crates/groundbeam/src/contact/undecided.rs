@@ -1,8 +1,8 @@
-//! Whether two contact sets of one deflection differ only by rounding error.
+//! Tests whether two contact sets of one deflection differ only by rounding error.
 //!
-//! Newton's method moves the edges down to rounding error. Where two trial contacts of one deflection then differ, the
-//! distance between beam and ground is of the size of the rounding error of the deflection. The deflection does not
-//! determine whether they touch.
+//! Newton's method reduces the moves of the contact edges to rounding error. Two trial contacts of one deflection can
+//! then still differ on short intervals. On these intervals, the distance between beam and ground has the size of the
+//! rounding error of the deflection. The deflection then does not determine whether beam and ground touch.
 
 use crate::contact::intervals::{Interval, covers, differences, positions};
 use crate::contact::state::ContactState;
@@ -13,11 +13,13 @@ use crate::mesh::cell::Cell;
 use crate::mesh::deflection::{BeamPoint, MeshZone};
 use crate::numeric::polynomial::value;
 
-/// Number of intervals between the points of an open part at which the distance of beam and ground is computed.
+/// Number of equal intervals into which a part of open ground is divided. The distance between beam and ground is
+/// computed at the ends of these intervals.
 const INTERVALS: usize = 8;
 
-/// Whether the contact of a bonded beam and the contact set `asked` of its deflection differ only by rounding error:
-/// where the beam is in contact in only one of them, the distance between beam and ground is rounding error.
+/// Returns whether two contact sets differ only by rounding error: the contact of a bonded beam, and the contact set
+/// `asked`, which is computed from the deflection of this beam. On each interval that belongs to only one of the two
+/// contact sets, the distance between beam and ground must be rounding error.
 pub(crate) fn differ_by_rounding(
     found: &ContactState,
     contact: &[Interval],
@@ -49,7 +51,9 @@ pub(crate) fn differ_by_rounding(
     is_rounding(&found.zones) && is_rounding(asked)
 }
 
-/// The surface of open ground at the fraction t of an open part of a cell, from its values at both ends.
+/// Computes the surface of open ground at a position inside a part of a cell. `t` is the distance of the position from
+/// the left end of the part, relative to the length of the part. `ends` contains the values of the surface at both
+/// ends of the part.
 fn surface_at(cell: &Cell, half: f64, ends: [f64; 2], t: f64) -> f64 {
     if cell.shear_layer == 0.0 {
         return 0.0;

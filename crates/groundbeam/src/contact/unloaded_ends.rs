@@ -1,9 +1,9 @@
-//! Equilibrium of a beam with unloaded end parts: parts on free hinges, without loads and supports.
+//! Computes the equilibrium of a beam with unloaded end parts: parts beyond a free hinge, without loads and supports.
 //!
-//! The contact pressure on such a part has no moment about the hinge, so it is zero: the part rotates clear of the
-//! ground, at any slope that is steep enough. The rest of the beam is solved without it. On Winkler ground the part
-//! touches over a length that tends to zero as the slope grows. The first trial slope that the certificate confirms is
-//! taken.
+//! The contact pressure on an unloaded end part must have no moment about the hinge, so the pressure is zero. The
+//! part rotates until it is clear of the ground, and it is in equilibrium at every slope that is steep enough. The
+//! rest of the beam is solved without the part. On Winkler ground, the part touches the ground over a length that
+//! tends to zero as the slope grows. The solver takes the first trial slope that the certificate confirms.
 
 use crate::cancel::Cancel;
 use crate::contact::bonded::{Bonded, GivenRotation};
@@ -14,10 +14,10 @@ use crate::existence::rigid_motions::Mechanism;
 use crate::model::{Action, Model, SupportKind};
 use crate::numeric::polynomial::{ends, value};
 
-/// Trial slopes, in units of the largest deflection and slope of the rest.
+/// Trial slopes of the unloaded end parts, as multiples of the `steepness` of the rest of the beam.
 const STEEPER: [f64; 6] = [1.5, 1e1, 1e3, 1e6, 1e9, 1e11];
 
-/// The interval of the beam between its unloaded end parts; `None` without such parts.
+/// Returns the interval of the beam between its unloaded end parts, or `None` if the beam has no unloaded end part.
 pub(crate) fn loaded_stretch(model: &Model) -> Option<Interval> {
     let nodes = Mechanism::of(model).nodes;
     let last = nodes.len() - 1;
@@ -29,8 +29,9 @@ pub(crate) fn loaded_stretch(model: &Model) -> Option<Interval> {
     (to - from < last).then(|| [nodes[from], nodes[to]])
 }
 
-/// Whether the beam has no load and no support between an end and a hinge. A force or a pinned support at the
-/// hinge acts on the other part.
+/// Returns whether the part of the beam between an end and a hinge has no load and no support. If there is a shear
+/// layer, the ground under the part must also have no segments. A force or a pinned support at the hinge acts on the
+/// rest of the beam.
 fn is_unloaded(model: &Model, end: f64, hinge: f64) -> bool {
     let [from, to] = [end.min(hinge), end.max(hinge)];
     let reaches = |ends: [f64; 2]| ends[0] < to && from < ends[1];
@@ -45,7 +46,8 @@ fn is_unloaded(model: &Model, end: f64, hinge: f64) -> bool {
     let held = model.supports.iter().any(|support| {
         beyond(support.at) || support.at == hinge && support.kind != SupportKind::Pinned
     });
-    // The ground outside the beam continues the ground at the end of the part.
+    // In the model without the end part, the ground at the hinge continues outside the beam. This is correct only if
+    // no ground segment lies under the end part.
     let (_, layer) = model.foundation.largest();
     let changes = layer > 0.0 && model.foundation.segments.iter().any(|s| reaches([s.from, s.to]));
     !(loaded || held || changes)
@@ -75,7 +77,8 @@ pub(crate) fn solve_stretch(
     turned_clear(&mut Bonded::new(model, cancel), &contact, turns, rest.history, judge)
 }
 
-/// The largest slope at the two ends of a beam, or the largest deflection there divided by the length.
+/// Computes the largest slope at the two ends of a beam, or the largest deflection at these ends divided by the
+/// length of the beam if this quotient is larger.
 fn steepness(rest: &ContactState) -> f64 {
     let w = rest.deflection();
     let last = rest.mesh.cells.len() - 1;
@@ -87,7 +90,8 @@ fn steepness(rest: &ContactState) -> f64 {
     of_end(0, 0).max(of_end(last, 1)).max(f64::MIN_POSITIVE)
 }
 
-/// The rotation at the middle of a beam that is balanced on one point; `None` otherwise.
+/// Returns the rotation at the middle of a beam that is balanced on one contact point. Returns `None` if the contact
+/// is not a single point.
 fn balanced(rest: &ContactState, contact: &[Interval], from: f64) -> Option<GivenRotation> {
     let [[left, right]] = contact else { return None };
     let middle = 0.5 * rest.mesh.cells[rest.mesh.cells.len() - 1].x[1];

@@ -1,15 +1,18 @@
-//! Uzawa's iteration of the paper, (5.14)–(5.18), and its successive over-relaxation.
+//! Solves the nodal problem by Uzawa's iteration of the paper, (5.14)–(5.18), or by successive over-relaxation.
 //!
-//! With nodal pressures (5.5) the pressure p ≥ 0 minimises ½pᵀ(G + C)p − …, where C is the flexibility of the beam. The
-//! constraints are the equilibrium conditions (5.20) for the rigid motions that only the ground prevents. A sweep of
-//! (5.17) is a splitting step with B = R⁻¹ + L, where R = diag(ρᵢ) and L is the part of G below its diagonal. The two
-//! conditions (5.20) are solved as equations with two multipliers: the rigid motion of the beam for which the new
-//! pressure balances the loads. Such a step lowers the energy if B + Bᵀ − (G + C) is positive definite, that is if
-//! 2/ρᵢ > Gᵢᵢ + |C| for all i. A bound on |C| therefore determines ρ. No assumption about the nodes in contact is
-//! needed, and the iteration converges.
+//! In the problem with nodal pressures (5.5), the pressure p ≥ 0 minimises ½pᵀ(G + C)p plus a linear term, where G is
+//! the flexibility matrix of the ground and C is the flexibility matrix of the beam. The constraints are the
+//! equilibrium conditions (5.20) for the rigid motions that only the ground prevents. The multipliers of these
+//! constraints are the amplitudes of the rigid motions. Each sweep determines the amplitudes for which the new
+//! pressure balances the loads.
 //!
-//! G is never formed. Away from the diagonal a column of G decays by a factor from node to node, so that a sweep
-//! carries one number along and costs O(n).
+//! A sweep of (5.17) is a splitting step with the matrix B = R⁻¹ + L, where R is the diagonal matrix of the relaxation
+//! parameters ρᵢ, and L is the part of G below its diagonal. The sweep lowers the energy if B + Bᵀ − (G + C) is
+//! positive definite. This holds if 2/ρᵢ > Gᵢᵢ + |C| for all i, where |C| is the norm of C. An upper bound of |C| is
+//! therefore sufficient to choose the ρᵢ. The iteration converges without any assumption about the nodes in contact.
+//!
+//! G is never formed. Away from the diagonal, the entries of a column of G decrease by a known factor from node to
+//! node. A sweep therefore needs one running sum and costs O(n) for n nodes.
 
 use super::surface::{PointForce, Surface, SurfacePart};
 use crate::cancel::Cancel;
@@ -30,22 +33,24 @@ use crate::nodal::quadratic::NotSolved;
 use crate::numeric::step::Step;
 use crate::numeric::tolerance::SWEEPS;
 
-/// Fraction of the largest safe ρ that is used.
+/// Ratio of a relaxation parameter to the largest value for which convergence is proved.
 const SAFE: f64 = 0.95;
 
-/// Maximum number of Newton steps for the two multipliers of a sweep; two or three are common.
+/// Maximum number of Newton steps for the amplitudes of the rigid motions in a sweep. Usually two or three steps are
+/// sufficient.
 const MOST_NEWTON: usize = 200;
 
 /// Relaxation parameters ρᵢ of a sweep.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Relaxation {
-    /// The same ρ at all nodes, (5.17).
+    /// One relaxation parameter ρ for all nodes, (5.17).
     Uniform,
-    /// ρᵢ = ω/Gᵢᵢ, (5.18).
+    /// Relaxation parameters ρᵢ inversely proportional to the flexibility Gᵢᵢ of the ground at node i, (5.18).
     Diagonal,
 }
 
-/// Iterates from the pressure of the bilateral problem or from zero pressure.
+/// Solves the nodal problem by Uzawa's iteration. The iteration starts from the pressure of the bilateral problem if
+/// `from_bilateral` is set, otherwise from zero pressure.
 pub(crate) fn solve(
     grid: &Grid,
     relaxation: Relaxation,
@@ -87,7 +92,8 @@ pub(crate) fn solve(
     Ok(found(mesh.clone(), &ground, &beam, &pressure, rigid, history))
 }
 
-/// The nodal pressures (5.5) of the bilateral problem, with tension set to zero: a start for (5.15).
+/// Computes the nodal pressures (5.5) of the bilateral problem and sets tensile pressures to zero. Uzawa's iteration
+/// (5.15) can start from these pressures.
 fn bilateral_pressure(grid: &Grid) -> Vec<f64> {
     let mut workspace = Workspace::default();
     workspace.bond(grid);
@@ -98,7 +104,9 @@ fn bilateral_pressure(grid: &Grid) -> Vec<f64> {
     }
 }
 
-/// Largest safe ρ: 2/ρᵢ > Gᵢᵢ + |C| for all i.
+/// Computes relaxation parameters ρᵢ slightly below the largest values that satisfy 2/ρᵢ > Gᵢᵢ + |C| for all i. Here G
+/// and C are the flexibility matrices of the ground and the beam. `diagonal` contains the Gᵢᵢ, and `flexibility` is a
+/// bound of the norm |C|.
 fn relaxed(diagonal: &[f64], flexibility: f64, relaxation: Relaxation) -> Vec<f64> {
     let safe = diagonal.iter().map(|g| SAFE * 2.0 / (g + flexibility));
     match relaxation {
@@ -113,8 +121,8 @@ fn relaxed(diagonal: &[f64], flexibility: f64, relaxation: Relaxation) -> Vec<f6
     }
 }
 
-/// One sweep of (5.17). It adds the rigid motion for which the new pressure satisfies the balances (5.19), in the form
-/// (5.20) at the nodes.
+/// Performs one sweep of (5.17). The sweep adds the rigid motion for which the new pressure satisfies the equilibrium
+/// conditions (5.19), in their nodal form (5.20).
 fn sweep(
     ground: &Flexibility,
     beam: &FreeBeam,
@@ -125,7 +133,8 @@ fn sweep(
     rigid: &mut [f64; 2],
 ) -> Vec<f64> {
     let n = before.len();
-    // Σ_{j ≥ i} Gᵢⱼ pⱼ of the old pressure.
+    // `behind` contains the sum Σ_{j ≥ i} Gᵢⱼ pⱼ at each node i, with the flexibility matrix G of the ground and the
+    // old pressure p.
     let mut behind = vec![0.0; n];
     for i in (0..n).rev() {
         let carried = if i + 1 < n { ground.leftward[i + 1] * behind[i + 1] } else { 0.0 };
@@ -133,7 +142,9 @@ fn sweep(
     }
     let mut next = vec![0.0; n];
     for _ in 0..MOST_NEWTON {
-        // The new pressure and its derivatives with respect to the two rigid motions.
+        // `ahead` contains the sum Σ_{j < i} Gᵢⱼ pⱼ at node i, with the flexibility matrix G of the ground and the new
+        // pressure p. It also contains the derivatives of this sum with respect to the amplitudes of the two rigid
+        // motions.
         let mut ahead = [0.0; 3];
         let mut balance = beam.wanted;
         let mut slope = [[0.0; 2]; 2];
@@ -176,9 +187,9 @@ fn sweep(
     next
 }
 
-/// Solves slope·step = balance for the step of the rigid motions. The slope is singular if fewer than two nodes are in
-/// contact. A fraction of the slope at full contact is then added, and the steps go on until other nodes are in
-/// contact.
+/// Solves `slope`·step = `balance` for the Newton step of the amplitudes of the rigid motions. The matrix `slope` is
+/// singular if fewer than two nodes are in contact. A positive number is then added to its diagonal, and the Newton
+/// steps continue until more nodes are in contact.
 fn newton(balance: &[f64; 2], slope: &[[f64; 2]; 2], free: usize, whole: f64) -> [f64; 2] {
     let [a, b] = *balance;
     if free == 1 {
@@ -195,7 +206,9 @@ fn newton(balance: &[f64; 2], slope: &[[f64; 2]; 2], free: usize, whole: f64) ->
     [(a * s[1][1] - b * s[0][1]) / d, (b * s[0][0] - a * s[1][0]) / d]
 }
 
-/// Residual of (5.10): the change in a sweep with ρ = 1/Gᵢᵢ, relative to the largest pressure before or after it.
+/// Computes the residual of (5.10): the largest change of a nodal pressure in a sweep, relative to the largest
+/// pressure before or after the sweep. The change is scaled to the relaxation parameter 1/Gᵢᵢ, where Gᵢᵢ is the
+/// flexibility of the ground at node i.
 fn change(before: &[f64], next: &[f64], rho: &[f64], diagonal: &[f64]) -> f64 {
     let largest = before.iter().chain(next).fold(0.0, |m: f64, p| m.max(p.abs()));
     let mut worst: f64 = 0.0;
@@ -210,21 +223,21 @@ fn initial_gap(mesh: &Mesh, node: usize) -> f64 {
     if node == 0 { mesh.cells[0].gap[0] } else { mesh.cells[node - 1].gap[1] }
 }
 
-/// The beam element of a cell, off the ground.
+/// Returns the beam element of a cell without ground.
 fn element(cell: &Cell, axial_force: f64) -> ExactElement {
     ExactElement::new(&Operator::of(cell, axial_force, ZoneKind::Open), cell.length())
 }
 
-/// The beam without ground. Pins prevent its free rigid motions; they carry no force when the pressure balances the
-/// loads.
+/// The beam without ground. Additional pins prevent its free rigid motions. These pins carry no force if the pressure
+/// balances the loads.
 struct FreeBeam<'a> {
     mesh: &'a Mesh,
     chain: Chain,
     /// Number of rigid motions that only the ground prevents.
     free: usize,
-    /// Deflections of these motions at the nodes.
+    /// Deflections of the free rigid motions at the nodes.
     motions: Vec<[f64; 2]>,
-    /// F(r) for these motions r, and the sum of the sizes of the loads.
+    /// Work F(r) of the loads in each free rigid motion r, and the sum of the magnitudes of the loads.
     wanted: [f64; 2],
     size: f64,
 }
@@ -238,7 +251,8 @@ impl<'a> FreeBeam<'a> {
         let held: Vec<f64> =
             mesh.nodes.iter().filter(|n| n.pinned || n.spring > 0.0).map(|n| n.x).collect();
         type Motion = Box<dyn Fn(f64) -> [f64; 2]>;
-        // Number of free rigid motions, nodes that are pinned to prevent them, and the motions as functions of x.
+        // The number of free rigid motions, the nodes that are pinned to prevent these motions, and the motions as
+        // functions of x depend on the supports.
         let (free, pins, motion): (usize, Vec<usize>, Motion) =
             match (held.as_slice(), turning_held) {
                 ([], false) => (2, vec![0, last], Box::new(move |x| [1.0 - x / l, x / l])),
@@ -282,7 +296,7 @@ impl<'a> FreeBeam<'a> {
         chain.solve().unwrap_or(nothing)
     }
 
-    /// (5.16): w at the nodes, without the free rigid motions.
+    /// Computes the deflection w at the nodes by (5.16), without the free rigid motions.
     fn deflection(&self, pressure: &[f64]) -> Vec<f64> {
         let shapes = self.shapes(pressure);
         let mut w: Vec<f64> = shapes.iter().map(|v| v[0]).collect();
@@ -291,7 +305,8 @@ impl<'a> FreeBeam<'a> {
         w
     }
 
-    /// A bound of |C|: the largest row sum if all entries of C are positive (a beam without supports), else the trace.
+    /// Computes a bound of the norm |C| of the flexibility matrix C of the beam. For a beam without supports, all
+    /// entries of C are positive, and the bound is the largest row sum. For other beams, the bound is the trace of C.
     fn largest_flexibility(&self) -> f64 {
         let mut unloaded = self.chain.clone();
         for node in &mut unloaded.nodes {
@@ -317,7 +332,7 @@ impl<'a> FreeBeam<'a> {
     }
 }
 
-/// F(r) for each free motion, from the load vectors of the elements.
+/// Computes the work F(r) of the loads in each free rigid motion r, and the sum of the magnitudes of the loads.
 fn work_of_loads(mesh: &Mesh, chain: &Chain, motions: &[[f64; 2]]) -> ([f64; 2], f64) {
     let mut work = [0.0; 2];
     let mut size = 0.0;
@@ -341,7 +356,7 @@ fn work_of_loads(mesh: &Mesh, chain: &Chain, motions: &[[f64; 2]]) -> ([f64; 2],
     (work, size)
 }
 
-/// The converged state as a [`ContactState`].
+/// Converts the pressure and the rigid motion of the converged iteration to a [`ContactState`].
 fn found(
     mesh: Mesh,
     ground: &Flexibility,

@@ -1,11 +1,12 @@
-//! The contact force of each contact interval, from a bonded deflection: pressure, corners and ends.
+//! Computes the contact force of each contact interval of a bonded beam from the pressure and the forces at corners and ends.
 
 use crate::contact::edge_step::OpenSpan;
 use crate::contact::intervals::Interval;
 use crate::mesh::deflection::{Deflection, MeshZone};
 use crate::mesh::ground_runs::{GroundRun, ground_runs};
 
-/// The contact forces of the intervals \[N\], positive in compression. All ends of zones must be nodes.
+/// Computes the contact force of each interval of `contact` \[N\], positive in compression. All ends of `zones` must
+/// be nodes.
 pub(crate) fn zone_forces(w: &Deflection, contact: &[Interval], zones: &[MeshZone]) -> Vec<f64> {
     let mut forces = vec![0.0; contact.len()];
     for run in ground_runs(w.mesh) {
@@ -26,7 +27,7 @@ pub(crate) fn zone_forces(w: &Deflection, contact: &[Interval], zones: &[MeshZon
     forces
 }
 
-/// ∫p over a zone, with the forces at corners inside the zone.
+/// Computes the integral of the contact pressure over a zone, plus the forces at corners inside the zone.
 fn spread_force(w: &Deflection, zone: &MeshZone) -> f64 {
     if zone.from == zone.to {
         return 0.0;
@@ -45,7 +46,7 @@ fn spread_force(w: &Deflection, zone: &MeshZone) -> f64 {
     (zone.from.cell..=zone.to.cell).map(cell).sum()
 }
 
-/// The concentrated forces at both ends of a zone on a shear layer.
+/// Computes the sum of the concentrated forces at both ends of a zone on a shear layer.
 fn force_at_ends(w: &Deflection, run: &GroundRun, zones: &[MeshZone], i: usize) -> f64 {
     let zone = &zones[i];
     let left = i.checked_sub(1).map(|before| zones[before].to);

@@ -1,5 +1,4 @@
-//! The adjoint displacements of outputs: the unknowns under the loads that are the derivatives of an output with respect to
-//! the unknowns.
+//! Computes the adjoint displacements of outputs from the derivatives of each output with respect to the unknowns.
 
 use super::equilibrium::{Equilibrium, Loads, Span};
 use super::linear::Linear;
@@ -10,7 +9,7 @@ use crate::numeric::dual::Dual;
 use std::collections::BTreeSet;
 
 impl Equilibrium<'_> {
-    /// The elements on which an output depends at fixed data.
+    /// Returns the elements whose unknowns affect an output while the data of the model are fixed.
     fn reads(&self, of: &Read) -> BTreeSet<usize> {
         let (frame, mut read) = (self.frame, BTreeSet::new());
         let cells = &frame.mesh.cells;
@@ -31,7 +30,8 @@ impl Equilibrium<'_> {
             Read::Edge { zone, side } | Read::EdgeForce { zone, side } => add(end_of(zone, side)),
             Read::Support { number, .. } => add(frame.model.supports[number].at),
         }
-        // The surface of an open span depends on w at both ends of the span; if the span is short, on all of it.
+        // The surface of an open span depends on w at both ends of the span. The surface of a short span depends on w
+        // in the whole span.
         for Span { ends, .. } in &self.spans {
             let at = |end: BeamPoint| cells[end.cell].global(end.s);
             let from = ends[0].map_or(f64::NEG_INFINITY, at);
@@ -51,12 +51,13 @@ impl Equilibrium<'_> {
         read
     }
 
-    /// The elements on which some outputs depend at fixed data.
+    /// Returns the elements whose unknowns affect at least one of the outputs while the data of the model are fixed.
     pub fn read_by(&self, readings: &[Reading]) -> BTreeSet<usize> {
         readings.iter().flat_map(|reading| self.reads(&reading.of)).collect()
     }
 
-    /// For each output the displacements under the loads that are its derivatives with respect to the unknowns.
+    /// Computes the adjoint displacements of each output. The loads of these displacements are the derivatives of the
+    /// output with respect to the unknowns. Returns `None` if the beam is a mechanism.
     pub fn adjoints(&self, readings: &[Reading]) -> Option<Vec<Vec<[f64; 4]>>> {
         let mut linear = Linear::<4>::new(self);
         linear.vary(Vec::new());

@@ -1,4 +1,4 @@
-//! Derivatives of the potential energy: partial derivatives at fixed w, φ and u of the solution (envelope theorem).
+//! Computes the derivatives of the potential energy at fixed w, φ and u of the solution (envelope theorem).
 
 use super::linear::Linear;
 use super::tangent::{Motion, Moved};
@@ -11,7 +11,8 @@ use crate::numeric::real::Real;
 use crate::solution::fields::Side;
 
 impl<const N: usize> Linear<'_, N> {
-    /// ½∫(EI (φ' − κ₀)² + S (w' − φ)² + P w'²) + ½b(u, u) + springs − F(w).
+    /// Computes the derivatives of the potential energy: the energy of the beam with its axial force, of the ground
+    /// and of the springs, minus the work of the loads.
     pub fn energy(&self) -> [f64; N] {
         let (mesh, still) = (self.mesh(), self.equilibrium);
         let lifted = |c: &[f64]| c.iter().map(|c| Dual::from(*c)).collect::<Vec<Dual<N>>>();
@@ -39,7 +40,8 @@ impl<const N: usize> Linear<'_, N> {
         }
         energy += (beam_form(mesh, own, own) + ground_work(mesh, self.zones(), &psi, &psi)) * 0.5;
         energy -= work_of_loads(mesh, own);
-        // ½b(u, u) − ∫q u = ½b(u − u₀, u − u₀) − ½∫q u₀.
+        // With the load q on the ground and the free-field settlement u₀, the energy of the ground is the energy of
+        // the displacement u − u₀, minus ½∫q u₀.
         if self.frame.model.has_ground_loads() {
             let work = |line: &Line<Dual<N>>| free_field::work_of_loads(line, &mesh.cells);
             energy -= self.on_line(work) * 0.5;
@@ -54,8 +56,8 @@ impl<const N: usize> Linear<'_, N> {
         by
     }
 
-    /// The energy that a support has due to its settlement δ: ½k (w − δ)² − ½k w² in a spring, and the work on a rigid
-    /// support.
+    /// Computes the part of the energy that is due to the settlement δ of a support. For a spring with the stiffness
+    /// k, this part is ½k (w − δ)² − ½k w². For a rigid support, it is the work of the reaction.
     fn settling(&self, number: usize) -> Dual<N> {
         let support = &self.frame.model.supports[number];
         let [spring, _, settlement] = self.numbers_of_support(number);
@@ -69,7 +71,8 @@ impl<const N: usize> Linear<'_, N> {
         settlement * -self.reaction(support.at)[0].value
     }
 
-    /// Derivative of the energy with respect to the position of a load. The load does work on the mean of both sides.
+    /// Computes the derivative of the energy with respect to the position of a load. A field that jumps at the load
+    /// enters with the mean of its values on both sides.
     fn by_motion(&self, moved: &Moved) -> f64 {
         let (frame, x) = (self.frame, moved.x);
         let solution = frame.solution;
@@ -98,7 +101,8 @@ impl<const N: usize> Linear<'_, N> {
                 -moment * mean(&|side| solution.at(x, side).rotation)
             }
             Motion::Curvature(curvature) => curvature * mean(&|side| solution.at(x, side).moment),
-            // The loads of the tangent model contain this term.
+            // For a force per length, the model of derivatives contains a point force at the moving end. The work of
+            // this point force is already part of the derivative.
             Motion::ForcePerLength(_) => 0.0,
         }
     }

@@ -1,4 +1,4 @@
-//! The beam bonded on its contact in equilibrium, without derivatives: its elements, its unknowns and its stiffness.
+//! Computes the equilibrium of the beam bonded to the ground on its contact zones: elements, unknowns and stiffness.
 
 use super::frame::Frame;
 use crate::chain::elimination::Chain;
@@ -23,20 +23,22 @@ pub(super) struct Equilibrium<'a> {
     pub elements: Vec<Element>,
     /// The four unknowns of each element.
     pub shapes: Vec<[f64; 4]>,
-    /// Coefficients of w, and of φ if the beam has shear deformation, on the mesh of power series.
+    /// Coefficients of w in each cell of the mesh of power series. The next field contains the coefficients of φ if
+    /// the beam has shear deformation.
     pub deflection: Vec<f64>,
     pub rotation: Vec<f64>,
-    /// Open ground on the mesh of elements.
+    /// Spans of open ground on the mesh of elements.
     pub spans: Vec<Span<f64>>,
-    /// The equations without loads.
+    /// Linear equations of the bonded beam with all loads zero.
     chain: Chain,
 }
 
-/// Loads on the four unknowns of some elements.
+/// Loads on the four unknowns of some elements, as pairs of an element's index and its loads.
 pub(super) type Loads<T> = Vec<(usize, [T; 4])>;
 
 impl<'a> Equilibrium<'a> {
-    /// `None` if the beam is a mechanism on its contact.
+    /// Solves the beam bonded to the ground on the contact zones of `frame`. Returns `None` if the beam is a
+    /// mechanism.
     pub fn at(frame: &'a Frame<'a>) -> Option<Self> {
         let mesh = &frame.mesh;
         let element = |(cell, touch)| {
@@ -73,7 +75,8 @@ impl<'a> Equilibrium<'a> {
         Some(Equilibrium { frame, elements, shapes, deflection, rotation, spans, chain })
     }
 
-    /// The unknowns of all elements, for each of several lists of loads that act alone.
+    /// Computes the unknowns of all elements for each of several lists of loads. Each list acts alone. Returns `None`
+    /// if the beam is a mechanism.
     pub fn displaced(&self, loads: impl Iterator<Item = Loads<f64>>) -> Option<Vec<Vec<[f64; 4]>>> {
         let mut chain = self.chain.clone();
         let under = |loads: Loads<f64>| {
@@ -88,7 +91,7 @@ impl<'a> Equilibrium<'a> {
         loads.map(under).collect()
     }
 
-    /// w and the rotations on both sides of a node.
+    /// Returns w at a node, and the rotations on the left and right side of the node.
     pub fn at_node(&self, node: usize) -> [f64; 3] {
         let cells = [node.saturating_sub(1), node.min(self.shapes.len() - 1)];
         let at = |i: usize, row: [f64; 4]| (0..4).map(|j| row[j] * self.shapes[i][j]).sum::<f64>();
@@ -104,13 +107,16 @@ impl<'a> Equilibrium<'a> {
 /// Open ground between two contact zones, or between a zone and the ground outside the beam.
 #[derive(Debug)]
 pub(super) struct Span<R> {
-    /// Points at which the span ends at a contact zone; `None` if it includes the ground beyond the run.
+    /// Left and right end of the span at a contact zone. An end is `None` if the span includes the ground outside the
+    /// `GroundRun`.
     pub ends: [Option<BeamPoint>; 2],
-    /// The two-ports of the span; for a two-port under the beam also its cell and the part of the cell.
+    /// Two-ports of the span. A two-port under the beam is stored with its cell and with the interval of the cell that
+    /// it covers.
     pub links: Vec<(Option<(usize, [f64; 2])>, TwoPort<R>)>,
-    /// All two-ports in series.
+    /// Two-port of the whole span: all its two-ports in series.
     pub whole: TwoPort<R>,
-    /// u − u₀ at both ends, and the forces on the ground at both ends.
+    /// Ground displacement u minus free field u₀ at both ends of the span. The next field contains the forces on the
+    /// ground at both ends of the span.
     pub held: [R; 2],
     pub fluxes: [R; 2],
 }
@@ -132,7 +138,8 @@ impl<R: Real> Span<R> {
     }
 }
 
-/// Coefficients of w, and of φ if the beam has shear deformation, on a part of an element's cell.
+/// Computes the coefficients of w on a part of an element's cell, and the coefficients of φ if the beam has shear
+/// deformation. `v` contains the four unknowns of the element.
 pub(super) fn curves<R: Real>(
     [cell, part]: [&Cell<R>; 2],
     exact: &ExactElement<R>,

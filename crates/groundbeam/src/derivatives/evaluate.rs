@@ -1,4 +1,4 @@
-//! Outputs of the linearised problem, with the derivatives of its data and unknowns.
+//! Evaluates outputs of the linearised problem, with derivatives, from its data and unknowns.
 
 use super::equilibrium::Span;
 use super::linear::Linear;
@@ -18,7 +18,7 @@ use crate::solution::field::Field;
 use crate::solution::fields::{Side, SolutionPiece};
 
 impl<const N: usize> Linear<'_, N> {
-    /// The derivatives of an output.
+    /// Computes the derivatives of an output with respect to the N variables.
     pub fn read(&self, reading: &Reading) -> [f64; N] {
         let frame = self.frame;
         match reading.of {
@@ -65,7 +65,7 @@ impl<const N: usize> Linear<'_, N> {
         }
     }
 
-    /// Spring, rotational spring and settlement of a support.
+    /// Returns the spring constant, the rotational spring constant and the settlement of a support, with derivatives.
     pub fn numbers_of_support(&self, number: usize) -> [Dual<N>; 3] {
         let numbers = |model: &Model| match model.supports[number] {
             Support {
@@ -81,7 +81,7 @@ impl<const N: usize> Linear<'_, N> {
         duals
     }
 
-    /// A field at a position x, on one side of x.
+    /// Computes a field on one side of the position x.
     pub fn field(&self, field: Field, x: f64, side: Side) -> Dual<N> {
         let cells = &self.mesh().cells;
         let i = match side {
@@ -108,7 +108,7 @@ impl<const N: usize> Linear<'_, N> {
         piece.one(field, piece.local(x))
     }
 
-    /// u at a position x outside the beam.
+    /// Computes the ground displacement u at a position x outside the beam.
     pub fn settlement_beside(&self, x: f64) -> Dual<N> {
         let l = self.frame.model.beam.length;
         let right = x > l;
@@ -122,7 +122,7 @@ impl<const N: usize> Linear<'_, N> {
         })
     }
 
-    /// A function of the ground outside the beam and of the loads on the ground.
+    /// Evaluates a function of the ground outside the beam and of the loads on the ground.
     pub fn on_line(&self, of: impl FnOnce(&Line<Dual<N>>) -> Dual<N>) -> Dual<N> {
         let by: Vec<&Model> = self.tangents.iter().map(|tangent| &tangent.model).collect();
         let rates = Rates { model: &self.frame.model, by: &by, reach: [0.0; 2] };
@@ -133,7 +133,8 @@ impl<const N: usize> Linear<'_, N> {
         of(&Line { length, beyond: [&left, &right], loads: &rates.ground_loads() })
     }
 
-    /// u − u₀ at both ends of a cell; `None` if the cell is in contact.
+    /// Computes the ground displacement u minus the free field u₀ at both ends of a cell. Returns `None` if the cell
+    /// is in contact.
     fn open(&self, cell: usize) -> Option<[Dual<N>; 2]> {
         let holds = |zone: &MeshZone| zone.from.cell <= cell && cell <= zone.to.cell;
         if self.zones().iter().any(|zone| zone.from != zone.to && holds(zone)) {
@@ -149,7 +150,7 @@ impl<const N: usize> Linear<'_, N> {
         Some(self.spans.iter().find_map(under).unwrap_or([Dual::ZERO; 2]))
     }
 
-    /// Force of the bond at an end of a zone.
+    /// Computes the concentrated force between the bonded beam and the ground at an end of a contact zone.
     pub fn force_at_edge(&self, zone: usize, side: Side) -> Dual<N> {
         let MeshZone { from, to } = self.zones()[zone];
         let taken = |point: BeamPoint, end: usize| -> Dual<N> {
@@ -163,28 +164,30 @@ impl<const N: usize> Linear<'_, N> {
         }
     }
 
-    /// μψ' at the end of a zone, without the step of w' that a moving load causes there.
+    /// Computes μψ' at the end of a zone for the obstacle ψ, without the step of w' that a moving load causes at this
+    /// end.
     fn flux(&self, point: BeamPoint) -> Dual<N> {
         let x = self.w().position(point);
         let steps = self.moved_at(x, |steps| steps.slope);
         self.w().flux(point) - self.mesh().cells[point.cell].ground_at(point.s)[1] * steps
     }
 
-    /// Derivatives of the position of an edge that can move.
+    /// Computes the derivatives of the position of a contact edge that can move.
     pub fn edge(&self, zone: usize, side: Side) -> [f64; N] {
         let MeshZone { from, to } = self.zones()[zone];
         let spot = if side == Side::Left { from } else { to };
         let [psi, slope, pressure] = self.w().obstacle_and_pressure(spot);
         if self.mesh().cells[spot.cell].shear_layer.value() == 0.0 {
-            // ψ = 0 at the edge: δx = −δψ/ψ'.
+            // The edge stays at a zero of the obstacle ψ, so a change δψ moves the edge by −δψ/ψ'.
             return psi.by.map(|by| -by / slope.value);
         }
-        // The point force A is 0 at the edge, and dA = π dx for dx out of the zone.
+        // The point force A at the edge is 0. If the edge moves out of the zone by dx, A changes by π dx, where π is
+        // the pressure.
         let outward = if side == Side::Left { -1.0 } else { 1.0 };
         self.force_at_edge(zone, side).by.map(|by| outward * by / pressure.value)
     }
 
-    /// w and φ of the node at a position.
+    /// Returns w and φ of the node at a position.
     pub fn at_node(&self, x: f64) -> [Dual<N>; 2] {
         let spot = self.frame.spot(x, Side::Right);
         let (v, right) = (&self.shapes[spot.cell], spot.s > 0.0);
@@ -193,8 +196,8 @@ impl<const N: usize> Linear<'_, N> {
         [dot(element.end_row(right)), dot(element.rotation_row(right))]
     }
 
-    /// Force (positive up) and moment of the constraints at a node: the loads at the node minus the forces taken by
-    /// elements and ground.
+    /// Computes the force (positive up) and the moment of the constraints at a node. They are the loads at the node
+    /// minus the forces on the elements and the ground.
     pub fn reaction(&self, x: f64) -> [Dual<N>; 2] {
         let mut held = [Dual::ZERO; 2];
         for (cell, right) in self.beside(self.frame.mesh.node_at(x)) {

@@ -1,4 +1,4 @@
-//! Position of the extreme of a field, and the slope of the field there.
+//! Finds the position of the largest or smallest value of a field, and the slope of the field at this position.
 
 use crate::numeric::elementary::power;
 use crate::numeric::polynomial::{derivative, jet, value};
@@ -7,18 +7,19 @@ use crate::solution::field::Field as Quantity;
 use crate::solution::fields::Side;
 use crate::solution::solution::Solution;
 
-/// The position of an extreme.
+/// Position of the largest or smallest value of a field.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Place {
     pub x: f64,
-    /// The side of x on which the field has this value.
+    /// Side of the position x on which the field has the extreme value.
     pub side: Side,
     pub value: f64,
     /// Derivative of the field with respect to x at the extreme; 0 if the field is stationary.
     pub slope: f64,
-    /// Whether the value is constant under all changes: the gap in contact, the pressure outside contact.
+    /// Whether the value is constant for all changes of the parameters, such as the gap in contact or the pressure
+    /// outside contact.
     pub always: bool,
-    /// Another position with an extreme of the same size.
+    /// Another position at which the field has an extreme of the same size.
     pub rival: Option<f64>,
 }
 
@@ -26,7 +27,7 @@ pub(super) struct Place {
 const EQUAL_EXTREME: f64 = 1e-7;
 
 impl Solution {
-    /// Position of the largest or smallest value of a field.
+    /// Finds the position of the largest or smallest value of a field.
     pub(super) fn extreme(&self, field: Quantity, largest: bool) -> Place {
         let sign = if largest { 1.0 } else { -1.0 };
         let mut best: Option<(usize, f64, f64)> = None;
@@ -58,7 +59,7 @@ impl Solution {
             })
             .map(|(at, _)| *at)
             .next();
-        // Rounding error can separate a turning point from the end of its piece.
+        // A turning point that differs only by rounding error from an end of its power series is moved to this end.
         let end = self.pieces()[i].x[usize::from(s > 0.0)];
         let x = if (x - end).abs() <= TURNING_POINT * l { end } else { x };
         let side = if s > 0.0 { Side::Left } else { Side::Right };
@@ -66,7 +67,7 @@ impl Solution {
         Place { x, side, value, slope, always, rival }
     }
 
-    /// The derivative of a field with respect to x on a piece.
+    /// Computes the derivative of a field with respect to x at the coordinate s of piece i of the solution.
     fn rise(&self, i: usize, s: f64, field: Quantity) -> f64 {
         let piece = &self.pieces()[i];
         let half = piece.half;

@@ -1,9 +1,9 @@
-//! The beam bonded to the ground on the contact of a solution: cells, nodes and zones of the linearised problem.
+//! Builds the linearised problem of a solution: cells, nodes and zones of the beam bonded to the ground on its contact zones.
 //!
-//! The energy changes only to third order when a contact edge moves, because no point force acts there and the pressure
-//! is finite. To first order, a change of the model therefore changes w as if beam and ground were bonded on the
-//! contact zones and nowhere else. The small force of the bond at an edge equals the pressure on the strip by which the
-//! edge moves.
+//! If a contact edge moves, the energy changes only to third order, because no point force acts at the edge and the
+//! pressure is finite. To first order, a change of the model therefore changes w as if beam and ground were bonded on
+//! the contact zones and nowhere else. The bonded problem has a small concentrated force at the edge. This force
+//! equals the integral of the pressure over the strip by which the edge moves.
 
 use crate::cancel::Cancel;
 use crate::contact::bonded::{Bonded, zone_kind_of};
@@ -25,11 +25,12 @@ pub(super) struct Frame<'a> {
     pub solution: &'a Solution,
     /// The model with the active supports only.
     pub model: Model,
-    /// One cell for each element, and the contact zones.
+    /// Mesh with one cell for each element. The next field contains the contact zones on this mesh.
     pub mesh: Mesh,
     pub zones: Vec<MeshZone>,
     pub touch: Vec<ZoneKind>,
-    /// Mesh and zones cut into short power series, if elements have boundary layers.
+    /// Mesh and contact zones with cells that are short enough for power series, if elements have boundary layers;
+    /// otherwise `None`.
     pub fine: Option<(Mesh, Vec<MeshZone>)>,
 }
 
@@ -57,13 +58,13 @@ impl<'a> Frame<'a> {
         Frame { solution, model, mesh, zones, touch, fine }
     }
 
-    /// The mesh on which w is a power series in each cell, and the contact zones on it.
+    /// Returns the mesh on which w is a power series in each cell, and the contact zones on this mesh.
     pub fn series(&self) -> (&Mesh, &[MeshZone]) {
         let own = (&self.mesh, &self.zones[..]);
         self.fine.as_ref().map_or(own, |(fine, zones)| (fine, &zones[..]))
     }
 
-    /// The cells of this mesh in an element.
+    /// Returns the indices of the cells of the [series](Self::series) mesh in element i.
     pub fn series_of(&self, i: usize) -> Range<usize> {
         let Some((fine, _)) = &self.fine else { return i..i + 1 };
         let [from, to] = self.mesh.cells[i].x;
@@ -71,7 +72,7 @@ impl<'a> Frame<'a> {
         before(from)..before(to)
     }
 
-    /// Index of a support among the active supports.
+    /// Returns the index of support i among the active supports, or `None` if the support is not active.
     pub fn number_among_acting(&self, i: usize) -> Option<usize> {
         let solution = self.solution;
         let acts = |i: usize| {
@@ -80,14 +81,14 @@ impl<'a> Frame<'a> {
         acts(i).then(|| (0..i).filter(|i| acts(*i)).count())
     }
 
-    /// The cell end on one side of a node at x. At an end of the beam only one side exists.
+    /// Returns the cell end on the given side of the node at x. At an end of the beam, only one side exists.
     pub fn spot(&self, x: f64, side: Side) -> BeamPoint {
         let node = self.mesh.node_at(x);
         let left = node > 0 && (side == Side::Left || node == self.mesh.cells.len());
         if left { BeamPoint { cell: node - 1, s: 1.0 } } else { BeamPoint { cell: node, s: -1.0 } }
     }
 
-    /// Whether two positions have the same node.
+    /// Whether two positions belong to the same node.
     pub fn is_same_node(&self, a: f64, b: f64) -> bool {
         self.mesh.node_at(a) == self.mesh.node_at(b)
     }
@@ -113,7 +114,7 @@ impl<'a> Frame<'a> {
         self.mesh.nodes[spot.cell + usize::from(spot.s > 0.0)].x
     }
 
-    /// The zone that begins (left) or ends (right) at a position.
+    /// Finds the zone whose left or right end is at a position. `side` selects the end.
     pub fn zone_at(&self, x: f64, side: Side) -> Option<usize> {
         let node = self.mesh.node_at(x);
         (0..self.zones.len()).find(|zone| {
@@ -122,8 +123,8 @@ impl<'a> Frame<'a> {
         })
     }
 
-    /// Whether a contact edge cannot move: at a position that can carry a point force, at an end of Winkler ground, and
-    /// at a point contact.
+    /// Whether a contact edge cannot move. An edge cannot move at a position that can carry a point force, at an end
+    /// of Winkler ground, and at a point contact.
     pub fn stays(&self, zone: usize, side: Side) -> bool {
         let (spot, cells) = (self.end_of(zone, side), &self.mesh.cells);
         if self.zones[zone].from == self.zones[zone].to {
@@ -145,8 +146,8 @@ impl<'a> Frame<'a> {
             .map(|side| self.mesh.cells[self.spot(x, side).cell].beam_shear.is_some())
     }
 
-    /// Whether exactly one load acts, begins or ends at a position inside the beam, and no other part of the model has
-    /// an end there.
+    /// Whether exactly one load acts, begins or ends at a position inside the beam, and no segment, support, hinge or
+    /// gap point has the same position.
     pub fn stands_alone(&self, x: f64) -> bool {
         let model = &self.model;
         let here = |other: f64| self.is_same_node(x, other);
@@ -162,8 +163,8 @@ impl<'a> Frame<'a> {
     }
 }
 
-/// The contact zones of a solution, with a point contact at each zone end that carries a concentrated force. The point
-/// is needed where a shear layer ends beside Winkler ground in contact.
+/// Returns the contact zones of a solution, with a point contact at each zone end that carries a concentrated force.
+/// The point contact is needed where a shear layer ends beside Winkler ground in contact.
 fn contact_of(solution: &Solution) -> Vec<Interval> {
     let mut stretches = Vec::with_capacity(solution.contact().len());
     let carries = |x: f64| solution.concentrated_forces().iter().any(|force| force.at == x);

@@ -1,7 +1,9 @@
-//! The linearised problem: the data of the beam bonded on its contact and its unknowns, with derivatives in dual numbers.
+//! Builds the linearised problem: data and unknowns of the bonded beam, with derivatives as dual numbers.
 //!
-//! The residual of the equations at fixed unknowns gives the loads of each parameter. The fields at fixed data give the
-//! loads of each output. The stiffness is symmetric, so either list of loads can be solved for.
+//! The loads of a parameter are the derivatives of the residual with respect to this parameter at fixed unknowns. The
+//! loads of an output are the derivatives of the output with respect to the unknowns at fixed data. The stiffness is
+//! symmetric, so the derivatives follow either from solves for the loads of the parameters or from solves for the
+//! loads of the outputs.
 
 use super::equilibrium::{Equilibrium, Loads, Span, curves};
 use super::frame::Frame;
@@ -27,26 +29,28 @@ pub(super) struct Linear<'a, const N: usize> {
     pub equilibrium: &'a Equilibrium<'a>,
     pub frame: &'a Frame<'a>,
     pub tangents: Vec<Tangent>,
-    /// The mesh of elements, and the mesh of power series if it differs, each with the cells that have derivatives.
+    /// Mesh of elements. `varied` is the range of its cells that have derivatives. `series` contains the mesh of
+    /// power series and the range of its cells that have derivatives, if this mesh differs from the mesh of elements.
     elements: Mesh<Dual<N>>,
     varied: Range<usize>,
     series: Option<(Mesh<Dual<N>>, Range<usize>)>,
-    /// Elements whose data or unknowns have derivatives.
+    /// Elements whose data have derivatives or whose ends are displaced relative to their nodes; `None` for the other
+    /// elements after [`Self::vary`].
     pub exact: Vec<Option<Box<ExactElement<Dual<N>>>>>,
-    /// The four unknowns of each element, from the displacements of its nodes.
+    /// The four unknowns of each element, computed from the displacements of its nodes.
     pub shapes: Vec<[Dual<N>; 4]>,
     /// Coefficients of w and φ.
     pub deflection: Vec<Dual<N>>,
     pub rotation: Vec<Dual<N>>,
     pub spans: Vec<Span<Dual<N>>>,
-    /// Excess of the unknowns of an element over those from the displacements of its nodes.
+    /// Steps at element ends: the unknowns of an element minus the unknowns from the displacements of its nodes.
     jumps: Loads<Dual<N>>,
-    /// For each load that moves with a parameter the number of the parameter and the steps that the load causes.
+    /// Index of the parameter and effect of the move, for each load whose position is a parameter.
     moved: Vec<(usize, Steps)>,
 }
 
 impl<'a, const N: usize> Linear<'a, N> {
-    /// The problem before its data are [varied](Self::vary).
+    /// Creates the linearised problem without derivatives. [`Self::vary`] sets the derivatives of its data.
     pub fn new(equilibrium: &'a Equilibrium<'a>) -> Self {
         let frame = equilibrium.frame;
         Linear {
@@ -66,7 +70,8 @@ impl<'a, const N: usize> Linear<'a, N> {
         }
     }
 
-    /// Replaces the derivatives by those of the data with respect to at most N parameters. The unknowns have none.
+    /// Replaces all derivatives by the derivatives of the data with respect to at most N parameters. The unknowns
+    /// then have no derivatives.
     pub fn vary(&mut self, tangents: Vec<Tangent>) {
         let still = self.equilibrium;
         self.shapes.clear();
@@ -105,8 +110,9 @@ impl<'a, const N: usize> Linear<'a, N> {
         }
     }
 
-    /// The steps of the unknowns at the ends of elements. A load that moves causes a step on one side of its node. A rigid
-    /// support that settles moves the ends of both elements beside it; its node stays.
+    /// Computes the steps of the unknowns at the ends of elements. A moving load causes a step on one side of its
+    /// node. The settlement of a rigid support moves the ends of both elements at the support, but not the node of
+    /// the support.
     fn find_jumps(&mut self) {
         self.jumps.clear();
         for (n, steps) in self.moved.clone() {
@@ -129,7 +135,7 @@ impl<'a, const N: usize> Linear<'a, N> {
         }
     }
 
-    /// The elements at a node, and whether the node is their right end.
+    /// Returns the elements at a node, and for each element whether the node is its right end.
     pub fn beside(&self, node: usize) -> impl Iterator<Item = (usize, bool)> + use<N> {
         let count = self.shapes.len();
         let cells = [(node.checked_sub(1), true), (Some(node), false)];
@@ -149,7 +155,7 @@ impl<'a, const N: usize> Linear<'a, N> {
         self.exact[i].as_ref().map_or_else(still, |exact| exact.element)
     }
 
-    /// The unknowns of an element with the steps at its ends.
+    /// Returns the unknowns of an element, including the steps at its ends.
     pub fn own_shape(&self, i: usize) -> [Dual<N>; 4] {
         let mut own = self.shapes[i];
         for (_, jump) in self.jumps.iter().filter(|(cell, _)| *cell == i) {
@@ -158,7 +164,7 @@ impl<'a, const N: usize> Linear<'a, N> {
         own
     }
 
-    /// Computes w and φ in some elements, and the settlements and forces at the ends of all spans.
+    /// Computes w and φ in some elements, and the displacements and forces at the ends of all spans of open ground.
     pub fn refresh(&mut self, elements: impl Iterator<Item = usize>) {
         elements.for_each(|i| self.unfold(i));
         (0..self.spans.len()).for_each(|span| self.hold(span));
@@ -181,8 +187,8 @@ impl<'a, const N: usize> Linear<'a, N> {
         self.exact[i] = Some(exact);
     }
 
-    /// The derivatives of the loads of all elements at the unknowns of the equilibrium: those on the elements, on the
-    /// nodes, and of the open ground.
+    /// Computes the loads of the parameters: the derivatives of the residual at the unknowns of the equilibrium. They
+    /// come from the elements, the nodes and the open ground.
     pub fn loads(&self) -> Loads<Dual<N>> {
         let mut loads = Vec::new();
         for (i, exact) in self.exact.iter().enumerate() {
@@ -218,15 +224,16 @@ impl<'a, const N: usize> Linear<'a, N> {
         loads
     }
 
-    /// The load on the unknowns of an element from a force and a moment on one end.
+    /// Converts a force and a moment on one end of an element to loads on the unknowns of the element.
     fn on_end(&self, i: usize, right: bool, [force, moment]: [Dual<N>; 2]) -> [Dual<N>; 4] {
         let element = &self.equilibrium.elements[i];
         let (row, turned) = (element.end_row(right), element.rotation_row(right));
         std::array::from_fn(|j| force * row[j] + moment * turned[j])
     }
 
-    /// Force and moment on one end of an element from loads and springs of its node, from a hinge, from the free field
-    /// and from a load that moves. The right node of an element belongs to the next element.
+    /// Computes the force and the moment on one end of an element. They come from the loads and springs of the node,
+    /// from a hinge, from the free field and from a moving load. The loads and springs of an inner node act on the
+    /// element on its right.
     pub fn end_loads(&self, i: usize, right: bool) -> [Dual<N>; 2] {
         let j = i + usize::from(right);
         let (node, cell) = (&self.elements.nodes[j], &self.elements.cells[i]);
@@ -243,14 +250,15 @@ impl<'a, const N: usize> Linear<'a, N> {
             moment += hinge * (if right { after - before } else { before - after });
         }
         if self.frame.touch[i] == ZoneKind::Contact && cell.has_free_field() {
-            // In contact, ∫(k u₀z + μu₀′z′) over a cell is ∫q z plus μu₀′z at its ends.
+            // The element has the load q on the ground instead of the free field u₀. Because q = k u₀ − (μu₀′)′,
+            // integration by parts adds the forces μu₀′ at the ends of the cell.
             let flux = cell.shear_layer * cell.free_field_at(if right { 1.0 } else { -1.0 })[1];
             force += if right { flux } else { -flux };
         }
         [force, moment]
     }
 
-    /// The mesh on which w is a power series in each cell, and the contact zones on it.
+    /// Returns the mesh on which w is a power series in each cell.
     pub fn mesh(&self) -> &Mesh<Dual<N>> {
         self.series.as_ref().map_or(&self.elements, |(series, _)| series)
     }
@@ -263,7 +271,7 @@ impl<'a, const N: usize> Linear<'a, N> {
         Deflection { mesh: self.mesh(), coefficients: &self.deflection }
     }
 
-    /// Computes the settlements and the forces at the ends of a span.
+    /// Computes the ground displacements and the forces on the ground at both ends of a span of open ground.
     fn hold(&mut self, span: usize) {
         let Span { ends, whole, .. } = &self.spans[span];
         let w = self.w();
@@ -283,13 +291,15 @@ impl<'a, const N: usize> Linear<'a, N> {
         (span.held, span.fluxes) = (held, fluxes);
     }
 
-    /// Excess of the surface of open ground at an end of a span over the surface at the node there.
+    /// Computes the step of the surface of open ground at an end of a span. The step is the surface at the end of the
+    /// span minus the surface at the node at x.
     fn drifted(&self, x: f64, end: usize) -> Dual<N> {
         let is_end = |steps: &Steps| usize::from(steps.spot.s > 0.0) == end;
         self.moved_at(x, |steps| if is_end(steps) { steps.drift } else { 0.0 })
     }
 
-    /// The sum of steps at the node at x.
+    /// Sums a quantity of [`Steps`] over all moving loads at the node at x. The sums are the derivatives of the
+    /// returned dual number.
     pub fn moved_at(&self, x: f64, of: impl Fn(&Steps) -> f64) -> Dual<N> {
         let here = |steps: &Steps| self.frame.is_same_node(self.frame.position(steps.spot), x);
         let moved = self.moved.iter().filter(|(_, steps)| here(steps));
@@ -297,12 +307,12 @@ impl<'a, const N: usize> Linear<'a, N> {
     }
 }
 
-/// The derivatives of a number alone.
+/// Returns a dual number with the value 0 and the derivatives of `number`.
 fn drift<const N: usize>(number: Dual<N>) -> Dual<N> {
     Dual { value: 0.0, by: number.by }
 }
 
-/// A number whose derivative with respect to parameter n is given.
+/// Returns a dual number with the value 0. Its derivative with respect to parameter n is `by`.
 fn along<const N: usize>(n: usize, by: f64) -> Dual<N> {
     let mut dual = Dual::ZERO;
     dual.by[n] = by;

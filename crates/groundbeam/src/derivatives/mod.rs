@@ -1,9 +1,8 @@
-//! Exact derivatives of results with respect to the data of the model, from the contact problem linearised at its
-//! solution.
+//! Computes exact derivatives of results with respect to model data from the contact problem linearised at its solution.
 //!
-//! The equations are generic over the number type, so dual numbers give their derivatives. The linear problem of the
-//! beam bonded on its contact is solved for each parameter or for each output, whichever are fewer. The derivation is
-//! in `docs/derivatives.md`.
+//! The equations are generic over the number type, so dual numbers give their derivatives. In the linear problem, the
+//! beam is bonded to the ground on its contact zones. This problem is solved for each parameter or for each output,
+//! whichever are fewer. The derivation is in `docs/derivatives.md`.
 
 mod adjoint;
 mod energy;
@@ -32,7 +31,7 @@ use std::fmt;
 use tangent::{Moved, Tangent};
 pub use topology::{Condition, Nearest};
 
-/// A value with its derivatives.
+/// The value of an output with its derivatives.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Gradient {
     /// The value of the output, in its unit.
@@ -44,11 +43,12 @@ pub struct Gradient {
     pub one_sided: Vec<OneSided>,
 }
 
-/// Why a derivative holds for small changes in one direction only.
+/// Reason why a derivative holds for small changes in one direction only.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum OneSided {
-    /// Beam and ground are about to touch or to separate. All derivatives jump there.
+    /// Beam and ground are about to touch or to separate at some position. All derivatives jump at this change of
+    /// contact.
     Contact(Nearest),
     /// The parameter moves a load. The load acts at a hinge, at a jump of the beam's stiffness, or at the
     /// position of the output, where the load causes a jump of the field or of its slope. The derivative
@@ -67,13 +67,13 @@ pub enum OneSided {
 }
 
 impl OneSided {
-    /// The reason as text. `unit` follows each position.
+    /// Returns the reason as text. `unit` is written after each position.
     pub fn in_words(&self, unit: &str) -> String {
         match *self {
             OneSided::Contact(Nearest { condition, at, margin }) => {
                 let what = condition.in_words();
                 format!(
-                    "contact is about to change: {what} is nearly zero at x = {at}{unit} ({margin:.1e})"
+                    "contact is about to change: {what} is nearly zero at x = {at}{unit} (relative margin {margin:.1e})"
                 )
             }
             OneSided::Place { at, .. } => {
@@ -88,19 +88,20 @@ impl OneSided {
     }
 }
 
-/// Why there is no derivative.
+/// Reason why a result has no derivatives.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum NotDifferentiable {
-    /// The solution is not one of [`Method::Exact`].
+    /// The solution was not computed by [`Method::Exact`].
     Method(Method),
     /// The equilibrium is not unique.
     NotUnique,
-    /// The model has no such number, or the number cannot be changed alone.
+    /// The model does not have this parameter, or the parameter cannot be changed alone.
     NoSuchParameter(Parameter),
-    /// The solution has no such output.
+    /// The solution does not have the output.
     NoSuchOutput,
-    /// μ = 0: even a weak shear layer changes the type of the ground.
+    /// The derivative with respect to μ does not exist at μ = 0, because even a weak shear layer changes the type of
+    /// the ground.
     NoShearLayer,
 }
 
@@ -109,7 +110,7 @@ impl fmt::Display for NotDifferentiable {
         match self {
             NotDifferentiable::Method(method) => write!(
                 f,
-                "derivatives need a solution of the exact method; this solution is of the method `{}`",
+                "derivatives need a solution of the exact method; this solution was computed by the method `{}`",
                 method.name()
             ),
             NotDifferentiable::NotUnique => {
@@ -132,7 +133,7 @@ impl std::error::Error for NotDifferentiable {}
 pub const CLOSE: f64 = 1e-6;
 
 impl Solution {
-    /// Derivatives of outputs with respect to parameters: one gradient for each output. A few outputs and many
+    /// Computes the derivatives of outputs with respect to parameters, as one gradient for each output. A few outputs and many
     /// parameters, or a few parameters and many outputs, cost about as much as one solve.
     ///
     /// ```
@@ -152,8 +153,8 @@ impl Solution {
     ///
     /// # Errors
     ///
-    /// [`NotDifferentiable`] if the solution is not one of [`Method::Exact`] or not unique, if a parameter or an output
-    /// does not exist, or if μ is a parameter and μ = 0.
+    /// [`NotDifferentiable`] if the solution was not computed by [`Method::Exact`] or is not unique, if a parameter or an
+    /// output does not exist, or if μ is a parameter and μ = 0.
     pub fn gradients(
         &self,
         outputs: &[Output],
@@ -176,11 +177,11 @@ impl Solution {
         Ok(readings.iter().zip(rows).map(gradient).collect())
     }
 
-    /// The derivatives of [`Self::gradients`] in the other order: one row for each parameter.
+    /// Computes the derivatives of [`Self::gradients`], ordered with one row for each parameter.
     ///
     /// # Errors
     ///
-    /// As [`Self::gradients`].
+    /// The errors are those of [`Self::gradients`].
     pub fn responses(
         &self,
         outputs: &[Output],
@@ -193,12 +194,13 @@ impl Solution {
         Ok((0..parameters.len()).map(of).collect())
     }
 
-    /// The nearest change of contact: the smallest relative margin of all pressures, forces, gaps, angles and lengths
-    /// that are zero at a change of contact. `None` if there is no such quantity.
+    /// Finds the nearest change of contact. At a change of contact, a pressure, force, gap, angle or length becomes zero.
+    /// The result is the quantity with the smallest relative margin to zero. The result is `None` if the solution has no
+    /// pressure, force, gap, angle or length that can become zero.
     ///
     /// # Errors
     ///
-    /// As [`Self::gradients`].
+    /// The errors are those of [`Self::gradients`].
     pub fn nearest_change(&self) -> Result<Option<Nearest>, NotDifferentiable> {
         let frame = self.linearised()?;
         Ok(self.nearest_change_in(&frame))
@@ -220,7 +222,7 @@ fn readings(frame: &Frame, outputs: &[Output]) -> Result<Vec<Reading>, NotDiffer
     outputs.iter().map(reading).collect()
 }
 
-/// The derivatives of the model's numbers with respect to a parameter.
+/// Computes the derivatives of the model's numbers with respect to a parameter.
 fn tangent(frame: &Frame, parameter: Parameter) -> Result<Tangent, NotDifferentiable> {
     let model = frame.solution.model();
     let value = parameter.value(model).ok_or(NotDifferentiable::NoSuchParameter(parameter))?;
@@ -234,11 +236,11 @@ fn tangent(frame: &Frame, parameter: Parameter) -> Result<Tangent, NotDifferenti
     Ok(tangent)
 }
 
-/// The derivatives of outputs.
+/// Derivatives of outputs with respect to parameters.
 struct Derivatives {
-    /// For each output those with respect to all parameters.
+    /// The derivatives with respect to all parameters, one row for each output.
     rows: Vec<Vec<f64>>,
-    /// For each parameter the load that it moves.
+    /// The load that each parameter moves; `None` for a parameter that moves no load.
     moved: Vec<Option<Moved>>,
 }
 
@@ -255,7 +257,7 @@ fn derivatives(
     }
 }
 
-/// The derivatives with respect to parameters, from numbers with N derivatives.
+/// Computes the derivatives with respect to parameters, with dual numbers of N derivatives.
 fn derivatives_by<const N: usize>(
     frame: &Frame,
     readings: &[Reading],
@@ -263,7 +265,8 @@ fn derivatives_by<const N: usize>(
 ) -> Result<Derivatives, NotDifferentiable> {
     let mechanism = NotDifferentiable::NotUnique;
     let equilibrium = Equilibrium::at(frame).ok_or(mechanism)?;
-    // The stiffness is symmetric: a solve for each output gives the same as one for each parameter. The fewer are made.
+    // The stiffness is symmetric, so a solve for each output gives the same derivatives as a solve for each
+    // parameter. The code uses the variant with fewer solves.
     let adjoints = if readings.len() < parameters.len() {
         Some(equilibrium.adjoints(readings).ok_or(mechanism)?)
     } else {

@@ -1,8 +1,9 @@
-//! The derivative with respect to the position of a load: a moment and jumps of w, φ and M at the node of the load.
+//! Computes the derivative with respect to the position of a load: a moment and jumps of w, φ and M at the load's node.
 //!
-//! If a load moves to the right by δ, the state on its left extends over the length δ. In the cell on the right, w, φ
-//! and M then change by δ times the jumps of their slopes. Cells and nodes keep their positions: cell lengths have no
-//! derivatives, and parts of the model at one position need no cell of length δ between them.
+//! If a load moves to the right by δ, the state on the left of the load extends by the length δ. In the cell on the
+//! right of the load, w, φ and M then change by δ times the jumps of their slopes. Cells and nodes keep their
+//! positions, so cell lengths have no derivatives. No cell of length δ is needed between the load and a support or
+//! hinge at its original position.
 
 use super::frame::Frame;
 use super::tangent::{Motion, Moved};
@@ -15,17 +16,17 @@ use crate::solution::fields::Side;
 /// Relative difference below which two stiffnesses count as equal.
 const EQUAL_STIFFNESS: f64 = 1e-9;
 
-/// Effect of a unit of motion at the end of one cell.
+/// Effect of a unit move of a load at the end of one cell.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Steps {
     pub spot: BeamPoint,
-    /// Moment on the end of the element.
+    /// Moment that a unit move of the load causes on the end of the element.
     pub moment: f64,
-    /// Excess of w and φ at the end of the element over w and φ of the node.
+    /// Step of w and φ: their values at the end of the element minus their values at the node.
     pub jump: [f64; 2],
-    /// Excess of w' at the end of the element over w' of the beam there.
+    /// Step of w': the slope of the element at its end minus the slope of the real beam at the same position.
     pub slope: f64,
-    /// Excess of the surface of open ground in the cell over the surface at the node.
+    /// Step of the surface of open ground: its value in the cell minus its value at the node.
     pub drift: f64,
 }
 
@@ -53,8 +54,8 @@ impl Frame<'_> {
             (Motion::Moment(moment), _) => steps.jump[1] = sign * moment / self.stiffness_at(spot),
             (Motion::MomentPerLength(moment), _) => steps.moment = moment,
             (Motion::Curvature(curvature), _) => steps.jump[1] = sign * curvature,
-            // The point force of the tangent model is a force per length on the strip, so the kink under it is not a
-            // kink of the beam.
+            // A point force replaces the force per length on the strip by which the load's end moves. The kink that
+            // this point force causes does not exist in the beam.
             (Motion::ForcePerLength(force), Some([_, whole])) => {
                 steps.slope = -sign * force / whole
             }
@@ -65,7 +66,8 @@ impl Frame<'_> {
         steps
     }
 
-    /// S and S + N at the end of a cell, where N is P, in contact P + μ; `None` without shear deformation.
+    /// Returns the shear stiffness S and the sum S + N at the end of a cell. The tension N is P out of contact and P +
+    /// μ in contact. Returns `None` if the beam has no shear deformation.
     fn shear_and_total_stiffness(&self, spot: BeamPoint) -> Option<[f64; 2]> {
         let cell = &self.mesh.cells[spot.cell];
         let shear = value(&cell.beam_shear?, spot.s);
@@ -87,7 +89,8 @@ impl Frame<'_> {
         piece.settlement(s, fields.deflection, fields.slope)[1]
     }
 
-    /// w' on one side of a moving point force, shifted to the mean of both sides by half of the kink at the force.
+    /// Computes the mean of w' on both sides of a moving point force. The mean is w' on the given side, plus or minus
+    /// half of the kink at the force.
     pub fn slope_with_half_kink(&self, x: f64, side: Side, force: f64) -> f64 {
         let spot = self.spot(x, side);
         let half =
@@ -95,8 +98,9 @@ impl Frame<'_> {
         self.solution.at(x, side).slope + if spot.s > 0.0 { -half } else { half }
     }
 
-    /// Configurational force on one side of a point force with which a contact edge moves (Eshelby): −½(S + P) w'² −
-    /// ½μ((u' + g₀')² − g₀'²), minus the energy per length and the work on it.
+    /// Computes the configurational force (Eshelby) on one side of a point force, if a contact edge moves with the
+    /// point force: −½(S + P) w'² − ½μ((u' + g₀')² − g₀'²). The derivative of the energy with respect to the position
+    /// of the point force is the configurational force on the left side minus that on the right side.
     pub fn released(&self, x: f64, side: Side) -> f64 {
         let spot = self.spot(x, side);
         let cell = &self.mesh.cells[spot.cell];
@@ -107,8 +111,8 @@ impl Frame<'_> {
         -0.5 * ((shear + self.mesh.axial_force) * slope * slope + layer * (lies * lies - own * own))
     }
 
-    /// The side without contact of a point force on a beam with shear deformation, if a contact edge lies at the kink
-    /// under the force. The edge moves with the force.
+    /// Returns the side without contact at a point force on a beam with shear deformation, if a contact edge lies at
+    /// the kink under the force. The edge then moves with the force.
     pub fn edge_at_force(&self, moved: &Moved) -> Option<Side> {
         let is_force = matches!(moved.what, Motion::Force(_));
         if !is_force || !self.is_inside(moved.x) || self.shears_at(moved.x) != [true; 2] {
@@ -122,13 +126,13 @@ impl Frame<'_> {
         }
     }
 
-    /// Whether the derivatives for a move to the left and to the right differ. They differ at a hinge, and at a jump of
-    /// the stiffness that determines the effect of the motion.
+    /// Whether the derivatives for a move of a load to the left and to the right differ. They can differ at a hinge,
+    /// at a jump of the beam's stiffness, and for a point force at an end of the beam.
     pub fn differs_by_side(&self, moved: &Moved) -> bool {
         let x = moved.x;
         let is_force = matches!(moved.what, Motion::Force(_));
         if !self.is_inside(x) {
-            // The contact force stays at the end of the beam when the point force above it moves.
+            // If a point force above the end of the beam moves, the contact force stays at the end of the beam.
             let touches = self.touch[self.spot(x, Side::Right).cell] == ZoneKind::Contact
                 || [Side::Left, Side::Right].iter().any(|side| self.zone_at(x, *side).is_some());
             return is_force && touches && self.shears_at(x).contains(&true);
@@ -156,7 +160,7 @@ impl Frame<'_> {
     /// an integral of the field would jump.
     fn order_of_jump(&self, field: Field, moved: &Moved) -> i32 {
         let shears = self.shears_at(moved.x).contains(&true);
-        // The same for w and for φ.
+        // The orders of the lowest derivatives of w and of φ that jump at the load.
         let [by_w, by_rotation] = match moved.what {
             Motion::Force(_) => [if shears { 1 } else { 3 }, 3],
             Motion::Moment(_) | Motion::Curvature(_) => [2, 2],

@@ -1,17 +1,17 @@
-//! Names of parameters and outputs, and the parsers of the names.
+//! Lists the names of parameters and outputs, and parses these names.
 
 use super::{Domain, LoadNumber, Output, Parameter, Property, SupportNumber};
 use crate::solution::field::Field;
 use crate::solution::fields::Side;
 
 impl Parameter {
-    /// Syntax of the names: `k`, `mu_factor`, `EI[0]`, `load[1].at`, …
+    /// Syntax of the names of parameters, such as `k`, `mu_factor`, `EI[0]` and `load[1].at`.
     pub const NAMES: &str = "k, mu, EI, GA, axial_force, k_factor, mu_factor, EI_factor, GA_factor, load_factor; of segments k[0], \
                              k_factor[0] and so on, of what is outside them k[]; of loads load[0], load[0].at, \
                              load[0].from, load[0].to, load[0].start, load[0].end; support[0].settlement, \
                              support[0].spring, support[0].rotational_spring, hinge[0], gap[0]";
 
-    /// The parameter with this name.
+    /// Returns the parameter with the given name, or `None` if no parameter has this name.
     ///
     /// ```
     /// use groundbeam::derivatives::{Domain, Parameter, Property};
@@ -79,7 +79,7 @@ impl Output {
     pub const NAMES: &str = "largest moment, smallest gap and so on, edge[0].left, edge[0].right, end_force.left, \
                              end_force.right, support[0].force, support[0].moment, potential_energy";
 
-    /// The output with this name, except fields at a position.
+    /// Returns the output with the given name, or `None` if no output has this name. Fields at a position have no name.
     ///
     /// ```
     /// use groundbeam::{Field, derivatives::Output, solution::Side};
@@ -114,7 +114,7 @@ impl Output {
     }
 }
 
-/// Splits `word[number].part`. The number and the part are optional.
+/// Splits a name of the form `word[number].part`. The number and the part are optional.
 fn parts(name: &str) -> Option<(&str, Option<&str>, &str)> {
     let Some((word, rest)) = name.split_once('[') else {
         let (word, part) = name.split_once('.').unwrap_or((name, ""));

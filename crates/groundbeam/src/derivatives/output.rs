@@ -1,4 +1,4 @@
-//! Outputs: results of a solution, and how each is evaluated in the linearised problem.
+//! Defines outputs, which are results of a solution, and how the linearised problem evaluates each output.
 
 use super::extreme::Place;
 use super::frame::Frame;
@@ -26,26 +26,26 @@ pub enum Output {
     SupportForce(usize),
     /// Moment of a support \[N·m\], positive if it rotates the right side of the beam down.
     SupportMoment(usize),
-    /// The potential energy \[N·m\], which the solution minimises: ½∫(EI (w″ − κ₀)² + P w'²) + ½b(u, u) + springs −
-    /// F(w).
+    /// The potential energy \[N·m\], which the solution minimises: the elastic energy of the beam, the ground and the
+    /// springs, plus ½∫P w'² dx for the axial force P, minus the work of the loads.
     PotentialEnergy,
 }
 
-/// The value of an output, and how its derivatives are computed.
+/// The value of an output, and the way in which its derivatives are computed.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Reading {
     pub value: f64,
     pub of: Read,
-    /// Another position with an extreme of the same size.
+    /// Another position at which the field has an extreme of the same size.
     pub rival: Option<f64>,
 }
 
-/// How an output is evaluated.
+/// The way in which the linearised problem evaluates an output.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Read {
     /// A value that is constant for all parameters.
     Constant,
-    /// A field at a position, and how the position moves.
+    /// A field at a position. `follows` describes how the position moves.
     Field {
         field: Quantity,
         x: f64,
@@ -66,7 +66,7 @@ pub(super) enum Read {
         zone: usize,
         side: Side,
     },
-    /// The force or moment of a support; `number` counts the active supports.
+    /// The force or moment of a support. `number` is the index of the support among the active supports.
     Support {
         number: usize,
         moment: bool,
@@ -74,7 +74,8 @@ pub(super) enum Read {
     Energy,
 }
 
-/// How the position of an evaluated field moves. `slope` is the derivative of the field with respect to x there.
+/// The way in which the position of an evaluated field moves. `slope` is the derivative of the field with respect to
+/// x at this position.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Follows {
     /// The position is fixed by the caller.
@@ -83,14 +84,14 @@ pub(super) enum Follows {
     Nothing,
     /// The position is a contact edge, at a kink of the field.
     Edge { zone: usize, side: Side, slope: f64 },
-    /// The position is that of a load, and nothing else is there.
+    /// The position is that of a load. No other part of the model has the same position.
     Load { slope: f64 },
     /// The field has a kink at the position, caused by a part of the model that does not move.
     Kink,
 }
 
 impl Frame<'_> {
-    /// The evaluation of an output; `None` if the solution does not have the output.
+    /// Returns the value and the evaluation of an output, or `None` if the solution does not have the output.
     pub fn reading(&self, output: Output) -> Option<Reading> {
         let solution = self.solution;
         let l = self.model.beam.length;
@@ -136,7 +137,7 @@ impl Frame<'_> {
         Some(Reading { value, of, rival })
     }
 
-    /// How the position of an extreme moves.
+    /// Determines how the position of an extreme moves.
     fn follows(&self, place: &Place) -> Follows {
         let (x, slope) = (place.x, place.slope);
         if slope == 0.0 {
@@ -173,7 +174,8 @@ impl Frame<'_> {
         let here = |x: f64| self.is_same_place(x, moved.x);
         match *read {
             Read::Field { field, x, follows, .. } => {
-                // The move creates a new piece of the field between the load and the parts that do not move.
+                // If other parts of the model stay at the original position of the load, the move opens an interval
+                // between the load and these parts. In this interval, the field has new values.
                 let leaves = follows != Follows::Given
                     && !self.stands_alone(moved.x)
                     && self.jumps(field, moved);

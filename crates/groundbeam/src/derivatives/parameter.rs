@@ -20,19 +20,19 @@ pub enum Property {
 /// The part of the beam or of the ground on which a parameter changes a property.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Domain {
-    /// On all segments and outside them.
+    /// The whole beam or ground: all segments and the part outside the segments.
     Whole,
-    /// Outside all segments: the model's own value.
+    /// The part outside all segments, with the value of the beam or foundation itself.
     OutsideSegments,
-    /// On one segment, counted from 0. A ground segment at an end of the beam continues outside the beam.
+    /// One segment, counted from 0. A ground segment at an end of the beam continues outside the beam.
     Segment(usize),
 }
 
 /// A number of a load.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum LoadNumber {
-    /// Force \[N, N/m\], moment \[N·m, N·m/m\] or curvature \[1/m\]; for a distributed load, the value at both ends if
-    /// they are equal.
+    /// Size of the load: force \[N, N/m\], moment \[N·m, N·m/m\] or curvature \[1/m\]. For a distributed load, the
+    /// size is the value at both ends if these values are equal.
     Size,
     /// The position of a point load \[m\].
     At,
@@ -49,27 +49,28 @@ pub enum LoadNumber {
 /// A number of a support.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum SupportNumber {
-    /// Its settlement \[m\].
+    /// Settlement of the support \[m\].
     Settlement,
-    /// Its spring constant \[N/m\].
+    /// Spring constant of the support \[N/m\].
     Spring,
-    /// Its rotational spring constant \[N·m/rad\].
+    /// Rotational spring constant of the support \[N·m/rad\].
     RotationalSpring,
 }
 
-/// A numerical parameter of a model. Parts are counted from 0, in the order of the model.
+/// A numerical parameter of a model. Indices of loads, supports and other parts start at 0, in the order of the model.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Parameter {
-    /// The value of a property where it is constant. With `Whole`, no segment may define it.
+    /// The value of a property on a domain where the property is constant. With [`Domain::Whole`], no segment may
+    /// define the property.
     Value(Property, Domain),
-    /// A factor on a property; its current value is 1.
+    /// A factor on a property. The current value of the factor is 1.
     Factor(Property, Domain),
     /// Axial force P \[N\], positive in tension.
     AxialForce,
     /// A number of one load.
     Load(usize, LoadNumber),
-    /// A factor on all loads; its current value is 1.
+    /// A factor on all loads. The current value of the factor is 1.
     LoadFactor,
     /// A number of one support.
     Support(usize, SupportNumber),
@@ -86,7 +87,7 @@ impl Parameter {
         matches!(self, Parameter::Value(Spring | Shear, _) | Parameter::Factor(Spring | Shear, _))
     }
 
-    /// Value of the number in the model; `None` if the model does not have it.
+    /// Returns the value of the parameter in the model, or `None` if the model does not have the parameter.
     pub fn value(self, model: &Model) -> Option<f64> {
         match self {
             Parameter::Value(property, domain) => constant(model, property, domain),
@@ -107,13 +108,13 @@ impl Parameter {
         }
     }
 
-    /// The model with the number set to `to`; `None` if the model does not have the number.
+    /// Returns the model with the parameter set to `to`, or `None` if the model does not have the parameter.
     pub fn set(self, model: &Model, to: f64) -> Option<Model> {
         let mut model = model.clone();
         self.assign(&mut model, to).then_some(model)
     }
 
-    /// Sets the number in a model. Returns whether the model has the number.
+    /// Sets the parameter in a model. Returns whether the model has the parameter.
     pub fn assign(self, model: &mut Model, to: f64) -> bool {
         self.value(model).is_some() && self.assigned(model, to).is_some()
     }
@@ -132,7 +133,8 @@ impl Parameter {
         Some(())
     }
 
-    /// Sets a number that is not a stiffness of beam or ground or a factor.
+    /// Sets a parameter that is neither a stiffness of the beam or the ground nor a factor. Returns `None` for all
+    /// other parameters.
     pub(super) fn assign_number(self, model: &mut Model, to: f64) -> Option<()> {
         match self {
             Parameter::AxialForce => model.beam.axial_force = to,
@@ -150,7 +152,8 @@ fn is_meant(domain: Domain, segment: usize) -> bool {
     domain == Domain::Whole || domain == Domain::Segment(segment)
 }
 
-/// A property on a domain: the model's own value, then those of the segments.
+/// Returns the profiles of a property on a domain: first the value outside the segments, then the profiles of the
+/// segments.
 pub(super) fn courses(
     model: &Model,
     property: Property,
@@ -180,7 +183,7 @@ pub(super) fn courses(
     own.map(Profile::constant).into_iter().chain(segments)
 }
 
-/// Changes a property on a domain, in the order of [`courses`].
+/// Changes each profile of a property on a domain, in the order of [`courses`].
 pub(super) fn change(
     model: &mut Model,
     property: Property,
@@ -216,7 +219,7 @@ pub(super) fn change(
     }
 }
 
-/// The value of a property on a domain; `None` if it varies there.
+/// Returns the value of a property on a domain, or `None` if the property varies on the domain.
 fn constant(model: &Model, property: Property, domain: Domain) -> Option<f64> {
     let is_single = domain != Domain::Whole || courses(model, property, domain).nth(1).is_none();
     let own = if domain == Domain::Whole { Domain::OutsideSegments } else { domain };
@@ -224,8 +227,9 @@ fn constant(model: &Model, property: Property, domain: Domain) -> Option<f64> {
     (is_single && course.is_constant()).then(|| course.start())
 }
 
-/// A number of a load, twice if it is one number; `None` if the load does not have it. Distributed loads on the ground
-/// and the positions of loads on the ground are not parameters.
+/// Returns a number of a load as two values. The values differ only for the size of a distributed load with different
+/// end values. Returns `None` if the load does not have the number. Distributed loads on the ground and the positions
+/// of loads on the ground are not parameters.
 fn of_load(load: &Load, number: LoadNumber) -> Option<[f64; 2]> {
     Some(match (load.extent, number) {
         (Extent::Point { size, .. }, LoadNumber::Size) => [size; 2],
@@ -240,7 +244,7 @@ fn of_load(load: &Load, number: LoadNumber) -> Option<[f64; 2]> {
     })
 }
 
-/// Sets a number of a load; `None` if the load does not have it.
+/// Sets a number of a load. Returns `None` if the load does not have the number.
 pub(super) fn set_load(load: &mut Load, number: LoadNumber, value: f64) -> Option<()> {
     of_load(load, number)?;
     match (&mut load.extent, number) {
@@ -255,7 +259,7 @@ pub(super) fn set_load(load: &mut Load, number: LoadNumber, value: f64) -> Optio
     Some(())
 }
 
-/// A number of a support; `None` if the support does not have it.
+/// Returns a number of a support, or `None` if the support does not have the number.
 fn of_support(support: &mut Support, number: SupportNumber) -> Option<&mut f64> {
     match (number, &mut support.kind) {
         (SupportNumber::Settlement, _) => Some(&mut support.settlement),

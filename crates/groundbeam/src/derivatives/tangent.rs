@@ -1,8 +1,8 @@
-//! The derivatives of a model's numbers with respect to one parameter.
+//! Computes the derivatives of a model's numbers with respect to one parameter.
 //!
-//! The derivatives are stored as a model with the same parts at the same positions: every number is the derivative of
-//! the number in the model. Positions are fixed. A moving load is represented by a load or a step at its position
-//! ([`Moved`]).
+//! The derivatives are stored as a model with the same parts at the same positions. Each number of this model is the
+//! derivative of the same number in the original model. Positions are fixed. A moving load is represented by a load
+//! or a step at its position ([`Moved`]).
 
 use super::parameter::{Domain, LoadNumber, Parameter, Property, change, courses, set_load};
 use crate::model::{Action, Extent, Load, Model, SupportKind};
@@ -11,7 +11,7 @@ use crate::model::{Action, Extent, Load, Model, SupportKind};
 #[derive(Debug, Clone)]
 pub(super) struct Tangent {
     pub model: Model,
-    /// The part of the beam outside which beam, ground, gap and distributed loads have no derivatives.
+    /// Interval of the beam outside which beam, ground, gap and distributed loads have no derivatives.
     pub reach: [f64; 2],
     /// The load whose position is the parameter.
     pub moved: Option<Moved>,
@@ -20,28 +20,28 @@ pub(super) struct Tangent {
 /// A point load, or an end of a distributed load, whose position is the parameter.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Moved {
-    /// Its position \[m\].
+    /// Position of the point load or of the load's end \[m\].
     pub x: f64,
     pub what: Motion,
 }
 
-/// The quantity that moves. As it moves to the right, the state on its left extends to the right.
+/// Kind and size of the load that moves.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Motion {
-    /// A point force: M changes by the jump of V, and w by the jump of w'.
+    /// A point force. If it moves by δ, M changes by δ times the jump of V, and w by δ times the jump of w'.
     Force(f64),
-    /// A point moment: the rotation changes by the jump of φ′.
+    /// A point moment. If it moves by δ, the rotation φ changes by δ times the jump of φ′.
     Moment(f64),
-    /// A force per length. A move of its end is equal to a point force, which is a load of the tangent model.
+    /// A force per length. A move of its end is equivalent to a point force.
     ForcePerLength(f64),
-    /// A moment per length. A move of its end is equal to a point moment.
+    /// A moment per length. A move of its end is equivalent to a point moment.
     MomentPerLength(f64),
-    /// An imposed curvature. A move of its end is equal to a kink of φ.
+    /// An imposed curvature. A move of its end is equivalent to a kink of φ.
     Curvature(f64),
 }
 
 impl Tangent {
-    /// The derivatives with respect to a parameter that the model has.
+    /// Computes the derivatives of a model's numbers with respect to a parameter. The model must have the parameter.
     pub fn of(parameter: Parameter, model: &Model) -> Self {
         let mut reach = [0.0, model.beam.length];
         if let Parameter::Value(property, Domain::Segment(i))
@@ -87,7 +87,7 @@ impl Tangent {
                 self.moved = Some(Moved { x: at, what });
             }
             Extent::Distributed { from, to, start, end } => {
-                // (x − from)/(to − from) at a fixed x decreases if `from` or `to` moves to the right.
+                // At a fixed x, the ratio (x − from)/(to − from) decreases if `from` or `to` moves to the right.
                 let rise = (end - start) / (to - from);
                 let (x, size) = if number == LoadNumber::From { (from, -start) } else { (to, end) };
                 let changed =
@@ -107,7 +107,7 @@ impl Tangent {
     }
 }
 
-/// A model with the same parts and positions, and all numbers 0.
+/// Returns a model with the same parts at the same positions as `model`. All its numbers are 0.
 fn without_numbers(model: &Model) -> Model {
     let mut zero = model.clone().with_loads_scaled(0.0);
     let beam = zero.beam.stiffened(0.0);

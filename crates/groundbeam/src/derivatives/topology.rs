@@ -1,4 +1,4 @@
-//! The relative margin of a solution to the nearest change of contact, at which its derivatives jump.
+//! Computes the relative margin of a solution to the nearest change of contact, at which the derivatives jump.
 
 use super::frame::Frame;
 use crate::contact::surface::can_carry;
@@ -37,7 +37,7 @@ impl Condition {
             Condition::Force => "a concentrated force",
             Condition::Gap => "the gap",
             Condition::Angle => "the angle between beam and ground",
-            Condition::Length => "the length of a region",
+            Condition::Length => "the length of a contact zone or of a span out of contact",
             Condition::SupportForce => "the force of a support",
             Condition::SupportClearance => "the clearance of a support",
         }
@@ -49,17 +49,19 @@ impl Condition {
 pub struct Nearest {
     /// The quantity that is nearly zero.
     pub condition: Condition,
-    /// Its position \[m\].
+    /// Position of the quantity \[m\].
     pub at: f64,
-    /// Its size relative to the largest of its kind; for a length, relative to the length of the beam.
+    /// Size of the quantity relative to the largest quantity of its kind. A length is relative to the length of the
+    /// beam.
     pub margin: f64,
 }
 
-/// Change of the gap, relative to the largest deflection or gap, below which a minimum is due to rounding error.
+/// Depth of a minimum of the gap, relative to the largest deflection or gap, below which the minimum is due to
+/// rounding error.
 const ROUNDING_MINIMUM: f64 = 1e-8;
 
-/// Indices of the local minima that are lower by more than `least` than the highest position on each side. At an end of
-/// the beam, one side is enough.
+/// Returns the indices of the local minima of the gap. A minimum must be lower by more than `least` than the largest
+/// gap on its left and the largest gap on its right. A minimum at an end of the beam must be lower on one side only.
 fn deepest_between_peaks(places: &[(f64, f64)], ends: [f64; 2], least: f64) -> Vec<usize> {
     let count = places.len();
     let mut before = vec![f64::NEG_INFINITY; count];
@@ -70,7 +72,7 @@ fn deepest_between_peaks(places: &[(f64, f64)], ends: [f64; 2], least: f64) -> V
     }
     let lowest = |i: usize| {
         let (x, gap) = places[i];
-        // No neighbour is lower, and on each side there is a peak or the end of the beam.
+        // A minimum has no lower neighbour. On each side, it has a peak or it lies at the end of the beam.
         let beside = [i.checked_sub(1), Some(i + 1).filter(|next| *next < count)];
         let turns = beside.into_iter().flatten().all(|j| places[j].1 >= gap);
         let peaks = [(before[i], ends[0]), (after[i], ends[1])];
@@ -80,7 +82,7 @@ fn deepest_between_peaks(places: &[(f64, f64)], ends: [f64; 2], least: f64) -> V
 }
 
 impl Solution {
-    /// The nearest change of contact; `None` if there are no candidates.
+    /// Finds the nearest change of contact. Returns `None` if no quantity of the solution can become zero.
     pub(super) fn nearest_change_in(&self, frame: &Frame) -> Option<Nearest> {
         let mut all: Vec<Nearest> = Vec::new();
         self.pressures(frame, &mut all);
@@ -91,8 +93,8 @@ impl Solution {
         all.into_iter().min_by(|a, b| a.margin.total_cmp(&b.margin))
     }
 
-    /// Minima of the pressure within contact zones, the pressure at edges on a shear layer, and the angle at edges on
-    /// Winkler ground.
+    /// Adds the minima of the pressure within contact zones, the pressure at contact edges on a shear layer, and the
+    /// angle between beam and ground at contact edges on Winkler ground.
     fn pressures(&self, frame: &Frame, all: &mut Vec<Nearest>) {
         let largest = self.range(Quantity::Pressure).max.value;
         if largest <= 0.0 {
@@ -119,7 +121,8 @@ impl Solution {
                 }
             }
         }
-        // ψ' at edges on Winkler ground, relative to the largest ψ divided by the length of the beam.
+        // At a contact edge on Winkler ground, the margin is the angle between beam and ground, divided by p/(k l). Here p
+        // is the largest pressure, k the subgrade modulus at the edge and l the length of the beam.
         let l = self.model().beam.length;
         for zone in 0..frame.zones.len() {
             for side in [Side::Left, Side::Right] {
@@ -129,7 +132,7 @@ impl Solution {
                     continue;
                 }
                 let x = frame.position(spot);
-                // The slope on the inner side of the edge.
+                // The slope of the beam is taken on the side of the edge that is in contact.
                 let within = if side == Side::Left { Side::Right } else { Side::Left };
                 let rise = self.at(x, within).slope - cell.gap_slope;
                 let scale = largest / cell.subgrade / l;
@@ -138,7 +141,7 @@ impl Solution {
         }
     }
 
-    /// Concentrated forces, at all positions that can carry one.
+    /// Adds the concentrated forces at all positions that can carry a concentrated force.
     fn forces(&self, frame: &Frame, all: &mut Vec<Nearest>) {
         let (l, ends, cells) = (self.model().beam.length, self.end_forces(), &frame.mesh.cells);
         let near = |a: f64, b: f64| (a - b).abs() <= 1e-12 * l;
@@ -162,7 +165,7 @@ impl Solution {
             })
             .sum();
         let forces: f64 = places.iter().map(|x| force_at(*x).abs()).sum();
-        // If the ground carries little, the scale is the largest shear force of the beam.
+        // If the ground carries only a small force, the largest shear force of the beam is the scale of the margins.
         let carried = self.range(Quantity::ShearForce);
         let carried = carried.max.value.abs().max(carried.min.value.abs());
         let total = (contact.abs() + forces).max(carried);
@@ -172,7 +175,7 @@ impl Solution {
         }
     }
 
-    /// Minima of the gap between contact zones and at ends of the beam that are not in contact.
+    /// Adds the minima of the gap between contact zones and at ends of the beam that are not in contact.
     fn gaps(&self, all: &mut Vec<Nearest>) {
         let l = self.model().beam.length;
         let deflections = self.range(Quantity::Deflection);
@@ -181,7 +184,7 @@ impl Solution {
         if scale <= 0.0 {
             return;
         }
-        // Candidate minima of each open span, from left to right.
+        // The candidate minima of each open span are collected from left to right.
         let mut open: Vec<(f64, f64)> = Vec::new();
         let mut add = |open: &mut Vec<(f64, f64)>| {
             let touches = |x: f64| {
@@ -208,7 +211,7 @@ impl Solution {
         add(&mut open);
     }
 
-    /// Lengths of contact zones and of the spans out of contact.
+    /// Adds the lengths of contact zones and of the spans out of contact.
     fn lengths(&self, all: &mut Vec<Nearest>) {
         let l = self.model().beam.length;
         let mut at = None;
@@ -230,7 +233,7 @@ impl Solution {
         }
     }
 
-    /// Forces and clearances of supports that act in one direction only.
+    /// Adds the forces and clearances of supports that act in one direction only.
     fn one_way(&self, all: &mut Vec<Nearest>) {
         let supports = || self.model().supports.iter().zip(self.reactions());
         let forces: f64 = supports().map(|(_, reaction)| reaction.force.abs()).sum();

@@ -1,4 +1,4 @@
-//! Design checks: compares values of a solution with limits, in the limit states of each check.
+//! Computes design checks: values of a solution are compared with limits, in the limit states of each check.
 
 use super::limit_states::{LimitState, LimitStates};
 use crate::existence::rigid_motions::Mechanism;
@@ -12,7 +12,7 @@ use crate::solution::solution::Solution;
 /// Limits of the checks; `None` if a check is not requested.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Limits {
-    /// The allowable bearing pressure \[Pa\], and the width on which the beam bears \[m\].
+    /// The allowable bearing pressure \[Pa\], and the width of the bearing area \[m\].
     pub bearing_pressure: Option<(f64, f64)>,
     /// The resistance of the ground per unit of effective area \[Pa\], and the width of the effective area
     /// \[m\]: the design resistance r_d in ultimate limit states, an allowable pressure in allowable stress design.
@@ -21,12 +21,12 @@ pub struct Limits {
     pub settlement: Option<f64>,
     /// The limit of the lifted fraction of the beam's length.
     pub lifted_share: Option<f64>,
-    /// The limit of the distance between the resultant and the beam's middle, relative to the length: 1/6 is
-    /// the edge of the kern; beyond 1/3, EN 1997-1, 6.5.4 requires special precautions.
+    /// The limit of the distance between the load resultant and the middle of the beam, relative to the length of the
+    /// beam. The edge of the kern is at 1/6. Beyond 1/3, EN 1997-1, 6.5.4 requires special precautions.
     pub eccentricity: Option<f64>,
-    /// The smallest factor on all overturning loads at which the beam may tip.
+    /// The lower limit of the factor on all overturning loads at which the beam tips.
     pub overturning: Option<f64>,
-    /// For each check in [`Checked::ALL`]: the limit states in which it is judged, if they differ from
+    /// The limit states in which each check in [`Checked::ALL`] is judged; `None` for the default of
     /// [`Checked::limit_states`].
     pub judged_in: [Option<LimitStates>; Checked::ALL.len()],
 }
@@ -34,20 +34,20 @@ pub struct Limits {
 /// The checked quantity.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Checked {
-    /// The largest contact pressure over the width \[Pa\]. It excludes concentrated forces.
+    /// The largest contact pressure, averaged over the width \[Pa\]. Concentrated contact forces are excluded.
     BearingPressure,
-    /// The contact force compared with r_d B' L' on the effective length L' = l - 2 e \[N\]: Meyerhof, EN
-    /// 1997-1, 6.5.2 and annex D. Force V and eccentricity e are those of the total reaction of the ground,
-    /// pressure and concentrated forces.
+    /// The contact force V \[N\], compared with the resistance r_d B' L' (Meyerhof; EN 1997-1, 6.5.2 and annex D).
+    /// r_d is the resistance per unit of area, B' the effective width and L' = l - 2 e the effective length. V and
+    /// its eccentricity e include the contact pressure and the concentrated contact forces.
     BearingResistance,
     /// The largest downward deflection \[m\].
     Settlement,
     /// The fraction of the beam that is not in contact.
     LiftedShare,
-    /// |x − l/2|/l of the resultant.
+    /// The eccentricity |x − l/2|/l of the load resultant, which acts at the position x.
     Eccentricity,
-    /// The work of the holding loads divided by the work of the lifting loads, in the motion with the
-    /// smallest ratio. Without supports, the works are moments about an end.
+    /// The work of the holding loads divided by the work of the lifting loads, in the tipping mode with the smallest
+    /// ratio. Without supports, the works are moments about an end of the beam.
     Overturning,
 }
 
@@ -56,11 +56,11 @@ pub enum Checked {
 pub struct Check {
     /// The checked quantity.
     pub what: Checked,
-    /// The value; infinite if no load overturns the beam.
+    /// The computed value. For overturning, it is infinite if no load overturns the beam.
     pub found: f64,
     /// The limit.
     pub limit: f64,
-    /// The position of the value \[m\].
+    /// The position at which the value occurs \[m\]; `None` if the value has no position.
     pub at: Option<f64>,
     /// A quantity reported in addition to the value.
     pub beside: Beside,
@@ -69,21 +69,21 @@ pub struct Check {
 /// A quantity reported together with a check.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Beside {
-    /// Nothing.
+    /// No additional quantity.
     Nothing,
-    /// The concentrated forces under both ends, which the pressure excludes.
+    /// The concentrated contact forces under both ends of the beam, which the checked pressure excludes.
     EndForces(EndForces),
     /// The dimensions of the effective area.
     EffectiveArea {
-        /// B' \[m\].
+        /// The effective width B' \[m\].
         width: f64,
-        /// L' = l - 2 e \[m\].
+        /// The effective length L' = l - 2 e \[m\], with the eccentricity e \[m\] of the contact force.
         length: f64,
     },
 }
 
 impl Checked {
-    /// All checks, in the order of reports.
+    /// All checks, in the order in which reports list them.
     pub const ALL: [Checked; 6] = [
         Checked::BearingPressure,
         Checked::BearingResistance,
@@ -93,15 +93,17 @@ impl Checked {
         Checked::Overturning,
     ];
 
-    /// The index in [`Checked::ALL`].
+    /// Returns the index of the check in [`Checked::ALL`].
     pub const fn index(self) -> usize {
         self as usize
     }
 
-    /// The default limit states of the check. Resistance and eccentricity: ultimate limit states (EN 1997-1,
-    /// 2.4.7.1). Overturning: equilibrium (EN 1990, 6.4.1(1)a). Deformations (EN 1997-1, 2.4.8) and allowable
-    /// values: serviceability. All except overturning and resistance are also judged in allowable stress design.
-    /// An allowable pressure is another value than a design resistance.
+    /// Returns the default limit states of the check. Bearing resistance and eccentricity are judged in ultimate
+    /// limit states (EN 1997-1, 2.4.7.1). Overturning is judged in the limit state of equilibrium (EN 1990,
+    /// 6.4.1(1)a). Deformations (EN 1997-1, 2.4.8) and allowable values are judged in serviceability limit states.
+    /// All checks except overturning and bearing resistance are also judged in allowable stress design. Bearing
+    /// resistance is excluded from allowable stress design, because an allowable pressure differs from a design
+    /// resistance.
     pub const fn limit_states(self) -> LimitStates {
         use LimitState::{AllowableStress, Characteristic, Equ, Frequent, QuasiPermanent, StrGeo};
         LimitStates::of(match self {
@@ -128,7 +130,7 @@ impl Checked {
     /// The clause of the Eurocodes that requires the check; `None` if no clause requires it.
     pub fn clause(self) -> Option<&'static str> {
         match self {
-            // EN 1997-1 has no clause for an allowable elastic pressure; the file gives the limit.
+            // EN 1997-1 has no clause for an allowable elastic pressure. The model file gives the limit.
             Checked::BearingPressure => None,
             Checked::BearingResistance => Some("EN 1997-1, 6.5.2"),
             Checked::Settlement => Some("EN 1997-1, 6.6"),
@@ -140,7 +142,7 @@ impl Checked {
 }
 
 impl Check {
-    /// Whether the limit is satisfied.
+    /// Returns whether the value satisfies the limit.
     pub fn passes(&self) -> bool {
         match self.what {
             Checked::Overturning => self.found >= self.limit,
@@ -148,11 +150,11 @@ impl Check {
         }
     }
 
-    /// The utilisation: 1 at the limit.
+    /// Returns the utilisation of the limit. The utilisation is 1 if the value equals the limit.
     pub fn utilisation(&self) -> f64 {
         match self.what {
             Checked::Overturning => self.limit / self.found,
-            // This includes a limit of zero.
+            // A value of zero has the utilisation zero, even if the limit is zero.
             _ if self.found == 0.0 => 0.0,
             _ => self.found / self.limit,
         }
@@ -178,7 +180,7 @@ impl Limits {
         self.judged_in[what.index()].unwrap_or(what.limit_states())
     }
 
-    /// The requested checks of a solution.
+    /// Computes the requested checks of a solution.
     ///
     /// ```
     /// use groundbeam::{Beam, Foundation, Load, Model, Outcome, solve, design::{Checked, Limits}};
@@ -222,7 +224,7 @@ impl Limits {
         if let Some(limit) = self.eccentricity
             && let Some(x) = solution.existence().resultant_position(l)
         {
-            // A resultant exactly at the edge passes.
+            // A resultant that exceeds the limit only by rounding error passes.
             let found = (x / l - 0.5).abs();
             let found = if (found - limit).abs() <= SUM_ROUNDING { limit } else { found };
             add(Checked::Eccentricity, limit, found, Some(x));
@@ -234,8 +236,9 @@ impl Limits {
     }
 }
 
-/// The contact force under the beam, and its position if the force is not zero. Both follow from equilibrium
-/// of loads, reactions of supports and the moment N (w(l) - w(0)) of the axial force N.
+/// Computes the contact force under the beam and the position of this force. The position is `None` if the force is
+/// zero. Force and position follow from the equilibrium of the loads, the reactions of supports and the moment N
+/// (w(l) - w(0)) of the axial force N.
 fn ground_reaction(solution: &Solution) -> (f64, Option<f64>) {
     let model = solution.model();
     let l = model.beam.length;
@@ -255,9 +258,10 @@ fn ground_reaction(solution: &Solution) -> (f64, Option<f64>) {
     }
 }
 
-/// The factor on all overturning loads at which a beam tips; infinite if no load lifts the beam. For each
-/// motion that lifts a part of the beam and that no support prevents, the factor is the work of the holding
-/// loads divided by the work of the lifting loads. The smallest one is returned.
+/// Computes the factor on all overturning loads at which a beam tips. The factor is infinite if no load lifts the
+/// beam. A tipping mode is a rigid motion that lifts a part of the beam and that no support prevents. The factor of a
+/// mode is the work of the holding loads divided by the work of the lifting loads. The result is the smallest factor
+/// of all modes.
 pub fn overturning(model: &Model) -> f64 {
     let mechanism = Mechanism::of(model);
     let groups = mechanism.free_groups();
@@ -267,7 +271,7 @@ pub fn overturning(model: &Model) -> f64 {
         for (sums, group) in sums.iter_mut().zip(&groups) {
             let of_group = || reactions[group.clone()].iter().map(|reaction| reaction.sum);
             let work: f64 = of_group().sum();
-            // A moment does no work where the beam lifts without turning.
+            // A moment does no work if the beam lifts without rotation.
             if work.abs() > SUM_ROUNDING * of_group().map(f64::abs).sum::<f64>() {
                 sums[usize::from(work < 0.0)] += work.abs();
             }
@@ -286,7 +290,7 @@ mod tests {
     use crate::outcome::Outcome;
     use crate::solve::solve;
 
-    /// Kikuchi's beam, (5.21): it tips if M₀ ≥ ½ f₀ l.
+    /// Kikuchi's beam (5.21) of length l, with the force f₀ and the moment M₀ at its middle, tips if M₀ ≥ ½ f₀ l.
     #[test]
     fn the_margin_is_the_factor_on_the_moment() {
         let beam = || Model::new(Beam::uniform(1.0, 1.0), Foundation::pasternak(1.0, 1.0));
@@ -298,8 +302,8 @@ mod tests {
         assert_eq!(overturning(&beam().with_load(Load::point_force(0.9, 1.0))), f64::INFINITY);
     }
 
-    /// A beam pinned at 0 rotates only about the pin. A clamped beam does not tip. Tension permits
-    /// translation and no rotation.
+    /// A beam pinned at 0 rotates only about the pin. A clamped beam does not tip. A beam in axial tension can
+    /// translate but not rotate.
     #[test]
     fn a_beam_tips_only_in_motions_that_its_supports_allow() {
         let beam = |m: f64| {
@@ -336,14 +340,15 @@ mod tests {
         let checks = limits.check(&solution);
         let passed: Vec<bool> = checks.iter().map(Check::passes).collect();
         assert_eq!(passed, [true, true, false, true, false, true]);
-        // The resultant is at 0.99 l. Half the width doubles the pressure.
+        // The load resultant is at 0.99 l, so its eccentricity is 0.49 l. A bearing area 0.5 m wide has twice the
+        // pressure of an area 1 m wide.
         assert!((checks[4].found - 0.49).abs() < 1e-14);
         let largest = solution.range(Field::Pressure).max.value;
         assert_eq!(checks[0].found, 2.0 * largest);
     }
 
-    /// Compares V and e from equilibrium with integrals of the pressure, on a beam with a support, an axial
-    /// force and a gap.
+    /// Compares the contact force V and its eccentricity e from equilibrium with integrals of the contact pressure,
+    /// on a beam with a support and an axial force.
     #[test]
     fn the_reaction_of_the_ground_is_that_of_its_pressure() {
         let mut beam = Beam::uniform(10.0, 5e7);
@@ -376,7 +381,8 @@ mod tests {
         }
     }
 
-    /// EN 1997-1, annex D.3: L' = l - 2 e; it is 0 for a resultant at an end of the beam.
+    /// The effective length is L' = l - 2 e for the eccentricity e of the contact force (EN 1997-1, annex D.3). L' is
+    /// 0 for a resultant at an end of the beam.
     #[test]
     fn the_resistance_is_that_of_the_effective_area() {
         let model = |x| {
@@ -391,7 +397,7 @@ mod tests {
         let middle = check(3.0);
         assert_eq!((middle.found, middle.limit), (600e3, 1.8e6));
         assert_eq!(middle.utilisation(), 600e3 / 1.8e6);
-        // e = 2 m: L' = 2 m, 200 kPa * 1.5 m * 2 m = 600 kN.
+        // For an eccentricity of 2 m, L' is 2 m and the resistance is 200 kPa * 1.5 m * 2 m = 600 kN.
         let off = check(5.0);
         assert!((off.limit - 600e3).abs() < 1e-6 && (off.found - 600e3).abs() < 1e-6);
         let Beside::EffectiveArea { width, length } = off.beside else { panic!() };

@@ -1,6 +1,6 @@
-//! Limit states: the purpose of a combination of actions, and the limit states in which a check is judged.
+//! Defines the limit states of combinations of actions, and sets of limit states in which checks are judged.
 
-/// The purpose of a combination of actions.
+/// The limit state for which a combination of actions is made.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum LimitState {
     /// Strength of the structure or of the ground: EN 1990 STR and GEO, strength combinations of ASCE 7 and AASHTO.
@@ -22,7 +22,7 @@ pub enum LimitState {
 }
 
 impl LimitState {
-    /// All limit states, in the order of reports.
+    /// All limit states, in the order in which reports list them.
     pub const ALL: [LimitState; 8] = [
         LimitState::StrGeo,
         LimitState::Equ,
@@ -34,13 +34,14 @@ impl LimitState {
         LimitState::AllowableStress,
     ];
 
-    /// Whether it is an ultimate limit state, with design values of actions and resistances.
+    /// Returns whether the limit state is an ultimate limit state, which has design values of actions and
+    /// resistances.
     pub fn is_ultimate(self) -> bool {
         use LimitState::{Accidental, Equ, Seismic, StrGeo};
         matches!(self, StrGeo | Equ | Accidental | Seismic)
     }
 
-    /// The name in files and results.
+    /// Returns the name of the limit state in files and results.
     pub fn name(self) -> &'static str {
         match self {
             LimitState::StrGeo => "STR/GEO",
@@ -54,7 +55,7 @@ impl LimitState {
         }
     }
 
-    /// The limit state with this name.
+    /// Returns the limit state with the given name, or `None` if no limit state has this name.
     pub fn named(name: &str) -> Option<Self> {
         LimitState::ALL.into_iter().find(|state| state.name() == name)
     }
@@ -97,7 +98,7 @@ impl LimitStates {
         self.0 & (1 << state as u8) != 0
     }
 
-    /// The union with other limit states.
+    /// Returns the union of this set with another set of limit states.
     pub const fn and(self, others: LimitStates) -> Self {
         LimitStates(self.0 | others.0)
     }
@@ -107,7 +108,7 @@ impl LimitStates {
         LimitState::ALL.into_iter().filter(move |state| self.contains(*state))
     }
 
-    /// The names as text, such as `SLS frequent, SLS characteristic or EQU`.
+    /// Returns the names of the limit states as text, such as `SLS frequent, SLS characteristic or EQU`.
     pub fn names(self) -> String {
         let names: Vec<&str> = self.iter().map(LimitState::name).collect();
         match names.split_last() {

@@ -1,26 +1,28 @@
-//! The stiffness and load of one element, in element deformations.
+//! Defines the stiffness matrix and the load vector of one element in terms of its deformations.
 //!
-//! The four unknowns of an element are the deflection and slope of its left end, and the *deformation* d =
-//! x_right − T x_left, with x = (w, θ) and T = \[\[1, h\], \[0, 1\]\]: the displacement of the right end
-//! relative to the rigid motion of the left end. The bending energy depends on d alone, and the energy of the
-//! ground mainly on the rigid motion, so the two stiffnesses are never added. A sum of EI/h³ and kh loses
-//! digits as the mesh is refined. θ is the rotation of the sections: w' where the beam has no shear
-//! flexibility.
+//! The four unknowns of an element are the deflection w and the rotation θ of its left end, and the *deformation*. The
+//! deformation is the displacement (w, θ) of the right end relative to the rigid motion of the left end. The rotation
+//! θ is the rotation of the sections, which equals w' if the beam has no shear deformation.
+//!
+//! The bending energy depends on the deformation alone, and the energy of the ground depends mainly on the rigid
+//! motion. Therefore the two stiffnesses are never added. For an element of length h, the sum of EI/h³ and k h would
+//! lose digits as the mesh is refined.
 
 use crate::numeric::real::{Real, sum};
 
 /// The meaning of the four unknowns v of an element.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(crate) enum Basis {
-    /// (w_left, θ_left, d₁, d₂).
+    /// Deflection and rotation of the left end, and the two components of the deformation.
     #[default]
     Deformation,
-    /// (w_left, θ_left, w_right, θ_right), for elements with boundary layers. Such an element is flexible
-    /// against rotations of its ends and stiff against a difference of their deflections.
+    /// Deflection and rotation of the left end, and those of the right end. This basis is for elements with boundary
+    /// layers and for quiet elements. Elements with boundary layers are flexible against rotations of their ends and
+    /// stiff against a difference of the deflections of their ends.
     Ends,
 }
 
-/// Energy ½ vᵀKv − qᵀv of an element.
+/// Energy ½ vᵀKv − qᵀv of an element with the unknowns v, the stiffness matrix K and the load vector q.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct Element<R = f64> {
     /// Length \[m\].
@@ -34,7 +36,7 @@ pub(crate) struct Element<R = f64> {
 }
 
 impl Element {
-    /// The coefficients of v in w at the element's left or right end.
+    /// Returns the coefficients of the unknowns v in the deflection w at the left or right end of the element.
     pub fn end_row(&self, right: bool) -> [f64; 4] {
         match (right, self.basis) {
             (false, _) => [1.0, 0.0, 0.0, 0.0],
@@ -43,7 +45,7 @@ impl Element {
         }
     }
 
-    /// The mirrored element, in the unknowns of the mirrored element.
+    /// Returns the mirrored element. Its stiffness and load belong to the unknowns of the mirrored element.
     pub fn mirrored(&self) -> Self {
         let (h, basis) = (self.length, self.basis);
         let half: [[f64; 4]; 4] = self.stiffness.map(|row| mirror_row(&row, h, basis));
@@ -56,7 +58,7 @@ impl Element {
 }
 
 impl<R: Real> Element<R> {
-    /// The coefficients of v in θ at the element's left or right end.
+    /// Returns the coefficients of the unknowns v in the rotation θ at the left or right end of the element.
     pub fn rotation_row(&self, right: bool) -> [f64; 4] {
         match (right, self.basis) {
             (false, _) => [0.0, 1.0, 0.0, 0.0],
@@ -65,7 +67,7 @@ impl<R: Real> Element<R> {
         }
     }
 
-    /// v for a unit deflection or a unit rotation of one end, with the other end fixed.
+    /// Returns the unknowns v for a unit deflection or a unit rotation of one end. The other end is fixed.
     pub fn moved_end(&self, right: bool, rotates: bool) -> [f64; 4] {
         match (right, self.basis, rotates) {
             (false, Basis::Deformation, false) => [1.0, 0.0, -1.0, 0.0],
@@ -77,7 +79,7 @@ impl<R: Real> Element<R> {
         }
     }
 
-    /// The same element in another number type, without derivatives.
+    /// Converts the element to another number type, without derivatives.
     pub fn still<S: Real>(&self) -> Element<S> {
         Element {
             length: self.length,
@@ -87,13 +89,14 @@ impl<R: Real> Element<R> {
         }
     }
 
-    /// K v − q: the forces that do work on the four unknowns v.
+    /// Computes the forces K v − q, which do work on the four unknowns v.
     pub fn forces(&self, v: &[R; 4]) -> [R; 4] {
         std::array::from_fn(|i| sum::<R, 4>(|j| self.stiffness[i][j] * v[j]) - self.load[i])
     }
 }
 
-/// The four unknowns of an element from those of the mirrored element. The same transformation leads back.
+/// Computes the four unknowns of an element from the unknowns of the mirrored element. The transformation is its own
+/// inverse.
 pub(crate) fn mirror_shape(v: &[f64; 4], h: f64, basis: Basis) -> [f64; 4] {
     let [w, theta, d1, d2] = *v;
     match basis {
@@ -102,7 +105,8 @@ pub(crate) fn mirror_shape(v: &[f64; 4], h: f64, basis: Basis) -> [f64; 4] {
     }
 }
 
-/// Coefficients of the mirrored element's unknowns v': row·v = row·(Q v') with Q of [`mirror_shape`].
+/// Converts the coefficients of the unknowns v in a linear function to the coefficients of the unknowns of the
+/// mirrored element (see [`mirror_shape`]).
 fn mirror_row(row: &[f64; 4], h: f64, basis: Basis) -> [f64; 4] {
     let [a, b, c, d] = *row;
     match basis {
@@ -111,8 +115,9 @@ fn mirror_row(row: &[f64; 4], h: f64, basis: Basis) -> [f64; 4] {
     }
 }
 
-/// The longest element, as a multiple of 1/|r|.
+/// Maximum length of an element, in units of 1/wave number of its deflection.
 pub(crate) const LONGEST_SERIES: f64 = 2.0;
 
-/// Maximum compression as a multiple of EI/l². Beyond it, the beam has more than 10⁵ buckling waves.
+/// Maximum compression of a beam of length l, as a multiple of EI/l². Beyond this compression, the beam has more than
+/// 10⁵ buckling waves.
 pub(crate) const MOST_COMPRESSION: f64 = 1e11;

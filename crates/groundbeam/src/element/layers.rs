@@ -1,8 +1,9 @@
-//! Boundary layers of an element whose tension dominates bending: the larger roots ±r₂ of EI r⁴ − N r² + κ.
+//! Computes boundary layers of elements whose tension dominates bending, from the larger root of the characteristic equation.
 //!
-//! EI (D² − r₁²)(D² − r₂²) w = F − G' splits into a slow part, (D² − r₁²) w = −(F − G')/(EI r₂²), a power series, and
-//! the boundary layers cosh(r₂x) and sinh(r₂x). One element can then be as long as the slow wave, for boundary layers of
-//! any width.
+//! With the tension N, the subgrade κ, the load F and the moment load G, the characteristic equation of EI w⁗ − N w″ +
+//! κ w = F − G' has the roots ±r₁ and ±r₂. If r₂ is much larger than r₁, the solution w is a sum of a slow part and
+//! boundary layers. The slow part solves w″ − r₁² w = −(F − G')/(EI r₂²) and is a power series. The boundary layers
+//! are cosh(r₂x) and sinh(r₂x). One element can then be as long as the slow wave, for boundary layers of any width.
 
 use crate::element::element::LONGEST_SERIES;
 use crate::element::operator::Operator;
@@ -10,23 +11,26 @@ use crate::numeric::elementary::exp;
 use crate::numeric::polynomial::TERMS;
 use crate::numeric::real::Real;
 
-/// Real roots so far apart that the larger one gives boundary layers: r₂² ≥ `APART` r₁².
+/// Two real roots r₁ and r₂ of the beam equation. They are so far apart that the larger root r₂ gives boundary
+/// layers: r₂² ≥ `APART` r₁².
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Layers<R = f64> {
-    /// r₁² \[1/m²\].
+    /// Square r₁² of the smaller root \[1/m²\].
     pub slow_squared: R,
-    /// r₂ \[1/m\].
+    /// Larger root r₂ \[1/m\].
     pub fast: R,
 }
 
 const APART: f64 = 100.0;
 
-/// The depth of a boundary layer in units of 1/r₂: e⁻⁴⁰ is below rounding.
+/// Depth of a boundary layer in units of 1/r₂. At this depth, the layer has decayed to e⁻⁴⁰, which is below rounding
+/// error.
 const LAYER: f64 = 40.0;
 
 impl<R: Real> Layers<R> {
-    /// `None` if one series is sufficient for the whole length, if the roots are close or complex, or if the
-    /// element is a [series](crate::element::series).
+    /// Computes the roots of an element with boundary layers. Returns `None` if one power series is sufficient for the
+    /// whole length, if the roots are close or not real, or if the element has variable coefficients or shear
+    /// deformation.
     pub fn of(operator: &Operator<R>, length: f64) -> Option<Self> {
         let n = operator.tension / operator.stiffness;
         let k = operator.subgrade / operator.stiffness;
@@ -40,8 +44,8 @@ impl<R: Real> Layers<R> {
         wanted.then_some(layers)
     }
 
-    /// The slow functions of one parity: one without load, a zero in place of the boundary layer, and one
-    /// under the load F − G' = EI `push` (times s for odd parity), (D² − r₁²) w = −push/r₂².
+    /// Computes the slow parts of three even or odd functions: the solution without load, the boundary layer (its slow
+    /// part is zero), and the solution for the load EI `push`. If `PARITY` is odd, this load is multiplied by s.
     pub(super) fn slow<const PARITY: usize>(self, a: f64, push: R) -> [[R; TERMS / 2]; 3] {
         let ratio = self.slow_squared * a * a;
         let series = |first: R, load: R| {
@@ -58,14 +62,14 @@ impl<R: Real> Layers<R> {
         [series(R::ONE, R::ZERO), [R::ZERO; TERMS / 2], series(R::ZERO, load)]
     }
 
-    /// Positions at which an element with ends x is cut, so that each piece of a boundary layer is a short
-    /// series.
+    /// Returns the positions at which an element with the ends `x` is cut, so that a short power series represents the
+    /// boundary layers on each piece.
     pub fn cuts(&self, x: [f64; 2], heights: [R; 2]) -> Vec<f64> {
         let (length, fast) = (x[1] - x[0], self.fast.value());
         let mut from_end = Vec::new();
         let mut depth = 0.0;
         while depth < LAYER {
-            // A smaller amplitude needs fewer terms.
+            // A boundary layer of smaller amplitude needs fewer terms on a piece of the same length.
             depth += LONGEST_SERIES * exp(depth / 24.0);
             from_end.push(depth / fast);
         }
@@ -82,12 +86,14 @@ impl<R: Real> Layers<R> {
         cuts
     }
 
-    /// Adds the boundary layers on a piece of an element with ends x to the coefficients of w there.
+    /// Adds the boundary layers on a piece of an element with the ends `x` to the coefficients `c` of w on this
+    /// piece.
     pub fn add(&self, x: [f64; 2], heights: [R; 2], piece: [f64; 2], c: &mut [R]) {
         let half = 0.5 * (piece[1] - piece[0]);
         let ends = [piece[0] - x[0], x[1] - piece[1]];
         for (height, distance, sign) in [(heights[0], ends[0], -1.0), (heights[1], ends[1], 1.0)] {
-            // Beyond its depth a boundary layer is rounding error, so pieces there may be long.
+            // Beyond its depth, a boundary layer is rounding error. It is not added there, because pieces beyond the
+            // depth may be long.
             if height == 0.0 || self.fast.value() * distance > LAYER {
                 continue;
             }
@@ -109,7 +115,9 @@ mod tests {
 
     #[test]
     fn an_element_with_boundary_layers_equals_many_short_elements() {
-        // N² ≫ 4κ EI: r₁ = 0.03, r₂ = 30. Compared with a chain of short series elements.
+        // The characteristic roots of this operator are r₁ ≈ 0.03 and r₂ ≈ 30. The element is cut into pieces with
+        // short power series. The test checks the continuity between the pieces, the differential equation and the end
+        // forces.
         let op = Operator {
             stiffness: 1.0,
             tension: 900.0,
@@ -146,7 +154,7 @@ mod tests {
                 }
             }
             before = Some(right);
-            // Checks the differential equation in the middle of the piece.
+            // Checks the differential equation in the middle of a piece of the element.
             let middle = 0.5 * (pair[0] + pair[1]);
             let load = 1.0 - 1.5 * middle - (-0.2);
             let fourth = 24.0 * c[4] / power(half, 4);
@@ -158,7 +166,8 @@ mod tests {
         let [left, right] = [jet(&ends[0], -1.0), jet(&ends[1], 1.0)];
         assert!((left[0] - 0.3).abs() < 1e-15 && (left[1] / halves[0] + 0.2).abs() < 1e-13);
         assert!((right[0] - 0.0).abs() < 1e-15 && (right[1] / halves[1] - 0.2).abs() < 1e-13);
-        // Checks the forces: T = −EI w‴ + N w' − G and moment EI w″ at the ends.
+        // Checks the vertical force −EI w‴ + N w' − G and the moment EI w″ at the ends of the element, for the tension
+        // N and the moment load G.
         let f = whole.element.forces(&v);
         let total = |j: [f64; 4], h: f64, g: f64| -j[3] / power(h, 3) + 900.0 * j[1] / h - g;
         let t = [total(left, halves[0], 0.5), total(right, halves[1], 0.1)];

@@ -1,8 +1,8 @@
-//! The beam between two nodes: stiffness and load of one element, (2.11), (5.1).
+//! Computes the stiffness and load of one element, the beam between two nodes, (2.11), (5.1).
 //!
-//! An element is exact: its functions solve (2.11). Cells with constant EI, N and κ use the [closed
-//! form](uniform). All other cells, and beams with shear deformation, use the [series](series). The middle of
-//! a long loaded stretch is one [quiet element](quiet).
+//! An element is exact: its deflection solves (2.11). Cells with constant bending stiffness, tension and subgrade use
+//! the [closed form](uniform). All other cells, and beams with shear deformation, use the [series](series). The middle
+//! of a long loaded stretch is one [quiet element](quiet).
 
 pub(crate) mod element;
 pub(crate) mod layers;
@@ -55,7 +55,7 @@ pub(crate) fn parts<R: Real>(operator: &Operator<R>, length: f64) -> usize {
     (wave * length / LONGEST_SERIES).ceil().max(1.0) as usize
 }
 
-/// The element and its functions, which give w(s) from the four unknowns.
+/// An element with the functions that give w(s) from its four unknowns.
 #[derive(Debug, Clone)]
 pub(crate) struct ExactElement<R = f64> {
     pub element: Element<R>,
@@ -93,7 +93,7 @@ impl<R: Real> ExactElement<R> {
         }
     }
 
-    /// The coefficients of w on a part of the element's cell, from the results of [`Self::unfold`].
+    /// Computes the coefficients of w on a part of the element's cell, from the results of [`Self::unfold`].
     pub fn deflection_on<S: Real>(
         &self,
         cell: &Cell<S>,
@@ -112,7 +112,8 @@ impl<R: Real> ExactElement<R> {
         c
     }
 
-    /// The coefficients of φ(s), the rotation of the sections, if the beam has shear deformation.
+    /// Computes the coefficients of φ(s), the rotation of the sections. Returns `None` if the beam has no shear
+    /// deformation.
     pub fn rotation(&self, v: &[R; 4]) -> Option<[R; TERMS]> {
         match &self.functions {
             Functions::Uniform(_) | Functions::Quiet(_) => None,
@@ -120,8 +121,8 @@ impl<R: Real> ExactElement<R> {
         }
     }
 
-    /// w for the element's four unknowns: the coefficients of its series w(s), and separately the amplitudes
-    /// of the boundary layers at the left and the right end.
+    /// Computes w from the four unknowns of the element. Returns the coefficients of the series w(s) and the
+    /// amplitudes of the boundary layers at the left and the right end.
     pub fn unfold(&self, v: &[R; 4]) -> ([R; TERMS], [R; 2]) {
         match &self.functions {
             Functions::Uniform(uniform) => {

@@ -1,5 +1,4 @@
-//! The coefficients of the beam equation on a cell, with or without contact: (EI w″)″ − (N w′)′ + κ w = F −
-//! G′.
+//! Computes the coefficients of the beam equation on a cell, with or without contact: stiffness, tension, subgrade and loads.
 
 use crate::element::element::MOST_COMPRESSION;
 use crate::mesh::cell::{Cell, GROUND};
@@ -12,27 +11,29 @@ use crate::numeric::real::Real;
 pub(crate) enum ZoneKind {
     /// Contact along the whole cell: u = w − g₀.
     Contact,
-    /// No contact: the element does not contain the ground.
+    /// No contact on the whole cell: the element does not contain the ground.
     Open,
 }
 
-/// The coefficients of (EI w″)″ − (N w')' + κ w = F − G' on a cell, with or without contact.
+/// The coefficients of the beam equation (EI w″)″ − (N w')' + κ w = F − G' on a cell, with or without contact: the
+/// bending stiffness EI, the tension N, the subgrade κ, the load F and the moment load G.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Operator<R = f64> {
-    /// EI.
+    /// Bending stiffness EI.
     pub stiffness: R,
-    /// N: P, plus μ in contact.
+    /// Tension N: the axial force P, plus μ in contact.
     pub tension: R,
-    /// κ: k in contact, otherwise 0.
+    /// Subgrade κ: k in contact, otherwise 0.
     pub subgrade: R,
-    /// F at both ends: f, plus k g₀ in contact.
+    /// Load F at both ends of the cell: the load f on the beam, plus k g₀ and the load on the ground if the cell is
+    /// in contact.
     pub load: [R; 2],
-    /// G at both ends: g, plus μ g₀' in contact.
+    /// Moment load G at both ends of the cell: the moment load g, plus μ g₀' in contact.
     pub moment_load: [R; 2],
-    /// EI κ₀ at both ends, of an imposed curvature κ₀.
+    /// Moment EI κ₀ of an imposed curvature κ₀ at both ends of the cell.
     pub imposed_moments: [R; 2],
-    /// All coefficients as polynomials, if EI, N or κ varies or the beam has shear deformation. The fields
-    /// above are then their values at the middle and at the ends.
+    /// All coefficients as polynomials, if EI, N or κ varies or the beam has shear deformation. The other fields then
+    /// contain the values of the coefficients at the middle and at the ends of the cell.
     pub polynomials: Option<Polynomials<R>>,
 }
 
@@ -67,17 +68,17 @@ impl<R: Real> Operator<R> {
         all.all(|c| c == c.value()) && self.polynomials.as_ref().is_none_or(Polynomials::is_still)
     }
 
-    /// Whether the shear stiffness is sufficient under the axial force, S + N > 0. Otherwise the beam buckles
-    /// in arbitrarily short waves. The result is also `false` if the waves are too short for the elements.
+    /// Whether the sum of the shear stiffness and the tension is positive. Otherwise the beam buckles in arbitrarily
+    /// short waves. The result is also `false` if the waves of the deflection are too short for the elements.
     pub fn bears_shear(&self, length: f64) -> bool {
         let shears = self.polynomials.as_ref().filter(|all| all.shear.is_some());
         let shortest = MOST_COMPRESSION.sqrt();
         shears.is_none_or(|all| all.resists_shear() && self.wave_number() * length <= shortest)
     }
 
-    /// A bound of the largest |r| with EI r⁴ − N r² + κ = 0 \[1/m\]. If EI, N or κ varies, their extremes
-    /// give the bound. For a beam with shear deformation the equation is EI (1 + N/S) r⁴ − (N + EI κ/S) r² +
-    /// κ = 0.
+    /// Upper bound of |r| \[1/m\] for all roots r of the characteristic equation EI r⁴ − N r² + κ = 0, with the
+    /// tension N and the subgrade κ. With shear deformation, the equation is EI (1 + N/S) r⁴ − (N + EI κ/S) r² + κ =
+    /// 0. If the coefficients vary, the bound follows from their values at the ends and in the middle of the cell.
     pub fn wave_number(&self) -> f64 {
         let [stiffness, tension, spring] = match &self.polynomials {
             None => [self.stiffness.value(), self.tension.value().abs(), self.subgrade.value()],
@@ -87,7 +88,8 @@ impl<R: Real> Operator<R> {
     }
 }
 
-/// A bound of the largest |r| with EI r⁴ − N r² + κ = 0 \[1/m\], from EI, |N| and κ.
+/// Upper bound of |r| \[1/m\] for all roots r of the characteristic equation EI r⁴ − N r² + κ = 0. The arguments are
+/// EI, the magnitude of the tension N, and the subgrade κ.
 pub(crate) fn wave_number(stiffness: f64, tension: f64, spring: f64) -> f64 {
     let n = tension / stiffness;
     let k = spring / stiffness;
@@ -97,26 +99,27 @@ pub(crate) fn wave_number(stiffness: f64, tension: f64, spring: f64) -> f64 {
 /// The coefficients of the beam equation on a cell as polynomials of s ∈ \[−1, 1\], with or without contact.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Polynomials<R = f64> {
-    /// EI.
+    /// Bending stiffness EI.
     pub stiffness: [R; Profile::MOST],
-    /// S, if the beam has shear deformation.
+    /// Shear stiffness S, if the beam has shear deformation.
     pub shear: Option<[R; Profile::MOST]>,
-    /// N: P, plus μ in contact.
+    /// Tension N: the axial force P, plus μ in contact.
     pub tension: [R; GROUND],
-    /// κ: k in contact, otherwise 0.
+    /// Subgrade κ: k in contact, otherwise 0.
     pub spring: [R; GROUND],
-    /// F: f, plus k g₀ in contact.
+    /// Load F: the load f on the beam, plus k g₀ and the load on the ground if the cell is in contact.
     pub load: [R; GROUND + 1],
-    /// G, which works on w′: μ g₀′ in contact.
+    /// Load G that does work on w′: μ g₀′ in contact, otherwise 0.
     pub slope_load: [R; GROUND],
-    /// g, which works on φ.
+    /// Moment load g, which does work on φ.
     pub moment_load: [R; 2],
-    /// κ₀.
+    /// Imposed curvature κ₀.
     pub curvature: [R; 2],
 }
 
 impl<R: Real> Polynomials<R> {
-    /// `None` if EI, N and κ are constant and the beam has no shear deformation.
+    /// Computes the polynomials. Returns `None` if the beam and the ground in contact are uniform and the beam has no
+    /// shear deformation.
     pub fn of(cell: &Cell<R>, axial_force: R, touch: ZoneKind) -> Option<Self> {
         let ground_varies = touch == ZoneKind::Contact && cell.ground_varies();
         let needed = cell.beam_shear.is_some() || cell.beam_varies() || ground_varies;
@@ -162,7 +165,8 @@ impl<R: Real> Polynomials<R> {
         courses.into_iter().chain(others).flatten().chain(shear).all(|c| *c == c.value())
     }
 
-    /// Whether S + N > 0 at the ends and in the middle, if the beam has shear deformation.
+    /// Returns whether the sum of the shear stiffness and the tension is positive at the ends and in the middle of the
+    /// cell. Returns `true` if the beam has no shear deformation.
     fn resists_shear(&self) -> bool {
         self.shear.as_ref().is_none_or(|shear| {
             let both = |s| value(shear, s) + value(&self.tension, s);
@@ -170,8 +174,9 @@ impl<R: Real> Polynomials<R> {
         })
     }
 
-    /// EI, |N| and κ of a uniform element without shear deformation whose waves are at most as long as those
-    /// of this element. They follow from the values at the ends and at the middle.
+    /// Computes the bending stiffness, the magnitude of the tension, and the subgrade of a uniform element without
+    /// shear deformation whose waves are at most as long as the waves of this element. The result follows from the
+    /// values of all coefficients at the ends and in the middle of the cell.
     fn extremes(&self) -> [f64; 3] {
         let at = |c: &[R]| ENDS_AND_MIDDLE.map(|s| value(c, s).value());
         let largest = |c: [f64; 3]| c.into_iter().map(f64::abs).fold(0.0, f64::max);

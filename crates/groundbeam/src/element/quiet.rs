@@ -1,9 +1,13 @@
-//! The element of a long loaded stretch in contact, where w is the particular solution κ w = F − G′. The elements on
-//! both sides of it contain the waves from the ends of the stretch.
+//! Computes the element of a long loaded stretch in contact, where w is a particular solution of the beam equation.
 //!
-//! The waves decay like e^(−λx) with λ = min Re r over the roots of EI r⁴ − N r² + κ = 0. Beyond 50/λ they are below rounding
-//! error, so the two ends are decoupled. From an end, w − w_p solves v″ + σ v′ + π v = 0 with σ = r₁ + r₂ and π = r₁r₂.
-//! The force and the moment there are EI (σπ v + π v′) and EI (π v + σ v′).
+//! The elements on both sides of this quiet element contain the waves from the ends of the stretch. The waves decay
+//! like e^(−λx), where λ is the smallest positive real part of the roots of the characteristic equation EI r⁴ − N r² +
+//! κ = 0 for the tension N and the subgrade κ. At a distance of 50/λ, the waves are below rounding error, so the two
+//! ends of the quiet element are decoupled.
+//!
+//! The particular solution w_p is the load minus the slope of the moment load, divided by κ. At the left end, the
+//! difference v = w − w_p solves v″ + σ v′ + π v = 0, where σ is the sum and π the product of the two roots with
+//! positive real part. The force and the moment due to v at this end are EI (σπ v + π v′) and EI (π v + σ v′).
 
 use crate::element::element::{Basis, Element};
 use crate::element::operator::Operator;
@@ -11,15 +15,15 @@ use crate::element::uniform::bend;
 use crate::numeric::polynomial::TERMS;
 use crate::numeric::real::{Real, sum as sum_of};
 
-/// The length over which the waves from an end decay, as a multiple of 1/λ.
+/// Length over which the waves from an end decay to rounding error, as a multiple of 1/λ for the decay rate λ.
 const DEPTH: f64 = 50.0;
 
-/// The shortest stretch with a quiet element, as a multiple of the decay length of the waves. The error of a
-/// moment grows with the length of an element. On shorter stretches, short elements are more accurate.
+/// Smallest length of a stretch with a quiet element, as a multiple of the length over which the waves decay. The
+/// error of a moment grows with the length of an element. On shorter stretches, short elements are more accurate.
 const SHORTEST: f64 = 40.0;
 
-/// The length over which the waves from the ends of a stretch decay; `None` if the stretch is too short for a
-/// quiet element.
+/// Computes the length over which the waves from the ends of a stretch decay. Returns `None` if the stretch is too
+/// short for a quiet element.
 pub(crate) fn depth<R: Real>(operator: &Operator<R>, length: f64) -> Option<f64> {
     let loads = particular(operator, length);
     let is_loaded = operator.subgrade.value() > 0.0 && (loads[0] * loads[1]).value() > 0.0;
@@ -28,27 +32,28 @@ pub(crate) fn depth<R: Real>(operator: &Operator<R>, length: f64) -> Option<f64>
     }
     let [sum, product] = roots(operator).map(R::value);
     let apart = sum * sum - 4.0 * product;
-    // The smaller of two real roots, without cancellation.
+    // The smaller of two real roots is computed without cancellation.
     let decay = if apart > 0.0 { 2.0 * product / (sum + apart.sqrt()) } else { 0.5 * sum };
     let depth = DEPTH / decay;
     (length > SHORTEST * depth).then_some(depth)
 }
 
-/// σ and π.
+/// Computes the sum and the product of the two characteristic roots with positive real part.
 fn roots<R: Real>(operator: &Operator<R>) -> [R; 2] {
     let product = (operator.subgrade / operator.stiffness).sqrt();
     let square = operator.tension / operator.stiffness + product * 2.0;
     [if square.value() > 0.0 { square.sqrt() } else { R::ZERO }, product]
 }
 
-/// w_p at both ends.
+/// Computes the particular solution of the beam equation at both ends of the stretch: the load minus the slope of the
+/// moment load, divided by the subgrade.
 fn particular<R: Real>(operator: &Operator<R>, length: f64) -> [R; 2] {
     let [left, right] = operator.moment_load;
     let rise = (right - left) / length;
     operator.load.map(|load| (load - rise) / operator.subgrade)
 }
 
-/// The element and the coefficients of w(s).
+/// Computes the quiet element and the coefficients of its deflection w(s).
 pub(crate) fn element<R: Real>(operator: &Operator<R>, length: f64) -> (Element<R>, [R; TERMS]) {
     let ends = particular(operator, length);
     let slope = (ends[1] - ends[0]) / length;
@@ -58,7 +63,8 @@ pub(crate) fn element<R: Real>(operator: &Operator<R>, length: f64) -> (Element<
     let zero = R::ZERO;
     element.stiffness =
         [[ww, wt, zero, zero], [wt, tt, zero, zero], [zero, zero, ww, -wt], [zero, zero, -wt, tt]];
-    // The end forces of the particular solution: −N w′ + G on the left.
+    // For the tension N and the moment load G, the particular solution has the end force −N w′ + G on the left and N
+    // w′ − G on the right.
     let [left, right] = operator.moment_load;
     let own = [left - operator.tension * slope, zero, operator.tension * slope - right, zero];
     let values = [ends[0], slope, ends[1], slope];
@@ -78,7 +84,7 @@ mod tests {
     use crate::model::{Beam, Foundation, Load, Model};
     use crate::numeric::polynomial::jet;
 
-    /// w and EI w″ at a position.
+    /// Returns w and EI w″ at the position x.
     fn at(found: &ContactState, x: f64) -> [f64; 2] {
         let i = found.mesh.cell_at(x);
         let cell = &found.mesh.cells[i];

@@ -1,20 +1,21 @@
-//! The element with varying coefficients, with or without shear deformation: power series of w, φ, m and τ.
+//! Computes the element with varying coefficients, with or without shear deformation, as power series of w, φ, m and τ.
 //!
-//! About the middle of the element, x = x_middle + a s. The state is the deflection w, the rotation φ of the
-//! sections, the moment m = EI (φ′ − κ₀) and the vertical force τ = Q + N w′ − G, with the shear force Q = S
-//! γ. It solves (2.11) with (4.1) as a system of first order:
+//! The series are functions of s, with x = x_middle + a s and half the element length a. The state is the deflection
+//! w, the rotation φ of the sections, the moment m = EI (φ′ − κ₀) with the imposed curvature κ₀, and the vertical force
+//! τ = Q + N w′ − G with the shear force Q = S γ, the shear strain γ and the tension N. The state solves (2.11) with
+//! (4.1) as a system of first order:
 //!
 //! > w′ = φ + γ,  φ′ = m/EI + κ₀,  m′ = −(Q + g),  τ′ = κ w − F,  (S + N) γ = τ + G − N φ.
 //!
-//! A beam without shear deformation has γ = 0 and Q = τ + G − N φ. Moment loads g act on φ. The slope load G
-//! = μ g₀′ acts on w′. EI, S, N, κ and the loads are polynomials of s, so each coefficient of the state
-//! follows from those before it.
+//! A beam without shear deformation has γ = 0 and Q = τ + G − N φ. Moment loads g act on φ. The slope load G = μ g₀′
+//! acts on w′. EI, S, N, the subgrade κ and the loads are polynomials of s, so each coefficient of the state follows
+//! from the preceding coefficients.
 //!
-//! The series converges up to the nearest zero of EI or S + N in the complex plane. This zero is at least ten
-//! half lengths away ([`Cell::is_smooth`](crate::mesh::cell::Cell::is_smooth),
-//! [`Cell::shear_is_smooth`](crate::mesh::cell::Cell::shear_is_smooth)). One recurrence gives four
-//! solutions without load and one with load. Rigid motions, deformations and γ are separate unknowns, so no
-//! stiffness is a difference of large numbers.
+//! The series converges up to the nearest zero of EI or S + N in the complex plane. This zero is at least ten half
+//! lengths away ([`Cell::is_smooth`](crate::mesh::cell::Cell::is_smooth),
+//! [`Cell::shear_is_smooth`](crate::mesh::cell::Cell::shear_is_smooth)). One recurrence gives four solutions without
+//! load and one solution with load. Rigid motions, deformations and γ are separate unknowns, so no stiffness is a
+//! difference of large numbers.
 
 use crate::element::element::{Basis, Element};
 use crate::element::operator::Polynomials;
@@ -27,17 +28,17 @@ type Five<R> = [R; 5];
 /// The index of the solution with load.
 const LOADED: usize = 4;
 
-/// The functions of an element.
+/// Power series of the solutions of an element, and their amplitudes for unit values of its unknowns.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Series<R = f64> {
-    /// Coefficients of w of the five solutions.
+    /// Coefficients of w in the five solutions.
     deflection: [Five<R>; TERMS],
-    /// Coefficients of φ, if the beam has shear deformation.
+    /// Coefficients of φ in the five solutions, if the beam has shear deformation.
     rotation: Option<[Five<R>; TERMS]>,
-    /// Amplitudes of the four solutions without load that make one of the element's four unknowns 1 and the
-    /// others 0.
+    /// For each of the element's four unknowns, the amplitudes of the solutions without load that make this unknown 1
+    /// and the other unknowns 0.
     unit: [[R; 4]; 4],
-    /// Amplitudes of the solutions without load whose sum has the end values of the solution with load.
+    /// Amplitudes with which the sum of the solutions without load has the same end values as the solution with load.
     held: [R; 4],
 }
 
@@ -59,7 +60,8 @@ impl<R: Real> Series<R> {
         for i in 0..4 {
             element.load[i] = restraining[i] - loaded_forces[i];
             for j in 0..4 {
-                // Symmetric except for rounding.
+                // The computed stiffness is symmetric except for rounding error. The mean of the entries ij and ji is
+                // exactly symmetric.
                 element.stiffness[i][j] = (demanded[j][i] + demanded[i][j]) * 0.5;
             }
         }
@@ -67,12 +69,12 @@ impl<R: Real> Series<R> {
         (element, Series { deflection: solutions.deflection, rotation, unit, held })
     }
 
-    /// The coefficients of w(s) for the element's four unknowns.
+    /// Computes the coefficients of w(s) from the four unknowns of the element.
     pub fn deflection(&self, v: &[R; 4]) -> [R; TERMS] {
         self.unfold(v, &self.deflection)
     }
 
-    /// The coefficients of φ(s), if the beam has shear deformation.
+    /// Computes the coefficients of the rotation φ(s). Returns `None` if the beam has no shear deformation.
     pub fn rotation(&self, v: &[R; 4]) -> Option<[R; TERMS]> {
         self.rotation.as_ref().map(|rotation| self.unfold(v, rotation))
     }
@@ -89,18 +91,19 @@ impl<R: Real> Series<R> {
 struct Solutions<R> {
     deflection: [Five<R>; TERMS],
     rotation: [Five<R>; TERMS],
-    /// γ.
+    /// Shear strain γ.
     strain: [Five<R>; TERMS],
     moment: [Five<R>; TERMS],
-    /// τ.
+    /// Vertical force τ.
     force: [Five<R>; TERMS],
-    /// κ w − F, and N w′ − G − g (`turning`). Both enter the virtual work of a rigid rotation.
+    /// Vertical load per length on the beam, κ w − F: ground reaction minus load. The next field `turning` is the
+    /// moment per length N w′ − G − g. Both quantities enter the virtual work of a rigid rotation.
     pressure: [Five<R>; TERMS],
     turning: [Five<R>; TERMS],
 }
 
 impl<R: Real> Solutions<R> {
-    /// All coefficients, from the state in the middle.
+    /// Computes all coefficients from the state in the middle of the element.
     fn new(of: &Polynomials<R>, a: f64) -> Self {
         let zero = [[R::ZERO; 5]; TERMS];
         let mut all = Solutions {
@@ -154,9 +157,10 @@ impl<R: Real> Solutions<R> {
         all
     }
 
-    /// The state in the middle. The free solutions have a unit deflection, a unit slope, a curvature, and a
-    /// shear force with w′ = 0. The moment and the force of the loaded solution balance the constant parts of
-    /// imposed curvature and moment loads, so only their variation bends the beam.
+    /// Sets the state in the middle of the element. The four solutions without load have there a unit deflection, a
+    /// unit rotation, a moment, and a shear force with w′ = 0. In the solution with load, m and Q are chosen so that
+    /// φ′ = φ″ = 0 in the middle, in spite of imposed curvature and moment loads. So the constant parts of these
+    /// loads do not bend the beam.
     fn start(&mut self, of: &Polynomials<R>, a: f64) {
         let [stiffness, tension] = [of.stiffness[0], of.tension[0]];
         let shear_force = -stiffness / (a * a * a);
@@ -171,7 +175,8 @@ impl<R: Real> Solutions<R> {
         self.force[0] = [zero, tension / a, zero, shear_force, balance - of.slope_load[0]];
     }
 
-    /// w and φ at the left end, and the deformation: ∫γ + ∫(φ − φ_left) and φ_right − φ_left.
+    /// Computes the four unknowns of each solution: w and φ at the left end, and the deformations ∫γ + ∫(φ − φ_left)
+    /// and φ_right − φ_left, with the shear strain γ.
     fn ends(&self, a: f64) -> [[R; 4]; 5] {
         let mut ends = [[R::ZERO; 4]; 5];
         for j in (0..TERMS).rev() {
@@ -192,8 +197,9 @@ impl<R: Real> Solutions<R> {
         ends
     }
 
-    /// The forces on the element: the virtual work of a rigid translation and of a rigid rotation about the
-    /// left end, then τ and m at the right end. Rigid motions have no bending and shear terms.
+    /// Computes the forces on the element: the virtual work of a rigid translation, the virtual work of a rigid
+    /// rotation about the left end, and the vertical force τ and the moment m at the right end. Bending and shear do
+    /// no virtual work in rigid motions.
     fn forces(&self, a: f64) -> [[R; 4]; 5] {
         let mut forces = [[R::ZERO; 4]; 5];
         for j in (0..TERMS).rev() {
@@ -214,8 +220,9 @@ impl<R: Real> Solutions<R> {
     }
 }
 
-/// Amplitudes of the free solutions for given boundary values. The third and fourth amplitudes depend mainly
-/// on the deformations; ground and tension couple them to the first two.
+/// Computes the amplitudes of the four solutions without load for the values `wanted` of the four unknowns. The two
+/// solutions with a moment or a shear force determine the deformations almost alone, so their amplitudes are
+/// eliminated first.
 fn amplitudes<R: Real>(ends: &[[R; 4]; 4], wanted: [R; 4]) -> [R; 4] {
     let solve = |m: [[R; 2]; 2], r: [R; 2]| {
         let determinant = m[0][0] * m[1][1] - m[0][1] * m[1][0];
@@ -244,7 +251,7 @@ fn amplitudes<R: Real>(ends: &[[R; 4]; 4], wanted: [R; 4]) -> [R; 4] {
     [p, q, bending(0), bending(1)]
 }
 
-/// The forces of a sum of the free solutions.
+/// Computes the forces of a sum of the four solutions without load, with the amplitudes `by`.
 fn combined<R: Real>(forces: &[[R; 4]; 4], by: &[R; 4]) -> [R; 4] {
     std::array::from_fn(|i| sum::<R, 4>(|j| by[j] * forces[j][i]))
 }
@@ -255,7 +262,8 @@ fn trimmed<R: Real>(c: &[R]) -> &[R] {
     &c[..count]
 }
 
-/// The coefficient of s^j in f g for each solution g, without the first `skipped` coefficients of f.
+/// Computes the coefficient of s^j of the product f g for each solution g. The first `skipped` coefficients of f are
+/// omitted.
 fn product<R: Real>(f: &[R], g: &[Five<R>; TERMS], j: usize, skipped: usize) -> Five<R> {
     let mut sum = [R::ZERO; 5];
     for (i, f) in f.iter().enumerate().take(j + 1).skip(skipped) {

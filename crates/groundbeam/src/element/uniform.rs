@@ -1,7 +1,7 @@
-//! The element of uniform data: its functions solve EI w⁗ − N w″ + κ w = F − G', (2.11).
+//! Computes the exact element with constant data, whose functions solve EI w⁗ − N w″ + κ w = F − G', (2.11).
 //!
-//! About the middle of the element, with half length a and x = x_middle + a s, the equation becomes the
-//! recurrence
+//! N is the tension, κ the subgrade modulus in contact, F the load and G the moment load. Let a be half the
+//! length of the element and x = x_middle + a s. The equation then becomes the recurrence
 //!
 //! (j+4)(j+3)(j+2)(j+1) c_{j+4} = α (j+2)(j+1) c_{j+2} − β c_j + ρ_j,
 //! α = N a²/EI, β = κ a⁴/EI, ρ = (F − G') a⁴/EI,
@@ -10,8 +10,8 @@
 //! roots of EI r⁴ − N r² + κ. Even and odd j are decoupled, so the element consists of two problems of two
 //! unknowns. No stiffness is a difference of large numbers.
 //!
-//! If tension dominates bending, the roots lie far apart. Then w is a slow part, again a series, plus [boundary
-//! layers](crate::element::layers).
+//! If tension dominates bending, the roots lie far apart. Then w is the sum of a slowly varying part, which is
+//! again a power series, and [boundary layers](crate::element::layers).
 
 use crate::element::element::{Basis, Element};
 use crate::element::layers::Layers;
@@ -20,23 +20,22 @@ use crate::numeric::elementary::{exp, power, tanh};
 use crate::numeric::polynomial::TERMS;
 use crate::numeric::real::{Real, sum};
 
-/// The even and odd functions of an element.
+/// The even and the odd solutions of an element with constant data.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Uniform<R = f64> {
     pub layers: Option<Layers<R>>,
     halves: [Half<R>; 2],
 }
 
-/// One parity: two solutions without load, one with load, and the map from their amplitudes to the two
-/// boundary values of this parity.
+/// The even or the odd solutions of an element: two solutions without load and one solution with load.
 #[derive(Debug, Clone, Copy)]
 struct Half<R> {
-    /// Coefficients c₀, c₂, … or c₁, c₃, … of the two solutions without load and of the one with load; zero
-    /// for a boundary layer.
+    /// Power series coefficients c₀, c₂, … or c₁, c₃, … of the two solutions without load and of the solution
+    /// with load. The coefficients of a boundary layer are zero.
     series: [[R; TERMS / 2]; 3],
-    /// Boundary values of the three solutions.
+    /// The two boundary values of each of the three solutions.
     boundary: [[R; 2]; 3],
-    /// Boundary forces of the three solutions.
+    /// The two boundary forces of each of the three solutions, conjugate to the boundary values.
     force: [[R; 2]; 3],
 }
 
@@ -53,7 +52,8 @@ impl<R: Real> Uniform<R> {
         let unit = R::from(power(a, 4)) / ei;
         let layers = Layers::of(operator, length);
 
-        // Even: rigid translation w̄ and bending φ = (θ_right − θ_left)/2.
+        // The boundary values of even solutions are the mean deflection of the ends and half their relative
+        // rotation, (θ_right − θ_left)/2.
         let solve_even = |c0, c2, rho| series::<0, R>(c0, c2, alpha, beta, rho);
         let push_even = force_even - moment_odd / a;
         let even = match layers {
@@ -73,14 +73,15 @@ impl<R: Real> Uniform<R> {
         let even = match layers {
             None => even,
             Some(Layers { fast, .. }) => {
-                // cosh(r₂x)/cosh(r₂a).
+                // The boundary layer is cosh(rx)/cosh(ra), with the decay rate r = `fast` and half the length a.
                 let tanh = tanh(fast * a);
                 let sink = operator.subgrade * 2.0 * tanh / fast;
                 even.with_layer([R::ONE, fast * tanh], [sink, ei * 2.0 * fast * fast])
             }
         };
 
-        // Odd: rigid rotation δ = (w_right − w_left)/2 and e = a θ̄ − δ.
+        // The boundary values of odd solutions are the rigid rotation δ = (w_right − w_left)/2, and the
+        // difference a θ̄ − δ with the mean slope θ̄ of the ends.
         let solve_odd = |c1, c3, rho| series::<1, R>(c1, c3, alpha, beta, rho);
         let odd = match layers {
             None => [
@@ -93,7 +94,8 @@ impl<R: Real> Uniform<R> {
         let odd = Half::new(odd, |c, loaded| {
             let [w, excess, bend, first] = sums(c, &ODD_SUMS);
             let [push, turn] = if loaded { [force_odd / 3.0, moment_even] } else { [R::ZERO; 2] };
-            // Virtual work of a rigid rotation, so that the large bending terms cancel exactly.
+            // `turning` is the virtual work of tension, ground and loads in a rigid rotation. Bending does no
+            // work in it.
             let turning =
                 (operator.tension * w / a + operator.subgrade * first * a - push * a - turn) * 2.0;
             ([w, excess], [turning, ei * 2.0 * bend / (a * a * a)])
@@ -101,7 +103,7 @@ impl<R: Real> Uniform<R> {
         let odd = match layers {
             None => odd,
             Some(Layers { fast, .. }) => {
-                // sinh(r₂x)/sinh(r₂a).
+                // The boundary layer is sinh(rx)/sinh(ra), with the decay rate r = `fast` and half the length a.
                 let z = fast * a;
                 let coth = R::ONE / tanh(z);
                 let turning =
@@ -115,8 +117,8 @@ impl<R: Real> Uniform<R> {
         (element, Uniform { layers, halves: [even, odd] })
     }
 
-    /// The coefficients of w(s) for the element's four unknowns, and separately the amplitudes of the
-    /// boundary layers at the left and the right end.
+    /// Returns the coefficients of w(s) for the element's four unknowns `v`, and separately the amplitudes of
+    /// the boundary layers at the left and the right end.
     pub fn unfold(&self, basis: Basis, length: f64, v: &[R; 4]) -> ([R; TERMS], [R; 2]) {
         let [even_half, odd_half] = &self.halves;
         let a = 0.5 * length;
@@ -125,10 +127,11 @@ impl<R: Real> Uniform<R> {
         let (odd, sinh) = odd_half.unfold(odd);
         let series = std::array::from_fn(|j| if j % 2 == 0 { even[j / 2] } else { odd[j / 2] });
         let Some(layers) = self.layers else { return (series, [R::ZERO; 2]) };
-        // cosh(zs)/cosh(z) = (e^(−z(1−s)) + e^(−z(1+s)))/(1 + e^(−2z)); sinh has minus signs.
+        // The boundary layers are cosh(rx)/cosh(ra) and sinh(rx)/sinh(ra), with the decay rate r = `fast`. Each
+        // is the sum or the difference of a layer at the right end and a layer at the left end.
         let decay = exp(-layers.fast * length);
         let (cosh, sinh) = (cosh / (decay + 1.0), sinh / (R::ONE - decay));
-        // The part of the amplitudes that is rounding error.
+        // An amplitude below `rounding` is rounding error and becomes zero.
         let [w_left, left, w_right, right] = v.map(|v| v.value().abs());
         let turned = left + right;
         let even = layers.slow_squared.value() * a * (w_left + w_right);
@@ -138,7 +141,7 @@ impl<R: Real> Uniform<R> {
     }
 }
 
-/// The recurrence for one parity, from its first two coefficients.
+/// Computes the even or the odd power series coefficients by the recurrence, from the first two of them.
 fn series<const PARITY: usize, R: Real>(
     first: f64,
     second: f64,
@@ -156,7 +159,8 @@ fn series<const PARITY: usize, R: Real>(
     c
 }
 
-/// 1/((j+4)(j+3)) and 1/((j+4)(j+3)(j+2)(j+1)) for every other j.
+/// Returns the factors 1/((j+4)(j+3)) and 1/((j+4)(j+3)(j+2)(j+1)) in the recurrence for the coefficients c_j of
+/// w, for all even j or all odd j.
 const fn falling<const PARITY: usize>() -> [[f64; TERMS / 2]; 2] {
     let mut all = [[0.0; TERMS / 2]; 2];
     let mut i = 0;
@@ -169,7 +173,7 @@ const fn falling<const PARITY: usize>() -> [[f64; TERMS / 2]; 2] {
     all
 }
 
-/// Weights of c_j in w, w' and w″ at s = 1 and in ∫w over the half, for even j.
+/// Weights of the even coefficients c_j in w, w' and w″ at s = 1 and in the integral of w over 0 ≤ s ≤ 1.
 const EVEN_SUMS: [[f64; 4]; TERMS / 2] = {
     let mut all = [[0.0; 4]; TERMS / 2];
     let mut i = 0;
@@ -181,7 +185,7 @@ const EVEN_SUMS: [[f64; 4]; TERMS / 2] = {
     all
 };
 
-/// Weights for odd j, with w' − w instead of w' and ∫ws instead of ∫w.
+/// Weights of the odd coefficients c_j in w, w' − w and w″ at s = 1 and in the integral of w s over 0 ≤ s ≤ 1.
 const ODD_SUMS: [[f64; 4]; TERMS / 2] = {
     let mut all = [[0.0; 4]; TERMS / 2];
     let mut i = 0;
@@ -193,7 +197,7 @@ const ODD_SUMS: [[f64; 4]; TERMS / 2] = {
     all
 };
 
-/// Sums of coefficients with four sets of weights, the small coefficients first.
+/// Returns four weighted sums of the coefficients `c`. The small coefficients are added first.
 fn sums<R: Real>(c: &[R; TERMS / 2], weights: &[[f64; 4]; TERMS / 2]) -> [R; 4] {
     let mut sums = [R::ZERO; 4];
     for (c, weights) in c.iter().zip(weights).rev() {
@@ -213,7 +217,7 @@ impl<R: Real> Half<R> {
         Half { series, boundary: ends.map(|e| e.0), force: ends.map(|e| e.1) }
     }
 
-    /// The same functions with a boundary layer as the second solution without load.
+    /// Replaces the second solution without load by a boundary layer.
     fn with_layer(mut self, boundary: [R; 2], force: [R; 2]) -> Self {
         (self.boundary[1], self.force[1]) = (boundary, force);
         self
@@ -229,7 +233,8 @@ impl<R: Real> Half<R> {
         ]
     }
 
-    /// Stiffness and load of this parity in its boundary values.
+    /// Returns the stiffness matrix and the load vector for the two boundary values of the even or the odd
+    /// solutions.
     fn condensed(&self) -> ([[R; 2]; 2], [R; 2]) {
         let columns = [[R::ONE, R::ZERO], [R::ZERO, R::ONE]].map(|value| self.amplitudes(value));
         let loaded = self.amplitudes(self.boundary[2]);
@@ -241,7 +246,8 @@ impl<R: Real> Half<R> {
         (stiffness, [0, 1].map(|i| force(loaded, i) - self.force[2][i]))
     }
 
-    /// The coefficients of the series, and separately the second amplitude.
+    /// Returns the power series coefficients and the amplitude of the second solution without load, for given
+    /// boundary values.
     fn unfold(&self, value: [R; 2]) -> ([R; TERMS / 2], R) {
         let [x, y] = self.boundary[2];
         let [p, q] = self.amplitudes([value[0] - x, value[1] - y]);
@@ -250,7 +256,8 @@ impl<R: Real> Half<R> {
     }
 }
 
-/// (w̄, φ) and (δ, e) from the element's four unknowns.
+/// Returns the two matrices that map the element's four unknowns to the boundary values: one matrix for the even
+/// solutions, and one for the odd solutions.
 fn parities(a: f64, basis: Basis) -> [[[f64; 4]; 2]; 2] {
     match basis {
         Basis::Deformation => [
@@ -264,8 +271,8 @@ fn parities(a: f64, basis: Basis) -> [[[f64; 4]; 2]; 2] {
     }
 }
 
-/// Adds to q the work on w″ of the moment EI κ₀ of the imposed curvature, linear between its values `moments`
-/// at both ends. Rigid motions do no work on it.
+/// Adds to the element's load the virtual work of the moment EI κ₀ of an imposed curvature κ₀. The moment is
+/// linear between its values `moments` at both ends. It does no work in a rigid motion.
 pub(super) fn bend<R: Real>(element: &mut Element<R>, moments: [R; 2]) {
     if moments == [R::ZERO; 2] {
         return;
@@ -285,7 +292,7 @@ fn dot<R: Real>(row: &[f64; 4], v: &[R; 4]) -> R {
     sum::<R, 4>(|i| v[i] * row[i])
 }
 
-/// Stiffness and load in the element's four unknowns.
+/// Assembles the stiffness and the load of the element in its four unknowns.
 fn assemble<R: Real>(
     length: f64,
     basis: Basis,
@@ -326,10 +333,11 @@ mod tests {
         }
     }
 
-    /// K for the deflections and slopes of both ends, as in textbooks.
+    /// Returns the stiffness matrix for the deflections and slopes of both ends, the unknowns of textbooks.
     fn by_ends(e: &Element) -> [[f64; 4]; 4] {
         let h = e.length;
-        // v = C (w_l, θ_l, w_r, θ_r): d₁ = w_r − w_l − h θ_l, d₂ = θ_r − θ_l.
+        // The matrix maps the deflections and slopes of both ends to the element's unknowns. These are w and θ
+        // at the left end, and the deformations w_r − w_l − h θ_l and θ_r − θ_l of the length h.
         let c = [
             [1.0, 0.0, 0.0, 0.0],
             [0.0, 1.0, 0.0, 0.0],
@@ -363,8 +371,8 @@ mod tests {
 
     #[test]
     fn razaqpur_and_shah_stiffness() {
-        // Razaqpur and Shah, Int. J. Solids Structures 27(4), 435–454 (1991): EI = 2000, k = 64,
-        // second parameter 800, L = 5, exact stiffness printed to two decimals.
+        // Razaqpur and Shah, Int. J. Solids Structures 27(4), 435–454 (1991), print the exact stiffness to two
+        // decimals for EI = 2000, k = 64, a second parameter of 800 and L = 5.
         let op = Operator { stiffness: 2000.0, ..operator(800.0, 64.0) };
         let k = by_ends(&ExactElement::new(&op, 5.0).element);
         let printed = [
@@ -413,10 +421,11 @@ mod tests {
 
     #[test]
     fn short_elements_keep_the_digits_of_bending_and_ground() {
-        // Rigid terms are k h and k h²/2, bending 12/h³, to the last digits for any h.
+        // For EI = k = 1 and a short length h, the stiffness is h for a rigid translation, h²/2 for its coupling
+        // with a rigid rotation, and 12/h³ for bending. All are accurate to the last digits.
         for h in [1e-2, 1e-5, 1e-8] {
             let e = ExactElement::new(&operator(0.0, 1.0), h).element;
-            // The next terms of the series have a relative size of h⁴.
+            // The neglected terms of these stiffnesses are smaller by the factor h⁴.
             let small = power(h, 4) + 1e-15;
             assert!((e.stiffness[0][0] / h - 1.0).abs() < small);
             assert!((e.stiffness[0][1] / (h * h / 2.0) - 1.0).abs() < small);

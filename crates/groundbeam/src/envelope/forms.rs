@@ -1,4 +1,4 @@
-//! A field of several solutions as polynomials on common intervals.
+//! Represents one field of several solutions by polynomials on common intervals.
 
 use crate::ground::link::{self, settled};
 use crate::numeric::polynomial::{Coefficients, derivative, rescale};
@@ -6,7 +6,7 @@ use crate::solution::field::Field;
 use crate::solution::fields::SolutionPiece;
 use crate::solution::solution::Solution;
 
-/// One field of several solutions, with the common ends of their closed forms.
+/// One field of several solutions, and the intervals on which the field of every solution is a polynomial.
 pub(super) struct Forms<'a> {
     solutions: &'a [&'a Solution],
     field: Field,
@@ -29,8 +29,8 @@ impl<'a> Forms<'a> {
         Forms { solutions, field, joints }
     }
 
-    /// Visits the intervals from left to right: their ends, and for each solution the coefficients of its
-    /// polynomial in s ∈ \[−1, 1\].
+    /// Calls `visit` for each interval from left to right, with the ends of the interval and with the
+    /// coefficients of each solution's polynomial in s ∈ \[−1, 1\].
     pub fn each_interval(&self, mut visit: impl FnMut([f64; 2], &mut Vec<Coefficients>)) {
         let mut at = vec![0; self.solutions.len()];
         for ends in self.joints.windows(2) {
@@ -50,19 +50,19 @@ impl<'a> Forms<'a> {
     }
 }
 
-/// The position of s ∈ \[−1, 1\] in an interval.
+/// Returns the position x of the coordinate s ∈ \[−1, 1\] in an interval.
 pub(super) fn position([from, to]: [f64; 2], s: f64) -> f64 {
     let half = 0.5 * (to - from);
     if s <= 0.0 { from + half * (1.0 + s) } else { to - half * (1.0 - s) }
 }
 
-/// Whether u is a sum of exponentials on this piece instead of a polynomial.
+/// Whether the ground displacement on this piece of a solution is a sum of exponentials instead of a polynomial.
 fn is_exponential(piece: &SolutionPiece) -> bool {
     let moves = piece.open.is_some_and(|ends| ends != [0.0, 0.0]);
     moves && piece.settlement.is_empty() && piece.cell.shear_layer > 0.0
 }
 
-/// A field on a part of a piece, in the local coordinate of the part.
+/// Returns the polynomial of a field on a part of a piece, in the local coordinate of the part.
 fn form(piece: &SolutionPiece, field: Field, [from, to]: [f64; 2]) -> Coefficients {
     let [a, b] = [from, to].map(|x| piece.local(x));
     let part = |c: &[f64]| rescale(c, 0.5 * (a + b), 0.5 * (b - a));
@@ -89,7 +89,7 @@ fn form(piece: &SolutionPiece, field: Field, [from, to]: [f64; 2]) -> Coefficien
     }
 }
 
-/// u between two points of an open piece.
+/// Returns the polynomial of u between two points of a piece of open ground.
 fn open_ground(piece: &SolutionPiece, ends: [f64; 2]) -> Coefficients {
     let pressed = pressed_ground(piece, ends);
     if !piece.cell.has_free_field() {
@@ -99,7 +99,8 @@ fn open_ground(piece: &SolutionPiece, ends: [f64; 2]) -> Coefficients {
     sum(&pressed, &rescale(&piece.cell.free_field(), 0.5 * (a + b), 0.5 * (b - a)), 1.0)
 }
 
-/// u of open ground without its own loads: the contribution of the contact pressure outside the piece.
+/// Returns the part of u that the contact pressure outside a piece of open ground causes. Loads on the ground
+/// are excluded.
 fn pressed_ground(piece: &SolutionPiece, [a, b]: [f64; 2]) -> Coefficients {
     if !piece.settlement.is_empty() {
         return rescale(&piece.settlement, 0.5 * (a + b), 0.5 * (b - a));
@@ -109,7 +110,8 @@ fn pressed_ground(piece: &SolutionPiece, [a, b]: [f64; 2]) -> Coefficients {
     }
     let (k, mu) = (piece.cell.subgrade, piece.cell.shear_layer);
     let half = 0.5 * (b - a) * piece.half;
-    // On a piece of this length the middle is far from both ends.
+    // Open ground is cut into short pieces near its ends. A longer part is far from the ends, so u is zero
+    // along this part.
     if 2.0 * half > 1.5 * link::PIECE * (mu / k).sqrt() {
         return Coefficients::zeros(1);
     }
@@ -117,7 +119,7 @@ fn pressed_ground(piece: &SolutionPiece, [a, b]: [f64; 2]) -> Coefficients {
     settled(&[k], &[mu], half, [a, b].map(|s| piece.pressed(s, ends)[0]))
 }
 
-/// f + factor·g.
+/// Returns f + factor·g.
 fn sum(f: &[f64], g: &[f64], factor: f64) -> Coefficients {
     let at = |c: &[f64], i: usize| c.get(i).copied().unwrap_or(0.0);
     (0..f.len().max(g.len())).map(|i| at(f, i) + factor * at(g, i)).collect()

@@ -1,4 +1,4 @@
-//! Envelopes: the smallest and largest values of several solutions, at every point and over the beam.
+//! Computes the envelope of several solutions: the smallest and largest values at every point and over the beam.
 
 mod forms;
 mod upper;
@@ -8,14 +8,15 @@ use crate::solution::fields::{Extreme, Fields, Range, Side};
 use crate::solution::solution::Solution;
 use forms::Forms;
 
-/// Difference of two solutions, relative to the largest value of the field, below which it is rounding error.
-/// The first of the two solutions then governs.
+/// Relative difference of two solutions below which the difference is rounding error, so that the first of the
+/// two solutions governs. It is relative to the largest value of the field.
 const ROUNDING_DIFFERENCE: f64 = 1e-12;
 
 /// The shortest part of the beam on which a solution governs, as a fraction of the length. On shorter parts
 /// the difference of the solutions may be rounding error.
 const SHORTEST_RANGE: f64 = 1e-6;
-/// Smallest values are computed as largest values of the negative field.
+/// The two lines of an envelope in the order of their computation. The smallest values are computed as the
+/// largest values of the negative field.
 const BOUNDS: [Bound; 2] = [Bound::Max, Bound::Min];
 
 /// The envelope of several solutions of one beam.
@@ -45,7 +46,7 @@ const BOUNDS: [Bound; 2] = [Bound::Max, Bound::Min];
 #[derive(Debug, Clone)]
 pub struct Envelope<'a> {
     solutions: Vec<&'a Solution>,
-    /// The ranges of each solution, in the order of [`Field::ALL`].
+    /// For each solution, the smallest and largest value of each field, in the order of [`Field::ALL`].
     ranges: Vec<ByField<Range>>,
     /// The rounding error of each field.
     rounding: ByField<f64>,
@@ -54,10 +55,10 @@ pub struct Envelope<'a> {
 /// A value and the solution that attains it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Governing {
-    /// The value and its position.
+    /// The smallest or largest value, and its position \[m\].
     pub extreme: Extreme,
-    /// The index of the solution that attains the extreme; of several that attain it up to rounding, the first. The
-    /// position belongs to this solution.
+    /// Index of the solution that attains the extreme. If several solutions attain it up to rounding error,
+    /// this is the first of them. The position of the extreme is that of this solution.
     pub by: usize,
 }
 
@@ -70,7 +71,7 @@ pub struct Bounds {
     pub max: Governing,
 }
 
-/// One of the two lines of an envelope.
+/// The lines of an envelope: smallest values or largest values.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
@@ -81,14 +82,15 @@ pub enum Bound {
     Max,
 }
 
-/// A position at which another solution starts to govern.
+/// A position at which the governing solution changes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Change {
-    /// Position \[m\]: where the two solutions are equal, or where a field jumps.
+    /// Position of the change \[m\]. At this position the values of the two governing solutions are equal, or
+    /// the field jumps in one of them.
     pub x: f64,
     /// The line on which the governing solution changes.
     pub bound: Bound,
-    /// The solution that governs to the left.
+    /// Index of the solution that governs to the left of this position.
     pub from: usize,
     /// Index of the solution that governs to the right of this position.
     pub to: usize,
@@ -102,10 +104,10 @@ struct GovernedPart {
 }
 
 impl<'a> Envelope<'a> {
-    /// The envelope of solutions of one beam.
+    /// Returns the envelope of several solutions.
     ///
-    /// If the beams have different lengths, values beyond the end of a shorter one are those at its end.
-    /// Without solutions every value is zero.
+    /// If the beams have different lengths, the values beyond the end of a shorter beam are the values at its
+    /// end. Without solutions every value is zero.
     pub fn of(solutions: impl IntoIterator<Item = &'a Solution>) -> Self {
         let solutions: Vec<&Solution> = solutions.into_iter().collect();
         let ranges: Vec<ByField<Range>> = solutions.iter().map(|s| s.ranges()).collect();
@@ -119,7 +121,7 @@ impl<'a> Envelope<'a> {
         Envelope { solutions, ranges, rounding }
     }
 
-    /// The fields to list, in the order of [`Field::ALL`]; without the rotation if no beam has shear
+    /// Returns the fields to list, in the order of [`Field::ALL`]. The rotation is omitted if no beam has shear
     /// deformation.
     pub fn fields(&self) -> impl Iterator<Item = Field> + Clone + use<> {
         Field::listed(self.solutions.iter().any(|solution| solution.model().beam.shears()))
@@ -130,12 +132,13 @@ impl<'a> Envelope<'a> {
         &self.solutions
     }
 
-    /// The smallest and largest value of a field at a position; where it jumps, over both sides.
+    /// Returns the smallest and largest value of a field at a position. If the field jumps, the values on both
+    /// sides count.
     pub fn at(&self, field: Field, x: f64) -> Bounds {
         self.all_at(x)[field.index()]
     }
 
-    /// The smallest and largest values of all fields, in the order of [`Field::ALL`].
+    /// Returns the smallest and largest value of each field at a position, in the order of [`Field::ALL`].
     pub fn all_at(&self, x: f64) -> ByField<Bounds> {
         self.bounds(x, [Side::Left, Side::Right])
     }
@@ -171,9 +174,9 @@ impl<'a> Envelope<'a> {
 
     /// Positions at which the governing solution changes, from left to right.
     ///
-    /// Each solution consists of pieces with closed forms. Between neighbouring ends of the pieces of all
-    /// solutions, the changes are the roots of the differences of the closed forms, isolated from the
-    /// coefficients without sampling. A change can also be at an end of a piece, where a field jumps.
+    /// Each solution consists of pieces with closed forms. Between two neighbouring ends of pieces, the changes
+    /// are the roots of the differences between the closed forms. The roots are isolated from the coefficients,
+    /// without sampling. A change can also lie at an end of a piece, where a field jumps.
     pub fn changes(&self, field: Field) -> Vec<Change> {
         let forms = Forms::of(&self.solutions, field);
         let rounding = self.rounding(field);
@@ -202,9 +205,9 @@ impl<'a> Envelope<'a> {
         changes
     }
 
-    /// Appends a part to the parts on its left. A short part is merged with its neighbour if the two
-    /// solutions differ only by rounding error there. Example: at a free end the moments of all solutions are
-    /// zero, so rounding error decides which one is the largest.
+    /// Appends a part to the parts on its left. A short part is merged with its neighbour if the governing
+    /// solutions of the two parts differ only by rounding error on the short part. Example: at a free end the
+    /// moments of all solutions are zero, so rounding error decides which one is the largest.
     fn lengthen(&self, runs: &mut Vec<GovernedPart>, next: GovernedPart, field: Field) {
         let Some(last) = runs.last_mut() else { return runs.push(next) };
         let is_nothing = |run: &GovernedPart, other: usize| {
@@ -225,8 +228,9 @@ impl<'a> Envelope<'a> {
         }
     }
 
-    /// The positions at which the envelope is listed: `even` equal steps; the loads, supports, ends of
-    /// pieces, contact edges and extremes of every solution; and the changes of every field.
+    /// Returns the positions at which the envelope is listed. These are the ends of `even` equal steps; the
+    /// loads, supports, ends of pieces, contact edges and extremes of every solution; and the changes of the
+    /// governing solution for every field.
     pub fn stations(&self, even: usize) -> Vec<f64> {
         let Some(first) = self.solutions.first() else { return Vec::new() };
         let mut x = first.stations(even);
@@ -243,15 +247,16 @@ impl<'a> Envelope<'a> {
     }
 }
 
-/// The smallest of the first and the largest of the second values, each with the solution that governs.
+/// Returns the smallest and the largest value of all solutions, with the governing solutions. `each` contains
+/// the smallest and the largest value of each solution.
 fn governing(each: impl Iterator<Item = [Extreme; 2]>, rounding: f64) -> Bounds {
     let nothing = Governing { extreme: Extreme { x: 0.0, value: 0.0 }, by: 0 };
     let mut found: Option<Bounds> = None;
     for (by, [low, high]) in each.enumerate() {
         let [min, max] = [low, high].map(|extreme| Governing { extreme, by });
         let found = found.get_or_insert(Bounds { min, max });
-        // The value is always updated. The governing solution changes only for a difference above rounding
-        // error.
+        // A more extreme value is always adopted. The governing solution changes only if the value changes by
+        // more than rounding error.
         if low.value < found.min.extreme.value - rounding {
             found.min = min;
         } else if low.value < found.min.extreme.value {

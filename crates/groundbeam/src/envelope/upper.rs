@@ -1,4 +1,4 @@
-//! The upper line of several polynomials on one interval, and the polynomial that governs.
+//! Computes the largest of several polynomials at every point of an interval, and the index of the polynomial that governs.
 
 use crate::numeric::polynomial::{Coefficients, rescale, value};
 use crate::numeric::roots::sign_changes;
@@ -6,14 +6,15 @@ use crate::numeric::roots::sign_changes;
 /// A part of the interval on which one polynomial is the largest.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Part {
-    /// Its ends, in s ∈ \[−1, 1\].
+    /// Left end of the part; both ends are coordinates s ∈ \[−1, 1\].
     pub from: f64,
     pub to: f64,
-    /// The index of the polynomial.
+    /// Index of the largest polynomial on this part.
     pub by: usize,
 }
 
-/// The parts from left to right. If polynomials differ by no more than `rounding`, the first one governs.
+/// Returns the parts of the interval from left to right, each with its largest polynomial. If polynomials
+/// differ by no more than `rounding`, the first of them governs.
 pub(super) fn parts(curves: &[Coefficients], rounding: f64) -> Vec<Part> {
     let mut parts = vec![Part { from: -1.0, to: 1.0, by: 0 }];
     for by in 1..curves.len() {
@@ -29,7 +30,8 @@ pub(super) fn parts(curves: &[Coefficients], rounding: f64) -> Vec<Part> {
     parts
 }
 
-/// Divides a part between its polynomial and one more, and appends the larger of the two on each piece.
+/// Divides a part where its polynomial and the polynomial `by` cross. Passes each piece with the larger
+/// polynomial to `push`.
 fn over(part: Part, by: usize, curves: &[Coefficients], rounding: f64, mut push: impl FnMut(Part)) {
     let rise = difference(&curves[by], &curves[part.by]);
     let whole = part.from == -1.0 && part.to == 1.0;
@@ -40,7 +42,8 @@ fn over(part: Part, by: usize, curves: &[Coefficients], rounding: f64, mut push:
     else {
         return push(part);
     };
-    // The coefficients show that the difference never exceeds rounding.
+    // `constant + spread` is an upper bound of the difference of the two polynomials. Here it is at most the
+    // rounding error.
     if constant + spread <= rounding {
         return push(part);
     }
@@ -56,7 +59,7 @@ fn over(part: Part, by: usize, curves: &[Coefficients], rounding: f64, mut push:
     }
 }
 
-/// f − g.
+/// Returns f − g.
 fn difference(f: &[f64], g: &[f64]) -> Coefficients {
     let at = |c: &[f64], i: usize| c.get(i).copied().unwrap_or(0.0);
     (0..f.len().max(g.len())).map(|i| at(f, i) - at(g, i)).collect()
@@ -72,12 +75,13 @@ mod tests {
 
     #[test]
     fn lines_and_a_parabola() {
-        // |s| from two lines, and ½ + s²/2, which is larger except at the ends.
+        // The larger of the lines −s and s is |s|. The parabola ¼ + s²/4 is larger than |s| near the middle
+        // only.
         let curves = [vec![0.0, -1.0], vec![0.0, 1.0], vec![0.25, 0.0, 0.25]]
             .map(|c| Coefficients::from(&c[..]));
         let found = parts(&curves, 0.0);
         assert_eq!(numbers(&found), [0, 2, 1]);
-        // s²/4 − s + ¼ = 0 at s = 2 − √3.
+        // The parabola meets the line s where s²/4 − s + ¼ = 0, at s = 2 − √3.
         let root = 2.0 - 3.0_f64.sqrt();
         assert!((found[1].from + root).abs() < 1e-15 && (found[2].from - root).abs() < 1e-15);
     }
@@ -91,7 +95,7 @@ mod tests {
 
     #[test]
     fn maxima_between_roots_are_found() {
-        // Three maxima of one polynomial above a constant: T₄(s) exceeds −½ on three intervals.
+        // The Chebyshev polynomial T₄ exceeds the constant −½ on three intervals.
         let curves =
             [vec![-0.5], vec![1.0, 0.0, -8.0, 0.0, 8.0]].map(|c| Coefficients::from(&c[..]));
         assert_eq!(numbers(&parts(&curves, 0.0)), [1, 0, 1, 0, 1]);

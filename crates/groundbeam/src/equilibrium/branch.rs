@@ -1,12 +1,12 @@
-//! The path of equilibria under increasing compression, from the beam without compression.
+//! Follows the path of equilibria under increasing compression, from the equilibrium without compression.
 //!
-//! Let Φ be the energy of a deflection, minimised over the ground. Φ has a continuous derivative. Its second
-//! variation at an equilibrium is that of the beam *bonded* to the ground in its contact zones: at an edge of
-//! contact the ground leaves the beam tangentially, so a move of the edge changes the energy only to third
-//! order. A [bonded solve](crate::contact::bonded) is therefore a Newton step for Φ, and its elimination
-//! shows whether the second variation is positive. As long as it is, the equilibria under increasing
-//! compression form one path. The path of stable equilibria ends at a limit point, where it turns back, or at
-//! a bifurcation.
+//! Let Φ be the minimum energy of beam and ground for a given deflection of the beam. Φ has a continuous
+//! derivative. Its second variation at an equilibrium is that of the beam *bonded* to the ground in its contact
+//! zones, because a move of a contact edge changes the energy only to third order. A
+//! [bonded solve](crate::contact::bonded) is therefore a Newton step for Φ. The pivots of its equations show
+//! whether the second variation is positive. As long as the second variation is positive, the equilibria under
+//! increasing compression form one path. The path of stable equilibria ends at a limit point, where the path
+//! turns back, or at a bifurcation.
 
 use crate::cancel::Cancel;
 use crate::chain::node::NotDefinite;
@@ -23,30 +23,32 @@ use crate::model::compressed;
 use crate::solution::candidate::{Candidate, Workspace};
 use std::borrow::Cow;
 
-/// The first step, as a fraction of the required compression.
+/// First step in compression, as a fraction of the required compression.
 const FIRST: f64 = 0.25;
-/// The smallest step, as a fraction of the compression reached: the accuracy of the end of the path.
+/// Smallest step in compression, as a fraction of the required compression, or of the compression reached if
+/// that is larger. It is the accuracy of the end of the path.
 const LAST: f64 = 1e-10;
 /// Maximum number of Newton steps per step in compression.
 const NEWTON_STEPS: usize = 10;
 /// Maximum number of changes of the active supports per step in compression.
 const SUPPORT_CHANGES: usize = 10;
-/// Moves of the edges, relative to the beam's length. `STILL`: the move is rounding error. `ACCEPTED_MOVE`: the
-/// move is accepted if further steps do not reduce it.
+/// Limits on the move of the contact edges in a Newton step, relative to the beam's length. A move below `STILL`
+/// is rounding error. A move below `ACCEPTED_MOVE` is accepted if it is at least a quarter of the previous
+/// move.
 const STILL: f64 = 1e-13;
 const ACCEPTED_MOVE: f64 = 1e-9;
-/// Distances of equilibria. `RETURNED`: the way back has reached its starting point. `NEXT`: two equilibria are
-/// neighbours.
+/// Limits on the distance between the contact edges of two equilibria, relative to the beam's length. Below
+/// `RETURNED` the two equilibria are the same. Below `NEXT` they are neighbours on the path.
 const RETURNED: f64 = 1e-7;
 const NEXT: f64 = 1e-3;
 
 /// A stable equilibrium on the path.
 #[derive(Debug, Clone)]
 pub(crate) struct PathPoint {
-    /// −P \[N\].
+    /// The compression −P \[N\].
     pub compression: f64,
     pub contact: Vec<Interval>,
-    /// The active supports; two-way supports are always active.
+    /// Whether each support is active. Two-way supports are always active.
     pub active: Vec<bool>,
 }
 
@@ -60,27 +62,29 @@ impl PathPoint {
     }
 }
 
-/// The result of following the path.
+/// The result of following the path of equilibria.
 #[derive(Debug, Clone)]
 pub(crate) struct EquilibriumPath {
     /// The equilibrium under the model's own compression, if the path reaches it.
     pub wanted: Option<PathPoint>,
-    /// The last stable equilibrium; infinite compression if the path does not end.
+    /// The last stable equilibrium on the path. Its compression is infinite if the path does not end.
     pub last: PathPoint,
     /// The reason why the path ends.
     pub end: PathEnd,
 }
 
-/// The reason why no step in compression succeeds, however small.
+/// The reason why even the smallest step in compression fails.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) enum PathEnd {
-    /// The second variation is not positive there, with these active supports.
+    /// The second variation is not positive. The list contains whether each support was active.
     NotStable(Vec<bool>),
-    /// Newton's steps do not converge: beyond a limit point, or because the contact zones alternate.
+    /// Newton's method does not converge, because the step passes a limit point or because the contact zones
+    /// alternate.
     NotConverged,
 }
 
-/// Follows the path from the equilibrium without compression through the required compression to its end.
+/// Follows the path from the equilibrium without compression through the required compression to the end of the
+/// path.
 pub(crate) fn follow(model: &Model, begin: PathPoint, cancel: &Cancel) -> EquilibriumPath {
     let wanted = -model.beam.axial_force;
     let l = model.beam.length;
@@ -125,8 +129,8 @@ pub(crate) fn follow(model: &Model, begin: PathPoint, cancel: &Cancel) -> Equili
     EquilibriumPath { wanted: found, last, end }
 }
 
-/// The initial guess at another compression: the edges extrapolated along the secant of the last two
-/// equilibria.
+/// Returns the initial guess at the next compression. Its contact edges are extrapolated along the secant of
+/// the last two equilibria.
 fn predicted(before: Option<&PathPoint>, last: &PathPoint, compression: f64, l: f64) -> PathPoint {
     let edges = before.filter(|before| before.active == last.active).and_then(|before| {
         let part = (compression - last.compression) / (last.compression - before.compression);
@@ -135,8 +139,8 @@ fn predicted(before: Option<&PathPoint>, last: &PathPoint, compression: f64, l: 
     PathPoint { contact: edges.unwrap_or_else(|| last.contact.clone()), ..last.clone() }
 }
 
-/// The next equilibrium on the path. Two equilibria are on the same path if Newton's method finds each one
-/// from the other. Neighbours need no such check.
+/// Returns the next equilibrium on the path. Newton's method must also lead back from the next equilibrium to
+/// the last one, unless the two are neighbours or the last one has no compression.
 fn next(
     model: &Model,
     places: &[f64],
@@ -157,8 +161,8 @@ fn next(
     if same { Ok(next) } else { Err(PathEnd::NotConverged) }
 }
 
-/// The equilibrium found by Newton's steps from the contact of a neighbour, if the second variation is
-/// positive in all of them.
+/// Computes the equilibrium by Newton steps from the contact zones of the neighbouring equilibrium `near`.
+/// Returns an error if the second variation is not positive in one of the steps.
 fn settled(
     model: &Model,
     places: &[f64],
@@ -197,8 +201,8 @@ fn settled(
     Err(PathEnd::NotConverged)
 }
 
-/// The state with the active supports that follow from its forces and clearances, if these supports differ
-/// from its own.
+/// Returns `state` with the set of active supports that the support forces and clearances of `found` require.
+/// Returns `None` if this set is that of `state`.
 fn other_supports(
     model: &Model,
     held: &Model,

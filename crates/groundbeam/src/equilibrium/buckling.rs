@@ -1,5 +1,6 @@
-//! Buckling loads of the beam without ground, below which the energy is convex, and of the beam bonded to the
-//! ground in given contact zones.
+//! Computes buckling loads of the beam without ground and of the beam bonded to the ground in given contact zones.
+//!
+//! Below the buckling load of the beam without ground, the energy is convex for every contact.
 
 use crate::cancel::Cancel;
 use crate::chain::elimination::Chain;
@@ -14,22 +15,24 @@ use crate::mesh::mesh::Mesh;
 use crate::model::Model;
 use crate::model::compressed;
 
-/// The buckling load of a valid model's beam on its supports, without ground \[N\]: a lower bound, accurate to twelve
-/// digits; infinite if the beam does not buckle.
+/// Returns the buckling load of the beam of a valid model on its supports, without ground \[N\]. The value is a
+/// lower bound, accurate to twelve digits. It is infinite if the beam does not buckle.
 ///
-/// Below this load the energy of bending, springs and compression is positive definite. The elimination of a
-/// chain decides this: the energy is positive definite if all pivots are positive.
+/// Below this load the energy of bending, springs and compression is positive definite. The energy is positive
+/// definite if and only if all pivots are positive in the elimination of the unknowns.
 pub fn own_buckling_load(model: &Model) -> f64 {
     unsupported_buckling_load(model, &Cancel::default())
 }
 
-/// The buckling load of the beam without ground.
+/// Buckling load of the beam on its supports, without ground \[N\].
 fn unsupported_buckling_load(model: &Model, cancel: &Cancel) -> f64 {
     least_unstable(model, |compression| !cancel.is_cancelled() && is_stable(model, compression))
 }
 
-/// The fraction of the energy's convexity that remains under compression, for any contact: 1 + P/P_cr with
-/// the beam's own buckling load P_cr, and 1 without compression. `None` if the energy is not convex.
+/// Returns a lower bound of the second variation of the energy, relative to the second variation without
+/// compression. The bound is valid for all contact zones. It is 1 + P/P_cr with the axial force P < 0 and the
+/// buckling load P_cr of the beam without ground, and 1 without compression. Returns `None` if the energy is not
+/// convex.
 pub(crate) fn convexity(model: &Model, cancel: &Cancel) -> Option<f64> {
     let axial = model.beam.axial_force;
     if axial >= 0.0 {
@@ -38,14 +41,14 @@ pub(crate) fn convexity(model: &Model, cancel: &Cancel) -> Option<f64> {
     if !held_rigidly(model) {
         return None;
     }
-    // One-way supports do not prevent buckling.
+    // One-way supports are omitted, because they do not prevent buckling in both directions.
     let held = model.with_supports_that(|_, support| !support.is_one_way());
     let left = 1.0 + axial / unsupported_buckling_load(&held, cancel);
     (left > 0.0).then_some(left)
 }
 
-/// The buckling load of the beam bonded to the ground on given intervals \[N\]: a lower bound, accurate to
-/// twelve digits.
+/// Returns the buckling load of the beam bonded to the ground on given intervals \[N\]. The value is a lower
+/// bound, accurate to twelve digits.
 pub(crate) fn bonded_buckling_load(model: &Model, contact: &[Interval], cancel: &Cancel) -> f64 {
     least_unstable(model, |compression| {
         Bonded::new(&compressed(model, compression), cancel).solve_on(contact).is_ok()
@@ -115,8 +118,9 @@ mod tests {
 
     #[test]
     fn eulers_four_columns() {
-        // P l²/EI = π²/4, π², 20.190728556426629…, 4π² (Timoshenko and Gere, Theory of Elastic
-        // Stability; the third is the first root of tan z = z, squared).
+        // For the four columns of Euler, the buckling load P gives P l²/EI = π²/4, π², 20.190728556426629… and
+        // 4π² (Timoshenko and Gere, Theory of Elastic Stability). The third number is the square of the first
+        // positive root of tan z = z.
         let close = |a: f64, b: f64| assert!((a / b - 1.0).abs() < 1e-11, "{a} {b}");
         close(load(&[Support::fixed(0.0)]), PI * PI / 4.0);
         close(load(&[Support::pinned(0.0), Support::pinned(2.0)]), PI * PI);
@@ -124,7 +128,8 @@ mod tests {
         close(load(&[Support::fixed(0.0), Support::fixed(2.0)]), 4.0 * PI * PI);
     }
 
-    /// A column with a rotational spring C in a hinge at its middle: z tan z = C l/EI with z = l/2 √(P/EI).
+    /// A column has a hinge with a rotational spring C at its middle. Its buckling load P satisfies
+    /// z tan z = C l/EI with z = l/2 √(P/EI).
     #[test]
     fn a_spring_in_the_middle() {
         for z in [0.1, 0.5, PI / 4.0, 1.2, 1.5] {
@@ -138,11 +143,12 @@ mod tests {
         }
     }
 
-    /// A cantilever that supports a bar through a pin: the bar is rigid in comparison, and pulls the tip
-    /// sideways with P/b.
+    /// A cantilever of length a supports a nearly rigid bar of length b through a pin. If the tip of the
+    /// cantilever deflects by w, the inclined bar exerts the lateral force P w/b on the tip.
     #[test]
     fn a_cantilever_under_a_pinned_bar() {
-        // sin-cos solution of the cantilever with a lateral P w/b at its tip: tan z = z (1 + b/a).
+        // The cantilever with the lateral force P w/b at its tip buckles if tan z = z (1 + b/a), with
+        // z = a √(P/EI).
         let (a, b) = (1.0, 0.5);
         let model = Model::new(
             Beam::uniform(a + b, 2.0).with_segment(a, a + b, 2e9),
@@ -157,7 +163,8 @@ mod tests {
 
     #[test]
     fn a_pin_on_a_rotational_spring() {
-        // A rigid bar would buckle at k_φ/l; a bar a thousand times stiffer than its spring is close to that.
+        // A rigid bar on a rotational spring k_φ buckles at k_φ/l. This bar is a thousand times stiffer than
+        // its spring, so its buckling load is close to k_φ/l.
         let p = load(&[Support::pinned(0.0), Support::spring(2.0, 0.0, 3e-3)]);
         assert!((p / 2e-3 - 1.0).abs() < 1e-3, "{p}");
     }

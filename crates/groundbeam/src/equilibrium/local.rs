@@ -1,8 +1,8 @@
-//! Compression that the ground helps to carry: the stable equilibrium next to the unloaded state.
+//! Finds the stable equilibrium next to the unloaded state, under compression that the beam bears only with the ground's help.
 //!
-//! The ground prevents buckling only while the beam is in contact with it. The energy is not convex, and has
-//! no minimum if the supports permit the beam to rise. The result is therefore the equilibrium on the path
-//! that starts without compression ([`branch`]), if this path reaches the given compression.
+//! The ground prevents buckling only while the beam is in contact with it. The energy is not convex, and has no
+//! minimum if the supports permit the beam to rise. The result is therefore the equilibrium under the given
+//! compression on the path that starts without compression ([`branch`]), if the path reaches this compression.
 
 use crate::cancel::Cancel;
 use crate::contact::bonded::Bonded;
@@ -27,7 +27,8 @@ const BELOW_BUCKLING: f64 = 1e-12;
 /// Number of points per cell at which a mode is evaluated.
 const MODE_POINTS: usize = 16;
 
-/// The verdict for a model in compression whose energy is not convex.
+/// Checks a model in compression whose energy is not convex. Returns the verdict and, if the path reaches the
+/// given compression, the local equilibrium.
 pub(crate) fn check(
     model: &Model,
     cancel: &Cancel,
@@ -88,7 +89,7 @@ impl Buckling {
     }
 }
 
-/// The buckling mode at the end of the path, without a support that lifts off there.
+/// Returns the buckling mode at the end of the path of equilibria, on the supports that are active at this end.
 fn buckling(model: &Model, last: PathPoint, end: PathEnd, cancel: &Cancel) -> Buckling {
     let critical_compression = last.compression;
     let acts = if let PathEnd::NotStable(acts) = end { acts } else { last.active };
@@ -98,12 +99,12 @@ fn buckling(model: &Model, last: PathPoint, end: PathEnd, cancel: &Cancel) -> Bu
     Buckling { critical_compression, at, left, right, work }
 }
 
-/// The buckling mode of the beam bonded to the ground on given intervals: the position of its largest value,
-/// its values at both ends, and the work of the loads in the mode. The mode is scaled to −1, upward, at its
-/// largest value.
+/// Returns data of the buckling mode of the beam bonded to the ground on given intervals. They are the position
+/// of the mode's largest absolute value, the values of the mode at both ends of the beam, and the work of the
+/// loads in the mode. The mode is scaled to −1 (upward) at the position of its largest absolute value.
 ///
-/// Near its buckling load a beam deflects in the shape of its mode under any load that is not orthogonal to
-/// it.
+/// The mode is computed as a deflection. Close to its buckling load, a beam deflects in the shape of its
+/// buckling mode under any load that is not orthogonal to the mode.
 fn mode(model: &Model, contact: &[Interval], cancel: &Cancel) -> Option<(f64, [f64; 2], f64)> {
     let load = bonded_buckling_load(model, contact, cancel);
     let mut nearly = compressed(model, load * (1.0 - BELOW_BUCKLING));
@@ -117,7 +118,7 @@ fn mode(model: &Model, contact: &[Interval], cancel: &Cancel) -> Option<(f64, [f
         support.settlement = 0.0;
     }
     let l = model.beam.length;
-    // A load without symmetry: a symmetric load would not excite antisymmetric modes.
+    // The load has no symmetry, because a symmetric load would not excite antisymmetric modes.
     nearly.loads.push(Load::distributed_force(0.0, 0.618 * l, 1.0, -0.37));
     let found = Bonded::new(&nearly, cancel).solve_on(contact).ok()?;
     let w = found.deflection();
@@ -138,15 +139,16 @@ fn mode(model: &Model, contact: &[Interval], cancel: &Cancel) -> Option<(f64, [f
     let mesh = Mesh::build(model, &x, |_| 1);
     let same = mesh.cells.len() == found.mesh.cells.len();
     let work = same.then(|| work_of_loads(&mesh, found.motion()))?;
-    // Scaled to −1 at the largest value; adding zero turns −0 into 0.
+    // The mode is scaled to −1 at the position of its largest absolute value. Adding zero turns −0 into 0.
     Some((at, [left, right].map(|w| -w / size + 0.0), -work / size + 0.0))
 }
 
 /// The result of the checks before the solve.
 pub(crate) struct Assessment {
     pub existence: Existence,
-    /// The fraction of the energy's convexity that remains under compression: 1 + P/P_cr, for a local
-    /// equilibrium with the buckling load P_cr of its contact; 1 without compression.
+    /// Lower bound of the second variation of the energy, relative to the second variation without compression.
+    /// It is 1 + P/P_cr with the axial force P < 0, and 1 without compression. P_cr is the buckling load without
+    /// ground or, for a local equilibrium, with the ground in contact.
     pub stability: f64,
     /// The contact and the active supports of a local equilibrium.
     pub local: Option<PathPoint>,

@@ -1,4 +1,4 @@
-//! Equilibria: the convex problem (theorem 1), one-way supports, compression.
+//! Computes equilibria on one-way supports, under compression and on soil models, and estimates the size of a solve.
 
 pub(crate) mod branch;
 pub(crate) mod buckling;

@@ -1,9 +1,9 @@
-//! The set of active one-way supports, by solves with fixed sets.
+//! Finds the set of active one-way supports, by solves with fixed sets of active supports.
 //!
 //! A rigid support that only pushes up requires w ≤ 0 and a reaction R ≥ 0 with R w = 0. A hold-down requires
-//! the same with opposite signs. For an elastic support, the clearance between the beam and its spring takes
-//! the place of w. These are constraints of a convex energy. They are satisfied by the active-set method for
-//! quadratic programs (Nocedal and Wright, *Numerical Optimization*, 2nd ed., section 16.5):
+//! the same conditions with opposite signs. For an elastic support, the clearance between the beam and its
+//! spring replaces w. All of these are constraints of a convex energy. The active-set method for quadratic
+//! programs satisfies them (Nocedal and Wright, *Numerical Optimization*, 2nd ed., section 16.5):
 //!
 //! 1. Solve beam and ground with the active supports, as if these were two-way.
 //! 2. On the straight path from the previous deflection to the new one, stop where the beam first meets an
@@ -11,11 +11,13 @@
 //! 3. Otherwise, if an active support has a force of the wrong sign, it becomes inactive. Go to 1.
 //! 4. Otherwise this is the solution: all conditions hold, and they are sufficient.
 //!
-//! The energy never increases: it is convex along the path, and the end of the path is its minimum for the
-//! active supports. It has strictly decreased when step 3 occurs again with other supports. So no set occurs
-//! twice, and the number of sets is finite. Step 2 repeats at most as often as there are supports. If no
-//! equilibrium exists on the active supports, the path is the rigid motion that proves this. The path ends at
-//! a hold-down, unless no equilibrium exists on all supports together.
+//! The energy never increases, because it is convex along the path and the end of the path is its minimum for
+//! the active supports. Whenever step 3 occurs again with other supports, the energy has strictly decreased. So
+//! no set occurs twice, and the number of sets is finite. Step 2 repeats at most as often as there are
+//! supports.
+//!
+//! If no equilibrium exists on the active supports, the path is the rigid motion that proves this. The path
+//! ends at a hold-down, unless no equilibrium exists on all supports together.
 
 use crate::existence::verdict::{Existence, Verdict};
 use crate::model::{Model, Support};
@@ -24,30 +26,32 @@ use crate::solution::candidate::Candidate;
 use crate::solution::fields::Side;
 use crate::solution::solution::Solution;
 
-/// Maximum number of solves; it ends cycles that rounding error causes.
+/// Maximum number of solves. The limit ends cycles that rounding error causes.
 const MOST_SOLVES: usize = 1000;
-/// Number of solves after which the worst support that violates its condition changes. Later the first one changes,
-/// which ends cycles of steps of zero length.
+/// Up to this number of solves, the support with the largest force of the wrong sign becomes inactive. In later
+/// solves, the first support with a force of the wrong sign becomes inactive, which ends cycles of steps of
+/// zero length.
 const WORST_FIRST_SOLVES: usize = 50;
 /// Rounding error of a force, relative to the sum of all reactions, and of a clearance, relative to the
 /// largest deflection.
 const FORCE_ROUNDING: f64 = 1e-13;
 
-/// Solves a model with one-way supports by a method for models without them. Returns the solution, the set of
-/// active supports, and the number of solves; no solution if the search does not end.
+/// Solves a model with one-way supports by a method for models without one-way supports. Returns the solution
+/// with its active supports, and the number of solves. The solution is missing if the search does not end.
 pub(crate) fn solve<E>(
     model: &Model,
     mut solve: impl FnMut(&Model) -> Result<Outcome, E>,
 ) -> Result<SupportSearch, E> {
     let supports = &model.supports;
     let mut acts = vec![true; supports.len()];
-    // The clearance of each support, 0 where it is active.
+    // Clearance of each support. It is 0 for an active support.
     let mut clear = vec![0.0; supports.len()];
     for step in 1..=MOST_SOLVES {
         let now = model.with_supports_that(|i, _| acts[i]);
         let outcome = solve(&now)?;
         let free = |i: &usize| supports[*i].is_one_way() && !acts[*i];
-        // The clearances at the end of the path, or their rates if the path is a free motion without end.
+        // `towards` contains the clearances of the new deflection. If no equilibrium exists, it contains the
+        // rates of the clearances in a rigid motion.
         let (towards, solution) = match outcome {
             Outcome::Equilibrium(solution) => {
                 (clearances(model, solution.candidate()).0, Some(solution))
@@ -96,15 +100,16 @@ pub(crate) fn solve<E>(
     Ok(SupportSearch { found: None, solves: MOST_SOLVES })
 }
 
-/// The result of the search.
+/// The result of the search for the active supports.
 pub(crate) struct SupportSearch {
-    /// The solution and its active supports; `None` if the set of active supports still changes.
+    /// The solution and its active supports; `None` if the search found no solution.
     pub found: Option<(Box<Solution>, Vec<bool>)>,
-    /// Number of solves with fixed supports.
+    /// Number of solves, each with a given set of active supports.
     pub solves: usize,
 }
 
-/// The clearance of each support, 0 where it is rounding error, and the largest deflection.
+/// Returns the clearance of each support, and the largest deflection \[m\]. A clearance within rounding error
+/// is 0.
 pub(crate) fn clearances(model: &Model, candidate: &Candidate) -> (Vec<f64>, f64) {
     let range = candidate.range(crate::Field::Deflection);
     let size = range.min.value.abs().max(range.max.value.abs());
@@ -116,8 +121,8 @@ pub(crate) fn clearances(model: &Model, candidate: &Candidate) -> (Vec<f64>, f64
     (model.supports.iter().map(clearance).collect(), size)
 }
 
-/// The force of each active support in its permitted direction, from the solution with these supports, and
-/// the sum of all reactions.
+/// Returns the force of each support in its permitted direction, and the sum of the absolute values of all
+/// reactions \[N\]. The force of an inactive support is 0. `candidate` is the solution on the active supports.
 pub(crate) fn forces(model: &Model, acts: &[bool], candidate: &Candidate) -> (Vec<f64>, f64) {
     let mut reactions = candidate.reactions.iter();
     let all: f64 = candidate.reactions.iter().map(|reaction| reaction.force.abs()).sum();
@@ -128,15 +133,17 @@ pub(crate) fn forces(model: &Model, acts: &[bool], candidate: &Candidate) -> (Ve
     (each.collect(), all)
 }
 
-/// The supports that carry force in a solution; two-way supports always count.
+/// Returns whether each support is active in a solution. A support is active if it carries a force or is a
+/// two-way support.
 pub(crate) fn acting(model: &Model, candidate: &Candidate) -> Vec<bool> {
     let (forces, all) = forces(model, &vec![true; model.supports.len()], candidate);
     let pushes = forces.iter().map(|force| *force > FORCE_ROUNDING * all);
     model.supports.iter().zip(pushes).map(|(s, pushes)| pushes || !s.is_one_way()).collect()
 }
 
-/// The active supports that follow from the solution with a given active set: the active supports with a
-/// positive force, and the inactive ones that the beam penetrates. A support without force is inactive.
+/// Returns whether each support is active in the next solve, from the solution with the active set `acts`.
+/// Active supports with a positive force stay active, and inactive supports that the beam penetrates become
+/// active. Two-way supports are always active.
 pub(crate) fn asked_for(model: &Model, acts: &[bool], candidate: &Candidate) -> Vec<bool> {
     let (forces, all) = forces(model, acts, candidate);
     let (clear, _) = clearances(model, candidate);

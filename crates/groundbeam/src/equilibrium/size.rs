@@ -1,9 +1,9 @@
 //! Number of elements and memory of a solve, estimated from the model and the options.
 //!
-//! Two limits refuse a model. The memory of all elements must stay below [`Options::memory_limit`]. The
-//! number of series elements must stay below a fixed limit, because their computing time is large compared
-//! with their memory. Series elements occur where stiffness or ground vary and where the beam has shear
-//! deformation. Example: under a shear layer a billion times as stiff as the beam, boundary layers have a
+//! A model must satisfy two limits. The memory of all elements must stay below [`Options::memory_limit`]. The
+//! number of series elements must stay below a fixed limit, because their computing time is large compared with
+//! their memory. Series elements occur where the stiffness of beam or ground varies and where the beam has
+//! shear deformation. Example: under a shear layer a billion times as stiff as the beam, boundary layers have a
 //! length of 10⁻⁴ l, and series elements must be as short as these layers.
 
 use crate::element;
@@ -20,9 +20,9 @@ use crate::options::{Method, Options};
 /// Maximum number of series elements.
 const MOST_SERIES: usize = 30_000;
 
-/// Bytes of memory per element: of the exact method, of the methods with a mesh, and of a solution at nodes
-/// alone. They exceed the largest measured values in `verification/tests/memory.rs` and `bench/`: 10,320, 3500
-/// and 53.
+/// Upper bounds of the memory \[bytes\]: per element of the exact method, per mesh cell of the other methods,
+/// and per node of a solution that is computed at nodes only. The largest values measured in
+/// `verification/tests/memory.rs` and `bench/` are 10,320, 3500 and 53.
 const EXACT: usize = 10_800;
 const MESH: usize = 4_200;
 const NODE: usize = 100;
@@ -30,15 +30,15 @@ const NODE: usize = 100;
 /// Upper bounds of the numbers of elements of a model.
 #[derive(Debug, Clone, Copy, Default)]
 struct Count {
-    /// Cells of the model: stretches between loads, supports and ends of segments.
+    /// Number of cells of the model. A cell lies between neighbouring loads, supports or ends of segments.
     cells: usize,
-    /// Elements of the exact method.
+    /// Number of elements of the exact method.
     elements: usize,
-    /// Elements into which a mesh must cut the open beam.
+    /// Minimum number of elements into which a mesh divides a beam that is out of contact.
     fewest: usize,
     /// Number of series elements.
     series: usize,
-    /// Whether a mesh has a run of elements for each cell, in place of a run for each element.
+    /// Whether all cells are uniform, so that a mesh can divide each cell into equal elements.
     is_even: bool,
 }
 
@@ -47,7 +47,8 @@ impl Count {
         let axial = model.beam.axial_force;
         let mut count = Count { is_even: true, ..Count::default() };
         count.cells = Mesh::each_graded(model, |cell, settles| {
-            // Compression may reduce the shear stiffness to zero. Then no number of elements is sufficient.
+            // The number of elements becomes infinite if compression reduces the shear stiffness to zero. The
+            // estimate therefore ignores compression in cells with shear deformation.
             let tension = if cell.beam_shear.is_some() { axial.max(0.0) } else { axial };
             let needed = |touch: ZoneKind| {
                 element::count(&Operator::of(cell, tension, touch), cell.length())
@@ -69,7 +70,8 @@ impl Count {
         self.elements_of(options).saturating_mul(each) as u64
     }
 
-    /// Memory before the contact is known. The method `active-set` needs a mesh cell only for an element in contact.
+    /// Memory that a solve needs before the contact is known \[bytes\]. The method `active-set` needs a mesh
+    /// cell only for an element in contact.
     fn least_memory(&self, options: &Options) -> u64 {
         if options.method != Method::ActiveSet || !self.is_even {
             return self.memory(options);
@@ -87,8 +89,9 @@ impl Count {
     }
 }
 
-/// An upper bound for a beam without shear deformation and without varying segments, from its shortest wave.
-/// It needs no division of the model into cells, which would take a large part of the time of a small solve.
+/// Returns upper bounds of the numbers of elements, computed from the largest wave number of the beam. Returns
+/// `None` if the beam has shear deformation, if segments vary or if loads act on the ground. The computation
+/// needs no cells. Dividing the model into cells would take a large part of the time of a small solve.
 fn few(model: &Model) -> Option<Count> {
     let Model { beam, foundation, loads, supports, hinges, gap } = model;
     if beam.shears() || model.varying_part().is_some() || model.has_ground_loads() {
@@ -100,15 +103,15 @@ fn few(model: &Model) -> Option<Count> {
     let waves = wave_number(softest, beam.axial_force.abs() + shear, spring) * beam.length;
     let ends = 2 * (beam.segments.len() + foundation.segments.len() + loads.len());
     let cells = 1 + ends + supports.len() + hinges.len() + gap.len();
-    // One element for each cell.
+    // Rounding up adds at most one element in each cell.
     let elements = cells.saturating_add((waves / LONGEST_SERIES).ceil() as usize);
     let open_waves = (beam.axial_force.abs() / softest).sqrt() * beam.length;
     let fewest = cells.saturating_add((open_waves / LONGEST_ELEMENT).ceil() as usize);
     Some(Count { cells, elements, fewest, series: 0, is_even: true })
 }
 
-/// An upper estimate of the memory of a solve of a valid model \[bytes\], from the number of elements. The method
-/// `active-set` takes less where nodes lift off.
+/// Returns an upper estimate of the memory of a solve of a valid model \[bytes\], from the number of elements.
+/// The method `active-set` needs less memory if nodes lift off.
 ///
 /// ```
 /// use groundbeam::{Beam, Foundation, Method, Model, Options, memory_estimate};
@@ -123,15 +126,16 @@ pub fn memory_estimate(model: &Model, options: &Options) -> u64 {
     Count::of(model).memory(options)
 }
 
-/// A stored solution takes 1/`KEPT` of the memory of its solve: measured 0.18 in 100 combinations of 10⁴
-/// loads.
+/// A stored solution is assumed to take 1/`KEPT` of the memory of its solve. The fraction measured in 100
+/// combinations of 10⁴ loads is 0.18.
 const KEPT: u64 = 5;
 
-/// Refuses models with stored solutions if all solutions and one solve exceed the memory limit.
+/// Refuses a list of models if all of their stored solutions and the largest solve together exceed the memory
+/// limit.
 ///
 /// # Errors
 ///
-/// [`Error::TooLarge`].
+/// Returns [`Error::TooLarge`] if the memory limit is exceeded.
 pub fn check_memory<'m>(
     models: impl Iterator<Item = &'m Model> + Clone,
     options: &Options,
@@ -150,8 +154,8 @@ pub fn check_memory<'m>(
     check(|model| few(model).unwrap_or_else(|| Count::of(model))).or_else(|_| check(Count::of))
 }
 
-/// Refuses a model with too many elements. The nodes of `active-set` that lift off are not known yet, so it needs
-/// [`check_cells`], too.
+/// Refuses a model with too many elements. For the method `active-set`, [`check_cells`] must be called too,
+/// because the nodes that lift off are not known before the solve.
 pub(crate) fn check(model: &Model, options: &Options) -> Result<(), Error> {
     if few(model).is_some_and(|count| count.least_memory(options) <= options.memory_limit) {
         return Ok(());
@@ -190,7 +194,7 @@ mod tests {
     use crate::model::{Beam, Foundation};
     use crate::{solve, solve_with};
 
-    /// A beam 10¹⁵ waves long without a distributed load, so without quiet elements.
+    /// Returns a model of a beam that is 10¹⁵ characteristic lengths long, under a point force at its middle.
     fn endless() -> Model {
         Model::new(Beam::uniform(1e15, 1.0), Foundation::winkler(4.0))
             .with_load(crate::Load::point_force(5e14, 1.0))
@@ -218,7 +222,8 @@ mod tests {
         assert!(matches!(solve_with(&short, &none), Err(Error::TooLarge(_))));
     }
 
-    /// The beam lifts off along four fifths of its length, and without the moment nowhere.
+    /// The moment lifts the beam off along four fifths of its length. Without the moment the whole beam is in
+    /// contact.
     #[test]
     fn a_mesh_needs_memory_for_elements_in_contact_alone() {
         let elements = 10_000;

@@ -1,9 +1,9 @@
-//! The modified Vlasov model: k and μ from r = ∫u'²/∫u² of the solution itself.
+//! Computes k and μ of the modified Vlasov model from r = ∫u'²/∫u², where u is the ground displacement of the solution.
 //!
-//! k and μ of [layers](crate::model::soil::layers) depend on r = ∫u'²/∫u², and u depends on k and μ.
-//! Vallabhan and Das (*Modified Vlasov model for beams on elastic foundations*, J. Geotech. Eng. 117(6),
-//! 1991) iterate between the two. Here every u is exact on the whole line, including open ground and the
-//! ground outside the beam.
+//! k and μ of [layers](crate::model::soil::layers) depend on r = ∫u'²/∫u², and u depends on k and μ. Vallabhan
+//! and Das (*Modified Vlasov model for beams on elastic foundations*, J. Geotech. Eng. 117(6), 1991) alternate
+//! between computing u and computing k and μ. Here every u is exact on the whole line, including open ground
+//! and the ground outside the beam.
 
 use crate::error::{Error, NotConverged, Stopped};
 use crate::ground::link::{between, cut, slope_between};
@@ -20,7 +20,7 @@ use crate::solution::solution::{SoilRounds, Solution};
 
 const MOST_ROUNDS: usize = 100;
 
-/// Solves a beam on soil. `solve` solves a model on given ground.
+/// Solves a beam on a soil model. The argument `solve` solves a model whose k and μ are given.
 pub(crate) fn solve(
     soil: &SoilModel,
     model: &Model,
@@ -34,7 +34,7 @@ pub(crate) fn solve(
     Ok(on_soil(outcome, soil.gamma(), 1))
 }
 
-/// The outcome with the data of its soil iteration.
+/// Adds the data of the soil iteration to the outcome.
 fn on_soil(outcome: Outcome, gamma: Option<f64>, rounds: usize) -> Outcome {
     match outcome {
         Outcome::Equilibrium(solution) => {
@@ -44,7 +44,8 @@ fn on_soil(outcome: Outcome, gamma: Option<f64>, rounds: usize) -> Outcome {
     }
 }
 
-/// Iterates on r, from γ = 1, until the solution has the r from which its ground was computed.
+/// Iterates on r until the r of the solution equals the r from which k and μ were computed. The first r belongs
+/// to the decay parameter γ = 1.
 fn iterate(
     soil: &SoilModel,
     model: &Model,
@@ -77,8 +78,8 @@ fn iterate(
     }))
 }
 
-/// The next r: by the secant through the last two iterations if it is positive and close to the last values,
-/// otherwise r of the last solution.
+/// Returns the next r of the iteration, by the secant through the last two iterations. If the secant leads far
+/// from the last iteration, returns the r of the last solution.
 fn accelerated(before: Option<[f64; 2]>, [rate, found]: [f64; 2]) -> f64 {
     let Some([rate_0, found_0]) = before else { return found };
     let slope = (found - found_0) / (rate - rate_0);
@@ -87,7 +88,7 @@ fn accelerated(before: Option<[f64; 2]>, [rate, found]: [f64; 2]) -> f64 {
     if near { next } else { found }
 }
 
-/// r = ∫u'²/∫u² over the whole line; `None` if u = 0 everywhere.
+/// Returns r = ∫u'²/∫u² over the whole ground; `None` if u = 0 everywhere.
 fn rate_of(solution: &Solution) -> Option<f64> {
     let neighbours = solution.model().has_ground_loads();
     let mut sums = [0.0; 2];
@@ -104,8 +105,8 @@ fn rate_of(solution: &Solution) -> Option<f64> {
     (sums[0] > 0.0).then(|| sums[1] / sums[0])
 }
 
-/// ∫u² and ∫u'² outside one end of the beam. Ground defined by soil data is infinite. Between loads u is the
-/// sum of two exponentials and q/k; beyond the last load it decays as e^(−bx).
+/// Returns ∫u² and ∫u'² outside one end of the beam. Ground defined by soil data is infinite. Between loads u is
+/// the sum of two exponentials and q/k. Beyond the last load u decays exponentially.
 fn beyond(solution: &Solution, right: bool) -> [f64; 2] {
     let piece = if right { solution.pieces().last() } else { solution.pieces().first() };
     let Some(piece) = piece else { return [0.0; 2] };
@@ -139,7 +140,8 @@ fn beyond(solution: &Solution, right: bool) -> [f64; 2] {
     [sums[0] + 0.5 * last * last / b, sums[1] + 0.5 * last * last * b]
 }
 
-/// The distributed load on the ground at x, on the piece that contains `within`.
+/// Returns the distributed load on the ground at x \[N/m\]. If the load is discontinuous at x, the value on the
+/// side of the position `within` counts.
 fn pressure(model: &Model, x: f64, within: f64) -> f64 {
     let each = model.ground_loads().map(|load| match load.extent {
         Extent::Distributed { from, to, start, end } if from <= within && within <= to => {
@@ -150,7 +152,7 @@ fn pressure(model: &Model, x: f64, within: f64) -> f64 {
     each.sum()
 }
 
-/// ∫u² and ∫u'² of open ground with loads under the beam.
+/// Returns ∫u² and ∫u'² of a piece of open ground under the beam, with loads on the ground.
 fn on_loaded(piece: &SolutionPiece) -> [f64; 2] {
     let b = (piece.cell.subgrade / piece.cell.shear_layer).sqrt();
     quadrature(2.0 * piece.half, b, |s| {
@@ -159,8 +161,8 @@ fn on_loaded(piece: &SolutionPiece) -> [f64; 2] {
     })
 }
 
-/// ∫u² and ∫u'² over a length, from u and u' at −1 ≤ s ≤ 1: Gauss quadrature on pieces on which e^(bx) is a
-/// short series.
+/// Returns ∫u² and ∫u'² over a length by Gauss quadrature. The function `u` returns u and u' at −1 ≤ s ≤ 1. The
+/// length is cut into pieces on which u is a polynomial within rounding error. `b` is √(k/μ).
 fn quadrature(length: f64, b: f64, u: impl Fn(f64) -> [f64; 2]) -> [f64; 2] {
     let mut cuts = vec![0.0, length];
     cut([0.0, length], 1.0 / b, &mut cuts);
@@ -177,7 +179,7 @@ fn quadrature(length: f64, b: f64, u: impl Fn(f64) -> [f64; 2]) -> [f64; 2] {
     sums
 }
 
-/// ∫u² and ∫u'² on a piece.
+/// Returns ∫u² and ∫u'² on a piece of the solution in contact or on a piece of unloaded open ground.
 fn on(piece: &SolutionPiece) -> [f64; 2] {
     let half = piece.half;
     let of = |u: &[f64]| [half * inner(u, u, 0), inner(u, u, 1) / half];
@@ -202,9 +204,9 @@ mod tests {
     use crate::soil::SoilLayer;
     use crate::{Options, solve_with};
 
-    /// Vallabhan and Das (1991), feet and kips, a beam of length 100 on soil of depth 25 under a uniform
-    /// load: γ = 0.395. (Their force at the middle, 0.507, holds for tensile contact; here the ends lift
-    /// off.)
+    /// Vallabhan and Das (1991) compute γ = 0.395 for a beam of length 100 on soil of depth 25 under a uniform
+    /// load, in feet and kips. For a force at the middle they compute γ = 0.507 with tensile contact. Here the
+    /// ends lift off, so γ is smaller.
     #[test]
     fn vallabhan_and_das() {
         let layer = SoilLayer { modulus: 144.0, poisson: 0.2, thickness: 25.0 };
@@ -225,8 +227,9 @@ mod tests {
         assert!(gamma < 0.507 && from > 13.0, "{gamma} {from}");
     }
 
-    /// Compares ∫u² and ∫u'² with linear interpolation between very many points: in contact, in open ground
-    /// and outside the beam, with and without loads on the ground.
+    /// Compares ∫u² and ∫u'² with the integrals of a linear interpolation between very many points. The
+    /// integrals cover the ground in contact, open ground and the ground outside the beam, with and without
+    /// loads on the ground.
     #[test]
     fn the_rate_agrees_with_linear_interpolation() {
         let model = Model::new(Beam::uniform(1.0, 1.0), Foundation::pasternak(1.0, 1.0))

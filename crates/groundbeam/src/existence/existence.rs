@@ -1,11 +1,12 @@
-//! Existence of an equilibrium, from loads and supports alone: theorem 2 of the paper, sharpened.
+//! Decides from loads and supports alone whether an equilibrium exists, by a sharper form of theorem 2 of the paper.
 //!
-//! The energy is coercive, and therefore has a minimum, if and only if F(r) < 0 for every free rigid motion r
-//! = a x + b ≤ 0 of the beam, where F(r) is the work of the loads. A motion is free if it presses nowhere on
-//! the ground and if neither supports nor tension resist it. For a free beam without tension these are all r
-//! with r(0) ≤ 0 and r(l) ≤ 0. Since F(r) = R₀ r(0) + R_l r(l) with the *static reactions* R₀ and R_l of the
-//! loads, both must be positive: (4.24)/(4.25), necessary and sufficient. Tension and supports reduce the set
-//! of free motions. Free hinges enlarge it: r may have a kink at each.
+//! The energy is coercive, and therefore has a minimum, if and only if F(r) < 0 for every free rigid motion
+//! r = a x + b ≤ 0 of the beam, where F(r) is the work of the loads. A motion is free if it presses nowhere on
+//! the ground and if neither supports nor tension resist it. For a free beam without tension, all r with r(0) ≤ 0
+//! and r(l) ≤ 0 are free. The work is F(r) = R₀ r(0) + R_l r(l) with the *static reactions* R₀ and R_l of the
+//! loads. So the necessary and sufficient condition is that both static reactions are positive, (4.24)/(4.25).
+//! Tension and supports reduce the set of free motions. Free hinges enlarge the set, because r may have a kink at
+//! each hinge.
 
 use crate::existence::statics::static_reactions;
 use crate::existence::unloaded_piece::balanced_without_a_layer;
@@ -14,7 +15,8 @@ use crate::existence::work::rays;
 use crate::model::Model;
 use crate::numeric::sum::Sum;
 
-/// The verdict for a valid model with P ≥ 0, or with a convex energy in spite of compression.
+/// Returns the verdict for a valid model without compression, or with compression under which the energy is
+/// convex.
 pub fn existence(model: &Model) -> Existence {
     let l = model.beam.length;
     let whole = static_reactions(&model.loads, &[0.0, l]);
@@ -25,7 +27,7 @@ pub fn existence(model: &Model) -> Existence {
     Existence { verdict, static_reactions: [whole[0].sum, whole[1].sum] }
 }
 
-/// The verdict from the work of the extreme rays.
+/// Returns the verdict that follows from the work of the loads in the extreme rays of the cone of free motions.
 fn judge(rays: &[(Sum, RigidMotion)]) -> Verdict {
     let worst = rays.iter().filter(|(cost, _)| cost.is_negative());
     if let Some((_, motion)) = worst.max_by(|a, b| a.1.work.total_cmp(&b.1.work)) {
@@ -53,6 +55,7 @@ mod tests {
 
     #[test]
     fn kikuchi_5_21() {
+        // Under a force f₀ and a moment M₀ at the middle of a beam of length l, an equilibrium exists for
         // ½ f₀ l > M₀ > −½ f₀ l.
         let case =
             |m| beam().with_load(Load::point_force(2.0, 1.0)).with_load(Load::point_moment(2.0, m));
@@ -65,7 +68,7 @@ mod tests {
 
     #[test]
     fn kikuchi_figure_2() {
-        // (a) A uniform load f₀ over a length a about the middle, and a total moment 2M₀.
+        // (a) The loads are a uniform load f₀ over a length a about the middle, and two moments M₀.
         let (f0, a, l) = (3.0, 2.0, 4.0);
         for m0 in [2.9, 3.1] {
             let model = beam()
@@ -76,7 +79,7 @@ mod tests {
                 f0 * a > 0.5 * f0 * a + 2.0 * m0 / l && 0.5 * f0 * a + 2.0 * m0 / l > 0.0;
             assert_eq!(exists(&model), condition, "(a) {m0}");
         }
-        // (b) A uniform load on [0, a] and a moment M₀.
+        // (b) The loads are a uniform load f₀ on [0, a] and a moment M₀.
         for m0 in [-7.0, -5.0, 17.0, 19.0] {
             let model = beam()
                 .with_load(Load::uniform_force(0.0, a, f0))
@@ -84,7 +87,8 @@ mod tests {
             let middle = a / (2.0 * l) * f0 * a + m0 / l;
             assert_eq!(exists(&model), f0 * a > middle && middle > 0.0, "(b) {m0}");
         }
-        // (c) f₁ at the left end, a moment −f₂ a by f₂ upward, f₃ at the right end.
+        // (c) The loads are the forces f₁ and f₂ and the moment −f₂ a at the left end, and the force f₃ at the
+        // right end.
         for (f2, f3) in [(1.0, 0.3), (1.0, 0.2), (-1.0, 0.1)] {
             let (f1, a) = (2.0, 1.0);
             let model = beam()
@@ -112,11 +116,11 @@ mod tests {
         assert!(exists(&outside.with_support(Support::spring(4.0, 1.0, 1.0))));
     }
 
-    /// A motion r ≤ 0 with random values at the ends and hinges has F(r) < 0, or the verdict names a group of
-    /// nodes that lifts without work.
+    /// If no equilibrium exists, the loads do positive work in the motion that the verdict names. Otherwise
+    /// the loads do no positive work in a motion r ≤ 0 with random values at the ends and hinges.
     #[test]
     fn random_motions_of_hinged_beams() {
-        // A linear congruential generator: x' = 16807 x mod 2³¹ − 1.
+        // A linear congruential generator, x' = 16807 x mod (2³¹ − 1), returns random numbers.
         let mut seed = 1980_u64;
         let mut dice = move || {
             seed = seed * 16807 % 2_147_483_647;
@@ -186,7 +190,7 @@ mod tests {
         };
         let lifted = |model: Model, x: f64| model.with_load(Load::point_force(x, -2.0));
         assert!(exists(&slab()));
-        // A hinge or an end can lift alone; a spring in the hinge keeps the beam straight.
+        // An end or a free hinge can lift alone. A hinge with a spring cannot.
         for x in [0.0, 1.0, 4.0] {
             assert!(!exists(&lifted(slab(), x)), "{x}");
             assert!(!exists(&lifted(slab().with_hinge(Hinge::elastic(2.0, 1.0)), x)));
@@ -194,13 +198,14 @@ mod tests {
         let mut stiff = slab();
         stiff.hinges.iter_mut().for_each(|hinge| hinge.rotational_spring = 1.0);
         assert!(exists(&lifted(stiff, 1.0)));
-        // A support within a piece holds both of its nodes; a support at a hinge holds that hinge only.
+        // A support within a piece prevents both of its nodes from lifting. A support at a hinge prevents only
+        // this hinge from lifting.
         assert!(exists(&lifted(slab().with_support(Support::pinned(0.5)), 1.0)));
         assert!(!exists(&lifted(slab().with_support(Support::pinned(0.5)), 3.0)));
         assert!(exists(&lifted(slab().with_support(Support::pinned(1.0)), 1.0)));
         assert!(!exists(&lifted(slab().with_support(Support::pinned(1.0)), 0.0)));
-        // A piece that cannot rotate lifts as a whole: a load of 4 against 2. Tension keeps the whole beam
-        // straight.
+        // A piece that cannot rotate lifts as a whole. Tension prevents the rotation of all pieces, so an
+        // upward force of 2 does not lift the beam under its load of 4.
         let turned = |at: f64| slab().with_support(Support::spring(at, 0.0, 1.0));
         assert!(exists(&lifted(turned(0.5), 1.0)) && !exists(&lifted(turned(3.5), 1.0)));
         let mut tied = slab();

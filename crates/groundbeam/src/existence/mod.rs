@@ -1,4 +1,4 @@
-//! Existence of an equilibrium, decided before the solve: (4.16)–(4.25).
+//! Decides before the solve whether an equilibrium exists, (4.16)–(4.25).
 
 pub(crate) mod existence;
 pub(crate) mod rigid_motions;

@@ -1,4 +1,4 @@
-//! Rigid motions of the beam, (4.16): linear between its ends and its free hinges.
+//! Finds the free rigid motions of the beam, (4.16), which are linear between its ends and its free hinges.
 //!
 //! The ends and free hinges are *nodes*; a *piece* lies between two of them. A rigid motion r is given by its
 //! values at the nodes. An elastic hinge resists a kink, so it is not a node. Since r is linear between
@@ -20,8 +20,8 @@ pub(crate) struct Mechanism {
 }
 
 impl Mechanism {
-    /// The beam with the constraints that prevent lifting. Tension prevents rotation everywhere. A support
-    /// that only pushes up is no constraint.
+    /// Returns the nodes and the constraints that prevent lifting. Tension prevents the rotation of every
+    /// piece. A support that only pushes up is no constraint.
     pub fn of(model: &Model) -> Self {
         let mut mechanism = Self::on_supports(model, |acts| acts != Acts::Up);
         if model.beam.axial_force != 0.0 {
@@ -30,7 +30,7 @@ impl Mechanism {
         mechanism
     }
 
-    /// The constraints by the supports that `counts` selects.
+    /// Returns the nodes, and the constraints that result from the supports that `counts` selects.
     fn on_supports(model: &Model, counts: impl Fn(Acts) -> bool) -> Self {
         let l = model.beam.length;
         let free = model.hinges.iter().filter(|hinge| hinge.is_free());
@@ -57,7 +57,7 @@ impl Mechanism {
         mechanism
     }
 
-    /// The piece that contains x; at a common node the right one.
+    /// Returns the index of the piece that contains x. At a node between two pieces this is the right piece.
     fn piece_at(&self, x: f64) -> usize {
         let after = self.nodes.partition_point(|node| *node <= x);
         after.saturating_sub(1).min(self.straight.len() - 1)
@@ -68,8 +68,9 @@ impl Mechanism {
         (x - self.nodes[node]).abs() <= same_place(l)
     }
 
-    /// The groups of nodes that may lift together, r < 0, while supports and tension do no work and nothing
-    /// presses on the ground. Every free motion r ≤ 0 is a sum of such lifts.
+    /// Returns the smallest groups of nodes that may lift together, r < 0. Supports and tension do no work in
+    /// such a lift, and the beam presses nowhere on the ground. Every free motion r ≤ 0 is a sum of multiples
+    /// of these lifts.
     ///
     /// If r ≤ 0 vanishes inside a piece, it vanishes on the whole piece. A piece that cannot rotate lifts
     /// both of its nodes equally.
@@ -99,17 +100,19 @@ impl Mechanism {
         groups
     }
 
-    /// The first held position: of the supports, otherwise of `more`. `None` if the beam is not held at a point.
+    /// Returns the position of the first support that restrains the deflection. Without such a support, returns
+    /// the first position in `more`, if any.
     pub fn point_held(&self, more: &[f64]) -> Option<f64> {
         self.held.iter().chain(more).next().copied()
     }
 
-    /// The first piece that may still move, in either direction, if the beam is also held at the positions in
-    /// `more`; `None` if all pieces are held.
+    /// Returns the ends of the first piece that can move up or down if the beam is also held at the positions
+    /// in `more`. Returns `None` if no piece can move.
     ///
-    /// A piece is held if it has two held positions, or one held position and no free rotation. A held piece holds
-    /// its nodes for its neighbours. This procedure finds all held pieces: n connected pieces have n + 1
-    /// degrees of freedom, so if none can move, one of them has two constraints of its own.
+    /// A piece is fixed if it has two held positions, or one held position and no free rotation. The nodes of a
+    /// fixed piece are held positions of the neighbouring pieces. This procedure finds all fixed pieces. Proof:
+    /// n connected pieces have n + 1 degrees of freedom, so if no piece can move, one of them has two
+    /// constraints of its own.
     pub fn first_free_piece(&self, more: &[f64]) -> Option<[f64; 2]> {
         let places: Vec<f64> = self.held.iter().chain(more).copied().collect();
         let nodes = 0..self.nodes.len();
@@ -144,8 +147,8 @@ impl Mechanism {
     }
 }
 
-/// Whether the supports prevent every rigid motion, with or without pressure on the ground, as required for a
-/// beam in compression. One-way supports do not count.
+/// Returns whether the two-way supports prevent every rigid motion, with or without pressure on the ground. A
+/// beam in compression requires this.
 pub(crate) fn held_rigidly(model: &Model) -> bool {
     Mechanism::on_supports(model, |acts| acts == Acts::Both).first_free_piece(&[]).is_none()
 }
@@ -162,7 +165,7 @@ mod tests {
         model
     }
 
-    /// The first node of each free group, and the node after its last one.
+    /// Returns the index of the first node of each free group, and the index after its last node.
     fn groups(of: &Mechanism) -> Vec<[usize; 2]> {
         of.free_groups().into_iter().map(|group| [group.start, group.end]).collect()
     }
@@ -191,7 +194,7 @@ mod tests {
         assert_eq!(seen(Support::spring(3.0, 1.0, 0.0)), (vec![3.0], none.clone()));
         assert_eq!(seen(Support::spring(3.0, 0.0, 1.0)), (vec![], middle));
         assert_eq!(seen(Support::spring(3.0, 0.0, 0.0)), (vec![], none.clone()));
-        // A hold-down prevents lifting, a one-way bearing does not.
+        // A hold-down prevents lifting. A one-way bearing does not.
         assert_eq!(seen(Support::pinned(3.0).acting(Acts::Down)), (vec![3.0], none.clone()));
         assert_eq!(seen(Support::pinned(3.0).acting(Acts::Up)), (vec![], none));
     }
@@ -202,15 +205,15 @@ mod tests {
         model.beam.axial_force = 1.0;
         let found = Mechanism::of(&model);
         assert_eq!(found.straight, [true; 3]);
-        // The whole beam may still lift as one group, unless one position is held.
+        // The whole beam can lift as one group, unless a support prevents it.
         assert_eq!(groups(&found), [[0, 4]]);
         let held = Mechanism::of(&model.with_support(Support::pinned(7.0)));
         assert!(held.free_groups().is_empty());
         assert_eq!(held.first_free_piece(&[]), None);
     }
 
-    /// All mechanisms of up to three pieces with supports at a few positions, for every set of pieces that
-    /// cannot rotate.
+    /// Returns all mechanisms of up to three pieces, for every set of supports at a few positions and every set
+    /// of pieces that cannot rotate.
     fn mechanisms() -> Vec<Mechanism> {
         let mut all = Vec::new();
         for hinges in [vec![], vec![4.0], vec![2.0, 4.0]] {
@@ -229,8 +232,8 @@ mod tests {
         all
     }
 
-    /// The constraints on the nodal values r, one row each: r = 0 at the held positions, equal values at both
-    /// ends of a piece that cannot rotate.
+    /// Returns the constraints on the nodal values of r, one row for each constraint. The constraints are r = 0
+    /// at the held positions, and equal values at both ends of a piece that cannot rotate.
     fn constraints(of: &Mechanism) -> Vec<Vec<f64>> {
         let row = |entries: &[(usize, f64)]| {
             let mut row = vec![0.0; of.nodes.len()];
@@ -247,7 +250,8 @@ mod tests {
         of.held.iter().map(|x| at(*x)).chain(even).collect()
     }
 
-    /// Gauß–Jordan elimination. Its numbers are small fractions, so that a value below 10⁻⁹ is zero.
+    /// Returns the rank of a matrix by Gaussian elimination. Its numbers are small fractions, so a value below
+    /// 10⁻⁹ is zero.
     fn rank(mut rows: Vec<Vec<f64>>) -> usize {
         let mut rank = 0;
         for column in 0..rows.first().map_or(0, Vec::len) {
@@ -271,8 +275,8 @@ mod tests {
         rank
     }
 
-    /// A piece cannot move if and only if the constraints imply r = 0 at both of its nodes: these two
-    /// conditions as further rows then do not raise the rank.
+    /// A piece cannot move if and only if the constraints imply r = 0 at both of its nodes. In this case, r = 0
+    /// at one of these nodes as a further constraint does not raise the rank.
     #[test]
     fn the_first_free_piece_follows_from_the_rank_of_the_constraints() {
         for of in mechanisms() {
@@ -293,8 +297,8 @@ mod tests {
         }
     }
 
-    /// The free lifts with r = 0 or r = −1 at each node are closed under sums, since r ≤ 0. If two overlap,
-    /// their common nodes also lift alone. The groups are the minimal ones.
+    /// The test tries all lifts with r = 0 or r = −1 at each node. If two free lifts overlap, their common
+    /// nodes also lift alone. So the free groups are the smallest free lifts.
     #[test]
     fn the_groups_are_the_smallest_free_lifts() {
         for of in mechanisms() {
@@ -316,7 +320,8 @@ mod tests {
         }
     }
 
-    /// A support within rounding error of a hinge holds the hinge. A support farther away holds the piece.
+    /// A support within rounding error of a hinge restrains the hinge only. A support farther away restrains
+    /// the piece.
     #[test]
     fn a_support_at_a_hinge_holds_the_hinge_alone() {
         for x in [4.0 - 2.0 * f64::EPSILON, 4.0, 4.0 + 4.0 * f64::EPSILON] {
@@ -326,8 +331,8 @@ mod tests {
             // the hinge.
             assert_eq!(found.first_free_piece(&[7.0]), Some([0.0, 4.0]), "{x}");
             assert_eq!(found.first_free_piece(&[1.0, 7.0]), None, "{x}");
-            // With a further support at 1, the left piece has two held positions. The right piece has one, its
-            // hinge.
+            // With a further support at 1, the left piece has two held positions. The right piece has one held
+            // position, the hinge.
             assert_eq!(found.first_free_piece(&[1.0]), Some([4.0, 8.0]), "{x}");
         }
         let left = Mechanism::of(&beam(&[4.0]).with_support(Support::pinned(4.0 - DISTINCT)));
@@ -350,7 +355,7 @@ mod tests {
         };
         assert!(held_rigidly(&pinned(Acts::Both)));
         assert!(!held_rigidly(&pinned(Acts::Up)) && !held_rigidly(&pinned(Acts::Down)));
-        // Compression itself prevents no rotation.
+        // Compression does not prevent rotation.
         let mut pushed = beam(&[]).with_support(Support::pinned(0.0));
         pushed.beam.axial_force = -1.0;
         assert!(!held_rigidly(&pushed));

@@ -1,11 +1,11 @@
-//! Static reactions: the work of the loads in the hat functions of ends and free hinges, (4.25).
+//! Computes the static reactions, which are the work of the loads in the hat functions of ends and free hinges, (4.25).
 
 use crate::model::{Action, Extent, Load, triangles};
 use crate::numeric::sum::Sum;
 
-/// The work F(φ) of the loads in the hat function φ of each node (1 at the node, 0 at all others, linear
-/// between). It is the reaction of a support under the node if the pieces are rigid. Without hinges these are
-/// R₀ = F(1 − x/l) and R_l = F(x/l).
+/// Returns the work F(φ) of the loads in the hat function φ of each node. φ is 1 at the node, 0 at all other
+/// nodes, and linear between nodes. F(φ) is the reaction of a support under the node if the pieces are rigid.
+/// Without hinges the reactions are R₀ = F(1 − x/l) and R_l = F(x/l).
 pub(crate) fn static_reactions(loads: &[Load], nodes: &[f64]) -> Vec<Sum> {
     let pieces = nodes.len() - 1;
     let mut reactions = vec![Sum::default(); nodes.len()];
@@ -37,7 +37,7 @@ pub(crate) fn static_reactions(loads: &[Load], nodes: &[f64]) -> Vec<Sum> {
                     moments.push((piece, 0.5 * (start + end) * (b - a)));
                 }
             }
-            // A rigid motion has no curvature.
+            // An imposed curvature does no work in a rigid motion.
             (Action::Curvature, _) => {}
         }
     }
@@ -49,7 +49,8 @@ pub(crate) fn static_reactions(loads: &[Load], nodes: &[f64]) -> Vec<Sum> {
     reactions.into_iter().map(Sum::finished).collect()
 }
 
-/// The parts of a linear load on each piece: piece, ends, values at both.
+/// Divides a linear load between the pieces. Returns, for each part, the index of the piece, the ends of the
+/// part, and the values of the load at both ends.
 pub(crate) fn cut(
     nodes: &[f64],
     [from, to]: [f64; 2],
@@ -79,8 +80,8 @@ pub(crate) fn cut(
 mod tests {
     use super::*;
 
-    /// The work of a load in a motion r that is linear between nodes, by Simpson's rule on each piece. It is
-    /// exact, because the integrand of a linear load is a parabola.
+    /// Returns the work of a load in a motion r that is linear between nodes, by Simpson's rule on each piece.
+    /// The rule is exact, because the integrand of a linear load is a parabola.
     fn work(load: &Load, nodes: &[f64], r: &[f64]) -> f64 {
         let piece = |x: f64| nodes.partition_point(|node| *node <= x).clamp(1, nodes.len() - 1) - 1;
         let slope = |i: usize| (r[i + 1] - r[i]) / (nodes[i + 1] - nodes[i]);
@@ -106,8 +107,7 @@ mod tests {
         }
     }
 
-    /// R at each node is F(φ) for its hat function φ, and the moment of all R about 0 equals that of the
-    /// load.
+    /// The static reaction at each node is the work F(φ) of the load in the hat function φ of the node.
     #[test]
     fn static_reactions_are_the_work_of_the_loads_in_the_hat_functions() {
         let spread = |from: f64, to: f64, start: f64, end: f64| {
@@ -137,10 +137,10 @@ mod tests {
                     assert!((found.sum - wanted).abs() < 1e-14 * 32.0, "{load:?} {i}: {found:?}");
                 }
             }
-            // The two neighbouring nodes share a force, and its absolute value.
+            // A force is divided between the two neighbouring nodes. So is its absolute value.
             let shared = static_reactions(&[Load::point_force(3.0, -3.0)], &nodes);
             assert_eq!(shared.iter().map(|found| found.size).sum::<f64>(), 3.0);
-            // All loads together give the sum.
+            // The reaction to all loads together is the sum of the reactions to each load.
             let all = static_reactions(&loads, &nodes);
             for (i, found) in all.iter().enumerate() {
                 let each = loads.iter().map(|load| static_reactions(&[*load], &nodes)[i].sum);
@@ -149,7 +149,8 @@ mod tests {
         }
     }
 
-    /// A load is cut at the nodes, with its linear values there and the given values at its ends.
+    /// A load is cut at the nodes. Its parts have interpolated values at the nodes and the given values at the
+    /// ends of the load.
     #[test]
     fn a_distributed_load_is_cut_at_the_nodes() {
         let nodes = [0.0, 2.0, 4.0, 8.0];

@@ -1,4 +1,4 @@
-//! The verdict for a beam of which a piece may lift without work, from the ground under the loaded nodes.
+//! Decides the verdict for a beam with a piece that may lift without work, from the ground under the loaded nodes.
 
 use crate::existence::rigid_motions::Mechanism;
 use crate::existence::statics::static_reactions;
@@ -7,10 +7,10 @@ use crate::model::{Model, Support};
 use crate::numeric::sum::Sum;
 use std::ops::Range;
 
-/// The verdict for a piece that may lift without work. Such a piece can press on the ground only under a node
-/// that stays at rest. If no neighbouring piece can press there, the load of this node needs a concentrated
-/// contact force. Only a shear layer or a support that pushes up can carry it; on Winkler ground the beam
-/// would sink and rotate without limit.
+/// Returns the verdict for a beam with a piece that may lift without work. Such a piece can press on the ground
+/// only under a node that does not move. If no neighbouring piece can press on the ground at this node, the
+/// load of the node needs a concentrated contact force. Only a shear layer or a support that pushes up can
+/// carry this force. On Winkler ground the beam would sink and rotate without limit.
 pub(super) fn balanced_without_a_layer(model: &Model, motion: RigidMotion) -> Verdict {
     let mechanism = Mechanism::of(model);
     let (nodes, groups) = (&mechanism.nodes, mechanism.free_groups());
@@ -57,7 +57,7 @@ mod tests {
         };
         let springs = existence(&half(Foundation::winkler(1.0))).verdict;
         assert!(matches!(springs, Verdict::NotUnique(m) if m.lifted == Some([4.0, 4.0])));
-        // The whole load is over the hinge. Only a shear layer carries a load at a point.
+        // The whole load is a force over the hinge. Only a shear layer carries a concentrated force.
         let over = |ground| {
             let mut model = half(ground);
             model.loads = vec![Load::point_force(2.0, 1.0)];
@@ -67,9 +67,9 @@ mod tests {
         assert!(matches!(over(Foundation::winkler(1.0)), Verdict::None(m) if m.work == 0.0));
     }
 
-    /// Under a force over an end or a hinge, an unloaded beam on Winkler ground sinks without limit, unless a
-    /// shear layer reaches this position: only a shear layer carries a concentrated force. The result does
-    /// not depend on the unit of length.
+    /// Under a force over an end or a hinge, an unloaded beam on Winkler ground sinks without limit. With a
+    /// shear layer at this position it does not, because a shear layer carries a concentrated force. The result
+    /// does not depend on the unit of length.
     #[test]
     fn a_force_over_a_node_needs_a_shear_layer() {
         let over = |unit: f64, x: f64, shear: [f64; 2], [from, to]: [f64; 2]| {
@@ -96,7 +96,7 @@ mod tests {
                 (4.0, [3.0, 4.0], true, false),
                 (4.0, [0.0, 3.0], false, true),
             ] {
-                // A shear layer only along the segment, and only outside it.
+                // The shear layer exists only along the segment, or only outside the segment.
                 for (shear, carried) in [([1.0, 0.0], layered), ([0.0, 1.0], bare)] {
                     let verdict = existence(&over(unit, x, shear, segment)).verdict;
                     let stands = matches!(verdict, Verdict::NotUnique(_));
@@ -107,7 +107,8 @@ mod tests {
         }
     }
 
-    /// A support that only pushes up also carries a force over it. Positions closer than 4 ε l count as one.
+    /// A support that only pushes up carries a force over the support. Positions closer than 4 ε l count as
+    /// equal.
     #[test]
     fn a_force_over_a_node_needs_a_bearing_at_that_node() {
         let springs = Model::new(Beam::uniform(4.0, 1.0), Foundation::winkler(1.0))
@@ -151,7 +152,7 @@ mod tests {
         assert!(matches!(verdict(&[Load::point_force(2.0, 1.0)]), Verdict::NotUnique(_)));
         assert!(matches!(verdict(&[Load::point_force(1.0, 1.0)]), Verdict::None(_)));
         assert!(matches!(verdict(&[Load::point_force(3.0, 1.0)]), Verdict::None(_)));
-        // A piece that cannot rotate carries a force over its end with all of its springs.
+        // If a piece cannot rotate, all ground springs under the piece carry a force over its end.
         let model = springs.with_support(Support::spring(2.0, 0.0, 1.0));
         let stiff = existence(&model.with_load(Load::point_force(1.0, 1.0))).verdict;
         assert!(matches!(stiff, Verdict::NotUnique(_)));

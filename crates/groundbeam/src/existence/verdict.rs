@@ -9,14 +9,15 @@ use crate::numeric::tolerance::SUM_ROUNDING;
 pub enum Verdict {
     /// There is exactly one equilibrium.
     Unique,
-    /// A static reaction is zero, or the beam rests on one point only. An equilibrium is then not unique: the
-    /// motion does not change the energy.
+    /// More than one equilibrium exists, because this rigid motion does not change the energy. A static
+    /// reaction is zero, or the beam rests on one point only.
     NotUnique(RigidMotion),
-    /// There is no equilibrium: the motion never presses on the ground, and the loads do positive work in it.
+    /// No equilibrium exists. This rigid motion nowhere presses on the ground, and the loads do positive work
+    /// in it.
     None(RigidMotion),
-    /// The beam is stable under its compression only with the ground. A stable equilibrium exists on the path
-    /// that starts at the solution without compression. It is local: other equilibria far from it are
-    /// possible.
+    /// Without the ground, the compression would make the beam unstable. A stable equilibrium exists on the
+    /// path that starts at the solution without compression. This equilibrium is local, because other
+    /// equilibria far from it are possible.
     Local(Local),
     /// The path of stable equilibria that starts without compression ends below the given compression: the
     /// beam buckles.
@@ -26,31 +27,33 @@ pub enum Verdict {
 /// The stability of a local equilibrium.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Local {
-    /// The smallest eigenvalue of the second variation ∫(EI z″² + P z'²) + springs + ground in contact,
-    /// relative to the same form without P. It is 0 if the beam buckles, and 1 without compression. It is 1 +
-    /// P/P_b with the buckling load P_b of the beam bonded to the ground in the contact zones.
+    /// Smallest ratio of the second variation of the energy to the second variation without the axial force P.
+    /// The second variation for a deflection z is ∫(EI z″² + P z'²) plus the energy of springs and of the ground
+    /// in contact. The margin is 0 if the beam buckles, and 1 without compression. It is 1 + P/P_b with the
+    /// buckling load P_b of the beam bonded to the ground in the contact zones.
     pub stability_margin: f64,
     /// The compression at which the path of stable equilibria ends, at constant loads \[N\].
     pub critical_compression: f64,
 }
 
-/// The end of the path of stable equilibria.
+/// The buckling of the beam at the end of the path of stable equilibria.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Buckling {
-    /// The compression at the end of the path: a lower bound \[N\].
+    /// Lower bound of the compression at the end of the path of stable equilibria \[N\].
     pub critical_compression: f64,
     /// Position of the largest value of the buckling mode r \[m\].
     pub at: f64,
-    /// r(0), with r scaled to −1 (up) at the position `at`.
+    /// Value r(0) of the buckling mode at the left end. The mode r is scaled to −1 (upward) at the position
+    /// `at`.
     pub left: f64,
-    /// r(l), in the same scale.
+    /// Value r(l) of the buckling mode at the right end, in the scale of r(0).
     pub right: f64,
-    /// F(r), the work of the loads in the mode \[N·m per m\].
+    /// Work F(r) of the loads in the buckling mode r \[N·m per m\].
     pub work: f64,
 }
 
 impl Verdict {
-    /// Whether an equilibrium can be computed: a unique one, one of many, or a local one.
+    /// Whether an equilibrium can be computed: a unique equilibrium, one of several, or a local equilibrium.
     pub fn stands(&self) -> bool {
         match self {
             Verdict::Unique | Verdict::NotUnique(_) | Verdict::Local(_) => true,
@@ -58,7 +61,8 @@ impl Verdict {
         }
     }
 
-    /// The motion that decides the verdict: r(0) and r(l), and F(r) \[N·m per m\].
+    /// Returns the motion r that decides the verdict, as its end values r(0) and r(l) and the work F(r) of the
+    /// loads \[N·m per m\].
     pub fn motion(&self) -> Option<[f64; 3]> {
         match self {
             Verdict::None(motion) | Verdict::NotUnique(motion) => {
@@ -71,25 +75,28 @@ impl Verdict {
 }
 
 /// A rigid motion of the beam, r(x) = a x + b between its free hinges, scaled so that its largest absolute
-/// value is one. r ≤ 0, so the motion presses nowhere on the ground. The exception is the rotation of a beam
-/// about a single contact point inside.
+/// value is one. Since r ≤ 0, the motion presses nowhere on the ground. Only the rotation of a beam about a
+/// single contact point between its ends has r > 0 on one side.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct RigidMotion {
-    /// r(0): 0 or −1; for rotation about a point inside, between −1 and 0.
+    /// Value r(0) of the motion at the left end. It is 0 or −1, or between −1 and 0 for the rotation about a
+    /// contact point.
     pub left: f64,
-    /// r(l): 0 or −1; for rotation about a point inside, between 0 and 1.
+    /// Value r(l) of the motion at the right end. It is 0 or −1, or between 0 and 1 for the rotation about a
+    /// contact point.
     pub right: f64,
     /// F(r), the work of the loads in this motion \[N·m per m of lift\].
     pub work: f64,
-    /// For a beam with free hinges: the first and the last of its ends and free hinges at which r = −1 \[m\].
-    /// r is 0 at all others, and linear between them. `None` for a beam without free hinges.
+    /// First and last position at which r = −1 \[m\], for a beam with free hinges. Both are ends of the beam or
+    /// free hinges. r is 0 at all other ends and free hinges and linear between them. `None` for a beam without
+    /// free hinges.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub lifted: Option<[f64; 2]>,
 }
 
 impl RigidMotion {
-    /// r at a position of a beam of this model.
+    /// Returns the value of r at a position on the beam of `model`.
     ///
     /// ```
     /// use groundbeam::{Beam, Foundation, Hinge, Load, Model, Verdict, exists};
@@ -121,13 +128,14 @@ impl RigidMotion {
 pub struct Existence {
     /// Whether an equilibrium exists and is unique.
     pub verdict: Verdict,
-    /// R₀ and R_l: the reactions of supports under the beam's two ends if the beam were rigid and stood on
-    /// them alone, up positive \[N\].
+    /// The static reactions R₀ and R_l, positive upward \[N\]. They are the reactions of supports under the
+    /// beam's two ends if the beam is rigid and has no other support.
     pub static_reactions: [f64; 2],
 }
 
 impl Existence {
-    /// The loads' resultant, down positive \[N\]; zero if it is rounding error of the static reactions.
+    /// The resultant of the loads, positive downward \[N\]. It is zero if it is within the rounding error of
+    /// the static reactions.
     pub fn resultant(&self) -> f64 {
         let [left, right] = self.static_reactions;
         let total = left + right;
@@ -140,11 +148,11 @@ impl Existence {
         (total != 0.0).then(|| l * (self.static_reactions[1] / total))
     }
 
-    /// The verdict after the solve: a beam that rests on a single point inside has more than one equilibrium,
-    /// unless tension or a support prevents its rotation there.
+    /// Returns the verdict after the solve. A beam that rests on a single point between its ends has more than
+    /// one equilibrium, unless tension or a support prevents the rotation about this point.
     pub(crate) fn with_contact(self, model: &Model, contact: &[[f64; 2]]) -> Existence {
         let mechanism = Mechanism::of(model);
-        // Contact that continues over a hinge holds both pieces.
+        // If contact continues over a hinge, the hinge is a held position of both adjacent pieces.
         let within = |&[from, to]: &[f64; 2]| {
             let nodes = mechanism.nodes.iter().copied();
             let inside: Vec<f64> = nodes.filter(|node| from < *node && *node < to).collect();
@@ -217,11 +225,11 @@ mod tests {
         let found = existence(&beam().with_load(Load::point_force(1.0, 4.0)));
         assert_eq!(found.static_reactions, [3.0, 1.0]);
         assert_eq!((found.resultant(), found.resultant_position(4.0)), (4.0, Some(1.0)));
-        // A couple alone has no position.
+        // The resultant of a couple is zero and has no position.
         let couple = existence(&beam().with_load(Load::point_moment(1.0, 2.0)));
         assert_eq!(couple.static_reactions, [-0.5, 0.5]);
         assert_eq!((couple.resultant(), couple.resultant_position(4.0)), (0.0, None));
-        // So has a couple of two forces, whose static reactions are rounded.
+        // The resultant of two opposite forces is zero too, although the static reactions have rounding errors.
         let beam = Model::new(Beam::uniform(1.0, 1.0), Foundation::winkler(1.0));
         let forces = [Load::point_force(0.1, 1.0), Load::point_force(0.3, -1.0)];
         let couple = existence(&Model { loads: forces.to_vec(), ..beam });
@@ -242,7 +250,7 @@ mod tests {
             Verdict::NotUnique(RigidMotion { left, right, work: 0.0, lifted: None })
         };
         let beam = beam();
-        // The end farther from the point moves by 1.
+        // The rotation is scaled to |r| = 1 at the end that is farther from the contact point.
         assert_eq!(with_contact(&beam, &[[1.0; 2]]), turns(-1.0 / 3.0, 1.0));
         assert_eq!(with_contact(&beam, &[[3.0; 2]]), turns(-1.0, 1.0 / 3.0));
         assert_eq!(with_contact(&beam, &[[1.0; 2], [3.0; 2]]), Verdict::Unique);
@@ -253,7 +261,7 @@ mod tests {
         let mut tied = beam.clone();
         tied.beam.axial_force = 1.0;
         assert_eq!(with_contact(&tied, &[[1.0; 2]]), Verdict::Unique);
-        // Without a point of contact there is no rotation about it.
+        // Without a contact point the verdict does not change.
         assert_eq!(with_contact(&beam, &[]), Verdict::Unique);
         // If no equilibrium exists, contact at one point does not change the verdict.
         let falls = existence(&beam.clone().with_load(Load::point_force(2.0, -1.0)));
@@ -270,7 +278,7 @@ mod tests {
         assert_eq!(with_contact(&hinged, &[[0.5, 1.0]]), mechanism(2.0, 4.0));
         assert_eq!(with_contact(&hinged, &[[2.0, 3.0]]), mechanism(0.0, 2.0));
         assert_eq!(with_contact(&hinged, &[]), mechanism(0.0, 2.0));
-        // Contact on both sides of the hinge holds the hinge, and therefore both pieces.
+        // Contact on both sides of the hinge restrains the hinge, and therefore both pieces.
         assert_eq!(with_contact(&hinged, &[[1.0, 3.0]]), Verdict::Unique);
         assert_eq!(with_contact(&hinged, &[[1.0, 2.0], [3.0; 2]]), Verdict::Unique);
     }

@@ -7,8 +7,9 @@ use crate::model::Model;
 use crate::numeric::sum::Sum;
 use std::ops::Range;
 
-/// The static reactions: position \[m\] and force, up positive \[N\]. They are the forces of supports under
-/// the ends and the free hinges of a beam that is rigid between them and has no other supports.
+/// Returns the position \[m\] and the force, positive upward \[N\], of each static reaction. The static
+/// reactions are the forces of supports under the ends and the free hinges of a beam that is rigid between them
+/// and has no other supports.
 ///
 /// ```
 /// use groundbeam::{Beam, Foundation, Hinge, Load, Model, existence::static_reactions};
@@ -24,8 +25,8 @@ pub fn static_reactions_of(model: &Model) -> Vec<(f64, f64)> {
     nodes.into_iter().zip(reactions).map(|(x, reaction)| (x, reaction.sum)).collect()
 }
 
-/// The extreme rays of the cone of free motions, each with its work −F(r), which is linear in the loads. The
-/// rays do not depend on the loads.
+/// Returns the extreme rays of the cone of free motions. Each ray has its negative work −F(r), which is linear
+/// in the loads. The rays do not depend on the loads.
 pub(crate) fn rays(model: &Model) -> Vec<(Sum, RigidMotion)> {
     let mechanism = Mechanism::of(model);
     let nodes = &mechanism.nodes;
@@ -42,7 +43,7 @@ pub(crate) fn rays(model: &Model) -> Vec<(Sum, RigidMotion)> {
     mechanism.free_groups().into_iter().map(ray).collect()
 }
 
-/// The sum of the absolute values of the loads \[N\].
+/// Returns the sum of the absolute values of all contributions to the static reactions \[N\].
 pub(crate) fn size_of_loads(model: &Model) -> f64 {
     static_reactions(&model.loads, &Mechanism::of(model).nodes).iter().map(|sum| sum.size).sum()
 }
@@ -64,7 +65,7 @@ mod tests {
         let loaded =
             hinged.with_load(Load::point_force(3.5, 1.0)).with_load(Load::point_moment(1.0, -3.0));
         assert_eq!(static_reactions_of(&loaded), [(0.0, 1.5), (2.0, -1.25), (4.0, 0.75)]);
-        // Absolute values do not cancel: 0.25 + 0.75 of the force, twice 3/2 of the moment.
+        // Absolute values do not cancel. The force contributes 0.25 + 0.75, and the moment 3/2 + 3/2.
         assert_eq!(size_of_loads(&loaded), 4.0);
         assert_eq!(size_of_loads(&loaded.with_load(Load::point_force(3.5, -1.0))), 5.0);
     }

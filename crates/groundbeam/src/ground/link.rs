@@ -1,13 +1,13 @@
-//! Open ground as two-ports, the inverse of Green's function (2.4): the forces at both ends from the settlements there,
-//! (2.2)–(2.5).
+//! Computes the forces at both ends of open ground from the settlements of its ends by two-ports, (2.2)–(2.5).
 //!
-//! The matrix (5.8) of Green's function (2.4) is never formed: its inverse is tridiagonal.
+//! Two-ports in series form the inverse of the matrix (5.8) of Green's function (2.4). This inverse is
+//! tridiagonal, so the full matrix (5.8) is never formed.
 //!
-//! Between two points where its surface is held, ground without load, −(μu')' + ku = 0, acts like three
-//! springs: one between the points (`series`) and one under each (`shunt_left`, `shunt_right`). A uniform
-//! two-port of length h, with b = √(k/μ), has series √(kμ)/sinh(bh) and shunts √(kμ)·tanh(bh/2). All three
-//! are positive. Two two-ports in series form another one by sums, products and quotients of positive
-//! numbers, so no digits cancel.
+//! Unloaded ground, −(μu')' + ku = 0, acts between two points of its surface like three springs. One spring
+//! connects the points (`series`), and one spring is under each point (`shunt_left`, `shunt_right`). A uniform
+//! two-port of length h has the series stiffness √(kμ)/sinh(bh) and the shunt stiffnesses √(kμ)·tanh(bh/2),
+//! with b = √(k/μ). All three stiffnesses are positive. Two two-ports in series form one two-port. Its
+//! stiffnesses are sums, products and quotients of positive numbers, so no digits cancel.
 
 use crate::model::GroundOutside;
 use crate::numeric::elementary::{exp, expm1, power, sinh, tanh};
@@ -17,11 +17,11 @@ use crate::numeric::real::Real;
 /// A stretch of unloaded ground between two points of its surface.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct TwoPort<R = f64> {
-    /// Spring between the two points \[N/m\].
+    /// Stiffness of the spring between the left and the right point \[N/m\].
     pub series: R,
-    /// Spring under the left point \[N/m\].
+    /// Stiffness of the spring under the left point \[N/m\].
     pub shunt_left: R,
-    /// Spring under the right point \[N/m\].
+    /// Stiffness of the spring under the right point \[N/m\].
     pub shunt_right: R,
 }
 
@@ -30,7 +30,7 @@ impl<R: Real> TwoPort<R> {
     pub fn uniform(k: R, mu: R, h: f64) -> Self {
         let stiffness = (k * mu).sqrt();
         let bh = (k / mu).sqrt() * h;
-        // e^(−bh) instead of sinh, which would overflow.
+        // The formula uses e^(−bh), because sinh(bh) would overflow.
         let decay = exp(-bh);
         let series = stiffness * 2.0 * decay / -expm1(bh * -2.0);
         let shunt = stiffness * tanh(bh * 0.5);
@@ -49,7 +49,7 @@ impl<R: Real> TwoPort<R> {
         TwoPort { series, shunt_left: shunt_right, shunt_right: shunt_left }
     }
 
-    /// Two two-ports in series; the point between them is free.
+    /// Connects two two-ports in series. The point between them carries no external force.
     pub fn then(self, next: TwoPort<R>) -> Self {
         let outer = self.shunt_right + next.shunt_left;
         let whole = self.series + next.series + outer;
@@ -68,16 +68,17 @@ impl<R: Real> TwoPort<R> {
         self.shunt_left * left + self.series * (left - right)
     }
 
-    /// The force on the ground at the right point.
+    /// The force on the ground at the right point, for given settlements of both points.
     pub fn force_right(&self, left: R, right: R) -> R {
         self.shunt_right * right + self.series * (right - left)
     }
 }
 
-/// Number of coefficients of u(s) where k or μ varies. With b·h ≤ 2 the first omitted term is below 1/20!.
+/// Number of power series coefficients of u(s) on ground with varying k or μ. On a stretch of at most two decay
+/// lengths, the first omitted term is below 1/20!.
 const SURFACE_TERMS: usize = 20;
 
-/// The coefficients of u(s) on a short varying stretch, from its end values.
+/// Returns the coefficients of u(s) on a short stretch with varying k and μ, from the values of u at both ends.
 pub(crate) fn settled<R: Real>(
     spring: &[R],
     shear: &[R],
@@ -100,7 +101,8 @@ impl<R: Real> Pair<R> {
             let mut c = [R::ZERO; SURFACE_TERMS];
             c[..2].copy_from_slice(&first);
             for j in 0..SURFACE_TERMS - 2 {
-                // (j+1) [μu']_(j+1) = a² [ku]_j, solved for the newest coefficient of u.
+                // The coefficient of s^(j+2) in u follows from the coefficient of sʲ in the equation
+                // (μu')' = a² k u. The derivatives are with respect to s, and a is half the length.
                 let push: R = spring.iter().zip(c[..=j].iter().rev()).map(|(k, c)| *k * *c).sum();
                 let mut flux = push * (half * half) / (j + 1) as f64;
                 for (i, mu) in shear.iter().enumerate().skip(1).take_while(|(i, _)| *i <= j + 1) {
@@ -113,7 +115,8 @@ impl<R: Real> Pair<R> {
         Pair { one: solution([R::ONE, R::ZERO]), rising: solution([R::ZERO, R::ONE]) }
     }
 
-    /// The two amplitudes for given end values, divided by their determinant; no cancellation.
+    /// Returns the amplitudes of the solutions `one` and `rising` for given end values of u, and the determinant
+    /// of the equations for these amplitudes. No digits cancel in the amplitudes.
     fn amplitudes(&self, [left, right]: [R; 2]) -> ([R; 2], R) {
         let parts = |c: &[R; SURFACE_TERMS]| {
             let even: R = c.iter().copied().step_by(2).sum();
@@ -132,7 +135,8 @@ impl<R: Real> Pair<R> {
         self.one.iter().zip(&self.rising).map(|(a, b)| level * *a + rise * *b).collect()
     }
 
-    /// μ (u₁u₂' − u₁'u₂) is constant; divided by the determinant it is the series stiffness.
+    /// Returns the two-port of the stretch. Its series stiffness is μ times the Wronskian of the solutions `one`
+    /// and `rising`, which is constant, divided by the determinant of `amplitudes`.
     fn link(&self, shear: &[R], half: f64) -> TwoPort<R> {
         let ([level, rise], determinant) = self.amplitudes([R::ONE; 2]);
         let slope = |end: f64| {
@@ -148,13 +152,14 @@ impl<R: Real> Pair<R> {
     }
 }
 
-/// The stiffness of the ground outside one end of the beam, condensed to this end: √(kμ) if it is uniform and
-/// infinite.
+/// Returns the stiffness of the ground outside one end of the beam, condensed to this end. It is √(kμ) if the
+/// ground is uniform and infinite.
 pub(crate) fn outside<R: Real>(beyond: &GroundOutside<R>) -> R {
     stiffnesses(beyond)[0]
 }
 
-/// For each layer, the stiffness of the ground from this layer outward; last, the stiffness at the outer end.
+/// Returns, for each layer outside the beam, the condensed stiffness of this layer and all layers beyond it.
+/// The last entry is the stiffness at the outer end of the ground.
 fn stiffnesses<R: Real>(beyond: &GroundOutside<R>) -> Vec<R> {
     let mut springs = vec![R::from(if beyond.held { f64::INFINITY } else { 0.0 })];
     for layer in beyond.layers.iter().rev() {
@@ -170,7 +175,7 @@ fn stiffnesses<R: Real>(beyond: &GroundOutside<R>) -> Vec<R> {
     springs
 }
 
-/// u at the right end of a two-port that ends on a spring, for u = 1 at its left end.
+/// Returns u at the right end of a two-port if u = 1 at its left end and a spring is under its right end.
 fn follows<R: Real>(link: &TwoPort<R>, spring: R) -> R {
     if spring.value() == f64::INFINITY {
         return R::ZERO;
@@ -178,7 +183,7 @@ fn follows<R: Real>(link: &TwoPort<R>, spring: R) -> R {
     link.series / (link.series + (link.shunt_right + spring))
 }
 
-/// u at a distance from the beam's end, from its value `u` at the end.
+/// Returns the ground displacement at a distance from the beam's end, from its value `u` at this end.
 pub(crate) fn beside<R: Real>(beyond: &GroundOutside<R>, mut u: R, mut distance: f64) -> R {
     let springs = stiffnesses(beyond);
     for (layer, &spring) in beyond.layers.iter().zip(&springs[1..]) {
@@ -188,7 +193,7 @@ pub(crate) fn beside<R: Real>(beyond: &GroundOutside<R>, mut u: R, mut distance:
         }
         let link = TwoPort::uniform(layer.subgrade, layer.shear_layer, layer.length);
         let next = u * follows(&link, spring);
-        // The tolerance allows for rounding of the layer's far end.
+        // The tolerance allows for rounding error in the position of the layer's outer end.
         if distance <= layer.length * (1.0 + 8.0 * f64::EPSILON) {
             return between(u, next, b * layer.length, (distance / layer.length).min(1.0));
         }
@@ -200,10 +205,11 @@ pub(crate) fn beside<R: Real>(beyond: &GroundOutside<R>, mut u: R, mut distance:
 /// Length of the pieces into which open ground is cut, in decay lengths. On such a piece a polynomial
 /// represents u to rounding error.
 pub(crate) const PIECE: f64 = 2.0;
-/// Distance, in decay lengths, at which u of open ground is zero: e⁻⁴⁰ is below rounding error.
+/// Distance from an end of open ground, in decay lengths, at which u counts as zero. e⁻⁴⁰ is below rounding
+/// error.
 const FAR: f64 = 40.0;
 
-/// Cuts open ground near both ends, where it is curved.
+/// Adds to `cuts` the positions at which open ground is cut near both ends, where its surface is curved.
 pub(crate) fn cut([from, to]: [f64; 2], decay: f64, cuts: &mut Vec<f64>) {
     let reach = (FAR * decay).min(to - from);
     let mut step = PIECE * decay;
@@ -214,14 +220,16 @@ pub(crate) fn cut([from, to]: [f64; 2], decay: f64, cuts: &mut Vec<f64>) {
     cuts.extend([from + reach, to - reach]);
 }
 
-/// u at a fraction `t` of an unloaded uniform stretch with bh = `length`, from its end values.
+/// Returns u at a fraction `t` of an unloaded uniform stretch from its values at both ends. The argument
+/// `length` is the length bh in decay lengths.
 pub(crate) fn between<R: Real>(left: R, right: R, length: R, t: f64) -> R {
     sinh_ratio(length, 1.0 - t) * left + sinh_ratio(length, t) * right
 }
 
-/// du/dx·(1/b) at a fraction `t` of that stretch.
+/// Returns u'/b with b = √(k/μ) at a fraction `t` of an unloaded uniform stretch of the length bh = `length`.
 pub(crate) fn slope_between<R: Real>(left: R, right: R, length: R, t: f64) -> R {
-    // (right cosh(t·bh) − left cosh((1−t)bh))/sinh(bh), in a form without cancellation for equal ends.
+    // The closed form is (right·cosh(t·bh) − left·cosh((1 − t)·bh))/sinh(bh), with the end values `left` and
+    // `right` of u. The formula for short lengths has no cancellation if the end values are equal.
     let series = exp(-length) * 2.0 / -expm1(length * -2.0);
     let cosh_less_one = |z: R| power(sinh(z * 0.5), 2) * 2.0;
     if length.value() < 1.0 {
@@ -235,7 +243,7 @@ pub(crate) fn slope_between<R: Real>(left: R, right: R, length: R, t: f64) -> R 
     }
 }
 
-/// sinh(r·z)/sinh(z) for 0 ≤ r ≤ 1, for any z > 0 without overflow.
+/// Returns sinh(r·z)/sinh(z) for 0 ≤ r ≤ 1 and any z > 0, without overflow.
 fn sinh_ratio<R: Real>(z: R, r: f64) -> R {
     exp(z * -(1.0 - r)) * expm1(z * (-2.0 * r)) / expm1(z * -2.0)
 }
@@ -257,7 +265,7 @@ mod tests {
                 (whole.shunt_left, parts.shunt_left),
                 (whole.shunt_right, parts.shunt_right),
             ] {
-                // exp(−bh) itself carries bh·ε of relative error.
+                // The relative rounding error of exp(−bh) is proportional to bh.
                 assert!((a - b).abs() <= 4e-16 * (4.0 + 2.0 * bh) * a, "{bh}: {a} {b}");
             }
         }
@@ -275,7 +283,8 @@ mod tests {
 
     #[test]
     fn ground_whose_solution_is_a_power_of_x() {
-        // μ = x², k = 6x⁰: −(x²u')' + 6u = 0 is solved by x² and x⁻³, about x = 5 with half length ½.
+        // For μ = x² and k = 6, the equation −(x²u')' + 6u = 0 has the solutions x² and x⁻³. The stretch has
+        // its middle at x = 5 and half the length ½.
         let (middle, half) = (5.0, 0.5);
         let shear = [middle * middle, 2.0 * middle * half, half * half];
         let ends = [4.5_f64, 5.5];
@@ -307,7 +316,7 @@ mod tests {
         let near = |a: f64, b: f64| assert!((a / b - 1.0).abs() < 1e-15, "{a} {b}");
         near(spring(&[layer(h, k, mu)], false), stiffness * tanh(bh));
         near(spring(&[layer(h, k, mu)], true), stiffness / tanh(bh));
-        // The same ground divided into two layers.
+        // Dividing the ground into two layers does not change its stiffness.
         let cut = [layer(0.3, k, mu), layer(f64::INFINITY, k, mu)];
         near(spring(&cut, false), stiffness);
         let cut = [layer(0.3, k, mu), layer(0.6, k, mu)];

@@ -1,3 +1,3 @@
-//! The open ground, −(μ u′)′ + k u = 0, as two-ports.
+//! Represents open ground, −(μ u′)′ + k u = 0, by two-ports.
 
 pub(crate) mod link;

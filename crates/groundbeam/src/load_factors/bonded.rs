@@ -1,5 +1,4 @@
-//! The beam bonded to the ground along its whole length, and its contact pressures and forces as candidates for
-//! the first lift-off.
+//! Computes contact pressures and forces of the beam bonded along its whole length, as candidates for the first lift-off.
 
 use crate::cancel::Cancel;
 use crate::chain::node::NotDefinite;
@@ -21,8 +20,9 @@ pub(super) fn bonded_everywhere(
     Bonded::new(model, cancel).solve_on(&[[0.0, model.beam.length]])
 }
 
-/// Pressures and concentrated forces along the whole beam, from left to right, of two deflections of one
-/// model under different loads. Their cells may differ, because boundary layers are cut separately.
+/// Returns the pressures and concentrated forces along the whole beam, from left to right, for two deflections
+/// of one model under different loads. The cells of the two deflections may differ, because boundary layers are
+/// cut separately.
 pub(super) fn lift_off_candidates(
     staying: &ContactState,
     growing: &ContactState,
@@ -52,7 +52,8 @@ pub(super) fn lift_off_candidates(
     all
 }
 
-/// p = k(w − g₀) − μ(w − g₀)″ − q on a part of a cell.
+/// Returns the pressure p = k(w − g₀) − μ(w − g₀)″ − q on the part `x` of cell `i`, and the sum of the absolute
+/// values of its terms.
 fn pressure(found: &ContactState, i: usize, x: [f64; 2]) -> Side {
     let cell = &found.mesh.cells[i];
     let half = 0.5 * cell.length();
@@ -73,9 +74,10 @@ fn pressure(found: &ContactState, i: usize, x: [f64; 2]) -> Side {
     Side { coefficients, size }
 }
 
-/// The ends s = ∓1 of a part of a cell at which the pressure is zero for all loads, with the order of the
-/// root: where a support holds the beam at the undeformed surface of Winkler ground. The slope of the
-/// pressure decides the first lift-off near a pin, its curvature near a clamp.
+/// Returns the ends s = ∓1 of a part of a cell at which the pressure is zero for all loads, with the order of
+/// this root. Such an end is at a support that fixes the beam at the undeformed surface of Winkler ground. The
+/// slope of the pressure decides the first lift-off near a pin. The curvature of the pressure decides it near a
+/// clamp.
 fn known_roots(found: &ContactState, x: [f64; 2], cell: &Cell) -> Vec<(f64, usize)> {
     if cell.shear_layer > 0.0 {
         return Vec::new();
@@ -95,9 +97,11 @@ fn known_roots(found: &ContactState, x: [f64; 2], cell: &Cell) -> Vec<(f64, usiz
     roots
 }
 
-/// Divides c(s) by 1 + s if `end` is −1, and by 1 − s if `end` is 1. Both factors are positive inside.
+/// Divides c(s) by 1 + s if `end` is −1, and by 1 − s if `end` is 1. Both divisors are positive between the
+/// ends.
 fn without_root(c: &mut Coefficients, end: f64) {
-    // Division from the highest power down. The remainder is rounding error, because c is zero at this end.
+    // The division begins at the highest power. Its remainder is rounding error, because the polynomial is zero
+    // at this end.
     let mut carried = 0.0;
     for a in c.iter_mut().rev() {
         let quotient = if end < 0.0 { *a - carried } else { carried - *a };
@@ -107,14 +111,16 @@ fn without_root(c: &mut Coefficients, end: f64) {
     c.pop();
 }
 
-/// The concentrated forces under the ends of the beam and of the shear layer, at corners and at kinks.
+/// Returns the concentrated contact forces under the ends of the beam and of the shear layer, at corners of the
+/// gap and at kinks of the beam.
 fn forces(staying: &ContactState, growing: &ContactState) -> Vec<LiftOffCandidate> {
     let [stays, grows] = [staying, growing].map(forces_of);
     let find = |all: &[(f64, Side)], x: f64| {
         let nothing = Side { coefficients: Coefficients::zeros(1), size: 0.0 };
         all.iter().find(|(at, _)| *at == x).map_or(nothing, |(_, side)| side.clone())
     };
-    // The gap belongs to the constant loads, so only their deflection has forces at corners of the gap.
+    // The gap belongs to the constant loads, so only the deflection under the constant loads has forces at
+    // corners of the gap.
     let all = stays.iter().map(|(x, side)| {
         let growing = find(&grows, *x);
         LiftOffCandidate { x: [*x; 2], staying: side.clone(), growing }
@@ -159,7 +165,7 @@ mod tests {
         assert!((found - wanted).abs() <= 1e-14 * wanted.abs().max(1.0), "{found} {wanted}");
     }
 
-    /// (1 + s)(2 + 3s + s²) and (1 − s)(2 + 3s + s²).
+    /// The polynomials (1 + s)(2 + 3s + s²) and (1 − s)(2 + 3s + s²) are divided by their first factors.
     #[test]
     fn a_known_root_is_divided_out() {
         for (end, c) in [(-1.0, [2.0, 5.0, 4.0, 1.0]), (1.0, [2.0, 1.0, -2.0, -1.0])] {
@@ -169,7 +175,8 @@ mod tests {
         }
     }
 
-    /// A beam on a mesh with additional nodes, deflected by a polynomial in x, bonded along its whole length.
+    /// Returns the state of a beam that is bonded along its whole length. Its deflection is a polynomial in x.
+    /// Its mesh has additional nodes.
     fn found(model: &Model, more: &[f64], deflection: &[f64]) -> ContactState {
         let mesh = Mesh::build(model, more, |_| 1);
         let own = |cell: &Cell| {
@@ -187,9 +194,9 @@ mod tests {
         Model::new(Beam::uniform(4.0, 1.0), ground)
     }
 
-    /// w = 1 + x + x² on ground with k = 3, μ = 5: p = 3w − 10. From 1 to 4, w = 9.75 + 9 s + 2.25 s². The
-    /// sum of the sizes of the terms is 3 (9.75 + 9 + 2.25) + 5/1.5² · 2 · 2.25, plus those of the gap and of
-    /// the load on the ground.
+    /// For w = 1 + x + x² on ground with k = 3 and μ = 5, the pressure is p = 3w − 10. From x = 1 to x = 4, the
+    /// deflection is w = 9.75 + 9 s + 2.25 s². The sum of the absolute values of the terms is
+    /// 3 (9.75 + 9 + 2.25) + 5/1.5² · 2 · 2.25, plus the terms of the gap and of the load on the ground.
     #[test]
     fn the_pressure_on_a_part_of_a_cell_and_its_size() {
         let model = on(Foundation::pasternak(3.0, 5.0));
@@ -207,8 +214,8 @@ mod tests {
         near(pressure(&of, 1, [1.0, 4.0]).size, 73.0 + 3.0 * 0.75 + 2.0);
     }
 
-    /// The two deflections have nodes at different positions: p = k w, on Winkler ground, on each part between
-    /// two nodes.
+    /// The two deflections have nodes at different positions. On Winkler ground, the pressure is p = k w on
+    /// each part between two neighbouring nodes of either deflection.
     #[test]
     fn two_meshes_are_merged_at_all_of_their_nodes() {
         let model = on(Foundation::winkler(2.0));
@@ -220,7 +227,7 @@ mod tests {
                 for (s, x) in [-1.0, 1.0].into_iter().zip(*x) {
                     let [stays, grows] =
                         [2.0 * (1.0 + 2.0 * x + 3.0 * x * x), 2.0 * (0.5 * x - 1.0)];
-                    // A position may differ by 16 ε of the length.
+                    // A merged position may differ from the node by 16 machine epsilons times the length.
                     assert!((value(&staying.coefficients, s) - stays).abs() < 1e-11);
                     assert!((value(&growing.coefficients, s) - grows).abs() < 1e-12);
                 }
@@ -232,15 +239,16 @@ mod tests {
         assert_eq!(merged(&[2.0, 3.0], &[1.0, 3.0]), wanted);
         assert_eq!(merged(&[1.0, 2.0, 3.0], &[]), wanted);
         assert_eq!(merged(&[], &[1.0, 2.0, 3.0]), wanted);
-        // Positions closer than 16 ε of the length count as equal.
+        // Positions closer than 16 machine epsilons times the length count as equal.
         let unit = 4.0 * f64::EPSILON;
         assert_eq!(merged(&[1.0], &[1.0 + 15.0 * unit]), [[0.0, 1.0], [1.0, 4.0]]);
         assert_eq!(merged(&[1.0 + 15.0 * unit], &[1.0]).len(), 2);
         assert_eq!(merged(&[1.0], &[1.0 + 17.0 * unit]).len(), 3);
     }
 
-    /// On Winkler ground the pressure is zero at a pin, and its slope is also zero at a clamp. Neither holds
-    /// if the support and the ground have different heights, or on a shear layer.
+    /// On Winkler ground the pressure is zero at a pin, and its slope is also zero at a clamp. The pressure at
+    /// a support is not zero if the support and the ground have different heights, or if the ground has a shear
+    /// layer.
     #[test]
     fn supports_at_undeformed_ground_are_roots_of_the_pressure() {
         let roots = |model: &Model, x: [f64; 2]| {
@@ -259,17 +267,17 @@ mod tests {
         assert_eq!(roots(&springs().with_support(pin(2.0)), right), [(-1.0, 1)]);
         let both = springs().with_support(clamp(2.0)).with_support(pin(4.0));
         assert_eq!(roots(&both, right), [(-1.0, 2), (1.0, 1)]);
-        // A part of a cell has only the roots at its own ends.
+        // Only roots at the ends of the part are returned, not a root at an end of the cell outside the part.
         assert_eq!(roots(&both, [2.5, 4.0]), [(1.0, 1)]);
         assert_eq!(roots(&both, [2.0, 3.5]), [(-1.0, 2)]);
         assert_eq!(roots(&springs().with_support(Support::spring(0.0, 1.0, 1.0)), left), []);
-        // A support that settles by the size of the gap touches the ground without pressure; other
-        // settlements do not.
+        // If the settlement of a support equals the gap, the pressure is zero at the support. For other
+        // settlements it is not zero.
         let settled = |down: f64| springs().with_support(pin(0.0).settled(down));
         assert_eq!(roots(&settled(0.5), left), []);
         assert_eq!(roots(&settled(0.5).with_gap(0.0, 0.5), left), [(-1.0, 1)]);
         assert_eq!(roots(&settled(0.0).with_gap(0.0, 0.5), left), []);
-        // If the gap has a slope, a clamped beam leaves the ground at an angle.
+        // If the gap has a slope, the clamped beam and the ground form an angle at the support.
         let sloping = springs().with_support(clamp(0.0)).with_gap(0.0, 0.0).with_gap(4.0, 1.0);
         assert_eq!(roots(&sloping, left), [(-1.0, 1)]);
         let pinned = springs().with_support(pin(0.0)).with_gap(0.0, 0.0).with_gap(4.0, 0.0);
@@ -278,11 +286,12 @@ mod tests {
         assert_eq!(roots(&layer, left), []);
     }
 
-    /// The forces under the ends of a beam on ground with √(kμ) = 6 and μ = 9 are √(kμ) w ∓ μ w′. The sizes
-    /// of the terms are 6 |c| for each coefficient, plus j |c| μ/half for the coefficient c of sʲ.
+    /// The forces under the ends of a beam are √(kμ) w ∓ μ w′, on ground with √(kμ) = 6 and μ = 9. The
+    /// coefficient c of sʲ in w adds |c| (6 + 9 j/a) to the sum of the absolute values of the terms, where a is
+    /// half the length of the beam.
     #[test]
     fn forces_under_the_ends_and_their_sizes() {
-        // w = 3 + x = 5 + 2 s.
+        // The deflection is w = 3 + x = 5 + 2 s.
         let of = found(&on(Foundation::pasternak(4.0, 9.0)), &[], &[3.0, 1.0]);
         let [(a, left), (b, right)] = &forces_of(&of)[..] else { panic!("two ends") };
         assert_eq!((*a, *b), (0.0, 4.0));
@@ -294,9 +303,9 @@ mod tests {
         assert_eq!(forces_of(&found(&on(Foundation::winkler(4.0)), &[], &[1.0])).len(), 0);
     }
 
-    /// The deflection under the constant loads has a force at a corner of the gap; the deflection under the
-    /// increasing loads has none. The same holds with the roles exchanged. At the corner g₀′ jumps from 0 to
-    /// 1, so its force is μ.
+    /// The deflection under the constant loads has a force at a corner of the gap. The deflection under the
+    /// increasing loads has none. The test also exchanges the two deflections. At the corner g₀′ jumps from 0
+    /// to 1, so the force at the corner is μ.
     #[test]
     fn forces_of_one_of_two_deflections() {
         let even = on(Foundation::pasternak(4.0, 9.0));
@@ -308,7 +317,7 @@ mod tests {
             let of = |side: &Side| side.coefficients[0];
             all.iter().map(|at| (at.x, of(&at.staying), of(&at.growing))).collect::<Vec<_>>()
         };
-        // Under the right end w − g₀ = −1, with the slope −1.
+        // Under the right end, w − g₀ is −1 and has the slope −1.
         let [left, middle, right] = [6.0, 9.0, -6.0 - 9.0];
         let wanted = [([0.0; 2], left, 6.0), ([2.0; 2], middle, 0.0), ([4.0; 2], right, 6.0)];
         assert_eq!(both(&corner, &even), wanted);

@@ -3,8 +3,9 @@
 use crate::numeric::polynomial::{Coefficients, derivative, value};
 use crate::numeric::roots::sign_changes;
 
-/// A contact pressure on a stretch of the beam, or a concentrated contact force: the polynomial staying +
-/// λ·growing in s ∈ \[−1, 1\]. First lift-off occurs when it becomes negative.
+/// A contact pressure on a stretch of the beam, or a concentrated contact force. At the load factor λ its value
+/// is the polynomial `staying` + λ · `growing` in s ∈ \[−1, 1\]. First lift-off occurs when the value becomes
+/// negative.
 #[derive(Debug, Clone)]
 pub(super) struct LiftOffCandidate {
     pub x: [f64; 2],
@@ -12,17 +13,17 @@ pub(super) struct LiftOffCandidate {
     pub growing: Side,
 }
 
-/// One of the two polynomials, with the sum of the absolute values of its terms.
+/// One of the two polynomials of a candidate, with the sum of the absolute values of its terms.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Side {
     pub coefficients: Coefficients,
     pub size: f64,
 }
 
-/// Relative rounding error of a sum: a few dozen operations on each term.
+/// Relative rounding error of a sum in which each term results from a few dozen operations.
 const SUM_ROUNDING: f64 = 256.0 * f64::EPSILON;
 
-/// Limit on Newton's steps for one candidate; far above the number needed.
+/// Maximum number of Newton steps for one candidate. It is far above the number needed.
 const CANDIDATE_STEPS: usize = 200;
 
 impl LiftOffCandidate {
@@ -31,9 +32,9 @@ impl LiftOffCandidate {
         lowest(&self.staying.coefficients).1 < -SUM_ROUNDING * self.staying.size
     }
 
-    /// The largest factor below `factor` at which the pressure of this candidate is not negative, and the
-    /// position of its zero at that factor; `None` if the pressure is not negative at `factor` itself.
-    /// `factor` may be infinite.
+    /// Returns the largest factor below `factor` at which the pressure of this candidate is nowhere negative,
+    /// and the position at which the pressure is zero for this factor. Returns `None` if the pressure is not
+    /// negative at `factor` itself. `factor` may be infinite.
     ///
     /// Newton's method finds the root of the minimum over s, which is a concave function of the factor. The
     /// iterates decrease and never pass the root.
@@ -58,7 +59,8 @@ impl LiftOffCandidate {
         factor * self.growing.size <= SUM_ROUNDING * self.staying.size
     }
 
-    /// The position of the most negative pressure at a factor, if there is one.
+    /// Returns the coordinate s of the most negative pressure at a factor, or `None` if no pressure is
+    /// negative.
     fn tension_at(&self, factor: f64) -> Option<f64> {
         let (stays, grows) = (&self.staying, &self.growing);
         let (coefficients, size) = if factor.is_finite() {
@@ -79,8 +81,8 @@ impl LiftOffCandidate {
     }
 }
 
-/// The minimum of a polynomial on \[−1, 1\] and its position. If a lower bound of the minimum is not
-/// negative, this bound takes the place of the minimum.
+/// Returns the position and the value of the minimum of a polynomial on \[−1, 1\]. If a lower bound of the
+/// minimum is not negative, the bound is returned in place of the minimum.
 fn lowest(c: &[f64]) -> (f64, f64) {
     let spread: f64 = c.iter().skip(1).map(|a| a.abs()).sum();
     let bound = c.first().map_or(0.0, |constant| constant - spread);
@@ -102,8 +104,8 @@ mod tests {
         Side { coefficients: coefficients.into(), size }
     }
 
-    /// A candidate on the beam from 1 to 5. The absolute values of the terms have the sum 1 in each of its
-    /// two polynomials.
+    /// Returns a candidate on the beam from x = 1 to x = 5. For each of its two polynomials, the sum of the
+    /// absolute values of the terms is 1.
     fn between_1_and_5(staying: &[f64], growing: &[f64]) -> LiftOffCandidate {
         LiftOffCandidate { x: [1.0, 5.0], staying: side(staying, 1.0), growing: side(growing, 1.0) }
     }
@@ -119,17 +121,17 @@ mod tests {
         assert_eq!(lowest(&[1.0, 2.0]), (-1.0, -1.0));
         assert_eq!(lowest(&[1.0, -2.0]), (1.0, -1.0));
         assert_eq!(lowest(&[-1.0, 0.0, 1.0]), (0.0, -1.0));
-        // s⁴ − s²/2 is −1/16 at s = ±1/2; the left one is returned.
+        // s⁴ − s²/2 has the minimum −1/16 at s = ±1/2. The left position is returned.
         let (s, least) = lowest(&[0.0, 0.0, -0.5, 0.0, 1.0]);
         near(s, -0.5);
         near(least, -0.0625);
-        // 3 − |1| − |−1| is a positive lower bound, so the minimum is not computed.
+        // The polynomial 3 + s − s² has the positive lower bound 3 − 1 − 1, so its minimum is not computed.
         assert_eq!(lowest(&[3.0, 1.0, -1.0]), (-1.0, 1.0));
         assert_eq!(lowest(&[]), (-1.0, 0.0));
     }
 
-    /// 2 − λ (1 + s) is first zero at s = 1, for λ = 1. 1 + s² − λ (1 + s) has its minimum 1 − λ − λ²/4 at s
-    /// = λ/2. The minimum is zero for λ = 2√2 − 2.
+    /// The pressure 2 − λ (1 + s) first becomes zero at s = 1, for λ = 1. The pressure 1 + s² − λ (1 + s) has
+    /// the minimum 1 − λ − λ²/4 at s = λ/2. This minimum is zero for λ = 2√2 − 2.
     #[test]
     fn the_factor_of_first_tension_agrees_with_closed_forms() {
         let at = |of: &LiftOffCandidate, from: f64| of.first_tension_below(from).expect("tension");
@@ -146,17 +148,18 @@ mod tests {
                 assert!((x - (3.0 + mirror * root)).abs() < 1e-7, "{x}");
             }
         }
-        // The pressure is not tensile up to λ = 1/2. It is never tensile if both parts are compressive.
+        // The pressure 2 − λ (1 + s) is not tensile up to λ = 1/2. A pressure is never tensile if its constant
+        // part and its increasing part are compressive.
         assert_eq!(falling.first_tension_below(0.5), None);
         assert_eq!(between_1_and_5(&[1.0], &[1.0]).first_tension_below(f64::INFINITY), None);
-        // −1 + 2λ is negative at every factor below λ = 1/2.
+        // The pressure −1 + 2λ is negative at every factor below λ = 1/2.
         assert_eq!(between_1_and_5(&[-1.0], &[2.0]).first_tension_below(0.25), None);
-        // If both parts are tensile, the factor is 0.
+        // If the constant part and the increasing part of the pressure are tensile, the factor is 0.
         assert_eq!(at(&between_1_and_5(&[-1.0], &[-1.0]), 3.0), (0.0, 1.0));
     }
 
-    /// A pressure is tensile if it is below −256 ε times the sum of all terms: the constant ones, and λ times
-    /// the increasing ones.
+    /// A pressure is tensile if it is below −256 ε times the sum of the absolute values of its terms. The terms
+    /// are the constant terms and λ times the increasing terms.
     #[test]
     fn tension_exceeds_rounding_error() {
         let constant = |part: f64| {
@@ -172,7 +175,8 @@ mod tests {
         };
         assert_eq!(grows(2.9).tension_at(f64::INFINITY), None);
         assert_eq!(grows(3.1).tension_at(f64::INFINITY), Some(-1.0));
-        // The sums of the terms are 2 and 3. So a factor λ counts as zero if 3λ is at most 256 ε times 2.
+        // The sum of the absolute values is 2 for the constant terms and 3 for the increasing terms. So a factor
+        // λ counts as zero if 3λ is at most 256 ε times 2.
         assert!(constant(0.0).is_nothing(SUM_ROUNDING * 0.66));
         assert!(!constant(0.0).is_nothing(SUM_ROUNDING * 0.67));
         // A pressure of zero is not tensile.
@@ -185,8 +189,8 @@ mod tests {
         assert_eq!([1.0, f64::INFINITY].map(|factor| nothing.tension_at(factor)), [None; 2]);
     }
 
-    /// Positions at the ends of a part have the bits of these ends, independent of the rounding of half its
-    /// length.
+    /// The positions at s = −1 and s = 1 are exactly the ends of the part. They do not depend on the rounding
+    /// of half its length.
     #[test]
     fn positions_at_the_ends_of_a_part_keep_their_bits() {
         let x = [0.2, 0.9];

@@ -1,11 +1,12 @@
-//! Load factors: of the first lift-off and of the loss of equilibrium.
+//! Computes the load factors of the first lift-off and of the loss of equilibrium.
 //!
-//! Some loads are constant, D; the others increase, λG. Both factors follow in closed form.
+//! The loads D are constant, and the loads λG increase with the factor λ. Both load factors follow in closed
+//! form.
 //!
 //! * *First lift-off.* With contact along the whole length the problem is linear: pressure and concentrated
 //!   forces are p_D + λ p_G, with the initial gap in p_D (`bonded.rs`). The beam is in full contact if and
-//!   only if all of them are nonnegative. They are then the multiplier of the contact problem, which has a
-//!   unique solution. The minimum of p_D + λ p_G over the beam is a concave function of λ. So the factors
+//!   only if all of them are nonnegative. They are then the Lagrange multiplier of the contact problem, which
+//!   has a unique solution. The minimum of p_D + λ p_G over the beam is a concave function of λ. So the factors
 //!   without tensile pressure form an interval. Newton's method from above decreases to the upper end of this
 //!   interval without passing it (`lift_off_candidate.rs`). With one-way supports the problem is piecewise linear
 //!   (`one_way.rs`).
@@ -39,8 +40,8 @@ pub struct LoadFactors {
 }
 
 /// The load factors λ > 0 at which the beam first lifts off and at which equilibrium is lost. λ multiplies the
-/// loads whose index in [`Model::loads`] `grows` selects. The other loads, the gap, the supports and the axial
-/// force are constant.
+/// loads that `grows` selects by their index in [`Model::loads`]. The other loads, the gap, the supports and
+/// the axial force are constant.
 ///
 /// ```
 /// use groundbeam::{Beam, Foundation, Load, Model, load_factors, load_factors::{FirstLiftOff, LossOfEquilibrium}};
@@ -59,17 +60,19 @@ pub struct LoadFactors {
 ///
 /// # Errors
 ///
-/// As [`solve`](crate::solve()); and [`Error::Unsupported`] for compression that the ground must help to bear.
-/// The factor of first lift-off is returned only if the certificate of the fields at that factor holds.
+/// Returns the errors of [`solve`](crate::solve()), and [`Error::Unsupported`] for compression that the ground
+/// must help to bear. The factor of first lift-off is returned only if the certificate of the fields at that
+/// factor holds.
 pub fn load_factors(model: &Model, grows: impl Fn(usize) -> bool) -> Result<LoadFactors, Error> {
     load_factors_with(model, &Options::default(), grows)
 }
 
-/// [`load_factors`] with the memory limit of the options, and with their [`Cancel`](crate::Cancel).
+/// Computes the [`load_factors`] within the memory limit of the options. The [`Cancel`](crate::Cancel) of the
+/// options can stop the computation.
 ///
 /// # Errors
 ///
-/// As [`load_factors`]; and [`Error::Cancelled`].
+/// Returns the errors of [`load_factors`], and [`Error::Cancelled`] if the computation was cancelled.
 pub fn load_factors_with(
     model: &Model,
     options: &Options,
@@ -88,8 +91,8 @@ fn factors(
     let model = &*model.on_given_ground();
     let convexity = convexity(model, &options.cancel);
     supported::check(model, Way::LoadFactors, convexity.is_none())?;
-    // The energy is convex for every model that the table accepts. If it were not, a stability of zero would
-    // make the certificate fail.
+    // The check above refuses a model whose energy is not convex. If it did not, a stability of 0 would make the
+    // certificate of this model fail.
     let stability = convexity.unwrap_or(0.0);
     let exact = Options { method: Method::Exact, ..options.clone() };
     size::check(model, &exact)?;
@@ -133,7 +136,7 @@ mod tests {
         load_factors(model, |_| true).expect("factors")
     }
 
-    /// The last load increases, the others are constant.
+    /// Returns the load factors if the last load increases and all other loads are constant.
     fn last(model: &Model) -> LoadFactors {
         let last = model.loads.len() - 1;
         load_factors(model, |load| load == last).expect("factors")
@@ -160,7 +163,8 @@ mod tests {
 
     #[test]
     fn kikuchi() {
-        // p₀ is linear in M₀ with contact along the whole length: 60-digit values for M₀ = 0.1 and 0.3.
+        // With contact along the whole length, the contact force p₀ under the left end is linear in the moment
+        // M₀. Its values for M₀ = 0.1 and 0.3 were computed with 60 digits.
         let model =
             unit().with_load(Load::point_force(0.5, 1.0)).with_load(Load::point_moment(0.5, 1.0));
         let [p1, p3] = [0.195_935_998_890_952, 0.014_602_030_694_165];
@@ -174,7 +178,7 @@ mod tests {
             (factor, motion),
             (0.5, RigidMotion { left: -1.0, right: 0.0, work: 0.0, lifted: None })
         );
-        // The mirrored model tips over the other end.
+        // The mirrored model lifts off at the right end.
         let (factor, x) = lift_off(last(&model.mirrored()));
         near(factor, 0.1 + 0.2 * p1 / (p1 - p3), 1e-14);
         assert_eq!(x, 1.0);
@@ -182,7 +186,8 @@ mod tests {
 
     #[test]
     fn rigid_footings() {
-        // A rigid footing lifts off at the moment M = F l/6 on Winkler ground, and at M = (1/2 − 4/27) F l on Kikuchi's ground.
+        // A rigid footing lifts off at the moment M = F l/6 on Winkler ground, and at M = (1/2 − 4/27) F l on
+        // Kikuchi's ground.
         let footing = |ground| {
             rigid(ground)
                 .with_load(Load::point_force(0.5, 2.0))
@@ -206,7 +211,8 @@ mod tests {
 
     #[test]
     fn a_heavy_infinite_beam_under_a_force() {
-        // Weitsman (1970): F = 2 e^π q/β lifts the beam off at βx = π to each side.
+        // By Weitsman (1970), the force F = 2 e^π q/β lifts off a beam with the weight q at the distance π/β to
+        // each side of the force, with β⁴ = k/(4 EI).
         let model = Model::new(Beam::uniform(60.0, 1.0), Foundation::winkler(4.0))
             .with_load(Load::uniform_force(0.0, 60.0, 3.0))
             .with_load(Load::point_force(30.0, 1.0));
@@ -218,7 +224,7 @@ mod tests {
 
     #[test]
     fn a_weightless_beam_lifts_off_at_once_or_never() {
-        // Lovtsov (2025): with forces over both ends the middle lifts off if αl > π.
+        // By Lovtsov (2025), forces over both ends lift off the middle of the beam if αl > π, with α⁴ = k/(4 EI).
         for (l, wanted) in [(3.1, FirstLiftOff::Never), (3.2, FirstLiftOff::AtOnce)] {
             let model = Model::new(Beam::uniform(l, 1.0), Foundation::winkler(4.0))
                 .with_load(Load::point_force(0.0, 1.0))
@@ -243,12 +249,12 @@ mod tests {
                 let model =
                     Model::new(Beam::uniform(l, ei), Foundation::winkler(3.0)).with_load(triangle);
                 assert_eq!(all(&model).first_lift_off, FirstLiftOff::Never, "{l} {ei}");
-                // A larger factor on the same load never lifts the beam. The load times −1 lifts the whole
-                // beam.
+                // The increasing load is −1/4 of the constant load. At the factor 4 the two loads cancel, and
+                // the whole beam lifts off.
                 let less = model.clone().with_load(triangle.scaled(-0.25));
                 near(lift_off(last(&less)).0, 4.0, 1e-12);
                 near(loss(last(&less)), 4.0, 1e-14);
-                // Any upward load lifts off the end without pressure.
+                // Any upward load lifts off the end at which the pressure is zero.
                 let pulled = model.with_load(Load::uniform_force(0.0, l, -1e-3));
                 assert_eq!(last(&pulled).first_lift_off, FirstLiftOff::AtOnce);
             }
@@ -257,8 +263,8 @@ mod tests {
 
     #[test]
     fn next_to_a_pin_the_slope_of_the_pressure_decides() {
-        // On Winkler ground p = k w, zero at a pin: first lift-off occurs when the beam's slope there
-        // vanishes.
+        // On Winkler ground the pressure p = k w is zero at a pin. First lift-off occurs when the beam's slope
+        // at the pin becomes zero.
         let model = Model::new(Beam::uniform(2.0, 1.0), Foundation::winkler(1.0))
             .with_support(Support::pinned(0.0))
             .with_support(Support::pinned(2.0))
@@ -273,7 +279,7 @@ mod tests {
         };
         assert!(slope(factor).abs() < 1e-14 * slope(0.0).abs(), "{:e}", slope(factor));
         assert_eq!(last(&model).loss_of_equilibrium, LossOfEquilibrium::Never);
-        // A clamp prevents rotation, so the curvature of the pressure decides.
+        // A clamp prevents rotation, so the curvature of the pressure decides the first lift-off.
         let mut clamped = model.clone();
         clamped.supports[0] = Support::fixed(0.0);
         clamped.loads[1] = Load::point_force(0.5, -1.0);
@@ -293,8 +299,8 @@ mod tests {
         assert_eq!((motion.left, motion.right), (-1.0, 0.0));
         near(motion.work, 0.1, 1e-14);
         assert_eq!(found.first_lift_off, FirstLiftOff::AtOnce);
-        // Tension resists rotation: an equilibrium exists for every moment. Under a larger moment the beam is
-        // in contact on part of its length.
+        // Tension resists rotation, so an equilibrium exists for every moment. Under a larger moment the beam
+        // is in contact on part of its length.
         let mut tied = held;
         tied.beam.axial_force = 2.0;
         assert_eq!(last(&tied).loss_of_equilibrium, LossOfEquilibrium::Never);
@@ -317,8 +323,8 @@ mod tests {
 
     #[test]
     fn the_gap_acts_with_the_constant_loads() {
-        // A rigid beam on Winkler ground under a uniform load q, over a shallow valley −g₀: the valley
-        // reduces the pressure by k g₀.
+        // A rigid beam on Winkler ground carries a uniform load over a constant gap. The gap does not change
+        // the pressure, so the beam lifts off at the moment M = F l/6.
         let ground = Foundation::winkler(1.0);
         let footing = rigid(ground)
             .with_load(Load::uniform_force(0.0, 1.0, 1.0))
@@ -331,7 +337,7 @@ mod tests {
         deep.gap = vec![];
         let deep = deep.with_gap(0.0, 3.0).with_gap(0.5, 0.0).with_gap(1.0, 3.0);
         assert_eq!(last(&deep).first_lift_off, FirstLiftOff::AtOnce);
-        // If all loads increase, the gap is open at first.
+        // If all loads increase from zero, the gap is open at small factors.
         assert_eq!(all(&footing).first_lift_off, FirstLiftOff::AtOnce);
     }
 
@@ -356,8 +362,8 @@ mod tests {
         assert!(matches!(load_factors(&pushed, |_| true), Err(Error::Unsupported(_))));
     }
 
-    /// Both static reactions of a uniform load vanish at the same factor. The result names the first of the
-    /// two motions.
+    /// Both static reactions of forces at the middle vanish at the same factor. The result names the
+    /// motion that lifts the left end, not the one that lifts the right end.
     #[test]
     fn of_two_simultaneous_motions_the_first_is_named() {
         let model =
@@ -370,8 +376,8 @@ mod tests {
     }
 
     /// The right piece has no load and may lift without work, so the left piece decides. The left piece is in
-    /// equilibrium up to the factor at which the reaction at its left end becomes zero: ql/4 for q on [0,
-    /// l/2].
+    /// equilibrium up to the factor at which the reaction at its left end becomes zero. For a load q on [0, l/2]
+    /// this factor is ql/4.
     #[test]
     fn an_unloaded_piece_does_not_decide() {
         for q in [0.125, 1.0, 8.0, 64.0] {

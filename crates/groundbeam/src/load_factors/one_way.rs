@@ -1,13 +1,14 @@
 //! The factor of first lift-off on one-way supports, over ranges of factors with the same active supports.
 //!
 //! A beam in contact along its whole length is a linear problem except for its one-way supports. For fixed
-//! active supports, the force of each active support and the clearance of each inactive one are linear in λ.
-//! Together they form a linear complementarity problem with a positive definite matrix, because the ground
-//! alone supports the beam. Murty's principal pivoting finds the supports that are active just beyond a
-//! factor. In each step, the first support changes that violates its condition, at the factor or, if its
-//! margin is zero there, by its rate (K. G. Murty, *Note on a Bard-type scheme for solving the
-//! complementarity problem*, Opsearch 11 (1974) 123–130). This set is valid up to the factor at which the
-//! first force or clearance becomes zero. There the next range begins.
+//! active supports, the force of each active support and the clearance of each inactive support are linear in
+//! λ. Together they form a linear complementarity problem with a positive definite matrix, because the ground
+//! alone supports the beam. Murty's principal pivoting finds the supports that are active just beyond a factor.
+//! In each step, the first support that violates its condition changes between active and inactive. The
+//! condition applies to the margin at the factor or, if this margin is zero, to its rate (K. G. Murty, *Note on
+//! a Bard-type scheme for solving the complementarity problem*, Opsearch 11 (1974) 123–130). The set of active
+//! supports is valid up to the factor at which the first force or clearance becomes zero. At this factor the
+//! next range begins.
 
 use crate::cancel::Cancel;
 use crate::contact::state::ContactState;
@@ -23,20 +24,23 @@ use crate::options::Method;
 use crate::solution::candidate::{Candidate, Workspace};
 use crate::solution::certificate::Certificate;
 
-/// Maximum number of ranges of the load factor, and maximum number of changes of supports where a range begins.
+/// Maximum number of ranges of the load factor, and maximum number of changes of the active supports at the
+/// beginning of a range.
 const MOST_PIECES: usize = 200;
 const MOST_CHANGES: usize = 2000;
-/// Tolerance below which a force is zero, relative to all forces and loads, or a clearance, relative to the
-/// deflections. It is the accuracy of the factor at which a range begins.
+/// Relative tolerance below which a force or a clearance is zero. A force is relative to the sum of all
+/// reactions and loads, a clearance to the largest deflection. The tolerance is the accuracy of the factor at
+/// which a range begins.
 const ZERO_FORCE: f64 = 1e-11;
 
-/// At the loss of equilibrium no certificate exists, because nothing supports the beam. The fields are
-/// computed at this fraction of the factor.
+/// At the factor of the loss of equilibrium no certificate exists, because nothing supports the beam. The fields
+/// are computed at this fraction of that factor.
 const BEFORE_LOSS: f64 = 1.0 - 1e-6;
 
 /// A range of factors with the same active supports.
 struct FactorRange {
-    /// The deflection at the first factor of the range, and its rate, both on the active supports.
+    /// Deflection at the first factor of the range, and increase of the deflection per unit of the factor, on
+    /// the active supports.
     staying: ContactState,
     growing: ContactState,
     /// The length of the range of factors, and the support whose condition fails at its end.
@@ -44,7 +48,7 @@ struct FactorRange {
     ends: Option<usize>,
 }
 
-/// The factor of first lift-off, which is at most the factor of the loss of equilibrium.
+/// Computes the factor of first lift-off. It is at most `loss`, the factor of the loss of equilibrium.
 pub(crate) fn first_lift_off(
     parts: &Parts,
     loss: f64,
@@ -86,8 +90,8 @@ pub(crate) fn first_lift_off(
 }
 
 impl FactorRange {
-    /// The range that begins at a factor, from the active supports of the previous range. The margin of the
-    /// support in `ended` counts as zero in spite of rounding error.
+    /// Returns the range that begins at a factor. The search starts from the active supports of the previous
+    /// range. The margin of the support `ended` counts as zero in spite of its rounding error.
     fn beginning(
         parts: &Parts,
         factor: f64,
@@ -125,7 +129,8 @@ impl FactorRange {
     }
 }
 
-/// The margin of each support's condition: the force of an active one, the clearance of an inactive one.
+/// Margin of the condition of each support. It is the force of an active support and the clearance of an
+/// inactive support.
 struct Margins {
     margin: Vec<f64>,
     zero: Vec<f64>,
@@ -153,8 +158,8 @@ impl Margins {
     }
 }
 
-/// Checks the certificate of the fields at the factor. It shows that the beam is in contact along its whole
-/// length up to this factor.
+/// Checks the certificate of the fields at `factor`. The certificate shows that the beam is in contact along its
+/// whole length up to this factor.
 fn prove(
     parts: &Parts,
     factor: f64,
@@ -189,7 +194,7 @@ mod tests {
     /// Bending stiffness with which the formulas for a rigid beam hold to 10⁻⁶.
     const RIGID: f64 = 1e8;
 
-    /// A beam of length 2 under q = 3 on Winkler ground with k = 5: w = 0.6.
+    /// Returns a beam of length 2 on Winkler ground with k = 5. Its deflection under the load q = 3 is w = 0.6.
     fn weighted(stiffness: f64) -> Model {
         Model::new(Beam::uniform(LENGTH, stiffness), Foundation::winkler(5.0))
             .with_load(Load::uniform_force(0.0, LENGTH, 3.0))
@@ -234,15 +239,16 @@ mod tests {
     }
 
     /// A force F at the right end lowers that end by 4F/(kl) and raises the left end by 2F/(kl). The left end
-    /// lifts off at F = ql/2. With a bearing at depth δ under it, it leaves the bearing earlier, at F = (q −
-    /// kδ) l/2.
+    /// lifts off at F = ql/2. If a bearing at depth δ is under the left end, the beam leaves the bearing
+    /// earlier, at F = (q − kδ) l/2.
     #[test]
     fn a_bearing_that_the_beam_leaves_does_not_change_the_factor() {
         for supports in [
             vec![],
             vec![bearing(0.0, 0.4)],
             vec![bearing(0.0, 0.4), hold_down(LENGTH, 0.3)],
-            // The right end stays above its support: its depth is 1.8 at F = ql/2.
+            // At F = ql/2 the depth of the right end is 1.8, so the beam does not touch a bearing at the depth
+            // 1.9.
             vec![bearing(LENGTH, 1.9)],
             vec![bearing(0.0, 0.55), bearing(LENGTH, 1.9)],
         ] {
@@ -250,8 +256,8 @@ mod tests {
         }
     }
 
-    /// The hold-down allows the left end to rise to δ. Then it holds this end, and only the bearing under the
-    /// right end carries the increase of the force.
+    /// The hold-down allows the left end to rise to the depth δ. Then the hold-down restrains this end, and
+    /// only the bearing under the right end carries the increase of the force.
     #[test]
     fn a_support_that_the_beam_meets_may_prevent_lift_off() {
         for supports in [
@@ -279,22 +285,24 @@ mod tests {
         }
     }
 
-    /// Under the middle, w = 0.6 + F/(kl). The beam meets a bearing there at depth δ at F = kδl − ql. Then it
-    /// rotates about the bearing by 6F/(kl²), and the left end lifts off at F = kδl/3.
+    /// The deflection at the middle is w = 0.6 + F/(kl). The beam meets a bearing under the middle at depth δ at
+    /// F = kδl − ql. Then the beam rotates about the bearing by 6F/(kl²), and the left end lifts off at
+    /// F = kδl/3.
     #[test]
     fn a_support_that_the_beam_meets_may_cause_earlier_lift_off() {
         for (down, at) in [(0.7, 7.0 / 3.0), (0.8, 8.0 / 3.0), (0.85, 8.5 / 3.0)] {
             let middle = bearing(0.5 * LENGTH, down);
             leaves_the_left_end(lift_off(RIGID, &[middle]), at);
-            // The beam leaves the bearing under the left end earlier, at F = (0.6 − 0.58) kl/2.
+            // The beam leaves the bearing under the left end at F = (0.6 − 0.58) kl/2, before it meets the
+            // bearing under the middle.
             leaves_the_left_end(lift_off(RIGID, &[bearing(0.0, 0.58), middle]), at);
             leaves_the_left_end(lift_off(RIGID, &[middle, bearing(0.0, 0.58)]), at);
         }
-        // The beam would meet the bearing only at F = ql/2 + 0.1, after the first lift-off.
+        // The beam would meet a bearing at the depth 0.91 only at F = ql/2 + 0.1, after the first lift-off.
         leaves_the_left_end(lift_off(RIGID, &[bearing(0.5 * LENGTH, 0.91)]), 0.5 * WEIGHT);
     }
 
-    /// Supports that cause lift-off at factor 0.
+    /// The supports lift off a part of the beam at factor 0.
     #[test]
     fn a_bearing_above_the_ground_lifts_the_beam_off_at_once() {
         assert_eq!(lift_off(RIGID, &[bearing(0.0, -0.1)]), FirstLiftOff::AtOnce);
@@ -302,8 +310,9 @@ mod tests {
         assert_eq!(lift_off(RIGID, &[hold_down(0.0, 2.0)]), FirstLiftOff::AtOnce);
     }
 
-    /// The bearing under the left end is at depth δ = 0.4 and carries (q − kδ) l/4 = 1/2, from moments about
-    /// it. The right end is at δ + 3(q − kδ)/(2k) = 0.7, so a hold-down at 0.5 has a clearance of 0.2.
+    /// The bearing under the left end is at depth δ = 0.4. By the moments about the bearing, its force is
+    /// (q − kδ) l/4 = 1/2. The right end is at the depth δ + 3(q − kδ)/(2k) = 0.7, so a hold-down at the depth
+    /// 0.5 has a clearance of 0.2.
     #[test]
     fn margins_of_a_force_and_of_a_clearance() {
         let model = weighted(RIGID)
@@ -316,7 +325,8 @@ mod tests {
         let Margins { margin, zero } = Margins::of(&model, &found, &acts);
         near(margin[0], 0.5);
         near(margin[1], 0.2);
-        // Forces are compared with the reactions and the loads, clearances with the largest deflection.
+        // The tolerance of a force is relative to the reactions and the loads. The tolerance of a clearance is
+        // relative to the largest deflection.
         near(zero[0], ZERO_FORCE * (0.5 + WEIGHT));
         near(zero[1], ZERO_FORCE * 0.7);
     }
@@ -329,7 +339,7 @@ mod tests {
         assert_eq!(each(&|i| margins.is_negative(i)), [true, false, false, false, false, false]);
     }
 
-    /// The certificate at a factor holds while the pressure is not tensile, and fails beyond.
+    /// The certificate at a factor holds if the pressure is not tensile. It fails if the pressure is tensile.
     #[test]
     fn a_factor_that_is_too_large_is_refused() {
         let model = weighted(RIGID)
@@ -343,7 +353,7 @@ mod tests {
             panic!("tension")
         };
         assert!(found.why.reached() > found.why.tolerance());
-        // Below F = 1 the bearing carries a force. Beyond it, the bearing cannot hold the beam.
+        // Below F = 1 the bearing pushes the beam up. Above F = 1 the bearing would have to pull the beam down.
         assert_eq!(proves(0.9, true), Ok(()));
         assert!(proves(0.9, false).is_err() && proves(1.1, true).is_err());
     }

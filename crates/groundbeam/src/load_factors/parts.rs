@@ -1,11 +1,11 @@
-//! The loads split into constant loads and increasing loads.
+//! Splits the loads into constant and increasing loads, and computes the factor of the loss of equilibrium.
 
 use crate::existence::existence::existence;
 use crate::existence::verdict::{RigidMotion, Verdict};
 use crate::existence::work::rays;
 use crate::model::{Load, Model};
 
-/// The factor at which a beam that touches along its whole length first leaves the ground.
+/// The factor at which a beam in contact along its whole length first lifts off.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(tag = "when", rename_all = "kebab-case"))]
@@ -14,10 +14,11 @@ pub enum FirstLiftOff {
     /// without a gap the fields are proportional to the factor, so only this variant and [`Self::Never`] are
     /// possible.
     AtOnce,
-    /// The beam is in contact along its whole length up to this factor, and not beyond.
+    /// The beam is in contact along its whole length up to `factor`. At larger factors a part of the beam is
+    /// out of contact.
     #[cfg_attr(feature = "serde", serde(rename = "at-factor"))]
     At {
-        /// λ > 0.
+        /// The load factor λ > 0.
         factor: f64,
         /// The position at which the pressure or a concentrated force is zero at this factor \[m\].
         x: f64,
@@ -26,9 +27,9 @@ pub enum FirstLiftOff {
     Never,
 }
 
-/// A model whose loads are split into constant and increasing ones. The models under each part keep all
-/// positions of the whole model, and so have the same cells. The gap and the settlements of supports belong
-/// to the constant loads.
+/// A model whose loads are split into constant and increasing loads. The models with only the constant loads or
+/// only the increasing loads have all positions of the whole model, and therefore the same cells. The gap and
+/// the settlements of supports belong to the constant loads.
 pub(crate) struct Parts<'a> {
     pub model: &'a Model,
     pub grows: Vec<bool>,
@@ -46,12 +47,12 @@ impl<'a> Parts<'a> {
         model
     }
 
-    /// The constant loads only.
+    /// Returns the model with the constant loads only.
     pub fn staying(&self) -> Model {
         self.at(0.0)
     }
 
-    /// The increasing loads only, at factor 1.
+    /// Returns the model with the increasing loads only, at factor 1.
     pub fn growing(&self) -> Model {
         let mut model = self.model.clone();
         model.loads = self.loads(|grows| if grows { 1.0 } else { 0.0 });
@@ -87,8 +88,9 @@ impl<'a> Parts<'a> {
                     LossOfEquilibrium::At { factor, motion: RigidMotion { work: 0.0, ..motion } };
             }
         }
-        // If the loads do no work in a motion at any factor, concentrated forces under the nodes decide: a
-        // shear layer or a support must carry them.
+        // If the loads do no work in a motion at any factor, the existence of an equilibrium depends on the
+        // concentrated contact forces that a shear layer or a support can carry. The check is made at one factor
+        // below the first root.
         let within = if least.is_finite() { 0.5 * least } else { 1.0 };
         match existence(&self.at(within)).verdict {
             Verdict::None(motion) if undecided => LossOfEquilibrium::AtOnce(motion),
@@ -100,13 +102,13 @@ impl<'a> Parts<'a> {
 /// The factor beyond which no equilibrium exists.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum LossOfEquilibrium {
-    /// No equilibrium exists at any factor, however small: the motion never presses on the ground, and the
-    /// loads do positive work in it. The work is that of the constant loads. If this is zero, it is that of
-    /// the increasing loads at factor 1.
+    /// No equilibrium exists at any factor, however small. This rigid motion nowhere presses on the ground, and
+    /// the loads do positive work in it. The work is that of the constant loads. If the work of the constant
+    /// loads is zero, it is the work of the increasing loads at factor 1.
     AtOnce(RigidMotion),
-    /// An equilibrium exists for every smaller factor, and for none slightly larger.
+    /// An equilibrium exists for every factor below `factor`, but for no factor slightly above it.
     At {
-        /// λ > 0.
+        /// The load factor λ > 0.
         factor: f64,
         /// The motion in which the loads do positive work beyond the factor. At the factor itself their work
         /// is zero.

@@ -7,34 +7,35 @@ use crate::numeric::polynomial::{Coefficients, jet, product, rescale, value};
 use crate::numeric::real::Real;
 use crate::numeric::roots::is_free_of_zeros;
 
-/// A part of beam and ground in which EI, k and μ are constant or polynomials, and f, g, κ₀ and g₀ are linear.
+/// A part of beam and ground in which EI, k and μ are constant or polynomials. The loads, the imposed curvature
+/// κ₀ and the initial gap g₀ are linear in this part.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Cell<R = f64> {
-    /// Left and right end \[m\].
+    /// Positions of the left and the right end of the cell \[m\].
     pub x: [f64; 2],
-    /// EI \[N·m²\]; at the middle if it varies.
+    /// Bending stiffness EI \[N·m²\]. If EI varies, this is its value at the middle of the cell.
     pub stiffness: R,
-    /// k \[N/m²\]; at the middle if it varies.
+    /// Subgrade modulus k \[N/m²\]. If k varies, this is its value at the middle of the cell.
     pub subgrade: R,
-    /// μ \[N\]; at the middle if it varies.
+    /// Stiffness μ of the shear layer \[N\]. If μ varies, this is its value at the middle of the cell.
     pub shear_layer: R,
     /// Coefficients of the beam's shear stiffness S(s) \[N\]; `None` without shear deformation.
     pub beam_shear: Option<[R; Profile::MOST]>,
-    /// The variation of EI, k and μ.
+    /// Variation of EI, k and μ along the cell.
     pub varies: Varies<R>,
-    /// f at both ends \[N/m\].
+    /// Distributed load f on the beam at both ends of the cell \[N/m\].
     pub load: [R; 2],
-    /// g at both ends \[N·m/m\].
+    /// Distributed moment g on the beam at both ends of the cell \[N·m/m\].
     pub moment_load: [R; 2],
-    /// κ₀ at both ends \[1/m\].
+    /// Imposed curvature κ₀ at both ends of the cell \[1/m\].
     pub curvature: [R; 2],
-    /// g₀ at both ends \[m\].
+    /// Initial gap g₀ at both ends of the cell \[m\].
     pub gap: [R; 2],
-    /// g₀', with the same bits in all cells between two corners of the initial gap.
+    /// Slope g₀' of the initial gap. It is bitwise equal in all cells between two corners of the gap.
     pub gap_slope: R,
     /// Distributed load q on the ground, at both ends \[N/m\].
     pub ground_load: [R; 2],
-    /// u₀ − q/k at both ends \[m\], where [u₀](crate::mesh::free_field) is the free-field settlement.
+    /// Homogeneous part u₀ − q/k of the free-field settlement [u₀](crate::mesh::free_field) at both ends \[m\].
     pub homogeneous_field: [R; 2],
     /// Point force on the ground at the left end of the cell \[N\].
     pub ground_force: R,
@@ -48,7 +49,8 @@ pub(crate) struct Varies<R = f64> {
     /// Coefficients of s, s², … in k(s) and μ(s).
     subgrade: [R; GROUND - 1],
     shear_layer: [R; GROUND - 1],
-    /// μ at both ends if it varies, with the same bits in neighbouring cells of a segment.
+    /// Values of μ at both ends of the cell if μ varies. Neighbouring cells of a segment have bitwise equal values
+    /// at their common end.
     shear_layer_ends: Option<[R; 2]>,
 }
 
@@ -60,7 +62,7 @@ pub(crate) const GROUND: usize = Foundation::MOST_CONTROL_VALUES;
 const ZERO_FREE_RADIUS: f64 = 10.0;
 
 impl<R: Real> Cell<R> {
-    /// The coefficients of w − g₀, which is u in contact, from those of w.
+    /// Returns the coefficients of w − g₀ from those of w. In contact, w − g₀ is the ground displacement u.
     pub fn above_gap(&self, deflection: &[R]) -> Coefficients<R> {
         let mut c = Coefficients::from(deflection);
         let [left, right] = self.gap;
@@ -69,7 +71,8 @@ impl<R: Real> Cell<R> {
         c
     }
 
-    /// The coefficients of ψ = w − g₀ − u₀, from those of w.
+    /// Returns the coefficients of the obstacle ψ = w − g₀ − u₀ from those of w, with the free-field settlement
+    /// u₀.
     pub fn obstacle(&self, deflection: &[R]) -> Coefficients<R> {
         let mut c = self.above_gap(deflection);
         if self.has_free_field() {
@@ -87,12 +90,12 @@ impl<R: Real> Cell<R> {
         self.ground_load != [R::ZERO; 2] || self.homogeneous_field != [R::ZERO; 2]
     }
 
-    /// The length of the cell in decay lengths of the ground: b times the length, b = √(k/μ).
+    /// Returns the length of the cell in decay lengths of the ground. It is b times the length, with b = √(k/μ).
     fn fading(&self) -> R {
         (self.subgrade / self.shear_layer).sqrt() * self.length()
     }
 
-    /// u₀ and u₀′ at s.
+    /// Returns the free-field settlement u₀ and its derivative u₀′ at s.
     pub fn free_field_at(&self, s: f64) -> [R; 2] {
         if !self.has_free_field() {
             return [R::ZERO; 2];
@@ -107,7 +110,8 @@ impl<R: Real> Cell<R> {
         u
     }
 
-    /// The coefficients of u₀(s). Cells with a free field are short enough for this series.
+    /// Returns the coefficients of the free-field settlement u₀(s). Cells with a free field are short enough for a
+    /// power series of u₀.
     pub fn free_field(&self) -> Coefficients<R> {
         let mut c = if self.shear_layer.value() > 0.0 {
             settled(
@@ -149,7 +153,7 @@ impl<R: Real> Cell<R> {
             && !other.ground_varies()
     }
 
-    /// Whether a curvature is imposed.
+    /// Whether a curvature is imposed on this cell.
     pub fn has_imposed_curvature(&self) -> bool {
         self.curvature != [R::ZERO; 2]
     }
@@ -179,12 +183,12 @@ impl<R: Real> Cell<R> {
         with_first(self.shear_layer, &self.varies.shear_layer)
     }
 
-    /// μ at the left and the right end.
+    /// The values of μ at the left and the right end of the cell.
     pub fn shear_layer_ends(&self) -> [R; 2] {
         self.varies.shear_layer_ends.unwrap_or([self.shear_layer; 2])
     }
 
-    /// k and μ at s.
+    /// Returns k and μ at s.
     pub fn ground_at(&self, s: f64) -> [R; 2] {
         if !self.ground_varies() {
             return [self.subgrade, self.shear_layer];
@@ -192,7 +196,7 @@ impl<R: Real> Cell<R> {
         [value(&self.subgrade_along(), s), value(&self.shear_layer_along(), s)]
     }
 
-    /// k, μ and dμ/ds at s.
+    /// Returns k, μ and dμ/ds at s.
     pub fn ground_rising_at(&self, s: f64) -> [R; 3] {
         if !self.ground_varies() {
             return [self.subgrade, self.shear_layer, R::ZERO];
@@ -210,7 +214,8 @@ impl<R: Real> Cell<R> {
                     && (self.shear_layer.value() == 0.0 || is_free(&self.shear_layer_along()))))
     }
 
-    /// Whether S + N varies little enough for short power series, with the axial force N.
+    /// Whether the sum of the shear stiffness S and the axial force N varies little enough for short power
+    /// series.
     pub fn shear_is_smooth(&self, axial_force: f64) -> bool {
         let uneven = self.beam_shear.filter(|_| self.beam_shear_varies());
         uneven.is_none_or(|shear| {
@@ -220,7 +225,7 @@ impl<R: Real> Cell<R> {
         })
     }
 
-    /// Whether open ground on a length of 2·`half` in the cell is one short power series.
+    /// Whether one short power series represents open ground on a length of 2·`half` in the cell.
     pub fn is_short_for_open_ground(&self, half: f64) -> bool {
         if !self.ground_varies() || self.shear_layer.value() == 0.0 {
             return true;
@@ -334,7 +339,8 @@ impl Cell {
         self.set_ground(&spring.coefficients, &shear.coefficients, shear.ends);
     }
 
-    /// The cell in dual numbers. Each derivative comes from a cell whose data are derivatives; `None` stands for zeros.
+    /// Returns the cell in dual numbers. Each cell in `by` contains derivatives in place of data; `None` means
+    /// that all derivatives are zero.
     pub fn lifted<const N: usize>(&self, by: [Option<&Cell>; N]) -> Cell<Dual<N>> {
         let dual = |number: &dyn Fn(&Cell) -> f64| Dual {
             value: number(self),
@@ -374,7 +380,7 @@ impl Cell {
     }
 }
 
-/// The values, without derivatives.
+/// Returns the values of dual numbers, without their derivatives.
 fn values<R: Real>(c: &[R]) -> Coefficients {
     c.iter().map(|c| c.value()).collect()
 }
@@ -385,17 +391,17 @@ fn with_first<R: Real, const N: usize, const REST: usize>(first: R, rest: &[R; R
     all
 }
 
-/// g₀ + u₀ at s in a cell.
+/// Returns the sum of the initial gap g₀ and the free-field settlement u₀ at s in a cell.
 pub(crate) fn gap_at<R: Real>(cell: &Cell<R>, s: f64) -> R {
     initial_gap_at(cell, s) + cell.free_field_at(s)[0]
 }
 
-/// g₀ at s in a cell.
+/// Returns the initial gap g₀ at s in a cell.
 pub(crate) fn initial_gap_at<R: Real>(cell: &Cell<R>, s: f64) -> R {
     initial(cell.gap, s)
 }
 
-/// The value at s of a linear function with the given values at both ends.
+/// Returns the value at s of a linear function from its values at both ends of the cell.
 pub(crate) fn initial<R: Real>([left, right]: [R; 2], s: f64) -> R {
     (left + right) * 0.5 + (right - left) * 0.5 * s
 }

@@ -1,5 +1,4 @@
-//! A deflection as a polynomial in each cell; points and zones of a mesh; ψ = w − g₀ − u₀ and the pressure at
-//! a point.
+//! Deflection as a polynomial in each cell of a mesh, and from it the ground reaction at points of the beam.
 
 use crate::mesh::cell::Cell;
 use crate::mesh::cell::{gap_at, initial, initial_gap_at};
@@ -9,21 +8,21 @@ use crate::numeric::polynomial::{Coefficients, TERMS, jet, value, with_slope};
 use crate::numeric::real::Real;
 use crate::numeric::tolerance::SUM_ROUNDING;
 
-/// A point of the beam: a cell and its coordinate s ∈ \[−1, 1\].
+/// Point of the beam, given by the index of a cell and the coordinate s ∈ \[−1, 1\] in this cell.
 #[derive(Debug, Clone, Copy, PartialEq, PartialOrd)]
 pub(crate) struct BeamPoint {
     pub cell: usize,
     pub s: f64,
 }
 
-/// A contact zone from one point to another; equal points are a point contact.
+/// Contact zone between two points. If the two points are equal, the zone is a point contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct MeshZone {
     pub from: BeamPoint,
     pub to: BeamPoint,
 }
 
-/// w on a mesh, as polynomials of [`TERMS`] coefficients in each cell.
+/// Deflection w on a mesh, as a polynomial with [`TERMS`] coefficients in each cell.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Deflection<'a, R = f64> {
     pub mesh: &'a Mesh<R>,
@@ -35,22 +34,25 @@ impl<R: Real> Deflection<'_, R> {
         &self.coefficients[i * TERMS..(i + 1) * TERMS]
     }
 
-    /// The coefficients of ψ in cell i.
+    /// Coefficients in cell i of ψ = w − g₀ − u₀, which is the deflection minus the initial gap and the free-field
+    /// settlement.
     pub fn obstacle(&self, i: usize) -> Coefficients<R> {
         self.mesh.cells[i].obstacle(self.cell(i))
     }
 
-    /// ψ at a point.
+    /// Value at a point of ψ, the deflection minus the initial gap and the free-field settlement.
     pub fn obstacle_at(&self, point: BeamPoint) -> R {
         value(self.cell(point.cell), point.s) - gap_at(&self.mesh.cells[point.cell], point.s)
     }
 
-    /// ψ, ψ' and π = kψ − (μψ')' at a point.
+    /// Returns ψ, ψ' and the ground pressure kψ − (μψ')' at a point, where ψ is the deflection minus the initial gap
+    /// and the free-field settlement.
     pub fn obstacle_and_pressure(&self, point: BeamPoint) -> [R; 3] {
         let cell = &self.mesh.cells[point.cell];
         let [f, d1, d2, _] = jet(self.cell(point.cell), point.s);
         let [settled, sinks] = cell.free_field_at(point.s);
-        // π of w − g₀ − u₀ is π of w − g₀ minus the ground load q, because −(μu₀′)′ + ku₀ = q.
+        // The free-field settlement u₀ satisfies ku₀ − (μu₀′)′ = q, so the load q on the ground is subtracted in
+        // place of terms with u₀.
         let psi = f - initial_gap_at(cell, point.s);
         let per_length = 2.0 / cell.length();
         let slope = d1 * per_length - cell.gap_slope;
@@ -66,14 +68,16 @@ impl<R: Real> Deflection<'_, R> {
         self.mesh.cells[point.cell].global(point.s)
     }
 
-    /// μψ' at a point.
+    /// Value at a point of μψ', where ψ is the deflection minus the initial gap and the free-field settlement.
     pub fn flux(&self, point: BeamPoint) -> R {
         let cell = &self.mesh.cells[point.cell];
         let slope = jet(self.cell(point.cell), point.s)[1] * 2.0 / cell.length() - cell.gap_slope;
         cell.ground_at(point.s)[1] * (slope - cell.free_field_at(point.s)[1])
     }
 
-    /// −\[μψ'\] at the node to the left of cell i: positive where a corner is pressed into the ground.
+    /// Point force −\[μψ'\] of the ground at the left node of cell i. Here \[ \] denotes the jump at the node, and ψ
+    /// is the deflection minus the initial gap and the free-field settlement. The force is positive where a corner of
+    /// the beam is pressed into the ground.
     pub fn corner(&self, i: usize) -> R {
         let [a, b] = [&self.mesh.cells[i - 1], &self.mesh.cells[i]];
         let ([_, before], [after, _]) = (a.shear_layer_ends(), b.shear_layer_ends());
@@ -88,7 +92,7 @@ impl<R: Real> Deflection<'_, R> {
         (before - after) * slope - (before * a.gap_slope - after * b.gap_slope) - b.ground_force
     }
 
-    /// The coefficients of π = kψ − (μψ')' in cell i.
+    /// Coefficients of the contact pressure in cell i, for contact along the whole cell.
     pub fn pressure(&self, i: usize) -> Coefficients<R> {
         let cell = &self.mesh.cells[i];
         pressure_of(cell, 0.5 * cell.length(), &self.obstacle(i))
@@ -96,15 +100,16 @@ impl<R: Real> Deflection<'_, R> {
 }
 
 impl Deflection<'_> {
-    /// Whether a zone is one point at which a rigid support holds the beam on the ground. The support carries
-    /// the load there, so a rounding error of the ground's force must not count as contact.
+    /// Whether a zone is a single point at which a rigid support holds the beam exactly at the surface of the ground.
+    /// Such a zone is not a contact zone, because its ground reaction is only a rounding error.
     pub fn is_held(&self, zone: &MeshZone) -> bool {
         let BeamPoint { cell, s } = zone.from;
         zone.from == zone.to && s.abs() == 1.0 && self.held_zeros(cell)[usize::from(s > 0.0)] > 0
     }
 
-    /// The order of the zero of ψ that a rigid support makes at each end of a cell: 2 at a clamp on the
-    /// ground's surface (ψ = ψ' = 0 except for rounding), 1 at a pin, otherwise 0.
+    /// Order of the zero that a rigid support causes at each end of a cell in ψ, the deflection minus the initial gap
+    /// and the free-field settlement. The order is 2 if a clamp gives ψ = ψ' = 0 up to rounding error, 1 if a support
+    /// gives only ψ = 0, and 0 otherwise.
     pub fn held_zeros(&self, cell: usize) -> [usize; 2] {
         let coefficients = self.cell(cell);
         let is_rounding = |value: f64, size: f64| value.abs() <= SUM_ROUNDING * size;
@@ -124,7 +129,8 @@ impl Deflection<'_> {
     }
 }
 
-/// The coefficients of kψ − (μψ')' from those of ψ on a stretch of half length `half`.
+/// Computes the coefficients of the pressure kψ − (μψ')' under a ground settlement ψ, from the coefficients of ψ on a
+/// stretch of half length `half`.
 pub(crate) fn pressure_of<R: Real>(cell: &Cell<R>, half: f64, obstacle: &[R]) -> Coefficients<R> {
     if cell.ground_varies() {
         return varying::pressure(cell, half, obstacle);
@@ -140,8 +146,8 @@ pub(crate) fn pressure_of<R: Real>(cell: &Cell<R>, half: f64, obstacle: &[R]) ->
     pressure
 }
 
-/// The coefficients of the pressure k(w − g₀) − (μ(w − g₀)')' − q in contact, from those of w on a stretch of
-/// half length `half`.
+/// Computes the coefficients of the contact pressure under a deflection w from the coefficients of w on a stretch of
+/// half length `half`. The initial gap and the loads on the ground are taken into account.
 pub(crate) fn pressure_under<R: Real>(
     cell: &Cell<R>,
     half: f64,

@@ -14,7 +14,8 @@ use crate::numeric::real::Real;
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Motion<'a, R = f64> {
     pub deflection: &'a [R],
-    /// Coefficients of the rotation of the sections; empty if it is w' everywhere.
+    /// Coefficients of the rotation of the cross-sections. Empty if the beam has no shear deformation, so that the
+    /// rotation is w'.
     pub rotation: &'a [R],
 }
 
@@ -23,7 +24,7 @@ impl<R: Real> Motion<'_, R> {
         &self.deflection[cell * TERMS..(cell + 1) * TERMS]
     }
 
-    /// The coefficients of the rotation in a cell; `None` if the beam has no shear deformation.
+    /// Coefficients of the rotation in a cell; `None` if the beam has no shear deformation.
     fn rotation(&self, cell: usize) -> Option<&[R]> {
         self.rotation.get(cell * TERMS..(cell + 1) * TERMS)
     }
@@ -36,8 +37,9 @@ impl<R: Real> Motion<'_, R> {
     }
 }
 
-/// ∫(EI φ'ψ' + S (w' − φ)(z' − ψ) + P w'z') plus the springs at supports and in hinges, for w with φ and z with ψ.
-/// Without shear deformation the integral is ∫(EI w″z″ + P w'z').
+/// Computes the bilinear form of the beam energy for two states of the beam: deflection w with rotation φ, and
+/// deflection z with rotation ψ. The form is ∫(EI φ'ψ' + S (w' − φ)(z' − ψ) + P w'z'), with the axial force P, plus
+/// the terms of the springs at supports and in hinges. Without shear deformation the integral is ∫(EI w″z″ + P w'z').
 pub(crate) fn beam_form<R: Real>(mesh: &Mesh<R>, a: Motion<R>, b: Motion<R>) -> R {
     let mut sum = R::ZERO;
     for (i, cell) in mesh.cells.iter().enumerate() {
@@ -67,7 +69,7 @@ pub(crate) fn beam_form<R: Real>(mesh: &Mesh<R>, a: Motion<R>, b: Motion<R>) -> 
     sum
 }
 
-/// F(w): the work of the loads in a deflection w.
+/// Computes the work F(w) of the loads in the deflection w.
 pub(crate) fn work_of_loads<R: Real>(mesh: &Mesh<R>, motion: Motion<R>) -> R {
     let mut work = R::ZERO;
     for (i, cell) in mesh.cells.iter().enumerate() {
@@ -88,9 +90,10 @@ pub(crate) fn work_of_loads<R: Real>(mesh: &Mesh<R>, motion: Motion<R>) -> R {
     work
 }
 
-/// The work of the ground's forces at ψ in a field δ, with contact on `zones`. If `zones` is the contact set of ψ, it
-/// is the first variation of ½ min_{u ≥ ψ} b(u, u); otherwise it is the bilinear form of the bonded ground. Both fields
-/// are polynomials on the same mesh, and the gap is already subtracted from ψ.
+/// Computes the work that the ground reactions do in a displacement δ of the beam. The reactions are those of ground
+/// that is bonded on `zones` to a surface with the settlement ψ, where ψ is the deflection minus the gap. If `zones`
+/// is the contact set of ψ, the work is the first variation of the ground energy. Both ψ and δ are polynomials on the
+/// same mesh.
 pub(crate) fn ground_work<R: Real>(
     mesh: &Mesh<R>,
     zones: &[MeshZone],
@@ -144,7 +147,8 @@ pub(crate) fn ground_work<R: Real>(
     work
 }
 
-/// ∫ (κ f g + N f' g') dx over a part of a cell of length h, for polynomials f and g.
+/// Computes ∫ (κ f g + N f' g') dx over the part from `from` to `to` of a cell, for constants κ and N and polynomials
+/// f and g. The length of the whole cell is h.
 pub(crate) fn energy_form<R: Real>(
     h: f64,
     (kappa, tension): (R, R),
@@ -161,17 +165,19 @@ pub(crate) fn energy_form<R: Real>(
     form(&rescale(f, middle, quarter), &rescale(g, middle, quarter))
 }
 
-/// ∫ EI f″ g″ ds over \[−1, 1\], with derivatives with respect to s.
+/// Computes the bending integral ∫ EI f″ g″ ds over \[−1, 1\], with derivatives with respect to s.
 fn bending<R: Real>(cell: &Cell<R>, f: &[R], g: &[R]) -> R {
     if cell.beam_varies() { varying::bending(cell, f, g) } else { cell.stiffness * inner(f, g, 2) }
 }
 
-/// ∫ EI φ'ψ' ds over \[−1, 1\], with derivatives with respect to s.
+/// Computes the bending integral ∫ EI φ'ψ' ds over \[−1, 1\] for the rotations φ and ψ, with derivatives with respect
+/// to s.
 fn turning<R: Real>(cell: &Cell<R>, f: &[R], g: &[R]) -> R {
     inner(&product(&cell.stiffness_along(), &derivative(f)), &derivative(g), 0)
 }
 
-/// ∫ S (w' − φ)(z' − ψ) ds over \[−1, 1\] in a cell of length h.
+/// Computes the shear integral ∫ S γ₁γ₂ ds over \[−1, 1\] in a cell of length h, for two pairs of a deflection w and
+/// a rotation φ. Here γ₁ and γ₂ are the shear strains dw/dx − φ of the two pairs.
 fn shearing<R: Real>(shear: &[R], h: f64, a: [&[R]; 2], b: [&[R]; 2]) -> R {
     let strain = |[w, rotation]: [&[R]; 2]| {
         let mut strain = derivative(w).at_least(rotation.len());

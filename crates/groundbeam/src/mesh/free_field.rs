@@ -1,11 +1,14 @@
 //! The free-field settlement u₀ under the beam and outside it, from the loads on the ground.
 //!
-//! u₀ solves −(μu₀′)′ + ku₀ = q on the whole line, without a beam. The contact pressure p adds the settlement G p, and
-//! G p = w − g₀ − u₀ in contact. So u₀ acts on the beam like an initial gap that is not piecewise linear. On ground
-//! with constant k and μ, and for linear q, u₀ = q/k + e. The homogeneous part e follows from its values at both ends.
+//! u₀ solves −(μu₀′)′ + ku₀ = q on the whole line without a beam, where q is the load on the ground. The contact
+//! pressure p adds the settlement G p, where G is Green's operator of the ground. In a contact zone, the deflection w
+//! minus the initial gap g₀ is u₀ + G p. So u₀ acts on the beam like an additional initial gap.
 //!
-//! The line is a chain of [two-ports](TwoPort), with the loads on each strip transferred to its ends. The chain uses
-//! only sums and products of positive numbers.
+//! On a strip of ground with constant k and μ under linear q, u₀ = q/k + e. The term e is a solution for unloaded
+//! ground. Its values at both ends of the strip determine it.
+//!
+//! The ground is a series of [two-ports](TwoPort), and the loads on each strip are replaced by equivalent forces at
+//! its ends. The values of u₀ at the ends of the strips follow from sums, products and quotients of positive numbers.
 
 use crate::ground::link::TwoPort;
 use crate::mesh::cell::Cell;
@@ -13,7 +16,7 @@ use crate::model::{GroundOutside, Model};
 use crate::numeric::elementary::{exp, expm1};
 use crate::numeric::real::Real;
 
-/// A stretch of constant ground with a linear distributed load.
+/// Stretch of ground with constant k and μ and with a linear distributed load.
 #[derive(Debug, Clone, Copy)]
 struct Strip<R> {
     x: [f64; 2],
@@ -25,9 +28,9 @@ struct Strip<R> {
 /// A load on the ground: a point force, or a linear distributed load.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct GroundLoad<R = f64> {
-    /// Both ends \[m\]; equal for a point force.
+    /// Positions of both ends of the load \[m\]; the two positions of a point force are equal.
     pub ends: [f64; 2],
-    /// The values at both ends: \[N/m\], or \[N\] for a point force.
+    /// Values of the load at both ends, in \[N/m\], or in \[N\] for a point force.
     pub sizes: [R; 2],
 }
 
@@ -42,7 +45,7 @@ impl<R: Real> GroundLoad<R> {
     }
 }
 
-/// The loads on the ground in a model.
+/// Returns the loads on the ground of a model.
 pub(crate) fn ground_loads(model: &Model) -> Vec<GroundLoad> {
     let load = |load: &crate::model::Load| GroundLoad {
         ends: load.extent.ends(),
@@ -51,7 +54,8 @@ pub(crate) fn ground_loads(model: &Model) -> Vec<GroundLoad> {
     model.ground_loads().map(load).collect()
 }
 
-/// The whole line: the length of the beam, the ground outside both ends, and the loads on the ground.
+/// Data of the free field: the length of the beam, the ground outside both ends of the beam, and the loads on the
+/// ground.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Line<'a, R = f64> {
     pub length: f64,
@@ -59,8 +63,8 @@ pub(crate) struct Line<'a, R = f64> {
     pub loads: &'a [GroundLoad<R>],
 }
 
-/// The forces at both ends of a strip whose ends are held: ∫q φ, where φ is the settlement of unloaded ground
-/// that is 1 at one end and 0 at the other.
+/// Equivalent forces ∫q φ of the load q at both ends of a strip. Here φ is the settlement of unloaded ground that is
+/// 1 at one end and 0 at the other end.
 fn carried<R: Real>(strip: &Strip<R>, link: &TwoPort<R>) -> [R; 2] {
     let stiffness = (strip.spring * strip.shear).sqrt();
     let z = (strip.spring / strip.shear).sqrt() * (strip.x[1] - strip.x[0]);
@@ -79,7 +83,7 @@ fn carried<R: Real>(strip: &Strip<R>, link: &TwoPort<R>) -> [R; 2] {
     })
 }
 
-/// Computes u₀ on a line with loads on the ground, and stores it in every cell.
+/// Computes the free-field settlement from the loads on the ground, and stores its homogeneous part in every cell.
 pub(crate) fn settle<R: Real>(line: &Line<R>, cells: &mut [Cell<R>]) {
     let (mut strips, held_left) = beside(line, false);
     strips.reverse();
@@ -93,8 +97,8 @@ pub(crate) fn settle<R: Real>(line: &Line<R>, cells: &mut [Cell<R>]) {
     }
 }
 
-/// Work of the loads on the ground, ∫q u₀ plus point forces, over the whole line, minus the work of the loads
-/// outside the beam on ground that is held at the beam's ends.
+/// Computes the work of all loads on the ground in the free-field settlement. Subtracts the work that the loads
+/// outside the beam would do if the settlement were zero at the beam's ends.
 pub(crate) fn work_of_loads<R: Real>(line: &Line<R>, cells: &[Cell<R>]) -> R {
     let [(mut strips, held_left), (right, held_right)] =
         [false, true].map(|right| beside(line, right));
@@ -122,7 +126,8 @@ fn work<R: Real>(line: &Line<R>, strips: &[Strip<R>], held: [bool; 2]) -> R {
         if strip.load == [R::ZERO; 2] {
             continue;
         }
-        // ∫q²/k for linear q, and ∫q e as the work of the end forces in e.
+        // On each strip, the settlement is q/k + e, with the load q and the homogeneous part e. The work of q in q/k
+        // is ∫q²/k. The work of q in e equals the work of the equivalent end forces in e.
         let length = strip.x[1] - strip.x[0];
         work += (a * a + a * b + b * b) * (length / 3.0) / strip.spring;
         if strip.shear.value() > 0.0 {
@@ -138,12 +143,12 @@ fn under<R: Real>(cell: &Cell<R>) -> Strip<R> {
     Strip { x: cell.x, spring: cell.subgrade, shear: cell.shear_layer, load: cell.ground_load }
 }
 
-/// u₀ at a position outside the beam.
+/// Returns the free-field settlement outside the beam, at a distance from one end of the beam.
 pub(crate) fn at<R: Real>(line: &Line<R>, right: bool, cells: &[Cell<R>], distance: f64) -> R {
     let (mut strips, held) = beside(line, right);
     let x = if right { line.length + distance } else { -distance };
     let Some(i) = strips.iter().position(|s| s.x[0] <= x && x <= s.x[1]) else { return R::ZERO };
-    // Cuts the strip at x, so that x is a node.
+    // The strip that contains the position x is cut at x, so that x is an end of a strip.
     let strip = strips[i];
     if x > strip.x[0] && x < strip.x[1] {
         let value = |at: f64| {
@@ -194,8 +199,8 @@ fn value_at<R: Real>(
         .unwrap_or(R::ZERO)
 }
 
-/// The strips outside one end of the beam, ordered outward and cut at the ends of loads. Also returns whether the far
-/// end is held.
+/// Returns the strips outside one end of the beam, ordered outward and cut at the ends of loads. Also returns whether
+/// the settlement of the far end is held at zero.
 fn beside<R: Real>(line: &Line<R>, right: bool) -> (Vec<Strip<R>>, bool) {
     let (l, beyond) = (line.length, line.beyond[usize::from(right)]);
     let outward = |x: f64| if right { x - l } else { -x };
@@ -248,7 +253,7 @@ fn load_strips<R: Real>(loads: &[GroundLoad<R>], strips: &mut [Strip<R>], right:
     }
 }
 
-/// e at both ends of each strip.
+/// Computes the homogeneous part of the free-field settlement at both ends of each strip.
 fn homogeneous<R: Real>(line: &Line<R>, strips: &[Strip<R>], held: [bool; 2]) -> Vec<[R; 2]> {
     let mut homogeneous = vec![[R::ZERO; 2]; strips.len()];
     let mut from = 0;
@@ -270,15 +275,16 @@ fn homogeneous<R: Real>(line: &Line<R>, strips: &[Strip<R>], held: [bool; 2]) ->
     homogeneous
 }
 
-/// Maximum distance between a point force and its node.
+/// Maximum distance between a point force and the node at which this force acts.
 fn same_node(at: f64, length: f64) -> f64 {
     16.0 * f64::EPSILON * (at.abs() + length)
 }
 
-/// u₀ at the nodes of consecutive strips with a shear layer.
+/// Computes the free-field settlement at the nodes of consecutive strips that have a shear layer.
 fn chain<R: Real>(line: &Line<R>, strips: &[Strip<R>], held: [bool; 2]) -> Vec<R> {
     let n = strips.len();
-    // Stiffness of the ground at each node, series stiffness to the next node, and force.
+    // `own` is the shunt stiffness at each node, `series` the stiffness to the next node, and `force` the force at
+    // each node.
     let (mut own, mut series, mut force) =
         (vec![R::ZERO; n + 1], vec![R::ZERO; n], vec![R::ZERO; n + 1]);
     for (i, strip) in strips.iter().enumerate() {
@@ -313,7 +319,7 @@ fn chain<R: Real>(line: &Line<R>, strips: &[Strip<R>], held: [bool; 2]) -> Vec<R
             force[node] += load;
         }
     }
-    // Condenses the ground on the left of each node to one spring and one force.
+    // This loop condenses the ground on the left of each node to one spring and one force.
     for i in 0..n {
         let (spring, c) = (own[i], series[i]);
         if c.value() > 0.0 {

@@ -4,18 +4,18 @@ use crate::mesh::mesh::Mesh;
 use crate::numeric::real::Real;
 use std::ops::Range;
 
-/// Consecutive cells that all have a shear layer, or all have none.
+/// Run of consecutive cells that either all have a shear layer or all have none.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct GroundRun<R = f64> {
     pub cells: Range<usize>,
     /// Whether μ > 0.
     pub pasternak: bool,
-    /// Stiffness of the ground beyond the left and right end of the shear layer \[N/m\]: that of the ground outside the
-    /// beam at the ends of the beam, 0 where the layer ends under the beam.
+    /// Stiffness of the ground beyond the left and the right end of the run \[N/m\]. At an end of the beam it is the
+    /// stiffness of the ground outside the beam. Under the beam it is 0, because the shear layer ends there.
     pub beyond: [R; 2],
 }
 
-/// The runs of a mesh, from left to right.
+/// Returns the runs of a mesh, from left to right.
 pub(crate) fn ground_runs<R: Real>(mesh: &Mesh<R>) -> Vec<GroundRun<R>> {
     let kind = |i: usize| mesh.cells[i].shear_layer.value() > 0.0;
     let n = mesh.cells.len();

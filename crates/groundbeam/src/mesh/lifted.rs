@@ -1,7 +1,7 @@
-//! A mesh in dual numbers, from the model and from the derivatives of its numbers.
+//! Mesh in dual numbers, from a model and the derivatives of the model's data.
 //!
-//! All data of cells and nodes are linear in the numbers of the model. So a model whose numbers are derivatives gives a
-//! mesh of derivatives.
+//! All data of cells and nodes are linear in the data of the model. So their derivatives are the data of a mesh that
+//! is built from the derivatives of the model's data.
 
 use crate::ground::link;
 use crate::mesh::free_field::{self, GroundLoad, Line, ground_loads};
@@ -10,13 +10,14 @@ use crate::model::{GroundOutside, Model};
 use crate::numeric::dual::Dual;
 use std::ops::Range;
 
-/// A model, and the derivatives of its numbers with respect to at most N parameters.
+/// Model, and the derivatives of its data with respect to at most N parameters.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Rates<'a> {
     pub model: &'a Model,
-    /// For each parameter a model with the same positions, whose numbers are the derivatives of the model's numbers.
+    /// One model for each parameter. Its positions are those of `model`, and its data are the derivatives of the data
+    /// of `model` with respect to the parameter.
     pub by: &'a [&'a Model],
-    /// The part of the beam outside which beam, ground, gap and distributed loads have no derivatives.
+    /// Range of the beam \[m\] outside which the derivatives of beam, ground, gap and distributed loads are zero.
     pub reach: [f64; 2],
 }
 
@@ -28,7 +29,7 @@ impl Rates<'_> {
         }
     }
 
-    /// The ground outside one end of the beam, from k and μ at this end.
+    /// Returns the ground outside one end of the beam. `at_end` contains k and μ at this end.
     pub fn beyond<const N: usize>(
         &self,
         right: bool,
@@ -59,7 +60,7 @@ impl Rates<'_> {
 }
 
 impl Mesh {
-    /// The mesh in dual numbers, without derivatives.
+    /// Returns the mesh in dual numbers whose derivatives are all zero.
     pub fn still<const N: usize>(&self) -> Mesh<Dual<N>> {
         Mesh {
             nodes: self.nodes.iter().map(|node| node.lifted([None; N])).collect(),
@@ -69,8 +70,8 @@ impl Mesh {
         }
     }
 
-    /// Replaces the derivatives in a mesh in dual numbers. Only the cells in `varied` have derivatives before. Returns
-    /// the cells that may have derivatives after.
+    /// Replaces the derivatives in the mesh `into`. Before the call, only the cells in `varied` have nonzero
+    /// derivatives. Returns the cells whose derivatives may be nonzero after the call.
     pub fn vary<const N: usize>(
         &self,
         rates: &Rates,
@@ -78,7 +79,8 @@ impl Mesh {
         into: &mut Mesh<Dual<N>>,
     ) -> Range<usize> {
         let x: Vec<f64> = self.nodes.iter().map(|node| node.x).collect();
-        // One more cell on each side, because positions may differ by rounding error.
+        // The cells of `reach` and one more cell on each side are replaced, because the ends of `reach` may have
+        // rounding errors.
         let from = x.partition_point(|x| *x <= rates.reach[0]).saturating_sub(2);
         let to = (x.partition_point(|x| *x < rates.reach[1]) + 1).min(self.cells.len()).max(from);
         let of = |model: &&Model| {

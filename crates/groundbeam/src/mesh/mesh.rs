@@ -1,7 +1,7 @@
-//! The mesh of a model: cells in which all data are polynomials, most of them constant or linear.
+//! Mesh of a model, with cells in which all data are polynomials, most of them constant or linear.
 //!
-//! Nodes are required at loads, supports, hinges, ends of segments and of distributed loads, and corners of the initial
-//! gap. Each method adds its own nodes.
+//! Nodes are required at loads, supports, hinges, ends of segments and of distributed loads, and corners of the
+//! initial gap. Each solution method adds further nodes.
 
 use crate::ground::link;
 use crate::mesh::cell::Cell;
@@ -12,7 +12,7 @@ use crate::numeric::polynomial::value;
 use crate::numeric::real::Real;
 use crate::numeric::tolerance::same_place;
 
-/// The loads and supports of the beam at one point.
+/// Node of a mesh, with the loads, supports and hinge of the beam at this point.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct Node<R = f64> {
     /// Position \[m\].
@@ -21,38 +21,38 @@ pub(crate) struct Node<R = f64> {
     pub force: R,
     /// Point moment \[N·m\].
     pub moment: R,
-    /// Whether w is prescribed, as the settlement of the support.
+    /// Whether a rigid support prescribes w. The prescribed value is the settlement of the support.
     pub pinned: bool,
     /// Settlement of the support \[m\].
     pub settlement: R,
-    /// Whether the rotation of the sections is 0.
+    /// Whether a clamp prescribes zero rotation of the cross-sections.
     pub clamped: bool,
-    /// Stiffness of a translational spring \[N/m\], relative to the settlement.
+    /// Stiffness of a translational spring \[N/m\]. The spring force is proportional to w minus the settlement.
     pub spring: R,
     /// Stiffness of a rotational spring \[N·m/rad\].
     pub rotational_spring: R,
-    /// Rotational stiffness of a hinge \[N·m/rad\]; `None` without a hinge. At a hinge the rotation of the sections may
-    /// jump.
+    /// Rotational stiffness of a hinge \[N·m/rad\]; `None` without a hinge. The rotation of the cross-sections may
+    /// jump at a hinge.
     pub hinge: Option<R>,
-    /// Whether w' may jump without a hinge: on a beam with shear deformation, at a force or support,
-    /// at a corner of the initial gap, and where S or μ jumps.
+    /// Whether w' may jump at the node even without a hinge. On a beam with shear deformation, w' jumps at a force, a
+    /// support or a corner of the initial gap, and where S or μ jumps.
     pub kinked: bool,
 }
 
-/// Nodes from left to right and the cells between them.
+/// Mesh of a beam: the nodes from left to right and the cells between them.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Mesh<R = f64> {
     pub nodes: Vec<Node<R>>,
     pub cells: Vec<Cell<R>>,
     /// Axial force P \[N\], positive in tension.
     pub axial_force: R,
-    /// Stiffness of the ground outside the left and the right end \[N/m\]; √(kμ) if it is uniform and
-    /// infinite.
+    /// Stiffness of the ground outside the left and the right end of the beam \[N/m\]. It is √(kμ) if this ground is
+    /// uniform and infinite.
     pub outside: [R; 2],
 }
 
 impl<R: Real> Mesh<R> {
-    /// The cell that contains x; at a node, the cell on its right.
+    /// Index of the cell that contains x. At a node, it is the index of the cell on the right.
     pub fn cell_at(&self, x: f64) -> usize {
         self.cells.partition_point(|cell| cell.x[1] <= x).min(self.cells.len() - 1)
     }
@@ -66,22 +66,22 @@ impl<R: Real> Mesh<R> {
 }
 
 impl Mesh {
-    /// A mesh with the required nodes and the nodes in `more`. Every interval between them is cut into
-    /// `parts` equal cells.
+    /// Builds a mesh with the required nodes and with nodes at the positions `more`. Every interval between these
+    /// nodes is divided into `parts` equal cells.
     pub fn build(model: &Model, more: &[f64], parts: impl Fn(&Cell) -> usize) -> Self {
         Self::cut(model, more, |cell, x| x.extend(cell.cuts(parts(cell))))
     }
 
-    /// Like [`Self::build`], except that cells whose data are not short power series are halved first. `cut` appends
-    /// positions within a cell.
+    /// Builds a mesh as [`Self::build`] does, but first halves the cells whose data vary too much for short power
+    /// series. `cut` appends the positions at which a cell is divided.
     pub fn graded(model: &Model, more: &[f64], cut: impl Fn(&Cell, &mut Vec<f64>)) -> Self {
         let axial = model.beam.axial_force;
         Self::cut(model, more, |cell, x| graded(cell, axial, &cut, x))
     }
 
-    /// Calls `each` for every cell of a [graded](Self::graded) mesh with one part per cell, together with the
-    /// number of parts that the free-field settlement needs. Returns the number of intervals of the model
-    /// itself.
+    /// Halves the cells between the required nodes as [`Self::graded`] does, and calls `each` for every resulting
+    /// cell. The second argument of `each` is the number of parts that the free-field settlement needs in the
+    /// interval. Returns the number of intervals between the required nodes.
     pub fn each_graded(model: &Model, mut each: impl FnMut(&Cell, usize)) -> usize {
         let coarse = cells_between(model, &positions(model, &[]));
         let axial = model.beam.axial_force;
@@ -92,7 +92,8 @@ impl Mesh {
         coarse.len()
     }
 
-    /// Cuts each interval between the required nodes and `more` at positions that `cut` adds.
+    /// Builds a mesh. Each interval between the required nodes and the positions `more` is divided at the positions
+    /// that `cut` appends.
     fn cut(model: &Model, more: &[f64], cut: impl Fn(&Cell, &mut Vec<f64>)) -> Self {
         let coarse = cells_between(model, &positions(model, more));
         let mut x = Vec::with_capacity(2 * coarse.len());
@@ -149,7 +150,7 @@ impl Mesh {
             match load.action {
                 Action::Force => self.nodes[i].force += size,
                 Action::Moment => self.nodes[i].moment += size,
-                // A curvature is always distributed.
+                // A curvature always acts along a stretch, not at a node.
                 Action::Curvature => {}
             }
         }
@@ -189,7 +190,8 @@ fn graded(cell: &Cell, axial_force: f64, cut: &impl Fn(&Cell, &mut Vec<f64>), x:
     });
 }
 
-/// Calls `each` with the smooth parts of a cell, from left to right. Halves the cell as often as needed.
+/// Calls `each` for the smooth parts of a cell, from left to right. The cell is halved until the data of each part
+/// are smooth.
 fn each_smooth(cell: &Cell, axial_force: f64, halvings: u32, each: &mut impl FnMut(&Cell)) {
     if halvings == 0 || cell.is_smooth() && cell.shear_is_smooth(axial_force) {
         return each(cell);
@@ -198,7 +200,7 @@ fn each_smooth(cell: &Cell, axial_force: f64, halvings: u32, each: &mut impl FnM
     each_smooth(&cell.part([0.0, 1.0]), axial_force, halvings - 1, each);
 }
 
-/// Number of equal parts of a cell such that u₀ is a short power series in each part.
+/// Number of equal parts of a cell such that a short power series represents the free-field settlement in each part.
 fn pieces_of_settled(cell: &Cell) -> usize {
     if !cell.has_free_field() || cell.shear_layer == 0.0 {
         return 1;
@@ -207,7 +209,7 @@ fn pieces_of_settled(cell: &Cell) -> usize {
     fades.ceil().max(1.0) as usize
 }
 
-/// The sorted positions of all required nodes and of `more`, without duplicates.
+/// Returns the sorted positions of all required nodes and of `more`, without duplicates.
 fn positions(model: &Model, more: &[f64]) -> Vec<f64> {
     let l = model.beam.length;
     let most = 2 * (1 + model.beam.segments.len() + model.foundation.segments.len())
@@ -216,7 +218,7 @@ fn positions(model: &Model, more: &[f64]) -> Vec<f64> {
         + model.hinges.len()
         + model.gap.len()
         + more.len();
-    // The flag marks positions of the model.
+    // The flag is true for positions of the model and false for positions from `more`.
     let mut places: Vec<(f64, bool)> = Vec::with_capacity(most);
     let mut own = |x: f64| places.push((x, true));
     [0.0, l].into_iter().for_each(&mut own);
@@ -238,7 +240,7 @@ fn positions(model: &Model, more: &[f64]) -> Vec<f64> {
     let near = same_place(l);
     places.dedup_by(|next, last| {
         let same = next.0 - last.0 <= near;
-        // Of two nearly equal positions, that of the model is kept.
+        // If two positions are nearly equal, the position of the model is kept.
         if same && next.1 && !last.1 {
             *last = *next;
         }
@@ -271,7 +273,7 @@ fn cells_between(model: &Model, x: &[f64]) -> Vec<Cell> {
     cells
 }
 
-/// The data of all cells except the free field. They are linear in the numbers of the model.
+/// Computes the data of all cells except the free field. These data are linear in the data of the model.
 pub(super) fn cells_of(model: &Model, x: &[f64]) -> Vec<Cell> {
     let even = |stiffness: f64| CellPolynomial::constant(stiffness).coefficients;
     let mut cells: Vec<Cell> = x
@@ -319,7 +321,7 @@ pub(super) fn cells_of(model: &Model, x: &[f64]) -> Vec<Cell> {
     cells
 }
 
-/// Adds the loads on the ground.
+/// Adds the loads on the ground to the data of the cells.
 fn load_ground(model: &Model, cells: &mut [Cell]) {
     let middle = |cell: &Cell| 0.5 * (cell.x[0] + cell.x[1]);
     for load in model.ground_loads() {
@@ -332,8 +334,8 @@ fn load_ground(model: &Model, cells: &mut [Cell]) {
                 }
             }
             Extent::Point { at, size: force } => {
-                // The node inside the beam that is nearest to the force. Of two equally near nodes, the left
-                // one is taken.
+                // The force acts at the nearest node inside the beam. If two nodes are equally near, it acts at the
+                // left node.
                 let right = cells.partition_point(|cell| cell.x[0] < at).max(1);
                 let distance =
                     |i: usize| cells.get(i).map_or(f64::INFINITY, |c| (c.x[0] - at).abs());
@@ -347,7 +349,7 @@ fn load_ground(model: &Model, cells: &mut [Cell]) {
     }
 }
 
-/// The cells between two positions.
+/// Returns the cells between two positions.
 fn within(cells: &mut [Cell], from: f64, to: f64) -> &mut [Cell] {
     let middle = |cell: &Cell| 0.5 * (cell.x[0] + cell.x[1]);
     let first = cells.partition_point(|cell| middle(cell) < from);
@@ -364,7 +366,7 @@ fn add_distributed(cell: &mut Cell, load: &Load) {
     load.extent.add_to(into, cell.x);
 }
 
-/// g₀(x): linear between corners, constant beyond them.
+/// Initial gap g₀(x), which is linear between corners and constant beyond the outermost corners.
 fn initial_gap(model: &Model, x: f64) -> f64 {
     let corners = &model.gap;
     let right = corners.partition_point(|corner| corner.at < x);
@@ -376,7 +378,7 @@ fn initial_gap(model: &Model, x: f64) -> f64 {
     }
 }
 
-/// g₀'(x) between corners, 0 beyond them.
+/// Slope g₀'(x) of the initial gap, which is 0 beyond the outermost corners.
 fn gap_slope(model: &Model, x: f64) -> f64 {
     let right = model.gap.partition_point(|corner| corner.at < x);
     match (right.checked_sub(1).map(|i| model.gap[i]), model.gap.get(right)) {

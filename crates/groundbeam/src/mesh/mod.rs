@@ -1,4 +1,4 @@
-//! The discrete problem: cells, nodes, the free field, deflections and their energies, (3.8), (3.9).
+//! The discrete problem, (3.8) and (3.9): cells, nodes, the free field, deflections and their energies.
 
 pub(crate) mod cell;
 pub(crate) mod deflection;

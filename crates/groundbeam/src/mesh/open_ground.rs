@@ -1,4 +1,4 @@
-//! The open ground between two contact points, as two-ports.
+//! Two-ports of the ground out of contact between two points, from a mesh.
 
 use crate::ground::link::TwoPort;
 use crate::mesh::cell::Cell;
@@ -8,11 +8,11 @@ use crate::mesh::mesh::Mesh;
 use crate::mesh::varying::link;
 use crate::numeric::real::Real;
 
-/// u at the ends of all two-ports in series, for given values at both ends of the series; and the equivalent two-port
-/// of the series.
+/// Computes u at the junctions of two-ports in series from the values of u at both ends of the series. Also returns
+/// the equivalent two-port of the series.
 ///
-/// The forward pass computes the two-port from the start to each junction. The backward pass computes u at each
-/// junction from that two-port and the next one. Both use only sums of positive numbers.
+/// The forward pass computes the equivalent two-port from the start to each junction. The backward pass computes u at
+/// each junction from this equivalent two-port and from the next two-port. Both passes add only positive stiffnesses.
 pub(crate) fn heights<R: Real>(
     links: &[TwoPort<R>],
     [start, end]: [R; 2],
@@ -35,7 +35,7 @@ pub(crate) fn heights<R: Real>(
     (values, so_far.last().copied())
 }
 
-/// The open ground between two points as one two-port; `None` if the points coincide.
+/// Returns the equivalent two-port of the ground out of contact between two points; `None` if the points coincide.
 pub(crate) fn open_link<R: Real>(
     mesh: &Mesh<R>,
     run: &GroundRun<R>,
@@ -46,8 +46,8 @@ pub(crate) fn open_link<R: Real>(
     links.into_iter().map(|(_, link)| link).reduce(TwoPort::then)
 }
 
-/// The two-ports of open ground between two points, cell by cell. A missing point stands for the ground beyond that end
-/// of the run.
+/// Returns the two-ports of the ground out of contact between two points, cell by cell. If `from` or `to` is `None`,
+/// all ground up to the left or the right end of the run and beyond this end is included.
 pub(crate) fn open_links<R: Real>(
     mesh: &Mesh<R>,
     run: &GroundRun<R>,
@@ -76,7 +76,7 @@ pub(crate) fn open_links<R: Real>(
     links
 }
 
-/// The two-port of open ground on a part of a cell.
+/// Two-port of the ground in a part of a cell that is out of contact.
 pub(crate) fn cell_part<R: Real>(cell: &Cell<R>, from: f64, to: f64) -> TwoPort<R> {
     if cell.ground_varies() {
         return link(cell, [from, to]);

@@ -1,4 +1,4 @@
-//! Integrals over a cell with varying beam or ground data.
+//! Pressures, integrals and two-ports of a cell whose beam or ground data vary.
 
 use crate::ground::link::TwoPort;
 use crate::mesh::cell::Cell;
@@ -6,12 +6,13 @@ use crate::numeric::polynomial::inner;
 use crate::numeric::polynomial::{Coefficients, derivative, product, rescale};
 use crate::numeric::real::Real;
 
-/// Maximum number of halvings of a stretch of ground.
+/// Maximum number of halvings of a stretch of ground when its two-port is computed.
 const MOST_HALVINGS: u32 = 40;
 
-/// The two-port of open ground on a part of a cell, as a chain of short power series.
+/// Two-port of ground out of contact in a part of a cell. It is computed as a series of stretches in which a short
+/// power series represents the ground displacement.
 pub(crate) fn link<R: Real>(cell: &Cell<R>, part: [f64; 2]) -> TwoPort<R> {
-    // The length is computed from s, since the rounded ends of the part would give a less accurate one.
+    // The local coordinates of the part give its length more accurately than the rounded positions of its ends.
     let half = 0.25 * (part[1] - part[0]) * cell.length();
     chain(&cell.part(part), half, MOST_HALVINGS)
 }
@@ -25,7 +26,8 @@ fn chain<R: Real>(cell: &Cell<R>, half: f64, halvings: u32) -> TwoPort<R> {
     left.then(right)
 }
 
-/// The coefficients of kψ − (μψ')' from those of ψ on a stretch of half length `half`.
+/// Computes the coefficients of the pressure kψ − (μψ')' under a ground settlement ψ, from the coefficients of ψ on a
+/// stretch of half length `half`.
 pub(crate) fn pressure<R: Real>(cell: &Cell<R>, half: f64, obstacle: &[R]) -> Coefficients<R> {
     let flux = product(&cell.shear_layer_along(), &derivative(obstacle));
     let mut pressure = product(&cell.subgrade_along(), obstacle);
@@ -35,13 +37,13 @@ pub(crate) fn pressure<R: Real>(cell: &Cell<R>, half: f64, obstacle: &[R]) -> Co
     pressure
 }
 
-/// ∫ EI f″ g″ ds over \[−1, 1\], with derivatives with respect to s.
+/// Computes the bending integral ∫ EI f″ g″ ds over \[−1, 1\], with derivatives with respect to s.
 pub(crate) fn bending<R: Real>(cell: &Cell<R>, f: &[R], g: &[R]) -> R {
     let bend = |c: &[R]| derivative(&derivative(c));
     inner(&product(&cell.stiffness_along(), &bend(f)), &bend(g), 0)
 }
 
-/// ∫ (k f g + μ f' g') dx over a part of a cell.
+/// Computes the ground integral ∫ (k f g + μ f' g') dx over a part of a cell.
 pub(crate) fn energy_form<R: Real>(cell: &Cell<R>, part: [f64; 2], f: &[R], g: &[R]) -> R {
     let (middle, quarter) = (0.5 * (part[0] + part[1]), 0.5 * (part[1] - part[0]));
     let half = 0.5 * cell.length() * quarter;

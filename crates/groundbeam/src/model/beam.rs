@@ -1,4 +1,4 @@
-//! The beam: EI(x) and shear stiffness by segments, (4.1), under a constant axial force P, (2.1).
+//! Beam with bending stiffness EI(x) and shear stiffness given by segments, (4.1), under a constant axial force P, (2.1).
 
 use super::profile::{CellPolynomial, Profile};
 
@@ -9,31 +9,32 @@ pub struct Beam {
     pub length: f64,
     /// Bending stiffness EI \[N·m²\] outside the segments, positive.
     pub bending_stiffness: f64,
-    /// Shear stiffness S = κGA \[N\] outside the segments, positive. `None`: sections stay normal to the axis
-    /// (Euler–Bernoulli). With a value, the sections rotate by φ and the beam has the shear strain w' − φ =
-    /// Q/S (Timoshenko).
+    /// Shear stiffness S = κGA \[N\] outside the segments, positive. If it is `None`, cross-sections stay normal to
+    /// the axis (Euler–Bernoulli). Otherwise cross-sections rotate by φ, and the shear strain is w' − φ = Q/S with
+    /// the shear force Q (Timoshenko).
     pub shear_stiffness: Option<f64>,
-    /// Stretches with other stiffnesses. They may adjoin, but not overlap.
+    /// Segments whose stiffnesses differ from those of the beam. Segments may adjoin but not overlap.
     pub segments: Vec<BeamSegment>,
     /// Axial force P \[N\], tension positive, constant along the beam.
     pub axial_force: f64,
 }
 
-/// A stretch of the beam with its own stiffnesses.
+/// Segment of a beam with its own stiffnesses.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BeamSegment {
     /// Left end \[m\].
     pub from: f64,
     /// Right end \[m\].
     pub to: f64,
-    /// Bending stiffness EI \[N·m²\] from the left end to the right end, positive.
+    /// Bending stiffness EI \[N·m²\] along the segment, from its left end to its right end; positive.
     pub bending_stiffness: Profile,
-    /// Shear stiffness S \[N\] from the left end to the right end, positive; `None`: that of the beam.
+    /// Shear stiffness S \[N\] along the segment, from its left end to its right end; positive. If it is `None`, the
+    /// shear stiffness of the beam applies.
     pub shear_stiffness: Option<Profile>,
 }
 
 impl Beam {
-    /// A uniform beam without axial force and without shear deformation.
+    /// Creates a uniform beam without axial force and without shear deformation.
     pub fn uniform(length: f64, bending_stiffness: f64) -> Self {
         Beam {
             length,
@@ -44,13 +45,13 @@ impl Beam {
         }
     }
 
-    /// The same beam under an axial force P \[N\], tension positive.
+    /// Returns the beam under the axial force P \[N\], tension positive.
     pub fn with_axial_force(mut self, axial_force: f64) -> Self {
         self.axial_force = axial_force;
         self
     }
 
-    /// The same beam with a shear stiffness S = κGA \[N\].
+    /// Returns the beam with the shear stiffness S = κGA \[N\].
     ///
     /// ```
     /// use groundbeam::{Beam, Field, Foundation, Load, Model, Outcome, Support, solve};
@@ -71,12 +72,12 @@ impl Beam {
         self
     }
 
-    /// The same beam with another bending stiffness \[N·m²\] between two positions.
+    /// Returns the beam with another bending stiffness \[N·m²\] between two positions.
     pub fn with_segment(self, from: f64, to: f64, bending_stiffness: f64) -> Self {
         self.with_varying_segment(from, to, Profile::constant(bending_stiffness))
     }
 
-    /// The same beam with a bending stiffness \[N·m²\] that varies between two positions.
+    /// Returns the beam with a bending stiffness \[N·m²\] that varies between two positions.
     ///
     /// ```
     /// use groundbeam::{Beam, model::Profile};
@@ -89,8 +90,8 @@ impl Beam {
         self
     }
 
-    /// The same beam with another bending stiffness \[N·m²\] and shear stiffness \[N\] between two positions,
-    /// each a number or a [`Profile`].
+    /// Returns the beam with another bending stiffness \[N·m²\] and shear stiffness \[N\] between two positions. Each
+    /// stiffness is a number or a [`Profile`].
     pub fn with_shearing_segment(
         mut self,
         from: f64,
@@ -104,26 +105,26 @@ impl Beam {
         self
     }
 
-    /// Bending stiffness EI \[N·m²\] at `x`; at a joint of two segments, that of the right one.
+    /// Bending stiffness EI \[N·m²\] at `x`. At a joint of two segments, the value of the right segment applies.
     pub fn bending_stiffness_at(&self, x: f64) -> f64 {
         let segment = self.segments.iter().find(|s| s.from <= x && x < s.to);
         segment.map_or(self.bending_stiffness, |s| s.bending_stiffness_at(x))
     }
 
-    /// Whether the beam has shear deformation anywhere.
+    /// Whether any part of the beam has shear deformation.
     pub fn shears(&self) -> bool {
         self.shear_stiffness.is_some() || self.segments.iter().any(|s| s.shear_stiffness.is_some())
     }
 
-    /// Shear stiffness S \[N\] at `x`, `None` where the beam has no shear deformation; at a joint of two
-    /// segments, that of the right one.
+    /// Shear stiffness S \[N\] at `x`; `None` where the beam has no shear deformation. At a joint of two segments,
+    /// the value of the right segment applies.
     pub fn shear_stiffness_at(&self, x: f64) -> Option<f64> {
         let segment = self.segments.iter().find(|s| s.from <= x && x < s.to);
         let own = segment.and_then(|s| Some(s.shear_stiffness?.at_position([s.from, s.to], x)));
         own.or(self.shear_stiffness)
     }
 
-    /// The same beam with its shear stiffness multiplied by `times`.
+    /// Returns the beam with its shear stiffness multiplied by `times`.
     pub(crate) fn stiffened_in_shear(mut self, times: f64) -> Self {
         self.shear_stiffness = self.shear_stiffness.map(|stiffness| stiffness * times);
         for segment in &mut self.segments {
@@ -132,20 +133,21 @@ impl Beam {
         self
     }
 
-    /// The same beam without shear deformation.
+    /// Returns the beam without shear deformation.
     pub(crate) fn without_shear(mut self) -> Self {
         self.shear_stiffness = None;
         self.segments.iter_mut().for_each(|segment| segment.shear_stiffness = None);
         self
     }
 
-    /// An upper bound of the bending stiffness: the largest control value.
+    /// Upper bound of the bending stiffness \[N·m²\] along the beam, which is the largest control value of its
+    /// profiles.
     pub(crate) fn stiffest(&self) -> f64 {
         let segments = self.segments.iter().map(|s| s.bending_stiffness.largest());
         segments.fold(self.bending_stiffness, f64::max)
     }
 
-    /// The same beam with its bending and shear stiffness multiplied by `times`.
+    /// Returns the beam with its bending stiffness and its shear stiffness multiplied by `times`.
     pub(crate) fn stiffened(mut self, times: f64) -> Self {
         self.bending_stiffness *= times;
         for segment in &mut self.segments {
@@ -177,7 +179,7 @@ impl BeamSegment {
         self.bending_stiffness.at_position([self.from, self.to], x)
     }
 
-    /// EI on a stretch of the segment.
+    /// Polynomial of the bending stiffness EI on a stretch of the segment.
     pub(crate) fn course(&self, x: [f64; 2]) -> CellPolynomial {
         self.bending_stiffness.on([self.from, self.to], x)
     }

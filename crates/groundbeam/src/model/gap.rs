@@ -1,4 +1,4 @@
-//! The initial clearance g₀(x) between beam and ground.
+//! Initial clearance g₀(x) between beam and ground.
 
 /// One corner of the piecewise linear profile of the initial clearance.
 ///

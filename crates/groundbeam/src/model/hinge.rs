@@ -1,24 +1,24 @@
-//! Hinges inside the beam: they transmit shear force, and the moment of their rotational spring.
+//! Hinges inside the beam, which transmit shear force and the moment of a rotational spring.
 
-/// A hinge at one point inside the beam: w is continuous there, w' jumps.
+/// Hinge at one point inside the beam, where w is continuous and w' may jump.
 ///
-/// It transmits the moment M = −k_φ \[w'\], where \[w'\] is the jump of the slope, right minus left: zero for
-/// a free hinge, k_φ = 0.
+/// The hinge transmits the moment M = −k_φ \[w'\]. Here \[w'\] is the jump of the slope, right minus left. A free
+/// hinge has k_φ = 0 and transmits no moment.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Hinge {
-    /// Position \[m\], inside the beam.
+    /// Position of the hinge \[m\], inside the beam.
     pub at: f64,
     /// Rotational spring constant k_φ \[N·m/rad\] of a semi-rigid joint, not negative; 0 for a free hinge.
     pub rotational_spring: f64,
 }
 
 impl Hinge {
-    /// A hinge at `at` \[m\] that rotates freely.
+    /// Creates a hinge at `at` \[m\] that rotates freely.
     pub fn free(at: f64) -> Self {
         Hinge { at, rotational_spring: 0.0 }
     }
 
-    /// A semi-rigid joint at `at` \[m\] with a rotational spring k_φ \[N·m/rad\].
+    /// Creates a semi-rigid joint at `at` \[m\] with the rotational spring constant k_φ \[N·m/rad\].
     pub fn elastic(at: f64, rotational_spring: f64) -> Self {
         Hinge { at, rotational_spring }
     }

@@ -1,20 +1,23 @@
-//! Loads: an action on an extent, the terms of (4.7).
+//! Loads of (4.7), each with its type and with its position and size.
 
 /// The type of a load.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Action {
-    /// A force \[N\], or \[N/m\] along a stretch: fᵢ and f(x) of (4.7), or the load on the ground's surface. Positive down.
+    /// Force \[N\], or distributed force \[N/m\]; positive down. On the beam it is fᵢ or f(x) of (4.7). It may also
+    /// act on the ground's surface.
     Force,
-    /// A moment \[N·m\], or \[N·m/m\] along a stretch: gᵢ and g(x) of (4.7). Positive if it rotates the right
-    /// side down: it does the work M₀·w'(x).
+    /// Moment \[N·m\], or distributed moment \[N·m/m\]: gᵢ or g(x) of (4.7). A moment is positive if it rotates the
+    /// right side down. A point moment M₀ does the work M₀·w'(x).
     Moment,
-    /// An imposed curvature κ₀ \[1/m\]: a temperature gradient, shrinkage or a camber. M = −EI (w″ − κ₀). It
-    /// is positive, like w″, if it bends the ends of the beam down. It does no work on rigid motions.
+    /// Imposed curvature κ₀ \[1/m\] due to a temperature gradient, shrinkage or a camber. The bending moment is
+    /// M = −EI (w″ − κ₀). Like w″, κ₀ is positive if it bends the ends of the beam down. An imposed curvature does no
+    /// work in rigid-body displacements.
     Curvature,
 }
 
 impl Action {
-    /// The order of the derivative of w on which the load does work: 0 for a force, 1 for a moment.
+    /// Order of the derivative of w on which the load does work: 0 for a force, 1 for a moment, 2 for an imposed
+    /// curvature.
     pub(crate) fn derivative(self) -> usize {
         match self {
             Action::Force => 0,
@@ -27,14 +30,14 @@ impl Action {
 /// Position and size of a load.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Extent {
-    /// A load at a point.
+    /// Load at a point.
     Point {
         /// Position \[m\].
         at: f64,
         /// Size.
         size: f64,
     },
-    /// A load along a stretch, linear between its ends.
+    /// Distributed load along a stretch, linear between the ends of the stretch.
     Distributed {
         /// Left end \[m\].
         from: f64,
@@ -47,7 +50,7 @@ pub enum Extent {
     },
 }
 
-/// A load: its type, its position and size, and whether it acts on the ground instead of the beam.
+/// Load on the beam or on the ground, with its type, position and size.
 ///
 /// ```
 /// use groundbeam::{Load, model::Action};
@@ -64,7 +67,7 @@ pub struct Load {
 }
 
 impl Extent {
-    /// Left and right end \[m\]; equal for a point load.
+    /// Positions of the left and the right end of the load \[m\]; the two positions of a point load are equal.
     pub fn ends(&self) -> [f64; 2] {
         match *self {
             Extent::Point { at, .. } => [at; 2],
@@ -72,7 +75,7 @@ impl Extent {
         }
     }
 
-    /// The size at both ends; equal for a point load.
+    /// Sizes of the load at its left and its right end; the two sizes of a point load are equal.
     pub fn sizes(&self) -> [f64; 2] {
         match *self {
             Extent::Point { size, .. } => [size; 2],
@@ -80,14 +83,14 @@ impl Extent {
         }
     }
 
-    /// The larger absolute value of the size at the ends.
+    /// Larger absolute value of the sizes at the two ends of the load.
     pub fn largest(&self) -> f64 {
         let [start, end] = self.sizes();
         start.abs().max(end.abs())
     }
 
-    /// The absolute value of the integral of the size over the stretch. It assumes a constant sign of the
-    /// size.
+    /// Absolute value of the integral of the load over its stretch. The value is valid only if the load does not
+    /// change its sign.
     pub fn total(&self) -> f64 {
         match *self {
             Extent::Point { size, .. } => size.abs(),
@@ -97,19 +100,19 @@ impl Extent {
         }
     }
 
-    /// The size at x of a stretch, extrapolated beyond its ends.
+    /// Size of the load at the position x, extrapolated beyond the ends of the load.
     pub(crate) fn at(&self, x: f64) -> f64 {
         match *self {
             Extent::Point { size, .. } => size,
             Extent::Distributed { start, end, .. } if start == end => start,
-            // The formula is symmetric in both ends, so that a mirrored load has the same bits.
+            // The formula is symmetric in both ends, so that a mirrored load has bitwise equal values.
             Extent::Distributed { from, to, start, end } => {
                 (start * (to - x) + end * (x - from)) / (to - from)
             }
         }
     }
 
-    /// Adds the sizes at both ends of a part of the stretch.
+    /// Adds the sizes of the load at both ends of the interval `x` to `sum`.
     pub(crate) fn add_to(&self, sum: &mut [f64; 2], x: [f64; 2]) {
         for (sum, x) in sum.iter_mut().zip(x) {
             *sum += self.at(x);
@@ -122,15 +125,15 @@ impl Extent {
     }
 }
 
-/// The resultants of the two triangles of a linear load, each with its position.
+/// Resultants of the two triangles into which a linear load is divided, each with its position.
 pub(crate) fn triangles([from, to]: [f64; 2], [start, end]: [f64; 2]) -> [(f64, f64); 2] {
     let length = to - from;
     [(0.5 * start * length, from + length / 3.0), (0.5 * end * length, to - length / 3.0)]
 }
 
 impl Load {
-    /// A load of any type. `None` if the type does not exist: a curvature must act along a stretch of the
-    /// beam, and a load on the ground must be a force.
+    /// Creates a load. Returns `None` for a curvature at a point, for a curvature on the ground and for a moment on
+    /// the ground.
     pub fn new(action: Action, extent: Extent, on_ground: bool) -> Option<Self> {
         let exists = match action {
             Action::Force => true,
@@ -148,48 +151,49 @@ impl Load {
         Load { action, extent: Extent::Distributed { from, to, start, end }, on_ground: false }
     }
 
-    /// A force \[N\] at a point \[m\], fᵢ of (4.7).
+    /// Creates a force \[N\] at a point \[m\], fᵢ of (4.7).
     pub fn point_force(at: f64, force: f64) -> Self {
         Self::point(Action::Force, at, force)
     }
 
-    /// A moment \[N·m\] at a point \[m\], gᵢ of (4.7).
+    /// Creates a moment \[N·m\] at a point \[m\], gᵢ of (4.7).
     pub fn point_moment(at: f64, moment: f64) -> Self {
         Self::point(Action::Moment, at, moment)
     }
 
-    /// A force \[N/m\] along a stretch \[m\], linear between its ends, f(x) of (4.7).
+    /// Creates a force \[N/m\] along a stretch \[m\], linear between the ends of the stretch, f(x) of (4.7).
     pub fn distributed_force(from: f64, to: f64, start: f64, end: f64) -> Self {
         Self::distributed(Action::Force, [from, to], [start, end])
     }
 
-    /// A uniform force \[N/m\] along a stretch \[m\].
+    /// Creates a uniform force \[N/m\] along a stretch \[m\].
     pub fn uniform_force(from: f64, to: f64, force: f64) -> Self {
         Self::distributed_force(from, to, force, force)
     }
 
-    /// A moment \[N·m/m\] along a stretch \[m\], linear between its ends, g(x) of (4.7).
+    /// Creates a moment \[N·m/m\] along a stretch \[m\], linear between the ends of the stretch, g(x) of (4.7).
     pub fn distributed_moment(from: f64, to: f64, start: f64, end: f64) -> Self {
         Self::distributed(Action::Moment, [from, to], [start, end])
     }
 
-    /// An imposed curvature κ₀ \[1/m\] along a stretch \[m\], linear between its ends.
+    /// Creates an imposed curvature κ₀ \[1/m\] along a stretch \[m\], linear between the ends of the stretch.
     pub fn distributed_curvature(from: f64, to: f64, start: f64, end: f64) -> Self {
         Self::distributed(Action::Curvature, [from, to], [start, end])
     }
 
-    /// A uniform imposed curvature κ₀ \[1/m\] along a stretch \[m\].
+    /// Creates a uniform imposed curvature κ₀ \[1/m\] along a stretch \[m\].
     pub fn uniform_curvature(from: f64, to: f64, curvature: f64) -> Self {
         Self::distributed_curvature(from, to, curvature, curvature)
     }
 
-    /// A force \[N\] on the ground's surface at a point \[m\] under the beam or outside it. It needs a shear
-    /// layer.
+    /// Creates a force \[N\] on the ground's surface at a point \[m\] under the beam or outside it. The ground needs
+    /// a shear layer at this point.
     pub fn ground_force(at: f64, force: f64) -> Self {
         Load { on_ground: true, ..Self::point_force(at, force) }
     }
 
-    /// A force \[N/m\] on the ground's surface along a stretch \[m\], linear between its ends: q in −(μu′)′ + ku = p + q.
+    /// Creates a force \[N/m\] on the ground's surface along a stretch \[m\], linear between the ends of the stretch.
+    /// It is q in −(μu′)′ + ku = p + q.
     pub fn distributed_ground_force(from: f64, to: f64, start: f64, end: f64) -> Self {
         Load { on_ground: true, ..Self::distributed_force(from, to, start, end) }
     }
@@ -209,8 +213,8 @@ impl Load {
         self.on_ground
     }
 
-    /// Position and size of a point load on the beam; `None` if the load has another type, is distributed or
-    /// acts on the ground.
+    /// Position and size of a point load of the type `action` on the beam; `None` if the load is of another type, is
+    /// distributed or acts on the ground.
     pub fn at_point(&self, action: Action) -> Option<(f64, f64)> {
         match self.extent {
             Extent::Point { at, size } if self.action == action && !self.on_ground => {
@@ -220,8 +224,8 @@ impl Load {
         }
     }
 
-    /// The absolute size of the load as a force \[N\]. A moment is divided by the length. The result is zero
-    /// for a curvature, which does no work on rigid motions.
+    /// Absolute size of the load as a force \[N\]. A moment is divided by `length`. The result is zero for a
+    /// curvature, which does no work in rigid-body displacements.
     pub fn as_force(&self, length: f64) -> f64 {
         match self.action.derivative() {
             0 => self.extent.total(),
@@ -230,7 +234,7 @@ impl Load {
         }
     }
 
-    /// The same load, `factor` times as large.
+    /// Returns the load with its size multiplied by `factor`.
     #[must_use]
     pub fn scaled(self, factor: f64) -> Self {
         self.with_sizes(|[start, end]| [start * factor, end * factor])

@@ -1,7 +1,7 @@
-//! The model: beam, foundation, loads, supports, hinges, initial gap. Section 2, Remark 1 and Remark 2.
+//! Model of a beam on ground: beam, foundation, loads, supports, hinges, initial gap. Section 2, Remark 1 and Remark 2.
 //!
-//! Every number is in one coherent system of units (m, N, rad and their products, or any other system with
-//! force = stiffness × length). This module does not know units.
+//! All numbers are in one coherent system of units. This is m, N, rad and their products, or any other system with
+//! force = stiffness × length. This module does not convert units.
 
 mod beam;
 mod foundation;
@@ -35,7 +35,7 @@ pub use profile::Profile;
 pub use support::{Acts, Support, SupportKind};
 pub use train::{Axle, Train, UniformPart};
 
-/// A beam, the ground under it, and the loads on them.
+/// Beam, the ground under it, and the loads on beam and ground.
 ///
 /// The fields are plain data; [`Model::problems`] lists every violation of the rules. Positions `x` are
 /// measured from the beam's left end; deflections and forces are positive down.
@@ -45,18 +45,19 @@ pub struct Model {
     pub beam: Beam,
     /// The ground: its spring and shear constants.
     pub foundation: Foundation,
-    /// The loads, (4.7). Empty: no loads.
+    /// Loads on the beam and on the ground, (4.7). Empty if the model has no loads.
     pub loads: Vec<Load>,
-    /// The supports besides the ground. Empty: the beam is free.
+    /// Supports of the beam besides the ground. Empty if the beam has no supports.
     pub supports: Vec<Support>,
-    /// Hinges inside the beam. Empty: none.
+    /// Hinges inside the beam. Empty if the beam has no hinges.
     pub hinges: Vec<Hinge>,
-    /// Initial clearance between beam and ground, piecewise linear. Empty: none.
+    /// Corners of the initial clearance between beam and ground, which is linear between them. Empty if the clearance
+    /// is zero.
     pub gap: Vec<GapPoint>,
 }
 
 impl Model {
-    /// A beam without loads, supports or gap on a foundation.
+    /// Creates a model of a beam on a foundation, without loads, supports, hinges and gap.
     pub fn new(beam: Beam, foundation: Foundation) -> Self {
         Model {
             beam,
@@ -68,31 +69,31 @@ impl Model {
         }
     }
 
-    /// The same model with one more load.
+    /// Returns the model with one more load.
     pub fn with_load(mut self, load: Load) -> Self {
         self.loads.push(load);
         self
     }
 
-    /// The same model with one more support.
+    /// Returns the model with one more support.
     pub fn with_support(mut self, support: Support) -> Self {
         self.supports.push(support);
         self
     }
 
-    /// The same model with one more hinge.
+    /// Returns the model with one more hinge.
     pub fn with_hinge(mut self, hinge: Hinge) -> Self {
         self.hinges.push(hinge);
         self
     }
 
-    /// The same model with one more point of the initial gap's profile.
+    /// Returns the model with one more corner of the initial gap.
     pub fn with_gap(mut self, at: f64, value: f64) -> Self {
         self.gap.push(GapPoint { at, value });
         self
     }
 
-    /// The same model with every load multiplied by `factor`.
+    /// Returns the model with every load multiplied by `factor`.
     pub fn with_loads_scaled(mut self, factor: f64) -> Self {
         for load in &mut self.loads {
             *load = load.scaled(factor);
@@ -110,12 +111,12 @@ impl Model {
         self.loads.iter().filter(|load| load.on_ground)
     }
 
-    /// Whether the ground has loads.
+    /// Whether the model has loads on the ground.
     pub(crate) fn has_ground_loads(&self) -> bool {
         self.loads.iter().any(Load::is_on_ground)
     }
 
-    /// The first segment along which stiffness or ground varies.
+    /// First segment along which a stiffness of the beam or the ground varies; `None` if no segment varies.
     pub(crate) fn varying_part(&self) -> Option<Part> {
         let ground = &self.foundation.segments;
         let varies = |s: &BeamSegment| {
@@ -128,14 +129,14 @@ impl Model {
         beam.map(Part::BeamSegment).or(below.map(Part::FoundationSegment))
     }
 
-    /// The same model on ground with these constants.
+    /// Returns the model on uniform ground with the given k and μ.
     pub(crate) fn on_ground(&self, ground: GroundConstants) -> Self {
         let foundation = Foundation::pasternak(ground.subgrade, ground.shear_layer);
         Model { foundation, ..self.clone() }
     }
 
-    /// The model with the constants that its soil gives before the solve; unchanged if the constants are
-    /// given.
+    /// Returns the model with the values of k and μ that its soil data give before the solve. Returns the model
+    /// unchanged if k and μ are given.
     pub(crate) fn on_given_ground(&self) -> Cow<'_, Model> {
         match &self.foundation.soil {
             None => Cow::Borrowed(self),
@@ -148,14 +149,14 @@ impl Model {
         self.supports.iter().any(Support::is_one_way)
     }
 
-    /// The same model with the supports that `keeps` selects, each of them two-way.
+    /// Returns the model with only those supports that `keeps` selects. All of them become two-way supports.
     pub(crate) fn with_supports_that(&self, keeps: impl Fn(usize, &Support) -> bool) -> Self {
         let kept = self.supports.iter().enumerate().filter(|(i, support)| keeps(*i, support));
         let supports = kept.map(|(_, support)| support.acting(Acts::Both)).collect();
         Model { supports, ..self.clone() }
     }
 
-    /// Copies another model into the memory of this one.
+    /// Copies another model into this model and reuses the allocated memory.
     pub(crate) fn copy_from(&mut self, other: &Model) {
         let mut segments = std::mem::take(&mut self.beam.segments);
         segments.clone_from(&other.beam.segments);
@@ -170,7 +171,7 @@ impl Model {
         self.gap.clone_from(&other.gap);
     }
 
-    /// The mirrored model: x becomes l − x.
+    /// Returns the mirrored model, in which x becomes l − x.
     pub fn mirrored(&self) -> Self {
         let l = self.beam.length;
         let mut gap: Vec<GapPoint> =
@@ -187,7 +188,7 @@ impl Model {
     }
 }
 
-/// The model under another compression \[N\].
+/// Returns the model under another axial compression \[N\].
 pub(crate) fn compressed(model: &Model, compression: f64) -> Model {
     let mut model = model.clone();
     model.beam.axial_force = -compression;

@@ -1,14 +1,14 @@
-//! The ground outside the beam: its layers and its ends.
+//! Ground outside the beam, as stretches with constant k and μ up to the end of the ground, from the foundation.
 
 use crate::model::foundation::Foundation;
 use crate::model::foundation::GroundEnd;
 use crate::numeric::real::Real;
 use crate::numeric::tolerance::same_place;
 
-/// A stretch of ground with constant k and μ > 0 outside the beam.
+/// Stretch of ground with constant k and μ > 0 outside the beam.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct OutsideLayer<R = f64> {
-    /// Length \[m\]; infinite for the last stretch of infinite ground.
+    /// Length of the stretch \[m\]; infinite for the last stretch of infinite ground.
     pub length: f64,
     /// k \[N/m²\].
     pub subgrade: R,
@@ -16,18 +16,19 @@ pub(crate) struct OutsideLayer<R = f64> {
     pub shear_layer: R,
 }
 
-/// The shear layer outside one end of the beam, listed outward; empty if it ends with the beam.
+/// Ground with a shear layer outside one end of the beam, as stretches that are listed outward. Empty if the shear
+/// layer ends at the beam's end.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct GroundOutside<R = f64> {
     pub layers: Vec<OutsideLayer<R>>,
-    /// Whether the far end of the last stretch is held; otherwise it is free.
+    /// Whether u = 0 is prescribed at the far end of the last stretch. Otherwise the far end is free.
     pub held: bool,
 }
 
 impl Foundation {
-    /// The ground to the left or to the right of a beam of length `l`, with k and μ of the beam's end. Its
-    /// constants continue outward until a segment begins. It is empty next to Winkler ground under the beam's
-    /// end, whose surface may jump there.
+    /// Returns the ground to the left or to the right of a beam of length `l`. `at_end` contains k and μ at the
+    /// beam's end, which apply outward until a segment begins. The result is empty if the ground under the beam's end
+    /// is a Winkler foundation, because its surface may jump at the beam's end.
     pub(crate) fn beyond(&self, right: bool, l: f64, at_end: [f64; 2]) -> GroundOutside {
         let own = |i: usize| {
             let segment = &self.segments[i];
@@ -36,7 +37,8 @@ impl Foundation {
         self.beyond_with(right, l, at_end, own)
     }
 
-    /// As [`Self::beyond`], for any number type: `own` gives k and μ of a segment.
+    /// Returns the ground outside the beam as [`Self::beyond`] does, for any number type. `own` returns k and μ of
+    /// the segment with a given index.
     pub(crate) fn beyond_with<R: Real>(
         &self,
         right: bool,
@@ -47,8 +49,8 @@ impl Foundation {
         if shear.value() == 0.0 {
             return GroundOutside { layers: Vec::new(), held: false };
         }
-        // A position within rounding error of the beam's end is the beam's end. 0.0 − x instead of −x, which would be
-        // −0 there.
+        // A position within rounding error of the beam's end counts as the beam's end. The difference 0.0 − x avoids
+        // a negative zero at x = 0.
         let outward = |x: f64| {
             let distance = if right { x - l } else { 0.0 - x };
             if distance.abs() <= same_place(l) { 0.0 } else { distance }
@@ -57,8 +59,7 @@ impl Foundation {
         for (i, segment) in self.segments.iter().enumerate() {
             let (near, far) =
                 if right { (segment.from, segment.to) } else { (segment.to, segment.from) };
-            // A segment that reaches under the beam gives the constants at the beam's end, which are already
-            // in the list.
+            // A segment that begins under the beam is skipped, because the first stretch already has its k and μ.
             if outward(near) >= 0.0 && outward(far) > 0.0 {
                 let [spring, shear] = own(i);
                 stretches.push((outward(near), spring, shear));
@@ -104,7 +105,7 @@ mod tests {
         assert_eq!((left.layers[0].subgrade, left.layers[1].shear_layer), (5.0, 9.0));
         assert!(!left.held);
         let right = ground.beyond(true, 10.0, [1.0, 2.0]);
-        assert_eq!(lengths(&right), [2.0], "the layer ends where springs begin");
+        assert_eq!(lengths(&right), [2.0], "the shear layer ends where Winkler ground begins");
         assert!(!right.held);
         ground.ends = [GroundEnd::Held { at: -3.0 }, GroundEnd::Free { at: 10.0 }];
         let left = ground.beyond(false, 10.0, [5.0, 6.0]);

@@ -1,13 +1,13 @@
-//! A part of a model: the beam between two positions, with the ground unchanged.
+//! Part of a model, which is the beam between two positions on the unchanged ground.
 
 use super::foundation::GroundEnd;
 use super::{Extent, FoundationSegment, GapPoint, Hinge, Load, Model, Support};
 use crate::model::beam::BeamSegment;
 
 impl Model {
-    /// The part of the model between `from` and `to`, with x measured from `from`. Segments and loads are
-    /// shifted but not cut, because a mesh ignores everything outside the part. The caller ensures that no
-    /// load on the beam lies outside.
+    /// Returns the part of the model between `from` and `to`, with x measured from `from`. Segments and loads are
+    /// shifted but not cut, because a mesh ignores everything outside the part. The caller ensures that no load on
+    /// the beam lies outside the part.
     pub(crate) fn part(&self, [from, to]: [f64; 2]) -> Model {
         let shift = |x: f64| x - from;
         let mut part = self.clone();

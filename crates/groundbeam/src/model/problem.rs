@@ -1,40 +1,40 @@
-//! A fault of a model: the part, the fault as text, and the remedy.
+//! Violations of the rules of a model, each with the part of the model, a message and the remedy.
 
 use super::Profile;
 use std::fmt;
 
-/// The part of the model that a [`Problem`] concerns; indices count from 0 in the order given.
+/// Part of the model that a [`Problem`] concerns. Indices count from 0 in the order given.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Part {
     /// The beam itself.
     Beam,
-    /// One of the beam's segments.
+    /// Segment of the beam, by its index.
     BeamSegment(usize),
     /// The foundation itself.
     Foundation,
-    /// One of the foundation's segments.
+    /// Segment of the foundation, by its index.
     FoundationSegment(usize),
-    /// One of the loads.
+    /// Load, by its index.
     Load(usize),
-    /// One of the supports.
+    /// Support, by its index.
     Support(usize),
-    /// One of the hinges.
+    /// Hinge, by its index.
     Hinge(usize),
-    /// One corner of the initial gap.
+    /// Corner of the initial gap, by its index.
     Gap(usize),
 }
 
-/// One violation of the rules of a model.
+/// Violation of a rule of a model.
 ///
-/// Positions are stored in `numbers`, so that the caller can choose their unit. `message` and `hint` refer to
-/// them as `{0}`, `{1}`, …; [`Problem::fill`] inserts them.
+/// Positions are stored in `numbers`, so that the caller can choose their unit. `message` and `hint` refer to these
+/// positions as `{0}`, `{1}`, …; [`Problem::fill`] inserts the positions.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Problem {
     /// A fixed code, one for each rule, such as `GB101`.
     pub code: &'static str,
     /// The part of the model.
     pub part: Part,
-    /// The field of that part, as the model names it: `length`, `at`, `from`, `spring`, …
+    /// Name of the field of `part` in the model: `length`, `at`, `from`, `spring`, …
     pub field: &'static str,
     /// The fault as text.
     pub message: String,
@@ -60,7 +60,7 @@ impl Problem {
         self
     }
 
-    /// Replaces `{0}`, `{1}`, … in `text` by the numbers. `write` formats each number.
+    /// Replaces `{0}`, `{1}`, … in `text` by the positions in `numbers`. `write` formats each position.
     pub fn fill(&self, text: &str, write: impl Fn(f64) -> String) -> String {
         let mut filled = text.to_owned();
         for (i, &number) in self.numbers.iter().enumerate() {
@@ -85,7 +85,7 @@ impl fmt::Display for Problem {
     }
 }
 
-/// Whether the squares and cubes of a number are in the range of a double.
+/// Whether the square and the cube of a number are in the range of a double.
 pub(crate) fn in_range(value: f64) -> bool {
     value == 0.0 || (value.is_finite() && (1e-60..=1e60).contains(&value.abs()))
 }
@@ -104,7 +104,8 @@ pub(crate) fn describe(value: f64) -> String {
     }
 }
 
-/// The remedy: the rule, or the range of numbers if only the range is violated.
+/// Returns the allowed range of numbers as the remedy if a finite value is out of this range. Otherwise returns the
+/// rule.
 pub(crate) fn remedy(value: f64, rule: &str) -> String {
     if value.is_finite() && !in_range(value) {
         "allowed values are 0 and magnitudes between 1e-60 and 1e60".into()
@@ -128,7 +129,7 @@ pub(crate) fn positive(
     }
 }
 
-/// Requires positive control values. Then the profile is positive everywhere.
+/// Requires that all control values are positive, so that the profile is positive everywhere.
 pub(crate) fn positive_along(
     found: &mut Vec<Problem>,
     code: &'static str,
@@ -161,7 +162,7 @@ pub(crate) fn down(found: &mut Vec<Problem>, part: Part, field: &'static str, va
     }
 }
 
-/// A number of bytes in decimal units: 4 GB, 2.5 MB.
+/// Number of bytes, displayed in decimal units such as 4 GB or 2.5 MB.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Bytes(pub u64);
 
@@ -172,7 +173,7 @@ impl fmt::Display for Bytes {
         let bytes = self.0 as f64;
         let (size, unit) =
             units.into_iter().find(|(size, _)| bytes >= *size).unwrap_or((1.0, "bytes"));
-        // Two digits, or the exact number if it is an integer.
+        // A number below 10 is rounded to one decimal, a larger number to an integer.
         let scaled = bytes / size;
         let shown = if scaled < 10.0 { (scaled * 10.0).round() / 10.0 } else { scaled.round() };
         write!(f, "{shown} {unit}")

@@ -1,10 +1,10 @@
-//! A quantity along a segment: a polynomial given by its control values.
+//! Quantity along a segment, as a polynomial that is given by its control values.
 //!
-//! A polynomial of degree n is given by n + 1 control values (its Bernstein coefficients, those of a Bézier
-//! curve). The first and the last are its values at the segment's ends. The polynomial lies between the
-//! smallest and the largest control value, so positive control values are sufficient for a positive quantity.
-//! Mirroring reverses their order. The control values of a part of the curve are sums of given ones with
-//! positive weights.
+//! A polynomial of degree n is given by n + 1 control values, which are its Bernstein coefficients, as for a Bézier
+//! curve. The first and the last control value are the values of the polynomial at the segment's ends. The polynomial
+//! lies between the smallest and the largest control value, so positive control values are sufficient for a positive
+//! quantity. Mirroring the polynomial reverses the order of the control values. The control values of a part of the
+//! curve are sums of the given control values with positive weights.
 
 /// A quantity along a segment, from the left end to the right end.
 ///
@@ -24,22 +24,22 @@ pub struct Profile {
 }
 
 impl Profile {
-    /// Maximum number of control values: six for E b d³/12 with linear E, width b and depth d.
+    /// Maximum number of control values. Six values describe E b d³/12 with linear modulus E, width b and depth d.
     pub const MOST: usize = 6;
 
-    /// A constant quantity.
+    /// Creates a constant profile.
     pub fn constant(value: f64) -> Self {
         let mut values = [0.0; Self::MOST];
         values[0] = value;
         Profile { values, count: 1 }
     }
 
-    /// Linear between the values at both ends.
+    /// Creates a profile that is linear between the values at both ends.
     pub fn linear(start: f64, end: f64) -> Self {
         Self::of(&[start, end])
     }
 
-    /// A profile of 1 to [`Self::MOST`] control values; `None` for another number of values.
+    /// Creates a profile from 1 to [`Self::MOST`] control values. Returns `None` for any other number of values.
     pub fn by_control_values(values: &[f64]) -> Option<Self> {
         (1..=Self::MOST).contains(&values.len()).then(|| Self::of(values))
     }
@@ -53,7 +53,7 @@ impl Profile {
         Profile { values, count: given.len() }
     }
 
-    /// The control values; one if the quantity is constant.
+    /// Control values of the quantity. A constant quantity has one control value.
     pub fn control_values(&self) -> &[f64] {
         &self.values[..self.count]
     }
@@ -63,32 +63,32 @@ impl Profile {
         self.count == 1
     }
 
-    /// The value at the left end.
+    /// Value at the left end of the segment.
     pub fn start(&self) -> f64 {
         self.values[0]
     }
 
-    /// The value at the right end.
+    /// Value at the right end of the segment.
     pub fn end(&self) -> f64 {
         self.values[self.count - 1]
     }
 
-    /// The smallest control value: a lower bound.
+    /// Smallest control value, which is a lower bound of the quantity.
     pub fn smallest(&self) -> f64 {
         self.control_values().iter().copied().fold(f64::INFINITY, f64::min)
     }
 
-    /// The largest control value: an upper bound.
+    /// Largest control value, which is an upper bound of the quantity.
     pub fn largest(&self) -> f64 {
         self.control_values().iter().copied().fold(f64::NEG_INFINITY, f64::max)
     }
 
-    /// The value at the fraction `t` of the length from the left end.
+    /// Value at the fraction `t` of the segment's length from the left end.
     pub fn at(&self, t: f64) -> f64 {
         self.blossom(&[[1.0 - t, t]; Self::MOST - 1])
     }
 
-    /// The product of two quantities; `None` if it has more than [`Self::MOST`] control values.
+    /// Product of two profiles; `None` if the product has more than [`Self::MOST`] control values.
     pub fn times(&self, other: &Profile) -> Option<Profile> {
         let (m, n) = (self.count - 1, other.count - 1);
         let mut values = [0.0; Self::MOST];
@@ -102,7 +102,7 @@ impl Profile {
         Some(Self::of(product))
     }
 
-    /// The quantity times a number.
+    /// Returns the quantity multiplied by a factor.
     pub fn scaled(mut self, factor: f64) -> Self {
         for value in &mut self.values {
             *value *= factor;
@@ -110,13 +110,13 @@ impl Profile {
         self
     }
 
-    /// The part between two fractions of the length.
+    /// Profile of the part between two fractions of the segment's length.
     pub fn part(&self, from: f64, to: f64) -> Self {
         let [a, b] = [from, to].map(|t| [1.0 - t, t]);
         Self::of(&self.between(a, b)[..self.count])
     }
 
-    /// The mirrored quantity.
+    /// Returns the mirrored quantity.
     pub fn mirrored(mut self) -> Self {
         self.values[..self.count].reverse();
         self
@@ -127,8 +127,8 @@ impl Profile {
         self.blossom(&[weights(ends, x); Self::MOST - 1])
     }
 
-    /// The quantity on a stretch x of a segment with the given ends, as a polynomial of s ∈ \[−1, 1\] along
-    /// the stretch.
+    /// Polynomial of the quantity on the interval `x` of a segment with the given ends. The variable is s ∈ \[−1, 1\]
+    /// along the interval.
     pub(crate) fn on(&self, ends: [f64; 2], x: [f64; 2]) -> CellPolynomial {
         if self.is_constant() {
             return CellPolynomial::constant(self.start());
@@ -138,7 +138,7 @@ impl Profile {
         let degree = self.count - 1;
         let mut coefficients = [0.0; Self::MOST];
         for (i, value) in values[..self.count].iter().enumerate() {
-            // C(n, i) ((1 − s)/2)^(n−i) ((1 + s)/2)^i.
+            // The i-th Bernstein polynomial of degree n in s is C(n, i) ((1 − s)/2)^(n−i) ((1 + s)/2)^i.
             let scale = binomial(degree, i) / f64::from(1_u32 << degree) * value;
             for (j, c) in coefficients[..self.count].iter_mut().enumerate() {
                 *c += scale * bernstein(degree, i, j);
@@ -152,7 +152,8 @@ impl Profile {
         CellPolynomial { coefficients, ends: [values[0], values[degree]], bounds }
     }
 
-    /// The control values of the part between two positions. Each position is given by its weights for both ends.
+    /// Computes the control values of the part between the positions `a` and `b`. Each position is given by the
+    /// weights of the two segment ends in a linear interpolation.
     fn between(&self, a: [f64; 2], b: [f64; 2]) -> [f64; Self::MOST] {
         let degree = self.count - 1;
         let mut values = [0.0; Self::MOST];
@@ -163,7 +164,7 @@ impl Profile {
         values
     }
 
-    /// De Casteljau's algorithm with a separate parameter at every level.
+    /// Evaluates the polynomial by De Casteljau's algorithm, with a separate position in each step of the algorithm.
     fn blossom(&self, places: &[[f64; 2]; Self::MOST - 1]) -> f64 {
         let mut values = self.values;
         for (level, [left, right]) in places[..self.count - 1].iter().enumerate() {
@@ -186,9 +187,10 @@ impl From<f64> for Profile {
 pub(crate) struct CellPolynomial {
     /// Coefficients of the powers of s.
     pub coefficients: [f64; Profile::MOST],
-    /// Values at both ends. Two adjacent stretches of a segment have the same bits at their common end.
+    /// Values of the quantity at both ends of the stretch. Adjacent stretches of a segment have bitwise equal values
+    /// at their common end.
     pub ends: [f64; 2],
-    /// A lower and an upper bound.
+    /// Lower and upper bound of the quantity on the stretch.
     pub bounds: [f64; 2],
 }
 
@@ -200,8 +202,8 @@ impl CellPolynomial {
     }
 }
 
-/// The weights of both ends in a linear interpolation at x: the distance of x from one end, as a fraction of
-/// the length, is the weight of the other end.
+/// Weights of both ends in a linear interpolation at x. The weight of one end is the distance of x from the other
+/// end, as a fraction of the length.
 fn weights([from, to]: [f64; 2], x: f64) -> [f64; 2] {
     let length = to - from;
     [(to - x) / length, (x - from) / length]

@@ -1,4 +1,4 @@
-//! Reasons to refuse a valid model. `supported.rs` has the table of methods and features.
+//! Reasons why a method refuses a valid model. The table of methods and features is in `supported.rs`.
 
 use super::{Part, Problem};
 use crate::model::problem::Bytes;
@@ -13,7 +13,7 @@ pub(crate) struct Refusal {
 
 pub(crate) const NODAL_FORCES_ON_SPRINGS: Refusal = Refusal {
     code: "GB603",
-    message: "the paper's concentrated pressures (5.5) need a shear layer (4.9), and mu is zero here",
+    message: "the concentrated pressures (5.5) of this method need a shear layer (4.9), but mu is zero somewhere under the beam",
     hint: "use the method `exact`",
 };
 
@@ -37,7 +37,7 @@ pub(crate) const NODAL_WITH_HINGES: Refusal = Refusal {
 
 pub(crate) const ITERATION_WITH_HINGES: Refusal = Refusal {
     code: "GB607",
-    message: "the paper's iteration (5.14)–(5.18) is for beams without hinges",
+    message: "the paper's iteration (5.14)–(5.18) does not support hinges",
     hint: "use the method `exact` or `active-set`",
 };
 
@@ -49,14 +49,14 @@ pub(crate) const ONLY_EXACTLY: Refusal = Refusal {
 
 pub(crate) const LOCAL_BY_ANOTHER_METHOD: Refusal = Refusal {
     code: "GB611",
-    message: "the beam is stable under this compression only with the ground: only the exact method computes such a local equilibrium",
+    message: "this compression exceeds the buckling load of the beam without ground; only the method `exact` supports it",
     hint: "use the method `exact`",
 };
 
 pub(crate) const FACTORS_OF_A_LOCAL_EQUILIBRIUM: Refusal = Refusal {
     code: "GB612",
-    message: "the beam is stable under this compression only with the ground: statics alone give no load factor for it",
-    hint: "without load factors the result contains the critical compression, the limit of the axial force",
+    message: "this compression exceeds the buckling load of the beam without ground; such a beam has no load factors",
+    hint: "omit the load factors; the result then contains the critical compression, which is the limit of the axial force",
 };
 
 pub(crate) const SHEAR_BY_ANOTHER_METHOD: Refusal = Refusal {
@@ -66,12 +66,12 @@ pub(crate) const SHEAR_BY_ANOTHER_METHOD: Refusal = Refusal {
 };
 
 impl Problem {
-    /// A refusal of a feature that a method does not support.
+    /// Creates the refusal of a feature that a method does not support.
     pub(crate) fn refused(why: &Refusal, part: Part, field: &'static str) -> Self {
         Problem::new(why.code, part, field, why.message, why.hint)
     }
 
-    /// A refusal of too many series elements, each about as long as a wave.
+    /// Creates the refusal of a model whose shortest waves would need too many elements.
     pub(crate) fn too_fine(part: Part, needed: usize) -> Self {
         let field = match part {
             Part::FoundationSegment(_) => "shear_layer",
@@ -91,7 +91,7 @@ impl Problem {
         )
     }
 
-    /// A refusal of more elements than fit into the memory limit.
+    /// Creates the refusal of a model whose elements need more memory than the limit.
     pub(crate) fn too_large(method: &str, elements: usize, [needed, limit]: [Bytes; 2]) -> Self {
         let message = format!(
             "the method `{method}` would need about {needed} of memory for {elements} elements, more than the limit \

@@ -1,16 +1,16 @@
-//! Supports: pins, clamps, springs; two-way or one-way; with settlement.
+//! Supports of the beam: pins, clamps and springs, two-way or one-way, with settlement.
 
 /// A support at one point of the beam.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Support {
     /// Position \[m\].
     pub at: f64,
-    /// The motions that it restrains.
+    /// Type of the support: pinned, fixed or elastic.
     pub kind: SupportKind,
-    /// Settlement δ \[m\], positive down. A rigid support holds the beam at w = δ, a spring has the force
+    /// Settlement δ \[m\], positive down. A rigid support prescribes w = δ. A spring exerts the force
     /// `spring`·(w − δ).
     pub settlement: f64,
-    /// The directions in which it acts.
+    /// Directions in which the support acts.
     pub acts: Acts,
 }
 
@@ -20,15 +20,17 @@ pub enum Acts {
     /// The support acts in both directions.
     #[default]
     Both,
-    /// The support only pushes the beam up: a bearing from which the beam may lift. A rigid one requires w ≤
-    /// 0.
+    /// The support only pushes the beam up, like a bearing from which the beam may lift. A rigid support with the
+    /// settlement δ then requires w ≤ δ.
     Up,
-    /// The support only pulls the beam down: a hold-down. A rigid one requires w ≥ 0.
+    /// The support only pulls the beam down, like a hold-down. A rigid support with the settlement δ then requires
+    /// w ≥ δ.
     Down,
 }
 
 impl Acts {
-    /// 1 if the support only pushes up, −1 if it only pulls down, 0 if it acts in both directions.
+    /// Sign of the direction: 1 if the support only pushes up, −1 if it only pulls down, 0 if it acts in both
+    /// directions.
     pub(crate) fn sign(self) -> f64 {
         match self {
             Acts::Both => 0.0,
@@ -38,17 +40,18 @@ impl Acts {
     }
 }
 
-/// The motions that a support restrains.
+/// Type of a support, by its restraint of deflection and rotation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum SupportKind {
-    /// A rigid support without rotational restraint: w = δ, the settlement of the support.
+    /// Rigid support without rotational restraint. It prescribes w = δ, where δ is the settlement of the support.
     Pinned,
-    /// A rigid support that also prevents rotation: w = δ and w' = 0.
+    /// Rigid support that also prevents rotation. It prescribes w = δ and w' = 0, where δ is the settlement of the
+    /// support.
     Fixed,
-    /// An elastic support: the force `spring`·(w − δ) and the moment `rotational_spring`·w' oppose the
-    /// motion.
+    /// Elastic support with the settlement δ. The force `spring`·(w − δ) opposes the deflection w, and the moment
+    /// `rotational_spring`·w' opposes the rotation w'.
     Spring {
-        /// Spring constant \[N/m\], not negative.
+        /// Translational spring constant \[N/m\], not negative.
         spring: f64,
         /// Rotational spring constant \[N·m/rad\], not negative.
         rotational_spring: f64,
@@ -56,29 +59,29 @@ pub enum SupportKind {
 }
 
 impl Support {
-    /// A pinned support at `at` \[m\]: w = 0.
+    /// Creates a pinned support at `at` \[m\], which prescribes w = 0.
     pub fn pinned(at: f64) -> Self {
         Support { at, kind: SupportKind::Pinned, settlement: 0.0, acts: Acts::Both }
     }
 
-    /// A fixed support at `at` \[m\]: w = w' = 0.
+    /// Creates a fixed support at `at` \[m\], which prescribes w = w' = 0.
     pub fn fixed(at: f64) -> Self {
         Support { at, kind: SupportKind::Fixed, settlement: 0.0, acts: Acts::Both }
     }
 
-    /// An elastic support at `at` \[m\], with translational stiffness \[N/m\] and rotational stiffness
+    /// Creates an elastic support at `at` \[m\], with translational stiffness \[N/m\] and rotational stiffness
     /// \[N·m/rad\].
     pub fn spring(at: f64, spring: f64, rotational_spring: f64) -> Self {
         let kind = SupportKind::Spring { spring, rotational_spring };
         Support { at, kind, settlement: 0.0, acts: Acts::Both }
     }
 
-    /// The same support with a settlement \[m\], positive down.
+    /// Returns the support with a settlement \[m\], positive down.
     pub fn settled(self, settlement: f64) -> Self {
         Support { settlement, ..self }
     }
 
-    /// The same support as a one-way support.
+    /// Returns the support with other directions of action.
     pub fn acting(self, acts: Acts) -> Self {
         Support { acts, ..self }
     }

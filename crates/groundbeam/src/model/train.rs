@@ -1,4 +1,4 @@
-//! Axle trains: loads at fixed distances that move along the beam together.
+//! Axle trains, which are loads at fixed distances that move along the beam together.
 
 use crate::model::{Load, Model};
 use crate::numeric::tolerance;
@@ -31,7 +31,7 @@ pub struct Train {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Axle {
-    /// Distance behind the first axle \[m\].
+    /// Distance of the axle behind the first axle \[m\].
     #[cfg_attr(feature = "serde", serde(rename = "at"))]
     pub behind: f64,
     /// Force, down \[N\].
@@ -42,10 +42,10 @@ pub struct Axle {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct UniformPart {
-    /// Front end, as a distance behind the first axle \[m\]; negative if it lies ahead of the axle, −∞ for an
-    /// infinite load.
+    /// Distance of the front end of the load behind the first axle \[m\]. It is negative if the front end lies ahead
+    /// of the first axle, and −∞ for a load that is infinite to the front.
     pub from: f64,
-    /// Rear end, as a distance behind the first axle \[m\]; ∞ for an infinite load.
+    /// Distance of the rear end of the load behind the first axle \[m\]; ∞ for a load that is infinite to the rear.
     pub to: f64,
     /// Intensity, down \[N/m\].
     #[cfg_attr(feature = "serde", serde(rename = "load"))]
@@ -53,10 +53,10 @@ pub struct UniformPart {
 }
 
 impl Train {
-    /// The distance within which two positions count as equal. An axle this close to a load, a support or an
-    /// end of the beam is placed there.
+    /// Distance within which two positions count as equal \[m\]. An axle within this distance of a load, a support or
+    /// an end of the beam is moved to that point.
     ///
-    /// It follows from the length of the passage, because positions of axles are differences of such lengths.
+    /// This distance is proportional to the length of the passage, as are the rounding errors of axle positions.
     pub fn same_place(&self, beam_length: f64) -> f64 {
         let [from, to] = self.passage(beam_length);
         tolerance::same_place(to - from)
@@ -67,16 +67,16 @@ impl Train {
         self.axles.iter().fold(0.0, |length, axle| length.max(axle.behind))
     }
 
-    /// First and last position of the first axle in a passage over the beam \[m\]. The passage begins when
-    /// the first axle, or the front end of the foremost finite distributed load, reaches the left end. It ends
-    /// when the last axle, or the rear end of the last finite distributed load, leaves the right end.
+    /// First and last position of the first axle in a passage over the beam \[m\]. The passage begins when the first
+    /// axle, or the front end of the foremost finite distributed load, reaches the left end of the beam. It ends when
+    /// the last axle, or the rear end of the last finite distributed load, leaves the right end of the beam.
     pub fn passage(&self, beam_length: f64) -> [f64; 2] {
         let fronts = self.uniform.iter().map(|part| part.from).filter(|from| from.is_finite());
         let ends = self.uniform.iter().map(|part| part.to).filter(|to| to.is_finite());
         [fronts.fold(0.0, f64::min), beam_length + ends.fold(self.length(), f64::max)]
     }
 
-    /// The same train with every load multiplied by `factor`.
+    /// Returns the train with every load multiplied by `factor`.
     pub fn scaled(mut self, factor: f64) -> Self {
         for axle in &mut self.axles {
             axle.force *= factor;
@@ -87,7 +87,7 @@ impl Train {
         self
     }
 
-    /// The mirrored train: its last axle is the first.
+    /// Returns the mirrored train, whose first axle is the last axle of the original train.
     pub fn mirrored(&self) -> Self {
         let length = self.length();
         let axle = |axle: &Axle| Axle { behind: length - axle.behind, ..*axle };
@@ -102,7 +102,7 @@ impl Train {
         }
     }
 
-    /// A model with the train on it, its first axle at a position; loads outside the beam are omitted.
+    /// Returns a model with the train on it and the first axle at `position`. Loads outside the beam are omitted.
     pub fn on(&self, model: &Model, position: f64) -> Model {
         let l = model.beam.length;
         let (marks, near) = (model.marks(), self.same_place(l));
@@ -114,7 +114,7 @@ impl Train {
             }
         }
         for part in &self.uniform {
-            // `clamp` would panic if the length is not valid.
+            // `f64::clamp` is not used, because it panics if the length of the beam is invalid.
             let [from, to] = [part.to, part.from]
                 .map(|behind| snapped((position - behind).max(0.0).min(l), &marks, near));
             if to > from {
@@ -124,7 +124,7 @@ impl Train {
         loaded
     }
 
-    /// The position of an axle if the first one is at `position`; `None` outside the beam.
+    /// Position of an axle if the first axle is at `position`; `None` if the axle is outside the beam.
     pub fn axle_at(&self, axle: usize, position: f64, model: &Model) -> Option<f64> {
         let l = model.beam.length;
         let behind = self.axles.get(axle)?.behind;
@@ -152,7 +152,8 @@ impl Model {
     }
 }
 
-/// The first mark within the tolerance of a position, otherwise the position itself.
+/// Returns the first of the positions `marks` within the distance `same_place` of x. If no such position exists,
+/// returns x.
 fn snapped(x: f64, marks: &[f64], same_place: f64) -> f64 {
     marks.iter().copied().find(|mark| (x - mark).abs() <= same_place).unwrap_or(x)
 }

@@ -1,5 +1,4 @@
-//! Back-substitution of both sweeps, from the meeting node to the ends of the beam: w, w′ and the ground forces at the
-//! nodes of the rows and at the ends of the spans.
+//! Back-substitution of both sweeps from the node where they meet to the ends of the beam: w, w′ and the nodal ground forces.
 
 use super::form::Form;
 use super::lanes::Lanes;
@@ -22,19 +21,21 @@ const RIGHT: f64 = 1.0;
 struct Back {
     node: usize,
     w: f64,
-    /// θ at the ends of a stretch; Lθ within it, L being the element length.
+    /// Rotation of the beam at the current node. Within a stretch, the rotation is multiplied by the element length.
     turn: f64,
-    /// Force at the current node from the ground under the element crossed last and from the springs at the node.
+    /// Force at the current node from the ground under the previous element and from the springs at the node.
     taken: f64,
-    /// The deformation of the element crossed last.
+    /// Deformation variables (e₁, e₂) of the previous element, as defined for [`Form`].
     e: [f64; 2],
-    /// Number of stretches left, of elements left in the current one, and of elements left in all.
+    /// Number of remaining stretches, of remaining elements in the current stretch, and of remaining elements in all
+    /// stretches.
     stretches: usize,
     within: usize,
     elements: usize,
 }
 
-/// Back-substitutes from the meeting node to both ends: w, w' and forces at all nodes in contact.
+/// Back-substitutes from the meeting node to both ends of the beam. Writes w, w' and the ground forces at all nodes
+/// in contact to `fields`.
 pub(super) fn unfold(
     sides: &mut [Side; 2],
     w: f64,
@@ -100,7 +101,8 @@ pub(super) fn unfold(
     }
 }
 
-/// Back-substitutes over `steps` elements of one stretch in each sweep. `towards` is the direction, LEFT or RIGHT.
+/// Back-substitutes over `steps` elements of the current stretch of each sweep. `towards` is the direction of each
+/// sweep, LEFT or RIGHT.
 #[inline(always)]
 fn recross<const SWEEPS: usize>(
     backs: [&mut Back; SWEEPS],
@@ -150,7 +152,8 @@ fn recross<const SWEEPS: usize>(
         let slope = turn * per_length;
         for lane in 0..SWEEPS {
             fields.force[node[lane]] += force.0[lane];
-            // The last element leads to the first node of the stretch: a span is one element over many nodes.
+            // After the last element, the current node is the first node of the stretch. It is not found by counting,
+            // because one element of a span covers many nodes.
             node[lane] = match (within[lane], towards[lane] == LEFT) {
                 (0, _) => stretches[lane].node,
                 (_, true) => node[lane] - 1,

@@ -1,11 +1,13 @@
 //! Stiffness, load vector and deflection of a uniform beam element off the ground, in closed form.
 //!
-//! With x = h s and t = P h²/EI, EI w⁗ − P w″ = f − g' has the solutions
+//! The deflection satisfies EI w⁗ − P w″ = f − g' with the distributed force f and the distributed moment g. For an
+//! element of length h, with x = h s and t = P h²/EI, the solutions are
 //!
 //! w = w₀ + hθ₀ s + A s²c₂ + B s³c₃ + F₀ s⁴c₄ + F₁ s⁵c₅, cₙ = Σ (t s²)ⁱ/(2i + n)!.
 //!
-//! F₀ is (f − g')h⁴/EI at the left end, F₁ its change over the element. The series holds for tension and
-//! for compression.
+//! w₀ and θ₀ are the deflection and the rotation at the left end. A and B are constants of integration. F₀ is
+//! (f − g')h⁴/EI at the left end, and F₁ is the change of (f − g')h⁴/EI over the element. The formula is valid for
+//! tension and for compression.
 
 use crate::element::element::Element;
 use crate::mesh::cell::Cell;
@@ -16,8 +18,7 @@ pub(crate) const LONGEST_ELEMENT: f64 = 1.0;
 /// Number of coefficients of w(s). The first omitted term is below 1/18! of the sum.
 pub(crate) const NODAL_TERMS: usize = 18;
 
-/// Coefficients of w(s) are omitted if they are below this fraction of the larger of the coefficients of s²
-/// and s³.
+/// A coefficient of w(s) is omitted if it is below this fraction of the larger of the coefficients of s² and s³.
 const NEGLIGIBLE_TERM: f64 = 1e-17;
 
 /// A uniform beam element and the loads on it.
@@ -27,24 +28,26 @@ pub(crate) struct Beam {
     pub length: f64,
     /// EI/h³.
     stiffness: f64,
-    /// t = P h²/EI, and the tension P/h.
+    /// Dimensionless axial force t = P h²/EI, and P/h, with the axial force P and the element length h.
     t: f64,
     tension: f64,
-    /// c₀ … c₅ at s = 1, and c₂² − c₁c₃.
+    /// Values at the right end of the series c₀ … c₅ in the [deflection](self), and the determinant c₂² − c₁c₃ of the
+    /// equations for its constants of integration.
     c: [f64; 6],
     determinant: f64,
-    /// F₀ and F₁.
+    /// Load terms F₀ and F₁ of the [deflection](self).
     load: [f64; 2],
-    /// ∫f, ∫(f x + g)/h, and g at the right end.
+    /// Load resultants ∫f dx and ∫(f x + g) dx/h, and the distributed moment g at the right end.
     force: f64,
     turn: f64,
     moment_right: f64,
-    /// Contribution of the imposed curvature κ₀ to the load vector, for d₁ and for h d₂.
+    /// Contribution of the imposed curvature κ₀ to the last two entries of the load vector.
     curling: [f64; 2],
 }
 
 impl Beam {
-    /// An element from its bending stiffness EI, its imposed loads and curvature, P, and its length h.
+    /// Creates an element from its bending stiffness EI, its distributed loads and imposed curvature, the axial force
+    /// P and its length h.
     pub fn new(bending: f64, given: &Given, axial_force: f64, h: f64) -> Self {
         let stiffness = bending / (h * h * h);
         let tension = axial_force / h;
@@ -76,14 +79,18 @@ impl Beam {
         }
     }
 
-    /// Stiffness matrix K for (hθ, d₁, h d₂): entries θθ, θ1, θ2, 11, 12, 22.
+    /// Stiffness matrix for the variables (hθ, d₁, h d₂), given by its entries θθ, θ1, θ2, 11, 12 and 22. Here θ is
+    /// the rotation of the left end and h the element length. d₁ is the deflection of the right end relative to the
+    /// tangent at the left end, and d₂ is the rotation of the right end relative to the left end.
     pub fn stiffness(&self) -> [f64; 6] {
         let e = self.stiffness / self.determinant;
         let [_, c1, c2, c3, ..] = self.c;
         [self.tension, self.tension, 0.0, e * c1, -e * c2, e * (c2 - c3)]
     }
 
-    /// Load vector q for v = (w, hθ, d₁, h d₂): the energy of the element is ½vᵀKv − qᵀv.
+    /// Load vector q for the variables v = (w, hθ, d₁, h d₂), where w is the deflection of the left end; the other
+    /// variables are those of [`Self::stiffness`]. The energy of the element is ½vᵀKv − qᵀv with the stiffness matrix
+    /// K.
     pub fn load(&self) -> [f64; 4] {
         let [c0, c1, c2, c3, c4, c5] = self.c;
         let [f0, f1] = self.load;
@@ -96,7 +103,7 @@ impl Beam {
         [self.force, self.turn, shear, -e * bend + second]
     }
 
-    /// Stiffness matrix K and load vector q for (w, θ, d₁, d₂).
+    /// Returns the element with its stiffness matrix and load vector for the variables (w, θ, d₁, d₂) of [`Element`].
     pub fn element(&self) -> Element {
         let h = self.length;
         let [tt, t1, t2, k11, k12, k22] = self.stiffness();
@@ -114,13 +121,15 @@ impl Beam {
         }
     }
 
-    /// Solves A c₂ + B c₃ = x, A c₁ + B c₂ = y for A and B.
+    /// Computes the constants of integration A and B from A c₂ + B c₃ = x and A c₁ + B c₂ = y, with the series values
+    /// c₁, c₂ and c₃ of the [deflection](self).
     fn bends(&self, x: f64, y: f64) -> [f64; 2] {
         let [_, c1, c2, c3, ..] = self.c;
         [(x * c2 - y * c3) / self.determinant, (y * c2 - x * c1) / self.determinant]
     }
 
-    /// Coefficients of w(s), s ∈ \[0, 1\], from (w, θ, d₁, d₂), and the number of significant ones.
+    /// Computes the coefficients of the deflection w(s), s ∈ \[0, 1\], from the deflection w and the rotation θ of
+    /// the left end and the deformation (d₁, d₂) of the element. Also returns the number of significant coefficients.
     pub fn unfold(&self, [w, theta, d1, d2]: [f64; 4]) -> ([f64; NODAL_TERMS], usize) {
         let [_, _, _, c3, c4, c5] = self.c;
         let ([f0, f1], h) = (self.load, self.length);
@@ -143,7 +152,7 @@ impl Beam {
     }
 }
 
-/// Imposed loads and curvature along a stretch, linear between its two ends.
+/// Distributed loads and imposed curvature along a stretch, linear between its two ends.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Given {
     /// Distributed force f, distributed moment g and imposed curvature κ₀, each at both ends.
@@ -162,7 +171,7 @@ impl Given {
         all.iter().all(|v| v[0] == v[1])
     }
 
-    /// The part between two fractions of the length.
+    /// Part of the stretch between two fractions of its length.
     pub fn part(&self, [a, b]: [f64; 2]) -> Self {
         let linear = |v: [f64; 2]| [a, b].map(|t| v[0] + (v[1] - v[0]) * t);
         Given {
@@ -172,7 +181,7 @@ impl Given {
         }
     }
 
-    /// The reflected stretch: the ends are exchanged and g changes sign.
+    /// Reflected stretch, in which the two ends are exchanged and g changes sign.
     pub fn mirrored(&self) -> Self {
         let turned = |[a, b]: [f64; 2]| [b, a];
         Given {
@@ -192,7 +201,7 @@ mod tests {
     use crate::mesh::cell::Varies;
     use crate::numeric::polynomial::value;
 
-    /// The closed form agrees with the power series about the middle of the element.
+    /// The closed form of an element agrees with the element that is computed by power series.
     #[test]
     fn the_closed_form_agrees_with_the_power_series() {
         let h = 0.7;

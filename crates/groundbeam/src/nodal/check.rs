@@ -1,14 +1,13 @@
-//! Check of a nodal solution: balance of forces and moments, signs of the ground forces, and penetration, from the
-//! nodal values and the loads of the model.
+//! Check of a nodal solution by force and moment balance, signs of the ground forces and penetration, from nodal values.
 
 use crate::model::{Extent, Model, triangles};
 use crate::nodal::solution::NodalCheck;
 use crate::nodal::solution::NodalSolution;
 
-/// Number of independent partial sums. In a single sum each addition would have to wait for the one before.
+/// Number of independent partial sums. In a single sum, each addition would have to wait for the previous addition.
 const WIDTH: usize = 4;
 
-/// Partial sums and extremes. Each entry covers one of every [`WIDTH`] nodes.
+/// Partial sums and maxima over the nodes of a row. Each entry is for every [`WIDTH`]-th node.
 #[derive(Debug, Clone, Copy, Default)]
 struct Sums {
     sum: [f64; WIDTH],
@@ -21,8 +20,8 @@ struct Sums {
 }
 
 impl Sums {
-    /// Adds consecutive nodes of a row, beginning with number `from`. `gap` has g₀ + u₀ at the first node of
-    /// the row, and its change from node to node.
+    /// Adds consecutive nodes of a row, beginning with node `from` of the row, to the sums. `gap` contains the gap at
+    /// the first node of the row, including the free-field settlement, and the change of the gap from node to node.
     #[inline(always)]
     fn add(&mut self, from: usize, gap: [f64; 2], f: &[f64], w: &[f64], u: &[f64]) {
         let most = |a: f64, b: f64| if b > a { b } else { a };
@@ -64,7 +63,7 @@ pub(crate) fn check(model: &Model, solution: &NodalSolution) -> NodalCheck {
             _ => {}
         }
     }
-    // Moment of the axial force, from the difference of the end deflections.
+    // The moment of the axial force follows from the difference of the end deflections.
     let last = solution.deflection.len() - 1;
     turns += model.beam.axial_force * (solution.deflection[0] - solution.deflection[last]);
     let (mut smallest, mut largest) = (0.0_f64, 0.0_f64);

@@ -1,4 +1,4 @@
-//! Contact edges of a free beam from its nodal problem: an initial guess for the exact edges.
+//! Contact edges of a free beam from its nodal problem, as an initial guess for the exact edges.
 
 use crate::cancel::Cancel;
 use crate::element::operator::{Operator, ZoneKind};
@@ -9,16 +9,16 @@ use crate::nodal::grid::{Grid, Ground};
 use crate::nodal::newton::Workspace;
 use crate::nodal::{levels, newton};
 
-/// Contact edges of a free beam, from a mesh that resolves its waves. `None` if the beam has supports or
-/// hinges, if it is too long and soft for a mesh, if stiffness or ground varies along a segment, or if the
-/// contact does not converge.
+/// Computes the contact edges of a free beam on a mesh that resolves the waves of the beam. Returns `None` if the
+/// beam has supports or hinges, if it is too long and soft for a mesh, if stiffness or ground varies along a segment,
+/// or if the contact does not converge.
 pub(crate) fn edges(model: &Model, cancel: &Cancel) -> Option<Vec<[f64; 2]>> {
     let held = !(model.supports.is_empty() && model.hinges.is_empty());
     if held || model.varying_part().is_some() {
         return None;
     }
-    // The guess neglects shear deformation, because elements with shear deformation are power series. Power
-    // series take ten times as long and more memory.
+    // The initial guess neglects shear deformation. Elements with shear deformation are power series, which take ten
+    // times as long and more memory.
     let model = &Model { beam: model.beam.clone().without_shear(), ..model.clone() };
     if Grid::fewest(model) as f64 > PER_WAVE * MOST_WAVES {
         return None;
@@ -42,8 +42,9 @@ pub(crate) struct Coarse {
     pub edges: Vec<[f64; 2]>,
 }
 
-/// Phase A of a beam of few waves: its contact on a coarse mesh. Every interval between two required positions has at
-/// least two elements, and `per_wave` elements per 1/(wave number). `None` if the contact does not converge.
+/// Computes the contact of a beam of few waves on a coarse mesh. Every interval between two required positions has
+/// `per_wave` elements per 1/(wave number), and at least two elements. Returns `None` if the contact does not
+/// converge.
 pub(crate) fn coarse(model: &Model, per_wave: f64, cancel: &Cancel) -> Option<Coarse> {
     let axial_force = model.beam.axial_force;
     let wanted = |cell: &Cell| {
@@ -66,7 +67,8 @@ pub(crate) fn coarse(model: &Model, per_wave: f64, cancel: &Cancel) -> Option<Co
     Some(Coarse { grid, workspace, edges })
 }
 
-/// Maximum number of elements between two neighbouring loads or supports on a coarse mesh, divided by `per_wave`.
+/// Limit of the distance between two required positions, in units of 1/(wave number). A longer interval gets no more
+/// elements on a coarse mesh.
 const MOST_COARSE: f64 = 64.0;
 
 /// Elements per 1/(wave number) on a mesh whose contact edges are the initial guess of the exact method.

@@ -1,34 +1,41 @@
 //! Energy of an element and its ground, in the variables (y, e) of a sweep.
 //!
-//! The motion of the left end is x = (w, Lθ), L being the length of the element. That of the right end is x' = T x + d,
-//! T = \[\[1, 1\], \[0, 1\]\], where d is the deformation. y = T⁻¹x' = (w' − Lθ', Lθ') is the motion that the left end
-//! would have if the element were rigid, and e = y − x is the effect of the deformation. Hence w = y₁ − e₁, Lθ = y₂ −
-//! e₂ and w' − w = y₂ + e₁.
+//! The left end of an element has the displacements x = (w, Lθ), with the deflection w, the rotation θ and the
+//! element length L. The right end has the displacements x' = (w', Lθ') = T x + d, with T = \[\[1, 1\], \[0, 1\]\]
+//! and the deformation d of the element. The variable y = T⁻¹x' = (w' − Lθ', Lθ') contains the displacements that the
+//! left end would have if the element were rigid. The variable e = y − x = T⁻¹d is the effect of the deformation.
+//! Hence w = y₁ − e₁, Lθ = y₂ − e₂ and w' − w = y₂ + e₁.
 
 use crate::element::element::Element;
 use crate::ground::link::TwoPort;
 
-/// Energy ½(y₂, e)ᵗ M (y₂, e) − q·(y₁, y₂, e₁, e₂) of an element, and the shunt springs of the ground under its ends.
+/// Energy of an element in the variables y and e of a [sweep](self), and the shunt springs of the ground under the
+/// ends of the element. The energy is ½(y₂, e)ᵗ M (y₂, e) − q·(y₁, y₂, e₁, e₂) with the stiffness matrix M and the
+/// load vector q.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Form {
     /// Length L.
     pub length: f64,
-    /// Entries of M: `m` has y₂y₂, y₂e₁ and y₂e₂; `e` has e₁e₁, e₁e₂ and e₂e₂.
+    /// Entries of the stiffness matrix for the variables (y₂, e₁, e₂). `m` contains the entries y₂y₂, y₂e₁ and y₂e₂;
+    /// `e` contains the entries e₁e₁, e₁e₂ and e₂e₂.
     pub m: [f64; 3],
     pub e: [f64; 3],
-    /// q of the first element of a run, and its increment from one element to the next. The fifth and the sixth entry
-    /// are stiffness times gap of the shunt springs under the left and the right end.
+    /// Load vector q of the first element of a run, and the increment of q from one element to the next. The last two
+    /// entries are stiffness times gap for the shunt springs under the left and the right end.
     pub q: [f64; 6],
     pub dq: [f64; 6],
     /// Stiffness of the shunt springs under the left and the right end.
     pub shunt: [f64; 2],
-    /// Stiffness of the series spring between the ends, and its product with the rise of the gap from left to right.
+    /// Stiffness of the series spring between the two ends, and the product of this stiffness and the rise of the gap
+    /// from left to right.
     pub series: f64,
     pub rise: f64,
 }
 
 impl Form {
-    /// A beam without ground, from its length, its K for (Lθ, d₁, L d₂) and its q for (w, Lθ, d₁, L d₂).
+    /// Creates the form of a beam element without ground, from its length L, its stiffness matrix for (Lθ, d₁, L d₂)
+    /// and its load vector for (w, Lθ, d₁, L d₂). Here w and θ are the deflection and the rotation of the left end,
+    /// and (d₁, d₂) is the deformation of the element.
     pub fn beam(length: f64, stiffness: [f64; 6], load: [f64; 4]) -> Self {
         let [tt, t1, t2, d11, d12, d22] = stiffness;
         let [qw, qt, q1, q2] = load;
@@ -41,7 +48,8 @@ impl Form {
         }
     }
 
-    /// As [`Form::beam`], from an element that has no stiffness against rigid translation.
+    /// Creates the form of a beam element without ground, from an [`Element`] that has no stiffness against rigid
+    /// translation.
     pub fn of(element: &Element) -> Self {
         let Element { length, stiffness: k, load: [qw, qt, q1, q2], .. } = element;
         let per = 1.0 / length;
@@ -57,9 +65,10 @@ impl Form {
         Form::beam(*length, stiffness, [*qw, qt * per, *q1, q2 * per])
     }
 
-    /// Adds ground that is out of contact between the two ends, at which g₀ + u₀ is `gap`.
+    /// Adds ground that is out of contact between the two ends of the element. `gap` is the sum of the initial gap
+    /// and the free-field settlement at the two ends.
     pub fn on(mut self, link: TwoPort, gap: [f64; 2]) -> Self {
-        // ½ c (w' − w − rise)².
+        // The elongation of the series spring is the difference of the end deflections minus the rise of the gap.
         let (c, rise) = (link.series, gap[1] - gap[0]);
         self.m[0] += c;
         self.m[1] += c;
@@ -72,7 +81,8 @@ impl Form {
         self
     }
 
-    /// The form of a run of `count` elements, of which `self` is the first and `last` the last.
+    /// Returns the form of a run of `count` elements. `self` is the form of the first element and `last` the form of
+    /// the last element.
     pub fn towards(mut self, last: &Form, count: usize) -> Self {
         if count > 1 {
             let steps = (count - 1) as f64;
@@ -81,7 +91,7 @@ impl Form {
         self
     }
 
-    /// The form of the run that begins `elements` elements later.
+    /// Returns the form of the rest of the run, which begins `elements` elements later.
     pub fn after(mut self, elements: usize) -> Self {
         if elements > 0 && !self.is_even() {
             self.q = self.load(elements as f64);
@@ -94,7 +104,7 @@ impl Form {
         self.dq == [0.0; 6]
     }
 
-    /// q of element i.
+    /// Load vector q of element i of the run.
     pub fn load(&self, i: f64) -> [f64; 6] {
         std::array::from_fn(|j| self.q[j] + i * self.dq[j])
     }

@@ -1,8 +1,7 @@
 //! Nodes and elements of the discrete problem, from a model.
 //!
-//! The grid stores runs of equal elements between the required positions, not single elements. Each element is a run
-//! of its own where EI, k or μ varies, where the beam has shear deformation, and where loads act on the
-//! ground.
+//! The grid stores runs of equal elements between the required positions, not single elements. Each run has only one
+//! element where EI, k or μ varies, where the beam has shear deformation, and where loads act on the ground.
 
 use super::beam::{Beam, LONGEST_ELEMENT};
 use super::form::Form;
@@ -18,36 +17,37 @@ use crate::model::Model;
 use crate::nodal::beam::Given;
 use crate::numeric::polynomial::integral;
 
-/// Minimum EI of a stiffened beam relative to h²(P + μ + kh²). EI is raised only if the waves are shorter
-/// than h.
+/// Minimum bending stiffness of a beam on a coarse grid, relative to h²(P + μ + kh²), where h is the element length
+/// and P the tension. The bending stiffness of a softer beam is raised to this value.
 const STIFF: f64 = 0.5;
 
 /// A run of equal elements.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Run {
-    /// Beam and ground of the whole run.
+    /// Data of beam and ground along the whole run.
     pub cell: Cell,
-    /// Imposed loads and curvature along the run.
+    /// Distributed loads and imposed curvature along the run.
     pub given: Given,
-    /// g₀ + u₀ at the first and the last node; linear between them.
+    /// Sum of the initial gap and the free-field settlement at the first and the last node of the run. The sum is
+    /// linear between these nodes.
     pub gap: [f64; 2],
-    /// The beam element without ground, if the run is not uniform and so has a single element; otherwise `None`.
+    /// Beam element without ground, if the run is not uniform; such a run has one element. `None` for a uniform run.
     pub element: Option<Element>,
-    /// First node, and number of elements.
+    /// First node of the run, and its number of elements.
     pub first: usize,
     pub count: usize,
     /// Length of an element.
     pub h: f64,
     /// Two-port of the ground under one element.
     pub link: TwoPort,
-    /// The first element that each sweep crosses, bonded at both ends: for the sweep from the left, and for
-    /// the sweep from the right.
+    /// Form of the first element that a sweep crosses in the run, with ground that is bonded at both ends of the
+    /// element. The first form is for the sweep from the left, the second form for the sweep from the right.
     pub bonded: [Form; 2],
-    /// Ground of the run, and its two-port over the whole run, out of contact.
+    /// Uniform ground of the run, and the two-port of the ground out of contact along the whole run.
     pub layer: Layer,
     whole: TwoPort,
-    /// Two-ports of the ground to the left of the first node and to the right of the last, out of contact. They include
-    /// the ground outside the beam.
+    /// Two-ports of the ground out of contact to the left of the first node and to the right of the last node. They
+    /// include the ground outside the beam.
     beyond: [TwoPort; 2],
 }
 
@@ -92,7 +92,8 @@ impl Run {
         run
     }
 
-    /// The first element that a sweep crosses, bonded at both ends.
+    /// Computes the form of the first element that a sweep crosses in the run, with ground that is bonded at both
+    /// ends of the element. If `mirrored` is true, the sweep begins at the right end.
     fn first_bonded(&self, axial_force: f64, mirrored: bool) -> Form {
         let turned = |pair: [f64; 2]| if mirrored { [pair[1], pair[0]] } else { pair };
         let link = if mirrored { self.link.mirrored() } else { self.link };
@@ -122,7 +123,7 @@ impl Run {
         self.cell.length()
     }
 
-    /// g₀ + u₀ at a node of the run.
+    /// Sum of the initial gap and the free-field settlement at a node of the run.
     pub fn gap_at(&self, node: usize) -> f64 {
         let [left, right] = self.gap;
         match node - self.first {
@@ -132,12 +133,12 @@ impl Run {
         }
     }
 
-    /// The node after the last element.
+    /// Last node of the run, which is the right end of its last element.
     pub fn end(&self) -> usize {
         self.first + self.count
     }
 
-    /// Imposed loads and curvature between two nodes of this run.
+    /// Distributed loads and imposed curvature between two nodes of this run.
     pub fn part(&self, from: usize, to: usize) -> Given {
         if self.given.is_even() {
             return self.given;
@@ -145,7 +146,7 @@ impl Run {
         self.given.part([from, to].map(|node| (node - self.first) as f64 / self.count as f64))
     }
 
-    /// Two-port of the ground between two nodes of this run, out of contact.
+    /// Two-port of the ground out of contact between two nodes of this run.
     pub fn open(&self, from: usize, to: usize) -> TwoPort {
         if to - from == self.count || self.cell.shear_layer == 0.0 {
             return self.whole;
@@ -153,7 +154,7 @@ impl Run {
         self.layer.open(self.h * (to - from) as f64)
     }
 
-    /// Position of a node, computed from the nearer end of the run.
+    /// Position of a node \[m\], computed from the nearer end of the run.
     pub fn x(&self, node: usize) -> f64 {
         let ([left, right], count) = (self.cell.x, self.count as f64);
         let (before, after) = ((node - self.first) as f64, (self.end() - node) as f64);
@@ -164,7 +165,7 @@ impl Run {
         }
     }
 
-    /// Beam and ground between two nodes of this run.
+    /// Data of beam and ground between two nodes of this run.
     pub fn between(&self, [from, to]: [usize; 2]) -> Cell {
         if to - from == self.count {
             return self.cell;
@@ -173,14 +174,15 @@ impl Run {
         let at = |node: usize| match node - self.first {
             0 => -1.0,
             steps if steps == self.count => 1.0,
-            // The position is computed from the nearer end.
+            // The position is computed from the nearer end of the run.
             steps if 2 * steps <= self.count => 2.0 * steps as f64 / count - 1.0,
             steps => 1.0 - 2.0 * (self.count - steps) as f64 / count,
         };
         self.cell.part([at(from), at(to)])
     }
 
-    /// Number of pieces into which a part off the ground is divided, so that one series describes each.
+    /// Number of stretches into which a part of the beam off the ground is divided, so that one series represents the
+    /// deflection of each stretch.
     pub fn pieces(&self, axial_force: f64, length: f64) -> usize {
         pieces(&self.cell, axial_force, length)
     }
@@ -197,12 +199,13 @@ pub(crate) fn is_even(cell: &Cell) -> bool {
     !varies && !cell.has_free_field()
 }
 
-/// Minimum number of elements of a cell in which u₀ needs `settles` elements.
+/// Minimum number of elements of a cell. The free-field settlement needs at least `settles` elements.
 pub(crate) fn fewest_in(cell: &Cell, axial_force: f64, settles: usize) -> usize {
     pieces(cell, axial_force, cell.length()).max(settles)
 }
 
-/// Number of pieces into which a beam off the ground is divided, so that one series describes each.
+/// Number of stretches into which a beam off the ground is divided, so that one series represents the deflection of
+/// each stretch.
 fn pieces(cell: &Cell, axial_force: f64, length: f64) -> usize {
     let operator = Operator::of(cell, axial_force, ZoneKind::Open);
     if operator.polynomials.is_some() {
@@ -212,7 +215,8 @@ fn pieces(cell: &Cell, axial_force: f64, length: f64) -> usize {
     (wave * length / LONGEST_ELEMENT).ceil().max(1.0) as usize
 }
 
-/// The two-port of Winkler springs (μ = 0): each end of an element carries the springs of half the element.
+/// Two-port of the Winkler springs (μ = 0) under an element. The springs of each half of the element act at the
+/// nearer end of the element.
 fn springs(cell: &Cell, h: f64) -> TwoPort {
     let mean = 0.5 * h * cell.subgrade;
     let [left, right] = if cell.ground_varies() {
@@ -234,49 +238,51 @@ fn stiffen(cell: &mut Cell, axial_force: f64, h: f64) {
     }
 }
 
-/// Discretisation of the ground. Its forces act at the nodes.
+/// Discretisation of the ground, whose forces act at the nodes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Ground {
-    /// Point forces at the nodes, (5.5), with exact ground between the nodes.
+    /// Ground reactions as point forces at the nodes, (5.5), with exact ground between the nodes.
     Nodal,
-    /// Point forces at the nodes, with a shear layer that is linear between nodes and springs that are lumped at the
-    /// nodes by the trapezoidal rule. Where an element is longer than √(μ/k), a node still carries the springs of half
-    /// the element.
+    /// Ground reactions as point forces at the nodes. The shear layer is linear between the nodes, and the springs
+    /// are lumped at the nodes by the trapezoidal rule. This rule is also used if an element is longer than the decay
+    /// length √(μ/k) of the ground.
     Spread,
 }
 
-/// Runs from left to right, and the loads, supports and hinges at the nodes between them.
+/// Grid of runs from left to right, with the loads, supports and hinges at the nodes between the runs.
 #[derive(Debug, Clone)]
 pub(crate) struct Grid {
     pub runs: Vec<Run>,
     /// Loads, supports and hinges at the first node of each run, and at the last node of the grid.
     pub nodes: Vec<Node>,
     pub axial_force: f64,
-    /// Stiffness of the ground outside the left and the right end; √(kμ) if the ground is uniform and infinite.
+    /// Stiffness of the ground outside the left and the right end of the beam; √(kμ) if this ground is uniform and
+    /// infinite.
     pub outside: [f64; 2],
-    /// Whether each contact zone may be wrong by one node, because the next grid is only a few times finer.
+    /// Whether each contact zone may be wrong by one node. This is allowed if the next grid is only a few times
+    /// finer.
     pub rough: bool,
-    /// Whether g₀ + u₀ is zero everywhere.
+    /// Whether the sum of the initial gap and the free-field settlement is zero everywhere.
     pub flat: bool,
-    /// Nodes on rigid supports, and the settlement of each.
+    /// Nodes on rigid supports, and the settlement of the support at each node.
     pub pins: Vec<(usize, f64)>,
 }
 
 impl Grid {
-    /// A grid of about `elements` equal elements, with a node at every required position.
+    /// Creates a grid of about `elements` equal elements, with a node at every required position.
     pub fn new(model: &Model, elements: usize, ground: Ground) -> Self {
         let per_length = elements as f64 / model.beam.length;
         Self::cut(model, ground, |cell| (equal(cell, per_length), 0.0))
     }
 
-    /// As [`Grid::new`], but EI is raised where the elements are too long for the beam's waves.
+    /// Creates a grid as [`Grid::new`] does, but raises EI where the elements are too long for the waves of the beam.
     pub fn stiffened(model: &Model, elements: usize, ground: Ground) -> Self {
         let per_length = elements as f64 / model.beam.length;
         Self::cut(model, ground, |cell| (equal(cell, per_length), 1.0 / per_length))
     }
 
-    /// A grid from `divide`, which gives the minimum number of elements of a cell and a length h. EI is raised where
-    /// the waves of the beam are shorter than h.
+    /// Creates a grid. `divide` returns the minimum number of elements of a cell and a length. EI is raised where the
+    /// waves of the beam are shorter than this length.
     pub fn cut(model: &Model, ground: Ground, divide: impl Fn(&Cell) -> (usize, f64)) -> Self {
         let axial_force = model.beam.axial_force;
         let count = |cell: &Cell| {
@@ -334,7 +340,8 @@ impl Grid {
         self.runs.iter().map(of).fold(0.0, f64::max)
     }
 
-    /// Minimum number of elements of a model: the pieces into which a beam off the ground is divided.
+    /// Minimum number of elements of a model, so that one series represents the deflection of each element off the
+    /// ground.
     pub fn fewest(model: &Model) -> usize {
         let axial_force = model.beam.axial_force;
         let mut fewest = 0_usize;
@@ -355,7 +362,7 @@ impl Grid {
         self.runs.last().map_or(0, Run::end)
     }
 
-    /// The first node of each run, and the last node of all.
+    /// First node of each run, and the last node of the grid.
     pub fn firsts(&self) -> impl Iterator<Item = usize> {
         self.runs.iter().map(|run| run.first).chain([self.last()])
     }
@@ -369,7 +376,7 @@ impl Grid {
         self.runs[self.run_at(node)].x(node)
     }
 
-    /// g₀ + u₀ at a node.
+    /// Sum of the initial gap and the free-field settlement at a node.
     pub fn gap(&self, node: usize) -> f64 {
         if self.flat {
             return 0.0;
@@ -385,7 +392,8 @@ impl Grid {
         run.first + steps.min(run.count)
     }
 
-    /// The parts of runs between two nodes: index of the run, first and last node of the part.
+    /// Returns the parts of runs between two nodes. A part is given by the index of its run, its first node and its
+    /// last node.
     pub fn parts(&self, from: usize, to: usize) -> impl Iterator<Item = (usize, usize, usize)> {
         let first = self.run_at(from);
         let ends = self.runs[first..].iter().take_while(move |run| run.first < to);
@@ -395,27 +403,27 @@ impl Grid {
         parts.filter(|(_, from, to)| from < to)
     }
 
-    /// Two-port of the ground between two nodes, out of contact; `None` if the nodes coincide.
+    /// Two-port of the ground out of contact between two nodes; `None` if the nodes coincide.
     pub fn link(&self, from: usize, to: usize) -> Option<TwoPort> {
         let links = self.parts(from, to).map(|(run, from, to)| self.runs[run].open(from, to));
         links.reduce(TwoPort::then)
     }
 
-    /// Two-port of the ground to the left of a node, out of contact, including the ground outside the beam.
+    /// Two-port of the ground out of contact to the left of a node, including the ground outside the beam.
     pub fn left_of(&self, node: usize) -> TwoPort {
         let run = &self.runs[self.run_at(node)];
         let [before, _] = run.beyond;
         if node == run.first { before } else { before.then(run.open(run.first, node)) }
     }
 
-    /// Two-port of the ground to the right of a node, out of contact, including the ground outside the beam.
+    /// Two-port of the ground out of contact to the right of a node, including the ground outside the beam.
     pub fn right_of(&self, node: usize) -> TwoPort {
         let run = &self.runs[self.run_at(node.max(1) - 1)];
         let [_, after] = run.beyond;
         if node == run.end() { after } else { run.open(node, run.end()).then(after) }
     }
 
-    /// Loads, supports and hinge at a node; `None` if no required position is there.
+    /// Loads, supports and hinge at a node; `None` if the node is at no required position.
     pub fn place(&self, node: usize) -> Option<&Node> {
         let run = self.run_at(node);
         if self.runs[run].first == node {

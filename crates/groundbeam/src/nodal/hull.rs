@@ -1,32 +1,32 @@
 //! Nodes in contact with the ground, from the deflections of all nodes.
 //!
-//! This is the [obstacle problem](crate::contact::obstacle) of exact contact with nodes in place of points. A node can
-//! be in contact only where ground bonded to all nodes would press on it; a row of such nodes is an *arc*. A scan joins
-//! arcs from left to right. The force at the end of a zone is monotone in the position of this end, so each end is
-//! found by bisection.
+//! The contact set solves the [obstacle problem](crate::contact::obstacle) of exact contact, but only at the nodes. A
+//! node can be in contact only if ground that is bonded to all nodes would press on this node. A row of such nodes is
+//! called an *arc*. A scan from left to right joins arcs to contact zones. The force at the end of a zone is monotone
+//! in the position of this end, so each end is found by bisection.
 
 use super::grid::Grid;
 use crate::ground::link::TwoPort;
 
-/// A contact zone: its first and its last node.
+/// Contact zone, given by its first and its last node.
 pub(crate) type Zone = [usize; 2];
 
-/// The obstacle problem for ψ = w − (g₀ + u₀) at the nodes.
+/// Obstacle problem at the nodes for ψ, the deflection minus the initial gap and the free-field settlement.
 pub(crate) struct Hull<'a> {
     pub grid: &'a Grid,
     pub deflection: &'a [f64],
-    /// Initial guess of the contact zones. The search for each end of a zone starts there.
+    /// Initial guess of the contact zones. The search for each end of a zone starts from this guess.
     pub near: &'a [Zone],
 }
 
 /// Number of nodes tested in one block.
 const BLOCK: usize = 32;
 
-/// Contact zones of the part scanned so far.
+/// Contact zones in the part of the beam that is already scanned.
 type Stack = Vec<Zone>;
 
 impl Hull<'_> {
-    /// Writes the contact zones to `zones`; `arcs` is scratch memory.
+    /// Computes the contact zones and writes them to `zones`. `arcs` is scratch memory.
     pub fn zones(&self, arcs: &mut Vec<Zone>, zones: &mut Stack) {
         self.arcs(arcs);
         zones.clear();
@@ -37,7 +37,8 @@ impl Hull<'_> {
                     new[0] = self.first_that_presses(new, None);
                     break;
                 };
-                // Move each end in turn until neither moves.
+                // The loop moves the end of the last zone and the start of the new zone in turn, until neither of
+                // them moves.
                 loop {
                     let before = new[0];
                     last[1] = self.last_that_presses(*last, Some(new[0]));
@@ -68,8 +69,8 @@ impl Hull<'_> {
         if self.grid.flat { w } else { w - self.grid.gap(node) }
     }
 
-    /// Writes the arcs: the rows of nodes on which bonded ground would press. The end nodes of the beam always belong
-    /// to one.
+    /// Computes the arcs, which are the rows of nodes on which bonded ground would press. Each end node of the beam
+    /// always belongs to an arc.
     fn arcs(&self, arcs: &mut Vec<Zone>) {
         arcs.clear();
         let last = self.grid.last();
@@ -94,12 +95,14 @@ impl Hull<'_> {
                 let end = (at + BLOCK).min(run.count);
                 let mut pressing = 0;
                 for ((i, w), presses) in w[at - 1..=end].windows(3).enumerate().zip(&mut presses) {
-                    // g₀ + u₀ is linear, so ψ and w have the same second difference.
+                    // The gap is linear in the run, so the deflection w and ψ = w − gap have equal second
+                    // differences.
                     let psi = w[1] - (g + dg * (at + i) as f64);
                     *presses = shunt * psi + c * ((w[1] - w[0]) - (w[2] - w[1])) > 0.0;
                     pressing += usize::from(*presses);
                 }
-                // If the whole block is in the same state as the previous node, no arc begins or ends in it.
+                // If all nodes of the block are in the state of the previous node, no arc begins or ends in the
+                // block.
                 let alike = if start.is_some() { end - at } else { 0 };
                 if pressing != alike {
                     for (i, presses) in presses[..end - at].iter().enumerate() {
@@ -117,7 +120,7 @@ impl Hull<'_> {
         }
     }
 
-    /// Force that the ground exerts on a node if it is bonded to this node and both neighbours.
+    /// Force of the ground on a node, if the ground is bonded to this node and to both of its neighbours.
     fn bonded_force(&self, node: usize) -> f64 {
         self.push_from_left(node) + self.push_from_right(node)
     }
@@ -140,8 +143,8 @@ impl Hull<'_> {
         link.force_left(self.psi(node), self.psi(node + 1))
     }
 
-    /// Force on a node from the ground to the right of it, which is out of contact up to the next zone or
-    /// beyond the beam.
+    /// Force on a node from the ground to the right of it. This ground is out of contact up to the first node `next`
+    /// of the next zone, or to the far end of the ground if there is no next zone.
     fn open_right(&self, node: usize, next: Option<usize>) -> f64 {
         let psi = next.map_or(0.0, |next| self.psi(next));
         Opening::default().rightwards(self.grid, node, next).force_left(self.psi(node), psi)
@@ -152,7 +155,8 @@ impl Hull<'_> {
         Opening::default().leftwards(self.grid, node, before).force_right(psi, self.psi(node))
     }
 
-    /// The last node of a zone on which the ground presses, if the ground beyond it is out of contact up to `next`.
+    /// Returns the last node of a zone on which the ground presses. The ground to the right of this node is out of
+    /// contact up to `next`.
     fn last_that_presses(&self, [from, to]: Zone, next: Option<usize>) -> usize {
         let (mut opening, psi_next) = (Opening::default(), next.map_or(0.0, |next| self.psi(next)));
         let presses = |back: usize| {
@@ -178,8 +182,8 @@ impl Hull<'_> {
         from + first_holding(to - from, guess - from, presses)
     }
 
-    /// Whether the last zone is a single node on which the ground does not press. The ground is out of
-    /// contact on both sides.
+    /// Whether the last zone is a single node on which the ground does not press. The ground on both sides of this
+    /// node is out of contact.
     fn ends_in_tension(&self, zones: &[Zone], next: Option<usize>) -> bool {
         let Some(&[from, to]) = zones.last() else { return false };
         let before = zones.len().checked_sub(2).map(|i| zones[i][1]);
@@ -207,19 +211,21 @@ impl Hull<'_> {
     }
 }
 
-/// Ground out of contact beside a trial node. The part outside the run of this node is stored for the next trial.
+/// Ground out of contact on one side of a trial node. The two-port of the part outside the run of this node is stored
+/// for the next trial.
 #[derive(Default)]
 struct Opening {
     run: usize,
     rest: Option<Rest>,
 }
 
-/// Two-port of the ground from the end of a run to the next zone or beyond the beam; `None` if that zone begins in the
-/// run.
+/// Two-port of the ground from the end of a run to the neighbouring zone, or to the far end of the ground; `None` if
+/// this zone begins or ends in the run.
 type Rest = Option<TwoPort>;
 
 impl Opening {
-    /// Two-port of the ground from a node to the first node of the next zone, or beyond the beam.
+    /// Two-port of the ground from a node to the first node of the next zone. Without a next zone, the ground beyond
+    /// the beam is included.
     fn rightwards(&mut self, grid: &Grid, node: usize, next: Option<usize>) -> TwoPort {
         if next.is_none() && node == grid.last() {
             return grid.right_of(node);
@@ -238,7 +244,8 @@ impl Opening {
         rest.map_or(near, |rest| near.then(rest))
     }
 
-    /// Two-port of the ground from the last node of the previous zone, or from beyond the beam, to a node.
+    /// Two-port of the ground from the last node of the previous zone to a node. Without a previous zone, the ground
+    /// beyond the beam is included.
     fn leftwards(&mut self, grid: &Grid, node: usize, before: Option<usize>) -> TwoPort {
         if node == 0 {
             return grid.left_of(node);
@@ -258,8 +265,8 @@ impl Opening {
     }
 }
 
-/// The smallest number that satisfies a monotone condition; `most` if no smaller number does. The search
-/// doubles its steps from a guess, then bisects.
+/// Returns the smallest number that satisfies a monotone condition, or `most` if no smaller number satisfies the
+/// condition. The search doubles its steps from a guess and then bisects.
 fn first_holding(most: usize, guess: usize, mut holds: impl FnMut(usize) -> bool) -> usize {
     let (mut fails, mut found) = (None, most);
     let mut step = 1;

@@ -1,4 +1,4 @@
-//! Arithmetic on one number per sweep, so that a processor handles one or two sweeps in one instruction.
+//! Arithmetic on one number per sweep, so that a processor computes one or two sweeps with one instruction.
 
 use std::ops::{Add, Mul, Sub};
 
@@ -7,7 +7,7 @@ use std::ops::{Add, Mul, Sub};
 pub(crate) struct Lanes<const N: usize>(pub [f64; N]);
 
 impl<const N: usize> Lanes<N> {
-    /// The number of each sweep, from its index.
+    /// Creates the numbers of all sweeps. `number` returns the number of a sweep from the index of the sweep.
     pub fn of(number: impl FnMut(usize) -> f64) -> Self {
         Lanes(std::array::from_fn(number))
     }

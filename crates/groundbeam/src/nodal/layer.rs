@@ -3,7 +3,7 @@
 use crate::ground::link::TwoPort;
 use crate::numeric::elementary::{asinh, exp, expm1};
 
-/// Uniform ground: its stiffness √(kμ) and its rate of decay √(k/μ), or the discrete equivalents.
+/// Uniform ground, given by its stiffness √(kμ) and its rate of decay √(k/μ), or by their discrete equivalents.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Layer {
     stiffness: f64,
@@ -18,20 +18,22 @@ impl Layer {
         Layer { stiffness: (spring * shear).sqrt(), rate: (spring / shear).sqrt() }
     }
 
-    /// Uniform ground with nodes a distance h apart: the shear layer is linear between nodes, and the springs are
-    /// lumped at the nodes by the trapezoidal rule. u at node i is then e^(±βi) with sinh(β/2) = h√(k/μ)/2.
+    /// Creates uniform ground with nodes at the distance h. The shear layer is linear between nodes, and the springs
+    /// are lumped at the nodes by the trapezoidal rule. The ground displacement at node i is then a multiple of
+    /// e^(±βi), where sinh(β/2) = h√(k/μ)/2 defines β.
     pub fn at_nodes(spring: f64, shear: f64, h: f64) -> Self {
         if shear == 0.0 {
             return Layer::default();
         }
         let half = 0.5 * h * (spring / shear).sqrt();
-        // The stiffness is μ/h sinh β, with sinh β = 2 sinh(β/2) cosh(β/2).
+        // The stiffness is (μ/h) sinh β with `half` = sinh(β/2).
         let stiffness = (spring * shear).sqrt() * (1.0 + half * half).sqrt();
         Layer { stiffness, rate: 2.0 * asinh(half) / h }
     }
 
-    /// Ground of a given length, out of contact. As [`TwoPort::uniform`], but with one exponential:
-    /// 1/sinh z = 2e^(−z)/(1 − e^(−z))(1 + e^(−z)) and tanh(z/2) = (1 − e^(−z))/(1 + e^(−z)).
+    /// Two-port of ground of a given length, out of contact. It equals [`TwoPort::uniform`] but needs only one
+    /// exponential e^(−z), where z is the length times the rate of decay: 1/sinh z = 2e^(−z)/(1 − e^(−2z)) and
+    /// tanh(z/2) = (1 − e^(−z))/(1 + e^(−z)).
     pub fn open(&self, length: f64) -> TwoPort {
         if self.stiffness == 0.0 {
             return TwoPort::default();

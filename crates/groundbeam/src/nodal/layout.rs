@@ -1,4 +1,4 @@
-//! Stretches of both sweeps, from the contact zones: rows of bonded elements, and spans off the ground.
+//! Divides the beam into stretches for two sweeps: rows of bonded elements, and spans out of contact.
 
 use super::form::Form;
 use super::grid::Grid;
@@ -10,7 +10,7 @@ use super::stretch::{Side, Stretch};
 use crate::element::element::{Basis, mirror_shape};
 use crate::ground::link::TwoPort;
 
-/// A span, the side of the sweep that crosses it, and the index of its stretch on this side.
+/// A span, the side of the sweep that crosses it, and its index among the stretches of this side.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Placed {
     pub span: Span,
@@ -18,18 +18,20 @@ pub(crate) struct Placed {
     pub stretch: usize,
 }
 
-/// The beam, divided into stretches for two sweeps that meet at a node.
+/// Division of the beam into stretches for two sweeps that meet at a node.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Layout {
     pub sides: [Side; 2],
-    /// Node where the sweeps meet, and the loads, supports and springs there.
+    /// Node where the sweeps meet.
     pub meeting: usize,
+    /// Loads, supports, hinge and springs at the meeting node.
     pub stand: Stand,
-    /// w at the meeting node and the rotations to its left and to its right, from the last solve.
+    /// Deflection of the meeting node and the rotations to its left and to its right, from the last solve.
     pub middle: [f64; 3],
     /// Whether the beam touches the ground anywhere.
     touches: bool,
-    /// The first `used` spans are valid; the others keep their memory for the next solve.
+    /// The first `used` entries are the spans of this layout. The other entries keep their memory for the next
+    /// solve.
     spans: Vec<Placed>,
     used: usize,
 }
@@ -59,7 +61,8 @@ impl Layout {
         self.set_right(grid, zones, springs)
     }
 
-    /// Calls `each` with the left node and the motion (w, θ, d₁, d₂) of every bonded element.
+    /// Calls `each` for every bonded element with its left node and (w, θ, d₁, d₂): deflection w and rotation θ of
+    /// its left end, and its deformations d₁ and d₂.
     pub fn each_element(&self, grid: &Grid, mut each: impl FnMut(usize, [f64; 4])) {
         let [w, behind, ahead] = self.middle;
         let (mut left, mut right) = (self.meeting, self.meeting);
@@ -120,8 +123,8 @@ impl Layout {
         Ok(())
     }
 
-    /// Adds the beam from the end of a zone, or else from the end of the beam, to the node `to` where the next zone
-    /// begins.
+    /// Adds the span before the next contact zone, which begins at the node `to`. The span begins at the end of the
+    /// previous zone, the node `behind`, or at the end of the beam if `behind` is `None`.
     fn open(
         &mut self,
         grid: &Grid,
@@ -138,7 +141,8 @@ impl Layout {
             let stand = Stand::on_ground(grid, node, mirrored, springs);
             return self.add_span(grid, side, [node, to], form, stand, springs);
         }
-        // No ground connects the nodes of an overhang. It is divided at supports, hinges and stabilising springs.
+        // In an overhang the ground does not couple the nodes, so the overhang can be divided at supports, hinges
+        // and stabilising springs.
         let mut node = if mirrored { grid.last() } else { 0 };
         let holds = |at: &usize| Stand::at(grid, *at, mirrored, springs).is_joint();
         let mut cuts: Vec<usize> = grid.firsts().filter(holds).collect();
@@ -167,7 +171,7 @@ impl Layout {
         Ok(())
     }
 
-    /// Adds the beam between two nodes as one stretch of a sweep, with the ground under it.
+    /// Adds the beam between two nodes, with the ground under it, as one stretch of a sweep.
     fn add_span(
         &mut self,
         grid: &Grid,
@@ -195,7 +199,7 @@ impl Layout {
     }
 }
 
-/// The node with this number of bonded elements on its left.
+/// Returns the node that has `count` bonded elements on its left.
 fn middle(zones: &[Zone], mut count: usize) -> usize {
     for &[from, to] in zones {
         if count <= to - from {
@@ -206,7 +210,7 @@ fn middle(zones: &[Zone], mut count: usize) -> usize {
     0
 }
 
-/// A stretch of elements of one run, each bonded at both ends.
+/// Creates a stretch from a part of a row of equal elements, which are bonded at both ends.
 fn row(
     grid: &Grid,
     run: usize,

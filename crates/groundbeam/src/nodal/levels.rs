@@ -3,25 +3,27 @@
 use super::grid::{Grid, Ground};
 use crate::model::Model;
 
-/// Elements per 1/(wave number) on the coarsest grid that resolves every wave of the beam.
+/// Number of elements per length 1/λ on the coarsest grid, with the largest wave number λ of the beam.
 const COARSEST: f64 = 1.5;
-/// Grids for a required grid that barely resolves the waves of the beam, or does not resolve them: ratio
-/// between the element counts of successive grids, and minimum number of elements of a grid.
+/// Ratio of the element counts of successive grids if the required grid barely resolves the waves of the beam, or
+/// does not resolve them.
 const STEP: f64 = 4.0;
+/// Minimum number of elements of a coarse grid that is chosen by the ratio `STEP`.
 const FEWEST: f64 = 20.0;
-/// The grid before the required one may be refined to locate the contact edges to a fraction of a node. Upper limits of
-/// its element count: relative to that of the required grid, and relative to the count for √(h/wave).
+/// Maximum element count of the last coarse grid after its refinement, relative to the required grid. The refinement
+/// locates the contact edges to a fraction of an element.
 const SHARE: f64 = 0.3;
+/// Maximum factor by which the refinement of the last coarse grid multiplies its element count.
 const SHARPEST: f64 = 6.0;
-/// Minimum factor on the element count for which this refinement is worth its solves.
+/// The last coarse grid is refined only if its element count grows by more than this factor. A smaller refinement
+/// would cost more solves than it saves.
 const SHARP: f64 = 4.0;
-/// Maximum ratio of the element count of the next grid to that of a rough grid.
+/// Maximum ratio of the element counts of two successive grids for which the coarser grid counts as `rough`.
 const FEW: f64 = 3.5;
 
-/// Writes the grids from the coarsest, on which a few elements resolve every wave of the beam, to the
-/// required one. Newton's method converges quadratically. The refinement is chosen so that it needs one or
-/// two steps per grid. Where the required grid itself is too coarse for the beam, EI is raised on the grids
-/// before it.
+/// Writes the grids, from the coarsest grid to the required grid, to `grids`. On the coarsest grid a few elements
+/// resolve every wave of the beam. The element counts are chosen so that Newton's method needs one or two steps per
+/// grid. On coarse grids, EI is raised where the elements are too long for the waves of the beam.
 pub(crate) fn grids(model: &Model, elements: usize, ground: Ground, grids: &mut Vec<Grid>) {
     grids.clear();
     let fine = Grid::new(model, elements, ground);
@@ -35,14 +37,15 @@ pub(crate) fn grids(model: &Model, elements: usize, ground: Ground, grids: &mut 
     }
 }
 
-/// Element counts of the grids before the required one, from fine to coarse.
+/// Element counts of the grids before the required grid, from fine to coarse.
 fn coarser(wanted: f64, waves: f64) -> Vec<f64> {
     let coarsest = (waves * COARSEST).ceil().max(8.0);
     let mut coarser = Vec::new();
     let mut last = wanted;
     loop {
-        // h → √(h/wave): on the finer grid the contact edges are then off by one or two nodes. If the coarser
-        // grid has a few times more elements, the edges are at the right nodes, and one solve is sufficient.
+        // If a grid has the element length h, the next coarser grid has the element length √(h/λ), with the wave
+        // number λ of the beam. The contact edges of the coarser grid are then off by one or two nodes on the finer
+        // grid. With a few times more elements on the coarser grid, the edges are at the right nodes.
         let mut next = (last * waves).sqrt();
         let sharper = (SHARE * last / next).min(SHARPEST);
         if coarser.is_empty() && sharper > SHARP {
@@ -66,7 +69,7 @@ fn coarser(wanted: f64, waves: f64) -> Vec<f64> {
     coarser
 }
 
-/// Whether a grid resolves all waves and the next one is only a few times finer.
+/// Whether a grid resolves all waves of the beam and the next grid is only a few times finer.
 fn is_rough(grid: &Grid, next: &Grid, waves: f64) -> bool {
     let [elements, finer] = [grid, next].map(|grid| grid.last() as f64);
     elements >= waves * COARSEST && finer < FEW * elements

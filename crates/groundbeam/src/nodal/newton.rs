@@ -1,4 +1,4 @@
-//! Newton's method for the set of nodes in contact, on grids from coarse to the required one.
+//! Finds the nodes in contact by Newton's method, first on coarse grids and then on the required grid.
 
 use super::back_sweep::Fields;
 use super::grid::Grid;
@@ -11,24 +11,25 @@ use super::sweep;
 use crate::cancel::Cancel;
 use crate::numeric::step::Step;
 
-/// Number of full steps on one grid. Later steps use a line search on the energy.
+/// Maximum number of full Newton steps on one grid. Later steps use a line search on the energy.
 const WHOLE_STEPS: usize = 8;
-/// Stiffness of the stabilising springs relative to that of the ground, factor by which it grows until the system is
-/// positive definite, and maximum number of trials.
+/// Initial stiffness of the stabilising springs, relative to the stiffness of the ground.
 const SOFTEST_SPRING: f64 = 1e-6;
+/// Factor by which the stiffness of the stabilising springs grows until the system is positive definite.
 const STIFFER: f64 = 1e3;
+/// Maximum number of trial solves in one step, each with stiffer stabilising springs.
 const SPRING_TRIALS: usize = 3;
 /// Maximum force in a stabilising spring at convergence, relative to the sum of the ground forces.
 const SPRING_FORCE: f64 = 1e-14;
 
-/// Work of a solve, in counts that do not depend on timing.
+/// Counts of operations that measure the work of a solve. They do not depend on the speed of the computer.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct Work {
     /// Number of bonded solves on all grids.
     pub solves: usize,
     /// Number of bonded solves on the required grid.
     pub fine_solves: usize,
-    /// Number of elements swept in all solves. A stretch off the ground counts as one.
+    /// Number of elements that the sweeps cross in all solves. A stretch off the ground counts as one element.
     pub elements: usize,
     /// Number of grids.
     pub grids: usize,
@@ -39,22 +40,25 @@ pub struct Work {
 pub(crate) struct Goal {
     /// Maximum number of steps.
     pub steps: usize,
-    /// Maximum number of elements for which a line search is used. Each line search needs dozens of scans.
+    /// Maximum number of elements of a grid on which line searches are used. Each line search scans all nodes
+    /// dozens of times.
     pub searched: usize,
-    /// Number of nodes per zone that the next step may still change; none for a final result.
+    /// Convergence tolerance: number of nodes per contact zone whose contact may still change in the next step.
+    /// It is 0 for a final result.
     pub moves: usize,
 }
 
-/// Final result: the contact set no longer changes. Zones far from the loads change the energy little, so the line
-/// search shortens many steps: Hard 333 needs 650 steps on 333 elements.
+/// Stopping rule of a final result: the contact set no longer changes. Some models need many steps shortened by the
+/// line search. The model "Hard 333" needs 650 steps on 333 elements.
 pub(crate) const ANSWER: Goal = Goal { steps: 2000, searched: usize::MAX, moves: 0 };
-/// Initial guess for another method.
+/// Stopping rule of an initial guess for another method.
 pub(crate) const START: Goal = Goal { steps: 40, searched: 20_000, moves: 1 };
 
-/// Maximum element length relative to √(μ/k) for which the pressure is taken as linear.
+/// Maximum element length, relative to √(μ/k), for which the pressure next to a contact edge is assumed to be
+/// linear.
 const FINE: f64 = 0.2;
 
-/// Memory of a solve, reused by the next one.
+/// Memory of a solve. The next solve reuses it.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Workspace {
     pub(crate) layout: Layout,
@@ -73,13 +77,13 @@ pub(crate) struct Workspace {
 }
 
 impl Workspace {
-    /// Finds the contact zones on the last grid, starting from coarser ones.
+    /// Finds the contact zones on the last grid. The solutions on the coarser grids give the initial guess.
     pub fn contact(&mut self, grids: &[Grid], goal: Goal) -> Result<(), NotSolved> {
         self.approach(grids, goal)?;
         self.level(&grids[grids.len() - 1], goal)
     }
 
-    /// Finds an initial guess of the contact zones on the last grid, from coarser ones.
+    /// Finds an initial guess of the contact zones on the last grid from the solutions on the coarser grids.
     pub fn approach(&mut self, grids: &[Grid], goal: Goal) -> Result<(), NotSolved> {
         self.work = Work::default();
         self.history.clear();
@@ -113,16 +117,16 @@ impl Workspace {
         self.zones.push([0, grid.last()]);
     }
 
-    /// Gives the fields one value per node.
+    /// Resizes the deflection, the slope and the ground force to one value per node.
     pub fn resize(&mut self, grid: &Grid) {
         for field in [&mut self.deflection, &mut self.slope, &mut self.force] {
             field.resize(grid.last() + 1, 0.0);
         }
     }
 
-    /// Solves the bonded problem on `zones`. Writes w, w' and the forces at the nodes in contact. `stabilisation` is
-    /// the stiffness of the stabilising springs, which are at rest at the previous deflection. After an error the fields
-    /// are unchanged.
+    /// Solves the bonded problem with contact in `zones`. Writes the deflection w, the slope w' and the ground
+    /// forces at the nodes in contact. `stabilisation` is the stiffness of the stabilising springs, which are at
+    /// rest at the previous deflection. After an error, deflection, slope and ground forces are unchanged.
     pub fn solve_bonded(
         &mut self,
         grid: &Grid,
@@ -147,8 +151,8 @@ impl Workspace {
         Ok(())
     }
 
-    /// Bonded solve with stabilising springs, where the ground does not hold the beam. The springs are at rest at the
-    /// previous deflection, so the energy falls along the step. Returns their stiffness.
+    /// Solves the bonded problem with stabilising springs, for a beam that the contact alone does not support. The
+    /// springs are at rest at the previous deflection. Returns the stiffness of the springs.
     fn solve_stabilised(&mut self, grid: &Grid) -> Result<f64, NotSolved> {
         let mut spring = SOFTEST_SPRING * grid.stiffness();
         for _ in 0..SPRING_TRIALS {
@@ -160,7 +164,7 @@ impl Workspace {
         Err(NotSolved)
     }
 
-    /// Writes w, or w' if `derivative`, between the zones.
+    /// Writes the deflection w between the contact zones, or the slope w' if `derivative` is true.
     pub fn fill(&mut self, grid: &Grid, derivative: bool) {
         let Workspace { layout, deflection, slope, .. } = self;
         let into = if derivative { slope } else { deflection };
@@ -175,12 +179,12 @@ impl Workspace {
         }
     }
 
-    /// Sets the forces between the zones to zero.
+    /// Sets the ground forces at the nodes between the contact zones to zero.
     pub fn clear_open(&mut self, grid: &Grid) {
         clear(&mut self.force[..=grid.last()], &self.zones);
     }
 
-    /// Number of nodes in contact either now or in the next step, but not in both.
+    /// Number of nodes whose contact changes in this step.
     fn moved(&self) -> usize {
         let count = |zones: &[Zone]| zones.iter().map(|[from, to]| to - from + 1).sum::<usize>();
         let (mut both, mut next) = (0, self.next.iter().peekable());
@@ -198,8 +202,8 @@ impl Workspace {
         count(&self.zones) + count(&self.next) - 2 * both
     }
 
-    /// Stores the deflection and the forces before a step with line search. Before the first of these steps, it clears
-    /// the forces that earlier solves left at nodes out of contact.
+    /// Stores the deflection and the ground forces before a step with line search. If `first` is true, the ground
+    /// forces at nodes out of contact are set to zero first, because full steps leave old values there.
     fn remember(&mut self, grid: &Grid, first: bool) {
         if first {
             clear(&mut self.force[..=grid.last()], &self.next);
@@ -216,7 +220,8 @@ impl Workspace {
         springs.forces(grid, &self.deflection).all(|(_, force)| force.abs() <= SPRING_FORCE * all)
     }
 
-    /// Iterates until the contact set of the deflection is the assumed one. The first `whole` steps are full steps.
+    /// Iterates until a bonded solve leaves the contact zones unchanged, within the tolerance of `goal`. The first
+    /// `whole` steps are full steps.
     fn settle(&mut self, grid: &Grid, goal: Goal, whole: usize) -> Result<(), NotSolved> {
         let mut whole = whole;
         for step in 0..goal.steps {
@@ -261,7 +266,7 @@ impl Workspace {
         Err(NotSolved)
     }
 
-    /// Transfers the zones of a coarser grid to this one.
+    /// Transfers the contact zones from the grid `coarse` to the finer grid `grid`.
     fn refine(&mut self, coarse: &Grid, grid: &Grid) {
         self.next.clear();
         for [from, to] in self.edges(coarse) {
@@ -275,18 +280,20 @@ impl Workspace {
         std::mem::swap(&mut self.zones, &mut self.next);
     }
 
-    /// Contact edges of all zones, interpolated between nodes.
+    /// Positions of the contact edges of all zones \[m\], interpolated between nodes.
     pub fn edges(&self, grid: &Grid) -> Vec<[f64; 2]> {
         let ends = |&[from, to]: &Zone| [self.edge(grid, from, to), self.edge(grid, to, from)];
         self.zones.iter().map(ends).collect()
     }
 
-    /// Contact edge beside the end node of a zone that extends to the node `towards`. At the distance ξ beyond this end
-    /// node the pressure is p = p₀ + p₁ξ. Through ground out of contact, a pressure p at ξ acts on the end node as p
-    /// e^(−bξ). If the edge is at ξ = s, the force at the end node is F = p₀(h/2 + s) − p₁h²/6 + (p₁ − b p₀)s²/2.
+    /// Position \[m\] of the contact edge near `node`. This node is one end of a contact zone, and `towards` is the
+    /// other end. At the distance ξ outside `node`, the pressure is assumed to be p₀ + p₁ξ up to the edge at ξ = s.
+    /// Ground out of contact transmits to `node` the fraction e^(−bξ) of the pressure at ξ, with b = √(k/μ). With
+    /// the element length h, the ground force at `node` is therefore F = p₀(h/2 + s) − p₁h²/6 + (p₁ − b p₀)s²/2.
+    /// The function solves this equation for s.
     fn edge(&self, grid: &Grid, node: usize, towards: usize) -> f64 {
         let x = grid.x(node);
-        // The slope jump at a hinge carries a point force.
+        // At a hinge the slope is discontinuous, so the ground force includes a concentrated force.
         let is_corner = grid.place(node).is_some_and(|place| place.hinge.is_some());
         if node == towards || node == 0 || node == grid.last() || is_corner {
             return x;
@@ -315,7 +322,7 @@ impl Workspace {
     }
 }
 
-/// Sets the forces outside the zones to zero.
+/// Sets the ground forces at the nodes outside the contact zones to zero.
 fn clear(force: &mut [f64], zones: &[Zone]) {
     let mut open = 0;
     for &[from, to] in zones {
@@ -325,7 +332,7 @@ fn clear(force: &mut [f64], zones: &[Zone]) {
     force[open..].fill(0.0);
 }
 
-/// Deflection and forces before a step, and memory for the trials of the line search.
+/// Deflection and ground forces before a step, and memory for the trials of the line search.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Line {
     pub deflection: Vec<f64>,

@@ -1,4 +1,4 @@
-//! w, w' and the settlement of the ground at the nodes between contact zones, in closed form.
+//! Computes the deflection w, the slope w' and the ground settlement at the nodes between contact zones, in closed form.
 
 use super::beam::NODAL_TERMS;
 use super::grid::{Grid, Run};
@@ -7,18 +7,19 @@ use super::span::Span;
 use crate::ground::link::TwoPort;
 use crate::numeric::elementary::{exp, expm1};
 
-/// Writes w or w' at the nodes of a span, except at ends in contact.
+/// Writes the deflection w, or the slope w' if `derivative` is true, at the nodes of a span, except at end
+/// nodes in contact.
 pub(crate) fn beam(grid: &Grid, span: &Span, v: &[f64; 4], derivative: bool, into: &mut [f64]) {
     let last = grid.last();
     span.unfold(v, |piece, own| {
-        // Each piece writes its left end unless this end is in contact. The piece at the right end of the beam writes
-        // that end too.
+        // Each piece writes the value at its left end node unless this node is in contact. The piece at the
+        // right end of the beam also writes the value at its right end node.
         let ([from, to], length) = (piece.nodes, piece.length);
         let first = usize::from(from == span.from && from > 0);
         let nodes = from + first..to + usize::from(to == last);
         let sign = if span.mirrored { -1.0 } else { 1.0 };
         let Some((series, terms)) = piece.series(own) else {
-            // The element is a run of its own and has no closed form.
+            // This piece is a single element without a closed form, so it has no nodes between its two ends.
             let [w, theta, d1, d2] = own;
             let ends = if derivative {
                 [sign * theta, sign * (theta + d2)]
@@ -44,7 +45,7 @@ pub(crate) fn beam(grid: &Grid, span: &Span, v: &[f64; 4], derivative: bool, int
     });
 }
 
-/// Evaluates a series at many positions, with its significant terms only.
+/// Evaluates the significant terms of a power series at many positions.
 fn values(c: &[f64; NODAL_TERMS], terms: usize, s: impl Fn(usize) -> f64, into: &mut [f64]) {
     match terms {
         0..=4 => horner::<4>(c, s, into),
@@ -55,8 +56,7 @@ fn values(c: &[f64; NODAL_TERMS], terms: usize, s: impl Fn(usize) -> f64, into: 
     }
 }
 
-/// Number of positions evaluated together. In a single evaluation each addition would have to wait for the one
-/// before.
+/// Number of positions at which a series is evaluated together, so that the processor can overlap the additions.
 const WIDTH: usize = 4;
 
 fn horner<const N: usize>(c: &[f64; NODAL_TERMS], s: impl Fn(usize) -> f64, into: &mut [f64]) {
@@ -72,7 +72,8 @@ fn horner<const N: usize>(c: &[f64; NODAL_TERMS], s: impl Fn(usize) -> f64, into
     }
 }
 
-/// u − u₀ at every node: ψ in contact, the closed form of the unloaded ground elsewhere.
+/// Writes the settlement u − u₀ relative to the free-field settlement u₀ at every node. It is w − g₀ − u₀ in
+/// contact. Out of contact it is the closed-form solution for ground without pressure.
 pub(crate) fn settlement(
     grid: &Grid,
     deflection: &[f64],
@@ -99,16 +100,17 @@ pub(crate) fn settlement(
     }
 }
 
-/// Writes the settlement at the nodes strictly between two nodes. `left` and `right` are ψ at these two nodes
-/// if they are in contact. `None` means an end of the beam, with ground outside; then the settlement at this
-/// node is also written.
+/// Writes the settlement u − u₀ of ground out of contact at the nodes strictly between `from` and `to`. `left` and
+/// `right` are the known settlements at `from` and `to`. `None` stands for an end of the beam out of contact. The
+/// settlement at such an end is computed and written too.
 fn ground(
     grid: &Grid,
     [from, to]: [usize; 2],
     [left, right]: [Option<f64>; 2],
     settlement: &mut [f64],
 ) {
-    // u at the ends of each part: joins the two-ports from left to right, then computes u from right to left.
+    // Each of the `parts` of the ground has one two-port. The first pass joins the two-ports from left to right.
+    // The second pass computes the settlements at the ends of the parts from right to left.
     let parts: Vec<_> = grid.parts(from, to).collect();
     let beyond = TwoPort { shunt_right: grid.outside[0], ..TwoPort::default() };
     let mut before: Vec<TwoPort> = Vec::with_capacity(parts.len());
@@ -120,8 +122,8 @@ fn ground(
         so_far = Some(link);
     }
     let start = left.unwrap_or(0.0);
-    // u of a node in equilibrium between the two-port `link` on its left and the ground on its right. The
-    // ground on the right has the stiffness `stiffness`, and the force `force` for u = 0.
+    // `held` computes the settlement of a node between the two-port `link` on its left and ground of the stiffness
+    // `stiffness` on its right. At zero settlement, the ground on the right exerts the force `force` on the node.
     let held = |link: &TwoPort, force: f64, stiffness: f64| {
         let all = link.series + link.shunt_right + stiffness;
         if all > 0.0 { (link.series * start + force) / all } else { 0.0 }
@@ -147,7 +149,8 @@ fn ground(
     }
 }
 
-/// u = (left sinh b(L − x) + right sinh bx)/sinh bL at equal steps strictly between two ends.
+/// Writes the settlement at equally spaced positions x between two ends with the settlements `left` and `right`. It
+/// is (left·sinh(b(L − x)) + right·sinh(bx))/sinh(bL), with the distance L of the ends and b = √(k/μ).
 fn between(run: &Run, left: f64, right: f64, into: &mut [f64]) {
     if run.cell.shear_layer == 0.0 {
         return into.fill(0.0);
@@ -156,7 +159,8 @@ fn between(run: &Run, left: f64, right: f64, into: &mut [f64]) {
     let count = into.len() + 1;
     let length = b * run.h * count as f64;
     if length < 0.5 {
-        // cosh and sinh about the middle, divided by their values at the ends.
+        // Over a short distance, the settlement is computed as a multiple of cosh plus a multiple of sinh about the
+        // middle.
         let z = 0.5 * length;
         let (even, odd) = series(z);
         let mean = 0.5 * (left + right) / value(&even, 1.0);
@@ -170,7 +174,8 @@ fn between(run: &Run, left: f64, right: f64, into: &mut [f64]) {
     let faded = exp(-length);
     let whole = -expm1(-2.0 * length);
     let amplitudes = [(left - right * faded) / whole, (right - left * faded) / whole];
-    // Both exponentials by recurrence, recomputed once per block.
+    // The falling and the rising exponential are computed by recurrence. The recurrence restarts in each block to
+    // limit rounding errors.
     const STEPS: usize = 32;
     let step = b * run.h;
     let decay = exp(-step);
@@ -189,7 +194,7 @@ fn between(run: &Run, left: f64, right: f64, into: &mut [f64]) {
 
 const SERIES: usize = 7;
 
-/// Coefficients of cosh(zs) and sinh(zs)/s in powers of s².
+/// Coefficients of the power series of cosh(zs) and sinh(zs)/s in s².
 fn series(z: f64) -> ([f64; SERIES], [f64; SERIES]) {
     let (mut even, mut odd) = ([0.0; SERIES], [0.0; SERIES]);
     let mut term = 1.0;

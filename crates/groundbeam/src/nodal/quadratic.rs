@@ -1,31 +1,31 @@
 //! Elimination of unknowns from a small quadratic form, the energy of a few degrees of freedom.
 
-/// The bonded system is not positive definite because the contact does not hold the beam, or the iteration did not
-/// converge.
+/// Error of a solve. The bonded system is not positive definite because the contact does not support the beam,
+/// or the iteration did not converge.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct NotSolved;
 
-/// ½zᵀHz − gᵀz of N unknowns.
+/// Quadratic form ½zᵀHz − gᵀz of N unknowns z.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Quadratic<const N: usize> {
     pub h: [[f64; N]; N],
     pub g: [f64; N],
 }
 
-/// An eliminated unknown as a function of the others: by·z + constant.
+/// An eliminated unknown as the function `by`·z + `constant` of the remaining unknowns z.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Row<const N: usize> {
     pub by: [f64; N],
     pub constant: f64,
 }
 
-/// A pivot is rounding error if it is below this fraction of its terms.
+/// A pivot counts as rounding error if it is below this fraction of the magnitude of its terms.
 const PIVOT_ROUNDING: f64 = 1e-15;
 
 impl<const N: usize> Quadratic<N> {
     pub const ZERO: Self = Quadratic { h: [[0.0; N]; N], g: [0.0; N] };
 
-    /// Adds ½vᵀKv − qᵀv for v = rows·z.
+    /// Adds the quadratic form ½vᵀKv − qᵀv of the variables v = `rows`·z.
     pub fn add<const M: usize>(&mut self, rows: &[[f64; N]; M], k: &[[f64; M]; M], q: &[f64; M]) {
         for a in 0..M {
             for (g, by) in self.g.iter_mut().zip(&rows[a]) {
@@ -44,7 +44,8 @@ impl<const N: usize> Quadratic<N> {
         }
     }
 
-    /// Substitutes row·z + constant for the unknown e. The row has no coefficient of e.
+    /// Eliminates the unknown e by substituting the function `row` for it. The coefficient of e in `row` is
+    /// zero.
     pub fn hold(&mut self, e: usize, row: Row<N>) {
         let Row { by, constant } = row;
         for j in 0..N {
@@ -64,8 +65,8 @@ impl<const N: usize> Quadratic<N> {
         self.clear(e);
     }
 
-    /// Minimises the energy over the unknown e and eliminates e. `size` is the magnitude of the terms in the
-    /// pivot.
+    /// Eliminates the unknown e by minimising the energy over e. Returns e as a function of the remaining
+    /// unknowns. `size` is the magnitude of the terms in the pivot.
     pub fn eliminate(&mut self, e: usize, size: f64) -> Result<Row<N>, NotSolved> {
         let pivot = self.h[e][e];
         if pivot.is_nan() || pivot <= PIVOT_ROUNDING * size || pivot <= 0.0 {
@@ -98,7 +99,7 @@ impl<const N: usize> Row<N> {
         self.by.iter().zip(z).map(|(by, z)| by * z).sum::<f64>() + self.constant
     }
 
-    /// Substitutes another eliminated unknown into the row.
+    /// Substitutes the function `other` for the eliminated unknown e in this row.
     pub fn with(mut self, e: usize, other: &Row<N>) -> Self {
         let part = std::mem::take(&mut self.by[e]);
         for (by, other) in self.by.iter_mut().zip(&other.by) {

@@ -6,13 +6,14 @@ use super::newton::Workspace;
 use crate::nodal::newton::Line;
 use crate::numeric::line_search;
 
-/// Rounding level of the energy's slope at the start of a step, relative to the work of the forces.
+/// Initial slope of the energy along a step, relative to the work of the forces, below which the slope counts as
+/// rounding error.
 const ROUNDING_SLOPE: f64 = 1e-28;
 
 impl Workspace {
-    /// Line search between the deflection before the step and the current one. Both satisfy K w = F − f with the forces
-    /// f of bonded solves. With the ground forces p of the obstacle problem, the slope of the energy along the step δ
-    /// is Σ (p − f) δ. Returns the step fraction; `None` if the energy does not fall.
+    /// Shortens the step δ from the previous to the current deflection by a line search on the energy. The slope of
+    /// the energy along δ is Σ (p − f) δ, with the ground forces p of the obstacle problem and the ground forces f
+    /// of the bonded solves. Returns the step fraction, or `None` if the energy does not decrease along δ.
     pub(crate) fn shorten(&mut self, grid: &Grid) -> Option<f64> {
         let Line { deflection: w0, force: f0, trial, arcs, zones } = &mut self.before;
         let (w1, f1) = (&self.deflection, &self.force);

@@ -4,22 +4,23 @@ use crate::nodal::grid::Grid;
 use crate::nodal::newton::Work;
 use crate::numeric::tolerance::NODES;
 
-/// Solution with ground forces at the nodes only: values at every node.
+/// Solution of a long beam at every node of its mesh. The ground forces act at the nodes only.
 #[derive(Debug, Clone, Default)]
 pub struct NodalSolution {
-    /// w at every node \[m\].
+    /// Deflection w at every node \[m\].
     pub deflection: Vec<f64>,
-    /// w' at every node \[rad\].
+    /// Slope w' at every node \[rad\].
     pub slope: Vec<f64>,
-    /// u at every node \[m\].
+    /// Settlement u of the ground at every node \[m\].
     pub settlement: Vec<f64>,
     /// Force of the ground on the beam at every node, positive upwards \[N\].
     pub force: Vec<f64>,
-    /// Contact zones: the first and the last node of each.
+    /// First and last node of each contact zone.
     pub contact: Vec<[usize; 2]>,
     /// Work of the solve.
     pub work: Work,
-    /// Check of equilibrium and signs at the nodes; `None` for a beam bonded to the ground and before a solve.
+    /// Check of equilibrium and of signs at the nodes. `None` before a solve and for a beam bonded to the
+    /// ground.
     pub check: Option<NodalCheck>,
     pub(crate) grid: Option<Grid>,
 }
@@ -30,7 +31,8 @@ impl NodalSolution {
         self.grid.as_ref().map_or(0.0, |grid| grid.x(node))
     }
 
-    /// Rows of equal elements: position and index of the first node, number of elements, length of an element.
+    /// Returns the rows of equal elements. Each row has the position \[m\] and the index of its first node, the
+    /// number of its elements, and the length of an element \[m\].
     pub fn rows(&self) -> Vec<(f64, usize, usize, f64)> {
         let runs = self.grid.iter().flat_map(|grid| &grid.runs);
         runs.map(|run| (run.cell.x[0], run.first, run.count, run.h)).collect()
@@ -40,18 +42,20 @@ impl NodalSolution {
 /// Check of equilibrium and signs of a [`NodalSolution`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct NodalCheck {
-    /// |ΣF| relative to Σ|F|.
+    /// Residual |ΣF| of the forces, relative to Σ|F|.
     pub force_balance: f64,
-    /// |ΣM| about the middle, relative to Σ|F| times the length of the beam.
+    /// Residual |ΣM| of the moments about the middle of the beam, relative to Σ|F| times the length of the
+    /// beam.
     pub moment_balance: f64,
-    /// The smallest ground force relative to the largest: negative in tension, otherwise zero.
+    /// Largest tensile ground force with negative sign, relative to the largest compressive ground force. It is
+    /// zero if no ground force is tensile.
     pub smallest_force: f64,
-    /// The largest w − u − g₀ relative to the largest deflection.
+    /// Largest penetration w − u − g₀ of the beam into the ground, relative to the largest deflection.
     pub deepest_penetration: f64,
 }
 
 impl NodalCheck {
-    /// Whether the errors of equilibrium, tension and penetration are all at most 1e-7.
+    /// Whether the residuals of forces and moments, the tensile force and the penetration are all at most 1e-7.
     pub fn holds(&self) -> bool {
         let NodalCheck { force_balance, moment_balance, smallest_force, deepest_penetration } =
             *self;

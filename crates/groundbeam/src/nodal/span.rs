@@ -1,9 +1,10 @@
-//! Condenses the pieces of the beam between two nodes, off the ground, to one element.
+//! Condenses the pieces of a beam span that is out of contact to one element.
 //!
-//! The energy of two pieces joined at a node depends on the motion (w, θ) of the left end, the deformation (D₁, D₂) of
-//! the whole, and the deformation (d₁, t) of the left piece, where t includes the rotation jump of a hinge. The last
-//! two are eliminated. Back-substitution computes them from the other four, so that a long span does not amplify
-//! rounding error.
+//! Two pieces joined at a node have six unknowns: deflection w and rotation θ of the left end, the deformations
+//! (D₁, D₂) of both pieces together, and the deformations (d₁, t) of the left piece. Deformations are the
+//! deflection and the rotation of the right end relative to a rigid motion with the left end. The rotation t
+//! includes the rotation jump of a hinge. The unknowns d₁ and t are eliminated. Back-substitution computes d₁ and t
+//! from the other four unknowns, so a long span does not amplify rounding errors.
 
 use super::beam::{Beam, NODAL_TERMS};
 use super::grid::Grid;
@@ -11,33 +12,38 @@ use super::quadratic::{NotSolved, Quadratic, Row};
 use super::stand::Stand;
 use crate::element::element::{Basis, Element, mirror_shape};
 
-/// A piece of the beam, and the rows with which back-substitution computes the part before it.
+/// A piece of a span, with the coefficients of the back-substitution for the part of the span before this
+/// piece.
 #[derive(Debug, Clone)]
 pub(crate) struct Piece {
-    /// End nodes in the grid, the left one first.
+    /// Left and right end node of the piece in the grid.
     pub nodes: [usize; 2],
     pub length: f64,
-    /// Closed form of a uniform beam; `None` for an element that is a run of its own.
+    /// Closed form of the deflection of a uniform beam; `None` for a single element without a closed form.
     beam: Option<Beam>,
-    /// d₁ and t of the part before this piece, from w, θ, D₁, D₂ of the part up to its end.
+    /// Deformations d₁ and t of the span before this piece, as functions of the deflection, the rotation and the
+    /// deformations of the span up to the end of this piece. The rotation t includes the rotation jump of a hinge.
     before: [Row<6>; 2],
-    /// d₂ of the part before a hinge, from w, θ, d₁ and t of this part.
+    /// Rotation d₂ of the right end of the span before a hinge, relative to its left end and without the rotation
+    /// jump of the hinge. It is a function of the deflection, the rotation and the deformations d₁ and t of this
+    /// span.
     hinge: Option<Row<4>>,
 }
 
 impl Piece {
-    /// The reflected motion.
+    /// Deflection, rotation and deformations `own` of the piece, reflected to the opposite direction.
     pub fn mirrored(&self, own: [f64; 4]) -> [f64; 4] {
         mirror_shape(&own, self.length, Basis::Deformation)
     }
 
-    /// Coefficients of w(s), s ∈ [0, 1], and the number of significant ones.
+    /// Coefficients of the deflection w(s), s ∈ [0, 1], and the number of significant coefficients; `None`
+    /// without a closed form.
     pub fn series(&self, own: [f64; 4]) -> Option<([f64; NODAL_TERMS], usize)> {
         self.beam.as_ref().map(|beam| beam.unfold(own))
     }
 }
 
-/// The beam between two nodes, condensed in the direction of its sweep.
+/// The beam between two nodes, condensed to one element in the direction of the sweep.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Span {
     pub from: usize,
@@ -47,18 +53,20 @@ pub(crate) struct Span {
     pub whole: Element,
 }
 
-/// Indices of d₁ and t in (w, θ, D₁, D₂, d₁, t).
+/// Indices of the eliminated deflection d₁ and rotation t among the unknowns (w, θ, D₁, D₂, d₁, t) of two joined
+/// pieces.
 const D: usize = 4;
 const T: usize = 5;
 
-/// Largest rotational stiffness of a free hinge, relative to the bending stiffness of the next piece.
+/// Rotational stiffness at a hinge below which the beam is a mechanism, relative to the bending stiffness of
+/// the next piece.
 const FREE_HINGE: f64 = 1e-14;
 
 const NONE: Row<6> = Row { by: [0.0; 6], constant: 0.0 };
 
 impl Span {
-    /// Sets the span to the beam between two nodes, reflected for the sweep from the right. `stand` gives the
-    /// loads, supports and hinge at a node within the span.
+    /// Sets the span to the beam between two nodes. If `mirrored` is true, the span is reflected for the sweep
+    /// from the right. `stand` returns the loads, supports and hinge at a node within the span.
     pub fn set(
         &mut self,
         grid: &Grid,
@@ -77,7 +85,8 @@ impl Span {
         Ok(())
     }
 
-    /// Adds a part of a run, divided into pieces that a short series describes.
+    /// Divides a part of a row of equal elements into pieces with short power series, and appends the pieces to the
+    /// span.
     fn add_run(
         &mut self,
         grid: &Grid,
@@ -108,7 +117,8 @@ impl Span {
         Ok(())
     }
 
-    /// Adds a piece at the end of the previous ones, with the loads, supports and hinge at the node between.
+    /// Appends a piece to the span. `stand` returns the loads, supports and hinge at the node before this
+    /// piece.
     fn add(
         &mut self,
         next: Element,
@@ -133,8 +143,8 @@ impl Span {
         self.pieces.iter().flat_map(|piece| piece.nodes)
     }
 
-    /// Calls `each` for every piece, the last one first, with w and θ of its first end and its deformation, from those
-    /// of the span.
+    /// Calls `each` for every piece, from the last to the first, with the deflection and the rotation of its first
+    /// end and its two deformations. `v` contains these four values for the whole span.
     pub fn unfold(&self, v: &[f64; 4], mut each: impl FnMut(&Piece, [f64; 4])) {
         let [w, theta, mut d1, mut d2] = *v;
         let mut length = self.whole.length;
@@ -154,8 +164,8 @@ impl Span {
     }
 }
 
-/// Joins two elements at a node with its loads, supports and hinge. Writes to `piece` the rows from which the
-/// unknowns of the left element follow.
+/// Joins two elements at a node that may have loads, supports and a hinge. Writes to `piece` the coefficients
+/// of the back-substitution for the left element.
 fn join(
     left: &Element,
     stand: &Stand,
@@ -165,7 +175,8 @@ fn join(
     let (h, l) = (left.length, next.length);
     let mut own = Quadratic { h: left.stiffness, g: left.load };
     if let Some(spring) = stand.hinge {
-        // Replaces d₂ by t, the sum of d₂ and the rotation jump of the hinge.
+        // This block replaces the rotation d₂ of the left element by t, the sum of d₂ and the rotation jump of the
+        // hinge.
         let bending = own.h[3][3];
         if bending + spring <= FREE_HINGE * next.stiffness[3][3] {
             return Err(NotSolved);
@@ -178,7 +189,8 @@ fn join(
         let mut by = [row.by[0], row.by[1], row.by[2], row.by[3]];
         own.g = [0, 1, 2, 3].map(|i| with_jump.g[i]);
         own.h = std::array::from_fn(|i| std::array::from_fn(|j| with_jump.h[i][j]));
-        // A free hinge transmits exactly zero moment. Any other hinge transmits the fraction `share`.
+        // A free hinge transmits exactly zero moment. Any other hinge transmits the fraction `share` of the
+        // moment.
         let share = spring / (bending + spring);
         for j in 0..4 {
             own.h[3][j] = share * if j == 3 { bending } else { left.stiffness[3][j] };
@@ -188,8 +200,8 @@ fn join(
         by[3] = share;
         piece.hinge = Some(Row { by, constant: row.constant });
     }
-    // In each component, the deformation of the stiffer piece is eliminated, so that its stiffness does not enter a
-    // difference.
+    // The deformation of the stiffer element is eliminated, separately for deflection and rotation. This avoids
+    // differences of large stiffnesses.
     let by_left = [
         stand.pinned || own.h[2][2] + stand.support > next.stiffness[2][2],
         stand.clamped || own.h[3][3] + stand.turning > next.stiffness[3][3],

@@ -1,4 +1,4 @@
-//! Loads, supports, hinge and springs at a node, from the grid.
+//! Collects the loads, supports, hinge and springs at a node of the grid.
 
 use super::grid::Grid;
 
@@ -7,24 +7,25 @@ use super::grid::Grid;
 pub(crate) struct Stand {
     pub force: f64,
     pub moment: f64,
-    /// Sum of the stiffness of the ground outside an end and of a stabilising spring, and the sum of
-    /// stiffness times rest position.
+    /// Sum of the stiffnesses of the ground outside an end of the beam and of a stabilising spring.
     pub spring: f64,
+    /// Force of the ground outside an end and of a stabilising spring at zero deflection.
     pub push: f64,
-    /// Translational and rotational stiffness of a support.
+    /// Translational stiffness of the support.
     pub support: f64,
+    /// Rotational stiffness of the support.
     pub turning: f64,
     /// Settlement of the support.
     pub settlement: f64,
     pub pinned: bool,
     pub clamped: bool,
-    /// Rotational stiffness of a hinge; `None` without a hinge.
+    /// Rotational stiffness of the hinge; `None` without a hinge.
     pub hinge: Option<f64>,
 }
 
 impl Stand {
-    /// The loads, supports, hinge and springs at a node of a grid, without the ground; reflected for the
-    /// sweep from the right.
+    /// Collects the loads, supports, hinge and springs at a node of a grid, without the ground outside the beam. If
+    /// `mirrored` is true, the moment is reflected for the sweep from the right.
     pub fn at(
         grid: &Grid,
         node: usize,
@@ -52,7 +53,7 @@ impl Stand {
         stand
     }
 
-    /// As [`Stand::at`], with the ground outside the ends of the beam.
+    /// Returns the result of [`Stand::at`], with the ground outside the ends of the beam added.
     pub fn on_ground(
         grid: &Grid,
         node: usize,
@@ -69,39 +70,39 @@ impl Stand {
         stand
     }
 
-    /// Sum of the forces that do not depend on w.
+    /// Sum of the forces at the node that do not depend on the deflection w.
     pub fn load(&self) -> f64 {
         self.force + self.push + self.support * self.settlement
     }
 
-    /// Whether there is a support.
+    /// Whether the node has a support.
     pub fn holds(&self) -> bool {
         self.pinned || self.clamped || self.support != 0.0 || self.turning != 0.0
     }
 
-    /// Whether there is a support, a hinge or a spring.
+    /// Whether the node has a support, a hinge or a spring.
     pub fn is_joint(&self) -> bool {
         self.holds() || self.hinge.is_some() || self.spring != 0.0
     }
 }
 
-/// Stabilising springs at both ends of the beam and at its hinges, for a beam that the ground does not hold.
+/// Stabilising springs at both ends of the beam and at its hinges, for a beam that the contact does not support.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct StabilisingSprings<'a> {
     pub stiffness: f64,
-    /// Deflection at which the springs are at rest, at all nodes.
+    /// Rest position of the springs: one deflection for each node.
     pub rest: &'a [f64],
 }
 
 impl StabilisingSprings<'_> {
-    /// Whether there is a spring at a node.
+    /// Whether a node has a stabilising spring.
     fn holds(&self, grid: &Grid, node: usize) -> bool {
         node == 0
             || node == grid.last()
             || grid.place(node).is_some_and(|place| place.hinge.is_some())
     }
 
-    /// Forces of the springs on the beam at another deflection, positive upwards.
+    /// Forces of the springs on the beam for the given deflection, positive upwards, with their nodes.
     pub fn forces<'a>(
         &'a self,
         grid: &'a Grid,

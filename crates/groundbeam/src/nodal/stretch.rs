@@ -1,5 +1,4 @@
-//! Stretches of the beam that a sweep crosses: rows of bonded elements, and spans off the ground condensed to one
-//! element.
+//! Stretches of the beam for a sweep: rows of bonded elements, and spans out of contact condensed to one element.
 
 use super::form::Form;
 use super::quadratic::Quadratic;
@@ -10,26 +9,30 @@ use crate::element::element::Element;
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Reached {
     pub stretch: usize,
-    /// Number of elements crossed in this stretch, and in all.
+    /// Number of elements crossed in the current stretch.
     pub within: usize,
+    /// Number of elements crossed in all stretches.
     pub elements: usize,
 }
 
-/// Coefficients of e = gain·y + constant: the columns of the gain, then the constant.
+/// Coefficients with which back-substitution computes e = gain·y + constant in an element: two columns of the
+/// matrix `gain`, then the constant. The variables y and e are defined in [`form`](super::form).
 pub(super) type Gain = [f64; 6];
 
-/// A row of elements of one form, in the direction of the sweep.
+/// A row of bonded elements of equal stiffness, or a span out of contact, in the direction of the sweep.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Stretch {
     pub form: Form,
     pub count: usize,
-    /// First node in the direction of the sweep.
+    /// First node of the stretch in the direction of the sweep.
     pub node: usize,
-    /// Loads, supports, hinge and springs at the first node.
+    /// Loads, supports, hinge and springs at the first node of the stretch.
     pub stand: Stand,
-    /// Energy of the first element in (y₁, y₂, e₁, e₂), for a span and for a row whose first node has a support.
+    /// Energy of the first element in the variables (y₁, y₂, e₁, e₂) of [`form`](super::form). `None` for a row
+    /// whose first node has no support.
     pub(super) first: Option<Quadratic<4>>,
-    /// Rotation behind a hinge at the first node: its coefficients of w and of the rotation ahead, and its constant.
+    /// Rotation before a hinge at the first node as a linear function: the coefficients of the deflection and of
+    /// the rotation after the hinge, then the constant.
     pub(super) turned: Option<[f64; 3]>,
     is_span: bool,
 }
@@ -41,7 +44,8 @@ impl Stretch {
         Stretch { form, count, node, stand, first, turned: None, is_span: false }
     }
 
-    /// One element off the ground; `form` is the ground under it.
+    /// Creates a stretch from one element that is out of contact. `form` describes the ground under this
+    /// element.
     pub fn span(element: &Element, form: Form, node: usize, stand: Stand) -> Self {
         let length = element.length;
         let ground = Form { length, ..form };
@@ -53,18 +57,19 @@ impl Stretch {
         Stretch { form: ground, count: 1, node, stand, first, turned: None, is_span: true }
     }
 
-    /// Whether the stretch is one element off the ground.
+    /// Whether the stretch is one element that is out of contact.
     pub fn is_span(&self) -> bool {
         self.is_span
     }
 }
 
-/// Matrix that gives (w, Lθ, d₁, L d₂) of an element from (y₁, y₂, e₁, e₂).
+/// Matrix that transforms the variables (y₁, y₂, e₁, e₂) of [`form`](super::form) to the deflection w, the rotation
+/// Lθ and the deformations d₁ and L d₂ of an element of length L.
 const LEFT_AND_DEFORMATION: [[f64; 4]; 4] =
     [[1.0, 0.0, -1.0, 0.0], [0.0, 1.0, 0.0, -1.0], [0.0, 0.0, 1.0, 1.0], [0.0, 0.0, 0.0, 1.0]];
 
 impl Quadratic<4> {
-    /// Energy of the first element of a form, without the shunt springs under its ends.
+    /// Energy of the first element of a row, without the ground springs `shunt` at its two ends.
     fn of(form: &Form) -> Self {
         let [yy, y1, y2] = form.m;
         let [e11, e12, e22] = form.e;
@@ -74,7 +79,8 @@ impl Quadratic<4> {
     }
 }
 
-/// Elements of one form that are crossed together: index of the first, and memory for their gains.
+/// Elements of equal stiffness that a sweep crosses together, with the index of the first element and memory for
+/// their back-substitution coefficients.
 pub(super) struct Elements<'a> {
     pub form: &'a Form,
     pub first: usize,
@@ -86,7 +92,8 @@ pub(super) struct Elements<'a> {
 pub(crate) struct Side {
     pub stretches: Vec<Stretch>,
     pub(super) gains: Vec<Gain>,
-    /// For each stretch, (w, θ) at its first node and the deformation (d₁, d₂) of its first element.
+    /// For each stretch, the deflection and the rotation of its first node and the two deformations of its first
+    /// element.
     pub shapes: Vec<[f64; 4]>,
 }
 
@@ -96,7 +103,7 @@ impl Side {
         self.shapes.clear();
     }
 
-    /// The next `steps` elements to cross.
+    /// The next `steps` elements that the sweep crosses.
     pub(super) fn next(&mut self, reached: Reached, steps: usize) -> Elements<'_> {
         Elements {
             form: &self.stretches[reached.stretch].form,
@@ -109,8 +116,9 @@ impl Side {
         self.stretches.iter().map(|stretch| stretch.count).sum()
     }
 
-    /// Calls `each` with the motion (w, θ, d₁, d₂) of every element, in the coordinates of the sweep. Begins at the
-    /// meeting node, where w and the rotation are given.
+    /// Calls `each` for every element with the deflection and the rotation of its first node and its two
+    /// deformations, in the coordinates of the sweep. The calls begin at the meeting node, which has the deflection
+    /// `w` and the rotation `theta`.
     pub fn each_element(
         &self,
         mut w: f64,

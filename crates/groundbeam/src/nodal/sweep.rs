@@ -1,10 +1,11 @@
-//! Solution for the beam bonded to the ground at given nodes, by one sweep from each end to a meeting node.
+//! Solves the problem of the beam bonded to the ground at given nodes, by one sweep from each end to a meeting node.
 //!
-//! S and r are the condensed stiffness and force of the part of the beam behind a node, for the motion x = (w, Lθ) of
-//! this node. To cross an element, the sweep minimises the sum of ½(y − e)ᵗS(y − e) − rᵗ(y − e) and the energy of the
-//! [element](super::form) over e. The minimum is at e = gain·y + constant and gives the next S and r, for y.
-//! Back-substitution yields the deformation e of each element, without differences of deflections. The two sweeps are
-//! independent, so that a processor works on both at the same time.
+//! A sweep condenses the part of the beam before a node to a stiffness S and a force r for the displacements x of
+//! this node. They are x = (w, Lθ) with the deflection w, the rotation θ and the element length L. To cross an
+//! element, the sweep writes x = y − e with the variables y and e of the [element](super::form), and minimises the
+//! energy over e. The minimum is at e = gain·y + constant. The minimum energy gives S and r of the next node.
+//! Back-substitution computes e of each element without differences of deflections. The two sweeps are independent,
+//! so a processor can execute both at the same time.
 
 use super::back_sweep::{Fields, unfold};
 use super::form::Form;
@@ -13,11 +14,12 @@ use super::quadratic::{NotSolved, Quadratic, Row};
 use super::stand::Stand;
 use super::stretch::{Elements, Gain, Reached, Side, Stretch};
 
-/// Condensed energy ½ xᵀSx − rᵀx for x = (w, Lθ): S₁₁, S₁₂, S₂₂, r₁, r₂.
+/// Coefficients S₁₁, S₁₂, S₂₂, r₁, r₂ of the condensed energy ½ xᵀSx − rᵀx of a node. The displacements x are (w,
+/// Lθ) within a stretch of element length L, and (w, θ) between stretches.
 type Behind = [f64; 5];
 
-/// Sweeps from both ends to the meeting node. Returns w there and the rotations to its left and to its right. `stand`
-/// gives the loads, supports and springs at this node.
+/// Sweeps from both ends to the meeting node. Returns the deflection w of the meeting node and the rotations to
+/// its left and to its right. `stand` contains the loads, supports and springs at the meeting node.
 pub(crate) fn inward(sides: &mut [Side; 2], stand: Stand) -> Result<[f64; 3], NotSolved> {
     for side in sides.iter_mut() {
         side.gains.resize(side.elements(), [0.0; 6]);
@@ -49,7 +51,8 @@ pub(crate) fn inward(sides: &mut [Side; 2], stand: Stand) -> Result<[f64; 3], No
     Ok([w, behind, theta])
 }
 
-/// Eliminates the rotation behind a hinge. Returns its coefficients of w and of the rotation ahead, and its constant.
+/// Eliminates the rotation before a hinge. Returns this rotation as a linear function: the coefficients of the
+/// deflection and of the rotation after the hinge, then the constant.
 fn turn(state: &mut Behind, stand: &Stand) -> Result<Option<[f64; 3]>, NotSolved> {
     let Some(spring) = stand.hinge else { return Ok(None) };
     let [a, b, c, r1, r2] = *state;
@@ -77,8 +80,8 @@ pub(crate) fn outward(
     sides.iter().map(|side| side.gains.len()).sum()
 }
 
-/// Sweeps from both ends to the meeting node, on both sides at once while both have elements left. Returns the stiffness
-/// S and the force r of each side, condensed to (w, θ) of this node.
+/// Sweeps from both ends to the meeting node. Both sweeps advance together while both have elements left.
+/// Returns the stiffness S and the force r of each side, condensed to (w, θ) of the meeting node.
 fn offers(sides: &mut [Side; 2]) -> Result<[Behind; 2], NotSolved> {
     let mut states = [[0.0; 5]; 2];
     let mut reached = [Reached::default(); 2];
@@ -107,8 +110,8 @@ fn offers(sides: &mut [Side; 2]) -> Result<[Behind; 2], NotSolved> {
     }
 }
 
-/// Crosses the spans and the first elements at supports up to the next row. Returns the number of elements
-/// left in this row, or 0 at the meeting node.
+/// Crosses the spans and the first elements after supports, up to the next row of equal elements. Returns the
+/// number of elements left in this row, or 0 if the sweep has reached the meeting node.
 fn arrive(side: &mut Side, state: &mut Behind, reached: &mut Reached) -> Result<usize, NotSolved> {
     while let Some(stretch) = side.stretches.get_mut(reached.stretch) {
         if reached.within == 0 {
@@ -127,7 +130,8 @@ fn arrive(side: &mut Side, state: &mut Behind, reached: &mut Reached) -> Result<
     Ok(0)
 }
 
-/// Adds the loads and springs at the first node of a stretch, and changes the unknown θ to Lθ.
+/// Adds the loads and springs at the first node of a stretch, and changes the unknown rotation θ to Lθ with the
+/// element length L.
 fn enter(state: &mut Behind, stretch: &mut Stretch) -> Result<(), NotSolved> {
     let per_length = 1.0 / stretch.form.length;
     let stand = &stretch.stand;
@@ -142,9 +146,9 @@ fn enter(state: &mut Behind, stretch: &mut Stretch) -> Result<(), NotSolved> {
     Ok(())
 }
 
-/// Crosses one element whose energy is given in (y₁, y₂, e₁, e₂), from a node that may have a support. In
-/// each component, either the motion x = y − e of the left end or the deformation e is eliminated, whichever
-/// has the larger stiffness. So this stiffness does not enter a difference.
+/// Crosses one element with the energy `element` in (y₁, y₂, e₁, e₂), from a node that may have a support. For
+/// deflection and rotation separately, either the displacement of the node or the deformation of the element is
+/// eliminated, whichever has the larger stiffness. This avoids differences of large stiffnesses.
 fn cross_first(
     state: &mut Behind,
     stretch: &Stretch,
@@ -190,7 +194,7 @@ fn leave(state: &mut Behind, stretch: &Stretch) {
     state[4] *= length;
 }
 
-/// Crosses elements of one form, the same number in each sweep.
+/// Crosses the same number of elements in each sweep. All elements of one sweep have equal stiffness.
 #[inline(always)]
 fn cross<const SWEEPS: usize>(
     states: [&mut Behind; SWEEPS],
@@ -222,7 +226,7 @@ fn cross<const SWEEPS: usize>(
         let (b_less, c_less) = (b - m[1], c - m[2]);
         let (g11, g12, g22) = (a + e[0], b + e[1], c + e[2]);
         let determinant = g11 * g22 - g12 * g12;
-        // The division takes longest, so everything that does not depend on it is computed first.
+        // The division by `determinant` takes longest, so all values that do not need it are computed first.
         let (n11, n21) = (g22 * a - g12 * b, g11 * b - g12 * a);
         let (n12, n22) = (g22 * b_less - g12 * c_less, g11 * c_less - g12 * b_less);
         let (s11, s12) = (a * n11 + b * n21, a * n12 + b * n22);

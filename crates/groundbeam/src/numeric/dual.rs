@@ -4,7 +4,7 @@ use crate::numeric::real::Real;
 use std::iter::Sum;
 use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 
-/// A value and its derivatives.
+/// A value with its first derivatives with respect to N parameters.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Dual<const N: usize> {
     pub value: f64,
@@ -12,7 +12,8 @@ pub(crate) struct Dual<const N: usize> {
 }
 
 impl<const N: usize> Dual<N> {
-    /// A function of this number, from the value and the derivative of the function.
+    /// Applies a function to this number by the chain rule. `value` and `slope` are the value and the
+    /// derivative of the function.
     #[inline]
     fn chain(self, value: f64, slope: f64) -> Self {
         Dual { value, by: self.by.map(|by| slope * by) }
@@ -110,7 +111,8 @@ impl<const N: usize> SubAssign for Dual<N> {
     }
 }
 
-/// Assigning operators from the change that they make, and binary operators from assigning ones.
+/// Implements arithmetic operators for dual numbers: assigning operators from a block of code, and binary operators
+/// from the assigning operators.
 macro_rules! operators {
     ($($trait:ident<$other:ty>::$method:ident($own:ident, $by:ident) $change:block)*) => {$(
         impl<const N: usize> $trait<$other> for Dual<N> {
@@ -163,7 +165,7 @@ impl<const N: usize> Real for Dual<N> {
         self.value
     }
 
-    /// At an exact zero the derivative is set to 0.
+    /// Square root. At the value zero, its derivatives are set to 0.
     fn sqrt(self) -> Self {
         let root = self.value.sqrt();
         self.chain(root, if root > 0.0 { 0.5 / root } else { 0.0 })

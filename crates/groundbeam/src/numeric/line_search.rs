@@ -1,11 +1,12 @@
 //! Line search: a step along which a convex energy decreases.
 
-/// The fraction of the initial slope that may remain.
+/// Largest accepted slope at the end of a line search, relative to the initial slope.
 const REMAINING_SLOPE: f64 = 0.1;
 
-/// Returns t such that the slope of Φ along the line has almost vanished and Φ has decreased; t = 1 whenever
-/// the full step satisfies this. `fall` is −Φ'(0) > 0. The slope increases along the line. So Φ decreases as
-/// long as the slope is not positive, and Φ(1) − Φ(0) is at most the mean of the slopes at ½ and 1.
+/// Returns a step fraction t at which the convex function Φ has decreased and its slope has almost vanished. The
+/// result is t = 1 whenever the full step satisfies both conditions. `fall` is −Φ'(0) > 0, and `slope` computes
+/// Φ'(t). Φ is convex, so Φ(1) − Φ(0) is at most the mean of the slopes at ½ and 1. If this mean is not positive,
+/// the full step does not increase Φ.
 pub(crate) fn settle(fall: f64, slope: impl Fn(f64) -> f64) -> f64 {
     let small = REMAINING_SLOPE * fall;
     let (mut low, mut low_slope) = (0.0, -fall);
@@ -25,7 +26,8 @@ pub(crate) fn settle(fall: f64, slope: impl Fn(f64) -> f64) -> f64 {
         if at_t <= 0.0 && -at_t <= small {
             break;
         }
-        // Regula falsi; the slope at an end that stays is halved (Illinois variant).
+        // Regula falsi gives the next t. If one end of the bracket is kept twice in succession, the slope at this
+        // end is halved (Illinois variant).
         t = low + (high - low) * (low_slope / (low_slope - high_slope));
         at_t = slope(t);
         if at_t < 0.0 {
@@ -52,7 +54,7 @@ mod tests {
     #[test]
     fn full_steps_are_accepted_and_overshoots_are_shortened() {
         assert_eq!(settle(1.0, |t| t - 1.0), 1.0);
-        // Φ = (t − ¼)²/2 has its minimum at ¼, Φ = (t − 6)²/2 at 6.
+        // The function Φ = (t − ¼)²/2 has its minimum at ¼, and Φ = (t − 6)²/2 has its minimum at 6.
         for least in [0.25, 6.0] {
             let t = settle(least, |t| t - least);
             assert!(t <= least && least - t <= REMAINING_SLOPE * least, "{t}");

@@ -1,4 +1,4 @@
-//! Numerical tools without reference to beams.
+//! Numerical tools that do not depend on the mechanics of beams.
 
 pub(crate) mod dual;
 pub(crate) mod elementary;

@@ -1,19 +1,20 @@
 //! Polynomials on one stretch of the beam, in the local coordinate s ∈ \[−1, 1\].
 //!
-//! A polynomial is a slice of coefficients, constant first. Centred coordinates keep the digits of each
-//! derivative: the curvature is never a difference of deflections.
+//! A polynomial is a slice of its coefficients, starting with the constant term. Derivatives are computed from the
+//! coefficients, so the curvature is never a difference of deflections.
 
 use crate::numeric::real::Real;
 use std::ops::{Deref, DerefMut};
 
-/// Number of coefficients of w and φ in a cell. They are power series: with |r|·length ≤ 2 the first omitted term is
-/// below 1/20! of the sum.
+/// Number of coefficients of the power series of w and φ in a cell. If |r|·length ≤ 2 for every root r of the
+/// characteristic equation, the first omitted term is below 1/20! of the sum.
 pub(crate) const TERMS: usize = 20;
 
-/// Maximum number of coefficients: that of a rotation times a shear stiffness of degree 5.
+/// Maximum number of coefficients of a polynomial. The product of a rotation and a fifth-degree shear stiffness has
+/// this number of coefficients.
 pub(crate) const MOST_COEFFICIENTS: usize = 25;
 
-/// Coefficients stored without heap memory, because each step creates a few such lists for each cell.
+/// Coefficients of a polynomial in an array of fixed size, so that polynomials need no heap memory.
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) struct Coefficients<R = f64> {
     count: usize,
@@ -32,7 +33,7 @@ impl<R: Real> Coefficients<R> {
         Coefficients { count: count.min(MOST_COEFFICIENTS), held: [R::ZERO; MOST_COEFFICIENTS] }
     }
 
-    /// The same polynomial with at least `count` coefficients, padded with zeros.
+    /// Returns the same polynomial with at least `count` coefficients, padded with zeros.
     pub fn at_least(mut self, count: usize) -> Self {
         debug_assert!(count <= MOST_COEFFICIENTS);
         self.count = self.count.max(count.min(MOST_COEFFICIENTS));
@@ -89,20 +90,21 @@ impl<R: std::fmt::Debug> std::fmt::Debug for Coefficients<R> {
     }
 }
 
-/// f(s).
+/// Value of a polynomial f(s).
 pub(crate) fn value<R: Real>(c: &[R], s: f64) -> R {
     c.iter().rev().fold(R::ZERO, |sum, &a| sum * s + a)
 }
 
-/// f(s) and f'(s), the latter with respect to s.
+/// Values of a polynomial f(s) and of its derivative f'(s) with respect to s.
 pub(crate) fn with_slope<R: Real>(c: &[R], s: f64) -> [R; 2] {
     c.iter().rev().fold([R::ZERO; 2], |[f, d1], &a| [f * s + a, d1 * s + f])
 }
 
-/// f(s), f'(s), f''(s), f'''(s), all with respect to s.
+/// Values of a polynomial f(s) and of its first three derivatives with respect to s.
 pub(crate) fn jet<R: Real>(c: &[R], s: f64) -> [R; 4] {
     let [mut f, mut d1, mut d2, mut d3] = [R::ZERO; 4];
-    // The deflection of open cells has few nonzero coefficients.
+    // The deflection of cells out of contact has few nonzero coefficients, so zero coefficients of high order
+    // are skipped.
     for &a in c.iter().rev().skip_while(|&&a| a == 0.0) {
         d3 = d3 * s + d2;
         d2 = d2 * s + d1;
@@ -112,7 +114,7 @@ pub(crate) fn jet<R: Real>(c: &[R], s: f64) -> [R; 4] {
     [f, d1, d2 * 2.0, d3 * 6.0]
 }
 
-/// f(−1) and f(1).
+/// Values f(−1) and f(1) of a polynomial.
 pub(crate) fn ends(c: &[f64]) -> [f64; 2] {
     let [mut even, mut odd] = [0.0; 2];
     for powers in c.chunks(2).rev() {
@@ -122,7 +124,7 @@ pub(crate) fn ends(c: &[f64]) -> [f64; 2] {
     [even - odd, even + odd]
 }
 
-/// The coefficients of df/ds.
+/// Coefficients of the derivative df/ds.
 pub(crate) fn derivative<R: Real>(c: &[R]) -> Coefficients<R> {
     let mut out = Coefficients::zeros(c.len().saturating_sub(1));
     for (j, (out, a)) in out.iter_mut().zip(c.iter().skip(1)).enumerate() {
@@ -131,7 +133,7 @@ pub(crate) fn derivative<R: Real>(c: &[R]) -> Coefficients<R> {
     out
 }
 
-/// The coefficients of `start` + ∫ f dx from s = −1, on a stretch of half length `half`.
+/// Coefficients of the integral `start` + ∫ f dx from s = −1, on a stretch of half length `half`.
 pub(crate) fn integral(c: &[f64], half: f64, start: f64) -> Coefficients {
     let mut out = Coefficients::zeros(c.len() + 1);
     for ((out, a), part) in out.iter_mut().skip(1).zip(c).zip(&PARTS) {
@@ -141,7 +143,7 @@ pub(crate) fn integral(c: &[f64], half: f64, start: f64) -> Coefficients {
     out
 }
 
-/// 1/(j + 1).
+/// Factors 1/(j + 1) of the integral of sʲ.
 const PARTS: [f64; MOST_COEFFICIENTS] = {
     let mut all = [0.0; MOST_COEFFICIENTS];
     let mut j = 0;
@@ -152,7 +154,7 @@ const PARTS: [f64; MOST_COEFFICIENTS] = {
     all
 };
 
-/// The coefficients of f(s)/(s − r) without the remainder, by synthetic division.
+/// Coefficients of the quotient f(s)/(s − r) without the remainder, by synthetic division.
 pub(crate) fn divided(c: &[f64], r: f64) -> Coefficients {
     let mut quotient = Coefficients::zeros(c.len().saturating_sub(1));
     let mut sum = 0.0;
@@ -163,10 +165,11 @@ pub(crate) fn divided(c: &[f64], r: f64) -> Coefficients {
     quotient
 }
 
-/// The coefficients, in t ∈ \[−1, 1\], of f(middle + half·t).
+/// Coefficients of the polynomial f(middle + half·t) in t ∈ \[−1, 1\].
 pub(crate) fn rescale<R: Real>(c: &[R], middle: f64, half: f64) -> Coefficients<R> {
     let mut c = Coefficients::from(c);
-    // Repeated synthetic division by (s − middle), then powers of `half`.
+    // Repeated synthetic division by (s − middle) gives the coefficients about `middle`. Powers of `half` then
+    // scale them.
     for first in 0..c.len() {
         for j in (first..c.len().saturating_sub(1)).rev() {
             let next = c[j + 1] * middle;
@@ -181,7 +184,7 @@ pub(crate) fn rescale<R: Real>(c: &[R], middle: f64, half: f64) -> Coefficients<
     c
 }
 
-/// The coefficients of f·g.
+/// Coefficients of the product f·g.
 pub(crate) fn product<R: Real>(f: &[R], g: &[R]) -> Coefficients<R> {
     let mut out = Coefficients::zeros((f.len() + g.len()).saturating_sub(1));
     for (i, a) in f.iter().enumerate().filter(|(_, a)| **a != 0.0) {
@@ -192,13 +195,13 @@ pub(crate) fn product<R: Real>(f: &[R], g: &[R]) -> Coefficients<R> {
     out
 }
 
-/// ∫ f⁽ⁿ⁾ g⁽ⁿ⁾ ds over \[−1, 1\] for the derivatives of order n ≤ 2.
+/// Integral ∫ f⁽ⁿ⁾ g⁽ⁿ⁾ ds over \[−1, 1\] of the derivatives of order n = `order` ≤ 2.
 pub(crate) fn inner<R: Real>(f: &[R], g: &[R], order: usize) -> R {
     let differentiated = |c: &[R]| (0..order).fold(Coefficients::from(c), |c, _| derivative(&c));
     let [f, g] = [f, g].map(differentiated);
     let mut sum = R::ZERO;
     for (i, a) in f.iter().enumerate() {
-        // ∫ s^(i+j) = 2/(i+j+1) for even i + j.
+        // The integral ∫ s^(i+j) ds over [−1, 1] is 2/(i+j+1) for even i + j and zero for odd i + j.
         let pairs =
             g.get(i % 2..).unwrap_or_default().chunks(2).zip(POWERS[(i + i % 2) / 2..].iter());
         sum += *a * pairs.map(|(pair, whole)| pair[0] * *whole).sum::<R>();
@@ -206,7 +209,7 @@ pub(crate) fn inner<R: Real>(f: &[R], g: &[R], order: usize) -> R {
     sum
 }
 
-/// ∫ s^(2n) ds over \[−1, 1\].
+/// Integrals ∫ s^(2n) ds over \[−1, 1\] for n = 0, 1, …
 pub(crate) const POWERS: [f64; MOST_COEFFICIENTS] = {
     let mut all = [0.0; MOST_COEFFICIENTS];
     let mut n = 0;
@@ -223,13 +226,13 @@ mod tests {
 
     #[test]
     fn jet_of_a_cubic() {
-        // f = 1 + 2s + 3s² + 4s³ at s = ½ by hand.
+        // The values of f = 1 + 2s + 3s² + 4s³ and of its derivatives at s = ½ are computed by hand.
         assert_eq!(jet(&[1.0, 2.0, 3.0, 4.0], 0.5), [3.25, 8.0, 18.0, 24.0]);
     }
 
     #[test]
     fn a_quotient_times_its_divisor_is_the_polynomial() {
-        // (s + 1)(2 − s + 3s²) = 2 + s + 2s² + 3s³ by hand.
+        // The product (s + 1)(2 − s + 3s²) = 2 + s + 2s² + 3s³ is computed by hand.
         assert_eq!(*divided(&[2.0, 1.0, 2.0, 3.0], -1.0), [2.0, -1.0, 3.0]);
     }
 

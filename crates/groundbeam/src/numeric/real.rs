@@ -1,13 +1,14 @@
-//! The numbers of the mechanical equations: `f64`, or a value with derivatives.
+//! Number types of the mechanical equations: `f64`, or a value with derivatives.
 //!
-//! A `Real` has no order. Every decision uses the value explicitly, so derivatives cannot change a decision.
-//! The comparison `==` includes the derivatives: a zero with a nonzero derivative is not equal to zero.
+//! Numbers of type `Real` cannot be compared by size. Every decision uses the value explicitly, so derivatives
+//! cannot change a decision. The comparison `==` includes the derivatives: a zero with a nonzero derivative is
+//! not equal to zero.
 
 use std::fmt::Debug;
 use std::iter::Sum;
 use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 
-/// A number in the data or the solution of a model.
+/// Type of the numbers in the data and in the solution of a model.
 pub(crate) trait Real:
     Copy
     + Default
@@ -35,7 +36,7 @@ pub(crate) trait Real:
     const ZERO: Self;
     const ONE: Self;
 
-    /// The value without derivatives.
+    /// Value of the number without its derivatives.
     fn value(self) -> f64;
 
     fn sqrt(self) -> Self;
@@ -87,8 +88,8 @@ impl Real for f64 {
     }
 }
 
-/// The sum of N terms, from the first to the last. The compiler unrolls it for every `Real`, unlike an iterator's
-/// `sum`.
+/// Sum of N terms, from the first to the last. The compiler unrolls this loop for every `Real`, but not the
+/// `sum` of an iterator.
 #[inline(always)]
 pub(crate) fn sum<R: Real, const N: usize>(term: impl Fn(usize) -> R) -> R {
     let mut sum = term(0);

@@ -2,8 +2,8 @@
 
 use super::polynomial::{Coefficients, rescale, value, with_slope};
 
-/// Whether f has no complex zero closer to s = 0 than `radius`, by the test of Schur and Cohn. The test
-/// lowers the degree step by step. No step moves a zero across the circle.
+/// Whether the polynomial f has no complex zero closer to s = 0 than `radius`, by the test of Schur and Cohn. Each
+/// step of the test lowers the degree by one without moving a zero across the circle |s| = `radius`.
 pub(crate) fn is_free_of_zeros(c: &[f64], radius: f64) -> bool {
     let mut power = 1.0;
     let mut c: Coefficients = c
@@ -34,10 +34,10 @@ pub(crate) fn is_free_of_zeros(c: &[f64], radius: f64) -> bool {
 
 /// Appends to `roots` the positions in (−1, 1) at which f changes its sign, from left to right.
 ///
-/// The coefficients alone exclude intervals without zeros: |f(s)| ≥ |c₀| − Σ|cⱼ|. Nothing is sampled. A
-/// double root, at which f is zero without changing its sign, is not reported.
+/// The lower bound |f(s)| ≥ |c₀| − Σ|cⱼ| with j ≥ 1 excludes intervals without zeros. It uses the coefficients
+/// only, so f is not sampled. A double root, at which f is zero without changing its sign, is not reported.
 pub(crate) fn sign_changes(c: &[f64], roots: &mut Vec<f64>) {
-    // Skip high powers that are far below the rounding of all the others.
+    // Terms of high order are omitted if they are far below the rounding error of the other terms.
     let mut negligible = f64::EPSILON / 16.0 * c.iter().map(|a| a.abs()).sum::<f64>();
     let mut count = c.len();
     while count > 1 && c[count - 1].abs() <= negligible {
@@ -47,11 +47,12 @@ pub(crate) fn sign_changes(c: &[f64], roots: &mut Vec<f64>) {
     isolate(&c[..count], [-1.0, 1.0], None, 0, roots);
 }
 
-/// Maximum number of halvings, after which an interval is a point.
+/// Maximum number of halvings of an interval. After this number of halvings the interval counts as a point.
 pub(crate) const DEEPEST: u32 = 40;
 
-/// Finds the sign changes on an interval from the values at its ends, computed if they are not given. Neighbouring intervals
-/// share the value between them, so that rounding cannot hide a root there.
+/// Finds the sign changes on an interval from the values at its ends. If `ends` is `None`, these values are
+/// computed. Neighbouring intervals use the same value at their common end, so rounding cannot hide a root at
+/// this end.
 fn isolate(c: &[f64], x: [f64; 2], ends: Option<[f64; 2]>, depth: u32, roots: &mut Vec<f64>) {
     let Some((&constant, rest)) = c.split_first() else { return };
     let (mut spread, mut slope, mut bend) = (0.0, 0.0, 0.0);
@@ -79,7 +80,8 @@ fn isolate(c: &[f64], x: [f64; 2], ends: Option<[f64; 2]>, depth: u32, roots: &m
         if middle > 0.0 && differ(beside) {
             roots.push(place(0.0));
         }
-        // Taylor's formula about the middle of a half interval, with a bound of its remainder.
+        // Taylor's formula about the middle of this half interval, with a bound of its remainder, can exclude a
+        // zero.
         let [f, slope] = with_slope(c, middle);
         if f.abs() > 0.5 * slope.abs() + 0.125 * bend {
             continue;
@@ -99,14 +101,16 @@ fn differ([left, right]: [f64; 2]) -> bool {
     (left > 0.0 && right < 0.0) || (left < 0.0 && right > 0.0)
 }
 
-/// The signs of a polynomial just left and right of s = 0: those of its first nonzero term.
+/// Two numbers that have the signs of a polynomial just left and just right of s = 0. The first nonzero term of
+/// the polynomial determines these signs.
 fn beside_middle(c: &[f64]) -> [f64; 2] {
     let order = c.iter().position(|&a| a != 0.0).unwrap_or(0);
     let right = c[order];
     [if order % 2 == 1 { -right } else { right }, right]
 }
 
-/// The root of a monotone function that changes its sign between two points: Newton within a bracket.
+/// Finds the root of a polynomial between `low` and `high` by Newton's method within a bracket. The polynomial
+/// is monotone there and has different signs at `low` and `high`. `left` is its value at `low`.
 pub(crate) fn monotone_root(c: &[f64], [mut low, mut high]: [f64; 2], left: f64) -> f64 {
     let mut s = 0.5 * (low + high);
     for _ in 0..100 {
@@ -122,7 +126,7 @@ pub(crate) fn monotone_root(c: &[f64], [mut low, mut high]: [f64; 2], left: f64)
         let newton = s - f / slope;
         let is_inside = newton > low && newton < high;
         let next = if is_inside { newton } else { 0.5 * (low + high) };
-        // The error after Newton's next step is of the order of the square of this step.
+        // The error of `next` is of the order of the square of the step `next − s`.
         let last = is_inside && (next - s).abs() < 1e-10;
         if next == s || last || high - low < 1e-16 {
             return next;
@@ -140,17 +144,17 @@ mod tests {
 
     #[test]
     fn zeros_inside_a_circle() {
-        // (s − 3)²(s + 4) = 36 − 15 s − 2 s² + s³.
+        // The polynomial (s − 3)²(s + 4) = 36 − 15 s − 2 s² + s³ has its zeros at 3 and −4.
         let c = [36.0, -15.0, -2.0, 1.0, 0.0];
         assert!(is_free_of_zeros(&c, 2.999) && !is_free_of_zeros(&c, 3.001));
-        // (s² + 4)(s − 3): a pair of complex roots.
+        // The polynomial (s² + 4)(s − 3) has a pair of complex zeros at ±2i.
         let c = [-12.0, 4.0, -3.0, 1.0];
         assert!(is_free_of_zeros(&c, 1.999) && !is_free_of_zeros(&c, 2.001));
         assert!(is_free_of_zeros(&[2.0, 0.0], 1e9) && !is_free_of_zeros(&[0.0, 1.0], 1e-9));
     }
 
-    /// The slope of the pressure of a beam between pins on soft springs. Its root is at the middle, where two
-    /// halves meet.
+    /// The polynomial is the slope of the pressure under a beam between pins on soft springs. Its root is at
+    /// the middle, the common end of two half intervals.
     #[test]
     fn a_root_between_two_halves() {
         let w = [9.130750818000197e-5, 0.0, -1.0956900980259498e-4, 0.0, 1.826150161472349e-5];
@@ -170,7 +174,7 @@ mod tests {
 
     #[test]
     fn all_sign_changes_of_a_chebyshev_polynomial() {
-        // T₁₀ has its roots at cos((2i−1)π/20).
+        // The Chebyshev polynomial T₁₀ has its roots at cos((2i−1)π/20).
         let c = [-1.0, 0.0, 50.0, 0.0, -400.0, 0.0, 1120.0, 0.0, -1280.0, 0.0, 512.0];
         let mut roots = vec![];
         sign_changes(&c, &mut roots);
@@ -181,7 +185,7 @@ mod tests {
         }
     }
 
-    /// Polynomials with real roots at least 0.01 apart and with pairs of complex roots.
+    /// The test uses polynomials with real roots at least 0.01 apart and with pairs of complex roots.
     #[test]
     fn all_roots_of_random_products() {
         let mut state = 1_u64;
@@ -211,9 +215,9 @@ mod tests {
             inside.sort_by(f64::total_cmp);
             let mut roots = vec![];
             sign_changes(&c, &mut roots);
-            assert_eq!(roots.len(), inside.len(), "{c:?}: {roots:?}, not {inside:?}");
+            assert_eq!(roots.len(), inside.len(), "{c:?}: found {roots:?}, expected {inside:?}");
             for (root, exact) in roots.iter().zip(&inside) {
-                assert!((root - exact).abs() < 1e-7, "{c:?}: {roots:?}, not {inside:?}");
+                assert!((root - exact).abs() < 1e-7, "{c:?}: found {roots:?}, expected {inside:?}");
             }
         }
     }

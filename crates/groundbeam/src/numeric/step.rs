@@ -5,10 +5,10 @@
 pub struct Step {
     /// Number of contact zones after the step.
     pub zones: usize,
-    /// The fraction of the full Newton step; for Uzawa's iteration, the parameter ρ.
+    /// Accepted fraction of the full Newton step. For Uzawa's iteration, it is the parameter ρ.
     pub step: f64,
-    /// Exact method: the move of the contact edges relative to the beam's length. Newton's method on a mesh:
-    /// the fraction of the nodes whose contact changes in the step. Uzawa's iteration: the relative change of
-    /// the pressure.
+    /// Size of the change in the step. In the exact method it is the length of the longest interval on which
+    /// the contact changes, relative to the beam's length. In Newton's method on a mesh it is the fraction of
+    /// the nodes whose contact changes. In Uzawa's iteration it is the relative change of the pressure.
     pub decrement: f64,
 }

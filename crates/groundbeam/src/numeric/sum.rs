@@ -1,9 +1,9 @@
-//! Compensated sums, with the sum of the absolute values of their terms, which distinguishes zero from
-//! rounding error.
+//! Compensated sums, and the sums of absolute values that distinguish zero from rounding error.
 
 use crate::numeric::tolerance::SUM_ROUNDING;
 
-/// A sum with the sum of the absolute values of its terms, which decides whether the sum is rounding error.
+/// A compensated sum, and the sum of the absolute values of its terms. The second sum decides whether the first
+/// sum is rounding error.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Sum {
     pub sum: f64,
@@ -14,7 +14,7 @@ pub(crate) struct Sum {
 
 impl Sum {
     pub fn add(&mut self, term: f64) {
-        // Neumaier's summation: the sum is accurate to one or two units in the last place.
+        // With Neumaier's summation, the sum is accurate to one or two units in the last place.
         let sum = self.sum + term;
         self.compensation += if self.sum.abs() >= term.abs() {
             (self.sum - sum) + term
@@ -57,8 +57,8 @@ mod tests {
         sum.finished()
     }
 
-    /// Neumaier's sum keeps terms that a plain sum loses. A plain sum loses a hundredth of 2⁻⁵² in each
-    /// addition to 1.
+    /// Neumaier's summation keeps small terms that plain summation loses. Plain summation would lose every term of
+    /// 0.01 · 2⁻⁵² that is added to 1.
     #[test]
     fn sums_are_exact_to_the_last_bit() {
         let small = 0.01 * f64::EPSILON;
@@ -74,7 +74,7 @@ mod tests {
         assert_eq!(sum(&[3.0, -4.0]).size, 7.0);
     }
 
-    /// A sum below 8 ε times the absolute values is rounding error and becomes 0.
+    /// A sum below 8 · 2⁻⁵² times the sum of the absolute values of its terms is rounding error and becomes 0.
     #[test]
     fn sums_within_rounding_error_become_zero() {
         let eps = f64::EPSILON;

@@ -1,4 +1,4 @@
-//! Fields, contact zones and forces of a [`Candidate`], from a deflection and its contact.
+//! Computes the fields, contact zones and forces of a [`Candidate`] from a deflection and its contact set.
 
 use crate::contact::state::ContactState;
 use crate::contact::surface::{PointForce, Surface};
@@ -11,7 +11,7 @@ use crate::solution::fields::{
 };
 
 impl Candidate {
-    /// The fields of a deflection with its contact, in the memory of a workspace.
+    /// Computes the candidate of a deflection with its contact set, in the memory of a workspace.
     pub fn of(model: &Model, found: &ContactState, workspace: &mut Workspace) -> Self {
         let surface = match &found.surface {
             Some(given) => given,
@@ -23,7 +23,7 @@ impl Candidate {
             mesh.cells[point_force.point.cell].global(point_force.point.s)
         };
         let l = model.beam.length;
-        // Adding zero turns −0 into 0.
+        // Adding zero changes −0 to 0.
         let [left, right] = surface.end_forces(mesh).map(|force| force + 0.0);
         let inner = surface
             .point_forces
@@ -44,13 +44,14 @@ impl Candidate {
         candidate
     }
 
-    /// The fields of the whole model from those of the model with the active supports only.
+    /// Converts a candidate of the model without its inactive supports to a candidate of the whole model. The
+    /// reactions of the inactive supports are zero.
     pub fn on_one_way_supports(self, model: &Model, acts: &[bool]) -> Self {
         let mut acting = self.reactions.into_iter();
         let reaction = |(support, acts): (&Support, &bool)| {
             let none = Reaction { at: support.at, force: 0.0, moment: 0.0 };
             let mut reaction = if *acts { acting.next().unwrap_or(none) } else { none };
-            // A reaction of the wrong sign is rounding error.
+            // A reaction with the wrong sign is rounding error.
             if support.acts.sign() * reaction.force < 0.0 {
                 reaction.force = 0.0;
             }
@@ -73,7 +74,7 @@ fn pieces(found: &ContactState, surface: &Surface, pieces: &mut Vec<SolutionPiec
     }
 }
 
-/// Contact zones and contact points. Adjacent ones are merged.
+/// Appends the contact zones and contact points to `regions`. Adjacent zones are merged.
 fn regions(found: &ContactState, regions: &mut Vec<ContactZone>) {
     let mesh = &found.mesh;
     let position = |point: BeamPoint| mesh.cells[point.cell].global(point.s);
@@ -86,7 +87,8 @@ fn regions(found: &ContactState, regions: &mut Vec<ContactZone>) {
     }
 }
 
-/// Reactions from the equilibrium of the beam about each support, and from the laws of springs.
+/// Computes the reactions of the supports. Those of rigid supports follow from the equilibrium of the beam, and
+/// those of springs from the deflection and the rotation of the beam.
 fn reactions(candidate: &Candidate) -> Vec<Reaction> {
     let supports = &candidate.model.supports;
     let reaction = |support: &Support| {
@@ -105,15 +107,15 @@ fn reactions(candidate: &Candidate) -> Vec<Reaction> {
     supports.iter().map(reaction).collect()
 }
 
-/// The force of a support at x, from equilibrium of the beam between the middles of the two adjacent spans.
-/// Near a pin the shear force of an element is inaccurate. It is accurate half a span away.
+/// Force of a rigid support at x, from equilibrium of the beam between the middles of the two adjacent spans.
+/// The shear force of an element is inaccurate near the support, but accurate in the middle of a span.
 fn lift(candidate: &Candidate, x: f64) -> f64 {
     let model = &candidate.model;
     let (axial, l) = (model.beam.axial_force, model.beam.length);
     let others = || model.supports.iter().map(|support| support.at);
     let span_left = others().filter(|&at| at < x).fold(0.0, f64::max);
     let span_right = others().filter(|&at| at > x).fold(l, f64::min);
-    // T = V + P w' − g at an end of a piece.
+    // `total` computes the transverse force T = V + P w' − g at an end of a piece, with the distributed moment g.
     let total = |piece: &SolutionPiece, s: f64, end: usize| {
         let fields = piece.fields(s);
         fields.shear_force + axial * fields.slope - piece.cell.moment_load[end]
@@ -154,7 +156,7 @@ fn lift(candidate: &Candidate, x: f64) -> f64 {
     force - contact.filter(|(at, _)| inside(*at)).map(|(_, force)| force).sum::<f64>()
 }
 
-/// The moment of a fixed support at x: the jump of the beam's moment minus the moment loads there.
+/// Moment of a fixed support at x: the jump of the bending moment at x minus the moment loads at x.
 fn turn(candidate: &Candidate, x: f64) -> f64 {
     let l = candidate.model.beam.length;
     let before = if x <= 0.0 { 0.0 } else { candidate.at(x, Side::Left).moment };

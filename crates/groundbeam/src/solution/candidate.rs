@@ -1,5 +1,4 @@
-//! The fields, contact zones and forces of an equilibrium before its certificate, and reusable memory for
-//! them.
+//! Candidate for an equilibrium: the fields, contact zones and forces that a certificate checks, and reusable memory.
 
 use crate::contact::edge_error::EdgeError;
 use crate::existence::verdict::Existence;
@@ -8,7 +7,7 @@ use crate::solution::fields::{
     ConcentratedForce, ContactZone, EndForces, Fields, Reaction, Side, SolutionPiece,
 };
 
-/// The fields, contact zones and forces that a certificate checks.
+/// Candidate for an equilibrium: the fields, contact zones and forces that a certificate checks.
 #[derive(Debug, Clone)]
 pub(crate) struct Candidate {
     pub model: Model,
@@ -27,7 +26,7 @@ impl Candidate {
         self.contact.iter().map(|zone| [zone.from, zone.to]).collect()
     }
 
-    /// All fields at a position of the beam; where a field jumps, from the given side.
+    /// Values of all fields at the position x of the beam. `side` selects the value where a field jumps.
     pub fn at(&self, x: f64, side: Side) -> Fields {
         let x = x.clamp(0.0, self.model.beam.length);
         let piece = self.piece_at(x, side);
@@ -42,8 +41,8 @@ impl Candidate {
         &self.pieces[i.min(self.pieces.len() - 1)]
     }
 
-    /// The verdict on existence and uniqueness for the known contact. One-way supports count only if they
-    /// carry force.
+    /// Returns the verdict on existence and uniqueness for the contact zones of this candidate. A one-way
+    /// support counts only if its reaction is not zero.
     pub fn settled_existence(&self, existence: Existence) -> Existence {
         let contact = self.contact_positions();
         if !self.model.has_one_way_supports() {
@@ -55,7 +54,7 @@ impl Candidate {
     }
 }
 
-/// Reusable memory of candidates.
+/// Memory of candidates that can be reused.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Workspace {
     model: Option<Model>,
@@ -65,13 +64,13 @@ pub(crate) struct Workspace {
 }
 
 impl Workspace {
-    /// Takes the memory of a candidate for reuse.
+    /// Stores the memory of a candidate for reuse.
     pub fn recycle(&mut self, candidate: Candidate) {
         let Candidate { model, pieces, contact, concentrated, .. } = candidate;
         *self = Workspace { model: Some(model), pieces, contact, concentrated };
     }
 
-    /// A candidate for a model, with empty lists.
+    /// Creates a candidate for a model, with empty lists.
     pub(super) fn blank(&mut self, model: &Model) -> Candidate {
         let Workspace { model: memory, mut pieces, mut contact, mut concentrated } =
             std::mem::take(self);

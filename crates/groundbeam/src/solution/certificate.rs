@@ -1,5 +1,4 @@
-//! The certificate of a solution: energies of the problem, and an estimate of the energy of the solution's
-//! error, from model and solution only.
+//! Certificate of a solution: its energies and an estimate of the energy of its error, from model and solution only.
 
 use crate::model::{Action, Model};
 use crate::numeric::tolerance::GAP;
@@ -7,11 +6,12 @@ use crate::solution::candidate::Candidate;
 use crate::solution::claim::answer;
 use groundbeam_proof::{Estimate, estimate};
 
-/// The energies of a solution and the energy of its error, computed in doubles by the crate
+/// The energies of a solution and an estimate of the energy of its error, computed in doubles by the crate
 /// `groundbeam_proof`.
 ///
-/// The gap bounds the energy of the error except for rounding, so it is an estimate.
-/// [`Solution::prove`](crate::Solution::prove) bounds the error in numbers that enclose all rounding.
+/// Without rounding errors, the energy gap is an upper bound of the energy of the error. With rounding errors
+/// it is an estimate. [`Solution::prove`](crate::Solution::prove) computes an upper bound that includes all
+/// rounding errors.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Certificate {
     primal_energy: f64,
@@ -20,8 +20,8 @@ pub struct Certificate {
 }
 
 impl Certificate {
-    /// The certificate of a candidate. Under compression, `stability` is the fraction of the energy's
-    /// convexity that remains.
+    /// Computes the certificate of a candidate. For a beam under compression, `stability` is 1 + P/P_cr with the
+    /// axial force P and the buckling load P_cr.
     pub(crate) fn of(candidate: &Candidate, stability: f64) -> Self {
         let model = candidate.model.to_prove();
         let stability = (candidate.model.beam.axial_force < 0.0).then_some(stability);
@@ -34,37 +34,38 @@ impl Certificate {
         Certificate { primal_energy: potential_energy, gap, relative_gap }
     }
 
-    /// The primal energy ½∫(EI (w″ − κ₀)² + P w'²) + ½b(u, u) − F(w): (3.8) plus the energy of the ground
-    /// \[N·m\].
+    /// The primal energy \[N·m\]. It is ½∫(EI (w″ − κ₀)² + P w'²) − F(w) as in (3.8), with the work F(w) of the
+    /// loads, plus the energy ½b(u, u) of the ground.
     pub fn primal_energy(&self) -> f64 {
         self.primal_energy
     }
 
-    /// The dual energy, which is the reciprocal energy of moments and pressures in equilibrium: the primal
-    /// energy minus the gap \[N·m\].
+    /// The dual energy \[N·m\], which is the primal energy minus the energy gap. It is the dual functional of the
+    /// moments and pressures, which are in equilibrium with the loads.
     pub fn dual_energy(&self) -> f64 {
         self.primal_energy - self.gap
     }
 
-    /// The energy gap E: the primal minus the dual energy \[N·m\]. It bounds the sum of the energies of the
-    /// errors of (w, u) and of (M, p).
+    /// The energy gap E, which is the primal minus the dual energy \[N·m\]. It is an upper bound of the sum of
+    /// the energies of the errors of (w, u) and of (M, p).
     pub fn gap(&self) -> f64 {
         self.gap
     }
 
-    /// The energy gap relative to the strain energy of beam, ground and springs, plus the energy ½∫EI κ₀² of the
-    /// imposed curvature.
+    /// The energy gap relative to a sum of energies. The sum contains the strain energy of beam, ground and
+    /// springs, and the energy ½∫EI κ₀² of the imposed curvature κ₀.
     pub fn relative_gap(&self) -> f64 {
         self.relative_gap
     }
 
-    /// Whether the gap is within the rounding error of loads that cancel each other or that rigid supports
-    /// carry. The scale is the energy that each load alone would cause in ground and beam.
+    /// Whether the gap is within the rounding error of the loads. Loads that cancel each other or act on rigid
+    /// supports cause little energy. Their rounding error is relative to the energy that each load alone would
+    /// cause in ground and beam.
     pub(crate) fn is_rounding_of_loads(&self, model: &Model) -> bool {
         self.gap <= GAP * f64::EPSILON * energy_of_single_loads(model)
     }
 
-    /// All numbers of the certificate with their names, in the order of results.
+    /// All numbers of the certificate with their names, in the order in which results list them.
     pub fn figures(&self) -> [(&'static str, f64); 4] {
         [
             ("primal_energy", self.primal_energy),
@@ -75,9 +76,9 @@ impl Certificate {
     }
 }
 
-/// The sum of the energies that single loads would cause: F²/(kl) + M²/(kl³) for a rigid beam that translates
-/// and rotates, (M + Fa)²a/EI for a beam that bends over a wave length a, and EI(δ/a)²/a for settlements of
-/// supports.
+/// Estimates the sum of the energies that the single loads would cause, with the sum F of the forces, the sum M of
+/// the moments and the beam length l. A rigid beam has the energy F²/(k l) + M²/(k l³). A beam that bends over a
+/// wave length a has the energy (M + F a)² a/(EI). Support settlements δ cause the energy EI (δ/a)²/a.
 fn energy_of_single_loads(model: &Model) -> f64 {
     let (l, k, ei) = (model.beam.length, model.foundation.subgrade, model.beam.bending_stiffness);
     let wave = (4.0 * ei / k).sqrt().sqrt().min(l);

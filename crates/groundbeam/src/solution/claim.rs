@@ -1,4 +1,4 @@
-//! Converts model and solution to the input of the proof. The proof takes their doubles as exact numbers.
+//! Converts model and solution to the input of the proof, which treats their doubles as exact numbers.
 
 use crate::model::{Action, Acts, Extent, GapPoint, GroundEnd, Hinge, Load, Model, Profile};
 use crate::model::{Support, SupportKind};
@@ -6,7 +6,8 @@ use crate::solution::candidate::Candidate;
 use crate::solution::fields::{Reaction, Side};
 use groundbeam_proof::{self as proof, Answer, NotProven, Proof, Scalar, Wide};
 
-/// Distance below which a beam is close to a support, as a fraction of the deflection there.
+/// Distance between beam and support, relative to the larger of the deflection of the beam and the settlement of
+/// the support, below which the beam counts as close to the support.
 const CLOSE_TO_SUPPORT: f64 = 1e-6;
 
 /// The proof of a solution.
@@ -15,8 +16,9 @@ pub(super) fn prove(candidate: &Candidate) -> Result<Proof, NotProven> {
 }
 
 impl Model {
-    /// The model as input of the proof, with its doubles as exact numbers. On soil, k and μ are the fields of
-    /// the foundation. The model of a solution has the values that the solve computed.
+    /// Converts the model to the input of the proof, with its doubles as exact numbers. For ground given by
+    /// soil data, the proof uses the constants k and μ stored in the foundation. In the model of a solution,
+    /// these constants are those that the solve computed.
     pub fn to_prove<S: Scalar>(&self) -> proof::Model<S> {
         let hinge = |hinge: &Hinge| proof::Hinge {
             at: S::of(hinge.at),
@@ -122,7 +124,7 @@ fn support<S: Scalar>(support: &Support) -> proof::Support<S> {
     }
 }
 
-/// The solution, piece by piece.
+/// Converts the solution to the input of the proof, piece by piece.
 pub(super) fn answer(candidate: &Candidate) -> Answer {
     let mut pieces: Vec<proof::Piece> = Vec::with_capacity(candidate.pieces.len());
     for piece in candidate.pieces.iter().filter(|piece| has_inside(piece.x)) {
@@ -150,8 +152,8 @@ pub(super) fn answer(candidate: &Candidate) -> Answer {
     let mut forces = vec![force(0.0, ends.left)];
     forces.extend(candidate.concentrated.iter().map(|c| force(c.at, c.force)));
     forces.push(force(candidate.model.beam.length, ends.right));
-    // Winkler ground has a distributed pressure. So the forces at the nodes of a mesh are not part of the
-    // input.
+    // On Winkler ground, the proof uses the distributed pressure only. Ground forces at mesh nodes on Winkler
+    // ground are omitted.
     let layered = |x: f64| {
         let after = candidate.pieces.partition_point(|piece| piece.x[1] < x);
         let mut beside = candidate.pieces[after..].iter().take(2);
@@ -164,14 +166,14 @@ pub(super) fn answer(candidate: &Candidate) -> Answer {
     Answer { pieces, forces, reactions: reactions.collect() }
 }
 
-/// Whether a double lies between the ends of a piece. If a contact edge is next to the end of a cell, the
-/// piece between them is empty, and its neighbours adjoin.
+/// Whether a double lies strictly between the ends of a piece. If the end of a cell is the next double after a
+/// contact edge, no double lies between them, and the piece between them is omitted.
 fn has_inside([from, to]: [f64; 2]) -> bool {
     let middle = 0.5 * (from + to);
     from < middle && middle < to
 }
 
-/// Ends a piece at an inactive one-way support that the beam nearly reaches. The proof can then treat the
+/// Splits a piece at an inactive one-way support that the beam nearly reaches. The proof can then treat the
 /// support as undecided.
 fn end_at_support(
     candidate: &Candidate,
@@ -185,7 +187,7 @@ fn end_at_support(
     if !(support.is_one_way() && reaction.force == 0.0 && close) {
         return;
     }
-    // A support within rounding error of an end of a piece needs no new end.
+    // No split is necessary at a support within rounding error of an end of a piece.
     let apart = 64.0 * f64::EPSILON * candidate.model.beam.length;
     let inside = |piece: &proof::Piece| piece.x[0] + apart < at && at + apart < piece.x[1];
     let Some(i) = pieces.iter().position(inside) else { return };
@@ -199,12 +201,12 @@ fn end_at_support(
     pieces.insert(i + 1, part(&piece, [at, piece.x[1]], settled(1)));
 }
 
-/// The same functions on a part of a piece.
+/// Returns a part of a piece, with the functions of the piece in the local coordinate t of this part.
 fn part(piece: &proof::Piece, x: [f64; 2], open: Option<[f64; 2]>) -> proof::Piece {
     let half = 0.5 * (x[1] - x[0]);
     let offset = (0.5 * (x[0] + x[1]) - 0.5 * (piece.x[0] + piece.x[1])) / piece.half;
     let ratio = half / piece.half;
-    // Horner's rule with polynomials: p(offset + ratio t).
+    // Horner's rule for polynomials gives the coefficients of p(offset + ratio t).
     let moved = |coefficients: &[f64]| {
         let mut sum: Vec<f64> = Vec::new();
         for c in coefficients.iter().rev() {

@@ -1,7 +1,7 @@
-//! The smallest and largest value of each field, from the ends of the pieces and the turning points.
+//! Finds the smallest and largest value of each field from the values at the ends of the pieces and the turning points.
 //!
-//! Nothing is sampled. The coefficients of a polynomial give its roots and bounds of its values. Roots are
-//! computed only on pieces on which a field may exceed its end values.
+//! The fields are not sampled. The roots and the bounds of a polynomial are computed from its coefficients.
+//! Roots are computed only on pieces on which a field may exceed the values found before.
 
 use crate::solution::candidate::Candidate;
 use crate::solution::field::Field;
@@ -21,8 +21,8 @@ impl Candidate {
         let mut found: Option<[ValueAt; 2]> = None;
         for (i, (of_piece, piece)) in bounds_of.iter().zip(&self.pieces).enumerate() {
             for (s, end) in [-1.0, 1.0].into_iter().zip(of_piece.ends) {
-                // Values that may be extreme within rounding error are evaluated again, by the function that
-                // results use.
+                // An end value that may be the extreme within rounding error is recomputed by `one`, as in the
+                // results.
                 if end <= least + 2.0 * rounding || end >= most - 2.0 * rounding {
                     widen(&mut found, ValueAt { piece: i, s, value: piece.one(field, s) });
                 }
@@ -52,7 +52,7 @@ impl Candidate {
     }
 }
 
-/// The range of a beam without pieces.
+/// Range for a candidate without pieces: both extremes are zero.
 const NOTHING: Range =
     Range { min: Extreme { x: 0.0, value: 0.0 }, max: Extreme { x: 0.0, value: 0.0 } };
 
@@ -64,7 +64,7 @@ struct ValueAt {
     value: f64,
 }
 
-/// Includes another value in the range. Of equal values, the leftmost counts.
+/// Includes another value in the range. Of several equal values, the range keeps the leftmost.
 fn widen(found: &mut Option<[ValueAt; 2]>, here: ValueAt) {
     let [min, max] = found.get_or_insert([here; 2]);
     let is_left = |of: &ValueAt| here.value == of.value && (here.piece, here.s) < (of.piece, of.s);
@@ -84,8 +84,8 @@ mod tests {
     use crate::solution::fields::SolutionPiece;
     use crate::{Answer, Beam, Foundation, Load, Model, Solver};
 
-    /// Compares the ranges of all fields with values at a thousand points of each piece, for a beam with
-    /// loads, an open part and a stiff part.
+    /// Compares the ranges of all fields with values at a thousand points of each piece, for beams of different
+    /// stiffness under two point forces and a uniform load.
     #[test]
     fn ranges_are_bounds_and_are_attained() {
         let (mut solver, mut solved) = (Solver::new(), 0);
@@ -125,7 +125,7 @@ mod tests {
         assert!(solved > 30, "{solved}");
     }
 
-    /// Of equal values, the leftmost counts, for every order of the search.
+    /// The range keeps the leftmost of several equal values, in whatever order the values are included.
     #[test]
     fn the_leftmost_of_equal_values_counts() {
         let places = [
@@ -146,7 +146,7 @@ mod tests {
                 assert_eq!((min, max), ((1, 0.5, 1.0), (0, 1.0, 2.0)));
             }
         }
-        // The leftmost also counts within one piece.
+        // The range also keeps the leftmost of several equal values within one piece.
         let mut found = None;
         for s in [0.5, -0.5, 0.0] {
             widen(&mut found, ValueAt { piece: 0, s, value: 1.0 });
@@ -158,7 +158,8 @@ mod tests {
     #[test]
     fn a_range_is_the_least_and_the_largest_of_all_candidates() {
         let mut seed = 7_u64;
-        // An integer from −4 to 4, by a linear congruential generator: x′ = 16807 x mod 2³¹ − 1.
+        // This closure returns an integer from −4 to 4 from a linear congruential generator: x′ = 16807 x mod
+        // (2³¹ − 1).
         let mut digit = move || {
             seed = seed * 16807 % 2_147_483_647;
             (seed % 9) as f64 - 4.0
@@ -194,10 +195,11 @@ mod tests {
         }
     }
 
-    /// Ends whose values differ only in the last bits are compared by the values in results.
+    /// If end values differ only in the last bits, the range contains the smallest and the largest value exactly as
+    /// the results contain them.
     #[test]
     fn ends_within_rounding_error_are_compared_exactly() {
-        // 0.1 + 0.2 + 0.3 has another rounding than 0.3 + 0.2 + 0.1.
+        // The sums 0.1 + 0.2 + 0.3 and 0.3 + 0.2 + 0.1 have different rounding errors.
         let of = |from: f64, c: &[f64]| {
             let mut of = piece([from, from + 1.0]);
             of.deflection = c.into();
@@ -230,12 +232,12 @@ mod tests {
     #[test]
     fn a_timoshenko_beam_has_the_range_of_its_own_rotation() {
         let mut bends = piece([0.0, 4.0]);
-        // w′ = s + s² has its minimum −1/4 at s = −1/2 and its maximum 2 at the right end.
+        // The slope w′ = s + s² has its minimum −1/4 at s = −1/2 and its maximum 2 at the right end.
         bends.deflection = [0.0, 0.0, 1.0, 2.0 / 3.0][..].into();
         let Range { min, max } = candidate(vec![bends.clone()]).range(Field::Rotation);
         near(&[min.x, min.value, max.x, max.value], &[1.0, -0.25, 4.0, 2.0]);
         let mut shears = piece([4.0, 6.0]);
-        // φ = 3 − 12 s² has its maximum 3 at the middle and its minimum −9 at both ends.
+        // The rotation φ = 3 − 12 s² has its maximum 3 at the middle and its minimum −9 at both ends.
         shears.rotation = [3.0, 0.0, -12.0][..].into();
         shears.deflection = [0.0, 100.0][..].into();
         let Range { min, max } = candidate(vec![bends, shears]).range(Field::Rotation);

@@ -1,5 +1,4 @@
-//! The fields of a solution, and a table of their properties: name, texts, symbol, unit, natural size and
-//! sign.
+//! The fields of a solution, and a table of their names, texts, symbols, units, magnitudes and signs.
 
 use crate::model::Beam;
 
@@ -10,7 +9,7 @@ pub enum Field {
     Deflection,
     /// The slope w'.
     Slope,
-    /// φ, the rotation of the sections; w' where the beam has no shear deformation.
+    /// The rotation φ of the cross-sections. It equals w' where the beam has no shear deformation.
     Rotation,
     /// The bending moment M.
     Moment,
@@ -42,7 +41,7 @@ pub enum Dimension {
     ForcePerLength,
 }
 
-/// A row of the table of properties.
+/// A row of the table of field properties.
 struct Facts {
     name: &'static str,
     label: &'static str,
@@ -66,43 +65,43 @@ impl Field {
         Field::Pressure,
     ];
 
-    /// The fields that results of a beam list, in their order. The rotation is omitted if the beam has no
-    /// shear deformation, because it equals the slope.
+    /// The fields that results of a beam list, in the order of the list. The rotation is omitted if the beam
+    /// has no shear deformation, because it then equals the slope.
     pub fn of(beam: &Beam) -> impl Iterator<Item = Field> + Clone + use<> {
         Field::listed(beam.shears())
     }
 
-    /// The fields that results list, with the rotation or without it.
+    /// The fields that results list. The rotation is included if `shears` is true.
     pub(crate) fn listed(shears: bool) -> impl Iterator<Item = Field> + Clone + use<> {
         Field::ALL.into_iter().filter(move |field| shears || *field != Field::Rotation)
     }
 
-    /// The field with a name.
+    /// The field with the given name; `None` if no field has this name.
     pub fn named(name: &str) -> Option<Self> {
         Field::ALL.into_iter().find(|field| field.name() == name)
     }
 
-    /// The position in [`Field::ALL`].
+    /// Position of the field in [`Field::ALL`].
     pub const fn index(self) -> usize {
         self as usize
     }
 
-    /// The name in JSON, CSV, model files, commands and Python: `deflection`, `shear_force`, …
+    /// Name of the field in JSON, CSV, model files, commands and Python, such as `deflection` or `shear_force`.
     pub const fn name(self) -> &'static str {
         self.facts().name
     }
 
-    /// The short name in text: `Moment`.
+    /// Short name of the field in texts, such as `Moment`.
     pub const fn label(self) -> &'static str {
         self.facts().label
     }
 
-    /// The full name: `Bending moment`.
+    /// Full name of the field, such as `Bending moment`.
     pub const fn title(self) -> &'static str {
         self.facts().title
     }
 
-    /// The symbol in formulas: `w′`.
+    /// Symbol of the field in formulas, such as `w′`.
     pub const fn symbol(self) -> &'static str {
         self.facts().symbol
     }
@@ -112,12 +111,13 @@ impl Field {
         self.facts().dimension
     }
 
-    /// The unit in SI: `N·m`.
+    /// SI unit of the field, such as `N·m`.
     pub const fn unit(self) -> &'static str {
         self.dimension().unit()
     }
 
-    /// The meaning of a positive value, such as `sagging`. Empty if the definition is the shortest text.
+    /// Meaning of a positive value of the field, such as `sagging`. It is empty for the shear force, because no
+    /// short text describes its sign.
     pub const fn positive(self) -> &'static str {
         self.facts().positive
     }
@@ -127,8 +127,8 @@ impl Field {
         self.facts().drawn_down
     }
 
-    /// The magnitude of the field in a solution, from the length of the beam, the sum of the forces, the
-    /// largest deflection and the natural pressure. Much smaller values are rounding error.
+    /// Expected magnitude of the field in a solution, from the length of the beam, the sum of the forces, the
+    /// largest deflection and a typical pressure. Much smaller values are rounding errors.
     pub fn natural_size(self, length: f64, force: f64, deflection: f64, pressure: f64) -> f64 {
         match self.dimension() {
             Dimension::Length => deflection,
@@ -157,7 +157,7 @@ impl Field {
 }
 
 impl Dimension {
-    /// The unit in SI.
+    /// SI unit of the dimension.
     pub const fn unit(self) -> &'static str {
         match self {
             Dimension::Length => "m",

@@ -4,7 +4,8 @@ use crate::numeric::polynomial::derivative;
 use crate::solution::field::Field;
 use crate::solution::fields::SolutionPiece;
 
-/// Approximate values of a field at the ends of a piece, and bounds of its values on the whole piece.
+/// Approximate values of a field at the ends of a piece, and lower and upper bounds of the field on the whole
+/// piece.
 pub(super) struct FieldBounds {
     pub ends: [f64; 2],
     pub bounds: [f64; 2],
@@ -13,9 +14,9 @@ pub(super) struct FieldBounds {
 }
 
 impl FieldBounds {
-    /// The difference between a polynomial and the line through its end values is the sum of cⱼ (sʲ − 1) for
-    /// even j and cⱼ (sʲ − s) for odd j, from j = 2 on. These factors lie between −1 and 0, and between −1
-    /// and 1.
+    /// Computes bounds of a polynomial from its coefficients cⱼ. The difference between the polynomial and the
+    /// line through its end values is the sum of cⱼ (sʲ − 1) for even j ≥ 2 and of cⱼ (sʲ − s) for odd j ≥ 3.
+    /// The factor sʲ − 1 lies between −1 and 0, and the factor sʲ − s lies between −1 and 1.
     fn of(c: &[f64]) -> Self {
         let [first, second] = [0, 1].map(|j| c.get(j).copied().unwrap_or(0.0));
         let ([mut even, mut odd], [mut above, mut apart]) = ([0.0; 2], [0.0; 2]);
@@ -41,7 +42,7 @@ impl FieldBounds {
 }
 
 impl SolutionPiece {
-    /// Values of a field at the ends, and bounds of its values on the whole piece.
+    /// Approximate values of a field at the ends of this piece, and bounds of the field on the whole piece.
     pub(super) fn field_bounds(&self, field: Field) -> FieldBounds {
         let per_length = 1.0 / self.half;
         match field {
@@ -62,7 +63,7 @@ impl SolutionPiece {
                 FieldBounds { ends: [ends[0] - a, ends[1] - b], bounds, rounding }
             }
             Field::Gap if self.open.is_none() => FieldBounds::of(&[]),
-            // Not a polynomial.
+            // The settlement and the gap are not polynomials here.
             Field::Settlement | Field::Gap => FieldBounds {
                 ends: [-1.0, 1.0].map(|s| self.one(field, s)),
                 bounds: [f64::NEG_INFINITY, f64::INFINITY],
@@ -78,7 +79,7 @@ pub(crate) mod tests {
     use crate::solution::candidate::{Candidate, Workspace};
     use crate::{Beam, Foundation, Model};
 
-    /// A piece in contact with ground of k = μ = 1 without gap; all fields are zero.
+    /// A piece in contact with ground of k = μ = 1 without initial gap. All its fields are zero.
     pub fn piece(x: [f64; 2]) -> SolutionPiece {
         let model = Model::new(Beam::uniform(1.0, 1.0), Foundation::pasternak(1.0, 1.0));
         let mut cell = crate::mesh::mesh::Mesh::build(&model, &[], |_| 1).cells[0];
@@ -111,15 +112,15 @@ pub(crate) mod tests {
         assert!(all && close, "{found:?} {wanted:?}");
     }
 
-    /// The terms 3s² and −5s⁴ lower the line between the end values by at most 3 and raise it by at most 5.
-    /// The terms −4s³ and 6s⁵ change it by at most 10.
+    /// The terms 3s² and −5s⁴ change the difference to the line between the end values by −3 to 5. The terms −4s³
+    /// and 6s⁵ change this difference by at most 10.
     #[test]
     fn a_hull_is_the_line_between_the_ends_and_what_the_powers_add() {
         let FieldBounds { ends, bounds, rounding } =
             FieldBounds::of(&[1.0, 2.0, 3.0, -4.0, -5.0, 6.0]);
         assert_eq!((ends, bounds), ([-5.0, 3.0], [-18.0, 18.0]));
         assert_eq!(rounding, 6.0 * f64::EPSILON * 21.0);
-        // Mirrored, with the other sign, and half as large.
+        // The next two polynomials are the first one mirrored, and the first one with the opposite sign.
         let mirrored = FieldBounds::of(&[1.0, -2.0, 3.0, 4.0, -5.0, -6.0]);
         assert_eq!((mirrored.ends, mirrored.bounds), ([3.0, -5.0], [-18.0, 18.0]));
         let below = FieldBounds::of(&[-1.0, -2.0, -3.0, 4.0, 5.0, -6.0]);
@@ -135,8 +136,8 @@ pub(crate) mod tests {
         assert_eq!((zero.ends, zero.bounds, zero.rounding), ([0.0; 2], [0.0; 2], 0.0));
     }
 
-    /// Slope and shear force are derivatives with respect to x: derivatives with respect to s divided by half
-    /// the length. The settlement in contact is w − g₀.
+    /// Slope and shear force are derivatives with respect to x. They are the derivatives with respect to s
+    /// divided by half the length of the piece. In contact, the settlement is w − g₀.
     #[test]
     fn the_hull_of_each_field() {
         let mut of = piece([0.0, 4.0]);
@@ -149,7 +150,7 @@ pub(crate) mod tests {
             (ends, bounds, rounding / f64::EPSILON)
         };
         assert_eq!(bounds_of(Field::Deflection), ([-1.0, 7.0], [-6.0, 11.0], 4.0 * 7.0));
-        // w′ = (2s + 12s²)/2.
+        // The slope is w′ = (2s + 12s²)/2.
         assert_eq!(bounds_of(Field::Slope), ([5.0, 7.0], [-1.0, 7.0], 0.5 * 3.0 * 14.0));
         assert_eq!(bounds_of(Field::Moment), ([-1.0, 5.0], [-3.0, 5.0], 3.0 * 5.0));
         assert_eq!(bounds_of(Field::ShearForce), ([-0.5, 3.5], [-0.5, 3.5], 0.5 * 2.0 * 7.0));

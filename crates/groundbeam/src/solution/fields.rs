@@ -14,19 +14,20 @@ use crate::solution::field::Field;
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ContactZone {
-    /// Left end \[m\].
+    /// Left end of the contact zone \[m\].
     pub from: f64,
-    /// Right end \[m\].
+    /// Right end of the contact zone \[m\].
     pub to: f64,
 }
 
-/// The concentrated contact forces p₀ and p_l of (2.6), not negative, pushing the beam up \[N\].
+/// The concentrated contact forces p₀ and p_l of (2.6) at the ends of the beam \[N\]. They push the beam up and are
+/// not negative.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct EndForces {
-    /// p₀, at x = 0.
+    /// Contact force p₀ at x = 0 \[N\].
     pub left: f64,
-    /// p_l, at x = l.
+    /// Contact force p_l at x = l \[N\].
     pub right: f64,
 }
 
@@ -34,52 +35,52 @@ pub struct EndForces {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ConcentratedForce {
-    /// Position \[m\].
+    /// Position of the force \[m\].
     pub at: f64,
-    /// Force, pushing the beam up \[N\].
+    /// Force of the ground that pushes the beam up \[N\].
     pub force: f64,
 }
 
-/// The force and the moment of a support on the beam.
+/// The force and the moment that a support exerts on the beam.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Reaction {
-    /// Position \[m\].
+    /// Position of the support \[m\].
     pub at: f64,
-    /// Force, positive where it pushes the beam up \[N\].
+    /// Force of the support on the beam, positive upwards \[N\].
     pub force: f64,
-    /// Moment, positive where it rotates the right side down \[N·m\].
+    /// Moment of the support on the beam, positive if it rotates the right side down \[N·m\].
     pub moment: f64,
 }
 
-/// The side from which a value is taken where a field jumps.
+/// The side of a position from which the value of a field is taken if the field jumps at this position.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Side {
-    /// Just left of the position.
+    /// The limit from the left.
     Left,
-    /// Just right of the position.
+    /// The limit from the right.
     Right,
 }
 
 /// All fields at one point.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Fields {
-    /// w, down positive \[m\].
+    /// Deflection w, positive downwards \[m\].
     pub deflection: f64,
-    /// w' \[rad\].
+    /// Slope w' \[rad\].
     pub slope: f64,
-    /// φ, the rotation of the sections: w' where the beam has no shear deformation \[rad\].
+    /// Rotation φ of the cross-sections \[rad\]. It equals w' where the beam has no shear deformation.
     pub rotation: f64,
-    /// M = −EI (φ' − κ₀), sagging positive, κ₀ the imposed curvature; φ' = w″ where the beam has no shear
-    /// deformation \[N·m\].
+    /// Bending moment M = −EI (φ' − κ₀) with the imposed curvature κ₀, positive in sagging \[N·m\]. Where the beam has
+    /// no shear deformation, φ' = w″.
     pub moment: f64,
-    /// V = M' \[N\].
+    /// Shear force V = M' \[N\].
     pub shear_force: f64,
-    /// u, the ground's surface, down positive \[m\].
+    /// Settlement u of the ground's surface, positive downwards \[m\].
     pub settlement: f64,
-    /// u + g₀ − w, not negative \[m\].
+    /// Gap u + g₀ − w between beam and ground, not negative \[m\].
     pub gap: f64,
-    /// p, not negative, pushing the beam up \[N/m\].
+    /// Contact pressure p, which pushes the beam up and is not negative \[N/m\].
     pub pressure: f64,
 }
 
@@ -103,9 +104,9 @@ impl Fields {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Extreme {
-    /// Position \[m\]; the leftmost one of several equal extremes.
+    /// Position of the extreme \[m\]. If several extremes are equal, it is the leftmost position.
     pub x: f64,
-    /// Value of the field there.
+    /// Largest or smallest value of the field.
     pub value: f64,
 }
 
@@ -113,9 +114,9 @@ pub struct Extreme {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Range {
-    /// The smallest value.
+    /// The smallest value and its position.
     pub min: Extreme,
-    /// The largest value.
+    /// The largest value and its position.
     pub max: Extreme,
 }
 
@@ -124,10 +125,9 @@ pub struct Range {
 pub(crate) struct SolutionPiece<R = f64> {
     /// Ends of the piece \[m\].
     pub x: [f64; 2],
-    /// Half the length \[m\]. It is more accurate than the difference of the rounded ends.
+    /// Half the length of the piece \[m\]. It is more accurate than half the difference of the rounded ends.
     pub half: f64,
-    /// The cell that contains the piece, cut to the ends of the piece: coefficients of ground, beam and
-    /// loads.
+    /// The part of the mesh cell between the ends of the piece, with the coefficients of ground, beam and loads.
     pub cell: Cell<R>,
     /// Coefficients of w(s).
     pub deflection: Coefficients<R>,
@@ -137,15 +137,15 @@ pub(crate) struct SolutionPiece<R = f64> {
     pub moment: Coefficients<R>,
     /// Coefficients of p(s).
     pub pressure: Coefficients<R>,
-    /// On open ground: u − u₀ at both ends, with the free-field settlement u₀.
+    /// Settlements u − u₀ at both ends of a piece out of contact, with the free-field settlement u₀; `None` in contact.
     pub open: Option<[R; 2]>,
-    /// On open varying ground: coefficients of u(s).
+    /// Coefficients of the settlement u(s) − u₀(s) on varying ground out of contact; otherwise empty.
     pub settlement: Coefficients<R>,
 }
 
 impl<R: Real> SolutionPiece<R> {
-    /// A part of a cell, from the coefficients of w and of φ in this cell. `presses` means that the contact
-    /// pressure is distributed.
+    /// Creates a piece on a part of a cell from the coefficients of w and φ in this cell. `presses` states whether the
+    /// contact pressure is distributed.
     pub fn of(
         cell: &Cell<R>,
         part: &SurfacePart<R>,
@@ -185,7 +185,7 @@ impl<R: Real> SolutionPiece<R> {
         }
     }
 
-    /// The length of the open ground in decay lengths, b·h.
+    /// Length of the open ground, relative to its decay length √(μ/k).
     fn decay(&self) -> R {
         (self.cell.subgrade / self.cell.shear_layer).sqrt() * 2.0 * self.half
     }
@@ -195,7 +195,7 @@ impl<R: Real> SolutionPiece<R> {
         (left + right) * 0.5 + (right - left) * 0.5 * s
     }
 
-    /// One field, with the same bits as in [`SolutionPiece::fields`].
+    /// Value of one field at s, with the same bits as in [`SolutionPiece::fields`].
     pub(crate) fn one(&self, field: Field, s: f64) -> R {
         let per_length = 1.0 / self.half;
         match field {
@@ -214,7 +214,7 @@ impl<R: Real> SolutionPiece<R> {
         }
     }
 
-    /// u and u'.
+    /// Settlement u at s and its derivative u' with respect to x.
     pub(crate) fn settlement(&self, s: f64, w: R, slope: R) -> [R; 2] {
         match self.open {
             None => [w - self.gap_at(s), slope - self.cell.gap_slope],
@@ -225,7 +225,8 @@ impl<R: Real> SolutionPiece<R> {
         }
     }
 
-    /// u and u' of open ground due to the contact pressure outside the open part, without the free field.
+    /// Settlement of open ground and its derivative, due to the contact pressure outside the open part. They do not
+    /// include the free-field settlement.
     pub(crate) fn pressed(&self, s: f64, [left, right]: [R; 2]) -> [R; 2] {
         if [left, right] == [R::ZERO; 2] {
             return [R::ZERO; 2];
@@ -281,7 +282,7 @@ impl SolutionPiece {
     }
 }
 
-/// The coefficients of M = −EI (φ' − κ₀), with φ = w' where the beam has no shear deformation.
+/// Coefficients of the bending moment M = −EI (φ' − κ₀). Where the beam has no shear deformation, φ = w'.
 fn bent<R: Real>(cell: &Cell<R>, half: f64, deflection: &[R], rotation: &[R]) -> Coefficients<R> {
     let times = if cell.beam_varies() { R::ONE } else { cell.stiffness };
     let (factor, mut bend) = if rotation.is_empty() {

@@ -8,23 +8,24 @@ use crate::solution::solution::Solution;
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct HingeTurn {
-    /// Position \[m\].
+    /// Position of the hinge \[m\].
     pub at: f64,
-    /// The jump of the rotation of the sections, right minus left \[rad\]. It is positive if the parts rotate
-    /// as under a hogging moment.
+    /// The jump of the rotation of the cross-sections at the hinge, right minus left \[rad\]. It is positive if
+    /// the parts of the beam rotate as under a hogging moment.
     pub rotation: f64,
-    /// The transmitted moment, M = −k_φ·rotation, sagging positive; zero at a free hinge \[N·m\].
+    /// The moment M = −k_φ·rotation that the hinge transmits, positive in sagging \[N·m\]. k_φ is the
+    /// rotational stiffness of the hinge. At a free hinge the moment is zero.
     pub moment: f64,
 }
 
 impl Solution {
-    /// Rotation and moment of the hinges, in the order of the model's hinges.
+    /// The rotations and the moments of all hinges, in the order of the model's hinges.
     pub fn hinges(&self) -> Vec<HingeTurn> {
         let turn = |hinge: &Hinge| {
             let [left, right] =
                 [Side::Left, Side::Right].map(|side| self.at(hinge.at, side).rotation);
             let rotation = right - left;
-            // Adding zero turns −0 into 0.
+            // Adding zero changes −0 to 0.
             let moment = 0.0 - hinge.rotational_spring * rotation + 0.0;
             HingeTurn { at: hinge.at, rotation, moment }
         };

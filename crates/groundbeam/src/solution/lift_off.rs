@@ -8,29 +8,30 @@ use crate::solution::solution::Solution;
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct LiftOff {
-    /// Left end \[m\].
+    /// Left end of the open part \[m\].
     pub from: f64,
-    /// Right end \[m\].
+    /// Right end of the open part \[m\].
     pub to: f64,
     /// The largest distance between beam and ground, and its position.
     pub largest_gap: Extreme,
-    /// Whether the part reaches the left end of the beam, and whether it reaches the right end.
+    /// Whether the open part reaches the left end of the beam, and whether it reaches the right end of the
+    /// beam.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub reaches: [bool; 2],
 }
 
 impl LiftOff {
-    /// The length of the part \[m\].
+    /// The length of the open part \[m\].
     pub fn length(&self) -> f64 {
         self.to - self.from
     }
 }
 
 impl Solution {
-    /// The open parts, each with its largest gap.
+    /// The open parts of the beam with their largest gaps, from left to right.
     pub fn lift_off(&self) -> Vec<LiftOff> {
         let mut found: Vec<LiftOff> = Vec::new();
-        // With nodal contact there are narrow gaps between neighbouring nodes. Within a contact zone they do
+        // With nodal contact there are narrow gaps between neighbouring nodes. Gaps within a contact zone do
         // not count as lift-off.
         let inside = |x: [f64; 2]| self.contact().iter().any(|c| c.from <= x[0] && x[1] <= c.to);
         for piece in self.pieces() {

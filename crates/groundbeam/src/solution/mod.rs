@@ -1,4 +1,4 @@
-//! A certified solution: fields everywhere, reactions, extremes, lift-off.
+//! A certified solution: fields at every position, reactions, extremes and lift-off.
 
 pub(crate) mod assemble;
 pub(crate) mod candidate;

@@ -1,4 +1,4 @@
-//! An equilibrium: deflections, moments, the ground's surface, contact and forces, at any position.
+//! An equilibrium with its certificate: the fields at any position, the contact zones and the forces.
 
 use crate::Step;
 use crate::existence::verdict::Existence;
@@ -30,18 +30,18 @@ pub struct Solution {
     soil: Option<SoilRounds>,
 }
 
-/// The iteration that computed a solution's ground from the [soil](crate::soil) of its model.
+/// Data of the iteration that computed the ground constants of a solution from the [soil](crate::soil) data.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SoilRounds {
     /// γ, for soil layers.
     pub gamma: Option<f64>,
-    /// Number of iterations: one, unless γ follows from the solution.
+    /// Number of iterations. It is one unless γ follows from the solution.
     pub rounds: usize,
 }
 
 impl Solution {
-    /// The solution from its fields, their certificate, the verdict before the solve, the method, and the
-    /// method's steps.
+    /// Creates a solution from its fields, their certificate, the verdict before the solve, the method, and the
+    /// steps of the method.
     pub(crate) fn new(
         candidate: Candidate,
         certificate: Certificate,
@@ -53,32 +53,33 @@ impl Solution {
         Solution { candidate, certificate, existence, method, history, soil: None }
     }
 
-    /// The same solution with the data of its soil iteration.
+    /// Returns the solution with the data of its soil iteration.
     pub(crate) fn on_soil(self, soil: SoilRounds) -> Self {
         Solution { soil: Some(soil), ..self }
     }
 
-    /// The fields without their certificate, and the method's steps.
+    /// Returns the fields without their certificate, and the steps of the method.
     pub(crate) fn into_parts(self) -> (Candidate, Vec<Step>) {
         (self.candidate, self.history)
     }
 
-    /// The fields, contact and forces.
+    /// The fields, contact zones and forces of the solution.
     pub(crate) fn candidate(&self) -> &Candidate {
         &self.candidate
     }
 
-    /// The pieces with their closed forms, from left to right.
+    /// The pieces of the solution with their closed forms, from left to right.
     pub(crate) fn pieces(&self) -> &[SolutionPiece] {
         &self.candidate.pieces
     }
 
-    /// The solved model with the constants of its ground: on soil, those of this solution.
+    /// The solved model. If its ground is given by soil data, the model has the ground constants of this
+    /// solution.
     pub fn model(&self) -> &Model {
         &self.candidate.model
     }
 
-    /// The iteration on the soil; `None` for a model with given constants.
+    /// Data of the soil iteration; `None` for a model with given ground constants.
     pub fn soil(&self) -> Option<SoilRounds> {
         self.soil
     }
@@ -93,20 +94,20 @@ impl Solution {
         &self.existence
     }
 
-    /// The contact zones, from left to right; empty without contact.
+    /// The contact zones, from left to right. The list is empty if the beam has no contact.
     pub fn contact(&self) -> &[ContactZone] {
         &self.candidate.contact
     }
 
-    /// Intervals on which rounding error decides between contact and open ground \[m\], from left to right:
-    /// zones without a force, and intervals that are in contact in some of the last steps of the exact method
-    /// and open in others.
+    /// Intervals \[m\] on which rounding error decides between contact and open ground, from left to right.
+    /// They are zones without a contact force, and intervals that are in contact in some of the last steps of
+    /// the exact method and open in others.
     pub fn undecided(&self) -> impl ExactSizeIterator<Item = ContactZone> + '_ {
         self.candidate.edge_error.undecided.iter().map(|&[from, to]| ContactZone { from, to })
     }
 
-    /// The last displacement of a contact edge in the exact method \[m\], an estimate of the error of the
-    /// edges.
+    /// The largest displacement of a contact edge between the last steps of the exact method \[m\]. It is an
+    /// estimate of the error of the edges.
     pub fn edge_error(&self) -> f64 {
         self.candidate.edge_error.moved
     }
@@ -116,8 +117,8 @@ impl Solution {
         self.candidate.end_forces
     }
 
-    /// Concentrated contact forces inside the beam: where μ jumps, at corners of the ground, and at point
-    /// contacts. With nodal pressures (5.5), all contact forces inside the beam are concentrated.
+    /// Concentrated contact forces inside the beam. They occur where μ jumps, at corners of the ground, and at
+    /// point contacts. With nodal pressures (5.5), all contact forces inside the beam are concentrated.
     pub fn concentrated_forces(&self) -> &[ConcentratedForce] {
         &self.candidate.concentrated
     }
@@ -132,19 +133,18 @@ impl Solution {
         &self.certificate
     }
 
-    /// A proof of this solution, computed on request with intervals of 106-bit numbers that enclose all
-    /// rounding error. The proof is a theorem about the model whose numbers are exactly the doubles of this
-    /// model.
+    /// Proves this solution. The proof uses intervals of 106-bit numbers that enclose all rounding errors. It
+    /// holds for the model whose numbers are exactly the doubles of this model.
     pub fn prove(&self) -> Result<Proof, NotProven> {
         claim::prove(&self.candidate)
     }
 
-    /// Model and solution as input of the proof, for proofs in another number type.
+    /// Converts model and solution to the input of the proof, for proofs in another number type.
     pub fn claim<S: Scalar>(&self) -> (groundbeam_proof::Model<S>, groundbeam_proof::Answer) {
         (self.candidate.model.to_prove(), claim::answer(&self.candidate))
     }
 
-    /// Every step of the iteration.
+    /// The steps of the iteration, from the first to the last.
     pub fn history(&self) -> &[Step] {
         &self.history
     }
@@ -154,12 +154,13 @@ impl Solution {
         self.history.len()
     }
 
-    /// Number of elements of the mesh, or of closed-form pieces of the exact method.
+    /// Number of elements of the mesh, or number of closed-form pieces of the exact method.
     pub fn elements(&self) -> usize {
         self.candidate.elements
     }
 
-    /// All fields at a position of the beam, 0 ≤ x ≤ l \[m\]; where a field jumps, from the given side.
+    /// Values of all fields at the position x of the beam, 0 ≤ x ≤ l \[m\]. `side` selects the value where a
+    /// field jumps.
     pub fn at(&self, x: f64, side: Side) -> Fields {
         self.candidate.at(x, side)
     }
@@ -175,18 +176,20 @@ impl Solution {
         let shears = self.candidate.model.beam.shears();
         Field::ALL.map(|field| match field {
             Field::Slope => slope,
-            // The rotation equals the slope here, so its range is the same.
+            // Without shear deformation the rotation equals the slope, so both fields have equal ranges.
             Field::Rotation if !shears => slope,
             _ => self.range(field),
         })
     }
 
-    /// One field at a position of the beam; where it jumps, from the right (at x = l from the left).
+    /// Value of one field at the position x of the beam. Where the field jumps, it is the value from the right,
+    /// and at x = l the value from the left.
     pub fn value(&self, field: Field, x: f64) -> f64 {
         self.at(x, Side::Right).get(field)
     }
 
-    /// u at any position on the whole line, also outside the beam \[m\]; 0 where there is no shear layer.
+    /// The settlement u at any position x, also outside the beam \[m\]. It is 0 on open ground without a shear
+    /// layer and without load.
     pub fn settlement(&self, x: f64) -> f64 {
         let l = self.candidate.model.beam.length;
         let right = x > l;
@@ -217,8 +220,8 @@ impl Solution {
         self.candidate.model.foundation.beyond(right, self.candidate.model.beam.length, at_end)
     }
 
-    /// Positions at which the fields are listed: `even` equal steps, every load, support, end of a piece and
-    /// contact edge, and the extremes of every field.
+    /// Positions at which results list the fields: `even` equal steps, every load and support, every end of a
+    /// segment, every contact edge, and the extremes of every field.
     pub fn stations(&self, even: usize) -> Vec<f64> {
         let l = self.candidate.model.beam.length;
         let mut x: Vec<f64> = (0..=even).map(|i| l * (i as f64 / even.max(1) as f64)).collect();

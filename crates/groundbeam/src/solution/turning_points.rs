@@ -1,4 +1,4 @@
-//! Positions inside a piece at which a field turns: the sign changes of its derivative.
+//! Finds the turning points of a field inside a piece, which are the sign changes of its derivative.
 
 use crate::numeric::polynomial::{derivative, jet};
 use crate::numeric::roots::sign_changes;
@@ -6,7 +6,7 @@ use crate::solution::field::Field;
 use crate::solution::fields::SolutionPiece;
 
 impl SolutionPiece {
-    /// Candidates for the extremes of a field: its ends and the zeros of its derivative.
+    /// Positions at which the field may have its extremes on this piece: the two ends and the turning points.
     pub(crate) fn candidates(&self, field: Field) -> Vec<f64> {
         let mut s = vec![-1.0];
         self.turning_points(field, &mut s);
@@ -33,7 +33,7 @@ impl SolutionPiece {
                 c[0] -= self.cell.gap_slope * self.half;
                 sign_changes(&c, found);
             }
-            // Open ground is convex where it is positive, so it has at most one minimum.
+            // The settlement of open ground is convex where it is positive, so it has at most one minimum.
             Field::Settlement => self.turns(|at| self.settlement(at, 0.0, 0.0)[1], found),
             Field::Gap if self.open.is_some() => {
                 let slope = |at: f64| {
@@ -46,12 +46,12 @@ impl SolutionPiece {
         }
     }
 
-    /// Appends the sign changes of a derivative that is not a polynomial. It compares signs at points so
-    /// close that each interval has at most one sign change. A zero at such a point is a sign change if the
-    /// signs on both sides differ.
+    /// Appends the sign changes of a derivative that is not a polynomial. The signs are compared at points so
+    /// close that at most one sign change lies between two points. A zero at such a point is a sign change if
+    /// the signs before and after it differ.
     fn turns(&self, slope: impl Fn(f64) -> f64, found: &mut Vec<f64>) {
         const CUTS: usize = 16;
-        // −1, 0 or 1. The product of two small slopes would underflow.
+        // The sign is −1, 0 or 1. It replaces the product of two slopes, which could underflow.
         let sign = |s: f64| {
             let slope = slope(s);
             i8::from(slope > 0.0) - i8::from(slope < 0.0)
@@ -92,13 +92,14 @@ mod tests {
         found
     }
 
-    /// Polynomials whose derivatives have known roots, on a piece of length 4.
+    /// The test uses polynomials whose derivatives have known roots, on a piece of length 4.
     #[test]
     fn fields_turn_where_their_derivatives_vanish() {
         let mut of = piece([1.0, 5.0]);
-        // w = s³ − 3/16 s: w′ vanishes at s = ±1/4, w″ at 0.
+        // For w = s³ − 3/16 s, w′ vanishes at s = ±1/4, and w″ vanishes at s = 0.
         of.deflection = [0.0, -0.1875, 0.0, 1.0][..].into();
-        // M = (s − 1/2)² and (s − 1/2)³: V = M′ turns where M″ vanishes.
+        // The moment M is first (s − 1/2)² and later (s − 1/2)³. The shear force V = M′ turns where M″
+        // vanishes.
         of.moment = [0.25, -1.0, 1.0][..].into();
         of.pressure = [0.0, 1.0, 1.0][..].into();
         near(&turning_points(&of, Field::Deflection), &[-0.25, 0.25]);
@@ -109,23 +110,24 @@ mod tests {
         near(&of.candidates(Field::Pressure), &[-1.0, -0.5, 1.0]);
         of.moment = [-0.125, 0.75, -1.5, 1.0][..].into();
         near(&turning_points(&of, Field::ShearForce), &[0.5]);
-        // u = w − g₀ in contact: dw/ds = 3s² − 3/16 is half the length times the gap's slope.
+        // In contact the settlement u = w − g₀ has turning points where dw/ds = 3s² − 3/16 equals half the length
+        // times the slope of the gap.
         of.cell.gap_slope = (3.0 * 0.25 - 0.1875) / 2.0;
         near(&turning_points(&of, Field::Settlement), &[-0.5, 0.5]);
-        // The gap is zero everywhere, so no position of it is a turning point.
+        // The gap is zero everywhere, so it has no turning point.
         near(&turning_points(&of, Field::Gap), &[]);
         near(&of.candidates(Field::Gap), &[-1.0, 1.0]);
     }
 
-    /// Open ground with k = μ = 1 is u = cosh(x − a) for the ends cosh(a) and cosh(4 − a), with the minimum
-    /// at a. The gap u + g₀ − w has its minimum where sinh(x − a) = w′ − g₀′.
+    /// Open ground with k = μ = 1 and the end settlements cosh(a) and cosh(4 − a) has the settlement u = cosh(x
+    /// − a). The minimum of u is at x = a. The gap u + g₀ − w has its minimum where sinh(x − a) = w′ − g₀′.
     #[test]
     fn open_ground_turns_where_it_is_lowest() {
         for a in [0.7_f64, 1.3, 3.9] {
             let mut of = piece([0.0, 4.0]);
             of.open = Some([cosh(a), cosh(4.0 - a)]);
             near(&turning_points(&of, Field::Settlement), &[0.5 * a - 1.0]);
-            // w = s, w′ = 1/2; g₀′ = 3/4.
+            // The beam has w = s and w′ = 1/2, and the initial gap has the slope g₀′ = 3/4.
             of.deflection = [0.0, 1.0][..].into();
             (of.cell.gap, of.cell.gap_slope) = ([0.0, 3.0], 0.75);
             near(&turning_points(&of, Field::Gap), &[0.5 * (a + asinh(-0.25)) - 1.0]);
@@ -139,8 +141,9 @@ mod tests {
         near(&turning_points(&falling, Field::Settlement), &[]);
     }
 
-    /// A beam in contact at its ends and open between them: u of the ground is smallest in the middle. There
-    /// the derivative of u is exactly zero if both contact edges have the same bits.
+    /// A beam is in contact at its ends and open between them. The settlement u of the ground is smallest in
+    /// the middle. The derivative of u in the middle is exactly zero if u has the same bits at both contact
+    /// edges.
     #[test]
     fn symmetric_open_ground_is_lowest_in_its_middle() {
         let mut of = piece([0.0, 4.0]);
@@ -168,11 +171,12 @@ mod tests {
         near(&turns(&|s| (s - 0.3) * (s + 0.77)), &[-0.77, 0.3]);
         near(&turns(&|s| (0.3 - s) * (s + 0.99)), &[-0.99, 0.3]);
         near(&turns(&|s| (s - 0.3) * (s - 0.99)), &[0.3, 0.99]);
-        // Zeros at multiples of 1/8, the points between which signs are compared.
+        // The zeros −1/2, 1/4 and 0 are multiples of 1/8, which are the points at which the signs are compared.
         near(&turns(&|s| (s - 0.25) * (s + 0.5)), &[-0.5, 0.25]);
         near(&turns(&|s| s), &[0.0]);
         near(&turns(&|s| 1e-200 * (s - 0.3)), &[0.3]);
-        // Ground whose settlement underflows far from any pressure: the minimum is where the zeros begin.
+        // The settlement of ground far from any pressure underflows to zero. If it is zero on an interval, the left
+        // end of this interval is its turning point.
         near(&turns(&|s| if s.abs() < 0.3 { 0.0 } else { s }), &[-0.3]);
         near(&turns(&|s| -s), &[0.0]);
         near(&turns(&|s| 1.0 - s * s), &[]);

@@ -1,4 +1,4 @@
-//! The contact of a convex problem by the chosen method, from the model and its verdict on existence.
+//! Finds the contact set of a convex problem by the chosen method, from the model and its verdict on existence.
 
 use crate::cancel::Cancel;
 use crate::contact::intervals::Interval;
@@ -14,7 +14,8 @@ use crate::nodal::grid::{Grid, Ground};
 use crate::options::{Method, Options, Start};
 use crate::supported::{self, Way};
 
-/// The deflection and contact by the chosen method. `judge` gives the relative energy gap of a contact.
+/// Finds the deflection and the contact set by the chosen method. `judge` computes the relative energy gap of a
+/// trial contact.
 pub(super) fn find(
     model: &Model,
     options: &Options,
@@ -49,7 +50,8 @@ pub(super) fn find(
     }
 }
 
-/// The exact method. For a beam that may rotate without resistance it returns one of the equilibria.
+/// Finds the deflection and the contact set by the exact method. If the beam can rotate without resistance, the
+/// result is one of several equilibria.
 fn find_exactly(
     model: &Model,
     existence: Existence,

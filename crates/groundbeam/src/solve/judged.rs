@@ -1,11 +1,11 @@
-//! The fields and the certificate of the contact that an iteration checks, in the memory of a workspace.
+//! Computes the fields and the certificate of each contact set that an iteration checks, in the memory of a workspace.
 
 use crate::contact::state::ContactState;
 use crate::model::Model;
 use crate::solution::candidate::{Candidate, Workspace};
 use crate::solution::certificate::Certificate;
 
-/// The candidate checked last, with its certificate.
+/// The last candidate that the iteration checked, with its certificate.
 pub(super) struct Judged<'a> {
     model: &'a Model,
     stability: f64,
@@ -18,7 +18,7 @@ impl<'a> Judged<'a> {
         Judged { model, stability, workspace, last: None }
     }
 
-    /// The relative gap of a deflection with its contact.
+    /// The relative energy gap of a deflection with its contact set.
     pub fn judge(&mut self, found: &ContactState) -> f64 {
         if let Some((candidate, _)) = self.last.take() {
             self.workspace.recycle(candidate);
@@ -28,7 +28,8 @@ impl<'a> Judged<'a> {
         certificate.relative_gap()
     }
 
-    /// The candidate checked last. The exact method has checked its result; the methods with a mesh have not.
+    /// Returns the last checked candidate and its certificate. The methods with a mesh check no candidate.
+    /// Their candidate is computed from `found`.
     pub fn last(mut self, found: &ContactState) -> (Candidate, Certificate) {
         self.last.take().unwrap_or_else(|| self.certified(found))
     }

@@ -1,4 +1,4 @@
-//! Solves a model: rules, existence, the kind of equilibrium, the contact iteration, the certificate.
+//! Solves a model: checks the rules, decides on existence, finds the contact zones and certifies the solution.
 
 mod contact;
 mod judged;
@@ -37,11 +37,11 @@ pub fn solve(model: &Model) -> Result<Outcome, Error> {
     solve_with(model, &Options::default())
 }
 
-/// Solves with a chosen method.
+/// Solves a model with the options, which include the method.
 ///
 /// # Errors
 ///
-/// As [`solve`]; and [`Error::Unsupported`] for a feature of the model that the method does not
+/// The errors of [`solve`], and [`Error::Unsupported`] for a feature of the model that the method does not
 /// [support](crate::supported).
 pub fn solve_with(model: &Model, options: &Options) -> Result<Outcome, Error> {
     solve_near(model, options, None)
@@ -49,11 +49,12 @@ pub fn solve_with(model: &Model, options: &Options) -> Result<Outcome, Error> {
 
 /// Solves a model from the solution of a similar model: a load has moved or increased, or the ground has
 /// changed. The exact method starts from the contact of the similar model and needs fewer steps. The
-/// certificate is checked as in [`solve_with`]; the last digits of the solution may differ.
+/// certificate is checked as in [`solve_with`], but the last digits of the solution may differ from the
+/// solution of [`solve_with`].
 ///
 /// # Errors
 ///
-/// As [`solve_with`].
+/// The errors of [`solve_with`].
 pub fn solve_near(
     model: &Model,
     options: &Options,
@@ -63,7 +64,8 @@ pub fn solve_near(
     solve_in(model, options, likely.as_deref(), &mut Workspace::default())
 }
 
-/// Solves in the memory of a workspace; the exact method starts from the given contact.
+/// Solves a model in the memory of a workspace. The exact method starts from the contact zones `likely`, if
+/// given.
 pub(crate) fn solve_in(
     model: &Model,
     options: &Options,
@@ -82,12 +84,12 @@ pub(crate) fn solve_in(
     if options.cancel.is_cancelled() { Err(Error::Cancelled) } else { outcome }
 }
 
-/// Maximum number of times that the elements of the method `active-set` are halved.
+/// Maximum number of times that the method `active-set` halves the length of its elements.
 const MOST_HALVINGS: usize = 12;
 
-/// Solves by the chosen method. The method `active-set` halves its elements if its discrete problem is not solved. On
-/// Winkler ground it also halves them until the energy gap is no larger than the strain energy, because a contact zone
-/// may be shorter than an element.
+/// Solves a model by the chosen method. The method `active-set` halves the length of its elements if its
+/// discrete problem is not solved. On Winkler ground it also halves the length until the energy gap is no
+/// larger than the strain energy, because a contact zone may be shorter than an element.
 fn uncancelled(
     model: &Model,
     options: &Options,
@@ -115,7 +117,7 @@ fn uncancelled(
             break;
         }
         options.elements = options.elements.max(1).saturating_mul(2);
-        // A coarse solution is better than none.
+        // If the solve with smaller elements fails, the solution on the coarse mesh remains the result.
         let finer = solve_once(model, &options, likely, workspace);
         if finer.is_err() && outcome.is_ok() {
             break;
@@ -125,7 +127,7 @@ fn uncancelled(
     outcome
 }
 
-/// Solves by one method on one mesh.
+/// Solves a model by one method on one mesh.
 fn solve_once(
     model: &Model,
     options: &Options,
@@ -150,7 +152,7 @@ fn solve_once(
     Ok(Outcome::Equilibrium(Box::new(solution)))
 }
 
-/// The equilibrium of a convex energy, with two-way supports.
+/// Computes the equilibrium of a model with convex energy and two-way supports.
 fn solve_convex(
     model: &Model,
     options: &Options,
@@ -165,7 +167,7 @@ fn solve_convex(
     Ok(Solution::new(candidate, certificate, existence, options.method, found.history))
 }
 
-/// The equilibrium of a convex energy, with one-way supports.
+/// Computes the equilibrium of a model with convex energy and one-way supports.
 fn solve_one_way(
     model: &Model,
     options: &Options,
@@ -188,7 +190,8 @@ fn solve_one_way(
     Ok(Solution::new(candidate, certificate, checked.existence, options.method, history))
 }
 
-/// The local equilibrium that the path of increasing compression has found, with all digits.
+/// Computes the local equilibrium to full accuracy. The initial guess `state` was found by following the path of
+/// equilibria under increasing compression.
 fn solve_local(
     model: &Model,
     options: &Options,
@@ -199,7 +202,7 @@ fn solve_local(
     let Assessment { existence, stability, .. } = *checked;
     let method = options.method;
     supported::check(model, Way::of(options), true)?;
-    // The active supports are known.
+    // The path of equilibria has determined which one-way supports are active. Inactive supports are removed.
     let held = state.on_active_supports(model);
     let mut judged = Judged::new(&held, stability, workspace);
     let found =
@@ -218,8 +221,8 @@ fn solve_local(
 ///
 /// # Errors
 ///
-/// As [`solve`], but [`Error::NotConverged`] only if the beam is stable under its compression only with the
-/// ground.
+/// The errors of [`solve`]. [`Error::NotConverged`] occurs only for a beam that is unstable under its
+/// compression without the ground.
 pub fn exists(model: &Model) -> Result<Existence, Error> {
     Ok(check(model, &Options::default())?.existence)
 }
@@ -258,7 +261,7 @@ fn certified(solution: &Solution, options: &Options) -> Result<(), Error> {
         Err(Error::NotConverged(Stopped { method: options.method, iterations, why }))
     };
     let gap = certificate.relative_gap();
-    // The gap of a mesh method depends on its mesh.
+    // The gap of a method with a mesh depends on the mesh, so this gap has no limit.
     let limit = if options.method == Method::Exact { GAP } else { f64::MAX };
     if gap <= limit {
         Ok(())
@@ -337,7 +340,7 @@ mod tests {
         }
     }
 
-    /// Each loop stops within one step, long before the end of the solve.
+    /// After a cancellation, each loop stops within one step, long before the end of the solve.
     #[test]
     fn every_loop_checks_the_flag() {
         let (model, never, now) = (long(), Cancel::default(), cancelled());

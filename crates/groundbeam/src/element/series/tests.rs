@@ -1,4 +1,4 @@
-//! Compares series of elements with their differential equations and with closed forms.
+//! Compares the power series of an element with its differential equations and with closed forms.
 
 #![cfg(test)]
 
@@ -9,7 +9,8 @@ use crate::mesh::cell::GROUND;
 use crate::model::Profile;
 use crate::numeric::polynomial::{derivative, jet, product as times, value};
 
-/// A cell with varying beam data, on varying ground.
+/// Returns the polynomials of an element whose beam and ground data vary; `shear` is the shear stiffness S of
+/// the beam.
 fn varying(shear: Option<[f64; Profile::MOST]>) -> Polynomials {
     Polynomials {
         stiffness: [1.0, 0.08, 0.005, 0.0002, 0.0, 0.0],
@@ -25,7 +26,7 @@ fn varying(shear: Option<[f64; Profile::MOST]>) -> Polynomials {
 
 const SHEAR: [f64; Profile::MOST] = [3.0, 0.2, 0.01, 0.0, 0.0, 0.0];
 
-/// The coefficients of an element with constant data.
+/// Returns the polynomials of an unloaded element with constant data.
 fn uniform(stiffness: f64, tension: f64, spring: f64) -> Polynomials {
     Polynomials {
         stiffness: [stiffness, 0.0, 0.0, 0.0, 0.0, 0.0],
@@ -74,7 +75,8 @@ fn constant_data_give_the_uniform_element() {
     }
 }
 
-/// The shear force Q from w, φ and m: S (w′ − φ), or −m′ − g if the beam has no shear deformation.
+/// Returns the coefficients of the shear force Q = S (w′ − φ) with the rotation φ. Without shear deformation, Q
+/// is −m′ − g with the moment m and the moment load g.
 fn shear_force(of: &Polynomials, slope: &[f64], rotation: &[f64], rise: &[f64]) -> Vec<f64> {
     if let Some(shear) = &of.shear {
         let strain: Vec<f64> = slope.iter().zip(rotation).map(|(d, turned)| d - turned).collect();
@@ -101,7 +103,8 @@ fn the_series_solve_the_equations_and_take_their_end_values() {
         assert!((value(&rotation, -1.0) + 0.2).abs() < 1e-14);
         assert!((value(&w, 1.0) - (0.3 - 0.2 * h + 0.1)).abs() < 1e-15);
         assert!((value(&rotation, 1.0) - 0.2).abs() < 1e-14);
-        // m = EI (φ′ − κ₀) and τ = Q + N w′ − G as polynomials.
+        // The test computes the moment EI (φ′ − κ₀) with the imposed curvature κ₀, and the vertical force
+        // Q + N w′ − G with the tension N and the slope load G.
         let mut bend = by(&rotation);
         bend[0] -= all.curvature[0];
         bend[1] -= all.curvature[1];
@@ -127,8 +130,8 @@ fn the_series_solve_the_equations_and_take_their_end_values() {
     }
 }
 
-/// The formula for K is not symmetric; K is symmetric by the reciprocal theorem. So the difference of K
-/// and its transpose is the error.
+/// The stiffness matrix is symmetric by the reciprocal theorem, but its computation does not use the symmetry.
+/// So the difference from its transpose shows the rounding error.
 #[test]
 fn the_stiffness_is_symmetric_to_rounding() {
     for all in [varying(None), varying(Some(SHEAR))] {
@@ -152,8 +155,9 @@ fn the_stiffness_is_symmetric_to_rounding() {
     }
 }
 
-/// Without ground and tension, Przemieniecki (1968), Theory of Matrix Structural Analysis, eq. (5.116): with
-/// Φ = 12 EI/(S h²) and in (w_left, θ_left, w_right, θ_right), K = EI/((1 + Φ) h³) (12, 6h, …; (4 + Φ) h², …).
+/// Without ground and tension, the stiffness for the two deformations of the element is the block of the right
+/// end in Przemieniecki (1968), Theory of Matrix Structural Analysis, eq. (5.116). In this equation Φ is
+/// 12 EI/(S h²) for the length h.
 #[test]
 fn without_ground_the_stiffness_is_that_of_przemieniecki() {
     for shear in [1e-6, 0.5, 40.0, 1e9] {

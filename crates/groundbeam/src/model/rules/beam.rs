@@ -16,7 +16,7 @@ impl Model {
                 Part::Beam,
                 "axial_force",
                 format!("the axial force is {}", describe(beam.axial_force)),
-                remedy(beam.axial_force, "give a finite force, tension positive; or leave it out"),
+                remedy(beam.axial_force, "give a finite axial force, tension positive, or omit it"),
             ));
         }
         let ga = "the shear stiffness";

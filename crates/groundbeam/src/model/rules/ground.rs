@@ -13,7 +13,7 @@ impl Model {
             for (field, constant) in [("subgrade", spring), ("shear_layer", shear)] {
                 if constant.control_values().len() > Foundation::MOST_CONTROL_VALUES {
                     let message = "this profile has more than three control values";
-                    let hint = "split the segment in two, or make it linear";
+                    let hint = "split the segment into two segments, or make the profile linear";
                     found.push(Problem::new("GB204", part, field, message, hint));
                 }
             }
@@ -29,7 +29,8 @@ impl Model {
             let beside = s.to <= 0.0 || s.from >= self.beam.length;
             if beside && !(s.subgrade.is_constant() && s.shear_layer.is_constant()) {
                 let message = "ground outside the beam cannot vary along a segment";
-                let hint = "give it as several segments with constant values; the beam is {0} long";
+                let hint =
+                    "divide it into several segments with constant values; the beam is {0} long";
                 let problem = Problem::new("GB203", part, "from", message, hint);
                 found.push(problem.with_numbers(&[self.beam.length]));
             }
@@ -73,7 +74,7 @@ impl Model {
         self.foundation.segments.iter().position(varies).map(Part::FoundationSegment)
     }
 
-    /// The positions at which segments of the ground begin.
+    /// Positions at which segments of the ground begin, with the indices of the segments.
     pub(crate) fn ground_begins(&self) -> Places {
         let mut begins = Places::default();
         for (i, segment) in self.foundation.segments.iter().enumerate() {
@@ -82,7 +83,8 @@ impl Model {
         begins
     }
 
-    /// Whether the ground under the beam has no shear layer at a position and to the left of it.
+    /// Whether the ground under the beam has no shear layer at a position and immediately to the left of this
+    /// position.
     pub(crate) fn ground_has_no_layer(&self, begins: &Places, at: f64) -> bool {
         let ground = &self.foundation;
         let shear = |x: f64| {
@@ -105,8 +107,8 @@ impl Model {
         let [left, right] = self.foundation.ends;
         let off = left.at().is_some_and(|end| from < end) || right.at().is_some_and(|end| to > end);
         if off {
-            let message = "the ground does not reach as far as this load";
-            let hint = "`left` and `right` of the foundation give the ends of the ground";
+            let message = "this load extends beyond an end of the ground";
+            let hint = "move the load, or change the ends of the ground, `left` and `right` of the foundation";
             found.push(Problem::new("GB208", part, field, message, hint));
         }
     }
@@ -123,8 +125,8 @@ fn check_shear(found: &mut Vec<Problem>, part: Part, shear: &Profile) {
         found.push(Problem::new("GB202", part, "shear_layer", message, hint));
     } else if !shear.is_constant() && values.contains(&0.0) {
         let message = "the shear constant mu varies and falls to zero";
-        let hint = "where mu varies it must stay positive; end the segment where the shear layer \
-                    ends, at a small value of mu, and let one with mu = 0 follow";
+        let hint = "where mu varies it must stay positive; end this segment at a small positive value of mu \
+                    where the shear layer ends, and add a segment with mu = 0 beside it";
         found.push(Problem::new("GB205", part, "shear_layer", message, hint));
     }
 }

@@ -16,7 +16,7 @@ impl Model {
                     down(found, part, "force", size);
                     if self.ground_has_no_layer(&begins, at) {
                         let message = "a force at a point of the ground needs a shear layer";
-                        let hint = "distribute it: give `distributed`, `from` and `to`";
+                        let hint = "distribute the force: give `distributed`, `from` and `to`";
                         found.push(Problem::new("GB209", part, "at", message, hint));
                     }
                 }

@@ -1,4 +1,4 @@
-//! The rules of a model: every violation, with the remedy.
+//! Checks a model by all rules and lists every violation with its remedy.
 
 mod beam;
 mod ground;
@@ -11,7 +11,7 @@ use crate::model::Model;
 use crate::model::problem::{Part, Problem, finite};
 
 impl Model {
-    /// Every violation of the rules; empty if the model can be solved.
+    /// Lists every violation of the rules. The list is empty if the model can be solved.
     ///
     /// The rules also refuse a beam so soft or ground so stiff that products of the given numbers overflow
     /// the range of doubles. So no later step computes with infinite numbers.

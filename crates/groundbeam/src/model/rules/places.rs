@@ -1,9 +1,9 @@
-//! Equal positions and overlapping stretches of a list, in n log n steps.
+//! Finds equal positions and overlapping stretches in a list, in n log n steps.
 
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
 
-/// A position with a total order.
+/// Position with a total order.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Place(f64);
 
@@ -26,15 +26,16 @@ impl Ord for Place {
 pub(crate) struct Places(BTreeMap<Place, usize>);
 
 impl Places {
-    /// Adds a position unless the same number is already there. A position that is not finite is ignored.
+    /// Adds a position with its index, unless an equal position is already present. A position that is not finite is
+    /// ignored.
     pub fn add(&mut self, at: f64, number: usize) {
         if at.is_finite() {
-            // −0 and 0 are the same position.
+            // The sum with 0.0 turns −0 into 0, because −0 and 0 are the same position.
             self.0.entry(Place(at + 0.0)).or_insert(number);
         }
     }
 
-    /// The smallest index of a position equal to `at` within `near`.
+    /// Smallest index of a position that differs from `at` by at most `near`.
     pub fn first_at(&self, at: f64, near: f64) -> Option<usize> {
         if !at.is_finite() {
             return None;
@@ -43,13 +44,14 @@ impl Places {
         self.0.range(here).map(|(_, number)| *number).min()
     }
 
-    /// The index of the last position at or left of `at`.
+    /// Index of the last position that is at `at` or to the left of `at`.
     pub fn last_up_to(&self, at: f64) -> Option<usize> {
         self.0.range(..=Place(at + 0.0)).next_back().map(|(_, number)| *number)
     }
 }
 
-/// For each position, the index of an earlier equal one, if any.
+/// For each position, returns the index of an earlier position that differs by at most `near`; `None` if all earlier
+/// positions differ by more.
 pub(crate) fn repeated(
     positions: impl Iterator<Item = f64>,
     near: f64,
@@ -64,11 +66,11 @@ pub(crate) fn repeated(
     })
 }
 
-/// Pairs of overlapping stretches, with the larger index first, sorted by index. A stretch that begins within
-/// several others is paired with one of them.
+/// Finds pairs of overlapping stretches, each pair with its larger index first, sorted by index. A stretch that
+/// begins within several other stretches is paired with only one of them.
 pub(crate) fn overlapping(stretches: &[(f64, f64)]) -> Vec<(usize, usize)> {
     let mut order: Vec<usize> = (0..stretches.len()).collect();
-    // Stretches without length are reported elsewhere.
+    // Stretches without length are skipped, because another rule reports them.
     order.retain(|&i| stretches[i].0 < stretches[i].1);
     order.sort_by(|&a, &b| stretches[a].0.total_cmp(&stretches[b].0));
     let mut found = Vec::new();

@@ -60,7 +60,7 @@ pub(super) fn overlaps(
     for (i, j) in places::overlapping(spans) {
         let ((from, to), (other_from, other_to)) = (spans[i], spans[j]);
         let message =
-            format!("this segment, {{0}} to {{1}}, overlaps segment {}, {{2}} to {{3}}", j + 1);
+            format!("this segment ({{0}} to {{1}}) overlaps segment {} ({{2}} to {{3}})", j + 1);
         let hint = "segments may touch but not overlap";
         let problem = Problem::new("GB304", part(i), "from", message, hint);
         found.push(problem.with_numbers(&[from, to, other_from, other_to]));

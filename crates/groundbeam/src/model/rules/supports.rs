@@ -29,7 +29,8 @@ impl Model {
                 constant("rotational_spring", rotational_spring);
             }
             if let Some(other) = other {
-                let message = format!("there is a support at {{0}} already (number {})", other + 1);
+                let message =
+                    format!("there is already a support at {{0}} (support {})", other + 1);
                 let hint = "give all restraints of this position in one support";
                 let problem = Problem::new("GB403", part, "at", message, hint);
                 found.push(problem.with_numbers(&[support.at]));
@@ -53,27 +54,28 @@ impl Model {
                 let message = if hinge.at == 0.0 || hinge.at == l {
                     "the hinge at {0} is at an end of the beam, where it has no effect"
                 } else {
-                    "the hinge at {0} is too close to an end of the beam: to rounding they have the same position"
+                    "the hinge at {0} is too close to an end of the beam: the two positions are equal within rounding error"
                 };
-                let hint = "a hinge joins two parts: place it between 0 and {1}, or leave it out";
+                let hint = "a hinge joins two parts of the beam: place it between 0 and {1}, or leave it out";
                 report("GB404", "at", message.into(), hint.into());
             }
             let spring = hinge.rotational_spring;
             if !(in_range(spring) && spring >= 0.0) {
                 let message = format!("the hinge's spring constant is {}", describe(spring));
-                let hint = remedy(spring, "it must be zero, for a free hinge, or positive");
+                let hint = remedy(spring, "it must be positive, or zero for a free hinge");
                 report("GB405", "rotational_spring", message, hint);
             }
             if let Some(other) = other {
-                let message = format!("there is a hinge at {{0}} already (number {})", other + 1);
-                let hint = "two hinges at one position act as one: remove one of them";
+                let message = format!("there is already a hinge at {{0}} (hinge {})", other + 1);
+                let hint =
+                    "two hinges at one position act as one hinge: remove one of the two hinges";
                 report("GB406", "at", message, hint.into());
             }
             if let Some(what) = turning.at(hinge.at, near) {
                 let message = format!(
                     "{what} at {{0}} acts on the slope, which is discontinuous at the hinge"
                 );
-                let hint = "move one of the two slightly to the side where it acts";
+                let hint = "place the moment or support slightly to one side of the hinge";
                 report("GB407", "at", message, hint.into());
             }
         }
@@ -98,7 +100,7 @@ impl Model {
     }
 }
 
-/// The loads and supports that act on the slope: positions, with the indices of load or support.
+/// Positions of the moments and of the supports that act on the slope, with the index of each moment and support.
 struct Turning {
     moments: Places,
     supports: Places,

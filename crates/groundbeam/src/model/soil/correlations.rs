@@ -1,42 +1,51 @@
-//! The spring constant k of the ground from a modulus of the soil or from a plate load test.
+//! Spring constant k of the ground, from a modulus of the soil or from a plate load test.
 //!
-//! All formulas are correlations for beams on deep soil. k is per length of beam: the subgrade modulus k_s of
-//! the source times the width b. `stiffness` is the beam's EI.
+//! All formulas are correlations for beams on deep soil. They give k per unit length of beam, which is the subgrade
+//! modulus k_s of the source times the width b of the beam. `stiffness` is the beam's EI.
 
 use crate::numeric::elementary::{pow, power};
 
-/// Vesić (1961), *Bending of beams resting on isotropic elastic solid*: k = 0.65 (E b⁴/EI)^(1/12) E/(1 − ν²).
-/// Derived for beams with l (k/4EI)^(1/4) > 2.25; the moments of shorter beams are approximate.
+/// Spring constant of Vesić (1961), *Bending of beams resting on isotropic elastic solid*:
+/// k = 0.65 (E_s b⁴/EI)^(1/12) E_s/(1 − ν²). E_s and ν are Young's modulus and Poisson's ratio of the soil; EI and b
+/// are the bending stiffness and the width of the beam. The formula was derived for beams of length l with
+/// l (k/(4 EI))^(1/4) > 2.25; the moments of shorter beams are approximate.
 pub(crate) fn vesic(soil: &Elastic, width: f64, stiffness: f64) -> f64 {
     0.65 * pow(soil.modulus * power(width, 4) / stiffness, 1.0 / 12.0) * plane(soil)
 }
 
-/// Biot (1937), *Bending of an infinite beam on an elastic foundation*: k = 0.95 (E b⁴/(1 − ν²)EI)^0.108 E/(1
-/// − ν²). It reproduces the largest moment of an infinite beam under one force.
+/// Spring constant of Biot (1937), *Bending of an infinite beam on an elastic foundation*:
+/// k = 0.95 (E_s b⁴/((1 − ν²) EI))^0.108 E_s/(1 − ν²). E_s and ν are Young's modulus and Poisson's ratio of the soil;
+/// EI and b are the bending stiffness and the width of the beam. The formula reproduces the largest moment of an
+/// infinite beam under one force.
 pub(crate) fn biot(soil: &Elastic, width: f64, stiffness: f64) -> f64 {
     let plane = plane(soil);
     0.95 * pow(plane * power(width, 4) / stiffness, 0.108) * plane
 }
 
-/// Meyerhof and Baike (1965): k = E/(1 − ν²), independent of the beam.
+/// Spring constant of Meyerhof and Baike (1965): k = E/(1 − ν²), with Young's modulus E and Poisson's ratio ν of the
+/// soil. It does not depend on the beam.
 pub(crate) fn meyerhof_baike(soil: &Elastic) -> f64 {
     plane(soil)
 }
 
-/// Selvadurai (1984): k = 0.65 E/(1 − ν²), independent of the beam.
+/// Spring constant of Selvadurai (1984): k = 0.65 E/(1 − ν²), with Young's modulus E and Poisson's ratio ν of the
+/// soil. It does not depend on the beam.
 pub(crate) fn selvadurai(soil: &Elastic) -> f64 {
     0.65 * plane(soil)
 }
 
-/// Terzaghi (1955), *Evaluation of coefficients of subgrade reaction*, for stiff clay: a plate of width b₁
-/// gave k₁ \[N/m³\]. The settlement under the same pressure grows with the width, k_s = k₁ b₁/b. A beam of
-/// length l > b is not square: factor (m + ½)/1.5m with m = l/b. k = k_s b.
+/// Spring constant k = k_s b of Terzaghi (1955), *Evaluation of coefficients of subgrade reaction*, for a beam of
+/// width b on stiff clay. A load test with a plate of width b₁ gives the subgrade modulus k₁ \[N/m³\]. Under equal
+/// pressure the settlement is proportional to the width, so a square footing of width b has the subgrade modulus
+/// k_s = k₁ b₁/b. For a beam of length l > b, k_s is multiplied by (m + ½)/(1.5 m) with m = l/b.
 pub(crate) fn terzaghi_clay(plate: &PlateTest, width: f64, length: f64) -> f64 {
     let m = (length / width).max(1.0);
     plate.modulus * plate.width * (m + 0.5) / (1.5 * m)
 }
 
-/// Terzaghi (1955) for sand, whose stiffness increases with depth: k_s = k₁ ((b + b₁)/2b)².
+/// Spring constant k = k_s b of Terzaghi (1955) for a beam of width b on sand, whose stiffness increases with depth.
+/// The subgrade modulus of the beam is k_s = k₁ ((b + b₁)/(2b))², where k₁ is the subgrade modulus of a plate of
+/// width b₁.
 pub(crate) fn terzaghi_sand(plate: &PlateTest, width: f64) -> f64 {
     plate.modulus * power((width + plate.width) / (2.0 * width), 2) * width
 }
@@ -58,7 +67,7 @@ pub struct Elastic {
 /// The result of a load test with a square plate.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PlateTest {
-    /// Pressure divided by settlement \[N/m³\].
+    /// Subgrade modulus of the plate, which is the pressure divided by the settlement \[N/m³\].
     pub modulus: f64,
     /// The plate's width \[m\].
     pub width: f64,
@@ -68,8 +77,8 @@ pub struct PlateTest {
 mod tests {
     use super::*;
 
-    /// A published worksheet (scribd.com/document/680935098), with k_s in kN/m³: a beam of concrete with 30
-    /// 620 MPa, 3 m wide and 0.5 m high, on soil with E = 10 MPa and ν = 0.3.
+    /// The expected subgrade moduli are from a worksheet (scribd.com/document/680935098). The concrete beam has
+    /// E = 30620 MPa, is 3 m wide and 0.5 m high. The soil has E = 10 MPa and ν = 0.3.
     #[test]
     fn a_published_worksheet() {
         let (b, soil) = (3.0, Elastic { modulus: 10e6, poisson: 0.3 });
@@ -83,14 +92,14 @@ mod tests {
         }
     }
 
-    /// A square footing of the size of Terzaghi's plate, one foot, has the k_s of the plate test.
+    /// A square footing of the size of Terzaghi's plate, one foot, has the subgrade modulus of the plate test.
     #[test]
     fn a_footing_like_the_plate() {
         let plate = PlateTest { modulus: 40e6, width: 0.3 };
         assert!((terzaghi_clay(&plate, 0.3, 0.3) - 40e6 * 0.3).abs() < 1.0);
         assert!((terzaghi_sand(&plate, 0.3) - 40e6 * 0.3).abs() < 1.0);
-        // A very wide beam on sand has a quarter of the plate's k_s. A very long beam on clay has two thirds
-        // of a square footing's k_s.
+        // A very wide beam on sand has a quarter of the plate's subgrade modulus. A very long beam on clay has two
+        // thirds of the subgrade modulus of a square footing.
         assert!((terzaghi_sand(&plate, 3e6) / 3e6 / 40e6 - 0.25).abs() < 1e-6);
         assert!((terzaghi_clay(&plate, 1.0, 1e6) / 40e6 - 0.2).abs() < 1e-6);
     }

@@ -1,11 +1,13 @@
 //! Elastic layers on rock as a two-parameter ground, after Vlasov and Leontiev.
 //!
-//! The soil below a beam moves vertically only, v(x, z) = u(x) φ(z), with φ(0) = 1 at the surface and φ(H) =
-//! 0 on the rock. Its strain energy per length of beam of width b is then ½(k u² + μ u'²) with
+//! The soil below a beam of width b moves vertically only. Its displacement at the depth z is v(x, z) = u(x) φ(z),
+//! where u is the settlement of the surface. The function φ is 1 at the surface and 0 on the rock at the depth H. The
+//! strain energy of the soil per length of beam is then ½(k u² + μ u'²) with
 //!
-//! k = b ∫₀ᴴ E₀ φ'² dz,  μ = b ∫₀ᴴ G φ² dz,  E₀ = E (1 − ν)/((1 + ν)(1 − 2ν)),  G = E/2(1 + ν).
+//! k = b ∫₀ᴴ E₀ φ'² dz,  μ = b ∫₀ᴴ G φ² dz,  E₀ = E (1 − ν)/((1 + ν)(1 − 2ν)),  G = E/(2(1 + ν)).
 //!
-//! For a given u, φ makes the energy stationary: (E₀ φ')' = r G φ with the rate r = ∫u'²/∫u².
+//! E is Young's modulus, ν is Poisson's ratio, E₀ is the constrained modulus and G is the shear modulus. For a given
+//! u, the energy is stationary if (E₀ φ')' = r G φ with the rate r = ∫u'² dx/∫u² dx.
 
 use crate::numeric::elementary::{cosh, exp, power, sinh, tanh};
 
@@ -21,7 +23,7 @@ pub struct SoilLayer {
 }
 
 impl SoilLayer {
-    /// E₀, the modulus of soil without lateral strain \[Pa\].
+    /// Constrained modulus E₀ \[Pa\], the modulus of soil without lateral strain.
     pub fn constrained_modulus(&self) -> f64 {
         let nu = self.poisson;
         self.modulus * (1.0 - nu) / ((1.0 + nu) * (1.0 - 2.0 * nu))
@@ -32,7 +34,7 @@ impl SoilLayer {
         self.modulus / (2.0 * (1.0 + self.poisson))
     }
 
-    /// The thickness of the layer in decay lengths of φ.
+    /// Thickness of the layer divided by the decay length of the vertical displacement in the layer.
     fn decay(&self, rate: f64) -> f64 {
         (rate * self.shear_modulus() / self.constrained_modulus()).sqrt() * self.thickness
     }
@@ -41,11 +43,11 @@ impl SoilLayer {
 /// Layers of elastic soil, the uppermost first, on rigid rock.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LayeredSoil {
-    /// The layers from the surface down; at least one.
+    /// Layers from the surface down. The list has at least one layer.
     pub layers: Vec<SoilLayer>,
 }
 
-/// The constants of a two-parameter ground, per length of beam.
+/// Constants k and μ of a two-parameter ground, per unit length of beam.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct GroundConstants {
     /// k \[N/m²\].
@@ -55,8 +57,9 @@ pub struct GroundConstants {
 }
 
 impl LayeredSoil {
-    /// k and μ under a beam of a given width \[m\], for the rate r = ∫u'²/∫u² \[1/m²\] of the ground's
-    /// surface. Rate 0 is uniform settlement: one layer then has k = b E₀/H and μ = b G H/3.
+    /// Computes k and μ under a beam of a given width b \[m\]. The argument `rate` is ∫u'² dx/∫u² dx \[1/m²\], where
+    /// u is the settlement of the ground's surface. For uniform settlement, the rate is 0, and one layer of thickness
+    /// H gives k = b E₀/H and μ = b G H/3 with the constrained modulus E₀ and the shear modulus G.
     ///
     /// ```
     /// use groundbeam::soil::{LayeredSoil, SoilLayer};
@@ -77,8 +80,9 @@ impl LayeredSoil {
         ground
     }
 
-    /// γ: the depth from the surface to the rock in decay lengths of φ. For one layer it is the γ of
-    /// Vallabhan and Das, γ² = r H² (1 − 2ν)/2(1 − ν).
+    /// Parameter γ, the sum over all layers of the thickness divided by the decay length of the vertical
+    /// displacement. For one layer of thickness H it is the parameter γ of Vallabhan and Das,
+    /// γ² = r H² (1 − 2ν)/(2(1 − ν)), where r is `rate`.
     pub fn gamma(&self, rate: f64) -> f64 {
         self.layers.iter().map(|layer| layer.decay(rate)).sum()
     }
@@ -88,10 +92,10 @@ impl LayeredSoil {
         power(gamma / self.gamma(1.0), 2)
     }
 
-    /// φ at the top of every layer, and on the rock.
+    /// Vertical displacement φ at the top of every layer and on the rock, relative to its value at the surface.
     fn heights(&self, rate: f64) -> Vec<f64> {
-        // Loop from the rock up: −E₀ φ'/φ just below the top of each layer, and the ratio of φ at its bottom
-        // and at its top.
+        // The loop runs from the rock up. For each layer, it computes −E₀ φ'/φ at the top, which is the stiffness of
+        // the soil below. It also computes the ratio of φ at the bottom to φ at the top.
         let mut below = f64::INFINITY;
         let mut left: Vec<f64> = Vec::with_capacity(self.layers.len());
         for layer in self.layers.iter().rev() {
@@ -107,8 +111,9 @@ impl LayeredSoil {
     }
 }
 
-/// φ at the bottom of a layer divided by φ at its top, and −E₀ φ'/φ at its top. `below` is −E₀ φ'/φ at its
-/// bottom.
+/// Returns, for one layer, the ratio of φ at the bottom to φ at the top, and the stiffness −E₀ φ'/φ of the soil below
+/// the top. Here φ is the vertical displacement and E₀ the constrained modulus. `below` is the stiffness of the soil
+/// below the layer.
 fn passed(layer: &SoilLayer, decay: f64, below: f64) -> (f64, f64) {
     let stiffness = layer.constrained_modulus() / layer.thickness;
     if below == f64::INFINITY {
@@ -126,16 +131,17 @@ fn tanh_over(c: f64) -> f64 {
     if c < 1e-4 { 1.0 - c * c / 3.0 } else { tanh(c) / c }
 }
 
-/// ∫₀¹ φ² dt and ∫₀¹ (dφ/dt)² dt of φ'' = c² φ with φ(0) = `top` and φ(1) = `bottom`.
+/// Computes ∫₀¹ φ² dt and ∫₀¹ (dφ/dt)² dt for the solution of φ'' = c² φ with φ(0) = `top` and φ(1) = `bottom`.
 pub(crate) fn squares(top: f64, bottom: f64, c: f64) -> [f64; 2] {
     let (both, product) = (top * top + bottom * bottom, top * bottom);
     if c < 0.5 {
-        // sinh c cosh c − c and c cosh c − sinh c by their series, without cancellation.
+        // The differences sinh c cosh c − c and c cosh c − sinh c are computed as power series, to avoid cancellation
+        // for small c.
         let ratio = if c == 0.0 { 1.0 } else { c / sinh(c) };
         let (own, cross) = (series(2.0 * c, |_| 4.0), series(c, |n| 2.0 * n));
         let square = 0.5 * ratio * ratio * (both * own + 2.0 * product * cross);
         let fall = top - bottom;
-        // (sinh c cosh c + c − c cosh c − sinh c)/c, of order c⁴.
+        // `even` equals (sinh c cosh c + c − c cosh c − sinh c)/c.
         let even = (own - cross - 2.0 * series(c, |_| 1.0)) * c * c;
         let slope = ratio * ratio * (0.5 * fall * fall * (2.0 + own * c * c) + product * even);
         return [square, slope];
@@ -150,7 +156,7 @@ pub(crate) fn squares(top: f64, bottom: f64, c: f64) -> [f64; 2] {
     ]
 }
 
-/// Σ weight(n) x^(2n−2)/(2n+1)! over n ≥ 1.
+/// Computes the power series Σ weight(n) x^(2n−2)/(2n+1)! over n ≥ 1.
 fn series(x: f64, weight: impl Fn(f64) -> f64) -> f64 {
     let mut term = 1.0;
     let mut sum = 0.0;
@@ -167,8 +173,9 @@ fn series(x: f64, weight: impl Fn(f64) -> f64) -> f64 {
 mod tests {
     use super::*;
 
-    /// Closed forms of one layer, Vallabhan and Das (1991): k = E₀γ(sinh γ cosh γ + γ)/2H sinh²γ,
-    /// 2t = GH(sinh γ cosh γ − γ)/2γ sinh²γ.
+    /// k and μ of one layer of unit width agree with the closed forms of Vallabhan and Das (1991). These are
+    /// k = E₀γ(sinh γ cosh γ + γ)/(2H sinh²γ) and 2t = GH(sinh γ cosh γ − γ)/(2γ sinh²γ), where 2t is μ. H is the
+    /// thickness, E₀ the constrained modulus and G the shear modulus of the layer.
     #[test]
     fn one_layer_in_closed_form() {
         let layer = SoilLayer { modulus: 3.0, poisson: 0.2, thickness: 2.0 };
@@ -186,7 +193,7 @@ mod tests {
         }
     }
 
-    /// One layer divided into three has the same k and μ.
+    /// One layer that is divided into three layers keeps its k and μ.
     #[test]
     fn divided_layers_are_the_same_soil() {
         let part = |thickness: f64| SoilLayer { modulus: 5.0, poisson: 0.3, thickness };
@@ -199,7 +206,8 @@ mod tests {
         }
     }
 
-    /// Under uniform pressure the layers are springs in series; both branches of the integrals agree.
+    /// Under uniform pressure, the layers act like springs in series. The integrals computed by `squares` are
+    /// continuous at c = 0.5, where their formulas change.
     #[test]
     fn layers_are_springs_in_series() {
         let layers = [(2.0, 1.0), (7.0, 0.5), (1.0, 3.0)].map(|(modulus, thickness)| SoilLayer {
@@ -218,7 +226,8 @@ mod tests {
         }
     }
 
-    /// k + rμ equals −E₀φ' at the surface: the strain energy equals the work of the load.
+    /// k + rμ, with r = `rate`, is the pressure at the surface under a unit settlement of a beam of unit width. This
+    /// follows because the strain energy equals the work of the load.
     #[test]
     fn the_strain_energy_equals_the_work_of_the_load() {
         let layers = [(2.0, 0.1, 1.0), (70.0, 0.4, 0.5), (1.0, 0.2, 3.0)]

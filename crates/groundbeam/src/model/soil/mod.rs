@@ -1,4 +1,4 @@
-//! The constants k and μ of the ground, from soil data.
+//! Constants k and μ of the ground, from soil data.
 
 pub(crate) mod correlations;
 pub(crate) mod layers;
@@ -12,21 +12,23 @@ pub use layers::{GroundConstants, LayeredSoil, SoilLayer};
 /// Soil data, with the method that computes the ground's constants.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Soil {
-    /// Vlasov and Leontiev (1966): layers on rock, and γ.
+    /// Method of Vlasov and Leontiev (1966) for layers on rock, with a given decay parameter γ of the settlement over
+    /// the depth.
     Vlasov(LayeredSoil, f64),
-    /// Vallabhan and Das (1991): layers on rock, with γ from the solution.
+    /// Method of Vallabhan and Das (1991) for layers on rock. The decay parameter γ of the settlement over the depth
+    /// follows from the solution.
     ModifiedVlasov(LayeredSoil),
-    /// Vesić (1961).
+    /// Correlation of Vesić (1961).
     Vesic(Elastic),
-    /// Biot (1937).
+    /// Correlation of Biot (1937).
     Biot(Elastic),
-    /// Meyerhof and Baike (1965).
+    /// Correlation of Meyerhof and Baike (1965).
     MeyerhofBaike(Elastic),
-    /// Selvadurai (1984).
+    /// Correlation of Selvadurai (1984).
     Selvadurai(Elastic),
-    /// Terzaghi (1955), stiff clay.
+    /// Correlation of Terzaghi (1955) for stiff clay.
     TerzaghiClay(PlateTest),
-    /// Terzaghi (1955), sand.
+    /// Correlation of Terzaghi (1955) for sand.
     TerzaghiSand(PlateTest),
 }
 
@@ -35,24 +37,26 @@ pub enum Soil {
 pub struct SoilModel {
     /// The soil.
     pub soil: Soil,
-    /// The width on which the beam bears \[m\].
+    /// Width of the contact area between beam and soil \[m\].
     pub width: f64,
     /// Factors on k and μ, for uncertain soil; `[1, 1]` leaves the values of the method unchanged.
     pub factors: [f64; 2],
 }
 
-/// βl below which a beam is too short for correlations that were derived for long ones.
+/// Limit of βl for a beam of length l, with β = (k/(4 EI))^(1/4). Below this limit, a beam is too short for
+/// correlations that were derived for long beams.
 const LONG: f64 = 2.25;
-/// At this Poisson's ratio and above, E₀ depends on ν much more than on Young's modulus.
+/// Poisson's ratio above which the constrained modulus depends much more on Poisson's ratio than on Young's modulus.
 const NEARLY_INCOMPRESSIBLE: f64 = 0.45;
 
 impl SoilModel {
-    /// Soil under a beam that bears on a `width` \[m\].
+    /// Creates the data of soil under a beam that bears on a `width` \[m\].
     pub fn new(soil: Soil, width: f64) -> Self {
         SoilModel { soil, width, factors: [1.0; 2] }
     }
 
-    /// k and μ under a beam before the solve; for [`Soil::ModifiedVlasov`] with γ = 1.
+    /// Computes k and μ under a beam before the solve. For [`Soil::ModifiedVlasov`], the decay parameter γ = 1 is
+    /// assumed.
     pub fn subgrade(&self, beam: &Beam) -> GroundConstants {
         let (width, length, stiffness) = (self.width, beam.length, beam.bending_stiffness);
         let springs = |spring: f64| GroundConstants { subgrade: spring, shear_layer: 0.0 };
@@ -69,7 +73,8 @@ impl SoilModel {
         ground.times(self.factors)
     }
 
-    /// γ before the solve: that of [`Soil::Vlasov`], 1 for [`Soil::ModifiedVlasov`]; `None` without layers.
+    /// Decay parameter γ before the solve: the given value of [`Soil::Vlasov`], or 1 for [`Soil::ModifiedVlasov`].
+    /// `None` for soil data without layers.
     pub fn gamma(&self) -> Option<f64> {
         match &self.soil {
             Soil::Vlasov(_, gamma) => Some(*gamma),
@@ -104,12 +109,12 @@ impl SoilModel {
         let waves = beam.length * pow(0.25 * spring / beam.bending_stiffness, 0.25);
         match &self.soil {
             Soil::Vesic(_) | Soil::Biot(_) if waves < LONG => doubts.push(format!(
-                "{} is valid for long beams, βl > {LONG}; this beam has βl = {waves:.2}",
+                "{}: this method is valid for long beams with βl > {LONG}, but the beam has βl = {waves:.2}",
                 self.source()
             )),
             Soil::TerzaghiClay(plate) | Soil::TerzaghiSand(plate) if self.width < plate.width => {
                 doubts.push(format!(
-                    "{} is valid for beams wider than the plate of the test; this beam is narrower",
+                    "{}: this method is valid for beams wider than the plate of the load test, but the beam is narrower",
                     self.source()
                 ));
             }
@@ -130,7 +135,7 @@ impl SoilModel {
 }
 
 impl GroundConstants {
-    /// The same soil with k and μ multiplied by factors.
+    /// Returns the constants with k and μ multiplied by two factors.
     pub fn times(self, [spring, shear]: [f64; 2]) -> Self {
         GroundConstants { subgrade: self.subgrade * spring, shear_layer: self.shear_layer * shear }
     }
