@@ -21,7 +21,7 @@ pub(crate) struct Approach {
     pub steep: Size,
     /// Coordinate on the piece, from −1 to 1, at which the proof changes its method. Nearer to the node, the proof
     /// bounds the slope of the clearance. Farther from the node, it bounds the clearance itself.
-    reach: f64,
+    pub reach: f64,
 }
 
 impl<S: Scalar> Contact<'_, S> {

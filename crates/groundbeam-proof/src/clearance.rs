@@ -315,7 +315,7 @@ impl<C: Scalar> OpenPiece<C> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Stretch, above_springs};
+    use super::{OpenPiece, Stretch, above_springs};
     use crate::answer::Piece;
     use crate::coefficient::Coefficient;
     use crate::fields::Fields;
@@ -429,6 +429,75 @@ mod tests {
                 }
                 assert!(surface.nodes[1].jump.size() < 1e-12 * factor, "{:?}", surface.nodes[1]);
             });
+        }
+    }
+
+    /// The open beam w = t/10 is deeper than the surface of the springs on a length of ¾, by at most 1/10.
+    #[test]
+    fn the_correction_of_open_springs_has_the_norm_of_depth_and_length() {
+        let text =
+            "[beam]\nlength = 1.5\nEI = 1\n[foundation]\nk = 2\n[[load]]\npoint = 1\nat = 0\n";
+        let piece = json!({"x": [0, 1.5], "half": 0.75, "touches": false, "deflection": [0, 0.1]});
+        with_fields(text, &json!({"pieces": [piece]}), |fields| {
+            let exact = (2.0_f64 * 0.01 * 0.75).sqrt();
+            let found = fields.clearance.risen.value();
+            assert!((1.0..1.03).contains(&(found / exact)), "{found} {exact}");
+        });
+    }
+
+    /// u = −sinh(2t)/sinh 2 solves u″ = 16u in x. Checks the bound of the curvature from the tangent and the least u.
+    #[test]
+    fn the_curvature_of_open_ground_is_bounded_by_a_tangent() {
+        let text = "[beam]\nlength = 1\nEI = 1\n[foundation]\nk = 16\nmu = 1\n";
+        let piece = json!({"x": [0, 1], "half": 0.5, "touches": false, "deflection": [0]});
+        with_fields(text, &json!({"pieces": [piece]}), |fields| {
+            let span = &fields.frame.spans[0];
+            let open = OpenPiece::of(span, [1.0, -1.0].map(Wide::of), None, [Size::ZERO; 3]);
+            let u = |t: f64| -(2.0 * t).sinh() / 2.0_f64.sinh();
+            for (m, r) in [(-0.5, 0.25), (-0.75, 0.25), (0.0, 0.125), (-0.25, 0.5), (0.5, 0.5)] {
+                let slope = 4.0 * (2.0_f64 * m).cosh() / 2.0_f64.sinh();
+                let tangent = u(m) - slope * 0.5 * r - 8.0 * (0.5 * r).powi(2);
+                let found = open.curvature(m, r, open.settlement(m));
+                let exact = 16.0 * tangent.max(-1.0);
+                assert!(
+                    (found - exact).abs() < 1e-12 && found <= 16.0 * u(m + r),
+                    "{m} {r}: {found} {exact}"
+                );
+            }
+        });
+    }
+
+    /// The straight beam w = 5/4 − x/2 penetrates the open ground beside its contact region. C̄ ≥ −τx on the length d,
+    /// which is the whole open piece, or half of it if the beam also touches at its other end. k = μ = K_l = 1.
+    #[test]
+    fn the_correction_of_an_open_layer_has_the_norm_of_its_ramps() {
+        let text = "[beam]\nlength = 1\nEI = 1\n[foundation]\nk = 1\nmu = 1\n";
+        let piece = |i: usize, mirrored: bool| {
+            let from = 0.5 * i as f64;
+            let touches = (i == 0) != mirrored;
+            let slope = if mirrored { 0.125 } else { -0.125 };
+            let middle = if touches { 1.125 } else { 0.875 };
+            json!({"x": [from, from + 0.5], "half": 0.25, "touches": touches, "deflection": [middle, slope]})
+        };
+        for mirrored in [false, true] {
+            for (pressed, stiffness) in [(false, 0.5 + 1.0 / 0.5 + 1.0), (true, 0.5 + 2.0 / 0.25)] {
+                let at = if mirrored { 0.0 } else { 1.0 };
+                let forces = if pressed { json!([{"x": at, "force": 1}]) } else { json!([]) };
+                let document =
+                    json!({"pieces": [piece(0, mirrored), piece(1, mirrored)], "forces": forces});
+                with_fields(text, &document, |fields| {
+                    let Fields { frame, deflection, surface, .. } = fields;
+                    let first = usize::from(!mirrored);
+                    let negligible = Size::ZERO;
+                    let stretch =
+                        Stretch { frame, deflection, surface, first, end: first + 1, negligible };
+                    let mut budget = Budget::new(2);
+                    budget.begin();
+                    let (depth, norm) = stretch.lift(&mut budget);
+                    let ratio = (norm.value() / depth.value()).powi(2) / stiffness;
+                    assert!((ratio - 1.0).abs() < 1e-9, "{mirrored} {pressed}: {ratio} {depth:?}");
+                });
+            }
         }
     }
 }

@@ -78,8 +78,8 @@ pub(crate) fn admissible<S: Scalar>(frame: &Frame<S>) -> Result<Deflection<S>, N
         frame,
         claimed: &claimed,
         bends: &bends,
-        values: vec![None; frame.nodes.len()],
-        turns: vec![[None; 2]; frame.nodes.len()],
+        values: vec![S::zero(); frame.nodes.len()],
+        turns: vec![[S::zero(); 2]; frame.nodes.len()],
         held: vec![false; frame.nodes.len()],
     };
     walk.chains();
@@ -89,10 +89,8 @@ pub(crate) fn admissible<S: Scalar>(frame: &Frame<S>) -> Result<Deflection<S>, N
         return Err(NotProven::new("the pieces contradict the settlement of a support")
             .at(frame.place(node)));
     }
-    let values: Option<Vec<S>> = walk.values.iter().copied().collect();
-    let (Some(values), Some(pieces)) = (values, walk.corrections()) else {
-        return Err(NotProven::new("the deflections of neighbouring pieces cannot be joined"));
-    };
+    let pieces = (0..frame.spans.len()).map(|i| walk.correction(i)).collect();
+    let values = walk.values;
     let felt = (0..frame.nodes.len()).map(|node| felt(frame, node)).collect();
     Ok(Deflection { pieces, claimed, values, felt })
 }
@@ -133,13 +131,13 @@ fn bending<S: Scalar>(frame: &Frame<S>) -> Vec<bool> {
     bends
 }
 
-/// State of the computation: w̄ at the nodes and φ̄ on both sides of each node. A value is `None` before it is set.
+/// State of the computation: w̄ at the nodes and φ̄ on both sides of each node.
 struct Walk<'a, S> {
     frame: &'a Frame<S>,
     claimed: &'a [Claimed<S>],
     bends: &'a [bool],
-    values: Vec<Option<S>>,
-    turns: Vec<[Option<S>; 2]>,
+    values: Vec<S>,
+    turns: Vec<[S; 2]>,
     held: Vec<bool>,
 }
 
@@ -178,20 +176,20 @@ impl<S: Scalar> Walk<'_, S> {
         let slope =
             if nodes[start].clamped { S::zero() } else { self.claimed[keeps.0].rotation[keeps.1] };
         self.held[start] = nodes[start].rigid.is_some();
-        self.values[start] = Some(value);
-        self.turns[start] = [0, 1].map(|side| Some(self.handed_on(start, side, slope)));
+        self.values[start] = value;
+        self.turns[start] = [0, 1].map(|side| self.handed_on(start, side, slope));
         for i in start..end {
             let [a, b] = self.left_of(i);
-            self.values[i + 1] = Some(self.claimed[i].value[1] + a + b * self.frame.spans[i].h);
+            self.values[i + 1] = self.claimed[i].value[1] + a + b * self.frame.spans[i].h;
             let slope = self.claimed[i].rotation[1] + b;
-            self.turns[i + 1] = [Some(slope), Some(self.handed_on(i + 1, 1, slope))];
+            self.turns[i + 1] = [slope, self.handed_on(i + 1, 1, slope)];
         }
         for i in (first..start).rev() {
-            let b = self.turn(i + 1, 0) - self.claimed[i].rotation[1];
-            let a = self.value(i + 1) - self.claimed[i].value[1] - b * self.frame.spans[i].h;
-            self.values[i] = Some(self.claimed[i].value[0] + a);
+            let b = self.turns[i + 1][0] - self.claimed[i].rotation[1];
+            let a = self.values[i + 1] - self.claimed[i].value[1] - b * self.frame.spans[i].h;
+            self.values[i] = self.claimed[i].value[0] + a;
             let slope = self.claimed[i].rotation[0] + b;
-            self.turns[i] = [Some(self.handed_on(i, 0, slope)), Some(slope)];
+            self.turns[i] = [self.handed_on(i, 0, slope), slope];
         }
     }
 
@@ -205,28 +203,15 @@ impl<S: Scalar> Walk<'_, S> {
         }
     }
 
-    fn value(&self, node: usize) -> S {
-        self.values[node].unwrap_or_else(S::zero)
-    }
-
-    fn turn(&self, node: usize, side: usize) -> S {
-        self.turns[node][side].unwrap_or_else(S::zero)
-    }
-
     /// Returns the correction c and its slope c′ at the left end of a piece.
     fn left_of(&self, piece: usize) -> [S; 2] {
         [
-            self.value(piece) - self.claimed[piece].value[0],
-            self.turn(piece, 1) - self.claimed[piece].rotation[0],
+            self.values[piece] - self.claimed[piece].value[0],
+            self.turns[piece][1] - self.claimed[piece].rotation[0],
         ]
     }
 
-    /// Computes the correction c of every piece; `None` if w̄ is not set at a node.
-    fn corrections(&self) -> Option<Vec<Correction<S>>> {
-        let known = |i: usize| self.values[i].is_some() && self.values[i + 1].is_some();
-        (0..self.frame.spans.len()).map(|i| known(i).then(|| self.correction(i))).collect()
-    }
-
+    /// Computes the correction c of a piece from w̄ and φ̄ at its ends.
     fn correction(&self, i: usize) -> Correction<S> {
         let h = self.frame.spans[i].h;
         let [a, b] = self.left_of(i);
@@ -235,8 +220,8 @@ impl<S: Scalar> Walk<'_, S> {
             let bounds = [Size::of(a.size()) + slope * Size::of(h.size()), slope, Size::ZERO];
             return Correction { slope: [b; 2], rise: b * h, bounds };
         }
-        let value = [a, self.value(i + 1) - self.claimed[i].value[1]];
-        let slope = [b, self.turn(i + 1, 0) - self.claimed[i].rotation[1]];
+        let value = [a, self.values[i + 1] - self.claimed[i].value[1]];
+        let slope = [b, self.turns[i + 1][0] - self.claimed[i].rotation[1]];
         let bounds = bent(h, value, slope);
         Correction { slope, rise: value[1] - value[0], bounds }
     }
@@ -255,7 +240,7 @@ fn bent<S: Scalar>(h: S, value: [S; 2], slope: [S; 2]) -> [Size; 3] {
 
 #[cfg(test)]
 mod tests {
-    use super::{admissible, bent};
+    use super::{Deflection, admissible, bent};
     use crate::answer::{Answer, Piece};
     use crate::given::frame;
     use crate::random::numbers;
@@ -331,7 +316,7 @@ mod tests {
             let answer = Answer { pieces: (0..5).map(piece).collect(), ..Answer::default() };
             let frame = frame(&model, &answer, None, &[]).expect("a frame");
             let found = admissible(&frame).expect("a deflection");
-            let near = |a: Wide, b: Wide| assert!((a - b).size() < 1e-12, "{text}: {a:?} {b:?}");
+            let near = |a: Wide, b: Wide| near(&text, a, b);
             let slope = |i: usize, side: usize| {
                 found.claimed[i].rotation[side] + found.pieces[i].slope[side]
             };
@@ -361,6 +346,96 @@ mod tests {
                 let [piece, side] = found.felt[i];
                 assert!(piece + side == i && piece < 5);
             }
+        }
+    }
+
+    /// Computes the corrections of linear claims. `pieces` contains, for each piece, its length and the two
+    /// coefficients of its deflection.
+    fn corrected(text: &str, pieces: &[[f64; 3]]) -> Deflection<Wide> {
+        let length: f64 = pieces.iter().map(|[length, ..]| length).sum();
+        let ground = "[foundation]\nk = 1\n";
+        let model = format!("{ground}[beam]\nlength = {length:?}\n{text}");
+        let model = read_model::<Wide>(&model, None).expect("a model");
+        let mut to = 0.0;
+        let piece = |[length, deflection @ ..]: &[f64; 3]| {
+            let from = to;
+            to += length;
+            let (half, deflection) = (0.5 * length, deflection.to_vec());
+            Piece { x: [from, to], half, deflection, ..Piece::default() }
+        };
+        let pieces = pieces.iter().map(piece).collect();
+        let answer = Answer { pieces, ..Answer::default() };
+        admissible(&frame(&model, &answer, None, &[]).expect("a frame")).expect("a deflection")
+    }
+
+    fn near(what: &str, a: Wide, b: Wide) {
+        assert!((a - b).size() < 1e-12, "{what}: {a:?} {b:?}");
+    }
+
+    /// The wave length (4EI/k)^¼ is 2.21. Checks which of two pieces with different deflections is corrected, and
+    /// whether the corrections bend the pieces. Between two pieces that bend, the claim of the shorter piece is kept.
+    #[test]
+    fn the_claim_of_the_shorter_of_two_long_pieces_is_kept() {
+        for ([left, right], bends, kept) in [
+            ([2.5, 2.25], [true, true], 1),
+            ([2.25, 2.5], [true, true], 0),
+            ([2.25, 2.25], [true, true], 1),
+            ([2.125, 2.25], [false, true], 0),
+            ([2.25, 2.125], [true, false], 1),
+        ] {
+            let found = corrected("EI = 6\n", &[[left, 1.0, 0.0], [right, 2.0, 0.0]]);
+            let what = format!("{left} {right}");
+            assert_eq!([0, 1].map(|i| found.pieces[i].bounds[2] > Size::ZERO), bends, "{what}");
+            near(&what, found.values[1], found.claimed[kept].value[1 - kept]);
+        }
+    }
+
+    /// Checks that the longest piece between two rigid supports bends, the first of several longest pieces.
+    #[test]
+    fn the_longest_piece_between_rigid_supports_bends() {
+        for (lengths, longest) in [([1.0, 2.0, 1.5], 1), ([1.0, 2.0, 2.0], 1), ([1.5, 1.0, 1.0], 0)]
+        {
+            let length: f64 = lengths.iter().sum();
+            let pins = [0.0, length].map(|x| {
+                format!("[[support]]\nat = {x:?}\ntype = 'pinned'\nsettlement = {}\n", 0.5 + x)
+            });
+            let found = corrected(
+                &("EI = 1000\n".to_owned() + &pins.concat()),
+                &lengths.map(|h| [h, 1.0, 0.0]),
+            );
+            let bends = |i: usize| found.pieces[i].bounds[2] > Size::ZERO;
+            assert_eq!([0, 1, 2].map(bends), [0, 1, 2].map(|i| i == longest), "{lengths:?}");
+        }
+    }
+
+    /// The rotation at a rigid support is that of a piece beside the support with a rigid correction. It is that of the
+    /// piece on the right if both corrections are rigid. In the last case the longer piece has the rigid correction.
+    #[test]
+    fn the_rotation_at_a_support_is_that_of_a_short_piece() {
+        let pin = |at: f64| format!("[[support]]\nat = {at:?}\ntype = 'pinned'\n");
+        for (bending, [left, right], pins, kept) in [
+            (4.0, [1.0, 3.0], 1, 0),
+            (4.0, [3.0, 1.0], 1, 1),
+            (4.0, [1.0, 1.5], 1, 1),
+            (1000.0, [1.5, 1.0], 2, 0),
+        ] {
+            let pins = [pin(left), pin(left + right)][..pins].concat();
+            let pin = format!("EI = {bending:?}\n{pins}");
+            let found = corrected(&pin, &[[left, 1.0, 0.5 * left], [right, 2.0, -right]]);
+            let turned = found.claimed[0].rotation[1] + found.pieces[0].slope[1];
+            near("rotation", turned, found.claimed[kept].rotation[1 - kept]);
+            near("rotation", turned, Wide::of([1.0, -2.0][kept]));
+        }
+    }
+
+    /// Checks that the claimed values of the piece with the smaller coefficients act on the springs of a node.
+    #[test]
+    fn springs_feel_the_piece_with_the_smaller_coefficients() {
+        for (deflections, felt) in
+            [([1.0, 3.0], [0, 1]), ([3.0, 1.0], [1, 0]), ([1.0, 1.0], [0, 1])]
+        {
+            let found = corrected("EI = 1000\n", &deflections.map(|w| [1.0, w, 0.0]));
+            assert_eq!(found.felt, [[0, 0], felt, [1, 1]], "{deflections:?}");
         }
     }
 }

@@ -86,3 +86,74 @@ impl<S: Scalar> Pointwise<'_, S> {
         (steady + most).over((1.0 - share.value()).next_down())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::given_claim::{balanced, with_fields};
+    use crate::wide::Wide;
+    use serde_json::json;
+
+    /// Checks the ends of the pieces at which the edges of the regions from node 1 to node 2 and from node 3 to node
+    /// 5 lie, and that edges at an end of the beam and edges without uncertain length are omitted.
+    #[test]
+    fn an_edge_lies_at_the_ends_of_its_two_pieces() {
+        let edge = |node: usize, side: usize, lengths: [f64; 2]| {
+            let [outside, inside] = lengths.map(Size::of);
+            let beyond = lengths.map(|length| Size::of(10.0 * length));
+            EdgeShift { node, side, outside, inside, beyond }
+        };
+        let place = |length: f64| Some([length, 10.0 * length].map(Size::of));
+        let edges = [edge(1, 0, [1.0, 2.0]), edge(2, 1, [3.0, 4.0]), edge(3, 0, [0.0, 5.0])];
+        let found = edges_of_pieces(&edges, 5);
+        let expected =
+            [[None, place(1.0)], [place(2.0), place(4.0)], [place(3.0), None], [place(5.0), None]];
+        assert_eq!(found[..4], expected);
+        assert_eq!(found[4], [None; 2]);
+        let ends = [edge(0, 0, [1.0, 2.0]), edge(2, 1, [3.0, 4.0])];
+        assert_eq!(edges_of_pieces(&ends, 2), [[place(2.0), None], [None, place(4.0)]]);
+    }
+
+    /// S = 3, P = 1 and μ = 2. So 1 + g = 3/2, and χ = (1 + γ)/3. The error of the slope is ε_φ + (e_V + |η|)/S with
+    /// e_V = (rest)/(1 + P/S).
+    #[test]
+    fn the_force_beside_an_edge_is_that_of_the_closed_form() {
+        let model = "[beam]\nlength = 1.5\nEI = 1\nshear_stiffness = 3\naxial_force = 1\n\
+                     [foundation]\nk = 1\nmu = 2\n[[load]]\npoint = 1\nat = 0\n";
+        for touches in [true, false] {
+            let piece = json!({"x": [0, 1.5], "half": 0.75, "touches": touches, "deflection": [1], "rotation": [0]});
+            with_fields(model, &json!({"pieces": [piece]}), |fields| {
+                fields.residual.pieces[0].misfit[0] = Size::of(0.3);
+                let mut balanced = balanced(1);
+                balanced.factors[1] = Wide::of(0.25);
+                let pointwise = Pointwise { fields, balanced: &balanced, energy: Size::ZERO };
+                let [rotation, pressure] = [0.1, 0.2].map(Size::of);
+                let bounds = PieceBounds { rotation, pressure, ..PieceBounds::EXACT };
+                let found = |edges: [Option<[f64; 2]>; 2]| {
+                    let edges = edges.map(|edge| edge.map(|edge| edge.map(Size::of)));
+                    let steady = [0.4, 0.8].map(Size::of);
+                    pointwise.beside_edges(0, &bounds, &edges, steady).value()
+                };
+                let exact = |[theta, force]: [f64; 2]| {
+                    let slope = 0.1 + (0.8 / (1.0 + 1.0 / 3.0) + 0.3) / 3.0;
+                    let kept = if touches { 1.25 } else { 1.0 };
+                    let edge = kept * ((force + 2.0 * slope) / 1.5 + 0.2 * theta);
+                    (0.4 + edge) / (1.0 - kept * 2.0 / (3.0 + 1.0 + 2.0))
+                };
+                let [small, large] = [[0.25, 0.05], [0.125, 0.5]];
+                for (edges, exact) in [
+                    ([Some(small), None], exact(small)),
+                    ([None, Some(large)], exact(large)),
+                    ([Some(small), Some(large)], exact(large)),
+                    ([Some(large), Some(small)], exact(large)),
+                    ([Some([0.73, 0.0]), None], exact([0.73, 0.0])),
+                    ([Some([0.74, 0.0]), None], f64::INFINITY),
+                ] {
+                    let found = found(edges);
+                    let near = (found / exact - 1.0).abs() < 1e-12;
+                    assert!(found >= exact && near || found == exact, "{edges:?}: {found} {exact}");
+                }
+            });
+        }
+    }
+}

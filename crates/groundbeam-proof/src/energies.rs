@@ -179,8 +179,9 @@ fn settlement<S: Scalar>(fields: &Fields<S>, node: usize) -> f64 {
 
 /// \[φ\] at a hinge.
 fn turn<S: Scalar>(deflection: &Deflection<S>, node: usize) -> f64 {
-    deflection.claimed[node].rotation[0].middle()
-        - deflection.claimed[node - 1].rotation[1].middle()
+    let [left, right] = [(node - 1, 1), (node, 0)]
+        .map(|(i, side): (usize, usize)| deflection.claimed[i].rotation[side]);
+    (right - left).middle()
 }
 
 /// ∫cab over −1 ≤ t ≤ 1.

@@ -209,7 +209,7 @@ impl<S: Scalar> Search<'_, S> {
             if (least - slope.tail(r).value()).next_down() > steep {
                 continue;
             }
-            if b - a > shortest && a < m && m < b && budget.take() {
+            if b - a > shortest && budget.take() {
                 open.extend([[m, b], [a, m]]);
             } else {
                 kept.push([a, b]);
@@ -221,7 +221,17 @@ impl<S: Scalar> Search<'_, S> {
 
 #[cfg(test)]
 mod tests {
-    use super::PlacedExtreme;
+    use super::{PlacedExtreme, Search, search};
+    use crate::bounds::{Bound, Bounds};
+    use crate::document::Extreme;
+    use crate::fields::Fields;
+    use crate::given_claim::with_fields;
+    use crate::patches::{FIELDS, Patches, field_named};
+    use crate::polynomial::Budget;
+    use crate::scalar::Scalar;
+    use crate::size::Size;
+    use crate::wide::Wide;
+    use serde_json::json;
 
     /// Checks the distance of a listed position from the nearest interval, and its largest distance from a position
     /// in this interval.
@@ -244,5 +254,105 @@ mod tests {
             let off = placed.error();
             assert!(off >= error && (off == error || off - error < 1e-15), "{placed:?}: {off}");
         }
+    }
+
+    /// Passes the claim of a beam of length 1 out of contact with EI = 1 to `of`, with the coefficients of w in t.
+    fn with_beam(deflection: &[f64], shears: bool, of: impl FnOnce(&Fields<Wide>, &Patches<Wide>)) {
+        let stiffness = if shears { "shear_stiffness = 1\n" } else { "" };
+        let model = format!("[foundation]\nk = 1\n[beam]\nlength = 1\nEI = 1\n{stiffness}");
+        let mut piece =
+            json!({"x": [0, 1], "half": 0.5, "touches": false, "deflection": deflection});
+        if shears {
+            piece["rotation"] = json!([0.25]);
+        }
+        with_fields(&model, &json!({"pieces": [piece]}), |fields| of(fields, &Patches::of(fields)));
+    }
+
+    /// The search keeps positions where the field is at most 2ε below its largest known value. The derivative of w has
+    /// the error of w′, and that of M the error of V. The derivative of the rotation has the error of M/EI, and so has
+    /// that of w′ without shear deformation.
+    #[test]
+    fn the_errors_of_a_field_and_of_its_derivative_bound_the_search() {
+        let error = |error: f64| Bound { error, scale: 1.0 };
+        let bounds = Bounds {
+            deflection: error(0.01),
+            slope: error(0.02),
+            rotation: error(0.03),
+            moment: error(0.04),
+            shear_force: error(0.05),
+            settlement: error(0.06),
+            pressure: error(0.07),
+        };
+        for shears in [false, true] {
+            with_beam(&[1.0, 0.0], shears, |fields, patches| {
+                for (field, error, steep) in [
+                    ("deflection", 0.01, Some(0.02)),
+                    ("slope", 0.02, (!shears).then_some(0.04)),
+                    ("rotation", 0.03, Some(0.04)),
+                    ("moment", 0.04, Some(0.05)),
+                    ("shear_force", 0.05, None),
+                    ("settlement", 0.06, None),
+                    ("gap", 0.07, None),
+                ] {
+                    for is_max in [true, false] {
+                        let extreme =
+                            Extreme { field: field.to_owned(), is_max, x: 0.0, value: 0.0 };
+                        let found = search(&extreme, fields, patches, &bounds).expect("a search");
+                        let index = field_named(field).expect("a field");
+                        let sign = if is_max { 1.0 } else { -1.0 };
+                        let top =
+                            sign * patches.pieces[0][0].fields[index].value(Wide::of(1.0)).middle();
+                        let level = top - 2.0 * error;
+                        assert!(
+                            (found.level - level).abs() < 1e-12 && found.level <= level + 1e-15,
+                            "{field}"
+                        );
+                        let steep = steep.unwrap_or(f64::INFINITY);
+                        let near = (found.steep[0].value() / steep - 1.0).abs() < 1e-12;
+                        assert!(near || found.steep[0].value() == steep, "{field} {steep}");
+                    }
+                }
+                let extreme =
+                    Extreme { field: "pressure".to_owned(), is_max: true, x: 0.0, value: 0.0 };
+                assert!(search(&extreme, fields, patches, &bounds).is_none());
+            });
+        }
+    }
+
+    /// w = 1 − t². The values reach the level 1 − s² for |t| ≤ s, and the slopes are at most 2s there.
+    #[test]
+    fn a_search_excludes_small_values_and_steep_parts() {
+        assert_eq!(FIELDS[0].0, "deflection");
+        with_beam(&[1.0, 0.0, -1.0], false, |fields, patches| {
+            let kept = |sign: f64, level: f64, steep: f64| {
+                let steep = vec![Size::of(steep)];
+                let search = Search { fields, field: 0, sign, level, steep };
+                search.on_patch(&patches.pieces[0][0], 0, &mut Budget::new(4))
+            };
+            for s in [0.1, 0.25, 0.7] {
+                // `steep` bounds the derivative with respect to x = ½t.
+                for found in [kept(1.0, 1.0 - s * s, f64::INFINITY), kept(1.0, -9.0, 4.0 * s)] {
+                    let [from, to] = [found[0][0], found[found.len() - 1][1]];
+                    assert!(
+                        from <= -s && -s - 1e-6 < from && s <= to && to < s + 1e-6,
+                        "{s}: {from} {to}"
+                    );
+                    assert!(
+                        found.windows(2).all(|pair| pair[0][1] == pair[1][0]),
+                        "{s}: {found:?}"
+                    );
+                }
+                let ends = kept(-1.0, s * s - 1.0, f64::INFINITY);
+                let inner = ends.windows(2).find(|pair| pair[0][1] < pair[1][0]).expect("a gap");
+                assert!(
+                    (inner[0][1] + s).abs() < 1e-6 && (inner[1][0] - s).abs() < 1e-6,
+                    "{inner:?}"
+                );
+            }
+            // Halving excludes nothing.
+            assert_eq!(kept(1.0, -9.0, f64::INFINITY).len(), 1);
+            assert_eq!(kept(1.0, -9.0, 4.1).len(), 1);
+            assert_eq!(kept(1.0, 1.1, f64::INFINITY).len(), 0);
+        });
     }
 }

@@ -193,9 +193,11 @@ fn closing<S: Scalar>(frame: &Frame<S>, deflection: &Deflection<S>) -> [Size; 2]
 
 #[cfg(test)]
 mod tests {
-    use crate::given_claim::with_fields;
+    use crate::given_claim::{balanced, with_fields};
     use crate::pressure::carried;
     use crate::scalar::Scalar;
+    use crate::size::Size;
+    use crate::wide::Wide;
     use serde_json::json;
 
     /// Checks the norms of the correction of a claim with jumps. The pieces are long, so their corrections bend.
@@ -228,6 +230,29 @@ mod tests {
             assert!((ratio - 1.0).abs() < 1e-12, "{ratio}");
             for (found, exact) in fields.closing.iter().zip(exact) {
                 assert!((found.value() / exact - 1.0).abs() < 1e-12, "{found:?} {exact}");
+            }
+        });
+    }
+
+    /// k_φ = 4 at the hinge. The jump of the slope of w̄ = w + c is −¼ + 0.3 − 0.1, and M = 0.
+    #[test]
+    fn the_residual_of_an_elastic_hinge_contains_the_correction() {
+        let text = "[beam]\nlength = 1\nEI = 1\n[foundation]\nk = 1\n[[hinge]]\nat = 0.5\nrotational_spring = 4\n";
+        let piece = |i: usize| {
+            let (from, slope) = (0.5 * i as f64, [0.125, 0.0625][i]);
+            json!({"x": [from, from + 0.5], "half": 0.25, "touches": false, "deflection": [1.0, slope]})
+        };
+        with_fields(text, &json!({"pieces": [piece(0), piece(1)]}), |fields| {
+            fields.deflection.pieces[0].slope[1] = Wide::of(0.1);
+            fields.deflection.pieces[1].slope[0] = Wide::of(0.3);
+            for (bent, added) in [(0.0, 0.0), (2.0, 0.0), (2.0, 0.5), (-2.0, 0.0)] {
+                let mut balanced = balanced(2);
+                balanced.pieces[0].moments[1] = Wide::of(bent);
+                balanced.pieces[0].added[0] = Size::of(added);
+                balanced.pieces[1].added[0] = Size::of(9.0);
+                let exact = ((4.0 * (-0.25 + 0.3 - 0.1) + bent).abs() + added).powi(2) / 4.0;
+                let found = fields.hinges(&balanced).value();
+                assert!((found / exact - 1.0).abs() < 1e-12, "{bent} {added}: {found} {exact}");
             }
         });
     }

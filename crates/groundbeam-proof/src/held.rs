@@ -188,3 +188,108 @@ pub(crate) fn weights<S: Scalar>(frame: &mut Frame<S>) {
 fn larger(a: f64, b: f64) -> f64 {
     if a >= b { a } else { b }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::answer::Piece;
+    use crate::given::frame;
+    use crate::model::{Action, Extent, Load};
+    use crate::read::read_model;
+    use crate::wide::Wide;
+
+    /// A beam of length 1.5 with w = `height`, under a point force 1 at x = 0.
+    fn loaded(height: f64) -> (Model<Wide>, Answer) {
+        let text =
+            "[beam]\nlength = 1.5\nEI = 1\n[foundation]\nk = 1\n[[load]]\npoint = 1\nat = 0\n";
+        let deflection = vec![height];
+        let piece = Piece { x: [0.0, 1.5], half: 0.75, deflection, ..Piece::default() };
+        let answer = Answer { pieces: vec![piece], ..Answer::default() };
+        (read_model(text, None).expect("a model"), answer)
+    }
+
+    fn support(at: f64, kind: SupportKind<Wide>, acts: Acts) -> Support<Wide> {
+        Support { at: Wide::of(at), kind, settlement: Wide::zero(), acts }
+    }
+
+    fn springs(spring: f64, turning: f64) -> SupportKind<Wide> {
+        SupportKind::Spring { spring: Wide::of(spring), rotational_spring: Wide::of(turning) }
+    }
+
+    #[test]
+    fn a_one_way_support_is_alone_at_its_position() {
+        let pin = (SupportKind::Pinned, Acts::Both);
+        let (spring, turning) = ((springs(1.0, 0.0), Acts::Both), (springs(0.0, 1.0), Acts::Both));
+        let (up, pushing) = ((SupportKind::Pinned, Acts::Up), (springs(1.0, 0.0), Acts::Up));
+        for (supports, accepted) in [
+            (&[up][..], true),
+            (&[pushing], true),
+            (&[pin, spring, turning], true),
+            (&[pin, up], false),
+            (&[spring, up], false),
+            (&[turning, up], false),
+            (&[up, pin], false),
+            (&[pushing, spring], false),
+            (&[pushing, turning], false),
+            (&[up, up], false),
+            (&[pin, pushing], false),
+        ] {
+            let (mut model, mut answer) = loaded(0.0);
+            for (i, (kind, acts)) in supports.iter().enumerate() {
+                model.supports.push(support(0.0, *kind, *acts));
+                if *acts != Acts::Both {
+                    answer.reactions.push(Reaction { support: i, force: 1.0, moment: 0.0 });
+                }
+            }
+            assert_eq!(frame(&model, &answer, None, &[]).is_ok(), accepted, "{supports:?}");
+        }
+    }
+
+    #[test]
+    fn springs_at_one_position_add() {
+        let (mut model, answer) = loaded(0.0);
+        for (spring, turning) in [(2.0, 0.5), (1.0, 0.25), (0.0, 0.125)] {
+            model.supports.push(support(1.5, springs(spring, turning), Acts::Both));
+        }
+        let found = frame(&model, &answer, None, &[]).expect("a frame");
+        let node = &found.nodes[1];
+        assert_eq!(node.spring.map(|[sum, _]| sum.middle()), Some(3.0));
+        assert_eq!(node.turning.map(Wide::middle), Some(0.875));
+    }
+
+    /// The loads are the point force 1, and a force ½ and a moment ¼ per length, so Σ|F| = 2.125. Σ|R| is the sum of
+    /// the forces and moments of the supports. W is ten times the larger sum.
+    #[test]
+    fn the_weights_follow_from_loads_and_reactions() {
+        for (height, [force, moment], rigid) in
+            [(0.5, [2.0, -1.0], 30.0), (0.5, [0.25, 0.125], 21.25), (1e3, [2.0, -1.0], 30.0)]
+        {
+            let (mut model, mut answer) = loaded(height);
+            for (action, size) in [(Action::Force, 0.5), (Action::Moment, 0.25)] {
+                let [from, to, start, end] = [0.0, 1.5, size, size].map(Wide::of);
+                let extent = Extent::Distributed { from, to, start, end };
+                model.loads.push(Load { action, extent, on_ground: false });
+            }
+            model.supports.push(support(0.0, SupportKind::Fixed, Acts::Both));
+            model.supports.push(support(1.5, springs(2.0, 4.0), Acts::Both));
+            answer.reactions.push(Reaction { support: 0, force, moment });
+            let found = frame(&model, &answer, None, &[]).expect("a frame");
+            let clamp = rigid * 2.25;
+            let [spring, turning] = [2.0 * height, 4.0 * height];
+            let (held, sprung) = (found.nodes[0].weights, found.nodes[1].weights);
+            for (weight, exact) in [
+                (held.rigid, rigid),
+                (held.clamp, clamp),
+                (held.spring, 0.0),
+                (held.turning, 0.0),
+                (sprung.rigid, 0.0),
+                (sprung.clamp, 0.0),
+                (sprung.spring, spring.min(rigid)),
+                (sprung.turning, turning.min(clamp)),
+                (found.carrier, rigid * 1.5),
+            ] {
+                assert!((weight - exact).abs() <= 1e-12 * exact, "{height}: {weight} {exact}");
+            }
+        }
+    }
+}

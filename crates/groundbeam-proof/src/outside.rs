@@ -296,10 +296,11 @@ mod tests {
         Load { action: Action::Force, extent, on_ground: true }
     }
 
-    /// A model of a beam from x = 0 to x = 2. The ground on both sides of the beam has loads and jumps of k and μ.
-    fn model(ends: [GroundEnd<f64>; 2]) -> Model<f64> {
+    /// A model of a beam from x = 0 to x = 2. The ground on both sides of the beam has loads and jumps of k and μ. One
+    /// ground segment reaches from the left of the beam to `to`.
+    fn model(ends: [GroundEnd<f64>; 2], to: f64) -> Model<f64> {
         let segments = vec![
-            segment(-0.7, 0.0, 1.9, 0.6),
+            segment(-0.7, to, 1.9, 0.6),
             segment(-2.5, -0.7, 3.0, 0.4),
             segment(-8.0, -2.5, 0.6, 2.0),
             segment(2.3, 4.0, 0.5, 1.7),
@@ -384,8 +385,9 @@ mod tests {
             ([GroundEnd::Free(-4.0), GroundEnd::Free(6.0)], 4.0, false),
             ([GroundEnd::Held(-3.0), GroundEnd::Held(5.0)], 3.0, true),
         ];
-        for (ends, far, held) in ends {
-            let model = model(ends);
+        let all = ends.into_iter().flat_map(|ends| [(ends, 0.0), (ends, 0.5)]);
+        for ((ends, far, held), to) in all {
+            let model = model(ends, to);
             for side in [0, 1] {
                 let units = Units { length: 0, force: 0 };
                 let beside = Beside { model: &model, units, length: 2.0, side };
@@ -396,6 +398,29 @@ mod tests {
                 assert!(near(stiffness, k), "{far} {side}: K {stiffness} {k}");
                 assert!(near(pushed, t), "{far} {side}: T {pushed} {t}");
             }
+        }
+    }
+
+    /// A position within rounding error of the end of the beam is at this end in an estimate only.
+    #[test]
+    fn a_position_beside_the_beam_is_exact_in_a_proof() {
+        use crate::read::read_model;
+        use crate::wide::Wide;
+        let text = "[beam]\nlength = 2\nEI = 1\n[foundation]\nk = 1\n";
+        let units = Units { length: 0, force: 0 };
+        let near = 2.0 * f64::EPSILON;
+        let model = read_model::<Wide>(text, None).expect("a model");
+        let length = Wide::of(2.0);
+        for (side, at) in [(0, -near), (1, 2.0 + near)] {
+            let beside = Beside { model: &model, units, length, side };
+            assert_eq!(beside.outward(Wide::of(at)).middle(), near);
+            assert_eq!(beside.outward([Wide::zero(), length][side]), Wide::zero());
+        }
+        let model = read_model::<f64>(text, None).expect("a model");
+        for (side, at) in [(0, -near), (1, 2.0 + near)] {
+            let beside = Beside { model: &model, units, length: 2.0, side };
+            assert_eq!(beside.outward(at), 0.0);
+            assert_eq!(beside.outward([-0.5, 2.5][side]), 0.5);
         }
     }
 }

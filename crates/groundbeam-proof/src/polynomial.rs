@@ -367,4 +367,19 @@ mod tests {
         budget.begin();
         assert_eq!(taken(&mut budget), 2000);
     }
+
+    /// p = s + 4s² with s = 1 ± t is smaller than its value at s = s₀ on the length s₀.
+    #[test]
+    fn the_negative_part_of_a_monotone_function_is_found_by_bisection() {
+        for sign in [1.0, -1.0] {
+            let field = <Polynomial<Ball>>::from_coefficients([5.0, sign * 9.0, 4.0].map(Ball::of));
+            for s in [0.001, 0.01, 0.1, 0.3, 0.5, 0.9, 1.0, 1.1, 1.5, 1.9] {
+                let less = Size::of(s + 4.0 * s * s);
+                let found = below(&field, less, Size::ZERO, [-1.0, 1.0], &mut Budget::new(1));
+                let (depth, width) = (found.depth.value() / less.value(), found.width.value() / s);
+                assert!((1.0 - 1e-9..1.0 + 1e-9).contains(&depth), "{s}: {depth}");
+                assert!((1.0 - 1e-9..1.07).contains(&width), "{sign} {s}: {width}");
+            }
+        }
+    }
 }

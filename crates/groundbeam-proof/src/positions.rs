@@ -146,3 +146,35 @@ impl<S: Scalar> Positions<S> {
         Ok(exact)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::answer::Piece;
+    use crate::wide::Wide;
+
+    fn covers(ends: &[f64]) -> bool {
+        let piece = |x: &[f64]| Piece { x: [x[0], x[1]], ..Piece::default() };
+        let answer = Answer { pieces: ends.windows(2).map(piece).collect(), ..Answer::default() };
+        let units = Units { length: 0, force: 0 };
+        Positions::of(&answer, Wide::of(1.0), units).is_ok()
+    }
+
+    #[test]
+    fn the_pieces_begin_and_end_with_the_beam() {
+        for (ends, covered) in [
+            (&[0.0, 1.0][..], true),
+            (&[0.0, 0.5, 1.0], true),
+            (&[1e-15, 1.0 - 1e-15], true),
+            (&[-0.5, 0.0, 1.0], false),
+            (&[0.0, 1.0, 1.5], false),
+            (&[-0.5, 0.0, 1.0, 1.5], false),
+            (&[0.0, 0.5], false),
+            (&[0.5, 1.0], false),
+            (&[0.0, 0.6, 0.5, 1.0], false),
+            (&[0.0, 0.5, 0.5, 1.0], false),
+        ] {
+            assert_eq!(covers(ends), covered, "{ends:?}");
+        }
+    }
+}

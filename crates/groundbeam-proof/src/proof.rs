@@ -257,3 +257,126 @@ fn reactions<S>(
     };
     errors.iter().map(of).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::contact_set::{ContactForce, ContactRegion};
+    use crate::given_claim::with_fields;
+    use serde_json::json;
+
+    /// A proof without errors: a region from 0 to 1, and a concentrated force.
+    fn exact() -> Proof {
+        let none = Bound { error: 0.0, scale: 1.0 };
+        let bounds = Bounds {
+            deflection: none,
+            slope: none,
+            rotation: none,
+            moment: none,
+            shear_force: none,
+            settlement: none,
+            pressure: none,
+        };
+        Proof {
+            energy: 0.0,
+            strain_energy: 1.0,
+            bounds,
+            reactions: vec![ReactionBound { force: none, moment: none }],
+            contact: Ok(ContactSet {
+                regions: vec![ContactRegion { from: [0.0; 2], to: [1.0; 2] }],
+                forces: vec![ContactForce { x: 0.0, force: [3.0; 2] }],
+            }),
+            unique: Ok(()),
+            supports: Ok(()),
+            scales: Scales { length: 2.0, force: 8.0 },
+        }
+    }
+
+    /// The largest permitted errors are 10⁻⁶ of a scale: 1e-6 for fields and reactions, 2e-6 for edges, 8e-6 for
+    /// forces.
+    #[test]
+    fn every_error_of_a_proven_answer_is_small() {
+        let set = |proof: &mut Proof, change: fn(&mut ContactSet, f64), width: f64| {
+            change(proof.contact.as_mut().expect("a set"), width);
+        };
+        type Change = (&'static str, f64, fn(&mut ContactSet, f64));
+        let changes: [Change; 3] = [
+            ("edges", 2e-6, |set, width| set.regions[0].from = [0.0, width]),
+            ("edges", 2e-6, |set, width| set.regions[0].to = [1.0 - width, 1.0]),
+            ("concentrated forces", 8e-6, |set, width| set.forces[0].force = [3.0, 3.0 + width]),
+        ];
+        assert_eq!(exact().shortfall(), None);
+        for (name, most, change) in changes {
+            for (part, small) in [(0.99, true), (1.01, false)] {
+                let mut proof = exact();
+                set(&mut proof, change, part * most);
+                let why = proof.shortfall();
+                assert_eq!(why.is_none(), small, "{name} {why:?}");
+                assert!(why.is_none_or(|why| why.what.contains(name)));
+            }
+        }
+        let wide = Bound { error: 1.01e-6, scale: 1.0 };
+        let changes: [fn(&mut Proof, Bound); 9] = [
+            |proof, wide| proof.bounds.deflection = wide,
+            |proof, wide| proof.bounds.slope = wide,
+            |proof, wide| proof.bounds.rotation = wide,
+            |proof, wide| proof.bounds.moment = wide,
+            |proof, wide| proof.bounds.shear_force = wide,
+            |proof, wide| proof.bounds.settlement = wide,
+            |proof, wide| proof.bounds.pressure = wide,
+            |proof, wide| proof.reactions[0].force = wide,
+            |proof, wide| proof.reactions[0].moment = wide,
+        ];
+        for change in changes {
+            let mut proof = exact();
+            change(&mut proof, wide);
+            assert!(proof.shortfall().is_some());
+        }
+        let mut proof = exact();
+        proof.bounds.deflection.error = f64::INFINITY;
+        assert!(proof.shortfall().is_some_and(|why| why.what.contains("no equilibrium")));
+        for part in 0..3 {
+            let (mut proof, why) = (exact(), NotProven::new("not decided"));
+            match part {
+                0 => proof.unique = Err(why.clone()),
+                1 => proof.contact = Err(why.clone()),
+                _ => proof.supports = Err(why.clone()),
+            }
+            assert_eq!(proof.shortfall(), Some(why));
+        }
+    }
+
+    /// The surface of open springs with k = 2 under a load 1 is u = ½. A stored surface that differs adds its error.
+    #[test]
+    fn a_stored_surface_of_open_springs_adds_its_error() {
+        let model = "[beam]\nlength = 1\nEI = 1\n[foundation]\nk = 2\nmu = 0\n\
+                     [[ground_load]]\ndistributed = 1\nfrom = 0\nto = 1\n";
+        let piece = |stored: serde_json::Value| {
+            let mut piece = json!({"x": [0, 1], "half": 0.5, "touches": false, "deflection": [-1]});
+            piece
+                .as_object_mut()
+                .expect("a piece")
+                .extend(stored.as_object().expect("a surface").clone());
+            json!({ "pieces": [piece] })
+        };
+        for (stored, error) in [
+            (json!({}), 0.0),
+            (json!({"open": [0.5, 0.5]}), 0.0),
+            (json!({"open": [0.5, 0.75]}), 0.25),
+            (json!({"open": [-0.5, 0.5]}), 1.0),
+            (json!({"settlement": [0.5]}), 0.0),
+            (json!({"settlement": [0.75]}), 0.5),
+            // w − g₀ is not the surface of open ground.
+            (json!({"settlement": [-1.0]}), 3.0),
+        ] {
+            let document = piece(stored);
+            let answer = Answer::from_json(&document.to_string()).expect("an answer");
+            with_fields(model, &document, |fields| {
+                let mut bounds = [PieceBounds::EXACT];
+                add_stored(&answer, fields, &mut bounds);
+                let found = bounds[0].settlement.value();
+                assert!(error <= found && found <= error + 1e-12, "{document}: {found} {error}");
+            });
+        }
+    }
+}

@@ -224,9 +224,12 @@ fn lift(
 #[cfg(test)]
 mod tests {
     use super::lift;
+    use crate::given_claim::{balanced, with_fields};
+    use crate::pointwise::{PieceBounds, Pointwise};
     use crate::random::numbers;
     use crate::size::Size;
     use crate::test_functions::tests::integral;
+    use serde_json::json;
 
     /// Computes the squared norm K² of the test function z by integration. The springs are at the positions where |z|
     /// and |z′| are largest.
@@ -252,6 +255,56 @@ mod tests {
             let least = lengths.map(|h| exact(stiff, held, h)).fold(f64::INFINITY, f64::min);
             let bound = lift(stiff.map(Size::of), held.map(Size::of), available).value();
             assert!(least <= bound * (1.0 + 1e-9) && bound <= 1.001 * least, "{least} {bound}");
+        }
+    }
+
+    /// w = ½ and w′ = ⅛ on springs with κ = 4 and κ_θ = 8 exert the force 2 and the moment −1. Their errors are at most
+    /// κε_w and κ_θε_φ, and at most (2Eκ)^½ and (2Eκ_θ)^½. Errors of the claimed reaction are added.
+    #[test]
+    fn the_error_of_a_spring_follows_from_the_deflection_or_from_the_energy() {
+        let model = "[beam]\nlength = 1\nEI = 1\n[foundation]\nk = 1\n[[load]]\npoint = 1\nat = 0\n\
+                     [[support]]\nat = 0\nspring = 4\nrotational_spring = 8\n";
+        let piece =
+            json!({"x": [0, 1], "half": 0.5, "touches": false, "deflection": [0.5625, 0.0625]});
+        for (force, moment, energy, expected) in [
+            (2.0, -1.0, 1.0, [0.04, 0.16]),
+            (2.5, -1.25, 1.0, [0.54, 0.41]),
+            (2.0, -1.0, 5e-9, [2e-4, 8e-8_f64.sqrt()]),
+        ] {
+            let reaction = json!({"support": 0, "force": force, "moment": moment});
+            let document = json!({"pieces": [piece], "reactions": [reaction]});
+            with_fields(model, &document, |fields| {
+                let (balanced, energy) = (balanced(1), Size::of(energy));
+                let pointwise = Pointwise { fields, balanced: &balanced, energy };
+                let [deflection, rotation] = [0.01, 0.02].map(Size::of);
+                let bounds = [PieceBounds { deflection, rotation, ..PieceBounds::EXACT }];
+                for (found, expected) in pointwise.reactions(&bounds)[0].into_iter().zip(expected) {
+                    assert!((found.value() / expected - 1.0).abs() < 1e-12, "{found:?} {expected}");
+                }
+            });
+        }
+    }
+
+    /// A stiff beam with one clamp is tested with z = x − x_i over the whole beam, so K² = kl³ is the largest k(x − x_i)²
+    /// times the length.
+    #[test]
+    fn the_moment_of_a_single_clamp_is_tested_by_a_rotation_about_it() {
+        for at in [0.0, 1.5] {
+            let model = format!(
+                "[beam]\nlength = 1.5\nEI = 1e6\n[foundation]\nk = 2\n[[load]]\npoint = 1\nat = 0\n\
+                 [[support]]\nat = {at:?}\ntype = 'fixed'\n"
+            );
+            let piece = json!({"x": [0, 1.5], "half": 0.75, "touches": false, "deflection": [0]});
+            with_fields(&model, &json!({"pieces": [piece]}), |fields| {
+                let (balanced, energy) = (balanced(1), Size::of(0.5));
+                let pointwise = Pointwise { fields, balanced: &balanced, energy };
+                let [_, moment] = pointwise.reactions(&[PieceBounds::EXACT])[0];
+                let expected = (2.0_f64 * 1.5_f64.powi(3)).sqrt();
+                assert!(
+                    (moment.value() / expected - 1.0).abs() < 1e-9,
+                    "{at} {moment:?} {expected}"
+                );
+            });
         }
     }
 }

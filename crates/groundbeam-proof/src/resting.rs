@@ -50,3 +50,59 @@ fn is_free<S: Scalar>(node: &Node<S>) -> bool {
     let held = node.rigid.is_some() || node.spring.is_some() || node.turning.is_some();
     !held && !node.is_hinged() && node.force == S::zero() && node.moment == S::zero()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::given_claim::with_fields;
+    use crate::pointwise::PieceBounds;
+    use serde_json::json;
+
+    /// Two pieces of a beam with w = ¼. The part of the beam from the clamp to the next clamp or to the end rests if it
+    /// has no load and no support, and if the ground has the height of the clamp.
+    #[test]
+    fn a_part_rests_without_load_on_level_ground_of_the_height_of_its_clamps() {
+        let level = "[[gap]]\nat = 0\nvalue = 0.25\n";
+        let clamp = |at: f64, height: f64| {
+            format!("[[support]]\nat = {at}\ntype = 'fixed'\nsettlement = {height}\n")
+        };
+        let other = |text: &str| clamp(0.0, 0.25) + level + text;
+        for (text, resting) in [
+            (clamp(0.0, 0.25) + level, [true, true]),
+            (clamp(1.0, 0.25) + level, [true, true]),
+            (clamp(0.0, 0.25) + &clamp(1.0, 0.25) + level, [true, true]),
+            (clamp(0.0, 0.25) + &clamp(1.0, 0.5) + level, [false, false]),
+            (clamp(0.0, 0.5) + &clamp(0.5, 0.25) + level, [false, true]),
+            (level.to_owned(), [false, false]),
+            (clamp(0.0, 0.25), [false, false]),
+            (clamp(0.0, 0.25) + "[[gap]]\nat = 0\nvalue = 0.5\n", [false, false]),
+            // The gap has the height of the clamp in the middle of each piece, and it slopes.
+            (
+                clamp(0.0, 0.25)
+                    + "[[gap]]\nat = 0\nvalue = 0\n[[gap]]\nat = 0.5\nvalue = 0.5\n[[gap]]\nat = 1\nvalue = 0\n",
+                [false, false],
+            ),
+            (other("[[load]]\npoint = 1\nat = 1\n"), [false, false]),
+            (other("[[load]]\nmoment = 1\nat = 0.5\n"), [false, false]),
+            (other("[[load]]\ndistributed = 1\nfrom = 0.5\nto = 1\n"), [false, false]),
+            (
+                other("[[load]]\ndistributed = 1\nfrom = 0\nto = 0.5\n") + &clamp(0.5, 0.25),
+                [false, true],
+            ),
+            (other("[[support]]\nat = 1\nspring = 1\n"), [false, false]),
+            (other("[[support]]\nat = 1\ntype = 'pinned'\nsettlement = 0.25\n"), [false, false]),
+            (other("[[hinge]]\nat = 0.5\n"), [false, false]),
+        ] {
+            let model = format!("[beam]\nlength = 1\nEI = 1\n[foundation]\nk = 1\n{text}");
+            let piece = |i: usize| {
+                let from = 0.5 * i as f64;
+                json!({"x": [from, from + 0.5], "half": 0.25, "touches": true, "deflection": [0.25]})
+            };
+            with_fields(&model, &json!({"pieces": [piece(0), piece(1)]}), |fields| {
+                let bounds = [PieceBounds::EXACT; 2];
+                let contact = Contact { fields, bounds: &bounds };
+                assert_eq!([0, 1].map(|i| contact.rests(i)), resting, "{text}");
+            });
+        }
+    }
+}

@@ -111,11 +111,22 @@ mod tests {
             assert_eq!(Size::of(x).value(), f64::INFINITY);
         }
         assert_eq!((Size::ZERO * Size::INFINITE).value(), f64::INFINITY);
+        assert_eq!((Size::INFINITE * Size::ZERO).value(), f64::INFINITY);
+        assert_eq!(Size::ZERO.over(0.0).value(), f64::INFINITY);
+        assert_eq!(Size::ZERO.over(-1.0).value(), f64::INFINITY);
+        assert_eq!((Size::INFINITE + Size::of(1.0)).value(), f64::INFINITY);
         assert_eq!(Size::of(1.0).over(0.0).value(), f64::INFINITY);
         assert_eq!(Size::of(1.0).over(f64::NAN).value(), f64::INFINITY);
         assert_eq!(Size::of(2.0).worst(Size::of(f64::NAN)).value(), f64::INFINITY);
         assert_eq!(Size::below_zero(f64::NAN).value(), f64::INFINITY);
         assert_eq!(Size::below_zero(1.0).value(), 0.0);
+    }
+
+    #[test]
+    fn products_and_quotients_of_zero_are_zero() {
+        assert_eq!(Size::ZERO.over(2.0), Size::ZERO);
+        assert_eq!(Size::ZERO * Size::of(2.0), Size::ZERO);
+        assert_eq!(Size::of(2.0) * Size::ZERO, Size::ZERO);
     }
 
     #[test]

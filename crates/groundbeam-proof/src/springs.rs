@@ -136,14 +136,12 @@ impl<S: Scalar> Contact<'_, S> {
         };
         let at_end = growth.value(S::Coarse::of(end)).low();
         let far = (2.0 * limit.over(at_end)).value();
-        let mut long = if lies { (2.0 * far).sqrt() } else { far };
-        if end + inward * long == end {
-            // `long` is below the rounding error of t, so the search starts with the shortest interval of doubles.
-            long = 2.0 * f64::EPSILON;
-        }
+        let long = if lies { (2.0 * far).sqrt() } else { far };
+        // A shorter interval would be below the rounding error of t.
+        let mut long = long.max(2.0 * f64::EPSILON);
         for _ in 0..12 {
             let to = end + inward * long;
-            if !(long < 0.75) || to == end {
+            if !(long < 0.75) {
                 return None;
             }
             let m = end + 0.5 * (to - end);
@@ -156,5 +154,179 @@ impl<S: Scalar> Contact<'_, S> {
             long *= 2.0;
         }
         None
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::ball::Ball;
+    use crate::fields::Fields;
+    use crate::given_claim::with_fields;
+    use crate::pointwise::PieceBounds;
+    use crate::random::numbers;
+    use crate::wide::Wide;
+    use serde_json::json;
+
+    /// A piece of length ¼ in contact or out of contact, with the coefficients of w in t.
+    type Claimed = (bool, [f64; 3]);
+
+    fn with_pieces<T>(
+        pieces: &[Claimed],
+        supports: &str,
+        of: impl FnOnce(&mut Fields<Wide>) -> T,
+    ) -> T {
+        let length = 0.25 * pieces.len() as f64;
+        let model = format!("[beam]\nlength = {length:?}\nEI = 1\n[foundation]\nk = 1\n{supports}");
+        let piece = |(i, (touches, deflection)): (usize, &Claimed)| {
+            let from = 0.25 * i as f64;
+            json!({"x": [from, from + 0.25], "half": 0.125, "touches": touches, "deflection": deflection})
+        };
+        let pieces: Vec<_> = pieces.iter().enumerate().map(piece).collect();
+        with_fields(&model, &json!({"pieces": pieces}), of)
+    }
+
+    fn errors(count: usize, [deflection, slope]: [f64; 2]) -> Vec<PieceBounds> {
+        let [deflection, slope] = [deflection, slope].map(Size::of);
+        vec![PieceBounds { deflection, slope, ..PieceBounds::EXACT }; count]
+    }
+
+    fn found(
+        fields: &Fields<Wide>,
+        first: usize,
+        errors: &[PieceBounds],
+    ) -> (Shown, Option<NotProven>) {
+        let end = errors.len();
+        let mut shown = Shown::nothing(end + 1);
+        let contact = Contact { fields, bounds: errors };
+        let refused = contact.springs(first, end, &mut shown).err();
+        (shown, refused)
+    }
+
+    const FALLING: Claimed = (true, [0.5, -0.5, 0.0]);
+    const RISING: Claimed = (true, [0.5, 0.5, 0.0]);
+    /// w = −¼(1 − t²).
+    const HOLLOW: Claimed = (false, [-0.25, 0.0, 0.25]);
+
+    /// The beam crosses the surface of the ground at x = ½ and x = ¾ with the slopes −4 and 4. It is above the error
+    /// 0.01 of w at the distance 0.005 from these positions. The ground from x = ¼ is a region of its own.
+    #[test]
+    fn edges_lie_where_the_beam_crosses_the_ground() {
+        with_pieces(&[RISING, FALLING, HOLLOW, RISING], "", |fields| {
+            let (shown, refused) = found(fields, 1, &errors(4, [0.01, 1.0]));
+            assert_eq!(refused, None);
+            let [left, right] = &shown.set.regions[..] else { panic!("{:?}", shown.set) };
+            for (found, exact) in [
+                (left.from, [0.25, 0.25]),
+                (left.to, [0.495, 0.505]),
+                (right.from, [0.745, 0.755]),
+                (right.to, [1.0, 1.0]),
+            ] {
+                let near = [0, 1].map(|i: usize| (found[i] - exact[i]).abs() < 1e-5);
+                assert!(near == [true; 2] && found[0] <= exact[0], "{found:?} {exact:?}");
+            }
+            // With a larger error of the slope, the position of the first edge has no bound.
+            let (_, refused) = found(fields, 1, &errors(4, [0.01, 4.5]));
+            assert_eq!(refused.and_then(|why| why.at), Some(0.5));
+        });
+    }
+
+    /// A piece in contact must lie deeper than the error of w everywhere. Contact on both sides of a position where
+    /// the beam only reaches the surface is not proven.
+    #[test]
+    fn a_beam_near_the_surface_has_no_contact_set() {
+        for (pieces, proven) in [
+            (&[(true, [0.02, 0.0, 0.0])][..], true),
+            (&[(true, [0.005, 0.0, 0.0])], false),
+            (&[(true, [0.015, 0.0, 0.01])], true),
+            (&[(true, [0.005, 0.0, 0.02])], false),
+            (&[(false, [-0.02, 0.0, 0.0])], true),
+            (&[(false, [-0.005, 0.0, -0.02])], false),
+            (&[FALLING, RISING], false),
+            (&[(true, [0.52, -0.5, 0.0]), (true, [0.52, 0.5, 0.0])], true),
+        ] {
+            with_pieces(pieces, "", |fields| {
+                let error = 0.01 * (fields.frame.spans[0].h.middle() / 0.25);
+                let (_, refused) = found(fields, 0, &errors(pieces.len(), [error, 1.0]));
+                assert_eq!(refused.is_none(), proven, "{pieces:?}");
+            });
+        }
+    }
+
+    #[test]
+    fn a_rigid_support_on_the_surface_is_an_end_of_its_two_pieces() {
+        let still = (true, [0.0; 3]);
+        for (kind, level, lies) in
+            [("pinned", 0.0, false), ("fixed", 0.0, true), ("fixed", 0.5, false)]
+        {
+            let support = format!(
+                "[[support]]\nat = 0.75\ntype = '{kind}'\nsettlement = {level:?}\n\
+                 [[gap]]\nat = 0\nvalue = 0\n"
+            );
+            with_pieces(&[still; 4], &support, |fields| {
+                let bounds = errors(4, [0.0; 2]);
+                let contact = Contact { fields, bounds: &bounds };
+                for (i, side) in [(0, 0), (0, 1), (1, 0), (1, 1), (2, 0), (2, 1), (3, 0), (3, 1)] {
+                    let here = i + side == 3;
+                    assert_eq!(contact.stands(i, side), here && level == 0.0, "{kind} {i} {side}");
+                    assert_eq!(contact.lies(i, side), here && lies, "{kind} {i} {side}");
+                }
+            });
+        }
+    }
+
+    /// In a zone the field grows inward faster than the error of the slope, or of the curvature beside a clamp. At its
+    /// inner end the field exceeds the limit.
+    #[test]
+    fn a_field_grows_to_the_limit_within_its_zone() {
+        let clamps =
+            "[[support]]\nat = 0\ntype = 'fixed'\n[[support]]\nat = 0.25\ntype = 'fixed'\n";
+        let mut random = numbers();
+        let mut all = [0; 2];
+        for case in 0..2000 {
+            let (side, clamped) = (case % 2, case % 4 < 2);
+            let inward = [1.0, -1.0][side];
+            // The coefficients of powers of the distance from the end, in units of t.
+            let mut random = || random();
+            let [a, b, c] = match case % 8 < 4 {
+                true => [0.25 + 0.5 * random().abs(), 0.0, 0.0],
+                false => [0, 1, 2].map(|_| random()),
+            };
+            let c = if clamped { [0.0, 0.0, 0.5 * a.abs(), b] } else { [0.0, a.abs(), b, c] };
+            let growth = |s: f64| match clamped {
+                true => 2.0 * c[2] + 6.0 * c[3] * s,
+                false => c[1] + s * (2.0 * c[2] + 3.0 * c[3] * s),
+            };
+            let value = |s: f64| s * (c[1] + s * (c[2] + s * c[3]));
+            let least = 0.5 * random().abs();
+            let limit = if b == 0.0 { 1e-3 } else { 0.2 * random().abs() };
+            let powers =
+                c.iter().zip([1.0, inward, 1.0, inward]).map(|(c, sign)| Ball::of(c * sign));
+            let field: Polynomial<Ball> = Polynomial::from_coefficients(powers);
+            let field = field.shifted([1.0, -1.0][side]);
+            with_pieces(&[(true, [0.0; 3])], if clamped { clamps } else { "" }, |fields| {
+                let half = fields.frame.spans[0].half.middle();
+                let mut bounds = errors(1, [0.0, least / half]);
+                bounds[0].moment =
+                    Size::of(least / (half * half) * fields.frame.spans[0].bending.middle());
+                let contact = Contact { fields, bounds: &bounds };
+                let zone = contact.zone(0, side, &field, Size::of(limit));
+                if b == 0.0 && c[3] == 0.0 {
+                    assert_eq!(zone.is_some(), a.abs() > least, "{a} {least}");
+                }
+                let Some((theta, to)) = zone else { return };
+                all[usize::from(clamped)] += 1;
+                let s = (to + inward).abs();
+                assert!(
+                    (theta.value() / (s * half) - 1.0).abs() < 1e-9 && s < 0.75,
+                    "{theta:?} {to}"
+                );
+                assert!(value(s) >= limit - 1e-14, "{c:?} {s} {limit}");
+                for j in 0..=20 {
+                    assert!(growth(0.05 * s * f64::from(j)) >= least - 1e-14, "{c:?} {s} {least}");
+                }
+            });
+        }
+        assert!(all.iter().all(|count| *count > 100), "{all:?}");
     }
 }

@@ -174,8 +174,7 @@ fn elements<S: Scalar, C: Scalar>(
             continue;
         }
         let length = frame.nodes[i].x - frame.nodes[first].x;
-        let parts = (count * length.middle() / frame.length.middle()).ceil();
-        let parts = if parts >= 1.0 && parts <= count { parts } else { 1.0 };
+        let parts = (count * length.middle() / frame.length.middle()).ceil().max(1.0);
         let part = to(length.div(S::of(parts)));
         for j in 0..parts as usize {
             let end = (j + 1 == parts as usize).then(|| Joint::of(node, to));

@@ -71,3 +71,54 @@ fn with_ends<S: Scalar>(span: &Span<S>, ends: [S; 2]) -> Polynomial<S> {
     let slope = (missed[1] - missed[0]).div(span.t[1] - span.t[0]);
     stored + &Line::from_coefficients([missed[0] - slope * span.t[0], slope])
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::given_claim::with_fields;
+    use crate::wide::Wide;
+    use serde_json::json;
+
+    /// The layer begins at the second piece and is out of contact. μ varies on its second piece only, so every piece has
+    /// its stored surface. On the first piece μu′ follows from u at both ends, with K = 1 and z = ¼.
+    #[test]
+    fn a_piece_of_constant_ground_has_the_flux_of_its_ends() {
+        let model = "[beam]\nlength = 1\nEI = 1\n[foundation]\nk = 1\nmu = 0\n\
+                     [[foundation.segment]]\nfrom = 0.25\nto = 0.5\nk = 1\nmu = 1\n\
+                     [[foundation.segment]]\nfrom = 0.5\nto = 0.75\nk = 1\nmu = [1, 2]\n\
+                     [[foundation.segment]]\nfrom = 0.75\nto = 1\nk = 4\nmu = 3\n";
+        let ends = [[0.0, 0.0], [0.5, 0.75], [0.75, 0.25], [0.25, 0.375]];
+        let piece = |i: usize| {
+            let from = 0.25 * i as f64;
+            let mut piece = json!({"x": [from, from + 0.25], "half": 0.125, "touches": false, "deflection": [-1]});
+            if i > 0 {
+                let [left, right] = ends[i];
+                piece["settlement"] = json!([0.5 * (left + right), 0.5 * (right - left)]);
+                piece["open"] = json!(ends[i]);
+            }
+            piece
+        };
+        let pieces: Vec<_> = (0..4).map(piece).collect();
+        with_fields(model, &json!({"pieces": pieces}), |fields| {
+            for (i, k, mu) in [(1, 1.0, 1.0), (3, 4.0, 3.0)] {
+                let (stiffness, z) = (f64::sqrt(k * mu), 0.25 * f64::sqrt(k / mu));
+                let [left, right] = ends[i];
+                let exact = [right - left * z.cosh(), right * z.cosh() - left]
+                    .map(|flux: f64| stiffness * flux / z.sinh());
+                for (flux, exact) in fields.surface.pieces[i].flux.iter().zip(exact) {
+                    assert!((flux.middle() - exact).abs() < 1e-12, "{i}: {flux:?} {exact}");
+                }
+            }
+            // μu′ of the stored line, with μ from 1 to 2.
+            let flux = fields.surface.pieces[2].flux.map(Wide::middle);
+            assert!((flux[0] + 2.0).abs() < 1e-12 && (flux[1] + 4.0).abs() < 1e-12, "{flux:?}");
+            let span = &fields.frame.spans[2];
+            for ends in [[0.75, 0.25], [1.0, 0.25], [0.5, 0.5], [-1.0, 2.0]] {
+                let along = with_ends(span, ends.map(Wide::of));
+                for (t, end) in span.t.iter().zip(ends) {
+                    assert!((along.value(*t).middle() - end).abs() < 1e-14, "{ends:?}");
+                }
+            }
+        });
+    }
+}

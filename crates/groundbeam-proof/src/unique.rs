@@ -124,8 +124,13 @@ fn bump([low, high]: [f64; 2], [ground, layer]: [Size; 2]) -> (f64, Size) {
 #[cfg(test)]
 mod tests {
     use super::{Holds, bump, first_mechanism};
+    use crate::contact_set::Shown;
+    use crate::given_claim::{balanced, with_fields};
+    use crate::pointwise::Pointwise;
     use crate::size::Size;
     use crate::test_functions::tests::integral;
+    use crate::wide::Wide;
+    use serde_json::json;
 
     #[test]
     fn the_area_and_the_norm_of_the_bump_are_bounded() {
@@ -158,5 +163,61 @@ mod tests {
         assert_eq!(first_mechanism(&[turning]), Some(0));
         assert_eq!(first_mechanism(&[Holds { places: 1, ..turning }]), None);
         assert_eq!(first_mechanism(&[alone(1, [true, false])]), Some(0));
+    }
+
+    /// Passes the claim w = 2 of a beam of length 1.5 on ground with k = 1 to `of`. The error energy is E.
+    fn with_beam<T>(
+        text: &str,
+        touches: bool,
+        energy: f64,
+        of: impl FnOnce(&Pointwise<Wide>) -> T,
+    ) -> T {
+        let model = format!("[beam]\nlength = 1.5\nEI = 1\n{text}");
+        let piece = json!({"x": [0, 1.5], "half": 0.75, "touches": touches, "deflection": [2]});
+        with_fields(&model, &json!({"pieces": [piece]}), |fields| {
+            let balanced = balanced(1);
+            of(&Pointwise { fields, balanced: &balanced, energy: Size::of(energy) })
+        })
+    }
+
+    /// The pressure is 2. The longest function z has the length h = 0.9·0.75, and 2∫z > (2E)^½‖z‖_b decides.
+    #[test]
+    fn a_pressure_holds_the_beam_if_the_error_cannot_remove_it() {
+        for layer in [0.0, 0.5] {
+            let h: f64 = 0.675;
+            let norm = (8.0 * h / 15.0 + 16.0 * layer / (3.0 * h)).sqrt();
+            let most = 0.5 * (2.0 * 2.0 * h / 3.0 / norm).powi(2);
+            let ground = format!("[foundation]\nk = 1\nmu = {layer:?}\n");
+            for (energy, touches, expected) in [
+                (0.99 * most, true, true),
+                (1.01 * most, true, false),
+                (0.0, true, true),
+                (0.0, false, false),
+            ] {
+                let found = with_beam(&ground, touches, energy, |pointwise| pointwise.presses(0));
+                assert_eq!(found, expected, "{layer} {energy} {touches}");
+            }
+        }
+    }
+
+    /// A beam out of contact that is held at one point can rotate, except under a tension.
+    #[test]
+    fn a_beam_under_tension_needs_one_point() {
+        let ground = "[foundation]\nk = 1\n";
+        for (tension, held, unique) in [
+            ("1", 0, false),
+            ("1", 1, true),
+            ("1", 2, true),
+            ("0", 0, false),
+            ("0", 1, false),
+            ("0", 2, true),
+        ] {
+            let text = format!("axial_force = {tension}\n{ground}");
+            with_beam(&text, false, 0.0, |pointwise| {
+                let mut shown = Shown::nothing(2);
+                shown.pressed = vec![held > 0, held > 1];
+                assert_eq!(pointwise.unique(&shown, &[]).is_ok(), unique, "{tension} {held}");
+            });
+        }
     }
 }

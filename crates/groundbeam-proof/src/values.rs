@@ -40,3 +40,33 @@ pub(crate) fn positive<S: Scalar>(x: S, name: &str) -> Result<S, NotProven> {
 pub(crate) fn not_negative<S: Scalar>(x: S, name: &str) -> Result<S, NotProven> {
     if x == S::zero() { Ok(x) } else { positive(x, name) }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::wide::Wide;
+
+    #[test]
+    fn numbers_out_of_range_are_refused() {
+        let is_accepted = |x: Wide, inside: bool| {
+            assert_eq!(in_range(&Coefficient::Even(x), "k").is_ok(), inside, "{x:?}");
+            assert_eq!(positive(x, "k").is_ok(), inside, "{x:?}");
+            assert_eq!(not_negative(x, "k").is_ok(), inside || x == Wide::zero(), "{x:?}");
+        };
+        for (exact, inside) in [
+            (1.1e-60, true),
+            (1.0, true),
+            (0.9e60, true),
+            (0.9e-60, false),
+            (1.1e60, false),
+            (0.0, false),
+            (-1.0, false),
+            (f64::INFINITY, false),
+        ] {
+            is_accepted(Wide::of(exact), inside);
+        }
+        is_accepted(Wide::of(1.0).widened(0.5), true);
+        is_accepted(Wide::of(1.0).widened(2.0), false);
+        is_accepted(Wide::of(0.8e60).widened(0.3e60), false);
+    }
+}

@@ -289,3 +289,42 @@ fn add(proof: &mut Proof, found: &Differences) {
 fn sum(a: f64, b: f64) -> f64 {
     (Size::of(a) + Size::of(b)).value()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::given_claim::with_fields;
+    use serde_json::json;
+
+    /// A listed number may differ from the pieces by 10⁻⁶ of the largest value and by 10⁻¹¹ of the scale of its own
+    /// field. The largest values are w = 1 and w′ = M = V = 0.
+    #[test]
+    fn listed_numbers_are_near_the_numbers_of_the_pieces() {
+        let model = "[beam]\nlength = 1\nEI = 1\n[foundation]\nk = 1\n";
+        let piece = json!({"x": [0, 1], "half": 0.5, "touches": false, "deflection": [1]});
+        with_fields(model, &json!({"pieces": [piece]}), |fields| {
+            let names = ["deflection", "slope", "rotation", "moment", "shear_force"];
+            for (i, name) in names.into_iter().enumerate() {
+                let own = if i == 0 { 1e-6 } else { 0.0 };
+                for scale in [0.0, 1e6] {
+                    let bounds = names.map(|other| {
+                        (
+                            other,
+                            Bound { error: 0.0, scale: if other == name { scale } else { 1.0 } },
+                        )
+                    });
+                    let other = own + 1e-11 * scale;
+                    for (part, near) in [(0.99, true), (1.01, other == 0.0)] {
+                        let mut differences = [0.0; 8];
+                        differences[i] = part * other;
+                        let found = far(fields, &differences, &bounds);
+                        assert_eq!(found.is_none(), near, "{name} {scale} {part}: {found:?}");
+                    }
+                    let mut differences = [0.0; 8];
+                    differences[i] = 1.0;
+                    assert!(far(fields, &differences, &bounds).is_some(), "{name} {scale}");
+                }
+            }
+        });
+    }
+}

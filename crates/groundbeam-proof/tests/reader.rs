@@ -434,3 +434,114 @@ fn long_files_are_read_in_limited_time() {
         assert!(Document::read(&text).is_err());
     }
 }
+
+fn ground(beam: &str, foundation: &str) -> Result<Model<Wide>, ReadError> {
+    read(&format!("[beam]\nlength = 2\nEI = 3\n{beam}[foundation]\n{foundation}"))
+}
+
+#[test]
+fn the_ground_ends_outside_the_beam() {
+    let end = |side: &str, at: f64, kind: &str| {
+        ground("", &format!("k = 4\nmu = 5\n{side} = {{ ends = {at}, as = '{kind}' }}\n")).is_ok()
+    };
+    for (side, [outside, at_end, under]) in [("left", [-1.0, 0.0, 0.5]), ("right", [3.0, 2.0, 1.5])]
+    {
+        assert!(end(side, outside, "free") && end(side, outside, "held"), "{side}");
+        assert!(end(side, at_end, "free") && !end(side, at_end, "held"), "{side}");
+        assert!(!end(side, under, "free") && !end(side, under, "held"), "{side}");
+    }
+}
+
+/// If segments cover the whole beam, k and μ beyond them are those of the rightmost segment.
+#[test]
+fn the_rightmost_segment_continues() {
+    let segment = |from: f64, to: f64, k: f64| {
+        format!(
+            "[[foundation.segment]]\nfrom = {from:?}\nto = {to:?}\nk = {k:?}\nmu = {:?}\n",
+            k + 1.0
+        )
+    };
+    let (left, right) = (segment(0.0, 1.0, 6.0), segment(1.0, 2.0, 7.0));
+    for segments in [left.clone() + &right, right + &left] {
+        let ground = ground("", &segments).expect("a model").ground;
+        assert_eq!([ground.spring.middle(), ground.shear.middle()], [7.0, 8.0]);
+    }
+    assert!(ground("", &left).is_err());
+}
+
+#[test]
+fn varying_ground_ends_with_the_beam() {
+    let segment = |from: f64, to: f64, values: &str| {
+        format!("[[foundation.segment]]\nfrom = {from:?}\nto = {to:?}\n{values}\n")
+    };
+    for (whole, from, to, values, accepted) in [
+        ("k = [4, 5]", -1.0, 1.0, "k = 6", true),
+        ("k = [4, 5]", 0.0, 1.0, "k = [6, 7]", true),
+        ("k = [4, 5]", -1.0, 1.0, "k = [6, 7]", false),
+        ("k = [4, 5]", 1.0, 3.0, "k = [6, 7]", false),
+        ("k = [4, 5]", -1.0, 1.0, "mu = [6, 7]", false),
+        ("k = [4, 5]", -2.0, -1.0, "mu = 6", true),
+        ("k = 4", -2.0, -1.0, "k = [6, 6]", true),
+        ("k = 4", -2.0, -1.0, "k = [6, 7]", false),
+        ("k = 4", -2.0, -1.0, "k = [7, 6]", false),
+        ("C1 = 4\nC2 = 2\nwidth = 3", 0.0, 1.0, "width = 2\nmu = 7", true),
+    ] {
+        let found = ground("", &format!("{whole}\n{}", segment(from, to, values)));
+        assert_eq!(found.is_ok(), accepted, "{whole} {from} {to} {values}: {found:?}");
+    }
+}
+
+#[test]
+fn stiffnesses_are_within_the_range_of_the_proof() {
+    for (stiffness, accepted) in
+        [("1e-59", true), ("1e59", true), ("1e-61", false), ("1e61", false)]
+    {
+        let found = ground("", &format!("k = {stiffness}\n"));
+        assert_eq!(found.is_ok(), accepted, "{stiffness}: {found:?}");
+    }
+    for (modulus, accepted) in [("1e-20", true), ("1e20", true), ("1e-40", false), ("1e40", false)]
+    {
+        let text =
+            format!("[beam]\nlength = 2\nE = {modulus}\nI = {modulus}\n[foundation]\nk = 4\n");
+        let found = read(&text);
+        assert_eq!(found.is_ok(), accepted, "{modulus}: {found:?}");
+    }
+}
+
+#[test]
+fn a_quantity_has_one_source_and_its_own_unit() {
+    let double = ground("", "subgrade_modulus = 4\nC1 = 4\nwidth = 2\n").expect_err("two sources");
+    assert_eq!(double.reason, Reason::Together("subgrade_modulus", "C1"));
+    for (beam, accepted) in [
+        ("axial_force = 1_0\n", true),
+        ("axial_force = 1__0\n", false),
+        ("axial_force = 1_\n", false),
+        ("axial_force = -_1\n", false),
+        ("axial_force = 1._5\n", false),
+        ("axial_force = 1e_5\n", false),
+        ("axial_force = 1_e5\n", false),
+        ("shear_area = 1\n", false),
+        ("G = 1\n", false),
+        ("G = 1\nshear_area = 1\n", true),
+    ] {
+        let found = ground(beam, "k = 4\n");
+        assert_eq!(found.is_ok(), accepted, "{beam}: {found:?}");
+    }
+    for (unit, accepted) in
+        [("kN", true), ("m", false), ("kN m", false), ("kN/m", false), ("Pa", false)]
+    {
+        let text = format!(
+            "[beam]\nlength = '2 m'\nEI = '3 N m^2'\naxial_force = '1 {unit}'\n[foundation]\nk = '4 Pa'\n"
+        );
+        assert_eq!(read(&text).is_ok(), accepted, "{unit}");
+    }
+    let bending = |nu: &str| {
+        let text = format!(
+            "[beam]\nlength = 2\nE = 3\nI = 1\nnu = {nu}\nshear_area = 1\n[foundation]\nk = 4\n"
+        );
+        read(&text).map(|model| model.beam.shear_stiffness.map(Scalar::middle))
+    };
+    assert_eq!(bending("0.5").expect("a model"), Some(1.0));
+    assert_eq!(bending("0").expect("a model"), Some(1.5));
+    assert!(bending("0.6").is_err() && bending("-0.1").is_err());
+}

@@ -122,3 +122,43 @@ fn redistributed_pressures_and_reactions_keep_their_share() {
         });
     }
 }
+
+/// Three parts are joined by an elastic and by a free hinge. Each of the parts that the elastic hinge joins has one pin,
+/// so only both together have two anchors. The third part has one anchor, the free hinge, and can rotate.
+#[test]
+fn parts_beyond_a_free_hinge_have_no_common_bound() {
+    let hinge =
+        |at: usize, spring: usize| format!("[[hinge]]\nat = {at}\nrotational_spring = {spring}\n");
+    let pin = |at: f64| format!("[[support]]\nat = {at}\ntype = 'pinned'\n");
+    for (hinges, pins, bounded) in [
+        ([1, 0], [0.0, 1.5], [true, true, false]),
+        ([0, 1], [1.5, 3.0], [false, true, true]),
+        ([1, 1], [0.0, 1.5], [true, true, true]),
+        ([1, 1], [0.0, 3.0], [true, true, true]),
+        ([0, 0], [0.0, 3.0], [false, false, false]),
+    ] {
+        let text = format!(
+            "[foundation]\nk = 1\n[[gap]]\nat = 0\nvalue = 100\n{}{}{}{}[beam]\nlength = 3\nEI = 1\n",
+            hinge(1, hinges[0]),
+            hinge(2, hinges[1]),
+            pin(pins[0]),
+            pin(pins[1]),
+        );
+        let ends = [0.0, 1.0, 1.5, 2.0, 3.0];
+        let piece = |i: usize| {
+            let (from, to) = (ends[i], ends[i + 1]);
+            json!({"x": [from, to], "half": 0.5 * (to - from), "touches": false, "deflection": [0]})
+        };
+        let pieces: Vec<_> = (0..4).map(piece).collect();
+        with_fields(&text, &json!({"pieces": pieces}), |fields| {
+            let balanced = crate::given_claim::balanced(4);
+            let energy = Size::of(1e-3);
+            let pointwise = Pointwise { fields, balanced: &balanced, energy };
+            let parts = pointwise.parts();
+            assert_eq!(parts, [0..1, 1..3, 3..4]);
+            let found = pointwise.deflections(&parts);
+            let finite = [0, 1, 2].map(|j: usize| found[j] < Size::INFINITE);
+            assert_eq!(finite, bounded, "{hinges:?} {pins:?}: {found:?}");
+        });
+    }
+}

@@ -28,6 +28,8 @@ fn a_node_is_a_step_where_a_coefficient_jumps() {
         ("[[foundation.segment]]\nfrom = 0\nto = 2\nk = 1\nmu = [1, 2]\n", [false, true, false]),
         ("[[foundation.segment]]\nfrom = 0\nto = 2\nk = 1\nmu = [2, 1]\n", [false, false, false]),
         ("[[foundation.segment]]\nfrom = 1\nto = 2\nk = 1\nmu = 3\n", [true, true, false]),
+        ("[[foundation.segment]]\nfrom = 1\nto = 3\nk = 1\nmu = [1, 2]\n", [false, false, true]),
+        ("[[foundation.segment]]\nfrom = 1\nto = 3\nk = 1\nmu = [2, 1]\n", [true, false, false]),
         (
             "[[foundation.segment]]\nfrom = 0\nto = 1\nk = 1\nmu = 3\n\
              [[foundation.segment]]\nfrom = 1\nto = 2\nk = 1\nmu = 2\n",

@@ -185,3 +185,20 @@ fn an_unsupported_beam_has_no_critical_load() {
     let hung = beam(&[(0.0, SupportKind::Pinned)], None, None);
     assert_eq!(margin(&hung, 1e-3), None);
 }
+
+/// The longest span between pins is ¾, so N l²/π² of it is lost. A strong spring in the middle of a pinned beam makes its
+/// critical load that of half the length, π²/¼; the bound from the span alone is smaller.
+#[test]
+fn the_larger_of_two_bounds_of_the_margin_counts() {
+    let pin = SupportKind::Pinned;
+    let found = margin(&beam(&[(0.0, pin), (0.25, pin), (1.0, pin)], None, None), 1.0);
+    let exact = 1.0 - 0.5625 / (PI * PI);
+    assert!(found.is_some_and(|margin| (margin - exact).abs() < 1e-6), "{found:?} {exact}");
+    let spring = SupportKind::Spring { spring: 1e4, rotational_spring: 0.0 };
+    let found = margin(&beam(&[(0.0, pin), (0.5, spring), (1.0, pin)], None, None), 6.0);
+    let exact = 1.0 - 6.0 / (4.0 * PI * PI);
+    assert!(
+        found.is_some_and(|margin| (exact - 0.03..exact).contains(&margin)),
+        "{found:?} {exact}"
+    );
+}

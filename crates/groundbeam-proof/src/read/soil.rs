@@ -235,4 +235,11 @@ mod tests {
             }
         }
     }
+
+    #[test]
+    fn a_ratio_below_one_counts_as_one() {
+        for (x, larger) in [(0.25, 1.0), (1.0, 1.0), (1.5, 1.5), (8.0, 8.0)] {
+            assert_eq!(super::longer(x), larger);
+        }
+    }
 }

@@ -53,6 +53,13 @@ fn a_line_is_bounded_within_a_distance_of_an_end() {
                 }
             }
         }
+        // Next to a zero of the line, the bound includes the rounding error of the position.
+        let distance = 1e-10;
+        for (side, b) in [(0, 1.0), (1, -1.0)] {
+            let line = Polynomial::from_coefficients([1.0, b].map(Wide::of));
+            let found = size_beside(span, &line, side, Size::of(distance)).value();
+            assert!((0.0..1e-14).contains(&(found - 2.0 * distance)), "{side} {found:e}");
+        }
     });
 }
 
