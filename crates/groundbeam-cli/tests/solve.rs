@@ -174,7 +174,7 @@ fn a_local_equilibrium_is_reported_under_compression() {
         "{}",
         done.stdout
     );
-    assert!(done.stdout.contains("other equilibria far from it may exist"), "{}", done.stdout);
+    assert!(done.stdout.contains("other equilibria"), "{}", done.stdout);
     let existence = &folder.run(&["solve", "model.toml", "--json"]).json()["existence"];
     assert_eq!(existence["verdict"], "local");
     // Value of a mesh with 400 elements; verification/tests/compression.rs confirms nine digits.
@@ -277,7 +277,7 @@ fn solve_prints_load_factors_on_request() {
     // Load factors are printed even if the solve fails.
     let stopped = ["solve", "model.toml", "--factors", "--method", "uzawa", "--most-sweeps", "1"];
     let stands = Folder::with(LIFTS);
-    stands.run(&stopped).fails(4, "Load factors the beam is not on the ground");
+    stands.run(&stopped).fails(4, "Load factors a part of the beam is lifted off");
     assert!(stands.run(&["solve", "model.toml", "--json"]).json()["load_factors"].is_null());
 }
 

@@ -98,7 +98,7 @@ mod tests {
                 FirstLiftOff::AtOnce,
                 LossOfEquilibrium::AtOnce(RigidMotion { right: -1.0, ..tips }),
                 vec!["G", "Q", "W\u{1b}[31m"],
-                r"cases G, Q and W\u{1b}[31m",
+                r"G, Q and W\u{1b}[31m",
             ),
             (
                 FirstLiftOff::AtOnce,
