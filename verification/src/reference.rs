@@ -129,7 +129,7 @@ pub struct Distance {
 }
 
 impl Distance {
-    /// Returns the largest of the three distances.
+    /// Returns the largest of the distances of the fields, the edges and the forces.
     pub fn worst(&self) -> f64 {
         self.fields.max(self.edges).max(self.forces)
     }

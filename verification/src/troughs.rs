@@ -220,7 +220,7 @@ pub enum Result {
     },
 }
 
-/// Solves the random model with the given number twice, the second time with twice as many chords.
+/// Solves the random model `number` with the default number of chords, and again with twice as many chords.
 pub fn result(number: u64) -> Result {
     let Drawn { text, troughs } = drawn(number);
     let Document { model, chords, .. } = match parse(&text) {

@@ -15,7 +15,7 @@ pub struct Failure {
 }
 
 impl Failure {
-    /// Returns the failure for a fault of the command line.
+    /// Returns the failure for wrong arguments of the command line.
     pub fn usage(message: String) -> Self {
         Failure { shown: headline(&message), status: Status::Wrong }
     }

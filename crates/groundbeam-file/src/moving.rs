@@ -66,7 +66,7 @@ fn ends(part: &UniformPart) -> [bool; 2] {
 }
 
 impl MovingTrain {
-    /// Whether a load of the train is unbounded.
+    /// Whether a distributed load of the train has infinite length.
     pub fn has_endless_load(&self) -> bool {
         self.train.uniform.iter().any(|part| ends(part) != [true, true])
     }

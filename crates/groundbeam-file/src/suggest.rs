@@ -16,7 +16,7 @@ pub(crate) fn nearest<'c>(
     let mut best: Option<(usize, &str)> = None;
     for candidate in candidates {
         let letters = candidate.chars().count();
-        // The difference of the numbers of letters is a lower bound of the number of edits.
+        // Words whose numbers of letters differ by n are at least n edits apart.
         if letters.abs_diff(length) > allowed {
             continue;
         }

@@ -12,7 +12,7 @@ use std::sync::mpsc::{self, RecvTimeoutError};
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// Interval between two checks for signals and reports of the progress.
+/// Interval of time at which signals are checked and the progress is reported.
 const BETWEEN_LOOKS: Duration = Duration::from_millis(100);
 
 /// Returns the number of threads of a call. It is the requested number if it is positive. Otherwise it is the

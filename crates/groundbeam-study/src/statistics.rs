@@ -6,7 +6,7 @@
 
 use std::collections::BTreeMap;
 
-/// Number of equal parts of the range of the numbers. It is a multiple of each number in [`HISTOGRAMS`].
+/// Number of equal parts of the range of the results. It is a multiple of every number of parts in [`HISTOGRAMS`].
 const PARTS: usize = 20_480;
 /// Possible numbers of parts of a histogram.
 const HISTOGRAMS: [usize; 10] = [1, 2, 4, 5, 8, 10, 16, 20, 32, 40];

@@ -131,7 +131,8 @@ impl Feature {
     }
 }
 
-/// The code of the error with which a way of solving refuses a feature; `None` if the way supports the feature.
+/// Returns the code of the error for a feature that this way of solving does not support; `None` if it supports the
+/// feature.
 pub fn refusal(feature: Feature, way: Way) -> Option<&'static str> {
     feature.row()[way as usize].map(|refusal| refusal.code)
 }

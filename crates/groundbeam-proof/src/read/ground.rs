@@ -139,7 +139,7 @@ struct Whole<S> {
     given: Given<S>,
     spring: Option<Along<S>>,
     shear: Along<S>,
-    /// C2, the stiffness μ of the shear layer per unit width, if it is given instead of μ.
+    /// C2, the stiffness of the shear layer per unit width of the beam, if the file gives C2 instead of μ.
     of_area: Option<Along<S>>,
     length: S,
 }

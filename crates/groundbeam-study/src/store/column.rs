@@ -76,9 +76,9 @@ pub enum Values {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Column {
     pub values: Values,
-    /// Definition level of each entry; empty if every row has a value.
+    /// Parquet definition level of each entry; empty if every row has a value.
     pub definitions: Vec<i16>,
-    /// Repetition level of each entry; empty unless the column contains lists.
+    /// Parquet repetition level of each entry; empty unless the column contains lists.
     repetitions: Vec<i16>,
 }
 

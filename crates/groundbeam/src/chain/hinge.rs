@@ -16,8 +16,8 @@ pub(super) struct HingeRotation {
 }
 
 impl HingeRotation {
-    /// Condenses the hinge of a node. Returns `None` for a node without a hinge. No other load or support may act
-    /// on the rotation of the node.
+    /// Condenses the hinge of a node. Returns `None` for a node without a hinge. No moment and no rotational support
+    /// may act at a node with a hinge.
     pub fn condense(
         node: &ChainNode,
         state: &mut CondensedStiffness,

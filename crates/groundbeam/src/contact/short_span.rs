@@ -191,8 +191,8 @@ pub(crate) fn end_forces<R: Real>(
     let part = |i: usize| SpanPart::of(&w.mesh.cells[i], i, within(i));
     let parts: Vec<SpanPart<R>> = (a.cell..=b.cell).map(part).collect::<Option<_>>()?;
     if whole <= 0.0 {
-        // The span has no length: it is a corner between two candidate intervals. Each end of the span carries half of
-        // the point force of the corner. The beam leaves the ground at the corner if this force is tensile.
+        // A span of zero length is a corner between two candidate intervals. Half of the point force of the corner is
+        // assigned to each end of the span. The beam leaves the ground at the corner if this force is tensile.
         let half_force = parts.iter().skip(1).map(|part| w.corner(part.cell) * 0.5).sum();
         return Some([half_force; 2]);
     }

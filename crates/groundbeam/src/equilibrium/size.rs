@@ -36,7 +36,7 @@ struct Count {
     elements: usize,
     /// Minimum number of elements into which a mesh divides a beam that is out of contact.
     fewest: usize,
-    /// Number of series elements.
+    /// Number of elements whose deflection is a power series.
     series: usize,
     /// Whether all cells are uniform, so that a mesh can divide each cell into equal elements.
     is_even: bool,
