@@ -1,4 +1,4 @@
-//! Tests the numbers of open ground between contact points that a document lists: settlements, gaps and stretches, in closed form.
+//! Tests the settlements, gaps and stretches that a document lists for open ground between contact points, in closed form.
 
 use crate::listed::{CHANGE, covers_change, is_error, region, right, verified, with};
 use groundbeam_proof::Verification;
