@@ -159,7 +159,7 @@ impl File {
         if top || module.last().is_some_and(|last| last == "mod") {
             module.pop();
         }
-        let parsed = syn::parse_file(&source.text)
+        let parsed = syn::parse_file(source.code())
             .unwrap_or_else(|error| panic!("{}: {error}", source.path));
         let mut file =
             File { name, module, defined: BTreeSet::new(), uses: Vec::new(), paths: Vec::new() };

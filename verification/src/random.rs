@@ -100,7 +100,7 @@ pub fn model(family: Family, number: u64) -> Model {
             return model;
         }
     }
-    unreachable!("none of 1000 drawn models of the family has the required equilibrium")
+    unreachable!("all 1000 drawn models of the family lack the required equilibrium")
 }
 
 struct Dice<'a, R>(&'a mut R);

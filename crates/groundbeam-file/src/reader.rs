@@ -117,8 +117,8 @@ impl<'s> Reader<'s> {
         self.report(Fault::new(code::UNKNOWN_WORD, span, message, "", hint));
     }
 
-    /// Reports that none of `keys` is given in `section`, unless `section` has a misspelt form of one of
-    /// `keys`. `example` is a valid line.
+    /// Reports that `section` lacks all of `keys`. Reports nothing if `section` has a misspelt form of one of them.
+    /// `example` is a valid line.
     pub fn missing(&mut self, section: &Section, keys: &[&str], what: &str, example: &str) {
         let is_misspelt = |key: &&str| {
             self.meant.iter().any(|(table, meant)| *table == section.span.start && meant == key)

@@ -4,7 +4,7 @@ use crate::keys::{Key, Table};
 use groundbeam::model::Part;
 use std::ops::Range;
 use toml::Spanned;
-use toml::de::{DeArray, DeTable, DeValue};
+use toml::de::{DeTable, DeValue};
 
 /// A table with its location and its allowed keys.
 #[derive(Clone)]
@@ -60,7 +60,7 @@ impl<'a> Section<'a> {
 
     /// Returns the value of a key if the value is a list without elements.
     pub fn empty_list(&self, key: &str) -> Option<&'a Spanned<DeValue<'a>>> {
-        let is_empty = |list: &DeArray| list.is_empty();
-        self.value(key).filter(|value| value.get_ref().as_array().is_some_and(is_empty))
+        self.value(key)
+            .filter(|value| value.get_ref().as_array().is_some_and(|list| list.is_empty()))
     }
 }

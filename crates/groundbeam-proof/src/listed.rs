@@ -74,7 +74,7 @@ impl ListedErrors {
     }
 }
 
-/// Returns the largest of several errors, or zero if there are none.
+/// Returns the largest of the errors; zero for an empty list.
 fn largest<'a>(errors: impl Iterator<Item = &'a f64>) -> f64 {
     errors.map(|error| Size::of(*error)).fold(Size::ZERO, Size::worst).value()
 }

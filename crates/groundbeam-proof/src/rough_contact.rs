@@ -12,7 +12,7 @@
 
 use crate::approach::clear;
 use crate::clearance::OpenPiece;
-use crate::contact::{SHORTEST_PART, pressed_beside};
+use crate::contact::{SHORTEST_PART, balanced_on, growing_parts};
 use crate::contact_set::{Contact, EdgeShift, Shown, more};
 use crate::polynomial::{Budget, below};
 use crate::refusal::NotProven;
@@ -84,16 +84,8 @@ impl<S: Scalar> Contact<'_, S> {
         let (field, error) = (self.fields.pressures[i].field.coarse(), self.bounds[i].pressure);
         let piece = (span.interval()[side], span.half.low());
         let deep = 2.0 * (self.rough_clearance(i) * Size::of(span.shear.high()));
-        let mut part = SHORTEST_PART;
-        while part < 1.0 {
-            let [least, available] = pressed_beside(&field, error, piece, side, part);
-            let opened = deep.over(least).root();
-            if opened.value() <= available {
-                return Some(opened);
-            }
-            part *= 4.0;
-        }
-        None
+        let opened = |least: f64| deep.over(least).root();
+        balanced_on(growing_parts(), &field, error, piece, side, opened)
     }
 
     /// The lengths at both ends of a piece out of contact on which the exact beam may be in contact.

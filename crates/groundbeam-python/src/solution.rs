@@ -23,7 +23,7 @@ pub struct Solution {
 }
 
 impl Solution {
-    /// Returns the solution of a result, or the reason why there is none.
+    /// Returns the solution of a result. Fails with the reason if the result has no solution.
     pub fn of(read: &Arc<Read>, answer: &Answer) -> Result<Self, Failure> {
         let Answer { label, found, ground, seconds, .. } = answer.clone();
         match found {

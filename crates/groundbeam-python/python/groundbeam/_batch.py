@@ -193,7 +193,7 @@ def solve_many(
     if isinstance(with_respect_to, str):
         raise ValueError(f"with_respect_to: give a list of names, as in [{with_respect_to!r}]")
     if bool(gradients) != bool(len(with_respect_to)):
-        raise ValueError("gradients and with_respect_to: give both of them or none of them")
+        raise ValueError("gradients and with_respect_to: give both of them, or leave both out")
     rows = {name: _rows(name, values) for name, values in given.items()}
     counts = {} if isinstance(models, Model) else {"models": len(several)}
     counts |= {name: len(values) for name, values in rows.items() if len(values) != 1}
