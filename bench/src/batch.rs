@@ -26,7 +26,8 @@ fn bits(models: &[Model]) -> Vec<u64> {
     models.iter().flat_map(of).collect()
 }
 
-/// Times the solves of 1000 random beams with 100 elements each, bonded and in contact.
+/// Measures the time to solve 1000 random beams with 100 elements each, once bonded to the ground and once with one-way
+/// contact.
 pub fn meshes() -> String {
     let models = random_beams(1000);
     let mut solver = NodalSolver::new();
@@ -136,8 +137,8 @@ fn neighbour(model: &Model) -> Model {
     model
 }
 
-/// Times solves of models after an increase of their first load by 2 %. Each model is solved twice: from scratch, and
-/// with the contact zones before the increase as initial guess.
+/// Measures the solve time of models after an increase of their first load by 2 %. Each model is solved twice: from
+/// scratch, and with the contact zones before the increase as initial guess.
 fn followed() -> String {
     let mut table = Table::new(
         "A neighbouring model, its first load 2 % larger: from the contact of the previous model, or from scratch",

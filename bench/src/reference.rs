@@ -58,7 +58,8 @@ pub fn solve(model: &Model, rows: &[Row], contact: &[[usize; 2]]) -> Reference {
             ground.push(links);
         }
     }
-    // The ground resists the deflection w at contact nodes, and the ground displacement u at the other nodes.
+    // Index of the unknown that compresses the ground at node i: the deflection w at a contact node, the ground
+    // displacement u at any other node.
     let which = |i: usize| if touches[i] { 0 } else { 2 };
     let add = |to: &mut Quad, x: Quad| *to = *to + x;
     for i in 0..last {

@@ -23,7 +23,7 @@ pub fn check<'a>(
             taken.push((identity, shown));
         }
     }
-    // Standard output may be redirected to a file, which no output may replace.
+    // If standard output is redirected to a file, no output of the program may replace this file.
     if let Ok(Some(identity)) = Identity::of(Path::new("/dev/stdout")) {
         taken.push((identity, "standard output".to_owned()));
     }

@@ -25,7 +25,7 @@ impl Failure {
         Failure::usage(format!("{}: {error}", path.display()))
     }
 
-    /// Returns the failure for faults of a text, each shown with its location.
+    /// Returns a failure that lists the errors found in a text, each with its location.
     pub fn diagnostics(found: &Diagnostics, name: &str, text: &str) -> Self {
         let shown = found.render(name, text, standard_error_has_colour());
         Failure { shown, status: Status::Wrong }

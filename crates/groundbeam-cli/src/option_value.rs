@@ -109,7 +109,7 @@ pub const METHODS: [Choice<Method>; 4] = [
     ("exact", "Closed-form solution between the contact edges, no mesh", Method::Exact),
     (
         "active-set",
-        "Newton's method on the convex energy, with forces at the nodes of a mesh",
+        "Newton's method for minimum energy, with ground forces at mesh nodes",
         Method::ActiveSet,
     ),
     ("psor", "Projected successive over-relaxation, Kikuchi (5.17), (5.18)", Method::Psor),
@@ -125,7 +125,7 @@ pub const STARTS: [Choice<Start>; 2] = [
     ("zero", "Zero pressure", Start::Zero),
 ];
 
-/// Returns a parser for the names of these choices.
+/// Returns a parser that accepts the names of the given choices and returns the value of the named choice.
 pub fn one_of<T: Copy + Send + Sync + 'static, const N: usize>(
     choices: [Choice<T>; N],
 ) -> impl TypedValueParser<Value = T> {
@@ -154,8 +154,7 @@ pub fn shard(written: &str) -> Result<Shard, String> {
 
 /// Returns the error for the option `--pressure`, which only earlier versions had.
 pub fn no_choice_of_pressure(_: &str) -> Result<std::convert::Infallible, String> {
-    let forces =
-        "with `active-set`, `psor` and `uzawa` the ground acts on the nodes only, Kikuchi (5.5)";
+    let forces = "with `active-set`, `psor` and `uzawa`, the ground acts on the nodes only (Kikuchi's equation 5.5)";
     Err(format!("{forces}: omit this option; for pressure along the beam, use `--method exact`"))
 }
 

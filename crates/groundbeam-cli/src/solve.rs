@@ -109,8 +109,11 @@ fn asked(input: &Input, request: &Solve) -> Result<(Run, Option<String>), Failur
     }
     if request.includes_pieces() && run.asked() == Asked::Trains {
         let (option, rule) = match request.proven {
-            true => ("--proven", "train positions cannot be proven; leave the option out"),
-            false => ("--pieces", "the document for a train has no pieces; leave the option out"),
+            true => ("--proven", "results for train positions cannot be proven; omit this option"),
+            false => (
+                "--pieces",
+                "the document for a train contains no piecewise polynomials; omit this option",
+            ),
         };
         return Err(Failure::usage(format!("{option}: {rule}")));
     }

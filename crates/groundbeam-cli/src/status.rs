@@ -10,7 +10,7 @@ pub enum Status {
     Done,
     /// A result is not proven, or a check is undecided.
     NotProven,
-    /// A design check fails or is not judged.
+    /// A design check fails, or it has no verdict, for example because the loads have no resultant.
     CheckFailed,
     /// The input or the command line is wrong.
     Wrong,

@@ -13,8 +13,8 @@ pub const PROGRESS_DELAY: Duration = Duration::from_secs(1);
 /// Time between two updates of the progress display.
 const TICK: Duration = Duration::from_millis(120);
 
-/// Runs `work` and shows progress on a terminal. `work` calls its argument after each finished piece of work. The
-/// number of finished pieces is shown if `pieces` is greater than 1.
+/// Runs `work` and shows progress on a terminal. `work` calls its argument after each finished task. If the number of
+/// tasks `pieces` is greater than 1, the number of finished tasks is shown.
 pub fn while_working<T>(
     words: String,
     pieces: usize,
@@ -30,7 +30,7 @@ pub fn while_working<T>(
     done
 }
 
-/// Number of pieces of work, and counter of the finished pieces.
+/// Number of tasks, and counter of the finished tasks.
 type Counted = Option<(u64, Arc<AtomicU64>)>;
 
 struct Sign {

@@ -117,7 +117,7 @@ impl Table {
 
 impl Row {
     fn of(text: &str, span: Range<usize>, record: &StringRecord, separator: char) -> Self {
-        // The range of a record may begin with comments and empty lines, which do not belong to the row.
+        // The byte range of a table row may begin with comments and empty lines, which are skipped.
         let mut from = span.start;
         while let Some(line) = text[from..span.end].split_inclusive('\n').next()
             && (line.starts_with('#') || line.trim().is_empty())

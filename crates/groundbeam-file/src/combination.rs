@@ -18,7 +18,7 @@ pub(crate) const MOST: usize = 1000;
 pub(crate) struct Recipe {
     pub name: String,
     pub factors: Vec<(String, f64)>,
-    /// Limit states of the combination; empty if neither the file nor the set names any limit state.
+    /// Limit states of the combination; empty if neither the file nor the set of combinations in `set` names any.
     pub limit_states: LimitStates,
     /// The set of a code of practice from which the combination is generated; `None` if the file gives its factors.
     pub set: Option<&'static str>,
@@ -238,7 +238,8 @@ impl Document {
     ///
     /// # Errors
     ///
-    /// Returns an error if the file does not use this set. Byte positions count as in [`Document::combination`].
+    /// Returns an error if the file does not use this set. Byte positions count from the start of `name`, so pass
+    /// `name` as the text to [`Diagnostics::render`].
     pub fn combinations_of_set(&self, name: &str) -> Result<Vec<Combination>, Diagnostics> {
         let wanted = name.trim();
         let asked = sets::find(wanted).map(|(_, set)| &*set.name);
@@ -253,7 +254,11 @@ impl Document {
                 .to_owned(),
             _ => nearest(wanted, &names),
         };
-        Err(unknown(name, format!("the file does not use the set `{wanted}`"), hint))
+        Err(unknown(
+            name,
+            format!("the file does not use the set of combinations `{wanted}`"),
+            hint,
+        ))
     }
 
     /// Returns each load case alone, in the order of the loads. The list is empty if the file has no combinations of

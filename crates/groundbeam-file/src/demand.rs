@@ -1,4 +1,4 @@
-//! Requirements on the number of a key: its sign, and whether a position must lie on the beam or on the ground.
+//! Requirements on the number under a key: its sign and, for a position, whether it must lie on the beam or on the ground.
 
 /// Signs that a number may have.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -104,8 +104,8 @@ settlement = \"20 mm\"
     fn recorded_signs_agree_with_the_reader() {
         let mut keys = BTreeSet::new();
         let mut wrong = BTreeSet::new();
-        // A key whose sign allows 0 must accept 0 in at least one model file. Some files refuse μ = 0, because the shear
-        // layer would then end inside the beam.
+        // For each key that allows the value 0, at least one model file must be accepted with this value. Some files
+        // refuse μ = 0, because the shear layer would then end inside the beam.
         let (mut may_be_zero, mut was_zero) = (BTreeSet::new(), BTreeSet::new());
         for (text, folder) in files() {
             let Ok(document) = crate::parse_beside(&text, &folder) else { continue };

@@ -22,8 +22,8 @@ pub(crate) struct Key {
     pub needed: bool,
     /// Alternative names of the key: its names in the library or in other programs, and other spellings.
     pub also: &'static [&'static str],
-    /// Names of a related quantity in lower case, and the conversion from the related quantity to the quantity of the
-    /// key.
+    /// Lower-case names of another quantity from which the value of this key can be computed, and a text that explains
+    /// this computation.
     pub unlike: Option<(&'static [&'static str], &'static str)>,
 }
 
@@ -190,7 +190,8 @@ impl Table {
     }
 }
 
-/// Returns the key for which `written` names a related quantity, and the conversion of the related quantity.
+/// If `written` names a quantity from which the value of one of `keys` can be computed, returns the name of this key
+/// and a text that explains the computation.
 pub(crate) fn becomes(written: &str, keys: &[&Key]) -> Option<(&'static str, &'static str)> {
     let lower = written.to_lowercase();
     let of_key = |key: &&Key| {
@@ -200,7 +201,8 @@ pub(crate) fn becomes(written: &str, keys: &[&Key]) -> Option<(&'static str, &'s
     keys.iter().find_map(of_key)
 }
 
-/// Returns the key that the author of the unknown name `written` probably means.
+/// Returns the name of the known key that is probably meant by the unknown key `written`: a key with a similar name, or
+/// else a key with the alternative name `written`.
 pub(crate) fn meant(written: &str, keys: &[&Key]) -> Option<&'static str> {
     let lower = written.to_lowercase();
     let other = || keys.iter().find(|key| key.also.contains(&lower.as_str()));

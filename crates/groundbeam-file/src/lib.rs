@@ -176,8 +176,8 @@ fn read(text: &str, beside: Option<Beside>, bare_is_si: bool) -> Result<Document
                 reader.found.push(document::diagnostic(&source, span, problem, printed));
             }
         }
-        // A model with a problem is never accepted. If no problem has been reported, all problems are reported at the
-        // headings of their tables.
+        // If no error has been reported so far, every problem of the model is reported at the heading of its table. So
+        // a model with a problem is never accepted.
         if reader.found.is_empty() {
             let told = problems.iter().map(|problem| {
                 let span = reader.places.part_of(problem).unwrap_or(0..0);

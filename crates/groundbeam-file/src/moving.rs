@@ -22,7 +22,8 @@ pub struct MovingTrain {
     pub dynamic: f64,
     /// Placement of the unbounded loads of the train.
     pub spread: Spread,
-    /// Axles and uniform loads of the train. They include `factor`, and the axles also include `dynamic`.
+    /// Axles and uniform loads of the train. All loads are already multiplied by `factor`, and the axle loads also by
+    /// `dynamic`.
     pub train: Train,
     /// First and last position of the first axle \[m\].
     pub range: [f64; 2],
@@ -38,11 +39,11 @@ pub enum Spread {
     Ahead,
     /// The unbounded loads act only behind the train.
     Behind,
-    /// A load that is unbounded in both directions acts on the left half of the beam.
+    /// A load that has neither a front end nor a rear end acts on the left half of the beam only.
     LeftHalf,
-    /// A load that is unbounded in both directions acts on the right half of the beam.
+    /// A load that has neither a front end nor a rear end acts on the right half of the beam only.
     RightHalf,
-    /// The unbounded loads are omitted.
+    /// The loads of infinite length are omitted from the train.
     Nowhere,
 }
 
@@ -71,8 +72,8 @@ impl MovingTrain {
         self.train.uniform.iter().any(|part| ends(part) != [true, true])
     }
 
-    /// Returns the train with each placement of its unbounded loads. Each placement has a list of additional fixed loads
-    /// on one half of the beam.
+    /// Returns the train once for each placement of its loads of infinite length. The list beside each train contains
+    /// fixed loads on one half of the beam, which replace the loads without front and rear end.
     pub fn placements(&self, beam_length: f64) -> Vec<(MovingTrain, Vec<Load>)> {
         let has = |which: [bool; 2]| self.train.uniform.iter().any(|part| ends(part) == which);
         let (ahead, behind, lane) = (has([false, true]), has([true, false]), has([false, false]));

@@ -1,6 +1,7 @@
 //! Reads a quantity that may vary along the beam: one value, or a list of values from left to right.
 //!
-//! Two values define a linear variation. More values are the control values of a curve ([`Profile`]).
+//! Two values define a linear variation. Three or more values are the Bernstein coefficients of a
+//! polynomial, which are the control values of a Bézier curve ([`Profile`]).
 
 use crate::code;
 use crate::fault::Fault;
@@ -42,8 +43,8 @@ impl Along {
 
     /// Returns the product of two quantities. The location of the product is `span`.
     pub fn times(&self, other: &Along, span: &Range<usize>) -> Self {
-        // The keys allow only factors whose product has at most `Profile::MOST` control values. Therefore,
-        // the value NaN below is never used.
+        // The file format limits the degree of each factor so that the product has at most `Profile::MOST`
+        // coefficients. Therefore, the value NaN below is never used.
         let profile = self.profile.times(&other.profile);
         Along { profile: profile.unwrap_or(Profile::constant(f64::NAN)), span: span.clone() }
     }
@@ -65,9 +66,9 @@ impl Reader<'_> {
             };
             let curve = match (most, key) {
                 (2, _) => String::new(),
-                // k and μ may have at most three control values (GB204).
-                (_, "k" | "mu") => ", or three control values of a curve".to_owned(),
-                _ => format!(", or up to {most} control values of a curve"),
+                // k and μ may have at most three values, which define a quadratic curve (GB204).
+                (_, "k" | "mu") => ", or three control values of a Bézier curve".to_owned(),
+                _ => format!(", or up to {most} control values of a Bézier curve"),
             };
             let hint = format!(
                 "give one value, or two for a quantity that varies linearly from one end to the \
@@ -83,8 +84,8 @@ impl Reader<'_> {
         Some(Along { profile: profile.unwrap_or(Profile::constant(f64::NAN)), span: value.span() })
     }
 
-    /// Reports a factor of a stiffness that is not positive. Without this check, the product of two negative
-    /// factors would be accepted.
+    /// Reports an error if the factor of a stiffness, such as E in EI, is not positive. Without this check,
+    /// the product of two negative factors would be accepted.
     pub fn positive_along(&mut self, key: &str, factor: Along) -> Along {
         let wrong = factor.profile.control_values().iter().find(|value| **value <= 0.0);
         let Some(&value) = wrong else { return factor };

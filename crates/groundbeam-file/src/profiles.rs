@@ -68,7 +68,10 @@ pub fn rail_sections() -> &'static [RolledSection] {
 pub(crate) fn find(name: &str) -> Result<&'static RolledSection, String> {
     named(&SECTIONS, name).ok_or_else(|| {
         if let Some(rail) = named(&RAIL_SECTIONS, name) {
-            return format!("a rail is given by `rail`: section = {{ rail = \"{}\" }}", rail.name);
+            return format!(
+                "this is the name of a rail; write section = {{ rail = \"{}\" }}",
+                rail.name
+            );
         }
         let names: Vec<&str> = SECTIONS.iter().map(|section| &*section.name).collect();
         format!("the most similar names: {}", suggest::nearest_three(name, &names).join(", "))
@@ -248,7 +251,8 @@ mod tests {
         assert!(find_rail("133RE").is_err());
     }
 
-    /// Compares the constants of the fillet with an integration over a square without a quarter of a disc.
+    /// Compares the area and the moments of area of a fillet, a square minus a quarter of a disc, with numerical
+    /// integration.
     #[test]
     fn constants_of_a_fillet() {
         let steps = 100_000;

@@ -103,8 +103,8 @@ impl<'s> Reader<'s> {
         self.found.push(diagnostic.with_related(self.source, related, label));
     }
 
-    /// Reports an unknown word, which replaces `{}` in `message`. If no known word is similar, the hint is
-    /// `otherwise`, in which the list of all known words replaces `{}`.
+    /// Reports an unknown word. In `message`, `{}` stands for this word. The hint names a similar known word. If there
+    /// is none, the hint is `otherwise`, in which `{}` stands for the list of all known words.
     pub fn unknown_word(
         &mut self,
         (written, span): (&str, Range<usize>),
@@ -131,10 +131,10 @@ impl<'s> Reader<'s> {
         self.report(Fault::new(code::MISSING, section.span.clone(), message, "", hint));
     }
 
-    /// Reports two keys that exclude each other, at the location of the later key.
+    /// Reports two keys that are mutually exclusive, at the location of the later key.
     pub fn exclusive(&mut self, a: (&str, &Range<usize>), b: (&str, &Range<usize>), hint: &str) {
         let (first, later) = if a.1.start <= b.1.start { (a, b) } else { (b, a) };
-        let message = format!("`{}` and `{}` exclude each other", first.0, later.0);
+        let message = format!("`{}` and `{}` are mutually exclusive", first.0, later.0);
         let fault = Fault::new(code::EXCLUSIVE, later.1.clone(), message, "", hint);
         self.report_with(fault, first.1.clone(), "given here");
     }
@@ -194,7 +194,11 @@ impl<'s> Reader<'s> {
             }
             _ => {
                 let message = format!("`{key}` is a table, not a value");
-                self.wrong_type(value, message, format!("write {name} and its keys below it"));
+                self.wrong_type(
+                    value,
+                    message,
+                    format!("write {name} on a line, and its keys on the lines below"),
+                );
                 None
             }
         }
@@ -228,8 +232,9 @@ impl<'s> Reader<'s> {
                 _ => {
                     let message = format!("each element of `{key}` must be a table, not a value");
                     let hint = keys.inline(key, self.plain);
-                    let hint =
-                        hint.unwrap_or_else(|| format!("write {name} and its keys below it"));
+                    let hint = hint.unwrap_or_else(|| {
+                        format!("write {name} on a line, and its keys on the lines below")
+                    });
                     self.wrong_type(element, message, hint);
                 }
             }

@@ -66,14 +66,18 @@ pub fn all(start: Start, port: u16, body: Duration) -> Router {
     router
         .fallback(|| async { refusal(StatusCode::NOT_FOUND, "this address does not exist") })
         .method_not_allowed_fallback(|| async {
-            refusal(StatusCode::METHOD_NOT_ALLOWED, "this address does not accept this method")
+            refusal(
+                StatusCode::METHOD_NOT_ALLOWED,
+                "this address does not accept the HTTP method of the request",
+            )
         })
         .layer(DefaultBodyLimit::max(LONGEST))
         .layer(from_fn_with_state(port, guard))
         .with_state(desk)
 }
 
-/// Returns the initial model, the example models, the units and the digits of the page.
+/// Returns the initial model and the example models, and the units and number of digits in which the page shows
+/// results.
 async fn begin(State(desk): State<Desk>, pairs: Pairs) -> Result<Response, Response> {
     pairs.read(&[]).map_err(sent)?;
     let Start { model, printed } = &*desk.start;
@@ -119,7 +123,8 @@ async fn download(
     answer(&desk.permits, pairs.read(keys), model, work).await
 }
 
-/// Returns a host that uses all processors. The host shows no progress, because the page in the browser shows it.
+/// Returns the executor of a request. It uses all processors and shows no progress, because the page in the browser
+/// shows the progress.
 fn host() -> Threads<'static> {
     Threads::new(&|| ())
 }
@@ -216,7 +221,7 @@ mod tests {
     use std::time::Instant;
     use tokio::runtime::Runtime;
 
-    /// Numbers of started and of finished pieces of work.
+    /// Counts of the requests to `/slow` whose work has started, and of those whose work has ended.
     #[derive(Default)]
     struct Works {
         begun: AtomicUsize,
@@ -305,7 +310,8 @@ mod tests {
         let waiting = ask(address, "/api/solve");
         assert_eq!((permits.available_permits(), works.ended.load(Ordering::SeqCst)), (0, 0));
         drop(aborted);
-        // The response needs the permit of the slow work, so the slow work has ended.
+        // The server answers this request only after the slow request has released the single permit, that is, after
+        // the slow work has ended.
         let reply = reply(waiting);
         assert!(reply.starts_with("HTTP/1.1 200 OK"), "{reply}");
         assert_eq!(works.ended.load(Ordering::SeqCst), 1);

@@ -46,15 +46,16 @@ kinds! {
     PerLength,
 }
 
-/// Value whose unit (with the tonne-force or the kilogram-force) is also used for a zero.
+/// In the system of tonne-force and kilogram-force, a zero is printed in the unit of this value, which is
+/// in SI units.
 pub(super) const TECHNICAL: f64 = 1e4;
 
 /// One tonne-force, 1000 × 9.806 65 N.
 const TF: f64 = 9806.65;
 const KGF: f64 = 9.80665;
 
-/// Lists the two units of a quantity with the tonne-force and the kilogram-force. Values of at least 0.1 tf
-/// are printed with the tonne-force, smaller values with the kilogram-force.
+/// Lists two units of a quantity: one with the tonne-force, for values of at least 0.1 tf, and one with the
+/// kilogram-force, for smaller values.
 macro_rules! technical {
     ($tonnes:literal, $kilograms:literal) => {
         Some(const { &[rung(0.1 * TF, TF, $tonnes), rung(0.0, KGF, $kilograms)] })
@@ -81,7 +82,7 @@ impl Kind {
         }
     }
 
-    /// Returns a typical value of this kind of quantity, which determines the unit of a zero.
+    /// Returns a typical value of this kind of quantity. A zero is printed in the unit of this value.
     pub(super) fn usual(self) -> f64 {
         match self {
             Kind::Deflection | Kind::Slope => 1e-3,

@@ -59,7 +59,7 @@ pub(super) static TABLE: Table = Table {
 };
 
 const fn judged_in(name: &'static str) -> Key {
-    words(name, &LIMIT_STATES, "The limit states in which this check is judged.")
+    words(name, &LIMIT_STATES, "The limit states in which this check is carried out.")
 }
 
 static JUDGED_IN: Table = Table {
@@ -74,7 +74,8 @@ static JUDGED_IN: Table = Table {
     ],
 };
 
-/// Reads the limits of the file. The default of the bearing width is the width of the ground.
+/// Reads the limits of the design checks. The bearing width is the width of the ground unless the file
+/// gives another width.
 pub(super) fn read(reader: &mut Reader, root: &Section, ground: &Ground) -> Limits {
     let Some(table) = reader.table(root, "checks") else { return Limits::default() };
     let mut positive = |key| {
@@ -125,7 +126,7 @@ fn refuse_other_widths(reader: &mut Reader, own: Option<&Field>, ground: &Ground
     let mut widths = ground.local_widths.iter().filter(|width| width.is_readable());
     if let Some(own) = own {
         if let Some(narrow) = widths.find(|width| width.profile.smallest() < own.value) {
-            let message = "the `width` of [checks] is larger than a width of the ground";
+            let message = "the `width` of [checks] is larger than the smallest width of the ground";
             let hint = "write the smallest width of the ground, which is on the safe side";
             let fault = Fault::new(code::FACTOR, own.span.clone(), message, "", hint);
             reader.report_with(fault, narrow.span.clone(), "a smaller width");
@@ -136,7 +137,7 @@ fn refuse_other_widths(reader: &mut Reader, own: Option<&Field>, ground: &Ground
     let is_common = |value: &f64| *value == common;
     if let Some(other) = widths.find(|width| !width.profile.control_values().iter().all(is_common))
     {
-        let message = "the bearing checks use one width, but this width differs from the width of [foundation]";
+        let message = "this width differs from the `width` of [foundation], but the bearing checks need a single width";
         let hint = "add `width` to [checks]: the smallest width of the ground is on the safe side";
         reader.report(Fault::new(code::INCOMPLETE, other.span.clone(), message, "", hint));
     }

@@ -43,7 +43,7 @@ pub(crate) const ITERATION_WITH_HINGES: Refusal = Refusal {
 
 pub(crate) const ONLY_EXACTLY: Refusal = Refusal {
     code: "GB609",
-    message: "only the methods `exact` and `active-set` solve loads on the ground",
+    message: "only the methods `exact` and `active-set` support loads on the ground",
     hint: "use the method `exact` or `active-set`",
 };
 
