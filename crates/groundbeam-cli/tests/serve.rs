@@ -125,7 +125,7 @@ fn an_invalid_query_is_refused_with_its_key_value_and_allowed_values() {
             ("combination=%ff", &["one of the combinations one"]),
             ("combination=", &["one of the combinations one"]),
             ("trian=0", &["trian", "combination, train, first_axle"]),
-            ("%00=%0a", &["the keys of this address are"]),
+            ("%00=%0a", &["this address allows only the query keys"]),
         ] {
             refused(&format!("{address}?{query}"), &trains, words);
         }
@@ -136,7 +136,11 @@ fn an_invalid_query_is_refused_with_its_key_value_and_allowed_values() {
         refused(&format!("/api/view?width={width}"), FOOTING, &["a positive number"]);
     }
     refused("/api/solve?width=700", FOOTING, &["combination, train, first_axle"]);
-    refused("/api/file/html?train=0", &trains, &["the keys of this address are combination"]);
+    refused(
+        "/api/file/html?train=0",
+        &trains,
+        &["this address allows only the query keys combination"],
+    );
     // A query that is invalid for every file is refused before the file is read.
     refused("/api/solve?train=x", "[beam", &["from 0"]);
     for path in ["/api/start?x=1", "/?train=0", "/page.js?v=2"] {
@@ -317,7 +321,7 @@ fn responses_have_the_units_and_digits_of_the_query() {
             LIFTS,
             "`units` must be `file`, because the model file has no units",
         ),
-        ("/api/solve?units=us", FOOTING, "the keys of this address are combination"),
+        ("/api/solve?units=us", FOOTING, "this address allows only the query keys combination"),
     ] {
         let reply = server.post(path, model);
         let message = reply.json()["message"].as_str().unwrap_or_default().to_owned();

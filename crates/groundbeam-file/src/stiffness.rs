@@ -12,12 +12,12 @@ use crate::table::Section;
 pub(crate) struct Keys {
     pub product: &'static str,
     pub factors: [&'static str; 2],
-    /// End of an error message, such as " or a `section`". It names an alternative to the second factor, and is
-    /// empty if there is no alternative.
+    /// Last words of an error message, such as " or a `section`". They name what a file may give in place of the
+    /// second factor, such as I in EI = E·I. The text is empty if nothing can replace the second factor.
     pub instead: &'static str,
 }
 
-/// Stiffness and factors that one table gives.
+/// A stiffness, such as EI, and its two factors, such as E and I, as one table of the file gives them.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Given {
     pub product: Option<Along>,
@@ -42,7 +42,8 @@ impl Given {
         Given { product: part(&self.product), factors: [0, 1].map(|i| part(&self.factors[i])) }
     }
 
-    /// Computes the stiffness of a table. The parent table `parent` supplies missing factors.
+    /// Computes the stiffness that the table gives directly or as a product of two factors, such as E·I. A factor that
+    /// the table does not give is taken from `parent`.
     pub fn resolve(&self, reader: &mut Reader, parent: &Given, keys: &Keys) -> Stiffness {
         let own = self.factors.iter().position(|factor| factor.is_some());
         if let Some(product) = &self.product {

@@ -117,7 +117,7 @@ fn between_typographic_quotes(written: &str) -> Option<&str> {
     written.trim().strip_prefix(QUOTES)?.strip_suffix(QUOTES).map(str::trim)
 }
 
-/// Returns the location of the last key with this name before `offset`.
+/// Returns the location of the nearest key `name` before the byte position `offset`. It is the first of two equal keys.
 fn first_of(table: &DeTable, name: &str, offset: usize) -> Option<Range<usize>> {
     let mut nearest: Option<Range<usize>> = None;
     let mut waiting = vec![table];

@@ -13,8 +13,8 @@ pub(crate) struct Section<'a> {
     /// Location of the header, or of the braces of an inline table.
     pub span: Range<usize>,
     pub keys: &'static Table,
-    /// Part of the model that the table describes. The locations of the quantities in the table are recorded as
-    /// fields of this part.
+    /// Part of the model that the table describes. The location of each quantity in the table is stored under this
+    /// part, for messages about the model.
     pub part: Option<Part>,
 }
 

@@ -24,11 +24,13 @@ pub enum Course {
 pub enum Shape {
     /// Values at equidistant points or on equal stretches.
     Even(Course),
-    /// Control values of one curve along the whole beam, as in a model file ([`Profile`]).
+    /// Bernstein coefficients of one polynomial along the whole beam (control values of a Bézier curve), as in a model
+    /// file ([`Profile`]).
     Curve,
 }
 
-/// A parameter with one new number, or with several numbers along the beam and their meaning.
+/// A parameter and its new values: one number, or several numbers along the beam. `Shape` states how several numbers
+/// describe the variation along the beam.
 pub type Change<'a> = (Parameter, Shape, &'a [f64]);
 
 /// Maximum number of control values of a curve that describes the property along the beam.
@@ -39,8 +41,8 @@ pub fn most_control_values(property: Property) -> usize {
     }
 }
 
-/// Returns the property k, μ or EI if the parameter is its value on the whole beam. Several numbers along the
-/// beam may also describe such a property.
+/// Returns k, μ or EI if the parameter is one of these properties on the whole beam; `None` otherwise. These properties
+/// can also be given by several numbers along the beam.
 pub fn along_the_beam(parameter: Parameter) -> Option<Property> {
     match parameter {
         Parameter::Value(Property::ShearStiffness, _) => None,

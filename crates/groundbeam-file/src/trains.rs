@@ -89,7 +89,7 @@ pub(crate) fn find(name: &str) -> Option<&'static TrainSet> {
     SETS.iter().find(|set| set.is_called(name))
 }
 
-/// Returns the main names of all trains.
+/// Returns the names of all trains, without their alternative names.
 pub(crate) fn names() -> Vec<&'static str> {
     SETS.iter().map(|set| &*set.name).collect()
 }

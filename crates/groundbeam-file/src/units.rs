@@ -71,8 +71,8 @@ pub(crate) struct Seen {
     pub has_unit: bool,
     /// Whether the quantity is 0 without a unit, which is allowed in files with and without units.
     pub is_bare_zero: bool,
-    /// Value in SI units, or as written in a file without units. It is 0 for the name of a built-in train,
-    /// material or section.
+    /// Value in SI units, or the number as written in a file without units. It is 0 if the entry is the
+    /// name of a built-in train, material or section instead of a number.
     pub value: f64,
     /// Flags of the unit.
     pub marks: Marks,
@@ -80,8 +80,9 @@ pub(crate) struct Seen {
 }
 
 impl Seen {
-    /// Returns a quantity that represents the name of a built-in train, material or section. Such data have
-    /// units, so the other quantities of the file must also have units.
+    /// Returns an entry for the name of a built-in train, material or section. Built-in data have units.
+    /// Therefore, the entry counts as a quantity with a unit, and the other quantities of the file must
+    /// also have units.
     pub fn of_built_in(key: &str, kind: &'static Kind, span: Range<usize>) -> Self {
         let (key, marks) = (key.to_owned(), Marks::NONE);
         Seen { key, kind, has_unit: true, is_bare_zero: false, value: 0.0, marks, span }
@@ -156,7 +157,7 @@ impl Reader<'_> {
         let odd_one = seen.iter().find(|quantity| quantity.has_unit != units_prevail);
         let usual_one = seen.iter().find(|quantity| quantity.has_unit == units_prevail);
         if let (Some(odd), Some(usual)) = (odd_one, usual_one) {
-            let rule = "either all quantities of a file except 0 have a unit, or none has";
+            let rule = "give all quantities of the file a unit, or none of them; a 0 needs no unit";
             let (message, label, other, hint) = if units_prevail {
                 let number = self.source.text[odd.span.clone()].trim_matches(['"', '\'']);
                 let line = format!("{} = \"{} {}\"", odd.key, number.trim(), odd.kind.unit);

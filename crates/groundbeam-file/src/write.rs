@@ -217,7 +217,7 @@ impl Writer {
         self.quantity("to", to, "m");
     }
 
-    /// Writes one value for a constant profile, or the list of control values.
+    /// Writes one value for a constant profile, or the list of Bernstein coefficients of a varying profile.
     fn profile(&mut self, key: &str, profile: &Profile, unit: &str) {
         let numbers = profile.control_values().iter().map(|value| self.number(*value, unit));
         let numbers: Vec<String> = numbers.collect();

@@ -60,7 +60,7 @@ impl WrongQuery {
     fn key(key: &str, value: &str, keys: &[&str]) -> Self {
         let allowed = match keys {
             [] => "this address has no query".to_owned(),
-            keys => format!("the keys of this address are {}", keys.join(", ")),
+            keys => format!("this address allows only the query keys {}", keys.join(", ")),
         };
         let message = format!("`{key}={value}` in the query is refused: {allowed}");
         WrongQuery { key: key.to_owned(), value: value.to_owned(), message }
@@ -81,7 +81,7 @@ impl Asked {
     ///
     /// # Errors
     ///
-    /// Returns an error if a key is unknown or repeated, or if a value is invalid for every file.
+    /// Returns an error if a key is unknown or repeated, or if a value is invalid whatever the model file contains.
     pub fn read(pairs: &[(String, String)], keys: &[&str]) -> Result<Asked, WrongQuery> {
         let mut asked = Asked::default();
         for (i, (key, value)) in pairs.iter().enumerate() {

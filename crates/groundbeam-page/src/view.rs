@@ -55,9 +55,11 @@ struct Held {
     at: f64,
     /// Smallest and largest position of the handle.
     range: [f64; 2],
-    /// Index of the number that gives the position of the handle.
+    /// Index of the number that gives the position of the handle. The index refers to the list of all numbers of the
+    /// model file.
     position: usize,
-    /// Index of the number that gives the size of the load, if the handle has such a number.
+    /// Index of the number that gives the magnitude of the load; `None` if the handle changes no magnitude. The index
+    /// refers to the list of all numbers of the model file.
     size: Option<usize>,
 }
 
@@ -206,8 +208,8 @@ fn held(document: &Document, combination: &Combination, handle: &Handle) -> Opti
         Grip::Hinge(i) => (Part::Hinge(i), "at", None, format!("hinge {}", i + 1)),
         Grip::Support(i) => (Part::Support(i), "at", None, format!("support {}", i + 1)),
     };
-    // The ends of the self-weight follow from the length of the beam, so the file has no numbers for these
-    // positions.
+    // A position without a number in the file gets no handle. For example, the ends of the self-weight follow from the
+    // length of the beam.
     let position = Number::behind(document, part, field)?;
     document.quantities[position].place?;
     let [x, y] = handle.place;

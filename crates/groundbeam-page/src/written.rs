@@ -18,12 +18,13 @@ pub struct Number {
     to: usize,
     /// Unit after the number, as written in the text.
     unit: String,
-    /// For a length such as `1'-6"`, the equal decimal number and its unit.
+    /// The length as a decimal number with its unit, if the text gives it in feet and inches, such as `1'-6"`; `None`
+    /// otherwise.
     #[serde(skip_serializing_if = "Option::is_none")]
     decimal: Option<(f64, &'static str)>,
     /// Factor that converts the unit to SI units.
     size: f64,
-    /// Signs of the number that the file format allows.
+    /// Signs that the file format allows for the number: `any`, `not negative` or `positive`.
     sign: &'static str,
     /// Whether a position must lie on the beam or on the ground; `None` for a quantity that is not a position.
     place: Option<&'static str>,

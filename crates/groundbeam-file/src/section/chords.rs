@@ -13,37 +13,39 @@ const NEAR: f64 = 5.0;
 /// Maximum number of chords per beam length for accurate contact edges.
 const PER_LENGTH: f64 = 600.0;
 
-/// Density 1/h of chords of the length h along the beam. The section *Settlement troughs* of docs/ground.md
-/// derives these rules for a trough of the width i, the gap g(x), the tolerance ε and the beam length l:
+/// Required number of chords per unit length, 1/h. Chords of the length h replace the curve of the settlement troughs.
+/// The section *Settlement troughs* of docs/ground.md derives these rules for a trough of the width i, the initial gap
+/// g(x), the tolerance ε and the beam length l:
 ///
-/// * deflection: h ≤ i/24, and less for a beam beside the trough;
-/// * moment: 3.3 T(2π/h) ≤ ε T(1/i), where T(q) is the ratio |M/g″| in a bonded beam for g = cos qx;
+/// * deflection: h ≤ i/24, and less if the middle of the trough lies outside the beam;
+/// * bending moment: 3.3 T(2π/h) ≤ ε T(1/i), where T(q) is the ratio |M/g″| for g = cos qx in an infinite beam that
+///   does not lift off;
 /// * pressure: h² (k + μ²/EI)|g″|/12 ≤ ε p̄, where p̄ is the mean load per length;
 /// * contact edges: μ h|g″| ≤ ε p̄ l or h ≤ l/600.
 pub(super) struct Spacing<'a> {
     troughs: &'a [Trough],
-    /// Chords of equal length near each trough, for an accurate deflection and an accurate moment.
+    /// Chords of equal length near each trough, for an accurate deflection and bending moment.
     even: Vec<Even>,
-    /// Squared density 1/h² of the chords for an accurate pressure, divided by the curvature |g″| of the gap.
+    /// Required 1/h² for an accurate pressure, divided by the curvature |g″| of the gap. h is the chord length.
     by_curvature: f64,
-    /// Density 1/h of the chords for accurate contact edges, divided by the curvature |g″| of the gap.
+    /// Required 1/h for accurate contact edges, divided by the curvature |g″| of the gap. h is the chord length.
     by_corner: f64,
-    /// Upper limit of the density 1/h of the chords for accurate contact edges.
+    /// Upper limit of the number of chords per unit length that accurate contact edges require.
     most_for_corners: f64,
 }
 
-/// Chords of equal length near a trough, for an accurate deflection and an accurate moment.
+/// Chords of equal length near a settlement trough, for an accurate deflection and bending moment.
 struct Even {
-    /// Squared density 1/h² of the chords near a trough.
+    /// Required 1/h² near the trough, where h is the chord length.
     density: f64,
     /// Square of the largest distance of the chords from the middle of the trough, in trough widths.
     reach: f64,
 }
 
 impl<'a> Spacing<'a> {
-    /// Computes the density of chords for a model under the mean load `pressure` \[N/m\]. `multiples` are
-    /// the lower and upper factors on k and on μ. An infinite `pressure` stands for a model without loads,
-    /// in which the pressure and the contact edges need no chords.
+    /// Computes the required number of chords per unit length for a model under the mean load `pressure` \[N/m\].
+    /// `multiples` are the lower and upper factors on k and on μ. An infinite `pressure` means that the model has no
+    /// loads. An accurate pressure and accurate contact edges then require no chords.
     pub fn new(
         model: &Model,
         multiples: [[f64; 2]; 2],
@@ -74,7 +76,7 @@ impl<'a> Spacing<'a> {
         }
     }
 
-    /// Density 1/h of the chords at the position `x`.
+    /// Returns the required number of chords per unit length at the position `x`.
     pub fn chords_per_length(&self, x: f64) -> f64 {
         let (mut density, mut curvature) = (0.0, 0.0);
         for (trough, even) in self.troughs.iter().zip(&self.even) {
@@ -174,9 +176,10 @@ impl Bonded {
     /// Computes the length of the longest chord for which the error of the moment is within the tolerance,
     /// for a trough of this `width`.
     fn longest(&self, width: f64) -> f64 {
-        // The difference between the gap g and its chords is a periodic row of parabolas, with the length h of
-        // a chord as its period. The moments of all harmonics add up to at most about π²/3 ≈ 3.3 times
-        // T |g″|, where T = `self.moment(2π/h)`.
+        // The difference between the gap g and its chords is a parabola over each chord, with the chord length h as
+        // period. The bending moments of all its harmonics add up to at most about π²/3 ≈ 3.3 times T |g″|, where T =
+        // `self.moment(2π/h)`. This sum may be at most the fraction `TOLERANCE` of the moment `self.moment(1/width)`
+        // |g″| of the trough.
         let few = TOLERANCE * self.moment(1.0 / width) / 3.3;
         let (mut short, mut long) = (0.0, width);
         for _ in 0..60 {

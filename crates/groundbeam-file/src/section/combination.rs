@@ -76,7 +76,7 @@ pub(super) static TABLE: Table = Table {
         words(
             "limit_state",
             &LIMIT_STATES,
-            "The limit state; default: that of the set. Without a limit state, all checks are judged.",
+            "The limit state; default: the limit state of the set. Without a limit state, all checks are carried out.",
         )
         .also(&["limit_states", "design_situation", "state"]),
     ],
@@ -343,8 +343,8 @@ impl<'a> File<'a> {
         reader.report(Fault::new(code::TOO_MANY, span, message, "", hint));
     }
 
-    /// Returns the load cases with their actions; `None` if the action of a case is missing or does not
-    /// belong to the code of the set.
+    /// Returns the load cases with their types of action. Returns `None` if a load case has no type of
+    /// action, or one that the design code of `set` does not define.
     fn acting(
         &mut self,
         reader: &mut Reader,
@@ -365,8 +365,7 @@ impl<'a> File<'a> {
                         "`{}` cannot be used: no partial factor of set {letter} is known for `{action}`",
                         set.name
                     );
-                    let hint =
-                        "no public source confirms a value: write the combinations with `factors`";
+                    let hint = "no public source confirms this partial factor; write the combinations with `factors`";
                     reader.report(Fault::new(code::MISSING, span.clone(), message, "", hint));
                 }
                 acting.push(Acting { case, action, group, source });
@@ -379,7 +378,7 @@ impl<'a> File<'a> {
     }
 }
 
-/// Reports a case whose action is missing or does not belong to the code of the set.
+/// Reports a load case that has no type of action, or one that the design code of `set` does not define.
 fn wanting(
     reader: &mut Reader,
     (practice, set, span): (&Practice, &Set, &Range<usize>),

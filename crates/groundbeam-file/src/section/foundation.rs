@@ -23,8 +23,8 @@ use groundbeam::{
     model::{FoundationSegment, GroundEnd, Profile},
 };
 
-// Keys of k and μ, in `[foundation]` and in `[[foundation.segment]]`. The model reports lists of more than
-// three values.
+// The following keys for k and μ are used in `[foundation]` and in `[[foundation.segment]]`. The keys `k`
+// and `mu` accept up to `Profile::MOST` values; the later check of the model refuses more than three.
 const K: Key = along(
     "k",
     &SPRING_PER_LENGTH,
@@ -72,12 +72,13 @@ static SEGMENT: Table = Table {
 static WAYS: Words = Words {
     all: || vec!["free", "held"],
     also: &[],
-    message: "`{}` is not a kind of ground end",
+    message: "`{}` is not an end condition of the ground",
     hint: "write \"free\" for an end at a trench, or \"held\" for an end at a wall",
 };
 const END: &[Key] = &[
     quantity("ends", &GROUND_POSITION, "The position of the end.").needed(),
-    word("as", &WAYS, "The kind of end: `free` at a trench, or `held` at a wall.").needed(),
+    word("as", &WAYS, "The end condition of the ground: `free` at a trench, or `held` at a wall.")
+        .needed(),
 ];
 static LEFT: Table = Table { name: "[foundation] left", keys: END };
 static RIGHT: Table = Table { name: "[foundation] right", keys: END };
@@ -262,8 +263,8 @@ fn read_segment(
     let of_area = reader.along(table, "C2").or(inherited);
     let own_shear = shear(reader, table, of_area.as_ref(), own_width.clone().or(width).as_ref());
     let mut segment = whole.segment(reader, table, (ends, way), &own, own_shear);
-    // Ground that varies along the beam is constant outside the beam, so its segments are clipped to the
-    // beam.
+    // If k or μ varies along the whole beam, the ground outside the beam keeps the constant values of the
+    // beam's end. Therefore, segments that reach beyond the beam are cut off at its ends.
     if whole.varies() && segment.from < whole.length && segment.to > 0.0 {
         segment.from = segment.from.max(0.0);
         segment.to = segment.to.min(whole.length);

@@ -23,8 +23,9 @@ pub(super) static TABLE: Table = Table {
     ],
 };
 
-/// Sets the model's initial gap: the points of the file or of a survey, plus the troughs. Returns the number
-/// of chords if there are troughs. `pressures` are the mean loads per length, one for each load combination.
+/// Sets the initial gap of the model: the points of the file or of a survey, plus the settlement troughs,
+/// whose curves are replaced by polygons. Returns the number of straight pieces of the gap if there are
+/// troughs. `pressures` are the mean loads per length, one for each load combination.
 pub(super) fn read(
     reader: &mut Reader,
     root: &Section,
@@ -50,8 +51,10 @@ pub(super) fn read(
             Some(chords)
         }
         Err(chords) => {
-            let message = format!("the troughs need {chords:.0} chords, more than {MOST_CHORDS}");
-            let hint = "check `settlement`, the loads, EI, k and mu: chords are short under a light load or a flexible beam \
+            let message = format!(
+                "the troughs need {chords:.0} straight pieces; at most {MOST_CHORDS} are allowed"
+            );
+            let hint = "check `settlement`, the loads, EI, k and mu: the pieces are short under a light load or a flexible beam \
                         on stiff ground; or give the points yourself as [[gap]]";
             reader.report(Fault::new(code::CHORDS, first.span.clone(), message, "", hint));
             None

@@ -47,9 +47,12 @@ const POINT: Key = quantity("point", &FORCE, "A force at a point, positive downw
     "point_load",
     "magnitude",
 ]);
-const MOMENT_AT: Key =
-    quantity("moment", &MOMENT, "A moment at a point; a positive one turns the right side down.")
-        .also(&["m", "couple"]);
+const MOMENT_AT: Key = quantity(
+    "moment",
+    &MOMENT,
+    "A moment at a point, positive if it turns the right side of the beam downward.",
+)
+.also(&["m", "couple"]);
 const DISTRIBUTED: Key =
     along("distributed", &LOAD_PER_LENGTH, 2, "A distributed force, positive downward.").also(&[
         "q",
@@ -107,7 +110,7 @@ pub(super) static TABLE: Table = Table {
             "The coefficient of thermal expansion; default: that of the `material`.",
         ),
         quantity("depth", &DEPTH, "The depth of the beam; default: that of its `section`."),
-        quantity("at", &POSITION, "The position of a load at a point.").also(ALSO_AT),
+        quantity("at", &POSITION, "The position of a point load.").also(ALSO_AT),
         quantity("from", &POSITION, "The start of a distributed load; default: 0.").also(ALSO_FROM),
         quantity(
             "to",
@@ -124,7 +127,7 @@ pub(super) static ON_GROUND: Table = Table {
     keys: &[
         POINT,
         DISTRIBUTED,
-        quantity("at", &GROUND_POSITION, "The position of a force at a point.").also(ALSO_AT),
+        quantity("at", &GROUND_POSITION, "The position of a point force.").also(ALSO_AT),
         quantity("from", &GROUND_POSITION, "The start of a distributed force.").also(ALSO_FROM),
         quantity("to", &GROUND_POSITION, "The end of a distributed force.").also(ALSO_TO),
         CASE,

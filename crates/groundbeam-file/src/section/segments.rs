@@ -30,12 +30,13 @@ pub(super) struct Segment {
     pub second: Option<Profile>,
 }
 
-/// Data of the table for the whole beam.
+/// Data of the table `[beam]` or `[foundation]`, which apply wherever no segment applies.
 pub(super) struct Whole {
     pub length: f64,
     given: Given,
     stiffness: Stiffness,
-    /// S or μ of the whole beam, which segments without S or μ inherit.
+    /// Shear stiffness S from `[beam]`, or stiffness μ of the shear layer from `[foundation]`. A segment without its
+    /// own S or μ has this value.
     second: Option<Along>,
     body: &'static Body,
 }
@@ -72,7 +73,8 @@ impl Whole {
         (ends, ends.map(|x| (x / self.length).clamp(0.0, 1.0)))
     }
 
-    /// Computes a segment from its own data `own`, and from its own S or μ in `second`, if given.
+    /// Computes a segment. `own` contains EI or k (or its factors) from the table of the segment, and `second` contains
+    /// S or μ from this table, if given.
     pub fn segment(
         &self,
         reader: &mut Reader,

@@ -164,8 +164,8 @@ fn fits(room: f64, side: &'static str) -> Result<(), &'static str> {
 /// Reads the cross-section that `table` gives, if any.
 pub(super) fn read(reader: &mut Reader, table: &Section) -> Option<Shape> {
     let Some(section) = reader.open(table, "section") else {
-        // A value that is not a table has been reported. A placeholder for the section is returned, so that I is
-        // not reported as missing.
+        // If `section` is not a table, this error has been reported already. A placeholder for the cross-section is
+        // returned, so that I is not reported as missing too.
         return table.value("section").map(|value| Shape::unreadable(value.span()));
     };
     if section.value("rail").is_some() {

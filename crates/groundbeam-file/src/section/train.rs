@@ -26,12 +26,12 @@ static UNIFORM: Table = Table {
         quantity(
             "from",
             &OFFSET,
-            "The distance of the start of the load behind the first axle; default: unbounded.",
+            "The distance from the first axle back to the front end of the load; default: the load has no front end.",
         ),
         quantity(
             "to",
             &OFFSET,
-            "The distance of the end of the load behind the first axle; default: unbounded.",
+            "The distance from the first axle back to the rear end of the load; default: the load has no rear end.",
         ),
         quantity("load", &LOAD_PER_LENGTH, "The force per length, downward.").needed(),
     ],
@@ -65,7 +65,7 @@ pub(super) static TABLE: Table = Table {
         )
         .also(ALSO_TO),
         quantity("factor", &RATIO, "A factor on all loads; default: 1."),
-        quantity("dynamic", &RATIO, "An additional factor on the axles; default: 1.").also(&[
+        quantity("dynamic", &RATIO, "An additional factor on the axle loads; default: 1.").also(&[
             "impact",
             "dynamic_factor",
             "IM",

@@ -22,7 +22,8 @@ pub(super) static TABLE: Table = Table {
 
 /// Maximum number of points of the gap that are added for troughs.
 pub(super) const MOST_CHORDS: usize = 10_000;
-/// Step for the integration of the density of chords, in trough widths.
+/// Step, in trough widths, of the numerical integration that counts the chords. The integrand is the
+/// required number of chords per unit length.
 const STEP: f64 = 1.0 / 16.0;
 /// Distance from the middle of a trough, in trough widths, beyond which the trough needs no points. At this
 /// distance, the depth is below 2e-14 of the maximum.
@@ -109,8 +110,9 @@ pub(super) fn sunk(
     Ok(places.into_iter().map(corner).collect())
 }
 
-/// Divides a stretch into chords so that the integral of the chord density is the same over each chord.
-/// Returns the number of points that the division needs.
+/// Divides a stretch of the beam into chords. The required number of chords per unit length has the same
+/// integral over each chord. Appends the right ends of the chords to `places`. Returns the number of points
+/// that the division needs inside the stretch.
 fn divide(stretch: &[(f64, f64, f64)], places: &mut Vec<f64>) -> f64 {
     let whole: f64 = stretch.iter().map(|(from, to, density)| (to - from) * density).sum();
     let parts = whole.ceil().max(1.0);

@@ -79,9 +79,10 @@ pub(crate) fn expand(
 type Terms<'a> = Vec<Vec<(&'a str, f64)>>;
 
 impl Formula {
-    /// Returns lists of terms of the formula. The flag of a list is true if an action of its first term
-    /// must act. A formula with leading actions has one list for each leading action, and one list without
-    /// a leading action.
+    /// Returns the lists of terms from which the combinations of the formula are generated. The boolean
+    /// beside a list is true if each of its combinations must contain an action of the first term. A
+    /// formula with leading actions has one list for each leading action, and one list without a leading
+    /// action.
     fn terms<'a>(&'a self, practice: &'a Practice, cases: &[Acting]) -> Vec<(bool, Terms<'a>)> {
         let written: Terms = self
             .terms
@@ -153,7 +154,7 @@ struct Expansion<'a> {
     most: usize,
     label: &'a str,
     limit_states: LimitStates,
-    /// Whether every combination contains an action of the first term.
+    /// Whether every combination must contain one of the actions that the first term of the formula lists.
     leads: bool,
     made: Vec<Made>,
     /// Index in `made` of each generated combination. The key consists of the bits of the factors of all
@@ -195,8 +196,9 @@ impl Expansion<'_> {
         if factors.is_empty() { self.permanent(terms, case + 1, chosen, rows) } else { Ok(()) }
     }
 
-    /// Combines the actions of the terms by recursion over the terms. The first term contributes one of its
-    /// actions. If `must` is false, the first term may also contribute no action.
+    /// Generates the combinations of variable actions by recursion over the terms. Each term contributes
+    /// one of its alternative actions, or none. If `must` is true, the first term must contribute an
+    /// action.
     fn variable(
         &mut self,
         terms: &[Vec<(&str, f64)>],
@@ -399,7 +401,8 @@ mod tests {
         }
     }
 
-    /// Checks the limit states of `docs/combinations.md`: LRFD 5 belongs to strength and to equilibrium.
+    /// Checks the limit states that `docs/combinations.md` lists. The combination LRFD 5 belongs to two
+    /// limit states: strength and equilibrium.
     #[test]
     fn combinations_have_the_limit_states_of_their_set_and_formula() {
         let (practice, set) = find("ASCE 7-16 LRFD").unwrap();

@@ -51,8 +51,8 @@ pub(crate) struct Set {
     /// Alternative names.
     #[serde(default)]
     also: Vec<String>,
-    /// Ambiguous names, which also fit other editions of the code or other sets. A file that uses an ambiguous
-    /// name is refused.
+    /// Ambiguous names: they also fit other editions of the design code, or other sets of combinations. A file that
+    /// uses one of them is refused.
     #[serde(default)]
     ambiguous: Vec<String>,
     /// Clause and table of the code that define the set.
@@ -65,8 +65,8 @@ pub(crate) struct Set {
     formulas: Vec<Formula>,
 }
 
-/// One combination expression of a code of practice. A combination may omit the variable actions of the
-/// expression, except that `needs_first` requires an action of the first term.
+/// One combination expression of a code of practice. A combination may omit the variable actions of the expression. If
+/// `needs_first` is true, it must nevertheless contain an action of the first term in `terms`.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Formula {
@@ -83,7 +83,7 @@ struct Formula {
     /// each term acts in a combination.
     #[serde(default)]
     terms: Vec<BTreeMap<String, f64>>,
-    /// Whether every combination contains an action of the first term.
+    /// Whether every combination must contain one of the actions that the first term in `terms` lists.
     #[serde(default)]
     needs_first: bool,
     /// Letter of the table that contains the partial factors. Without a letter, all partial factors are 1.
@@ -92,7 +92,7 @@ struct Formula {
     xi: Option<f64>,
     /// Factor of the leading action. Each action with factors ψ is the leading action in some combinations.
     leading: Option<Share>,
-    /// Factor of the accompanying actions, which are the other actions with factors ψ.
+    /// Factor of the accompanying actions: all actions with factors ψ except the leading action.
     accompanying: Option<Share>,
     /// Whether parts of one permanent action may have different factors, as in checks of static equilibrium.
     #[serde(default)]
@@ -136,8 +136,8 @@ pub(crate) fn spellings() -> Vec<&'static str> {
 }
 
 impl Set {
-    /// Returns an action of the first term if every combination of an expression must contain an action of this
-    /// term; `None` otherwise.
+    /// If an expression of the set has `needs_first`, returns an action of the first term of this expression. Returns
+    /// `None` if no expression has `needs_first`.
     pub fn needed(&self) -> Option<&str> {
         let formula = self.formulas.iter().find(|formula| formula.needs_first)?;
         formula.terms.first()?.keys().next().map(String::as_str)
@@ -174,8 +174,8 @@ fn states(names: &[String]) -> LimitStates {
 }
 
 impl Practice {
-    /// Returns the letter of a table of partial factors that an expression of the set uses, if this table has
-    /// no factors of the action.
+    /// Returns the letter of the first table of partial factors that an expression of the set uses but that has no
+    /// factors for the action. Returns `None` if there is no such table.
     pub fn lacks<'s>(&self, set: &'s Set, action: &str) -> Option<&'s str> {
         let action = self.actions.iter().find(|known| known.name == action)?;
         let letters = set.formulas.iter().filter_map(|formula| formula.gamma.as_deref());

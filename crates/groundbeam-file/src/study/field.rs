@@ -293,7 +293,12 @@ fn method(reader: &mut Reader, table: &Section) -> Option<Method> {
         }
         (None, Some(variance)) => {
             let hint = "1 keeps all terms";
-            out_of_range(reader, &variance, "a share of the variance lies between 0 and 1", hint);
+            out_of_range(
+                reader,
+                &variance,
+                "a share of the variance must be greater than 0 and at most 1",
+                hint,
+            );
             return None;
         }
         (None, None) => Share::OfVariance(VARIANCE),

@@ -20,7 +20,7 @@ pub struct Keep {
     pub fields: Vec<Field>,
     /// Positions \[m\] at which the values of `fields` are saved.
     pub at: Vec<f64>,
-    /// Whether the random fields are saved at all of their points.
+    /// Whether the values of the random fields are saved, at all points of each field.
     pub ground: bool,
 }
 

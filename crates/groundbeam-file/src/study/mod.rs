@@ -187,7 +187,7 @@ fn parse(path: &Path, text: &str, beside: Beside) -> Result<StudyFile, At> {
                 "the model's quantities have no units, so the study's quantities must have none"
             }
         };
-        let hint = "write the study's quantities in the same way as the model's";
+        let hint = "write the study's quantities with units if the model's have units, and without units otherwise";
         reader.report(Fault::new(code::MIXED, span, message, "", hint));
     }
     if !reader.found.is_empty() {

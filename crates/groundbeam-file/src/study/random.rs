@@ -20,7 +20,7 @@ use toml::de::DeValue;
 pub struct Random {
     /// Name of the random number in the file, such as `load[0]`.
     pub name: String,
-    /// Number of the model that the random number replaces.
+    /// Parameter of the model whose value is random.
     pub target: Parameter,
     /// Distribution of the random number.
     pub distribution: Distribution,
@@ -166,7 +166,7 @@ fn target(
     let (name, span) = reader.text(table, "what")?;
     let name = name.trim();
     let Some(target) = Parameter::named(name) else {
-        let message = format!("`{name}` is not a number of the model");
+        let message = format!("`{name}` is not the name of a number in the model");
         let hint = format!("allowed here: {}", Parameter::NAMES);
         reader.report(Fault::new(code::UNKNOWN_WORD, span, message, "", hint));
         return None;
@@ -217,7 +217,7 @@ fn distribution(
             None => Some(Distribution::Uniform { from, to }),
             Some(mode) if mode.value < from || mode.value > to => {
                 let hint = "it is the most probable value";
-                out_of_range(reader, &mode, "`mode` lies between `from` and `to`", hint);
+                out_of_range(reader, &mode, "`mode` must lie between `from` and `to`", hint);
                 None
             }
             Some(mode) => Some(Distribution::Triangular { from, mode: mode.value, to }),

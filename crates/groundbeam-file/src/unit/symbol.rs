@@ -152,7 +152,7 @@ const ADVICE: &[(&[&str], &str)] = &[
     (&["kg"], "this is a mass; write `kgf` for its weight (9.80665 N), or give the force in kN"),
     (&["t", "te", "Te", "tonne", "tonnes", "tm"], TONNE),
     (&["ton", "tons", "T", "Ton", "Tons"], TONS),
-    (&["tlf"], "a ton per foot is 2 kip/ft: write klf"),
+    (&["tlf"], "1 ton/ft = 2 kip/ft: convert the number and write klf"),
     (&["Mp"], "a megapond is 1000 kgf: write `tf`"),
     (&["lbm"], "a model has no masses; for a weight write `lbf`"),
     (&["mi", "mile", "miles"], "1 mile = 5280 ft = 1609.344 m: write ft or km"),
