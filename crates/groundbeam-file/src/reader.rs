@@ -194,11 +194,7 @@ impl<'s> Reader<'s> {
             }
             _ => {
                 let message = format!("`{key}` is a table, not a value");
-                self.wrong_type(
-                    value,
-                    message,
-                    format!("write {name} on a line, and its keys on the lines below"),
-                );
+                self.wrong_type(value, message, format!("write {name}, with its keys below it"));
                 None
             }
         }
@@ -232,9 +228,8 @@ impl<'s> Reader<'s> {
                 _ => {
                     let message = format!("each element of `{key}` must be a table, not a value");
                     let hint = keys.inline(key, self.plain);
-                    let hint = hint.unwrap_or_else(|| {
-                        format!("write {name} on a line, and its keys on the lines below")
-                    });
+                    let hint =
+                        hint.unwrap_or_else(|| format!("write {name}, with its keys below it"));
                     self.wrong_type(element, message, hint);
                 }
             }

@@ -12,8 +12,8 @@ use std::ops::Range;
 /// the middle of the piece.
 const PARTS: [f64; 4] = [0.9, 0.5, 0.25, 0.0625];
 
-/// Returns the fractions of `PARTS` for which the middle part lies within the piece. The piece may be shorter than
-/// twice its stored half length.
+/// Returns the fractions f of `PARTS` for which the middle part |t| ≤ f lies within the piece. The local coordinate t
+/// is scaled by the stored half length, and the piece may be shorter than twice this half length.
 pub(crate) fn parts_of<S: Scalar>(span: &Span<S>) -> impl Iterator<Item = f64> {
     let [left, right] = [-span.t[0].high(), span.t[1].low()];
     PARTS.into_iter().filter(move |part| *part <= left && *part <= right)
@@ -27,7 +27,7 @@ struct Anchor {
     bound: Size,
 }
 
-/// The anchors on one part of the beam.
+/// Positions on one part of the beam at which the error of the deflection or of the rotation is bounded.
 #[derive(Debug, Clone, Default)]
 struct Anchors {
     /// Positions with a bound of the error of the deflection.
@@ -96,7 +96,7 @@ impl<S: Scalar> Pointwise<'_, S> {
         let frame = self.fields.frame;
         let mut anchors: Vec<Anchors> = parts.iter().map(|part| self.anchors(part)).collect();
         let mut found = vec![Size::INFINITE; parts.len()];
-        // Number of anchors with which the bound of each part was last computed.
+        // For each part, the number of anchors (positions with a known error bound) that its last computed bound uses.
         let mut used = vec![0; parts.len()];
         for _ in 0..2 {
             let order: Vec<usize> = (0..parts.len()).chain((0..parts.len()).rev()).collect();
@@ -139,7 +139,8 @@ impl<S: Scalar> Pointwise<'_, S> {
         found
     }
 
-    /// Adds an anchor at the common hinge to each neighbour of part `j`, if part `j` has a finite bound.
+    /// If the deflection error of part `j` has a finite bound, adds an anchor with this bound to each neighbouring
+    /// part. The position of the anchor is the hinge that joins the two parts.
     fn hand_on(&self, j: usize, parts: &[Range<usize>], found: &[Size], anchors: &mut [Anchors]) {
         if !(found[j] < Size::INFINITE) {
             return;
@@ -156,8 +157,8 @@ impl<S: Scalar> Pointwise<'_, S> {
         }
     }
 
-    /// Returns a bound of the jump of the rotation error at an elastic hinge. The energy of this jump in the hinge is
-    /// at most the bound of the error energy. At other nodes the result is zero.
+    /// Returns a bound of the jump of the rotation error at a node; zero if the node has no elastic hinge. The bound
+    /// follows from the energy of the jump in the hinge spring, which is at most the bound of the error energy.
     fn kink(&self, node: usize) -> Size {
         match self.fields.frame.nodes[node].hinge {
             None => Size::ZERO,
@@ -165,7 +166,8 @@ impl<S: Scalar> Pointwise<'_, S> {
         }
     }
 
-    /// Returns the anchors of a part.
+    /// Returns the anchors of a part of the beam: the supports, contact nodes and contact intervals at which the error
+    /// of the deflection or of the rotation is bounded.
     fn anchors(&self, part: &Range<usize>) -> Anchors {
         let frame = self.fields.frame;
         let mut anchors = Anchors::default();
@@ -196,9 +198,10 @@ impl<S: Scalar> Pointwise<'_, S> {
         anchors
     }
 
-    /// Returns a bound of the error of the deflection at a touching node with a positive contact force after
-    /// redistribution. This error is the sum of the error of the ground displacement and the clearance of the exact
-    /// solution. The clearance is at most the bound of the error energy divided by the contact force.
+    /// Returns a bound of the error of the deflection at a contact node. The concentrated contact force at the node
+    /// must remain positive after its correction for exact equilibrium. The error is the sum of the error of the ground
+    /// displacement and the clearance of the exact solution. This clearance is at most the bound of the error energy
+    /// divided by the corrected contact force.
     fn pressed(&self, node: usize) -> Option<Size> {
         let surface = &self.fields.surface;
         let force = self.kept(self.balanced.factors[node].size()) * surface.nodes[node].force.low();
@@ -226,8 +229,8 @@ impl<S: Scalar> Pointwise<'_, S> {
         (1.0 - factor).next_down()
     }
 
-    /// Returns a lower bound of the redistributed pressure on the middle part of a touching piece. `part` is the
-    /// fraction of the length of the piece.
+    /// Returns a lower bound of the contact pressure on the middle part of a touching piece, after the correction of
+    /// the pressure for exact equilibrium. `part` is the length of the middle part divided by the length of the piece.
     pub(crate) fn least_pressure(&self, i: usize, part: f64) -> f64 {
         let pressure = &self.fields.pressures[i].field;
         let least = pressure.coefficient(0).low() - pressure.tail(part).value();
@@ -247,7 +250,7 @@ impl<S: Scalar> Pointwise<'_, S> {
             if !(least > 0.0) {
                 continue;
             }
-            // Length of the middle part, rounded down.
+            // Length of the middle part |t| ≤ `part` of the piece, rounded down.
             let length = (2.0 * part * span.half.low()).next_down();
             let ends = [-part, part].map(|t| span.middle + span.half * S::of(t));
             let half = Size::of((part * span.half.high()).next_up());
@@ -268,8 +271,9 @@ impl<S: Scalar> Pointwise<'_, S> {
         best
     }
 
-    /// Returns the smallest of several error bounds of the deflection on a part. The first bound uses all anchors. Each
-    /// further bound uses only anchors with small error bounds.
+    /// Returns the smallest of several bounds of the deflection error on a part. These bounds follow from error bounds
+    /// at single positions, the anchors. The first bound uses all anchors. Each further bound uses only anchors with
+    /// small error bounds.
     fn best_along(&self, part: &Part, anchors: &Anchors) -> Size {
         let mut sorted = anchors.places.clone();
         sorted.sort_by(|a, b| a.bound.value().total_cmp(&b.bound.value()));
@@ -337,18 +341,19 @@ impl<S: Scalar> Pointwise<'_, S> {
     }
 }
 
-/// Returns a bound of the error of the deflection on an interval from a bound of its mean absolute value.
+/// Returns a bound of the error of the deflection on an interval from the bound `mean` of its mean absolute value.
 ///
-/// The error differs from its tangent in the middle of the interval by at most `curved`/√3 + `slid`. The absolute value
-/// of a linear function is at most 1 + √2 times its mean absolute value.
+/// The error differs from its tangent at the midpoint of the interval by at most `curved`/√3 + `slid`. The term with
+/// `curved` bounds the effect of the curvature error, and `slid` bounds the effect of the shear strain error. The
+/// absolute value of a linear function is at most 1 + √2 times its mean absolute value.
 pub(crate) fn from_mean(mean: Size, curved: Size, slid: Size) -> Size {
     let mean = mean + 0.2310 * curved + 0.6667 * slid;
     2.4143 * mean + 0.5774 * curved + slid
 }
 
-/// Returns a bound of the difference by which the absolute error of the deflection between two anchors can exceed the
-/// larger of the bounds at the anchors. `h` is the distance of the anchors, and `s` and `sheared` are the bounds of
-/// [`Pointwise::flexure`].
+/// Between two anchors (positions with known error bounds), the absolute error of the deflection is at most the larger
+/// of the two bounds plus an increment. Returns a bound of this increment. `h` is the distance between the anchors. `s`
+/// and `sheared` bound the norms of the errors of curvature and shear strain ([`Pointwise::flexure`]).
 pub(crate) fn between(h: Size, [s, sheared]: [Size; 2]) -> Size {
     s * (h.square() * h).over(48.0).root() + 0.5 * (sheared * h.root())
 }
@@ -369,9 +374,9 @@ pub(crate) fn beyond(
     near + turn + bent + slid
 }
 
-/// Returns a bound of the change of the deflection error over the length `over`. `slope` bounds the rotation error at a
-/// position whose distance from the start of this length is at most `distance`. `s` and `sheared` are the bounds of
-/// [`Pointwise::flexure`].
+/// Returns a bound of the change of the deflection error along an interval of length `over`. `slope` bounds the
+/// rotation error at a position that is at most `distance` away from the start of the interval. `s` and `sheared` bound
+/// the norms of the errors of curvature and shear strain ([`Pointwise::flexure`]).
 pub(crate) fn along_slope(
     [slope, distance]: [Size; 2],
     over: Size,

@@ -17,7 +17,8 @@ pub struct Answer {
 pub struct Piece {
     /// Left and right end \[m\].
     pub x: [f64; 2],
-    /// Half length \[m\] of the piece in the definition of t. It can differ from (x₁ − x₀)/2 by rounding error.
+    /// Half length \[m\] of the piece, which scales the local coordinate t = (x − (x₀ + x₁)/2)/`half`. It can differ
+    /// from (x₁ − x₀)/2 by rounding error.
     pub half: f64,
     /// Whether beam and ground are in contact on the piece.
     pub touches: bool,
@@ -26,7 +27,8 @@ pub struct Piece {
     /// Coefficients of the rotation φ(t) of the cross-sections \[rad\]. The list is empty on a piece without shear
     /// deformation, where φ = w′.
     pub rotation: Vec<f64>,
-    /// Coefficients of the contact pressure p(t) \[N/m\]; empty if the pressure is not stored.
+    /// Coefficients of the contact pressure \[N/m\] as a polynomial of the local coordinate t, the constant coefficient
+    /// first; empty if the pressure is not stored.
     pub pressure: Vec<f64>,
     /// Displacement u of the ground at both ends of an open piece \[m\]; `None` if it is not stored.
     pub open: Option<[f64; 2]>,

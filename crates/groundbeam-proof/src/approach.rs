@@ -1,4 +1,4 @@
-//! Proves for open pieces of the claimed solution over a shear layer that the exact solution has a positive clearance.
+//! Proves a positive exact clearance on pieces where the claimed solution has no contact and the ground has a shear layer.
 
 use crate::clearance::OpenPiece;
 use crate::contact_set::{Contact, Zone, more};
@@ -10,7 +10,7 @@ use crate::size::Size;
 /// towards a node.
 const INTERVALS: [usize; 2] = [4002, 122];
 
-/// Proven bounds at an end of an open piece where the claimed solution is in contact.
+/// Proven bounds at an end of a piece without contact, if beam and ground touch at this end in the claimed solution.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Approach {
     /// Distance θ from the touching node. At larger distances, the exact solution has no contact on the piece.
@@ -132,11 +132,11 @@ impl<S: Scalar> Contact<'_, S> {
         }
     }
 
-    /// Returns a distance θ from the node. From `reach` to this distance, the clearance decreases faster than `limit`.
-    /// Small distances are tried first.
+    /// Returns a distance θ from the node. From `reach` to the distance θ, the clearance C decreases faster than
+    /// `limit` towards the node. Small distances are tried first.
     ///
-    /// A positive θ requires a smooth node. The term (μC′)′ of the clearance C must also exceed its error bound at all
-    /// distances from the node up to θ.
+    /// A positive θ requires two conditions. The node is smooth, that is, without hinge, corner of g₀, force on the
+    /// ground or jump of μ or S. The term (μC′)′ exceeds its error bound at all distances from the node up to θ.
     fn theta(
         &self,
         i: usize,
@@ -174,15 +174,17 @@ impl<S: Scalar> Contact<'_, S> {
     }
 }
 
-/// Returns the bound (13a) of docs/proof.md: the minimum of (2·`stiff`)/h + h·`load` over all h ≤ `length`. `stiff` is
-/// μ times the error bound of the ground displacement.
+/// Returns the bound (13a) of docs/proof.md for the error of the flux μu′: the minimum of (2·`stiff`)/h + h·`load` over
+/// all h ≤ `length`. `stiff` is μ times the error bound of the ground displacement u, and `load` bounds the derivative
+/// of the flux error.
 fn varying_flux(stiff: Size, load: Size, length: f64) -> Size {
     let best = (2.0 * stiff.value() / load.value()).sqrt();
     let h = if best < length { best } else { length };
     (2.0 * stiff).over(h) + Size::of(h) * load
 }
 
-/// Returns the slope C′ of the clearance at t, positive if C increases towards the touching end.
+/// Returns the slope of the clearance at the local coordinate t of the piece. The slope is positive if the clearance
+/// increases towards the touching end.
 fn fall<C: Scalar>(piece: &OpenPiece<C>, side: usize, t: f64) -> C {
     // By rounding error, the stored end may lie outside the piece. The exact end of the piece replaces it.
     let t = if t == piece.interval[side] { piece.ends[side] } else { C::of(t) };

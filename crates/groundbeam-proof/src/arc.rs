@@ -1,4 +1,4 @@
-//! Computes the displacement of open ground between two points: the solution of μu″ = ku with given values at both ends.
+//! Computes the displacement of ground without contact between two points: solves μu″ = ku with given values at both ends.
 
 use crate::frame::Span;
 use crate::scalar::Scalar;
@@ -16,7 +16,7 @@ pub(crate) struct Arc<C> {
     /// The product z = bh.
     z: C,
     length: C,
-    /// The divisors exp(−2z) − 1 and exp(−z) + 1 in the formula of u.
+    /// The denominators exp(−2z) − 1 and exp(−z) + 1 in the formula of the ground displacement u, where z = bh.
     divisors: [C; 2],
 }
 
@@ -48,7 +48,7 @@ impl<C: Scalar> Arc<C> {
         }
     }
 
-    /// Returns the larger absolute value of u at the two ends.
+    /// Returns the larger of the absolute values of the ground displacement u at the two ends of the piece.
     pub fn size(&self) -> f64 {
         self.ends[0].size().max(self.ends[1].size())
     }
@@ -63,7 +63,8 @@ impl<C: Scalar> Arc<C> {
         let (fallen, double) = (exponential(a - self.z), (-a.scaled(1)).expm1());
         let sinh = (fallen * double).div(self.divisors[0]);
         let cosh = -(fallen * (double + two)).div(self.divisors[0]);
-        // In the second term of u, the argument is b(h/2 − x), and the divisor is cosh(z/2).
+        // The second term of u is u_L cosh(c)/cosh(z/2) with c = b(h/2 − x), b = √(k/μ) and z = bh, where h is the
+        // length of the piece.
         let c = self.decay * (self.length.scaled(-1) - x);
         let negative = c.middle() < 0.0;
         let size = if negative { -c } else { c };

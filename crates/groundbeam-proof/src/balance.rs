@@ -31,20 +31,21 @@ pub(crate) struct Balance<'a, S> {
     pub residual: &'a Residual<S>,
     /// Indices of the nodes at which the beam is cut, including the first and the last node.
     pub cuts: Vec<usize>,
-    /// Ratio of the transverse force carried by the axial tension to the slope of the redistribution factor; 0 if the
-    /// tension carries no load.
+    /// Factor B of the additional transverse force Bλ′ that the axial tension carries; 0 if the tension carries no such
+    /// force. λ is the relative correction of the contact pressure, and λ′ its slope.
     pub carrier: f64,
 }
 
-/// Redistributed forces and changed moments, in exact equilibrium with the loads.
+/// Relative correction λ of the contact pressures, and changes of moments, that restore exact equilibrium with the
+/// loads.
 #[derive(Debug)]
 pub(crate) struct Balanced<S> {
     /// Indices of the nodes at which the beam is cut.
     pub cuts: Vec<usize>,
-    /// Ratio of the transverse force carried by the axial tension to the slope of the redistribution factor; 0 if the
-    /// tension carries no load.
+    /// Factor B of the additional transverse force Bλ′ that the axial tension carries; 0 if the tension carries no such
+    /// force. λ is the relative correction of the contact pressure, and λ′ its slope.
     pub carrier: f64,
-    /// Redistribution factor at each node.
+    /// Relative correction λ at each node. Contact pressures and contact forces are multiplied by 1 + λ.
     pub factors: Vec<S>,
     pub pieces: Vec<BalancedPiece<S>>,
 }
@@ -52,11 +53,12 @@ pub(crate) struct Balanced<S> {
 /// Changes of moment and shear force on one piece that restore exact equilibrium.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct BalancedPiece<S> {
-    /// Absolute slope of the redistribution factor in the cell that contains the piece.
+    /// Absolute slope |λ′| in the cell that contains the piece, where λ is the relative correction of the contact
+    /// pressure.
     pub steepness: Size,
-    /// Change of the moment at both ends of the piece, without the effect of the redistributed forces.
+    /// Correction of the claimed moment at both ends of the piece, without the effect of the redistributed forces.
     pub moments: [S; 2],
-    /// Change of the shear force at both ends of the piece, without the effect of the redistributed forces.
+    /// Correction of the claimed shear force at both ends of the piece, without the effect of the redistributed forces.
     pub shears: [S; 2],
     /// Bounds of the moment and of the shear force that the redistribution of forces causes in the cell.
     pub added: [Size; 2],
@@ -65,7 +67,7 @@ pub(crate) struct BalancedPiece<S> {
 }
 
 impl<S: Scalar> Balanced<S> {
-    /// Returns the largest absolute value of the redistribution factor on a piece.
+    /// Returns the largest |λ| on a piece, where λ is the relative correction of the contact pressure.
     pub fn factor(&self, piece: usize) -> Size {
         Size::of(self.factors[piece].size()).worst(Size::of(self.factors[piece + 1].size()))
     }
@@ -78,7 +80,7 @@ struct Cell<S> {
     length: S,
 }
 
-/// Tridiagonal system of equations for the redistribution factors at the cuts.
+/// Tridiagonal system of equations for λ, the relative correction of the contact pressure, at the cuts of the beam.
 struct System<S> {
     rows: Vec<Row<S>>,
 }
@@ -102,7 +104,8 @@ impl<S: Scalar> System<S> {
     fn solved(mut self) -> Option<Vec<S>> {
         let rows = &mut self.rows;
         if rows.iter().all(|row| row.right == S::zero()) {
-            // No cut has a residual force, so all redistribution factors are zero.
+            // No residual force acts at the cuts of the beam, so the relative correction of the contact pressure is
+            // zero at all cuts.
             return Some(rows.iter().map(|row| row.right).collect());
         }
         for j in 0..rows.len() {
@@ -182,8 +185,9 @@ impl<S: Scalar> Balance<'_, S> {
         Cell { pieces, ends, length: ends[1] - ends[0] }
     }
 
-    /// Returns the weight of a node in the redistribution of residual forces. It is the sum of the concentrated contact
-    /// force, the weights of two-way supports, and the reaction of a one-way support.
+    /// Returns the weight of a node in the redistribution of residual forces. The weight times the relative correction
+    /// λ at the node is the additional force there. The weight is the sum of the concentrated contact force, the
+    /// reaction of a one-way support, and the freely chosen positive weights of two-way supports.
     fn carried_at(&self, node: usize) -> S {
         let weights = &self.frame.nodes[node].weights;
         self.surface.nodes[node].force
@@ -203,7 +207,7 @@ impl<S: Scalar> Balance<'_, S> {
         weights.fold(S::zero(), |sum, weights| sum + S::of(weights.clamp) + S::of(weights.turning))
     }
 
-    /// Returns the change of the moment just inside the two ends of a cell.
+    /// Returns the correction of the claimed bending moment just inside the two ends of a cell.
     fn end_moments(&self, cell: &Cell<S>) -> [S; 2] {
         let (first, last) = (cell.pieces.start, cell.pieces.end);
         let nodes = &self.frame.nodes;
@@ -222,8 +226,8 @@ impl<S: Scalar> Balance<'_, S> {
         [left, right]
     }
 
-    /// Computes the change of the moment along a cell, and the change of the shear force at the two ends of each piece.
-    /// Returns the change of the shear force at the two ends of the cell.
+    /// Computes the corrections of the claimed moment along a cell, and of the claimed shear force at the two ends of
+    /// each piece. Returns the corrections of the shear force at the two ends of the cell.
     fn shear_forces(&self, cell: &Cell<S>, balanced: &mut Balanced<S>) -> [S; 2] {
         let [left, right] = self.end_moments(cell);
         let inner = |i: usize| {
@@ -249,9 +253,9 @@ impl<S: Scalar> Balance<'_, S> {
         [first, shear]
     }
 
-    /// Adds the contributions of a cell to the system of equations: contact pressures, forces at inner nodes, clamps
-    /// and rotational springs, and axial tension. Widens the intervals of the system by the resultant of tensile
-    /// pressures.
+    /// Adds the terms of a cell to the equilibrium equations: contact pressures, forces at inner nodes, moments of
+    /// clamps and rotational springs, and axial tension. Tensile pressures are omitted, so the coefficients, which are
+    /// intervals, are widened by the resultant of the tensile pressures.
     fn masses(&self, cell: &Cell<S>, j: usize, system: &mut System<S>) {
         let per_length = S::one().div(cell.length);
         let mut add = |mass: S, [a, b]: [S; 2]| {
@@ -293,9 +297,10 @@ impl<S: Scalar> Balance<'_, S> {
         system.rows[j].beside = system.rows[j].beside.widened(tensile.value());
     }
 
-    /// Computes the redistribution factor on a cell, and bounds of the moment and shear force that the redistribution
-    /// of forces causes in the cell. On a simply supported cell of length h, a load F causes a moment of at most Fh/4
-    /// and a shear force of at most F. A couple C causes a moment of at most C and a shear force of at most C/h.
+    /// Computes λ, the relative correction of the contact pressure, along a cell. Also computes bounds of the moment
+    /// and shear force that the corrected pressures and reactions cause in the cell. On a simply supported cell of
+    /// length h, a load F causes a moment of at most Fh/4 and a shear force of at most F. A couple C causes a moment of
+    /// at most C and a shear force of at most C/h.
     fn give_back(&self, cell: &Cell<S>, ends: [S; 2], balanced: &mut Balanced<S>) {
         let per_length = S::one().div(cell.length);
         let slope = (ends[1] - ends[0]) * per_length;
@@ -342,9 +347,9 @@ mod tests {
     use crate::size::Size;
     use serde_json::json;
 
-    /// The claimed pressure x − 0.1 balances the load, but it is tensile for x < 0.1. The proof omits this tensile
-    /// pressure, so its resultant 0.005 remains as an additional load of the beam. Changes of the compressive pressure
-    /// are also loads of the beam.
+    /// The claimed pressure x − 0.1 balances the load, but it is tensile for x < 0.1. The proof sets the tensile
+    /// pressure to zero, so its resultant 0.005 remains as an additional load of the beam. The proof balances this load
+    /// by a correction of the compressive pressure, which is also a load of the beam.
     #[test]
     fn omitted_tension_is_a_load_of_the_beam() {
         let text = "[beam]\nlength = 2\nEI = 1\n[foundation]\nk = 1\n[[load]]\ndistributed = [-0.1, 1.9]\n";

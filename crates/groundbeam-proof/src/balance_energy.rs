@@ -20,8 +20,8 @@ impl<S: Scalar> Balance<'_, S> {
         (0..self.frame.spans.len()).map(of).sum()
     }
 
-    /// Returns a bound of Σβ²h/P over the pieces of length h, twice the complementary energy of the transverse forces
-    /// β that the axial tension P carries.
+    /// Returns a bound of the sum of β²h/P over all pieces. h is the length of a piece, and β is the transverse force
+    /// that the axial tension P carries. The sum is twice the complementary energy of these forces.
     pub fn drawn(&self, balanced: &Balanced<S>) -> Size {
         let Some(tension) = self.frame.tension else { return Size::ZERO };
         let pieces = self.frame.spans.iter().zip(&balanced.pieces);
@@ -31,13 +31,13 @@ impl<S: Scalar> Balance<'_, S> {
         pieces.map(of).sum()
     }
 
-    /// Returns a bound of ‖Gδp‖_b², twice the energy of the settlement Gδp under the change δp = λp̄ of the
-    /// pressure p̄, with |λ| ≤ γ.
+    /// Returns a bound of ‖Gδp‖_b², twice the energy of the ground displacement Gδp. G is the flexibility of the
+    /// ground, and δp = λp̄ is the correction of the pressure p̄ with |λ| ≤ γ.
     ///
-    /// On Winkler ground, ‖Gδp‖_b² = ∫(δp)²/k. In a shear layer, a pressure causes only downward settlements, so
-    /// the bound is Σγ²∫p̄ Gp̄. The settlement Gp̄ is at most |w − g₀| + |c| + `missed` √g. Here c is the
-    /// correction of the deflection w, g bounds the settlement under a unit force, and `missed` bounds the
-    /// residual of the ground.
+    /// On Winkler ground, ‖Gδp‖_b² = ∫(δp)²/k. In a shear layer, a pressure causes only downward displacements, so the
+    /// bound is Σγ²∫p̄ Gp̄. The displacement Gp̄ is at most |w − g₀| + |c| + `missed` √g. Here c is the correction of
+    /// the deflection w, g bounds the ground displacement under a unit force, and `missed` bounds the norm of the
+    /// residual of the ground equation.
     pub fn ground(&self, balanced: &Balanced<S>, deflection: &Deflection<S>, missed: Size) -> Size {
         let mut sum = Size::ZERO;
         for (i, span) in self.frame.spans.iter().enumerate().filter(|(_, span)| span.touches) {

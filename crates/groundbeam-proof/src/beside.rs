@@ -7,13 +7,13 @@ pub(crate) struct LoadedStretch<S> {
     pub length: Option<S>,
     /// k and μ of the stretch.
     pub ground: [S; 2],
-    /// Distributed load q at the near and at the far end of the stretch.
+    /// Distributed load q at the two ends of the stretch, first at the end nearer to the beam.
     pub spread: [S; 2],
-    /// The point force at the far end of the stretch.
+    /// Point force at the end of the stretch that is farther from the beam.
     pub force: S,
 }
 
-/// The shear layer outside one end of the beam, listed outward.
+/// The stretches of shear layer outside one end of the beam, in order from the beam outward.
 #[derive(Debug, Clone)]
 pub(crate) struct Row<S> {
     pub stretches: Vec<LoadedStretch<S>>,
@@ -22,7 +22,7 @@ pub(crate) struct Row<S> {
 }
 
 impl<S> Row<S> {
-    /// Returns a row without stretches, for an end of the beam without ground outside.
+    /// Returns an empty list of stretches, for an end of the beam without ground outside.
     pub fn none() -> Self {
         Row { stretches: Vec::new(), held: false }
     }

@@ -1,6 +1,6 @@
 //! Bounds of the errors of an answer, each with the scale with which it is compared.
 
-/// Largest fraction of its scale at which an error counts as small.
+/// An error counts as small if it is at most this fraction of the scale of its quantity.
 const SMALL: f64 = 1e-6;
 
 /// A bound of the error of one quantity: |claimed − exact| ≤ `error`. It is infinite if no bound is proven.

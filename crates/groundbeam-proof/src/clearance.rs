@@ -30,10 +30,12 @@ use crate::size::Size;
 /// The heights by which open ground is raised to remove the penetration, and the norms of these corrections.
 #[derive(Debug)]
 pub(crate) struct Clearance {
-    /// (Σ‖v‖_b²)^½, the norm of the correction v of all open layers. The energies of the stretches of open layer
-    /// add, because each v is zero at touching nodes.
+    /// Norm (Σ‖v‖_b²)^½ of the corrections v that raise the surface of shear layers without contact, where ‖v‖_b² =
+    /// ∫(kv² + μv′²) is twice the energy of the ground. The energies of separate stretches can be summed, because v is
+    /// zero at every touching node.
     pub lifted: Size,
-    /// (Σ kη²ω)^½, the norm of the correction of open Winkler ground. η is the penetration depth on the length ω.
+    /// Norm (Σ kη²ω)^½ of the corrections that raise the surface of Winkler ground without contact. Here k is the
+    /// subgrade modulus, and the beam penetrates the ground by at most η on the length ω.
     pub risen: Size,
     /// The height by which the correction raises the ground of each piece.
     pub raised: Vec<Size>,
@@ -78,7 +80,8 @@ pub(crate) fn clearance<S: Scalar>(
     found
 }
 
-/// Bounds the depth and the length of the penetration w̄ − g₀ − q/k on an open piece of Winkler ground.
+/// Bounds the depth and the length of the penetration w̄ − g₀ − q/k on an open piece of Winkler ground. w̄ is the
+/// constructed deflection, g₀ the initial gap, and q the load on the ground.
 fn above_springs<S: Scalar>(
     span: &Span<S>,
     closed: Size,
@@ -110,11 +113,12 @@ struct Stretch<'a, S> {
 /// Neighbourhood of a touching node. At the distance x from the node, the penetration is proven to be at most τx,
 /// with a constant slope τ.
 struct Ramp {
-    /// The value of t at the end of the neighbourhood away from the node.
+    /// Local coordinate t at that end of the neighbourhood that is not the touching node.
     reach: f64,
-    /// A lower bound of the length d of the neighbourhood.
+    /// A lower bound of the length d of the neighbourhood of the touching node.
     distance: f64,
-    /// Bound τd of the penetration in the neighbourhood, where τ is the slope and d the length.
+    /// Upper bound τd of the penetration in the neighbourhood of the touching node. d is the length of the
+    /// neighbourhood, and the penetration at the distance x from the node is at most τx.
     depth: Size,
 }
 
@@ -161,7 +165,8 @@ impl<S: Scalar> Stretch<'_, S> {
         (deepest, if deepest.value() == 0.0 { deepest } else { deepest * stiffness.root() })
     }
 
-    /// Returns the slope of the clearance C̄ = ū + g₀ − w̄ at a touching node, on the side of the open piece.
+    /// Returns the slope of the clearance C̄ = ū + g₀ − w̄ at a touching node, on the side of the piece without
+    /// contact. ū is the constructed ground displacement, g₀ the initial gap, and w̄ the constructed deflection.
     fn slope_at(&self, i: usize, side: usize) -> S {
         let span = &self.frame.spans[i];
         let settling = self.surface.pieces[i].flux[side].div(span.shear.at_end(side));
@@ -171,22 +176,25 @@ impl<S: Scalar> Stretch<'_, S> {
     }
 }
 
-/// An open piece of a layer in numbers of low precision. Under a load on the ground, v = u − q/k replaces u, and
-/// ψ − q/k replaces ψ = w − g₀.
+/// A piece without contact on a shear layer, in numbers of low precision. Under a load q on the ground, v = u − q/k
+/// replaces the ground displacement u, and ψ − q/k replaces ψ = w − g₀. Here w is the deflection and g₀ the initial
+/// gap.
 pub(crate) struct OpenPiece<C> {
     pub arc: Arc<C>,
-    /// ψ = w − g₀ and its derivatives ψ′ and ψ″ with respect to x, as polynomials of t.
+    /// ψ = w − g₀ and its derivatives ψ′ and ψ″ with respect to x, as polynomials of the local coordinate t of the
+    /// piece.
     pub obstacle: [Polynomial<C>; 3],
     pub half: C,
-    /// t at both ends.
+    /// Local coordinate t at both ends of the piece.
     pub ends: [C; 2],
     pub interval: [f64; 2],
     closed: [Size; 3],
 }
 
 impl<C: Scalar> OpenPiece<C> {
-    /// Returns an open piece with the obstacle ψ = w − g₀. `along` is the settlement u on ground whose k or μ
-    /// varies. On such ground, ψ − u replaces ψ, and 0 replaces u.
+    /// Returns an open piece with the obstacle ψ = w − g₀. If k or μ varies along the piece, `along` contains the
+    /// ground displacement u as a polynomial. The piece then has the obstacle ψ − u and the ground displacement 0, so
+    /// that the clearance u − ψ is unchanged.
     pub fn of<S: Scalar<Coarse = C>>(
         span: &Span<S>,
         ends: [S; 2],
@@ -209,14 +217,14 @@ impl<C: Scalar> OpenPiece<C> {
         }
     }
 
-    /// u and u′ at t.
+    /// Returns the ground displacement u and its derivative u′ at the local coordinate t.
     pub fn settlement(&self, t: f64) -> [C; 2] {
         self.arc.at((C::of(t) - self.ends[0]) * self.half)
     }
 
-    /// Returns a lower bound of the second derivative C̄″ of the clearance on |t − m| ≤ r, computed from C̄″ ≥ b²u
-    /// − ψ″ − |c″|. Here b² = k/μ, and c is the correction of the deflection. u is bounded below by its tangent at
-    /// m and its smallest curvature.
+    /// Returns a lower bound of C̄″ for |t − m| ≤ r, where C̄ = u − ψ − c is the clearance. The bound is computed from
+    /// C̄″ ≥ b²u − ψ″ − |c″|. Here u is the ground displacement, ψ = w − g₀ the obstacle, c the correction of the
+    /// deflection, and b² = k/μ. The tangent of u at m and the smallest value of u″ give a lower bound of u.
     pub fn curvature(&self, m: f64, r: f64, [u, slope]: [C; 2]) -> f64 {
         let reach = C::of(r) * self.half;
         let least = self.arc.least();
@@ -230,17 +238,18 @@ impl<C: Scalar> OpenPiece<C> {
         (bent * C::of(least) - about.coefficient(0) - lost).low()
     }
 
-    /// Finds a length d at a touching end of a piece, and a slope τ. The penetration is at most τx at each
-    /// distance x ≤ d from the end. `slope` is the slope of the clearance at the end. `alone` states that the
-    /// other end does not touch. The whole piece is then the first trial.
+    /// Finds a length d and a slope τ such that the penetration is at most τx at each distance x ≤ d from the touching
+    /// end `side` of the piece. `slope` is the slope of the clearance at this end. If `alone` is true, the other end is
+    /// not a touching node, and the first trial for d is the length of the whole piece.
     fn ramp<S: Scalar>(&self, side: usize, slope: S, alone: bool, budget: &mut Budget) -> Ramp {
         let slope = if side == 0 { slope } else { -slope };
         let steep = Size::below_zero(slope.low());
         let [from, to] = self.interval;
         let end = self.interval[side];
         let mut reach = if alone { self.interval[1 - side] } else { 0.5 * (from + to) };
-        // `blurred` is the rounding error of the clearance C̄. A depth τd of at most this error is accepted. On a
-        // short piece, a bound from values of C̄ would be larger.
+        // `blurred` is the rounding error of the clearance C̄. A bound τd of the penetration is accepted if it does not
+        // exceed this error. On a short piece, it is then smaller than a bound computed from values of C̄, which
+        // contain the rounding error.
         let blurred = Size::of(f64::EPSILON * self.arc.size());
         loop {
             let [a, b] = if side == 0 { [end, reach] } else { [reach, end] };
@@ -270,10 +279,11 @@ impl<C: Scalar> OpenPiece<C> {
         }
     }
 
-    /// Returns an upper bound of the penetration −C̄ on an interval of t.
+    /// Returns an upper bound of the penetration, the negative clearance −C̄, on an interval of the local coordinate t.
     fn deepest(&self, [from, to]: [f64; 2], negligible: Size, budget: &mut Budget) -> Size {
-        // A depth below the rounding error of C̄ is accepted. Otherwise, at a double zero of C̄, for example
-        // beside a clamp, the search would use up the permitted halvings of all pieces.
+        // A penetration smaller than the rounding error of the clearance C̄ is accepted. Without this tolerance, the
+        // search at a double zero of C̄, for example beside a clamp, would use up the interval halvings that are
+        // allowed for all pieces together.
         let rounding = f64::EPSILON * (Size::of(self.arc.size()) + self.obstacle[0].size(1.0));
         let mut deepest = Size::ZERO;
         let mut open = Vec::new();
@@ -298,8 +308,8 @@ impl<C: Scalar> OpenPiece<C> {
             }
             let here = Size::below_zero(value.low());
             let depth = here + lost;
-            // A depth is accepted if it is at most the largest depth so far, negligible, or below the rounding
-            // error of C̄. It is also accepted if halving would not change it much.
+            // The bound `depth` of the penetration is accepted if it is at most `deepest`, negligible, or below the
+            // rounding error of the clearance C̄. It is also accepted if halving the interval would hardly reduce it.
             let found = depth <= deepest || depth <= negligible || depth <= rounding;
             let blurred = Size::of(0.25 * (value.high() - value.low()));
             let enough = found || depth <= blurred + 1.25 * (here + self.closed[0]);

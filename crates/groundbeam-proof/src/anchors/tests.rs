@@ -1,4 +1,4 @@
-//! Compares the bounds from anchors with norms of integral kernels, and checks the balanced pressures and reactions.
+//! Tests error bounds between positions with known error bounds (anchors), and pressures and reactions that balance the loads.
 
 #![cfg(test)]
 
@@ -15,9 +15,10 @@ use crate::units::Units;
 use crate::wide::Wide;
 use serde_json::json;
 
-/// The test writes the error of the deflection at a position as a sum of two integrals and the contributions of the
-/// anchors. The integrands are the derivative of the rotation error and the error of the shear strain, each multiplied
-/// by a kernel. By Cauchy's inequality, the bound of the deflection error contains the norms of the two kernels.
+/// The test writes the deflection error at a position as the sum of two integrals and of terms for the errors at the
+/// anchors, which are positions with known error bounds. The integrands are the derivative of the rotation error and
+/// the error of the shear strain, each multiplied by a kernel. By Cauchy's inequality, the bound of the deflection
+/// error contains the norms of the two kernels.
 #[test]
 fn bounds_between_and_beyond_anchors_have_the_norms_of_the_kernels() {
     let mut random = numbers();
@@ -30,35 +31,37 @@ fn bounds_between_and_beyond_anchors_have_the_norms_of_the_kernels() {
             let ratio = bound.value() / exact;
             assert!((1.0 - 1e-12..1.001).contains(&ratio), "{ratio}");
         };
-        // In the middle between two anchors, the kernel of the rotation is half the distance from the nearer anchor.
-        // The kernel of the shear strain is ±½.
+        // At the midpoint between two anchors, the kernel that multiplies the derivative of the rotation error is half
+        // the distance from the nearer anchor. The kernel that multiplies the error of the shear strain is ±½.
         let bent = (2.0 * integral(0.5 * h, |x| (0.5 * x).powi(2))).sqrt();
         is_bound(between(long, flexure), s * bent + sheared * (0.25 * h).sqrt());
-        // At the end of an overhang beyond two anchors, the kernel of the rotation is the distance from this end.
-        // Between the anchors, it decreases linearly to zero. The kernel of the shear strain is 1 on the overhang and
-        // `over / h` between the anchors.
+        // The second bound applies to the end of an overhang beyond two anchors. On the overhang, the kernel that
+        // multiplies the derivative of the rotation error is the distance from this end. Between the anchors, this
+        // kernel decreases linearly from `over` to zero. The kernel that multiplies the error of the shear strain is 1
+        // on the overhang and `over / h` between the anchors.
         let outside = integral(over, |x| (over - x).powi(2));
         let bent = (outside + integral(h, |x| (over * (1.0 - x / h)).powi(2))).sqrt();
         let slid = (over + integral(h, |_| (over / h).powi(2))).sqrt();
         let exact = near + (near + far) * over / h + s * bent + sheared * slid;
         is_bound(beyond([near, far].map(Size::of), short, [h; 2], flexure), exact);
-        // If the rotation error is bounded at a second position, the kernel of the rotation between this position and
-        // the anchor is the length of the overhang.
+        // The third bound applies to the end of an overhang if the rotation error is bounded at a second position.
+        // Between this position and the anchor, the kernel that multiplies the derivative of the rotation error is
+        // `over`, the length of the overhang.
         let bent = (outside + integral(h, |_| over * over)).sqrt();
         let exact = slope * over + s * bent + sheared * over.sqrt();
         is_bound(along_slope([slope, h].map(Size::of), short, flexure), exact);
     }
 }
 
-/// Compares the bound of `from_mean` with a bound from numerical integration. The bound is 1 + √2 times the sum of the
-/// means of two quantities, plus the second quantity at the ends. The first quantity is the absolute error of the
-/// deflection. The second quantity bounds the difference of the error and its tangent in the middle of the interval.
+/// Compares the bound of `from_mean` with numerical integration. The bound is (1 + √2)(mean of a + mean of b) + b at
+/// the ends of the interval. Here a is the absolute error of the deflection, and b bounds the difference between the
+/// error and its tangent at the midpoint.
 #[test]
 fn a_bound_of_the_mean_gives_a_bound_of_both_ends() {
     let mut random = numbers();
     for _ in 0..200 {
         let [half, s, sheared, mean] = [0; 4].map(|_| 10.0_f64.powf(2.0 * random() - 1.0));
-        // With the distance v² from the middle, all integrands are polynomials of v.
+        // With the substitution y = v² for the distance y from the midpoint, all integrands are polynomials in v.
         let root = half.sqrt();
         let average = |f: &dyn Fn(f64) -> f64| integral(root, |v| 2.0 * v * f(v)) / half;
         let bent = |v: f64| s * v.powi(3) / 3.0_f64.sqrt();
@@ -71,8 +74,8 @@ fn a_bound_of_the_mean_gives_a_bound_of_both_ends() {
     }
 }
 
-/// Checks that pressures are bounded only on middle parts within the piece. A piece of length 1.6 with the stored half
-/// length 1 allows fractions up to 0.8.
+/// Checks that a lower bound of the pressure is computed only on middle parts that lie within the piece. If a piece of
+/// length 1.6 has the stored half length 1, the half length of a middle part may be at most 0.8.
 #[test]
 fn pressures_are_bounded_within_the_piece_only() {
     for (half, wanted) in [(1.0, &[0.5, 0.25, 0.0625][..]), (0.8, &[0.9, 0.5, 0.25, 0.0625])] {
@@ -81,7 +84,8 @@ fn pressures_are_bounded_within_the_piece_only() {
         let span = Span::of(&piece, [0.0, 1.6].map(Wide::of), units).expect("a piece");
         assert_eq!(parts_of(&span).collect::<Vec<_>>(), wanted);
     }
-    // One exact end of the piece lies 0.1 inside the stored end, so fractions above 0.875 are not allowed.
+    // One exact end of the piece lies 0.1 inside the stored end. The half length of a middle part, divided by the
+    // stored half length 0.8, may therefore be at most 0.875.
     for exact in [[0.0, 1.5], [0.1, 1.6]] {
         let piece = Piece { x: [0.0, 1.6], half: 0.8, deflection: vec![1.0], ..Piece::default() };
         let units = Units { length: 0, force: 0 };

@@ -176,8 +176,8 @@ impl Open {
     }
 }
 
-/// Checks on random pieces that `clear` claims a clearance above a limit only if this is true. It must make the claim
-/// unless the clearance is near the limit.
+/// Checks on random pieces: if `clear` returns true, the clearance is at least the limit. If it returns false, the
+/// clearance is below the limit or exceeds the limit by less than 10⁻⁴.
 #[test]
 fn a_clearance_above_a_limit_is_shown() {
     let mut random = numbers();
@@ -197,8 +197,8 @@ fn a_clearance_above_a_limit_is_shown() {
     assert!((50..350).contains(&shown), "{shown}");
 }
 
-/// Checks on random pieces that `falls` claims a decrease of the clearance towards one end, faster than a limit, only
-/// if this is true.
+/// Checks on random pieces: if `falls` returns true, the clearance decreases towards the given end faster than the
+/// limit. If it returns false, the rate of decrease exceeds the limit only slightly or not at all.
 #[test]
 fn a_fall_of_the_clearance_is_shown() {
     let mut random = numbers();
@@ -243,9 +243,9 @@ fn the_curvature_of_the_clearance_has_a_lower_bound() {
     }
 }
 
-/// Returns `theta`, `flux` and `steep` of the `Approach` at x = 1, the left end of the open piece. All pieces have the
-/// same error bounds `errors`. These are a common bound of deflection and ground displacement, a bound of the slope,
-/// and a bound of the pressure.
+/// Returns three fields of the `Approach` at x = 1, the left end of the open piece: the distance θ, the error bound of
+/// the flux μu′, and μ|C′| with the clearance C. `errors` contains error bounds that apply to all pieces: a common
+/// bound of deflection and ground displacement, a bound of the slope, and a bound of the pressure.
 fn approach_at_one(model: &str, document: &Value, errors: [f64; 3]) -> Option<[f64; 3]> {
     with_fields(model, document, |fields| {
         let units = fields.frame.units;
