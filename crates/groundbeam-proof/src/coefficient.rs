@@ -24,9 +24,10 @@ pub(crate) struct Varying<S> {
 }
 
 impl<S: Scalar> Coefficient<S> {
-    /// Returns the coefficient on a piece that is a part of a segment. The profile is defined along the segment
-    /// from s = 0 to s = 1. The piece extends from s = `ends[0]` to s = `ends[1]`, with s = `line`(t). `scaled`
-    /// converts the control values of the profile to the units of the proof.
+    /// Returns the coefficient on a piece that is a part of a segment. `course` is the coefficient on the whole
+    /// segment: a constant, or Bernstein coefficients of a polynomial in the position s on the segment, 0 ≤ s ≤ 1.
+    /// The piece extends from s = `ends[0]` to s = `ends[1]`, and `line` is s as a function of the local
+    /// coordinate t of the piece. `scaled` converts a value to the units of the proof.
     pub fn of(course: &Course<S>, line: &Line<S>, ends: [S; 2], scaled: impl Fn(S) -> S) -> Self {
         let values: Vec<S> = match course {
             Course::Constant(value) => return Coefficient::Even(scaled(*value)),
@@ -53,7 +54,8 @@ impl<S: Scalar> Coefficient<S> {
         }
     }
 
-    /// Returns the polynomial of t of a varying coefficient, or `None` if the coefficient is constant.
+    /// Returns a varying coefficient as a polynomial in the local coordinate t of the piece, or `None` if the
+    /// coefficient is constant.
     pub fn along(&self) -> Option<&Polynomial<S>> {
         match self {
             Coefficient::Even(_) => None,
@@ -114,7 +116,8 @@ impl<S: Scalar> Coefficient<S> {
     }
 }
 
-/// Computes the control values of a profile between s = `a` and s = `b`, by blossoming.
+/// Computes the Bernstein coefficients of a profile on the interval from s = `a` to s = `b`, by blossoming.
+/// `values` are its Bernstein coefficients on 0 ≤ s ≤ 1.
 fn controls<S: Scalar>(values: &[S], [a, b]: [S; 2]) -> Vec<S> {
     let degree = values.len() - 1;
     let control = |j: usize| {

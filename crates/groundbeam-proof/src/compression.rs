@@ -20,23 +20,27 @@ impl<S: Scalar> Compression<S> {
         (Size::of((1.0 - self.margin).next_up()) * Size::of(self.force.high()) * turned).root()
     }
 
-    /// Returns the factor ((s₂ + N_c)² + s₂²)^½/√σ of the bounds from test functions under compression. Here s₂ =
-    /// √(2E) with the error energy E, N_c is [`Compression::misfit`], and σ is `margin`. Without compression the
-    /// factor is s₂.
+    /// Returns the factor ((s₂ + N_c)² + s₂²)^½/√σ that multiplies the norm of a test function in error bounds of
+    /// a compressed beam. Here s₂ = √(2E) with the error energy E = `energy`, N_c = [`Compression::misfit`] bounds
+    /// the residual of the axial force, and σ is `margin`. For a beam without compression, s₂ is used in place of
+    /// this factor.
     pub fn test_factor(&self, energy: Size, turned: Size) -> Size {
         let root = (2.0 * energy).root();
         let missed = root + self.misfit(turned);
         (missed.square() + root.square()).over(self.margin).root()
     }
 
-    /// Returns T = (((1 − σ)N)^½ + N(σΣhc′²)^½/s₂)². Under compression, T replaces the tension P in the energy
-    /// K² = K₁² + P∫z′² of a test function z. The other symbols are those of [`Compression::misfit`] and
-    /// [`Compression::test_factor`]. Let Z = ∫z′². The last two terms on the left side of Cauchy's inequality are
-    /// due to the axial force:
+    /// Returns T = (((1 − σ)N)^½ + N(σΣhc′²)^½/s₂)². On a beam with the axial compression N, T replaces the axial
+    /// tension P in the energy K² = K₁² + P∫z′² of a test function z, where K₁² is the energy without axial force.
+    /// σ is the fraction `margin` of the convexity of the energy that remains under the compression, Σhc′² is
+    /// `turned`, and s₂ = √(2E) with the error energy E = `energy`. With Z = ∫z′² and N_c =
+    /// [`Compression::misfit`], Cauchy's inequality gives
     ///
     /// ```text
     /// (s₂ + N_c)K₁/√σ + s₂((1 − σ)NZ/σ)^½ + N(ZΣhc′²)^½ ≤ (((s₂ + N_c)² + s₂²)/σ)^½ (K₁² + TZ)^½.
     /// ```
+    ///
+    /// The last two terms on the left side are due to the axial force.
     pub fn as_tension(&self, energy: Size, turned: Size) -> Size {
         let force = Size::of(self.force.high());
         let convex = (Size::of((1.0 - self.margin).next_up()) * force).root();

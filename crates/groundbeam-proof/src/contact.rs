@@ -1,8 +1,10 @@
-//! Proves the exact contact set: intervals that contain the edges of every region and the concentrated forces of a layer.
+//! Proves the exact contact set: finds intervals that contain the contact edges and the concentrated contact forces.
 //!
-//! The proof uses the bounds of w, w′, M and u on each piece. In a layer, first the clearance of the open stretches
-//! is proven, then the contact of the regions. On Winkler ground, the sign of w − g₀ decides. If a step fails, the
-//! name and the position of the step are returned.
+//! The proof uses error bounds of the deflection w, the slope w′, the moment M and the ground displacement u on each
+//! piece. On ground with a shear layer, it first proves that the exact solution is out of contact where the claimed
+//! solution is. Then it proves the claimed contact regions. On Winkler ground, the sign of w − g₀ − q/k decides, where
+//! g₀ is the initial gap and q/k the displacement of the ground without contact. If a step fails, the name and the
+//! position of the step are returned.
 
 use crate::approach::Approach;
 use crate::contact_set::{Contact, ContactForce, ContactRegion, EdgeShift, Shown, more};
@@ -11,11 +13,12 @@ use crate::refusal::NotProven;
 use crate::scalar::Scalar;
 use crate::size::Size;
 
-/// Length of the shortest part of a piece next to an end, in units of t, on which contact or clearance is decided.
+/// Length of the shortest part of a piece next to an end for which contact or clearance is decided. It is measured in
+/// the local coordinate t of the piece, which runs from about −1 to 1.
 pub(crate) const SHORTEST_PART: f64 = 4e-12;
 
 impl<S: Scalar> Contact<'_, S> {
-    /// Proves the contact set of all layers and of the Winkler ground.
+    /// Proves the contact set, both on ground with a shear layer and on Winkler ground.
     pub fn shown(&self) -> Shown {
         let frame = self.fields.frame;
         let spans = &frame.spans;
@@ -39,11 +42,12 @@ impl<S: Scalar> Contact<'_, S> {
         shown
     }
 
-    /// Proves the contact set of a layer: first the open stretches, then the contact regions and points.
+    /// Proves the contact set on one shear layer. First it proves clearance on the pieces that are claimed to be out of
+    /// contact, then the contact regions and the contact points.
     fn layer(&self, first: usize, end: usize, shown: &mut Shown) -> Result<(), NotProven> {
         let (spans, touches) = (&self.fields.frame.spans, &self.fields.surface.touches);
-        // `beside` contains the `Approach` of the open pieces on the left and on the right of each node of the
-        // layer.
+        // For each node, `beside` contains the proven bounds `Approach` on the piece on its left and on the piece on
+        // its right. They exist only if the piece is out of contact and the node is in contact.
         let mut beside: Vec<[Option<Approach>; 2]> = vec![[None; 2]; spans.len() + 1];
         for i in (first..end).filter(|i| !spans[*i].touches) {
             let [left, right] = self.shown_open(i, &mut shown.zones).ok_or_else(|| {
@@ -88,7 +92,7 @@ impl<S: Scalar> Contact<'_, S> {
         let alone = beside[node].iter().flatten().all(|side| side.theta == Size::ZERO);
         if !(alone && self.fields.surface.nodes[node].jump.low() > tolerance.value()) {
             return Err(self.failed(
-                "the beam may be open at a contact point, or touch over a short region",
+                "at a contact point, the beam may be out of contact, or in contact over a short interval",
                 node,
             ));
         }
@@ -136,8 +140,8 @@ impl<S: Scalar> Contact<'_, S> {
                 return Err(self
                     .failed("a concentrated force inside a contact region may be tensile", node));
             }
-            // The exact solution is in contact on both sides of an inner node, because θ′ is shorter than the piece
-            // at the edge.
+            // The exact solution is in contact on both sides of an inner node, because the exact contact edge is nearer
+            // to the claimed edge than any inner node.
             self.force(node, tolerance, true, shown);
         }
         shown.set.regions.push(ContactRegion {
@@ -161,8 +165,9 @@ impl<S: Scalar> Contact<'_, S> {
         // `i` is the piece of the contact region that ends at `node`.
         let i = if side == 0 { node } else { node - 1 };
         let span = &self.fields.frame.spans[i];
-        // On a beam with shear deformation, `opened_at` also bounds the length inside the edge that may be open.
-        // This bound does not use the contact set, and may be smaller than the bound from `balanced_inside`.
+        // On a beam with shear deformation, `opened_at` also bounds the length next to the claimed edge, inside the
+        // claimed contact region, on which the exact solution may be out of contact. This bound does not use the
+        // contact set, and may be smaller than the bound from `balanced_inside`.
         let shears = self.fields.frame.shears();
         let rough = if shears { self.opened_at(i, side) } else { None };
         let mut most = rough.unwrap_or(Size::INFINITE);
@@ -212,9 +217,12 @@ impl<S: Scalar> Contact<'_, S> {
         Size::of(frame.outside[side].high()) * self.bounds[i].settlement
     }
 
-    /// Whether the slope of the exact clearance C* cannot decrease at a node where the exact beam is open. The flux
-    /// must have no jump at the node, and a corner of g₀ must increase the slope. On a beam with shear deformation,
-    /// a point force F causes the jump [C*′] = F/(S + P), so F must act downward.
+    /// Whether the slope of the exact clearance C* = u* + g₀ − w* is at least as large on the right of a node as on its
+    /// left, if the exact solution is out of contact at the node. This requires that the initial gap g₀ is straight at
+    /// the node or that its slope increases there. The node must have no hinge, no point force on the ground and no
+    /// jump of a stiffness. On a beam with shear deformation, a point force F on the beam changes the slope of C* by
+    /// F/(S + P), with the shear stiffness S and the axial tension P. So F must act downward, and the node must have no
+    /// support.
     pub(crate) fn bends_open(&self, node: usize) -> bool {
         let frame = self.fields.frame;
         let corner = || (frame.spans[node].gap_slope() - frame.spans[node - 1].gap_slope()).low();
@@ -241,9 +249,10 @@ impl<S: Scalar> Contact<'_, S> {
     }
 }
 
-/// Returns a length θ′ from the end of a piece inward on which (p − ε)θ′ is at least `missing`, with the smallest p
-/// on this length and the error bound ε of p. θ′ is at most one unit of t, so θ′ is shorter than the piece. The result
-/// is infinite if no such length is found. `end` is the value of t at the end, and `half` is the length per unit of t.
+/// Returns a length L, measured inward from an end of a piece, for which (p − ε)L is at least `missing`. Here p is the
+/// smallest pressure on this length, and ε = `error` is the error bound of the pressure. L is at most about half of the
+/// piece, and infinite if no such length is found. `end` is the local coordinate t of the end of the piece, and `half`
+/// is the length per unit of t.
 fn balanced_inside<C: Scalar>(
     field: &Polynomial<C>,
     error: Size,
@@ -256,15 +265,16 @@ fn balanced_inside<C: Scalar>(
         .unwrap_or(Size::INFINITE)
 }
 
-/// Lengths of parts of a piece next to an end, in units of t: [`SHORTEST_PART`], and then four times the last length,
-/// below 1.
+/// Lengths of the parts of a piece next to one of its ends, in the local coordinate t of the piece: [`SHORTEST_PART`],
+/// then each four times the previous length, while below 1.
 pub(crate) fn growing_parts() -> impl Iterator<Item = f64> {
     std::iter::successors(Some(SHORTEST_PART), |part| Some(4.0 * part))
         .take_while(|part| *part < 1.0)
 }
 
-/// Returns the first length `required(least)` that is not longer than the part from which `least` is taken. `least` is
-/// a lower bound of p − ε on the part next to the end of the piece. Returns `None` if every part is too short.
+/// Tries several parts of a piece next to one of its ends. For each part, it computes the length `required(least)` from
+/// a lower bound `least` of the pressure minus its error bound on the part. Returns the first such length that is not
+/// longer than its part, or `None` if every part is too short.
 pub(crate) fn balanced_on<C: Scalar>(
     mut parts: impl Iterator<Item = f64>,
     field: &Polynomial<C>,
@@ -280,8 +290,8 @@ pub(crate) fn balanced_on<C: Scalar>(
     })
 }
 
-/// Returns lower bounds of p − ε on a part of a piece next to an end, and of the length of this part. `part` is the
-/// length in units of t.
+/// Returns two lower bounds for a part of a piece next to one of its ends: of the pressure minus its error bound on the
+/// part, and of the length of the part. `part` is this length in the local coordinate t of the piece.
 fn pressed_beside<C: Scalar>(
     field: &Polynomial<C>,
     error: Size,

@@ -9,14 +9,14 @@ use crate::size::Size;
 /// The exact contact set, with an interval for each edge and each concentrated force.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ContactSet {
-    /// The regions and points of exact contact, from left to right. The list is complete. A region is split where a
-    /// shear layer ends under the beam.
+    /// The contact regions and contact points of the exact solution, from left to right. The list is complete. A
+    /// region is split where a shear layer ends under the beam.
     pub regions: Vec<ContactRegion>,
     /// Intervals that contain the exact concentrated contact forces. The list is complete.
     pub forces: Vec<ContactForce>,
 }
 
-/// One region or point of exact contact.
+/// One contact region or contact point of the exact solution.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ContactRegion {
     /// An interval that contains the left end of the exact contact region \[m\].
@@ -39,19 +39,22 @@ pub struct ContactForce {
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct EdgeShift {
     pub node: usize,
-    /// Side of the contact region on which the end lies: 0 for the left end, 1 for the right end.
+    /// Which end of the contact region this is: 0 for the left end, 1 for the right end.
     pub side: usize,
-    /// Bound θ of the distance if the exact end lies outside the claimed contact region.
+    /// Upper bound θ of the distance between the exact and the claimed end of the contact region, if the exact end
+    /// lies outside the claimed region.
     pub outside: Size,
-    /// Bound θ′ of the distance if the exact end lies inside the claimed contact region.
+    /// Upper bound θ′ of the distance between the exact and the claimed end of the contact region, if the exact end
+    /// lies inside the claimed region.
     pub inside: Size,
-    /// Bounds Φ₀ of the jump of the flux μu′ at the end, on the pieces outside and inside the contact region. They do
-    /// not include the effect of the error of the slope.
+    /// Upper bounds Φ₀ of the jump of the shear-layer force μu′ at the end of the contact region: first if the exact
+    /// end lies outside the claimed region, second if it lies inside. They do not include the effect of the slope
+    /// error.
     pub beyond: [Size; 2],
 }
 
-/// A length on which w* − g₀ is monotone, next to an end of a piece. This end is an edge of contact on Winkler ground, or
-/// a support that touches the surface of open ground.
+/// A length next to an end of a piece on which w* − g₀, the exact deflection minus the initial gap, is monotone. The
+/// end is a contact edge on Winkler ground, or a rigid support at the height of the ground surface.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Zone {
     pub piece: usize,
@@ -79,16 +82,17 @@ impl Round {
 #[derive(Debug)]
 pub(crate) struct Shown {
     pub set: ContactSet,
-    /// The ends of the contact regions of all layers.
+    /// The ends of the contact regions on ground with a shear layer.
     pub edges: Vec<EdgeShift>,
     /// ε_a, the error bound of the concentrated force at each node; zero at nodes where no layer touches the beam.
     pub tolerances: Vec<Size>,
     /// For each node, whether the exact contact force is proven to be positive.
     pub pressed: Vec<bool>,
-    /// Lengths on which w* − g₀ is monotone: next to an edge of contact on a piece of Winkler ground, and next to a
-    /// support that touches the surface of open ground.
+    /// Lengths on which w* − g₀, the exact deflection minus the initial gap, is monotone. They lie next to contact
+    /// edges on Winkler ground, and next to rigid supports at the height of the ground surface.
     pub zones: Vec<Zone>,
-    /// All iterations for a beam with shear deformation, including the last iteration.
+    /// The iterations of the proof on a beam with shear deformation, from the first to the last. The list is empty
+    /// without shear deformation.
     pub rounds: Vec<Round>,
     /// The first step of the proof that fails in a layer, and the first step that fails on Winkler ground.
     pub failed: [Option<NotProven>; 2],
@@ -118,7 +122,7 @@ impl Shown {
     }
 }
 
-/// Input of the proof of the contact set: the fields from the answer, and their error bounds on the pieces.
+/// Input of the proof of the contact set: the fields of the claimed solution, and their error bounds on each piece.
 pub(crate) struct Contact<'a, S> {
     pub fields: &'a Fields<'a, S>,
     pub bounds: &'a [PieceBounds],

@@ -9,9 +9,10 @@ pub(crate) fn fewest_cuts<S: Scalar>(frame: &Frame<S>) -> Vec<usize> {
     (0..=last).filter(|i| *i == 0 || *i == last || frame.nodes[*i].is_free_hinge()).collect()
 }
 
-/// Returns the cuts of [`fewest_cuts`] and additional cuts. An additional cut needs more than two wave lengths
-/// (4EI/k)^¼ of contact since the last cut, and more than one wave length of contact on its right. At the end of a
-/// contact zone, one wave length since the last cut is sufficient.
+/// Returns the nodes of [`fewest_cuts`] and additional nodes at which the beam is cut. An additional cut requires
+/// that the beam is in contact on more than two characteristic lengths (4EI/k)^¼ between the previous cut and the
+/// new cut, and on more than one to the right of the new cut. At the right end of a contact zone, more than one
+/// characteristic length since the previous cut is enough.
 pub(crate) fn more_cuts<S: Scalar>(frame: &Frame<S>) -> Vec<usize> {
     let last = frame.spans.len();
     let waves: Vec<f64> = frame
@@ -65,12 +66,14 @@ mod tests {
     #[test]
     fn cuts_are_separated_by_waves_of_contact() {
         for (lengths, expected) in [
-            // A cut needs more than two wave lengths of contact since the last cut, and more than one on its right.
+            // (4EI/k)^¼ = 1. The beam is cut at a node if it is in contact on a length of more than 2 since the
+            // previous cut, and on a length of more than 1 to the right of the node.
             (&[1.5; 5][..], &[0, 2, 4, 5][..]),
             (&[1.5, 1.5, 0.5], &[0, 3]),
             (&[1.0; 4], &[0, 4]),
             (&[1.0; 5], &[0, 3, 5]),
-            // At the end of a contact zone, a cut needs more than one wave length of contact since the last cut.
+            // At the right end of a contact zone, contact on a length of more than 1 since the previous cut is
+            // enough.
             (&[1.5, -3.0, 1.5], &[0, 1, 3]),
             (&[1.0, -3.0, 1.5], &[0, 3]),
             (&[1.5, -3.0, 1.0], &[0, 3]),

@@ -32,8 +32,8 @@ impl Decimal {
                 read.add(digit, step)?;
             }
         }
-        // Trailing zeros are removed. They stay if digits were omitted, because the last stored digit then bounds
-        // the omitted part.
+        // Trailing zeros are removed, unless digits were omitted: then the last stored digit bounds the omitted
+        // part.
         while !read.cut && read.digits != 0 && read.digits.is_multiple_of(10) {
             (read.digits, read.exponent) = (read.digits / 10, read.exponent.checked_add(1)?);
         }

@@ -2,7 +2,7 @@
 //!
 //! w̄ and φ̄ satisfy the supports. w̄ is continuous, and φ̄ is continuous except at hinges. Where the beam has no
 //! shear deformation, φ = w′. The correction c closes the jumps of the claimed fields. On a piece shorter than a
-//! wave length (4EI/k)^¼, the correction is rigid: c is linear and continues the correction of the neighbouring
+//! characteristic length (4EI/k)^¼, the correction is rigid: c is linear and continues the correction of the neighbouring
 //! piece. On a longer piece, and on the longest piece between two rigid supports, the correction bends the piece: c
 //! is the cubic with given values a and slopes b at both ends. Let h be the length of the piece, A the largest |a|
 //! and B the largest |b|. Then
@@ -17,14 +17,16 @@ use crate::refusal::NotProven;
 use crate::scalar::Scalar;
 use crate::size::Size;
 
-/// The correction c of the deflection on one piece.
+/// The correction c on one piece. It is added to the claimed deflection to remove the jumps and to satisfy the
+/// supports.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Correction<S> {
-    /// c′ at both ends.
+    /// Slope c′ of the correction at both ends of the piece.
     pub slope: [S; 2],
     /// Rise of the correction c: its value at the right end of the piece minus its value at the left end.
     pub rise: S,
-    /// Upper bounds of |c|, |c′| and |c″| on the piece, where c is the correction.
+    /// Upper bounds of |c|, |c′| and |c″| on the piece, where c is the correction that is added to the claimed
+    /// deflection.
     pub bounds: [Size; 3],
 }
 
@@ -55,13 +57,15 @@ pub(crate) struct Deflection<S> {
     pub claimed: Vec<Claimed<S>>,
     /// w̄ at the nodes.
     pub values: Vec<S>,
-    /// For each node, a piece and an end of this piece. Their claimed values act on the springs of the node. The
-    /// piece is the neighbour with the smaller coefficients, because its values have less rounding error.
+    /// For each node, the index of an adjacent piece, and the end of this piece at the node: 0 for the left end, 1
+    /// for the right end. The spring forces at the node follow from the claimed values there. The piece is the
+    /// neighbour with the smaller coefficients of w, because its values have less rounding error.
     pub felt: Vec<[usize; 2]>,
 }
 
 impl<S: Scalar> Deflection<S> {
-    /// Returns the claimed deflection w and rotation φ that act on the springs of a node.
+    /// Returns the claimed deflection w and rotation φ at a node, from which the forces of the support springs at
+    /// this node follow.
     pub fn at_support(&self, node: usize) -> [S; 2] {
         let [piece, side] = self.felt[node];
         let claimed = &self.claimed[piece];
@@ -69,7 +73,7 @@ impl<S: Scalar> Deflection<S> {
     }
 }
 
-/// Computes the admissible deflection. The pieces with a bending correction are selected first. Then the
+/// Computes the admissible deflection. The pieces with a cubic correction are selected first. Then the
 /// corrections are computed from left to right.
 pub(crate) fn admissible<S: Scalar>(frame: &Frame<S>) -> Result<Deflection<S>, NotProven> {
     let claimed: Vec<_> = frame.spans.iter().map(Claimed::of).collect();
@@ -86,8 +90,10 @@ pub(crate) fn admissible<S: Scalar>(frame: &Frame<S>) -> Result<Deflection<S>, N
     let contradicted =
         (0..frame.nodes.len()).find(|i| frame.nodes[*i].rigid.is_some() && !walk.held[*i]);
     if let Some(node) = contradicted {
-        return Err(NotProven::new("the pieces contradict the settlement of a support")
-            .at(frame.place(node)));
+        return Err(NotProven::new(
+            "the deflection cannot be corrected to the settlement of a rigid support",
+        )
+        .at(frame.place(node)));
     }
     let pieces = (0..frame.spans.len()).map(|i| walk.correction(i)).collect();
     let values = walk.values;
@@ -95,7 +101,8 @@ pub(crate) fn admissible<S: Scalar>(frame: &Frame<S>) -> Result<Deflection<S>, N
     Ok(Deflection { pieces, claimed, values, felt })
 }
 
-/// Returns the piece next to a node whose coefficients of w are smaller, and the end of this piece at the node.
+/// Returns one of the pieces that meet at a node, and the end of this piece at the node: 0 for the left end, 1 for
+/// the right end. It is the piece with the smaller coefficients of w.
 fn felt<S: Scalar>(frame: &Frame<S>, node: usize) -> [usize; 2] {
     let size = |piece: usize| frame.spans[piece].deflection.size(1.0);
     match (node.checked_sub(1), node < frame.spans.len()) {
@@ -105,8 +112,9 @@ fn felt<S: Scalar>(frame: &Frame<S>, node: usize) -> [usize; 2] {
     }
 }
 
-/// Selects the pieces with a bending correction: pieces of at least one wave length, and the longest piece between
-/// two neighbouring rigid supports.
+/// Selects the pieces on which the correction of the deflection is a cubic: pieces at least as long as the
+/// characteristic length (4EI/k)^¼, and the longest piece between two neighbouring rigid supports. On the other
+/// pieces, the correction is linear.
 fn bending<S: Scalar>(frame: &Frame<S>) -> Vec<bool> {
     let length = |i: usize| frame.spans[i].h.middle();
     let mut bends: Vec<bool> = frame
@@ -131,7 +139,8 @@ fn bending<S: Scalar>(frame: &Frame<S>) -> Vec<bool> {
     bends
 }
 
-/// State of the computation: w̄ at the nodes and φ̄ on both sides of each node.
+/// State of the computation: the corrected deflection w̄ at the nodes, and the corrected rotation φ̄ on both sides
+/// of each node.
 struct Walk<'a, S> {
     frame: &'a Frame<S>,
     claimed: &'a [Claimed<S>],
@@ -142,8 +151,8 @@ struct Walk<'a, S> {
 }
 
 impl<S: Scalar> Walk<'_, S> {
-    /// Sets w̄ and φ̄ at the nodes of every chain. A chain is a run of pieces with rigid corrections, or a single
-    /// node between two pieces with bending corrections.
+    /// Computes the corrected deflection w̄ and rotation φ̄ at all nodes, chain by chain. A chain is a run of
+    /// pieces with a linear correction, or a single node between two pieces with a cubic correction.
     fn chains(&mut self) {
         let last = self.frame.spans.len();
         let mut first = 0;
@@ -157,13 +166,14 @@ impl<S: Scalar> Walk<'_, S> {
         }
     }
 
-    /// Sets w̄ and φ̄ at the nodes of one chain between two nodes.
+    /// Computes the corrected deflection w̄ and rotation φ̄ at the nodes `first` to `end` of one chain.
     fn chain(&mut self, first: usize, end: usize) {
         let nodes = &self.frame.nodes;
         let support = (first..=end).find(|i| nodes[*i].rigid.is_some());
         let start = support.unwrap_or(first);
-        // The claimed values of one piece are kept: those of the piece of the chain next to `start`, or those of
-        // the shorter neighbour of a single node.
+        // At `start`, one adjacent piece keeps its claimed deflection and rotation, unless a rigid support or a
+        // clamp prescribes them. It is a piece of the chain, or the shorter neighbour if the chain is a single
+        // node.
         let length = |i: usize| self.frame.spans[i].h.middle();
         let keeps = match (start > 0, start < self.frame.spans.len()) {
             (true, true) if start < end => (start, 0),
@@ -203,7 +213,7 @@ impl<S: Scalar> Walk<'_, S> {
         }
     }
 
-    /// Returns the correction c and its slope c′ at the left end of a piece.
+    /// Returns the correction c of the claimed deflection and its slope c′ at the left end of a piece.
     fn left_of(&self, piece: usize) -> [S; 2] {
         [
             self.values[piece] - self.claimed[piece].value[0],
@@ -211,7 +221,8 @@ impl<S: Scalar> Walk<'_, S> {
         ]
     }
 
-    /// Computes the correction c of a piece from w̄ and φ̄ at its ends.
+    /// Computes the correction of the claimed deflection on a piece from the corrected deflection w̄ and rotation
+    /// φ̄ at the ends of the piece.
     fn correction(&self, i: usize) -> Correction<S> {
         let h = self.frame.spans[i].h;
         let [a, b] = self.left_of(i);
@@ -227,7 +238,8 @@ impl<S: Scalar> Walk<'_, S> {
     }
 }
 
-/// Bounds the cubic with given values and slopes at both ends of a piece of length h, its slope and its curvature.
+/// Returns upper bounds of the absolute value, slope and curvature of a cubic on a piece of length h. The cubic
+/// has the given values and slopes at the ends of the piece.
 fn bent<S: Scalar>(h: S, value: [S; 2], slope: [S; 2]) -> [Size; 3] {
     let most = |x: [S; 2]| Size::of(x[0].size()).worst(Size::of(x[1].size()));
     let (largest, steepest) = (most(value), most(slope));
@@ -281,9 +293,8 @@ mod tests {
         }
     }
 
-    /// Checks the admissible deflection of claims with jumps of w and w′ at every node. The deflection is
-    /// continuous, and its slope is continuous except at hinges. The deflection satisfies supports and clamps. A
-    /// rigid correction is linear.
+    /// The claimed deflection w and its slope w′ jump at every node. Checks that the corrected deflection is
+    /// continuous, that its slope is continuous except at hinges, and that it satisfies pins and clamps.
     #[test]
     fn an_admissible_deflection_has_no_jumps_and_satisfies_the_supports() {
         let mut random = numbers();
@@ -300,7 +311,8 @@ mod tests {
                 clamp(3) + &hinge(1),
                 clamp(5) + &pinned(2),
             ];
-            // If the beam is stiff, its pieces are shorter than a wave length, so their corrections are rigid.
+            // If the beam is stiff, its pieces are shorter than the characteristic length (4EI/k)^¼. Then the
+            // correction is linear, except on the longest piece between two rigid supports.
             let bending = if case % 2 == 0 { 1000.0 } else { 1e-3 };
             let text = format!(
                 "[beam]\nlength = 5\nEI = {bending}\n[foundation]\nk = 1\n{}",
@@ -349,8 +361,8 @@ mod tests {
         }
     }
 
-    /// Computes the corrections of linear claims. `pieces` contains, for each piece, its length and the two
-    /// coefficients of its deflection.
+    /// Computes the correction of a claimed deflection that is linear on each piece. `pieces` contains the length
+    /// of each piece and the two coefficients of its deflection.
     fn corrected(text: &str, pieces: &[[f64; 3]]) -> Deflection<Wide> {
         let length: f64 = pieces.iter().map(|[length, ..]| length).sum();
         let ground = "[foundation]\nk = 1\n";
@@ -372,8 +384,10 @@ mod tests {
         assert!((a - b).size() < 1e-12, "{what}: {a:?} {b:?}");
     }
 
-    /// The wave length (4EI/k)^¼ is 2.21. Checks which of two pieces with different deflections is corrected, and
-    /// whether the corrections bend the pieces. Between two pieces that bend, the claim of the shorter piece is kept.
+    /// The characteristic length (4EI/k)^¼ is 2.21, and two pieces have different claimed deflections. Checks that
+    /// shorter pieces get a linear correction and longer pieces a cubic correction. The deflection at the common
+    /// node must be that of the piece with the linear correction, or that of the shorter piece if both corrections
+    /// are cubic.
     #[test]
     fn the_claim_of_the_shorter_of_two_long_pieces_is_kept() {
         for ([left, right], bends, kept) in [
@@ -390,7 +404,8 @@ mod tests {
         }
     }
 
-    /// Checks that the longest piece between two rigid supports bends, the first of several longest pieces.
+    /// Checks which piece between two rigid supports gets a cubic correction: the longest piece, or the first of
+    /// several longest pieces.
     #[test]
     fn the_longest_piece_between_rigid_supports_bends() {
         for (lengths, longest) in [([1.0, 2.0, 1.5], 1), ([1.0, 2.0, 2.0], 1), ([1.5, 1.0, 1.0], 0)]
@@ -408,8 +423,9 @@ mod tests {
         }
     }
 
-    /// The rotation at a rigid support is that of a piece beside the support with a rigid correction. It is that of the
-    /// piece on the right if both corrections are rigid. In the last case the longer piece has the rigid correction.
+    /// Checks the rotation of the corrected beam at a rigid support. It is the claimed rotation of the adjacent
+    /// piece with a linear correction, or of the right piece if both corrections are linear. In the last case, the
+    /// right piece has a cubic correction, because it is the only piece between two supports.
     #[test]
     fn the_rotation_at_a_support_is_that_of_a_short_piece() {
         let pin = |at: f64| format!("[[support]]\nat = {at:?}\ntype = 'pinned'\n");
@@ -428,7 +444,8 @@ mod tests {
         }
     }
 
-    /// Checks that the claimed values of the piece with the smaller coefficients act on the springs of a node.
+    /// Checks which piece provides the deflection for the spring forces at a node: the adjacent piece with the
+    /// smaller coefficients of w.
     #[test]
     fn springs_feel_the_piece_with_the_smaller_coefficients() {
         for (deflections, felt) in

@@ -22,8 +22,8 @@ pub struct Document {
     pub units: Option<String>,
     /// Value of the key `model_digest`: the digest of the model file and of the tables that the file names.
     pub model_digest: Option<String>,
-    /// Value of the key `model`: the text of the solved model as a model file. The key is present if the solved
-    /// model does not follow from the original file in closed form.
+    /// Value of the key `model`: the model that was solved, as the text of a model file. The key is present only
+    /// if the proof's own reader of model files does not know a key of the original file.
     pub model: Option<String>,
     /// Name of the combination of load cases.
     pub combination: Option<String>,
@@ -37,11 +37,12 @@ pub struct Document {
     /// Fields at positions along the beam. Where a field jumps, the value on the right is listed. At the right end
     /// of the beam, the value on the left is listed.
     pub stations: Stations,
-    /// Fields on the left of the positions where a field jumps.
+    /// Left-hand limits of the fields at the positions where a field jumps.
     pub left_of_jumps: Stations,
     /// Listed extremes.
     pub extremes: Vec<Extreme>,
-    /// Listed open stretches as (left end, right end, position of the largest gap, largest gap) \[m\].
+    /// Stretches without contact that the document lists, each as (left end, right end, position of the largest
+    /// gap, largest gap) \[m\].
     pub lift_off: Vec<[f64; 4]>,
     /// Listed hinges as (position \[m\], rotation \[rad\], moment \[N·m\]).
     pub hinges: Vec<[f64; 3]>,
@@ -299,7 +300,7 @@ fn agreed(
     }
 }
 
-/// Adds the names of the remaining keys of an object that contain numbers.
+/// Adds the names of those remaining keys of an object whose values contain numbers.
 fn rest(path: &str, object: &Object, not_covered: &mut BTreeSet<String>) {
     for (key, _) in object.iter().filter(|(_, value)| value.has_number()) {
         let name = if path.is_empty() { key.clone() } else { format!("{path}.{key}") };

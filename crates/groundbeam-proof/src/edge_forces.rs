@@ -1,18 +1,19 @@
 //! Bounds the error of the shear force next to an edge of contact in closed form, on a beam with shear deformation.
 //!
-//! Within the distance θ of the edge, only the claimed solution or only the exact solution is in contact. The
-//! difference of their contact forces depends on the error e_θ of the slope at the edge. This error depends on the
-//! error e_V of the shear force, and e_V depends on the error bound ε_T of the transverse force T. Section 6 of
-//! docs/proof.md derives the bounds
+//! The claimed and the exact edge of contact are at most the length θ apart. On this length, only one of the two
+//! solutions is in contact. The difference of their contact forces there depends on the error e_s of the slope at
+//! the edge. This error depends on the error e_V of the shear force V, and e_V depends on the error bound ε_T of
+//! the transverse force T = V + Pw′. Section 6 of docs/proof.md derives the bounds
 //!
 //! ```text
-//! |∫(p̄ − p*)| ≤ (1 + γ)[(Φ₀ + μe_θ)/(1 + g) + ε_pθ],   e_θ ≤ ε_φ + (e_V + |η|)/S,   e_V(1 + P/S) ≤ ε_T + rest.
+//! |∫(p̄ − p*)| ≤ (1 + γ)[(Φ₀ + μe_s)/(1 + α) + ε_pθ],   e_s ≤ ε_φ + (e_V + |η|)/S,   e_V(1 + P/S) ≤ ε_T + rest.
 //! ```
 //!
-//! Here p̄ is the balanced pressure and p* the exact pressure, and g = μ/(S + P). ε_p and ε_φ are the error bounds
-//! of the pressure and of the rotation φ. γ is the factor of the redistributed pressures, and η = S(w′ − φ) − V is
-//! the residual of the shear force. Φ₀ bounds the jump of the flux at the edge without the effect of the error of
-//! the slope.
+//! Here p̄ is the redistributed claimed pressure, p* the exact pressure, and α = μ/(S + P) with the stiffness μ of
+//! the shear layer, the shear stiffness S of the beam and the axial tension P. ε_p and ε_φ are the error bounds of
+//! the pressure and of the rotation φ. γ is the largest relative change of the pressure by the redistribution, and
+//! η = S(w′ − φ) − V is the residual of the shear force. Φ₀ bounds the jump of the shear-layer force μu′ at the
+//! edge without the effect of the slope error, and `rest` bounds the other errors of V.
 //!
 //! Together these bounds have the form ε_T ≤ A + χε_T with χ = (1 + γ)μ/(S + P + μ). A contains the terms without
 //! ε_T. If χ < 1, then ε_T ≤ A/(1 − χ).
@@ -47,9 +48,9 @@ pub(crate) fn edges_of_pieces(edges: &[EdgeShift], count: usize) -> Vec<EdgesOfP
 
 impl<S: Scalar> Pointwise<'_, S> {
     /// Returns ε_T, the error bound of the transverse force T, on a piece with edges of contact at its ends.
-    /// `steady` bounds the contributions to ε_T that are not due to these edges. `rest` is the term in ε_V(1 +
-    /// P/S) ≤ ε_T + `rest`, where ε_V is the error bound of the shear force V. Each edge must lie within one half
-    /// of the piece, otherwise the result is infinite.
+    /// `steady` is the part of ε_T that is not due to these edges. `rest` is the last term of ε_V(1 + P/S) ≤ ε_T +
+    /// `rest`, the bound of the error ε_V of the shear force, with the axial tension P and the shear stiffness S.
+    /// The result is infinite unless the claimed and the exact edge are less than half of the piece apart.
     pub(crate) fn beside_edges(
         &self,
         i: usize,
@@ -94,8 +95,9 @@ mod tests {
     use crate::wide::Wide;
     use serde_json::json;
 
-    /// Checks the ends of the pieces at which the edges of the regions from node 1 to node 2 and from node 3 to node
-    /// 5 lie, and that edges at an end of the beam and edges without uncertain length are omitted.
+    /// Checks which edges of contact `edges_of_pieces` assigns to the left and right end of each piece. First, the
+    /// edges of two contact regions lie at nodes 1, 2 and 3, and the edge at node 3 cannot lie outside its region.
+    /// Then the edges lie at both ends of the beam, where only one piece is adjacent.
     #[test]
     fn an_edge_lies_at_the_ends_of_its_two_pieces() {
         let edge = |node: usize, side: usize, lengths: [f64; 2]| {
@@ -114,8 +116,9 @@ mod tests {
         assert_eq!(edges_of_pieces(&ends, 2), [[place(2.0), None], [None, place(4.0)]]);
     }
 
-    /// S = 3, P = 1 and μ = 2. So 1 + g = 3/2, and χ = (1 + γ)/3. The error of the slope is ε_φ + (e_V + |η|)/S with
-    /// e_V = (rest)/(1 + P/S).
+    /// The beam has the shear stiffness S = 3 and the axial tension P = 1, and the shear layer has μ = 2. Compares the
+    /// error bound of the transverse force with A/(1 − χ) from the documentation of this file, where 1 + α = 3/2 and
+    /// χ = (1 + γ)/3.
     #[test]
     fn the_force_beside_an_edge_is_that_of_the_closed_form() {
         let model = "[beam]\nlength = 1.5\nEI = 1\nshear_stiffness = 3\naxial_force = 1\n\

@@ -11,7 +11,7 @@ use crate::model::Acts;
 use crate::polynomial::{CAPACITY, Polynomial};
 use crate::scalar::Scalar;
 
-/// The energies of an answer \[N·m\], in the units of the proof.
+/// Energies of a claimed solution, in the units of force and length of the proof.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Energies {
     /// Strain energy: ½∫EI(φ′ − κ₀)² + ½∫EIκ₀² + ½∫S(w′ − φ)² + ½∫|P|w′² + ½b(u, u) plus the energy of springs and
@@ -84,8 +84,9 @@ impl Sums {
         self.work += half * Series::of(&span.moment).times(rotation);
     }
 
-    /// Adds ∫(ku² + μu′²) and ∫qu on one piece. On open ground of a layer, the first integral is ∫qu plus the flux
-    /// μu′ times u at the right end, minus the flux times u at the left end.
+    /// Adds ∫(ku² + μu′²) dx and ∫qu dx on one piece, with the ground displacement u and the load q on the ground.
+    /// On a piece out of contact with a shear layer, the first integral is computed as ∫qu dx plus μu′u at the
+    /// right end minus μu′u at the left end.
     fn ground<S: Scalar>(
         &mut self,
         fields: &Fields<S>,
@@ -259,7 +260,8 @@ impl<const N: usize> Series<N> {
 }
 
 impl Series {
-    /// Returns the product of the series and t, by tPₖ = ((k + 1)Pₖ₊₁ + kPₖ₋₁)/(2k + 1).
+    /// Returns the Legendre series multiplied by t, from the recurrence tPₖ = ((k + 1)Pₖ₊₁ + kPₖ₋₁)/(2k + 1) of
+    /// the Legendre polynomials Pₖ.
     fn raised(&self) -> Self {
         let mut raised = Series { len: self.len + 1, ..Self::ZERO };
         for k in 0..self.len {

@@ -12,11 +12,11 @@ use crate::refusal::NotProven;
 /// Largest energy of unbalanced loads that is treated as rounding error, relative to the strain energy.
 const ROUNDING: f64 = 1e-8;
 
-/// The error energy and the energies of an answer, computed in doubles.
+/// Error energy, strain energy and potential energy of a claimed solution, computed in double precision.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Estimate {
-    /// Error energy E \[N·m\]: the difference between the potential energy and the reciprocal energy of the fields
-    /// that are constructed from the answer.
+    /// Error energy E \[N·m\]: the potential energy of the corrected deflection minus the dual (reciprocal) energy
+    /// of the moments and pressures that are in exact equilibrium.
     pub energy: f64,
     /// The strain energy of beam, ground and springs \[N·m\].
     pub strain_energy: f64,

@@ -12,8 +12,8 @@ use crate::polynomial::{Budget, Polynomial, half_width};
 use crate::scalar::Scalar;
 use crate::size::Size;
 
-/// Lengths of the shortest intervals of t that are halved: with an error bound of the derivative, and without such
-/// a bound.
+/// Shortest lengths of an interval of the local coordinate t that is still halved. The first applies if the
+/// derivative of the field has an error bound, the second if it has none.
 const SHORTEST: [f64; 2] = [1e-13, 1e-9];
 
 /// The proven positions of a listed extreme in the exact solution.
@@ -47,8 +47,8 @@ impl PlacedExtreme {
         (low - self.listed).max(self.listed - high).max(0.0)
     }
 
-    /// Returns the largest distance of the listed position from a position in the nearest interval. The distance is
-    /// infinite if no interval is proven.
+    /// Returns the distance of the listed position from the farther end of the nearest proven interval, rounded
+    /// up. The distance is infinite if no interval is proven.
     pub fn error(&self) -> f64 {
         let Some([low, high]) = self.nearest() else { return f64::INFINITY };
         let [below, above] = [self.listed - low, high - self.listed].map(|d| d.abs().next_up());
@@ -71,7 +71,7 @@ struct Search<'a, S: Scalar> {
     sign: f64,
     /// Positions where `sign` times the field is smaller than this level are excluded.
     level: f64,
-    /// The error bound of the derivative of the field on each piece; infinite if no bound is known.
+    /// Error bound of the derivative of the field with respect to x, on each piece; infinite if no bound is known.
     steep: Vec<Size>,
 }
 
@@ -233,8 +233,8 @@ mod tests {
     use crate::wide::Wide;
     use serde_json::json;
 
-    /// Checks the distance of a listed position from the nearest interval, and its largest distance from a position
-    /// in this interval.
+    /// Checks the distance of a listed position from the nearest interval, and from the farther end of this
+    /// interval.
     #[test]
     fn a_listed_place_is_compared_with_the_nearest_interval() {
         for (listed, places, distance, error) in [
@@ -256,7 +256,8 @@ mod tests {
         }
     }
 
-    /// Passes the claim of a beam of length 1 out of contact with EI = 1 to `of`, with the coefficients of w in t.
+    /// Passes the fields of a claimed solution to `of`. The beam has the length 1 and EI = 1, and is out of
+    /// contact. `deflection` contains the coefficients of w as a polynomial in the local coordinate t.
     fn with_beam(deflection: &[f64], shears: bool, of: impl FnOnce(&Fields<Wide>, &Patches<Wide>)) {
         let stiffness = if shears { "shear_stiffness = 1\n" } else { "" };
         let model = format!("[foundation]\nk = 1\n[beam]\nlength = 1\nEI = 1\n{stiffness}");
@@ -268,9 +269,10 @@ mod tests {
         with_fields(&model, &json!({"pieces": [piece]}), |fields| of(fields, &Patches::of(fields)));
     }
 
-    /// The search keeps positions where the field is at most 2ε below its largest known value. The derivative of w has
-    /// the error of w′, and that of M the error of V. The derivative of the rotation has the error of M/EI, and so has
-    /// that of w′ without shear deformation.
+    /// Checks the search data of each field. Positions are kept where the field is at most twice its error bound
+    /// below its largest known value. The derivative of the deflection has the error bound of the slope, and the
+    /// derivative of the moment M that of the shear force. The derivative of the rotation has the error bound of M
+    /// divided by EI, and so has the derivative of the slope if the beam has no shear deformation.
     #[test]
     fn the_errors_of_a_field_and_of_its_derivative_bound_the_search() {
         let error = |error: f64| Bound { error, scale: 1.0 };
@@ -330,7 +332,8 @@ mod tests {
                 search.on_patch(&patches.pieces[0][0], 0, &mut Budget::new(4))
             };
             for s in [0.1, 0.25, 0.7] {
-                // `steep` bounds the derivative with respect to x = ½t.
+                // The third argument bounds the derivative with respect to x = ½(t + 1), which is twice the
+                // derivative with respect to t.
                 for found in [kept(1.0, 1.0 - s * s, f64::INFINITY), kept(1.0, -9.0, 4.0 * s)] {
                     let [from, to] = [found[0][0], found[found.len() - 1][1]];
                     assert!(

@@ -25,9 +25,9 @@ pub(crate) struct Fields<'a, S> {
     pub clearance: Clearance,
     /// ‖c‖²_beam = Σ h EI c″² and Σ h c′², the squared norms of the correction c of the deflection.
     pub closing: [Size; 2],
-    /// Bound ‖c‖_b + Σ|r|√g + Ση(ω/k)^½ of the residual of the ground. The terms are due to the correction c of
-    /// the deflection, to the residual forces r of a layer with the flexibility g, and to the tensile pressures of
-    /// at most η on the length ω.
+    /// Bound ‖c‖_b + Σ|r|√g + Ση(ω/k)^½ of the residual in the equilibrium of the ground, in the energy norm ‖·‖_b
+    /// of the ground. The terms are due to the correction c of the deflection, to residual forces r on a shear
+    /// layer with the flexibility g, and to tensile pressures of at most η on the length ω.
     missed: Size,
 }
 
@@ -46,8 +46,9 @@ impl<'a, S: Scalar> Fields<'a, S> {
         Ok(Fields { frame, deflection, surface, pressures, residual, clearance, closing, missed })
     }
 
-    /// Returns the bound E of the error energy, and the balance from which E is computed. The axial tension
-    /// carries loads only if pressures and supports alone cannot carry them.
+    /// Returns the bound E of the error energy, and the redistributed forces and changed moments from which E is
+    /// computed. The axial tension takes part in the redistribution only if pressures and supports alone cannot
+    /// balance the loads.
     pub fn energy(&self) -> Result<(Size, Balanced<S>), NotProven> {
         match (self.least_energy(0.0), self.frame.tension) {
             (Err(_), Some(_)) => self.least_energy(self.frame.carrier),
@@ -55,10 +56,10 @@ impl<'a, S: Scalar> Fields<'a, S> {
         }
     }
 
-    /// Estimates the error energy of a beam without tension that is supported at one point. The theorem of
-    /// docs/proof.md does not cover this case. In each cell, a fictitious transverse force carries the loads that
-    /// are not balanced. Its work on the slope is added to the error energy. An added work above `rounding` is an
-    /// error.
+    /// Estimates the error energy of a beam without tension that is supported at one point, which the theorem of
+    /// docs/proof.md does not cover. A fictitious transverse force balances the loads that the contact pressure
+    /// and the support cannot balance. The integral of this force times the slope of the beam is added to the
+    /// error energy. If the addition exceeds `rounding`, the function returns an error.
     pub fn nearly_balanced_energy(&self, rounding: f64) -> Result<Size, NotProven> {
         let (energy, balanced) = self.least_energy(self.frame.carrier)?;
         let work = |i: usize| {
@@ -72,8 +73,9 @@ impl<'a, S: Scalar> Fields<'a, S> {
         Err(NotProven::new("the contact pressure does not balance the loads"))
     }
 
-    /// Computes one balance with few cuts and one with more cuts. Returns the balance with the smaller bound E,
-    /// and this E.
+    /// Redistributes the residual forces twice, with few and with more cuts of the beam. Returns the result with
+    /// the smaller bound E of the error energy, and this bound. `carrier` is the weighting factor of the axial
+    /// tension in the redistribution.
     fn least_energy(&self, carrier: f64) -> Result<(Size, Balanced<S>), NotProven> {
         let (few, more) = (fewest_cuts(self.frame), more_cuts(self.frame));
         let with_more = (more.len() > few.len()).then(|| self.energy_with(more, carrier));
@@ -200,7 +202,8 @@ mod tests {
     use crate::wide::Wide;
     use serde_json::json;
 
-    /// Checks the norms of the correction of a claim with jumps. The pieces are long, so their corrections bend.
+    /// Checks the norms of the correction that removes the jumps of a claimed deflection. All pieces are longer
+    /// than the characteristic length (4EI/k)^¼, so each correction is a cubic.
     #[test]
     fn the_norms_of_the_correction_are_sums_over_the_pieces() {
         let text = "[beam]\nlength = 12\nEI = 50\n[foundation]\nk = 10\nmu = 7\n";
@@ -234,7 +237,8 @@ mod tests {
         });
     }
 
-    /// k_φ = 4 at the hinge. The jump of the slope of w̄ = w + c is −¼ + 0.3 − 0.1, and M = 0.
+    /// The hinge has the rotational stiffness k_φ = 4. The slope jumps at the hinge by −¼ in the claimed
+    /// deflection, and by 0.3 − 0.1 in the correction. The claimed bending moment is zero.
     #[test]
     fn the_residual_of_an_elastic_hinge_contains_the_correction() {
         let text = "[beam]\nlength = 1\nEI = 1\n[foundation]\nk = 1\n[[hinge]]\nat = 0.5\nrotational_spring = 4\n";

@@ -1,4 +1,4 @@
-//! Limits of balls of doubles, and exact scaling of doubles by powers of two.
+//! Range limits of balls (intervals stored as midpoint and radius), and exact scaling of doubles by powers of two.
 
 /// Factor 1 + 16u with u = 2⁻⁵³. It is larger than (1 + u)¹², which covers the rounding errors of a radius from at
 /// most ten operations.
@@ -15,7 +15,8 @@ pub(crate) fn magnitude(x: f64) -> f64 {
     x.abs()
 }
 
-/// Returns x·2ⁿ, or `None` if the product overflows. The product is exact unless it is below the smallest midpoint.
+/// Returns x·2ⁿ, or `None` if its absolute value exceeds [`HUGE`]. The product is exact if its absolute value is
+/// at least [`TINY`], the smallest midpoint of a ball.
 pub(crate) fn times_power_of_two(x: f64, exponent: i32) -> Option<f64> {
     let scaled = scale(x, exponent);
     if !(magnitude(scaled) <= HUGE) {

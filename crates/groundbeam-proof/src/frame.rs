@@ -23,11 +23,11 @@ pub(crate) struct Span<S> {
     pub half: S,
     /// 1/half, the factor that converts a derivative with respect to t to a derivative with respect to x.
     pub per_length: S,
-    /// Values of t at both ends of the piece.
+    /// Values of the local coordinate t at the left and right end of the piece.
     pub t: [S; 2],
-    /// Largest |t| on the piece, but at least 1.
+    /// Largest |t| on the piece, but at least 1, where t is the local coordinate.
     pub tau: f64,
-    /// ∫tʲ over the piece.
+    /// ∫tʲ dt over the piece, where t is the local coordinate.
     powers: Vec<S>,
     pub touches: bool,
     /// w(t).
@@ -44,15 +44,19 @@ pub(crate) struct Span<S> {
     pub shear: Coefficient<S>,
     /// Whether μ > 0.
     pub layered: bool,
-    /// Loads on the beam and gap, each linear in t: distributed force f, distributed moment g, imposed curvature κ₀, gap g₀.
+    /// Distributed force f on the beam, linear in the local coordinate t.
     pub force: Line<S>,
+    /// Distributed moment g on the beam, linear in the local coordinate t.
     pub moment: Line<S>,
+    /// Imposed curvature κ₀ of the beam, linear in the local coordinate t.
     pub curvature: Line<S>,
+    /// Initial gap g₀ between beam and ground, linear in the local coordinate t.
     pub gap: Line<S>,
     /// Distributed load q on the ground, linear in t; `None` without such a load.
     pub ground_load: Option<Line<S>>,
-    /// Settlement u that the answer stores on open ground: at both ends, and as a polynomial along varying ground.
+    /// Ground displacement u at the two ends of a piece out of contact, as stored numbers; `None` if not stored.
     pub stored: Option<[S; 2]>,
+    /// Ground displacement u along a piece out of contact, as a stored polynomial; `None` if not stored.
     pub settlement: Option<Box<Polynomial<S>>>,
 }
 
@@ -60,8 +64,9 @@ pub(crate) struct Span<S> {
 #[derive(Debug, Clone)]
 pub(crate) struct Node<S> {
     pub x: S,
-    /// Point force and point moment on the beam at the node.
+    /// Point force on the beam at the node.
     pub force: S,
+    /// Point moment on the beam at the node.
     pub moment: S,
     /// Point force Q on the ground at the node.
     pub ground_force: S,
@@ -69,37 +74,36 @@ pub(crate) struct Node<S> {
     pub rigid: Option<S>,
     /// Whether a clamp at the node restrains the slope.
     pub clamped: bool,
-    /// The directions in which the support at the node acts. A one-way support is the only support at its node.
+    /// Directions in which the support at the node can act. A node with a one-way support has no other support.
     pub acts: Acts,
-    /// Sum of the stiffnesses κ of the translational springs at the node, and sum of κδ with their settlements δ. `turning` is
-    /// the sum of the rotational stiffnesses.
+    /// Σκ and Σκδ of the translational springs at the node, with stiffness κ and settlement δ of each spring.
     pub spring: Option<[S; 2]>,
+    /// Sum of the stiffnesses of the rotational springs at the node.
     pub turning: Option<S>,
     /// Rotational stiffness k_φ of a hinge at the node; exactly 0 for a free hinge, `None` without a hinge.
     pub hinge: Option<S>,
-    /// Stored reaction of the rigid supports at the node: the upward force, and the moment that turns the right side of the
-    /// beam upward.
+    /// Stored reaction of the rigid supports at the node: upward force, and moment that turns the right side upward.
     pub reaction: [S; 2],
-    /// Weights of the supports at the node in the redistribution of forces.
+    /// Weighting factors of the supports at the node in the redistribution of residual forces.
     pub weights: Weights,
     /// Whether the answer stores a positive concentrated contact force at the node.
     pub pressed: bool,
     /// Whether the gap g₀ has a corner at the node.
     pub corner: bool,
-    /// Whether μ or S jumps at the node.
+    /// Whether the stiffness μ of the shear layer or the shear stiffness S of the beam jumps at the node.
     pub stepped: bool,
 }
 
-/// Weights of the supports in the redistribution of forces. The balance holds for any positive weights.
+/// Weighting factors of the supports in the redistribution of residual forces. Equilibrium holds for any positive factors.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Weights {
-    /// Weight of a rigid support.
+    /// Factor W of a rigid support: the redistribution changes its reaction by λW, with the redistribution factor λ.
     pub rigid: f64,
-    /// Weight of a translational spring.
+    /// Factor W of a translational spring: the redistribution changes its force by λW, with the redistribution factor λ.
     pub spring: f64,
-    /// Weight of a clamp.
+    /// Factor W_θ of a clamp: the redistribution changes its moment by λ′W_θ, with the slope λ′ of the redistribution factor.
     pub clamp: f64,
-    /// Weight of a rotational spring.
+    /// Factor W_θ of a rotational spring: the redistribution changes its moment by λ′W_θ, with the slope λ′ of that factor.
     pub turning: f64,
 }
 
@@ -119,7 +123,7 @@ pub(crate) struct Held<S> {
     pub claimed: [S; 2],
 }
 
-/// The problem on the pieces of the answer.
+/// The model (beam, ground, loads, supports) and the claimed deflection, divided into the pieces of the claimed solution.
 #[derive(Debug)]
 pub(crate) struct Frame<S> {
     pub spans: Vec<Span<S>>,
@@ -128,13 +132,14 @@ pub(crate) struct Frame<S> {
     pub supports: Vec<Held<S>>,
     /// Tension P; `None` if P ≤ 0.
     pub tension: Option<S>,
-    /// Weight B of the tension in the redistribution of forces. The balance holds for any positive B.
+    /// Factor B > 0 of the tension in the redistribution with the factor λ: the tension carries the transverse force Bλ′.
     pub carrier: f64,
-    /// Axial compression; `None` if P ≥ 0.
+    /// Data of the axial compression; `None` if the axial force P (positive in tension) is zero or positive.
     pub compression: Option<Compression<S>>,
-    /// Stiffness K₀ and K_l of the ground outside the beam, in the flux Ku − T at each end. Exactly 0 without such ground.
+    /// Stiffness K₀ and K_l of the ground outside the left and right end of the beam; exactly 0 without such ground. The
+    /// force in the shear layer at an end is Ku − T, with the ground displacement u.
     pub outside: [S; 2],
-    /// Forces T₀ and T_l due to loads on the ground outside the beam, in the flux Ku − T at each end of the beam.
+    /// Forces T₀ and T_l at the ends of the beam due to loads on the ground outside. The shear-layer force is Ku − T there.
     pub pushed: [S; 2],
     /// Ground outside the two ends of the beam. `outside` and `pushed` follow from this ground.
     pub rows: [Row<S>; 2],
@@ -178,12 +183,12 @@ impl<S: Scalar> Node<S> {
 impl<S: Scalar> Span<S> {
     /// Returns the geometry of a piece and its claimed deflection.
     ///
-    /// Requires |t_L + 1| ≤ ¼ and |t_R − 1| ≤ ¼ for the values of t at the ends. Otherwise the sum of the coefficients would
-    /// not bound a polynomial on the piece.
+    /// Requires |t_L + 1| ≤ ¼ and |t_R − 1| ≤ ¼ for the local coordinates t_L and t_R of the two ends of the piece, so that t
+    /// runs from about −1 to 1.
     pub fn of(piece: &Piece, x: [S; 2], units: Units) -> Result<Self, NotProven> {
         let wrong = |what: &str| NotProven::new(what).at(piece.x[0]);
         if piece.deflection.is_empty() {
-            return Err(wrong("a piece has a deflection without coefficients"));
+            return Err(wrong("the deflection of a piece has no coefficients"));
         }
         if piece.pressure.len() > HIGHEST + 1 {
             return Err(wrong("a field has a degree above 25"));
@@ -215,7 +220,7 @@ impl<S: Scalar> Span<S> {
         let middle = (ends[0] + ends[1]).scaled(-1);
         let t = match S::ENCLOSES {
             true => x.map(|x| (x - middle).div(half)),
-            // In doubles, t is computed from differences of nearby positions. So a short piece far from zero keeps its digits.
+            // In double precision, t follows from differences of nearby positions, which avoids cancellation far from x = 0.
             false => {
                 let stretch = (ends[1] - ends[0]).scaled(-1);
                 [(x[0] - ends[0]) - stretch, (x[1] - ends[1]) + stretch].map(|x| x.div(half))
@@ -302,7 +307,7 @@ impl<S: Scalar> Span<S> {
         self.ground_load.as_ref().map(|load| load.times(S::one().div(spring)))
     }
 
-    /// Returns u − q/k at the ends of the piece, from u at these ends.
+    /// Returns u − q/k at the ends of the piece, from the ground displacement u at these ends. q is the load on the ground.
     pub fn above_free_ends(&self, [left, right]: [S; 2]) -> [S; 2] {
         match self.free_field() {
             None => [left, right],
@@ -352,7 +357,7 @@ impl<S: Scalar> Span<S> {
         self.derivative(moment) - &self.moment
     }
 
-    /// Returns an interval of t, in doubles, that contains the piece.
+    /// Returns a lower and an upper bound of the local coordinate t on the piece, in double precision.
     pub fn interval(&self) -> [f64; 2] {
         [self.t[0].low(), self.t[1].high()]
     }
@@ -370,7 +375,7 @@ fn powers<S: Scalar>(ends: [S; 2], count: usize) -> Vec<S> {
 }
 
 impl<S: Scalar> Frame<S> {
-    /// Returns the largest penetration that is neglected: 10⁻²⁴ of the largest |w| in the middle of a piece.
+    /// Returns the largest penetration that is neglected: 10⁻²⁴ times the largest |w| at the middles of the pieces.
     pub fn negligible(&self) -> Size {
         let sizes = self.spans.iter().map(|span| span.deflection.coefficient(0).size());
         let largest = sizes.fold(0.0, |most, size| if size > most { size } else { most });
@@ -429,7 +434,7 @@ impl<S: Scalar> Frame<S> {
     }
 }
 
-/// Returns the pieces of an answer with their exact ends.
+/// Returns the pieces of a claimed solution. `exact` contains the exact positions of their ends.
 pub(crate) fn spans<S: Scalar>(
     answer: &Answer,
     exact: &[S],

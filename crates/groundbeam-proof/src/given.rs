@@ -30,10 +30,11 @@ struct Places {
     gap: Vec<usize>,
 }
 
-/// Returns the problem on the pieces of the answer, in the units of the proof.
+/// Returns the model and the claimed deflection, divided into the pieces of the claimed solution. Lengths and
+/// forces are in the units of the proof, which are powers of two of metres and newtons.
 ///
-/// `stability` is σ, the fraction of the convexity of the energy that remains under compression. If it is `None`, a
-/// lower bound of σ is proven. The supports with the indices `placed` have nodes although they have no reaction.
+/// `stability` is σ, the fraction of the convexity of the energy that remains under compression. If it is `None`,
+/// a lower bound of σ is proven. The supports with the indices `placed` have nodes although they have no reaction.
 pub(crate) fn frame<S: Scalar>(
     model: &Model<S>,
     answer: &Answer,
@@ -79,7 +80,7 @@ pub(crate) fn frame<S: Scalar>(
     held::hinges(model, &places.hinges, &mut frame)?;
     if tension.high() < 0.0 {
         let force = positive(-tension, "the axial force")?;
-        let what = "no critical load above the compression is proven";
+        let what = "the critical load is not proven to exceed the compression";
         let margin = stability.or_else(|| margin(&frame, force));
         let margin = margin.ok_or_else(|| NotProven::new(what))?;
         frame.compression = Some(Compression { force, margin });
@@ -152,7 +153,7 @@ fn pressed<S: Scalar>(answer: &Answer, positions: &Positions<S>) -> Result<Vec<u
     let mut pressed = Vec::new();
     for force in &answer.forces {
         let node = positions.of_force(force.x).ok_or_else(|| {
-            NotProven::new("no piece of the answer ends at a concentrated force").at(force.x)
+            NotProven::new("a concentrated force is not at an end of a piece").at(force.x)
         })?;
         if force.force > 0.0 {
             pressed.push(node);
@@ -209,14 +210,15 @@ fn stiffness<S: Scalar>(
         }
         span.stiffness = shear;
         if span.stiffness.is_some() != span.rotation.is_some() {
-            let what = "a piece has a rotation without shear deformation, or shear deformation without a rotation";
+            let what = "a piece must have a `rotation` if the beam has shear deformation, and must not have one otherwise";
             return Err(NotProven::new(what).at(units.restored(span.x[0].middle(), 0, 1)));
         }
     }
     Ok(())
 }
 
-/// Marks the nodes at which μ or S jumps. A profile has no jump inside its segment.
+/// Marks the nodes at which the stiffness μ of the shear layer or the shear stiffness S of the beam jumps. Both
+/// are continuous inside a segment.
 fn steps<S: Scalar>(model: &Model<S>, courses: &[[Option<&Course<S>>; 2]], frame: &mut Frame<S>) {
     let (shear, stiffness) = (model.ground.shear, model.beam.shear_stiffness);
     let same = |a: Option<&Course<S>>, b: Option<&Course<S>>, base: Option<S>| match (a, b) {
@@ -249,8 +251,9 @@ fn pieces_of(
     Ok(found)
 }
 
-/// A piece as a part of a segment. The coordinate s = `line`(t) increases from 0 to 1 along the segment. On the
-/// piece it increases between the two `ends`.
+/// A piece as a part of a segment. The position s on the segment is 0 at its left end and 1 at its right end. It
+/// has the values `ends` at the ends of the piece, and `line` is s as a function of the local coordinate t of the
+/// piece.
 struct Part<S> {
     line: Line<S>,
     ends: [S; 2],
@@ -269,10 +272,13 @@ impl<S: Scalar> Part<S> {
         }
     }
 
-    /// Returns the coefficient on the piece for a profile with the unit N m^`length`.
+    /// Converts a profile along the segment to the coefficient on this piece, in the units of the proof. The
+    /// values of the profile have the unit N m^`length`.
     fn course(&self, course: &Course<S>, length: i32) -> Result<Coefficient<S>, NotProven> {
         if matches!(course, Course::Varying(values) if values.len() > HIGHEST_COURSE + 1) {
-            return Err(NotProven::new("a coefficient varies with a degree above 5"));
+            return Err(NotProven::new(
+                "a coefficient such as EI or k is a polynomial of a degree above 5",
+            ));
         }
         let scaled = |x: S| self.units.scaled(x, 1, length);
         Ok(Coefficient::of(course, &self.line, self.ends, scaled))

@@ -24,7 +24,8 @@ pub(crate) fn with_fields<T>(
     of(&mut Fields::of(&frame).expect("fields"))
 }
 
-/// Returns the balance of a claim in which no force is redistributed.
+/// Returns the result of the redistribution for a claimed solution in exact equilibrium: no force or moment is
+/// changed.
 pub(crate) fn balanced(pieces: usize) -> Balanced<Wide> {
     let zero = Wide::zero();
     let piece = BalancedPiece {

@@ -1,15 +1,15 @@
-//! The ground's surface ū, the concentrated forces of the layer, and the residual of the ground's equation.
+//! The ground surface ū, the concentrated contact forces of the shear layer, and the residual of the ground equation.
 //!
-//! Where beam and ground touch, ū = w̄ − g₀. Open ground of a layer is solved exactly. On a piece of length h with b = √(k/μ),
-//! z = bh and r = √(kμ), the flux μu′ is
+//! In contact, ū = w̄ − g₀: the corrected deflection of the beam minus the initial gap. Out of contact, the equation of the
+//! shear layer is solved exactly. On a piece of length h with b = √(k/μ), z = bh and r = √(kμ), the force μu′ in the layer is
 //!
 //! ```text
 //! at the left end: −(s₁(u_L − u_R) + s₂u_L),   at the right end: s₁(u_R − u_L) + s₂u_R,   s₁ = r/sinh z,   s₂ = r tanh(z/2).
 //! ```
 //!
-//! Outside the beam the flux is K₀u on the left and −K_lu on the right. At a touching node, the jump a = flux(x−) − flux(x+) is
-//! a concentrated force. Its negative part min(a, 0) is omitted, so the residual has at most the norm |min(a, 0)|√g. Here g =
-//! 1/(S₋ + S₊), and S₋ and S₊ are the stiffness of the layer on both sides of the node.
+//! With the ground stiffness K₀ and K_l outside the beam, μu′ is K₀u at the left end and −K_lu at the right end. The decrease a
+//! of μu′ at a node in contact is a concentrated contact force. If a < 0, it is omitted, which leaves a residual of norm |a|√g.
+//! g = 1/(S₋ + S₊) is the flexibility of the layer, with its stiffness S₋ and S₊ on both sides of the node.
 
 use crate::deflection::Deflection;
 use crate::frame::{Frame, Span};
@@ -25,37 +25,37 @@ pub(crate) struct Surface<S> {
     pub nodes: Vec<SurfaceNode<S>>,
     /// Whether beam and layer touch at each node.
     pub touches: Vec<bool>,
-    /// Bound Σ|r|√g + (Σ∫ρ²/k)^½ of the residual forces r and residual pressures ρ, with the flexibility g of the layer.
+    /// Bound Σ|r|√g + (Σ∫ρ²/k)^½ of the energy norm of the residual: node forces r with the flexibility g, and pressures ρ.
     pub unclaimed: Size,
 }
 
 /// The surface on one piece.
 #[derive(Debug, Clone)]
 pub(crate) struct SurfacePiece<S> {
-    /// Settlement ū at both ends of an open piece of a layer.
+    /// Ground displacement ū at both ends of a piece out of contact on a shear layer; `None` on other pieces.
     pub open: Option<[S; 2]>,
-    /// Settlement ū along an open piece of a layer whose k or μ varies.
+    /// Ground displacement ū along a piece out of contact on a shear layer whose k or μ varies; `None` on other pieces.
     pub along: Option<Box<Polynomial<S>>>,
-    /// Largest residual pressure |ρ| of ū on an open piece whose k or μ varies; zero on other pieces.
+    /// Largest |ρ| of the residual ρ = kū − (μū′)′ − q on a piece out of contact whose k or μ varies; zero on other pieces.
     pub missed: Size,
-    /// Flux μū′ at both ends of an open piece of a layer.
+    /// Force μū′ in the shear layer at both ends of a piece out of contact.
     pub flux: [S; 2],
     /// Upper bound of √g(x, x) on a piece of a layer with the flexibility g; infinite on Winkler ground.
     pub flexibility: Size,
 }
 
-/// The settlement ū and the forces at one node; zero where beam and layer do not touch.
+/// The ground displacement ū and the forces at one node; all zero at a node where beam and shear layer are not in contact.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct SurfaceNode<S> {
-    /// The jump of the flux.
+    /// Decrease of the shear-layer force μū′ from left to right at the node, minus the point force on the ground at the node.
     pub jump: S,
     pub settlement: S,
-    /// Concentrated contact force: the positive part of the jump of the flux.
+    /// Concentrated contact force: equal to `jump`, or zero if `jump` is negative.
     pub force: S,
 }
 
 impl<S> Surface<S> {
-    /// Returns the bound of √g at a node: the smaller bound of both adjacent pieces. g is the flexibility of the layer.
+    /// Returns a bound of √g at a node, with the layer's flexibility g: the smaller of the bounds on the two adjacent pieces.
     pub fn flexibility_at(&self, node: usize) -> Size {
         let right = self.pieces.get(node).map_or(Size::INFINITE, |piece| piece.flexibility);
         let left = node.checked_sub(1).map_or(Size::INFINITE, |i| self.pieces[i].flexibility);
@@ -63,7 +63,7 @@ impl<S> Surface<S> {
     }
 }
 
-/// Solves the open ground and computes the fluxes at all nodes.
+/// Computes the displacement of the ground out of contact, and the shear-layer forces μu′ at all nodes.
 pub(crate) fn surface<S: Scalar>(frame: &Frame<S>, deflection: &Deflection<S>) -> Surface<S> {
     let touches: Vec<bool> = (0..frame.nodes.len()).map(|i| touches(frame, i)).collect();
     let zero = S::zero();
@@ -127,7 +127,7 @@ struct FreeField<S> {
     slope: S,
 }
 
-/// An open piece with the settlement u = q/k + v. If k or μ varies, the smallest values of k and μ are used.
+/// A piece out of contact with u = q/k + v, where q is the load and μv″ = kv. Varying k and μ are replaced by their minima.
 pub(crate) struct Link<S> {
     /// s₁ and s₂.
     across: S,
@@ -157,7 +157,7 @@ impl<S: Scalar> Link<S> {
         Link { across, own: (root * -e).div(sum), free }
     }
 
-    /// Returns the stiffness of the piece and of the ground `behind` it, at the near end of the piece with its far end fixed.
+    /// Returns the sum of two stiffnesses at the near end: of this piece with its far end fixed, and of the ground `behind`.
     fn divisor(&self, behind: Behind<S>) -> S {
         behind.stiffness + self.own + self.across
     }
@@ -180,13 +180,12 @@ impl<S: Scalar> Link<S> {
         behind.pushed + slope + self.own * self.free.ends[near] - self.across * rise
     }
 
-    /// Returns u at the near end, from u at the far end.
+    /// Returns the ground displacement u at the near end of the piece, from u at its far end.
     fn near(&self, behind: Behind<S>, near: usize, far: S) -> S {
         (self.across * far + self.source(behind, near)).div(self.divisor(behind))
     }
 
-    /// Condenses this piece and the ground `behind` its near end to the far end of the piece, using only sums of positive
-    /// terms.
+    /// Condenses this piece and the ground `behind` its near end to its far end, using only sums of positive terms.
     fn behind(&self, behind: Behind<S>, near: usize) -> Behind<S> {
         let part = self.across.div(self.divisor(behind));
         Behind {
@@ -227,7 +226,7 @@ pub(crate) struct Layer<'a, S> {
     deflection: &'a Deflection<S>,
     pub(crate) links: &'a [Link<S>],
     pub(crate) first: usize,
-    /// The layer on the left and on the right of each node, condensed as if it were open, without the force at the node.
+    /// The layer left and right of each node, condensed to the node as if nowhere in contact, without the load at the node.
     behind: [Vec<Behind<S>>; 2],
 }
 
@@ -280,7 +279,7 @@ impl<'a, S: Scalar> Layer<'a, S> {
         }
     }
 
-    /// Returns a lower bound of √(kμ) tanh(bL) with b = √(k/μ), the stiffness at the end of a layer of length L.
+    /// Returns a lower bound of √(kμ) tanh(bL), the stiffness at the end of a layer of length L, with b = √(k/μ).
     fn least_stiffness(&self) -> f64 {
         let spans = &self.frame.spans[self.first..self.end()];
         let least = |of: &dyn Fn(&Span<S>) -> S| {
@@ -295,7 +294,7 @@ impl<'a, S: Scalar> Layer<'a, S> {
         ((spring * shear).sqrt() * (-fallen).div(fallen + S::of(2.0))).low()
     }
 
-    /// ū at a touching node.
+    /// Returns the ground displacement ū at a node in contact.
     pub(crate) fn held(&self, node: usize) -> S {
         let piece = if node < self.end() { (node, 0) } else { (node - 1, 1) };
         let span = &self.frame.spans[piece.0];
@@ -307,7 +306,7 @@ impl<'a, S: Scalar> Layer<'a, S> {
         self.frame.nodes[node].ground_force
     }
 
-    /// Solves the open pieces of the layer, run by run.
+    /// Computes the ground displacement on all pieces out of contact, from one node in contact to the next.
     fn solve(&self, surface: &mut Surface<S>) {
         let nodes = self.first..=self.end();
         let touching: Vec<usize> = nodes.filter(|node| surface.touches[*node]).collect();
@@ -339,14 +338,14 @@ impl<'a, S: Scalar> Layer<'a, S> {
         }
     }
 
-    /// Returns u at the right end of a layer without contact. Without loads u = 0.
+    /// Returns the ground displacement u at the right end of a layer that is nowhere in contact. Without loads u = 0.
     fn free_end(&self) -> S {
         let [left, right] = [0, 1].map(|side| self.behind[side][self.links.len()]);
         let pushed = left.pushed + right.pushed + self.force(self.end());
         if pushed == S::zero() { pushed } else { pushed.div(left.stiffness + right.stiffness) }
     }
 
-    /// Solves the open ground from the left end of the layer to the first touching node.
+    /// Computes the displacement of the ground out of contact from the left end of the layer to the first node in contact.
     fn leading(&self, node: usize, held: S, surface: &mut Surface<S>) {
         let mut u = held;
         for i in (0..node - self.first).rev() {
@@ -362,7 +361,7 @@ impl<'a, S: Scalar> Layer<'a, S> {
         }
     }
 
-    /// Solves the open ground from the last touching node to the right end of the layer.
+    /// Computes the displacement of the ground out of contact from the last node in contact to the right end of the layer.
     fn trailing(&self, node: usize, surface: &mut Surface<S>) {
         let mut u = self.held(node);
         for i in node - self.first..self.links.len() {
@@ -378,8 +377,8 @@ impl<'a, S: Scalar> Layer<'a, S> {
         }
     }
 
-    /// Solves the open ground between two touching nodes: condensation from the left, then back-substitution from the right.
-    /// Heights are measured from the left node, so that short runs keep the digits of differences.
+    /// Computes the ground displacement between two nodes in contact: condensation from the left, then back-substitution from
+    /// the right. Displacements are measured from the left node, which avoids cancellation on short pieces.
     fn between(&self, from: usize, to: usize, surface: &mut Surface<S>) {
         let start = self.held(from);
         let link = |piece: usize| self.links[piece - self.first].above(start);
@@ -406,7 +405,7 @@ impl<'a, S: Scalar> Layer<'a, S> {
         }
     }
 
-    /// Returns the increase of w̄ − g₀ along a piece from left to right, computed without the constant terms of w̄ and g₀.
+    /// Returns the increase of deflection minus gap, w̄ − g₀, along a piece. Constant terms are omitted to avoid cancellation.
     fn rise(&self, piece: usize) -> S {
         let span = &self.frame.spans[piece];
         span.obstacle().rise(span.t) + self.deflection.pieces[piece].rise

@@ -143,11 +143,12 @@ pub(crate) fn hinges<S: Scalar>(
     Ok(())
 }
 
-/// Computes the weights in the balance, in the units of the proof. The weight W of a rigid support is ten times
-/// the largest of four numbers: the sum of all loads, the sum of all stored reactions, the largest EI|κ₀| with the
-/// imposed curvature κ₀, and the largest product of stiffness and settlement of a spring. With the length l of the
-/// beam, the weight of a clamp is Wl², and the weight of the tension is Wl. The weight of a spring is its force at
-/// the largest deflection, but at most W, or Wl² for a rotational spring.
+/// Computes the weighting factors of supports and tension in the redistribution of residual forces, in the units
+/// of the proof. The factor W of a rigid support is ten times the largest of four numbers: the sum of all loads,
+/// the sum of all stored reactions, the largest EI|κ₀| with the imposed curvature κ₀, and the largest product of
+/// stiffness and settlement of a spring. With the length l of the beam, the factor of a clamp is Wl², and that of
+/// the tension is Wl. The factor of a spring is its stiffness times the largest deflection, but at most W, or Wl²
+/// for a rotational spring.
 pub(crate) fn weights<S: Scalar>(frame: &mut Frame<S>) {
     let (mut forces, mut reactions, mut largest) = (0.0, 0.0, 0.0);
     let mut moved = 0.0;
@@ -165,14 +166,15 @@ pub(crate) fn weights<S: Scalar>(frame: &mut Frame<S>) {
         moved = larger(moved, span.deflection.coefficient(0).size());
     }
     let all = 10.0 * larger(larger(forces, reactions), largest);
-    // Without loads every weight is valid, and W = 1 is used.
+    // Any positive factor W is valid. Without loads, W = 1 is used.
     let rigid = if all > 0.0 && all < 1e60 { all } else { 1.0 };
     let clamp = rigid * frame.length.square().middle();
     frame.carrier = rigid * frame.length.middle();
     let limited = |force: f64, most: f64| if force < most { force } else { most };
     for node in &mut frame.nodes {
         if node.acts != Acts::Both {
-            // The reaction of a one-way support is its weight, so no weight is set here.
+            // The redistribution changes the reaction of a one-way support in proportion to this reaction, so the
+            // support needs no weighting factor.
             continue;
         }
         let weights = &mut node.weights;
@@ -257,8 +259,9 @@ mod tests {
         assert_eq!(node.turning.map(Wide::middle), Some(0.875));
     }
 
-    /// The loads are the point force 1, and a force ½ and a moment ¼ per length, so Σ|F| = 2.125. Σ|R| is the sum of
-    /// the forces and moments of the supports. W is ten times the larger sum.
+    /// The loads are a point force of 1, and a distributed force of ½ and a distributed moment of ¼ per unit
+    /// length. On the length 1.5, the sum of all loads is 2.125. The weighting factor of a rigid support is ten
+    /// times this sum, or ten times the sum of the stored reactions if that is larger.
     #[test]
     fn the_weights_follow_from_loads_and_reactions() {
         for (height, [force, moment], rigid) in

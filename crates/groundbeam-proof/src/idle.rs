@@ -16,7 +16,7 @@ use crate::refusal::NotProven;
 use crate::scalar::Scalar;
 use crate::size::Size;
 
-/// Returns the indices of the supports of the model that have no node although the exact beam may touch them.
+/// Returns the indices of the supports without a node that the exact deflection may reach.
 pub(crate) fn close<S: Scalar>(frame: &Frame<S>, bounds: &[PieceBounds]) -> Vec<usize> {
     let within = |piece: usize| bounds[piece].deflection.value();
     let supports = frame.supports.iter().enumerate();
@@ -166,8 +166,9 @@ mod tests {
         )
     }
 
-    /// Checks one-way supports without reaction at the beam w = 1: a support with the settlement 2 that pushes up,
-    /// and a support with the settlement 0.5 that pulls down.
+    /// Checks one-way supports without reaction at a beam with the deflection 1. One support has the settlement 2
+    /// and can only push up, and one has the settlement 0.5 and can only pull down. Their distances from the beam
+    /// are 1 and 0.5.
     #[test]
     fn supports_without_reactions_must_be_separated() {
         let both = "[[support]]\nat = 0.25\ntype = 'pinned'\nsettlement = 1\n";

@@ -15,7 +15,7 @@ const DEEPEST: usize = 32;
 pub struct JsonError {
     /// Line of the fault in the document, counted from 1; 0 if the fault has no single position.
     pub line: usize,
-    /// Character of the fault in its line, counted from 1; 0 if the fault has no single position.
+    /// Column of the fault in its line, in characters counted from 1; 0 if the fault has no single position.
     pub column: usize,
     /// The fault.
     pub what: String,

@@ -1,4 +1,4 @@
-//! Compares the listed numbers of a document with the fields of its answer.
+//! Compares the values that a result document lists with the fields of the claimed solution in the same document.
 
 use crate::contact_set::ContactSet;
 use crate::document::{Document, Extreme, Stations};
@@ -20,7 +20,8 @@ const NEAR: f64 = 16.0 * f64::EPSILON;
 pub struct Checked {
     /// Number of positions at which the fields are listed.
     pub stations: usize,
-    /// Number of field values at all stations, and of largest gaps of open stretches.
+    /// Number of compared field values: all values at the stations, and the largest gap of each listed stretch without
+    /// contact.
     pub values: usize,
     /// Number of listed pressures in intervals that contain an edge of contact. These pressures have no proven bound.
     pub at_edges: usize,
@@ -34,7 +35,8 @@ pub struct Checked {
     pub bounds: usize,
 }
 
-/// Error bounds of single listed numbers. The bounds of edges and forces are infinite if the contact set is not proven.
+/// Error bounds of individual values that a document lists. The bounds of contact edges and forces are infinite if the
+/// contact set is not proven.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct ListedErrors {
     /// Error bounds of both ends of each listed contact region \[m\]. If no regions are listed, the error bounds of the
@@ -79,7 +81,7 @@ fn largest<'a>(errors: impl Iterator<Item = &'a f64>) -> f64 {
     errors.map(|error| Size::of(*error)).fold(Size::ZERO, Size::worst).value()
 }
 
-/// Bounds of the differences between listed numbers and the pieces of the answer.
+/// Bounds of the differences between the values that a document lists and the claimed solution in the same document.
 #[derive(Debug, Default)]
 pub(crate) struct Differences {
     /// Largest difference between listed and computed values of each field, in the order of [`FIELDS`].
@@ -174,8 +176,9 @@ impl<S: Scalar> Comparison<'_, S> {
         self.document.answer.pieces.last().map_or(0.0, |piece| piece.x[1])
     }
 
-    /// Returns the piece that contains a position, and the value of t at the position, by the stored ends of the pieces. A
-    /// node belongs to the piece on its right. The right end of the beam belongs to the last piece.
+    /// Returns the index of the piece that contains a position, and the local coordinate t of the position on this piece,
+    /// computed from the stored ends of the piece. A node belongs to the piece on its right. The right end of the beam
+    /// belongs to the last piece.
     fn place(&self, x: f64) -> Result<(usize, S), NotProven> {
         let (pieces, near) = (&self.document.answer.pieces, NEAR * self.length());
         if !(-near <= x && x <= self.length() + near) {
@@ -193,15 +196,16 @@ impl<S: Scalar> Comparison<'_, S> {
         Ok((i, t))
     }
 
-    /// Returns |listed − field| at a position of a piece, in the units of the model.
+    /// Returns the absolute difference between the value `listed` and the value of a field at a position, in the units of
+    /// the model. `field` is the index of the field. The position is given by a piece and the local coordinate t.
     fn difference(&self, field: usize, listed: f64, (piece, t): (usize, S)) -> f64 {
         let ((_, force, length), units) = (FIELDS[field], self.fields.frame.units);
         let off = units.scaled(S::of(listed), force, length) - self.patches.value(field, piece, t);
         units.restored(off.size(), force, length)
     }
 
-    /// Compares the fields at listed positions, on the left of each position if `on_left`, otherwise on the right. At the
-    /// right end of the beam, the value on the left is used.
+    /// Compares the field values that a document lists at stations with the claimed solution: on the left of each station
+    /// if `on_left`, otherwise on the right. At the right end of the beam, the value on the left is used.
     fn stations(
         &self,
         listed: &Stations,
@@ -238,9 +242,9 @@ impl<S: Scalar> Comparison<'_, S> {
         Ok(())
     }
 
-    /// Returns the distance of a listed pressure near an edge of contact from the smallest interval that contains zero and
-    /// the pressures on both sides of the edge. In a proven contact set, these pressures are not negative. `edge` is an
-    /// interval that contains the edge. A neighbouring piece is included if its common node with the piece lies in `edge`.
+    /// Returns the distance of a listed pressure near a contact edge from the interval between zero and the larger pressure
+    /// on both sides of the edge. If the contact set is proven, no pressure is negative. `edge` is an interval that
+    /// contains the edge. A neighbouring piece is included if its common node with the piece lies in `edge`.
     fn off_an_edge(&self, listed: f64, (piece, t): (usize, S), edge: [f64; 2]) -> f64 {
         let units = self.fields.frame.units;
         let listed = units.scaled(S::of(listed), 1, -1);
@@ -264,11 +268,12 @@ impl<S: Scalar> Comparison<'_, S> {
         units.restored(off.value(), 1, -1)
     }
 
-    /// Compares a listed extreme with the field: bounds |listed − field at the listed position| and |listed − largest
-    /// value|.
+    /// Compares a listed extreme, here a maximum, with its field f. It is compared with the value of f at the listed
+    /// position, or with the nearer of the two values where f jumps. It is also compared with all values of f, which may
+    /// exceed it elsewhere.
     ///
-    /// The largest value of the field is at least the values on the left and on the right of the listed position. It exceeds
-    /// the listed value by at most the largest value of field − listed.
+    /// The largest value of f is at least the value at the listed position. So the two differences bound the error of the
+    /// listed maximum.
     fn extreme(&self, extreme: &Extreme, found: &mut Differences) -> Result<(), NotProven> {
         let Some(field) = field_named(&extreme.field) else {
             found.unknown.push(format!("extremes.{}", extreme.field));
@@ -290,8 +295,8 @@ impl<S: Scalar> Comparison<'_, S> {
         Ok(())
     }
 
-    /// Compares the largest gap of a listed open stretch with the field, as `extreme` does. The stretch must end at listed
-    /// edges or at an end of the beam.
+    /// Compares the largest gap of a listed stretch without contact with the gap of the claimed solution, as `extreme`
+    /// does. The stretch must end at listed contact edges or at an end of the beam.
     fn lift_off(
         &self,
         [from, to, x, value]: &[f64; 4],
@@ -301,15 +306,17 @@ impl<S: Scalar> Comparison<'_, S> {
         let edges = self.document.contact.iter().flatten().flatten();
         let ends: Vec<f64> = edges.copied().chain([0.0, self.length()]).collect();
         if !(ends.contains(from) && ends.contains(to) && from <= x && x <= to) {
-            return Err(
-                NotProven::new("a listed open stretch does not end at a listed edge").at(*from)
-            );
+            return Err(NotProven::new(
+                "a stretch that is listed as out of contact does not end at a listed edge",
+            )
+            .at(*from));
         }
         let first = pieces.partition_point(|piece| piece.x[0] < *from);
         let range = first..pieces.partition_point(|piece| piece.x[1] <= *to).max(first);
         let touches = pieces[range.clone()].iter().any(|piece| piece.touches);
         if touches || ends.iter().any(|edge| from < edge && edge < to) {
-            return Err(NotProven::new("a listed open stretch is in contact").at(*from));
+            return Err(NotProven::new("a stretch that is listed as out of contact is in contact")
+                .at(*from));
         }
         let largest = Extreme { field: "gap".to_owned(), is_max: true, x: *x, value: *value };
         let off = self.difference(GAP, *value, self.place(*x)?);

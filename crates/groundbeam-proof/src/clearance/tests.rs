@@ -1,4 +1,4 @@
-//! Compares clearances, penetrations and corrections of open ground with closed forms and samples.
+//! Compares the clearance between beam and ground, and the correction that removes penetrations, with exact and sampled values.
 
 #![cfg(test)]
 
@@ -79,9 +79,10 @@ fn the_slope_of_the_clearance_is_that_of_the_corrected_beam() {
     }
 }
 
-/// Checks an open piece between two contact regions, where the claimed deflection jumps at both ends. The flux
-/// μu′ at the ends follows from the corrected deflections of the ends. The layer begins at x = 1 beside
-/// Winkler ground. The surface of the layer is horizontal at x = 1, so the flux has no jump there.
+/// Checks a piece out of contact between two contact regions. The claimed deflection jumps at both ends of the
+/// piece, and the correction removes these jumps. The force μu′ in the shear layer at both ends of the piece must
+/// follow from the corrected deflections there. The layer begins at x = 1. The beam is horizontal and in contact
+/// there, so no concentrated contact force acts at x = 1.
 #[test]
 fn the_surface_joins_the_corrected_beam() {
     let text = "[beam]\nlength = 4\nEI = 1e6\n[foundation]\nk = 1\nmu = 1\n\
@@ -108,7 +109,9 @@ fn the_surface_joins_the_corrected_beam() {
     }
 }
 
-/// The open beam w = t/10 is deeper than the surface of the springs on a length of ¾, by at most 1/10.
+/// The beam has the deflection w = t/10 with −1 ≤ t ≤ 1 and is claimed to be out of contact. On one half of its
+/// length, ¾, it lies below the ground surface u = 0 by at most 1/10. Checks the energy norm of the surface
+/// correction that removes this penetration.
 #[test]
 fn the_correction_of_open_springs_has_the_norm_of_depth_and_length() {
     let text = "[beam]\nlength = 1.5\nEI = 1\n[foundation]\nk = 2\n[[load]]\npoint = 1\nat = 0\n";
@@ -120,7 +123,8 @@ fn the_correction_of_open_springs_has_the_norm_of_depth_and_length() {
     });
 }
 
-/// u = −sinh(2t)/sinh 2 solves u″ = 16u in x. Checks the bound of the curvature from the tangent and the least u.
+/// The ground displacement is u = −sinh(2t)/sinh 2 with t = 2x − 1, so u″ = 16u. Checks the lower bound of u″ on
+/// an interval: 16 times a lower bound of u, which follows from the tangent of u or is the smallest value −1 of u.
 #[test]
 fn the_curvature_of_open_ground_is_bounded_by_a_tangent() {
     let text = "[beam]\nlength = 1\nEI = 1\n[foundation]\nk = 16\nmu = 1\n";
@@ -142,8 +146,11 @@ fn the_curvature_of_open_ground_is_bounded_by_a_tangent() {
     });
 }
 
-/// The straight beam w = 5/4 − x/2 penetrates the open ground beside its contact region. C̄ ≥ −τx on the length d,
-/// which is the whole open piece, or half of it if the beam also touches at its other end. k = μ = K_l = 1.
+/// The straight beam w = 5/4 − x/2 is claimed to be in contact with a shear layer on one half of its length, and
+/// penetrates the ground on the other half. Checks the energy norm of the correction of the ground surface. If the
+/// beam touches the ground at one end of the penetrated half only, the correction grows linearly from zero at this
+/// end to the other end. If it touches the ground at both ends, the correction grows linearly from zero at each
+/// end to the middle. k, μ and the stiffness of the ground outside the beam are 1.
 #[test]
 fn the_correction_of_an_open_layer_has_the_norm_of_its_ramps() {
     let text = "[beam]\nlength = 1\nEI = 1\n[foundation]\nk = 1\nmu = 1\n";

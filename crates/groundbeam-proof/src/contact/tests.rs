@@ -1,4 +1,4 @@
-//! Checks lengths that balance a missing force, regions, point contacts, edges and contact forces in closed form.
+//! Compares the bounds of contact edges and contact forces with closed forms, and checks which contact regions are proven.
 
 #![cfg(test)]
 
@@ -16,8 +16,9 @@ use crate::size::Size;
 use crate::wide::Wide;
 use serde_json::json;
 
-/// Checks that the pressure minus its error has at least the resultant `missing` on the length θ′ from an end
-/// of the piece. Where the pressure is nearly constant, θ′ is the smallest such length.
+/// Checks the length L from `balanced_inside`, measured inward from an end of the piece. L times the smallest
+/// value of the pressure minus its error bound on this length must be at least `missing`. If the pressure is
+/// nearly constant, L must be the shortest such length.
 #[test]
 fn the_length_inside_an_edge_balances_the_missing_force() {
     let mut random = numbers();
@@ -60,8 +61,9 @@ fn the_length_inside_an_edge_balances_the_missing_force() {
     assert!(found > 500, "{found}");
 }
 
-/// p decreases inward from 1 to 0 on half of the piece. The length that balances a small force is the force over
-/// the pressure at the end.
+/// The pressure p is 1 at one end of the piece and decreases linearly to 0 in the middle of the piece. Checks the
+/// length next to this end on which the pressure balances a small force. It is approximately the force divided by
+/// p = 1.
 #[test]
 fn the_length_inside_an_edge_uses_the_pressure_near_the_edge() {
     for (side, sign) in [(0, -1.0), (1, 1.0)] {
@@ -75,7 +77,8 @@ fn the_length_inside_an_edge_uses_the_pressure_near_the_edge() {
     }
 }
 
-/// The bounds of a pressure that increases inward from zero include the rounding errors of the position.
+/// The pressure is zero at one end of the piece and increases inward. Checks that the lower bound of the pressure
+/// on a short part next to this end is not positive, despite the rounding error of the position of the end.
 #[test]
 fn the_pressure_on_a_short_part_is_not_above_that_at_the_end() {
     for (side, sign) in [(0, -1.0), (1, 1.0)] {
@@ -88,8 +91,9 @@ fn the_pressure_on_a_short_part_is_not_above_that_at_the_end() {
     }
 }
 
-/// Passes a claim of four pieces of length ¼ to `of`. The beam w = 1 is in contact on the third piece of a layer
-/// with k = μ = 1, so p = 1 there. t lies between −5/6 and 5/6 on this piece, and one unit of t is the length 0.15.
+/// Passes the fields of a claimed solution to `of`. The beam has four pieces of length ¼ and the deflection w = 1
+/// on a shear layer with k = μ = 1. Only the third piece is in contact, with the pressure p = 1. The stored half
+/// length of this piece is 0.15, so its local coordinate t = (x − 0.625)/0.15 runs from −5/6 to 5/6.
 fn with_region<T>(of: impl FnOnce(&mut Fields<Wide>) -> T) -> T {
     let model = "[beam]\nlength = 1\nEI = 1\n[foundation]\nk = 1\nmu = 1\n";
     let piece = |i: usize| {
@@ -104,8 +108,10 @@ fn is(what: &str, found: Size, exact: f64) {
     assert!((found.value() / exact - 1.0).abs() < 1e-9, "{what}: {found:?} {exact}");
 }
 
-/// The region ends at nodes 2 and 3. The errors of the flux are 0.2 outside and 0.05 inside. A force a leaves a
-/// length θ′ = 0.25 − a, and a part 0.2 − a of the jump of the flux that does not depend on the slope.
+/// The contact region extends from node 2 to node 3, with the pressure 1. At each end, the force μu′ in the shear
+/// layer has the error bound 0.2 outside the region and 0.05 inside. With a concentrated contact force a at the
+/// end, the exact edge lies at most 0.25 − a inside the region. μu′ jumps there by at most 0.2 − a, without the
+/// effect of the slope error.
 #[test]
 fn an_edge_moves_inward_by_the_missing_force() {
     with_region(|fields| {
@@ -119,7 +125,8 @@ fn an_edge_moves_inward_by_the_missing_force() {
                 fields.surface.nodes[node].jump = Wide::of(jump);
                 let contact = Contact { fields, bounds: &bounds };
                 let found = contact.edge(node, side, &beside);
-                // One unit of t is too short for the missing force 0.2.
+                // For a = 0.05, the force 0.2 is missing. A contact length of one unit of t, 0.15, is too short
+                // for the pressure 1 to supply it, so the edge has no bound.
                 let Ok(found) = found else {
                     assert_eq!(jump, 0.05);
                     continue;
@@ -137,7 +144,8 @@ fn an_edge_moves_inward_by_the_missing_force() {
     });
 }
 
-/// The region has the length 0.25. The exact beam is in contact somewhere if both θ′ together are shorter.
+/// The contact region has the length 0.25. The exact solution is in contact somewhere in the region if the exact
+/// edges are proven to lie at most `left` and `right` inside it, and `left` + `right` is less than 0.25.
 #[test]
 fn a_region_is_longer_than_the_bounds_of_its_edges() {
     with_region(|fields| {
@@ -161,8 +169,9 @@ fn a_region_is_longer_than_the_bounds_of_its_edges() {
     });
 }
 
-/// The interval of a concentrated force is a ± ε_a, and it contains zero where contact is not proven. Only a
-/// positive force holds the beam.
+/// The interval of a concentrated contact force a with the error bound ε_a is a ± ε_a, without negative values. If
+/// contact is not proven, the interval extends down to zero. The exact force is proven to be positive only if the
+/// lower end of the interval is positive.
 #[test]
 fn a_concentrated_force_is_positive_only_if_proven() {
     with_region(|fields| {

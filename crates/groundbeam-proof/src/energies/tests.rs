@@ -1,4 +1,4 @@
-//! Compares the energies of claims with numerical integrals.
+//! Compares the computed energies of claimed solutions with numerical integrals.
 
 #![cfg(test)]
 
@@ -143,8 +143,9 @@ fn the_energies_of_open_ground_are_integrals() {
     let (k, mu, force, b) = (2.0, 1.5, 0.75, (2.0_f64 / 1.5).sqrt());
     let (sinh, cosh) = ((0.5 * b).sinh(), (0.5 * b).cosh());
     let (free, rise) = (|x: f64| (0.5 + 0.5 * x) / k, 0.5 / k);
-    // For x ≤ 1.5, v = A cosh b(x − 1) + D sinh b(x − 1). For x ≥ 1.5, v = C cosh b(2 − x) + (`rise`/b) sinh b(2 −
-    // x), where `rise` is the slope of q/k. A, C and D are the constants `a`, `c` and `d`.
+    // The homogeneous solution v = u − q/k is A cosh b(x − 1) + D sinh b(x − 1) for x ≤ 1.5, and C cosh b(2 − x) +
+    // (`rise`/b) sinh b(2 − x) for x ≥ 1.5, with b = √(k/μ). q is the load on the ground, and `rise` the slope of
+    // q/k. The constants A, C and D are `a`, `c` and `d`.
     let a = 0.75 - free(1.0);
     let equations = [rise / b * sinh - a * cosh, force / (mu * b) - a * sinh - rise / b * cosh];
     let whole = sinh * sinh + cosh * cosh;
@@ -234,7 +235,8 @@ fn the_energies_of_a_layer_that_begins_under_the_beam_are_integrals() {
         let slope = b * (right * near.cosh() - left * far.cosh()) / whole;
         [load(x) / k + (left * far.sinh() + right * near.sinh()) / whole, rise + slope]
     };
-    // The flux decreases by the point force at x = 2.5, and is zero at the free end.
+    // The force μu′ in the shear layer decreases by the point force on the ground at x = 2.5, and is zero at the
+    // free end of the layer.
     let jump = |u: f64| {
         mu * (between([2.0, 2.5], [0.75, u], 2.5)[1] - between([2.5, 3.0], [u, 0.75], 2.5)[1])
     };
@@ -299,8 +301,10 @@ fn the_energies_of_a_loaded_layer_without_contact_are_integrals() {
     agree(&model(text, [[0.0; 2]; 2]), &document, [strain, 0.0, 0.0, work]);
 }
 
-/// Checks two open pieces with given settlements at their ends. On constant ground the surface is u = q/k + v. On
-/// varying ground the surface is the stored polynomial, and twice its energy is the work [μu′u] + ∫qu.
+/// Checks two pieces out of contact, with given ground displacements at their ends. On the first piece, k and μ
+/// are constant, and the displacement is u = q/k + v with the load q on the ground and a solution v of the
+/// homogeneous equation. On the second piece, μ varies, and u is the stored polynomial. Twice its energy is ∫qu dx
+/// plus μu′u at the right end minus μu′u at the left end.
 #[test]
 fn the_energies_of_a_stored_surface_are_integrals() {
     let text = "[beam]\nlength = 2\nEI = 3\n[foundation]\nk = 2\nmu = 0.5\nleft = { ends = 0, as = 'free' }\n\
@@ -325,8 +329,9 @@ fn the_energies_of_a_stored_surface_are_integrals() {
     agree(&model(text, [[2.0; 2], [0.5, 1.0]]), &document, [strain, 0.0, 0.0, first + second]);
 }
 
-/// Checks that the flexibility g of a free layer with constant k and μ is largest at its ends. There 1/g = √(kμ)
-/// tanh(bL) for the length L and b = √(k/μ). This g is an upper bound on all pieces.
+/// Checks the flexibility g of a shear layer with two free ends, which is the displacement of the ground under a
+/// unit force. With constant k and μ, g is largest at the ends of the layer, where 1/g = √(kμ) tanh(bL) with the
+/// length L and b = √(k/μ). This value is an upper bound of g on all pieces.
 #[test]
 fn the_flexibility_of_a_free_layer_is_that_of_its_end() {
     let text = "[beam]\nlength = 2\nEI = 3\n[foundation]\nk = 2\nmu = 0.5\nright = { ends = 2, as = 'free' }\n\

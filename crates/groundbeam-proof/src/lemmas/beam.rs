@@ -41,9 +41,9 @@ fn the_energy_of_test_functions_is_bounded() {
     }
 }
 
-/// Checks the bound of the energy K² (section 4 of docs/proof.md) of linear test functions z. On one side of a
-/// position x, z is the distance from x. On the other side, z is zero. The inner ends of the pieces are used for
-/// x.
+/// Checks the bound of the energy K² (section 4 of docs/proof.md) of a test function z that is zero on one side of
+/// a position x and equal to the distance from x on the other side. On each piece, x is the end for which this
+/// energy is larger.
 #[test]
 fn the_energy_of_linear_test_functions_is_bounded() {
     let mut random = numbers();
@@ -135,7 +135,7 @@ fn errors_of_the_deflection_are_bounded_by_their_anchors() {
         let in_mean = from_mean(Size::of(mean), s * half * half.root(), sheared * half.root());
         let ends = [values[0], values[COUNT]].map(|e| Size::of(e.abs()));
         let inside = ends[0].worst(ends[1]) + between(Size::of(h), [s, sheared]);
-        // The last quarter of the grid lies beyond two positions at the distance h/2.
+        // The errors e(h/4) and e(3h/4) bound the error e on the last quarter of the interval, from 3h/4 to h.
         let [far, near] = [COUNT / 4, 3 * COUNT / 4].map(|i| Size::of(values[i].abs()));
         let over = Size::of(0.25 * h);
         let beyond = beyond([near, far], over, [0.5 * h; 2], [s, sheared]);
@@ -160,8 +160,8 @@ fn the_moment_of_redistributed_loads_is_bounded() {
     let mut sharpest = 0.0_f64;
     for _ in 0..100 {
         let ground = [[0.7, 2.0, 0.0], [0.8, 2.0, 0.0]];
-        // The load is `part`/2 times the claimed pressure, so the balance redistributes the difference of load and
-        // pressure.
+        // The load is `part`/2 times the claimed pressure. The difference of load and pressure is not in
+        // equilibrium and must be redistributed.
         let [a, b] = [1.0 + 0.3 * random(), 0.4 * random()];
         let pieces = [(true, vec![a, 0.35 * b]), (true, vec![a + 0.75 * b, 0.4 * b])];
         let mut model = beam(1.0, &ground);

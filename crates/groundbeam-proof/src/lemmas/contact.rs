@@ -1,4 +1,4 @@
-//! Checks the rule for nodes inside a contact region at which the slope of the clearance cannot decrease.
+//! Checks at which nodes the slope of the clearance between beam and ground is proven not to decrease from left to right.
 
 #![cfg(test)]
 
@@ -7,8 +7,9 @@ use crate::given_claim::with_fields;
 use crate::pointwise::PieceBounds;
 use serde_json::json;
 
-/// Returns the result of `Contact::bends_open` for the node at x = 1: whether the slope of the clearance cannot
-/// decrease. `gap` is the gap g₀ at x = 0, 1 and 2, and `added` are more tables of the model file.
+/// Returns the result of `Contact::bends_open` for the node at x = 1: whether the slope of the clearance is proven
+/// not to decrease there from left to right. `gap` contains the initial gap g₀ at x = 0, 1 and 2, and `added`
+/// contains additional tables of the model file.
 fn bends_open(shears: bool, gap: [f64; 3], added: &str) -> bool {
     let stiffness = if shears { "shear_stiffness = 1\n" } else { "" };
     let corner = |(at, value): (usize, &f64)| format!("[[gap]]\nat = {at}\nvalue = {value}\n");
@@ -31,8 +32,9 @@ fn bends_open(shears: bool, gap: [f64; 3], added: &str) -> bool {
     })
 }
 
-/// Where the beam is open, the slope of the clearance jumps by [C*′] = [g₀′] + F/(S + P) at a node with a force F.
-/// On a beam without shear deformation the jump is [g₀′]. The sign of a support reaction is unknown.
+/// At a node out of contact, the slope of the exact clearance jumps by [g₀′] + F/(S + P) under a downward point force
+/// F. Here [g₀′] is the jump of the slope of the initial gap, S the shear stiffness and P the axial tension of the
+/// beam. Without shear deformation, the jump is [g₀′]. At a support, F is the reaction, whose sign is unknown.
 #[test]
 fn the_clearance_bends_open_at_upward_corners_and_under_loads() {
     let down = "[[load]]\npoint = 1e-9\nat = 1\n";
@@ -63,8 +65,9 @@ fn the_clearance_bends_open_at_upward_corners_and_under_loads() {
     }
 }
 
-/// The slope of the beam may jump at a hinge. A force on the ground, or a jump of μ or S, changes the slope of the
-/// open ground or of the beam by an unknown amount.
+/// The slope of the beam may jump at a hinge, and where the shear stiffness S of the beam jumps. The slope of the
+/// ground may jump under a force on the ground, and where the stiffness μ of the shear layer jumps. The sizes of
+/// these jumps are unknown, so nothing is proven.
 #[test]
 fn the_clearance_may_bend_shut_at_hinges_and_steps() {
     let ground = "[[foundation.segment]]\nfrom = 0\nto = 1\nk = 1\nmu = ";

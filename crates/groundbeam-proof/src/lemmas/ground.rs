@@ -1,4 +1,4 @@
-//! Compares the terms of the ground in the error energy with exact energies of forces and surfaces on open ground.
+//! Compares bounds of the ground's error energy with exact energies: of residual forces, tensile pressures and raised surfaces.
 
 #![cfg(test)]
 
@@ -39,7 +39,7 @@ fn behind(stiffness: f64, [length, k, mu]: Stretch) -> f64 {
     (0..COUNT).fold(stiffness, |sum, _| own - across * across / (sum + own))
 }
 
-/// Returns a lower bound of the flexibility g(x, x) of open ground at a node, by linear finite elements.
+/// Returns a lower bound of the flexibility g(x, x) of ground out of contact at a node, by linear finite elements.
 fn flexibility(frame: &Frame<Ball>, ground: &[Stretch], node: usize) -> f64 {
     let left = ground[..node].iter().fold(frame.outside[0].middle(), |sum, s| behind(sum, *s));
     let right = ground[node..].iter().rev();
@@ -47,8 +47,8 @@ fn flexibility(frame: &Frame<Ball>, ground: &[Stretch], node: usize) -> f64 {
     1.0 / (left + right)
 }
 
-/// Checks (4a) of docs/proof.md: a residual force r on open ground has the energy r²g. A node that is fixed at the
-/// height w above the ground needs the tensile force r = w/g.
+/// Checks (4a) of docs/proof.md: a residual force r on ground out of contact has the energy r²g, with the flexibility g of
+/// the ground at the force. A node that is held at the height w above the ground needs the tensile force r = w/g.
 #[test]
 fn the_energy_of_a_residual_force_is_bounded() {
     let mut random = numbers();
@@ -89,8 +89,8 @@ fn energy_of_load(length: f64, [k, mu]: [f64; 2], load: impl Fn(f64) -> f64) -> 
     let at = |i: usize| load((i as f64 + 0.5) * h) * h;
     let (mut sum, mut before) = (0.0, 0.0);
     for i in 0..COUNT {
-        // The energy grows by the square of the load on this interval, and by twice the product of this load and `before`,
-        // the sum of all earlier loads with their decay.
+        // This interval adds the square of its load to the energy, and twice the product of its load and `before`. `before`
+        // is the sum of all loads to the left, each reduced by its exponential decay up to this interval.
         sum += at(i) * (2.0 * before + at(i));
         before = (before + at(i)) * fall;
     }
@@ -136,9 +136,9 @@ fn the_energy_of_tensile_pressures_is_bounded() {
     assert!(sharpest > 0.9, "{sharpest}");
 }
 
-/// Checks a stiff beam between two supports above the ground. The answer claims contact everywhere, so the pressure and the
-/// end forces √(kμ)w are tensile. The exact pressure is zero, so the bound of the error energy is at least the energy ½b(u,
-/// u) = ½w²(kl + 2√(kμ)) of the claimed surface u.
+/// Checks a stiff beam of length l between two supports that hold it at the height w above the ground. The claimed solution
+/// is in contact everywhere, so its pressure and its end forces √(kμ)w are tensile. The exact pressure is zero, so the
+/// bound of the error energy is at least ½w²(kl + 2√(kμ)), the energy of the ground with the claimed surface.
 #[test]
 fn the_energy_of_a_surface_under_tension_is_bounded() {
     for [k, mu] in [[1.0, 1.0], [30.0, 0.02], [0.02, 30.0]] {
@@ -177,8 +177,8 @@ fn the_energy_of_the_raised_ground_is_bounded() {
         if both {
             ground.push([0.5, k, mu]);
         }
-        // The deflection is the sum of a linear function and a function on the open stretch. The second function
-        // and its slope are zero at the contacts.
+        // The depth of the beam on the stretch out of contact is a linear function plus a second function. The second
+        // function and its slope are zero at each end of the stretch where the beam is in contact.
         let (start, slope) = (2.0 + random(), 2.0 * random() * rate);
         let (a, b) = (10.0 * random(), 10.0 * random());
         let sunk = |y: f64| {

@@ -1,4 +1,4 @@
-//! Compares the inequalities of docs/proof.md with exact energies of random functions and of forces on open ground.
+//! Compares the bounds of docs/proof.md with exact values for random test functions, ground out of contact and compressed beams.
 
 #![cfg(test)]
 
@@ -64,8 +64,9 @@ fn force(at: f64, size: f64) -> Load<Ball> {
     Load { action: Action::Force, extent, on_ground: false }
 }
 
-/// Returns an answer with one piece for each stretch of ground. `pieces` contains, for each piece, whether it is in
-/// contact, and the coefficients of w as a polynomial of t.
+/// Returns a claimed solution with one piece for each stretch of ground. `pieces` contains, for each piece,
+/// whether it is in contact, and the coefficients of w as a polynomial in the local coordinate −1 ≤ t ≤ 1.
+/// `forces` contains the positions of concentrated contact forces.
 fn claim(ground: &[Stretch], pieces: &[(bool, Vec<f64>)], forces: &[f64]) -> Answer {
     let mut to = 0.0;
     let piece = |([length, ..], (touches, deflection)): (&Stretch, &(bool, Vec<f64>))| {

@@ -186,8 +186,10 @@ fn an_unsupported_beam_has_no_critical_load() {
     assert_eq!(margin(&hung, 1e-3), None);
 }
 
-/// The longest span between pins is ¾, so N l²/π² of it is lost. A strong spring in the middle of a pinned beam makes its
-/// critical load that of half the length, π²/¼; the bound from the span alone is smaller.
+/// The margin is the part of the convexity of the energy that remains under the compression. First, the longest span
+/// between pins is l = ¾, and the compression N = 1 with EI = 1 leaves the margin 1 − Nl²/π². Second, a strong spring
+/// in the middle of a pinned beam of length 1 halves the buckling length, so the critical load is 4π². The bound from
+/// the span alone is smaller.
 #[test]
 fn the_larger_of_two_bounds_of_the_margin_counts() {
     let pin = SupportKind::Pinned;
