@@ -217,12 +217,12 @@ impl<S: Scalar> Contact<'_, S> {
         Size::of(frame.outside[side].high()) * self.bounds[i].settlement
     }
 
-    /// Whether the slope of the exact clearance C* = u* + g₀ − w* is at least as large on the right of a node as on its
-    /// left, if the exact solution is out of contact at the node. This requires that the initial gap g₀ is straight at
-    /// the node or that its slope increases there. The node must have no hinge, no point force on the ground and no
-    /// jump of a stiffness. On a beam with shear deformation, a point force F on the beam changes the slope of C* by
-    /// F/(S + P), with the shear stiffness S and the axial tension P. So F must act downward, and the node must have no
-    /// support.
+    /// Whether the slope of the exact clearance C* = u* + g₀ − w* is proven to be at least as large on the right of a
+    /// node as on its left, if the exact solution is out of contact at the node. The initial gap g₀ must be straight at
+    /// the node, or its slope must increase there. The node must lie inside a shear layer and have no hinge, no point
+    /// force on the ground and no jump of a stiffness. On a beam with shear deformation, a downward point force F on
+    /// the beam increases the slope of C* by F/(S + P), with the shear stiffness S and the axial tension P. So F must
+    /// act downward, and the node must have no support.
     pub(crate) fn bends_open(&self, node: usize) -> bool {
         let frame = self.fields.frame;
         let corner = || (frame.spans[node].gap_slope() - frame.spans[node - 1].gap_slope()).low();

@@ -12,7 +12,7 @@ pub(crate) fn fewest_cuts<S: Scalar>(frame: &Frame<S>) -> Vec<usize> {
 /// Returns the nodes of [`fewest_cuts`] and additional nodes at which the beam is cut. An additional cut requires
 /// that the beam is in contact on more than two characteristic lengths (4EI/k)^¼ between the previous cut and the
 /// new cut, and on more than one to the right of the new cut. At the right end of a contact zone, more than one
-/// characteristic length since the previous cut is enough.
+/// characteristic length between the two cuts is enough.
 pub(crate) fn more_cuts<S: Scalar>(frame: &Frame<S>) -> Vec<usize> {
     let last = frame.spans.len();
     let waves: Vec<f64> = frame
@@ -66,14 +66,14 @@ mod tests {
     #[test]
     fn cuts_are_separated_by_waves_of_contact() {
         for (lengths, expected) in [
-            // (4EI/k)^¼ = 1. The beam is cut at a node if it is in contact on a length of more than 2 since the
-            // previous cut, and on a length of more than 1 to the right of the node.
+            // (4EI/k)^¼ = 1. The beam is cut at a node if it is in contact on a length of more than 2 between the
+            // previous cut and the node, and on a length of more than 1 to the right of the node.
             (&[1.5; 5][..], &[0, 2, 4, 5][..]),
             (&[1.5, 1.5, 0.5], &[0, 3]),
             (&[1.0; 4], &[0, 4]),
             (&[1.0; 5], &[0, 3, 5]),
-            // At the right end of a contact zone, contact on a length of more than 1 since the previous cut is
-            // enough.
+            // At the right end of a contact zone, a length of contact of more than 1 between the previous cut and
+            // the node is enough.
             (&[1.5, -3.0, 1.5], &[0, 1, 3]),
             (&[1.0, -3.0, 1.5], &[0, 3]),
             (&[1.5, -3.0, 1.0], &[0, 3]),

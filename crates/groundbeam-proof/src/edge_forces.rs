@@ -49,8 +49,9 @@ pub(crate) fn edges_of_pieces(edges: &[EdgeShift], count: usize) -> Vec<EdgesOfP
 impl<S: Scalar> Pointwise<'_, S> {
     /// Returns ε_T, the error bound of the transverse force T, on a piece with edges of contact at its ends.
     /// `steady` is the part of ε_T that is not due to these edges. `rest` is the last term of ε_V(1 + P/S) ≤ ε_T +
-    /// `rest`, the bound of the error ε_V of the shear force, with the axial tension P and the shear stiffness S.
-    /// The result is infinite unless the claimed and the exact edge are less than half of the piece apart.
+    /// `rest`, where ε_V is the error bound of the shear force, P the axial tension and S the shear stiffness of
+    /// the beam. The result is infinite unless the claimed and the exact edge are less than half of the piece
+    /// apart.
     pub(crate) fn beside_edges(
         &self,
         i: usize,

@@ -12,7 +12,7 @@ use crate::polynomial::{Budget, Polynomial, half_width};
 use crate::scalar::Scalar;
 use crate::size::Size;
 
-/// Shortest lengths of an interval of the local coordinate t that is still halved. The first applies if the
+/// An interval of the local coordinate t that is at most this long is not halved. The first length applies if the
 /// derivative of the field has an error bound, the second if it has none.
 const SHORTEST: [f64; 2] = [1e-13, 1e-9];
 

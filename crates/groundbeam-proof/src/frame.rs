@@ -97,13 +97,14 @@ pub(crate) struct Node<S> {
 /// Weighting factors of the supports in the redistribution of residual forces. Equilibrium holds for any positive factors.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Weights {
-    /// Factor W of a rigid support: the redistribution changes its reaction by λW, with the redistribution factor λ.
+    /// Weighting factor W of a rigid support. Redistribution of residual forces with the factor λ changes its reaction by λW.
     pub rigid: f64,
-    /// Factor W of a translational spring: the redistribution changes its force by λW, with the redistribution factor λ.
+    /// Weighting factor W of a translational spring. Redistribution of residual forces with the factor λ changes its force by λW.
     pub spring: f64,
-    /// Factor W_θ of a clamp: the redistribution changes its moment by λ′W_θ, with the slope λ′ of the redistribution factor.
+    /// Weighting factor W_θ of a clamp. Redistribution of residual forces with the factor λ changes its moment by λ′W_θ.
     pub clamp: f64,
-    /// Factor W_θ of a rotational spring: the redistribution changes its moment by λ′W_θ, with the slope λ′ of that factor.
+    /// Weighting factor W_θ of a rotational spring. Redistribution of residual forces by the factor λ changes its moment by
+    /// λ′W_θ.
     pub turning: f64,
 }
 
@@ -132,12 +133,12 @@ pub(crate) struct Frame<S> {
     pub supports: Vec<Held<S>>,
     /// Tension P; `None` if P ≤ 0.
     pub tension: Option<S>,
-    /// Factor B > 0 of the tension in the redistribution with the factor λ: the tension carries the transverse force Bλ′.
+    /// Weighting factor B > 0 of the tension. Redistribution of residual forces with the factor λ adds the transverse force Bλ′.
     pub carrier: f64,
     /// Data of the axial compression; `None` if the axial force P (positive in tension) is zero or positive.
     pub compression: Option<Compression<S>>,
-    /// Stiffness K₀ and K_l of the ground outside the left and right end of the beam; exactly 0 without such ground. The
-    /// force in the shear layer at an end is Ku − T, with the ground displacement u.
+    /// Stiffness K₀ and K_l of the ground outside the left and right end of the beam; exactly 0 without such ground. The force in
+    /// the shear layer at an end is Ku − T, with the ground displacement u and the load term T.
     pub outside: [S; 2],
     /// Forces T₀ and T_l at the ends of the beam due to loads on the ground outside. The shear-layer force is Ku − T there.
     pub pushed: [S; 2],

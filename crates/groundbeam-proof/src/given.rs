@@ -251,9 +251,9 @@ fn pieces_of(
     Ok(found)
 }
 
-/// A piece as a part of a segment. The position s on the segment is 0 at its left end and 1 at its right end. It
-/// has the values `ends` at the ends of the piece, and `line` is s as a function of the local coordinate t of the
-/// piece.
+/// A piece as a part of a segment. The position s on the segment is 0 at its left end and 1 at its right end. The
+/// piece extends between the two values `ends` of s, and `line` is s as a function of the local coordinate t of
+/// the piece.
 struct Part<S> {
     line: Line<S>,
     ends: [S; 2],

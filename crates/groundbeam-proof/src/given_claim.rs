@@ -24,8 +24,8 @@ pub(crate) fn with_fields<T>(
     of(&mut Fields::of(&frame).expect("fields"))
 }
 
-/// Returns the result of the redistribution for a claimed solution in exact equilibrium: no force or moment is
-/// changed.
+/// Returns the redistribution of residual forces for a claimed solution in exact equilibrium, which changes no
+/// force or moment.
 pub(crate) fn balanced(pieces: usize) -> Balanced<Wide> {
     let zero = Wide::zero();
     let piece = BalancedPiece {

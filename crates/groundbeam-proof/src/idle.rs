@@ -16,7 +16,7 @@ use crate::refusal::NotProven;
 use crate::scalar::Scalar;
 use crate::size::Size;
 
-/// Returns the indices of the supports without a node that the exact deflection may reach.
+/// Returns the indices of those supports that the exact deflection may reach although they have no node.
 pub(crate) fn close<S: Scalar>(frame: &Frame<S>, bounds: &[PieceBounds]) -> Vec<usize> {
     let within = |piece: usize| bounds[piece].deflection.value();
     let supports = frame.supports.iter().enumerate();

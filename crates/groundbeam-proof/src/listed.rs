@@ -20,8 +20,7 @@ const NEAR: f64 = 16.0 * f64::EPSILON;
 pub struct Checked {
     /// Number of positions at which the fields are listed.
     pub stations: usize,
-    /// Number of compared field values: all values at the stations, and the largest gap of each listed stretch without
-    /// contact.
+    /// Number of compared field values at the stations, plus one largest gap for each listed stretch without contact.
     pub values: usize,
     /// Number of listed pressures in intervals that contain an edge of contact. These pressures have no proven bound.
     pub at_edges: usize,
@@ -242,9 +241,9 @@ impl<S: Scalar> Comparison<'_, S> {
         Ok(())
     }
 
-    /// Returns the distance of a listed pressure near a contact edge from the interval between zero and the larger pressure
-    /// on both sides of the edge. If the contact set is proven, no pressure is negative. `edge` is an interval that
-    /// contains the edge. A neighbouring piece is included if its common node with the piece lies in `edge`.
+    /// Returns the distance of a listed pressure near a contact edge from the interval from zero to the larger pressure on
+    /// both sides of the edge. If the contact set is proven, no pressure is negative. `edge` is an interval that contains
+    /// the edge. A neighbouring piece is included if its common node with the piece lies in `edge`.
     fn off_an_edge(&self, listed: f64, (piece, t): (usize, S), edge: [f64; 2]) -> f64 {
         let units = self.fields.frame.units;
         let listed = units.scaled(S::of(listed), 1, -1);
@@ -268,12 +267,12 @@ impl<S: Scalar> Comparison<'_, S> {
         units.restored(off.value(), 1, -1)
     }
 
-    /// Compares a listed extreme, here a maximum, with its field f. It is compared with the value of f at the listed
-    /// position, or with the nearer of the two values where f jumps. It is also compared with all values of f, which may
-    /// exceed it elsewhere.
+    /// Compares a listed extreme, here a maximum, with the field f of the claimed solution. Two differences are bounded:
+    /// between the listed maximum and f at the listed position (the nearer value if f jumps), and between the largest value
+    /// of f and the listed maximum.
     ///
-    /// The largest value of f is at least the value at the listed position. So the two differences bound the error of the
-    /// listed maximum.
+    /// The largest value of f is at least f at the listed position. So the two bounds also bound the error of the listed
+    /// maximum.
     fn extreme(&self, extreme: &Extreme, found: &mut Differences) -> Result<(), NotProven> {
         let Some(field) = field_named(&extreme.field) else {
             found.unknown.push(format!("extremes.{}", extreme.field));

@@ -110,8 +110,8 @@ fn is(what: &str, found: Size, exact: f64) {
 
 /// The contact region extends from node 2 to node 3, with the pressure 1. At each end, the force μu′ in the shear
 /// layer has the error bound 0.2 outside the region and 0.05 inside. With a concentrated contact force a at the
-/// end, the exact edge lies at most 0.25 − a inside the region. μu′ jumps there by at most 0.2 − a, without the
-/// effect of the slope error.
+/// end, the exact edge lies at most 0.25 − a inside the region. There, μu′ jumps by at most 0.2 − a, without the
+/// effect of the slope error. A negative bound counts as zero.
 #[test]
 fn an_edge_moves_inward_by_the_missing_force() {
     with_region(|fields| {

@@ -135,7 +135,8 @@ fn errors_of_the_deflection_are_bounded_by_their_anchors() {
         let in_mean = from_mean(Size::of(mean), s * half * half.root(), sheared * half.root());
         let ends = [values[0], values[COUNT]].map(|e| Size::of(e.abs()));
         let inside = ends[0].worst(ends[1]) + between(Size::of(h), [s, sheared]);
-        // The errors e(h/4) and e(3h/4) bound the error e on the last quarter of the interval, from 3h/4 to h.
+        // The errors e(h/4) and e(3h/4) of the deflection bound the error e on the last quarter of the interval,
+        // from 3h/4 to h.
         let [far, near] = [COUNT / 4, 3 * COUNT / 4].map(|i| Size::of(values[i].abs()));
         let over = Size::of(0.25 * h);
         let beyond = beyond([near, far], over, [0.5 * h; 2], [s, sheared]);
@@ -161,7 +162,7 @@ fn the_moment_of_redistributed_loads_is_bounded() {
     for _ in 0..100 {
         let ground = [[0.7, 2.0, 0.0], [0.8, 2.0, 0.0]];
         // The load is `part`/2 times the claimed pressure. The difference of load and pressure is not in
-        // equilibrium and must be redistributed.
+        // equilibrium and must be redistributed to the pressure.
         let [a, b] = [1.0 + 0.3 * random(), 0.4 * random()];
         let pieces = [(true, vec![a, 0.35 * b]), (true, vec![a + 0.75 * b, 0.4 * b])];
         let mut model = beam(1.0, &ground);
