@@ -103,8 +103,7 @@ pub(crate) struct Weights {
     pub spring: f64,
     /// Weighting factor W_θ of a clamp. Redistribution of residual forces with the factor λ changes its moment by λ′W_θ.
     pub clamp: f64,
-    /// Weighting factor W_θ of a rotational spring. Redistribution of residual forces by the factor λ changes its moment by
-    /// λ′W_θ.
+    /// Weighting factor W_θ of a rotational spring. Redistribution of residual forces by λ changes its moment by λ′W_θ.
     pub turning: f64,
 }
 
