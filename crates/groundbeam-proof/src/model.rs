@@ -100,7 +100,7 @@ impl<S: Copy> Course<S> {
     }
 }
 
-/// The end of the ground on one side of the beam.
+/// Where and how the ground ends on one side of the beam.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum GroundEnd<S> {
     /// The ground is infinite.

@@ -78,9 +78,9 @@ impl<S: Scalar> Beside<'_, S> {
     fn outward(&self, at: S) -> S {
         let at = self.units.metres(at);
         let end = [S::zero(), self.length][self.side];
-        // A position at the beam's end must have the distance +0, because −0 is sorted before 0. If the numbers do not
-        // enclose their rounding error, a position that differs from the beam's end only by rounding error also has
-        // the distance 0.
+        // A position at the beam's end gets the distance +0, because sorting by distance would place −0 before +0. In a
+        // number type without error bounds, a position within rounding error of the beam's end also gets the distance
+        // +0.
         match self.side {
             _ if at == end || !S::ENCLOSES && is_near(at, end, self.length) => S::zero(),
             0 => -at,
@@ -401,7 +401,8 @@ mod tests {
         }
     }
 
-    /// A position within rounding error of the end of the beam is at this end in an estimate only.
+    /// Positions within rounding error of an end of the beam: a proof in `Wide` numbers computes their distance from
+    /// the end, and an estimate in `f64` sets the distance to 0.
     #[test]
     fn a_position_beside_the_beam_is_exact_in_a_proof() {
         use crate::read::read_model;

@@ -49,9 +49,11 @@ const TERMS: usize = 26;
 pub(crate) struct Patch<S> {
     /// The middle m of the stretch, in the coordinate t of the piece.
     pub middle: f64,
-    /// An interval of s = t − m that contains the stretch.
+    /// An interval that contains s = t − m at every point of the stretch, with the coordinate t of the piece and the
+    /// middle m of the stretch.
     pub interval: [f64; 2],
-    /// The fields in the order of [`FIELDS`], as polynomials of s = t − m.
+    /// The fields in the order of [`FIELDS`], as polynomials of s = t − m, with the coordinate t of the piece and the
+    /// middle m of the stretch.
     pub fields: [Polynomial<S>; 8],
 }
 
@@ -237,9 +239,9 @@ mod tests {
         }
     }
 
-    /// Checks that the stretches of a piece cover the piece. Checks that the polynomial of each stretch contains the
-    /// settlement of loaded ground at the ends and in the middle of the stretch. Also checks settlements along the
-    /// piece, which are taken from the nearest stretch.
+    /// Checks that the stretches of a piece cover the piece. Checks that intervals computed from the polynomials of the
+    /// settlement contain the exact settlement of loaded ground: at both ends and in the middle of each stretch, and
+    /// with `Patches::value` at equidistant positions of the piece.
     #[test]
     fn all_stretches_contain_the_surface_of_loaded_ground() {
         for (b, count) in [(1.0_f64, 1), (31.0, 8)] {

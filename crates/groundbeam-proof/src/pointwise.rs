@@ -84,12 +84,14 @@ impl<S: Scalar> Pointwise<'_, S> {
         }
     }
 
-    /// Bound of the settlement error |u − u*|.
+    /// Bound of the error |u − u*| of the claimed settlement u, with the exact settlement u*.
     ///
-    /// In a shear layer, the error of the corrected settlement is at most √(2E g). E bounds the error energy, and g is
-    /// the settlement under a unit force at the position of the force. The bound of the correction is added. On
-    /// Winkler ground u* = max(w* − g₀, 0). So the bound is that of the deflection plus a correction. On a piece in
-    /// contact, this correction is the largest tensile pressure divided by k.
+    /// On ground with a shear layer, the admissible settlement ū differs from u* by at most √(2E g). E bounds the error
+    /// energy, and g is the settlement at a point under a unit force at this point. The bound of |ū − u| is added. On
+    /// Winkler ground u* = max(w* − g₀, q/k), with the exact deflection w*, the initial gap g₀ and the load q on the
+    /// ground. So the bound is that of the deflection plus a supplement. On a piece in contact, the supplement is the
+    /// largest tensile pressure divided by k. Out of contact, it is the largest depth by which the beam penetrates the
+    /// ground.
     fn settlement(&self, i: usize, deflection: Size) -> Size {
         let fields = self.fields;
         let (span, raised) = (&fields.frame.spans[i], fields.clearance.raised[i]);
@@ -102,16 +104,19 @@ impl<S: Scalar> Pointwise<'_, S> {
         deflection + if span.touches { sunk } else { raised }
     }
 
-    /// Sets the bounds of the moment error: |M − M*| ≤ √(2E) K + |δ|.
+    /// Bounds the error of the bending moment on each piece: |M − M*| ≤ √(2E) K + |δ|, with the claimed moment M and
+    /// the exact moment M*.
     ///
-    /// E bounds the error energy, and δ is the difference between the claimed and the balanced moment. K is a norm of
-    /// a test function z, with the stiffnesses K₀ and K_l of the ground outside the beam:
+    /// E bounds the error energy. M + δ is a moment in exact equilibrium with the loads. K² is the energy of a test
+    /// function z:
     ///
     /// ```text
     /// K² = ∫EI z″² + ∫(P + μ)z′² + ∫kz² + K₀z(0)² + K_lz(l)² + Σκz² + Σκ_θz′².
     /// ```
     ///
-    /// z may be any function with a unit jump of slope at x, z = 0 at rigid supports and z′ = 0 at clamps.
+    /// P is the tension. K₀ and K_l are the stiffnesses of the ground beyond the left and the right end of the beam,
+    /// and κ and κ_θ are those of translational and rotational springs. For the moment at x, z may be any function with
+    /// a unit jump of slope at x, z = 0 at rigid supports and z′ = 0 at clamps.
     fn moments(&self, bounds: &mut [PieceBounds]) {
         let frame = self.fields.frame;
         let mut stiffness = vec![Size::INFINITE; frame.spans.len()];
@@ -177,9 +182,10 @@ impl<S: Scalar> Pointwise<'_, S> {
 
     /// Sets the error bounds of deflection and rotation on a part of the beam between hinges.
     ///
-    /// e is the error of the corrected deflection, c is the correction, and ε_κ = ε_M/EI bounds the error of the
-    /// curvature. The error of the deflection is at most sup|e| + max|c|. With s and s_γ of [`Self::flexure`], the
-    /// error of the rotation is at most
+    /// w is the claimed deflection, c the correction that makes w + c admissible, and e the error of w + c. So the
+    /// error of w is at most sup|e| + max|c|. ε_M bounds the error of the moment, and ε_κ = ε_M/EI that of the
+    /// curvature. With s and s_γ of [`Self::flexure`] and lengths h up to the length of the part, the error of the
+    /// rotation is at most
     ///
     /// ```text
     /// min_h {2 sup|e|/h + s_γ/√h + min(½h max(ε_κ + |c″|), s√(h/3))} + max|c′|.
@@ -218,8 +224,9 @@ impl<S: Scalar> Pointwise<'_, S> {
     }
 }
 
-/// In contact, computes the error bound of the pressure. Out of contact, computes the error bound of μC″, where C is
-/// the clearance. `settled`, `bent` and `load` bound the errors of ku, φ′ and the equilibrium.
+/// Computes an error bound on a beam with shear deformation: in contact that of the pressure, out of contact that of
+/// μC″, where C is the clearance. `settled` and `bent` bound the errors of ku and φ′. `load` bounds |r| + |η′|, with
+/// the residual r of the transverse equilibrium and the misfit η = S(w′ − φ) − V of the claimed shear force V.
 fn sheared_pressure<S: Scalar>(
     [stiffness, axial, shear]: [S; 3],
     [settled, bent, load]: [Size; 3],
@@ -242,9 +249,9 @@ mod tests {
     use crate::scalar::Scalar;
     use crate::size::Size;
 
-    /// Takes random errors of ku, φ′ and the equilibrium of a beam with shear deformation. Checks that the error bound
-    /// holds and is attained. In contact it bounds the error of p, and out of contact that of μC″, where C is the
-    /// clearance.
+    /// Takes random errors of ku and of φ′, the derivative of the rotation, and random residuals of the transverse
+    /// equilibrium. Checks that the error bound holds, and that it is attained for one choice of signs. In contact, the
+    /// bound is that of the pressure. Out of contact, it is that of μC″, where C is the clearance.
     #[test]
     fn the_pressure_bound_of_a_timoshenko_beam_is_sharp() {
         let mut random = numbers();
@@ -255,9 +262,10 @@ mod tests {
             for touches in [true, false] {
                 for signs in [[1.0, 1.0, 1.0], [1.0, -1.0, -1.0]] {
                     let [u, bent, r] = [settled * signs[0], turned * signs[1], load * signs[2]];
-                    // The errors of the fields satisfy (S + P)w″ = Sφ′ + p + r, where r is the residual of the
-                    // equilibrium. In contact p = ku − μw″. Out of contact p = 0, and the clearance C satisfies μC″ =
-                    // ku − μw″. The variable `u` is the error of ku.
+                    // Let w, φ, p, u and C be the errors of deflection, rotation, pressure, settlement and clearance.
+                    // They satisfy (S + P)w″ = Sφ′ + p + r, where r is the residual of the transverse equilibrium. In
+                    // contact p = ku − μw″. Out of contact p = 0 and μC″ = ku − μw″. The variable `u` is the product
+                    // ku, and `bent` is φ′.
                     let whole = stiffness + axial;
                     let curved = match touches {
                         true => (stiffness * bent + u + r) / (whole + shear),

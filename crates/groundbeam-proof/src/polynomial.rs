@@ -193,7 +193,7 @@ impl Budget {
         Budget { piece: 0, all: Self::AVERAGE * pieces }
     }
 
-    /// Allows the maximum number of halvings on a new piece.
+    /// Starts a new piece: resets the number of halvings that remain for one piece to its maximum.
     pub fn begin(&mut self) {
         self.piece = Self::PIECE;
     }
@@ -213,7 +213,7 @@ impl Budget {
 pub(crate) struct Below {
     /// The function is at least −depth.
     pub depth: Size,
-    /// The measure of the set where the function is negative, in units of t.
+    /// Upper bound of the total length on which the function is negative, in units of its variable t.
     pub width: Size,
 }
 
@@ -287,8 +287,8 @@ pub(crate) fn below<C: Scalar>(
         }
         let here = Size::below_zero((about.coefficient(0) - C::of(less.value())).low());
         let depth = Size::below_zero(low) + lost;
-        // Accept the depth if halving would not change it much, if it is below the rounding error, or if it is
-        // negligible.
+        // Accept `depth` as the bound of the negative part on this interval if halving the interval would hardly lower
+        // it, if it is below the rounding error, or if it is negligible.
         let c0 = about.coefficient(0);
         let blurred = Size::of(0.25 * (c0.high() - c0.low()));
         let enough = depth <= blurred + 1.25 * here || depth <= negligible;
@@ -368,7 +368,8 @@ mod tests {
         assert_eq!(taken(&mut budget), 2000);
     }
 
-    /// p = s + 4s² with s = 1 ± t is smaller than its value at s = s₀ on the length s₀.
+    /// p = s + 4s², with s = 1 + t or s = 1 − t, increases with s on |t| ≤ 1. So it is smaller than its value at s = s₀
+    /// where 0 ≤ s < s₀, on an interval of length s₀.
     #[test]
     fn the_negative_part_of_a_monotone_function_is_found_by_bisection() {
         for sign in [1.0, -1.0] {

@@ -16,7 +16,8 @@ pub(crate) struct Pressure<S> {
     pub masses: [S; 3],
     /// Bound η of the tensile pressure: p ≥ −η.
     pub depth: Size,
-    /// Bound ω of the length on which p < 0. The tensile part max(−p, 0) has a resultant of at most ηω.
+    /// Bound ω of the length on which p < 0. The tensile pressure is at most η = `depth`, so its resultant is at most
+    /// ηω.
     pub width: Size,
 }
 
@@ -57,8 +58,8 @@ pub(crate) fn pressures<S: Scalar>(frame: &Frame<S>, budget: &mut Budget) -> Vec
     frame.spans.iter().map(of).collect()
 }
 
-/// Upper bound of the squared energy norm of the correction c of the deflection. It is Σ h(k c² + μ c′²) over the
-/// pieces in contact, where h is the length of a piece.
+/// Upper bound of ∫(k c² + μ c′²) over the pieces in contact, for the correction c of the deflection. It is the sum of
+/// h(k max c² + μ max c′²), where h is the length of a piece.
 pub(crate) fn carried<S: Scalar>(frame: &Frame<S>, deflection: &Deflection<S>) -> Size {
     let pieces = frame.spans.iter().zip(&deflection.pieces).filter(|(span, _)| span.touches);
     pieces

@@ -23,7 +23,8 @@ pub struct Proof {
     /// Upper bound E \[N·m\] of the error energy. It bounds the sum of two energies: that of the errors of deflection
     /// and settlement, and that of the errors of moment and pressure.
     pub energy: f64,
-    /// The strain energy of beam, ground and springs \[N·m\]. It is an estimate, for comparison with E.
+    /// Estimate of the strain energy of beam, ground and springs \[N·m\]. It shows whether the bound of the error
+    /// energy is small.
     pub strain_energy: f64,
     /// Error bounds of the fields. Each bound holds at every point of the beam. A finite bound of w proves that a
     /// solution exists.
@@ -35,7 +36,8 @@ pub struct Proof {
     pub contact: Result<ContactSet, NotProven>,
     /// `Ok` if the solution is unique.
     pub unique: Result<(), NotProven>,
-    /// `Ok` if each one-way support is proven to be active or inactive. The bounds hold in both cases.
+    /// `Ok` if each one-way support is proven to be active or proven to be inactive. All error bounds hold even if this
+    /// is not proven.
     pub supports: Result<(), NotProven>,
     /// The scales with which the errors of contact edges and of concentrated forces are compared.
     pub scales: Scales,
@@ -54,7 +56,9 @@ impl Proof {
         }
         let too_large = |name: &str, bound: Bound| {
             let Bound { error, scale } = bound;
-            let what = format!("the error of the {name} is not small: {error:.1e} of {scale:.1e}");
+            let what = format!(
+                "the error bound of the {name} is too large: {error:.1e} is more than a millionth of the scale {scale:.1e}"
+            );
             (!bound.is_small()).then(|| NotProven::new(what))
         };
         let unique = self.unique.as_ref().err().cloned();
@@ -71,7 +75,8 @@ impl Proof {
         set.or_else(fields).or_else(|| self.intervals(too_large)).or_else(supports)
     }
 
-    /// The reason for the first contact edge or concentrated force whose interval is too wide.
+    /// Reports the first contact edge or concentrated force whose interval is too wide; `None` if all intervals are
+    /// narrow enough.
     fn intervals(&self, too_large: impl Fn(&str, Bound) -> Option<NotProven>) -> Option<NotProven> {
         let set = self.contact.as_ref().ok()?;
         let width = |[low, high]: [f64; 2]| (high - low).next_up();
@@ -217,9 +222,9 @@ fn bound<S>(frame: &Frame<S>, error: Size, scale: f64, force: i32, length: i32) 
     Bound { error: restored(error.value()), scale: restored(scale) }
 }
 
-/// Largest error bound of each field over all pieces, in the units of the model. The bound of the pressure of a layer
-/// holds only where the claimed and the exact solution are in contact. So it is infinite if the contact set is not
-/// proven.
+/// Largest error bound of each field over all pieces, in the units of the model. On ground with a shear layer, the
+/// error of the pressure is bounded only where both the claimed and the exact solution are in contact. So the bound of
+/// the pressure is infinite if the contact set is not proven.
 fn largest<S: Scalar>(
     frame: &Frame<S>,
     pieces: &[PieceBounds],
@@ -292,8 +297,8 @@ mod tests {
         }
     }
 
-    /// The largest permitted errors are 10⁻⁶ of a scale: 1e-6 for fields and reactions, 2e-6 for edges, 8e-6 for
-    /// forces.
+    /// The largest permitted error is 10⁻⁶ times the scale of the quantity: 1e-6 for fields and reactions, whose scale
+    /// is 1 here, 2e-6 for edges with the scale 2, and 8e-6 for concentrated forces with the scale 8.
     #[test]
     fn every_error_of_a_proven_answer_is_small() {
         let set = |proof: &mut Proof, change: fn(&mut ContactSet, f64), width: f64| {
@@ -346,7 +351,8 @@ mod tests {
         }
     }
 
-    /// The surface of open springs with k = 2 under a load 1 is u = ½. A stored surface that differs adds its error.
+    /// Winkler ground with k = 2 that is out of contact settles by u = ½ under a distributed load of 1. If the claimed
+    /// solution stores another settlement, its difference from ½ is added to the error bound.
     #[test]
     fn a_stored_surface_of_open_springs_adds_its_error() {
         let model = "[beam]\nlength = 1\nEI = 1\n[foundation]\nk = 2\nmu = 0\n\
@@ -366,7 +372,7 @@ mod tests {
             (json!({"open": [-0.5, 0.5]}), 1.0),
             (json!({"settlement": [0.5]}), 0.0),
             (json!({"settlement": [0.75]}), 0.5),
-            // w − g₀ is not the surface of open ground.
+            // The settlement w − g₀ = −1 would be exact only in contact, but this ground is out of contact.
             (json!({"settlement": [-1.0]}), 3.0),
         ] {
             let document = piece(stored);

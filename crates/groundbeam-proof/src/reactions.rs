@@ -1,10 +1,14 @@
 //! Bounds of the error of the reactions of supports.
 //!
-//! E bounds the error energy, and K is the norm of a test function z in `test_functions.rs`. The force of a spring has
-//! an error of at most κ|w − w*|, and also of at most √(2Eκ) + κ|c|, where c is the correction of the deflection. The
-//! force of a rigid support has an error of at most √(2E) K + W|λ|, with z = 1 at the support and z = 0 at all other
-//! rigid supports. The moment of a clamp has an error of at most √(2E) K + W_θ|λ′|, with z′ = 1 at the clamp. The
-//! residual forces are redistributed to the supports with the weights W and W_θ and the factor λ.
+//! E bounds the error energy, and K² is the energy of a test function z, as in `test_functions.rs`. w is the claimed
+//! and w* the exact deflection, and c is the correction that makes w + c admissible. The proof balances residual
+//! forces: it changes the force of a rigid support by λW and the moment of a clamp by λ′W_θ, with weights W and W_θ and
+//! a function λ.
+//!
+//! * The force of a spring with the stiffness κ has an error of at most κ|w − w*|, and also of at most √(2Eκ) + κ|c|.
+//! * The force of a rigid support has an error of at most √(2E) K + W|λ|, with z = 1 at the support and z = 0 at all
+//!   other rigid supports.
+//! * The moment of a clamp has an error of at most √(2E) K + W_θ|λ′|, with z′ = 1 at the clamp.
 
 use crate::frame::Held;
 use crate::model::Acts;
@@ -32,11 +36,13 @@ impl<S: Scalar> Pointwise<'_, S> {
         frame.supports.iter().map(of).collect()
     }
 
-    /// Error bounds of force and moment of a spring support.
+    /// Error bounds of the force and of the moment of a support with a translational spring κ and a rotational spring
+    /// κ_θ.
     ///
-    /// ε_w bounds the error of the deflection, E bounds the error energy, and c is the correction of the deflection.
-    /// The bound of the force is min(κε_w, √(2Eκ) + κ|c|) plus the difference between the claimed reaction and κ(w −
-    /// δ). The bound of the moment is analogous, with κ_θ and the rotation.
+    /// ε_w bounds the error of the claimed deflection w, E bounds the error energy, and c is the correction that makes
+    /// w + c admissible. δ is the settlement of the support. The bound of the force is min(κε_w, √(2Eκ) + κ|c|) plus
+    /// the difference between the claimed reaction and κ(w − δ). The bound of the moment is analogous, with κ_θ and the
+    /// rotation.
     fn of_springs(
         &self,
         held: &Held<S>,
@@ -113,8 +119,8 @@ impl<S: Scalar> Pointwise<'_, S> {
         (next, false)
     }
 
-    /// Returns three quantities between `node` and `next`: the largest EI, P + μ and k; the distance; and the sums
-    /// of the spring stiffnesses κ and κ_θ without the springs at `node`.
+    /// Returns data of the beam between `node` and `next`: the largest values of EI, P + μ and k; the length; and the
+    /// sums of the translational and of the rotational spring stiffnesses, without the springs at `node`.
     fn beside(&self, node: usize, next: usize) -> ([Size; 3], S, [Size; 2]) {
         let frame = self.fields.frame;
         let (from, to) = if next < node { (next, node) } else { (node, next) };
@@ -127,10 +133,11 @@ impl<S: Scalar> Pointwise<'_, S> {
         (self.largest(from..to), frame.nodes[to].x - frame.nodes[from].x, springs)
     }
 
-    /// The contribution of one side of a rigid support to the squared norm K² of a test function z. It is the smaller
-    /// of two bounds. In the first bound, z decreases from 1 to 0 before the next rigid support. The second bound
-    /// applies only if no rigid support lies on this side. Then z = 1 up to the end of the beam at the distance L, and
-    /// K² = kL + K_e + Σκ. K_e is the stiffness of the ground outside this end.
+    /// The contribution of one side of a rigid support to the energy K² of a test function z. It is the smaller of two
+    /// bounds. In the first bound, z decreases from 1 to 0 before the next rigid support. The second bound applies only
+    /// if no rigid support lies on this side. Then z = 1 up to the end of the beam at the distance L, and K² = kL + K_e
+    /// + Σκ. K_e is the stiffness of the ground beyond this end, and κ are the stiffnesses of the translational springs
+    /// on this side.
     fn lifted_side(&self, node: usize, side: usize) -> Size {
         let (next, held) = self.next(node, side);
         let ([bending, layer, ground], available, [springs, turning]) = self.beside(node, next);
@@ -145,8 +152,8 @@ impl<S: Scalar> Pointwise<'_, S> {
         least.least(lift([bending, layer, ground], [springs, turning], available.low()))
     }
 
-    /// The contribution of one side of a clamp to the squared norm K² of the test function z = t(1 − t/h)², where t is
-    /// the distance from the clamp and h a length.
+    /// The contribution of one side of a clamp to the energy K² of the test function z = t(1 − t/h)², where t is the
+    /// distance from the clamp and h a length.
     fn turned_side(&self, node: usize, side: usize) -> Size {
         let (next, _) = self.next(node, side);
         if next == node {
@@ -156,9 +163,8 @@ impl<S: Scalar> Pointwise<'_, S> {
         kink(largest, springs, available.low())
     }
 
-    /// The squared norm K² of the linear test function that is 1 at a rigid support and 0 at the only other rigid
-    /// support. The result is infinite if the beam does not have exactly two rigid supports, or if one of them is a
-    /// clamp.
+    /// The energy K² of the linear test function that is 1 at a rigid support and 0 at the only other rigid support.
+    /// The result is infinite if the beam does not have exactly two rigid supports, or if one of them is a clamp.
     fn tilted(&self, node: usize) -> Size {
         let nodes = &self.fields.frame.nodes;
         let rigid: Vec<usize> = (0..nodes.len()).filter(|i| nodes[*i].rigid.is_some()).collect();
@@ -173,8 +179,8 @@ impl<S: Scalar> Pointwise<'_, S> {
         }
     }
 
-    /// The squared norm K² of the test function z = x − x_i, where x_i is the position of a clamp. The result is
-    /// infinite if the beam has another rigid support.
+    /// The energy K² of the test function z = x − x_i, where x_i is the position of a clamp. The result is infinite if
+    /// the beam has another rigid support.
     fn turned(&self, node: usize) -> Size {
         let nodes = &self.fields.frame.nodes;
         if nodes.iter().filter(|node| node.rigid.is_some()).count() > 1 {
@@ -183,7 +189,8 @@ impl<S: Scalar> Pointwise<'_, S> {
         self.straight(|x| x - nodes[node].x, S::one())
     }
 
-    /// Upper bound of the squared norm K² of a linear test function `z` on the whole beam.
+    /// Upper bound of the energy K² of a test function `z` that is linear along the whole beam, with K² as in
+    /// `test_functions.rs`.
     fn straight(&self, z: impl Fn(S) -> S, slope: S) -> Size {
         let frame = self.fields.frame;
         let count = frame.spans.len();
@@ -203,9 +210,9 @@ impl<S: Scalar> Pointwise<'_, S> {
     }
 }
 
-/// The smallest squared norm K² of the test functions z = 1 − 3τ² + 2τ³ with τ = t/h, where t is the distance from a
-/// support. The length h is at most `available`. For a given h, K² = 12EI/h³ + 6(P + μ)/(5h) + 13kh/35 + Σ(κ +
-/// κ_θ(3/(2h))²).
+/// The smallest energy K² of the test functions z = 1 − 3τ² + 2τ³ with τ = t/h, over lengths h up to `available`. t is
+/// the distance from a support, and P is the tension. For a given h, K² is at most 12EI/h³ + 6(P + μ)/(5h) + 13kh/35 +
+/// Σκ + Σκ_θ(3/(2h))², with the stiffnesses κ of translational and κ_θ of rotational springs.
 fn lift(
     [bending, layer, ground]: [Size; 3],
     [springs, turning]: [Size; 2],
@@ -231,8 +238,8 @@ mod tests {
     use crate::test_functions::tests::integral;
     use serde_json::json;
 
-    /// Computes the squared norm K² of the test function z by integration. The springs are at the positions where |z|
-    /// and |z′| are largest.
+    /// Computes the energy K² of the test function z by numerical integration. The springs are at the positions where
+    /// |z| and |z′| are largest.
     fn exact([bending, layer, ground]: [f64; 3], [springs, turning]: [f64; 2], h: f64) -> f64 {
         let z = |t: f64| 1.0 - 3.0 * (t / h).powi(2) + 2.0 * (t / h).powi(3);
         let slope = |t: f64| 6.0 * (t / h) * (t / h - 1.0) / h;
@@ -258,8 +265,10 @@ mod tests {
         }
     }
 
-    /// w = ½ and w′ = ⅛ on springs with κ = 4 and κ_θ = 8 exert the force 2 and the moment −1. Their errors are at most
-    /// κε_w and κ_θε_φ, and at most (2Eκ)^½ and (2Eκ_θ)^½. Errors of the claimed reaction are added.
+    /// At w = ½ and w′ = ⅛, a support with the springs κ = 4 and κ_θ = 8 has the force κw = 2 and the moment −κ_θw′ =
+    /// −1. The error of the force is at most κε_w and at most (2Eκ)^½, with the error bound ε_w of w and the bound E of
+    /// the error energy. The error of the moment is at most κ_θε_φ and at most (2Eκ_θ)^½, with the error bound ε_φ of
+    /// the rotation. The difference between the claimed reaction and these values is added.
     #[test]
     fn the_error_of_a_spring_follows_from_the_deflection_or_from_the_energy() {
         let model = "[beam]\nlength = 1\nEI = 1\n[foundation]\nk = 1\n[[load]]\npoint = 1\nat = 0\n\
@@ -285,8 +294,9 @@ mod tests {
         }
     }
 
-    /// A stiff beam with one clamp is tested with z = x − x_i over the whole beam, so K² = kl³ is the largest k(x − x_i)²
-    /// times the length.
+    /// The moment of the only clamp of a stiff beam is bounded with the test function z = x − x_i, a rotation of the
+    /// whole beam about the clamp at x_i. The bound of its energy is K² = kl³, the largest k(x − x_i)² times the length
+    /// l.
     #[test]
     fn the_moment_of_a_single_clamp_is_tested_by_a_rotation_about_it() {
         for at in [0.0, 1.5] {

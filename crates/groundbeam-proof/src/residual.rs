@@ -46,8 +46,8 @@ pub(crate) struct Residual<S> {
     pub pieces: Vec<PieceResidual<S>>,
     /// r_i and q_i at the nodes.
     pub nodes: Vec<[S; 2]>,
-    /// Force of the one-way support at each node, positive in the direction in which the support can act; zero at
-    /// other nodes.
+    /// Force of the one-way support at each node, positive in the direction in which the support can act; zero at a
+    /// node without a one-way support.
     pub pushing: Vec<S>,
 }
 

@@ -13,7 +13,8 @@ use crate::scalar::Scalar;
 use crate::size::Size;
 
 impl<S: Scalar> Contact<'_, S> {
-    /// Whether a piece rests without load in the exact solution.
+    /// Whether the exact beam is known to lie on the ground without pressure on the whole piece, at the height of a
+    /// clamp.
     pub(crate) fn rests(&self, piece: usize) -> bool {
         let frame = self.fields.frame;
         let last = frame.spans.len();
@@ -58,8 +59,9 @@ mod tests {
     use crate::pointwise::PieceBounds;
     use serde_json::json;
 
-    /// Two pieces of a beam with w = ¼. The part of the beam from the clamp to the next clamp or to the end rests if it
-    /// has no load and no support, and if the ground has the height of the clamp.
+    /// The beam has two pieces with the claimed deflection w = ¼. A part from a clamp to the next clamp or to an end of
+    /// the beam lies on the ground without pressure if it has no load, no other support and no hinge, and if the ground
+    /// below it is level at the height of its clamps.
     #[test]
     fn a_part_rests_without_load_on_level_ground_of_the_height_of_its_clamps() {
         let level = "[[gap]]\nat = 0\nvalue = 0.25\n";
@@ -76,7 +78,7 @@ mod tests {
             (level.to_owned(), [false, false]),
             (clamp(0.0, 0.25), [false, false]),
             (clamp(0.0, 0.25) + "[[gap]]\nat = 0\nvalue = 0.5\n", [false, false]),
-            // The gap has the height of the clamp in the middle of each piece, and it slopes.
+            // The ground slopes. Its height equals that of the clamp only in the middle of each piece.
             (
                 clamp(0.0, 0.25)
                     + "[[gap]]\nat = 0\nvalue = 0\n[[gap]]\nat = 0.5\nvalue = 0.5\n[[gap]]\nat = 1\nvalue = 0\n",

@@ -75,10 +75,12 @@ impl<S: Scalar> Contact<'_, S> {
         Ok([0, 1].map(|side| self.opened_at(i, side).unwrap_or(length)))
     }
 
-    /// Bound (2ε_Cμ/m)^½ of the length at one end of a piece in contact on which the exact beam may be out of
-    /// contact. ε_C and ε_p are the error bounds of the clearance and of the pressure p, and μ is the stiffness of
-    /// the layer. m is the smallest value of p − ε_p on a stretch at least as long as the bound. Returns `None` if no
-    /// such stretch is found. Requires p > ε_p on the whole piece.
+    /// Bound of the length at one end of a piece in contact on which the exact beam may be out of contact; `None` if no
+    /// bound is found. Requires p > ε_p on the whole piece, with the pressure p and its error bound ε_p.
+    ///
+    /// The bound is (2ε_Cμ/m)^½, with the error bound ε_C of the clearance and the stiffness μ of the shear layer. m is
+    /// the smallest value of p − ε_p on a stretch that begins at the end of the piece. Longer and longer stretches are
+    /// tried until one is at least as long as the bound that follows from it.
     pub(crate) fn opened_at(&self, i: usize, side: usize) -> Option<Size> {
         let span = &self.fields.frame.spans[i];
         let (field, error) = (self.fields.pressures[i].field.coarse(), self.bounds[i].pressure);
@@ -145,9 +147,10 @@ mod tests {
         PieceBounds { settlement, deflection, pressure, ..PieceBounds::EXACT }
     }
 
-    /// Checks the bound x of the length on which the exact beam may be out of contact, for a linear pressure p. ε_C
-    /// and ε_p are the error bounds of the clearance and of p. x must be at least (2ε_Cμ/m)^½, where m is the
-    /// smallest value of p − ε_p on [0, x]. x must be at most this root if m is the smallest value on [0, 4x].
+    /// Checks the bound x of the length on which the exact beam may be out of contact, for a linear pressure p. ε_C and
+    /// ε_p are the error bounds of the clearance and of p, and μ is the stiffness of the shear layer. m₁ and m₄ are the
+    /// smallest values of p − ε_p up to the distances x and 4x from the end of the piece. x must lie between
+    /// (2ε_Cμ/m₁)^½ and (2ε_Cμ/m₄)^½.
     #[test]
     fn the_open_length_follows_from_the_smallest_pressure_on_it() {
         let model = "[beam]\nlength = 1\nEI = 1\n[foundation]\nk = 2\nmu = 3\n";
@@ -212,8 +215,8 @@ mod tests {
         }
     }
 
-    /// Checks the bounds of the edges of contact of the beam w = 2 − x, or of its mirror image, for the error bound
-    /// `off` of the clearance.
+    /// Checks the bounds of the contact edges of a beam with the deflection w = 2 − x, or of its mirror image. `off` is
+    /// the error bound of the clearance.
     fn are_edges(fields: &Fields<Wide>, mirrored: bool, off: f64) {
         let bounds = [errors([0.25 * off, 0.75 * off, 0.0]); 3];
         let shown = Contact { fields, bounds: &bounds }.roughly();
@@ -239,12 +242,13 @@ mod tests {
             assert_eq!((edge.node, edge.side), (node, side), "{edge:?}");
             for (found, exact) in [edge.outside, edge.inside].into_iter().zip(exact) {
                 let found = found.value();
-                // If no bound shorter than the piece is found, the bound is the length 0.5 of the piece.
+                // If no bound shorter than the piece is found, the bound is 0.5, the length of the piece.
                 let sharp = found <= 2.6 * exact || (exact > 0.05 && found < 0.501);
                 assert!(exact <= found && sharp, "{edge:?} {exact}");
             }
-            // `outside` is 1.5 times the shortest tried length at which the clearance exceeds `off`. For a small
-            // `off`, the rounding error of the clearance is too large for this check.
+            // `outside` is 1.5 times the first tried distance from the edge at which the clearance exceeds `off`. The
+            // distance tried before is shorter by the factor 1.5, and the clearance there does not exceed `off`. For a
+            // small `off`, the rounding error of the clearance is too large for this check.
             let [within, last] = [1.5, 2.25].map(|part| edge.outside.value() / part);
             let clearance = |y: f64| (-y).exp() - 1.0 + y;
             let is_first = clearance(within) > off && clearance(last) < 1.001 * off;

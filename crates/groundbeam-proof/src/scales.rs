@@ -7,12 +7,14 @@ use crate::polynomial::{Line, Polynomial};
 use crate::scalar::Scalar;
 use crate::size::Size;
 
-/// The scales of all quantities. Each scale is a lower bound in the units of the proof.
+/// Magnitudes with which error bounds are compared, in the units of the proof. Each number is a lower bound of the
+/// magnitude that its comment describes.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct FieldScales {
     /// Scale U of deflection and settlement: the larger of max|w| and max|u|.
     pub deflection: f64,
-    /// Scale of the slope: the larger of max|w′| and U/Λ, with the characteristic length Λ.
+    /// Scale of the slope: the larger of max|w′| and U/Λ, with the scale U of the deflection and the characteristic
+    /// length Λ.
     pub slope: f64,
     /// Scale of the bending moment: the largest of max|M|, Λ² max p and F₀Λ, with the largest load or reaction F₀ and
     /// the characteristic length Λ.
@@ -126,7 +128,9 @@ fn wave<S: Scalar>(fields: &Fields<S>) -> f64 {
     slightly_less(if wave < length { wave } else { length })
 }
 
-/// Returns the largest load or reaction, and the sum of all loads. All of them are converted to forces.
+/// Returns the largest load or reaction, and the sum of all loads, as forces. `wave` is the characteristic length Λ. A
+/// point moment is divided by Λ, and an imposed curvature κ₀ counts as EI κ₀/Λ. A distributed load is multiplied by Λ
+/// for the largest load, and by its length for the sum.
 fn loads<S: Scalar>(fields: &Fields<S>, wave: f64) -> (f64, f64) {
     let (mut most, mut sum) = (0.0, 0.0);
     for span in &fields.frame.spans {
@@ -136,7 +140,8 @@ fn loads<S: Scalar>(fields: &Fields<S>, wave: f64) -> (f64, f64) {
         let (force, couple) = (at_ends(&span.force), at_ends(&span.moment));
         let curled = span.bending.low() * at_ends(&span.curvature) / wave;
         most = larger(larger(most, larger(force * wave, couple)), curled);
-        // For a linear function y, the mean of |y| is at least 0.41 times the largest |y|.
+        // For a linear function y, the mean of |y| is at least √2 − 1 times the largest |y|. This factor is rounded
+        // down to 0.4.
         sum += 0.4 * (force + couple / wave) * span.h.low();
     }
     for (i, node) in fields.frame.nodes.iter().enumerate() {
@@ -167,8 +172,9 @@ mod tests {
     use crate::given_claim::with_fields;
     use serde_json::json;
 
-    /// w = 1 + 2t + 3t² + 4t³ with t = 2x − 1. The largest absolute values at the ends and in the middle are those of
-    /// w = 10, w′ = 2·20, M = −4·30, V = −8·24, u = 10 − ¼ and p = 2u.
+    /// The deflection is w = 1 + 2t + 3t² + 4t³ with t = 2x − 1. The largest absolute values at the ends and in the
+    /// middle are 10 for w, 2·20 for w′, 4·30 for M, 8·24 for V, 10 − ¼ for the settlement and 2(10 − ¼) for the
+    /// pressure.
     #[test]
     fn listed_numbers_are_compared_with_the_largest_values() {
         let model =

@@ -45,21 +45,24 @@ fn size_beside<S: Scalar>(span: &Span<S>, p: &Polynomial<S>, side: usize, distan
     p.shifted(middle).size(reach).least(p.size(span.tau))
 }
 
-/// Number of pieces by which a window extends to each side.
+/// Numbers of pieces by which the window around a piece extends to each side, in the order in which they are tried. A
+/// window is the part of the beam over which the error of the shear force is averaged.
 const REACHES: [usize; 5] = [0, 1, 3, 7, 15];
 
-/// The error of the loads on one piece.
+/// Bounds of the error of the contact pressure on one piece.
 #[derive(Clone, Copy)]
 struct LoadError {
-    /// Error q of the load per length.
+    /// Bound of the error of the pressure, outside the lengths that belong to `edges`.
     spread: Size,
-    /// Error of the contact force on lengths where only the exact or only the claimed beam is in contact.
+    /// Bound of the error of the contact force on the lengths where only the exact or only the claimed beam is in
+    /// contact.
     edges: Size,
 }
 
 impl<S: Scalar> Pointwise<'_, S> {
-    /// Lowers the bounds of the shear force on all pieces, and the bounds of the slope on a beam with shear
-    /// deformation. The method needs the contact set of all layers, or rough bounds of this set.
+    /// Tightens the error bounds of the shear force on all pieces and, on a beam with shear deformation, those of the
+    /// slope. `shown` must contain the contact set of all shear layers, or at least bounds of the positions of its
+    /// edges.
     pub fn shear_forces(&self, shown: &Shown, bounds: &mut [PieceBounds]) {
         if shown.failed[0].is_some() {
             return;
@@ -155,9 +158,9 @@ impl<S: Scalar> Pointwise<'_, S> {
         self.steady(window, 1.0, bounds, loads, couples) + forces
     }
 
-    /// Error bound of the shear force by formula (15a) of docs/proof.md, without its first terms |δ′| + |β|.
-    /// The bound is infinite without an axial force, with a hinge inside the window, and on a beam with shear
-    /// deformation.
+    /// Error bound of the shear force by formula (15a) of docs/proof.md, without its first terms |δ′| + |β|. `window`
+    /// is a range of pieces; (15a) takes the mean of the error over a part of this range. The bound is infinite if the
+    /// beam has no axial force, if a hinge lies inside the window, or if a piece of the window has shear deformation.
     fn directly(
         &self,
         window: Range<usize>,
@@ -187,8 +190,9 @@ impl<S: Scalar> Pointwise<'_, S> {
         least + 2.0 * (axial * turned) + drawn + forces
     }
 
-    /// Part of the bound (15) of docs/proof.md that comes neither from edges of contact nor from concentrated forces.
-    /// It is the smallest value over lengths up to `part` times the length of the range of pieces `window`.
+    /// The bound (15) of docs/proof.md without the terms of contact edges and of concentrated forces. The formula holds
+    /// for every length h over which the error is averaged. The result is the minimum over lengths h up to `part` times
+    /// the length of `window`, a range of pieces.
     fn steady(
         &self,
         window: Range<usize>,
@@ -230,10 +234,11 @@ impl<S: Scalar> Pointwise<'_, S> {
             LoadError { spread, edges: Size::ZERO }
         };
         let mut errors: Vec<LoadError> = (0..spans.len()).map(on_piece).collect();
-        // The exact beam may be in contact on a length θ of an open piece, and out of contact on a length θ′ of
-        // a piece in contact.
+        // Near an edge of the claimed contact, the exact beam may be in contact on the length `outside` beyond the
+        // edge, or out of contact on the length `inside` before it.
         for edge in &shown.edges {
-            // θ is positive only at an end of an open piece, and θ′ is positive only at an end of a piece in contact.
+            // `outer` and `inner` are the pieces on both sides of the edge. `outside` is positive only if `outer` is
+            // out of contact, and `inside` only if `inner` is in contact.
             let [outer, inner] = match edge.side {
                 0 => [edge.node.wrapping_sub(1), edge.node],
                 _ => [edge.node, edge.node.wrapping_sub(1)],
@@ -266,9 +271,9 @@ impl<S: Scalar> Pointwise<'_, S> {
         Size::of(span.spring.high()) * settled + Size::of(span.shear.high()) * bent
     }
 
-    /// Upper bound of the pressure of `open_pressure`, but only within a distance of one end of the piece. There,
-    /// u − q/k (settlement minus free-field settlement) changes by at most the distance times its largest slope. The
-    /// largest slope occurs at an end of the piece.
+    /// Upper bound of the pressure that an open piece of a shear layer would have in contact, within a distance of one
+    /// end of the piece. From the end, u − q/k (settlement minus free-field settlement) changes by at most the distance
+    /// times its largest slope. The largest slope occurs at an end of the piece.
     fn open_pressure_beside(&self, i: usize, side: usize, distance: Size) -> Size {
         let (span, surface) = (&self.fields.frame.spans[i], &self.fields.surface.pieces[i]);
         if let Some(along) = &surface.along {

@@ -13,8 +13,9 @@ use crate::residual::Residual;
 use crate::scalar::Scalar;
 use crate::size::Size;
 
-/// Computes (‖η‖ + ‖δ′‖)² over the pieces with shear deformation, from bounds of the misfit η and of the balancing
-/// shear force δ′, with ‖x‖² = ∫x²/S.
+/// Computes (‖η‖ + ‖δ′‖)² over the pieces with shear deformation, with ‖x‖² = ∫x²/S and the shear stiffness S. η is the
+/// misfit S(w′ − φ) − V of the claimed shear force V, and δ′ the shear force that balances the residual of equilibrium.
+/// Both are bounded on each piece.
 pub(crate) fn shearing_energy<S: Scalar>(
     frame: &Frame<S>,
     residual: &Residual<S>,
@@ -33,9 +34,11 @@ pub(crate) fn shearing_energy<S: Scalar>(
 }
 
 /// Bound of the norm (∫δ′²)^½ of the balancing shear force δ′ on a piece of length h, with the values a and b at the
-/// ends. δ″ differs from a constant by at most R = `rest`, and a further shear force is at most Δ′ = `added`. δ′ is
-/// the sum of the linear function through a and b, a deviation of at most ½hR, and the further shear force. So the
-/// bound is
+/// ends.
+///
+/// δ′ has three parts. The first part is the linear function through a and b. The second part is at most ½hR, because
+/// δ″ differs from a constant by at most R = `rest`. The third part is the effect of the redistributed forces, at most
+/// Δ′ = `added`. So the bound is
 ///
 /// ```text
 /// |h(a² + ab + b²)/3|^½ + ½h^{3/2} R + h^½ Δ′.

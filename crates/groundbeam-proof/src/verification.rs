@@ -241,7 +241,7 @@ impl Verification {
         let (name, Bound { error, scale }) =
             all.into_iter().find(|(_, bound)| !bound.is_small())?;
         Some(NotProven::new(format!(
-            "the error of the {name} is not small: {error:.1e} of {scale:.1e}"
+            "the error bound of the {name} is too large: {error:.1e} is more than a millionth of the scale {scale:.1e}"
         )))
     }
 }

@@ -12,11 +12,12 @@ pub(crate) struct Factored<S> {
     factors: [S; 2],
 }
 
-/// A factor as a number of the proof, and as the double that is printed in the name of the variant.
+/// A factor on k or μ in two forms: in the number type of the proof, and as the double that the name of the variant
+/// shows.
 type Step<S> = (S, f64);
 
-/// The variants of the ground: the best estimate, then each pair of low, best and high factors. The list is empty if
-/// the file has no `[foundation.band]`.
+/// Returns the variants of the ground: first the best estimate, then every combination of a factor on k with a factor
+/// on μ. Each factor is the low, the best or the high one. The list is empty if the file has no `[foundation.band]`.
 pub(crate) fn read<S: Scalar>(
     fields: &mut Fields,
     root: Section,

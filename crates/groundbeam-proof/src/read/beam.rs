@@ -48,8 +48,8 @@ pub(crate) struct Stretch<S> {
     pub of: Option<Along<S>>,
 }
 
-/// The depth of the cross section on a stretch of the beam, as exact number and as scalar; `None` if the depth is
-/// not constant on the stretch.
+/// The depth of the cross section on a stretch of the beam, as an exact decimal with its unit and in the number type of
+/// the proof; `None` if the depth is not constant on the stretch.
 pub(crate) struct Depth<S> {
     pub ends: [S; 2],
     pub of: Option<(Exact, S)>,

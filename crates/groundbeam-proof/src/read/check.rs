@@ -1,4 +1,5 @@
-//! Checks rules between the parts of a model: distinct positions, ground under the loads on it, and ranges of numbers.
+//! Checks a model as a whole: distinct positions of supports and hinges, ground under all ground loads, and ranges of
+//! numbers.
 
 use super::course::{is_constant, values};
 use super::error::{Read, out_of_range, wrong};
@@ -8,7 +9,8 @@ use crate::{
     Action, Course, Extent, Ground, GroundEnd, Hinge, Load, Model, Scalar, Support, SupportKind,
 };
 
-/// Returns an error if the model breaks a rule between its parts.
+/// Returns an error if a number is out of range, two supports or two hinges have the same position, a moment or a
+/// rotational restraint is at a hinge, or a load on the ground is not allowed.
 pub(crate) fn check<S: Scalar>(model: &Model<S>) -> Read<()> {
     ranges(model)?;
     let supports = sorted(model.supports.iter().map(|support| support.at));
@@ -33,12 +35,12 @@ fn sorted<S: Scalar>(places: impl Iterator<Item = S>) -> Vec<S> {
     places
 }
 
-/// Whether two positions may be equal.
+/// Whether two positions cannot be told apart within their rounding errors.
 fn is_same<S: Scalar>(a: S, b: S) -> bool {
     !is_left(a, b) && !is_left(b, a)
 }
 
-/// Whether any two neighbouring positions of a sorted list may be equal.
+/// Whether any two neighbouring positions of a sorted list cannot be told apart within their rounding errors.
 fn meet<S: Scalar>(places: &[S]) -> bool {
     places.windows(2).any(|pair| is_same(pair[0], pair[1]))
 }

@@ -44,7 +44,8 @@ pub(crate) struct Formula {
     pub terms: &'static [Term],
     /// Whether every combination contains an action of the first element of `terms`.
     pub needs_first: bool,
-    /// The letter of the table of partial factors; without a letter the partial factors are 1.
+    /// Letter of the table of partial factors in the code of practice, such as `B`; `None` if all partial factors are
+    /// 1.
     pub letter: Option<&'static str>,
     /// Reduction factor ξ of the unfavourable factors of permanent actions.
     pub xi: Micro,
@@ -66,7 +67,7 @@ pub(crate) const fn other(name: &'static str) -> Action {
     Action { name, psi: None, gammas: &[], is_permanent: false }
 }
 
-/// An expression without actions and without factors.
+/// The empty expression: it has no actions, and all its factors are 1. Other expressions are defined as changes of it.
 pub(crate) const PLAIN: Formula = Formula {
     label: "",
     always: &[],

@@ -32,8 +32,8 @@ pub enum Reason {
     Value(String),
     /// A number of the model that is outside the range of the computation.
     OutOfRange(String),
-    /// A key or a method that this reader does not support. With such a key or method, the model does not follow
-    /// from the file alone in closed form.
+    /// A key or a method that this reader does not support: modified Vlasov soil, a trough or a survey of the gap, or a
+    /// train.
     NotRead(&'static str),
     /// The file has no combination with the requested name.
     NoCombination(String),
@@ -50,7 +50,9 @@ impl fmt::Display for ReadError {
             Reason::Missing(key) => write!(f, "`{key}` is missing"),
             Reason::Together(a, b) => write!(f, "`{a}` and `{b}` exclude each other"),
             Reason::Value(what) | Reason::OutOfRange(what) => f.write_str(what),
-            Reason::NotRead(key) => write!(f, "the second reader does not support `{key}`"),
+            Reason::NotRead(key) => {
+                write!(f, "the independent second reader of model files does not support `{key}`")
+            }
             Reason::NoCombination(name) => {
                 write!(f, "the file has no combination `{name}`")
             }

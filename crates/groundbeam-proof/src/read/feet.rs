@@ -3,7 +3,8 @@
 /// Inches are counted in millionths, so that 64ths and six decimals are integers.
 const MILLION: u128 = 1_000_000;
 
-/// The number of inches of a text with feet and inches, or with a fraction; `None` for every other text.
+/// Converts a length in feet and inches, or with a fraction, to a decimal number of inches; `None` for every other
+/// text.
 pub(crate) fn inches(text: &str) -> Option<String> {
     let one_sign = |text: String, names: [&str; 5], sign: &str| {
         names.iter().fold(text, |text, name| text.replace(name, sign))

@@ -229,7 +229,8 @@ impl Fields {
         }))
     }
 
-    /// The values of a linear quantity at both ends of a stretch: one value, or a list of two.
+    /// Reads a quantity that varies linearly along a stretch, and returns its values at both ends. The file has one
+    /// value for both ends, or a list of two values.
     pub fn pair<S: Scalar>(&mut self, node: &Node, key: &str, kind: Kind) -> Read<[S; 2]> {
         let Value::List(list) = &node.value else {
             let value = self.one(node, key, kind)?.value;
@@ -311,12 +312,12 @@ fn value<S: Scalar>(exact: &Exact, kind: Kind, key: &str, at: usize) -> Read<S> 
     Ok(value)
 }
 
-/// Whether the middle of a number has a magnitude between 1e-60 and 1e60.
+/// Whether the midpoint of a number's error interval has a magnitude between 1e-60 and 1e60.
 pub(crate) fn is_within_reach<S: Scalar>(value: S) -> bool {
     (1e-60..=1e60).contains(&value.middle().abs())
 }
 
-/// Reads a quantity that is listed as text in this crate.
+/// Reads a quantity, such as `210 GPa`, from the tables of materials and sections in this crate.
 pub(crate) fn listed<S: Scalar>(text: &str, kind: Kind) -> Read<Quantity<S>> {
     let (exact, _) = written(text, kind, text, 0)?;
     Ok(Quantity { value: value(&exact, kind, text, 0)?, exact, at: 0 })

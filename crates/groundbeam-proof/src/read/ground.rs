@@ -145,7 +145,7 @@ struct Whole<S> {
 }
 
 impl<S: Scalar> Whole<S> {
-    /// Whether μ, k or a factor of k varies along the whole beam.
+    /// Whether μ, k or a factor of k in `[foundation]` is not constant along the beam.
     fn varies(&self) -> bool {
         let Given { whole, factors: [modulus, width] } = &self.given;
         let given = [whole, modulus, width].into_iter().flatten();
@@ -187,8 +187,8 @@ impl<S: Scalar> Whole<S> {
             // Outside the beam, a quantity that varies along the beam keeps its value at the beam's end.
             (spring, shear) = (even(spring, table.at)?, even(shear, table.at)?);
         } else if self.varies() {
-            // If the values of the whole beam vary, the segment is cut at the beam's ends. If the segment's own
-            // values vary as well, it must not extend beyond the beam.
+            // If k or μ of `[foundation]` varies along the beam, the segment is cut at the beam's ends. A segment whose
+            // own k or μ varies must then not extend beyond the beam.
             let before = is_left(from, S::zero());
             let behind = is_left(length, to);
             if (before || behind) && own_varies {
@@ -237,7 +237,7 @@ impl<S: Scalar> Whole<S> {
     }
 }
 
-/// Replaces a polynomial with equal coefficients by a constant. Fails if the coefficients differ.
+/// Replaces a polynomial whose Bernstein coefficients are all equal by a constant. Returns an error if they differ.
 fn even<S: Scalar>(course: Course<S>, at: usize) -> Read<Course<S>> {
     let Course::Varying(values) = course else { return Ok(course) };
     match values[..] {

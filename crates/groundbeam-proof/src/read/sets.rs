@@ -47,10 +47,11 @@ pub(crate) fn expand(
     let (code, set) = find(name).ok_or("unknown set of combinations")?;
     for case in cases {
         let action = code.actions.iter().find(|action| action.name == case.action);
-        let action = action.ok_or("the action of a load case does not belong to this code")?;
+        let action =
+            action.ok_or("a load case has an action that this code of practice does not define")?;
         if set.formulas.iter().any(|formula| lacks(action, formula)) {
             return Err(format!(
-                "the code has no partial factor of `{}` for this set",
+                "the code of practice gives no partial factor of `{}` for this set of combinations",
                 action.name
             ));
         }
@@ -127,8 +128,9 @@ fn decimal(factor: Micro) -> String {
 /// The terms of an expression. Each term lists its possible actions with their factors.
 type Lists = [Vec<(&'static str, Micro)>];
 
-/// Returns the terms of an expression: one list for each leading action, and one list without a leading action. At
-/// most one action of each term is present. The flag of a list is true if an action of its first term must act.
+/// Returns one list of terms for each possible leading action of an expression, and one list without a leading action.
+/// A combination contains at most one action of each term. The flag of a list is true if every combination must contain
+/// an action of the list's first term.
 fn variable_terms(
     formula: &Formula,
     actions: &'static [Action],

@@ -32,8 +32,9 @@ impl<S: Scalar> Shear<S> {
         Shear { given: self.given.between(way), ..self.clone() }
     }
 
-    /// Reads the shear data of a table. `modulus` is E of the table and E of the whole beam, both on the stretch of
-    /// the table. `shape` is the section of the table.
+    /// Reads the shear stiffness of a table or its factors, and Poisson's ratio. `modulus` contains two values of
+    /// Young's modulus on the stretch of the table: that of the table itself, and that of the whole beam. `shape` is
+    /// the cross section that the table gives.
     pub fn read(
         fields: &mut Fields,
         section: Section,

@@ -131,9 +131,11 @@ fn vlasov<S: Scalar>(fields: &mut Fields, table: Section, width: S) -> Read<[S; 
     Ok([spring, shear])
 }
 
-/// Computes the smallest energy S and dS/dr for the parameter r, layer by layer from the rock upward. For a layer of
-/// thickness h, let q = h²G/E₀, e = E₀/h, c² = rq and T = tanh(c)/c. At the top of the layer on the rock, S = e/T. At
-/// the top of every other layer, S = e(S_b + ec²T)/(e + S_bT), where S_b is the value of S at the bottom of the layer.
+/// Computes the minimum S of ∫(E₀φ′² + rGφ²) over the settlement profiles φ of Vlasov's method, and dS/dr. φ is 1 at
+/// the surface of the soil and 0 on the rock. E₀ is the constrained modulus, G the shear modulus and r = `rate`. The
+/// layers are added from the rock upward. For a layer of thickness h, let q = h²G/E₀, e = E₀/h, c² = rq and T =
+/// tanh(c)/c. At the top of the layer on the rock, S = e/T. At the top of every other layer, S = e(S_b + ec²T)/(e +
+/// S_bT), where S_b is the value of S at the bottom of the layer.
 fn least_energy<S: Scalar>(layers: &[Layer<S>], rate: S) -> [S; 2] {
     let mut below: Option<[S; 2]> = None;
     for layer in layers.iter().rev() {
@@ -217,9 +219,10 @@ mod tests {
         assert_eq!(logarithm(Wide::of(-1.0)), None);
     }
 
-    /// Compares k and μ with the closed form of Vallabhan and Das (1991) for one layer of thickness H: k = E₀γ(sinh γ
-    /// cosh γ + γ)/(2H sinh²γ), μ = GH(sinh γ cosh γ − γ)/(2γ sinh²γ). A layer that is cut into thinner layers must
-    /// have the k and μ of the uncut layer.
+    /// Compares k and μ per width with the closed form of Vallabhan and Das (1991) for one layer of thickness H, with
+    /// the constrained modulus E₀, the shear modulus G and Vlasov's parameter γ: k = E₀γ(sinh γ cosh γ + γ)/(2H
+    /// sinh²γ), μ = GH(sinh γ cosh γ − γ)/(2γ sinh²γ). A layer that is cut into thinner layers must have the k and μ of
+    /// the uncut layer.
     #[test]
     fn layers_agree_with_the_closed_form_of_one_layer() {
         let layer = |thickness: f64| Layer { constrained: 3.0, shear: 1.2, thickness };

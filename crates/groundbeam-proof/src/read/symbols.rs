@@ -38,7 +38,8 @@ const fn other(
     Symbol { names, dimension, ten, powers, takes_prefix: false }
 }
 
-/// The factor of a pound per power of a length.
+/// Factor of a pound-force divided by the power n = `power` of a unit of length, as in lbf/ft². `length` is the factor
+/// of this unit.
 const fn per(length: Powers, power: i32) -> Powers {
     [-power * length[0], -power * length[1], 0, 1, 0, 0, 0, 0]
 }
@@ -129,7 +130,8 @@ mod tests {
         Exact::new(number, unit.factor).value::<Wide>().unwrap().middle()
     }
 
-    /// Compares factors with NIST Special Publication 811 (2008), appendix B.8, to seven digits.
+    /// Compares the conversion factors of units with NIST Special Publication 811 (2008), appendix B.8, to seven
+    /// digits.
     #[test]
     fn factors_are_as_published() {
         let published = [

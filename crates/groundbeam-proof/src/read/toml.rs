@@ -44,14 +44,14 @@ pub(crate) struct Table {
 /// How a table was created. It determines which keys may still be added.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 enum Origin {
-    /// Created by the heading of a subtable.
+    /// The table has no heading of its own, but a subtable has one, such as `[name.subtable]`.
     #[default]
     Implied,
-    /// Created by its own heading.
+    /// The table has its own heading, such as `[name]`.
     Heading,
-    /// Created by a dotted key.
+    /// A dotted key creates the table, such as `name.key = 1`.
     Dotted,
-    /// Created in braces; no key may be added.
+    /// The table is written in braces, such as `name = { key = 1 }`. No key may be added to it.
     Inline,
 }
 

@@ -51,7 +51,8 @@ impl Dimension {
     }
 }
 
-/// The bases of factors besides ten. 1 in = 0.0254 m, 1 lbf = 4.4482216152605 N and 1 kgf = 9.80665 N are definitions.
+/// The conversion factor of every unit is a product of integer powers of these numbers, of ten and of π/180. By
+/// definition 1 in = 0.0254 m, 1 lbf = 4.4482216152605 N and 1 kgf = 9.80665 N.
 const BASES: [&str; 7] = ["0.0254", "12", "3", "4.4482216152605", "9.80665", "1.8", "2"];
 /// Exponents of the numbers in `BASES`, followed by the exponent of π/180.
 pub(super) type Powers = [i32; 8];

@@ -151,7 +151,7 @@ impl Reader<'_> {
     }
 }
 
-/// The power of the length that follows a word such as `sq`.
+/// The exponent that a word such as `sq` gives to the unit of length after it.
 fn power_in_words(word: &str) -> Option<i32> {
     match word {
         "sq" => Some(2),

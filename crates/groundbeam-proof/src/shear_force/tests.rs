@@ -53,7 +53,8 @@ fn a_line_is_bounded_within_a_distance_of_an_end() {
                 }
             }
         }
-        // Next to a zero of the line, the bound includes the rounding error of the position.
+        // This linear function is zero at the end of the piece. So its bound near the end also shows the rounding error
+        // of the position.
         let distance = 1e-10;
         for (side, b) in [(0, 1.0), (1, -1.0)] {
             let line = Polynomial::from_coefficients([1.0, b].map(Wide::of));
@@ -76,8 +77,9 @@ fn the_pressure_over_loaded_open_ground_is_bounded_near_an_end() {
         );
         let piece =
             json!({"x": [0, 1], "half": 0.5, "touches": false, "deflection": [1, 0, -0.25]});
-        // The ground beside the piece is not loaded, so u′ = ±2u at both ends of the piece. v is the sum of an even
-        // and an odd function of the distance y from the middle.
+        // The ground on both sides of the piece is not loaded, so u′ = 2u at the left end of the piece and u′ = −2u at
+        // its right end. The difference v = u − q/k is the sum of an even and an odd function of the distance y from
+        // the middle.
         let tangent = 1.0_f64.tanh();
         let even = -0.25 / (1.0 + tangent);
         let odd = -0.25 * rise / (1.0 + 1.0 / tangent);
@@ -102,11 +104,11 @@ fn the_pressure_over_loaded_open_ground_is_bounded_near_an_end() {
 }
 
 /// The beam w = 2 − x, or its mirror image, is in contact on one half with the pressure p = 2 − x, and out of contact
-/// on the other half. ε_p is the error bound of p, γ the relative change of p in the balance, and η the largest
-/// tensile pressure. On the half in contact the error of the load per length is ε_p + γp + (1 + γ)η. On the open half
-/// it is zero with a shear layer, and ε_p on springs. The exact edge of contact may lie by θ in the open half or by
-/// θ′ in the half in contact. This adds the force error θ(p_o + ε_p) to the open half, with the bound p_o of
-/// `open_pressure_beside`, and θ′(1 + γ)p to the half in contact.
+/// on the other half. ε_p is the error bound of p, and η the largest tensile pressure. γ is the relative change of p
+/// that balances the residual forces. On the half in contact, the bound of the pressure error is ε_p + γp + (1 + γ)η.
+/// On the open half, the bound is zero with a shear layer, and ε_p on Winkler ground. The exact edge of contact may lie
+/// by θ in the open half or by θ′ in the half in contact. This adds the force error θ(p_o + ε_p) to the open half, with
+/// the bound p_o of `open_pressure_beside`, and θ′(1 + γ)p to the half in contact.
 #[test]
 fn the_errors_of_the_loads_are_those_of_the_pressure_and_of_the_edges() {
     for (mirrored, layer) in [(false, "mu = 1\n"), (true, "mu = 1\n"), (false, "")] {
