@@ -19,15 +19,15 @@ impl<S: Scalar> Contact<'_, S> {
         let spans = &self.fields.frame.spans;
         let differs = |i: usize, j: usize| spans[i].touches != spans[j].touches;
         let mut zones = vec![[Size::ZERO; 2]; end - first];
-        // On a piece where the exact beam rests without load, it is in contact without pressure. This needs no proof
-        // from the claimed fields.
+        // Pieces with `rests` need no check of the claimed fields: the exact beam is known to lie on the ground there
+        // without pressure.
         for i in (first..end).filter(|i| !self.rests(*i)) {
             let field = self.signed(i);
             let edges = [i > first && differs(i - 1, i), i + 1 < end && differs(i, i + 1)];
             let mut interval = spans[i].interval();
             for side in [0, 1] {
-                // At a rigid support at the height of the ground, the clearance is zero only without a load on the
-                // ground.
+                // A rigid support at the height of the unloaded ground makes the exact clearance zero. A load on the
+                // ground lowers the ground, so the clearance at the support is then positive.
                 let stands = self.stands(i, side) && spans[i].ground_load.is_none();
                 // At a jump of the initial gap or of a load on the ground, the clearance may change its sign without
                 // a zero.
@@ -42,7 +42,8 @@ impl<S: Scalar> Contact<'_, S> {
                     )?;
                 interval[side] = to;
                 shown.zones.push(Zone { piece: i, side, theta });
-                // At a rigid support on the surface of the ground, the edge of contact is the position of the support.
+                // The position of an edge of contact is uncertain by `theta`. At a rigid support on the surface of the
+                // ground it is certain: the edge is at the support.
                 if !stands {
                     zones[i - first][side] = theta;
                 }
@@ -93,8 +94,9 @@ impl<S: Scalar> Contact<'_, S> {
         node.rigid == Some(gap) && node.acts == Acts::Both
     }
 
-    /// Whether the exact deflection equals the initial gap at an end of a piece, in value and in slope. This is
-    /// proven at a clamp of a beam without shear deformation, at the height of level ground.
+    /// Whether the exact deflection and its slope are known to equal the initial gap and the slope of the gap at an end
+    /// of a piece. This is the case at a clamp whose settlement equals the initial gap, if the ground is level there
+    /// and the beam has no shear deformation.
     fn lies(&self, i: usize, side: usize) -> bool {
         let (span, node) = (&self.fields.frame.spans[i], &self.fields.frame.nodes[i + side]);
         let shears = span.stiffness.is_some();
@@ -111,9 +113,10 @@ impl<S: Scalar> Contact<'_, S> {
         self.stands(i, side).then(|| self.zone(i, side, &field, limit)).flatten()
     }
 
-    /// Finds a short zone at an end of a piece. In the zone `field` grows inward faster than the error bound of its
-    /// slope, up to a value above `limit`. If the exact slope is known to be zero at the end, the second derivative
-    /// is compared instead. Returns the length of the zone and the coordinate t of its inner end.
+    /// Finds a short zone at an end of a piece. In the zone, the inward slope of `field` exceeds the error bound of the
+    /// slope. At the inner end of the zone, `field` exceeds `limit`. If the exact slope at the end of the piece is
+    /// known to be zero, the second derivative and its error bound take the place of the slope and its error bound.
+    /// Returns the length of the zone and the coordinate t of its inner end.
     fn zone(
         &self,
         i: usize,
@@ -137,7 +140,8 @@ impl<S: Scalar> Contact<'_, S> {
         let at_end = growth.value(S::Coarse::of(end)).low();
         let far = (2.0 * limit.over(at_end)).value();
         let long = if lies { (2.0 * far).sqrt() } else { far };
-        // A shorter interval would be below the rounding error of t.
+        // A shorter zone could not be told from the rounding error of its end, measured in the coordinate t of the
+        // piece.
         let mut long = long.max(2.0 * f64::EPSILON);
         for _ in 0..12 {
             let to = end + inward * long;
@@ -208,8 +212,9 @@ mod tests {
     /// w = −¼(1 − t²).
     const HOLLOW: Claimed = (false, [-0.25, 0.0, 0.25]);
 
-    /// The beam crosses the surface of the ground at x = ½ and x = ¾ with the slopes −4 and 4. It is above the error
-    /// 0.01 of w at the distance 0.005 from these positions. The ground from x = ¼ is a region of its own.
+    /// The claimed beam crosses the surface of the ground at x = ½ and x = ¾ with the slopes −4 and 4. At a distance of
+    /// 0.005 from these positions, |w − g₀| is about 0.02, more than the error bound 0.01 of w. So each edge is known
+    /// to within 0.005. The check begins at x = ¼, so the first region begins there too.
     #[test]
     fn edges_lie_where_the_beam_crosses_the_ground() {
         with_pieces(&[RISING, FALLING, HOLLOW, RISING], "", |fields| {
@@ -225,14 +230,15 @@ mod tests {
                 let near = [0, 1].map(|i: usize| (found[i] - exact[i]).abs() < 1e-5);
                 assert!(near == [true; 2] && found[0] <= exact[0], "{found:?} {exact:?}");
             }
-            // With a larger error of the slope, the position of the first edge has no bound.
+            // If the error bound of the slope is 4.5, more than the slope 4 itself, the position of the first edge has
+            // no bound.
             let (_, refused) = found(fields, 1, &errors(4, [0.01, 4.5]));
             assert_eq!(refused.and_then(|why| why.at), Some(0.5));
         });
     }
 
-    /// A piece in contact must lie deeper than the error of w everywhere. Contact on both sides of a position where
-    /// the beam only reaches the surface is not proven.
+    /// Contact on a piece is proven only if w − g₀ exceeds the error bound of w on the whole piece. If w − g₀ is zero
+    /// between two pieces in contact, their contact is not proven.
     #[test]
     fn a_beam_near_the_surface_has_no_contact_set() {
         for (pieces, proven) in [
@@ -275,8 +281,9 @@ mod tests {
         }
     }
 
-    /// In a zone the field grows inward faster than the error of the slope, or of the curvature beside a clamp. At its
-    /// inner end the field exceeds the limit.
+    /// Checks the zones at the ends of a piece for random polynomials `field`. In a zone the inward slope of `field`
+    /// exceeds the error bound of the slope. In a zone at a clamp, the second derivative exceeds the error bound of the
+    /// curvature. At the inner end of a zone, `field` exceeds the given limit.
     #[test]
     fn a_field_grows_to_the_limit_within_its_zone() {
         let clamps =
@@ -286,7 +293,8 @@ mod tests {
         for case in 0..2000 {
             let (side, clamped) = (case % 2, case % 4 < 2);
             let inward = [1.0, -1.0][side];
-            // The coefficients of powers of the distance from the end, in units of t.
+            // `c` contains the coefficients of a polynomial in the distance from the end of the piece, measured in the
+            // coordinate t.
             let mut random = || random();
             let [a, b, c] = match case % 8 < 4 {
                 true => [0.25 + 0.5 * random().abs(), 0.0, 0.0],

@@ -54,8 +54,9 @@ fn is_rigid<S: Scalar>(node: &Node<S>) -> bool {
     node.rigid.is_some() && node.acts == Acts::Both
 }
 
-/// Computes the remaining fraction σ of the convexity from the spans between rigid supports, or for a beam whose only
-/// support is a clamp at one end.
+/// Computes the fraction σ of the energy's convexity that remains under the compression. The beam must have rigid
+/// supports at both ends, or a clamp at one end as its only rigid support. Returns `None` for other beams and for beams
+/// with hinges.
 fn of_spans<S: Scalar>(frame: &Frame<S>, compression: S) -> Option<f64> {
     let nodes = &frame.nodes;
     let last = nodes.len() - 1;
@@ -109,7 +110,8 @@ fn of_elements<S: Scalar, C: Scalar>(
     if stable(high) {
         low = high;
     }
-    // The bisection of the ratio N₁/N ends when the remaining fraction σ is accurate to ten percent.
+    // N₁ is a compression under which the beam is stable, and N the actual compression. The bisection of the ratio N₁/N
+    // ends when σ = 1 − N/N₁ is accurate to ten percent.
     while high - low > 0.1 * (low - 1.0) && high - 1.0 > 1e-3 {
         let (mean, least) = (f64::sqrt((high - 1.0) * (low - 1.0)), 0.125 * (high - 1.0));
         let middle = 1.0 + if mean >= least { mean } else { least };
@@ -128,8 +130,8 @@ struct Joint<C> {
     spring: C,
     turning: C,
     hinge: Option<C>,
-    /// Whether a support prevents the deflection z, and whether it prevents the slope z′. A joint that
-    /// prevents the slope also prevents the deflection.
+    /// Whether a support at the node fixes the deflection, and whether it fixes the slope. A support that fixes the
+    /// slope also fixes the deflection.
     held: [bool; 2],
 }
 
@@ -195,7 +197,7 @@ fn elements<S: Scalar, C: Scalar>(
 struct Left<C> {
     /// Entries of the stiffness matrix for (z, z), (z, z′) and (z′, z′), with the deflection z.
     stiffness: [C; 3],
-    /// Whether a support prevents the deflection z, and whether it prevents the slope z′.
+    /// Whether a support at the position fixes the deflection, and whether it fixes the slope.
     held: [bool; 2],
 }
 
@@ -216,7 +218,8 @@ impl<C: Scalar> Left<C> {
         Some(Left { stiffness: [a, b, c], held: joint.held })
     }
 
-    /// Whether the stiffness matrix of the components that no support prevents is proven to be positive definite.
+    /// Whether the stiffness matrix for the deflection and the slope, without those that a support fixes, is proven to
+    /// be positive definite.
     fn is_positive(&self) -> bool {
         let [a, b, c] = self.stiffness;
         match self.held {
@@ -243,8 +246,9 @@ impl<C: Scalar> Left<C> {
         let turned = entry(6.0, 3.0) * h1;
         let steep = entry(4.0, 4.0) * h2;
         let across = entry(2.0, -1.0) * h2;
-        // `joined` is the stiffness matrix for z and z′ at the left end, including the element. `coupling` couples
-        // the left end of the element with its right end.
+        // `joined` is the stiffness matrix for deflection and slope at the left end of the element: that of the beam to
+        // the left plus that of the element. `coupling` is the part of the element's stiffness matrix that couples its
+        // left end with its right end.
         let [a, b, c] = self.stiffness;
         let joined = Left { stiffness: [a + own, b + turned, c + steep], held: self.held };
         if !joined.is_positive() {
@@ -253,7 +257,8 @@ impl<C: Scalar> Left<C> {
         let [a, b, c] = joined.stiffness;
         let coupling = [[-own, turned], [-turned, across]];
         let zero = C::zero();
-        // `inverse` is the inverse of the stiffness matrix of those components of (z, z′) that no support prevents.
+        // `inverse` is the inverse of `joined` for the deflection and the slope, without those that a support fixes.
+        // Its entries for a fixed deflection or slope are zero.
         let inverse = match self.held {
             [true, true] => [zero; 3],
             [true, false] => [zero, zero, C::one().div(c)],

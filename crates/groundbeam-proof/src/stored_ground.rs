@@ -20,10 +20,11 @@ impl<S: Scalar> Span<S> {
 }
 
 impl<S: Scalar> Layer<'_, S> {
-    /// Sets the settlement ū on pieces where k or μ varies: the stored settlement plus a linear function that
-    /// corrects the values at the nodes. The residual of ū in the ground's equation consists of ρ = kū − (μū′)′ − q
-    /// along the pieces and of the jump r of the flux at open nodes. With the flexibility g of the ground at a node,
-    /// it adds at most (Σ∫ρ²/k)^½ + Σ|r|√g to the bound Ḡ in (11) of docs/proof.md.
+    /// Sets the settlement ū on pieces where k or μ varies: the stored settlement plus a linear function that corrects
+    /// the values at the nodes. ū satisfies the ground's equation except for a residual. The residual is ρ = kū −
+    /// (μū′)′ − q along the pieces, and the jump r of the flux μū′ at each node out of contact. It increases the bound
+    /// Ḡ in (11) of docs/proof.md by at most (Σ∫ρ²/k)^½ + Σ|r|√g, where g is the settlement at a node under a unit
+    /// force at this node.
     pub(crate) fn as_stored(&self, pieces: Range<usize>, surface: &mut Surface<S>) {
         let mut missed = Size::ZERO;
         for i in pieces.clone() {
@@ -79,8 +80,9 @@ mod tests {
     use crate::wide::Wide;
     use serde_json::json;
 
-    /// The layer begins at the second piece and is out of contact. μ varies on its second piece only, so every piece has
-    /// its stored surface. On the first piece μu′ follows from u at both ends, with K = 1 and z = ¼.
+    /// The shear layer begins at the second piece of the beam and is out of contact. Because μ varies on the third
+    /// piece, the settlement of all pieces of the layer is read from the document. On a piece with constant k and μ,
+    /// the flux μu′ at both ends follows from u at both ends, with √(kμ) and z = h√(k/μ) for the length h.
     #[test]
     fn a_piece_of_constant_ground_has_the_flux_of_its_ends() {
         let model = "[beam]\nlength = 1\nEI = 1\n[foundation]\nk = 1\nmu = 0\n\
@@ -109,7 +111,8 @@ mod tests {
                     assert!((flux.middle() - exact).abs() < 1e-12, "{i}: {flux:?} {exact}");
                 }
             }
-            // μu′ of the stored line, with μ from 1 to 2.
+            // On the third piece, the stored settlement u is linear and μ increases from 1 to 2. So the flux μu′
+            // doubles from the left end to the right end.
             let flux = fields.surface.pieces[2].flux.map(Wide::middle);
             assert!((flux[0] + 2.0).abs() < 1e-12 && (flux[1] + 4.0).abs() < 1e-12, "{flux:?}");
             let span = &fields.frame.spans[2];

@@ -44,8 +44,9 @@ pub(crate) fn kink(
 }
 
 impl<S: Scalar> Pointwise<'_, S> {
-    /// Bound of the energy K² of the test function z = t(1 − t/h)² at the distance t from any position between two
-    /// nodes at which test functions vanish. z extends to the farther of the two nodes.
+    /// Bound of the energy K² of the test function z = t(1 − t/h)², for every position between two neighbouring nodes
+    /// at which test functions vanish. t is the distance from the position towards the farther node. The length h of z
+    /// is at most half the distance of the two nodes.
     pub(crate) fn short_kink(&self, nodes: Range<usize>) -> Size {
         let frame = self.fields.frame;
         let available = (frame.nodes[nodes.end].x - frame.nodes[nodes.start].x).scaled(-1);
@@ -91,11 +92,12 @@ impl<S: Scalar> Pointwise<'_, S> {
         largest
     }
 
-    /// Lowers the energy K² on each piece to that of the test function z(s) = |s − x| between a position x of the
-    /// piece and one end of the beam, with z = 0 elsewhere. L is the distance from x to this end. No rigid support
-    /// may lie between. With the stiffness K_e of the ground beyond the end and springs at the positions x_j, the
-    /// energy is K² = (P + μ)L + kL³/3 + K_eL² + Σ(κ(x − x_j)² + κ_θ). It does not contain EI, so it is small for
-    /// stiff beams.
+    /// Lowers the energy K² on each piece to that of another test function, if this energy is smaller. The function is
+    /// z(s) = |s − x| between a position x of the piece and one end of the beam, and zero on the other side of x. It
+    /// requires that no rigid support lies between x and this end. Its energy is K² = (P + μ)L + kL³/3 + K_eL² + Σ(κ(x
+    /// − x_j)² + κ_θ). L is the distance from x to the end, and K_e the stiffness of the ground beyond the end. κ and
+    /// κ_θ are the stiffnesses of the springs at the positions x_j. K² does not contain EI, so it is small for stiff
+    /// beams.
     pub(crate) fn long_kinks(&self, side: usize, stiffness: &mut [Size]) {
         let frame = self.fields.frame;
         let count = frame.spans.len();
@@ -103,8 +105,9 @@ impl<S: Scalar> Pointwise<'_, S> {
         let mut held: Vec<usize> = Vec::new();
         for step in 0..count {
             let i = if side == 0 { step } else { count - 1 - step };
-            // `outer` is the node of the piece towards the end of the beam, and `inner` is the opposite node. All
-            // distances start at `inner`, so the bound holds for every position x of the piece.
+            // `outer` is the node of the piece nearer to this end of the beam, and `inner` is its other node. All
+            // distances are measured from `inner`, where they are largest. So `sum` is an upper bound of K² for every
+            // position x of the piece.
             let (outer, inner) = (i + side, i + 1 - side);
             let node = &frame.nodes[outer];
             if node.rigid.is_some() {
@@ -176,8 +179,9 @@ pub(crate) mod tests {
         }
     }
 
-    /// Any position between two pins at a distance of 1.5 is at least 0.75 away from one of them. On a stiff beam the
-    /// longest test function has the smallest energy K² = 4EI/h.
+    /// Every position between two pins at a distance of 1.5 is at least 0.75 away from one of them, so its test
+    /// function may have the length h = 0.75. On soft ground the energy K² is nearly 4EI/h, which is smallest for the
+    /// largest h.
     #[test]
     fn a_test_function_ends_before_the_next_support() {
         let pin = |at: f64| format!("[[support]]\nat = {at}\ntype = 'pinned'\n");

@@ -165,7 +165,8 @@ mod tests {
         assert_eq!(first_mechanism(&[alone(1, [true, false])]), Some(0));
     }
 
-    /// Passes the claim w = 2 of a beam of length 1.5 on ground with k = 1 to `of`. The error energy is E.
+    /// Calls `of` with a beam of length 1.5 and the claimed deflection w = 2. `text` is the rest of the model file, and
+    /// `energy` is the bound of the error energy.
     fn with_beam<T>(
         text: &str,
         touches: bool,
@@ -180,7 +181,9 @@ mod tests {
         })
     }
 
-    /// The pressure is 2. The longest function z has the length h = 0.9·0.75, and 2∫z > (2E)^½‖z‖_b decides.
+    /// The claimed pressure is 2. Contact on an interval of length h is proven if 2∫z > (2E)^½‖z‖_b, with a function z
+    /// on this interval, its energy norm ‖z‖_b in the ground, and the bound E of the error energy. The largest h that
+    /// is tried, 0.9·0.75, permits the largest E.
     #[test]
     fn a_pressure_holds_the_beam_if_the_error_cannot_remove_it() {
         for layer in [0.0, 0.5] {

@@ -6,8 +6,8 @@ use crate::model::{Action, Extent, Load, Model, SupportKind};
 use crate::refusal::NotProven;
 use crate::scalar::Scalar;
 
-/// The units of the proof. The unit of length is a power of two of metres, and the unit of force a power of two
-/// of newtons.
+/// The units of the proof. The unit of length is 2ⁿ m and the unit of force 2ᵐ N, with the integers n = `length` and m
+/// = `force`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Units {
     pub length: i32,

@@ -23,7 +23,9 @@ pub(crate) fn in_range<S: Scalar>(
     if coefficient.low() >= 1e-60 && coefficient.high() <= 1e60 {
         Ok(())
     } else {
-        Err(NotProven::new(format!("{name} is out of range, relative to length and loads")))
+        Err(NotProven::new(format!(
+            "{name} is out of range: in units of the beam's length and the largest load, it must lie between 1e-60 and 1e60"
+        )))
     }
 }
 
@@ -32,7 +34,9 @@ pub(crate) fn positive<S: Scalar>(x: S, name: &str) -> Result<S, NotProven> {
     if x.low() >= 1e-60 && x.high() <= 1e60 {
         Ok(x)
     } else {
-        Err(NotProven::new(format!("{name} is out of range, relative to length and loads")))
+        Err(NotProven::new(format!(
+            "{name} is out of range: in units of the beam's length and the largest load, it must lie between 1e-60 and 1e60"
+        )))
     }
 }
 

@@ -32,8 +32,9 @@ where
 }
 
 impl<S: Scalar> Pointwise<'_, S> {
-    /// Error bound of the pressure where the exact and the claimed beam are both in contact, from (14b) of
-    /// docs/proof.md. On open pieces it is the error bound of (μC′)′, with the clearance C.
+    /// Returns an error bound from (14b) of docs/proof.md. On a piece in contact, it is the error bound of the pressure
+    /// wherever the exact beam is in contact too. On a piece out of contact, it is the error bound of (μC′)′, with the
+    /// clearance C.
     pub(crate) fn varying_pressure(&self, i: usize, bounds: &PieceBounds) -> Size {
         let span = &self.fields.frame.spans[i];
         let Some(stiffness) = varying(span) else { return Size::INFINITE };
@@ -69,8 +70,9 @@ impl<S: Scalar> Pointwise<'_, S> {
         [settled + factor * forces, span.steepness(&span.shear) + factor * steep]
     }
 
-    /// Lowers the bounds of the slope and of the pressure on pieces with shear deformation where S or μ varies.
-    /// The bounds use only the change of moment within the piece.
+    /// Tightens the error bounds of the beam's slope and of the pressure on pieces with shear deformation where the
+    /// shear stiffness S or the stiffness μ of the layer varies. The bounds of a piece follow from errors on this piece
+    /// alone.
     pub(crate) fn first_slopes(&self, bounds: &mut [PieceBounds]) {
         for (i, piece) in bounds.iter_mut().enumerate() {
             let span = &self.fields.frame.spans[i];
@@ -117,7 +119,8 @@ impl<S: Scalar> Pointwise<'_, S> {
         resting + force * by_force
     }
 
-    /// Lowers the bounds of the pressure on pieces where S or μ varies, from the bounds of the slope.
+    /// Uses the error bounds of the slope to tighten those of the pressure, on pieces where the shear stiffness S of
+    /// the beam or the stiffness μ of the layer varies.
     pub(crate) fn lower_pressures(&self, bounds: &mut [PieceBounds]) {
         for (i, piece) in bounds.iter_mut().enumerate() {
             if varying(&self.fields.frame.spans[i]).is_some() {
@@ -136,7 +139,7 @@ mod tests {
     use crate::wide::Wide;
     use serde_json::json;
 
-    /// A claimed answer, its balance, and the bounds of its errors.
+    /// The fields of a claimed solution, the forces that balance its residual, and the error bounds of the fields.
     struct Claim<'a, 'b> {
         fields: &'a mut Fields<'b, Wide>,
         balanced: Balanced<Wide>,
@@ -199,8 +202,9 @@ mod tests {
         (0..24).map(force).fold(f64::INFINITY, f64::min)
     }
 
-    /// Checks the first bound of the slope for an error 10⁻³ of the moment and one further error, given by `turned`
-    /// or `change`. `resting` is the bound of the slope without the error of the transverse force.
+    /// Checks the bound `first_slope` for a moment with the error bound 10⁻³ and one further error: the rotation
+    /// differs from the slope by `turned`, or `change` sets another error. The expected bound is `resting`, the part
+    /// that does not depend on the transverse force, plus 1.6 times the error bound of the transverse force.
     fn is_first_slope(
         what: &str,
         turned: f64,
@@ -215,7 +219,8 @@ mod tests {
         });
     }
 
-    /// Checks the first bound of the slope for one error at a time.
+    /// Checks the error bound of the slope that `first_slope` computes from one piece. Each case has one kind of error,
+    /// in addition to the error of the balanced moment.
     #[test]
     fn the_first_slope_follows_from_the_change_of_moment_on_the_piece() {
         let size = Size::of;
@@ -278,9 +283,9 @@ mod tests {
         );
     }
 
-    /// For a beam in contact, the error bound of the pressure from (14b) of docs/proof.md has the divisor 1 + α with
-    /// α = μ/(S + P) ≥ 0.2. On open ground there is no such divisor, and the first bound of the slope uses the
-    /// pressure that a beam in contact with this ground would have.
+    /// In contact, the error bound of the pressure from (14b) of docs/proof.md is divided by 1 + α, with α = μ/(S + P)
+    /// ≥ 0.2. Out of contact, the bound of (μC′)′ is not divided. There, the bound `first_slope` uses the pressure that
+    /// the ground would exert if the beam were in contact with it.
     #[test]
     fn the_pressure_needs_the_slope_and_the_slope_the_pressure() {
         for touches in [true, false] {

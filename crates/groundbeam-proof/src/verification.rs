@@ -19,7 +19,8 @@ use std::collections::BTreeSet;
 /// The proven parts of a document.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Verification {
-    /// The proof of the answer. The errors of fields and reactions include the errors of the listed numbers.
+    /// The proof of the answer. Its error bounds of fields and reactions also hold for the numbers that the document
+    /// lists.
     pub proof: Proof,
     /// Bound of the error of the gap u + g₀ − w.
     pub gap: Bound,
@@ -34,7 +35,7 @@ pub struct Verification {
     /// Intervals on which the pressure has no bound \[m\]: intervals that contain edges of contact on a shear
     /// layer, or the whole beam if the contact set is not proven.
     pub without_pressure: Vec<[f64; 2]>,
-    /// Number of listed numbers that were compared.
+    /// How many of the numbers in the document were compared with the proof, by kind.
     pub checked: Checked,
     /// Keys of the document whose numbers the proof does not cover.
     pub not_covered: BTreeSet<String>,
@@ -42,7 +43,8 @@ pub struct Verification {
     pub shortfall: Option<NotProven>,
 }
 
-/// Proves the answer of a document, and then its other listed numbers. Writes a log if a log is given.
+/// Proves the solution in a document, and then compares the other numbers of the document with this solution. Writes a
+/// log if one is given.
 pub(crate) fn verified<S: Scalar>(
     model: &Model<S>,
     document: &Document,
@@ -59,7 +61,7 @@ pub(crate) fn verified<S: Scalar>(
     proven(model, &document.answer, log, |fields, proof| compared(document, fields, proof))
 }
 
-/// Compares the other numbers of a document with the fields and the proof of its answer.
+/// Compares the numbers that a document lists besides its solution with the fields and the proof of the solution.
 fn compared<S: Scalar>(document: &Document, fields: &Fields<S>, mut proof: Proof) -> Verification {
     let found = differences(document, fields, &proof);
     let (edges, forces) = (
@@ -246,9 +248,9 @@ impl Verification {
     }
 }
 
-/// Reports the first field with a listed number that differs from the answer by more than 10⁻⁶ of the field's
-/// own largest value and by more than rounding error. The scale of the field is not used, because it may be much
-/// larger than the field's values.
+/// Reports the first field with a listed number that is too far from the claimed solution. The permitted difference is
+/// 10⁻⁶ of the largest value of the field, plus 10⁻¹¹ of the field's scale for rounding errors. 10⁻⁶ of the scale would
+/// permit too much, because the scale may be much larger than the values of the field.
 fn far<S: Scalar>(
     fields: &Fields<S>,
     differences: &[f64; 8],
@@ -261,14 +263,16 @@ fn far<S: Scalar>(
         let scale = bound.map_or(0.0, |(_, bound)| bound.scale);
         if !(*difference <= 1e-6 * own + 1e-11 * scale) {
             let name = name.replace('_', " ");
-            let what = format!("a listed {name} differs from the answer by {difference:.1e}");
+            let what =
+                format!("a listed {name} differs from the claimed solution by {difference:.1e}");
             return Some(NotProven::new(what));
         }
     }
     None
 }
 
-/// Adds the differences between the listed numbers and the answer to the errors of the fields.
+/// Increases the error bound of each field by the largest difference between the field's listed numbers and the claimed
+/// solution.
 fn add(proof: &mut Proof, found: &Differences) {
     let bounds = &mut proof.bounds;
     let [deflection, slope, rotation, moment, shear_force, settlement, _, pressure] = found.fields;
@@ -296,8 +300,9 @@ mod tests {
     use crate::given_claim::with_fields;
     use serde_json::json;
 
-    /// A listed number may differ from the pieces by 10⁻⁶ of the largest value and by 10⁻¹¹ of the scale of its own
-    /// field. The largest values are w = 1 and w′ = M = V = 0.
+    /// A listed number may differ from the claimed solution by 10⁻⁶ of the largest value of its field plus 10⁻¹¹ of the
+    /// scale of its field. In this test the largest deflection is 1, and the largest slope, rotation, moment and shear
+    /// force are 0.
     #[test]
     fn listed_numbers_are_near_the_numbers_of_the_pieces() {
         let model = "[beam]\nlength = 1\nEI = 1\n[foundation]\nk = 1\n";

@@ -82,7 +82,7 @@ impl Wide {
         self.r
     }
 
-    /// The midpoint h + l, as two doubles.
+    /// The midpoint, as two doubles whose exact sum is the midpoint. The first double is the larger one.
     pub fn midpoint(self) -> [f64; 2] {
         [self.h, self.l]
     }
@@ -124,7 +124,8 @@ impl Mul for Wide {
         let (ch, cl) = two_product(self.h, other.h);
         let cross = self.h * other.l + self.l * other.h;
         let (h, l) = fast_two_sum(ch, cl + cross);
-        // `ABOVE` covers that |h + l| may exceed |h| by the relative rounding error of a double.
+        // The size |h + l| of a midpoint may exceed |h| by the relative rounding error of a double. The factor `ABOVE`
+        // of the radius is large enough for this.
         let propagated =
             magnitude(self.h) * other.r + magnitude(other.h) * self.r + self.r * other.r;
         Wide::new(h, l, (propagated + Wide::rounding(h)) * ABOVE)
@@ -144,8 +145,8 @@ impl Scalar for Wide {
         if !(least > 0.0) {
             return Wide::ALL;
         }
-        // For a dividend a and a divisor b, the quotient q has the error (a − qb)/b. So the residual a − qb bounds
-        // the error.
+        // For a dividend a and a divisor b, the quotient q has the error (a − qb)/b. So a bound of the residual a − qb,
+        // divided by the smallest |b|, bounds the error.
         let first = self.h / other.h;
         let rest = self.centre() - Wide::of(first) * other.centre();
         let (h, l) = fast_two_sum(first, rest.h / other.h);

@@ -54,7 +54,8 @@ type Line<'py> = (Bound<'py, PyArray1<f64>>, Vec<usize>);
 /// One bound of an envelope of passages: its values, the positions of the first axle, and the indices of the passages.
 type Moving<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>, Vec<usize>);
 
-/// Value on the ground with the best estimates, and the smallest and the largest value over all grounds.
+/// Value for the best estimates of k and μ, and its smallest and largest value over all pairs of k and μ of
+/// `[foundation.band]`.
 type Banded = (f64, f64, f64);
 
 /// Relative errors of deflection, moment, settlement and end forces.
@@ -114,8 +115,8 @@ impl Answers {
         self.answers.limit_states().iter().map(LimitState::name).collect()
     }
 
-    /// Returns the smallest and the largest value of a field on the ground with the best estimates, each with its
-    /// range over all grounds of `[foundation.band]`.
+    /// Returns the smallest and the largest value of a field for the best estimates of k and μ, each with its range
+    /// over all pairs of k and μ of `[foundation.band]`.
     fn band(&self, name: &str) -> Result<Option<(Banded, Banded)>, Failure> {
         let field = field(name)?;
         let of = |band: run::Banded| (band.best, band.low, band.high);

@@ -9,7 +9,8 @@ use groundbeam_report::Units;
 /// Name of an output; for a field also the position and the side.
 pub type Asked = (String, f64, String);
 
-/// Values of all outputs, their derivatives, and the reasons why derivatives are one-sided.
+/// Values of all outputs, their derivatives with respect to all parameters, and for each output the reasons why its
+/// derivatives are one-sided.
 pub type Gradients = (Vec<f64>, Vec<f64>, Vec<Vec<String>>);
 
 /// Returns the output with this name. For a field the position must be given.
@@ -41,7 +42,7 @@ pub fn parameter_of(name: &str, model: &Model, on_soil: bool) -> Result<Paramete
     let why = if on_soil && own.is_of_ground() {
         "the model's ground is defined by soil data"
     } else if own.value(model).is_none() {
-        "the model has no such number, or the number varies in segments: use a factor such as `k_factor`"
+        "the model has no such number, or its value differs between segments: use a factor such as `k_factor`"
     } else {
         return Ok(own);
     };

@@ -237,5 +237,6 @@ impl Model {
     }
 }
 
-/// Verdict on the existence of an equilibrium, static reactions, motion, and sentence.
+/// Verdict on the existence of an equilibrium; static reactions; values at both ends and work of the loads in a motion
+/// that decides the verdict; and the verdict as a sentence.
 type Statics = (&'static str, Vec<f64>, Option<(f64, f64, f64)>, String);

@@ -45,7 +45,7 @@ impl Read {
         match found[..] {
             [position] => Ok(position),
             _ => Err(Failure::Asked(format!(
-                "`{text}` has {} positions: give a list of texts, as in [\"1 m\", \"2 m\"]",
+                "`{text}` contains {} positions: give a list of strings, such as [\"1 m\", \"2 m\"]",
                 found.len()
             ))),
         }

@@ -235,7 +235,7 @@ def test_every_call_with_positions_reads_texts_with_the_units_of_the_model(footi
 @pytest.mark.parametrize(
     ("positions", "why"),
     [
-        ("1 m, 2 m", r'has 2 positions: give a list of texts, as in \["1 m", "2 m"\]'),
+        ("1 m, 2 m", r'contains 2 positions: give a list of strings, such as \["1 m", "2 m"\]'),
         ([["1 m"]], r'one list of them, as in \["1 m", "2 m"\]'),
         (1j, "positions are numbers, texts"),
     ],

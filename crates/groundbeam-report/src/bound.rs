@@ -13,7 +13,7 @@ pub(crate) fn bound_alone(error: f64) -> String {
     if error.is_finite() { upper(error) } else { not_proven("") }
 }
 
-/// An interval that contains an exact number. Its ends are distances from the printed number.
+/// An interval that contains an exact number. Its ends are stored as differences from the printed number.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Around {
     low: f64,
@@ -21,7 +21,7 @@ pub(crate) struct Around {
 }
 
 impl Around {
-    /// Returns the interval of an exact number from a computed value and its error bound.
+    /// Returns an interval that contains the exact number. `value` is the computed number, and `error` its error bound.
     pub fn of(printed: f64, value: f64, error: f64) -> Self {
         let off = value - printed;
         match off {
@@ -96,8 +96,8 @@ pub(crate) fn rounded_with_bound(value: f64, error: f64, unit: Unit, most: i32) 
     format!("{number} ± {bound}{unit}")
 }
 
-/// Rounds a number to the digit of 10ⁿ with n = `last`, with at most `most` digits. Returns the number in units
-/// of 10ᵖ with p = `power`, and a bound of the rounding error.
+/// Rounds a number to a multiple of 10ⁿ with n = `last`, but to at most `most` digits. Returns the text of the rounded
+/// number divided by 10ᵖ with p = `power`, and a bound of the rounding error before this division.
 fn rounded_within(value: f64, last: i32, power: i32, most: i32) -> (String, f64) {
     let leading = exponent(value);
     let digits = (leading - last + 1).min(most);

@@ -22,7 +22,7 @@ class Along:
         if array.ndim not in (1, 2):
             raise ValueError(
                 f"{type(self).__name__} takes a list of values, or an array with one row of values for each model, "
-                f"not an array of {array.ndim} dimensions"
+                f"but the given array has {array.ndim} dimensions"
             )
         self.values = np.atleast_2d(array)
 

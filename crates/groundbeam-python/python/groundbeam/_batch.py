@@ -37,34 +37,35 @@ class Extremes(NamedTuple):
 
 
 class Batch(Mapping[str, Array]):
-    """The results for many models, in the order of the models: ``batch["moment"]`` is an array of models by
-    positions.
+    """The results for many models, in the order of the models: ``batch["moment"]`` is an array with
+    one row for each model and one column for each position.
 
     A model without a result has NaN for numbers; ``status`` and ``messages`` give the reason.
     """
 
     at: Array
-    """The positions of the fields [m]."""
+    """The positions at which the fields are evaluated [m]."""
     status: npt.NDArray[np.str_]
     """Status of each model: ``solved``, ``no-equilibrium``, ``not-converged`` or ``wrong``."""
     messages: list[Optional[str]]
     """Message for each model without a result; ``None`` for each model with a result."""
     end_forces: Array
-    """Point contact forces under the left and the right end [N], models by 2."""
+    """Point contact forces under the left and the right end [N]: an array with one row for each model and two columns."""
     lifted_share: Array
     """Fraction of the beam length that is not in contact."""
     relative_gap: Array
     """The error bound of the certificate, relative to the strain energy."""
     motion: Array
-    """Motion that proves that a model has no equilibrium: r(0), r(l) and the work of the loads, models by 3."""
+    """Motion r of the beam that proves that a model has no equilibrium: an array with one row for each model. Its columns
+    are the values r(0) and r(l) at the ends, and the work of the loads."""
     extremes: dict[str, Extremes]
     """Extremes of the requested fields."""
     gradients: dict[str, Array]
-    """Derivatives of the requested outputs, models by parameters; for fields models by positions by parameters. NaN
-    for an output that a model does not have."""
+    """Derivatives of the requested outputs: one row for each model and one column for each parameter. For fields, the
+    indices are those of model, position and parameter. NaN for an output that a model does not have."""
     one_sided: dict[str, npt.NDArray[np.bool_]]
-    """Whether derivatives of an output hold for small changes in one direction only, for each model; for fields
-    models by positions."""
+    """Whether derivatives of an output hold for small changes in one direction only, for each model; for fields, for
+    each model and position."""
 
     def __init__(
         self,
@@ -253,7 +254,9 @@ def _rows(name: str, values: Union[npt.ArrayLike, Along]) -> Array:
     except (TypeError, ValueError) as error:
         raise ValueError(f"parameter `{name}`: takes numbers in SI units ({error})") from None
     if array.ndim > 2:
-        raise ValueError(f"parameter `{name}`: give one number for each model, or a row along the beam")
+        raise ValueError(
+            f"parameter `{name}`: give one number for each model, or one row of values along the beam for each model"
+        )
     array = array.reshape(-1, 1) if array.ndim < 2 else array
     return np.ascontiguousarray(array)
 

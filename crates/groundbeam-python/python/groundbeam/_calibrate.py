@@ -23,7 +23,7 @@ _FIRST_DAMPING, _HIGHEST_DAMPING = 1e-3, 1e12
 _FARTHEST = 2.0
 """Longest step, in logarithms."""
 _VAGUE = 1.0
-"""A combination of unknowns that is determined only to within a factor of e or worse is not identified."""
+"""A linear combination of logarithms of the unknowns is identified only if its inverse standard error is larger."""
 
 
 class Calibration(NamedTuple):
@@ -32,7 +32,8 @@ class Calibration(NamedTuple):
     values: dict[str, float]
     """Values of the unknowns."""
     standard_errors: dict[str, float]
-    """Standard error of each unknown from the noise; NaN at a bound, and if the noise cannot be estimated."""
+    """Standard error of each unknown due to the measurement noise. NaN for an unknown at one of its bounds, and for all
+    unknowns if the noise cannot be estimated."""
     correlation: Array
     """Correlation matrix of the errors of the unknowns; NaN for unknowns at bounds."""
     residuals: dict[str, Array]
@@ -40,11 +41,13 @@ class Calibration(NamedTuple):
     noise: float
     """Standard deviation of the residuals divided by the given noise; divided by 1 if no noise is given."""
     singular_values: Array
-    """Inverse standard errors of combinations of the logarithms of the unknowns, the best determined first."""
+    """Inverse standard errors of linear combinations of the logarithms of the unknowns, the largest first."""
     directions: Array
-    """Coefficients of the unknowns in the combinations of ``singular_values``, one row for each combination."""
+    """The linear combinations to which ``singular_values`` belong: one row of coefficients for each singular value, with
+    one coefficient for each unknown."""
     unidentified: list[str]
-    """Descriptions of combinations that the measurements determine only to within a factor of e or worse."""
+    """Descriptions of the linear combinations of logarithms of the unknowns whose standard error is at least 1, a factor
+    of e (2.718) in the unknowns."""
     at_bound: list[str]
     """Unknowns at a bound."""
     one_sided: bool
@@ -318,7 +321,8 @@ def _judged(problem: _Problem, scale: _Scale, best: _Least) -> Calibration:
 
 
 def _in_words(names: Sequence[str], row: Array) -> str:
-    """Text for a combination of unknowns. It lists only the unknowns with a considerable share in the combination."""
+    """Text for a linear combination of the unknowns. It omits unknowns whose coefficient is less than a fifth of the
+    largest one."""
     largest = row[np.argmax(np.abs(row))]
     parts = [
         (name, "up" if share * largest > 0.0 else "down")

@@ -33,7 +33,8 @@ class Envelope(NamedTuple):
 
 
 class Banded(NamedTuple):
-    """A value for the best estimates of k and mu, and its smallest and largest value over all grounds."""
+    """A value for the best estimates of k and mu, and its smallest and largest value over all pairs of k and mu that
+    ``[foundation.band]`` gives."""
 
     best: float
     low: float
@@ -41,7 +42,8 @@ class Banded(NamedTuple):
 
 
 class Band(NamedTuple):
-    """The smallest and the largest value of a field, each with its range over all grounds."""
+    """The smallest and the largest value of a field, each with its range over all pairs of k and mu that
+    ``[foundation.band]`` gives."""
 
     min: Banded
     max: Banded
@@ -110,8 +112,9 @@ class Combinations(Mapping[str, Answer]):
         return Envelope(low, high)
 
     def band(self, field: str) -> Band:
-        """The smallest and the largest value of a field over all combinations on the best ground, with their
-        ranges over all grounds. Nothing is proven for grounds between the solved ones."""
+        """The smallest and the largest value of a field over all combinations, for the best estimates of k and mu, with
+        their ranges over all pairs of k and mu that ``[foundation.band]`` gives. Nothing is proven for values of k and
+        mu between the solved ones."""
         found = self._inner.band(field)
         if found is None:
             raise ValueError("the model has no [foundation.band], or no combination is solved for the best estimates")

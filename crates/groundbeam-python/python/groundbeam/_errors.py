@@ -1,4 +1,4 @@
-"""Exceptions for solves without a result."""
+"""Exceptions that are raised if a model is invalid or cannot be solved."""
 
 from __future__ import annotations
 
@@ -73,9 +73,9 @@ class NoEquilibrium(GroundbeamError):
     sentence: str
     """The reason, as a sentence."""
     left: float
-    """Motion r(0) of the left end: 0 or -1."""
+    """Value r(0) of the motion r at the left end of the beam: 0 (no displacement) or -1 (upward)."""
     right: float
-    """Motion r(l) of the right end: 0 or -1."""
+    """Value r(l) of the motion r at the right end of the beam: 0 (no displacement) or -1 (upward)."""
     work: float
     """F(r), the work of the loads in the motion r [N m per m of lift]."""
     static_reactions: Tuple[float, ...]

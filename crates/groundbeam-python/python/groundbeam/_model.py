@@ -190,8 +190,8 @@ class Model:
             raise ValueError(f"the model has {len(names)} combinations: {instead}")
         if self._inner.trains:
             raise ValueError(
-                f"the train {self._inner.trains[0]!r} passes over the beam, and one result cannot include it: "
-                "use solve_trains()"
+                f"the train {self._inner.trains[0]!r} moves along the beam, so there is one result for each of its "
+                "positions: use solve_trains()"
             )
 
     def check(self, *, combination: Optional[str] = None) -> Existence:

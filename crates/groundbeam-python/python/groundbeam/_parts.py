@@ -208,7 +208,7 @@ class Hinge(Part):
     """A hinge inside the beam. It transmits shear, and the moment of its spring."""
 
     def __init__(self, at: Quantity, rotational_spring: Optional[Quantity] = None) -> None:
-        """Without a rotational spring [N m/rad] the hinge rotates freely."""
+        """Takes the stiffness of the rotational spring [N m/rad]. Without this spring the hinge rotates freely."""
         super().__init__(at=at, rotational_spring=rotational_spring)
 
 
@@ -217,7 +217,7 @@ class GroundLoad(Part):
 
     @classmethod
     def point(cls, force: Quantity, at: Quantity, *, case: Optional[str] = None) -> GroundLoad:
-        """A force at a point, which needs a shear layer."""
+        """A point force on the ground. The ground must have a shear layer."""
         return cls(point=force, at=at, case=case)
 
     @classmethod

@@ -34,7 +34,7 @@ class EndForces(NamedTuple):
 
 
 class Force(NamedTuple):
-    """A point contact force inside the beam, upward on the beam [m, N]."""
+    """Position [m] and size [N] of a point contact force between the ends of the beam, upward on the beam."""
 
     at: float
     force: float
@@ -99,7 +99,8 @@ class Gradient(NamedTuple):
     value: Union[float, Array]
     """Value of the output; an array for several positions."""
     derivatives: Array
-    """Derivatives with respect to each parameter, in the given order; one row per position for several positions."""
+    """Derivatives of the output with respect to each parameter, in the given order. For several positions, the array has
+    one row for each position."""
     one_sided: list[str]
     """Reasons why the derivatives hold for small changes in one direction only; empty if all hold in both directions."""
 
@@ -108,11 +109,11 @@ class Certificate(NamedTuple):
     """Energies, recomputed from model and result (docs/proof.md)."""
 
     primal_energy: float
-    """The potential energy of the deflections [N m]."""
+    """The primal energy: the total potential energy of the computed deflection and settlement [N m]."""
     dual_energy: float
-    """The reciprocal energy of moments and pressures [N m]."""
+    """The dual energy, also called reciprocal energy, of bending moments and pressures in equilibrium with the loads [N m]."""
     gap: float
-    """The difference of the two energies, an estimate of the energy of the error [N m]."""
+    """The primal energy minus the dual energy [N m], an estimate of the energy of the error."""
     relative_gap: float
     """The energy gap relative to the strain energy."""
 
@@ -164,7 +165,7 @@ class Solution:
         refuse_outside(at, self._inner.length, beside)
         return at
 
-    # A text is one position, so the first signature applies, although a text is also a sequence of texts.
+    # A `str` is one position, so the first overload applies, although a `str` is also a sequence of strings.
     @overload
     def deflection(self, x: Position, side: str = "right") -> float: ...  # type: ignore[overload-overlap]
     @overload

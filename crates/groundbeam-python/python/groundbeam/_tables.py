@@ -60,7 +60,7 @@ def _key(key: str) -> str:
 
 def _value(value: Value) -> str:
     if hasattr(value, "tolist"):
-        # The value is an array or a number of numpy.
+        # The value is a NumPy array or a NumPy scalar.
         value = value.tolist()
     if isinstance(value, str):
         return _text(value)

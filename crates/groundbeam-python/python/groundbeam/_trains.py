@@ -64,7 +64,7 @@ class Passage:
             raise ValueError(f"the position of the first axle is {first_axle}: give a finite number")
         found = self._inner.nearest(self._number, first_axle)
         if found is None:
-            raise ValueError("no position of the train was solved")
+            raise ValueError("there is no solution for any position of the train")
         at, solution = found
         return at, Solution(solution)
 
@@ -74,7 +74,7 @@ class Passage:
 
 
 class Passages(Sequence[Passage]):
-    """The passages of all trains, for each combination in the order of the trains."""
+    """The passages of all trains, grouped by combination. Each group has the order of the trains."""
 
     _inner: _native.Answers
     _all: list[Passage]
@@ -108,7 +108,7 @@ class Passages(Sequence[Passage]):
         refuse_outside(at, self._inner.length)
         found = self._inner.moving_envelope(field, at.ravel(), limit_state)
         if found is None:
-            raise ValueError("no position of a train was solved: there is no envelope")
+            raise ValueError("there is no envelope, because there is no solution for any position of a train")
         low, high = (
             MovingBound(values.reshape(at.shape), axle.reshape(at.shape), passage)
             for values, axle, passage in found

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 __all__ = ["run"]
 
 SAMPLES_A_SHARD = 50_000
-"""Default number of samples per shard: some seconds of work, some megabytes of results."""
+"""Default number of samples per shard. A shard takes a few seconds and has a few megabytes of results."""
 
 
 def run(

@@ -20,7 +20,7 @@ type Given<'py> = (String, Option<String>, PyReadonlyArray2<'py, f64>);
 
 /// Solves `count` models, or one model with `count` sets of parameters.
 ///
-/// `parameters` have arrays with one row, or with one row for each model. The result is a dictionary of
+/// Each array of `parameters` has one row for all models, or one row for each model. The result is a dictionary of
 /// arrays with one row for each model.
 #[pyfunction]
 pub fn solve_many<'py>(

@@ -15,7 +15,7 @@ use std::sync::Arc;
 pub struct Parameter {
     name: String,
     target: Number,
-    /// Meaning of the numbers of a row along the beam.
+    /// How the values of a row vary along the beam: linearly between points, in steps, or as one curve.
     shape: Shape,
     /// Values of all rows, row by row.
     values: Vec<f64>,
@@ -44,7 +44,8 @@ impl Parameter {
             Some("Steps") => Shape::Even(Course::Steps),
             Some("ControlValues") => Shape::Curve,
             Some(other) => return wrong(format!("`{other}` is not a shape")),
-            // A row of one or two values has the same meaning as points and as control values.
+            // One or two values give the same constant or linear function, whether they are values at points or control
+            // values of a curve.
             None if width <= 2 => Shape::Even(Course::Lines),
             None => {
                 return wrong(format!(
@@ -57,7 +58,8 @@ impl Parameter {
         let most = property.map_or(1, most_control_values);
         if shape == Shape::Curve && width > most {
             return wrong(format!(
-                "a curve has at most {most} control values, but {width} are given; use groundbeam.Points for more values"
+                "a curve has at most {most} control values, but {width} are given: control values are the Bernstein \
+                 coefficients of one polynomial; use groundbeam.Points for values at points"
             ));
         }
         for read in models {
