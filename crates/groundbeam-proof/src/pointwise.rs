@@ -86,12 +86,12 @@ impl<S: Scalar> Pointwise<'_, S> {
 
     /// Bound of the error |u − u*| of the claimed settlement u, with the exact settlement u*.
     ///
-    /// On ground with a shear layer, the admissible settlement ū differs from u* by at most √(2E g). E bounds the error
-    /// energy, and g is the settlement at a point under a unit force at this point. The bound of |ū − u| is added. On
-    /// Winkler ground u* = max(w* − g₀, q/k), with the exact deflection w*, the initial gap g₀ and the load q on the
-    /// ground. So the bound is that of the deflection plus a supplement. On a piece in contact, the supplement is the
-    /// largest tensile pressure divided by k. Out of contact, it is the largest depth by which the beam penetrates the
-    /// ground.
+    /// On ground with a shear layer, the proof replaces u by a settlement ū that the beam does not penetrate, and |ū −
+    /// u*| is at most √(2E g). E bounds the error energy, and g is the settlement at a point under a unit force at this
+    /// point. The bound of |ū − u| is added. On Winkler ground u* = max(w* − g₀, q/k), with the exact deflection w*,
+    /// the initial gap g₀ and the load q on the ground. So the bound is that of the deflection plus a supplement. On a
+    /// piece in contact, the supplement is the largest tensile pressure divided by k. Out of contact, it is the largest
+    /// depth by which the beam penetrates the ground.
     fn settlement(&self, i: usize, deflection: Size) -> Size {
         let fields = self.fields;
         let (span, raised) = (&fields.frame.spans[i], fields.clearance.raised[i]);
@@ -182,9 +182,9 @@ impl<S: Scalar> Pointwise<'_, S> {
 
     /// Sets the error bounds of deflection and rotation on a part of the beam between hinges.
     ///
-    /// w is the claimed deflection, c the correction that makes w + c admissible, and e the error of w + c. So the
-    /// error of w is at most sup|e| + max|c|. ε_M bounds the error of the moment, and ε_κ = ε_M/EI that of the
-    /// curvature. With s and s_γ of [`Self::flexure`] and lengths h up to the length of the part, the error of the
+    /// w is the claimed deflection, c the correction that makes w + c kinematically admissible, and e the error of w +
+    /// c. So the error of w is at most sup|e| + max|c|. ε_M bounds the error of the moment, and ε_κ = ε_M/EI that of
+    /// the curvature. With s and s_γ of [`Self::flexure`] and lengths h up to the length of the part, the error of the
     /// rotation is at most
     ///
     /// ```text

@@ -23,8 +23,8 @@ pub struct Proof {
     /// Upper bound E \[N·m\] of the error energy. It bounds the sum of two energies: that of the errors of deflection
     /// and settlement, and that of the errors of moment and pressure.
     pub energy: f64,
-    /// Estimate of the strain energy of beam, ground and springs \[N·m\]. It shows whether the bound of the error
-    /// energy is small.
+    /// Estimate of the strain energy of beam, ground and springs \[N·m\]. The bound of the error energy is compared
+    /// with it.
     pub strain_energy: f64,
     /// Error bounds of the fields. Each bound holds at every point of the beam. A finite bound of w proves that a
     /// solution exists.

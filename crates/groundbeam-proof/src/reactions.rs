@@ -1,9 +1,9 @@
 //! Bounds of the error of the reactions of supports.
 //!
 //! E bounds the error energy, and K² is the energy of a test function z, as in `test_functions.rs`. w is the claimed
-//! and w* the exact deflection, and c is the correction that makes w + c admissible. The proof balances residual
-//! forces: it changes the force of a rigid support by λW and the moment of a clamp by λ′W_θ, with weights W and W_θ and
-//! a function λ.
+//! and w* the exact deflection, and c is the correction that makes w + c kinematically admissible. The proof balances
+//! residual forces: it changes the force of a rigid support by λW and the moment of a clamp by λ′W_θ, with weights W
+//! and W_θ and a function λ.
 //!
 //! * The force of a spring with the stiffness κ has an error of at most κ|w − w*|, and also of at most √(2Eκ) + κ|c|.
 //! * The force of a rigid support has an error of at most √(2E) K + W|λ|, with z = 1 at the support and z = 0 at all
@@ -40,9 +40,9 @@ impl<S: Scalar> Pointwise<'_, S> {
     /// κ_θ.
     ///
     /// ε_w bounds the error of the claimed deflection w, E bounds the error energy, and c is the correction that makes
-    /// w + c admissible. δ is the settlement of the support. The bound of the force is min(κε_w, √(2Eκ) + κ|c|) plus
-    /// the difference between the claimed reaction and κ(w − δ). The bound of the moment is analogous, with κ_θ and the
-    /// rotation.
+    /// w + c kinematically admissible. δ is the settlement of the support. The bound of the force is min(κε_w, √(2Eκ) +
+    /// κ|c|) plus the difference between the claimed reaction and κ(w − δ). The bound of the moment is analogous, with
+    /// κ_θ and the rotation.
     fn of_springs(
         &self,
         held: &Held<S>,

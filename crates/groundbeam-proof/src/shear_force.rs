@@ -271,9 +271,9 @@ impl<S: Scalar> Pointwise<'_, S> {
         Size::of(span.spring.high()) * settled + Size::of(span.shear.high()) * bent
     }
 
-    /// Upper bound of the pressure that an open piece of a shear layer would have in contact, within a distance of one
-    /// end of the piece. From the end, u − q/k (settlement minus free-field settlement) changes by at most the distance
-    /// times its largest slope. The largest slope occurs at an end of the piece.
+    /// Upper bound of the pressure that a piece out of contact, on a shear layer, would have in contact. The bound
+    /// holds within a distance of one end of the piece. From the end, u − q/k (settlement minus free-field settlement)
+    /// changes by at most the distance times its largest slope. The largest slope occurs at an end of the piece.
     fn open_pressure_beside(&self, i: usize, side: usize, distance: Size) -> Size {
         let (span, surface) = (&self.fields.frame.spans[i], &self.fields.surface.pieces[i]);
         if let Some(along) = &surface.along {

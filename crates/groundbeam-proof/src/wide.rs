@@ -82,7 +82,7 @@ impl Wide {
         self.r
     }
 
-    /// The midpoint, as two doubles whose exact sum is the midpoint. The first double is the larger one.
+    /// The midpoint, as two doubles whose exact sum is the midpoint. The second double is the small remainder.
     pub fn midpoint(self) -> [f64; 2] {
         [self.h, self.l]
     }
@@ -145,8 +145,8 @@ impl Scalar for Wide {
         if !(least > 0.0) {
             return Wide::ALL;
         }
-        // For a dividend a and a divisor b, the quotient q has the error (a − qb)/b. So a bound of the residual a − qb,
-        // divided by the smallest |b|, bounds the error.
+        // For a dividend a and a divisor b, the quotient q has the error (a − qb)/b. So the error is at most a bound of
+        // the residual a − qb, divided by a lower bound of |b|.
         let first = self.h / other.h;
         let rest = self.centre() - Wide::of(first) * other.centre();
         let (h, l) = fast_two_sum(first, rest.h / other.h);

@@ -1,5 +1,4 @@
-//! Checks a model as a whole: distinct positions of supports and hinges, ground under all ground loads, and ranges of
-//! numbers.
+//! Checks a model as a whole: distinct positions of supports and hinges, ground under all ground loads, ranges of numbers.
 
 use super::course::{is_constant, values};
 use super::error::{Read, out_of_range, wrong};
@@ -35,12 +34,12 @@ fn sorted<S: Scalar>(places: impl Iterator<Item = S>) -> Vec<S> {
     places
 }
 
-/// Whether two positions cannot be told apart within their rounding errors.
+/// Whether two positions are equal within their rounding errors.
 fn is_same<S: Scalar>(a: S, b: S) -> bool {
     !is_left(a, b) && !is_left(b, a)
 }
 
-/// Whether any two neighbouring positions of a sorted list cannot be told apart within their rounding errors.
+/// Whether any two neighbouring positions of a sorted list are equal within their rounding errors.
 fn meet<S: Scalar>(places: &[S]) -> bool {
     places.windows(2).any(|pair| is_same(pair[0], pair[1]))
 }

@@ -107,8 +107,9 @@ fn the_pressure_over_loaded_open_ground_is_bounded_near_an_end() {
 /// on the other half. ε_p is the error bound of p, and η the largest tensile pressure. γ is the relative change of p
 /// that balances the residual forces. On the half in contact, the bound of the pressure error is ε_p + γp + (1 + γ)η.
 /// On the open half, the bound is zero with a shear layer, and ε_p on Winkler ground. The exact edge of contact may lie
-/// by θ in the open half or by θ′ in the half in contact. This adds the force error θ(p_o + ε_p) to the open half, with
-/// the bound p_o of `open_pressure_beside`, and θ′(1 + γ)p to the half in contact.
+/// in the open half, up to the distance θ from the claimed edge, or in the half in contact, up to the distance θ′. This
+/// adds the force error θ(p_o + ε_p) to the open half, with the bound p_o of `open_pressure_beside`, and θ′(1 + γ)p to
+/// the half in contact.
 #[test]
 fn the_errors_of_the_loads_are_those_of_the_pressure_and_of_the_edges() {
     for (mirrored, layer) in [(false, "mu = 1\n"), (true, "mu = 1\n"), (false, "")] {
