@@ -32,7 +32,7 @@ pub(crate) enum Judgement {
 }
 
 impl Judgement {
-    /// Name of the judgement in results.
+    /// Name of this judgement of a design check in results, such as `passes`.
     pub fn name(self) -> &'static str {
         match self {
             Judgement::Passes(true) => "passes",
@@ -258,8 +258,8 @@ fn governing(
     worst.map(|(i, judged)| Governing::Judged(i, judged))
 }
 
-/// Returns the check with the largest utilization. Its error bound is replaced by an error bound of the
-/// largest exact value over all results.
+/// Returns the check with the largest computed utilization. Its error bound is replaced by a bound of the
+/// distance between its computed value and the largest exact value of all checks in `found`.
 fn worst(found: &[(usize, Judged)]) -> Option<(usize, Judged)> {
     // If several checks have the same utilization, the first of them is returned.
     let most = |a: &&(usize, Judged), b: &&(usize, Judged)| {
@@ -280,7 +280,8 @@ impl Judged {
         let Some(error) = self.error.filter(|error| error.is_finite()) else {
             return Judgement::Passes(self.check.passes());
         };
-        // The limit has one rounding error, unless it is zero.
+        // The limit has the rounding error of one operation, so the exact limit lies between the two
+        // neighbouring doubles. A limit of zero is exact.
         let [least, most] =
             if limit == 0.0 { [0.0; 2] } else { [limit.next_down(), limit.next_up()] };
         let [low, high] = match error {

@@ -121,8 +121,8 @@ pub(crate) fn largest_end_force<'s, 'a>(
     Some((row, most, Around::extreme(all, true)?.error()))
 }
 
-/// Three error bounds: of an extreme for the best estimates of k and μ, and of the smallest and the largest value of
-/// this extreme over all computed pairs of k and μ.
+/// Returns three error bounds: of an extreme with the best estimates of k and μ, of the smallest value of this
+/// extreme among all computed pairs (k, μ), and of its largest value among these pairs.
 pub(crate) fn bounds_of_band(
     solved: &[Numbered],
     field: Field,

@@ -141,9 +141,10 @@ pub fn trains(passages: &Passages, sections: &[f64], units: Units) -> String {
     enveloped(names, passages.limit_states(), of_state, sections, units)
 }
 
-/// Returns the CSV table of an envelope, first over all results, then over the results of each limit state.
-/// `of_state` takes a limit state, or `None` for all results. It returns a function from a position to the
-/// cells of the row. This function returns `None` if no result is solved, and the row is omitted.
+/// Returns the CSV table of an envelope: first the rows over all results, then the rows over the results of
+/// each limit state. `of_state` takes a limit state, or `None` for all results, and returns a function. This
+/// inner function returns the cells of the row at a position of the beam. If no result has a solution, it
+/// returns `None`, and the row is omitted.
 fn enveloped<R: FnMut(f64) -> Option<Vec<String>>>(
     names: impl Iterator<Item = String>,
     states: LimitStates,

@@ -93,12 +93,12 @@ fn end(passage: &Passage, field: Field, located: Located, number: Option<usize>)
     End { value, x, first_axle: Some(first_axle), number }
 }
 
-/// Sets values of passages that are only rounding error to zero. The typical magnitudes of the fields are
-/// computed once for each train position.
+/// Replaces values that are only rounding error by zero, in the results of train passages. The typical
+/// magnitudes of the fields are computed once for each train position.
 pub(crate) struct Rounding<'a> {
     passages: Passages<'a>,
-    /// Typical magnitudes of the fields; `None` if no train position is solved. The key contains the index of the
-    /// passage, and the position of the first axle as the bits of its number.
+    /// Typical magnitudes of the fields at each train position; `None` if its passage has no solved position.
+    /// The key is the index of the passage, and the position of the first axle as the bits of the double.
     sizes: BTreeMap<(usize, u64), Option<Sizes>>,
 }
 

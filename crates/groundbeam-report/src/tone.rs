@@ -11,7 +11,7 @@ pub(crate) enum Tone {
 }
 
 impl Tone {
-    /// Name of the tone in calculation reports.
+    /// Name of the mark that calculation reports give to a text: plain, good, doubtful or bad.
     pub fn name(self) -> &'static str {
         match self {
             Tone::Plain | Tone::Heading => "plain",

@@ -152,7 +152,10 @@ impl Say<'_> {
             );
         }
         let end = if motion.left < 0.0 { "right" } else { "left" };
-        format!("{} acts exactly over the {end} end: {undetermined}, {shown}", self.resultant())
+        format!(
+            "{} acts exactly at the {end} end of the beam: {undetermined}, {shown}",
+            self.resultant()
+        )
     }
 
     fn none(&self, motion: RigidMotion) -> String {
@@ -177,8 +180,8 @@ impl Say<'_> {
                  about its {pivot} end"
             ),
             Some(pivot) if motion.work == 0.0 => format!(
-                "{} acts exactly over the {pivot} end, where Winkler ground (mu = 0) cannot carry \
-                 a point force: the beam sinks and rotates without limit",
+                "{} acts exactly at the {pivot} end of the beam, where Winkler ground (mu = 0) \
+                 cannot carry a point force: the beam sinks and rotates without limit",
                 self.resultant()
             ),
             Some(pivot) => format!(
@@ -251,13 +254,13 @@ mod tests {
             ),
             (
                 beam().with_load(Load::point_force(3.0, -1.0)),
-                "1 upward at x = 3, lifts the beam off",
+                "the resultant, 1 upward at x = 3, lifts the beam off the ground",
             ),
             (beam().with_load(Load::point_moment(3.0, 1.0)), "a moment but no resultant"),
-            (beam().with_load(Load::point_force(4.0, 1.0)), "acts exactly over the right end"),
+            (beam().with_load(Load::point_force(4.0, 1.0)), "acts exactly at the right end"),
             (
                 springs.with_load(Load::point_force(0.0, 1.0)),
-                "over the left end, where Winkler ground",
+                "at the left end of the beam, where Winkler ground",
             ),
             (beam(), "the loads have no resultant"),
             (outside().with_support(Support::pinned(4.0)), "the support at its right end: the"),

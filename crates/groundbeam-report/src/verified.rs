@@ -23,7 +23,7 @@ pub struct Verified {
 pub struct LeftOut {
     /// Number of combinations of the file.
     pub all: usize,
-    /// Names of the missing combinations.
+    /// Names of the combinations of the model file that the document does not contain.
     pub names: Vec<String>,
 }
 
@@ -32,13 +32,13 @@ pub struct LeftOut {
 pub struct Named {
     /// Name of the combination; `None` for the model as written in the file.
     pub combination: Option<String>,
-    /// Origin of the model that the proof uses.
+    /// Source of the model that the proof uses.
     pub model: ModelOf,
     /// The proof, or the reason why nothing is proven.
     pub found: Result<Verification, NotProven>,
 }
 
-/// Origin of the model of a proof.
+/// Source of the model that a proof uses: the model file or the result document.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ModelOf {
     /// The proof uses the model of the model file.
@@ -94,12 +94,13 @@ impl Verified {
         self.other_model.is_none() && self.results.iter().all(Named::is_proven)
     }
 
-    /// Whether the model of the proof comes from the document.
+    /// Whether at least one proof uses the model in the result document instead of the model file.
     pub fn is_of_document(&self) -> bool {
         self.results.iter().any(|named| named.model == ModelOf::Document)
     }
 
-    /// Whether the document has unproven keys with numbers, or lacks a combination of the file.
+    /// Whether the document contains numbers that the proof does not cover, or lacks a combination of the model
+    /// file.
     pub fn leaves_out(&self) -> bool {
         if self.left_out.is_some() {
             return true;

@@ -51,8 +51,8 @@ fn unit_name(units: Units, kind: Kind, largest: f64) -> (crate::quantity::Unit, 
     (unit, unit.name)
 }
 
-/// Formats a profile as its constant value or as its values at both ends. A profile with more than two
-/// control values is marked as curved.
+/// Formats a profile as its constant value or as its values at both ends. A profile of a higher degree than
+/// linear is marked as curved.
 fn profile(units: Units, kind: Kind, profile: &Profile) -> String {
     let unit = units.unit(kind, profile.largest());
     if profile.is_constant() {

@@ -97,7 +97,7 @@ fn ways(all: &[Passage], context: &Context) -> Section {
 
 /// Returns the section with the extremes over all passages and the extremes for each limit state.
 fn envelope(passages: &Passages, units: Units) -> Section {
-    let caption = "Envelope of all positions, with the position of the first axle";
+    let caption = "Envelope over all train positions; each value with the position of the first axle that causes it";
     let mut blocks = vec![Block::Table(extremes(caption, passages, units))];
     for state in passages.limit_states().iter() {
         if passages.all.iter().all(|passage| passage.limit_states().contains(state)) {

@@ -83,7 +83,8 @@ pub(super) fn provenance(context: &Context, source: &Source) -> [Section; 2] {
             "The result depends only on the input below. Saved as a file, the input has the digest above."
         }
         _ => {
-            "The result depends only on the model file and the tables below. Saved as files, they have the digests above."
+            "The result depends only on the model file and its tables, which are printed below. Each of these texts, \
+             saved as a file, has the digest given above."
         }
     };
     let words = format!(

@@ -1,4 +1,4 @@
-//! Writes the error bounds of the envelope, extremes, ground stiffness range and checks of several combinations.
+//! For several combinations, writes error bounds of the envelope, the extremes, their ranges over k and μ, and the checks.
 
 use super::ByName;
 use crate::checked::rows_of;

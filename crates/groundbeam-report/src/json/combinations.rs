@@ -1,4 +1,4 @@
-//! Writes the document of a file with combinations: the result of each combination, and the envelope.
+//! Writes the result document of a model file with combinations: the result of each combination, and the envelope.
 
 use super::bounds::Together;
 use super::enveloped::Enveloped;

@@ -79,8 +79,8 @@ impl Claimed {
     }
 }
 
-/// Returns the fields just left of the positions where they differ from the fields just right of the
-/// position.
+/// Returns the positions at which a field jumps, and the values of all fields just to the left of each of these
+/// positions.
 fn left_of_jumps(solution: &Solution, positions: &[f64]) -> Along<Vec<f64>> {
     let both = positions.iter().map(|&x| (x, [Side::Left, Side::Right].map(|s| solution.at(x, s))));
     let inside = |x: f64| x > 0.0 && x < solution.model().beam.length;
@@ -127,7 +127,7 @@ pub(super) struct Proof {
     unique: bool,
 }
 
-/// Error bound of one field, or error bounds of several numbers.
+/// Error bound of a field, or error bounds of the single numbers of another quantity.
 #[derive(Serialize)]
 #[serde(untagged)]
 enum Errors {

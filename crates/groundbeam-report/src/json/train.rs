@@ -159,7 +159,8 @@ struct Train<'a> {
     case: Option<&'a str>,
     factor: f64,
     dynamic: f64,
-    /// Placement of the loads of infinite length.
+    /// Where the loads of infinite length act: everywhere, only ahead of the train, only behind it, on one half
+    /// of the beam, or nowhere.
     spread: &'static str,
     axles: &'a [Axle],
     /// Uniform loads of the train. An end at infinity is written as `null`.
@@ -233,7 +234,8 @@ fn envelope_of_all(passages: &Passages, x: Vec<f64>) -> Along<Lines<f64>> {
     envelope(x, passages.fields(), |x| passages.at(x), true)
 }
 
-/// Returns the envelope at the positions `x`. The governing data are positions of the first axle.
+/// Returns the envelope at the positions `x`: the smallest and the largest value of each field, each with the
+/// position of the first axle that causes it.
 fn envelope(
     x: Vec<f64>,
     fields: impl Iterator<Item = Field>,

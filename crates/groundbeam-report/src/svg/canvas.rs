@@ -28,7 +28,7 @@ impl Style {
     }
 }
 
-/// Writes the rim and the colour of the letters as SVG attributes.
+/// Writes the outline and the fill colour of the letters as SVG attributes.
 impl Display for Style {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         if self.rim {

@@ -182,7 +182,8 @@ impl Diagram<'_> {
         labels.avoid_line(&closed);
     }
 
-    /// Draws the area between the two lines of an envelope, and the thin lines of its solutions.
+    /// Fills the area between the two curves of an envelope, and draws the curve of each single solution as a
+    /// thin line.
     fn band(&self, canvas: &mut Canvas, frame: &Frame, scale: &Scale, labels: &mut Labels) {
         let [upper, lower] =
             [&self.values, &self.lower].map(|line| simplified(&on_page(line, frame, scale)));

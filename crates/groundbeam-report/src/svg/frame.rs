@@ -19,9 +19,9 @@ pub(super) const ROOM: f64 = 1.15;
 /// lie outside the beam.
 const STEPS: [f64; 2] = [0.3, 0.6];
 
-/// Largest and smallest drawn depth of a beam with varying depth, relative to the drawn depth of a uniform
-/// beam.
+/// Largest drawn depth of a beam with varying depth, relative to the drawn depth of a uniform beam.
 const DEEPEST: f64 = 1.5;
+/// Smallest drawn depth of a beam with varying depth, relative to the drawn depth of a uniform beam.
 const SLIMMEST: f64 = 0.3;
 /// Number of steps between the ends of a stretch on which the beam's depth varies.
 const STEPS_OF_DEPTH: u32 = 16;

@@ -30,8 +30,8 @@ pub(super) fn margins(model: &Model, frame: &Frame) -> [f64; 2] {
     })
 }
 
-/// Draws the ground below a surface, with the ends of the ground. Outside the beam, ground that is stiffer
-/// than under the beam's end is darker, and softer ground is paler.
+/// Draws the ground below its surface, and the lines at which the ground ends. Outside the beam, the ground is
+/// drawn darker where it is stiffer than under the adjacent end of the beam, and paler where it is softer.
 ///
 /// `line` is the ground's surface on the page, from left to right.
 pub(super) fn draw(
@@ -157,8 +157,8 @@ pub(super) fn height(line: &[[f64; 2]], x: f64) -> f64 {
 
 /// The label of a load.
 struct Word {
-    /// Position of the label on the page. If the load is outside the picture, it is the position of the load
-    /// in the model.
+    /// Point on the page beside which the label is placed. If the load lies outside the drawn ground, `is_here`
+    /// is false, and the first number is the position of the load in the model instead.
     at: [f64; 2],
     words: String,
     is_here: bool,

@@ -120,7 +120,7 @@ impl<'m> Labels<'m> {
         Labels { metrics, page, solid, lines, left_out: 0 }
     }
 
-    /// Forbids labels to overlap this rectangle.
+    /// Prevents labels from overlapping this rectangle.
     pub fn avoid(&mut self, solid: Rect) {
         self.solid.add(solid.left, solid.right, solid);
     }

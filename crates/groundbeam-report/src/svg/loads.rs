@@ -133,7 +133,7 @@ impl Loads<'_> {
         }
     }
 
-    /// Draws an imposed curvature as the deflected shape of a straight line between two pins.
+    /// Draws an imposed curvature as the curve that a straight beam between two pins would take.
     fn bent_line(&self, canvas: &mut Canvas, [from, to]: [f64; 2], ends: [f64; 2], base: f64) {
         let [a, b] = [ends[0], ends[1] - ends[0]];
         let bend = |t: f64| 0.5 * a * t * (t - 1.0) + b / 6.0 * t * (t * t - 1.0);

@@ -114,7 +114,7 @@ fn tipping(canvas: &mut Canvas, model: &Model, motion: RigidMotion, frame: &Fram
     canvas.polyline(&line, false, Fill::NONE.and(dashes));
 }
 
-/// Draws the dimension line with the length of the beam below the ground.
+/// Draws a dimension line with the length of the beam. The dimension line is below the ground.
 fn dimension(canvas: &mut Canvas, [left, right]: [f64; 2], y: f64, length: &str) {
     let [thin, thick] = [0.8, 1.6].map(|width| Stroke::new(Colour::FaintInk, width));
     canvas.line([left - 6.0, y], [right + 6.0, y], thin);

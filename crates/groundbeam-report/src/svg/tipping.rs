@@ -148,7 +148,8 @@ mod tests {
         let left = at(at(beam(), 0.0), 4.0).with_load(Load::point_moment(2.0, -9.0));
         let view = drawn(&left);
         assert!((heights(&view)[0] - heights(&view)[1] - RISE).abs() < 1e-9);
-        // The moment acts halfway between the two forces, so its handle is halfway between their handles.
+        // The moment acts halfway between the two forces. So the drag handle of the moment in the picture is
+        // halfway between the drag handles of the forces.
         let middle = heights(&view)[2];
         assert!((2.0 * middle - heights(&view)[0] - heights(&view)[1]).abs() < 1e-9);
         let right = at(at(beam(), 0.0), 4.0).with_load(Load::point_moment(2.0, 9.0));

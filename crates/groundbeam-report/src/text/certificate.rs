@@ -4,14 +4,15 @@ use super::sheet::Sheet;
 use crate::number::order;
 use groundbeam::{Certificate, Verdict};
 
-/// Adds the rows with the energy gap, and with its range of validity for a local equilibrium.
+/// Adds a row with the energy gap of the certificate, an estimate of the error in energy. For a local
+/// equilibrium, adds a row which says that the energy gap does not cover other equilibria.
 pub(crate) fn rows(sheet: &mut Sheet, certificate: &Certificate, verdict: Verdict) {
     let words = "recomputed from model and result by independent code";
     sheet.row("Certificate", words);
     let gap = order(certificate.relative_gap());
     sheet.item("energy gap", &format!("{gap} of the strain energy, an estimate of the error"));
     if let Verdict::Local(_) = verdict {
-        let words = "the gap applies to this equilibrium; other equilibria far from it may exist";
+        let words = "the energy gap measures the error of this equilibrium only; other equilibria far from it may exist";
         sheet.item("reach", words);
     }
 }

@@ -105,7 +105,7 @@ fn band(sheet: &mut Sheet, answers: &Answers, units: Units) {
         sheet.line(&format!("{name:<31}{best:>14}    {range}"));
     }
     sheet
-        .row("", "the ranges include only the solved k and mu; nothing is proven for other values");
+        .row("", "the ranges cover only the values of k and mu that were solved; nothing is proven for other values");
     sheet.blank();
 }
 
@@ -127,10 +127,10 @@ pub(crate) fn bounded_band(
         let best = with_bound(best, of_best, unit);
         let [low, high] = [(low, of_low), (high, of_high)].map(|(x, e)| with_bound(x, e, unit));
         let name = extreme_of(field, largest);
-        sheet.row("", &format!("{name}: {best} with the best estimates of k and mu, {low} to {high} over all solved values"));
+        sheet.row("", &format!("{name}: {best} with the best estimates of k and mu; {low} to {high} over all solved pairs of k and mu"));
     }
     sheet
-        .row("", "the ranges include only the solved k and mu; nothing is proven for other values");
+        .row("", "the ranges cover only the values of k and mu that were solved; nothing is proven for other values");
     sheet.blank();
 }
 
@@ -331,7 +331,7 @@ pub(crate) fn bounded_envelope(
     end_forces(sheet, solved, units);
 }
 
-/// Adds the largest forces under the two ends of the beam.
+/// Adds rows with the largest force under each end of the beam over all combinations.
 fn end_forces(sheet: &mut Sheet, solved: &[Numbered], units: Units) {
     for (end, name) in ["left end", "right end"].into_iter().enumerate() {
         let Some((row, force, error)) = largest_end_force(solved, end) else { continue };

@@ -19,8 +19,8 @@ pub(crate) fn rows(sheet: &mut Sheet, context: &Context) {
     sheet.row("", &mark(loss(factors.found.loss_of_equilibrium, &loads, context.units)));
 }
 
-/// Phrases for the loads that a load factor multiplies: `times` is, for example, `all loads`, and `are` is `the
-/// loads are`.
+/// Phrases that name the loads multiplied by a load factor: `times` without a verb (`all loads`), and `are`
+/// with a verb (`the loads are`).
 struct Grows {
     times: String,
     are: String,

@@ -1,4 +1,4 @@
-//! Writes the source of the ground constants, and their values per area, as text.
+//! Writes as text how the ground constants k and μ were obtained, and their values per unit area.
 
 use super::range;
 use super::sheet::{Sheet, Tone};

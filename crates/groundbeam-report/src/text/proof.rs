@@ -96,8 +96,10 @@ pub(crate) fn proven(sheet: &mut Sheet, named: &Named, units: Units) {
     match &proof.contact {
         Ok(set) => {
             let words = match set.regions.len() {
-                1 => "exactly one contact region or point, as printed".to_owned(),
-                n => format!("exactly {n} contact regions and points, as printed"),
+                1 => {
+                    "exactly one contact region or point, the one that the results list".to_owned()
+                }
+                n => format!("exactly {n} contact regions and points, those that the results list"),
             };
             sheet.row("Contact", &words);
         }
@@ -232,8 +234,12 @@ fn checked(sheet: &mut Sheet, found: &Verification) {
     sheet.row("Checked", &parts.join(" "));
     if checked.at_edges > 0 {
         let what = count(checked.at_edges, "pressure", "pressures");
-        let words = "at contact edges, compared with zero and with the values beside the edge";
-        sheet.row("", &format!("{what} {words}"));
+        sheet.row(
+            "",
+            &format!(
+                "{what} at contact edges, each compared with zero and the pressures beside the edge"
+            ),
+        );
     }
     if checked.bounds > 0 {
         let what = count(checked.bounds, "bound", "bounds");

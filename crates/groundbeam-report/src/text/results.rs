@@ -94,7 +94,7 @@ pub(crate) fn forces(sheet: &mut Sheet, solution: &Solution, numbers: &Numbers) 
     let inside: Vec<_> = inside.filter(|(_, force)| sizes.force(force.force) != 0.0).collect();
     listed(sheet, "Forces", &inside, |(i, force)| {
         let size = numbers.inner_force(*i, force.force);
-        format!("{size} at x = {}, from the ground", units.position(force.at))
+        format!("{size} at x = {}, exerted by the ground", units.position(force.at))
     });
     let supports = solution.model().supports.iter();
     let reactions: Vec<_> = solution.reactions().iter().zip(supports).enumerate().collect();

@@ -13,7 +13,7 @@ pub(super) const COLUMN: usize = 13;
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Entry {
     Blank,
-    /// A paragraph that begins at the left edge.
+    /// A heading, which begins at the left edge of the page.
     Heading(String),
     /// A line of a table, which is printed without line breaks.
     Line(String),
@@ -83,7 +83,7 @@ impl Sheet {
         self.toned_row(label, words, Tone::Plain);
     }
 
-    /// Adds a row in which the text before the first colon has a tone.
+    /// Adds a row. The text before the first colon is printed in the colour of `tone`.
     pub fn toned_row(&mut self, label: &str, words: &str, tone: Tone) {
         let [label, words] = [label, words].map(|text| printable(text).into_owned());
         self.entries.push(Entry::Row { label, words, tone });

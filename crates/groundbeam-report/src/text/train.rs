@@ -34,7 +34,7 @@ pub(crate) fn train(sheet: &mut Sheet, passage: &Passage, context: &Context) {
     }
 }
 
-/// Adds a row on the placements of unbounded loads, if a train has such loads.
+/// Adds a row which says how the loads of unlimited length were placed, if a train has such loads.
 pub(crate) fn places(sheet: &mut Sheet, all: &[Passage]) {
     if all.iter().any(|passage| passage.moving().spread != Spread::Everywhere) {
         let words = "unbounded loads were placed as listed, and the worst result counts; other placements \
@@ -43,7 +43,7 @@ pub(crate) fn places(sheet: &mut Sheet, all: &[Passage]) {
     }
 }
 
-/// Adds a row for each check, at the position of the train with the largest utilization.
+/// Adds a row for each design check, with its largest utilization over all train positions.
 pub(crate) fn limits(sheet: &mut Sheet, all: &[Passage], context: &Context) {
     checks::all_rows(sheet, &positions_of(all, context), context);
 }
@@ -107,13 +107,13 @@ pub(crate) fn positions(sheet: &mut Sheet, passage: &Passage) {
         passage.fields().partition(|&field| reach.of(field) <= reach.asked);
     let reached = met.into_iter().map(|field| reach.of(field)).fold(0.0, f64::max);
     let mut words = format!(
-        "{count} solved; error of the envelope {} of each field's largest value, {} requested",
+        "{count} solved; error of the envelope relative to each field's largest value: {} (requested: {})",
         order(reached),
         order(reach.asked)
     );
     for field in missed {
         let name = field.label().to_lowercase();
-        words += &format!("; of the {name} {}", order(reach.of(field)));
+        words += &format!("; for the {name}: {}", order(reach.of(field)));
     }
     sheet.row("Positions", &words);
 }

@@ -7,7 +7,7 @@ use groundbeam::Verdict;
 pub(crate) struct Wording {
     /// Name of the verdict in documents.
     pub name: &'static str,
-    /// Words for the verdict before the sentence with its reason.
+    /// The verdict in a few words, such as `exactly one`. A sentence with the reason follows these words.
     pub words: &'static str,
     /// Words for the verdict in a cell of a narrow table.
     pub short: &'static str,
