@@ -79,8 +79,8 @@ pub enum Found {
 /// Combined status of several answers. The variants are ordered from the best to the worst.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Overall {
-    /// All answers are solved, or all models are known to have an equilibrium. [`Found::Unsolved`] is not
-    /// counted.
+    /// All models are solved, or an existence check shows that all have an equilibrium. Models that the method
+    /// cannot solve ([`Found::Unsolved`]) are disregarded.
     Solved,
     /// All models have an equilibrium, but at least one answer was not certified.
     NotConverged,

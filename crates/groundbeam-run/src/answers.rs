@@ -33,7 +33,8 @@ pub struct Answers {
     pub list: Vec<Answer>,
     /// Results for each load case alone, which may have no equilibrium.
     pub alone: Vec<Alone>,
-    /// The ground of the first combination before the solve; `None` if its constants are given per length of beam.
+    /// Ground constants of the first combination before the solve, which may adapt them; `None` if the ground
+    /// is not uniform or the bearing width is unknown.
     pub ground: Option<Ground>,
     pub(crate) swept: Vec<Swept>,
 }
@@ -60,7 +61,7 @@ impl Answers {
         self.list.iter().filter_map(|answer| Some((answer, answer.solution()?)))
     }
 
-    /// The envelope of the solved answers, numbered in the order of [`Answers::solved`].
+    /// The envelope of the solved answers. It names the governing answer by its index in [`Answers::solved`].
     pub fn envelope(&self) -> Envelope<'_> {
         Envelope::of(self.solved().map(|(_, solution)| solution))
     }
@@ -98,7 +99,7 @@ pub struct Passages<'a> {
     /// Passages in the order of the combinations. The passages under one combination are in the order of the
     /// trains.
     pub all: Vec<Passage<'a>>,
-    /// Limit state that selects the passages for ranges and envelopes; `None` selects all.
+    /// Limit state of the passages that ranges and envelopes include; `None` includes all passages.
     pub state: Option<LimitState>,
 }
 

@@ -82,8 +82,9 @@ pub struct Errors {
     pub moment: f64,
     /// Error of the settlement of the ground under the beam.
     pub settlement: f64,
-    /// Larger of the errors of the two end forces, relative to the resultant of the loads. The pressure is not
-    /// compared because it jumps at contact edges.
+    /// Larger of the errors of the two concentrated forces of the ground at the ends of the beam, relative to
+    /// the resultant of the loads. There is no error of the pressure, because the pressure jumps at contact
+    /// edges.
     pub end_forces: f64,
 }
 

@@ -12,7 +12,7 @@ use groundbeam_file::{Combination, Document};
 pub struct Growing {
     /// Names of the load cases that a load factor multiplies; empty if it multiplies all loads.
     pub cases: Vec<String>,
-    /// Whether a load factor multiplies each load, in the order of the combination's loads.
+    /// For each load of the combination, in order: whether the load factor multiplies this load.
     grows: Vec<bool>,
 }
 

@@ -58,7 +58,8 @@ pub enum Failed<Stop> {
 }
 
 impl Failed<Infallible> {
-    /// The error of the refused model. A host whose `Stop` is [`Infallible`] never stops the work.
+    /// Returns the error of the refused model. No other failure is possible, because a host whose `Stop` is
+    /// [`Infallible`] never stops the work.
     pub fn refusal(self) -> Error {
         match self {
             Failed::Refused(error) => error,

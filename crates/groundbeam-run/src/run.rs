@@ -23,8 +23,8 @@ pub struct Run {
     options: Options,
     growing: Option<Growing>,
     error: f64,
-    /// Whether unbounded loads of a train are tried in several placements, and combinations are also solved without
-    /// a train.
+    /// Whether train loads of unlimited length are tried in several placements. If so, each named combination
+    /// is also solved without a train.
     placed_loads: bool,
 }
 
@@ -206,9 +206,12 @@ impl Run {
         Answers { asked: self.asked, list, alone, ground, swept }
     }
 
-    /// Returns the passages to solve, each as a combination and a train. If `placed_loads` is true, the loads of a
-    /// train are multiplied by the combination's factor for their load case, each placement of unbounded loads gives
-    /// a separate passage, and each named combination also has a passage without a train.
+    /// Returns the passages to solve, each as a combination and a train. If `placed_loads` is true, three rules
+    /// apply:
+    ///
+    /// * The combination's factor for the load case of a train multiplies the loads of the train.
+    /// * Each placement of the train loads of unlimited length is a separate passage.
+    /// * Each named combination also has a passage without a train.
     fn ways(&self) -> Vec<(Arc<Combination>, Arc<MovingTrain>)> {
         let mut ways = Vec::new();
         for combination in &self.combinations {

@@ -1,11 +1,11 @@
-//! Solves the model of one label, and returns the answer.
+//! Solves one model, such as a combination with a train at one position, and returns the answer with its label.
 
 use crate::answer::{Answer, Found, Ground, Label};
 use crate::host::Host;
 use groundbeam::{Error, Options, Solution, solve_near};
 
-/// Solves the model of a label. `width` is the bearing width of the beam. The iteration starts from the
-/// solution `near` if it is given.
+/// Solves the model that `label` describes: a combination, and a train at one position if there is a train.
+/// `width` is the bearing width of the beam. The iteration starts from the solution `near` if it is given.
 pub(crate) fn answered(
     label: Label,
     width: Option<f64>,

@@ -1,4 +1,4 @@
-//! Converts a standard normal number to a number of another distribution with the same cumulative probability.
+//! Transforms a standard normal variate to a variate of another distribution with the same cumulative probability.
 
 use groundbeam_file::study::Distribution;
 use statrs::distribution::{ContinuousCDF, Normal};
@@ -17,26 +17,27 @@ fn probability(z: f64) -> f64 {
     Normal::standard().cdf(z)
 }
 
-/// Variance ln(1 + (σ/m)²) of the logarithm of a lognormal number with mean m and standard deviation σ.
+/// Variance ln(1 + (σ/m)²) of the logarithm of a lognormal variate with mean m and standard deviation σ.
 pub fn log_variance(mean: f64, deviation: f64) -> f64 {
     (deviation / mean).powi(2).ln_1p()
 }
 
-/// The lognormal number with the same cumulative probability as the standard normal number `z`.
+/// The lognormal variate with the same cumulative probability as the standard normal variate `z`.
 pub fn lognormal(mean: f64, deviation: f64, z: f64) -> f64 {
     let variance = log_variance(mean, deviation);
     mean * (variance.sqrt() * z - 0.5 * variance).exp()
 }
 
-/// The number whose cumulative probability in `distribution` equals the cumulative probability of `z` in the
-/// standard normal distribution.
+/// The variate whose cumulative probability in `distribution` equals the cumulative probability of the variate
+/// `z` in the standard normal distribution.
 pub fn of_normal(distribution: &Distribution, z: f64) -> f64 {
     match *distribution {
         Distribution::Normal { mean, deviation } => mean + deviation * z,
         Distribution::Lognormal { mean, deviation } => lognormal(mean, deviation, z),
         Distribution::Gumbel { mean, deviation } => {
-            // The Gumbel distribution is F(x) = exp(−exp(−(x − m)/b)) with mode m and scale b. The upper tail
-            // uses 1 − Φ(z) = Φ(−z), which avoids cancellation.
+            // The Gumbel distribution F(x) = exp(−exp(−(x − m)/b)) with mode m and scale b is solved for x at
+            // F(x) = Φ(z). Φ is the cumulative probability of the standard normal distribution. For z ≥ 0,
+            // ln Φ(z) is computed as ln(1 − Φ(−z)), which avoids cancellation.
             let scale = deviation * 6.0_f64.sqrt() / PI;
             let exponent = if z < 0.0 { -probability(z).ln() } else { -(-probability(-z)).ln_1p() };
             mean - scale * (EULER + exponent.ln())

@@ -43,7 +43,7 @@ impl std::error::Error for Impossible {}
 pub struct Draws {
     study: StudyFile,
     plan: Plan,
-    /// Number of independent normal numbers of a sample.
+    /// Number of independent standard normal variables of a sample.
     dimensions: usize,
     points: Points,
     field: Option<Field>,
@@ -104,7 +104,7 @@ impl Draws {
         self.plan
     }
 
-    /// Number of independent normal numbers of a sample.
+    /// Number of independent standard normal variables of a sample.
     pub fn dimensions(&self) -> usize {
         self.dimensions
     }

@@ -27,7 +27,8 @@ fn least_odds(count: u64, total: u64) -> Option<f64> {
         return None;
     }
     let wanted = 0.5 * (1.0 - CONFIDENCE);
-    // Bounds of the logarithm of the odds x/(1 − x) for counts of 64 bits.
+    // Search interval for ln(x/(1 − x)), where x is the probability of an event. It contains the result for all
+    // event counts below 2⁶⁴.
     let [mut below, mut above] = [-60.0_f64, 60.0];
     loop {
         let middle = 0.5 * (below + above);
@@ -73,7 +74,8 @@ fn exactly(count: f64, total: f64, odds: f64) -> f64 {
     // `more` is the excess of the count over its mean. It is computed from the rarer outcome, whose rounding
     // error is smaller.
     let more = if odds < 1.0 { count - expected[0] } else { expected[1] - other };
-    // `distance` is the sum of n ln(n / mean of n) over the numbers n of samples with and without the event.
+    // `distance` is the sum of n ln(n/E) over the samples with the event and those without it, where n is their
+    // number and E is the expected value of n.
     let distance = count * (more / expected[0]).ln_1p()
         + if other > 0.0 { other * (-more / expected[1]).ln_1p() } else { 0.0 };
     if other == 0.0 {

@@ -12,7 +12,7 @@ pub struct Wanted {
     pub fields: Vec<Field>,
     /// Quantities along the beam whose smallest and largest values are stored.
     pub extremes: Vec<Field>,
-    /// Outputs whose derivatives are stored.
+    /// Outputs whose derivatives with respect to `parameters` are stored.
     pub outputs: Vec<Output>,
     /// Parameters with respect to which the outputs are differentiated.
     pub parameters: Vec<Parameter>,
@@ -82,7 +82,7 @@ pub struct Row {
     /// The derivatives of each requested output with respect to each parameter; NaN for an output that the solution does
     /// not have.
     pub gradients: Vec<f64>,
-    /// Whether at least one derivative is one-sided, for each requested output.
+    /// For each requested output: whether its derivative with respect to at least one parameter is one-sided.
     pub one_sided: Vec<bool>,
 }
 
@@ -171,7 +171,8 @@ impl Row {
     }
 }
 
-/// Computes the derivatives of the requested outputs. The entry of an output without derivatives is `None`.
+/// Computes the derivatives of the requested outputs with respect to the requested parameters. The entry of an
+/// output without derivatives is `None`.
 fn gradients(solution: &Solution, wanted: &Wanted) -> Vec<Option<Gradient>> {
     if wanted.outputs.is_empty() {
         return Vec::new();

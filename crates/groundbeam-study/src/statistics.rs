@@ -1,14 +1,15 @@
 //! Computes mean, deviation, quantiles and histogram of numbers in three passes with bounded memory.
 //!
-//! The first pass gives mean, deviation and range ([`Moments`]). The second counts the numbers in many equal
-//! parts of the range ([`Counted`]). The third collects the numbers in the few parts that contain a quantile
-//! ([`Ranked`]). The results are exact.
+//! The first pass gives mean, deviation and range ([`Moments`]). The second counts the numbers in many fine
+//! bins, which are equal parts of the range ([`Counted`]). The third collects the numbers in the few fine bins
+//! that contain a quantile ([`Ranked`]). The results are exact.
 
 use std::collections::BTreeMap;
 
-/// Number of equal parts of the range of the results. It is a multiple of every number of parts in [`HISTOGRAMS`].
+/// Number of fine bins, which are equal parts of the range of the numbers. It is a multiple of every number of
+/// histogram bins in [`HISTOGRAMS`].
 const PARTS: usize = 20_480;
-/// Possible numbers of parts of a histogram.
+/// Possible numbers of bins of the reported histogram.
 const HISTOGRAMS: [usize; 10] = [1, 2, 4, 5, 8, 10, 16, 20, 32, 40];
 /// Probabilities of the reported quantiles, then of the two quartiles.
 const QUANTILES: [f64; 7] = [0.0, 0.05, 0.5, 0.95, 1.0, 0.25, 0.75];
@@ -45,13 +46,14 @@ impl Moments {
         (self.count > 0).then_some(self.range[1])
     }
 
-    /// Starts the second pass. Returns `None` if no number was added.
+    /// Ends the first pass over the numbers, which gives mean, deviation and range, and starts the second pass,
+    /// which counts the numbers in fine bins. Returns `None` if no number was added.
     pub fn counted(self) -> Option<Counted> {
         (self.count > 0).then(|| Counted { moments: self, parts: vec![Part::EMPTY; PARTS] })
     }
 }
 
-/// One of the equal parts of the range of the numbers.
+/// Count and range of the numbers in one fine bin. All bins have the same width.
 #[derive(Debug, Clone, Copy)]
 struct Part {
     count: u64,
@@ -62,7 +64,7 @@ impl Part {
     const EMPTY: Part = Part { count: 0, range: [f64::INFINITY, f64::NEG_INFINITY] };
 }
 
-/// Counts of the numbers in equal parts of their range, computed in the second pass.
+/// Counts of the numbers in fine bins of equal width, computed in the second pass.
 #[derive(Debug, Clone)]
 pub struct Counted {
     moments: Moments,
@@ -70,11 +72,11 @@ pub struct Counted {
 }
 
 impl Counted {
-    /// Index of the part that contains a number. The index increases with the number.
+    /// Index of the fine bin that contains a number. The index increases with the number.
     fn part(&self, value: f64) -> usize {
         let [from, to] = self.moments.range;
         let place = (value - from) / (to - from) * PARTS as f64;
-        // If all numbers are equal, they belong to the first part.
+        // If all numbers are equal, they are counted in the first fine bin.
         if place > 0.0 { (place as usize).min(PARTS - 1) } else { 0 }
     }
 
@@ -110,7 +112,7 @@ impl Counted {
         ([below, (below + 1).min(last)], place - place.floor())
     }
 
-    /// Returns the part that contains the number of this rank, and the rank of the number within the part.
+    /// Returns the fine bin that contains the number of this rank, and the rank of the number within the bin.
     fn part_of(&self, rank: u64) -> (usize, u64) {
         let mut before = 0;
         for (i, part) in self.parts.iter().enumerate() {
@@ -127,7 +129,7 @@ impl Counted {
 #[derive(Debug, Clone)]
 pub struct Ranked {
     counted: Counted,
-    /// The numbers in parts that contain a quantile.
+    /// The numbers in each fine bin that contains a quantile, by the index of the bin.
     kept: BTreeMap<usize, Vec<f64>>,
 }
 
@@ -172,9 +174,9 @@ impl Ranked {
         below + between * (above - below)
     }
 
-    /// Counts the numbers in equal parts of their range. The width of a part is that of Freedman and Diaconis, *Z.
-    /// Wahrscheinlichkeitstheorie* 57 (1981): twice the distance between the quartiles, divided by the cube root of
-    /// the count.
+    /// Counts the numbers in the bins of a histogram. The width of a bin is that of Freedman and Diaconis, *Z.
+    /// Wahrscheinlichkeitstheorie* 57 (1981): twice the distance between the quartiles, divided by the cube
+    /// root of the count.
     fn histogram(&self, [lower, upper]: [f64; 2]) -> Vec<u64> {
         let Moments { count, range: [least, most], .. } = self.counted.moments;
         let width = 2.0 * (upper - lower) / (count as f64).cbrt();
@@ -182,7 +184,8 @@ impl Ranked {
         let advised = match (least < most, width > 0.0) {
             (false, _) => 1.0,
             (true, true) => (most - least) / width,
-            // If most numbers are equal, for example zero, the quartiles coincide and do not determine a width.
+            // If most numbers are equal, for example zero, the quartiles coincide, and their distance cannot
+            // determine the width of the histogram's bins.
             (true, false) => finest as f64,
         };
         let parts = HISTOGRAMS.into_iter().find(|parts| *parts as f64 >= advised).unwrap_or(finest);

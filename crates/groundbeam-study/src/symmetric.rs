@@ -62,7 +62,7 @@ impl Symmetric {
 /// A symmetric matrix Q T Qᵀ with orthogonal Q and tridiagonal T.
 struct Tridiagonal {
     diagonal: Vec<f64>,
-    /// The entries of T next to the diagonal.
+    /// The entries of the tridiagonal matrix T next to its diagonal.
     beside: Vec<f64>,
     /// The columns of Q.
     vectors: Vec<Vec<f64>>,
@@ -79,7 +79,8 @@ impl Tridiagonal {
         for k in 0..size.saturating_sub(1) {
             let mut v = a[k][k + 1..].to_vec();
             let length = dot(&v, &v).sqrt();
-            // The entry next to the diagonal gets the sign that avoids cancellation in v.
+            // The reflection maps the column to one entry next to the diagonal, ±`length`. Its sign is opposite
+            // to that of v₀, so that no cancellation occurs in the reflection vector v.
             let reflected = if v[0] > 0.0 { -length } else { length };
             v[0] -= reflected;
             let norm = dot(&v, &v).sqrt();

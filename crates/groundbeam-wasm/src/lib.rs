@@ -1,7 +1,6 @@
-//! Computes the solution and the proofs of a result document as text with all numbers, from the document and
-//! its model file.
+//! Solves the model of a result document again and proves the document; writes all computed numbers as text.
 //!
-//! The text is the same on every platform if all numbers have the same bits. A double is written as the
+//! The texts of two platforms are equal if all numbers are equal bit by bit. A double is written as the
 //! shortest decimal that reads back as the same double, and every NaN as `NaN`.
 
 #![cfg_attr(not(target_family = "wasm"), forbid(unsafe_code))]

@@ -18,7 +18,8 @@ pub extern "C" fn place(length: usize) -> *mut u8 {
     text.as_mut_ptr()
 }
 
-/// Replaces the text by its results, and returns their length in bytes.
+/// Computes the results for the input text in the shared memory, replaces the text by them, and returns their
+/// length in bytes.
 #[unsafe(no_mangle)]
 pub extern "C" fn replace() -> usize {
     let mut text = text();

@@ -127,7 +127,7 @@ pub(crate) fn bounded_band(
         let best = with_bound(best, of_best, unit);
         let [low, high] = [(low, of_low), (high, of_high)].map(|(x, e)| with_bound(x, e, unit));
         let name = extreme_of(field, largest);
-        sheet.row("", &format!("{name}: {best} with the best estimates of k and mu; {low} to {high} over all solved pairs of k and mu"));
+        sheet.row("", &format!("{name}: {best} with the best estimates of k and mu; {low} to {high} over all solved k and mu"));
     }
     sheet
         .row("", "the ranges cover only the values of k and mu that were solved; nothing is proven for other values");

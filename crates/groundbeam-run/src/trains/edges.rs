@@ -7,8 +7,8 @@ use groundbeam::{Error, Model, exists};
 /// Number of bisection steps, one for each bit of the mantissa of a double.
 const HALVINGS: usize = 52;
 
-/// Ranges of positions of the first axle without equilibrium, from left to right. `found` contains positions,
-/// and whether an equilibrium exists at each position.
+/// Returns the ranges of first-axle positions at which the beam has no equilibrium, from left to right. `found`
+/// states for each examined position of the first axle whether an equilibrium exists.
 pub(super) fn without_equilibrium(
     model: &Model,
     train: &Train,
@@ -34,8 +34,8 @@ pub(super) fn without_equilibrium(
 /// Number of equal steps between two neighbouring [`first_positions`] for the existence checks.
 const PARTS: usize = 8;
 
-/// Ranges of positions of the first axle without equilibrium, from existence checks alone. Existence is checked at
-/// the [`first_positions`] of a sweep, and at equidistant positions between them.
+/// Returns the ranges of first-axle positions at which the beam has no equilibrium. Existence is checked,
+/// without a solve, at the [`first_positions`] of the train and at equidistant positions between them.
 ///
 /// # Errors
 ///

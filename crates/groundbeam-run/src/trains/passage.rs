@@ -28,11 +28,13 @@ pub struct Located {
 /// Requested and achieved error of an envelope, relative to the largest value of each field.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Reach {
-    /// Requested error of each field.
+    /// Requested error of the envelope of each field, relative to the largest value of the field.
     pub asked: f64,
-    /// Achieved error of each field, in the order of [`Field::ALL`]. This error is the largest amount by which
-    /// a solution in the last bisection of an interval lies outside the envelope of the earlier solutions. If a
-    /// field jumps, such as the pressure at a moving contact edge, the error remains as large as the jump.
+    /// Achieved error of the envelope of each field, relative to the largest value of the field, in the order
+    /// of [`Field::ALL`]. Every bisection of an interval of train positions adds a solution at the middle
+    /// position. The error of the bisection is the amount by which this solution lies outside the envelope of
+    /// the earlier solutions. The achieved error is the largest error of the last bisections of all intervals.
+    /// If a field jumps, such as the pressure at a moving contact edge, the error remains as large as the jump.
     pub reached: ByField<f64>,
 }
 
@@ -52,25 +54,25 @@ impl Reach {
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Uplift {
-    /// The largest gap ahead of the first axle.
+    /// The largest gap between beam and ground ahead of the first axle.
     pub ahead: Option<Located>,
-    /// The largest gap between the first axle and the last.
+    /// The largest gap between beam and ground at positions between the first and the last axle.
     pub between: Option<Located>,
-    /// The largest gap behind the last axle.
+    /// The largest gap between beam and ground behind the last axle.
     pub behind: Option<Located>,
 }
 
-/// Result of a sweep, without the solutions at its positions.
+/// Result of moving a train over the beam, without the solutions at the single train positions.
 #[derive(Debug, Clone)]
 pub(crate) struct Swept {
     pub combination: Arc<Combination>,
     pub train: Arc<MovingTrain>,
-    /// Range of the sweep's answers in the list of all answers.
+    /// Indices of the answers for this train's positions in the list of all answers.
     pub answers: Range<usize>,
-    /// Data for the envelope from each answer of the sweep.
+    /// Values for the envelope at each train position: the ranges of the fields, and the fields beside the axles.
     pub sections: Vec<Section>,
     pub reach: Reach,
-    /// Ranges of positions of the first axle without equilibrium.
+    /// Ranges of first-axle positions at which the beam has no equilibrium.
     pub none: Vec<[f64; 2]>,
 }
 
@@ -140,7 +142,7 @@ impl<'a> Passage<'a> {
         self.swept.reach
     }
 
-    /// Ranges of positions of the first axle without equilibrium.
+    /// Ranges of first-axle positions at which the beam has no equilibrium.
     pub fn without_equilibrium(&self) -> &'a [[f64; 2]] {
         &self.swept.none
     }

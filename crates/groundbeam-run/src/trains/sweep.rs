@@ -1,4 +1,4 @@
-//! Solves the initial positions of a train, then bisects the intervals until the envelope has the requested error.
+//! Solves a model at initial train positions, then bisects the intervals between them until the envelope is accurate enough.
 
 use super::edges;
 use super::interval::{Table, sticks_out};
@@ -132,7 +132,8 @@ impl Sweep {
         sides.into_iter().flatten().find_map(|i| self.found.get(i)?.answer.solution())
     }
 
-    /// Returns the answers, and the other results of the sweep.
+    /// Returns the answers at all train positions, and separately the data for the envelope, its error, and the
+    /// ranges of positions without equilibrium.
     fn finish(self) -> (Vec<Answer>, Swept) {
         let each = self.between.iter().map(|between| between.error);
         let reached = each.fold([0.0_f64; Field::ALL.len()], |most, error| {
@@ -157,8 +158,8 @@ impl Sweep {
         (answers, swept)
     }
 
-    /// Bisects the open intervals at the solved positions `new`, and computes the error of the envelope in each of
-    /// these intervals.
+    /// Bisects all intervals that are not yet finished, and computes the error of the envelope in each of them.
+    /// `new` contains the answers at the middle positions of these intervals.
     fn halve(&mut self, new: Vec<Position>) {
         let table = Table::of(&self.found, self.train(), &self.stations);
         let scale = scale(self.found.iter().chain(&new));

@@ -15,12 +15,13 @@ const LONGEST: usize = 64;
 /// A negative eigenvalue is rounding error if its magnitude is below this fraction of the largest eigenvalue.
 const ROUNDING: f64 = 1e-10;
 
-/// A field as a sum of waves on a circle.
+/// A random field by circulant embedding: a sum of harmonics with random amplitudes, periodic on a circle of
+/// which the beam is a part.
 #[derive(Clone)]
 pub struct Circulant {
     /// Number of points on the beam.
     count: usize,
-    /// Amplitudes √(λ/m) of the m waves; λ is the eigenvalue of a wave.
+    /// Amplitudes √(λ/m) of the m Fourier terms; λ is the eigenvalue of the circulant matrix for a term.
     heights: Vec<f64>,
     transform: Arc<dyn Fft<f64>>,
 }
@@ -56,14 +57,14 @@ impl Circulant {
         None
     }
 
-    /// Number of independent normal numbers of the field: one for each wave.
+    /// Number of independent standard normal variables of the field: one for each Fourier term.
     pub fn numbers(&self) -> usize {
         self.heights.len()
     }
 
-    /// Computes the values of the field at its points from independent normal numbers. The first number is the
-    /// factor of the mean. The following numbers are the factors of the cosine and the sine of each wave, from the
-    /// longest to the shortest wave.
+    /// Computes the values of the field at its points from independent standard normal numbers. The first
+    /// number is the factor of the mean. The following numbers are the factors of the cosine and the sine of
+    /// each harmonic, from the longest to the shortest wavelength.
     pub fn of(&self, numbers: &[f64]) -> Vec<f64> {
         let size = self.heights.len();
         let half = size / 2;

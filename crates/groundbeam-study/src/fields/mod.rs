@@ -13,7 +13,7 @@ use karhunen_loeve::Expansion;
 pub enum Field {
     /// An expansion in eigenvectors of the covariance.
     KarhunenLoeve(Expansion),
-    /// A sum of waves on a circle.
+    /// A Fourier series with random coefficients on a period longer than the beam (circulant embedding).
     Circulant(Circulant),
 }
 
@@ -46,7 +46,7 @@ impl Field {
         }
     }
 
-    /// Number of independent normal numbers of the field.
+    /// Number of independent standard normal variables of the random field.
     pub fn numbers(&self) -> usize {
         match self {
             Field::KarhunenLoeve(expansion) => expansion.terms(),
@@ -149,8 +149,9 @@ mod tests {
     fn eigenvalues_of_the_exponential_correlation_have_their_closed_form() {
         let (a, c) = (1.0_f64, 0.8_f64);
         let root = |even: bool, k: f64| {
-            // Bisection finds ωa. For an integer k, it lies in (kπ, kπ + π/2) for even eigenfunctions and in (kπ −
-            // π/2, kπ) for odd ones.
+            // Bisection finds ωa, where ω is the frequency of an eigenfunction of the covariance on the
+            // interval from −a to a. For an integer k, ωa lies in (kπ, kπ + π/2) for even eigenfunctions and in
+            // (kπ − π/2, kπ) for odd ones.
             let f = |t: f64| match even {
                 true => c * a * t.cos() - t * t.sin(),
                 false => t * t.cos() + c * a * t.sin(),

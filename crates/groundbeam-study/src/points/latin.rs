@@ -5,7 +5,7 @@ use super::mixed;
 /// Number of rounds of the Feistel network on numbers of many bits. With four or more rounds the network is a
 /// pseudorandom permutation (Luby and Rackoff 1988).
 const ROUNDS: u32 = 6;
-/// The number of additional rounds for numbers of 2h bits is this constant divided by h. One round mixes only few
+/// The Feistel network mixes a number of 2h bits in `MORE_ROUNDS`/h additional rounds. One round mixes only few
 /// bits of a short number, so short numbers need more rounds.
 const MORE_ROUNDS: u32 = 24;
 
@@ -21,8 +21,8 @@ pub fn coordinate(index: u64, count: u64, key: u64, uniform: f64) -> f64 {
 fn permuted(index: u64, count: u64, key: u64) -> u64 {
     let bits = u64::BITS - (count - 1).leading_zeros();
     let half = bits.div_ceil(2).max(1);
-    // The network permutes all numbers below 2^(2·half). An image beyond count − 1 is permuted again until it
-    // returns to the range.
+    // The Feistel network permutes all numbers below 2^(2·half). If the result is not below `count`, it is
+    // permuted again until it is.
     let mut image = network(index, half, key);
     while image >= count {
         image = network(image, half, key);

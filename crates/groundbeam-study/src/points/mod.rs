@@ -103,8 +103,9 @@ mod tests {
         }
     }
 
-    /// The first two coordinates of the first 2ᵐ Sobol points are a (0, m, 2)-net in base 2: if the unit square
-    /// is divided into 2ᵐ equal boxes of any shape, each box contains one point. Owen's scrambling preserves this.
+    /// The first two coordinates of the first 2ᵐ Sobol points are a (0, m, 2)-net in base 2. This means: if 2ʲ
+    /// equal columns and 2ᵐ⁻ʲ equal rows divide the unit square into boxes, each box contains one point, for
+    /// every j from 0 to m. Owen's scrambling preserves this property.
     #[test]
     fn scrambled_sobol_points_are_still_a_net() {
         let points = all(plan(Sampling::Sobol, 1024, 1), 2);

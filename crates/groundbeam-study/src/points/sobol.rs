@@ -39,7 +39,7 @@ fn directions(numbers: &[u32]) -> [u32; DIGITS] {
     v
 }
 
-/// Sobol's sequence in its first dimensions.
+/// Sobol's sequence in a given number of dimensions, at most the number for which direction numbers are stored.
 #[derive(Debug, Clone)]
 pub struct Sobol {
     dimensions: usize,

@@ -31,9 +31,11 @@ pub struct Sealed<W> {
     sink: W,
     digest: Sha256,
     written: u64,
-    /// The text of the checksums of all finished blocks, without the digest of the tail.
+    /// The text with the end and the checksum of each finished block. The digest of the tail, the last block of
+    /// the file, is not yet in it.
     stated: String,
-    /// The tail, stored until its digest is known.
+    /// Bytes of the tail, the last block of the file; `None` before the tail begins. They are stored until
+    /// their digest is known.
     tail: Option<Vec<u8>>,
 }
 
@@ -50,13 +52,14 @@ impl<W: Write> Sealed<W> {
         let _ = write!(self.stated, " {} {digest}", self.written);
     }
 
-    /// Begins the tail. Returns the checksums for the metadata, with zeros as the digest of the tail.
+    /// Begins the tail, the last block of the file, which contains the metadata. Returns the checksums for the
+    /// metadata, with zeros in place of the digest of the tail.
     pub fn begin_tail(&mut self) -> KeyValue {
         self.tail = Some(Vec::new());
         KeyValue::new(KEY.to_owned(), format!("{} {}", self.stated, "0".repeat(DIGITS)))
     }
 
-    /// Writes the tail with its digest.
+    /// Inserts the digest of the tail, the last block of the file, into the metadata and writes the tail.
     pub fn finish(mut self) -> io::Result<W> {
         let mut tail = self.tail.take().unwrap_or_default();
         let place = stated_in(&tail);
@@ -85,7 +88,8 @@ impl<W: Write> Write for Sealed<W> {
     }
 }
 
-/// The checksums of a file whose tail is verified.
+/// The checksums of a file of results. The last block of the file, which contains the metadata, has been
+/// verified.
 pub struct Checksums {
     path: PathBuf,
     file: File,
@@ -100,7 +104,7 @@ struct Block {
 }
 
 impl Checksums {
-    /// Reads the checksums of a file, and verifies its tail.
+    /// Reads the checksums of a file, and verifies its last block, which contains the metadata.
     pub fn open(path: &Path, file: File) -> Result<Self, StoreError> {
         let wrong = |error: io::Error| StoreError::io(path, &error);
         let length = file.metadata().map_err(wrong)?.len();
@@ -194,7 +198,7 @@ fn stated_in(metadata: &[u8]) -> Option<Range<usize>> {
     (length > DIGITS && end <= metadata.len()).then_some(place + 1..end)
 }
 
-/// Parses the checksums. Returns the blocks and the digest of the tail.
+/// Parses the checksums. Returns the blocks before the last one, and the digest of the last block of the file.
 fn blocks(stated: &[u8]) -> Option<(Vec<Block>, &str)> {
     let mut words =
         std::str::from_utf8(stated).ok()?.strip_prefix(METHOD)?.strip_prefix(' ')?.split(' ');

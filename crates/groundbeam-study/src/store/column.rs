@@ -22,7 +22,7 @@ pub enum Kind {
     Word(Repetition),
     /// A number, which may be missing.
     Number,
-    /// A list of numbers, which may be missing.
+    /// A list of numbers. The whole list may be missing in a row.
     Numbers,
 }
 
@@ -61,7 +61,7 @@ impl Kind {
     }
 }
 
-/// The existing values of a column.
+/// The values of a column, without the missing ones.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Values {
     /// Integers, stored as the bits of a `u64`.
@@ -215,7 +215,7 @@ impl Column {
     }
 }
 
-/// Error for a kind of column that results do not have.
+/// Returns the error for a file with a column of a type that files of results never contain.
 fn foreign() -> ParquetError {
     ParquetError::General(
         "the file has a column of a type that results of a study do not have".to_owned(),
@@ -226,8 +226,8 @@ fn foreign() -> ParquetError {
 mod tests {
     use super::*;
 
-    /// Tests the levels of lists of numbers, of an empty list and of a missing list. The Parquet format determines
-    /// the expected levels.
+    /// Tests the repetition and definition levels of lists of numbers, of an empty list and of a missing list.
+    /// The Parquet format prescribes the expected levels.
     #[test]
     fn lists_have_their_definition_and_repetition_levels() {
         let lists = [Some(&[1.0, 2.0][..]), Some(&[]), None, Some(&[3.0])];

@@ -118,6 +118,9 @@ mod tests {
         let refused = merge(&[holed], &folder.join("all.parquet"), &mut never).unwrap_err();
         let said = refused.to_string();
         fs::remove_dir_all(&folder).unwrap();
-        assert!(said.contains("it has 32 rows from sample 0 to sample 47"), "{said}");
+        assert!(
+            said.contains("it has 32 rows, but its samples are numbered from 0 to 47"),
+            "{said}"
+        );
     }
 }

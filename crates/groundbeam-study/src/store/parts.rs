@@ -21,7 +21,7 @@ fn folder(out: &Path) -> PathBuf {
     PathBuf::from(name)
 }
 
-/// The folder of parts of one file of results.
+/// The folder with the parts of one file of results. Each part is a file with the rows of consecutive samples.
 #[derive(Debug)]
 pub struct Parts {
     /// The final file.
@@ -97,7 +97,7 @@ impl Parts {
         Ok(())
     }
 
-    /// Whether parts of an earlier run exist.
+    /// Whether a folder with parts of an earlier run exists for the results file `out`.
     pub fn wait(out: &Path) -> bool {
         folder(out).is_dir()
     }
@@ -119,7 +119,7 @@ impl Parts {
         Ok(all)
     }
 
-    /// The samples of a range that no part contains.
+    /// Returns the ranges of those samples in `of` that no part file contains.
     pub fn missing(&self, of: Range<u64>) -> Result<Vec<Range<u64>>, StoreError> {
         let mut missing = Vec::new();
         let mut reached = of.start;
@@ -136,7 +136,7 @@ impl Parts {
         Ok(missing)
     }
 
-    /// Stores the rows of consecutive samples as a part.
+    /// Stores the rows of consecutive samples as one part file in the folder.
     pub fn keep(
         &self,
         table: &Table,

@@ -114,8 +114,8 @@ impl Results {
         match last.checked_sub(first).and_then(|steps| steps.checked_add(1)) {
             Some(samples) if samples == self.rows() => Ok(Some(first..last + 1)),
             _ => Err(StoreError::Unlike(format!(
-                "{}: it has {} rows from sample {first} to sample {last}; delete this file and run the study again, \
-                 which computes its samples again",
+                "{}: it has {} rows, but its samples are numbered from {first} to {last}; delete this file and run \
+                 the study again, which computes its samples again",
                 self.path.display(),
                 self.rows()
             ))),
@@ -147,7 +147,8 @@ pub fn verify(path: &Path, watch: &mut Watch) -> Result<u64, StoreError> {
     Ok(results.rows())
 }
 
-/// Returns a function that adds numbers of verified rows and reports their sum to a watcher.
+/// Returns a function that sums the numbers of verified rows, and reports their sum and the number of all rows,
+/// `of`, to `watch`.
 pub fn counted(of: u64, watch: &mut Watch) -> impl FnMut(u64) -> Result<(), StoreError> {
     let mut done = 0;
     move |rows| {

@@ -18,7 +18,8 @@ pub struct Head {
 }
 
 impl Head {
-    /// Creates the header for the results of a study under its plan.
+    /// Creates the header of a results file from the sampling plan, the study file and the model file of a
+    /// study.
     pub fn of(draws: &Draws) -> Self {
         let (StudyFile { document, text, .. }, plan) = (draws.study(), draws.plan());
         let mut pairs: Vec<(String, String)> = [
