@@ -22,7 +22,8 @@ use crate::numeric::real::sum;
 pub(crate) struct Chain {
     pub nodes: Vec<ChainNode>,
     pub cells: Vec<ChainCell>,
-    /// The node at which the two sweeps meet. A well supported node gives the best accuracy.
+    /// The node at which the elimination from the left end of the beam and the elimination from the right end
+    /// meet. The solution is most accurate if this node is well supported.
     pub meeting: usize,
 }
 
@@ -30,18 +31,19 @@ pub(crate) struct Chain {
 /// sweep from the right, the cell is mirrored.
 #[derive(Debug, Clone, Copy, Default)]
 struct BackSubstitution {
-    /// The eliminated unknowns are `constant` minus `gain` times the three unknowns of the right node. They are two
-    /// unknowns of the beam and one of the surface.
+    /// The three eliminated unknowns, two of the beam and one of the ground surface, equal `constant` minus
+    /// `gain` times the three unknowns of the right node.
     gain: [[f64; 3]; 3],
     constant: [f64; 3],
-    /// Whether the eliminated unknown is the value at the left node, for the deflection and for the rotation.
-    /// Otherwise it is a deformation of the element.
+    /// For the deflection and for the rotation: whether its value at the left node is eliminated. Otherwise the
+    /// relative displacement or the relative rotation of the two ends of the element is eliminated.
     by_left: [bool; 2],
-    /// Whether the eliminated surface unknown is the difference of the right and the left surface unknown.
-    /// Otherwise it is the left surface unknown.
+    /// Whether the eliminated unknown of the ground surface is the surface unknown of the right node minus that
+    /// of the left node. Otherwise it is the surface unknown of the left node.
     rise: bool,
-    /// Coefficients a, b and c of the settlement c − a w − b θ of the surface at the left node with deflection w
-    /// and rotation θ, if the free surface ends there.
+    /// Coefficients a, b and c of the surface settlement c − a w − b θ at the left node, where w is the
+    /// deflection and θ the rotation of this node. They are used if the surface settlement is an unknown to the
+    /// left of the left node but not to its right.
     ended: [f64; 3],
     /// Back-substitution across the hinge at the left node.
     turned: Option<HingeRotation>,
@@ -175,9 +177,9 @@ fn transform(h: f64, basis: Basis, by_left: [bool; 2]) -> [[f64; 4]; 4] {
     if w_known { [own, theta, other, d2] } else { [other, theta, own, d2] }
 }
 
-/// Positions of six unknowns in the order of condensation: deflection and rotation of the right node, the two
-/// eliminated beam unknowns, and the left and the right surface unknown. In the order of condensation, the three
-/// unknowns of the right node precede the three eliminated unknowns.
+/// `ORDER[i]` is the position of unknown i in the order of condensation, in which the three unknowns of the
+/// right node come first. The unknowns are, in this order: deflection and rotation of the right node, the two
+/// eliminated beam unknowns, and the surface unknowns of the left and of the right node.
 const ORDER: [usize; 6] = [0, 1, 3, 4, 5, 2];
 
 /// Transforms a row of coefficients to the order of condensation ([`ORDER`]). `row` contains the coefficients of
@@ -200,10 +202,11 @@ fn cross(
     state: &CondensedStiffness,
     back: &mut BackSubstitution,
 ) -> Result<CondensedStiffness, NotDefinite> {
-    // `k` is the stiffness of the element and of the cells already condensed. Its unknowns are the four of the
-    // element, and the left and the right surface unknown. In short open ground the coupling of the two surface
-    // unknowns is much stiffer than their supports. Then their difference replaces the left surface unknown, so
-    // that the rounding error of the coupling does not mask the supports.
+    // `k` is the stiffness of the element and of the cells already condensed. It refers to the four unknowns of
+    // the element, and to the surface unknowns of the left and of the right node. Short open ground connects
+    // the two surface unknowns by a spring that is much stiffer than the ground under them. Then the difference
+    // of the two surface unknowns replaces the left one, so that the rounding error of the stiff spring does
+    // not mask the support by the ground.
     back.rise = open
         .is_some_and(|open| open.ties == [Tie::Surface; 2] && open.two_port.series > state.s[U][U]);
     let surface_left =
@@ -268,9 +271,9 @@ fn cross(
             m[ORDER[i]][ORDER[j]] = k[i][j];
         }
     }
-    // Open ground between the surface and the right end of the beam restrains the deflection of this end but not
-    // its rotation. Its stiffness is added after the transformation, because rounding error of the transformation
-    // would otherwise restrain the rotation of a free beam.
+    // If the right end of the open ground is in contact with the beam, this ground restrains the deflection of
+    // the right node but not its rotation. The stiffness of the ground is added after the transformation,
+    // because rounding error of the transformation would otherwise restrain the rotation of a free beam.
     if let Some(open) = open {
         add_open_ground(open, surfaces, beam, |row| in_order(row, &c), &mut m, &mut f);
     }
@@ -287,8 +290,8 @@ fn condense(
     settlement: f64,
     back: &mut BackSubstitution,
 ) -> Result<CondensedStiffness, NotDefinite> {
-    // LDLᵀ factorisation solves for the eliminated unknowns. Its four right-hand sides are the columns of the three
-    // remaining unknowns, and the load.
+    // Solves for the eliminated unknowns by LDLᵀ factorisation, with four right-hand sides: the columns of the
+    // three remaining unknowns, and the load vector.
     let mut a = [[0.0; 3]; 3];
     let mut b = [[0.0; 4]; 3];
     for i in 0..3 {
@@ -357,7 +360,8 @@ fn condense(
     Ok(ahead)
 }
 
-/// Computes the three unknowns of the meeting node from its condensed stiffness and force.
+/// Computes the three unknowns of the node at which the eliminations from both ends of the beam meet, from its
+/// condensed stiffness and force.
 fn solve_node(node: &ChainNode, both: &CondensedStiffness) -> Result<[f64; 3], NotDefinite> {
     let mut m = [[0.0; 6]; 6];
     let mut f = [0.0; 6];
@@ -385,7 +389,9 @@ impl BackSubstitution {
         [v[0], v[1], if self.rise { y[U] - e[2] } else { e[2] }]
     }
 
-    /// Computes the settlement of the surface in the cell just crossed, at a node where the free surface ends.
+    /// Computes the surface settlement at a node at which the open ground behind the node ends, from the
+    /// deflection and the rotation in `y`. Behind is left in the elimination from the left (`forward`). At
+    /// other nodes, returns `y` unchanged.
     fn end(&self, node: &ChainNode, mut y: [f64; 3], forward: bool) -> [f64; 3] {
         let [behind, ahead] = if forward { [0, 1] } else { [1, 0] };
         if node.surface[behind] && !node.surface[ahead] {
@@ -406,8 +412,9 @@ mod tests {
     use crate::mesh::mesh::Mesh;
     use crate::model::{Beam, Foundation, Load, Model};
 
-    /// The ground does not restrain the rotation of a beam with a free end on open ground, not even by rounding
-    /// error. So the free end may rise by a million times the settlement of the ground.
+    /// Open ground must not restrain the rotation of a free end of the beam. Even the rounding error of the
+    /// ground stiffness must not restrain it, because the end may rise by a million times the settlement of the
+    /// ground.
     #[test]
     fn a_free_beam_has_zero_rotational_stiffness() {
         for i in 1..200 {

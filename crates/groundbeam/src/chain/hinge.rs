@@ -1,8 +1,9 @@
 //! Condenses the rotations of hinges, which are nodes at which the rotation θ of the beam jumps.
 //!
 //! A hinge is an element of length zero. The jump δ of θ has the energy ½ k_φ δ², where k_φ is the stiffness of the
-//! hinge. Elimination of θ on the passed side changes the condensed stiffness S of the node to S − S e (eᵀS e +
-//! k_φ)⁻¹ eᵀS with the unit vector e of θ. At a hinge without a spring the row and the column of θ vanish.
+//! hinge. Elimination of θ on the side of the hinge that is already condensed changes the condensed stiffness S of
+//! the node to S − S e (eᵀS e + k_φ)⁻¹ eᵀS with the unit vector e of θ. At a hinge without a spring the row and the
+//! column of θ vanish.
 
 use crate::chain::node::{ChainNode, CondensedStiffness, NotDefinite, THETA};
 use crate::numeric::real::sum;
@@ -46,8 +47,8 @@ impl HingeRotation {
         Ok(Some(HingeRotation { gain, constant: r[THETA] / held }))
     }
 
-    /// Changes the unknowns `y` on the far side of a hinge to those on its near side. Without a hinge, `y` is
-    /// unchanged.
+    /// Converts the unknowns `y` at the far side of a hinge to the unknowns at its near side. The elimination
+    /// crosses the hinge from its near to its far side. Without a hinge, returns `y` unchanged.
     pub fn beyond_hinge(turned: Option<Self>, mut y: [f64; 3]) -> [f64; 3] {
         if let Some(HingeRotation { gain, constant }) = turned {
             y[THETA] = constant - sum::<f64, 3>(|i| gain[i] * y[i]);

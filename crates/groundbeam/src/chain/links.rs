@@ -6,9 +6,9 @@ use crate::chain::node::{ChainNode, OpenGround, Tie};
 /// gap that is subtracted.
 pub(super) type Surface = ([f64; 6], f64);
 
-/// Returns the settlement of the surface at a node from the coefficients `row` of its surface unknown. This unknown
-/// is the settlement itself, or the settlement relative to the beam. `beam` contains the coefficients of the
-/// deflection at the node.
+/// Returns the settlement of the ground surface at a node as a linear function of the unknowns of the cell.
+/// `row` contains the coefficients of the surface unknown of the node, and `beam` those of the deflection of
+/// the node. The surface unknown is the settlement itself, or the settlement relative to the beam.
 pub(super) fn counted(row: [f64; 6], node: &ChainNode, beam: [f64; 4]) -> Surface {
     let mut row = row;
     if !node.from_beam {
@@ -18,10 +18,10 @@ pub(super) fn counted(row: [f64; 6], node: &ChainNode, beam: [f64; 4]) -> Surfac
     (row, node.gap)
 }
 
-/// Adds open ground to the stiffness `k` and the force `q` of six unknowns. Each end of the ground is tied to the
-/// free surface or to the beam. `surfaces` and `beam` contain the settlement and the deflection at both ends of the
-/// cell as functions of the unknowns of the cell. `turned` transforms their coefficients to those of the six
-/// unknowns.
+/// Adds the stiffness and the force of the open ground under a cell to `k` and `q`. Each end of this ground is
+/// connected to the free surface or to the beam. `surfaces` and `beam` are the settlement and the deflection at
+/// both ends of the cell, as linear functions of the unknowns of the cell. `k` and `q` refer to six transformed
+/// unknowns; `turned` converts a linear function of the unknowns of the cell to a function of these six.
 pub(super) fn add_open_ground(
     open: &OpenGround,
     surfaces: [Surface; 2],

@@ -3,14 +3,16 @@
 use crate::element::element::Element;
 use crate::ground::link::TwoPort;
 
-/// A cell: its element, and the open ground under it.
+/// A cell of the mesh: its beam element, and the ground under the element if this ground is not in contact
+/// (open ground).
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct ChainCell {
     pub element: Element,
     pub open: Option<OpenGround>,
 }
 
-/// A node with its loads and supports, and the kind of its surface unknown.
+/// A node with its loads, springs and supports, and with the type of its surface unknown: settlement of the
+/// ground surface, or settlement relative to the beam.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct ChainNode {
     pub force: f64,
@@ -21,13 +23,16 @@ pub(crate) struct ChainNode {
     pub clamped: bool,
     pub spring: f64,
     pub rotational_spring: f64,
-    /// Rotational stiffness of a hinge. At a node with a hinge, no other load or support acts on the rotation.
+    /// Rotational stiffness of the hinge at this node; `None` without a hinge. Neither a moment nor a
+    /// rotational support acts at a node with a hinge.
     pub hinge: Option<f64>,
-    /// Stiffness of the ground outside the beam, if the beam is in contact at this node. `gap` is the initial gap
-    /// plus the free-field settlement at the node.
+    /// Stiffness of the ground outside the beam at an end of the beam that is in contact. It acts on the
+    /// deflection of the node minus `gap`.
     pub ground_spring: f64,
+    /// Initial gap plus free-field settlement at the node.
     pub gap: f64,
-    /// Stiffness of the ground outside the beam, if the surface is free at this node.
+    /// Stiffness of the ground outside the beam at an end of the beam that is not in contact. It acts on the
+    /// settlement of the ground surface at the node.
     pub surface_spring: f64,
     /// Whether the settlement of the surface is an unknown, to the left and to the right of the node.
     pub surface: [bool; 2],
@@ -55,7 +60,7 @@ pub(crate) struct CondensedStiffness {
     pub r: [f64; 3],
 }
 
-/// The object to which one end of open ground is tied.
+/// What one end of open ground is connected to.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Tie {
     /// The free surface at the node.

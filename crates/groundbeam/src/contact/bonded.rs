@@ -23,8 +23,8 @@ use std::borrow::Cow;
 pub(crate) struct Bonded<'a> {
     pub model: &'a Model,
     cancel: &'a Cancel,
-    /// Whether all elements are short relative to the wavelength of the beam, without [quiet](crate::element)
-    /// elements.
+    /// Whether all elements are short relative to the wavelength of the beam. Then no long
+    /// [quiet](crate::element) element is used.
     is_fine: bool,
     /// Elements of the previous step, which are reused for unchanged cells.
     known: Vec<Known>,
@@ -52,7 +52,8 @@ pub(crate) struct Springs {
     /// Work Σ c (w̃ − w)² of the springs with stiffness c, from the deflection w before the step to the bonded
     /// deflection w̃.
     pub work: f64,
-    /// Whether the forces of the springs are rounding error. Then the beam is in equilibrium without the springs.
+    /// Whether the forces of the stabilising springs are zero up to rounding error. Then the beam is in
+    /// equilibrium without these springs.
     pub at_rest: bool,
 }
 
@@ -64,8 +65,9 @@ struct StabilisingSpring {
     rest: f64,
 }
 
-/// Creates stabilising springs at the nodes of a mesh. They have no force in the deflection `now`. Their stiffness is
-/// ε times the stiffness of the ground under half of each adjoining cell.
+/// Creates stabilising springs at the nodes of a mesh. They are unstressed at the deflection of `now`. The
+/// stiffness of each spring is `epsilon` times the stiffness of the ground under the adjoining halves of the
+/// two neighbouring cells.
 fn stabilising_springs(mesh: &Mesh, now: &ContactState, epsilon: f64) -> Vec<StabilisingSpring> {
     let spring = |node: &Node| StabilisingSpring {
         at: node.x,
@@ -152,9 +154,9 @@ impl<'a> Bonded<'a> {
         })
     }
 
-    /// Solves the bonded beam with stabilising springs at all nodes, for a beam that is a mechanism on its trial
-    /// contact. The springs have no force in the deflection `now`. `epsilon` is their stiffness relative to the
-    /// stiffness of the ground; it grows until the system is positive definite.
+    /// Solves the bonded beam with stabilising springs at all nodes, for a beam that is a mechanism on its
+    /// trial contact set. The springs are unstressed at the deflection of `now`. `epsilon` is their stiffness
+    /// relative to the stiffness of the ground; it grows until the system is positive definite.
     pub fn solve_stabilised(
         &mut self,
         intervals: &[Interval],
@@ -191,7 +193,8 @@ impl<'a> Bonded<'a> {
         None
     }
 
-    /// Solves the bonded beam with additional nodes at `more` positions. `hold` changes the nodes of its chain.
+    /// Solves the beam bonded to the ground, with additional nodes at the positions `more`. The function `hold`
+    /// adds springs and loads to the nodes before the solve.
     fn solve_with(
         &mut self,
         intervals: &[Interval],
@@ -323,7 +326,7 @@ pub(crate) struct GivenRotation {
 }
 
 impl GivenRotation {
-    /// The rotation of a deflection at the left end of the beam.
+    /// Prescribes at the left end of the beam the rotation that the beam has in the given contact state.
     pub fn as_in(found: &ContactState) -> GivenRotation {
         GivenRotation { at: 0.0, slope: value(&found.rotation(0), -1.0) }
     }
@@ -335,9 +338,9 @@ mod tests {
     use crate::model::{Beam, Foundation, Load};
     use crate::numeric::polynomial::jet;
 
-    /// A slit of length h without contact changes the deflection and the curvature beside the slit by less than h².
-    /// This is true for every h and every position of a node in the slit. The tolerance for rounding error is
-    /// 10⁻¹³.
+    /// An interval of length h without contact, inside a contact zone, changes the deflection and the curvature
+    /// beside it by less than h² in the dimensionless units of this test. This is true for every h, and
+    /// wherever a node lies in the interval. The tolerance for rounding error is 10⁻¹³.
     #[test]
     fn fields_beside_a_short_gap_keep_their_digits() {
         let model = Model::new(Beam::uniform(1.0, 10.0), Foundation::pasternak(1.0, 3.4))

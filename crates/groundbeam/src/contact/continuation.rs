@@ -1,9 +1,12 @@
-//! Computes the start of phase B on a long soft beam by continuation in the bending stiffness.
+//! Computes a start for Newton's method on the contact edges of a long soft beam by continuation in the bending stiffness.
 //!
-//! The beam is stiffened until at most a few waves fit between two nodes of the model; the length of a wave is 1/wave
-//! number. Phase A finds the contact of this stiff beam, and phase B its edges. The stiffness is then reduced in
-//! steps to the stiffness of the model. Each step predicts the edges by the secant of the two preceding beams and
-//! corrects them by Newton's method without a line search. A step that does not converge is halved.
+//! Phase A of the solver finds contact zones from ground forces at nodes, and phase B finds the exact contact
+//! edges by Newton's method. On a long soft beam, phase B needs a better initial guess than phase A gives. The beam is
+//! therefore stiffened until at most a few waves fit between two nodes that loads and supports require; the
+//! length of a wave is 1/wave number. Phase A finds the contact of this stiff beam, and phase B its edges. The
+//! stiffness is then reduced in steps to the stiffness of the model. Each step predicts the edges by the secant
+//! of the two preceding beams and corrects them by Newton's method without a line search. A step that does not
+//! converge is halved.
 
 use crate::cancel::Cancel;
 use crate::contact::bonded::Bonded;
@@ -25,8 +28,9 @@ use crate::model::Model;
 use crate::nodal::edges::{Coarse, coarse};
 use crate::numeric::elementary::{exp2, log2, power};
 
-/// Computes a start for phase B: a deflection of the beam and its contact. Each `level` has a finer mesh and shorter
-/// steps than the previous level. Levels count from 0; level 1 does not stiffen the beam.
+/// Computes a deflection of the beam and its contact set, from which Newton's method on the contact edges
+/// (phase B) starts. Each `level` has a finer mesh and shorter continuation steps than the previous level.
+/// Levels count from 0. Level 1 uses the bending stiffness of the model from the start, without continuation.
 pub(crate) fn follow(model: &Model, level: u32, cancel: &Cancel) -> Result<Start, Unconverged> {
     let longest = LONGEST_STEP / f64::from(level + 1);
     let mut doublings = if level == 1 { 0.0 } else { stiffening(model) };
@@ -37,14 +41,15 @@ pub(crate) fn follow(model: &Model, level: u32, cancel: &Cancel) -> Result<Start
     let stiff = softened(doublings);
     let start = phase_a(&stiff, level, cancel);
     if doublings == 0.0 {
-        // A zone much shorter than an element may have no nodes. Phase B then starts from contact along the whole beam.
+        // A zone much shorter than an element may have no nodes. Newton's method on the contact edges then
+        // starts from contact along the whole beam.
         let whole = |_| Start::on(vec![[0.0, model.beam.length]]);
         return Ok(start.unwrap_or_else(whole));
     }
     let mut found = edges(&mut Bonded::new(&stiff, cancel), start?, MOST_STEPS, &mut |_| 0.0)?;
     let mut contact = asked(&found);
     let mut step = longest;
-    // The stiffening and the contact of the preceding beam.
+    // The preceding, stiffer beam of the continuation: log₂ of its stiffness factor, and its contact set.
     let mut before: Option<(f64, Vec<Interval>)> = None;
     let mut beams = 0;
     while doublings > 0.0 {
@@ -79,9 +84,10 @@ pub(crate) fn follow(model: &Model, level: u32, cancel: &Cancel) -> Result<Start
     Ok(Start { contact, now: Some(found), near: false })
 }
 
-/// Performs phase A: computes the contact set for ground forces at the nodes, on meshes from coarse to fine. The
-/// nodal forces determine the edges of the contact set, except at the last level, where the scan of the deflection
-/// determines them. Edges from forces stay at a hinge; edges from the scan do not.
+/// Performs phase A: computes the contact set from ground forces at the nodes, on meshes from coarse to fine.
+/// The nodal forces determine the edges of the contact set. At the last level, the obstacle problem for the
+/// deflection determines the edges instead. If a contact zone ends near a hinge, the nodal forces place the
+/// edge at the hinge, and the obstacle problem does not.
 fn phase_a(model: &Model, level: u32, cancel: &Cancel) -> Result<Start, Unconverged> {
     // Shear deformation is omitted here, because elements with it are power series, which cost ten times as much.
     let bending = Model { beam: model.beam.clone().without_shear(), ..model.clone() };

@@ -1,9 +1,10 @@
-//! Shortens a step of Newton's method on the edges by a line search so that the energy does not increase.
+//! Shortens a Newton step of the contact edges by a line search so that the energy does not increase.
 //!
-//! Near the solution each bonded solve squares the error of the edges. Far from the solution, a bonded solve may give
-//! a weakly supported beam very large deflections. Then the step is shortened to the point where the slope of the
-//! convex energy Φ along the step is nearly zero. The deflections at both ends of the step are polynomials on a
-//! common mesh, so the slope of Φ on the line between them is computed exactly.
+//! Near the solution, Newton's method converges quadratically. Far from the solution, a beam that is bonded to
+//! the ground on a trial contact set may be weakly supported and have very large deflections. Then the step is
+//! shortened to the point where the slope of the convex energy Φ along the step is nearly zero. The deflections
+//! at both ends of the step are polynomials on a common mesh, so the slope of Φ on the line between them is
+//! computed exactly.
 
 use crate::contact::obstacle;
 use crate::contact::state::ContactState;
@@ -15,7 +16,8 @@ use crate::model::Model;
 use crate::numeric::line_search::settle;
 use crate::numeric::polynomial::{Coefficients, TERMS, rescale};
 
-/// A step from a deflection towards the deflection of the beam bonded to the ground on the trial contact.
+/// Result of the line search. The full step leads from the present deflection to the deflection of the beam
+/// that is bonded to the ground on the trial contact set.
 #[derive(Debug, Clone)]
 pub(crate) struct Shortened {
     /// Fraction of the full step.
@@ -57,7 +59,8 @@ pub(crate) fn shorten(
     // `decrement` is Newton's estimate of the remaining decrease of the energy, relative to the strain energy.
     let decrement = if fall == 0.0 { 0.0 } else { fall / energy.abs() };
     let whole = Shortened { part: 1.0, between: None };
-    // A decrease of the size of rounding error gives no search direction.
+    // If the predicted decrease of the energy is only rounding error, the slope of the energy cannot determine
+    // the step length. Then the step is not shortened.
     if decrement.is_nan() || decrement <= LEAST_FALL {
         return whole;
     }
@@ -101,7 +104,8 @@ fn on(mesh: &Mesh, found: &ContactState, own: impl Fn(usize) -> Coefficients) ->
     coefficients
 }
 
-/// Returns the zones of a deflection on a finer mesh. The ends of the zones are nodes of both meshes.
+/// Transfers the contact zones of `found` to the finer mesh `mesh`. The ends of the zones are nodes of both
+/// meshes.
 fn moved(mesh: &Mesh, found: &ContactState) -> Vec<MeshZone> {
     let last = mesh.cells.len() - 1;
     let point = |point: BeamPoint| {
@@ -118,8 +122,8 @@ fn moved(mesh: &Mesh, found: &ContactState) -> Vec<MeshZone> {
     found.zones.iter().map(|zone| MeshZone { from: point(zone.from), to: point(zone.to) }).collect()
 }
 
-/// Returns the coefficients of the obstacle in all cells: the deflection minus the initial gap and the free-field
-/// settlement.
+/// Returns the polynomial coefficients of the obstacle w − g₀ − u₀ in all cells, with the deflection w, the
+/// initial gap g₀ and the free-field settlement u₀.
 fn obstacle(mesh: &Mesh, coefficients: &[f64]) -> Vec<f64> {
     let w = Deflection { mesh, coefficients };
     (0..mesh.cells.len()).flat_map(|i| w.obstacle(i).to_vec()).collect()

@@ -1,4 +1,4 @@
-//! Estimates the error of the contact edges from the last trial contacts.
+//! Estimates the error of the contact edges from the trial contact sets of the last iterations.
 
 use crate::contact::intervals::{Interval, differences};
 use crate::contact::stopping::JITTER;

@@ -32,9 +32,10 @@ impl OpenSpan {
     }
 }
 
-/// Computes the contact intervals after a Newton step on every edge of the given zones, whose ends are nodes. Returns
-/// `None` if edge Newton does not apply: on Winkler ground, if an end or a point contact is in tension, or if a step
-/// is too long.
+/// Moves every edge of the given contact zones by a Newton step, and returns the new contact intervals. The
+/// ends of the zones must be nodes of the mesh. Returns `None` in each of these cases: a part of the ground has
+/// no shear layer, the ground force at an end of the beam or at a point contact is tensile, or a step is too
+/// long.
 pub(crate) fn next_intervals(w: &Deflection, zones: &[MeshZone]) -> Option<Vec<Interval>> {
     let runs = ground_runs(w.mesh);
     let [run] = runs.as_slice() else { return None };
@@ -65,10 +66,11 @@ pub(crate) fn next_intervals(w: &Deflection, zones: &[MeshZone]) -> Option<Vec<I
     zones.iter().enumerate().map(interval).collect()
 }
 
-/// Computes the outward move of an edge that makes the concentrated force A at the edge zero. The force changes
-/// by (π − S A/μ) times the move, where π is the pressure and S the stiffness of the open ground at the edge. The
-/// move is 0 at positions that can carry a force: an end of the shear layer or of the beam, or a corner. The
-/// result is `None` if the force at such a position is tension.
+/// Computes how far an edge must move outward so that the concentrated force A at the edge becomes zero. An
+/// outward move reduces A by (π − S A/μ) times the move, where π is the pressure, S the stiffness of the open
+/// ground at the edge and μ the stiffness of the shear layer. The edge does not move if the ground can exert a
+/// concentrated force at it ([`can_carry`]), for example at an end of the beam. The result is `None` if this
+/// force is tensile, or if no move makes A zero.
 fn outward(w: &Deflection, edge: BeamPoint, force: f64, stiffness: f64) -> Option<f64> {
     if can_carry(w.mesh, edge) {
         return (force >= 0.0).then_some(0.0);

@@ -1,10 +1,10 @@
 //! Phase B of the contact iteration: finds the contact edges by Newton's method.
 //!
-//! Each step bonds the beam to the ground on the trial contact Z and computes the contact set of the bonded
-//! deflection. Near the solution edge Newton computes it, otherwise the obstacle problem. The move of the contact is
-//! the longest interval of the symmetric difference between Z and the contact set. A step whose move is at most half
-//! of the least move so far is a full step. Every other step is shortened by a line search, so that the energy Φ
-//! decreases.
+//! Each step solves the beam bonded to the ground on a trial contact set Z, and computes the contact set of the
+//! resulting deflection. Near the solution, a [Newton step of the edges](super::edge_step) computes it,
+//! otherwise the obstacle problem does. The change of the contact is the length of the longest interval in the
+//! symmetric difference of Z and this contact set. A step whose change is at most half of the smallest change
+//! so far is a full step. Every other step is shortened by a line search, so that the energy Φ decreases.
 //!
 //! The stopping criterion uses the edges, not the energy. A zone with 10⁻¹² of the contact force has 10⁻²⁴ of the
 //! energy, so the energy cannot show whether the zone is in contact.
@@ -28,29 +28,30 @@ use crate::numeric::step::Step;
 use crate::numeric::tolerance::GAP;
 use std::rc::Rc;
 
-/// A trial contact from which the iteration starts.
+/// A trial contact set from which the iteration starts.
 pub(crate) struct Start {
     pub contact: Vec<Interval>,
     /// The deflection whose contact set is `contact`, if known.
     pub now: Option<ContactState>,
-    /// Whether the first step may use edge Newton.
+    /// Whether the first step may move the edges by a Newton step instead of an obstacle problem.
     pub near: bool,
 }
 
 impl Start {
-    /// Creates a start from a trial contact without a deflection.
+    /// Creates the start of the iteration from a trial contact set. No deflection is known.
     pub fn on(contact: Vec<Interval>) -> Self {
         Start { contact, now: None, near: false }
     }
 
-    /// Creates a start from a deflection and its contact set.
+    /// Creates the start of the iteration from a known deflection and its contact set.
     pub fn of(found: ContactState) -> Self {
         let contact = positions(&found.mesh, &found.zones, &[]);
         Start { contact, now: Some(found), near: false }
     }
 }
 
-/// Finds the contact edges by Newton's method from a start. `judge` computes the relative energy gap of a solution.
+/// Finds the contact edges by Newton's method. The iteration starts from the contact set in `start`. `judge`
+/// computes the relative energy gap of a solution.
 pub(crate) fn edges(
     bonded: &mut Bonded,
     start: Start,
@@ -95,16 +96,17 @@ struct Search<'a, 'm> {
     /// The positions of the nodes required by the model.
     places: Vec<f64>,
     history: Vec<Step>,
-    /// The trial contacts since the last shortened step.
+    /// The contact sets of all steps since the line search last shortened a step.
     visited: Vec<Visited>,
     /// The deflection from which the next step starts.
     now: Option<Rc<ContactState>>,
-    /// Moves of the contact, relative to the length of the beam: `before` is the last but one, `moved` the last,
-    /// and `least` the least so far.
+    /// Change of the contact in a step, relative to the length of the beam: `before` in the step before the
+    /// last, `moved` in the last step, and `least` in the step with the smallest change so far. The change is
+    /// the length of the longest interval that is in contact either before or after the step, but not both.
     before: f64,
     moved: f64,
     least: f64,
-    /// The last move of the contact. A shortened step resets `moved`, but not this value.
+    /// Change of the contact in the last step. A shortened step resets `moved`, but not this value.
     last: f64,
     /// Number of consecutive steps without progress.
     stale: usize,
@@ -114,7 +116,7 @@ struct Search<'a, 'm> {
     needs_springs: bool,
 }
 
-/// A trial contact and the beam bonded on it.
+/// A trial contact set, and the solution of the beam that is bonded to the ground on this set.
 struct Visited {
     contact: Vec<Interval>,
     found: Rc<ContactState>,
@@ -128,7 +130,7 @@ enum Bond {
     Trial(Trial),
 }
 
-/// The result of bonding the beam on a trial contact.
+/// The solution of the beam that is bonded to the ground on a trial contact set.
 struct Trial {
     found: Rc<ContactState>,
     /// The stabilising springs; `None` unless the bonded beam is a mechanism.
@@ -172,8 +174,8 @@ impl Search<'_, '_> {
         edges_not_converged(self.history.len(), self.moved)
     }
 
-    /// Bonds the beam on a trial contact. A mechanism is stabilised by springs that have no force in the previous
-    /// deflection.
+    /// Solves the beam bonded to the ground on a trial contact set. If this beam is a mechanism, springs that
+    /// are unstressed at the previous deflection stabilise it.
     fn bond(&mut self, contact: &[Interval]) -> Result<Bond, Unconverged> {
         if !self.needs_springs
             && let Ok(found) = self.bonded.solve_on(contact)
@@ -189,16 +191,18 @@ impl Search<'_, '_> {
         Ok(Bond::Trial(Trial { found: Rc::new(found), springs: Some(springs) }))
     }
 
-    /// Solves the beam balanced on one point, with the rotation of the deflection `like`. Returns `None` if the
-    /// computed deflection does not solve the contact problem.
+    /// Solves a beam that touches the ground at one point only. The beam could rotate about this point, so its
+    /// rotation is prescribed as in the deflection `like`. Returns `None` if the computed deflection does not
+    /// solve the contact problem.
     fn balanced(&mut self, contact: &[Interval], like: &ContactState) -> Option<ContactState> {
         let found = self.bonded.solve_held(contact, &[GivenRotation::as_in(like)]).ok()?;
         let holds = self.confirms(contact, &found) && (self.judge)(&found) <= ROUNDING_GAP;
         holds.then_some(found)
     }
 
-    /// Computes the contact set of the bonded beam: by edge Newton if the last move was short, otherwise by the scan.
-    /// The scan also decides if edge Newton moves no edge.
+    /// Computes the contact set of the bonded beam. A Newton step of the edges computes it if the last change
+    /// of the contact was small. The obstacle problem computes it otherwise, and also if the Newton step moves
+    /// no edge.
     fn next_contact(&mut self, contact: &[Interval], trial: &Trial) -> Vec<Interval> {
         let found = &trial.found;
         let l = self.length();
@@ -212,7 +216,8 @@ impl Search<'_, '_> {
         let next = by_edges.unwrap_or_else(|| self.scan(found));
         self.before = self.moved;
         self.moved = longest_difference(contact, &next) / l;
-        // Moves of the size of rounding error fluctuate, so only a new least move counts as progress.
+        // Changes as small as rounding error fluctuate. Such a change counts as progress only if it is at most
+        // half of the smallest change so far.
         let goal = if self.moved > JITTER { self.last } else { self.least };
         let is_progress = self.moved.is_finite() && self.moved <= 0.5 * goal;
         self.stale = if is_progress { 0 } else { self.stale + 1 };
@@ -299,7 +304,7 @@ impl Search<'_, '_> {
         Some(ContactState { edge_error, ..Rc::unwrap_or_clone(one.found) })
     }
 
-    /// Whether only rounding error moves the contact.
+    /// Whether the contact edges change only because of rounding error.
     fn jitters(&self, contact: &[Interval], found: &ContactState) -> bool {
         let asked = || obstacle::contact(&found.deflection());
         self.stale >= STALE_STEPS
@@ -307,8 +312,8 @@ impl Search<'_, '_> {
             && (self.moved <= JITTER || differ_by_rounding(found, contact, &asked(), &self.places))
     }
 
-    /// Solves the beam bonded without the zones whose force is rounding error. Returns `None` unless the other zones
-    /// are the contact set of this beam.
+    /// Leaves the zones whose force is only rounding error out of contact, and solves the beam bonded to the
+    /// ground on the other zones. Returns `None` unless this contact is correct up to rounding error.
     fn without_weightless(
         &mut self,
         contact: &[Interval],
@@ -331,8 +336,8 @@ impl Search<'_, '_> {
         let [strong, undecided]: [Vec<Interval>; 2] = [strong, weightless].map(zones);
         let edge_error = EdgeError { moved: self.moved * self.length(), undecided };
         let rest = self.bonded.solve_on(&strong).ok()?;
-        // Zones in tension stay open. If the contact set of the beam without these zones contains them, their
-        // tension is rounding error.
+        // Zones in which the ground would be in tension are left out of contact. If the obstacle problem for
+        // the new deflection puts these zones in contact again, their tension is rounding error.
         let own = self.scan(&rest);
         let same =
             |zones: &[Interval]| longest_difference(zones, &own) <= ROUNDING_MOVE * self.length();
@@ -340,7 +345,8 @@ impl Search<'_, '_> {
         (is_own && self.holds(&rest)).then_some(ContactState { edge_error, ..rest })
     }
 
-    /// Solves the beam balanced on one end of its only zone, if the length of the zone is rounding error.
+    /// If the only contact zone is so short that its length is rounding error, solves the beam as balanced on
+    /// one point, an end of this zone.
     fn on_a_corner(&mut self, contact: &[Interval], found: &ContactState) -> Option<ContactState> {
         let &[[from, to]] = contact else { return None };
         let is_short = from < to && to - from <= SAME * self.length();
@@ -375,8 +381,9 @@ impl Search<'_, '_> {
             self.epsilon = (self.epsilon * change).max(SOFTEST_SPRING);
         }
         if shortened.part < LEAST_PART {
-            // The energy is certain to decrease only along the contact set from the scan of a deflection, not along
-            // the contact set from edge Newton.
+            // The next trial contact is the contact set of the present deflection from the obstacle problem.
+            // Only with this contact set, the energy certainly decreases in the next step. A contact set from a
+            // Newton step of the edges does not ensure a decrease.
             let own = self.scan(&from);
             self.needs_springs =
                 longest_difference(&contact, &own) <= ROUNDING_MOVE * self.length();

@@ -1,8 +1,9 @@
 //! Solves the exact contact problem, whose unknowns are the positions of the contact edges.
 //!
-//! Between loads, supports, hinges and contact edges, equation (2.11) has a closed-form solution w. The unknowns are
-//! the number of contact zones and the positions of their edges. [Phase B](super::edges) finds these unknowns by
-//! Newton's method. The following starts are tried until one leads to a solution:
+//! Between loads, supports, hinges and contact edges, the differential equation (2.11) of the paper for the
+//! deflection w has a closed-form solution. The unknowns are the number of contact zones and the positions of
+//! their edges. [Phase B](super::edges) finds these unknowns by Newton's method. The following initial
+//! guesses are tried until one leads to a solution:
 //!
 //! 1. the contact of a neighbouring model, if given;
 //! 2. the whole length of a short beam, or the active nodes of a nodal solve of a long one ([`start`](super::start));
@@ -22,8 +23,9 @@ use crate::model::{GapPoint, Model};
 use crate::numeric::tolerance::GAP;
 use std::borrow::Cow;
 
-/// Solves a model. `judge` computes the relative energy gap of a deflection with its contact. Returns the state that
-/// was judged last. `likely` is the contact of a neighbouring model (warm start).
+/// Solves the contact problem of a model. `judge` computes the relative energy gap of a deflection with its
+/// contact set. The function returns the last state for which it called `judge`. `likely` is the contact set of
+/// a neighbouring model (warm start).
 pub(crate) fn solve(
     model: &Model,
     likely: Option<&[Interval]>,

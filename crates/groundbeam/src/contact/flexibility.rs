@@ -6,7 +6,7 @@ use crate::ground::link::TwoPort;
 use crate::mesh::mesh::Mesh;
 use crate::mesh::open_ground::cell_part;
 
-/// The matrix G of (5.8), stored as three numbers per node.
+/// The flexibility matrix G of the ground, equation (5.8) of the paper, stored as three numbers per node.
 #[derive(Debug)]
 pub(crate) struct Flexibility {
     /// Gᵢᵢ.

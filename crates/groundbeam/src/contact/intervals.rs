@@ -90,10 +90,12 @@ pub(crate) fn zones_of(
     zones
 }
 
-/// Returns the longest interval of the symmetric difference of two contacts, or the largest distance of a point
-/// contact from the other contact. The result is infinite if one contact is empty and the other has a point contact.
-/// It is also infinite if one contact has both a zone and a point contact on this zone, and the other contact has
-/// only the zone: such a point is the end of a shear layer beside Winkler ground.
+/// Returns the longest interval of the symmetric difference of two contact sets, or, if it is larger, the
+/// largest distance of a point contact in one set from the other set. The result is infinite in two cases:
+///
+/// * One set is empty, and the other set has a point contact.
+/// * One set has a zone and a separate point contact in this zone, and the other set has only the zone. Such a
+///   point contact is the end of a shear layer beside Winkler ground.
 pub(crate) fn longest_difference(a: &[Interval], b: &[Interval]) -> f64 {
     let lengths = differences(&[a, b]).into_iter().map(|[from, to]| to - from);
     let longest = lengths.fold(0.0, f64::max);

@@ -10,8 +10,8 @@ use crate::mesh::mesh::Mesh;
 use crate::mesh::open_ground::cell_part;
 use std::ops::Range;
 
-/// Maximum distance of a node from a point of contact, in units of 1/wave number, at which its surface unknown is
-/// the settlement relative to the beam.
+/// Distance from the nearest point in contact, in units of 1/wave number. At a node of open ground within this
+/// distance, the unknown of the ground surface is the settlement relative to the beam.
 const NARROW_GAP: f64 = 1e-2;
 
 /// Contact of the cells and nodes of a mesh.
@@ -57,8 +57,8 @@ impl Layout {
         Layout { touching, touched }
     }
 
-    /// Chooses the node at which the sweeps meet: the middle of the longest contact interval, or a rigid support if
-    /// no interval has a length.
+    /// Chooses the node at which the eliminations from both ends of the beam meet: the middle of the longest
+    /// contact interval, or a rigid support if there are only point contacts.
     pub fn meeting_node(&self, mesh: &Mesh) -> usize {
         let mut best = (0.0, mesh.nodes.len() / 2);
         let mut start: Option<usize> = None;
@@ -87,7 +87,7 @@ impl Layout {
         best.1
     }
 
-    /// The nodes of the chain for this contact.
+    /// Returns the nodes of the linear system for this contact, with their loads, supports and ground springs.
     pub fn nodes(&self, mesh: &Mesh) -> Vec<ChainNode> {
         let mut nodes: Vec<ChainNode> = mesh
             .nodes
@@ -156,8 +156,8 @@ impl Layout {
         nodes
     }
 
-    /// Distance of each node of a run of ground from the nearest point of contact. Near such a point the open
-    /// ground is very stiff.
+    /// Distance of each node of a run of ground from the nearest point in contact. Between a point in contact
+    /// and a node close to it, the open ground is short and therefore very stiff.
     fn distances_to_contact(&self, mesh: &Mesh, cells: &Range<usize>) -> Vec<f64> {
         let x = |node: usize| mesh.nodes[node].x;
         let mut distance = vec![f64::INFINITY; cells.len() + 1];
@@ -198,7 +198,7 @@ impl Layout {
         Some(OpenGround { two_port: cell_part(cell, -1.0, 1.0), ties })
     }
 
-    /// The cells of the chain for this contact, from their elements.
+    /// Returns the cells of the linear system for this contact: each element with the open ground under it.
     pub fn cells(&self, mesh: &Mesh, elements: impl Iterator<Item = Element>) -> Vec<ChainCell> {
         let cell = |(i, element)| ChainCell { element, open: self.open_ground(mesh, i) };
         elements.enumerate().map(cell).collect()
