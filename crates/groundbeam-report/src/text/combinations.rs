@@ -105,7 +105,7 @@ fn band(sheet: &mut Sheet, answers: &Answers, units: Units) {
         sheet.line(&format!("{name:<31}{best:>14}    {range}"));
     }
     sheet
-        .row("", "the ranges cover only the values of k and mu that were solved; nothing is proven for other values");
+        .row("", "the ranges cover only the k and mu for which the model was solved; nothing is proven for other values");
     sheet.blank();
 }
 
@@ -130,7 +130,7 @@ pub(crate) fn bounded_band(
         sheet.row("", &format!("{name}: {best} with the best estimates of k and mu; {low} to {high} over all solved k and mu"));
     }
     sheet
-        .row("", "the ranges cover only the values of k and mu that were solved; nothing is proven for other values");
+        .row("", "the ranges cover only the k and mu for which the model was solved; nothing is proven for other values");
     sheet.blank();
 }
 

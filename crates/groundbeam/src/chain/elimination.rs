@@ -389,9 +389,9 @@ impl BackSubstitution {
         [v[0], v[1], if self.rise { y[U] - e[2] } else { e[2] }]
     }
 
-    /// Computes the surface settlement at a node at which the open ground behind the node ends, from the
-    /// deflection and the rotation in `y`. Behind is left in the elimination from the left (`forward`). At
-    /// other nodes, returns `y` unchanged.
+    /// Computes the surface settlement of open ground at the node at which this ground ends, from the
+    /// deflection and the rotation in `y`. The ground lies to the left of the node if `forward` is true,
+    /// otherwise to its right. At nodes where no open ground ends on this side, returns `y` unchanged.
     fn end(&self, node: &ChainNode, mut y: [f64; 3], forward: bool) -> [f64; 3] {
         let [behind, ahead] = if forward { [0, 1] } else { [1, 0] };
         if node.surface[behind] && !node.surface[ahead] {

@@ -60,7 +60,7 @@ pub(crate) struct CondensedStiffness {
     pub r: [f64; 3],
 }
 
-/// What one end of open ground is connected to.
+/// Connection of one end of open ground: to the free surface of the neighbouring ground, or to the beam.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Tie {
     /// The free surface at the node.

@@ -326,7 +326,8 @@ pub(crate) struct GivenRotation {
 }
 
 impl GivenRotation {
-    /// Prescribes at the left end of the beam the rotation that the beam has in the given contact state.
+    /// Returns a prescribed rotation at the left end of the beam, equal to the rotation in the given contact
+    /// state.
     pub fn as_in(found: &ContactState) -> GivenRotation {
         GivenRotation { at: 0.0, slope: value(&found.rotation(0), -1.0) }
     }

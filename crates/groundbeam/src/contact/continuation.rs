@@ -1,4 +1,4 @@
-//! Computes a start for Newton's method on the contact edges of a long soft beam by continuation in the bending stiffness.
+//! Computes an initial guess for Newton's method on the contact edges of a long soft beam by continuation in the stiffness EI.
 //!
 //! Phase A of the solver finds contact zones from ground forces at nodes, and phase B finds the exact contact
 //! edges by Newton's method. On a long soft beam, phase B needs a better initial guess than phase A gives. The beam is
@@ -86,8 +86,8 @@ pub(crate) fn follow(model: &Model, level: u32, cancel: &Cancel) -> Result<Start
 
 /// Performs phase A: computes the contact set from ground forces at the nodes, on meshes from coarse to fine.
 /// The nodal forces determine the edges of the contact set. At the last level, the obstacle problem for the
-/// deflection determines the edges instead. If a contact zone ends near a hinge, the nodal forces place the
-/// edge at the hinge, and the obstacle problem does not.
+/// deflection determines the edges instead. An edge at a hinge keeps its position if nodal forces determine it,
+/// but not if the obstacle problem does.
 fn phase_a(model: &Model, level: u32, cancel: &Cancel) -> Result<Start, Unconverged> {
     // Shear deformation is omitted here, because elements with it are power series, which cost ten times as much.
     let bending = Model { beam: model.beam.clone().without_shear(), ..model.clone() };

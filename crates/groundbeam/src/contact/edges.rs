@@ -33,17 +33,18 @@ pub(crate) struct Start {
     pub contact: Vec<Interval>,
     /// The deflection whose contact set is `contact`, if known.
     pub now: Option<ContactState>,
-    /// Whether the first step may move the edges by a Newton step instead of an obstacle problem.
+    /// Whether the first step may compute the next contact set by a Newton step of the edges instead of the
+    /// obstacle problem.
     pub near: bool,
 }
 
 impl Start {
-    /// Creates the start of the iteration from a trial contact set. No deflection is known.
+    /// Creates an initial guess of the iteration from a trial contact set. The deflection is unknown.
     pub fn on(contact: Vec<Interval>) -> Self {
         Start { contact, now: None, near: false }
     }
 
-    /// Creates the start of the iteration from a known deflection and its contact set.
+    /// Creates an initial guess of the iteration from a deflection and its contact set.
     pub fn of(found: ContactState) -> Self {
         let contact = positions(&found.mesh, &found.zones, &[]);
         Start { contact, now: Some(found), near: false }
@@ -381,9 +382,9 @@ impl Search<'_, '_> {
             self.epsilon = (self.epsilon * change).max(SOFTEST_SPRING);
         }
         if shortened.part < LEAST_PART {
-            // The next trial contact is the contact set of the present deflection from the obstacle problem.
-            // Only with this contact set, the energy certainly decreases in the next step. A contact set from a
-            // Newton step of the edges does not ensure a decrease.
+            // The next trial contact set is that of the present deflection from the obstacle problem. With this
+            // contact set, the energy certainly decreases in the next step. With a contact set from a Newton
+            // step of the edges, it may increase.
             let own = self.scan(&from);
             self.needs_springs =
                 longest_difference(&contact, &own) <= ROUNDING_MOVE * self.length();
