@@ -92,7 +92,7 @@ def test_one_sided_derivatives_are_reported(footing: gb.Model) -> None:
         ("deflexion", None, "k", "no output has the name"),
         ("deflection", None, "k", "give the positions"),
         ("largest moment", 1.0, "k", "it has no position"),
-        ("edge[7].left", None, "k", "no such output"),
+        ("edge[7].left", None, "k", "does not contain the requested output"),
         ("deflection", 1.0, "kk", "unknown name"),
         ("deflection", 1.0, "load[9]", "no such number"),
         ("deflection", 1.0, "k[0]", "no such number"),

@@ -45,11 +45,13 @@ pub struct Stopped {
     pub why: NotConverged,
 }
 
-/// Reason why a method stopped without an accepted solution. The number of a variant is a relative value.
+/// Reason why a method stopped without an accepted solution. The number in a variant is the relative value of the
+/// quantity that did not reach its tolerance.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum NotConverged {
-    /// The residual of the contact condition (5.10) after the last sweep of Uzawa's iteration or of PSOR.
+    /// The relative residual of the contact condition (5.10) of the paper, after the last sweep of Uzawa's iteration or
+    /// of PSOR.
     Sweeps(f64),
     /// The last displacement of a contact edge, as a fraction of the beam's length.
     Edges(f64),
@@ -63,13 +65,14 @@ pub enum NotConverged {
     Supports,
     /// The stability margin at which the path of equilibria under compression ended.
     Branch(f64),
-    /// The relative gap of the certificate at the factor of first lift-off.
+    /// The relative energy gap of the certificate for the solution at the load factor of first lift-off.
     LiftOff(f64),
     /// The last relative change of the rate r = ∫u'²/∫u² of layered soil, from one solution to the next.
     Soil(f64),
-    /// The relative gap of the certificate, for loads that cancel each other to rounding error.
+    /// The relative energy gap of the certificate, which is too large because the loads cancel each other to rounding
+    /// error.
     CancellingLoads(f64),
-    /// The relative gap of the certificate.
+    /// The relative energy gap of the certificate, which is larger than its tolerance.
     Gap(f64),
 }
 
@@ -77,7 +80,9 @@ impl NotConverged {
     /// Description of the quantity that did not reach its tolerance.
     pub fn what(&self) -> &'static str {
         match self {
-            NotConverged::Sweeps(_) => "the relative residual of the contact condition (5.10)",
+            NotConverged::Sweeps(_) => {
+                "the relative residual of the contact condition (5.10) of Kikuchi (1980)"
+            }
             NotConverged::Edges(_) => {
                 "the last move of a contact edge relative to the beam's length"
             }
@@ -224,7 +229,7 @@ mod tests {
     #[test]
     fn every_end_of_an_iteration_has_its_message() {
         let expected = "\
-the method `uzawa` stopped after 7 iterations: the relative residual of the contact condition (5.10) is 1.2e-3; the tolerance is 1.0e-11
+the method `uzawa` stopped after 7 iterations: the relative residual of the contact condition (5.10) of Kikuchi (1980) is 1.2e-3; the tolerance is 1.0e-11
 the method `uzawa` stopped after 7 iterations: the last move of a contact edge relative to the beam's length is 1.2e-3; the tolerance is 1.0e-12
 the method `uzawa` stopped after 7 iterations: the beam bonded in trial contact zones is a mechanism
 the method `uzawa` stopped after 7 iterations: the set of contact nodes did not settle

@@ -1,6 +1,6 @@
-//! Solves the discrete problem (5.5), (5.10), (5.11) with forces at nodes and exact beam elements in place of (5.2).
+//! Solves the paper's problem with forces at nodes, (5.5), (5.10), (5.11), with exact instead of cubic beam elements (5.2).
 //!
-//! Newton's method finds the nodes in contact on meshes from coarse to fine ([`newton`](crate::nodal::newton)).
+//! Newton's method determines the nodes in contact, on meshes from coarse to fine ([`newton`](crate::nodal::newton)).
 
 use crate::cancel::Cancel;
 use crate::contact::edge_error::EdgeError;
@@ -25,7 +25,7 @@ use crate::numeric::polynomial::{TERMS, rescale};
 pub(crate) struct Solved {
     grid: Grid,
     workspace: Workspace,
-    /// Nodes that divide the beam into parts, each with one closed form.
+    /// Nodes that divide the beam into cells with one closed-form solution each.
     ends: Vec<usize>,
 }
 
@@ -36,8 +36,8 @@ impl Solved {
         Solved { grid, workspace, ends }
     }
 
-    /// Number of closed forms that describe the beam: one per element between nodes in contact, and a few per lifted
-    /// stretch.
+    /// Number of cells into which the beam is divided: one for each element between nodes in contact, and a few for
+    /// each part out of contact.
     pub fn cells(&self) -> usize {
         self.ends.len() - 1
     }
@@ -63,8 +63,9 @@ impl Solved {
         let mut parts = Vec::with_capacity(last);
         for (cell, own) in mesh.cells.iter().enumerate() {
             if own.shear_layer == 0.0 {
-                // The certificate uses the pressure of the springs under the deflection, because a point force on
-                // Winkler ground has infinite energy.
+                // The certificate uses the distributed pressure of the springs under the deflection, not the nodal
+                // forces. The complementary energy ∫p²/(2k) of a point force on ground without a shear layer is
+                // infinite.
                 springs::cover(&w, cell, &mut parts);
             } else {
                 let open = Some([cell, cell + 1].map(|i| settlement[ends[i]]));
@@ -103,8 +104,8 @@ pub(crate) fn solve(
     }
 }
 
-/// The mesh of a grid with one cell between any two neighbours of the given nodes. The given nodes include
-/// all ends of runs.
+/// Returns the mesh with one cell between each two consecutive nodes of the list `ends`. The list must contain the
+/// first and the last node of every run of equal elements in the grid.
 pub(crate) fn mesh(grid: &Grid, ends: &[usize]) -> Mesh {
     let cells = ends.windows(2).map(|ends| {
         let run = &grid.runs[grid.run_at(ends[0])];
@@ -129,9 +130,9 @@ pub(crate) fn point(node: usize, cells: usize) -> BeamPoint {
     }
 }
 
-/// Returns the nodes at which the beam is divided into closed forms: nodes in contact and their neighbours, and the
-/// ends of lifted pieces. Beside a zone the beam may penetrate the ground over less than the length of an element; a
-/// short cell there keeps the estimate of the error sharp.
+/// Returns the nodes at which the beam is divided into cells with one closed-form solution each: the nodes in contact,
+/// their neighbours, and the ends of the parts out of contact. Beside a contact zone, the beam may penetrate the ground
+/// over less than the length of an element. A short cell there keeps the error estimate sharp.
 fn ends(grid: &Grid, workspace: &Workspace) -> Vec<usize> {
     let last = grid.last();
     let near = |&[from, to]: &Zone| from.saturating_sub(1)..=(to + 1).min(last);

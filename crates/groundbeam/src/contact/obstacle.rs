@@ -36,25 +36,27 @@ pub(crate) fn contact(w: &Deflection) -> Vec<MeshZone> {
     zones
 }
 
-/// Open ground between two points. If a point is `None`, the span includes the ground beyond this end of the run.
+/// Open ground between two points of the beam. If a point is `None`, the span includes the ground beyond this end of
+/// the [`GroundRun`].
 #[derive(Debug, Clone, Copy)]
 struct OpenSpan {
     left: Option<BeamPoint>,
     right: Option<BeamPoint>,
-    /// Two-port of the whole cells strictly between the points, including the ground beyond the run if a point is
-    /// `None`.
+    /// Force–displacement relation of the whole cells between the cells of `left` and `right`. If `left` or `right` is
+    /// `None`, it includes the ground beyond this end of the [`GroundRun`].
     middle: Option<TwoPort>,
 }
 
-/// A zone, and the open span on its left.
+/// A contact zone, and the open span on its left.
 #[derive(Debug, Clone, Copy)]
 struct KeptZone {
     zone: MeshZone,
     span: OpenSpan,
 }
 
-/// Ratio of two successive forces below which a step of the size of rounding error shows that Newton's method has
-/// converged. Such a step alone is no proof, because a large force on a very short span also causes it.
+/// Newton's method has converged if its step is as small as rounding error and the force is below this fraction of the
+/// force before the step. A small step alone is not sufficient, because a large force on a very short span also causes
+/// a small step.
 const CONVERGED: f64 = 0.01;
 
 struct Scan<'a> {
@@ -99,8 +101,9 @@ impl Scan<'_> {
         stack.into_iter().map(|kept| kept.zone).collect()
     }
 
-    /// Ends the last zone where the span begins. If the rest of the zone would be in tension, drops the zone and
-    /// extends the span to the previous zone.
+    /// Ends the last contact zone of `stack` at the left end of `span`. If the zone is then a single point without a
+    /// compressive force, removes the zone and extends `span` to the previous zone. Returns whether the zone was
+    /// removed.
     fn drops_last(&self, stack: &mut Vec<KeptZone>, span: &mut OpenSpan) -> bool {
         let (Some(last), Some(touch)) = (stack.last_mut(), span.left) else { return false };
         last.zone.to = touch;
@@ -112,7 +115,8 @@ impl Scan<'_> {
         dropped
     }
 
-    /// Trims the last zones by the open span at the right end of the run.
+    /// Computes the open span at the right end of the [`GroundRun`]. Shortens the last contact zone to the left end of
+    /// this span, and removes last zones that would be in tension.
     fn close(&self, stack: &mut Vec<KeptZone>) {
         let end = self.run.cells.end;
         let Some(last) = stack.last() else { return };
@@ -182,7 +186,8 @@ impl Scan<'_> {
         let tail = span.right.filter(|b| b.s > -1.0).map(|b| part(b.cell, -1.0, b.s));
         let parts = [head, span.middle, tail];
         let whole = parts.into_iter().flatten().reduce(TwoPort::then);
-        // A span of length zero between two points at one node is a rigid two-port.
+        // If both ends of the span lie at one node, the span has length zero. Its series stiffness is then practically
+        // infinite, so both ends have the same settlement.
         whole.unwrap_or(TwoPort { series: f64::MAX, shunt_left: 0.0, shunt_right: 0.0 })
     }
 
@@ -193,7 +198,7 @@ impl Scan<'_> {
         fluxes(before)[1] + fluxes(after)[0]
     }
 
-    /// The union of two spans and the dropped zone between them.
+    /// Returns the open span that replaces two adjacent open spans and the contact zone between them, which is removed.
     fn merged(&self, before: &OpenSpan, zone: &MeshZone, after: &OpenSpan) -> OpenSpan {
         let first = before.left.map_or(self.run.cells.start, |a| a.cell + 1);
         let last = after.right.map_or(self.run.cells.end, |b| b.cell);
@@ -278,8 +283,8 @@ impl Scan<'_> {
                 point = limit;
                 break;
             }
-            // The whole cell opens. It is added to the whole cells of the span, unless the right end of the span is
-            // also in this cell.
+            // The span now reaches the left end of this cell. If its right end lies in another cell, this cell is added
+            // to the whole cells of the span.
             if span.right.is_none_or(|b| b.cell != point.cell) {
                 let opened = self.whole_cells(point.cell, point.cell + 1, None);
                 span.middle = chained(opened, span.middle);
@@ -349,7 +354,8 @@ impl Scan<'_> {
             if good && is_rounding {
                 return newton;
             }
-            // At a corner the force jumps, and the side without tension is returned.
+            // At a corner of the obstacle the force jumps. The result is then the end of the interval at which the
+            // force is not tensile.
             if high - low <= 2.0 * f64::EPSILON {
                 return if sense > 0.0 { high } else { low };
             }

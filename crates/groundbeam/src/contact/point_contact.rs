@@ -10,13 +10,14 @@ use crate::numeric::polynomial::value;
 use crate::numeric::step::Step;
 use crate::numeric::tolerance::GAP;
 
-/// Distance of the load resultant from an end of the beam, relative to the length of the beam, in the problem that
-/// approximates a resultant exactly over this end.
+/// If the load resultant acts exactly at an end of the beam, the solver first shifts it into the beam by this fraction
+/// of the beam's length. It then computes the smallest rotation at which the beam is in equilibrium.
 const ALMOST: f64 = 1e-6;
 
-/// Trial amounts by which the rotation of the beam exceeds its limit value, relative to the larger of |φ| and |w|/l at
-/// this limit, for the rotation φ and the deflection w of the touching end. The solver takes the first amount whose
-/// solution has an energy gap of at most [`GAP`].
+/// Trial values of the rotation of the beam minus its smallest rotation in equilibrium, divided by the larger of |φ|
+/// and |w|/l. Here φ is the rotation and w the deflection of the end in contact, both at the smallest rotation, and l
+/// is the length of the beam. The solver takes the first value whose solution has a relative energy gap of at most
+/// [`GAP`].
 const BEYOND: [f64; 4] = [0.01, 0.1, 1.0, 10.0];
 
 /// Solves a free beam whose load resultant is exactly over one of its ends. Only this end is in contact. If the
@@ -38,8 +39,9 @@ pub(crate) fn solve_over_an_end(
     let w = value(limit.deflection().cell(cell), s);
     let tangent = value(&limit.rotation(cell), s);
     let at = if over_left { 0.0 } else { l };
-    // The trial rotations exceed the computed limit, which has an error. The computed limit belongs to a resultant at
-    // the distance ALMOST from the end, where the length of the contact interval is of order √ALMOST.
+    // The trial rotations exceed the computed smallest rotation, because this rotation is only approximate. It belongs
+    // to a load resultant at the distance ALMOST from the end, where the length of the contact interval is of order
+    // √ALMOST.
     let turns = BEYOND.into_iter().map(|more| {
         let beyond = more * tangent.abs().max(w.abs() / l);
         vec![GivenRotation {
@@ -50,8 +52,8 @@ pub(crate) fn solve_over_an_end(
     turned_clear(&mut Bonded::new(model, cancel), &[[at, at]], turns, limit.history, judge)
 }
 
-/// Solves the beam in contact with the ground on `contact`, for each of the given rotations. Returns the first
-/// solution whose energy gap is at most [`GAP`].
+/// Solves the beam bonded to the ground on `contact` with prescribed rotations, once for each set of rotations in
+/// `turns`. Returns the first solution whose relative energy gap, computed by `judge`, is at most [`GAP`].
 pub(crate) fn turned_clear(
     bonded: &mut Bonded,
     contact: &[Interval],

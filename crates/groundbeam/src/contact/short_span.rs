@@ -23,7 +23,8 @@ use crate::numeric::elementary::{cosh, sinh};
 use crate::numeric::polynomial::value;
 use crate::numeric::real::Real;
 
-/// Maximum number of cells of a short span. A span over one cell and parts of both adjacent cells needs three.
+/// Maximum number of cells of a short span, counted from the cell of its left end to the cell of its right end. An end
+/// may be the end of a cell in contact, so up to two of these cells may lie outside the span.
 pub(crate) const MOST_CELLS: usize = 4;
 /// Maximum length of a short span, in decay lengths √(μ/k) of the ground. In longer spans, the contact forces from
 /// differences of slopes are accurate to twelve digits.
@@ -34,9 +35,9 @@ struct SpanPart<R> {
     cell: usize,
     from: f64,
     to: f64,
-    /// Half the length of the part of the cell \[m\].
+    /// Half the length of the part of the cell that lies in the span \[m\].
     half: f64,
-    /// Length of the part of the cell, times the decay rate b = √(k/μ) of the ground.
+    /// Length of this part of the cell, times the decay rate b = √(k/μ) of the ground.
     length: R,
     stiffness: R,
     /// Separate cell for this part, with its two-port, if the ground varies; otherwise `None`.
@@ -79,9 +80,10 @@ impl<R: Real> SpanPart<R> {
         [cosh * phi + sinh / stiffness * flux, stiffness * sinh * phi + cosh * flux]
     }
 
-    /// Computes ∫π φ over the part, divided by half the length of the part, for two surfaces φ of unloaded ground.
-    /// The first surface is 1 at the left end of the part and 0 at the right end. The second surface is 0 at the left
-    /// end and 1 at the right end.
+    /// Computes ∫π φ dx over the part of the cell, divided by half the length of the part. The pressure π, with the
+    /// coefficients `pi`, would close the span. φ is one of two surfaces of unloaded ground. The first surface is 1 at
+    /// the left end of the part and 0 at the right end, and the second surface is 0 at the left end and 1 at the right
+    /// end.
     fn under(&self, pi: &[R]) -> [R; 2] {
         let at = |t: f64| value(pi, self.from + t * (self.to - self.from));
         let mut under = [R::ZERO; 2];
@@ -120,8 +122,9 @@ fn decay<R: Real>(cell: &Cell<R>, half: f64) -> R {
     (cell.subgrade / cell.shear_layer).sqrt() * 2.0 * half
 }
 
-/// Computes the forces on open ground at both ends of a span if the ground touches the beam at these ends. `link` is
-/// the two-port of the span. If an end is `None`, the span includes the ground outside the `GroundRun`.
+/// Computes the forces on the ground at both ends of a span of open ground, whose ends touch the beam. `link` is the
+/// force–displacement relation of the span. If an entry of `ends` is `None`, the span includes the ground beyond this
+/// end of the `GroundRun`.
 pub(crate) fn fluxes<R: Real>(
     w: &Deflection<R>,
     ends: [Option<BeamPoint>; 2],
@@ -153,9 +156,9 @@ pub(crate) fn bonded_fluxes<R: Real>(
     }
 }
 
-/// Returns the end of a span as a point of the adjacent open cell, if the concentrated force at this bonded edge
-/// causes a kink of the beam. Otherwise returns the point unchanged. The forces of [`end_forces`] already contain the
-/// point forces at all other kinks.
+/// Returns the end of a span as a point of the adjacent cell inside the span, if the concentrated force at this end
+/// causes a kink of the beam. Otherwise returns the unchanged point. At every other kink, the forces of [`end_forces`]
+/// already contain the point force.
 fn open_side<R: Real>(w: &Deflection<R>, point: BeamPoint) -> BeamPoint {
     let BeamPoint { cell, s } = point;
     let other = match s {
@@ -191,8 +194,9 @@ pub(crate) fn end_forces<R: Real>(
     let part = |i: usize| SpanPart::of(&w.mesh.cells[i], i, within(i));
     let parts: Vec<SpanPart<R>> = (a.cell..=b.cell).map(part).collect::<Option<_>>()?;
     if whole <= 0.0 {
-        // A span of zero length is a corner between two candidate intervals. Half of the point force of the corner is
-        // assigned to each end of the span. The beam leaves the ground at the corner if this force is tensile.
+        // A span of zero length lies at a node between two candidate contact intervals, at which the ground carries a
+        // point force. Half of this force is assigned to each end of the span. If the force is tensile, the beam leaves
+        // the ground at the node.
         let half_force = parts.iter().skip(1).map(|part| w.corner(part.cell) * 0.5).sum();
         return Some([half_force; 2]);
     }
@@ -225,10 +229,10 @@ pub(crate) fn end_forces<R: Real>(
     Some(forces)
 }
 
-/// Computes the initial span at a corner in tension between two candidate intervals. On uniform ground with constant
-/// pressure π, both end forces vanish if the span extends to each side by half the tension force of the corner,
-/// divided by π. The initial span has half of this length, so both ends are still in tension. Returns `None` if the
-/// computed end forces are not in tension.
+/// Computes the initial open span around a node between two candidate contact intervals, at which the ground would
+/// carry a tensile point force T. On uniform ground with constant pressure π, the forces at both ends of the span
+/// vanish if the span extends by T/(2π) to each side. The initial span extends half as far, so both end forces are
+/// still tensile. Returns `None` if the computed end forces are not tensile.
 pub(crate) fn opened(w: &Deflection, ends: [BeamPoint; 2]) -> Option<[BeamPoint; 2]> {
     let [a, b] = ends;
     if a.cell + 1 != b.cell || a.s < 1.0 || b.s > -1.0 {

@@ -25,14 +25,15 @@ pub(crate) struct ContactState {
     /// Number of elements of the discrete problem (5.5), in which the ground acts only at nodes; `None` if the ground
     /// pressure is distributed.
     pub nodal_elements: Option<usize>,
-    /// Surface of the ground, if it differs in the last digits from the solution of the obstacle problem of this
-    /// deflection; otherwise `None`.
+    /// Ground surface and point forces of a problem with ground forces at the nodes. `None` if the ground pressure is
+    /// distributed; the surface is then computed from the deflection and `zones`.
     pub surface: Option<Surface>,
     pub edge_error: EdgeError,
 }
 
 impl ContactState {
-    /// Creates the state of a deflection of exact elements with distributed ground pressure.
+    /// Creates the contact state of a deflection that was computed with exact elements on ground with distributed
+    /// pressure.
     pub fn exact(
         mesh: Mesh,
         coefficients: Vec<f64>,
@@ -86,7 +87,7 @@ pub(crate) struct Unconverged {
 }
 
 impl Unconverged {
-    /// Error of an iteration that stops because the beam is a mechanism on a trial contact.
+    /// Error of an iteration that stops because the beam, bonded to the ground in trial contact zones, is a mechanism.
     pub const SINGULAR: Unconverged = Unconverged { iterations: 0, why: NotConverged::Singular };
 }
 

@@ -7,12 +7,13 @@
 /// contact zone.
 pub(crate) const CONVERGED_MOVE: f64 = 1e-15;
 
-/// Largest move of the contact edges at which the contact has converged, if the preceding move was at most four times
-/// as long. If edge Newton moves no edge by more, the contact set is computed from the obstacle problem instead.
+/// Move of the contact edges in one step that may be rounding error. The iteration has converged if no edge moves by
+/// more and the preceding move was at most four times as long. If Newton's method for the edges moves no edge by more,
+/// the contact set of the step is computed from the obstacle problem.
 pub(crate) const ROUNDING_MOVE: f64 = 1e-12;
 
-/// Largest move of the contact edges that counts as rounding error, if [`STALE_STEPS`] steps have not halved the
-/// smallest move. The random model Hard 774 needs this criterion.
+/// Move of the contact edges up to which a step is rounding error, if [`STALE_STEPS`] consecutive steps have not halved
+/// the smallest move. Model 774 of the random family Hard needs this criterion.
 pub(crate) const JITTER: f64 = 1e-7;
 
 /// Distance between beam and ground, in units in the last place of the deflection, below which rounding error decides
@@ -33,11 +34,12 @@ pub(crate) const SAME: f64 = 1e-9;
 /// contact edges.
 pub(crate) const STALE_STEPS: usize = 4;
 
-/// Move of the contact edges below which the next step may be an edge Newton step.
+/// The next step may use Newton's method for the edge positions if the last step moved no contact edge by more than
+/// this fraction of the beam's length.
 pub(crate) const NEAR: f64 = 0.1;
 
-/// Largest move of a contact edge in an edge Newton step, relative to the length of the contact zone and to the
-/// length of the adjacent open ground.
+/// Largest move of a contact edge in one step of Newton's method for the edge positions, relative to the length of the
+/// contact zone and to the length of the adjacent open ground.
 pub(crate) const NEAR_EDGE: f64 = 0.25;
 
 /// Limit on the number of steps of a contact iteration. The first `always` steps are always allowed. Further steps,
@@ -55,10 +57,11 @@ impl StepLimit {
     }
 }
 
-/// Limit on the Newton steps of a contact iteration in and after the continuation. A slit between two contact zones
-/// closes slowly under the line search. The random models Shearing 6302 and Hinged 1100 need 133 and 296 steps on a
-/// few cells, and Shearing 7839 needs a `work` of 100,000. On the 3000 cells of Hard 9773, 300 steps take a minute
-/// and do not converge.
+/// Limit on the Newton steps of a contact iteration that belongs to the continuation in the beam's stiffness or starts
+/// from its result. A short gap between two contact zones closes slowly under the line search. The random models
+/// Shearing 6302 and Hinged 1100 need 133 and 296 steps on a few cells, and in Shearing 7839 the number of steps times
+/// the number of cells reaches 100,000. On the 3000 cells of the random model Hard 9773, 300 steps take a minute and do
+/// not converge.
 pub(crate) const MOST_STEPS: StepLimit = StepLimit { always: 60, most: 400, work: 100_000 };
 
 /// Limit on the Newton steps of a contact iteration that starts from the initial guess or from the contact of a
@@ -80,16 +83,17 @@ pub(crate) const SOFTEN: f64 = 0.1;
 /// Fraction of the full Newton step below which a step of the line search is rounding error.
 pub(crate) const LEAST_PART: f64 = 1e-9;
 
-/// Largest relative energy gap at which the forces of springs that restrain a mechanism are rounding error. These
-/// springs are the stabilising springs and a spring that prescribes a rotation. The random model Hinged 1017 has an
-/// energy gap of 3e-10 in a false equilibrium. In equilibrium, the energy gap is 9e-30 in the random model Gap 738 and
-/// 1e-21 in Hinged 8306.
+/// If the beam is a mechanism, auxiliary springs restrain it: stabilising springs, or a spring that prescribes a
+/// rotation. If the relative energy gap of the solution is at most this value, the forces in these springs count as
+/// rounding error. The random model Hinged 1017 has an energy gap of 3e-10 in a false equilibrium. In equilibrium, the
+/// energy gap is 9e-30 in the random model Gap 738 and 1e-21 in Hinged 8306.
 pub(crate) const ROUNDING_GAP: f64 = 1e-18;
 
 /// Relative Newton decrement below which a decrease of the energy is rounding error.
 pub(crate) const LEAST_FALL: f64 = 1e-26;
 
-/// Length of open ground between two contact zones below which the open ground is due to rounding error.
+/// Two contact zones are joined if the open ground between them is at most this long, because such short open ground is
+/// due to rounding error.
 pub(crate) const SLIT: f64 = 1e-10;
 
 /// Contact force of a zone, relative to the total contact force, below which the zone may be left out of contact. The
@@ -100,13 +104,13 @@ pub(crate) const WEIGHTLESS: f64 = 1e-13;
 /// the beam. This guess leads to the solution of 13,314 of 18,295 random models.
 pub(crate) const SHORT: f64 = 24.0;
 
-/// Largest distance between two nodes of the model at the start of the continuation, in units of 1/wave number. The
-/// continuation starts with a stiffened beam that satisfies this limit. With a value of 16, the solver finds no
-/// solution of the random model Extreme 230.
+/// The continuation starts with a beam so stiff that the distance between adjacent nodes of the model, times the wave
+/// number of this beam, is at most this value. With a value of 16, the solver finds no solution of the random model
+/// Extreme 230.
 pub(crate) const STIFF_WAVES: f64 = 4.0;
 
-/// Longest and shortest step of the continuation, as changes of log₂ of the beam's stiffness. The random model Hard
-/// 6164 needs steps of 10⁻⁷.
+/// Longest and shortest step of the continuation in the beam's stiffness, as changes of log₂ of the stiffness. Model
+/// 6164 of the random family Hard needs steps of 10⁻⁷.
 pub(crate) const LONGEST_STEP: f64 = 2.0;
 pub(crate) const SHORTEST_STEP: f64 = 1e-7;
 

@@ -119,7 +119,8 @@ impl<R: Real> Surface<R> {
         }
     }
 
-    /// Adds the parts of open ground between two points. Returns the two-port of the whole span.
+    /// Appends the parts of the open ground between two points to the parts of the surface. Returns the
+    /// force–displacement relation of this open ground.
     fn open(
         &mut self,
         w: &Deflection<R>,
@@ -150,7 +151,7 @@ impl<R: Real> Surface<R> {
         parts
     }
 
-    /// Concentrated forces at the left and right end of the beam.
+    /// Concentrated contact forces between beam and ground at the left and the right end of the beam.
     pub fn end_forces(&self, mesh: &Mesh<R>) -> [R; 2] {
         let last = mesh.cells.len() - 1;
         let at = |point: BeamPoint| {

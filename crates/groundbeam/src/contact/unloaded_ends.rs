@@ -46,8 +46,8 @@ fn is_unloaded(model: &Model, end: f64, hinge: f64) -> bool {
     let held = model.supports.iter().any(|support| {
         beyond(support.at) || support.at == hinge && support.kind != SupportKind::Pinned
     });
-    // In the model without the end part, the ground at the hinge continues outside the beam. This is correct only if
-    // no ground segment lies under the end part.
+    // The beam is solved without the end part, as if the ground beyond the hinge had the properties of the ground at
+    // the hinge. This is correct only if no ground segment lies under the end part.
     let (_, layer) = model.foundation.largest();
     let changes = layer > 0.0 && model.foundation.segments.iter().any(|s| reaches([s.from, s.to]));
     !(loaded || held || changes)

@@ -40,12 +40,13 @@ const SAFE: f64 = 0.95;
 /// sufficient.
 const MOST_NEWTON: usize = 200;
 
-/// Relaxation parameters ρᵢ of a sweep.
+/// Choice of the relaxation parameters ρᵢ of the nodes i.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Relaxation {
-    /// One relaxation parameter ρ for all nodes, (5.17).
+    /// One relaxation parameter ρ for all nodes, (5.17) of the paper.
     Uniform,
-    /// Relaxation parameters ρᵢ inversely proportional to the flexibility Gᵢᵢ of the ground at node i, (5.18).
+    /// Relaxation parameters ρᵢ that are inversely proportional to the flexibility Gᵢᵢ of the ground at node i, (5.18)
+    /// of the paper.
     Diagonal,
 }
 
@@ -92,8 +93,8 @@ pub(crate) fn solve(
     Ok(found(mesh.clone(), &ground, &beam, &pressure, rigid, history))
 }
 
-/// Computes the nodal pressures (5.5) of the bilateral problem and sets tensile pressures to zero. Uzawa's iteration
-/// (5.15) can start from these pressures.
+/// Computes the nodal pressures of the paper, (5.5), for the bilateral problem, in which the ground can also pull. Sets
+/// tensile pressures to zero. Uzawa's iteration (5.15) of the paper can start from these pressures.
 fn bilateral_pressure(grid: &Grid) -> Vec<f64> {
     let mut workspace = Workspace::default();
     workspace.bond(grid);
@@ -121,8 +122,8 @@ fn relaxed(diagonal: &[f64], flexibility: f64, relaxation: Relaxation) -> Vec<f6
     }
 }
 
-/// Performs one sweep of (5.17). The sweep adds the rigid motion for which the new pressure satisfies the equilibrium
-/// conditions (5.19), in their nodal form (5.20).
+/// Performs one sweep of the iteration (5.17) of the paper. The sweep adds the rigid motion for which the new pressure
+/// satisfies the equilibrium conditions (5.19), in their nodal form (5.20).
 fn sweep(
     ground: &Flexibility,
     beam: &FreeBeam,
@@ -156,7 +157,7 @@ fn sweep(
             let w = deflection[i] + r[0] * rigid[0] + r[1] * rigid[1];
             let value = before[i] - rho[i] * (ahead[0] + behind[i] + gap[i] - w);
             let mut derivative = [0.0; 2];
-            // (5.13)
+            // The new nodal pressure is the positive part of `value`, (5.13) of the paper.
             next[i] = value.max(0.0);
             if value > 0.0 {
                 derivative = [0, 1].map(|k| rho[i] * (r[k] - ahead[1 + k]));
@@ -206,9 +207,9 @@ fn newton(balance: &[f64; 2], slope: &[[f64; 2]; 2], free: usize, whole: f64) ->
     [(a * s[1][1] - b * s[0][1]) / d, (b * s[0][0] - a * s[1][0]) / d]
 }
 
-/// Computes the residual of (5.10): the largest change of a nodal pressure in a sweep, relative to the largest
-/// pressure before or after the sweep. The change is scaled to the relaxation parameter 1/Gᵢᵢ, where Gᵢᵢ is the
-/// flexibility of the ground at node i.
+/// Computes the relative residual of the contact condition (5.10) of the paper: the largest change of a nodal pressure
+/// in a sweep, divided by the largest pressure before or after the sweep. If the relaxation parameter ρᵢ of node i is
+/// below 1/Gᵢᵢ, the change at node i is first divided by ρᵢ Gᵢᵢ. Gᵢᵢ is the flexibility of the ground at node i.
 fn change(before: &[f64], next: &[f64], rho: &[f64], diagonal: &[f64]) -> f64 {
     let largest = before.iter().chain(next).fold(0.0, |m: f64, p| m.max(p.abs()));
     let mut worst: f64 = 0.0;
@@ -223,7 +224,7 @@ fn initial_gap(mesh: &Mesh, node: usize) -> f64 {
     if node == 0 { mesh.cells[0].gap[0] } else { mesh.cells[node - 1].gap[1] }
 }
 
-/// Returns the beam element of a cell without ground.
+/// Returns the element of the beam in a cell, without the stiffness of the ground.
 fn element(cell: &Cell, axial_force: f64) -> ExactElement {
     ExactElement::new(&Operator::of(cell, axial_force, ZoneKind::Open), cell.length())
 }
@@ -237,8 +238,9 @@ struct FreeBeam<'a> {
     free: usize,
     /// Deflections of the free rigid motions at the nodes.
     motions: Vec<[f64; 2]>,
-    /// Work F(r) of the loads in each free rigid motion r, and the sum of the magnitudes of the loads.
+    /// Work of the loads in each of the `free` rigid motions; the other entries are 0.
     wanted: [f64; 2],
+    /// Sum of the magnitudes of the vertical loads \[N\].
     size: f64,
 }
 
@@ -332,7 +334,8 @@ impl<'a> FreeBeam<'a> {
     }
 }
 
-/// Computes the work F(r) of the loads in each free rigid motion r, and the sum of the magnitudes of the loads.
+/// Computes the work of the loads in each of the rigid motions `motions`, and the sum of the magnitudes of the vertical
+/// loads.
 fn work_of_loads(mesh: &Mesh, chain: &Chain, motions: &[[f64; 2]]) -> ([f64; 2], f64) {
     let mut work = [0.0; 2];
     let mut size = 0.0;

@@ -30,8 +30,8 @@ impl Equilibrium<'_> {
             Read::Edge { zone, side } | Read::EdgeForce { zone, side } => add(end_of(zone, side)),
             Read::Support { number, .. } => add(frame.model.supports[number].at),
         }
-        // The surface of an open span depends on w at both ends of the span. The surface of a short span depends on w
-        // in the whole span.
+        // The ground surface in a span without contact depends only on w at both ends of the span. The forces at the
+        // ends of a short span are integrals over the span, so they depend on w along the whole span.
         for Span { ends, .. } in &self.spans {
             let at = |end: BeamPoint| cells[end.cell].global(end.s);
             let from = ends[0].map_or(f64::NEG_INFINITY, at);

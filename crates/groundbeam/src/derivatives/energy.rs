@@ -11,8 +11,8 @@ use crate::numeric::real::Real;
 use crate::solution::fields::Side;
 
 impl<const N: usize> Linear<'_, N> {
-    /// Computes the derivatives of the potential energy: the energy of the beam with its axial force, of the ground
-    /// and of the springs, minus the work of the loads.
+    /// Computes the derivatives of the potential energy with respect to the parameters. This energy is the energy of
+    /// the beam with its axial force, of the ground and of the springs, minus the work of the loads.
     pub fn energy(&self) -> [f64; N] {
         let (mesh, still) = (self.mesh(), self.equilibrium);
         let lifted = |c: &[f64]| c.iter().map(|c| Dual::from(*c)).collect::<Vec<Dual<N>>>();
@@ -101,8 +101,8 @@ impl<const N: usize> Linear<'_, N> {
                 -moment * mean(&|side| solution.at(x, side).rotation)
             }
             Motion::Curvature(curvature) => curvature * mean(&|side| solution.at(x, side).moment),
-            // For a force per length, the model of derivatives contains a point force at the moving end. The work of
-            // this point force is already part of the derivative.
+            // If the end of a distributed force moves, the derivatives of the model contain a point force at this end.
+            // The work of this point force is already part of the derivative of the energy.
             Motion::ForcePerLength(_) => 0.0,
         }
     }

@@ -16,16 +16,17 @@ use crate::mesh::open_ground::open_links;
 use crate::numeric::polynomial::{TERMS, derivative};
 use crate::numeric::real::Real;
 
-/// The bonded beam in equilibrium, without derivatives.
+/// The equilibrium of the beam bonded to the ground in its contact zones, without derivatives with respect to the
+/// parameters.
 #[derive(Debug)]
 pub(super) struct Equilibrium<'a> {
     pub frame: &'a Frame<'a>,
     pub elements: Vec<Element>,
     /// The four unknowns of each element.
     pub shapes: Vec<[f64; 4]>,
-    /// Coefficients of w in each cell of the mesh of power series. The next field contains the coefficients of φ if
-    /// the beam has shear deformation.
+    /// Coefficients of w in each cell of the mesh of power series.
     pub deflection: Vec<f64>,
+    /// Coefficients of the rotation φ of the sections in each of these cells; empty if the beam has no shear deformation.
     pub rotation: Vec<f64>,
     /// Spans of open ground on the mesh of elements.
     pub spans: Vec<Span<f64>>,
@@ -107,17 +108,17 @@ impl<'a> Equilibrium<'a> {
 /// Open ground between two contact zones, or between a zone and the ground outside the beam.
 #[derive(Debug)]
 pub(super) struct Span<R> {
-    /// Left and right end of the span at a contact zone. An end is `None` if the span includes the ground outside the
-    /// `GroundRun`.
+    /// Left and right end of the span, each at the edge of a contact zone. An end is `None` if no contact zone follows
+    /// in the `GroundRun`; the span then includes the ground beyond this end of the run.
     pub ends: [Option<BeamPoint>; 2],
     /// Two-ports of the span. A two-port under the beam is stored with its cell and with the interval of the cell that
     /// it covers.
     pub links: Vec<(Option<(usize, [f64; 2])>, TwoPort<R>)>,
     /// Two-port of the whole span: all its two-ports in series.
     pub whole: TwoPort<R>,
-    /// Ground displacement u minus free field u₀ at both ends of the span. The next field contains the forces on the
-    /// ground at both ends of the span.
+    /// Ground displacement u minus free-field settlement u₀ at both ends of the span.
     pub held: [R; 2],
+    /// Forces on the ground at both ends of the span.
     pub fluxes: [R; 2],
 }
 

@@ -1,4 +1,4 @@
-//! Evaluates outputs of the linearised problem, with derivatives, from its data and unknowns.
+//! Evaluates outputs of the linearised problem, and their derivatives with respect to parameters, from its data and unknowns.
 
 use super::equilibrium::Span;
 use super::linear::Linear;
@@ -65,7 +65,8 @@ impl<const N: usize> Linear<'_, N> {
         }
     }
 
-    /// Returns the spring constant, the rotational spring constant and the settlement of a support, with derivatives.
+    /// Returns the spring constant, the rotational spring constant and the settlement of a support, with their
+    /// derivatives with respect to the parameters.
     pub fn numbers_of_support(&self, number: usize) -> [Dual<N>; 3] {
         let numbers = |model: &Model| match model.supports[number] {
             Support {
@@ -164,15 +165,15 @@ impl<const N: usize> Linear<'_, N> {
         }
     }
 
-    /// Computes μψ' at the end of a zone for the obstacle ψ, without the step of w' that a moving load causes at this
-    /// end.
+    /// Computes μψ' at an end of a contact zone, where ψ is the obstacle and μ the stiffness of the shear layer. If a
+    /// load moves, the slope w' in the linearised problem jumps at the load; this jump is excluded.
     fn flux(&self, point: BeamPoint) -> Dual<N> {
         let x = self.w().position(point);
         let steps = self.moved_at(x, |steps| steps.slope);
         self.w().flux(point) - self.mesh().cells[point.cell].ground_at(point.s)[1] * steps
     }
 
-    /// Computes the derivatives of the position of a contact edge that can move.
+    /// Computes the derivatives of the position of a movable contact edge with respect to the parameters.
     pub fn edge(&self, zone: usize, side: Side) -> [f64; N] {
         let MeshZone { from, to } = self.zones()[zone];
         let spot = if side == Side::Left { from } else { to };
@@ -181,8 +182,8 @@ impl<const N: usize> Linear<'_, N> {
             // The edge stays at a zero of the obstacle ψ, so a change δψ moves the edge by −δψ/ψ'.
             return psi.by.map(|by| -by / slope.value);
         }
-        // The point force A at the edge is 0. If the edge moves out of the zone by dx, A changes by π dx, where π is
-        // the pressure.
+        // If a parameter changes while the contact zone is fixed, a concentrated force dA arises at the edge of the
+        // zone. The true edge has no such force: it moves outward by dA/π, where π is the pressure at the edge.
         let outward = if side == Side::Left { -1.0 } else { 1.0 };
         self.force_at_edge(zone, side).by.map(|by| outward * by / pressure.value)
     }
@@ -196,8 +197,8 @@ impl<const N: usize> Linear<'_, N> {
         [dot(element.end_row(right)), dot(element.rotation_row(right))]
     }
 
-    /// Computes the force (positive up) and the moment of the constraints at a node. They are the loads at the node
-    /// minus the forces on the elements and the ground.
+    /// Computes the reactions of the constraints at a node: a force (positive up) and a moment. They balance the loads
+    /// at the node and the forces of the elements and of the ground.
     pub fn reaction(&self, x: f64) -> [Dual<N>; 2] {
         let mut held = [Dual::ZERO; 2];
         for (cell, right) in self.beside(self.frame.mesh.node_at(x)) {

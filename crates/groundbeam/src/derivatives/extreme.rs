@@ -1,4 +1,4 @@
-//! Finds the position of the largest or smallest value of a field, and the slope of the field at this position.
+//! Finds the position of the largest or smallest value of a field, and the slope of the field there if it is not stationary.
 
 use crate::numeric::elementary::power;
 use crate::numeric::polynomial::{derivative, jet, value};
@@ -16,8 +16,7 @@ pub(super) struct Place {
     pub value: f64,
     /// Derivative of the field with respect to x at the extreme; 0 if the field is stationary.
     pub slope: f64,
-    /// Whether the value is constant for all changes of the parameters, such as the gap in contact or the pressure
-    /// outside contact.
+    /// Whether the value does not depend on the parameters, such as the gap in contact or the pressure outside contact.
     pub always: bool,
     /// Another position at which the field has an extreme of the same size.
     pub rival: Option<f64>,
@@ -59,7 +58,8 @@ impl Solution {
             })
             .map(|(at, _)| *at)
             .next();
-        // A turning point that differs only by rounding error from an end of its power series is moved to this end.
+        // A stationary point of the field that lies within rounding error of an end of its piece of the solution is
+        // moved to this end.
         let end = self.pieces()[i].x[usize::from(s > 0.0)];
         let x = if (x - end).abs() <= TURNING_POINT * l { end } else { x };
         let side = if s > 0.0 { Side::Left } else { Side::Right };

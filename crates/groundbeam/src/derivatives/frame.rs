@@ -19,18 +19,20 @@ use crate::solution::fields::Side;
 use crate::solution::solution::Solution;
 use std::ops::Range;
 
-/// The linearised problem without derivatives: model, cells and contact zones.
+/// Model, cells and contact zones of the linearised problem, without derivatives with respect to the parameters.
 #[derive(Debug)]
 pub(super) struct Frame<'a> {
     pub solution: &'a Solution,
     /// The model with the active supports only.
     pub model: Model,
-    /// Mesh with one cell for each element. The next field contains the contact zones on this mesh.
+    /// Mesh with one cell for each element.
     pub mesh: Mesh,
+    /// Contact zones on the mesh `mesh`.
     pub zones: Vec<MeshZone>,
+    /// Whether each cell of `mesh` is in contact.
     pub touch: Vec<ZoneKind>,
-    /// Mesh and contact zones with cells that are short enough for power series, if elements have boundary layers;
-    /// otherwise `None`.
+    /// Finer mesh with cells short enough for power series, and the contact zones on this mesh, if elements have
+    /// boundary layers; otherwise `None`.
     pub fine: Option<(Mesh, Vec<MeshZone>)>,
 }
 

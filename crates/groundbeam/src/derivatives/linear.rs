@@ -23,19 +23,21 @@ use crate::numeric::polynomial::TERMS;
 use crate::numeric::real::Real;
 use std::ops::Range;
 
-/// Data and unknowns of the bonded beam, with derivatives with respect to N variables.
+/// Data and unknowns of the bonded beam, with derivatives with respect to N parameters or unknowns.
 #[derive(Debug)]
 pub(super) struct Linear<'a, const N: usize> {
     pub equilibrium: &'a Equilibrium<'a>,
     pub frame: &'a Frame<'a>,
     pub tangents: Vec<Tangent>,
-    /// Mesh of elements. `varied` is the range of its cells that have derivatives. `series` contains the mesh of
-    /// power series and the range of its cells that have derivatives, if this mesh differs from the mesh of elements.
+    /// Mesh of elements, with the derivatives of its data with respect to the parameters.
     elements: Mesh<Dual<N>>,
+    /// Range of the cells of `elements` whose data depend on the parameters.
     varied: Range<usize>,
+    /// Mesh of power series and the range of its cells whose data depend on the parameters; `None` if this mesh is the
+    /// mesh of elements.
     series: Option<(Mesh<Dual<N>>, Range<usize>)>,
-    /// Elements whose data have derivatives or whose ends are displaced relative to their nodes; `None` for the other
-    /// elements after [`Self::vary`].
+    /// For each element whose data depend on the parameters or whose ends are displaced relative to its nodes, the
+    /// element with derivatives. [`Self::vary`] sets the entries of the other elements to `None`.
     pub exact: Vec<Option<Box<ExactElement<Dual<N>>>>>,
     /// The four unknowns of each element, computed from the displacements of its nodes.
     pub shapes: Vec<[Dual<N>; 4]>,
@@ -43,14 +45,17 @@ pub(super) struct Linear<'a, const N: usize> {
     pub deflection: Vec<Dual<N>>,
     pub rotation: Vec<Dual<N>>,
     pub spans: Vec<Span<Dual<N>>>,
-    /// Steps at element ends: the unknowns of an element minus the unknowns from the displacements of its nodes.
+    /// Jumps between nodes and element ends: the unknowns of an element minus their values computed from the
+    /// displacements of its nodes.
     jumps: Loads<Dual<N>>,
-    /// Index of the parameter and effect of the move, for each load whose position is a parameter.
+    /// For each load whose position is a parameter: the index of the parameter, and the derivatives of the jumps at the
+    /// load with respect to its position.
     moved: Vec<(usize, Steps)>,
 }
 
 impl<'a, const N: usize> Linear<'a, N> {
-    /// Creates the linearised problem without derivatives. [`Self::vary`] sets the derivatives of its data.
+    /// Creates the linearised problem. All derivatives of its data with respect to the parameters are zero until
+    /// [`Self::vary`] sets them.
     pub fn new(equilibrium: &'a Equilibrium<'a>) -> Self {
         let frame = equilibrium.frame;
         Linear {
@@ -70,8 +75,8 @@ impl<'a, const N: usize> Linear<'a, N> {
         }
     }
 
-    /// Replaces all derivatives by the derivatives of the data with respect to at most N parameters. The unknowns
-    /// then have no derivatives.
+    /// Sets the derivatives of the data to the derivatives `tangents` with respect to at most N parameters. Sets the
+    /// derivatives of the unknowns to zero.
     pub fn vary(&mut self, tangents: Vec<Tangent>) {
         let still = self.equilibrium;
         self.shapes.clear();
@@ -110,9 +115,8 @@ impl<'a, const N: usize> Linear<'a, N> {
         }
     }
 
-    /// Computes the steps of the unknowns at the ends of elements. A moving load causes a step on one side of its
-    /// node. The settlement of a rigid support moves the ends of both elements at the support, but not the node of
-    /// the support.
+    /// Computes the jumps between nodes and element ends. If a load moves, w and φ jump on one side of its node. If a
+    /// rigid support settles, the ends of both elements at the support are displaced, but not the node of the support.
     fn find_jumps(&mut self) {
         self.jumps.clear();
         for (n, steps) in self.moved.clone() {
@@ -155,7 +159,7 @@ impl<'a, const N: usize> Linear<'a, N> {
         self.exact[i].as_ref().map_or_else(still, |exact| exact.element)
     }
 
-    /// Returns the unknowns of an element, including the steps at its ends.
+    /// Returns the unknowns of an element, including the jumps between its nodes and its ends.
     pub fn own_shape(&self, i: usize) -> [Dual<N>; 4] {
         let mut own = self.shapes[i];
         for (_, jump) in self.jumps.iter().filter(|(cell, _)| *cell == i) {
@@ -231,9 +235,9 @@ impl<'a, const N: usize> Linear<'a, N> {
         std::array::from_fn(|j| force * row[j] + moment * turned[j])
     }
 
-    /// Computes the force and the moment on one end of an element. They come from the loads and springs of the node,
-    /// from a hinge, from the free field and from a moving load. The loads and springs of an inner node act on the
-    /// element on its right.
+    /// Computes the external force and moment on one end of an element: from the loads and springs of its node, from a
+    /// hinge at the node, from the free-field settlement of the ground and from a moving load. The loads and springs of
+    /// an inner node act on the element on its right.
     pub fn end_loads(&self, i: usize, right: bool) -> [Dual<N>; 2] {
         let j = i + usize::from(right);
         let (node, cell) = (&self.elements.nodes[j], &self.elements.cells[i]);
@@ -250,8 +254,9 @@ impl<'a, const N: usize> Linear<'a, N> {
             moment += hinge * (if right { after - before } else { before - after });
         }
         if self.frame.touch[i] == ZoneKind::Contact && cell.has_free_field() {
-            // The element has the load q on the ground instead of the free field u₀. Because q = k u₀ − (μu₀′)′,
-            // integration by parts adds the forces μu₀′ at the ends of the cell.
+            // In contact, the element has the load q on the ground in place of the free-field settlement u₀ that q
+            // causes, with q = k u₀ − (μu₀′)′. Integration by parts of (μu₀′)′ adds the forces ±μu₀′ at the ends of the
+            // cell.
             let flux = cell.shear_layer * cell.free_field_at(if right { 1.0 } else { -1.0 })[1];
             force += if right { flux } else { -flux };
         }
@@ -291,15 +296,15 @@ impl<'a, const N: usize> Linear<'a, N> {
         (span.held, span.fluxes) = (held, fluxes);
     }
 
-    /// Computes the step of the surface of open ground at an end of a span. The step is the surface at the end of the
-    /// span minus the surface at the node at x.
+    /// Computes the jump of the settlement of open ground at one end of a span: the settlement at this end minus the
+    /// settlement at the node at x. The jump arises if a load at this node moves.
     fn drifted(&self, x: f64, end: usize) -> Dual<N> {
         let is_end = |steps: &Steps| usize::from(steps.spot.s > 0.0) == end;
         self.moved_at(x, |steps| if is_end(steps) { steps.drift } else { 0.0 })
     }
 
-    /// Sums a quantity of [`Steps`] over all moving loads at the node at x. The sums are the derivatives of the
-    /// returned dual number.
+    /// Sums a quantity of [`Steps`] over all moving loads at the node at x, for each parameter. The sums are the
+    /// derivatives of the returned dual number, and its value is 0.
     pub fn moved_at(&self, x: f64, of: impl Fn(&Steps) -> f64) -> Dual<N> {
         let here = |steps: &Steps| self.frame.is_same_node(self.frame.position(steps.spot), x);
         let moved = self.moved.iter().filter(|(_, steps)| here(steps));

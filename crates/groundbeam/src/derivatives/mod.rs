@@ -61,7 +61,7 @@ pub enum OneSided {
     },
     /// The field has another extreme of the same size.
     Rival {
-        /// Position of the other extreme \[m\].
+        /// Position \[m\] of a second extreme, whose value equals that of the output.
         at: f64,
     },
 }
@@ -114,12 +114,12 @@ impl fmt::Display for NotDifferentiable {
                 method.name()
             ),
             NotDifferentiable::NotUnique => {
-                f.write_str("the equilibrium is not unique, so it has no derivatives")
+                f.write_str("the equilibrium is not unique, so its derivatives with respect to the model parameters do not exist")
             }
             NotDifferentiable::NoSuchParameter(parameter) => {
                 write!(f, "the model has no parameter {parameter:?}")
             }
-            NotDifferentiable::NoSuchOutput => f.write_str("the solution has no such output"),
+            NotDifferentiable::NoSuchOutput => f.write_str("the solution does not contain the requested output"),
             NotDifferentiable::NoShearLayer => f.write_str(
                 "the ground has no shear layer: differentiate with respect to mu only where mu is positive",
             ),
@@ -129,7 +129,8 @@ impl fmt::Display for NotDifferentiable {
 
 impl std::error::Error for NotDifferentiable {}
 
-/// Relative margin to a change of contact below which derivatives are reported as one-sided.
+/// If the relative margin of the nearest change of contact ([`Nearest::margin`]) is below this value, the derivatives
+/// with respect to the parameters are reported as one-sided.
 pub const CLOSE: f64 = 1e-6;
 
 impl Solution {
@@ -177,7 +178,8 @@ impl Solution {
         Ok(readings.iter().zip(rows).map(gradient).collect())
     }
 
-    /// Computes the derivatives of [`Self::gradients`], ordered with one row for each parameter.
+    /// Computes the same derivatives as [`Self::gradients`], but returns one list for each parameter, with the
+    /// derivatives of all outputs.
     ///
     /// # Errors
     ///
@@ -222,7 +224,8 @@ fn readings(frame: &Frame, outputs: &[Output]) -> Result<Vec<Reading>, NotDiffer
     outputs.iter().map(reading).collect()
 }
 
-/// Computes the derivatives of the model's numbers with respect to a parameter.
+/// Computes the derivatives of all input values of the model, such as stiffnesses and loads, with respect to a
+/// parameter.
 fn tangent(frame: &Frame, parameter: Parameter) -> Result<Tangent, NotDifferentiable> {
     let model = frame.solution.model();
     let value = parameter.value(model).ok_or(NotDifferentiable::NoSuchParameter(parameter))?;
@@ -257,7 +260,8 @@ fn derivatives(
     }
 }
 
-/// Computes the derivatives with respect to parameters, with dual numbers of N derivatives.
+/// Computes the derivatives of the outputs with respect to the parameters, for N parameters at a time, by dual numbers
+/// with N derivatives.
 fn derivatives_by<const N: usize>(
     frame: &Frame,
     readings: &[Reading],

@@ -16,17 +16,21 @@ use crate::solution::fields::Side;
 /// Relative difference below which two stiffnesses count as equal.
 const EQUAL_STIFFNESS: f64 = 1e-9;
 
-/// Effect of a unit move of a load at the end of one cell.
+/// Derivatives of a moment and of jumps at one end of a cell, with respect to the position of a load at this end.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Steps {
+    /// End of the cell.
     pub spot: BeamPoint,
-    /// Moment that a unit move of the load causes on the end of the element.
+    /// Derivative of the moment on the end of the element with respect to the position of the load.
     pub moment: f64,
-    /// Step of w and φ: their values at the end of the element minus their values at the node.
+    /// Derivatives of the jumps of the deflection w and the rotation φ with respect to the position of the load. A jump
+    /// is the value at the end of the element minus the value at its node.
     pub jump: [f64; 2],
-    /// Step of w': the slope of the element at its end minus the slope of the real beam at the same position.
+    /// Derivative of the jump of w' with respect to the position of the load. The jump is the slope at the end of the
+    /// element minus the true slope of the beam at this position.
     pub slope: f64,
-    /// Step of the surface of open ground: its value in the cell minus its value at the node.
+    /// Derivative of the jump of the settlement of open ground with respect to the position of the load. The jump is
+    /// the value at the end of the cell minus the value at its node.
     pub drift: f64,
 }
 
@@ -54,8 +58,9 @@ impl Frame<'_> {
             (Motion::Moment(moment), _) => steps.jump[1] = sign * moment / self.stiffness_at(spot),
             (Motion::MomentPerLength(moment), _) => steps.moment = moment,
             (Motion::Curvature(curvature), _) => steps.jump[1] = sign * curvature,
-            // A point force replaces the force per length on the strip by which the load's end moves. The kink that
-            // this point force causes does not exist in the beam.
+            // If the end of a distributed force moves, a point force replaces the force on the strip between its old
+            // and its new end. This point force causes a kink of the deflection that the beam does not have. The jump
+            // of w' cancels this kink.
             (Motion::ForcePerLength(force), Some([_, whole])) => {
                 steps.slope = -sign * force / whole
             }
@@ -99,8 +104,10 @@ impl Frame<'_> {
     }
 
     /// Computes the configurational force (Eshelby) on one side of a point force, if a contact edge moves with the
-    /// point force: −½(S + P) w'² − ½μ((u' + g₀')² − g₀'²). The derivative of the energy with respect to the position
-    /// of the point force is the configurational force on the left side minus that on the right side.
+    /// point force. It is −½(S + P) w'² − ½μ((u' + g₀')² − g₀'²), with the shear stiffness S of the beam, the axial
+    /// force P, the deflection w, the stiffness μ of the shear layer, the ground displacement u and the initial gap g₀.
+    /// The derivative of the energy with respect to the position of the point force is the configurational force on the
+    /// left side minus that on the right side.
     pub fn released(&self, x: f64, side: Side) -> f64 {
         let spot = self.spot(x, side);
         let cell = &self.mesh.cells[spot.cell];
@@ -132,7 +139,8 @@ impl Frame<'_> {
         let x = moved.x;
         let is_force = matches!(moved.what, Motion::Force(_));
         if !self.is_inside(x) {
-            // If a point force above the end of the beam moves, the contact force stays at the end of the beam.
+            // A point force at an end of the beam has the position of the concentrated contact force under this end. If
+            // the point force moves away from the end, the contact force stays there.
             let touches = self.touch[self.spot(x, Side::Right).cell] == ZoneKind::Contact
                 || [Side::Left, Side::Right].iter().any(|side| self.zone_at(x, *side).is_some());
             return is_force && touches && self.shears_at(x).contains(&true);

@@ -43,9 +43,9 @@ pub(super) struct Reading {
 /// The way in which the linearised problem evaluates an output.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Read {
-    /// A value that is constant for all parameters.
+    /// A value that does not depend on the parameters. Its derivatives are zero.
     Constant,
-    /// A field at a position. `follows` describes how the position moves.
+    /// The value of a field at a position. `follows` states how this position depends on the parameters.
     Field {
         field: Quantity,
         x: f64,
@@ -74,8 +74,8 @@ pub(super) enum Read {
     Energy,
 }
 
-/// The way in which the position of an evaluated field moves. `slope` is the derivative of the field with respect to
-/// x at this position.
+/// How the position at which a field is evaluated depends on the parameters. `slope` is the derivative of the field
+/// with respect to x at this position.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Follows {
     /// The position is fixed by the caller.
@@ -91,7 +91,8 @@ pub(super) enum Follows {
 }
 
 impl Frame<'_> {
-    /// Returns the value and the evaluation of an output, or `None` if the solution does not have the output.
+    /// Returns the value of an output and the way in which its derivatives are computed. Returns `None` if the solution
+    /// does not have the output.
     pub fn reading(&self, output: Output) -> Option<Reading> {
         let solution = self.solution;
         let l = self.model.beam.length;
@@ -137,7 +138,7 @@ impl Frame<'_> {
         Some(Reading { value, of, rival })
     }
 
-    /// Determines how the position of an extreme moves.
+    /// Determines how the position of an extreme value depends on the parameters.
     fn follows(&self, place: &Place) -> Follows {
         let (x, slope) = (place.x, place.slope);
         if slope == 0.0 {
@@ -174,8 +175,8 @@ impl Frame<'_> {
         let here = |x: f64| self.is_same_place(x, moved.x);
         match *read {
             Read::Field { field, x, follows, .. } => {
-                // If other parts of the model stay at the original position of the load, the move opens an interval
-                // between the load and these parts. In this interval, the field has new values.
+                // The load may have the position of a support, a hinge or another load. If the load moves away from it,
+                // the field takes new values between them, and its extreme value may occur there.
                 let leaves = follows != Follows::Given
                     && !self.stands_alone(moved.x)
                     && self.jumps(field, moved);

@@ -183,7 +183,8 @@ pub(super) fn courses(
     own.map(Profile::constant).into_iter().chain(segments)
 }
 
-/// Changes each profile of a property on a domain, in the order of [`courses`].
+/// Applies `to` to each profile of a property (its variation along x, such as EI(x)) on a domain of the model, in the
+/// order of [`courses`].
 pub(super) fn change(
     model: &mut Model,
     property: Property,
@@ -227,9 +228,9 @@ fn constant(model: &Model, property: Property, domain: Domain) -> Option<f64> {
     (is_single && course.is_constant()).then(|| course.start())
 }
 
-/// Returns a number of a load as two values. The values differ only for the size of a distributed load with different
-/// end values. Returns `None` if the load does not have the number. Distributed loads on the ground and the positions
-/// of loads on the ground are not parameters.
+/// Returns a parameter of a load, such as its size or its position, as two values. The values differ only for the size
+/// of a distributed load with different end values. Returns `None` if the load does not have this parameter.
+/// Distributed loads on the ground and the positions of loads on the ground are not parameters.
 fn of_load(load: &Load, number: LoadNumber) -> Option<[f64; 2]> {
     Some(match (load.extent, number) {
         (Extent::Point { size, .. }, LoadNumber::Size) => [size; 2],
@@ -244,7 +245,8 @@ fn of_load(load: &Load, number: LoadNumber) -> Option<[f64; 2]> {
     })
 }
 
-/// Sets a number of a load. Returns `None` if the load does not have the number.
+/// Sets a parameter of a load, such as its size or its position. Returns `None` if the load does not have this
+/// parameter.
 pub(super) fn set_load(load: &mut Load, number: LoadNumber, value: f64) -> Option<()> {
     of_load(load, number)?;
     match (&mut load.extent, number) {
@@ -259,7 +261,8 @@ pub(super) fn set_load(load: &mut Load, number: LoadNumber, value: f64) -> Optio
     Some(())
 }
 
-/// Returns a number of a support, or `None` if the support does not have the number.
+/// Returns a parameter of a support: its settlement or a spring constant. Returns `None` if the support does not have
+/// this parameter.
 fn of_support(support: &mut Support, number: SupportNumber) -> Option<&mut f64> {
     match (number, &mut support.kind) {
         (SupportNumber::Settlement, _) => Some(&mut support.settlement),

@@ -11,7 +11,8 @@ use crate::model::{Action, Extent, Load, Model, SupportKind};
 #[derive(Debug, Clone)]
 pub(super) struct Tangent {
     pub model: Model,
-    /// Interval of the beam outside which beam, ground, gap and distributed loads have no derivatives.
+    /// Interval of the beam outside which the derivatives of the stiffnesses of beam and ground, of the initial gap and
+    /// of distributed loads are zero.
     pub reach: [f64; 2],
     /// The load whose position is the parameter.
     pub moved: Option<Moved>,
@@ -32,11 +33,14 @@ pub(super) enum Motion {
     Force(f64),
     /// A point moment. If it moves by δ, the rotation φ changes by δ times the jump of φ′.
     Moment(f64),
-    /// A force per length. A move of its end is equivalent to a point force.
+    /// A force per length at the moving end of a distributed force. A displacement δ of this end adds a point force of
+    /// δ times this value at the end.
     ForcePerLength(f64),
-    /// A moment per length. A move of its end is equivalent to a point moment.
+    /// A moment per length at the moving end of a distributed moment. A displacement δ of this end adds a point moment
+    /// of δ times this value at the end.
     MomentPerLength(f64),
-    /// An imposed curvature. A move of its end is equivalent to a kink of φ.
+    /// An imposed curvature at the moving end of its interval. A displacement δ of this end adds a jump of the rotation
+    /// φ by δ times this value at the end.
     Curvature(f64),
 }
 

@@ -1,4 +1,4 @@
-//! Computes the relative margin of a solution to the nearest change of contact, at which the derivatives jump.
+//! Computes how close a solution is to the nearest change of contact, at which derivatives with respect to parameters jump.
 
 use super::frame::Frame;
 use crate::contact::surface::can_carry;
@@ -49,7 +49,8 @@ impl Condition {
 pub struct Nearest {
     /// The quantity that is nearly zero.
     pub condition: Condition,
-    /// Position of the quantity \[m\].
+    /// Position \[m\] of the pressure, force, gap, angle or support. For a length, it is the left end of the zone or
+    /// span.
     pub at: f64,
     /// Size of the quantity relative to the largest quantity of its kind. A length is relative to the length of the
     /// beam.
@@ -60,8 +61,9 @@ pub struct Nearest {
 /// rounding error.
 const ROUNDING_MINIMUM: f64 = 1e-8;
 
-/// Returns the indices of the local minima of the gap. A minimum must be lower by more than `least` than the largest
-/// gap on its left and the largest gap on its right. A minimum at an end of the beam must be lower on one side only.
+/// Returns the indices of the local minima among the gaps `places`, pairs of a position and a gap. To the left and to
+/// the right of a minimum, the gap must rise by more than `least`. At an end of the beam, this is required on one side
+/// only.
 fn deepest_between_peaks(places: &[(f64, f64)], ends: [f64; 2], least: f64) -> Vec<usize> {
     let count = places.len();
     let mut before = vec![f64::NEG_INFINITY; count];
@@ -82,7 +84,8 @@ fn deepest_between_peaks(places: &[(f64, f64)], ends: [f64; 2], least: f64) -> V
 }
 
 impl Solution {
-    /// Finds the nearest change of contact. Returns `None` if no quantity of the solution can become zero.
+    /// Finds the nearest change of contact: the pressure, force, gap, angle, length or support with the smallest
+    /// relative margin to zero. Returns `None` if the solution has no such quantity.
     pub(super) fn nearest_change_in(&self, frame: &Frame) -> Option<Nearest> {
         let mut all: Vec<Nearest> = Vec::new();
         self.pressures(frame, &mut all);
@@ -93,8 +96,8 @@ impl Solution {
         all.into_iter().min_by(|a, b| a.margin.total_cmp(&b.margin))
     }
 
-    /// Adds the minima of the pressure within contact zones, the pressure at contact edges on a shear layer, and the
-    /// angle between beam and ground at contact edges on Winkler ground.
+    /// Appends to `all` the minima of the pressure within contact zones, the pressure at contact edges on a shear
+    /// layer, and the angle between beam and ground at contact edges on Winkler ground.
     fn pressures(&self, frame: &Frame, all: &mut Vec<Nearest>) {
         let largest = self.range(Quantity::Pressure).max.value;
         if largest <= 0.0 {
@@ -141,7 +144,7 @@ impl Solution {
         }
     }
 
-    /// Adds the concentrated forces at all positions that can carry a concentrated force.
+    /// Appends to `all` the concentrated contact forces at all positions that can carry one.
     fn forces(&self, frame: &Frame, all: &mut Vec<Nearest>) {
         let (l, ends, cells) = (self.model().beam.length, self.end_forces(), &frame.mesh.cells);
         let near = |a: f64, b: f64| (a - b).abs() <= 1e-12 * l;
@@ -165,7 +168,8 @@ impl Solution {
             })
             .sum();
         let forces: f64 = places.iter().map(|x| force_at(*x).abs()).sum();
-        // If the ground carries only a small force, the largest shear force of the beam is the scale of the margins.
+        // The margins are relative to the total ground force. If the ground carries only a small force, they are
+        // relative to the largest shear force of the beam.
         let carried = self.range(Quantity::ShearForce);
         let carried = carried.max.value.abs().max(carried.min.value.abs());
         let total = (contact.abs() + forces).max(carried);
@@ -175,7 +179,8 @@ impl Solution {
         }
     }
 
-    /// Adds the minima of the gap between contact zones and at ends of the beam that are not in contact.
+    /// Appends to `all` the minima of the gap between beam and ground, for each span out of contact between two contact
+    /// zones or at an end of the beam.
     fn gaps(&self, all: &mut Vec<Nearest>) {
         let l = self.model().beam.length;
         let deflections = self.range(Quantity::Deflection);
@@ -184,7 +189,8 @@ impl Solution {
         if scale <= 0.0 {
             return;
         }
-        // The candidate minima of each open span are collected from left to right.
+        // `open` collects the points of one span out of contact, from left to right, at which the gap may have a
+        // minimum.
         let mut open: Vec<(f64, f64)> = Vec::new();
         let mut add = |open: &mut Vec<(f64, f64)>| {
             let touches = |x: f64| {
@@ -211,7 +217,7 @@ impl Solution {
         add(&mut open);
     }
 
-    /// Adds the lengths of contact zones and of the spans out of contact.
+    /// Appends to `all` the length of each contact zone and of each span out of contact.
     fn lengths(&self, all: &mut Vec<Nearest>) {
         let l = self.model().beam.length;
         let mut at = None;
@@ -233,7 +239,7 @@ impl Solution {
         }
     }
 
-    /// Adds the forces and clearances of supports that act in one direction only.
+    /// Appends to `all` the forces and clearances of supports that act in one direction only.
     fn one_way(&self, all: &mut Vec<Nearest>) {
         let supports = || self.model().supports.iter().zip(self.reactions());
         let forces: f64 = supports().map(|(_, reaction)| reaction.force.abs()).sum();

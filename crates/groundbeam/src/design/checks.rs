@@ -24,9 +24,9 @@ pub struct Limits {
     /// The limit of the distance between the load resultant and the middle of the beam, relative to the length of the
     /// beam. The edge of the kern is at 1/6. Beyond 1/3, EN 1997-1, 6.5.4 requires special precautions.
     pub eccentricity: Option<f64>,
-    /// The lower limit of the factor on all overturning loads at which the beam tips.
+    /// The required minimum of the overturning factor: the factor on all overturning loads at which the beam tips.
     pub overturning: Option<f64>,
-    /// The limit states in which each check in [`Checked::ALL`] is judged; `None` for the default of
+    /// The limit states to which each check in [`Checked::ALL`] applies; `None` for the default of
     /// [`Checked::limit_states`].
     pub judged_in: [Option<LimitStates>; Checked::ALL.len()],
 }
@@ -46,8 +46,8 @@ pub enum Checked {
     LiftedShare,
     /// The eccentricity |x − l/2|/l of the load resultant, which acts at the position x.
     Eccentricity,
-    /// The work of the holding loads divided by the work of the lifting loads, in the tipping mode with the smallest
-    /// ratio. Without supports, the works are moments about an end of the beam.
+    /// The work of the stabilising loads divided by the work of the overturning loads, in the tipping mode with the
+    /// smallest ratio. Without supports, the work of the loads is their moment about an end of the beam.
     Overturning,
 }
 
@@ -175,7 +175,7 @@ impl Limits {
         Checked::ALL.into_iter().zip(asked).filter(|(_, asked)| *asked).map(|(what, _)| what)
     }
 
-    /// The limit states in which a check is judged.
+    /// Returns the limit states to which a check applies.
     pub fn limit_states(&self, what: Checked) -> LimitStates {
         self.judged_in[what.index()].unwrap_or(what.limit_states())
     }

@@ -1,4 +1,4 @@
-//! Defines the limit states of combinations of actions, and sets of limit states in which checks are judged.
+//! Defines the limit states of combinations of actions, and sets of limit states to which a design check applies.
 
 /// The limit state for which a combination of actions is made.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]

@@ -16,9 +16,9 @@ pub(crate) enum Basis {
     /// Deflection and rotation of the left end, and the two components of the deformation.
     #[default]
     Deformation,
-    /// Deflection and rotation of the left end, and those of the right end. This basis is for elements with boundary
-    /// layers and for quiet elements. Elements with boundary layers are flexible against rotations of their ends and
-    /// stiff against a difference of the deflections of their ends.
+    /// Deflection and rotation of the left end, and those of the right end. This basis is used for elements with
+    /// boundary layers, whose stiffness is small for rotations of the ends and large for a difference of the end
+    /// deflections. It is also used for quiet elements, which are so long that their ends do not affect each other.
     Ends,
 }
 
@@ -45,7 +45,8 @@ impl Element {
         }
     }
 
-    /// Returns the mirrored element. Its stiffness and load belong to the unknowns of the mirrored element.
+    /// Returns the mirror image of the element. Its stiffness and its load are those for the unknowns of the mirrored
+    /// element, see [`mirror_shape`].
     pub fn mirrored(&self) -> Self {
         let (h, basis) = (self.length, self.basis);
         let half: [[f64; 4]; 4] = self.stiffness.map(|row| mirror_row(&row, h, basis));
@@ -89,7 +90,8 @@ impl<R: Real> Element<R> {
         }
     }
 
-    /// Computes the forces K v − q, which do work on the four unknowns v.
+    /// Computes the forces K v − q of the element, with its stiffness matrix K and its load vector q. They are
+    /// work-conjugate to the four unknowns v.
     pub fn forces(&self, v: &[R; 4]) -> [R; 4] {
         std::array::from_fn(|i| sum::<R, 4>(|j| self.stiffness[i][j] * v[j]) - self.load[i])
     }

@@ -11,26 +11,26 @@ use crate::numeric::elementary::exp;
 use crate::numeric::polynomial::TERMS;
 use crate::numeric::real::Real;
 
-/// Two real roots r₁ and r₂ of the beam equation. They are so far apart that the larger root r₂ gives boundary
-/// layers: r₂² ≥ `APART` r₁².
+/// Two real roots r₁ and r₂ of the characteristic equation of an element. They are so far apart that the larger root r₂
+/// gives boundary layers: r₂² ≥ `APART` r₁².
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Layers<R = f64> {
-    /// Square r₁² of the smaller root \[1/m²\].
+    /// Square r₁² of the smaller root r₁ of the characteristic equation \[1/m²\].
     pub slow_squared: R,
-    /// Larger root r₂ \[1/m\].
+    /// Larger root r₂ of the characteristic equation \[1/m\].
     pub fast: R,
 }
 
 const APART: f64 = 100.0;
 
-/// Depth of a boundary layer in units of 1/r₂. At this depth, the layer has decayed to e⁻⁴⁰, which is below rounding
-/// error.
+/// Depth of a boundary layer in units of 1/r₂, where r₂ is the larger root of the characteristic equation. At this
+/// depth, the layer has decayed to e⁻⁴⁰, which is below rounding error.
 const LAYER: f64 = 40.0;
 
 impl<R: Real> Layers<R> {
-    /// Computes the roots of an element with boundary layers. Returns `None` if one power series is sufficient for the
-    /// whole length, if the roots are close or not real, or if the element has variable coefficients or shear
-    /// deformation.
+    /// Computes the roots of the characteristic equation of an element whose solution has boundary layers. Returns
+    /// `None` if one power series is sufficient for the whole length, if the roots are close or not real, or if the
+    /// element has variable coefficients or shear deformation.
     pub fn of(operator: &Operator<R>, length: f64) -> Option<Self> {
         let n = operator.tension / operator.stiffness;
         let k = operator.subgrade / operator.stiffness;
@@ -44,8 +44,9 @@ impl<R: Real> Layers<R> {
         wanted.then_some(layers)
     }
 
-    /// Computes the slow parts of three even or odd functions: the solution without load, the boundary layer (its slow
-    /// part is zero), and the solution for the load EI `push`. If `PARITY` is odd, this load is multiplied by s.
+    /// Computes the power series of the slowly varying parts of three even or odd solutions: the homogeneous solution
+    /// without boundary layer, the boundary layer (its slowly varying part is zero), and the particular solution for
+    /// the load EI · `push`. If `PARITY` is odd, this load is multiplied by s.
     pub(super) fn slow<const PARITY: usize>(self, a: f64, push: R) -> [[R; TERMS / 2]; 3] {
         let ratio = self.slow_squared * a * a;
         let series = |first: R, load: R| {
@@ -86,8 +87,8 @@ impl<R: Real> Layers<R> {
         cuts
     }
 
-    /// Adds the boundary layers on a piece of an element with the ends `x` to the coefficients `c` of w on this
-    /// piece.
+    /// Adds the boundary layers of an element to the coefficients `c` of w on the part `piece` of this element. `x`
+    /// contains the two ends of the element, and `heights` the amplitudes of the boundary layers at these ends.
     pub fn add(&self, x: [f64; 2], heights: [R; 2], piece: [f64; 2], c: &mut [R]) {
         let half = 0.5 * (piece[1] - piece[0]);
         let ends = [piece[0] - x[0], x[1] - piece[1]];

@@ -1,8 +1,9 @@
-//! Computes the stiffness and load of one element, the beam between two nodes, (2.11), (5.1).
+//! Computes the stiffness and load of one element, the beam between two nodes, (2.11), (5.1) of the paper.
 //!
 //! An element is exact: its deflection solves (2.11). Cells with constant bending stiffness, tension and subgrade use
-//! the [closed form](uniform). All other cells, and beams with shear deformation, use the [series](series). The middle
-//! of a long loaded stretch is one [quiet element](quiet).
+//! the [closed form](uniform). All other cells, and beams with shear deformation, use the [series](series). A long
+//! loaded stretch in contact has one long element in its middle, the [quiet element](quiet), where the waves from the
+//! ends of the stretch have decayed.
 
 pub(crate) mod element;
 pub(crate) mod layers;
@@ -25,8 +26,9 @@ pub(crate) fn cut_equally(operator: &Operator, cell: &Cell, x: &mut Vec<f64>) {
     x.extend(cell.cuts(parts(operator, cell.length())));
 }
 
-/// Appends the positions at which a cell is cut into elements: equal elements, or a quiet element with equal
-/// elements on both sides of it.
+/// Appends the positions at which a cell is cut into elements. A long loaded cell in contact gets one long element in
+/// its middle, where the waves from the ends of the cell have decayed, and equal elements on both sides of it. Every
+/// other cell is cut into equal elements.
 pub(crate) fn cut(operator: &Operator, cell: &Cell, x: &mut Vec<f64>) {
     let Some(depth) = quiet::depth(operator, cell.length()) else {
         return cut_equally(operator, cell, x);
@@ -65,7 +67,8 @@ pub(crate) struct ExactElement<R = f64> {
 #[derive(Debug, Clone)]
 enum Functions<R> {
     Uniform(Uniform<R>),
-    /// The coefficients of w(s); they do not depend on the four unknowns.
+    /// Coefficients of w(s) in a long element in which the waves from the ends have decayed. They do not depend on the
+    /// deflections and rotations of its ends.
     Quiet([R; TERMS]),
     Series(Box<Series<R>>),
 }
@@ -76,7 +79,8 @@ impl<R: Real> ExactElement<R> {
             let (element, series) = Series::new(polynomials, length);
             return ExactElement { element, functions: Functions::Series(Box::new(series)) };
         }
-        // Only a quiet element is longer than two ordinary elements.
+        // Only an element in which the waves from the ends of the loaded stretch have decayed is longer than two
+        // ordinary elements.
         if parts(operator, length) > 2 {
             let (element, series) = quiet::element(operator, length);
             return ExactElement { element, functions: Functions::Quiet(series) };

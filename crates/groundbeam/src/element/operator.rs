@@ -11,7 +11,7 @@ use crate::numeric::real::Real;
 pub(crate) enum ZoneKind {
     /// Contact along the whole cell: u = w − g₀.
     Contact,
-    /// No contact on the whole cell: the element does not contain the ground.
+    /// No contact along the whole cell: the ground has no part in the beam equation.
     Open,
 }
 
@@ -23,12 +23,13 @@ pub(crate) struct Operator<R = f64> {
     pub stiffness: R,
     /// Tension N: the axial force P, plus μ in contact.
     pub tension: R,
-    /// Subgrade κ: k in contact, otherwise 0.
+    /// Subgrade modulus κ in the beam equation: k in contact, 0 out of contact.
     pub subgrade: R,
-    /// Load F at both ends of the cell: the load f on the beam, plus k g₀ and the load on the ground if the cell is
-    /// in contact.
+    /// Load F at both ends of the cell: the load f on the beam. In contact, F also contains the load on the ground and
+    /// k g₀, with the subgrade modulus k and the initial gap g₀.
     pub load: [R; 2],
-    /// Moment load G at both ends of the cell: the moment load g, plus μ g₀' in contact.
+    /// Moment load G at both ends of the cell: the moment load on the beam. In contact, G also contains μ g₀′, with the
+    /// stiffness μ of the shear layer and the slope g₀′ of the initial gap.
     pub moment_load: [R; 2],
     /// Moment EI κ₀ of an imposed curvature κ₀ at both ends of the cell.
     pub imposed_moments: [R; 2],
@@ -60,7 +61,7 @@ impl<R: Real> Operator<R> {
         }
     }
 
-    /// Whether no coefficient has derivatives.
+    /// Whether the derivatives of all coefficients with respect to the parameters are zero.
     pub fn is_still(&self) -> bool {
         let Operator { stiffness, tension, subgrade, load, moment_load, .. } = *self;
         let pairs = [load, moment_load, self.imposed_moments];
@@ -105,11 +106,13 @@ pub(crate) struct Polynomials<R = f64> {
     pub shear: Option<[R; Profile::MOST]>,
     /// Tension N: the axial force P, plus μ in contact.
     pub tension: [R; GROUND],
-    /// Subgrade κ: k in contact, otherwise 0.
+    /// Subgrade modulus κ in the beam equation: k in contact, 0 out of contact.
     pub spring: [R; GROUND],
-    /// Load F: the load f on the beam, plus k g₀ and the load on the ground if the cell is in contact.
+    /// Load that does work on the deflection w: the load f on the beam. In contact, it also contains the load on the
+    /// ground and k g₀, with the subgrade modulus k and the initial gap g₀.
     pub load: [R; GROUND + 1],
-    /// Load G that does work on w′: μ g₀′ in contact, otherwise 0.
+    /// Moment load that does work on the slope w′: μ g₀′ in contact, 0 out of contact, with the stiffness μ of the
+    /// shear layer and the slope g₀′ of the initial gap.
     pub slope_load: [R; GROUND],
     /// Moment load g, which does work on φ.
     pub moment_load: [R; 2],
@@ -118,8 +121,8 @@ pub(crate) struct Polynomials<R = f64> {
 }
 
 impl<R: Real> Polynomials<R> {
-    /// Computes the polynomials. Returns `None` if the beam and the ground in contact are uniform and the beam has no
-    /// shear deformation.
+    /// Computes the coefficients of the beam equation on a cell as polynomials of s. Returns `None` if the beam and the
+    /// ground in contact are uniform and the beam has no shear deformation.
     pub fn of(cell: &Cell<R>, axial_force: R, touch: ZoneKind) -> Option<Self> {
         let ground_varies = touch == ZoneKind::Contact && cell.ground_varies();
         let needed = cell.beam_shear.is_some() || cell.beam_varies() || ground_varies;
@@ -174,9 +177,9 @@ impl<R: Real> Polynomials<R> {
         })
     }
 
-    /// Computes the bending stiffness, the magnitude of the tension, and the subgrade of a uniform element without
-    /// shear deformation whose waves are at most as long as the waves of this element. The result follows from the
-    /// values of all coefficients at the ends and in the middle of the cell.
+    /// Computes the bending stiffness, the magnitude of the tension and the subgrade modulus of a uniform element
+    /// without shear deformation whose wave number is at least that of this element. They follow from the coefficients
+    /// at the ends and in the middle of the cell.
     fn extremes(&self) -> [f64; 3] {
         let at = |c: &[R]| ENDS_AND_MIDDLE.map(|s| value(c, s).value());
         let largest = |c: [f64; 3]| c.into_iter().map(f64::abs).fold(0.0, f64::max);

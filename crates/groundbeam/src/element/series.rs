@@ -13,8 +13,8 @@
 //!
 //! The series converges up to the nearest zero of EI or S + N in the complex plane. This zero is at least ten half
 //! lengths away ([`Cell::is_smooth`](crate::mesh::cell::Cell::is_smooth),
-//! [`Cell::shear_is_smooth`](crate::mesh::cell::Cell::shear_is_smooth)). One recurrence gives four solutions without
-//! load and one solution with load. Rigid motions, deformations and γ are separate unknowns, so no stiffness is a
+//! [`Cell::shear_is_smooth`](crate::mesh::cell::Cell::shear_is_smooth)). One recurrence gives four homogeneous
+//! solutions and one particular solution. Rigid motions, deformations and γ are separate unknowns, so no stiffness is a
 //! difference of large numbers.
 
 use crate::element::element::{Basis, Element};
@@ -22,23 +22,24 @@ use crate::element::operator::Polynomials;
 use crate::numeric::polynomial::TERMS;
 use crate::numeric::real::{Real, sum};
 
-/// One number for each of the five solutions: four without load, and the one with load.
+/// One number for each of the five solutions of an element: four homogeneous solutions and one particular solution.
 type Five<R> = [R; 5];
 
-/// The index of the solution with load.
+/// Index of the particular solution in [`Five`].
 const LOADED: usize = 4;
 
 /// Power series of the solutions of an element, and their amplitudes for unit values of its unknowns.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Series<R = f64> {
-    /// Coefficients of w in the five solutions.
+    /// Power series coefficients of the deflection w in the four homogeneous solutions and the particular solution.
     deflection: [Five<R>; TERMS],
-    /// Coefficients of φ in the five solutions, if the beam has shear deformation.
+    /// Power series coefficients of the rotation φ in the four homogeneous solutions and the particular solution, if
+    /// the beam has shear deformation.
     rotation: Option<[Five<R>; TERMS]>,
-    /// For each of the element's four unknowns, the amplitudes of the solutions without load that make this unknown 1
-    /// and the other unknowns 0.
+    /// For each of the element's four unknowns, the amplitudes of the four homogeneous solutions whose sum has the
+    /// value 1 of this unknown and the value 0 of the other three.
     unit: [[R; 4]; 4],
-    /// Amplitudes with which the sum of the solutions without load has the same end values as the solution with load.
+    /// Amplitudes of the four homogeneous solutions whose sum has the same four unknowns as the particular solution.
     held: [R; 4],
 }
 
@@ -87,7 +88,7 @@ impl<R: Real> Series<R> {
     }
 }
 
-/// The five solutions.
+/// The four homogeneous solutions and the particular solution of an element, as power series.
 struct Solutions<R> {
     deflection: [Five<R>; TERMS],
     rotation: [Five<R>; TERMS],
@@ -96,9 +97,11 @@ struct Solutions<R> {
     moment: [Five<R>; TERMS],
     /// Vertical force τ.
     force: [Five<R>; TERMS],
-    /// Vertical load per length on the beam, κ w − F: ground reaction minus load. The next field `turning` is the
-    /// moment per length N w′ − G − g. Both quantities enter the virtual work of a rigid rotation.
+    /// Net vertical force per length κ w − F on the beam: the ground reaction minus the load, with the subgrade modulus
+    /// κ. It does work in a rigid motion.
     pressure: [Five<R>; TERMS],
+    /// Moment per length N w′ − G − g on the beam, with the tension N, the slope load G and the moment load g. It does
+    /// work in a rigid rotation.
     turning: [Five<R>; TERMS],
 }
 
@@ -157,10 +160,10 @@ impl<R: Real> Solutions<R> {
         all
     }
 
-    /// Sets the state in the middle of the element. The four solutions without load have there a unit deflection, a
-    /// unit rotation, a moment, and a shear force with w′ = 0. In the solution with load, m and Q are chosen so that
-    /// φ′ = φ″ = 0 in the middle, in spite of imposed curvature and moment loads. So the constant parts of these
-    /// loads do not bend the beam.
+    /// Sets the state of the five solutions in the middle of the element. There, the four homogeneous solutions have a
+    /// deflection, a rotation, a moment, and a shear force with w′ = 0, one each. In the particular solution, the
+    /// moment m and the shear force Q are such that the rotation φ has φ′ = φ″ = 0 in the middle. Constant imposed
+    /// curvatures and moment loads then do not bend the beam.
     fn start(&mut self, of: &Polynomials<R>, a: f64) {
         let [stiffness, tension] = [of.stiffness[0], of.tension[0]];
         let shear_force = -stiffness / (a * a * a);
@@ -175,8 +178,9 @@ impl<R: Real> Solutions<R> {
         self.force[0] = [zero, tension / a, zero, shear_force, balance - of.slope_load[0]];
     }
 
-    /// Computes the four unknowns of each solution: w and φ at the left end, and the deformations ∫γ + ∫(φ − φ_left)
-    /// and φ_right − φ_left, with the shear strain γ.
+    /// Computes the four unknowns of the element for each of the five solutions. They are w and φ at the left end, and
+    /// the deformations w_right − w_left − φ_left h = ∫γ + ∫(φ − φ_left) and φ_right − φ_left, with the length h and
+    /// the shear strain γ.
     fn ends(&self, a: f64) -> [[R; 4]; 5] {
         let mut ends = [[R::ZERO; 4]; 5];
         for j in (0..TERMS).rev() {
@@ -220,9 +224,9 @@ impl<R: Real> Solutions<R> {
     }
 }
 
-/// Computes the amplitudes of the four solutions without load for the values `wanted` of the four unknowns. The two
-/// solutions with a moment or a shear force determine the deformations almost alone, so their amplitudes are
-/// eliminated first.
+/// Computes the amplitudes of the four homogeneous solutions for the values `wanted` of the element's four unknowns.
+/// The two deformations depend almost only on the solutions with a moment and with a shear force, so the amplitudes of
+/// these two solutions are eliminated first.
 fn amplitudes<R: Real>(ends: &[[R; 4]; 4], wanted: [R; 4]) -> [R; 4] {
     let solve = |m: [[R; 2]; 2], r: [R; 2]| {
         let determinant = m[0][0] * m[1][1] - m[0][1] * m[1][0];
@@ -251,7 +255,7 @@ fn amplitudes<R: Real>(ends: &[[R; 4]; 4], wanted: [R; 4]) -> [R; 4] {
     [p, q, bending(0), bending(1)]
 }
 
-/// Computes the forces of a sum of the four solutions without load, with the amplitudes `by`.
+/// Computes the forces on the element in the sum of the four homogeneous solutions with the amplitudes `by`.
 fn combined<R: Real>(forces: &[[R; 4]; 4], by: &[R; 4]) -> [R; 4] {
     std::array::from_fn(|i| sum::<R, 4>(|j| by[j] * forces[j][i]))
 }

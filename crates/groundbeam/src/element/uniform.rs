@@ -27,15 +27,17 @@ pub(crate) struct Uniform<R = f64> {
     halves: [Half<R>; 2],
 }
 
-/// The even or the odd solutions of an element: two solutions without load and one solution with load.
+/// The even or the odd solutions of an element: two homogeneous solutions and one particular solution.
 #[derive(Debug, Clone, Copy)]
 struct Half<R> {
-    /// Power series coefficients c₀, c₂, … or c₁, c₃, … of the two solutions without load and of the solution
-    /// with load. The coefficients of a boundary layer are zero.
+    /// Power series coefficients c₀, c₂, … or c₁, c₃, … of the two homogeneous solutions and of the particular
+    /// solution. The coefficients of a boundary layer are zero.
     series: [[R; TERMS / 2]; 3],
-    /// The two boundary values of each of the three solutions.
+    /// Two boundary values of each of the two homogeneous solutions and of the particular solution. They are
+    /// combinations of the deflections and rotations of both ends, different for even and for odd solutions.
     boundary: [[R; 2]; 3],
-    /// The two boundary forces of each of the three solutions, conjugate to the boundary values.
+    /// Two boundary forces of each of the two homogeneous solutions and of the particular solution. They are
+    /// work-conjugate to the boundary values.
     force: [[R; 2]; 3],
 }
 
@@ -80,8 +82,8 @@ impl<R: Real> Uniform<R> {
             }
         };
 
-        // The boundary values of odd solutions are the rigid rotation δ = (w_right − w_left)/2, and the
-        // difference a θ̄ − δ with the mean slope θ̄ of the ends.
+        // An odd solution has two boundary values: δ = (w_right − w_left)/2, and a θ̄ − δ with half the element length
+        // a and the mean slope θ̄ of the two ends.
         let solve_odd = |c1, c3, rho| series::<1, R>(c1, c3, alpha, beta, rho);
         let odd = match layers {
             None => [
@@ -127,11 +129,12 @@ impl<R: Real> Uniform<R> {
         let (odd, sinh) = odd_half.unfold(odd);
         let series = std::array::from_fn(|j| if j % 2 == 0 { even[j / 2] } else { odd[j / 2] });
         let Some(layers) = self.layers else { return (series, [R::ZERO; 2]) };
-        // The boundary layers are cosh(rx)/cosh(ra) and sinh(rx)/sinh(ra), with the decay rate r = `fast`. Each
-        // is the sum or the difference of a layer at the right end and a layer at the left end.
+        // The boundary layers are cosh(rx)/cosh(ra) and sinh(rx)/sinh(ra), with x from the middle of the element, half
+        // its length a and the decay rate r = `fast`. Each is the sum or the difference of a layer at the right end and
+        // a layer at the left end.
         let decay = exp(-layers.fast * length);
         let (cosh, sinh) = (cosh / (decay + 1.0), sinh / (R::ONE - decay));
-        // An amplitude below `rounding` is rounding error and becomes zero.
+        // An amplitude of a boundary layer below `rounding` is rounding error and is set to zero.
         let [w_left, left, w_right, right] = v.map(|v| v.value().abs());
         let turned = left + right;
         let even = layers.slow_squared.value() * a * (w_left + w_right);
@@ -173,7 +176,8 @@ const fn falling<const PARITY: usize>() -> [[f64; TERMS / 2]; 2] {
     all
 }
 
-/// Weights of the even coefficients c_j in w, w' and w″ at s = 1 and in the integral of w over 0 ≤ s ≤ 1.
+/// Factors of the even coefficients cⱼ of the deflection w = Σ cⱼ sʲ in four quantities: in w, w' and w″ at s = 1, and
+/// in the integral of w over 0 ≤ s ≤ 1.
 const EVEN_SUMS: [[f64; 4]; TERMS / 2] = {
     let mut all = [[0.0; 4]; TERMS / 2];
     let mut i = 0;
@@ -185,7 +189,8 @@ const EVEN_SUMS: [[f64; 4]; TERMS / 2] = {
     all
 };
 
-/// Weights of the odd coefficients c_j in w, w' − w and w″ at s = 1 and in the integral of w s over 0 ≤ s ≤ 1.
+/// Factors of the odd coefficients cⱼ of the deflection w = Σ cⱼ sʲ in four quantities: in w, w' − w and w″ at s = 1,
+/// and in the integral of w s over 0 ≤ s ≤ 1.
 const ODD_SUMS: [[f64; 4]; TERMS / 2] = {
     let mut all = [[0.0; 4]; TERMS / 2];
     let mut i = 0;
@@ -217,13 +222,13 @@ impl<R: Real> Half<R> {
         Half { series, boundary: ends.map(|e| e.0), force: ends.map(|e| e.1) }
     }
 
-    /// Replaces the second solution without load by a boundary layer.
+    /// Replaces the second homogeneous solution by a boundary layer with the given boundary values and boundary forces.
     fn with_layer(mut self, boundary: [R; 2], force: [R; 2]) -> Self {
         (self.boundary[1], self.force[1]) = (boundary, force);
         self
     }
 
-    /// Amplitudes of the two solutions without load for given boundary values.
+    /// Returns the amplitudes of the two homogeneous solutions whose sum has the given boundary values.
     fn amplitudes(&self, value: [R; 2]) -> [R; 2] {
         let [p, q, _] = self.boundary;
         let determinant = p[0] * q[1] - q[0] * p[1];
@@ -246,8 +251,8 @@ impl<R: Real> Half<R> {
         (stiffness, [0, 1].map(|i| force(loaded, i) - self.force[2][i]))
     }
 
-    /// Returns the power series coefficients and the amplitude of the second solution without load, for given
-    /// boundary values.
+    /// For given boundary values, returns the power series coefficients of the solution and the amplitude of the second
+    /// homogeneous solution, which may be a boundary layer.
     fn unfold(&self, value: [R; 2]) -> ([R; TERMS / 2], R) {
         let [x, y] = self.boundary[2];
         let [p, q] = self.amplitudes([value[0] - x, value[1] - y]);
@@ -425,7 +430,7 @@ mod tests {
         // with a rigid rotation, and 12/h³ for bending. All are accurate to the last digits.
         for h in [1e-2, 1e-5, 1e-8] {
             let e = ExactElement::new(&operator(0.0, 1.0), h).element;
-            // The neglected terms of these stiffnesses are smaller by the factor h⁴.
+            // The exact stiffnesses differ from these values by terms that are smaller by the factor h⁴.
             let small = power(h, 4) + 1e-15;
             assert!((e.stiffness[0][0] / h - 1.0).abs() < small);
             assert!((e.stiffness[0][1] / (h * h / 2.0) - 1.0).abs() < small);

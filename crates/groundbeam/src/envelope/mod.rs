@@ -8,8 +8,8 @@ use crate::solution::fields::{Extreme, Fields, Range, Side};
 use crate::solution::solution::Solution;
 use forms::Forms;
 
-/// Relative difference of two solutions below which the difference is rounding error, so that the first of the
-/// two solutions governs. It is relative to the largest value of the field.
+/// If the values of two solutions differ by less than this fraction of the largest value of the field, the difference
+/// may be rounding error. The solution that comes first in the list then governs.
 const ROUNDING_DIFFERENCE: f64 = 1e-12;
 
 /// The shortest part of the beam on which a solution governs, as a fraction of the length. On shorter parts
@@ -88,7 +88,7 @@ pub struct Change {
     /// Position of the change \[m\]. At this position the values of the two governing solutions are equal, or
     /// the field jumps in one of them.
     pub x: f64,
-    /// The line on which the governing solution changes.
+    /// The bound of the envelope on which the governing solution changes: the smallest or the largest values.
     pub bound: Bound,
     /// Index of the solution that governs to the left of this position.
     pub from: usize,

@@ -25,12 +25,12 @@ use std::borrow::Cow;
 
 /// First step in compression, as a fraction of the required compression.
 const FIRST: f64 = 0.25;
-/// Smallest step in compression, as a fraction of the required compression, or of the compression reached if
-/// that is larger. It is the accuracy of the end of the path.
+/// Smallest step in compression, relative to the larger of the required compression and the compression reached so far.
+/// The end of the path is located with this accuracy.
 const LAST: f64 = 1e-10;
-/// Maximum number of Newton steps per step in compression.
+/// Maximum number of Newton steps for one compression and one set of active supports.
 const NEWTON_STEPS: usize = 10;
-/// Maximum number of changes of the active supports per step in compression.
+/// Maximum number of changes of the set of active supports for one compression.
 const SUPPORT_CHANGES: usize = 10;
 /// Limits on the move of the contact edges in a Newton step, relative to the beam's length. A move below `STILL`
 /// is rounding error. A move below `ACCEPTED_MOVE` is accepted if it is at least a quarter of the previous
@@ -76,7 +76,7 @@ pub(crate) struct EquilibriumPath {
 /// The reason why even the smallest step in compression fails.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) enum PathEnd {
-    /// The second variation is not positive. The list contains whether each support was active.
+    /// The second variation of the energy is not positive. The list states for each support whether it was active.
     NotStable(Vec<bool>),
     /// Newton's method does not converge, because the step passes a limit point or because the contact zones
     /// alternate.
@@ -139,8 +139,9 @@ fn predicted(before: Option<&PathPoint>, last: &PathPoint, compression: f64, l: 
     PathPoint { contact: edges.unwrap_or_else(|| last.contact.clone()), ..last.clone() }
 }
 
-/// Returns the next equilibrium on the path. Newton's method must also lead back from the next equilibrium to
-/// the last one, unless the two are neighbours or the last one has no compression.
+/// Returns the next equilibrium on the path. To exclude a jump to another path, Newton's method must lead from the next
+/// equilibrium back to `last`. This check is omitted if `last` has no compression, or if both equilibria have the same
+/// active supports and their contact edges differ by at most [`NEXT`].
 fn next(
     model: &Model,
     places: &[f64],
@@ -201,8 +202,8 @@ fn settled(
     Err(PathEnd::NotConverged)
 }
 
-/// Returns `state` with the set of active supports that the support forces and clearances of `found` require.
-/// Returns `None` if this set is that of `state`.
+/// Returns `state` with its active supports updated from the support forces and clearances of the solution `found`.
+/// Returns `None` if no support changes.
 fn other_supports(
     model: &Model,
     held: &Model,

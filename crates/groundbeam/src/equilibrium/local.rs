@@ -22,7 +22,8 @@ use crate::numeric::tolerance::BRANCH;
 use crate::options::Method;
 use crate::outcome::Outcome;
 
-/// The relative distance from the buckling load at which the buckling mode is computed.
+/// The buckling mode is computed at a compression that is lower than the buckling load by this fraction of the buckling
+/// load.
 const BELOW_BUCKLING: f64 = 1e-12;
 /// Number of points per cell at which a mode is evaluated.
 const MODE_POINTS: usize = 16;
@@ -80,7 +81,8 @@ pub(crate) fn check(
 }
 
 impl Buckling {
-    /// The buckling of a beam with a rigid motion that is unstable under any compression.
+    /// Returns the buckling result of a beam that has a free rigid motion. Such a beam is unstable under any
+    /// compression.
     fn at_once(model: &Model, motion: RigidMotion) -> Self {
         let RigidMotion { left, right, work, lifted } = motion;
         let end = if right.abs() > left.abs() { model.beam.length } else { 0.0 };
@@ -89,7 +91,8 @@ impl Buckling {
     }
 }
 
-/// Returns the buckling mode at the end of the path of equilibria, on the supports that are active at this end.
+/// Returns the compression at the end of the equilibrium path and the buckling mode there, of the beam on the supports
+/// that are active there.
 fn buckling(model: &Model, last: PathPoint, end: PathEnd, cancel: &Cancel) -> Buckling {
     let critical_compression = last.compression;
     let acts = if let PathEnd::NotStable(acts) = end { acts } else { last.active };
@@ -99,11 +102,11 @@ fn buckling(model: &Model, last: PathPoint, end: PathEnd, cancel: &Cancel) -> Bu
     Buckling { critical_compression, at, left, right, work }
 }
 
-/// Returns data of the buckling mode of the beam bonded to the ground on given intervals. They are the position
-/// of the mode's largest absolute value, the values of the mode at both ends of the beam, and the work of the
-/// loads in the mode. The mode is scaled to −1 (upward) at the position of its largest absolute value.
+/// Returns three properties of the buckling mode of the beam bonded to the ground on given intervals: the position of
+/// its largest absolute value, its values at both ends of the beam, and the work of the loads in the mode. The mode is
+/// scaled to −1 (upward) at the position of its largest absolute value.
 ///
-/// The mode is computed as a deflection. Close to its buckling load, a beam deflects in the shape of its
+/// The mode is the deflection under an auxiliary load. Close to its buckling load, a beam deflects in the shape of its
 /// buckling mode under any load that is not orthogonal to the mode.
 fn mode(model: &Model, contact: &[Interval], cancel: &Cancel) -> Option<(f64, [f64; 2], f64)> {
     let load = bonded_buckling_load(model, contact, cancel);

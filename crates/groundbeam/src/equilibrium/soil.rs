@@ -34,7 +34,7 @@ pub(crate) fn solve(
     Ok(on_soil(outcome, soil.gamma(), 1))
 }
 
-/// Adds the data of the soil iteration to the outcome.
+/// Adds the decay parameter γ of the soil and the number of rounds of the soil iteration to the solution.
 fn on_soil(outcome: Outcome, gamma: Option<f64>, rounds: usize) -> Outcome {
     match outcome {
         Outcome::Equilibrium(solution) => {
@@ -44,8 +44,8 @@ fn on_soil(outcome: Outcome, gamma: Option<f64>, rounds: usize) -> Outcome {
     }
 }
 
-/// Iterates on r until the r of the solution equals the r from which k and μ were computed. The first r belongs
-/// to the decay parameter γ = 1.
+/// Iterates on the rate r = ∫u'²/∫u² of the ground displacement u, until the r of the solution equals the r from which
+/// k and μ were computed. The initial r is that of a soil with the decay parameter γ = 1.
 fn iterate(
     soil: &SoilModel,
     model: &Model,
@@ -78,8 +78,8 @@ fn iterate(
     }))
 }
 
-/// Returns the next r of the iteration, by the secant through the last two iterations. If the secant leads far
-/// from the last iteration, returns the r of the last solution.
+/// Returns the next value of the rate r = ∫u'²/∫u² of the ground displacement u, by the secant method through the last
+/// two iterations. If the secant leads far from the last iteration, returns the r of the last solution.
 fn accelerated(before: Option<[f64; 2]>, [rate, found]: [f64; 2]) -> f64 {
     let Some([rate_0, found_0]) = before else { return found };
     let slope = (found - found_0) / (rate - rate_0);
@@ -140,8 +140,8 @@ fn beyond(solution: &Solution, right: bool) -> [f64; 2] {
     [sums[0] + 0.5 * last * last / b, sums[1] + 0.5 * last * last * b]
 }
 
-/// Returns the distributed load on the ground at x \[N/m\]. If the load is discontinuous at x, the value on the
-/// side of the position `within` counts.
+/// Returns the distributed load on the ground at x \[N/m\]. If the load jumps at x, returns its limit from the side on
+/// which the position `within` lies.
 fn pressure(model: &Model, x: f64, within: f64) -> f64 {
     let each = model.ground_loads().map(|load| match load.extent {
         Extent::Distributed { from, to, start, end } if from <= within && within <= to => {
@@ -204,9 +204,9 @@ mod tests {
     use crate::soil::SoilLayer;
     use crate::{Options, solve_with};
 
-    /// Vallabhan and Das (1991) compute γ = 0.395 for a beam of length 100 on soil of depth 25 under a uniform
-    /// load, in feet and kips. For a force at the middle they compute γ = 0.507 with tensile contact. Here the
-    /// ends lift off, so γ is smaller.
+    /// Vallabhan and Das (1991) compute the decay parameter γ of the soil displacement over the depth. It is 0.395 for
+    /// a beam of length 100 on soil of thickness 25 under a uniform load, in feet and kips. For a force at the middle
+    /// and ground that can pull, γ is 0.507. Here the ground cannot pull and the ends lift off, so γ is smaller.
     #[test]
     fn vallabhan_and_das() {
         let layer = SoilLayer { modulus: 144.0, poisson: 0.2, thickness: 25.0 };

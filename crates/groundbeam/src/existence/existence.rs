@@ -68,7 +68,8 @@ mod tests {
 
     #[test]
     fn kikuchi_figure_2() {
-        // (a) The loads are a uniform load f₀ over a length a about the middle, and two moments M₀.
+        // Case (a) of the figure: a uniform load f₀ acts over a length a about the middle of the beam, and two moments
+        // M₀ act.
         let (f0, a, l) = (3.0, 2.0, 4.0);
         for m0 in [2.9, 3.1] {
             let model = beam()
@@ -79,7 +80,7 @@ mod tests {
                 f0 * a > 0.5 * f0 * a + 2.0 * m0 / l && 0.5 * f0 * a + 2.0 * m0 / l > 0.0;
             assert_eq!(exists(&model), condition, "(a) {m0}");
         }
-        // (b) The loads are a uniform load f₀ on [0, a] and a moment M₀.
+        // Case (b) of the figure: a uniform load f₀ acts on [0, a], and a moment M₀ acts.
         for m0 in [-7.0, -5.0, 17.0, 19.0] {
             let model = beam()
                 .with_load(Load::uniform_force(0.0, a, f0))
@@ -87,8 +88,8 @@ mod tests {
             let middle = a / (2.0 * l) * f0 * a + m0 / l;
             assert_eq!(exists(&model), f0 * a > middle && middle > 0.0, "(b) {m0}");
         }
-        // (c) The loads are the forces f₁ and f₂ and the moment −f₂ a at the left end, and the force f₃ at the
-        // right end.
+        // Case (c) of the figure: the force f₁ and the force f₂ act at the left end, together with the moment −f₂ a, so
+        // f₂ acts at the distance a to the left of this end. The force f₃ acts at the right end.
         for (f2, f3) in [(1.0, 0.3), (1.0, 0.2), (-1.0, 0.1)] {
             let (f1, a) = (2.0, 1.0);
             let model = beam()
@@ -198,14 +199,14 @@ mod tests {
         let mut stiff = slab();
         stiff.hinges.iter_mut().for_each(|hinge| hinge.rotational_spring = 1.0);
         assert!(exists(&lifted(stiff, 1.0)));
-        // A support within a piece prevents both of its nodes from lifting. A support at a hinge prevents only
-        // this hinge from lifting.
+        // A support inside a piece between two hinges or beam ends prevents both ends of this piece from lifting off. A
+        // support at a hinge prevents only this hinge from lifting off.
         assert!(exists(&lifted(slab().with_support(Support::pinned(0.5)), 1.0)));
         assert!(!exists(&lifted(slab().with_support(Support::pinned(0.5)), 3.0)));
         assert!(exists(&lifted(slab().with_support(Support::pinned(1.0)), 1.0)));
         assert!(!exists(&lifted(slab().with_support(Support::pinned(1.0)), 0.0)));
-        // A piece that cannot rotate lifts as a whole. Tension prevents the rotation of all pieces, so an
-        // upward force of 2 does not lift the beam under its load of 4.
+        // A piece that cannot rotate lifts off as a whole only. Axial tension prevents the rotation of every piece, so
+        // only the whole beam can lift off. An upward force of 2 does not lift the beam with its load of 4.
         let turned = |at: f64| slab().with_support(Support::spring(at, 0.0, 1.0));
         assert!(exists(&lifted(turned(0.5), 1.0)) && !exists(&lifted(turned(3.5), 1.0)));
         let mut tied = slab();
