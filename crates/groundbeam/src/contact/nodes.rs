@@ -1,4 +1,4 @@
-//! Solves the paper's problem with forces at nodes, (5.5), (5.10), (5.11), with exact instead of cubic beam elements (5.2).
+//! Solves the paper's discrete problem (5.5), (5.10), (5.11): forces at nodes, exact beam elements instead of cubic ones (5.2).
 //!
 //! Newton's method determines the nodes in contact, on meshes from coarse to fine ([`newton`](crate::nodal::newton)).
 

@@ -259,8 +259,8 @@ fn pressure_size<R: Real>(w: &Deflection<R>, i: usize) -> f64 {
     terms.map(|(j, c)| c.value().abs() * (subgrade + bend * (j * j.saturating_sub(1)) as f64)).sum()
 }
 
-/// Computes the surface of unloaded ground over consecutive parts of cells. The surface is 0 at the start of the
-/// first part and 1 at the end of the last part. Returns the values of the surface at the ends of all parts.
+/// Computes the displacement of unloaded ground under consecutive parts of the span, each in one cell. The displacement
+/// is 0 at the start of the first part and 1 at the end of the last part. Returns its values at the ends of all parts.
 fn shape<'a, R: Real + 'a>(parts: impl Iterator<Item = &'a SpanPart<R>>, turned: bool) -> Vec<R> {
     let mut values = vec![R::ZERO];
     let (mut phi, mut flux) = (R::ZERO, R::ONE);

@@ -57,11 +57,11 @@ impl StepLimit {
     }
 }
 
-/// Limit on the Newton steps of a contact iteration that belongs to the continuation in the beam's stiffness or starts
-/// from its result. A short gap between two contact zones closes slowly under the line search. The random models
-/// Shearing 6302 and Hinged 1100 need 133 and 296 steps on a few cells, and in Shearing 7839 the number of steps times
-/// the number of cells reaches 100,000. On the 3000 cells of the random model Hard 9773, 300 steps take a minute and do
-/// not converge.
+/// Limit on the Newton steps of a contact iteration in the continuation in the beam's stiffness, or of one that starts
+/// from the result of this continuation. A short gap between two contact zones closes slowly under the line search. The
+/// random models Shearing 6302 and Hinged 1100 need 133 and 296 steps on a few cells, and in Shearing 7839 the number
+/// of steps times the number of cells reaches 100,000. On the 3000 cells of the random model Hard 9773, 300 steps take
+/// a minute and do not converge.
 pub(crate) const MOST_STEPS: StepLimit = StepLimit { always: 60, most: 400, work: 100_000 };
 
 /// Limit on the Newton steps of a contact iteration that starts from the initial guess or from the contact of a

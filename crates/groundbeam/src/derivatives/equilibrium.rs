@@ -26,7 +26,8 @@ pub(super) struct Equilibrium<'a> {
     pub shapes: Vec<[f64; 4]>,
     /// Coefficients of w in each cell of the mesh of power series.
     pub deflection: Vec<f64>,
-    /// Coefficients of the rotation φ of the sections in each of these cells; empty if the beam has no shear deformation.
+    /// Coefficients of φ, the rotation of the sections, in each cell of the mesh of power series; empty if the beam has
+    /// no shear deformation.
     pub rotation: Vec<f64>,
     /// Spans of open ground on the mesh of elements.
     pub spans: Vec<Span<f64>>,

@@ -16,7 +16,7 @@ pub(super) struct Place {
     pub value: f64,
     /// Derivative of the field with respect to x at the extreme; 0 if the field is stationary.
     pub slope: f64,
-    /// Whether the value does not depend on the parameters, such as the gap in contact or the pressure outside contact.
+    /// Whether the value is independent of the parameters, such as the gap in contact or the pressure outside contact.
     pub always: bool,
     /// Another position at which the field has an extreme of the same size.
     pub rival: Option<f64>,

@@ -33,8 +33,8 @@ pub(super) struct Linear<'a, const N: usize> {
     elements: Mesh<Dual<N>>,
     /// Range of the cells of `elements` whose data depend on the parameters.
     varied: Range<usize>,
-    /// Mesh of power series and the range of its cells whose data depend on the parameters; `None` if this mesh is the
-    /// mesh of elements.
+    /// Mesh of power series and the range of its cells whose data depend on the parameters; `None` if the mesh of
+    /// elements is also the mesh of power series.
     series: Option<(Mesh<Dual<N>>, Range<usize>)>,
     /// For each element whose data depend on the parameters or whose ends are displaced relative to its nodes, the
     /// element with derivatives. [`Self::vary`] sets the entries of the other elements to `None`.

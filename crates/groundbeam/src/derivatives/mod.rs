@@ -114,7 +114,7 @@ impl fmt::Display for NotDifferentiable {
                 method.name()
             ),
             NotDifferentiable::NotUnique => {
-                f.write_str("the equilibrium is not unique, so its derivatives with respect to the model parameters do not exist")
+                f.write_str("the equilibrium is not unique, so its derivatives with respect to parameters do not exist")
             }
             NotDifferentiable::NoSuchParameter(parameter) => {
                 write!(f, "the model has no parameter {parameter:?}")

@@ -139,8 +139,8 @@ impl Frame<'_> {
         let x = moved.x;
         let is_force = matches!(moved.what, Motion::Force(_));
         if !self.is_inside(x) {
-            // A point force at an end of the beam has the position of the concentrated contact force under this end. If
-            // the point force moves away from the end, the contact force stays there.
+            // A point force at an end of the beam acts above the concentrated contact force under this end. If the
+            // point force moves along the beam, the contact force stays under the end.
             let touches = self.touch[self.spot(x, Side::Right).cell] == ZoneKind::Contact
                 || [Side::Left, Side::Right].iter().any(|side| self.zone_at(x, *side).is_some());
             return is_force && touches && self.shears_at(x).contains(&true);

@@ -175,8 +175,8 @@ impl Frame<'_> {
         let here = |x: f64| self.is_same_place(x, moved.x);
         match *read {
             Read::Field { field, x, follows, .. } => {
-                // The load may have the position of a support, a hinge or another load. If the load moves away from it,
-                // the field takes new values between them, and its extreme value may occur there.
+                // A support, a hinge or another load may have the position of the load. If the load moves away from it,
+                // the field takes new values between the two positions, and its extreme value may occur there.
                 let leaves = follows != Follows::Given
                     && !self.stands_alone(moved.x)
                     && self.jumps(field, moved);

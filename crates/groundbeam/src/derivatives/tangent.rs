@@ -33,14 +33,14 @@ pub(super) enum Motion {
     Force(f64),
     /// A point moment. If it moves by δ, the rotation φ changes by δ times the jump of φ′.
     Moment(f64),
-    /// A force per length at the moving end of a distributed force. A displacement δ of this end adds a point force of
-    /// δ times this value at the end.
+    /// A force per length at the moving end of a distributed force, with a negative sign for the left end. A
+    /// displacement δ of the end adds a point force of δ times this value.
     ForcePerLength(f64),
-    /// A moment per length at the moving end of a distributed moment. A displacement δ of this end adds a point moment
-    /// of δ times this value at the end.
+    /// A moment per length at the moving end of a distributed moment, with a negative sign for the left end. A
+    /// displacement δ of the end adds a point moment of δ times this value.
     MomentPerLength(f64),
-    /// An imposed curvature at the moving end of its interval. A displacement δ of this end adds a jump of the rotation
-    /// φ by δ times this value at the end.
+    /// An imposed curvature at the moving end of its interval, with a negative sign for the left end. A displacement δ
+    /// of the end adds a jump of the rotation φ by δ times this value.
     Curvature(f64),
 }
 

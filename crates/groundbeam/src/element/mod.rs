@@ -67,8 +67,8 @@ pub(crate) struct ExactElement<R = f64> {
 #[derive(Debug, Clone)]
 enum Functions<R> {
     Uniform(Uniform<R>),
-    /// Coefficients of w(s) in a long element in which the waves from the ends have decayed. They do not depend on the
-    /// deflections and rotations of its ends.
+    /// Coefficients of w(s) in a quiet element, which is so long that the waves from its ends are neglected. They do
+    /// not depend on the deflections and rotations of the ends.
     Quiet([R; TERMS]),
     Series(Box<Series<R>>),
 }
@@ -79,8 +79,7 @@ impl<R: Real> ExactElement<R> {
             let (element, series) = Series::new(polynomials, length);
             return ExactElement { element, functions: Functions::Series(Box::new(series)) };
         }
-        // Only an element in which the waves from the ends of the loaded stretch have decayed is longer than two
-        // ordinary elements.
+        // Only a quiet element, which has no waves, is longer than two ordinary elements.
         if parts(operator, length) > 2 {
             let (element, series) = quiet::element(operator, length);
             return ExactElement { element, functions: Functions::Quiet(series) };

@@ -81,8 +81,7 @@ mod tests {
             .map(|c| Coefficients::from(&c[..]));
         let found = parts(&curves, 0.0);
         assert_eq!(numbers(&found), [0, 2, 1]);
-        // The parabola ¼ + s²/4 and the line with the value s have equal values where s²/4 − s + ¼ = 0, so at s = 2 −
-        // √3.
+        // The parabola y = ¼ + s²/4 meets the line y = s at s = 2 − √3, the smaller root of s²/4 − s + ¼ = 0.
         let root = 2.0 - 3.0_f64.sqrt();
         assert!((found[1].from + root).abs() < 1e-15 && (found[2].from - root).abs() < 1e-15);
     }

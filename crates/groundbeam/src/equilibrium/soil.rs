@@ -34,7 +34,8 @@ pub(crate) fn solve(
     Ok(on_soil(outcome, soil.gamma(), 1))
 }
 
-/// Adds the decay parameter γ of the soil and the number of rounds of the soil iteration to the solution.
+/// Adds the decay parameter γ of the soil displacement over the depth, and the number of rounds of the soil iteration,
+/// to the solution.
 fn on_soil(outcome: Outcome, gamma: Option<f64>, rounds: usize) -> Outcome {
     match outcome {
         Outcome::Equilibrium(solution) => {

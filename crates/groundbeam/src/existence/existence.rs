@@ -205,8 +205,8 @@ mod tests {
         assert!(!exists(&lifted(slab().with_support(Support::pinned(0.5)), 3.0)));
         assert!(exists(&lifted(slab().with_support(Support::pinned(1.0)), 1.0)));
         assert!(!exists(&lifted(slab().with_support(Support::pinned(1.0)), 0.0)));
-        // A piece that cannot rotate lifts off as a whole only. Axial tension prevents the rotation of every piece, so
-        // only the whole beam can lift off. An upward force of 2 does not lift the beam with its load of 4.
+        // A piece that cannot rotate can lift off only as a whole. Axial tension prevents the rotation of every piece,
+        // so only the whole beam can lift off. An upward force of 2 does not lift the beam with its load of 4.
         let turned = |at: f64| slab().with_support(Support::spring(at, 0.0, 1.0));
         assert!(exists(&lifted(turned(0.5), 1.0)) && !exists(&lifted(turned(3.5), 1.0)));
         let mut tied = slab();
